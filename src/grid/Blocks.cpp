@@ -1,0 +1,140 @@
+#include "grid/Blocks.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+/// Sort key of a particle: colour, block, cell inside the block.
+template <int D>
+struct BlockLayout
+{
+  Grid<D> grid;
+  int across[2]; ///< blocks along the cut axes
+
+  explicit BlockLayout(const Grid<D>& lattice) : grid(lattice)
+  {
+    for (int a = 0; a < 2; ++a)
+      across[a] = lattice.cells[lattice.axisOrder[a]] / Blocks<D>::edge + 1;
+  }
+
+  std::int64_t block(const int (&at)[2]) const
+  {
+    const int colour = 2 * (at[0] % 2) + at[1] % 2;
+    return (std::int64_t(colour) * across[0] + at[0]) * across[1] + at[1];
+  }
+};
+
+template <int D>
+View<int*> reachableNodes(const Grid<D>& grid, const std::vector<char>& occupied)
+{
+  // Dilate the occupied cells by the drift and the widest stencil: three nodes beyond a cell on each side.
+  constexpr int reach = 3;
+  std::vector<char> marked(occupied);
+  for (int axis = 0; axis < D; ++axis)
+  {
+    std::vector<char> wider(marked.size(), 0);
+    for (int n = 0; n < grid.numNodes; ++n)
+      if (marked[n])
+      {
+        int at[D];
+        grid.nodeCoordinates(n, at);
+        const int low = std::max(0, at[axis] - reach),
+                  high = std::min(grid.cells[axis], at[axis] + 1 + reach);
+        for (int k = low; k <= high; ++k)
+          wider[n + (k - at[axis]) * grid.stride[axis]] = 1;
+      }
+    marked.swap(wider);
+  }
+  std::vector<int> list;
+  for (int n = 0; n < grid.numNodes; ++n)
+    if (marked[n])
+      list.push_back(n);
+  View<int*> nodes("rhegma::activeNodes", list.size());
+  const auto host = Kokkos::create_mirror_view(nodes);
+  std::copy(list.begin(), list.end(), host.data());
+  Kokkos::deep_copy(nodes, host);
+  return nodes;
+}
+
+} // namespace
+
+template <int D>
+void sortParticles(const Grid<D>& grid, FieldTable& particles, Blocks<D>& blocks, View<int*>& activeNodes)
+{
+  const int n = particles.size();
+  const BlockLayout<D> layout(grid);
+  const auto position =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.real<D>(fields::position));
+
+  std::vector<std::int64_t> block(n);
+  std::vector<int> cell(n), order(n);
+  std::vector<char> occupied(grid.numNodes, 0);
+  for (int p = 0; p < n; ++p)
+  {
+    int at[D];
+    for (int d = 0; d < D; ++d)
+      at[d] = std::clamp(static_cast<int>(grid.inCells(position(p, d), d)), 0, grid.cells[d] - 1);
+    const int cut[2] = {at[grid.axisOrder[0]] / Blocks<D>::edge, at[grid.axisOrder[1]] / Blocks<D>::edge};
+    block[p] = layout.block(cut);
+    cell[p] = grid.nodeIndex(at);
+    occupied[cell[p]] = 1;
+  }
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b)
+                   { return block[a] != block[b] ? block[a] < block[b] : cell[a] < cell[b]; });
+
+  std::vector<int> first;
+  std::vector<std::int64_t> keys;
+  for (int i = 0; i < n; ++i)
+    if (i == 0 || block[order[i]] != keys.back())
+    {
+      first.push_back(i);
+      keys.push_back(block[order[i]]);
+    }
+  blocks.numBlocks = static_cast<int>(keys.size());
+  first.push_back(n);
+
+  blocks.first = View<int*>("rhegma::blockFirst", first.size());
+  blocks.corner = View<int * [Blocks<D>::axes]>("rhegma::blockCorner", keys.size());
+  blocks.blockOf = View<int*>("rhegma::blockOf", n);
+  const auto hostFirst = Kokkos::create_mirror_view(blocks.first);
+  const auto hostCorner = Kokkos::create_mirror_view(blocks.corner);
+  const auto hostBlockOf = Kokkos::create_mirror_view(blocks.blockOf);
+  std::copy(first.begin(), first.end(), hostFirst.data());
+  std::fill(blocks.colourStart, blocks.colourStart + Blocks<D>::colours + 1, 0);
+  for (int b = 0; b < blocks.numBlocks; ++b)
+  {
+    const int at0 = static_cast<int>(keys[b] / layout.across[1] % layout.across[0]);
+    const int at1 = static_cast<int>(keys[b] % layout.across[1]);
+    hostCorner(b, 0) = at0 * Blocks<D>::edge;
+    hostCorner(b, 1) = at1 * Blocks<D>::edge;
+    ++blocks.colourStart[2 * (at0 % 2) + at1 % 2 + 1];
+    for (int i = first[b]; i < first[b + 1]; ++i)
+      hostBlockOf(i) = b;
+  }
+  for (int c = 0; c < Blocks<D>::colours; ++c)
+    blocks.colourStart[c + 1] += blocks.colourStart[c];
+  Kokkos::deep_copy(blocks.first, hostFirst);
+  Kokkos::deep_copy(blocks.corner, hostCorner);
+  Kokkos::deep_copy(blocks.blockOf, hostBlockOf);
+
+  View<int*> deviceOrder("rhegma::particleOrder", n);
+  const auto hostOrder = Kokkos::create_mirror_view(deviceOrder);
+  std::copy(order.begin(), order.end(), hostOrder.data());
+  Kokkos::deep_copy(deviceOrder, hostOrder);
+  particles.reorder(deviceOrder);
+
+  activeNodes = reachableNodes(grid, occupied);
+}
+
+template void sortParticles(const Grid<2>&, FieldTable&, Blocks<2>&, View<int*>&);
+template void sortParticles(const Grid<3>&, FieldTable&, Blocks<3>&, View<int*>&);
+
+} // namespace Rhegma

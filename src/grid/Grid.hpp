@@ -1,0 +1,72 @@
+#pragma once
+/// The lattice of cells and nodes.
+
+#include "state/Types.hpp"
+
+namespace Rhegma
+{
+
+/// Layers of cells added around the domain, so that no stencil of a particle inside it leaves the lattice.
+constexpr int gridMargin = 4;
+
+/// A box of equal cells. Nodes are numbered with the longest axis slowest, so that blocks of cells along it
+/// are contiguous.
+template <int D>
+struct Grid
+{
+  Vector<D> origin; ///< place of node 0, outside of the domain by the margin [m]
+  Vector<D> lower;  ///< lower corner of the domain [m]
+  Vector<D> upper;  ///< upper corner of the domain [m]
+  double spacing;   ///< edge of a cell [m]
+  double inverse;   ///< 1 / spacing [1/m]
+  int cells[D];     ///< cells along each axis, margins included
+  int stride[D];    ///< distance in the numbering between neighbours along each axis
+  int axisOrder[D]; ///< axes from slowest to fastest
+  int numNodes;
+
+  /// Coordinates of a place in cells from node 0.
+  KOKKOS_INLINE_FUNCTION double inCells(double x, int axis) const { return (x - origin[axis]) * inverse; }
+
+  KOKKOS_INLINE_FUNCTION int nodeIndex(const int (&at)[D]) const
+  {
+    int n = 0;
+    for (int d = 0; d < D; ++d)
+      n += at[d] * stride[d];
+    return n;
+  }
+
+  KOKKOS_INLINE_FUNCTION void nodeCoordinates(int node, int (&at)[D]) const
+  {
+    for (int k = 0; k < D; ++k)
+    {
+      const int axis = axisOrder[k];
+      at[axis] = node / stride[axis];
+      node -= at[axis] * stride[axis];
+    }
+  }
+
+  KOKKOS_INLINE_FUNCTION Vector<D> nodePosition(int node) const
+  {
+    int at[D];
+    nodeCoordinates(node, at);
+    Vector<D> x;
+    for (int d = 0; d < D; ++d)
+      x[d] = origin[d] + at[d] * spacing;
+    return x;
+  }
+
+  KOKKOS_INLINE_FUNCTION bool inside(const Vector<D>& x) const
+  {
+    bool in = true;
+    for (int d = 0; d < D; ++d)
+      in = in && x[d] >= lower[d] && x[d] <= upper[d];
+    return in;
+  }
+};
+
+/// The lattice over a domain. The upper corner need not be a whole number of cells away: the last cell
+/// reaches beyond.
+template <int D>
+Grid<D> makeGrid(const Vector<D>& lower, const Vector<D>& upper, double spacing);
+
+} // namespace Rhegma

@@ -1,0 +1,62 @@
+#pragma once
+/// What the nodes hold during a step.
+
+#include "state/Types.hpp"
+
+namespace Rhegma
+{
+
+/// Nodal values, a row a node. Quantities that a transfer needs together share a row, so that a particle's
+/// share is one vector operation a node. Rows past Grid::numNodes are second fields of nodes beside a crack.
+template <int D>
+struct Nodes
+{
+  static constexpr int sumWidth = 8;
+  static constexpr int motionWidth = D == 2 ? 4 : 8;
+  static constexpr int projectionWidth = D == 2 ? 2 : 4;
+  static constexpr int massAt = 0;
+  static constexpr int momentumAt = 1;
+  static constexpr int forceAt = 1 + D;
+  static constexpr int accelerationAt = D;
+
+  View<double* [sumWidth]> sums;      ///< mass [kg], momentum [kg m/s], force [N]
+  View<double* [motionWidth]> motion; ///< velocity after the solve [m/s], acceleration [m/s2]
+  View<double* [projectionWidth]>
+      projection; ///< momentum, then velocity, that strains the particles (MUSL) [m/s]
+
+  View<int*> active;  ///< nodes that particles can reach until the next sort
+  View<int*> parent;  ///< lattice node of each second field
+  int numLattice = 0; ///< nodes of the lattice
+  int numSecond = 0;  ///< second fields in use
+
+  int numActive() const { return static_cast<int>(active.extent(0)) + numSecond; }
+
+  /// Makes room for second fields.
+  void reserve(int lattice, int second)
+  {
+    const int rows = lattice + second;
+    if (static_cast<int>(sums.extent(0)) >= rows && numLattice == lattice)
+      return;
+    numLattice = lattice;
+    sums = View<double* [sumWidth]>("rhegma::nodeSums", rows);
+    motion = View<double* [motionWidth]>("rhegma::nodeMotion", rows);
+    projection = View<double* [projectionWidth]>("rhegma::nodeProjection", rows);
+  }
+};
+
+/// The i-th node in use, a second field included.
+template <int D>
+KOKKOS_INLINE_FUNCTION int activeNode(const Nodes<D>& nodes, int i)
+{
+  const int lattice = static_cast<int>(nodes.active.extent(0));
+  return i < lattice ? nodes.active(i) : nodes.numLattice + i - lattice;
+}
+
+/// The lattice node at whose place a node is.
+template <int D>
+KOKKOS_INLINE_FUNCTION int latticeNode(const Nodes<D>& nodes, int node)
+{
+  return node < nodes.numLattice ? node : nodes.parent(node - nodes.numLattice);
+}
+
+} // namespace Rhegma

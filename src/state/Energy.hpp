@@ -1,0 +1,31 @@
+#pragma once
+/// The energy ledger.
+
+namespace Rhegma
+{
+
+/// Energies of a run [J]. What the books cannot account for is the residual:
+/// (kinetic + strain) now - at the start - external work + damped + contact + fracture + merged - combustion.
+/// Plastic work spent is part of `damped`: energy that became heat inside the material.
+struct EnergyLedger
+{
+  double kinetic = 0.0;
+  double strain = 0.0;
+  double start = 0.0; ///< kinetic + strain when the run began
+  double thermal = 0.0;
+  double externalWork = 0.0;
+  double damped = 0.0;  ///< by the damping effect
+  double plastic = 0.0; ///< spent in plastic flow
+  double contact = 0.0;
+  double fracture = 0.0;
+  double merged = 0.0;
+  double combustion = 0.0;
+
+  double residual() const
+  {
+    return kinetic + strain - start - externalWork + damped + plastic + contact + fracture + merged -
+           combustion;
+  }
+};
+
+} // namespace Rhegma

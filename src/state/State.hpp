@@ -1,0 +1,124 @@
+#pragma once
+/// Everything that a run holds, handed to every stage.
+
+#include "grid/Blocks.hpp"
+#include "grid/Grid.hpp"
+#include "grid/Nodes.hpp"
+#include "grid/ShapeFunctions.hpp"
+#include "material/Law.hpp"
+#include "state/CrackSet.hpp"
+#include "state/Energy.hpp"
+#include "state/FieldTable.hpp"
+#include "transfer/StencilTable.hpp"
+
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Rhegma
+{
+
+template <int D>
+struct State;
+
+enum class UpdateScheme
+{
+  Musl,
+  Usf,
+  Usl
+};
+
+/// Points that need stencils: where they are, the half widths of their boxes (zero for points), and the side
+/// of a crack from which each looks (CrackSet; 0 away from cracks).
+template <int D>
+struct ObservedPoints
+{
+  View<double* [D]> position;
+  View<double* [D]> half;
+  View<int*> side;
+  int count = 0;
+};
+
+/// What cuts the body: decides which particles need stored stencils and edits stencils so that they end at
+/// the cut. The core knows no more of cracks than this.
+template <int D>
+struct StencilEditor
+{
+  /// Called once a step before any transfer: marks particles (row = 0 where a stored stencil is needed, -1
+  /// elsewhere) and sets up second fields of nodes.
+  std::function<void(State<D>&, const View<int*>& row)> prepare;
+  /// Edits unbroken stencils of points in rows 0 .. points.count - 1.
+  std::function<void(const State<D>&, const ObservedPoints<D>& points, const StencilTable<D>& table)> edit;
+};
+
+/// One body of the scene as particles made it.
+template <int D>
+struct BodyInfo
+{
+  std::string name;
+  int material = 0;
+  double axes[D][D]; ///< undeformed edge directions of its particles, one a row
+};
+
+/// A sampled quantity: a column of the history.
+using HistoryRow = std::vector<std::pair<std::string, double>>;
+
+/// The state of a run.
+template <int D>
+struct State
+{
+  Plane plane = Plane::Solid;
+  double thickness = 1.0;
+  ShapeKind shape = ShapeKind::Gimp;
+  UpdateScheme scheme = UpdateScheme::Musl;
+  double picFraction = 0.0;
+  double cfl = 0.4;
+
+  Grid<D> grid;
+  Nodes<D> nodes;
+  Blocks<D> blocks;
+  FieldTable particles;
+  std::vector<BodyInfo<D>> bodies;
+  View<double* [D][D]> bodyAxes;
+  std::vector<std::string> materialNames;
+  std::vector<Properties> materialList;
+  View<Properties*> materials;
+
+  CrackSet<D> cracks;
+  StencilEditor<D> editor;   ///< empty unless an effect cuts the body
+  View<int*> storedRow;      ///< row of each particle in `stored`, or -1; empty without an editor
+  View<int*> storedParticle; ///< particle of each row
+  StencilTable<D> stored;
+  int numStored = 0;
+
+  double time = 0.0;
+  double dt = 0.0;
+  long step = 0;
+  double fastest = 0.0;   ///< largest wave speed plus particle speed [m/s]
+  bool observing = false; ///< a sample is taken at the end of this step
+  bool sorted = false;    ///< false: sort before the next step
+  View<int*> indexOf;     ///< index of the particle with each id; renewed by every sort
+  double particleSteps = 0.0;
+
+  EnergyLedger energy;
+  Vector<D> momentum;
+  HistoryRow row; ///< filled by the Observe stage
+  bool settled = false;
+  bool stopWhenSettled = false;
+  std::string trouble; ///< why the run can't go on; empty while it can
+  std::vector<std::string> warnings;
+};
+
+/// Index of a body by name, or -1.
+template <int D>
+int findBody(const State<D>& state, const std::string& name)
+{
+  for (std::size_t b = 0; b < state.bodies.size(); ++b)
+    if (state.bodies[b].name == name)
+      return static_cast<int>(b);
+  return -1;
+}
+
+} // namespace Rhegma

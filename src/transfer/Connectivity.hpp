@@ -1,0 +1,80 @@
+#pragma once
+/// Which nodes a particle sees, and in which field: the one policy of all transfers.
+
+#include "grid/Grid.hpp"
+#include "grid/ShapeFunctions.hpp"
+#include "transfer/StencilTable.hpp"
+
+namespace Rhegma
+{
+
+/// Visits the nodes of a particle. Particles with a row in the table see the stored nodes; all others, and
+/// every particle when Stored is false, see the nodes of their cell.
+template <int D, ShapeKind S, bool Stored>
+struct Connectivity
+{
+  Grid<D> grid;
+  BorrowedView<double* [D]> position;
+  BorrowedView<double* [D]> box; ///< half widths [m]; empty for linear functions
+  View<int*> row;                ///< row in the table, or -1
+  StencilTable<D> table;
+
+  /// Calls visit(node, weight, slope) for each node, slope in 1/m.
+  template <class Visit>
+  KOKKOS_INLINE_FUNCTION void visit(int p, Visit&& visit) const
+  {
+    if constexpr (Stored)
+    {
+      const int r = row(p);
+      if (r >= 0)
+      {
+        const int count = table.count(r);
+        for (int k = 0; k < count; ++k)
+          visit(table.node(r, k), table.weight(r, k), &table.slope(r, k, 0));
+        return;
+      }
+    }
+    constexpr int N = nodesPerAxis<S>;
+    AxisStencil<N> axis[D];
+    int base = 0;
+    for (int d = 0; d < D; ++d)
+    {
+      double half = 0.0;
+      if constexpr (S == ShapeKind::Gimp)
+        half = box(p, d) * grid.inverse;
+      axis[d] = axisStencil<S>(grid.inCells(position(p, d), d), half);
+      for (int k = 0; k < N; ++k)
+        axis[d].slope[k] *= grid.inverse;
+      base += axis[d].first * grid.stride[d];
+    }
+    if constexpr (D == 2)
+    {
+      for (int i = 0; i < N; ++i)
+        for (int j = 0; j < N; ++j)
+        {
+          const double slope[2] = {axis[0].slope[i] * axis[1].weight[j],
+                                   axis[0].weight[i] * axis[1].slope[j]};
+          visit(base + i * grid.stride[0] + j * grid.stride[1], axis[0].weight[i] * axis[1].weight[j], slope);
+        }
+    }
+    else
+    {
+      for (int i = 0; i < N; ++i)
+        for (int j = 0; j < N; ++j)
+        {
+          const double across = axis[0].weight[i] * axis[1].weight[j];
+          const double slope0 = axis[0].slope[i] * axis[1].weight[j];
+          const double slope1 = axis[0].weight[i] * axis[1].slope[j];
+          const int line = base + i * grid.stride[0] + j * grid.stride[1];
+          for (int k = 0; k < N; ++k)
+          {
+            const double slope[3] = {slope0 * axis[2].weight[k], slope1 * axis[2].weight[k],
+                                     across * axis[2].slope[k]};
+            visit(line + k * grid.stride[2], across * axis[2].weight[k], slope);
+          }
+        }
+    }
+  }
+};
+
+} // namespace Rhegma

@@ -1,0 +1,17 @@
+#pragma once
+/// The nodes' own equation of motion, lumped.
+
+#include "state/State.hpp"
+
+namespace Rhegma
+{
+
+/// a = f / m and v = p / m + a dt on every node with mass; zero elsewhere.
+template <int D>
+void solveLumped(State<D>& state);
+
+/// v = p / m without force, as USF needs it to strain the particles before forces are known.
+template <int D>
+void nodalVelocity(State<D>& state);
+
+} // namespace Rhegma

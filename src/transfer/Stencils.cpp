@@ -1,0 +1,155 @@
+#include "transfer/Stencils.hpp"
+
+namespace Rhegma
+{
+
+namespace
+{
+
+/// Share of the heaviest node around a point below which a node is too light to follow or to load. Where a
+/// particle's box touches a node's support by a share e of a cell, its mass goes with e^2 but its force with
+/// e, so its acceleration means nothing. The particles see it with weight e^2; a point would see it whole.
+constexpr double lightNode = 0.01;
+
+template <int D, ShapeKind S>
+void writeStencils(const Grid<D>& grid, const ObservedPoints<D>& points, const StencilTable<D>& table)
+{
+  Kokkos::parallel_for(
+      "rhegma::writeStencils", Kokkos::RangePolicy<ExecSpace>(0, points.count), KOKKOS_LAMBDA(const int r) {
+        Vector<D> x, half;
+        for (int d = 0; d < D; ++d)
+        {
+          x[d] = points.position(r, d);
+          half[d] = points.half(r, d);
+        }
+        writeStencil<D, S>(grid, table, r, x, half);
+      });
+}
+
+template <int D>
+int numberRows(const View<int*>& row, View<int*>& particles)
+{
+  const int n = static_cast<int>(row.extent(0));
+  if (static_cast<int>(particles.extent(0)) < n)
+    particles = View<int*>("rhegma::storedParticle", n);
+  const View<int*> list = particles;
+  int count = 0;
+  Kokkos::parallel_scan(
+      "rhegma::numberStored", Kokkos::RangePolicy<ExecSpace>(0, n),
+      KOKKOS_LAMBDA(const int p, int& at, const bool final) {
+        if (row(p) < 0)
+          return;
+        if (final)
+        {
+          row(p) = at;
+          list(at) = p;
+        }
+        ++at;
+      },
+      count);
+  return count;
+}
+
+template <int D>
+ObservedPoints<D> gatherPoints(const State<D>& state)
+{
+  const int count = state.numStored;
+  ObservedPoints<D> points;
+  points.count = count;
+  points.position =
+      View<double* [D]>(Kokkos::view_alloc("rhegma::storedPosition", Kokkos::WithoutInitializing), count);
+  points.half = View<double* [D]>("rhegma::storedHalf", count);
+  points.side = View<int*>("rhegma::storedSide", count);
+  const auto position = state.particles.template real<D>(fields::position);
+  BorrowedView<double* [D]> box;
+  const bool boxes = state.shape == ShapeKind::Gimp;
+  if (boxes)
+    box = state.particles.template real<D>(fields::box);
+  BorrowedView<int*> side;
+  const bool sides = state.particles.has(fields::side);
+  if (sides)
+    side = state.particles.integer(fields::side);
+  const View<int*> particle = state.storedParticle;
+  Kokkos::parallel_for(
+      "rhegma::gatherStored", Kokkos::RangePolicy<ExecSpace>(0, count), KOKKOS_LAMBDA(const int r) {
+        const int p = particle(r);
+        if (sides)
+          points.side(r) = side(p);
+        for (int d = 0; d < D; ++d)
+        {
+          points.position(r, d) = position(p, d);
+          if (boxes)
+            points.half(r, d) = box(p, d);
+        }
+      });
+  return points;
+}
+
+} // namespace
+
+template <int D>
+void storeStencils(State<D>& state)
+{
+  state.numStored = 0;
+  if (!state.editor.prepare)
+    return;
+  const int n = state.particles.size();
+  if (static_cast<int>(state.storedRow.extent(0)) != n)
+    state.storedRow = View<int*>("rhegma::storedRow", n);
+  Kokkos::deep_copy(state.storedRow, -1);
+  state.editor.prepare(state, state.storedRow);
+  state.numStored = numberRows<D>(state.storedRow, state.storedParticle);
+  if (state.numStored == 0)
+    return;
+  state.stored.reserve(state.numStored);
+  const ObservedPoints<D> points = gatherPoints(state);
+  if (state.shape == ShapeKind::Linear)
+    writeStencils<D, ShapeKind::Linear>(state.grid, points, state.stored);
+  else
+    writeStencils<D, ShapeKind::Gimp>(state.grid, points, state.stored);
+  state.editor.edit(state, points, state.stored);
+}
+
+template <int D>
+int pointStencils(const State<D>& state, const ObservedPoints<D>& points, StencilTable<D>& table, bool massed)
+{
+  table.reserve(points.count);
+  writeStencils<D, ShapeKind::Linear>(state.grid, points, table);
+  if (state.editor.edit)
+    state.editor.edit(state, points, table);
+  if (!massed)
+    return 0;
+  const StencilTable<D> t = table;
+  const auto sums = state.nodes.sums;
+  int lost = 0;
+  Kokkos::parallel_reduce(
+      "rhegma::keepMassedNodes", Kokkos::RangePolicy<ExecSpace>(0, points.count),
+      KOKKOS_LAMBDA(const int r, int& missing) {
+        int kept = 0;
+        double sum = 0.0, heaviest = 0.0;
+        for (int k = 0; k < t.count(r); ++k)
+          heaviest = std::fmax(heaviest, sums(t.node(r, k), Nodes<D>::massAt));
+        for (int k = 0; k < t.count(r); ++k)
+          if (sums(t.node(r, k), Nodes<D>::massAt) > lightNode * heaviest && t.weight(r, k) != 0.0)
+          {
+            t.node(r, kept) = t.node(r, k);
+            t.weight(r, kept) = t.weight(r, k);
+            for (int d = 0; d < D; ++d)
+              t.slope(r, kept, d) = t.slope(r, k, d);
+            sum += t.weight(r, kept++);
+          }
+        t.count(r) = sum > 0.0 ? kept : 0;
+        for (int k = 0; k < t.count(r); ++k)
+          t.weight(r, k) /= sum;
+        missing += sum > 0.0 ? 0 : 1;
+      },
+      lost);
+  return lost;
+}
+
+template void storeStencils(State<2>&);
+template void storeStencils(State<3>&);
+template int pointStencils(const State<2>&, const ObservedPoints<2>&, StencilTable<2>&, bool);
+template int pointStencils(const State<3>&, const ObservedPoints<3>&, StencilTable<3>&, bool);
+
+} // namespace Rhegma
