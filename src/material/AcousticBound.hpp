@@ -1,0 +1,87 @@
+#pragma once
+/// Upper bounds of the acoustic tensor, from which the laws derive their wave speeds.
+///
+/// A plane wave of direction n and polarisation m (unit vectors) changes F to (1 + e m n^T) F. Its speed c in
+/// space, relative to the material, obeys rho0 c^2 = d^2 W / de^2 at e = 0, with W the energy per undeformed
+/// volume (Truesdell and Noll, The Non-Linear Field Theories of Mechanics, section 74, with the acoustic
+/// tensor pushed forward). With p = m.n and b = F F^T the derivatives are those of
+///     J -> J (1 + e p),   tr b -> tr b + 2 e m.b n + e^2 n.b n,   tr cof b likewise.
+/// Plane stress relaxes the thickness, d^2 W / de^2 - (d^2 W / de dx)^2 / (d^2 W / dx^2) with x the logarithm
+/// of the thickness stretch, which is the least value along any path x = x0 - theta p e; every theta gives a
+/// bound.
+
+#include "material/Tensors.hpp"
+
+namespace Rhegma
+{
+
+struct EigenvalueRange
+{
+  double smallest;
+  double largest;
+};
+
+/// Bounds of the eigenvalues in three dimensions from two invariants; equal to them where two of the three
+/// coincide. Source: Wolkowicz and Styan, Linear Algebra Appl. 29 (1980) 471, theorem 2.1.
+KOKKOS_INLINE_FUNCTION EigenvalueRange eigenvalueRange(double first, double second)
+{
+  const double spread = 2.0 * std::sqrt(std::fmax(first * first - 3.0 * second, 0.0));
+  return {(first - spread) / 3.0, (first + spread) / 3.0};
+}
+
+/// Range of n.a n over the directions n in which waves travel: exact in 2D (the plane), a bound in 3D.
+template <int D>
+KOKKOS_INLINE_FUNCTION EigenvalueRange directionalRange(const double* a)
+{
+  if constexpr (D == 2)
+  {
+    const double middle = 0.5 * (a[0] + a[1]);
+    const double difference = 0.5 * (a[0] - a[1]);
+    const double radius = std::sqrt(difference * difference + a[2] * a[2]);
+    return {middle - radius, middle + radius};
+  }
+  else
+    return eigenvalueRange(trace<3>(a), secondInvariant<3>(a));
+}
+
+/// Bound of the second derivative of J^(-2/3) tr b, where b is given as J^(-2/3) b:
+///     2 n.b n - 8/3 p m.b n + 10/9 p^2 tr b.
+KOKKOS_INLINE_FUNCTION double firstInvariantBound(double traceB, EigenvalueRange b)
+{
+  const double smallest = std::fmax(b.smallest, 0.0);
+  return std::fmax(2.0 * b.largest, 10.0 / 9.0 * traceB - 2.0 / 3.0 * smallest) +
+         2.0 / 3.0 * (b.largest - smallest);
+}
+
+/// Bound of the second derivative of J^(-4/3) tr cof b, where cof b is given as J^(-4/3) cof b:
+///     2 m.c m + 4/3 p m.c n - 2/9 p^2 tr c, c = cof b.
+KOKKOS_INLINE_FUNCTION double secondInvariantBound(double traceCofactor, double largestCofactor)
+{
+  return 10.0 / 3.0 * largestCofactor - 2.0 / 9.0 * traceCofactor;
+}
+
+/// Bound of alpha n.b n - beta p m.b n + gamma p^2 over the directions of the plane; alpha and beta not
+/// negative.
+KOKKOS_INLINE_FUNCTION double planeBound(double alpha, double beta, double gamma, EigenvalueRange b)
+{
+  const double slope = alpha - beta;
+  const double dilatational = gamma + slope * (slope > 0.0 ? b.largest : b.smallest);
+  return std::fmax(alpha * b.largest, dilatational) + 0.25 * beta * (b.largest - b.smallest);
+}
+
+/// The share theta of the in-plane dilatation that the thickness takes back, as it is at small strain.
+/// \param isochoric second derivative of the isochoric energy by x, \param volumetric of the volumetric
+/// energy
+KOKKOS_INLINE_FUNCTION double relaxation(double isochoric, double volumetric)
+{
+  const double theta = (volumetric - 0.5 * isochoric) / (volumetric + isochoric);
+  return theta > 0.0 && theta < 1.0 ? theta : 1.0;
+}
+
+/// rho0 c^2 [Pa] -> c [m/s].
+KOKKOS_INLINE_FUNCTION double speedOf(double modulus, double density)
+{
+  return std::sqrt(std::fmax(modulus, 0.0) / density);
+}
+
+} // namespace Rhegma

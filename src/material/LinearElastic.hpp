@@ -1,0 +1,87 @@
+#pragma once
+/// Linear elasticity with finite rotations.
+
+#include "material/AcousticBound.hpp"
+#include "material/Law.hpp"
+
+namespace Rhegma
+{
+
+/// Saint Venant-Kirchhoff: W = lambda/2 (tr E)^2 + mu E:E, E = (F^T F - 1)/2; Hooke's law in any rotated
+/// frame.
+///
+/// With g = F F^T - 1 the stress is tau = lambda/2 tr g (1 + g) + mu (g + g g), which needs neither E nor a
+/// rotation. Plane stress is closed: E_zz = -nu/(1 - nu) (E_xx + E_yy). It is meant for small strain. In
+/// uniaxial compression it weakens, its force is largest at the stretch 1/sqrt(3) = 0.577, and it resists
+/// crushing to nothing with nothing: use Neo-Hookean where strains are large. In plane stress the thickness
+/// is used up at E_xx + E_yy = (1 - nu)/(2 nu), where `stress` returns false. Source: Holzapfel, Nonlinear
+/// Solid Mechanics, section 6.5.
+struct LinearElastic
+{
+  template <int D, Plane P>
+  KOKKOS_INLINE_FUNCTION static bool stress(const Properties& m, double* F, double* tau, double*)
+  {
+    if constexpr (P == Plane::Stress)
+    {
+      if (!(planeDeterminant(F) > 0.0))
+        return noStress<D>(tau);
+    }
+    else if (!(determinant<D>(F) > 0.0))
+      return noStress<D>(tau);
+
+    double g[symmetricSize<D>];
+    leftStrain<D>(F, g);
+    double gg[symmetricSize<D>];
+    square<D>(g, gg);
+    const double mu = m.mu;
+    const double traceG = P == Plane::Stress ? g[0] + g[1] : trace<D>(g);
+    const double pressure = 0.5 * m.planeLambda * traceG;
+    const double factor = mu + pressure;
+    const double thickness = 1.0 - m.thicknessRatio * traceG;
+    for (int i = 0; i < 3; ++i)
+    {
+      const int normal = normalIndex<D>(i);
+      tau[normal] = pressure + factor * g[normal] + mu * gg[normal];
+    }
+    for (int i = shearBegin<D>; i < shearEnd<D>; ++i)
+      tau[i] = factor * g[i] + mu * gg[i];
+
+    if constexpr (P == Plane::Stress)
+    {
+      if (!(thickness > 0.0))
+        return noStress<D>(tau);
+      F[4] = std::sqrt(thickness);
+      tau[3] = 0.0;
+    }
+    return true;
+  }
+
+  template <int D, Plane P>
+  KOKKOS_INLINE_FUNCTION static double energy(const Properties& m, const double* F, const double*)
+  {
+    // E and g/2 have the same invariants; in plane stress F[4] brings E_zz.
+    double g[symmetricSize<D>];
+    leftStrain<D>(F, g);
+    const double traceG = trace<D>(g);
+    return 0.125 * m.lambda * traceG * traceG + 0.25 * m.mu * squaredNorm<D>(g);
+  }
+
+  /// rho0 c^2 = n.tau n + (lambda + mu) (m.b n)^2 + mu (n.b n) (m.b m): at most the largest stress plus
+  /// (lambda + 2 mu) times the squared largest eigenvalue of b. An eigenvalue of tau is a convex function of
+  /// that of g.
+  template <int D, Plane P>
+  KOKKOS_INLINE_FUNCTION static double waveSpeed(const Properties& m, const double* F, const double*)
+  {
+    double g[symmetricSize<D>];
+    leftStrain<D>(F, g);
+    const EigenvalueRange range = directionalRange<D>(g);
+    const double pressure = 0.5 * m.planeLambda * (P == Plane::Stress ? g[0] + g[1] : trace<D>(g));
+    const double factor = m.mu + pressure;
+    const double stress = pressure + std::fmax((factor + m.mu * range.largest) * range.largest,
+                                               (factor + m.mu * range.smallest) * range.smallest);
+    const double b = 1.0 + range.largest;
+    return speedOf(stress + (m.planeLambda + 2.0 * m.mu) * b * b, m.density);
+  }
+};
+
+} // namespace Rhegma

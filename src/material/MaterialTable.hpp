@@ -1,0 +1,52 @@
+#pragma once
+/// From the Materials section of a scene to the numbers that kernels see.
+
+#include "material/Law.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <string>
+
+namespace Rhegma
+{
+
+/// Reads one sublist of `Materials`: `Model` (Linear Elastic, Neo-Hookean, Mooney-Rivlin, J2 Plastic),
+/// `Density`, and
+///
+///     Linear Elastic, Neo-Hookean   Young Modulus, Poisson Ratio
+///     Mooney-Rivlin                 C10, C01, Bulk Modulus
+///     J2 Plastic                    Young Modulus, Poisson Ratio, Yield Stress, Hardening Modulus (0 if
+///     absent),
+///                                   Saturation Stress and Saturation Rate (both or neither)
+///
+/// `Saturation Stress` is the yield stress that Voce hardening ends at, `Hardening Modulus` comes on top;
+/// zero means absent. \param plane Solid in 3D. \throws std::invalid_argument one sentence: `Materials >
+/// Steel > Poisson Ratio`, what is wrong, what to write
+Properties makeProperties(const Teuchos::ParameterList& material, const std::string& name, Plane plane);
+
+/// Moduli at small strain, the same for every law.
+struct Elasticity
+{
+  double young;              ///< [Pa]
+  double poisson;            ///< [-]
+  double shear;              ///< [Pa]
+  double lambda;             ///< Lame's first parameter of the solid [Pa]
+  double effectiveModulus;   ///< E' of fracture mechanics: E in plane stress, else E / (1 - nu^2) [Pa]
+  double constrainedModulus; ///< of the dilatational wave: lambda + 2 mu, in plane stress E / (1 - nu^2) [Pa]
+};
+
+inline Elasticity elasticity(const Properties& properties)
+{
+  const double mu = properties.mu;
+  const double bulk = properties.bulk;
+  Elasticity e;
+  e.young = 9.0 * bulk * mu / (3.0 * bulk + mu);
+  e.poisson = (3.0 * bulk - 2.0 * mu) / (6.0 * bulk + 2.0 * mu);
+  e.shear = mu;
+  e.lambda = properties.lambda;
+  e.effectiveModulus = properties.plane == Plane::Stress ? e.young : e.young / (1.0 - e.poisson * e.poisson);
+  e.constrainedModulus = properties.planeLambda + 2.0 * mu;
+  return e;
+}
+
+} // namespace Rhegma
