@@ -1,0 +1,171 @@
+#include "scene/CoreBodies.hpp"
+#include "scene/CoreBoundaries.hpp"
+#include "scene/Schema.hpp"
+
+namespace Rhegma
+{
+
+namespace
+{
+
+Section domain()
+{
+  Section s("Domain", "The box of cells in which everything happens.");
+  s.require();
+  s.integer("Dimension").range(2, 3).meaning("2 for a plane, 3 for space.");
+  s.choice("Plane", {"Strain", "Stress"})
+      .onlyIn(2)
+      .byDefault("Strain")
+      .meaning("What is zero out of the plane: strain, or stress.");
+  s.real("Thickness")
+      .unit("m")
+      .onlyIn(2)
+      .positive()
+      .byDefault(1.0)
+      .meaning("Out of the plane; masses and loads are for it.");
+  s.realArray("Lower Corner").unit("m").perAxis().meaning("The corner with the smallest coordinates.");
+  s.realArray("Upper Corner").unit("m").perAxis().meaning("The corner with the largest coordinates.");
+  s.real("Cell Size").unit("m").positive().meaning("Edge of the square or cubic cells.");
+  s.choice("Shape Functions", {"Linear", "GIMP"})
+      .byDefault("GIMP")
+      .meaning("Linear: cheap, noisy when particles change cell. GIMP: every particle is a box of its own.");
+  return s;
+}
+
+Section time()
+{
+  Section s("Time", "How long and how finely the run steps.");
+  s.require();
+  s.real("Final Time").unit("s").positive().meaning("The run ends here.");
+  s.real("CFL").above(0.0).atMost(1.0).byDefault(0.4).meaning(
+      "Share of a cell that a wave may cross in one step.");
+  s.integer("Maximum Steps")
+      .atLeast(1)
+      .byDefault(2000000000)
+      .meaning("The run ends after so many steps, if not before.");
+  s.choice("Update Scheme", {"MUSL", "USF", "USL"})
+      .byDefault("MUSL")
+      .meaning(
+          "When stresses are updated. MUSL: last, with velocities mapped anew. USF: first. USL: last, for "
+          "comparison only.");
+  s.real("PIC Fraction")
+      .range(0.0, 1.0)
+      .byDefault(0.0)
+      .meaning("Share of the grid's velocity, against its change, that particles take over; it damps.");
+  return s;
+}
+
+void elasticConstants(Section& s)
+{
+  s.real("Density").unit("kg/m3").positive().meaning("Of the undeformed material.");
+  s.real("Young Modulus").unit("Pa").positive().meaning("Stiffness in tension at small strain.");
+  s.real("Poisson Ratio").above(-1.0).below(0.5).meaning("Contraction over stretch at small strain.");
+}
+
+Section linearElastic()
+{
+  Section s("Linear Elastic", "Stress follows small strain; rotations may be large.");
+  elasticConstants(s);
+  return s;
+}
+
+Section neoHookean()
+{
+  Section s("Neo-Hookean", "Compressible rubber-like solid for large strain.");
+  elasticConstants(s);
+  return s;
+}
+
+Section mooneyRivlin()
+{
+  Section s("Mooney-Rivlin",
+            "Rubber with two shear constants; nearly incompressible if the bulk modulus is large.");
+  s.real("Density").unit("kg/m3").positive().meaning("Of the undeformed material.");
+  s.real("C10").unit("Pa").positive().meaning("Constant of the first invariant.");
+  s.real("C01").unit("Pa").notNegative().meaning("Constant of the second invariant.");
+  s.real("Bulk Modulus").unit("Pa").positive().meaning("Stiffness against a change of volume.");
+  return s;
+}
+
+Section j2Plastic()
+{
+  Section s("J2 Plastic", "Metal: elastic up to the yield stress of von Mises, then hardening plastic flow.");
+  elasticConstants(s);
+  s.real("Yield Stress").unit("Pa").positive().meaning("Stress in tension at which plastic flow begins.");
+  s.real("Hardening Modulus")
+      .unit("Pa")
+      .notNegative()
+      .byDefault(0.0)
+      .meaning("Rise of the yield stress per plastic strain.");
+  s.real("Saturation Stress")
+      .unit("Pa")
+      .positive()
+      .optional()
+      .meaning(
+          "Yield stress that Voce hardening ends at; Hardening Modulus comes on top. At least Yield Stress.");
+  s.real("Saturation Rate")
+      .positive()
+      .optional()
+      .meaning("How fast: the yield stress is Yield Stress + (Saturation Stress - Yield Stress) (1 - "
+               "exp(-Saturation Rate x "
+               "plastic strain)) + Hardening Modulus x plastic strain.");
+  s.allOrNoneOf({"Saturation Stress", "Saturation Rate"});
+  return s;
+}
+
+Section materials()
+{
+  Section material("material", "One material.");
+  material.chosenBy("Model").meaning("The constitutive law.");
+  material.variant(linearElastic());
+  material.variant(neoHookean());
+  material.variant(mooneyRivlin());
+  material.variant(j2Plastic());
+
+  Section s("Materials", "What the bodies are made of.");
+  s.require();
+  s.namedByUser(material);
+  return s;
+}
+
+Section output()
+{
+  Section s("Output", "What the run writes, and how often.");
+  s.fill();
+  s.real("History Interval")
+      .unit("s")
+      .positive()
+      .optional("1/200 of Final Time")
+      .meaning("Time between the rows of history.csv.");
+  s.real("Field Interval")
+      .unit("s")
+      .positive()
+      .optional("only the last fields")
+      .meaning("Time between the fields of particles.");
+  s.boolean("Fields").byDefault(true).meaning("Whether fields.h5 and fields.xdmf are written at all.");
+  return s;
+}
+
+Section reference()
+{
+  Section entry("reference", "One value that the run is compared with at its end.");
+  entry.text("Quantity")
+      .notEmpty()
+      .meaning("Path in summary.json, such as cracks.0.fronts.0.G_J or energy.kinetic.");
+  entry.real("Value").meaning("What it should be, in the unit of the quantity.");
+  entry.real("Tolerance").positive().meaning("Largest relative difference.");
+  entry.text("Source").notEmpty().meaning("Where the value comes from.");
+
+  Section s("Reference", "Values with which the run is compared at its end, so that a scene tests itself.");
+  s.namedByUser(entry);
+  return s;
+}
+
+} // namespace
+
+std::vector<Section> coreSections()
+{
+  return {domain(), time(), materials(), bodies(), boundaries(), output(), reference()};
+}
+
+} // namespace Rhegma

@@ -1,0 +1,20 @@
+#pragma once
+/// What no single parameter of the core's sections can show wrong.
+
+#include "scene/SceneError.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <vector>
+
+namespace Rhegma
+{
+
+/// Corners, cells of the domain, materials and bodies that others name, shapes and their place in the domain,
+/// the axes of boundaries, histories that stay finite. Entries that are absent are not checked.
+void crossCheckCore(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors);
+
+/// Fills in the core's defaults that follow from other parameters: Output > History Interval.
+void deriveDefaults(Teuchos::ParameterList& scene);
+
+} // namespace Rhegma

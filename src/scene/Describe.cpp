@@ -1,0 +1,245 @@
+#include "scene/NearestName.hpp"
+#include "scene/NormaliseValue.hpp"
+#include "scene/Numbers.hpp"
+#include "scene/Scene.hpp"
+
+#include <sstream>
+#include <stdexcept>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+std::string valueInWords(const ParameterValue& value)
+{
+  return std::visit(
+      [](const auto& v) -> std::string
+      {
+        using Value = std::decay_t<decltype(v)>;
+        if constexpr (std::is_same_v<Value, bool>)
+          return v ? "true" : "false";
+        else if constexpr (std::is_same_v<Value, int>)
+          return std::to_string(v);
+        else if constexpr (std::is_same_v<Value, double>)
+          return formatReal(v);
+        else if constexpr (std::is_same_v<Value, std::string>)
+          return v;
+        else
+        {
+          std::string list;
+          for (const auto x : v)
+            list += (list.empty() ? "" : ", ") + formatReal(x);
+          return "{" + list + "}";
+        }
+      },
+      value);
+}
+
+/// The default, or what its absence means.
+std::string defaultInWords(const Parameter& parameter)
+{
+  if (!parameter.derivedDefault.empty())
+    return parameter.derivedDefault;
+  if (parameter.byDefault && parameter.byDefaultIn3D)
+    return valueInWords(*parameter.byDefault) + " in 2D, " + valueInWords(*parameter.byDefaultIn3D) +
+           " in 3D";
+  if (parameter.byDefault)
+    return valueInWords(*parameter.byDefault);
+  return parameter.required ? "required" : "absent";
+}
+
+std::string typeName(ParameterType type)
+{
+  switch (type)
+  {
+  case ParameterType::Real:
+    return "double";
+  case ParameterType::Integer:
+    return "int";
+  case ParameterType::Boolean:
+    return "bool";
+  case ParameterType::RealArray:
+    return "Array(double)";
+  case ParameterType::IntegerArray:
+    return "Array(int)";
+  default:
+    return "string";
+  }
+}
+
+/// Range, choices, length and dimension.
+std::string allowedInWords(const Parameter& parameter)
+{
+  std::vector<std::string> parts;
+  const auto add = [&parts](const std::string& part)
+  {
+    if (!part.empty())
+      parts.push_back(part);
+  };
+  add(parameter.rangeInWords());
+  if (!parameter.choices.empty())
+    add("one of " + inWords(parameter.choices));
+  if (parameter.type == ParameterType::RealArray || parameter.type == ParameterType::IntegerArray)
+    add(parameter.length.inWords(0));
+  if (parameter.type == ParameterType::TimeFunction)
+    add("an expression of t or a table of time:value");
+  if (!parameter.mayBeEmpty)
+    add("not empty");
+  if (parameter.onlyDimension != 0)
+    add(std::to_string(parameter.onlyDimension) + "D only");
+  return inWords(parts, "; ");
+}
+
+std::string ruleInWords(const Together& rule)
+{
+  switch (rule.rule)
+  {
+  case Together::Rule::ExactlyOne:
+    return "Exactly one of " + inWords(rule.names) + " is given.";
+  case Together::Rule::AtMostOne:
+    return "At most one of " + inWords(rule.names) + " is given.";
+  case Together::Rule::AllOrNone:
+    return "Either all of " + inWords(rule.names, " and ") + " are given or none.";
+  }
+  return {};
+}
+
+std::string presenceInWords(const Section& section)
+{
+  return section.presence == Section::Presence::Required ? "required" : "optional";
+}
+
+/// Writes a section and all below it; the two forms of the reference differ in the functions that write a
+/// piece.
+class Writer
+{
+public:
+  virtual ~Writer() = default;
+
+  void section(const Section& section, const std::string& path, const std::string& note)
+  {
+    heading(path, note, section.meaning);
+    content(section, path);
+  }
+  std::string text() const { return out.str(); }
+
+protected:
+  virtual void heading(const std::string& path, const std::string& note, const std::string& meaning) = 0;
+  virtual void table(const std::vector<Parameter>& parameters) = 0;
+  virtual void sentence(const std::string& text) = 0;
+
+  std::ostringstream out;
+
+private:
+  void content(const Section& section, const std::string& path)
+  {
+    if (!section.parameters.empty())
+      table(section.parameters);
+    for (const auto& rule : section.together)
+      sentence(ruleInWords(rule));
+    for (const auto& variant : section.variants)
+    {
+      const std::string dimension =
+          variant.onlyDimension == 0 ? "" : ", " + std::to_string(variant.onlyDimension) + "D only";
+      this->section(variant, path, section.key + " = " + variant.name + dimension);
+    }
+    for (const auto& sub : section.sections)
+      this->section(sub, scenePath(path, sub.name), presenceInWords(sub));
+    if (section.userNamed())
+      this->section(section.entry.front(), scenePath(path, "<" + section.entry.front().name + ">"),
+                    "any name, any number");
+  }
+};
+
+/// For a terminal.
+class PlainWriter : public Writer
+{
+protected:
+  void heading(const std::string& path, const std::string& note, const std::string& meaning) override
+  {
+    out << path << "  (" << note << ")\n    " << meaning << "\n\n";
+  }
+  void table(const std::vector<Parameter>& parameters) override
+  {
+    for (const auto& p : parameters)
+    {
+      out << "  " << p.name << "  " << typeName(p.type) << (p.unit.empty() ? "" : " [" + p.unit + "]");
+      const std::string byDefault = defaultInWords(p);
+      out << (byDefault == "required" ? "; required"
+              : byDefault == "absent" ? "; absent unless given"
+                                      : "; default " + byDefault);
+      const std::string allowed = allowedInWords(p);
+      out << (allowed.empty() ? "" : "; " + allowed) << "\n      " << p.meaning << "\n";
+    }
+    out << "\n";
+  }
+  void sentence(const std::string& text) override { out << "  " << text << "\n\n"; }
+};
+
+/// A cell of a Markdown table.
+std::string cell(const std::string& text)
+{
+  std::string escaped;
+  for (const char c : text)
+    escaped += c == '|' ? std::string("\\|") : std::string(1, c);
+  return escaped;
+}
+
+class MarkdownWriter : public Writer
+{
+protected:
+  void heading(const std::string& path, const std::string& note, const std::string& meaning) override
+  {
+    const bool top = path.find(" > ") == std::string::npos;
+    std::string safe;
+    for (const char c : path)
+      safe += c == '<' ? std::string("\\<") : std::string(1, c);
+    out << (top && note.find(" = ") == std::string::npos ? "## " : "### ") << safe
+        << (note.find(" = ") == std::string::npos ? "" : ", " + note) << "\n\n";
+    if (note.find(" = ") == std::string::npos)
+      out << "(" << note << ") ";
+    out << meaning << "\n\n";
+  }
+  void table(const std::vector<Parameter>& parameters) override
+  {
+    out << "| Parameter | Type | Unit | Default | Allowed | Meaning |\n|:--|:--|:--|:--|:--|:--|\n";
+    for (const auto& p : parameters)
+      out << "| " << p.name << " | " << typeName(p.type) << " | " << cell(p.unit) << " | "
+          << cell(defaultInWords(p)) << " | " << cell(allowedInWords(p)) << " | " << cell(p.meaning)
+          << " |\n";
+    out << "\n";
+  }
+  void sentence(const std::string& text) override { out << text << "\n\n"; }
+};
+
+} // namespace
+
+std::string describe(const SceneSchema& schema, const std::string& section)
+{
+  PlainWriter writer;
+  std::vector<std::string> names;
+  bool found = section.empty();
+  for (const auto& s : schema.root().sections)
+  {
+    names.push_back(s.name);
+    if (!section.empty() && s.name != section)
+      continue;
+    writer.section(s, s.name, presenceInWords(s));
+    found = true;
+  }
+  if (!found)
+    throw std::invalid_argument("there is no section \"" + section + "\"; " + suggestion(section, names));
+  return writer.text();
+}
+
+std::string describeMarkdown(const SceneSchema& schema)
+{
+  MarkdownWriter writer;
+  for (const auto& s : schema.root().sections)
+    writer.section(s, s.name, presenceInWords(s));
+  return "# Parameters of a scene\n\nAll numbers are in SI units.\n\n" + writer.text();
+}
+
+} // namespace Rhegma

@@ -1,0 +1,23 @@
+#pragma once
+/// The name that a user most likely meant.
+
+#include <string>
+#include <vector>
+
+namespace Rhegma
+{
+
+/// Fewest letters to insert, delete, change or swap with a neighbour, blind to case (Damerau 1964; each pair
+/// of neighbours at most once).
+int editDistance(const std::string& a, const std::string& b);
+
+/// The nearest of the names, or an empty text if none is near enough to be a slip of the same word.
+std::string nearestName(const std::string& given, const std::vector<std::string>& names);
+
+/// `did you mean "Young Modulus"?`, or all of the names if none is near.
+std::string suggestion(const std::string& given, const std::vector<std::string>& names);
+
+/// "A", "A or B", "A, B or C".
+std::string inWords(const std::vector<std::string>& names, const std::string& lastJoin = " or ");
+
+} // namespace Rhegma

@@ -1,0 +1,312 @@
+#include "scene/NormaliseValue.hpp"
+
+#include "scene/NearestName.hpp"
+#include "scene/Numbers.hpp"
+#include "scene/TimeFunction.hpp"
+#include "scene/Validators.hpp"
+
+#include <Teuchos_Array.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+using Teuchos::ParameterEntry;
+
+template <class Number>
+std::optional<double> asNumber(const ParameterEntry& entry)
+{
+  if (entry.isType<Number>())
+    return static_cast<double>(Teuchos::getValue<Number>(entry));
+  return {};
+}
+
+/// A number of any arithmetic type; not a bool.
+std::optional<double> number(const ParameterEntry& entry)
+{
+  for (const auto& value :
+       {asNumber<double>(entry), asNumber<int>(entry), asNumber<float>(entry), asNumber<long>(entry),
+        asNumber<long long>(entry), asNumber<unsigned>(entry), asNumber<unsigned long>(entry)})
+    if (value)
+      return value;
+  return {};
+}
+
+template <class Number>
+std::optional<std::vector<double>> asNumbers(const ParameterEntry& entry)
+{
+  if (!entry.isType<Teuchos::Array<Number>>())
+    return {};
+  const auto& array = Teuchos::getValue<Teuchos::Array<Number>>(entry);
+  return std::vector<double>(array.begin(), array.end());
+}
+
+/// An array of numbers, or one number as an array of one.
+std::optional<std::vector<double>> numbers(const ParameterEntry& entry)
+{
+  for (const auto& values : {asNumbers<double>(entry), asNumbers<int>(entry), asNumbers<float>(entry),
+                             asNumbers<long long>(entry)})
+    if (values)
+      return values;
+  if (const auto value = number(entry))
+    return std::vector<double>{*value};
+  return {};
+}
+
+std::optional<std::vector<int>> wholeNumbers(const std::vector<double>& values)
+{
+  std::vector<int> whole;
+  for (const double value : values)
+  {
+    const auto integer = wholeNumber(value);
+    if (!integer)
+      return {};
+    whole.push_back(*integer);
+  }
+  return whole;
+}
+
+std::string exactText(double value)
+{
+  char text[40];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+}
+
+std::optional<std::string> text(const ParameterEntry& entry)
+{
+  if (entry.isType<std::string>())
+    return Teuchos::getValue<std::string>(entry);
+  if (entry.isType<const char*>())
+    return std::string(Teuchos::getValue<const char*>(entry));
+  return {};
+}
+
+/// The entry as a value of the parameter's own type.
+std::optional<ParameterValue> convert(const ParameterEntry& entry, ParameterType type)
+{
+  const auto pack = [](const auto& value)
+  { return value ? std::optional<ParameterValue>(*value) : std::nullopt; };
+  switch (type)
+  {
+  case ParameterType::Real:
+    return pack(number(entry));
+  case ParameterType::Integer:
+  {
+    const auto value = number(entry);
+    return pack(value ? wholeNumber(*value) : std::nullopt);
+  }
+  case ParameterType::Boolean:
+    if (entry.isType<bool>())
+      return ParameterValue(Teuchos::getValue<bool>(entry));
+    return {};
+  case ParameterType::Text:
+  case ParameterType::Choice:
+    return pack(text(entry));
+  case ParameterType::TimeFunction:
+    if (const auto value = number(entry))
+      return ParameterValue(exactText(*value));
+    return pack(text(entry));
+  case ParameterType::RealArray:
+    return pack(numbers(entry));
+  case ParameterType::IntegerArray:
+  {
+    const auto values = numbers(entry);
+    return pack(values ? wholeNumbers(*values) : std::nullopt);
+  }
+  }
+  return {};
+}
+
+/// What an entry holds, for a sentence.
+std::string found(const ParameterEntry& entry)
+{
+  if (const auto word = text(entry))
+    return "the text \"" + *word + "\"";
+  if (entry.isType<bool>())
+    return Teuchos::getValue<bool>(entry) ? "the truth value true" : "the truth value false";
+  if (const auto value = number(entry))
+    return "the number " + formatReal(*value);
+  if (const auto values = numbers(entry))
+  {
+    std::string list;
+    for (const double value : *values)
+      list += (list.empty() ? "" : ", ") + formatReal(value);
+    return "the array {" + list + "}";
+  }
+  return "a value of the type " + entry.getAny(false).typeName();
+}
+
+std::string howToWrite(ParameterType type)
+{
+  switch (type)
+  {
+  case ParameterType::Real:
+    return "type=\"double\"";
+  case ParameterType::Integer:
+    return "type=\"int\"";
+  case ParameterType::Boolean:
+    return "type=\"bool\" value=\"true\"";
+  case ParameterType::RealArray:
+    return "type=\"Array(double)\"";
+  case ParameterType::IntegerArray:
+    return "type=\"Array(int)\"";
+  default:
+    return "type=\"string\"";
+  }
+}
+
+bool finite(const ParameterValue& value)
+{
+  if (const auto* real = std::get_if<double>(&value))
+    return std::isfinite(*real);
+  if (const auto* reals = std::get_if<std::vector<double>>(&value))
+    for (const double x : *reals)
+      if (!std::isfinite(x))
+        return false;
+  return true;
+}
+
+std::optional<std::string> wrongLength(const Parameter& parameter, const ParameterValue& value, int dimension)
+{
+  const auto* reals = std::get_if<std::vector<double>>(&value);
+  const auto* integers = std::get_if<std::vector<int>>(&value);
+  if (!reals && !integers)
+    return {};
+  const auto n = static_cast<int>(reals ? reals->size() : integers->size());
+  if (parameter.length.holds(n, dimension))
+    return {};
+  return "has " + std::to_string(n) + (n == 1 ? " number" : " numbers") + "; write " +
+         parameter.length.inWords(dimension) +
+         (dimension == 0 ? "." : " (the scene is " + std::to_string(dimension) + "D).");
+}
+
+/// What to say when the validator refuses a value.
+std::string refused(const Parameter& parameter, const ParameterEntry& entry, const std::string& reason)
+{
+  switch (parameter.type)
+  {
+  case ParameterType::Choice:
+  {
+    const std::string given = Teuchos::getValue<std::string>(entry);
+    const std::string nearest = nearestName(given, parameter.choices);
+    return "is \"" + given + "\"; write " + inWords(parameter.choices) +
+           (nearest.empty() ? "." : " (did you mean \"" + nearest + "\"?).");
+  }
+  case ParameterType::TimeFunction:
+    return reason;
+  case ParameterType::Text:
+    return "is empty; write a text.";
+  default:
+    return "is " + (number(entry) ? formatReal(*number(entry)) : found(entry)) +
+           (parameter.unit.empty() ? "" : " " + parameter.unit) + "; it must be " + parameter.rangeInWords() +
+           (parameter.unit.empty() ? "." : " " + parameter.unit + ".");
+  }
+}
+
+} // namespace
+
+std::string typeInWords(ParameterType type)
+{
+  switch (type)
+  {
+  case ParameterType::Real:
+    return "a real number";
+  case ParameterType::Integer:
+    return "a whole number";
+  case ParameterType::Boolean:
+    return "true or false";
+  case ParameterType::Text:
+    return "a text";
+  case ParameterType::Choice:
+    return "one of a few words";
+  case ParameterType::RealArray:
+    return "an array of real numbers";
+  case ParameterType::IntegerArray:
+    return "an array of whole numbers";
+  case ParameterType::TimeFunction:
+    return "a function of time";
+  }
+  return {};
+}
+
+void setValue(Teuchos::ParameterList& list, const Parameter& parameter, const ParameterValue& value)
+{
+  const std::string& name = parameter.name;
+  const std::string doc = documentation(parameter);
+  std::visit(
+      [&](const auto& v)
+      {
+        using Value = std::decay_t<decltype(v)>;
+        list.remove(name, false); // an entry keeps its type, and a validator that an application gave it
+        if constexpr (std::is_same_v<Value, std::vector<double>>)
+          list.set(name, Teuchos::Array<double>(v), doc);
+        else if constexpr (std::is_same_v<Value, std::vector<int>>)
+          list.set(name, Teuchos::Array<int>(v), doc);
+        else
+          list.set(name, v, doc);
+      },
+      value);
+}
+
+std::optional<std::string> normaliseValue(Teuchos::ParameterList& list, const Parameter& parameter,
+                                          int dimension)
+{
+  const ParameterEntry entry = list.getEntry(parameter.name);
+  const auto value = convert(entry, parameter.type);
+  const std::string given = found(entry);
+  if (!value)
+    return "is " + given + "; write " + typeInWords(parameter.type) + " (" + howToWrite(parameter.type) +
+           ").";
+  if (!finite(*value))
+    return "is not finite (" + given + "); write a finite number.";
+  if (auto wrong = wrongLength(parameter, *value, dimension))
+    return wrong;
+  setValue(list, parameter, *value);
+  const auto validator = makeValidator(parameter);
+  if (!validator.is_null())
+    try
+    {
+      validator->validate(list.getEntry(parameter.name), parameter.name, list.name());
+    }
+    catch (const std::exception& error)
+    {
+      return refused(parameter, list.getEntry(parameter.name), error.what());
+    }
+  return {};
+}
+
+std::optional<ParameterValue> valueFromText(const Parameter& parameter, const std::string& given)
+{
+  const auto pack = [](const auto& value)
+  { return value ? std::optional<ParameterValue>(*value) : std::nullopt; };
+  const std::string word = trimmed(given);
+  switch (parameter.type)
+  {
+  case ParameterType::Real:
+    return pack(parseReal(given));
+  case ParameterType::Integer:
+    return pack(parseInteger(given));
+  case ParameterType::Boolean:
+    if (word == "true" || word == "false")
+      return ParameterValue(word == "true");
+    return {};
+  case ParameterType::RealArray:
+    return pack(parseReals(given));
+  case ParameterType::IntegerArray:
+  {
+    const auto values = parseReals(given);
+    return pack(values ? wholeNumbers(*values) : std::nullopt);
+  }
+  default:
+    return ParameterValue(given);
+  }
+}
+
+} // namespace Rhegma

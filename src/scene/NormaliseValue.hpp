@@ -1,0 +1,32 @@
+#pragma once
+/// One entry of a scene against the parameter that describes it.
+
+#include "scene/Schema.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <optional>
+#include <string>
+
+namespace Rhegma
+{
+
+/// Brings the entry to the parameter's own type where nothing is lost: a whole number to a real one, 3.0 to
+/// an integer, numbers to an array of one, a number to a constant function of time. Checks range, choice,
+/// finiteness and length with the parameter's Teuchos validator.
+///
+/// \param dimension  2, 3, or 0 where the scene does not say
+/// \return the sentence on what is wrong, or none
+std::optional<std::string> normaliseValue(Teuchos::ParameterList& list, const Parameter& parameter,
+                                          int dimension);
+
+/// Sets the parameter to a value of its own type, with its documentation.
+void setValue(Teuchos::ParameterList& list, const Parameter& parameter, const ParameterValue& value);
+
+/// Reads a text, such as one from the command line, as a value of the parameter's type.
+std::optional<ParameterValue> valueFromText(const Parameter& parameter, const std::string& text);
+
+/// "a real number", "a whole number", "true or false", ...
+std::string typeInWords(ParameterType type);
+
+} // namespace Rhegma

@@ -1,0 +1,19 @@
+#pragma once
+/// Changes of a scene from the command line.
+
+#include "scene/Schema.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <string>
+#include <vector>
+
+namespace Rhegma
+{
+
+/// Applies "Section:Sub:Parameter=value". A fixed section that the scene leaves out is made; a sublist that
+/// the user names must be there. Arrays are written as "{1, 2}", "1, 2" or "1 2".
+void applyOverride(Teuchos::ParameterList& scene, const std::string& text, const SceneSchema& schema,
+                   std::vector<SceneError>& errors);
+
+} // namespace Rhegma

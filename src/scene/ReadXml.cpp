@@ -1,0 +1,278 @@
+#include "scene/ReadXml.hpp"
+
+#include "scene/NearestName.hpp"
+#include "scene/Numbers.hpp"
+
+#include <Teuchos_StringInputSource.hpp>
+#include <Teuchos_TestForException.hpp>
+#include <Teuchos_XMLObject.hpp>
+#include <Teuchos_XMLParameterListReader.hpp>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <set>
+#include <sstream>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+using Teuchos::XMLObject;
+
+const std::vector<std::string> knownTypes = {"double", "int",           "bool",
+                                             "string", "Array(double)", "Array(int)"};
+
+const std::string howToWrite = "write <Parameter name=\"...\" type=\"...\" value=\"...\"/>.";
+
+/// The value in Teuchos' own writing, or none if the text is not a value of the type.
+std::optional<std::string> normalised(const std::string& type, const std::string& text)
+{
+  if (type == "string")
+    return text;
+  if (type == "bool")
+  {
+    const std::string word = trimmed(text);
+    if (word == "true" || word == "True" || word == "TRUE")
+      return "true";
+    if (word == "false" || word == "False" || word == "FALSE")
+      return "false";
+    return {};
+  }
+  if (type == "int")
+  {
+    const auto value = parseInteger(text);
+    return value ? std::optional<std::string>(std::to_string(*value)) : std::nullopt;
+  }
+  const bool array = type != "double";
+  if (!array && !parseReal(text))
+    return {};
+  const auto values = array ? parseReals(text) : std::vector<double>{*parseReal(text)};
+  if (!values)
+    return {};
+  for (const double value : *values)
+    if (!std::isfinite(value) || (type == "Array(int)" && !wholeNumber(value)))
+      return {};
+  const std::string braced = formatReals(*values);
+  return array ? braced : braced.substr(1, braced.size() - 2);
+}
+
+/// Says what is wrong with a text that is not a value of the type.
+std::string wrongValue(const std::string& type, const std::string& text)
+{
+  const bool array = type.rfind("Array", 0) == 0;
+  const auto values = array ? parseReals(text) : parseReal(text) ? parseReals(text) : std::nullopt;
+  bool finite = true;
+  if (values)
+    for (const double value : *values)
+      finite = finite && std::isfinite(value);
+  const std::string found = "\"" + text + "\" ";
+  if (type == "bool")
+    return found + "is neither true nor false; write value=\"true\" or value=\"false\".";
+  if (!finite)
+    return found + "is not finite; write a finite number.";
+  if (type == "int" || type == "Array(int)")
+    return values ? found + "is not a whole number of ordinary size; write a whole number."
+                  : found + (array ? "is not a list of whole numbers; write {1, 2}."
+                                   : "is not a whole number; write digits only.");
+  return array ? found + "is not a list of numbers; write {1.0, 2.0}."
+               : found + "is not a number; write digits only, such as 1.5e-3, without a unit.";
+}
+
+/// Copies what is right in the XML and reports the rest.
+class Cleaner
+{
+public:
+  explicit Cleaner(std::vector<SceneError>& errors) : m_errors(errors) {}
+
+  XMLObject list(const XMLObject& xml, const std::string& path)
+  {
+    XMLObject clean("ParameterList");
+    if (xml.hasAttribute("name"))
+      clean.addAttribute("name", xml.getAttribute("name"));
+    std::set<std::string> names;
+    refuseText(xml, path);
+    for (int i = 0; i < xml.numChildren(); ++i)
+      child(xml.getChild(i), path, names, clean);
+    return clean;
+  }
+
+private:
+  void child(const XMLObject& xml, const std::string& path, std::set<std::string>& names, XMLObject& clean)
+  {
+    const bool sublist = xml.getTag() == "ParameterList";
+    if (xml.getTag() == "Validators" && path.empty() && xml.numChildren() == 0)
+      return; // Teuchos ends every list that it writes with this
+    if (!sublist && xml.getTag() != "Parameter")
+    {
+      report(path, "<" + xml.getTag() + "> is unknown here; write <ParameterList> or <Parameter>.");
+      return;
+    }
+    const std::string name = xml.hasAttribute("name") ? xml.getAttribute("name") : "";
+    if (trimmed(name).empty())
+    {
+      report(path, sublist ? "a <ParameterList> has no name; write <ParameterList name=\"...\">."
+                           : "a <Parameter> has no name; " + howToWrite);
+      return;
+    }
+    const std::string where = scenePath(path, name);
+    if (!names.insert(name).second)
+    {
+      report(where, "the name is given twice; keep one of the two.");
+      return;
+    }
+    if (sublist)
+      clean.addChild(list(xml, where));
+    else
+      parameter(xml, where, clean);
+  }
+
+  void parameter(const XMLObject& xml, const std::string& where, XMLObject& clean)
+  {
+    if (refuseText(xml, where))
+      return;
+    for (const std::string attribute : {"type", "value"})
+      if (!xml.hasAttribute(attribute))
+      {
+        report(where, std::string("has no ").append(attribute).append("; ").append(howToWrite));
+        return;
+      }
+    std::string type = trimmed(xml.getAttribute("type"));
+    if (type == "float" || type == "Array(float)") // wider here than in the file
+      type.replace(type.find("float"), 5, "double");
+    if (type == "long long" || type == "long" || type == "unsigned int")
+      type = "int";
+    if (type != "Array(string)" && std::find(knownTypes.begin(), knownTypes.end(), type) == knownTypes.end())
+    {
+      report(where, "the type \"" + type + "\" is unknown; " + suggestion(type, knownTypes));
+      return;
+    }
+    const std::string text = xml.getAttribute("value");
+    const auto value = type == "Array(string)" ? std::optional<std::string>(text) : normalised(type, text);
+    if (!value)
+    {
+      report(where, wrongValue(type, text));
+      return;
+    }
+    XMLObject copy("Parameter");
+    copy.addAttribute("name", xml.getAttribute("name"));
+    copy.addAttribute("type", type);
+    copy.addAttribute("value", *value);
+    clean.addChild(copy);
+  }
+
+  /// Reports a text outside of the tags; whether there is one.
+  bool refuseText(const XMLObject& xml, const std::string& where)
+  {
+    for (int i = 0; i < xml.numContentLines(); ++i)
+    {
+      const std::string line = trimmed(xml.getContentLine(i));
+      if (line.empty())
+        continue;
+      report(where, "the text \"" + line.substr(0, 40) + "\" stands outside of a parameter; " + howToWrite);
+      return true;
+    }
+    return false;
+  }
+
+  void report(const std::string& where, const std::string& message) { m_errors.push_back({where, message}); }
+
+  std::vector<SceneError>& m_errors;
+};
+
+/// Teuchos' own sentence without the place in its source.
+std::string parserReason(const std::string& what)
+{
+  const std::string mark = "XML parse error at ";
+  const auto begin = what.rfind(mark);
+  if (begin == std::string::npos)
+    return what.find("empty XML") != std::string::npos ? "the file holds no element" : "the file is not XML";
+  std::string reason = trimmed(what.substr(begin + mark.size()));
+  return reason.substr(0, reason.find('\n'));
+}
+
+/// No stack traces while a user's mistake passes through Teuchos.
+class NoStackTrace
+{
+public:
+  NoStackTrace() : m_before(Teuchos::TestForException_getEnableStacktrace())
+  {
+    Teuchos::TestForException_setEnableStacktrace(false);
+  }
+  ~NoStackTrace() { Teuchos::TestForException_setEnableStacktrace(m_before); }
+  NoStackTrace(const NoStackTrace&) = delete;
+  NoStackTrace& operator=(const NoStackTrace&) = delete;
+
+private:
+  bool m_before;
+};
+
+} // namespace
+
+std::string readText(const std::string& file, std::vector<SceneError>& errors)
+{
+  std::error_code ignored;
+  const auto status = std::filesystem::status(file, ignored);
+  const std::string name = "\"" + file + "\" ";
+  if (!std::filesystem::exists(status))
+    errors.push_back({"", name + "does not exist; give the path of a scene's XML file."});
+  else if (std::filesystem::is_directory(status))
+    errors.push_back({"", name + "is a folder; give the path of a scene's XML file."});
+  else
+  {
+    std::ifstream in(file, std::ios::binary);
+    std::ostringstream text;
+    if (in && in.peek() == std::ifstream::traits_type::eof())
+      errors.push_back({"", name + "is empty; a scene starts with <ParameterList name=\"Rhegma\">."});
+    else if (!in || !(text << in.rdbuf()))
+      errors.push_back({"", name + "can't be read (" + std::strerror(errno) + "); check its permissions."});
+    else
+      return text.str();
+  }
+  return {};
+}
+
+Teuchos::RCP<Teuchos::ParameterList> parseXml(const std::string& xml, const std::string& topName,
+                                              std::vector<SceneError>& errors)
+{
+  const NoStackTrace quiet;
+  const std::string start = "a scene starts with <ParameterList name=\"" + topName + "\">.";
+  const std::string byteOrderMark = "\xEF\xBB\xBF";
+  const std::string text = xml.rfind(byteOrderMark, 0) == 0 ? xml.substr(byteOrderMark.size()) : xml;
+  try
+  {
+    const XMLObject top = Teuchos::StringInputSource(text).getObject();
+    if (top.getTag() != "ParameterList")
+    {
+      errors.push_back({"", "the file starts with <" + top.getTag() + ">; " + start});
+      return Teuchos::null;
+    }
+    const std::string name = top.hasAttribute("name") ? top.getAttribute("name") : "";
+    if (name != topName)
+    {
+      errors.push_back(
+          {"", (name.empty() ? "the top list has no name; " : "the top list is \"" + name + "\"; ") + start});
+      return Teuchos::null;
+    }
+    const XMLObject clean = Cleaner(errors).list(top, "");
+    const auto list = Teuchos::parameterList(Teuchos::XMLParameterListReader().toParameterList(clean));
+    list->setName(topName);
+    return list;
+  }
+  catch (const std::exception& error)
+  {
+    std::string message = "not well-formed XML: " + parserReason(error.what());
+    if (message.find("invalid character in attribute value") != std::string::npos)
+      message += " (write &lt; for < and &amp; for &)";
+    errors.push_back({"", message + "; " + start});
+    return Teuchos::null;
+  }
+}
+
+} // namespace Rhegma

@@ -1,0 +1,46 @@
+#pragma once
+/// From a scene's XML file to one validated parameter list.
+
+#include "scene/SceneError.hpp"
+#include "scene/Schema.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+#include <Teuchos_RCP.hpp>
+
+#include <string>
+#include <vector>
+
+namespace Rhegma
+{
+
+struct SceneResult
+{
+  /// Defaults filled in, types normalised (a Real is a double, an array a Teuchos::Array<double> or <int>).
+  /// Null if the file holds no list; not to be run if there are errors.
+  Teuchos::RCP<Teuchos::ParameterList> list;
+  std::vector<SceneError> errors;
+};
+
+/// Reads and validates a scene; collects every mistake instead of stopping at the first, and never throws for
+/// one.
+///
+/// \param overrides  "Section:Sub:Parameter=value", applied in order before the scene is validated
+SceneResult readScene(const std::string& file, const std::vector<std::string>& overrides,
+                      const SceneSchema& schema);
+
+/// The same for the text of a scene.
+SceneResult readSceneText(const std::string& xml, const std::vector<std::string>& overrides,
+                          const SceneSchema& schema);
+
+/// Validates a list that an application hands over, with the same result. A list with mistakes is left as it
+/// was.
+void validateList(Teuchos::ParameterList& list, const SceneSchema& schema, std::vector<SceneError>& errors);
+
+/// The reference of one section, or of all for an empty name, for a terminal.
+/// \throws std::invalid_argument if there is no such section; it names the nearest
+std::string describe(const SceneSchema& schema, const std::string& section);
+
+/// The whole reference as Markdown.
+std::string describeMarkdown(const SceneSchema& schema);
+
+} // namespace Rhegma

@@ -1,0 +1,241 @@
+#pragma once
+/// What a scene may hold: sections and parameters with their types, units, ranges, defaults and meanings.
+///
+/// The same description validates a scene, fills in its defaults and prints its reference, so that none of
+/// the three can differ from the others. A section is written as it would be read:
+///
+///     Section time("Time", "How long and how finely the run steps.");
+///     time.real("Final Time").unit("s").positive().meaning("The run ends here.");
+///     time.real("CFL").above(0.0).atMost(1.0).byDefault(0.4).meaning("Share of the stable step that is
+///     used.");
+
+#include "scene/SceneError.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <functional>
+#include <limits>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace Rhegma
+{
+
+enum class ParameterType
+{
+  Real,
+  Integer,
+  Boolean,
+  Text,
+  Choice,       ///< a text out of a few
+  RealArray,    ///< Teuchos::Array<double>
+  IntegerArray, ///< Teuchos::Array<int>
+  TimeFunction  ///< a text: an expression of t or a table (scene/TimeFunction.hpp)
+};
+
+/// A default value. Text, Choice and TimeFunction are strings.
+using ParameterValue = std::variant<double, int, bool, std::string, std::vector<double>, std::vector<int>>;
+
+/// How many values an array holds; some lengths follow the scene's dimension D.
+struct ArrayLength
+{
+  enum class Rule
+  {
+    Any,
+    Exactly,        ///< `number`
+    MultipleOf,     ///< `number`
+    Axes,           ///< D
+    MultipleOfAxes, ///< points one after another: a multiple of D
+    RotationAxes    ///< 1 in 2D, 3 in 3D
+  };
+  Rule rule = Rule::Any;
+  int number = 0;
+  int atLeast = 0; ///< fewest values; with MultipleOfAxes fewest points
+
+  /// Whether an array of n values fits; an unknown dimension (0) fits every rule that needs it.
+  bool holds(int n, int dimension) const;
+  /// The rule in words, such as "2 numbers"; in general terms with dimension 0.
+  std::string inWords(int dimension) const;
+};
+
+struct Parameter
+{
+  std::string name;
+  ParameterType type = ParameterType::Real;
+  std::string unit; ///< SI; empty: a pure number or not a number
+  std::string meaning;
+
+  bool required = true;
+  std::optional<ParameterValue> byDefault;
+  std::optional<ParameterValue> byDefaultIn3D; ///< where it differs from 2D
+  std::string derivedDefault;                  ///< in words, where the default follows from other parameters
+
+  double lower = -std::numeric_limits<double>::infinity();
+  double upper = std::numeric_limits<double>::infinity();
+  bool lowerOpen = false; ///< the bound itself is not allowed
+  bool upperOpen = false;
+
+  std::vector<std::string> choices;
+  bool mayBeEmpty = true; ///< Text
+  ArrayLength length;
+  int onlyDimension = 0; ///< 2 or 3: only scenes of this dimension have it; 0: all
+
+  /// The default in a scene of this dimension; none if there is none.
+  const ParameterValue* defaultIn(int dimension) const;
+  bool existsIn(int dimension) const
+  {
+    return onlyDimension == 0 || dimension == 0 || onlyDimension == dimension;
+  }
+  /// The allowed values in words, such as "above -1 and below 0.5"; empty if all are.
+  std::string rangeInWords() const;
+};
+
+/// Writes one parameter, in the order in which a reader asks. Valid until the section gets its next
+/// parameter.
+class ParameterBuilder
+{
+public:
+  explicit ParameterBuilder(Parameter& parameter) : p(&parameter) {}
+
+  ParameterBuilder& unit(const std::string& u);
+  ParameterBuilder& meaning(const std::string& m);
+
+  /// Must be given; so is every parameter that says nothing else.
+  ParameterBuilder& required();
+  /// Absent unless given.
+  ParameterBuilder& optional();
+  /// Absent unless given; the default, said in words, follows from other parameters.
+  ParameterBuilder& optional(const std::string& derivedDefault);
+  ParameterBuilder& byDefault(double value); ///< also for integers
+  ParameterBuilder& byDefault(int value);
+  ParameterBuilder& byDefault(bool value);
+  ParameterBuilder& byDefault(const char* value);
+  ParameterBuilder& byDefault(const char* in2D, const char* in3D);
+  ParameterBuilder& byDefault(std::vector<double> value);
+  /// An array of zeros as long as `perAxis` or `perRotationAxis` ask.
+  ParameterBuilder& byDefaultZeros();
+
+  ParameterBuilder& atLeast(double bound);
+  ParameterBuilder& above(double bound);
+  ParameterBuilder& atMost(double bound);
+  ParameterBuilder& below(double bound);
+  ParameterBuilder& range(double lower, double upper) { return atLeast(lower).atMost(upper); }
+  ParameterBuilder& positive() { return above(0.0); }
+  ParameterBuilder& notNegative() { return atLeast(0.0); }
+
+  ParameterBuilder& notEmpty();
+  ParameterBuilder& length(int n);
+  ParameterBuilder& multipleOf(int n, int fewest = 0);
+  ParameterBuilder& perAxis();                      ///< D values
+  ParameterBuilder& perPoint(int fewestPoints = 1); ///< points one after another, D values each
+  ParameterBuilder& perRotationAxis();              ///< 1 value in 2D, 3 in 3D
+  ParameterBuilder& onlyIn(int dimension);
+
+private:
+  Parameter* p;
+};
+
+/// A rule about which parameters of a section are given together.
+struct Together
+{
+  enum class Rule
+  {
+    ExactlyOne,
+    AtMostOne,
+    AllOrNone
+  };
+  Rule rule;
+  std::vector<std::string> names;
+};
+
+struct Section
+{
+  enum class Presence
+  {
+    Optional, ///< absent unless given
+    Required,
+    Filled ///< made with its defaults where it is absent
+  };
+
+  std::string name;
+  std::string meaning;
+  std::vector<Parameter> parameters;
+  std::vector<Section> sections; ///< subsections with fixed names
+  Presence presence = Presence::Optional;
+  int onlyDimension = 0; ///< 2 or 3: only scenes of this dimension may have or choose it; 0: all
+  std::vector<Together> together;
+
+  /// The parameter that chooses one of `variants` by name; empty: there are none. The variant's parameters
+  /// and subsections add to the section's own, in the same list.
+  std::string key;
+  std::vector<Section> variants;
+
+  /// Zero or one: what every sublist holds that the user names, beside the fixed subsections. Its own name
+  /// says what such a sublist is, such as "body".
+  std::vector<Section> entry;
+  bool userNamed() const { return !entry.empty(); }
+
+  Section(std::string name, std::string meaning);
+
+  ParameterBuilder real(const std::string& parameter);
+  ParameterBuilder integer(const std::string& parameter);
+  ParameterBuilder boolean(const std::string& parameter);
+  ParameterBuilder text(const std::string& parameter);
+  ParameterBuilder choice(const std::string& parameter, std::vector<std::string> choices);
+  ParameterBuilder realArray(const std::string& parameter);
+  ParameterBuilder integerArray(const std::string& parameter);
+  ParameterBuilder timeFunction(const std::string& parameter);
+
+  /// Adds a subsection with a fixed name.
+  Section& subsection(Section section);
+  /// Every further sublist is named by the user and holds what `section` says.
+  Section& namedByUser(Section section);
+  /// Adds a parameter that chooses a variant. Add it before the variants.
+  ParameterBuilder chosenBy(const std::string& parameter);
+  Section& variant(Section section);
+
+  Section& require();
+  /// Made with its defaults where a scene leaves it out.
+  Section& fill();
+  Section& onlyIn(int dimension);
+  Section& exactlyOneOf(std::vector<std::string> names);
+  Section& atMostOneOf(std::vector<std::string> names);
+  Section& allOrNoneOf(std::vector<std::string> names);
+
+  const Parameter* findParameter(const std::string& name) const;
+  const Section* findSection(const std::string& name) const;
+  const Section* findVariant(const std::string& name) const;
+
+private:
+  ParameterBuilder add(const std::string& parameter, ParameterType type);
+};
+
+/// A check that no single parameter can make; it adds what it finds. It sees the list with its defaults
+/// filled in and types normalised, but without the entries that are wrong on their own: it must ask before it
+/// gets.
+using CrossCheck = std::function<void(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)>;
+
+/// Everything a scene may hold: the core's sections and those of the effects.
+class SceneSchema
+{
+public:
+  explicit SceneSchema(std::vector<Section> sections);
+
+  /// The scene's top list as a section.
+  const Section& root() const { return m_root; }
+  /// An effect's own cross check.
+  void addCheck(CrossCheck check) { m_checks.push_back(std::move(check)); }
+  const std::vector<CrossCheck>& checks() const { return m_checks; }
+
+private:
+  Section m_root;
+  std::vector<CrossCheck> m_checks;
+};
+
+/// The sections of the material point method itself: Domain, Time, Materials, Bodies, Boundaries, Output,
+/// Reference.
+std::vector<Section> coreSections();
+
+} // namespace Rhegma

@@ -1,0 +1,29 @@
+#pragma once
+/// A quantity that the user gives as a function of time.
+
+#include <memory>
+#include <string>
+
+namespace Rhegma
+{
+
+/// Either an expression of t [s], such as "sin(2*pi*50*t)" or "t < 1e-3 ? 1 : 0", or a table "0:0, 1e-3:5" of
+/// time:value pairs with straight lines between them, held constant outside of them.
+///
+/// Copies share one parser, so a function belongs to one thread at a time.
+class TimeFunction
+{
+public:
+  /// \throws std::invalid_argument with one sentence on what is wrong with the text
+  static TimeFunction parse(const std::string& text);
+
+  /// \param t  time [s]
+  double operator()(double t) const;
+
+private:
+  struct Form;
+  explicit TimeFunction(std::shared_ptr<const Form> form);
+  std::shared_ptr<const Form> m_form;
+};
+
+} // namespace Rhegma

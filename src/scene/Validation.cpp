@@ -1,0 +1,272 @@
+#include "scene/Validation.hpp"
+
+#include "scene/NearestName.hpp"
+#include "scene/NormaliseValue.hpp"
+
+namespace Rhegma
+{
+
+ActiveSection::ActiveSection(const Section& section, const Teuchos::ParameterList& list)
+{
+  const auto add = [this](const Section& s)
+  {
+    for (const auto& parameter : s.parameters)
+      parameters.push_back(&parameter);
+    for (const auto& sub : s.sections)
+      sections.push_back(&sub);
+    for (const auto& rule : s.together)
+      together.push_back(&rule);
+    if (s.userNamed())
+      entry = &s.entry.front();
+  };
+  add(section);
+  if (section.key.empty())
+    return;
+  std::string chosen;
+  if (list.isType<std::string>(section.key))
+    chosen = list.get<std::string>(section.key);
+  else if (const Parameter* key = section.findParameter(section.key);
+           key->byDefault && !list.isParameter(section.key))
+    chosen = std::get<std::string>(*key->byDefault);
+  variant = section.findVariant(chosen);
+  variantKnown = variant != nullptr;
+  if (variant)
+    add(*variant);
+}
+
+const Parameter* ActiveSection::findParameter(const std::string& name) const
+{
+  for (const auto* parameter : parameters)
+    if (parameter->name == name)
+      return parameter;
+  return nullptr;
+}
+
+const Section* ActiveSection::findSection(const std::string& name) const
+{
+  for (const auto* section : sections)
+    if (section->name == name)
+      return section;
+  return nullptr;
+}
+
+std::vector<std::string> ActiveSection::parameterNames(int dimension) const
+{
+  std::vector<std::string> names;
+  for (const auto* parameter : parameters)
+    if (parameter->existsIn(dimension))
+      names.push_back(parameter->name);
+  return names;
+}
+
+std::vector<std::string> ActiveSection::sectionNames() const
+{
+  std::vector<std::string> names;
+  for (const auto* section : sections)
+    names.push_back(section->name);
+  return names;
+}
+
+int dimensionOf(const Teuchos::ParameterList& scene)
+{
+  if (!scene.isSublist("Domain"))
+    return 0;
+  const auto& domain = scene.sublist("Domain");
+  double dimension = 0.0;
+  if (domain.isType<int>("Dimension"))
+    dimension = domain.get<int>("Dimension");
+  else if (domain.isType<double>("Dimension"))
+    dimension = domain.get<double>("Dimension");
+  return dimension == 2.0 ? 2 : dimension == 3.0 ? 3 : 0;
+}
+
+bool Validation::mentioned(const std::string& where) const
+{
+  if (m_meant.count(where) > 0)
+    return true;
+  for (const auto& error : m_errors)
+    if (error.where == where)
+      return true;
+  return false;
+}
+
+void Validation::check(Teuchos::ParameterList& list, const Section& section, const std::string& path)
+{
+  const ActiveSection active(section, list);
+  std::vector<std::string> names;
+  for (const auto& entry : list)
+    names.push_back(entry.first);
+  int entries = 0;
+  for (const auto& name : names)
+  {
+    entries += list.isSublist(name) && !active.findSection(name) ? 1 : 0;
+    checkEntry(list, name, section, active, path);
+  }
+  checkDimension(section, active, path);
+  if (section.presence == Section::Presence::Required && active.entry && entries == 0)
+    report(path, "is empty; write at least one " + active.entry->name + " as <ParameterList name=\"...\">.");
+  fillIn(list, active, path);
+  for (const auto* rule : active.together)
+    checkTogether(list, *rule, path);
+}
+
+void Validation::checkDimension(const Section& section, const ActiveSection& active, const std::string& path)
+{
+  const auto exists = [this](const Section& s)
+  { return s.onlyDimension == 0 || m_dimension == 0 || s.onlyDimension == m_dimension; };
+  const std::string inThisScene = "D scene has, and this one is " + std::to_string(m_dimension) + "D; ";
+  if (!exists(section))
+    report(path, "only a " + std::to_string(section.onlyDimension) + inThisScene + "leave it out.");
+  if (!active.variant || exists(*active.variant))
+    return;
+  std::vector<std::string> others;
+  for (const auto& variant : section.variants)
+    if (exists(variant))
+      others.push_back(variant.name);
+  report(scenePath(path, section.key), "is " + active.variant->name + ", which only a " +
+                                           std::to_string(active.variant->onlyDimension) + inThisScene +
+                                           "write " + inWords(others) + ".");
+}
+
+void Validation::checkEntry(Teuchos::ParameterList& list, const std::string& name, const Section& section,
+                            const ActiveSection& active, const std::string& path)
+{
+  const std::string where = scenePath(path, name);
+  const Section* sub = active.findSection(name);
+  const Parameter* parameter = active.findParameter(name);
+  if (list.isSublist(name))
+  {
+    if (!sub && !parameter)
+      sub = active.entry;
+    if (sub)
+    {
+      auto& sublist = list.sublist(name);
+      sublist.setName(list.name() + "->" + name);
+      check(sublist, *sub, where);
+      return;
+    }
+    if (parameter)
+      report(where, "is a parameter, not a section; write <Parameter name=\"" + name + "\" ...>.");
+    else if (active.variantKnown)
+    {
+      const auto sectionNames = active.sectionNames();
+      report(where, "there is no such section; " + suggestion(name, sectionNames));
+      m_meant.insert(scenePath(path, nearestName(name, sectionNames)));
+    }
+  }
+  else if (sub)
+    report(where, "is a section, not a parameter; write <ParameterList name=\"" + name + "\">.");
+  else if (parameter)
+  {
+    checkParameter(list, *parameter, path);
+    return;
+  }
+  else
+    unknownParameter(name, section, active, path);
+  list.remove(name);
+}
+
+void Validation::checkParameter(Teuchos::ParameterList& list, const Parameter& parameter,
+                                const std::string& path)
+{
+  const std::string where = scenePath(path, parameter.name);
+  if (!parameter.existsIn(m_dimension))
+    report(where, "only a " + std::to_string(parameter.onlyDimension) + "D scene has it, and this one is " +
+                      std::to_string(m_dimension) + "D; leave it out.");
+  else if (const auto wrong = normaliseValue(list, parameter, m_dimension))
+    report(where, *wrong);
+  else
+    return;
+  list.remove(parameter.name);
+}
+
+void Validation::unknownParameter(const std::string& name, const Section& section,
+                                  const ActiveSection& active, const std::string& path)
+{
+  const std::string where = scenePath(path, name);
+  std::vector<std::string> owners;
+  for (const auto& variant : section.variants)
+    if (variant.findParameter(name))
+      owners.push_back(variant.name);
+  if (!active.variantKnown)
+  {
+    // Which names are right depends on the key, and the key's own error is reported.
+    auto names = active.parameterNames(m_dimension);
+    for (const auto& variant : section.variants)
+      for (const auto& parameter : variant.parameters)
+        names.push_back(parameter.name);
+    if (owners.empty())
+      report(where, "there is no such parameter; " + suggestion(name, names));
+    return;
+  }
+  if (!owners.empty())
+  {
+    report(where, "belongs to the " + section.key + " " + inWords(owners) + "; leave it out or change " +
+                      section.key + ".");
+    return;
+  }
+  const auto names = active.parameterNames(m_dimension);
+  if (names.empty() && active.entry)
+    report(where, "is a parameter; only sections stand here: write <ParameterList name=\"" + name +
+                      "\"> for one " + active.entry->name + ".");
+  else if (names.empty())
+    report(where, "is a parameter; only sections stand here: " + suggestion(name, active.sectionNames()));
+  else
+    report(where, "there is no such parameter; " + suggestion(name, names));
+  m_meant.insert(scenePath(path, nearestName(name, names.empty() ? active.sectionNames() : names)));
+}
+
+void Validation::fillIn(Teuchos::ParameterList& list, const ActiveSection& active, const std::string& path)
+{
+  for (const auto* parameter : active.parameters)
+  {
+    const std::string where = scenePath(path, parameter->name);
+    if (list.isParameter(parameter->name) || !parameter->existsIn(m_dimension))
+      continue;
+    // Without a dimension it is open whether the parameter exists at all, and how long it is.
+    if (m_dimension == 0 && parameter->onlyDimension != 0)
+      continue;
+    if (const auto* value = parameter->defaultIn(m_dimension))
+      setValue(list, *parameter, *value);
+    else if (parameter->required && !mentioned(where))
+      report(where, "is missing; write " + typeInWords(parameter->type) +
+                        (parameter->unit.empty() ? "" : " [" + parameter->unit + "]") +
+                        (parameter->choices.empty() ? "." : ": " + inWords(parameter->choices) + "."));
+  }
+  for (const auto* section : active.sections)
+  {
+    if (list.isSublist(section->name))
+      continue;
+    const std::string where = scenePath(path, section->name);
+    if (section->presence == Section::Presence::Filled && !mentioned(where))
+      check(list.sublist(section->name), *section, where);
+    else if (section->presence == Section::Presence::Required && !mentioned(where))
+      report(where, "the section is missing; write <ParameterList name=\"" + section->name + "\">.");
+  }
+}
+
+void Validation::checkTogether(const Teuchos::ParameterList& list, const Together& rule,
+                               const std::string& path)
+{
+  std::vector<std::string> given;
+  for (const auto& name : rule.names)
+  {
+    if (list.isParameter(name))
+      given.push_back(name);
+    else if (mentioned(scenePath(path, name))) // given, but wrong
+      return;
+  }
+  const std::string names = inWords(rule.names);
+  if (rule.rule == Together::Rule::AllOrNone)
+  {
+    if (!given.empty() && given.size() < rule.names.size())
+      report(path, "has " + inWords(given, " and ") + " alone; write all of " + inWords(rule.names, " and ") +
+                       " or none.");
+  }
+  else if (given.size() > 1)
+    report(path, "has " + inWords(given, " and ") + "; write only one of " + names + ".");
+  else if (given.empty() && rule.rule == Together::Rule::ExactlyOne)
+    report(path, "needs one of " + names + "; write one.");
+}
+
+} // namespace Rhegma

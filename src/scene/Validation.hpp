@@ -1,0 +1,66 @@
+#pragma once
+/// A list against a section: which parameters and subsections count, and what is wrong with them.
+
+#include "scene/Schema.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace Rhegma
+{
+
+/// A section as one list sees it: its own parameters and subsections and those of the variant that the list
+/// chose.
+struct ActiveSection
+{
+  std::vector<const Parameter*> parameters;
+  std::vector<const Section*> sections;
+  std::vector<const Together*> together;
+  const Section* entry = nullptr;
+  const Section* variant = nullptr; ///< the one that the list chose
+  bool variantKnown = true;         ///< false where the section has variants and the list chose none of them
+
+  ActiveSection(const Section& section, const Teuchos::ParameterList& list);
+
+  const Parameter* findParameter(const std::string& name) const;
+  const Section* findSection(const std::string& name) const;
+  /// The names that can stand in the list.
+  std::vector<std::string> parameterNames(int dimension) const;
+  std::vector<std::string> sectionNames() const;
+};
+
+/// The scene's dimension, or 0 if it does not say.
+int dimensionOf(const Teuchos::ParameterList& scene);
+
+/// Walks through a list and its section together. Wrong entries are reported and removed from the list, so
+/// that what follows meets only what is right; defaults are filled in.
+class Validation
+{
+public:
+  Validation(int dimension, std::vector<SceneError>& errors) : m_dimension(dimension), m_errors(errors) {}
+
+  void check(Teuchos::ParameterList& list, const Section& section, const std::string& path);
+
+private:
+  void checkEntry(Teuchos::ParameterList& list, const std::string& name, const Section& section,
+                  const ActiveSection& active, const std::string& path);
+  void checkParameter(Teuchos::ParameterList& list, const Parameter& parameter, const std::string& path);
+  void unknownParameter(const std::string& name, const Section& section, const ActiveSection& active,
+                        const std::string& path);
+  void checkDimension(const Section& section, const ActiveSection& active, const std::string& path);
+  void fillIn(Teuchos::ParameterList& list, const ActiveSection& active, const std::string& path);
+  void checkTogether(const Teuchos::ParameterList& list, const Together& rule, const std::string& path);
+
+  void report(const std::string& where, const std::string& message) { m_errors.push_back({where, message}); }
+  /// Whether an error stands at this place already, or an unknown name was taken for this one.
+  bool mentioned(const std::string& where) const;
+
+  int m_dimension;
+  std::vector<SceneError>& m_errors;
+  std::set<std::string> m_meant; ///< places of which a misspelt name was given
+};
+
+} // namespace Rhegma
