@@ -1,0 +1,78 @@
+#pragma once
+/// Rhegma inside an application.
+
+#include <Teuchos_Comm.hpp>
+#include <Teuchos_ParameterList.hpp>
+#include <Teuchos_RCP.hpp>
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace Rhegma
+{
+
+/// A simulation that an application owns and advances.
+///
+/// The application initialises MPI and Kokkos before and finalises them after. The simulation never prints
+/// and never exits: it throws std::invalid_argument for a wrong scene (one sentence, or one a line where
+/// there are several) and Rhegma::RunError when the run can't go on.
+class Simulation
+{
+public:
+  using Row = std::vector<std::pair<std::string, double>>;
+
+  /// \param comm  ranks that take part; this version runs on one
+  /// \param scene the list `Rhegma` of a scene; validated and completed with defaults here
+  Simulation(Teuchos::RCP<const Teuchos::Comm<int>> comm, const Teuchos::RCP<Teuchos::ParameterList>& scene);
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+
+  /// Makes the particles and the plan. Call once, before all that follows.
+  void initialize();
+
+  /// The time step that the state allows now [s].
+  double stableTimeStep() const;
+
+  /// Runs to a time [s] in stable steps, or to where the run has settled if the scene says so.
+  void advance(double time);
+
+  /// Samples at the end of the next step taken and calls `observer` with the row; used by advance().
+  /// \param interval time between samples [s]
+  void sampleEvery(double interval, std::function<void(double time, const Row&)> observer);
+
+  /// Called after each step with the share of the way to the time advanced to.
+  void onStep(std::function<void(double time, long step)> progress);
+
+  /// The last sample.
+  const Row& observe() const;
+
+  double time() const;
+  long steps() const;
+  bool settled() const;
+  int particles() const;
+  double particleSteps() const;
+  std::vector<std::string> effects() const;
+  /// Effects, fields and stages, for a person to read.
+  std::string plan() const;
+  /// Seconds spent in each stage.
+  std::map<std::string, double> stageSeconds() const;
+  /// Energies, momentum, cracks and what else the effects report, as in summary.json.
+  nlohmann::json report() const;
+  /// Writes the fields as they are now; the first call makes the files fields.h5 and fields.xdmf in the
+  /// folder.
+  void writeFields(const std::string& folder);
+
+private:
+  class Engine;
+  template <int D>
+  class EngineOf;
+  std::unique_ptr<Engine> engine_;
+};
+
+} // namespace Rhegma

@@ -1,0 +1,39 @@
+#include "boundary/BodyForce.hpp"
+
+namespace Rhegma
+{
+
+template <int D>
+void addBodyForce(const Nodes<D>& nodes, const Vector<D>& acceleration)
+{
+  Kokkos::parallel_for(
+      "rhegma::addBodyForce", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+      KOKKOS_LAMBDA(const int i) {
+        const int n = activeNode(nodes, i);
+        for (int d = 0; d < D; ++d)
+          nodes.sums(n, Nodes<D>::forceAt + d) += nodes.sums(n, Nodes<D>::massAt) * acceleration[d];
+      });
+}
+
+template <int D>
+double bodyForceWork(const Nodes<D>& nodes, const Vector<D>& acceleration, double dt)
+{
+  double work = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::bodyForceWork", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+      KOKKOS_LAMBDA(const int i, double& sum) {
+        const int n = activeNode(nodes, i);
+        for (int d = 0; d < D; ++d)
+          sum += dt * acceleration[d] * nodes.sums(n, Nodes<D>::massAt) *
+                 (nodes.motion(n, d) - 0.5 * dt * nodes.motion(n, Nodes<D>::accelerationAt + d));
+      },
+      work);
+  return work;
+}
+
+template void addBodyForce(const Nodes<2>&, const Vector<2>&);
+template void addBodyForce(const Nodes<3>&, const Vector<3>&);
+template double bodyForceWork(const Nodes<2>&, const Vector<2>&, double);
+template double bodyForceWork(const Nodes<3>&, const Vector<3>&, double);
+
+} // namespace Rhegma

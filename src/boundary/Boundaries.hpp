@@ -1,0 +1,31 @@
+#pragma once
+/// Prescribed motion, symmetry, loads and gravity.
+
+#include "step/Effect.hpp"
+
+namespace Rhegma
+{
+
+/// The boundaries of a scene (its section `Boundaries`) as a part of the core.
+template <int D>
+Effect<D> makeBoundaries(const Teuchos::ParameterList& scene);
+
+/// Sets the velocity of nodes in a box, axis by axis.
+template <int D>
+struct NodeConstraint
+{
+  Vector<D> lower, upper; ///< the box, both corners inside [m]
+  bool holds[D];          ///< axes that are prescribed
+  Vector<D> value;        ///< velocity along them now [m/s]
+};
+
+/// Prescribes the nodes' motion (velocity and acceleration) and returns the work [J] done on the body over dt
+/// by the forces that this takes: the change of momentum times the mean of old and new velocity.
+template <int D>
+double constrainMotion(State<D>& state, const NodeConstraint<D>& constraint);
+
+/// Prescribes the velocity that strains the particles.
+template <int D>
+void constrainProjection(State<D>& state, const NodeConstraint<D>& constraint);
+
+} // namespace Rhegma

@@ -1,0 +1,42 @@
+#pragma once
+/// Loads that ride on particles.
+
+#include "geometry/LoadPoints.hpp"
+#include "scene/TimeFunction.hpp"
+#include "state/State.hpp"
+
+#include <vector>
+
+namespace Rhegma
+{
+
+/// A load spread over points of a body's surface. Dead: its direction stays, its points move and turn with
+/// the particles that carry them.
+template <int D>
+class Load
+{
+public:
+  /// \param ids id of the particle that carries each point \param force whole load at history 1 [N]
+  Load(std::string name, const std::vector<LoadPoint<D>>& points, const std::vector<int>& ids,
+       const Vector<D>& force, TimeFunction history);
+
+  /// Adds the load to the nodal force. The nodal loads sum to the load asked for, or the run is in trouble:
+  /// points whose nodes all lack mass would lose theirs.
+  void apply(State<D>& state);
+
+  /// Work [J] of the load over the step, from the mean of old and new nodal velocity.
+  double work(const State<D>& state) const;
+
+private:
+  std::string name_;
+  Vector<D> force_;
+  TimeFunction history_;
+  View<int*> id_;
+  View<double* [D]> offset_;
+  View<double*> share_;
+  ObservedPoints<D> points_;
+  StencilTable<D> stencils_;
+  double now_ = 0.0;
+};
+
+} // namespace Rhegma

@@ -1,0 +1,143 @@
+#include "geometry/LoadPoints.hpp"
+
+#include "geometry/NearestPoint.hpp"
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+
+namespace Rhegma
+{
+namespace
+{
+
+template <int D>
+struct WeightedPoint
+{
+  Vector<D> x;   ///< [m]
+  double weight; ///< in any unit
+};
+
+template <int D>
+double smallestEdge(const Seeds<D>& body)
+{
+  double edge = body.edge[0];
+  for (int d = 1; d < D; ++d)
+    edge = std::min(edge, body.edge[d]);
+  return edge;
+}
+
+/// Equal pieces of a length, none longer than half the edge.
+int pieces(double length, double edge)
+{
+  const double slack = 1.0e-9; // a length of exactly n half edges has n pieces
+  return std::max(1, static_cast<int>(std::ceil(2.0 * length / edge - slack)));
+}
+
+/// Scales the weights so that, added in order, they give exactly 1.
+template <int D>
+void normalise(std::vector<LoadPoint<D>>& points)
+{
+  double total = 0.0;
+  for (const auto& p : points)
+    total += p.share;
+  double others = 0.0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+  {
+    points[i].share /= total;
+    others += points[i].share;
+  }
+  points.back().share = 1.0 - others; // exact, as the others are at least a half
+}
+
+template <int D>
+std::vector<LoadPoint<D>> attach(const Seeds<D>& body, const std::vector<WeightedPoint<D>>& load,
+                                 const std::string& section)
+{
+  const double reach = norm(body.edge);
+  const NearestPoint<D> particles(body.position, reach);
+  std::vector<LoadPoint<D>> points;
+  const WeightedPoint<D>* missing = nullptr;
+  for (const auto& point : load)
+  {
+    const int particle = particles.find(point.x);
+    if (particle >= 0)
+      points.push_back({particle, point.x - body.position[particle], point.weight});
+    else if (!missing)
+      missing = &point;
+  }
+  if (missing)
+  {
+    std::ostringstream message;
+    message << section << ": ";
+    if (load.size() == 1)
+      message << "the load catches no particle: the point ";
+    else if (points.empty())
+      message << "the load catches no particle: none of its " << load.size()
+              << " points is at the body; the first, ";
+    else
+      message << load.size() - points.size() << " of the load's " << load.size()
+              << " points miss the body; the first of them, ";
+    for (int d = 0; d < D; ++d)
+      message << (d == 0 ? "(" : ", ") << missing->x[d];
+    message << ") m, is farther than a particle's diagonal (" << reach
+            << " m) from every particle; move the load onto the body's surface.";
+    throw std::invalid_argument(message.str());
+  }
+  normalise(points);
+  return points;
+}
+
+} // namespace
+
+template <int D>
+std::vector<LoadPoint<D>> pointLoad(const Seeds<D>& body, const Vector<D>& at, const std::string& section)
+{
+  return attach<D>(body, {{at, 1.0}}, section);
+}
+
+template <int D>
+std::vector<LoadPoint<D>> lineLoad(const Seeds<D>& body, const Vector<D>& from, const Vector<D>& to,
+                                   Profile profile, const std::string& section)
+{
+  const double length = norm(to - from);
+  if (!(length > 0.0))
+    throw std::invalid_argument(section + ": the line of the load has no length; From and To must differ.");
+  const int n = pieces(length, smallestEdge(body));
+  std::vector<WeightedPoint<D>> load;
+  for (int i = 0; i < n; ++i)
+  {
+    const double s = (i + 0.5) / n;
+    const double weight = profile == Profile::Parabolic ? 6.0 * s * (1.0 - s) : 1.0;
+    load.push_back({from + s * (to - from), weight});
+  }
+  return attach(body, load, section);
+}
+
+std::vector<LoadPoint<3>> faceLoad(const Seeds<3>& body, const Vector<3>& corner, const Vector<3>& sideA,
+                                   const Vector<3>& sideB, const std::string& section)
+{
+  const Vector<3> normal = {{sideA[1] * sideB[2] - sideA[2] * sideB[1],
+                             sideA[2] * sideB[0] - sideA[0] * sideB[2],
+                             sideA[0] * sideB[1] - sideA[1] * sideB[0]}};
+  // Sides that differ in direction by less than 1e-9 enclose no area worth loading.
+  if (!(norm(normal) > 1.0e-9 * norm(sideA) * norm(sideB)))
+    throw std::invalid_argument(section +
+                                ": the face of the load has no area; its two sides must not be parallel.");
+  const int along = pieces(norm(sideA), smallestEdge(body));
+  const int across = pieces(norm(sideB), smallestEdge(body));
+  std::vector<WeightedPoint<3>> load;
+  for (int j = 0; j < across; ++j)
+    for (int i = 0; i < along; ++i)
+      load.push_back({corner + ((i + 0.5) / along) * sideA + ((j + 0.5) / across) * sideB, 1.0});
+  return attach(body, load, section);
+}
+
+template std::vector<LoadPoint<2>> pointLoad(const Seeds<2>&, const Vector<2>&, const std::string&);
+template std::vector<LoadPoint<3>> pointLoad(const Seeds<3>&, const Vector<3>&, const std::string&);
+template std::vector<LoadPoint<2>> lineLoad(const Seeds<2>&, const Vector<2>&, const Vector<2>&, Profile,
+                                            const std::string&);
+template std::vector<LoadPoint<3>> lineLoad(const Seeds<3>&, const Vector<3>&, const Vector<3>&, Profile,
+                                            const std::string&);
+
+} // namespace Rhegma

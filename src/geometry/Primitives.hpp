@@ -1,0 +1,67 @@
+#pragma once
+/// The shapes that bodies are made of, each in its own axes. A point on a surface counts as inside.
+
+#include "geometry/Frame.hpp"
+
+#include <variant>
+#include <vector>
+
+namespace Rhegma::Geometry
+{
+
+template <int D>
+struct Box
+{
+  Bounds<D> corners;
+
+  bool contains(const Vector<D>& own) const;
+  /// Smallest bounds in space of the box turned by the frame; so for the other primitives.
+  Bounds<D> bounds(const Frame<D>& frame) const;
+};
+
+/// A disk in 2D.
+template <int D>
+struct Ball
+{
+  Vector<D> centre; ///< [m]
+  double radius;    ///< [m]
+
+  bool contains(const Vector<D>& own) const;
+  Bounds<D> bounds(const Frame<D>& frame) const;
+};
+
+/// A round bar with flat ends, between two points of its axis (3D).
+template <int D>
+struct Cylinder
+{
+  Vector<D> from; ///< [m]
+  Vector<D> to;   ///< [m]
+  double radius;  ///< [m]
+
+  bool contains(const Vector<D>& own) const;
+  Bounds<D> bounds(const Frame<D>& frame) const;
+};
+
+/// A closed polygon in the x-y plane, in 3D a prism from `bottom` to `top` along z. Either sense of rotation.
+template <int D>
+struct Polygon
+{
+  std::vector<Vector<2>> points; ///< [m]
+  double bottom = 0.0;           ///< 3D only [m]
+  double top = 0.0;              ///< 3D only [m]
+
+  bool contains(const Vector<D>& own) const;
+  Bounds<D> bounds(const Frame<D>& frame) const;
+};
+
+/// Area that the polygon's edges go round, positive for an anticlockwise one [m^2].
+double signedArea(const std::vector<Vector<2>>& points);
+
+/// Indices of the first points of two edges that cross or touch without being neighbours; {-1, -1} where none
+/// do.
+std::array<int, 2> crossingEdges(const std::vector<Vector<2>>& points);
+
+template <int D>
+using Primitive = std::variant<Box<D>, Ball<D>, Cylinder<D>, Polygon<D>>;
+
+} // namespace Rhegma::Geometry

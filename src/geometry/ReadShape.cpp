@@ -1,0 +1,229 @@
+#include "geometry/Shape.hpp"
+
+#include <Teuchos_Array.hpp>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace Rhegma
+{
+namespace Geometry
+{
+namespace
+{
+
+using Teuchos::ParameterList;
+
+/// The section's path as users write it: `Bodies > Beam`.
+std::string where(const ParameterList& list)
+{
+  std::string path = list.name();
+  for (std::size_t at = path.find("->"); at != std::string::npos; at = path.find("->", at))
+    path.replace(at, 2, " > ");
+  const std::string top = "Rhegma > ";
+  return path.compare(0, top.size(), top) == 0 ? path.substr(top.size()) : path;
+}
+
+[[noreturn]] void fail(const ParameterList& list, const std::string& parameter, const std::string& sentence)
+{
+  throw std::invalid_argument(where(list) + " > " + parameter + ": " + sentence);
+}
+
+std::string needed(int numbers) { return std::to_string(numbers) + " numbers (type=\"Array(double)\")"; }
+
+bool has(const ParameterList& list, const std::string& name)
+{
+  if (!list.isParameter(name))
+    return false;
+  return !list.isType<Teuchos::Array<double>>(name) || list.get<Teuchos::Array<double>>(name).size() > 0;
+}
+
+void mustBeFinite(const ParameterList& list, const std::string& name, double value)
+{
+  if (!std::isfinite(value))
+    fail(list, name, "a number is infinite or not a number; give finite coordinates in metres.");
+}
+
+double number(const ParameterList& list, const std::string& name)
+{
+  if (!has(list, name))
+    fail(list, name, "is missing; the shape needs this number (type=\"double\").");
+  if (!list.isType<double>(name))
+    fail(list, name, "must be one number (type=\"double\").");
+  const double value = list.get<double>(name);
+  mustBeFinite(list, name, value);
+  return value;
+}
+
+std::string text(const ParameterList& list, const std::string& name, const std::string& allowed)
+{
+  if (!list.isParameter(name) || !list.isType<std::string>(name))
+    fail(list, name, "is missing; write one of " + allowed + " (type=\"string\").");
+  return list.get<std::string>(name);
+}
+
+std::vector<double> numbers(const ParameterList& list, const std::string& name, const std::string& what)
+{
+  if (!has(list, name))
+    fail(list, name, "is missing; the shape needs " + what + ".");
+  if (!list.isType<Teuchos::Array<double>>(name))
+    fail(list, name, "must be " + what + ".");
+  const auto& array = list.get<Teuchos::Array<double>>(name);
+  for (const double value : array)
+    mustBeFinite(list, name, value);
+  return {array.begin(), array.end()};
+}
+
+template <int D>
+Vector<D> vector(const ParameterList& list, const std::string& name)
+{
+  const auto values = numbers(list, name, needed(D));
+  if (values.size() != D)
+    fail(list, name,
+         "has " + std::to_string(values.size()) + " numbers; in " + std::to_string(D) + "D it must be " +
+             needed(D) + ".");
+  Vector<D> result;
+  for (int d = 0; d < D; ++d)
+    result[d] = values[d];
+  return result;
+}
+
+double radius(const ParameterList& list)
+{
+  const double value = number(list, "Radius");
+  if (!(value > 0.0))
+    fail(list, "Radius", "must be positive.");
+  return value;
+}
+
+template <int D>
+Box<D> readBox(const ParameterList& list)
+{
+  Box<D> box{{vector<D>(list, "Lower Corner"), vector<D>(list, "Upper Corner")}};
+  for (int d = 0; d < D; ++d)
+    if (!(box.corners.upper[d] > box.corners.lower[d]))
+      fail(list, "Upper Corner", std::string("must lie above Lower Corner along ") + "xyz"[d] + ".");
+  return box;
+}
+
+template <int D>
+Cylinder<D> readCylinder(const ParameterList& list)
+{
+  if (D == 2)
+    fail(list, "Shape", "a Cylinder needs three dimensions; write Ball for a disk or Box for a bar.");
+  Cylinder<D> cylinder{vector<D>(list, "From"), vector<D>(list, "To"), radius(list)};
+  if (!(norm(cylinder.to - cylinder.from) > 0.0))
+    fail(list, "To", "is the same point as From; give the two ends of the cylinder's axis.");
+  return cylinder;
+}
+
+template <int D>
+Polygon<D> readPolygon(const ParameterList& list)
+{
+  const auto flat = numbers(list, "Points", "pairs of numbers x, y, x, y, ... (type=\"Array(double)\")");
+  if (flat.size() % 2 != 0 || flat.size() < 6)
+    fail(list, "Points",
+         "has " + std::to_string(flat.size()) +
+             " numbers; a polygon needs x and y of at least three points.");
+  Polygon<D> polygon;
+  for (std::size_t i = 0; i < flat.size(); i += 2)
+    polygon.points.push_back({{flat[i], flat[i + 1]}});
+  if (norm(polygon.points.front() - polygon.points.back()) == 0.0)
+    polygon.points.pop_back(); // a closing point that repeats the first
+  if (polygon.points.size() < 3 || signedArea(polygon.points) == 0.0)
+    fail(list, "Points", "the polygon has no area; its points must not lie on one line.");
+  const auto crossing = crossingEdges(polygon.points);
+  if (crossing[0] >= 0)
+    fail(list, "Points",
+         "the edge after point " + std::to_string(crossing[0]) + " meets the edge after point " +
+             std::to_string(crossing[1]) +
+             " (counted from 0); give the points in order round the "
+             "outline.");
+  if (D == 3)
+  {
+    polygon.bottom = number(list, "Bottom");
+    polygon.top = number(list, "Top");
+    if (!(polygon.top > polygon.bottom))
+      fail(list, "Top", "must be larger than Bottom.");
+  }
+  return polygon;
+}
+
+template <int D>
+Primitive<D> readPrimitive(const ParameterList& list)
+{
+  const std::string allowed = D == 2 ? "Box, Ball, Polygon" : "Box, Ball, Cylinder, Polygon";
+  const std::string name = text(list, "Shape", allowed);
+  if (name == "Box")
+    return readBox<D>(list);
+  if (name == "Ball")
+    return Ball<D>{vector<D>(list, "Centre"), radius(list)};
+  if (name == "Cylinder")
+    return readCylinder<D>(list);
+  if (name == "Polygon")
+    return readPolygon<D>(list);
+  fail(list, "Shape", "\"" + name + "\" is no shape; write one of " + allowed + ".");
+}
+
+template <int D>
+Axes<D> readAxes(const ParameterList& list)
+{
+  const double degrees = has(list, "Rotation") ? number(list, "Rotation") : 0.0;
+  if constexpr (D == 2)
+    return turnedAxes(degrees);
+  else
+  {
+    const Vector<3> about =
+        has(list, "Rotation Axis") ? vector<3>(list, "Rotation Axis") : Vector<3>{{0.0, 0.0, 1.0}};
+    if (!(norm(about) > 0.0))
+      fail(list, "Rotation Axis", "must not be zero; 0 0 1 turns about z.");
+    return turnedAxes(degrees, about);
+  }
+}
+
+template <int D>
+Part<D> readPart(const ParameterList& list)
+{
+  Part<D> part{readPrimitive<D>(list), {readAxes<D>(list), Vector<D>{}}, Operation::Add};
+  part.frame.centre =
+      has(list, "Rotation Centre") ? vector<D>(list, "Rotation Centre") : part.ownBounds().centre();
+  return part;
+}
+
+/// The base and the operations, in order.
+template <int D>
+std::vector<Part<D>> readParts(const ParameterList& body)
+{
+  std::vector<Part<D>> parts{readPart<D>(body)};
+  if (body.isSublist("Operations"))
+  {
+    const ParameterList& operations = body.sublist("Operations");
+    for (const auto& entry : operations)
+    {
+      if (!entry.second.isList())
+        fail(operations, entry.first, "is not a list; every operation is a ParameterList with a Shape.");
+      const ParameterList& list = operations.sublist(entry.first);
+      const std::string operation = text(list, "Operation", "Add, Cut");
+      if (operation != "Add" && operation != "Cut")
+        fail(list, "Operation", "\"" + operation + "\" is no operation; write one of Add, Cut.");
+      parts.push_back(readPart<D>(list));
+      parts.back().operation = operation == "Add" ? Operation::Add : Operation::Cut;
+    }
+  }
+  return parts;
+}
+
+} // namespace
+} // namespace Geometry
+
+template <int D>
+Shape<D> makeShape(const Teuchos::ParameterList& body)
+{
+  return Shape<D>(Geometry::readParts<D>(body));
+}
+
+template Shape<2> makeShape<2>(const Teuchos::ParameterList&);
+template Shape<3> makeShape<3>(const Teuchos::ParameterList&);
+
+} // namespace Rhegma

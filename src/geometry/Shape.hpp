@@ -1,0 +1,70 @@
+#pragma once
+/// A body's shape: a first primitive, to which others are added or from which they are cut, in order.
+
+#include "geometry/Primitives.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <vector>
+
+namespace Rhegma
+{
+namespace Geometry
+{
+
+enum class Operation
+{
+  Add,
+  Cut
+};
+
+/// A primitive turned about a point.
+template <int D>
+struct Part
+{
+  Primitive<D> primitive;
+  Frame<D> frame;
+  Operation operation = Operation::Add;
+
+  bool contains(const Vector<D>& x) const;
+  /// Smallest bounds in space.
+  Bounds<D> bounds() const;
+  /// Smallest bounds in the part's own coordinates.
+  Bounds<D> ownBounds() const;
+};
+
+} // namespace Geometry
+
+template <int D>
+class Shape
+{
+public:
+  /// \param parts  at least one; the first is the base and is added whatever its operation says
+  explicit Shape(std::vector<Geometry::Part<D>> parts);
+
+  /// Whether the last operation that reaches x added it.
+  bool contains(const Vector<D>& x) const;
+  /// Bounds of all that is added; what is cut does not shrink them.
+  Geometry::Bounds<D> bounds() const;
+  /// The first primitive, whose axes and corner the particles follow.
+  const Geometry::Part<D>& base() const { return parts_.front(); }
+  const std::vector<Geometry::Part<D>>& parts() const { return parts_; }
+
+private:
+  std::vector<Geometry::Part<D>> parts_;
+};
+
+/// Reads the shape of a body.
+///
+/// `Shape`: Box (Lower Corner, Upper Corner), Ball (Centre, Radius), Cylinder (From, To, Radius; 3D) or
+/// Polygon (Points: x y x y ...; Bottom and Top in 3D). `Rotation` [degrees] about `Rotation Centre`
+/// (default: the middle of the primitive's bounds) and, in 3D, `Rotation Axis` (default 0 0 1). The sublist
+/// `Operations` holds sublists of the same parameters and `Operation` = Add or Cut, applied in their order;
+/// each is turned by its own rotation only. Other parameters of the list are left alone; an empty array
+/// counts as absent.
+///
+/// Throws std::invalid_argument with one sentence that names the section.
+template <int D>
+Shape<D> makeShape(const Teuchos::ParameterList& body);
+
+} // namespace Rhegma

@@ -1,0 +1,35 @@
+#pragma once
+/// Energies and momentum of all particles, and their columns in the history.
+
+#include "state/State.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+#include <set>
+#include <string>
+
+namespace Rhegma
+{
+
+/// Sums kinetic and strain energy, plastic dissipation [J] and momentum [kg m/s] of the particles into
+/// state.energy and state.momentum.
+///
+/// Kinetic energy is m v.v / 2 of the particles, strain energy the law's stored energy times the undeformed
+/// volume. In one kernel; reads velocity, mass, initial volume, deformation gradient, history.
+template <int D>
+void measureEnergy(State<D>& state);
+
+/// Measures, and puts the columns of the ledger and of the momentum in front of those that the row has.
+///
+/// Always kinetic, strain, external_work, residual, momentum_x..; `plastic` where a material can flow;
+/// thermal, damped, contact, fracture, merged and combustion only where the effect that gives them is in the
+/// scene. \param effects names of the scene's effects: Thermal, Damping, Contact, Propagation, Adaptivity,
+/// Combustion
+template <int D>
+void coreRow(State<D>& state, const std::set<std::string>& effects);
+
+/// `energy` (every entry of the ledger, zero where no effect gives it; `plastic` where a material can flow)
+/// and `momentum` of summary.json, as last measured.
+template <int D>
+void coreReport(const State<D>& state, nlohmann::json& summary);
+
+} // namespace Rhegma

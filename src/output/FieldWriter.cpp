@@ -1,0 +1,67 @@
+#include "output/FieldWriter.hpp"
+
+#include "output/Hdf5.hpp"
+#include "output/TextFile.hpp"
+#include "output/Xdmf.hpp"
+
+#include <cstdio>
+
+namespace Rhegma
+{
+
+/// The pair of files, of either dimension.
+template <int D>
+class FieldWriter<D>::Files
+{
+public:
+  explicit Files(const std::string& folder) : data_(folder + "/fields.h5"), guide_(folder + "/fields.xdmf")
+  {
+    // A guide without its data would lead ParaView astray.
+    std::remove(guide_.c_str());
+    createHdf5(data_);
+  }
+
+  void write(const Snapshot& snapshot)
+  {
+    char group[32];
+    std::snprintf(group, sizeof group, "t%05zu", written_);
+    appendSnapshot(data_, group, snapshot);
+    document_.add(snapshot, group);
+    replaceFile(guide_, document_.text());
+    ++written_;
+    lastTime_ = snapshot.time;
+  }
+
+  bool hasJustWritten(double time) const { return written_ > 0 && time == lastTime_; }
+
+private:
+  std::string data_;
+  std::string guide_;
+  XdmfDocument document_{"fields.h5"};
+  std::size_t written_ = 0;
+  double lastTime_ = 0.0;
+};
+
+template <int D>
+FieldWriter<D>::FieldWriter(const std::string& folder) : files_(std::make_unique<Files>(folder))
+{
+}
+
+template <int D>
+FieldWriter<D>::~FieldWriter() = default;
+template <int D>
+FieldWriter<D>::FieldWriter(FieldWriter&&) noexcept = default;
+template <int D>
+FieldWriter<D>& FieldWriter<D>::operator=(FieldWriter&&) noexcept = default;
+
+template <int D>
+void FieldWriter<D>::write(const State<D>& state)
+{
+  if (!files_->hasJustWritten(state.time))
+    files_->write(makeSnapshot(state));
+}
+
+template class FieldWriter<2>;
+template class FieldWriter<3>;
+
+} // namespace Rhegma

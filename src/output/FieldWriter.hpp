@@ -1,0 +1,44 @@
+#pragma once
+/// fields.h5 and fields.xdmf: particles, leaves and cracks in time, for ParaView.
+
+#include "state/State.hpp"
+
+#include <memory>
+#include <string>
+
+namespace Rhegma
+{
+
+/// Writes the fields of a run, a group of fields.h5 per time: /t00000, /t00001, ..., with attribute `time`
+/// [s].
+///
+///     particles/  position, displacement [m], velocity [m/s] (n,3); stress (n,6) Cauchy xx yy zz xy yz xz
+///     [Pa];
+///                 von_mises (n) [Pa]; mass (n) [kg]; edge (n) first undeformed edge [m]; body, material (n)
+///                 int; the fields of effects under their names with _ for spaces
+///     leaves/     points (m,3), cells (k,4 or 8): the cells that hold particles
+///     cracks/     points (v,3) midway between the faces, opening (v,3) from face -1 to face +1 [m],
+///                 cells (s,2 or 3), crack (s) number of the crack of each cell; only where there are cracks
+///
+/// 2D is padded with z = 0. fields.h5 is closed after every time, so that it can be read while the run goes
+/// on and a kill leaves what was written; fields.xdmf is replaced whole.
+template <int D>
+class FieldWriter
+{
+public:
+  /// Makes both files; older ones are replaced. \param folder is there already
+  /// Throws std::runtime_error when the files can't be made or written, here and later.
+  explicit FieldWriter(const std::string& folder);
+  ~FieldWriter();
+  FieldWriter(FieldWriter&&) noexcept;
+  FieldWriter& operator=(FieldWriter&&) noexcept;
+
+  /// Adds the fields as they are now. A time that was just written is not written again.
+  void write(const State<D>& state);
+
+private:
+  class Files;
+  std::unique_ptr<Files> files_;
+};
+
+} // namespace Rhegma

@@ -1,0 +1,57 @@
+#include "output/OutputFolder.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <stdexcept>
+#include <unistd.h>
+#include <vector>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+[[noreturn]] void refuse(const std::string& folder, const std::string& why)
+{
+  throw std::invalid_argument("the output folder " + folder + " can't be used: " + why +
+                              "; name another one with --output");
+}
+
+/// Makes a file with a name of its own and removes it.
+void tryToWrite(const std::string& folder)
+{
+  const std::string pattern = folder + "/.rhegma-XXXXXX";
+  std::vector<char> name(pattern.begin(), pattern.end());
+  name.push_back('\0');
+  const int file = mkstemp(name.data());
+  if (file < 0)
+    refuse(folder, std::string("no file can be written there (") + std::strerror(errno) + ")");
+  close(file);
+  unlink(name.data());
+}
+
+} // namespace
+
+std::string defaultOutputFolder(const std::string& scene)
+{
+  std::filesystem::path path(scene);
+  if (path.extension() == ".xml")
+    path.replace_extension();
+  return path.string() + ".out";
+}
+
+std::string makeOutputFolder(const std::string& folder)
+{
+  if (folder.empty())
+    throw std::invalid_argument("the output folder has no name; name one with --output");
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (!std::filesystem::is_directory(folder))
+    refuse(folder, error ? error.message() : "there is a file of that name");
+  tryToWrite(folder);
+  return folder;
+}
+
+} // namespace Rhegma

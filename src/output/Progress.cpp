@@ -1,0 +1,148 @@
+#include "output/Progress.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+constexpr double secondsBetweenPrints = 0.25;
+
+double wallClock()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+bool endsWith(const std::string& text, const std::string& end)
+{
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+std::string duration(double seconds)
+{
+  const long all = std::lround(std::ceil(seconds));
+  char text[48];
+  if (all >= 3600)
+    std::snprintf(text, sizeof text, "%ld h %02ld min", all / 3600, all / 60 % 60);
+  else if (all >= 60)
+    std::snprintf(text, sizeof text, "%ld min %02ld s", all / 60, all % 60);
+  else
+    std::snprintf(text, sizeof text, "%ld s", all);
+  return text;
+}
+
+} // namespace
+
+Progress::Progress(std::ostream* stream, double finalTime, bool terminal)
+    : Progress(stream, finalTime, terminal, wallClock)
+{
+}
+
+Progress::Progress(std::ostream* stream, double finalTime, bool terminal, Clock clock)
+    : stream_(stream),
+      finalTime_(finalTime),
+      terminal_(terminal),
+      clock_(std::move(clock)),
+      startClock_(clock_()),
+      lastPrint_(startClock_)
+{
+}
+
+void Progress::sample(const Row& row)
+{
+  for (const auto& column : row)
+    if (endsWith(column.first, ".G_J"))
+    {
+      hasG_ = true;
+      g_ = column.second;
+      return;
+    }
+}
+
+std::string Progress::line(double done, bool running) const
+{
+  // Time left by the pace so far.
+  const double way = finalTime_ - startTime_;
+  const double gone = time_ - startTime_;
+  const double left = gone > 0.0 ? (clock_() - startClock_) * (way - gone) / gone : 0.0;
+  char head[64];
+  std::snprintf(head, sizeof head, "%3d %%", static_cast<int>(100.0 * done + 1.0e-9));
+  std::string text = head;
+  if (running && left > 0.0)
+    text += ", " + duration(left) + " left";
+  text += ", step " + std::to_string(step_);
+  if (hasG_)
+  {
+    char g[48];
+    std::snprintf(g, sizeof g, ", G %.5g J/m2", g_);
+    text += g;
+  }
+  return text;
+}
+
+void Progress::print(bool running)
+{
+  std::string text = line(finalTime_ > 0.0 ? time_ / finalTime_ : 1.0, running);
+  if (terminal_)
+  {
+    const std::size_t width = text.size();
+    text.resize(std::max(width, width_), ' ');
+    width_ = width;
+    *stream_ << '\r' << text;
+    open_ = true;
+  }
+  else
+    *stream_ << text << '\n';
+  stream_->flush();
+  stale_ = false;
+}
+
+void Progress::step(double time, long step)
+{
+  if (stream_ == nullptr)
+    return;
+  if (!begun_)
+  {
+    // The first step tells where a continued run began; what it did itself is little.
+    begun_ = true;
+    if (step > 1)
+      startTime_ = time;
+    lastTenth_ = static_cast<int>(10.0 * startTime_ / finalTime_ + 1.0e-9);
+  }
+  time_ = time;
+  step_ = step;
+  stale_ = true;
+  if (terminal_)
+  {
+    const double now = clock_();
+    if (now - lastPrint_ < secondsBetweenPrints)
+      return;
+    lastPrint_ = now;
+    print(true);
+    return;
+  }
+  const int tenth = static_cast<int>(10.0 * time / finalTime_ + 1.0e-9);
+  if (tenth <= lastTenth_)
+    return;
+  lastTenth_ = tenth;
+  print(true);
+}
+
+void Progress::finish()
+{
+  if (stream_ == nullptr)
+    return;
+  // A run may be over before its final time; then no time is left all the same.
+  if (stale_ && (terminal_ || time_ < finalTime_))
+    print(false);
+  if (open_)
+    *stream_ << '\n' << std::flush;
+  open_ = false;
+}
+
+} // namespace Rhegma

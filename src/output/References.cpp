@@ -1,0 +1,156 @@
+#include "output/References.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+#include <vector>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+std::vector<std::string> splitAtDots(const std::string& path)
+{
+  std::vector<std::string> parts;
+  std::istringstream stream(path);
+  for (std::string part; std::getline(stream, part, '.');)
+    parts.push_back(part);
+  return parts;
+}
+
+std::string names(const nlohmann::json& object)
+{
+  std::string all;
+  for (const auto& item : object.items())
+    all += (all.empty() ? "" : ", ") + item.key();
+  return all;
+}
+
+bool isPlace(const std::string& part)
+{
+  return !part.empty() && part.size() < 10 && part.find_first_not_of("0123456789") == std::string::npos;
+}
+
+const nlohmann::json* entryOf(const nlohmann::json& list, const std::string& part)
+{
+  if (isPlace(part))
+    return std::stoul(part) < list.size() ? &list[std::stoul(part)] : nullptr;
+  for (const nlohmann::json& entry : list)
+    if (entry.is_object() && entry.contains("name") && entry["name"] == part)
+      return &entry;
+  return nullptr;
+}
+
+/// The number at a path, or NaN and why there is none.
+double lookUp(const nlohmann::json& summary, const std::string& path, std::string& problem)
+{
+  const nlohmann::json* at = &summary;
+  std::string done;
+  for (const std::string& part : splitAtDots(path))
+  {
+    const std::string place = done.empty() ? "the summary" : done;
+    const nlohmann::json* next = nullptr;
+    if (at->is_object())
+      next = at->contains(part) ? &(*at)[part] : nullptr;
+    else if (at->is_array())
+      next = entryOf(*at, part);
+    if (next == nullptr)
+    {
+      problem = place + " has no \"" + part + "\"; it ";
+      if (at->is_object())
+        problem += at->empty() ? "is empty" : "has " + names(*at);
+      else if (at->is_array())
+        problem += "is a list of " + std::to_string(at->size());
+      else
+        problem += "is one value";
+      return std::nan("");
+    }
+    at = next;
+    done += (done.empty() ? "" : ".") + part;
+  }
+  const double value = at->is_number()    ? at->get<double>()
+                       : at->is_boolean() ? (at->get<bool>() ? 1.0 : 0.0)
+                                          : std::nan("");
+  if (!std::isfinite(value))
+    problem = path + " is not a number";
+  return value;
+}
+
+nlohmann::json compare(const std::string& name, const Teuchos::ParameterList& entry,
+                       const nlohmann::json& summary)
+{
+  const std::string quantity = entry.get<std::string>("Quantity");
+  const double reference = entry.get<double>("Value");
+  const double tolerance = entry.get<double>("Tolerance");
+  std::string problem;
+  const double value = lookUp(summary, quantity, problem);
+
+  nlohmann::json result;
+  result["name"] = name;
+  result["quantity"] = quantity;
+  result["reference"] = reference;
+  result["tolerance"] = tolerance;
+  result["source"] = entry.get<std::string>("Source");
+  if (problem.empty())
+  {
+    const double difference = std::fabs(value - reference);
+    const double error = reference != 0.0 ? difference / std::fabs(reference) : difference;
+    result["value"] = value;
+    result["relative_error"] = error;
+    result["within"] = error <= tolerance;
+  }
+  else
+  {
+    result["value"] = nullptr;
+    result["relative_error"] = nullptr;
+    result["within"] = false;
+    result["problem"] = problem;
+  }
+  return result;
+}
+
+std::string inWords(const nlohmann::json& result)
+{
+  const std::string start = result["within"].get<bool>() ? "within   " : "OUTSIDE  ";
+  const std::string quantity = result["quantity"].get<std::string>();
+  if (result.contains("problem"))
+    return start + quantity + ": " + result["problem"].get<std::string>() + "\n";
+  const double reference = result["reference"].get<double>();
+  const bool relative = reference != 0.0;
+  const double factor = relative ? 100.0 : 1.0;
+  const char* unit = relative ? " %" : "";
+  char text[160];
+  std::snprintf(text, sizeof text, " = %.6g, reference %.6g, off by %.3g%s of %.3g%s",
+                result["value"].get<double>(), reference, factor * result["relative_error"].get<double>(),
+                unit, factor * result["tolerance"].get<double>(), unit);
+  return start + quantity + text + " (" + result["source"].get<std::string>() + ")\n";
+}
+
+} // namespace
+
+bool addReferences(const Teuchos::ParameterList& section, nlohmann::json& summary)
+{
+  nlohmann::json results = nlohmann::json::array();
+  bool all = true;
+  for (auto item = section.begin(); item != section.end(); ++item)
+    if (section.isSublist(section.name(item)))
+    {
+      results.push_back(compare(section.name(item), section.sublist(section.name(item)), summary));
+      all = all && results.back()["within"].get<bool>();
+    }
+  summary["references"] = results;
+  return all;
+}
+
+std::string referencesInWords(const nlohmann::json& summary)
+{
+  std::string text;
+  if (summary.contains("references"))
+    for (const nlohmann::json& result : summary["references"])
+      text += inWords(result);
+  return text;
+}
+
+} // namespace Rhegma

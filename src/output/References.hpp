@@ -1,0 +1,24 @@
+#pragma once
+/// The values that a scene says its run should give.
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace Rhegma
+{
+
+/// Compares the summary with the `Reference` section and adds the list `references`.
+///
+/// A Quantity is a path of names with dots between; an entry of a list is chosen by its place, from 0, or by
+/// its `name`: cracks.0.fronts.0.G_J, cracks.Notch.pressure. Tolerance bounds |value - reference| /
+/// |reference|; where the reference is 0 it bounds |value|, and relative_error holds that. A quantity that is
+/// not there or is not a number is outside of its tolerance and `problem` says why. \param section validated
+/// `Reference` section; may be empty \return whether all are within their tolerances
+bool addReferences(const Teuchos::ParameterList& section, nlohmann::json& summary);
+
+/// The references of a summary for a person, a line each; empty without references.
+std::string referencesInWords(const nlohmann::json& summary);
+
+} // namespace Rhegma

@@ -1,0 +1,200 @@
+#include "output/Snapshot.hpp"
+
+#include "material/Tensors.hpp"
+#include "output/CellMesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+using Role = DataSet::Role;
+
+template <class AnyView>
+auto onHost(const AnyView& view)
+{
+  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
+}
+
+/// A table of D columns with a column of zeros in 2D.
+template <int D, class HostView>
+DataSet padded(const std::string& name, Role role, const HostView& values, std::size_t rows)
+{
+  DataSet set{name, role, 3, false, std::vector<double>(3 * rows, 0.0), {}};
+  for (std::size_t i = 0; i < rows; ++i)
+    for (int d = 0; d < D; ++d)
+      set.real[3 * i + d] = values(i, d);
+  return set;
+}
+
+template <class HostView>
+DataSet table(const std::string& name, const HostView& values)
+{
+  DataSet set{name, Role::OnPoints, static_cast<int>(values.extent(1)), false, {}, {}};
+  set.real.reserve(values.size());
+  for (std::size_t i = 0; i < values.extent(0); ++i)
+    for (std::size_t c = 0; c < values.extent(1); ++c)
+      set.real.push_back(values(i, c));
+  return set;
+}
+
+template <class HostView>
+DataSet numbers(const std::string& name, const HostView& values)
+{
+  DataSet set{name, Role::OnPoints, 1, true, {}, {}};
+  for (std::size_t i = 0; i < values.extent(0); ++i)
+    set.whole.push_back(values(i));
+  return set;
+}
+
+/// Cauchy stress xx yy zz xy yz xz [Pa], sigma = tau / J, and in a seventh column its von Mises stress.
+template <int D>
+View<double* [7]> cauchyStress(const FieldTable& particles)
+{
+  const auto F = particles.real<gradientSize<D>>(fields::deformation);
+  const auto tau = particles.real<symmetricSize<D>>(fields::stress);
+  const View<double* [7]> stress("rhegma::cauchyStress", particles.size());
+  Kokkos::parallel_for(
+      "rhegma::cauchyStress", Kokkos::RangePolicy<ExecSpace>(0, particles.size()),
+      KOKKOS_LAMBDA(const int p) {
+        const double inverse = 1.0 / determinant<D>(&F(p, 0));
+        double s[6] = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+        for (int i = 0; i < 3; ++i)
+          s[i] = inverse * tau(p, normalIndex<D>(i));
+        for (int i = shearBegin<D>; i < shearEnd<D>; ++i)
+          s[3 + i - shearBegin<D>] = inverse * tau(p, i);
+        for (int i = 0; i < 6; ++i)
+          stress(p, i) = s[i];
+        const double xy = s[0] - s[1];
+        const double yz = s[1] - s[2];
+        const double zx = s[2] - s[0];
+        const double shear = s[3] * s[3] + s[4] * s[4] + s[5] * s[5];
+        stress(p, 6) = std::sqrt(0.5 * (xy * xy + yz * yz + zx * zx) + 3.0 * shear);
+      });
+  return stress;
+}
+
+void addStress(const View<double* [7]>& device, Mesh& mesh)
+{
+  const auto host = onHost(device);
+  DataSet stress{"stress", Role::OnPoints, 6, false, {}, {}};
+  DataSet vonMises{"von_mises", Role::OnPoints, 1, false, {}, {}};
+  for (std::size_t p = 0; p < host.extent(0); ++p)
+  {
+    for (int i = 0; i < 6; ++i)
+      stress.real.push_back(host(p, i));
+    vonMises.real.push_back(host(p, 6));
+  }
+  mesh.data.push_back(std::move(stress));
+  mesh.data.push_back(std::move(vonMises));
+}
+
+/// A field's name as a name in the file.
+std::string fileName(std::string name)
+{
+  for (char& c : name)
+    if (c == ' ' || c == '/')
+      c = '_';
+  return name;
+}
+
+/// The method's own fields, of which some are written under names of their own.
+bool isCoreField(const std::string& name)
+{
+  using namespace fields;
+  for (const std::string& core : {position, reference, velocity, mass, volume, deformation, stress,
+                                  fields::edge, box, history, material, body, id})
+    if (name == core)
+      return true;
+  return false;
+}
+
+template <int D>
+Mesh particleMesh(const FieldTable& particles)
+{
+  const std::size_t n = particles.size();
+  const auto position = onHost(particles.real<D>(fields::position));
+  const auto reference = onHost(particles.real<D>(fields::reference));
+  const auto edge = onHost(particles.real<D>(fields::edge));
+  Mesh mesh{"particles", "Polyvertex", {}};
+  mesh.data.push_back(padded<D>("position", Role::Points, position, n));
+  mesh.data.push_back(padded<D>("displacement", Role::OnPoints, position, n));
+  std::vector<double>& displacement = mesh.data.back().real;
+  DataSet firstEdge{"edge", Role::OnPoints, 1, false, {}, {}};
+  DataSet cells{"cells", Role::Cells, 1, true, {}, {}};
+  for (std::size_t p = 0; p < n; ++p)
+  {
+    for (int d = 0; d < D; ++d)
+      displacement[3 * p + d] -= reference(p, d);
+    firstEdge.real.push_back(edge(p, 0));
+    cells.whole.push_back(static_cast<int>(p));
+  }
+  mesh.data.push_back(std::move(cells));
+  mesh.data.push_back(padded<D>("velocity", Role::OnPoints, onHost(particles.real<D>(fields::velocity)), n));
+  addStress(cauchyStress<D>(particles), mesh);
+  mesh.data.push_back(table("mass", onHost(particles.table(fields::mass))));
+  mesh.data.push_back(std::move(firstEdge));
+  mesh.data.push_back(numbers("body", onHost(particles.integer(fields::body))));
+  mesh.data.push_back(numbers("material", onHost(particles.integer(fields::material))));
+  for (const Field& field : particles.fields())
+    if (!isCoreField(field.name))
+      mesh.data.push_back(field.integer ? numbers(fileName(field.name), onHost(particles.integer(field.name)))
+                                        : table(fileName(field.name), onHost(particles.table(field.name))));
+  return mesh;
+}
+
+template <int D>
+Mesh crackMesh(const CrackSet<D>& set)
+{
+  std::size_t vertices = 0;
+  std::size_t simplices = 0;
+  for (const Crack<D>& crack : set.cracks)
+  {
+    vertices = std::max<std::size_t>(vertices, crack.firstVertex + crack.numVertices);
+    simplices = std::max<std::size_t>(simplices, crack.firstSimplex + crack.numSimplices);
+  }
+  const auto face = onHost(set.face);
+  const auto simplex = onHost(set.simplex);
+  const auto crackOf = onHost(set.crackOf);
+  Mesh mesh{"cracks", D == 2 ? "Polyline" : "Triangle", {}};
+  mesh.data.push_back(padded<D>("points", Role::Points, onHost(set.vertex), vertices));
+  DataSet opening{"opening", Role::OnPoints, 3, false, std::vector<double>(3 * vertices, 0.0), {}};
+  for (std::size_t v = 0; v < vertices; ++v)
+    for (int d = 0; d < D; ++d)
+      opening.real[3 * v + d] = face(v, 1, d) - face(v, 0, d);
+  DataSet cells{"cells", Role::Cells, D, true, {}, {}};
+  DataSet owner{"crack", Role::OnCells, 1, true, {}, {}};
+  for (std::size_t s = 0; s < simplices; ++s)
+  {
+    for (int k = 0; k < D; ++k)
+      cells.whole.push_back(simplex(s, k));
+    owner.whole.push_back(crackOf(s));
+  }
+  mesh.data.push_back(std::move(cells));
+  mesh.data.push_back(std::move(opening));
+  mesh.data.push_back(std::move(owner));
+  return mesh;
+}
+
+} // namespace
+
+template <int D>
+Snapshot makeSnapshot(const State<D>& state)
+{
+  Snapshot snapshot;
+  snapshot.time = state.time;
+  snapshot.meshes.push_back(particleMesh<D>(state.particles));
+  snapshot.meshes.push_back(cellMesh<D>(state.grid, snapshot.meshes.front().data.front().real));
+  if (!state.cracks.empty())
+    snapshot.meshes.push_back(crackMesh<D>(state.cracks));
+  return snapshot;
+}
+
+template Snapshot makeSnapshot(const State<2>&);
+template Snapshot makeSnapshot(const State<3>&);
+
+} // namespace Rhegma

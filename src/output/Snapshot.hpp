@@ -1,0 +1,51 @@
+#pragma once
+/// The fields of one time on the host, as they go to the file.
+
+#include "state/State.hpp"
+
+#include <string>
+#include <vector>
+
+namespace Rhegma
+{
+
+/// A table of a mesh: (rows, columns) row by row.
+struct DataSet
+{
+  enum class Role
+  {
+    Points,
+    Cells,
+    OnPoints,
+    OnCells
+  };
+
+  std::string name;
+  Role role = Role::OnPoints;
+  int columns = 1;
+  bool integer = false;
+  std::vector<double> real;
+  std::vector<int> whole;
+
+  std::size_t rows() const { return (integer ? whole.size() : real.size()) / columns; }
+};
+
+/// Points, cells and what lies on them; each mesh has one table of points and one of cells.
+struct Mesh
+{
+  std::string name;
+  std::string topology; ///< XDMF's name for the kind of cell
+  std::vector<DataSet> data;
+};
+
+struct Snapshot
+{
+  double time = 0.0; ///< [s]
+  std::vector<Mesh> meshes;
+};
+
+/// Particles, leaves and, where there are any, cracks as they are now; FieldWriter.hpp lists the tables.
+template <int D>
+Snapshot makeSnapshot(const State<D>& state);
+
+} // namespace Rhegma

@@ -1,0 +1,56 @@
+#include "output/Summary.hpp"
+
+#include "output/TextFile.hpp"
+
+#include <sys/resource.h>
+
+namespace Rhegma
+{
+
+double peakMemoryBytes()
+{
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+#ifdef __APPLE__
+  return static_cast<double>(usage.ru_maxrss);
+#else
+  return 1024.0 * static_cast<double>(usage.ru_maxrss); // Linux counts in KiB
+#endif
+}
+
+nlohmann::json makeSummary(const SummaryFacts& facts, const nlohmann::json& report)
+{
+  nlohmann::json summary;
+  summary["scene"] = facts.scene;
+  summary["version"] = RHEGMA_VERSION;
+  summary["backend"] = facts.backend;
+  summary["ranks"] = facts.ranks;
+  summary["threads"] = facts.threads;
+  summary["effects"] = facts.effects;
+  summary["steps"] = facts.steps;
+  summary["time"] = facts.time;
+  summary["wall_seconds"] = facts.wallSeconds;
+  summary["particles"] = facts.particles;
+  summary["particle_steps"] = facts.particleSteps;
+  // A run without a step has no cost per step.
+  summary["ns_per_particle_step"] = facts.particleSteps > 0.0
+                                        ? nlohmann::json(1.0e9 * facts.wallSeconds / facts.particleSteps)
+                                        : nlohmann::json();
+  summary["peak_memory_bytes"] = static_cast<long long>(peakMemoryBytes());
+  summary["stages"] = facts.stages;
+  summary["cracks"] = nlohmann::json::array();
+  summary["settled"] = facts.settled;
+  summary["references"] = nlohmann::json::array();
+  summary["status"] = facts.status;
+  if (report.is_object())
+    summary.update(report);
+  return summary;
+}
+
+void writeSummary(const nlohmann::json& summary, const std::string& path)
+{
+  // A path of the user's need not be UTF-8; JSON must be.
+  replaceFile(path, summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+}
+
+} // namespace Rhegma

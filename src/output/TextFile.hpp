@@ -1,0 +1,12 @@
+#pragma once
+/// Text files that are never seen half written.
+
+#include <string>
+
+namespace Rhegma
+{
+
+/// Writes a temporary file beside `path` and renames it to `path`. Throws std::runtime_error when it can't.
+void replaceFile(const std::string& path, const std::string& text);
+
+} // namespace Rhegma

@@ -1,0 +1,109 @@
+#include "output/Xdmf.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+std::string escaped(const std::string& text)
+{
+  std::string safe;
+  for (const char c : text)
+    switch (c)
+    {
+    case '&':
+      safe += "&amp;";
+      break;
+    case '<':
+      safe += "&lt;";
+      break;
+    case '"':
+      safe += "&quot;";
+      break;
+    default:
+      safe += c;
+    }
+  return safe;
+}
+
+/// Where the numbers of a table are. \param place file and group of its mesh
+std::string dataItem(const DataSet& data, const std::string& place)
+{
+  std::string text = "<DataItem Format=\"HDF\" Dimensions=\"" + std::to_string(data.rows());
+  if (data.columns > 1)
+    text += " " + std::to_string(data.columns);
+  text +=
+      data.integer ? "\" NumberType=\"Int\" Precision=\"4\">" : "\" NumberType=\"Float\" Precision=\"8\">";
+  return text + escaped(place + "/" + data.name) + "</DataItem>";
+}
+
+/// Six components are written as a matrix: XDMF's Tensor6 has another order than VTK's, and some readers fill
+/// it up to nine.
+const char* attributeType(int columns)
+{
+  return columns == 1 ? "Scalar" : columns == 3 ? "Vector" : columns == 9 ? "Tensor" : "Matrix";
+}
+
+std::string attribute(const DataSet& data, const std::string& place)
+{
+  return "        <Attribute Name=\"" + escaped(data.name) + "\" AttributeType=\"" +
+         attributeType(data.columns) + "\" Center=\"" +
+         (data.role == DataSet::Role::OnCells ? "Cell" : "Node") + "\">" + dataItem(data, place) +
+         "</Attribute>\n";
+}
+
+std::string topology(const Mesh& mesh, const std::string& place)
+{
+  std::string text;
+  for (const DataSet& data : mesh.data)
+    if (data.role == DataSet::Role::Cells)
+      text = "        <Topology TopologyType=\"" + mesh.topology + "\" NumberOfElements=\"" +
+             std::to_string(data.rows()) + "\" NodesPerElement=\"" + std::to_string(data.columns) + "\">" +
+             dataItem(data, place) + "</Topology>\n";
+  return text;
+}
+
+/// \param place file and group of the mesh
+std::string grid(const Mesh& mesh, double time, const std::string& place)
+{
+  char digits[40];
+  std::snprintf(digits, sizeof digits, "%.17g", time);
+  std::string text = "      <Grid Name=\"" + mesh.name + "\" GridType=\"Uniform\">\n";
+  text += "        <Time Value=\"" + std::string(digits) + "\"/>\n";
+  text += topology(mesh, place);
+  for (const DataSet& data : mesh.data)
+    if (data.role == DataSet::Role::Points)
+      text += "        <Geometry GeometryType=\"XYZ\">" + dataItem(data, place) + "</Geometry>\n";
+    else if (data.role != DataSet::Role::Cells)
+      text += attribute(data, place);
+  return text + "      </Grid>\n";
+}
+
+} // namespace
+
+void XdmfDocument::add(const Snapshot& snapshot, const std::string& group)
+{
+  for (const Mesh& mesh : snapshot.meshes)
+  {
+    auto collection = std::find_if(collections_.begin(), collections_.end(),
+                                   [&mesh](const Collection& c) { return c.name == mesh.name; });
+    if (collection == collections_.end())
+      collection = collections_.insert(collection, {mesh.name, ""});
+    collection->grids += grid(mesh, snapshot.time, file_ + ":/" + group + "/" + mesh.name);
+  }
+}
+
+std::string XdmfDocument::text() const
+{
+  std::string all = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n  <Domain>\n";
+  for (const Collection& collection : collections_)
+    all += "    <Grid Name=\"" + collection.name +
+           "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n" + collection.grids + "    </Grid>\n";
+  return all + "  </Domain>\n</Xdmf>\n";
+}
+
+} // namespace Rhegma

@@ -1,0 +1,95 @@
+#include "program/Options.hpp"
+
+#include <Kokkos_Macros.hpp>
+
+namespace Rhegma::program
+{
+
+namespace
+{
+
+bool startsWith(const std::string& text, const std::string& start)
+{
+  return text.compare(0, start.size(), start) == 0;
+}
+
+std::string kokkosSpelling(const std::string& argument)
+{
+#if KOKKOS_VERSION < 30700
+  const std::string now = "--kokkos-num-threads", before = "--kokkos-threads";
+  if (startsWith(argument, now))
+    return before + argument.substr(now.size());
+#endif
+  return argument;
+}
+
+} // namespace
+
+Options readOptions(const std::vector<std::string>& arguments, std::vector<std::string>& forKokkos)
+{
+  Options options;
+  const auto valueOf = [&](std::size_t& k)
+  {
+    if (k + 1 >= arguments.size())
+      throw UsageError("the option " + arguments[k] + " needs a value; see rhegma --help");
+    return arguments[++k];
+  };
+  for (std::size_t k = 0; k < arguments.size(); ++k)
+  {
+    const std::string& a = arguments[k];
+    if (startsWith(a, "--kokkos-"))
+      forKokkos.push_back(kokkosSpelling(a));
+    else if (a == "--output")
+      options.output = valueOf(k);
+    else if (a == "--set")
+      options.overrides.push_back(valueOf(k));
+    else if (a == "--quiet")
+      options.quiet = true;
+    else if (a == "--check")
+      options.action = Options::Action::Check;
+    else if (a == "--print-plan")
+      options.action = Options::Action::PrintPlan;
+    else if (a == "--describe" || a == "--describe-markdown")
+    {
+      options.action = a == "--describe" ? Options::Action::Describe : Options::Action::DescribeMarkdown;
+      if (k + 1 < arguments.size() && !startsWith(arguments[k + 1], "--"))
+        options.section = arguments[++k];
+    }
+    else if (a == "--version")
+      options.action = Options::Action::Version;
+    else if (a == "--help" || a == "-h")
+      options.action = Options::Action::Help;
+    else if (a == "--restart")
+      throw UsageError(
+          "--restart is not in this version: it writes no checkpoints; run the scene from its start");
+    else if (startsWith(a, "-"))
+      throw UsageError("there is no option " + a + "; see rhegma --help");
+    else if (options.scene.empty())
+      options.scene = a;
+    else
+      throw UsageError("one scene at a time: \"" + options.scene + "\" and \"" + a + "\" were both given");
+  }
+  const bool needsScene = options.action == Options::Action::Run ||
+                          options.action == Options::Action::Check ||
+                          options.action == Options::Action::PrintPlan;
+  if (needsScene && options.scene.empty())
+    throw UsageError("no scene was given; usage: rhegma SCENE.xml [options], see rhegma --help");
+  return options;
+}
+
+std::string usage()
+{
+  return "rhegma SCENE.xml [--output DIR] [--set 'Section:Sub:Parameter=value']... [--quiet]\n"
+         "                        run a scene; results go to DIR (default: the scene's name beside it, "
+         ".out)\n"
+         "rhegma SCENE.xml --check        every error of a scene, then stop\n"
+         "rhegma SCENE.xml --print-plan   the effects, fields and stages that the scene would run\n"
+         "rhegma --describe [Section]     every parameter: type, unit, default, allowed values, meaning\n"
+         "rhegma --version\n"
+         "\n"
+         "Threads: OMP_NUM_THREADS or --kokkos-num-threads=N (OpenMP back end).\n"
+         "Exit: 0 finished, 1 the scene is wrong, 2 the run can't go on, 3 a defect of the program,\n"
+         "      4 finished, but a value of the scene's Reference section is outside its tolerance.\n";
+}
+
+} // namespace Rhegma::program

@@ -1,0 +1,52 @@
+#pragma once
+/// The command line.
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace Rhegma::program
+{
+
+constexpr int exitFinished = 0;
+constexpr int exitWrongScene = 1;
+constexpr int exitStopped = 2;
+constexpr int exitDefect = 3;
+constexpr int exitReferenceMissed = 4;
+
+/// A command line that makes no sense; one sentence.
+class UsageError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+struct Options
+{
+  enum class Action
+  {
+    Run,
+    Check,
+    PrintPlan,
+    Describe,
+    DescribeMarkdown,
+    Version,
+    Help
+  };
+  Action action = Action::Run;
+  std::string scene;
+  std::string output;  ///< folder; empty: beside the scene
+  std::string section; ///< of --describe
+  std::vector<std::string> overrides;
+  bool quiet = false;
+};
+
+/// Reads the arguments after the program's name. Those that are Kokkos' own (--kokkos-...) are put aside,
+/// with
+/// --kokkos-num-threads in the spelling of the Kokkos at hand.
+Options readOptions(const std::vector<std::string>& arguments, std::vector<std::string>& forKokkos);
+
+/// What --help prints.
+std::string usage();
+
+} // namespace Rhegma::program

@@ -1,0 +1,37 @@
+#include "program/Runtime.hpp"
+
+#include <Kokkos_Macros.hpp>
+
+#include <cstdlib>
+#include <unistd.h>
+
+namespace Rhegma::program
+{
+
+void bindThreads(char** argv)
+{
+#ifdef KOKKOS_ENABLE_OPENMP
+  if (std::getenv("OMP_PROC_BIND") != nullptr)
+    return;
+  const bool underMpi = std::getenv("OMPI_COMM_WORLD_SIZE") != nullptr || std::getenv("PMI_SIZE") != nullptr;
+  setenv("OMP_PROC_BIND", underMpi ? "false" : "spread", 1);
+  if (!underMpi)
+    setenv("OMP_PLACES", "threads", 0);
+  execv("/proc/self/exe", argv);
+  // Where a program can't start itself again, threads stay unbound.
+#else
+  (void)argv;
+#endif
+}
+
+KokkosArguments::KokkosArguments(const std::string& program, const std::vector<std::string>& arguments)
+    : texts_{program}
+{
+  texts_.insert(texts_.end(), arguments.begin(), arguments.end());
+  for (std::string& text : texts_)
+    pointers_.push_back(text.data());
+  pointers_.push_back(nullptr);
+  count_ = static_cast<int>(texts_.size());
+}
+
+} // namespace Rhegma::program

@@ -1,0 +1,29 @@
+#pragma once
+/// What must be settled before Kokkos starts.
+
+#include <string>
+#include <vector>
+
+namespace Rhegma::program
+{
+
+/// Binds OpenMP threads to cores unless the user said how. The OpenMP library reads its environment when the
+/// program is loaded, so the program starts itself once more with the setting in place; under mpirun, which
+/// binds ranks itself, threads are left alone.
+void bindThreads(char** argv);
+
+/// Arguments in the form that Kokkos::initialize takes.
+class KokkosArguments
+{
+public:
+  KokkosArguments(const std::string& program, const std::vector<std::string>& arguments);
+  int& count() const { return count_; }
+  char** values() const { return pointers_.data(); }
+
+private:
+  std::vector<std::string> texts_;
+  mutable std::vector<char*> pointers_;
+  mutable int count_;
+};
+
+} // namespace Rhegma::program

@@ -1,0 +1,146 @@
+#include "step/CoreStep.hpp"
+
+#include "material/Materials.hpp"
+#include "transfer/Gather.hpp"
+#include "transfer/Motion.hpp"
+#include "transfer/Scatter.hpp"
+#include "transfer/Stencils.hpp"
+
+#include <cmath>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+template <int D>
+void project(State<D>& state)
+{
+  clearProjection(state);
+  scatterProjection(state);
+  finishProjection(state);
+}
+
+template <int D>
+void strain(State<D>& state, StrainVelocity velocity, bool alsoMove)
+{
+  state.fastest = strainAndMove(state, velocity, true, alsoMove);
+  if (!std::isfinite(state.fastest) && state.trouble.empty())
+    state.trouble = "a particle is turned inside out or its velocity is no longer a number (an unstable "
+                    "step: try a smaller "
+                    "Time > CFL, smaller cells or a gentler load)";
+}
+
+} // namespace
+
+template <int D>
+Effect<D> makeCore(const State<D>& state)
+{
+  const UpdateScheme scheme = state.scheme;
+  Effect<D> core;
+  core.name = "Material Point Method";
+  core.call({Stage::BetweenSteps,
+             "sort particles",
+             {},
+             {"order"},
+             {},
+             [](State<D>& s)
+             {
+               if (!s.sorted)
+                 sortState(s);
+             }});
+  core.call({Stage::Scatter,
+             scheme == UpdateScheme::Usf ? "mass and momentum to nodes" : "mass, momentum and force to nodes",
+             {"particle velocity"},
+             {"nodal mass", "nodal momentum"},
+             {},
+             [scheme](State<D>& s)
+             {
+               storeStencils(s);
+               clearNodes(s);
+               scatter(s, scheme == UpdateScheme::Usf ? ScatterWhat::MassAndMomentum : ScatterWhat::All);
+               if (scheme == UpdateScheme::Usf)
+                 project(s);
+             }});
+  if (scheme == UpdateScheme::Usf)
+    core.call({Stage::BeforeSolve, "force to nodes", {}, {}, {"nodal force"}, [](State<D>& s) {
+                 scatter(s, ScatterWhat::Force);
+               }});
+  core.call({Stage::Solve, "lumped solve", {"nodal force"}, {"nodal motion"}, {}, [](State<D>& s) {
+               solveLumped(s);
+             }});
+  core.call({Stage::Gather,
+             "velocity to particles",
+             {"nodal motion"},
+             {"particle velocity"},
+             {},
+             [scheme](State<D>& s)
+             {
+               gatherVelocity(s);
+               if (scheme == UpdateScheme::Musl)
+                 project(s);
+               if (scheme == UpdateScheme::Usf)
+                 strainAndMove(s, StrainVelocity::Motion, false, true);
+             }});
+  core.call({Stage::OnParticles,
+             "strain, stress and place of particles",
+             {},
+             {"particle stress"},
+             {},
+             [scheme](State<D>& s)
+             {
+               strain(s, scheme == UpdateScheme::Usl ? StrainVelocity::Motion : StrainVelocity::Projection,
+                      scheme != UpdateScheme::Usf);
+             }});
+  return core;
+}
+
+template <int D>
+void sortState(State<D>& state)
+{
+  sortParticles(state.grid, state.particles, state.blocks, state.nodes.active);
+  const int n = state.particles.size();
+  if (static_cast<int>(state.indexOf.extent(0)) != n)
+    state.indexOf = View<int*>("rhegma::indexOf", n);
+  const auto id = state.particles.integer(fields::id);
+  const View<int*> indexOf = state.indexOf;
+  Kokkos::parallel_for(
+      "rhegma::indexParticles", Kokkos::RangePolicy<ExecSpace>(0, n),
+      KOKKOS_LAMBDA(const int p) { indexOf(id(p)) = p; });
+  state.sorted = true;
+}
+
+template <int D>
+double fastestSpeed(const State<D>& state)
+{
+  const auto materials = state.materials;
+  const auto material = state.particles.integer(fields::material);
+  const auto velocity = state.particles.template real<D>(fields::velocity);
+  const auto F = state.particles.template real<gradientSize<D>>(fields::deformation);
+  BorrowedView<double**> history;
+  if (state.particles.has(fields::history))
+    history = state.particles.table(fields::history);
+  double fastest = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::fastestSpeed", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, double& largest) {
+        double speed = 0.0;
+        for (int d = 0; d < D; ++d)
+          speed += velocity(p, d) * velocity(p, d);
+        speed = std::sqrt(speed) + waveSpeed<D>(materials(material(p)), &F(p, 0),
+                                                history.extent(1) > 0 ? &history(p, 0) : nullptr);
+        largest = speed > largest ? speed : largest;
+      },
+      Kokkos::Max<double>(fastest));
+  return fastest;
+}
+
+template Effect<2> makeCore(const State<2>&);
+template Effect<3> makeCore(const State<3>&);
+template void sortState(State<2>&);
+template void sortState(State<3>&);
+template double fastestSpeed(const State<2>&);
+template double fastestSpeed(const State<3>&);
+
+} // namespace Rhegma

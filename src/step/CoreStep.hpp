@@ -1,0 +1,25 @@
+#pragma once
+/// The method itself as calls of the stages.
+
+#include "step/Effect.hpp"
+
+namespace Rhegma
+{
+
+/// The calls of MUSL, USF or USL with a lumped mass.
+///
+/// MUSL (Sulsky, Zhou and Schreyer 1995) strains the particles by the projection of their new velocities; USF
+/// by the projection of the old ones before forces are found; USL by the nodes' new velocity (Bardenhagen, J.
+/// Comput. Phys. 180 (2002) 383).
+template <int D>
+Effect<D> makeCore(const State<D>& state);
+
+/// Sorts the particles and renews what hangs on their order.
+template <int D>
+void sortState(State<D>& state);
+
+/// Largest wave speed plus particle speed now [m/s].
+template <int D>
+double fastestSpeed(const State<D>& state);
+
+} // namespace Rhegma

@@ -1,0 +1,127 @@
+#include "step/Run.hpp"
+
+#include "boundary/Boundaries.hpp"
+#include "step/CoreStep.hpp"
+#include "step/Setup.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+template <int D>
+Effect<D> makeEffect(const EffectEntry& entry, const Teuchos::ParameterList& scene)
+{
+  if constexpr (D == 2)
+    return entry.make2(scene);
+  else
+    return entry.make3(scene);
+}
+
+template <int D>
+[[noreturn]] void stop(const State<D>& state)
+{
+  std::ostringstream reason;
+  reason << "the run stopped at time " << state.time << " s, step " << state.step << ": " << state.trouble;
+  throw RunError(reason.str());
+}
+
+} // namespace
+
+template <int D>
+Run<D>::Run(const Teuchos::ParameterList& scene) : scene_(scene)
+{
+}
+
+template <int D>
+void Run<D>::initialize()
+{
+  std::vector<Effect<D>> effects;
+  std::vector<Field> extra;
+  for (const EffectEntry& entry : knownEffects())
+    if (scene_.isSublist(entry.section.name))
+    {
+      effects.push_back(makeEffect<D>(entry, scene_));
+      extra.insert(extra.end(), effects.back().adds.begin(), effects.back().adds.end());
+    }
+  makeState(scene_, extra, state_);
+  effects.insert(effects.begin(), makeCore(state_));
+  Effect<D> boundaries = makeBoundaries<D>(scene_);
+  if (!boundaries.calls.empty())
+    effects.insert(effects.begin() + 1, boundaries);
+  // Where nothing constrains the motion, who waits for the constrained motion reads the solved one.
+  plan_ = makePlan<D>(std::move(effects));
+  order_ = stageOrder(state_.scheme);
+  for (const Effect<D>& effect : plan_.effects)
+    if (effect.atStart)
+      effect.atStart(state_);
+  state_.fastest = fastestSpeed(state_);
+}
+
+template <int D>
+double Run<D>::stableTimeStep() const
+{
+  double dt = state_.cfl * state_.grid.spacing / state_.fastest;
+  for (const Effect<D>& effect : plan_.effects)
+    if (effect.timeStepLimit)
+      dt = std::min(dt, effect.timeStepLimit(state_));
+  return dt;
+}
+
+template <int D>
+void Run<D>::step(double until, bool sample)
+{
+  const double left = until - state_.time;
+  state_.dt = stableTimeStep();
+  if (!(state_.dt > 0.0) || !std::isfinite(state_.dt))
+  {
+    state_.trouble = "the stable step is not a positive number";
+    stop(state_);
+  }
+  // The last two steps share what is left, so that none is tiny.
+  if (state_.dt >= left)
+    state_.dt = left;
+  else if (2.0 * state_.dt > left)
+    state_.dt = 0.5 * left;
+  state_.observing = sample;
+  for (const Stage stage : order_)
+  {
+    if (stage == Stage::Observe)
+      continue;
+    plan_.run(stage, state_);
+    if (!state_.trouble.empty())
+      stop(state_);
+  }
+  state_.time = state_.dt == left ? until : state_.time + state_.dt;
+  ++state_.step;
+  state_.particleSteps += state_.particles.size();
+  if (sample)
+  {
+    state_.row.clear();
+    if (beforeObserve)
+      beforeObserve(state_);
+    plan_.run(Stage::Observe, state_);
+    if (!state_.trouble.empty())
+      stop(state_);
+  }
+}
+
+template <int D>
+std::vector<std::string> Run<D>::effectNames() const
+{
+  std::vector<std::string> names;
+  for (const EffectEntry& entry : knownEffects())
+    if (scene_.isSublist(entry.section.name))
+      names.push_back(entry.section.name);
+  return names;
+}
+
+template class Run<2>;
+template class Run<3>;
+
+} // namespace Rhegma

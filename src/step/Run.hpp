@@ -1,0 +1,56 @@
+#pragma once
+/// A scene in motion.
+
+#include "step/Plan.hpp"
+
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+namespace Rhegma
+{
+
+/// Why a run can't go on; the program's exit 2.
+class RunError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Owns the state and the plan, and steps them.
+template <int D>
+class Run
+{
+public:
+  /// \param scene a validated scene
+  explicit Run(const Teuchos::ParameterList& scene);
+
+  /// Makes particles, fields and the plan. Throws std::invalid_argument for what only the bodies can show
+  /// wrong.
+  void initialize();
+
+  /// The step that would be taken now [s].
+  double stableTimeStep() const;
+
+  /// One step, not beyond `until`. The step ends with a sample when `sample` is set.
+  /// Throws RunError when the run can't go on.
+  void step(double until, bool sample);
+
+  State<D>& state() { return state_; }
+  const State<D>& state() const { return state_; }
+  const Plan<D>& plan() const { return plan_; }
+
+  /// Called in a sample before the Observe stage, to fill the row with the energies.
+  std::function<void(State<D>&)> beforeObserve;
+
+  /// Names of the effects of this scene.
+  std::vector<std::string> effectNames() const;
+
+private:
+  Teuchos::ParameterList scene_;
+  State<D> state_;
+  Plan<D> plan_;
+  std::vector<Stage> order_;
+};
+
+} // namespace Rhegma

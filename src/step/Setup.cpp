@@ -1,0 +1,227 @@
+#include "step/Setup.hpp"
+
+#include "geometry/Seeds.hpp"
+#include "material/MaterialTable.hpp"
+#include "scene/ReadList.hpp"
+#include "transfer/Box.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+template <int D>
+Plane readPlane(const Teuchos::ParameterList& domain)
+{
+  if (D == 3)
+    return Plane::Solid;
+  return domain.get<std::string>("Plane") == "Stress" ? Plane::Stress : Plane::Strain;
+}
+
+template <int D>
+void readMethod(const Teuchos::ParameterList& scene, State<D>& state)
+{
+  const Teuchos::ParameterList& domain = scene.sublist("Domain");
+  const Teuchos::ParameterList& time = scene.sublist("Time");
+  state.plane = readPlane<D>(domain);
+  state.thickness = D == 2 ? domain.get<double>("Thickness") : 1.0;
+  state.shape = domain.get<std::string>("Shape Functions") == "Linear" ? ShapeKind::Linear : ShapeKind::Gimp;
+  const std::string scheme = time.get<std::string>("Update Scheme");
+  state.scheme = scheme == "USF"   ? UpdateScheme::Usf
+                 : scheme == "USL" ? UpdateScheme::Usl
+                                   : UpdateScheme::Musl;
+  state.cfl = time.get<double>("CFL");
+  state.picFraction = time.get<double>("PIC Fraction");
+  state.grid = makeGrid<D>(readVector<D>(domain, "Lower Corner"), readVector<D>(domain, "Upper Corner"),
+                           domain.get<double>("Cell Size"));
+}
+
+template <int D>
+void readMaterials(const Teuchos::ParameterList& scene, State<D>& state)
+{
+  const Teuchos::ParameterList& section = scene.sublist("Materials");
+  for (const std::string& name : sublistNames(section))
+  {
+    state.materialNames.push_back(name);
+    state.materialList.push_back(makeProperties(section.sublist(name), name, state.plane));
+  }
+  state.materials = View<Properties*>("rhegma::materials", state.materialList.size());
+  const auto host = Kokkos::create_mirror_view(state.materials);
+  std::copy(state.materialList.begin(), state.materialList.end(), host.data());
+  Kokkos::deep_copy(state.materials, host);
+}
+
+template <int D>
+void addFields(State<D>& state, const std::vector<Field>& extra)
+{
+  FieldTable& table = state.particles;
+  table.add({fields::position, D, "m", "where the particle is"});
+  table.add({fields::reference, D, "m", "where it was at the start"});
+  table.add({fields::velocity, D, "m/s", "its velocity"});
+  table.add({fields::mass, 1, "kg", "its mass"});
+  table.add({fields::volume, 1, "m3", "its undeformed volume"});
+  table.add({fields::deformation, gradientSize<D>, "", "deformation gradient"});
+  table.add({fields::stress, symmetricSize<D>, "Pa", "Kirchhoff stress"});
+  table.add({fields::edge, D, "m", "undeformed edge lengths along its body's axes"});
+  if (state.shape == ShapeKind::Gimp)
+    table.add({fields::box, D, "m", "half widths of the box that shape functions are averaged over"});
+  int history = 0;
+  for (const Properties& properties : state.materialList)
+    history = std::max(history, historySize(properties.kind, D));
+  if (history > 0)
+    table.add({fields::history, history, "", "what the constitutive law remembers"});
+  table.add({fields::material, 1, "", "number of its material", true});
+  table.add({fields::body, 1, "", "number of its body", true});
+  table.add({fields::id, 1, "", "its own number", true});
+  for (const Field& field : extra)
+    if (!table.has(field.name))
+      table.add(field);
+}
+
+/// Initial velocity: a translation and a rotation about the body's centre of mass.
+template <int D>
+Vector<D> startVelocity(const Vector<D>& velocity, const std::vector<double>& spin, const Vector<D>& arm)
+{
+  Vector<D> v = velocity;
+  if constexpr (D == 2)
+  {
+    v[0] -= spin[0] * arm[1];
+    v[1] += spin[0] * arm[0];
+  }
+  else
+    for (int d = 0; d < 3; ++d)
+      v[d] += spin[(d + 1) % 3] * arm[(d + 2) % 3] - spin[(d + 2) % 3] * arm[(d + 1) % 3];
+  return v;
+}
+
+template <int D>
+void addBody(const Teuchos::ParameterList& list, const std::string& name, State<D>& state)
+{
+  const Shape<D> shape = makeShape<D>(list);
+  const Seeds<D> seeds =
+      seedParticles<D>(shape, state.grid.spacing, list.get<int>("Particles Per Cell"), "Bodies > " + name);
+  BodyInfo<D> info;
+  info.name = name;
+  const auto material =
+      std::find(state.materialNames.begin(), state.materialNames.end(), list.get<std::string>("Material"));
+  info.material = static_cast<int>(material - state.materialNames.begin());
+  for (int e = 0; e < D; ++e)
+    for (int d = 0; d < D; ++d)
+      info.axes[e][d] = seeds.axes[e][d];
+
+  const int first = state.particles.size();
+  const int count = static_cast<int>(seeds.position.size());
+  Vector<D> centre{};
+  for (const Vector<D>& x : seeds.position)
+  {
+    if (!state.grid.inside(x))
+      throw std::invalid_argument("Bodies > " + name +
+                                  ": part of the body lies outside of the domain; move it or enlarge "
+                                  "Domain > Lower Corner, Upper Corner");
+    centre = centre + (1.0 / count) * x;
+  }
+  const Vector<D> velocity = readVector<D>(list, "Velocity");
+  const Teuchos::Array<double> spin = list.get<Teuchos::Array<double>>("Angular Velocity");
+  const double density = state.materialList[info.material].density;
+  const double volume = seeds.volume * state.thickness;
+
+  FieldTable& table = state.particles;
+  table.resize(first + count);
+  const auto position =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.real<D>(fields::position));
+  const auto start =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.real<D>(fields::velocity));
+  const auto mass = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.scalar(fields::mass));
+  const auto volumes = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.scalar(fields::volume));
+  const auto F = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{},
+                                                     table.real<gradientSize<D>>(fields::deformation));
+  const auto edge = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.real<D>(fields::edge));
+  const auto materials =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.integer(fields::material));
+  const auto bodies = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.integer(fields::body));
+  const auto id = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.integer(fields::id));
+  for (int k = 0; k < count; ++k)
+  {
+    const int p = first + k;
+    const Vector<D> v = startVelocity<D>(velocity, spin.toVector(), seeds.position[k] - centre);
+    for (int d = 0; d < D; ++d)
+    {
+      position(p, d) = seeds.position[k][d];
+      start(p, d) = v[d];
+      F(p, d * D + d) = 1.0;
+      edge(p, d) = seeds.edge[d];
+    }
+    if (D == 2)
+      F(p, 4) = 1.0;
+    mass(p) = density * volume;
+    volumes(p) = volume;
+    materials(p) = info.material;
+    bodies(p) = static_cast<int>(state.bodies.size());
+    id(p) = p;
+  }
+  Kokkos::deep_copy(table.real<D>(fields::position), position);
+  Kokkos::deep_copy(table.real<D>(fields::reference), position);
+  Kokkos::deep_copy(table.real<D>(fields::velocity), start);
+  Kokkos::deep_copy(table.scalar(fields::mass), mass);
+  Kokkos::deep_copy(table.scalar(fields::volume), volumes);
+  Kokkos::deep_copy(table.real<gradientSize<D>>(fields::deformation), F);
+  Kokkos::deep_copy(table.real<D>(fields::edge), edge);
+  Kokkos::deep_copy(table.integer(fields::material), materials);
+  Kokkos::deep_copy(table.integer(fields::body), bodies);
+  Kokkos::deep_copy(table.integer(fields::id), id);
+  state.bodies.push_back(info);
+}
+
+template <int D>
+void makeBodyAxes(State<D>& state)
+{
+  state.bodyAxes = View<double* [D][D]>("rhegma::bodyAxes", state.bodies.size());
+  const auto host = Kokkos::create_mirror_view(state.bodyAxes);
+  for (std::size_t b = 0; b < state.bodies.size(); ++b)
+    for (int e = 0; e < D; ++e)
+      for (int d = 0; d < D; ++d)
+        host(b, e, d) = state.bodies[b].axes[e][d];
+  Kokkos::deep_copy(state.bodyAxes, host);
+}
+
+template <int D>
+void makeBoxes(State<D>& state)
+{
+  const auto axes = state.bodyAxes;
+  const auto body = state.particles.integer(fields::body);
+  const auto edge = state.particles.template real<D>(fields::edge);
+  const auto F = state.particles.template real<gradientSize<D>>(fields::deformation);
+  const auto box = state.particles.template real<D>(fields::box);
+  const double largest = 0.5 * state.grid.spacing;
+  Kokkos::parallel_for(
+      "rhegma::makeBoxes", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p) {
+        updateBox<D>(axes, body(p), &edge(p, 0), &F(p, 0), largest, &box(p, 0));
+      });
+}
+
+} // namespace
+
+template <int D>
+void makeState(const Teuchos::ParameterList& scene, const std::vector<Field>& extra, State<D>& state)
+{
+  readMethod(scene, state);
+  readMaterials(scene, state);
+  addFields(state, extra);
+  const Teuchos::ParameterList& bodies = scene.sublist("Bodies");
+  for (const std::string& name : sublistNames(bodies))
+    addBody(bodies.sublist(name), name, state);
+  makeBodyAxes(state);
+  if (state.shape == ShapeKind::Gimp)
+    makeBoxes(state);
+  state.nodes.reserve(state.grid.numNodes, 0);
+}
+
+template void makeState(const Teuchos::ParameterList&, const std::vector<Field>&, State<2>&);
+template void makeState(const Teuchos::ParameterList&, const std::vector<Field>&, State<3>&);
+
+} // namespace Rhegma

@@ -1,0 +1,17 @@
+#pragma once
+/// From a validated scene to the state before the first step.
+
+#include "step/Effect.hpp"
+
+namespace Rhegma
+{
+
+/// Grid, materials and particles of a scene, with the fields of the method itself.
+///
+/// \param extra fields that effects add
+/// Throws std::invalid_argument, one sentence with the section's path, where a body catches no particle or a
+/// particle would start outside of the domain.
+template <int D>
+void makeState(const Teuchos::ParameterList& scene, const std::vector<Field>& extra, State<D>& state);
+
+} // namespace Rhegma
