@@ -1,0 +1,24 @@
+#include "contact/Contact.hpp"
+#include "cracks/Cracks.hpp"
+#include "damping/Damping.hpp"
+#include "energy_release/EnergyRelease.hpp"
+#include "face_pressure/FacePressure.hpp"
+#include "step/Effect.hpp"
+
+namespace Rhegma
+{
+
+/// Every effect that the program knows. A new effect adds one line.
+const std::vector<EffectEntry>& knownEffects()
+{
+  static const std::vector<EffectEntry> effects = {
+      cracks::cracksEntry(),
+      contact::contactEntry(),
+      damping::dampingEntry(),
+      energy_release::energyReleaseEntry(),
+      face_pressure::facePressureEntry(),
+  };
+  return effects;
+}
+
+} // namespace Rhegma

@@ -1,0 +1,49 @@
+#pragma once
+/// The report's own contact for broken cells: where a crack is closed, particles see through it.
+
+#include "transfer/FacePoints.hpp"
+
+namespace Rhegma::contact
+{
+
+/// Switches the visibility criterion off where a crack is closed, so that its faces stick there.
+///
+/// Whether it is closed is judged by the unmodified strain interpolation: the separation of a face point
+/// follows h n . L n, L the mean velocity gradient by unbroken shape functions over a cell around the point,
+/// that is the relative motion of two places half a cell away on either side. It is zero in the undeformed
+/// state; below, the faces are closer than undeformed. A particle goes by the face point that is nearest to
+/// it.
+///
+/// This contact is kept for comparison: it changes the particles' shape functions in mid-motion, which
+/// changes energy (docs/contact.md).
+class ClosedVisibility
+{
+public:
+  /// Puts itself between the state and what cuts the body; the object must outlive the state.
+  void install(State<2>& state);
+
+  /// Finds points and their unbroken stencils for this step; needs nodal masses.
+  void prepare(const State<2>& state);
+
+  /// Moves the separations on by dt with a nodal velocity (first two columns).
+  template <class Velocity>
+  void advance(const State<2>& state, const Velocity& velocity);
+
+  /// Points of a crack where it is closed.
+  int closedPoints(int crack) const;
+
+private:
+  void edit(const State<2>& state, const ObservedPoints<2>& points, const StencilTable<2>& table);
+
+  std::function<void(const State<2>&, const ObservedPoints<2>&, const StencilTable<2>&)> cut_;
+  void placeAround(double cell);
+
+  FacePoints points_;
+  ObservedPoints<2> behind_, ahead_; ///< half a cell away from each face point, on both sides of it
+  StencilTable<2> below_, above_;    ///< unbroken
+  StencilTable<2> kept_;             ///< rows as they were before the cut
+  View<double*> separation_;         ///< since the undeformed state [m]
+  bool whole_ = false;               ///< no cuts: the unmodified interpolation is asked for
+};
+
+} // namespace Rhegma::contact

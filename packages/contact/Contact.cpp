@@ -1,0 +1,303 @@
+#include "contact/Contact.hpp"
+
+#include "contact/Balance.hpp"
+#include "contact/ClosedVisibility.hpp"
+#include "contact/FaceContact.hpp"
+#include "contact/SideEnergy.hpp"
+#include "material/MaterialTable.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+
+namespace Rhegma::contact
+{
+
+namespace
+{
+
+Section section()
+{
+  Section s("Contact", "Crack faces that close press against each other; without it they pass through.");
+  s.choice("Law", {"Stick", "Frictionless", "Coulomb", "Visibility"})
+      .byDefault("Frictionless")
+      .meaning("What closed faces do along each other: nothing slips, all slips, or slip beyond friction. "
+               "Visibility, for comparison and for Cracks > Formulation Broken Cell only: particles see "
+               "through closed parts, which stick.");
+  s.real("Friction Coefficient").notNegative().optional().meaning("Of Coulomb's law, and only of it.");
+  s.real("Penalty").positive().byDefault(1.0).meaning(
+      "Stiffness of the faces against overlap, in units of the modulus of a dilatational wave over the cell "
+      "size. Above 3 it may ask for smaller time steps.");
+  s.real("Watched Part")
+      .above(0.0)
+      .atMost(1.0)
+      .byDefault(1.0)
+      .meaning(
+          "Middle part of each crack beside which the summary adds up the energies on both sides; with 1 "
+          "all of the body counts.");
+  return s;
+}
+
+void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
+{
+  if (!scene.isSublist("Contact"))
+    return;
+  const Teuchos::ParameterList& list = scene.sublist("Contact");
+  if (!scene.isSublist("Cracks"))
+    errors.push_back({"Contact", "there are no crack faces that could touch; add a section Cracks or leave "
+                                 "Contact out"});
+  if (!list.isParameter("Law"))
+    return;
+  const bool coulomb = list.get<std::string>("Law") == "Coulomb";
+  const bool given = list.isParameter("Friction Coefficient");
+  if (list.get<std::string>("Law") == "Visibility" && scene.isSublist("Cracks") &&
+      scene.sublist("Cracks").isParameter("Formulation") &&
+      scene.sublist("Cracks").get<std::string>("Formulation") != "Broken Cell")
+    errors.push_back({"Contact > Law",
+                      "Visibility belongs to Cracks > Formulation Broken Cell; choose that, or "
+                      "another law"});
+  if (coulomb && !given)
+    errors.push_back({"Contact > Friction Coefficient",
+                      "the law Coulomb needs it; write it, such as 0.3, or choose Law Frictionless"});
+  if (!coulomb && given)
+    errors.push_back({"Contact > Friction Coefficient",
+                      "the law " + list.get<std::string>("Law") +
+                          " has no friction coefficient; leave it out or choose Law Coulomb"});
+}
+
+Law readLaw(const std::string& name)
+{
+  return name == "Stick" ? Law::Stick : name == "Coulomb" ? Law::Coulomb : Law::Frictionless;
+}
+
+/// What the effect keeps from step to step.
+struct Account
+{
+  explicit Account(FaceContact c) : contact(std::move(c)) {}
+  FaceContact contact;
+  std::unique_ptr<ClosedVisibility> visibility; ///< in place of `contact`, if the scene asks for it
+  double booked = 0.0;                          ///< energy that stands in the ledger [J]
+  double part = 1.0;
+  std::vector<WatchedCrack> watched;
+  std::vector<SideEnergy> start;
+  Balance balance;
+};
+
+void book(State<2>& state, Account& account)
+{
+  const double now = account.contact.stored() + account.contact.dissipated();
+  state.energy.contact += now - account.booked;
+  account.booked = now;
+}
+
+/// Points of one crack beside its watched part.
+View<int*> watchedPoints(const FacePoints& points, int crack, const WatchedCrack& watched)
+{
+  const View<int*> part("rhegma::watchedPoints", points.count());
+  const auto host = Kokkos::create_mirror_view(part);
+  const auto of = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.crack);
+  const auto length = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.length);
+  double passed = 0.0;
+  for (int k = 0; k < points.count(); ++k)
+    if (of(k) == crack)
+    {
+      const double along = passed + 0.5 * length(k);
+      host(k) = std::abs(along - 0.5 * watched.length) <= 0.5 * watched.part * watched.length ? 1 : 0;
+      passed += length(k);
+    }
+  Kokkos::deep_copy(part, host);
+  return part;
+}
+
+/// Largest separation of the faces at a crack's vertices [m].
+double opening(const CrackSet<2>& cracks, const Crack<2>& crack)
+{
+  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
+  const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.face);
+  double largest = 0.0;
+  for (int k = 0; k < crack.numVertices; ++k)
+  {
+    const int v = crack.firstVertex + k;
+    const int a = k == 0 ? v : v - 1, b = k + 1 == crack.numVertices ? v : v + 1;
+    const double tx = vertex(b, 0) - vertex(a, 0), ty = vertex(b, 1) - vertex(a, 1);
+    const double apart =
+        (-ty * (face(v, 1, 0) - face(v, 0, 0)) + tx * (face(v, 1, 1) - face(v, 0, 1))) / std::hypot(tx, ty);
+    largest = std::max(largest, apart);
+  }
+  return largest;
+}
+
+void observe(State<2>& state, Account& account)
+{
+  for (const Crack<2>& crack : state.cracks.cracks)
+    state.row.emplace_back(crack.name + ".opening", opening(state.cracks, crack));
+  account.balance.compare(state, state.energy.damped + state.energy.plastic + account.contact.dissipated());
+}
+
+void report(const State<2>& state, const Account& account, nlohmann::json& summary)
+{
+  const FaceContact& contact = account.contact;
+  for (std::size_t c = 0; c < contact.cracks().size(); ++c)
+  {
+    const CrackContact& crack = contact.cracks()[c];
+    const View<int*> part = watchedPoints(contact.points(), static_cast<int>(c), account.watched[c]);
+    const double stored = contact.storedIn(part), friction = contact.dissipatedIn(part);
+    SideEnergy now = measureSides(state, account.watched[c]);
+    // The layer between the faces belongs to both sides.
+    now.below += 0.5 * stored - account.start[c].below;
+    now.above += 0.5 * stored - account.start[c].above;
+    const double all = now.below + now.above + friction;
+    nlohmann::json& entry = summary["cracks"][c]["contact"];
+    entry["touches"] = crack.touches;
+    if (crack.touches > 0)
+      entry["first_touch"] = crack.firstTouch;
+    entry["closed_points"] = crack.closedPoints;
+    entry["largest_pressure"] = crack.largestPressure;
+    entry["stored"] = stored;
+    entry["friction"] = friction;
+    entry["gain_below"] = now.below;
+    entry["gain_above"] = now.above;
+    // A travelling wave has as much strain as kinetic energy.
+    const double waves = 2.0 * (now.alongBelow + now.alongAbove) + friction;
+    entry["along_below"] = now.alongBelow;
+    entry["along_above"] = now.alongAbove;
+    if (waves > 0.0)
+    {
+      entry["shear_share_below"] = 2.0 * now.alongBelow / waves;
+      entry["shear_share_above"] = 2.0 * now.alongAbove / waves;
+      entry["shear_share_friction"] = friction / waves;
+    }
+    if (all != 0.0)
+    {
+      entry["share_below"] = now.below / all;
+      entry["share_above"] = now.above / all;
+      entry["share_friction"] = friction / all;
+    }
+  }
+  if (account.visibility)
+    for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
+      summary["cracks"][c]["contact"]["closed_points"] =
+          account.visibility->closedPoints(static_cast<int>(c));
+  summary["energy"]["friction"] = contact.dissipated();
+  summary["energy"]["last_share"] = account.balance.lastShare();
+  summary["energy"]["smallest_share"] = account.balance.smallestShare();
+  summary["energy"]["largest_share"] = account.balance.largestShare();
+}
+
+/// An explicit step resolves frequencies w only below 2 / w. Cells have w^2 <= 8 c^2 / h^2; the layer adds
+/// 4 alpha c^2 / h^2 on nodes with half a cell's mass on each side, and no more where it cuts cells, because
+/// mass and stiffness of a node both go with the square of its distance from the crack. A tenth is kept in
+/// hand.
+double timeStepLimit(const State<2>& state, double alpha)
+{
+  double fastest = 0.0;
+  for (const Properties& p : state.materialList)
+    fastest = std::max(fastest, std::sqrt(elasticity(p).constrainedModulus / p.density));
+  return 0.9 * state.grid.spacing / (fastest * std::sqrt(2.0 + alpha));
+}
+
+void prepare(const State<2>& state, Account& account)
+{
+  account.balance.begin(state);
+  if (account.visibility)
+    account.visibility->prepare(state);
+  else
+    account.contact.prepare(state);
+}
+
+template <class Velocity>
+void advance(State<2>& state, Account& account, const Velocity& velocity)
+{
+  if (account.visibility)
+    account.visibility->advance(state, velocity);
+  else
+    account.contact.advance(state, velocity);
+  book(state, account);
+}
+
+/// The velocity that strains the particles moves the gaps.
+void advance(State<2>& state, Account& account)
+{
+  if (state.scheme == UpdateScheme::Usl)
+    advance(state, account, state.nodes.motion);
+  else
+    advance(state, account, state.nodes.projection);
+}
+
+Effect<2> make2(const Teuchos::ParameterList& scene)
+{
+  const Teuchos::ParameterList& list = scene.sublist("Contact");
+  const double alpha = list.get<double>("Penalty");
+  const double friction =
+      list.isParameter("Friction Coefficient") ? list.get<double>("Friction Coefficient") : 0.0;
+  const auto account =
+      std::make_shared<Account>(FaceContact(readLaw(list.get<std::string>("Law")), friction, alpha));
+  account->part = list.get<double>("Watched Part");
+  const bool visibility = list.get<std::string>("Law") == "Visibility";
+  if (visibility)
+    account->visibility = std::make_unique<ClosedVisibility>();
+  Effect<2> effect;
+  effect.name = "Contact";
+  effect.needs = {fields::side};
+  const bool extrapolated = scene.isSublist("Cracks") && scene.sublist("Cracks").get<std::string>(
+                                                             "Formulation") == "Corrected Broken Cell";
+  effect.atStart = [account, extrapolated](State<2>& state)
+  {
+    if (extrapolated)
+      state.warnings.push_back(
+          "Contact with Cracks > Formulation Corrected Broken Cell makes energy when faces "
+          "slap; watch energy.largest_share or take Dual Field");
+    if (account->visibility)
+      account->visibility->install(state);
+    for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
+    {
+      account->watched.push_back(watch(state.cracks, static_cast<int>(c), account->part));
+      account->start.push_back(measureSides(state, account->watched.back()));
+    }
+  };
+  effect.call({Stage::Scatter, "points on crack faces", {"nodal mass"}, {}, {}, [account](State<2>& s) {
+                 prepare(s, *account);
+               }});
+  if (!visibility)
+    effect.call({Stage::BeforeSolve,
+                 "contact of crack faces",
+                 {"nodal mass"},
+                 {},
+                 {"nodal force"},
+                 [account](State<2>& s) { account->contact.addForces(s); }});
+  effect.call({Stage::AfterSolve,
+               "balance of energy",
+               {"constrained motion"},
+               {},
+               {},
+               [account](State<2>& s)
+               {
+                 if (s.observing)
+                   account->balance.measure(s, account->contact.stored());
+               }});
+  effect.call(
+      {Stage::AfterProjection, "gaps of crack faces", {"projection"}, {"gaps"}, {}, [account](State<2>& s) {
+         advance(s, *account);
+       }});
+  effect.call({Stage::Observe, "opening of cracks", {"energies"}, {}, {}, [account](State<2>& s) {
+                 observe(s, *account);
+               }});
+  effect.report = [account](const State<2>& state, nlohmann::json& summary)
+  { report(state, *account, summary); };
+  effect.timeStepLimit = [alpha](const State<2>& state) { return timeStepLimit(state, alpha); };
+  return effect;
+}
+
+Effect<3> make3(const Teuchos::ParameterList&)
+{
+  throw std::invalid_argument(
+      "Contact: contact of crack faces in three dimensions is not in this version; use "
+      "a 2D scene");
+}
+
+} // namespace
+
+EffectEntry contactEntry() { return {section(), check, make2, make3}; }
+
+} // namespace Rhegma::contact

@@ -1,0 +1,11 @@
+#pragma once
+/// The effect `Contact`: closed parts of cracks press and rub.
+
+#include "step/Effect.hpp"
+
+namespace Rhegma::contact
+{
+
+EffectEntry contactEntry();
+
+} // namespace Rhegma::contact

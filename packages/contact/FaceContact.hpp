@@ -1,0 +1,93 @@
+#pragma once
+/// Contact of the faces of cracks: a penalty traction at points on the faces.
+
+#include "transfer/FacePoints.hpp"
+
+namespace Rhegma::contact
+{
+
+enum class Law
+{
+  Stick,
+  Frictionless,
+  Coulomb
+};
+
+/// What contact needs to know about a material.
+struct Stiffness
+{
+  double normal;     ///< traction per overlap [Pa/m]
+  double tangential; ///< traction per elastic slip [Pa/m]
+};
+
+/// One crack's account.
+struct CrackContact
+{
+  int closedPoints = 0;         ///< points that carry pressure now
+  int points = 0;               ///< points in all
+  int touches = 0;              ///< how often an open crack has begun to touch
+  double firstTouch = -1.0;     ///< time of the first [s]; negative: never
+  double largestPressure = 0.0; ///< ever, at a point [Pa]
+};
+
+/// Contact at the face points of all cracks.
+///
+/// The gap of a point, zero in the undeformed state, follows the normal jump of the velocity that strains the
+/// particles, and so does its elastic slip the tangential jump: contact is an elastic layer in series with
+/// the cells beside it and keeps energy as they do. Where the gap is negative the faces press each other with
+/// p = kn <-gap>; the shear traction kt s is limited to mu p, what goes beyond it slips for good (return
+/// mapping: Wriggers, Computational Contact Mechanics, 2nd ed., Springer 2006, ch. 5). Gap and slip are
+/// counted along the crack's own normal and tangent as they turn.
+class FaceContact
+{
+public:
+  /// \param friction coefficient; used by Coulomb \param alpha stiffness in units of modulus / cell size
+  FaceContact(Law law, double friction, double alpha) : law_(law), friction_(friction), alpha_(alpha) {}
+
+  /// Finds points and stencils for this step; needs nodal masses.
+  void prepare(const State<2>& state);
+
+  /// Adds the tractions' forces [N]: opposite ones on the two faces, so momentum is kept to round-off.
+  void addForces(const State<2>& state) const;
+
+  /// Moves gaps and slips on by dt with a nodal velocity (first two columns), finds the tractions, and adds
+  /// what friction dissipates.
+  template <class Velocity>
+  void advance(const State<2>& state, const Velocity& velocity);
+
+  const FacePoints& points() const { return points_; }
+  const View<double*>& gap() const { return gap_; }
+  const View<double*>& slip() const { return slip_; }
+
+  /// Energy [J] that the layer holds now and that friction has dissipated so far.
+  double stored() const { return stored_; }
+  double dissipated() const { return dissipated_; }
+
+  /// The same over the points for which `part` is not zero.
+  double storedIn(const View<int*>& part) const;
+  double dissipatedIn(const View<int*>& part) const;
+
+  const std::vector<CrackContact>& cracks() const { return cracks_; }
+
+private:
+  void findStiffness(const State<2>& state);
+  void keepHistory();
+  void note(const State<2>& state);
+
+  Law law_;
+  double friction_, alpha_;
+  FacePoints points_;
+  View<Stiffness*> stiffness_; ///< of each crack
+  View<double*> gap_;          ///< opening of the faces since the undeformed state [m]
+  View<double*> slip_;         ///< elastic slip, side +1 against side -1 along the tangent [m]
+  View<double*> pressure_;     ///< [Pa]
+  View<double*> shear_;        ///< traction that holds back side +1, along the tangent [Pa]
+  View<double*> heat_;         ///< dissipated at each point so far [J]
+  View<int*> closed_;          ///< points of each crack that press
+  View<double*> peak_;         ///< largest pressure of each crack [Pa]
+  double thickness_ = 1.0;
+  double stored_ = 0.0, dissipated_ = 0.0;
+  std::vector<CrackContact> cracks_;
+};
+
+} // namespace Rhegma::contact

@@ -1,0 +1,21 @@
+#pragma once
+/// Cracks that move with the material.
+
+#include "state/State.hpp"
+
+namespace Rhegma::cracks
+{
+
+/// Moves each vertex's two places with the faces of the crack and puts the crack midway. A front has one
+/// place: it moves with the mean of both sides.
+class CrackMotion
+{
+public:
+  void move(State<2>& state);
+
+private:
+  ObservedPoints<2> points_; ///< side -1 and +1 of each vertex, in this order
+  StencilTable<2> stencils_;
+};
+
+} // namespace Rhegma::cracks

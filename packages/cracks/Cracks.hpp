@@ -1,0 +1,12 @@
+#pragma once
+/// Explicit cracks.
+
+#include "step/Effect.hpp"
+
+namespace Rhegma::cracks
+{
+
+/// The effect `Cracks`: cuts the body along polylines that move with the material.
+EffectEntry cracksEntry();
+
+} // namespace Rhegma::cracks

@@ -1,0 +1,149 @@
+#include "damping/Damping.hpp"
+
+#include "damping/Settling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace Rhegma::damping
+{
+
+template <int D>
+double dampVelocity(State<D>& state, double rate)
+{
+  const auto velocity = state.particles.template real<D>(fields::velocity);
+  const auto mass = state.particles.scalar(fields::mass);
+  const double factor = std::exp(-rate * state.dt);
+  double loss = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::dampVelocity", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, double& sum) {
+        for (int d = 0; d < D; ++d)
+        {
+          const double before = velocity(p, d);
+          velocity(p, d) = factor * before;
+          sum += 0.5 * mass(p) * (1.0 - factor * factor) * before * before;
+        }
+      },
+      loss);
+  return loss;
+}
+
+template <int D>
+double addViscousStress(State<D>& state, double shearViscosity, double bulkViscosity)
+{
+  const auto rate = state.particles.table(fields::rate);
+  const auto stress = state.particles.template real<symmetricSize<D>>(fields::stress);
+  const auto volume = state.particles.scalar(fields::volume);
+  const double dt = state.dt;
+  double loss = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::viscousStress", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, double& sum) {
+        double trace = 0.0;
+        for (int i = 0; i < D; ++i)
+          trace += rate(p, i * D + i);
+        double power = 0.0;
+        for (int i = 0; i < D; ++i)
+          for (int j = i; j < D; ++j)
+          {
+            const double strainRate = 0.5 * (rate(p, i * D + j) + rate(p, j * D + i));
+            const double viscous = 2.0 * shearViscosity * strainRate + (i == j ? bulkViscosity * trace : 0.0);
+            stress(p, symmetricIndex<D>(i, j)) += viscous;
+            power += (i == j ? 1.0 : 2.0) * viscous * strainRate;
+          }
+        sum += dt * volume(p) * power;
+      },
+      loss);
+  return loss;
+}
+
+namespace
+{
+
+Section section()
+{
+  Section s("Damping", "Takes kinetic energy out of the body, so that a suddenly loaded one comes to rest.");
+  s.real("Mass Rate")
+      .unit("1/s")
+      .notNegative()
+      .byDefault(0.0)
+      .meaning("Force -rate m v on all mass. A mode of angular frequency w is critically damped at 2 w.");
+  s.real("Shear Viscosity")
+      .unit("Pa s")
+      .notNegative()
+      .byDefault(0.0)
+      .meaning("Adds the stress 2 eta D to every material, D the rate of strain.");
+  s.real("Bulk Viscosity").unit("Pa s").notNegative().byDefault(0.0).meaning("Adds the stress zeta tr(D).");
+  s.boolean("Stop When Settled")
+      .byDefault(false)
+      .meaning(
+          "End the run as soon as it has settled; Time > Final Time is then the longest that it may take.");
+  s.real("Settled Energy Ratio")
+      .above(0.0)
+      .byDefault(1e-4)
+      .meaning("Settled: kinetic over strain energy is below this, over the last samples.");
+  s.real("Settled Drift")
+      .above(0.0)
+      .byDefault(1e-4)
+      .meaning("Settled: every energy release rate, or the strain energy where there is none, changed by "
+               "less than this share "
+               "over the last samples.");
+  s.integer("Settled Samples")
+      .atLeast(2)
+      .byDefault(5)
+      .meaning("Samples of the history over which both must hold.");
+  return s;
+}
+
+template <int D>
+Effect<D> make(const Teuchos::ParameterList& scene)
+{
+  const Teuchos::ParameterList& list = scene.sublist("Damping");
+  const double rate = list.get<double>("Mass Rate");
+  const double shear = list.get<double>("Shear Viscosity");
+  const double bulk = list.get<double>("Bulk Viscosity");
+  Effect<D> effect;
+  effect.name = "Damping";
+  if (rate > 0.0)
+    effect.call({Stage::Scatter, "mass damping", {}, {"particle velocity"}, {}, [rate](State<D>& s) {
+                   s.energy.damped += dampVelocity(s, rate);
+                 }});
+  if (shear > 0.0 || bulk > 0.0)
+  {
+    effect.adds.push_back({fields::rate, D * D, "1/s", "velocity gradient, row by row"});
+    effect.call({Stage::OnParticles, "viscous stress", {"particle stress"}, {}, {}, [=](State<D>& s) {
+                   s.energy.damped += addViscousStress(s, shear, bulk);
+                 }});
+    // An explicit step resolves diffusion of momentum only below h^2 / (2 D nu); the largest viscosity is
+    // that of dilatation.
+    effect.timeStepLimit = [=](const State<D>& s)
+    {
+      double density = s.materialList.front().density;
+      for (const Properties& p : s.materialList)
+        density = std::min(density, p.density);
+      return s.cfl * density * s.grid.spacing * s.grid.spacing / (2.0 * D * (2.0 * shear + bulk));
+    };
+  }
+  const auto settling =
+      std::make_shared<Settling>(list.get<double>("Settled Energy Ratio"), list.get<double>("Settled Drift"),
+                                 list.get<int>("Settled Samples"));
+  const bool stop = list.get<bool>("Stop When Settled");
+  effect.atStart = [stop](State<D>& s) { s.stopWhenSettled = stop; };
+  effect.call({Stage::Observe, "settling", {"energies", "energy release"}, {}, {}, [settling](State<D>& s) {
+                 s.settled = settling->sample(s.energy.kinetic, s.energy.strain, s.row);
+               }});
+  return effect;
+}
+
+} // namespace
+
+EffectEntry dampingEntry() { return {section(), {}, make<2>, make<3>}; }
+
+template double dampVelocity(State<2>&, double);
+template double dampVelocity(State<3>&, double);
+template double addViscousStress(State<2>&, double, double);
+template double addViscousStress(State<3>&, double, double);
+
+} // namespace Rhegma::damping

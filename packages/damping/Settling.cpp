@@ -1,0 +1,44 @@
+#include "damping/Settling.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace Rhegma::damping
+{
+
+namespace
+{
+
+bool endsWith(const std::string& text, const std::string& end)
+{
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+} // namespace
+
+bool Settling::sample(double kinetic, double strain, const HistoryRow& row)
+{
+  Sample now;
+  now.ratio = strain > 0.0 ? kinetic / strain : std::numeric_limits<double>::infinity();
+  for (const auto& [name, value] : row)
+    if (endsWith(name, ".G_J") || endsWith(name, ".G_closure"))
+      now.watched.push_back(value);
+  if (now.watched.empty())
+    now.watched.push_back(strain);
+  last_.push_back(now);
+  if (last_.size() > samples_)
+    last_.pop_front();
+  if (last_.size() < samples_)
+    return false;
+  for (const Sample& sample : last_)
+  {
+    if (!(sample.ratio < ratio_) || sample.watched.size() != now.watched.size())
+      return false;
+    for (std::size_t k = 0; k < now.watched.size(); ++k)
+      if (!(std::abs(sample.watched[k] - now.watched[k]) <= drift_ * std::abs(now.watched[k])))
+        return false;
+  }
+  return true;
+}
+
+} // namespace Rhegma::damping

@@ -1,0 +1,35 @@
+#pragma once
+/// Whether a run has come to rest.
+
+#include "state/State.hpp"
+
+#include <deque>
+
+namespace Rhegma::damping
+{
+
+/// Looks at the last samples of a history.
+class Settling
+{
+public:
+  /// \param ratio  kinetic over strain energy at rest \param drift  relative change allowed \param samples at
+  /// least 2
+  Settling(double ratio, double drift, int samples) : ratio_(ratio), drift_(drift), samples_(samples) {}
+
+  /// Takes a sample. \return true when kinetic over strain energy stayed below the ratio over the last
+  /// samples, and every energy release rate (the strain energy where a row has none) within the drift of its
+  /// latest value
+  bool sample(double kinetic, double strain, const HistoryRow& row);
+
+private:
+  struct Sample
+  {
+    double ratio;
+    std::vector<double> watched;
+  };
+  double ratio_, drift_;
+  std::size_t samples_;
+  std::deque<Sample> last_;
+};
+
+} // namespace Rhegma::damping

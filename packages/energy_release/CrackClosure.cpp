@@ -1,0 +1,138 @@
+#include "energy_release/CrackClosure.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace Rhegma::energy_release
+{
+
+namespace
+{
+
+/// Radius of the patch in cells: what a node of the consistent projection takes from others falls to a
+/// quarter from node to node, so that the rim of the patch is not felt at its middle.
+constexpr double patchRadius = 8.0;
+
+/// Force of each side on a node that both may touch.
+struct SideForces
+{
+  Vector<2> of[2] = {{{0.0, 0.0}}, {{0.0, 0.0}}};
+  bool touched[2] = {false, false};
+  bool both() const { return touched[0] && touched[1]; }
+};
+
+std::map<int, SideForces> nodeForces(const std::vector<PatchParticle>& particles)
+{
+  std::map<int, SideForces> forces;
+  for (const PatchParticle& p : particles)
+    for (int k = 0; k < p.count; ++k)
+    {
+      SideForces& f = forces[p.node[k]];
+      const int s = p.side > 0 ? 1 : 0;
+      f.touched[s] = true;
+      for (int d = 0; d < 2; ++d)
+        f.of[s][d] += p.force[d][0] * p.slope[k][0] + p.force[d][1] * p.slope[k][1];
+    }
+  return forces;
+}
+
+/// Rows and columns of nodes as the front sees them: columns are counted in its direction.
+struct Columns
+{
+  Grid<2> grid;
+  int axis;
+  int sign;
+
+  Columns(const Grid<2>& g, const Vector<2>& direction)
+      : grid(g),
+        axis(std::fabs(direction[0]) >= std::fabs(direction[1]) ? 0 : 1),
+        sign(direction[axis] > 0.0 ? 1 : -1)
+  {
+  }
+  int column(int node) const
+  {
+    int at[2];
+    grid.nodeCoordinates(node, at);
+    return sign * at[axis];
+  }
+  int row(int node) const
+  {
+    int at[2];
+    grid.nodeCoordinates(node, at);
+    return at[1 - axis];
+  }
+  int behind(int node, int columns) const { return node - sign * columns * grid.stride[axis]; }
+};
+
+/// First closed column of each row.
+std::map<int, int> firstClosed(const std::map<int, SideForces>& forces, const SplitNodes& split,
+                               const Columns& columns)
+{
+  std::map<int, int> first;
+  for (const auto& entry : forces)
+    if (entry.second.both() && split(entry.first))
+    {
+      const int row = columns.row(entry.first), next = columns.column(entry.first) + 1;
+      const auto found = first.emplace(row, next).first;
+      found->second = std::max(found->second, next);
+    }
+  return first;
+}
+
+double work(const std::map<int, SideForces>& forces, const SplitNodes& split, const Columns& columns,
+            const std::map<int, int>& first, const NodeDisplacement& displacement, int number)
+{
+  double sum = 0.0;
+  bool found = false;
+  for (const auto& entry : forces)
+  {
+    const int node = entry.first;
+    if (!entry.second.both() || split(node))
+      continue;
+    const auto row = first.find(columns.row(node));
+    if (row == first.end())
+      continue;
+    const int ahead = columns.column(node) - row->second;
+    if (ahead < 0 || ahead >= number)
+      continue;
+    const int open = columns.behind(node, number);
+    const auto plus = displacement.find({open, 1}), minus = displacement.find({open, -1});
+    if (plus == displacement.end() || minus == displacement.end())
+      continue;
+    found = true;
+    sum += 0.5 * dot(entry.second.of[1] - entry.second.of[0], plus->second - minus->second);
+  }
+  return found ? sum : std::numeric_limits<double>::quiet_NaN();
+}
+
+} // namespace
+
+bool runsAlongGrid(const CrackFront<2>& front)
+{
+  constexpr double cosineOfFiveDegrees = 0.99619;
+  return std::max(std::fabs(front.direction[0]), std::fabs(front.direction[1])) > cosineOfFiveDegrees;
+}
+
+CrackClosure closeCrack(const State<2>& state, const CrackFront<2>& front, int number)
+{
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  if (!runsAlongGrid(front))
+    return {none, none};
+  const std::vector<PatchParticle> particles =
+      particlesAround(state, front, patchRadius * state.grid.spacing);
+  const SplitNodes split(state, front);
+  const Columns columns(state.grid, front.direction);
+  const std::map<int, SideForces> forces = nodeForces(particles);
+  const std::map<int, int> first = firstClosed(forces, split, columns);
+  const double area = 2.0 * number * state.grid.spacing * state.thickness;
+  CrackClosure result;
+  result.consistent = work(forces, split, columns, first,
+                           recoverDisplacement(particles, split, Projection::Consistent), number) /
+                      area;
+  result.lumped =
+      work(forces, split, columns, first, recoverDisplacement(particles, split, Projection::Lumped), number) /
+      area;
+  return result;
+}
+
+} // namespace Rhegma::energy_release

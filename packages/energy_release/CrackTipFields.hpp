@@ -1,0 +1,77 @@
+#pragma once
+/// Stress and displacement gradient at a crack tip, and the direction in which it runs on.
+
+#include "state/Types.hpp"
+
+namespace Rhegma::energy_release
+{
+
+/// Shear modulus [Pa] and Kolosov's constant: 3 - 4 nu in plane strain, (3 - nu) / (1 + nu) in plane stress.
+struct TipModuli
+{
+  double shear;
+  double kolosov;
+};
+
+/// A field in the frame of the front: axis 0 along its direction, axis 1 along its normal.
+struct TipField
+{
+  double stress[2][2];   ///< [Pa]
+  double gradient[2][2]; ///< du_i/dx_j
+};
+
+/// The singular field of unit stress intensity, K = 1 Pa m^0.5.
+/// \param mode 0: opening (I), 1: sliding (II) \param r distance from the tip [m], not zero
+/// \param theta angle from the direction, -pi and pi on the faces
+/// Source: Williams, J. Appl. Mech. 24 (1957) 109; in this form Anderson, Fracture Mechanics,
+/// tables 2.1, 2.2.
+KOKKOS_INLINE_FUNCTION TipField williamsField(int mode, double r, double theta, const TipModuli& moduli)
+{
+  const double s = std::sin(0.5 * theta), c = std::cos(0.5 * theta);
+  const double s3 = std::sin(1.5 * theta), c3 = std::cos(1.5 * theta);
+  const double size = 1.0 / std::sqrt(8.0 * std::atan(1.0) * r);
+  const double k = moduli.kolosov;
+  TipField f;
+  double g[2], slope[2]; // u = sqrt(r / 2 pi) / (2 mu) g(theta); slope = dg/dtheta
+  if (mode == 0)
+  {
+    f.stress[0][0] = size * c * (1.0 - s * s3);
+    f.stress[1][1] = size * c * (1.0 + s * s3);
+    f.stress[0][1] = size * c * s * c3;
+    g[0] = c * (k - 1.0 + 2.0 * s * s);
+    g[1] = s * (k + 1.0 - 2.0 * c * c);
+    slope[0] = -0.5 * s * (k - 1.0 + 2.0 * s * s) + 2.0 * s * c * c;
+    slope[1] = 0.5 * c * (k + 1.0 - 2.0 * c * c) + 2.0 * s * s * c;
+  }
+  else
+  {
+    f.stress[0][0] = -size * s * (2.0 + c * c3);
+    f.stress[1][1] = size * s * c * c3;
+    f.stress[0][1] = size * c * (1.0 - s * s3);
+    g[0] = s * (k + 1.0 + 2.0 * c * c);
+    g[1] = -c * (k - 1.0 - 2.0 * s * s);
+    slope[0] = 0.5 * c * (k + 1.0 + 2.0 * c * c) - 2.0 * s * s * c;
+    slope[1] = 0.5 * s * (k - 1.0 - 2.0 * s * s) + 2.0 * s * c * c;
+  }
+  f.stress[1][0] = f.stress[0][1];
+  const double scale = size / (2.0 * moduli.shear);
+  const double cosine = c * c - s * s, sine = 2.0 * s * c;
+  for (int i = 0; i < 2; ++i)
+  {
+    f.gradient[i][0] = scale * (0.5 * cosine * g[i] - sine * slope[i]);
+    f.gradient[i][1] = scale * (0.5 * sine * g[i] + cosine * slope[i]);
+  }
+  return f;
+}
+
+/// Angle [rad] from the front's direction towards its normal in which the hoop stress is largest.
+/// Source: Erdogan and Sih, J. Basic Eng. 85 (1963) 519.
+inline double hoopStressAngle(double modeI, double modeII)
+{
+  if (modeII == 0.0)
+    return 0.0;
+  const double ratio = modeI / modeII;
+  return 2.0 * std::atan(0.25 * (ratio - std::copysign(std::sqrt(ratio * ratio + 8.0), modeII)));
+}
+
+} // namespace Rhegma::energy_release

@@ -1,0 +1,278 @@
+#include "energy_release/DomainIntegral.hpp"
+
+#include "energy_release/CrackTipFields.hpp"
+#include "energy_release/FacePressureTerm.hpp"
+#include "energy_release/InternalAcceleration.hpp"
+#include "material/MaterialTable.hpp"
+#include "material/Materials.hpp"
+#include "transfer/ParticleViews.hpp"
+
+namespace Rhegma::energy_release
+{
+
+namespace
+{
+
+constexpr int D = 2;
+
+/// What the disk does as a whole, and what it is made of.
+struct Disk
+{
+  double cosine = 1.0, sine = 0.0; ///< of its mean turn
+  Vector<D> velocity{{0.0, 0.0}};  ///< mean [m/s]
+  TipModuli moduli;
+  double effectiveModulus; ///< [Pa]
+};
+
+KOKKOS_INLINE_FUNCTION double distance(const BorrowedView<double* [D]>& position, int p,
+                                       const Vector<D>& from)
+{
+  const double x = position(p, 0) - from[0], y = position(p, 1) - from[1];
+  return std::sqrt(x * x + y * y);
+}
+
+int nearestParticle(const State<D>& state, const Vector<D>& place)
+{
+  using Reducer = Kokkos::MinLoc<double, int>;
+  const auto position = state.particles.real<D>(fields::position);
+  typename Reducer::value_type nearest;
+  Kokkos::parallel_reduce(
+      "rhegma::nearestParticle", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, typename Reducer::value_type& best) {
+        const double r = distance(position, p, place);
+        if (r < best.val)
+        {
+          best.val = r;
+          best.loc = p;
+        }
+      },
+      Reducer(nearest));
+  return nearest.loc;
+}
+
+Disk describeDisk(const State<D>& state, const CrackFront<D>& front, const ContourRadii& radii)
+{
+  const auto position = state.particles.real<D>(fields::position);
+  const auto velocity = state.particles.real<D>(fields::velocity);
+  const auto F = state.particles.real<gradientSize<D>>(fields::deformation);
+  const Vector<D> centre = front.position;
+  const double reach = radii.outer;
+  double along = 0.0, across = 0.0, vx = 0.0, vy = 0.0;
+  int count = 0;
+  Kokkos::parallel_reduce(
+      "rhegma::meanMotion", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, double& trace, double& skew, double& x, double& y, int& number) {
+        if (distance(position, p, centre) > reach)
+          return;
+        trace += F(p, 0) + F(p, 3);
+        skew += F(p, 2) - F(p, 1);
+        x += velocity(p, 0);
+        y += velocity(p, 1);
+        ++number;
+      },
+      along, across, vx, vy, count);
+  Disk disk;
+  if (count > 0)
+  {
+    const double size = std::sqrt(along * along + across * across);
+    disk.cosine = along / size;
+    disk.sine = across / size;
+    disk.velocity = {{vx / count, vy / count}};
+  }
+  const auto material = state.particles.integer(fields::material);
+  int index = 0;
+  Kokkos::deep_copy(index, Kokkos::subview(material, nearestParticle(state, centre)));
+  const Elasticity e = elasticity(state.materialList[index]);
+  disk.moduli.shear = e.shear;
+  disk.moduli.kolosov =
+      state.plane == Plane::Stress ? (3.0 - e.poisson) / (1.0 + e.poisson) : 3.0 - 4.0 * e.poisson;
+  disk.effectiveModulus = e.effectiveModulus;
+  return disk;
+}
+
+/// Angle of a place around the front in the front's frame; the side of a particle decides on which face it
+/// is.
+KOKKOS_INLINE_FUNCTION double tipAngle(double along, double across, int side)
+{
+  const double halfTurn = 4.0 * std::atan(1.0);
+  const double theta = std::atan2(across, along);
+  if (side > 0 && theta < -0.75 * halfTurn)
+    return theta + 2.0 * halfTurn;
+  if (side < 0 && theta > 0.75 * halfTurn)
+    return theta - 2.0 * halfTurn;
+  return theta;
+}
+
+/// Sums the integrands of one particle.
+template <ShapeKind S, bool Stored>
+struct Integrand
+{
+  Connectivity<D, S, false> unbroken;
+  Connectivity<D, S, Stored> broken;
+  NodalWeight<D> weight;
+  View<double * [Nodes<D>::motionWidth]> motion;
+  View<double* [D]> acceleration;
+  BorrowedView<double* [D]> position;
+  BorrowedView<double*> mass, volume;
+  BorrowedView<double * [gradientSize<D>]> deformation;
+  BorrowedView<double * [symmetricSize<D>]> stress;
+  BorrowedView<double**> history;
+  BorrowedView<int*> material, side;
+  View<Properties*> materials;
+  Disk disk;
+  Vector<D> direction, normal;
+  int positive, negative; ///< names of the crack's sides
+  bool sides, moving;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int p, double& J, double& modeI, double& modeII) const
+  {
+    const Vector<D> centre = weight.centre;
+    // A stencil reaches at most 1.5 cells along each axis.
+    if (distance(position, p, centre) > weight.radii.outer + 3.0 * weight.grid.spacing)
+      return;
+    double q = 0.0;
+    Vector<D> dq{{0.0, 0.0}};
+    unbroken.visit(p,
+                   [&](int node, double share, const double* slope)
+                   {
+                     const double at = weight(node);
+                     q += share * at;
+                     for (int d = 0; d < D; ++d)
+                       dq[d] += slope[d] * at;
+                   });
+    if (q == 0.0 && dq[0] == 0.0 && dq[1] == 0.0)
+      return;
+    Vector<D> v{{0.0, 0.0}}, a{{0.0, 0.0}};
+    double dv[D][D] = {};
+    if (moving)
+      broken.visit(p,
+                   [&](int node, double share, const double* slope)
+                   {
+                     for (int i = 0; i < D; ++i)
+                     {
+                       v[i] += share * (motion(node, i) - disk.velocity[i]);
+                       a[i] += share * acceleration(node, i);
+                       for (int j = 0; j < D; ++j)
+                         dv[i][j] += slope[j] * motion(node, i);
+                     }
+                   });
+
+    const double* F = &deformation(p, 0);
+    // The direction in the undeformed disk, its image, and u,1 relative to the turned disk.
+    const Vector<D> material1{{disk.cosine * direction[0] + disk.sine * direction[1],
+                               -disk.sine * direction[0] + disk.cosine * direction[1]}};
+    const Vector<D> image{
+        {F[0] * material1[0] + F[1] * material1[1], F[2] * material1[0] + F[3] * material1[1]}};
+    const Vector<D> du = image - direction;
+    const Vector<D> dv1{
+        {dv[0][0] * image[0] + dv[0][1] * image[1], dv[1][0] * image[0] + dv[1][1] * image[1]}};
+    // P_iJ q,J in undeformed space is tau_ij q,j in space.
+    const double* tau = &stress(p, 0);
+    const Vector<D> flux{{tau[0] * dq[0] + tau[2] * dq[1], tau[2] * dq[0] + tau[1] * dq[1]}};
+    const double density = mass(p) / volume(p);
+    const double* own = history.extent(1) > 0 ? &history(p, 0) : nullptr;
+    const double energy = storedEnergy<D>(materials(material(p)), F, own) + 0.5 * density * dot(v, v);
+    J += volume(p) * (dot(flux, du) - energy * dot(dq, image) + density * (dot(a, du) - dot(v, dv1)) * q);
+    addInteraction(p, q, dq, flux, du, density, a, modeI, modeII);
+  }
+
+  KOKKOS_INLINE_FUNCTION void addInteraction(int p, double q, const Vector<D>& dq, const Vector<D>& flux,
+                                             const Vector<D>& du, double density, const Vector<D>& a,
+                                             double& modeI, double& modeII) const
+  {
+    const Vector<D> from{{position(p, 0) - weight.centre[0], position(p, 1) - weight.centre[1]}};
+    const double along = dot(from, direction), across = dot(from, normal);
+    const double r = std::sqrt(along * along + across * across);
+    if (!(r > 0.0))
+      return;
+    const int named = sides ? side(p) : 0;
+    const double theta = tipAngle(along, across, named == positive ? 1 : (named == negative ? -1 : 0));
+    const double fluxIn[2] = {dot(flux, direction), dot(flux, normal)};
+    const double slopeIn[2] = {dot(dq, direction), dot(dq, normal)};
+    const double duIn[2] = {dot(du, direction), dot(du, normal)};
+    const double aIn[2] = {dot(a, direction), dot(a, normal)};
+    const double* tau = &stress(p, 0);
+    const Vector<D> pull{
+        {tau[0] * direction[0] + tau[2] * direction[1], tau[2] * direction[0] + tau[1] * direction[1]}};
+    const Vector<D> lift{{tau[0] * normal[0] + tau[2] * normal[1], tau[2] * normal[0] + tau[1] * normal[1]}};
+    const double s11 = dot(pull, direction), s12 = dot(pull, normal), s22 = dot(lift, normal);
+    double sum[2];
+    for (int mode = 0; mode < 2; ++mode)
+    {
+      const TipField w = williamsField(mode, r, theta, disk.moduli);
+      double m = -slopeIn[0] * (s11 * w.gradient[0][0] + s22 * w.gradient[1][1] +
+                                s12 * (w.gradient[0][1] + w.gradient[1][0]));
+      for (int i = 0; i < 2; ++i)
+      {
+        m += fluxIn[i] * w.gradient[i][0] + density * aIn[i] * w.gradient[i][0] * q;
+        for (int j = 0; j < 2; ++j)
+          m += w.stress[i][j] * duIn[i] * slopeIn[j];
+      }
+      sum[mode] = volume(p) * m;
+    }
+    modeI += sum[0];
+    modeII += sum[1];
+  }
+};
+
+template <ShapeKind S, bool Stored>
+DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, const ContourRadii& radii,
+                         const View<double* [D]>& acceleration, const Connectivity<D, S, Stored>& broken)
+{
+  Integrand<S, Stored> work;
+  work.unbroken = connectivity<D, S, false>(state);
+  work.broken = broken;
+  work.weight = {state.grid, front.position, radii};
+  work.motion = state.nodes.motion;
+  work.acceleration = acceleration;
+  work.position = state.particles.template real<D>(fields::position);
+  work.mass = state.particles.scalar(fields::mass);
+  work.volume = state.particles.scalar(fields::volume);
+  work.deformation = state.particles.template real<gradientSize<D>>(fields::deformation);
+  work.stress = state.particles.template real<symmetricSize<D>>(fields::stress);
+  if (state.particles.has(fields::history))
+    work.history = state.particles.table(fields::history);
+  work.material = state.particles.integer(fields::material);
+  work.sides = state.particles.has(fields::side);
+  if (work.sides)
+    work.side = state.particles.integer(fields::side);
+  work.materials = state.materials;
+  work.disk = describeDisk(state, front, radii);
+  work.direction = front.direction;
+  work.normal = front.normal;
+  work.positive = front.crack + 1;
+  work.negative = -front.crack - 1;
+  work.moving = state.step > 0 && state.nodes.motion.extent(0) > 0; // nodes are empty before the first step
+  DomainIntegral sum;
+  double modeI = 0.0, modeII = 0.0;
+  Kokkos::parallel_reduce("rhegma::domainIntegral", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+                          work, sum.J, modeI, modeII);
+  sum.J /= state.thickness;
+  sum.modeI = 0.5 * work.disk.effectiveModulus * modeI / state.thickness;
+  sum.modeII = 0.5 * work.disk.effectiveModulus * modeII / state.thickness;
+  const double lost = intensityLostAtFront(state, front);
+  sum.J += lost * (2.0 * sum.modeI + lost) / work.disk.effectiveModulus;
+  sum.modeI += lost;
+  return sum;
+}
+
+} // namespace
+
+DomainIntegral integrateDomain(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
+                               const View<double* [2]>& acceleration)
+{
+  DomainIntegral result;
+  withConnectivity(state, [&](const auto& broken)
+                   { result = integrate(state, front, radii, acceleration, broken); });
+  return result;
+}
+
+DomainIntegral integrateDomain(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii)
+{
+  // Particles in the integrals reach 3 cells beyond the disk, and nodes that they touch are touched by
+  // others.
+  const double reach = radii.outer + 6.0 * state.grid.spacing;
+  return integrateDomain(state, front, radii, internalAcceleration(state, front.position, reach));
+}
+
+} // namespace Rhegma::energy_release

@@ -1,0 +1,18 @@
+#pragma once
+/// What crack fronts release.
+
+#include "step/Effect.hpp"
+
+namespace Rhegma::energy_release
+{
+
+/// The effect `Energy Release`: at every sample the energy release rate of each front by a dynamic J and by
+/// crack closure, and its stress intensities by interaction integrals.
+///
+/// Columns NAME.N.G_J, NAME.N.G_closure [J/m2], NAME.N.K_I, NAME.N.K_II [Pa m^0.5], NAME.N.length [m],
+/// NAME.N.speed [m/s], NAME.N.x, NAME.N.y [m], of front N of the crack NAME. A front that does not run along
+/// the grid has no G_closure, nor has one in the formulation Broken Cell: without linear completeness its
+/// opening can't be recovered from the particles.
+EffectEntry energyReleaseEntry();
+
+} // namespace Rhegma::energy_release

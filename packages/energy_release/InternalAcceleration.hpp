@@ -1,0 +1,15 @@
+#pragma once
+/// What the material's own stress does to the nodes around a front.
+
+#include "state/State.hpp"
+
+namespace Rhegma::energy_release
+{
+
+/// Acceleration [m/s2] of nodes by internal forces alone, -sum_p V0 tau grad N / m, from the particles within
+/// `radius` of a place; a row a node, second fields included. Without loads it is the nodes' acceleration.
+/// Where loads act, such as pressure on crack faces, contact, body force or damping, it is less by what they
+/// do: used as `a` in the domain integrals it takes their work into account, whoever applies them.
+View<double* [2]> internalAcceleration(const State<2>& state, const Vector<2>& centre, double radius);
+
+} // namespace Rhegma::energy_release

@@ -1,0 +1,232 @@
+#include "energy_release/TipPatch.hpp"
+
+#include "energy_release/CrackLine.hpp"
+#include "transfer/StencilTable.hpp"
+
+#include <Teuchos_SerialDenseMatrix.hpp>
+#include <Teuchos_SerialSpdDenseSolver.hpp>
+#include <Teuchos_SerialSymDenseMatrix.hpp>
+
+#include <stdexcept>
+
+namespace Rhegma::energy_release
+{
+
+namespace
+{
+
+/// Numbers of one particle that the host needs: place, displacement, mass, volume, four stresses.
+constexpr int rowWidth = 10;
+
+View<int*> listParticles(const State<2>& state, const Vector<2>& centre, double radius)
+{
+  const int n = state.particles.size();
+  const auto position = state.particles.real<2>(fields::position);
+  const View<int*> all("rhegma::patchParticles", n);
+  int count = 0;
+  Kokkos::parallel_scan(
+      "rhegma::listPatchParticles", Kokkos::RangePolicy<ExecSpace>(0, n),
+      KOKKOS_LAMBDA(const int p, int& at, const bool final) {
+        const double x = position(p, 0) - centre[0], y = position(p, 1) - centre[1];
+        if (x * x + y * y > radius * radius)
+          return;
+        if (final)
+          all(at) = p;
+        ++at;
+      },
+      count);
+  const View<int*> list("rhegma::patchList", count);
+  Kokkos::deep_copy(list, Kokkos::subview(all, std::make_pair(0, count)));
+  return list;
+}
+
+View<double* [rowWidth]> gatherRows(const State<2>& state, const View<int*>& list)
+{
+  const int n = static_cast<int>(list.extent(0));
+  const auto position = state.particles.real<2>(fields::position);
+  const auto reference = state.particles.real<2>(fields::reference);
+  const auto mass = state.particles.scalar(fields::mass);
+  const auto volume = state.particles.scalar(fields::volume);
+  const auto stress = state.particles.real<symmetricSize<2>>(fields::stress);
+  const View<double* [rowWidth]> row("rhegma::patchRows", n);
+  Kokkos::parallel_for(
+      "rhegma::gatherPatch", Kokkos::RangePolicy<ExecSpace>(0, n), KOKKOS_LAMBDA(const int i) {
+        const int p = list(i);
+        for (int d = 0; d < 2; ++d)
+        {
+          row(i, d) = position(p, d);
+          row(i, 2 + d) = position(p, d) - reference(p, d);
+        }
+        row(i, 4) = mass(p);
+        row(i, 5) = volume(p);
+        for (int k = 0; k < symmetricSize<2>; ++k)
+          row(i, 6 + k) = stress(p, k);
+      });
+  return row;
+}
+
+template <ShapeKind S>
+StencilTable<2> patchStencils(const State<2>& state, const View<int*>& list)
+{
+  const int n = static_cast<int>(list.extent(0));
+  StencilTable<2> table;
+  table.reserve(n);
+  const Grid<2> grid = state.grid;
+  const auto position = state.particles.real<2>(fields::position);
+  BorrowedView<double* [2]> box;
+  if (S == ShapeKind::Gimp)
+    box = state.particles.real<2>(fields::box);
+  Kokkos::parallel_for(
+      "rhegma::patchStencils", Kokkos::RangePolicy<ExecSpace>(0, n), KOKKOS_LAMBDA(const int i) {
+        Vector<2> x, half;
+        for (int d = 0; d < 2; ++d)
+        {
+          x[d] = position(list(i), d);
+          half[d] = S == ShapeKind::Gimp ? box(list(i), d) : 0.0;
+        }
+        writeStencil<2, S>(grid, table, i, x, half);
+      });
+  return table;
+}
+
+std::vector<int> namedSides(const State<2>& state, const View<int*>& list)
+{
+  const int n = static_cast<int>(list.extent(0));
+  std::vector<int> named(n, 0);
+  if (!state.particles.has(fields::side))
+    return named;
+  const auto side = state.particles.integer(fields::side);
+  const View<int*> some("rhegma::patchSides", n);
+  Kokkos::parallel_for(
+      "rhegma::gatherPatchSides", Kokkos::RangePolicy<ExecSpace>(0, n),
+      KOKKOS_LAMBDA(const int i) { some(i) = side(list(i)); });
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, some);
+  for (int i = 0; i < n; ++i)
+    named[i] = host(i);
+  return named;
+}
+
+} // namespace
+
+std::vector<PatchParticle> particlesAround(const State<2>& state, const CrackFront<2>& front, double radius)
+{
+  const View<int*> list = listParticles(state, front.position, radius);
+  const auto row = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, gatherRows(state, list));
+  const StencilTable<2> table = state.shape == ShapeKind::Linear
+                                    ? patchStencils<ShapeKind::Linear>(state, list)
+                                    : patchStencils<ShapeKind::Gimp>(state, list);
+  const auto count = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.count);
+  const auto node = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.node);
+  const auto weight = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.weight);
+  const auto slope = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.slope);
+  const std::vector<int> named = namedSides(state, list);
+  const CrackLine line(state.cracks, front);
+
+  std::vector<PatchParticle> particles(list.extent(0));
+  for (std::size_t i = 0; i < particles.size(); ++i)
+  {
+    PatchParticle& p = particles[i];
+    for (int d = 0; d < 2; ++d)
+    {
+      p.place[d] = row(i, d);
+      p.displacement[d] = row(i, 2 + d);
+      for (int e = 0; e < 2; ++e)
+        p.force[d][e] = -row(i, 5) * row(i, 6 + symmetricIndex<2>(d, e));
+    }
+    p.mass = row(i, 4);
+    if (named[i] == front.crack + 1)
+      p.side = 1;
+    else if (named[i] == -front.crack - 1)
+      p.side = -1;
+    else
+      p.side = line.side(p.place);
+    p.count = 0;
+    for (int k = 0; k < count(i); ++k)
+      if (weight(i, k) > 0.0)
+      {
+        p.node[p.count] = node(i, k);
+        p.weight[p.count] = weight(i, k);
+        p.slope[p.count++] = {{slope(i, k, 0), slope(i, k, 1)}};
+      }
+  }
+  return particles;
+}
+
+SplitNodes::SplitNodes(const State<2>& state, const CrackFront<2>& front)
+    : side_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide)),
+      grid_(state.grid),
+      front_(front)
+{
+}
+
+bool SplitNodes::operator()(int node) const
+{
+  if (node < static_cast<int>(side_.extent(0)))
+    return side_(node) == front_.crack + 1 || side_(node) == -front_.crack - 1;
+  return dot(grid_.nodePosition(node) - front_.position, front_.direction) < 0.0;
+}
+
+NodeDisplacement recoverDisplacement(const std::vector<PatchParticle>& particles, const SplitNodes& split,
+                                     Projection projection)
+{
+  // A node that a particle barely touches is found by extrapolation; this share of row sums bounds how far
+  // noise is blown up there, and moves well-covered nodes by less than a thousandth of what lumping would.
+  constexpr double lumpedShare = 1.0e-3;
+
+  std::map<std::pair<int, int>, int> index;
+  for (const PatchParticle& p : particles)
+    for (int k = 0; k < p.count; ++k)
+      index.emplace(std::make_pair(p.node[k], split(p.node[k]) ? p.side : 0), 0);
+  const int n = static_cast<int>(index.size());
+  NodeDisplacement result;
+  if (n == 0)
+    return result;
+  int next = 0;
+  for (auto& entry : index)
+    entry.second = next++;
+
+  Teuchos::SerialSymDenseMatrix<int, double> matrix(n);
+  Teuchos::SerialDenseMatrix<int, double> right(n, 2), solution(n, 2);
+  std::vector<double> lumped(n, 0.0);
+  for (const PatchParticle& p : particles)
+  {
+    int at[PatchParticle::capacity];
+    for (int k = 0; k < p.count; ++k)
+      at[k] = index.at({p.node[k], split(p.node[k]) ? p.side : 0});
+    for (int k = 0; k < p.count; ++k)
+    {
+      lumped[at[k]] += p.mass * p.weight[k];
+      for (int d = 0; d < 2; ++d)
+        right(at[k], d) += p.mass * p.weight[k] * p.displacement[d];
+      for (int l = 0; l < p.count; ++l)
+        if (at[l] <= at[k])
+          matrix(at[k], at[l]) += p.mass * p.weight[k] * p.weight[l];
+    }
+  }
+  if (projection == Projection::Consistent)
+  {
+    for (int i = 0; i < n; ++i)
+    {
+      matrix(i, i) += lumpedShare * lumped[i];
+      for (int d = 0; d < 2; ++d)
+        right(i, d) *= 1.0 + lumpedShare;
+    }
+    Teuchos::SerialSpdDenseSolver<int, double> solver;
+    solver.setMatrix(Teuchos::rcpFromRef(matrix));
+    solver.setVectors(Teuchos::rcpFromRef(solution), Teuchos::rcpFromRef(right));
+    solver.factorWithEquilibration(true);
+    if (solver.factor() != 0 || solver.solve() != 0)
+      throw std::runtime_error(
+          "the displacement of the nodes around a crack front can't be recovered: their mass "
+          "matrix is not positive definite");
+  }
+  else
+    for (int i = 0; i < n; ++i)
+      for (int d = 0; d < 2; ++d)
+        solution(i, d) = right(i, d) / lumped[i];
+  for (const auto& entry : index)
+    result[entry.first] = {{solution(entry.second, 0), solution(entry.second, 1)}};
+  return result;
+}
+
+} // namespace Rhegma::energy_release

@@ -1,0 +1,38 @@
+#pragma once
+/// The effect `Face Pressure`: a pressure between the faces of a crack.
+
+#include "scene/TimeFunction.hpp"
+#include "step/Effect.hpp"
+#include "transfer/FacePoints.hpp"
+
+namespace Rhegma::face_pressure
+{
+
+/// The effect `Face Pressure`.
+EffectEntry facePressureEntry();
+
+/// A pressure given in time on both faces of one crack.
+///
+/// At every face point the faces get the opposite forces p n A, A the current area and n the current normal,
+/// so the sum over all nodes is zero to round-off.
+class FacePressure
+{
+public:
+  FacePressure(int crack, TimeFunction history) : crack_(crack), history_(std::move(history)) {}
+
+  /// Adds the forces [N] of the middle of this step to the nodes.
+  void apply(State<2>& state, const FacePoints& points);
+
+  /// Work [J] that the forces did in this step, by the mean of the nodes' velocities before and after.
+  double work(const State<2>& state, const FacePoints& points) const;
+
+  double pressure() const { return now_; } ///< [Pa]
+  int crack() const { return crack_; }
+
+private:
+  int crack_;
+  TimeFunction history_;
+  double now_ = 0.0;
+};
+
+} // namespace Rhegma::face_pressure
