@@ -1,0 +1,83 @@
+#pragma once
+/// A bar with a closed joint across it, at rest, after one step: all that contact acts on exists.
+
+#include "scene/Scene.hpp"
+#include "step/EffectSchema.hpp"
+#include "step/Run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Rhegma::contact::test
+{
+
+constexpr double cell = 1e-3, width = 4e-3,
+                 height = 0.04; ///< of the cells, the bar and the joint's place [m]
+constexpr double young = 3e9, poisson = 0.3;
+const double modulus = young * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
+const double shear = young / (2.0 * (1.0 + poisson));
+
+inline std::unique_ptr<Run<2>> barAtRest(std::vector<std::string> overrides = {})
+{
+  overrides.push_back("Boundaries:Pulse:Stress={0, 0}");
+  const SceneResult scene =
+      readScene(std::string(RHEGMA_SOURCE_DIR) + "/xml_inputs/verification/contact_pulse_compressive.xml",
+                overrides, effectSchema());
+  for (const SceneError& error : scene.errors)
+    ADD_FAILURE() << toString(error);
+  auto run = std::make_unique<Run<2>>(*scene.list);
+  run->initialize();
+  run->step(1e-8, false);
+  return run;
+}
+
+/// Gives the nodes a velocity: `upper` to those of the upper face and beyond, `lower` to the others.
+inline void moveSides(State<2>& state, const Vector<2>& upper, const Vector<2>& lower)
+{
+  const auto projection = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.projection);
+  const auto side = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide);
+  const auto second = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.second);
+  for (int n = 0; n < state.nodes.numLattice; ++n)
+    for (int d = 0; d < 2; ++d)
+    {
+      // A second field belongs to the side on which its node is not.
+      const bool above = side(n) != 0 ? side(n) > 0 : state.grid.nodePosition(n)[1] >= height;
+      projection(n, d) = above ? upper[d] : lower[d];
+      if (second(n) >= 0)
+        projection(second(n), d) = above ? lower[d] : upper[d];
+    }
+  Kokkos::deep_copy(state.nodes.projection, projection);
+}
+
+/// Forces on nodes above (1) and below (0) the joint [N], counted by which face's nodes they act on.
+inline std::vector<Vector<2>> forcesOnSides(const State<2>& state)
+{
+  std::vector<Vector<2>> sum{{0.0, 0.0}, {0.0, 0.0}};
+  const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.sums);
+  const auto side = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide);
+  const auto second = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.second);
+  for (int n = 0; n < state.nodes.numLattice; ++n)
+    for (int d = 0; d < 2; ++d)
+    {
+      const bool above = side(n) != 0 ? side(n) > 0 : state.grid.nodePosition(n)[1] >= height;
+      sum[above ? 1 : 0][d] += sums(n, Nodes<2>::forceAt + d);
+      if (second(n) >= 0)
+        sum[above ? 0 : 1][d] += sums(second(n), Nodes<2>::forceAt + d);
+    }
+  return sum;
+}
+
+inline void clearForces(State<2>& state)
+{
+  const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.sums);
+  for (std::size_t n = 0; n < sums.extent(0); ++n)
+    for (int d = 0; d < 2; ++d)
+      sums(n, Nodes<2>::forceAt + d) = 0.0;
+  Kokkos::deep_copy(state.nodes.sums, sums);
+}
+
+} // namespace Rhegma::contact::test

@@ -1,0 +1,79 @@
+#include "JointScene.hpp"
+
+#include "transfer/FacePoints.hpp"
+
+using namespace Rhegma;
+using namespace Rhegma::contact::test;
+
+TEST(FacePoints, StandForTheWholeCrack)
+{
+  const auto run = barAtRest();
+  FacePoints points;
+  EXPECT_TRUE(points.update(run->state()));
+  EXPECT_FALSE(points.update(run->state())) << "the crack has not changed";
+  const auto length = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.length);
+  const auto current = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.currentLength);
+  const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.normal);
+  const auto separation = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.separation);
+  double total = 0.0;
+  for (int k = 0; k < points.count(); ++k)
+  {
+    total += length(k);
+    EXPECT_LE(length(k), 0.5 * cell * (1.0 + 1e-6));
+    EXPECT_NEAR(current(k), length(k), 1e-15);
+    EXPECT_NEAR(normal(k, 0), 0.0, 1e-15);
+    EXPECT_NEAR(normal(k, 1), 1.0, 1e-15);
+    EXPECT_NEAR(separation(k), 0.0, 1e-15);
+  }
+  // The crack is cut off where the body ends, which particles a half cell wide tell to a half diagonal.
+  EXPECT_GE(total, width);
+  EXPECT_LE(total, width + 2.0 * 0.36 * cell);
+}
+
+TEST(FacePoints, SeeOnlyTheirOwnSide)
+{
+  const auto run = barAtRest();
+  State<2>& state = run->state();
+  FacePoints points;
+  points.update(state);
+  moveSides(state, {1.0, 2.0}, {-3.0, 5.0});
+  const auto projection = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.projection);
+  const auto count = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.above.count);
+  const auto node = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.above.node);
+  const auto weight = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.above.weight);
+  const auto nodeBelow = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.below.node);
+  const auto countBelow = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.below.count);
+  for (int k = 0; k < points.count(); ++k)
+  {
+    ASSERT_GT(count(k), 0);
+    ASSERT_GT(countBelow(k), 0);
+    double sum = 0.0;
+    for (int e = 0; e < count(k); ++e)
+    {
+      sum += weight(k, e);
+      EXPECT_EQ(projection(node(k, e), 0), 1.0);
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-15);
+    for (int e = 0; e < countBelow(k); ++e)
+      EXPECT_EQ(projection(nodeBelow(k, e), 0), -3.0);
+  }
+}
+
+TEST(FacePoints, FollowFacesThatPart)
+{
+  const auto run = barAtRest();
+  State<2>& state = run->state();
+  FacePoints points;
+  points.update(state);
+  const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.face);
+  for (std::size_t v = 0; v < face.extent(0); ++v)
+  {
+    face(v, 0, 1) -= 1e-4;
+    face(v, 1, 1) += 1e-4;
+  }
+  Kokkos::deep_copy(state.cracks.face, face);
+  points.update(state);
+  const auto separation = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.separation);
+  for (int k = 0; k < points.count(); ++k)
+    EXPECT_NEAR(separation(k), 2e-4, 1e-16);
+}

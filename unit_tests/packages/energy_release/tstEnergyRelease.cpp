@@ -1,0 +1,127 @@
+#include "LatticeState.hpp"
+
+#include "energy_release/EnergyRelease.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+#include <gtest/gtest.h>
+
+using namespace Rhegma;
+using namespace Rhegma::energy_release;
+using namespace Rhegma::energy_release::test;
+
+namespace
+{
+
+Teuchos::ParameterList sceneWith(double outer)
+{
+  Teuchos::ParameterList scene;
+  Teuchos::ParameterList& list = scene.sublist("Energy Release");
+  list.set("Inner Radius", 1e-3);
+  list.set("Outer Radius", outer);
+  list.set("Crack Closure", false);
+  list.set("Lumped Closure", false);
+  list.set("Closure Cells", 1);
+  scene.sublist("Cracks");
+  scene.sublist("Domain").set("Dimension", 2);
+  scene.sublist("Domain").set("Cell Size", 1e-3);
+  return scene;
+}
+
+} // namespace
+
+TEST(EnergyRelease, StopsTheRunAtStartWhereItLeavesTheBody)
+{
+  State<2> state = makeBody(0.01, 1e-3, Plane::Strain, ShapeKind::Linear);
+  addFront(state, {{0.007, 0.0}}, 0.0);
+  EXPECT_NO_THROW(energyReleaseEntry().make2(sceneWith(3e-3)).atStart(state));
+  try
+  {
+    energyReleaseEntry().make2(sceneWith(4e-3)).atStart(state);
+    FAIL();
+  }
+  catch (const std::invalid_argument& error)
+  {
+    EXPECT_EQ(std::string(error.what()).find("Energy Release > Outer Radius: "), 0u);
+    EXPECT_NE(std::string(error.what()).find("write at most 0.003"), std::string::npos) << error.what();
+  }
+}
+
+TEST(EnergyRelease, RefusesSectionsThatDoNotFit)
+{
+  const EffectEntry entry = energyReleaseEntry();
+  const auto wrong = [&](const Teuchos::ParameterList& scene)
+  {
+    std::vector<SceneError> errors;
+    entry.check(scene, errors);
+    std::vector<std::string> places;
+    for (const SceneError& error : errors)
+      places.push_back(error.where);
+    return places;
+  };
+  Teuchos::ParameterList scene = sceneWith(3e-3);
+  EXPECT_TRUE(wrong(scene).empty());
+  EXPECT_EQ(wrong(sceneWith(1.5e-3)), std::vector<std::string>{"Energy Release > Outer Radius"});
+  scene.remove("Cracks");
+  EXPECT_EQ(wrong(scene), std::vector<std::string>{"Energy Release"});
+  scene = sceneWith(3e-3);
+  scene.sublist("Domain").set("Dimension", 3);
+  EXPECT_EQ(wrong(scene), std::vector<std::string>{"Energy Release"});
+  EXPECT_THROW(entry.make3(scene), std::invalid_argument);
+}
+
+TEST(EnergyRelease, GivesColumnsAndASummary)
+{
+  State<2> state = makeBody(0.01, 1e-3, Plane::Strain, ShapeKind::Linear);
+  CrackFront<2> front = addFront(state, {{0.0, 0.0}}, 0.4);
+  state.cracks.fronts[0].length = 0.01;
+  const Effect<2> effect = energyReleaseEntry().make2(sceneWith(5e-3));
+  effect.atStart(state);
+  deform(state, tipDisplacement(state, front, 2.0, 0.0));
+  ASSERT_EQ(effect.calls.size(), 1u);
+  EXPECT_EQ(effect.calls[0].stage, Stage::Observe);
+
+  state.observing = false;
+  effect.calls[0].run(state);
+  EXPECT_TRUE(state.row.empty());
+
+  state.observing = true;
+  effect.calls[0].run(state);
+  std::vector<std::string> names;
+  for (const auto& entry : state.row)
+    names.push_back(entry.first);
+  EXPECT_EQ(names, (std::vector<std::string>{"Notch.0.G_J", "Notch.0.K_I", "Notch.0.K_II", "Notch.0.length",
+                                             "Notch.0.speed", "Notch.0.x", "Notch.0.y"}));
+  nlohmann::json summary;
+  effect.report(state, summary);
+  const nlohmann::json& reported = summary["cracks"][0]["fronts"][0];
+  EXPECT_EQ(summary["cracks"][0]["name"], "Notch");
+  EXPECT_EQ(reported["G_J"].get<double>(), state.row[0].second);
+  EXPECT_EQ(reported["K_I"].get<double>(), state.row[1].second);
+  EXPECT_EQ(reported["length"].get<double>(), 0.01);
+  EXPECT_FALSE(reported.contains("G_closure"));
+}
+
+/// Crack closure has a column only where it is right.
+TEST(EnergyRelease, LeavesOutClosureWhereItDoesNotHold)
+{
+  const auto hasClosure = [](double angle, const std::string& formulation)
+  {
+    State<2> state = makeBody(0.01, 1e-3, Plane::Strain, ShapeKind::Linear);
+    addFront(state, {{0.0, 0.0}}, angle);
+    Teuchos::ParameterList scene = sceneWith(5e-3);
+    scene.sublist("Energy Release").set("Crack Closure", true);
+    scene.sublist("Cracks").set("Formulation", formulation);
+    const Effect<2> effect = energyReleaseEntry().make2(scene);
+    effect.atStart(state);
+    state.observing = true;
+    effect.calls[0].run(state);
+    for (const auto& entry : state.row)
+      if (entry.first == "Notch.0.G_closure")
+        return true;
+    return false;
+  };
+  EXPECT_TRUE(hasClosure(0.0, "Dual Field"));
+  EXPECT_TRUE(hasClosure(0.0, "Corrected Broken Cell"));
+  EXPECT_FALSE(hasClosure(0.0, "Broken Cell"));
+  EXPECT_FALSE(hasClosure(0.6, "Dual Field"));
+}

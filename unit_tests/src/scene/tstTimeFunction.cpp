@@ -1,0 +1,100 @@
+#include "scene/TimeFunction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+using Rhegma::TimeFunction;
+
+namespace
+{
+
+void expectRefused(const std::string& text, const std::string& piece)
+{
+  try
+  {
+    TimeFunction::parse(text);
+    ADD_FAILURE() << "accepted: " << text;
+  }
+  catch (const std::invalid_argument& error)
+  {
+    EXPECT_NE(std::string(error.what()).find(piece), std::string::npos) << error.what();
+    EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+  }
+}
+
+} // namespace
+
+TEST(TimeFunction, Constant) { EXPECT_EQ(TimeFunction::parse(" 2.5 ")(17.0), 2.5); }
+
+TEST(TimeFunction, Expression)
+{
+  const auto f = TimeFunction::parse("3*sin(2*pi*50*t) + t^2");
+  const double pi = std::acos(-1.0);
+  for (const double t : {0.0, 1e-3, 0.7})
+    // Few operations on numbers below 4; the sine's argument of up to 220 carries 220 roundings of its own
+    // size.
+    EXPECT_NEAR(f(t), 3.0 * std::sin(2.0 * pi * 50.0 * t) + t * t, 1e-12);
+}
+
+TEST(TimeFunction, Condition)
+{
+  const auto f = TimeFunction::parse("t < 1e-3 ? 1 : 0");
+  EXPECT_EQ(f(0.0), 1.0);
+  EXPECT_EQ(f(2e-3), 0.0);
+  EXPECT_EQ(TimeFunction::parse("t == 1 || t >= 3")(3.0), 1.0);
+}
+
+TEST(TimeFunction, TableIsLinearBetweenAndConstantOutside)
+{
+  const auto f = TimeFunction::parse("1:0, 3:4,4:-2");
+  EXPECT_EQ(f(0.0), 0.0);
+  EXPECT_EQ(f(1.0), 0.0);
+  EXPECT_EQ(f(2.0), 2.0);
+  EXPECT_EQ(f(3.0), 4.0);
+  EXPECT_EQ(f(3.5), 1.0);
+  EXPECT_EQ(f(4.0), -2.0);
+  EXPECT_EQ(f(1e9), -2.0);
+}
+
+TEST(TimeFunction, OnePairIsAConstant)
+{
+  const auto f = TimeFunction::parse("0:7");
+  EXPECT_EQ(f(-1.0), 7.0);
+  EXPECT_EQ(f(1.0), 7.0);
+}
+
+TEST(TimeFunction, CopiesOutliveTheOriginal)
+{
+  std::vector<TimeFunction> functions;
+  for (int i = 0; i < 50; ++i)
+    functions.push_back(TimeFunction::parse(std::to_string(i) + "*t"));
+  for (int i = 0; i < 50; ++i)
+    EXPECT_EQ(functions[i](2.0), 2.0 * i);
+}
+
+TEST(TimeFunction, RefusesBadExpressions)
+{
+  expectRefused("", "empty");
+  expectRefused("  ", "empty");
+  expectRefused("sin(x)", "\"x\"");
+  expectRefused("2*", "not a function of time");
+  expectRefused("(t", "not a function of time");
+  expectRefused("t = 3", "\"==\"");
+  expectRefused("t += 3", "=");
+  expectRefused("1, 2", "2 values");
+  expectRefused("\"text\"", "not a function of time");
+}
+
+TEST(TimeFunction, RefusesBadTables)
+{
+  expectRefused("0:0, 0:1", "must increase");
+  expectRefused("1:0, 0:1", "0 s follows 1 s");
+  expectRefused("0:0, 1", "\"1\"");
+  expectRefused("0:0,", "pair");
+  expectRefused("0:a", "\"0:a\"");
+  expectRefused("0:nan", "not finite");
+  expectRefused("0:0:0", "pair");
+}

@@ -1,0 +1,218 @@
+"""Tests of rhegma-plot."""
+
+import os
+import unittest
+
+from tool import ToolTest, picture_size, run  # first, as it finds the Python for all others
+
+import made_up_run
+import numpy as np
+
+from rhegma_tools.deformation import automatic_magnification, crack_displacement, magnified_faces
+from rhegma_tools.field_picture import choose_view, colour_scale, crack_segments, in_slice
+from rhegma_tools.fields import Crack, read_fields
+from rhegma_tools.history import read_history
+from rhegma_tools.history_picture import draw_release, growth, references
+from rhegma_tools.interpreter import Problem
+from rhegma_tools.style import plt, scale
+from rhegma_tools.summary import look_up, read_summary
+
+
+class Plot(ToolTest):
+    def test_draws_a_beam(self):
+        made_up_run.beam(self.folder)
+        status, output, complaint = run("rhegma-plot", self.folder)
+        self.assertEqual((status, complaint), (0, ""))
+        self.assertIn(f"Wrote {self.path('history.png')}: 400 samples, 1 crack fronts.", output)
+        # The ends part by 8 um on a beam of 100 mm; 2000 times 4 um is 8 mm, 8 % of it.
+        self.assertIn(f"Wrote {self.path('fields.png')}: 5120 particles at 0.003 s, displacement times 2000.", output)
+        for name in ("history.png", "fields.png"):
+            width, height = picture_size(self.path(name))
+            self.assertGreater(width, 900)
+            self.assertGreater(height, 500)
+
+    def test_draws_a_slice_of_3d(self):
+        made_up_run.penny(self.folder)
+        status, output, complaint = run("rhegma-plot", self.folder, "--stress", "mises", "--magnify", "10",
+                                        "--output", self.path("pictures"))
+        self.assertEqual((status, complaint), (0, ""))
+        self.assertIn("displacement times 10.", output)
+        self.assertGreater(picture_size(self.path("pictures", "fields.png"))[1], 500)
+        self.assertFalse(os.path.exists(self.path("fields.png")))
+
+    def test_draws_what_there_is(self):
+        made_up_run.beam(self.folder)
+        os.remove(self.path("fields.h5"))
+        os.remove(self.path("summary.json"))
+        status, output, _ = run("rhegma-plot", self.folder)
+        self.assertEqual(status, 0)
+        self.assertEqual(output.count("Wrote"), 1)
+
+    def test_refuses_what_is_no_run(self):
+        self.assert_complains(run("rhegma-plot", self.path("nowhere")), "there is no folder", "nowhere")
+        self.assert_complains(run("rhegma-plot", self.folder), "neither history.csv nor fields.h5")
+        self.assert_complains(run("rhegma-plot", self.write("file", "")), "is no folder")
+        self.assert_complains(run("rhegma-plot", self.folder, "--magnify", "0"), "--magnify", "positive")
+        self.assert_complains(run("rhegma-plot"), "DIR")
+
+    def test_refuses_broken_files(self):
+        self.write("history.csv", "")
+        self.assert_complains(run("rhegma-plot", self.folder), "history.csv", "no column named time")
+        self.write("history.csv", "time,kinetic\n")
+        self.assert_complains(run("rhegma-plot", self.folder), "history.csv", "no sample")
+        self.write("history.csv", "time,kinetic\n0.0,1.0\n1.0,much\n2.0,1.0\n")
+        self.assert_complains(run("rhegma-plot", self.folder), "row 3", "no number")
+        self.write("history.csv", "time,kinetic\n0.0,1.0\n")
+        self.write("summary.json", '{"scene": "a')
+        self.assert_complains(run("rhegma-plot", self.folder), "summary.json", "cut off")
+
+    def test_refuses_broken_fields(self):
+        made_up_run.beam(self.folder)
+        os.remove(self.path("history.csv"))
+        with open(self.path("fields.h5"), "r+b") as file:
+            file.truncate(os.path.getsize(self.path("fields.h5")) // 2)
+        self.assert_complains(run("rhegma-plot", self.folder), "fields.h5", "truncated")
+        made_up_run.write_fields(self.folder, [])
+        self.assert_complains(run("rhegma-plot", self.folder), "fields.h5", "no written time")
+        none = made_up_run.particles(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros((0, 6)), 1.0)
+        made_up_run.write_fields(self.folder, [(0.0, {"particles": none})])
+        self.assert_complains(run("rhegma-plot", self.folder), "fields.h5", "no particle")
+        wild = made_up_run.particles(np.zeros((1, 3)), np.full((1, 3), np.nan), np.zeros((1, 6)), 1.0)
+        made_up_run.write_fields(self.folder, [(0.0, {"particles": wild})])
+        self.assert_complains(run("rhegma-plot", self.folder), "fields.h5", "not finite")
+
+    def test_an_interpreter_without_packages_says_so(self):
+        """Packages that can't be imported hide the real ones; the system's Python counts as tried."""
+        made_up_run.beam(self.folder)
+        for name in ("numpy", "h5py", "matplotlib"):
+            os.makedirs(self.path("broken", name))
+            self.write(os.path.join("broken", name, "__init__.py"), "raise ImportError('hidden')")
+        answer = run("rhegma-plot", self.folder, PYTHONPATH=self.path("broken"),
+                     RHEGMA_TOOLS_TRIED_SYSTEM_PYTHON="/other/python3")
+        self.assert_complains(answer, "/other/python3 and ", "lack numpy, h5py, matplotlib", "apt-get install")
+
+
+class History(ToolTest):
+    def test_names_of_cracks_may_hold_dots(self):
+        self.write("history.csv", "time,A.b.0.G_J,A.b.0.length,A.b.1.G_J\n0,1,0.5,3\n1,2,0.75,4\n")
+        history = read_history(self.folder)
+        self.assertEqual(history.fronts, [("A.b", 0), ("A.b", 1)])
+        self.assertEqual(list(history.of_front(("A.b", 1), "G_J")), [3.0, 4.0])
+        self.assertIsNone(history.of_front(("A.b", 0), "K_I"))
+        (front, grown), = growth(history)
+        self.assertEqual((front, list(grown)), (("A.b", 0), [0.0, 0.25]))
+
+    def test_a_cut_last_row_is_dropped(self):
+        self.write("history.csv", "time,kinetic\n0,1\n1,2\n2")
+        self.assertEqual(list(read_history(self.folder).time), [0.0, 1.0])
+
+    def test_references_belong_to_fronts(self):
+        summary = {
+            "cracks": [{"name": "Left"}, {"name": "Right"}],
+            "references": [
+                {"quantity": "cracks.1.fronts.0.G_J", "reference": 2.0, "tolerance": 0.1},
+                {"quantity": "cracks.Left.fronts.2.G_closure", "reference": 3.0},
+                {"quantity": "energy.strain", "reference": 1.0},
+            ],
+        }
+        self.assertEqual(references(summary), [("Right", 0, "G_J", 2.0, 0.1), ("Left", 2, "G_closure", 3.0, 0.0)])
+
+    def test_the_picture_shows_the_numbers(self):
+        made_up_run.beam(self.folder)
+        history, summary = read_history(self.folder), read_summary(self.folder)
+        figure, axes = plt.subplots()
+        draw_release(axes, history, summary, 1.0e3 * history.time)
+        lines = {line.get_label(): line for line in axes.lines}
+        plt.close(figure)
+        self.assertEqual(axes.get_ylabel(), "G [mJ/m²]")
+        self.assertEqual(set(lines), {"reference 490 mJ/m² ± 4 %", "J integral", "crack closure"})
+        self.assertAlmostEqual(lines["J integral"].get_ydata()[-1], 500.0, delta=1.0)  # has settled to e^-7.5
+        self.assertAlmostEqual(lines["J integral"].get_xdata()[-1], 3.0)
+        self.assertAlmostEqual(lines["reference 490 mJ/m² ± 4 %"].get_ydata()[0], 490.0)
+
+    def test_units_get_prefixes(self):
+        self.assertEqual(scale(2.5e6, "Pa"), (1.0e-6, "MPa"))
+        self.assertEqual(scale(0.02, "s")[1], "ms")
+        self.assertEqual(scale(0.0, "J"), (1.0, "J"))
+
+    def test_look_up(self):
+        summary = {"steps": 3, "cracks": [{"name": "A", "fronts": [{"G_J": 0.25}]}], "status": "finished"}
+        self.assertEqual(look_up(summary, "cracks.0.fronts.0.G_J"), 0.25)
+        self.assertEqual(look_up(summary, "cracks.A.fronts.0.G_J"), 0.25)
+        self.assertEqual(look_up(summary, "steps"), 3.0)
+        self.assertTrue(np.isnan(look_up({"residual": None}, "residual")))
+        for wrong in ("cracks.1.fronts.0.G_J", "cracks.0.G_J", "status", "nothing"):
+            with self.assertRaises(Problem):
+                look_up(summary, wrong)
+
+
+class Deformation(ToolTest):
+    def test_magnification_is_round_and_at_most_wanted(self):
+        """1 mm on 1 m: 8 % would be 80 times; 50 is the round number below. 30 mm can be seen as it is."""
+        place = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
+        moved = np.array([[0.0, 0.0, 0.0], [0.0, 1.0e-3, 0.0]])
+        self.assertEqual(automatic_magnification(place, moved), 50.0)
+        self.assertEqual(automatic_magnification(place, 30.0 * moved), 1.0)
+        self.assertEqual(automatic_magnification(place, 0.0 * moved), 1.0)
+
+    def test_crack_moves_with_both_sides(self):
+        """The upper particles move by +3, the lower by -1: the crack's middle by 1, opened by 4, drawn 10 times."""
+        place = np.array([[0.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, -1.0, 0.0], [1.0, -1.0, 0.0]])
+        moved = np.array([[0.0, 3.0, 0.0]] * 2 + [[0.0, -1.0, 0.0]] * 2)
+        crack = Crack(np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]), np.array([[0, 1]]), np.array([[0.0, 4.0, 0.0]] * 2))
+        np.testing.assert_allclose(crack_displacement(crack, place, moved)[:, 1], [1.0, 1.0], rtol=1e-14)
+        upper, lower = magnified_faces(crack, place, moved, 10.0)
+        np.testing.assert_allclose(upper[:, 1], [29.0, 29.0], rtol=1e-14)  # 9 * 1 + 10 * 4 / 2
+        np.testing.assert_allclose(lower[:, 1], [-11.0, -11.0], rtol=1e-14)
+
+
+class FieldPicture(ToolTest):
+    def test_reads_the_last_time(self):
+        made_up_run.beam(self.folder)
+        fields = read_fields(self.folder)
+        self.assertEqual((fields.time, fields.dimension), (3.0e-3, 2))
+        self.assertEqual(fields.crack.cells.shape, (40, 2))
+
+    def test_largest_principal_stress(self):
+        """Pure shear of 3 has principal stresses 3, 0, -3; uniaxial pressure of 2 has 0, 0, -2."""
+        made_up_run.write_fields(self.folder, [(0.0, {"particles": made_up_run.particles(
+            np.zeros((2, 3)), np.zeros((2, 3)), np.array([[0, 0, 0, 3.0, 0, 0], [0, 0, -2.0, 0, 0, 0]]), 1.0)})])
+        np.testing.assert_allclose(read_fields(self.folder).largest_principal_stress(), [3.0, 0.0], atol=1e-14)
+
+    def test_slice_of_3d_cuts_the_crack(self):
+        """A penny in the plane z = 0 is a line only in a slice along z: of x and y, equally wide, y is taken. The
+        slice of a cube of 40 layers holds one layer, and the crack's cut is as long as its diameter."""
+        made_up_run.penny(self.folder)
+        fields = read_fields(self.folder)
+        view = choose_view(fields)
+        self.assertEqual((view.normal, view.axes), (1, [0, 2]))
+        self.assertAlmostEqual(view.where, 0.0)
+        self.assertEqual(in_slice(fields, view.normal, view.where).sum(), 1600)
+        cut = crack_segments(fields.crack, [fields.crack.points], view)[0]
+        self.assertAlmostEqual(np.linalg.norm(cut[:, 1] - cut[:, 0], axis=1).sum(), 0.6)
+
+    def test_slice_finds_a_body_off_the_middle(self):
+        """Two thin layers at z = 0 and z = 10: the middle, 5, is empty."""
+        xy = made_up_run.lattice(np.arange(20.0), np.arange(20.0))
+        start = np.r_[np.c_[xy, np.zeros(400)], np.c_[xy, np.full(400, 10.0)]]
+        made_up_run.write_fields(self.folder, [(0.0, {"particles": made_up_run.particles(
+            start, np.zeros_like(start), np.zeros((800, 6)), 1.0)})])
+        fields = read_fields(self.folder)
+        view = choose_view(fields)
+        self.assertEqual(view.normal, 2)
+        self.assertEqual(in_slice(fields, 2, view.where).sum(), 400)
+
+    def test_colours(self):
+        """Both signs: symmetric about zero; one sign: from zero."""
+        name, norm = colour_scale(np.linspace(-1.0, 2.0, 1001))
+        self.assertEqual((name, norm.vcenter, norm.vmin), ("RdBu_r", 0.0, -norm.vmax))
+        name, norm = colour_scale(np.linspace(0.0, 2.0, 1001))
+        self.assertEqual((name, norm.vmin), ("viridis", 0.0))
+        self.assertAlmostEqual(norm.vmax, 1.99)
+        name, norm = colour_scale(np.zeros(5))  # no stress anywhere
+        self.assertLess(norm.vmin, norm.vmax)
+
+
+del ToolTest  # so that importing this module's names brings tests only
+if __name__ == "__main__":
+    unittest.main()

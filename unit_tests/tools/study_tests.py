@@ -1,0 +1,173 @@
+"""Tests of rhegma-study, with a script in place of rhegma whose errors and times are known."""
+
+import csv
+import os
+import unittest
+
+from tool import HERE, ToolTest, picture_size, run
+
+from rhegma_tools.study_file import combine, read_study, split_array
+from rhegma_tools.study_picture import frontier
+
+PROGRAM = os.path.join(HERE, "made_up_rhegma.py")
+HEAD = """<ParameterList name="Study">
+  <Parameter name="Scene" type="string" value="scene.xml"/>
+  <Parameter name="Error Of" type="string" value="cracks.Notch.fronts.0.G_J"/>
+  <Parameter name="Reference Value" type="double" value="0.5"/>
+  <ParameterList name="Sweep">
+"""
+TAIL = "  </ParameterList>\n</ParameterList>\n"
+LINEAR = """    <ParameterList name="linear">
+      <Parameter name="Domain:Cell Size" type="Array(string)" value="{5e-3, 2.5e-3, 1.25e-3}"/>
+    </ParameterList>
+"""
+GIMP = """    <ParameterList name="GIMP, both">
+      <Parameter name="Domain:Cell Size" type="Array(string)" value="{5e-3, 2.5e-3}"/>
+      <Parameter name="Domain:Shape Functions" type="string" value="GIMP"/>
+    </ParameterList>
+"""
+
+
+class Study(ToolTest):
+    def setUp(self):
+        super().setUp()
+        self.write("scene.xml", '<ParameterList name="Rhegma"/>\n')
+
+    def study(self, families, head=HEAD):
+        return self.write("study.xml", head + families + TAIL)
+
+    def start(self, *more):
+        return run("rhegma-study", self.path("study.xml"), "--rhegma", PROGRAM, *more)
+
+    def runs(self):
+        with open(self.path("runs.txt")) as file:
+            return len(file.readlines())
+
+    def table(self):
+        with open(self.path("study.out", "study.csv"), newline="") as file:
+            return list(csv.DictReader(file))
+
+    def test_measures_every_run(self):
+        self.study(LINEAR + GIMP)
+        status, output, complaint = self.start()
+        self.assertEqual((status, complaint), (0, ""))
+        rows = self.table()
+        self.assertEqual([row["family"] for row in rows], ["linear"] * 3 + ["GIMP, both"] * 2)
+        self.assertEqual([row["Domain:Cell Size"] for row in rows], ["5e-3", "2.5e-3", "1.25e-3", "5e-3", "2.5e-3"])
+        # Error (cell / 10 mm) for linear and its square for GIMP; 1000 (10 mm / cell)^3 particle steps.
+        for row, error in zip(rows, [0.5, 0.25, 0.125, 0.25, 0.0625]):
+            self.assertAlmostEqual(float(row["error"]), error, places=12)
+        self.assertAlmostEqual(float(rows[1]["wall_seconds"]), 0.64)
+        self.assertEqual(rows[1]["particle_steps"], "64000")
+        for row in rows:
+            self.assertTrue(os.path.exists(os.path.join(row["path"], "summary.json")))
+        self.assertIn(f"Wrote {self.path('study.out', 'study.csv')}: 5 runs.", output)
+        # Linear at 0.08 s and GIMP at 0.16 and 1.28 s; the other linear ones are slower and worse.
+        self.assertIn(f"Wrote {self.path('study.out', 'study.png')}: 3 runs are on the efficient frontier.", output)
+        self.assertGreater(picture_size(self.path("study.out", "study.png"))[0], 900)
+
+    def test_goes_on_where_it_stopped(self):
+        self.study(LINEAR)
+        self.assertEqual(self.start()[0], 0)
+        self.study(LINEAR + GIMP)
+        self.assertEqual(self.start()[0], 0)
+        self.assertEqual(self.runs(), 5)
+        before = self.table()
+        status, output, _ = self.start()
+        self.assertEqual((status, self.runs()), (0, 5))
+        self.assertEqual(output.count("(done before)"), 5)
+        self.assertEqual(self.table(), before)
+        self.start("--again")
+        self.assertEqual(self.runs(), 10)
+
+    def test_a_changed_scene_runs_again(self):
+        self.study(LINEAR)
+        self.start()
+        self.write("scene.xml", '<ParameterList name="Rhegma"> </ParameterList>\n')
+        self.start()
+        self.assertEqual(self.runs(), 6)
+
+    def test_a_failed_run_is_told_and_tried_again(self):
+        self.study(LINEAR.replace("5e-3, ", "9.5e-3, ", 1))
+        status, output, complaint = self.start()
+        self.assertEqual(status, 2)
+        self.assertIn("failed with status 2: The step is unstable at 1e-5 s.", output)
+        self.assertIn("1 of 3 runs failed", complaint)
+        rows = self.table()
+        self.assertEqual((rows[0]["error"], rows[0]["exit"]), ("", "2"))
+        self.assertAlmostEqual(float(rows[1]["error"]), 0.25)
+        self.assertTrue(os.path.exists(self.path("study.out", "study.png")))
+        self.start()
+        self.assertEqual(self.runs(), 4)  # only the failed one
+
+    def test_a_result_that_is_not_finite_is_a_failure(self):
+        self.study(LINEAR, HEAD.replace("cracks.Notch.fronts.0.G_J", "residual"))
+        status, output, _ = self.start()
+        self.assertEqual(status, 2)
+        self.assertEqual(output.count("residual is not finite"), 3)
+        self.assertFalse(os.path.exists(self.path("study.out", "study.png")))
+
+    def test_lists_without_running(self):
+        self.study(GIMP)
+        status, output, _ = self.start("--list", "--launcher", "mpirun -np 2")
+        self.assertEqual(status, 0)
+        lines = output.splitlines()
+        self.assertEqual(len(lines), 2)
+        self.assertTrue(lines[0].startswith(f"mpirun -np 2 {PROGRAM} {self.path('scene.xml')} --output "), lines[0])
+        self.assertIn("--set 'Domain:Cell Size=5e-3' --set 'Domain:Shape Functions=GIMP'", lines[0])
+        self.assertFalse(os.path.exists(self.path("study.out")))
+
+    def test_product_crosses_and_zip_pairs(self):
+        values = {"A:b": ["1", "2"], "C:d": "x", "E:f": ["3", "4"]}
+        self.assertEqual(combine(values, "Zip", "")[1], {"A:b": "2", "C:d": "x", "E:f": "4"})
+        product = combine(values, "Product", "")
+        self.assertEqual([(row["A:b"], row["E:f"]) for row in product], [("1", "3"), ("1", "4"), ("2", "3"), ("2", "4")])
+        self.assertEqual(combine({"C:d": "x"}, "Zip", ""), [{"C:d": "x"}])
+
+    def test_arrays_nest(self):
+        self.assertEqual(split_array("{ {0, 0}, {1, 0} }", ""), ["{0, 0}", "{1, 0}"])
+        self.assertEqual(split_array('{"a", b c}', ""), ["a", "b c"])
+
+    def test_frontier(self):
+        """Times 1, 2, 3, 4 and errors 4, 5, 2, 2: the second and the last are beaten."""
+        self.assertEqual(frontier([(1.0, 4.0), (2.0, 5.0), (3.0, 2.0), (4.0, 2.0)]), [0, 2])
+
+    def test_a_family_may_have_a_quantity_of_its_own(self):
+        own = LINEAR.replace("</", '  <Parameter name="Error Of" type="string" value="energy.strain"/>\n    </', 1)
+        study = read_study(self.study(own + GIMP))
+        self.assertEqual([r.quantity for r in study.runs], ["energy.strain"] * 3 + ["cracks.Notch.fronts.0.G_J"] * 2)
+        self.assertEqual(study.swept, ["Domain:Cell Size"])
+
+    def test_refuses_a_wrong_study(self):
+        wrong = [
+            (HEAD + LINEAR, "no XML, or it is cut off"),
+            (HEAD.replace("Study", "Rhegma") + LINEAR + TAIL, "is no study"),
+            (HEAD + TAIL, "Study > Sweep: is missing or empty"),
+            (HEAD.replace("Error Of", "Eror Of") + LINEAR + TAIL, "Study > Eror Of: is unknown; write Error Of."),
+            (HEAD.replace("scene.xml", "sene.xml") + LINEAR + TAIL, "there is no file"),
+            (HEAD.replace('value="0.5"', 'value="half"') + LINEAR + TAIL, "Reference Value: must be a number"),
+            (HEAD + LINEAR + LINEAR + TAIL, "two families have this name"),
+            (HEAD + LINEAR.replace("Domain:Cell Size", "Cell Size") + TAIL, "write Section:Parameter"),
+            (HEAD + LINEAR.replace("{5e-3", "5e-3") + TAIL, "written in braces"),
+            (HEAD + GIMP.replace('"string" value="GIMP"', '"Array(string)" value="{GIMP}"') + TAIL,
+             "Domain:Cell Size has 2, Domain:Shape Functions has 1"),
+            (HEAD.replace('  <Parameter name="Reference Value" type="double" value="0.5"/>\n', "") + LINEAR + TAIL,
+             "Reference Value: is missing"),
+        ]
+        for text, words in wrong:
+            with self.subTest(words):
+                self.write("study.xml", text)
+                self.assert_complains(self.start(), words)
+                self.assertFalse(os.path.exists(self.path("study.out")))
+        os.remove(self.path("study.xml"))
+        self.assert_complains(self.start(), "there is no file")
+
+    def test_refuses_a_missing_program(self):
+        self.study(LINEAR)
+        self.assert_complains(run("rhegma-study", self.path("study.xml"), "--rhegma", self.path("none")),
+                              "there is no program")
+
+
+del ToolTest  # so that importing this module's names brings tests only
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,15 @@
+#!/usr/bin/env python3
+"""All tests of the tools at once: python3 test_tools.py."""
+
+import os
+import sys
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+sys.dont_write_bytecode = True
+import unittest  # noqa: E402
+
+from plot_tests import *  # noqa: E402,F401,F403
+from study_tests import *  # noqa: E402,F401,F403
+
+if __name__ == "__main__":
+    unittest.main()

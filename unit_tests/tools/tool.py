@@ -1,0 +1,64 @@
+"""Runs a tool as a user does. Import this first: it finds a Python that has what the tools need."""
+
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = os.path.dirname(os.path.realpath(__file__))
+TOOLS = os.path.realpath(os.path.join(HERE, "..", "..", "tools"))
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, TOOLS)
+from rhegma_tools import interpreter  # noqa: E402
+
+interpreter.need("numpy", "h5py", "matplotlib")
+
+
+def run(tool, *arguments, python=sys.executable, **environment):
+    """(exit status, standard output, standard error)"""
+    result = subprocess.run(
+        [python, os.path.join(TOOLS, tool), *arguments],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        universal_newlines=True,
+        env=dict(os.environ, PYTHONDONTWRITEBYTECODE="1", **environment),
+    )
+    return result.returncode, result.stdout, result.stderr
+
+
+def picture_size(path):
+    """Width and height of a PNG in pixels, from its header."""
+    with open(path, "rb") as file:
+        head = file.read(24)
+    assert head[:8] == b"\x89PNG\r\n\x1a\n", path
+    return struct.unpack(">II", head[16:24])
+
+
+class ToolTest(unittest.TestCase):
+    """Has a folder of its own, self.folder, and refuses complaints of more than one line."""
+
+    def setUp(self):
+        keeper = tempfile.TemporaryDirectory()
+        self.addCleanup(keeper.cleanup)
+        self.folder = keeper.name
+
+    def path(self, *names):
+        return os.path.join(self.folder, *names)
+
+    def write(self, name, text):
+        with open(self.path(name), "w") as file:
+            file.write(text)
+        return self.path(name)
+
+    def assert_complains(self, answer, *words):
+        """Exit status 1, nothing on standard output, one line with these words on standard error."""
+        status, output, complaint = answer
+        self.assertEqual(status, 1, complaint)
+        self.assertEqual(output, "")
+        self.assertEqual(complaint.count("\n"), 1, complaint)
+        self.assertTrue(complaint.startswith("rhegma-"), complaint)
+        for word in words:
+            self.assertIn(word, complaint)
