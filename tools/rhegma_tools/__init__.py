@@ -1,0 +1,1 @@
+"""What rhegma-plot and rhegma-study are made of."""

@@ -1,0 +1,62 @@
+"""Where particles and cracks are drawn when displacements are magnified."""
+
+import math
+
+import numpy as np
+
+VISIBLE = 0.02  # of the body's size: a smaller displacement is magnified ...
+WANTED = 0.08  # ... to at most this
+
+
+def automatic_magnification(position, displacement):
+    """1 where the displacement is visible as it is; else 1, 2 or 5 times a power of ten."""
+    size = float(np.max(np.ptp(position, axis=0)))
+    largest = float(np.max(np.linalg.norm(displacement, axis=1)))
+    # Displacements that rounding alone can give are not worth a look.
+    if largest >= VISIBLE * size or largest <= 1.0e-12 * size:
+        return 1.0
+    exact = WANTED * size / largest
+    power = 10.0 ** math.floor(math.log10(exact))
+    return max(1.0, max(step * power for step in (1.0, 2.0, 5.0) if step * power <= exact * (1.0 + 1.0e-9)))
+
+
+def crack_normals(crack):
+    """A unit normal at every vertex: the mean over its cells; zero where a vertex has none."""
+    corner = crack.points[crack.cells]
+    if crack.is_surface:
+        normal = np.cross(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
+    else:
+        along = corner[:, 1] - corner[:, 0]
+        normal = np.stack([-along[:, 1], along[:, 0], np.zeros(len(along))], axis=1)
+    sums = np.zeros_like(crack.points)
+    for i in range(crack.cells.shape[1]):
+        np.add.at(sums, crack.cells[:, i], normal)
+    length = np.linalg.norm(sums, axis=1, keepdims=True)
+    return np.divide(sums, length, out=np.zeros_like(sums), where=length > 0.0)
+
+
+def crack_displacement(crack, position, displacement):
+    """Displacement of every vertex, midway between the faces: the mean of the nearest particles' on either side."""
+    normal = crack_normals(crack)
+    result = np.zeros_like(crack.points)
+    for v, point in enumerate(crack.points):
+        arm = position - point
+        squared = np.einsum("ij,ij->i", arm, arm)
+        near = np.argpartition(squared, min(15, len(squared) - 1))[:16]
+        above = arm[near] @ normal[v] > 0.0
+        sides = []
+        for side in (near[above], near[~above]):
+            if side.size:
+                weight = 1.0 / (squared[side] + 1.0e-300)
+                sides.append(weight @ displacement[side] / weight.sum())
+        result[v] = np.mean(sides, axis=0)
+    return result
+
+
+def magnified_faces(crack, position, displacement, magnification):
+    """Both faces' vertices (v, 3) as drawn. An undeformed crack is closed, so its opening is a displacement too."""
+    middle = crack.points
+    if magnification != 1.0:
+        middle = middle + (magnification - 1.0) * crack_displacement(crack, position, displacement)
+    half = 0.5 * magnification * crack.opening
+    return middle + half, middle - half

@@ -1,0 +1,216 @@
+"""Draws the last fields: particles where they have gone, coloured by stress, and the cracks between them."""
+
+import numpy as np
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.colors import Normalize, TwoSlopeNorm
+
+from . import style
+from .deformation import automatic_magnification, crack_normals, magnified_faces
+from .style import plt
+
+MOST = 250_000  # particles drawn; of more, every second, third, ... is drawn larger
+STRESSES = {"principal": "largest principal stress", "mises": "von Mises stress"}
+
+
+class View:
+    """A plane to draw on. axes: the two space axes of the picture; normal: the third, in 3D; where: its coordinate."""
+
+    def __init__(self, axes, normal=None, where=0.0):
+        self.axes = axes
+        self.normal = normal
+        self.where = where
+
+    def flat(self, points):
+        return points[..., self.axes]
+
+
+def choose_view(fields):
+    """2D: the plane. 3D: a slice through the middle, or through the cracks, that shows the most and cuts the cracks."""
+    if fields.dimension == 2:
+        return View([0, 1])
+    extent = np.ptp(fields.position, axis=0)
+    candidates = [0, 1, 2]
+    middle = 0.5 * (fields.position.min(axis=0) + fields.position.max(axis=0))
+    if fields.crack is not None:
+        facing = np.abs(crack_normals(fields.crack)).mean(axis=0)
+        candidates.remove(int(np.argmax(facing)))  # seen from there a crack is no line
+        middle = 0.5 * (fields.crack.points.min(axis=0) + fields.crack.points.max(axis=0))
+    # Of equally thin directions the last, so that x and y are drawn where nothing else decides.
+    thinnest = extent[candidates].min()
+    normal = [axis for axis in candidates if extent[axis] <= thinnest * (1.0 + 1.0e-6)][-1]
+    where = float(middle[normal])
+    if not in_slice(fields, normal, where).any():  # a gap between bodies
+        heights = fields.position[:, normal]
+        where = float(heights[np.argmin(np.abs(heights - where))])
+    return View([axis for axis in range(3) if axis != normal], normal, where)
+
+
+def in_slice(fields, normal, where):
+    """Particles whose box the plane cuts; of two layers that touch it, the upper."""
+    distance = fields.position[:, normal] - where
+    half = 0.5 * fields.edge
+    return (distance > -half * (1.0 - 1.0e-6)) & (distance <= half * (1.0 + 1.0e-6))
+
+
+def colour_scale(values):
+    """Map and limits: diverging about zero where both signs matter. The extreme half per cent, such as the singular
+    stress at a crack's front, saturates, so that it does not hide the rest."""
+    low, high = np.percentile(values, [0.5, 99.5])
+    if high <= low:
+        low, high = float(values.min()), float(values.max())
+    if high <= low:
+        low, high = low - 1.0, high + 1.0
+    if low < -0.1 * abs(high) and high > 0.1 * abs(low):
+        return "RdBu_r", TwoSlopeNorm(0.0, -max(-low, high), max(-low, high))
+    if low >= 0.0 or -low <= 0.1 * high:
+        return "viridis", Normalize(min(low, 0.0) if low < 0.25 * high else low, high)
+    return "viridis", Normalize(low, high)
+
+
+def squares(centres, edges):
+    """Corners (n, 4, 2) of squares."""
+    corner = 0.5 * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
+    return centres[:, None, :] + edges[:, None, None] * corner[None, :, :]
+
+
+def crack_segments(crack, faces, view):
+    """Segments (s, 2, 2) to draw of each face: the crack's own in 2D, its cuts with the plane in 3D.
+
+    The cut is found on the crack as it is and drawn where the face has gone."""
+    if not crack.is_surface:
+        return [view.flat(face[crack.cells]) for face in faces]
+    height = crack.points[:, view.normal] - view.where
+    height = np.where(height == 0.0, 1.0e-300, height)  # a vertex on the plane counts as above it
+    result = [[] for _ in faces]
+    for cell in crack.cells:
+        cuts = []
+        for a, b in ((0, 1), (1, 2), (2, 0)):
+            i, j = cell[a], cell[b]
+            if (height[i] > 0.0) != (height[j] > 0.0):
+                cuts.append((i, j, height[i] / (height[i] - height[j])))
+        if len(cuts) == 2:
+            for face, segments in zip(faces, result):
+                segments.append([view.flat((1.0 - s) * face[i] + s * face[j]) for i, j, s in cuts])
+    return [np.array(segments).reshape(-1, 2, 2) for segments in result]
+
+
+def front_places(fields, faces, summary, view):
+    """Fronts of the summary as drawn [(2)]: each at the crack's nearest vertex."""
+    places = []
+    if fields.crack is None or not summary or view.normal is not None:
+        return places
+    for crack in summary.get("cracks", []):
+        for front in crack.get("fronts", []):
+            position = np.zeros(3)
+            given = front.get("position") or []
+            position[: len(given)] = given[:3]
+            nearest = int(np.argmin(np.linalg.norm(fields.crack.points - position, axis=1)))
+            places.append(view.flat(0.5 * (faces[0][nearest] + faces[1][nearest])))
+    return places
+
+
+def draw_particles(axes, corners, values, colour_map, norm):
+    particles = PolyCollection(corners, array=values, cmap=colour_map, norm=norm, edgecolors="face", linewidths=0.15)
+    particles.set_rasterized(True)
+    axes.add_collection(particles)
+    axes.set_aspect("equal")
+    axes.set_anchor("W")
+    axes.grid(False)
+    return particles
+
+
+def draw_crack(axes, segments, places, width):
+    for face in segments:
+        axes.add_collection(LineCollection(face, colors=style.INK, linewidths=width, capstyle="round"))
+    if places:
+        axes.plot(*np.array(places).T, ls="none", marker="o", ms=3.2 * width, mfc="white", mec=style.INK, mew=0.9 * width)
+
+
+def limits(axes, corners, factor, margin):
+    low = corners.reshape(-1, 2).min(axis=0)
+    high = corners.reshape(-1, 2).max(axis=0)
+    pad = margin * max(high - low)
+    axes.set_xlim((low[0] - pad), (high[0] + pad))
+    axes.set_ylim((low[1] - pad), (high[1] + pad))
+
+
+def picture_size(extent, zoom):
+    """Width and height of the figure [inch] for a body of this extent, with a close-up below or beside it."""
+    width, height = extent
+    tall = height > 1.2 * width
+    aspect = height / width
+    whole = (4.5, min(4.5 * aspect, 8.0)) if tall else (8.0, 8.0 * aspect)
+    if not tall and whole[1] > 6.5:
+        whole = (6.5 / aspect, 6.5)
+    return tall, (whole[0] + 1.0, max(whole[1], 1.2) + 1.2 + (3.4 if zoom and not tall else 0.0))
+
+
+def draw_fields(fields, summary, title, path, stress="principal", magnification=None):
+    """Writes the picture; returns the magnification it used."""
+    if magnification is None:
+        magnification = automatic_magnification(fields.position, fields.displacement)
+    view = choose_view(fields)
+    values = fields.largest_principal_stress() if stress == "principal" else fields.von_mises
+    drawn = np.arange(len(values)) if view.normal is None else np.flatnonzero(in_slice(fields, view.normal, view.where))
+    stride = -(-len(drawn) // MOST)
+    drawn = drawn[::stride]
+    # Squares grow a little, so that no white shows between neighbours that strain, the more when magnified, moves apart.
+    edges = fields.edge[drawn] * np.sqrt(stride) * (1.06 if magnification == 1.0 else 1.15)
+    place = view.flat(fields.position[drawn] + (magnification - 1.0) * fields.displacement[drawn])
+
+    stress_factor, stress_unit = style.scale(float(np.percentile(np.abs(values[drawn]), 99.5)), "Pa")
+    length_factor, length_unit = style.scale(float(np.max(np.ptp(place, axis=0))), "m")
+    colour_map, norm = colour_scale(values[drawn] * stress_factor)
+    corners = squares(place, edges) * length_factor
+
+    segments, places = [], []
+    if fields.crack is not None:
+        faces = magnified_faces(fields.crack, fields.position, fields.displacement, magnification)
+        segments = [face * length_factor for face in crack_segments(fields.crack, faces, view)]
+        places = [p * length_factor for p in front_places(fields, faces, summary, view)]
+
+    names = ["xyz"[axis] for axis in view.axes]
+    time_factor, time_unit = style.scale(fields.time, "s")
+    heading = [f"t = {fields.time * time_factor:.4g} {time_unit}"]
+    if view.normal is not None:
+        slice_factor, slice_unit = style.scale(abs(view.where), "m")
+        heading.append(f"slice at {'xyz'[view.normal]} = {view.where * slice_factor:.3g} {slice_unit}")
+    heading.append("true displacement" if magnification == 1.0 else f"displacement × {magnification:,.7g}")
+
+    extent = np.ptp(corners.reshape(-1, 2), axis=0)
+    zoom = bool(places)
+    tall, size = picture_size(extent, zoom)
+    if zoom and tall:
+        size = (size[0] + 4.0, size[1])
+    rows, columns = (1, 2) if zoom and tall else (2 if zoom else 1, 1)
+    ratios = {"height_ratios": [max(size[1] - 4.6, 1.2), 3.4]} if rows == 2 else {}
+    figure, axes = plt.subplots(rows, columns, figsize=size, squeeze=False, layout="constrained", gridspec_kw=ratios)
+    whole = axes.flat[0]
+    particles = draw_particles(whole, corners, values[drawn] * stress_factor, colour_map, norm)
+    draw_crack(whole, segments, places, 0.9)
+    limits(whole, corners, length_factor, 0.03)
+    whole.set_title(title, fontsize=12, pad=22)
+    whole.annotate(",   ".join(heading), (0.0, 1.0), (0.0, 8.0), "axes fraction", "offset points", fontsize=10)
+    whole.set_xlabel(f"{names[0]} [{length_unit}]")
+    whole.set_ylabel(f"{names[1]} [{length_unit}]")
+    if zoom:
+        close = axes.flat[1]
+        half = max(0.06 * max(extent), 6.0 * float(np.median(edges)) * length_factor)
+        draw_particles(close, corners, values[drawn] * stress_factor, colour_map, norm)
+        draw_crack(close, segments, places, 1.3)
+        wide = half if tall else 2.9 * half  # the shape of the panel
+        close.set_xlim(places[0][0] - wide, places[0][0] + wide)
+        close.set_ylim(places[0][1] - half, places[0][1] + half)
+        close.set_title("at the crack's front" if len(places) == 1 else "at the first crack's front",
+                        fontweight="normal", fontsize=10)
+        close.set_xlabel(f"{names[0]} [{length_unit}]")
+        close.set_ylabel(f"{names[1]} [{length_unit}]")
+    over = values[drawn] * stress_factor
+    extend = {(False, False): "neither", (True, False): "min", (False, True): "max", (True, True): "both"}[
+        (bool(over.min() < norm.vmin), bool(over.max() > norm.vmax))
+    ]
+    bar = figure.colorbar(particles, ax=list(axes.flat), extend=extend, shrink=0.9, aspect=28, pad=0.02)
+    bar.set_label(f"{STRESSES[stress]} [{stress_unit}]")
+    bar.outline.set_linewidth(0.6)
+    style.save(figure, path)
+    return magnification

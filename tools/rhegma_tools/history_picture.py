@@ -1,0 +1,168 @@
+"""Draws a history: energy release rates, energies and, where cracks grow, their growth."""
+
+import re
+
+import numpy as np
+
+from . import style
+from .interpreter import Problem
+from .style import plt
+
+METHODS = [("G_J", "J integral", "-"), ("G_closure", "crack closure", (0, (5, 1.5)))]
+ENERGIES = [
+    # Sequence of the ledger; external work first, as the sum that the others share out.
+    ("external_work", "external work", "#000000"),
+    ("strain", "strain", "#0072B2"),
+    ("kinetic", "kinetic", "#D55E00"),
+    ("damped", "damped", "#009E73"),
+    ("fracture", "fracture", "#CC79A7"),
+    ("contact", "contact", "#E69F00"),
+    ("thermal", "thermal", "#882255"),
+    ("combustion", "combustion", "#56B4E9"),
+    ("merged", "merged", "#999933"),
+    ("residual", "residual", "#888888"),
+]
+FEW = 4  # fronts that can be told apart in one panel; of more, the range and the mean are drawn
+
+
+def references(summary):
+    """[(crack's name, front, quantity, value, relative tolerance)] of the scene's references to G."""
+    found = []
+    if not summary:
+        return found
+    names = [crack.get("name", str(i)) for i, crack in enumerate(summary.get("cracks", []))]
+    for entry in summary.get("references", []):
+        match = re.fullmatch(r"cracks\.(.+)\.fronts\.(\d+)\.(G_J|G_closure)", str(entry.get("quantity", "")))
+        value = entry.get("reference")
+        if not match or not isinstance(value, (int, float)):
+            continue
+        crack = match[1]
+        if crack not in names and crack.isdigit() and int(crack) < len(names):
+            crack = names[int(crack)]
+        found.append((crack, int(match[2]), match[3], float(value), float(entry.get("tolerance") or 0.0)))
+    return found
+
+
+def release_rates(history):
+    """[(front, quantity, samples)] of all that the history holds with at least one number."""
+    found = []
+    for front in history.fronts:
+        for quantity, _, _ in METHODS:
+            samples = history.of_front(front, quantity)
+            if samples is not None and np.isfinite(samples).any():
+                found.append((front, quantity, samples))
+    return found
+
+
+def finite_maximum(arrays):
+    values = np.concatenate([np.abs(np.asarray(a, dtype=float)).ravel() for a in arrays]) if arrays else np.zeros(1)
+    values = values[np.isfinite(values)]
+    return float(values.max()) if values.size else 0.0
+
+
+def legend(axes):
+    axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0.0, handlelength=2.6)
+
+
+def draw_references(axes, drawn, factor, unit):
+    """One line for each value, with its tolerance as a band; several references may share a value."""
+    for value, tolerance in sorted({(value, tolerance) for _, _, _, value, tolerance in drawn}):
+        label = f"reference {value * factor:.4g} {unit}"
+        if tolerance > 0.0:
+            label += f" ± {100 * tolerance:.3g} %"
+            spread = abs(value) * tolerance * factor
+            axes.axhspan(value * factor - spread, value * factor + spread, color="#000000", alpha=0.10, lw=0)
+        axes.axhline(value * factor, color=style.INK, lw=1.0, ls=":", label=label)
+
+
+def draw_release(axes, history, summary, time):
+    rates = release_rates(history)
+    known = references(summary)
+    factor, unit = style.scale(
+        finite_maximum([s for _, _, s in rates] + [np.array([value]) for _, _, _, value, _ in known]), "J/m²"
+    )
+    fronts = list(dict.fromkeys(front for front, _, _ in rates))
+    draw_references(axes, known, factor, unit)
+    if len(fronts) <= FEW:
+        for front, quantity, samples in rates:
+            _, method, dashes = next(m for m in METHODS if m[0] == quantity)
+            name = "" if len(fronts) == 1 else f"{front[0]}, front {front[1]}: "
+            # One front: a colour for each method, which prints better than dashes alone.
+            colour = style.COLOURS[[m[0] for m in METHODS].index(quantity) if name == "" else fronts.index(front)]
+            axes.plot(time, samples * factor, color=colour, ls=dashes, label=name + method)
+    else:
+        for (quantity, method, dashes), colour in zip(METHODS, style.COLOURS):
+            samples = [s for _, q, s in rates if q == quantity]
+            if not samples:
+                continue
+            samples = np.ma.masked_invalid(np.vstack(samples)) * factor
+            axes.fill_between(time, samples.min(axis=0), samples.max(axis=0), color=colour, alpha=0.2, lw=0)
+            axes.plot(time, samples.mean(axis=0), color=colour, ls=dashes,
+                      label=f"{method}: mean and\nrange of {len(samples)} fronts")
+    axes.set_title("Energy release rate")
+    axes.set_ylabel(f"G [{unit}]")
+    axes.margins(x=0)
+    legend(axes)
+
+
+def draw_energies(axes, history, time):
+    present = [(name, label, colour) for name, label, colour in ENERGIES if name in history.column]
+    largest = finite_maximum([history.column[name] for name, _, _ in present])
+    factor, unit = style.scale(largest, "J")
+    for name, label, colour in present:
+        samples = history.column[name]
+        if finite_maximum([samples]) > 1.0e-6 * largest or name == "residual":  # what no eye can see is left out
+            axes.plot(time, samples * factor, color=colour, label=label,
+                      ls="-" if name != "residual" else ":", lw=1.6 if name != "residual" else 1.2)
+    axes.set_title("Energy")
+    axes.set_ylabel(f"energy [{unit}]")
+    axes.margins(x=0)
+    legend(axes)
+
+
+def growth(history):
+    """[(front, growth since the start [m])] of the fronts that have moved."""
+    moved = []
+    for front in history.fronts:
+        length = history.of_front(front, "length")
+        if length is not None and np.isfinite(length).any():
+            start = length[np.isfinite(length)][0]
+            if finite_maximum([length - start]) > 1.0e-9 * max(abs(start), 1.0e-12):
+                moved.append((front, length - start))
+    return moved
+
+
+def draw_growth(axes, moved, time):
+    factor, unit = style.scale(finite_maximum([samples for _, samples in moved]), "m")
+    for i, (front, samples) in enumerate(moved[: len(style.COLOURS)]):
+        axes.plot(time, samples * factor, color=style.COLOURS[i], label=f"{front[0]}, front {front[1]}")
+    axes.set_title("Crack growth")
+    axes.set_ylabel(f"growth [{unit}]")
+    axes.margins(x=0)
+    legend(axes)
+
+
+def draw_history(history, summary, title, path):
+    """Writes the picture of a history."""
+    moved = growth(history)
+    panels = []
+    factor, unit = style.scale(finite_maximum([history.time]), "s")
+    time = history.time * factor
+    if release_rates(history):
+        panels.append(lambda axes: draw_release(axes, history, summary, time))
+    if any(name in history.column for name, _, _ in ENERGIES):
+        panels.append(lambda axes: draw_energies(axes, history, time))
+    if moved:
+        panels.append(lambda axes: draw_growth(axes, moved, time))
+    if not panels:
+        raise Problem("the history holds neither energies nor energy release rates; there is nothing to draw.")
+    figure, axes = plt.subplots(len(panels), 1, sharex=True, squeeze=False, figsize=(7.2, 2.7 * len(panels) + 0.4),
+                                layout="constrained")
+    for panel, ax in zip(panels, axes[:, 0]):
+        panel(ax)
+        if len(time) == 1:
+            for line in ax.lines:
+                line.set_marker("o")
+    axes[-1, 0].set_xlabel(f"time [{unit}]")
+    figure.suptitle(title, x=0.01, ha="left", fontsize=13, fontweight="bold")
+    style.save(figure, path)

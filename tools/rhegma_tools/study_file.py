@@ -1,0 +1,206 @@
+"""Reads a study: a scene, what is measured in its runs, and families of settings to run it with."""
+
+import difflib
+import itertools
+import os
+import re
+import xml.etree.ElementTree as ElementTree
+
+from .interpreter import Problem
+
+FORMAT = """\
+A study is a Teuchos parameter list named Study:
+
+  <ParameterList name="Study">
+    <Parameter name="Scene" type="string" value="../verification/dcb_h8.xml"/>    relative to the study
+    <Parameter name="Title" type="string" value="Double cantilever beam"/>        optional; of the picture
+    <Parameter name="Error Of" type="string" value="cracks.0.fronts.0.G_J"/>      path in summary.json
+    <Parameter name="Reference Value" type="double" value="0.515"/>               what the exact answer is
+    <ParameterList name="Sweep">
+      <ParameterList name="GIMP">                                                 a family: a line in study.png
+        <Parameter name="Combine" type="string" value="Zip"/>                     or Product; default Zip
+        <Parameter name="Domain:Cell Size" type="Array(string)" value="{2.5e-3, 1.25e-3}"/>
+        <Parameter name="Time:CFL" type="Array(string)" value="{0.4, 0.2}"/>
+        <Parameter name="Domain:Shape Functions" type="string" value="GIMP"/>     the same in all of its runs
+      </ParameterList>
+    </ParameterList>
+  </ParameterList>
+
+A parameter of a family is the path of a parameter of the scene, its parts joined by colons. Zip runs the first values
+of all arrays together, then the second ones, so the arrays have one length; Product runs every combination. A family
+may have a Scene of its own, and it may change the quantity (Error Of) and its Reference Value, for example where the
+quantity is in other units. Values that are arrays themselves are written in braces: {{0, 0}, {1, 0}}.
+"""
+
+STUDY_NAMES = ["Scene", "Title", "Error Of", "Reference Value", "Sweep"]
+
+
+class Run:
+    """One run: a family, its scene and its settings {path: value}, and what is measured in it."""
+
+    def __init__(self, family, scene, settings, quantity, reference):
+        self.family = family
+        self.scene = scene
+        self.settings = settings
+        self.quantity = quantity
+        self.reference = reference
+
+
+class Study:
+    """runs: all, in the order of the families; swept: paths whose value changes in a family, in order."""
+
+    def __init__(self, path, title, runs, swept):
+        self.path = path
+        self.title = title
+        self.runs = runs
+        self.swept = swept
+
+
+def split_array(text, where):
+    """The entries of {a, b, {c, d}}; braces nest."""
+    text = text.strip()
+    if not (text.startswith("{") and text.endswith("}")):
+        raise Problem(f"{where}: an array is written in braces, such as {{0.1, 0.2}}, not {text}.")
+    entries, depth, entry = [], 0, ""
+    for letter in text[1:-1]:
+        depth += {"{": 1, "}": -1}.get(letter, 0)
+        if letter == "," and depth == 0:
+            entries.append(entry.strip())
+            entry = ""
+        else:
+            entry += letter
+    entries.append(entry.strip())
+    if depth != 0 or "" in entries:
+        raise Problem(f"{where}: the array {text} has an empty entry or a brace that is not closed.")
+    return [entry.strip("\"'") for entry in entries]
+
+
+def name_of(element, where):
+    name = element.get("name")
+    if not name:
+        raise Problem(f"{where}: a {element.tag} has no name.")
+    return name
+
+
+def read_value(element, where):
+    """A list of strings for an array, a string for all else."""
+    value = element.get("value")
+    if value is None:
+        raise Problem(f"{where}: has no value.")
+    if element.get("type", "").replace(" ", "").startswith("Array("):
+        return split_array(value, where)
+    return value.strip()
+
+
+def read_text(values, name, where):
+    if name not in values:
+        raise Problem(f"{where} > {name}: is missing; write <Parameter name=\"{name}\" type=\"string\" value=\"...\"/>.")
+    if not isinstance(values[name], str) or not values[name]:
+        raise Problem(f"{where} > {name}: must be one string.")
+    return values[name]
+
+
+def read_number(values, name, where):
+    """None where it is absent."""
+    if name not in values:
+        return None
+    try:
+        number = float(values[name])
+    except (TypeError, ValueError):
+        raise Problem(f"{where} > {name}: must be a number, not {values[name]}.")
+    if number != number or abs(number) == float("inf"):
+        raise Problem(f"{where} > {name}: must be a finite number.")
+    return number
+
+
+def combine(values, how, where):
+    """[{path: value}] of a family's arrays."""
+    arrays = {path: value for path, value in values.items() if isinstance(value, list)}
+    fixed = {path: value for path, value in values.items() if isinstance(value, str)}
+    if how == "Product":
+        rows = itertools.product(*arrays.values())
+    elif how == "Zip":
+        lengths = {path: len(value) for path, value in arrays.items()}
+        if len(set(lengths.values())) > 1:
+            told = ", ".join(f"{path} has {n}" for path, n in lengths.items())
+            raise Problem(f"{where}: Zip needs arrays of one length, but {told} values; make them equal or "
+                          "set Combine to Product.")
+        rows = zip(*arrays.values()) if arrays else [()]
+    else:
+        raise Problem(f"{where} > Combine: must be Zip or Product, not {how}.")
+    # In the order of the file, so that a table's columns follow it.
+    found = [dict(fixed, **dict(zip(arrays, row))) for row in rows]
+    return [{path: row[path] for path in values} for row in found]
+
+
+def read_scene(text, study_path, where):
+    scene = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(study_path)), text))
+    if not os.path.isfile(scene):
+        raise Problem(f"{where} > Scene: there is no file {scene}; the path is relative to the study.")
+    return scene
+
+
+def read_family(element, study, study_path):
+    """(runs, swept paths) of one family; study: {name: value} of what holds for all families."""
+    where = f"Sweep > {name_of(element, 'Sweep')}"
+    values = {}
+    for child in element:
+        name = name_of(child, where)
+        if child.tag != "Parameter":
+            raise Problem(f"{where} > {name}: is a list; write its parameters as {name}:Parameter.")
+        if name in values:
+            raise Problem(f"{where} > {name}: appears twice.")
+        values[name] = read_value(child, f"{where} > {name}")
+    own = {name: values.pop(name) for name in ("Combine", "Scene", "Error Of", "Reference Value") if name in values}
+    for path in values:
+        if not re.fullmatch(r"[^:=]+(:[^:=]+)+", path):
+            raise Problem(f"{where} > {path}: is no path of a scene's parameter; write Section:Parameter, "
+                          "such as Domain:Cell Size.")
+    merged = dict(study, **own)
+    scene = read_scene(read_text(merged, "Scene", where if "Scene" in own else "Study"), study_path, where)
+    quantity = read_text(merged, "Error Of", where if "Error Of" in own else "Study")
+    reference = read_number(merged, "Reference Value", where if "Reference Value" in own else "Study")
+    if reference is None:
+        raise Problem("Study > Reference Value: is missing; write the exact answer for Error Of as a double.")
+    rows = combine(values, own.get("Combine", "Zip"), where)
+    runs = [Run(element.get("name"), scene, row, quantity, reference) for row in rows]
+    return runs, [path for path, value in values.items() if isinstance(value, list)]
+
+
+def read_study(path):
+    """A study from its file; throws a Problem with one sentence for any mistake in it."""
+    if not os.path.exists(path):
+        raise Problem(f"there is no file {path}; give the XML file of a study.")
+    try:
+        root = ElementTree.parse(path).getroot()
+    except ElementTree.ParseError as error:
+        raise Problem(f"{path} is no XML, or it is cut off ({error}).")
+    except OSError as error:
+        raise Problem(f"{path} can't be read ({error.strerror}).")
+    if root.tag != "ParameterList" or root.get("name") != "Study":
+        raise Problem(f"{path} is no study: its top must be <ParameterList name=\"Study\">; --help shows the format.")
+    values, sweep = {}, None
+    for child in root:
+        name = name_of(child, "Study")
+        if name not in STUDY_NAMES:
+            near = difflib.get_close_matches(name, STUDY_NAMES, 1)
+            raise Problem(f"Study > {name}: is unknown; " + (f"write {near[0]}." if near else
+                          f"a study has {', '.join(STUDY_NAMES)}."))
+        if name == "Sweep":
+            sweep = child
+        else:
+            values[name] = read_value(child, f"Study > {name}")
+    if sweep is None or len(sweep) == 0:
+        raise Problem("Study > Sweep: is missing or empty; it holds a list of settings for every family of runs.")
+    runs, swept, seen = [], [], set()
+    for element in sweep:
+        name = name_of(element, "Sweep")
+        if element.tag != "ParameterList":
+            raise Problem(f"Sweep > {name}: is no list; put the settings into <ParameterList name=\"a family\">.")
+        if name in seen:
+            raise Problem(f"Sweep > {name}: two families have this name.")
+        seen.add(name)
+        more, paths = read_family(element, values, path)
+        runs += more
+        swept += [p for p in paths if p not in swept]
+    return Study(path, values.get("Title") or os.path.splitext(os.path.basename(path))[0], runs, swept)

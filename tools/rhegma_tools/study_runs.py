@@ -1,0 +1,164 @@
+"""Runs the scenes of a study, one after the other so that their times compare, and collects what they give."""
+
+import csv
+import hashlib
+import json
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+from .interpreter import Problem
+from .summary import look_up, read_summary
+
+RECORD = "study_run.json"  # in a run's folder: what was run, so that it needn't be run again
+GOOD = (0, 4)  # exit statuses of a finished run; 4: a reference of the scene itself was missed
+
+
+class Outcome:
+    """What a run gave. value, error, wall_seconds and particle_steps are None where it failed."""
+
+    def __init__(self, run, folder, status):
+        self.run = run
+        self.folder = folder
+        self.status = status
+        self.value = self.error = self.wall_seconds = self.particle_steps = None
+
+    @property
+    def good(self):
+        return self.error is not None
+
+
+def find_program(given):
+    """The rhegma to run: the one given, else that on the PATH, else that of the build beside this tool."""
+    beside = os.path.join(os.path.dirname(os.path.realpath(sys.argv[0])), "..", "build", "rhegma")
+    program = given or shutil.which("rhegma") or beside
+    if not (os.path.isfile(program) and os.access(program, os.X_OK)):
+        raise Problem(
+            f"there is no program {program}; give rhegma's path with --rhegma."
+            if given
+            else "rhegma is neither on the PATH nor built beside this tool; give its path with --rhegma."
+        )
+    return os.path.abspath(program)
+
+
+def plain(text):
+    return re.sub(r"[^A-Za-z0-9.+-]+", "-", text).strip("-") or "x"
+
+
+def run_folder(output, run):
+    """A folder that follows from the run alone: its family, its values and a digest that tells like ones apart."""
+    digest = hashlib.sha256(json.dumps([run.scene, sorted(run.settings.items())]).encode()).hexdigest()[:8]
+    values = "_".join(plain(f"{path.split(':')[-1]}-{value}") for path, value in run.settings.items())[:80]
+    return os.path.join(output, plain(run.family), f"{values}_{digest}" if values else digest)
+
+
+def record_of(run, launcher):
+    with open(run.scene, "rb") as file:
+        digest = hashlib.sha256(file.read()).hexdigest()
+    return {"scene": run.scene, "scene_sha256": digest, "settings": run.settings, "launcher": launcher}
+
+
+def done_before(folder, record):
+    """The exit status of the same run if the folder holds it whole; else None."""
+    try:
+        with open(os.path.join(folder, RECORD), encoding="utf-8") as file:
+            found = json.load(file)
+    except (OSError, ValueError):
+        return None
+    status = found.pop("exit", None) if isinstance(found, dict) else None
+    finished = os.path.exists(os.path.join(folder, "summary.json"))
+    return status if found == record and status in GOOD and finished else None
+
+
+def command_of(run, folder, program, launcher):
+    command = [*launcher, program, run.scene, "--output", folder]
+    for path, value in run.settings.items():
+        command += ["--set", f"{path}={value}"]
+    return command
+
+
+def execute(run, folder, program, launcher):
+    """Runs a scene; its words go to rhegma.log in its folder. Returns the exit status."""
+    record = record_of(run, launcher)
+    os.makedirs(folder, exist_ok=True)
+    for name in ("summary.json", RECORD):  # of an older run; must not pass for this one's
+        if os.path.exists(os.path.join(folder, name)):
+            os.remove(os.path.join(folder, name))
+    with open(os.path.join(folder, "rhegma.log"), "w", encoding="utf-8") as log:
+        try:
+            status = subprocess.run(command_of(run, folder, program, launcher), stdout=log, stderr=log).returncode
+        except OSError as error:
+            raise Problem(f"{(launcher or [program])[0]} can't be started ({error.strerror}).")
+    with open(os.path.join(folder, RECORD), "w", encoding="utf-8") as file:
+        json.dump(dict(record, exit=status), file, indent=1)
+    return status
+
+
+def measure(run, folder, status):
+    """The outcome of a run in its folder."""
+    outcome = Outcome(run, folder, status)
+    if status not in GOOD:
+        return outcome
+    summary = read_summary(folder)
+    if summary is None:
+        raise Problem(f"{folder} has no summary.json although the run finished.")
+    value = look_up(summary, run.quantity)
+    if not math.isfinite(value):
+        return outcome
+    outcome.value = value
+    deviation = abs(outcome.value - run.reference)
+    outcome.error = deviation / abs(run.reference) if run.reference != 0.0 else deviation
+    outcome.wall_seconds = look_up(summary, "wall_seconds")
+    outcome.particle_steps = round(look_up(summary, "particle_steps"))
+    return outcome
+
+
+def last_words(folder):
+    """The last line that a failed run wrote."""
+    try:
+        with open(os.path.join(folder, "rhegma.log"), encoding="utf-8", errors="replace") as file:
+            lines = [line.strip() for line in file if line.strip()]
+    except OSError:
+        return ""
+    return lines[-1] if lines else ""
+
+
+def run_all(study, output, program, launcher, again, say):
+    """Outcomes of all runs, in order; those that were done before are only read, unless all shall run again."""
+    outcomes = []
+    for number, run in enumerate(study.runs, start=1):
+        folder = run_folder(output, run)
+        values = ", ".join(f"{path} = {value}" for path, value in run.settings.items())
+        head = f"[{number}/{len(study.runs)}] {run.family}: {values}"
+        status = None if again else done_before(folder, record_of(run, launcher))
+        before = status is not None
+        if not before:
+            status = execute(run, folder, program, launcher)
+        outcome = measure(run, folder, status)
+        if outcome.good:
+            say(f"{head}: error {outcome.error:.3g}, {outcome.wall_seconds:.3g} s{' (done before)' if before else ''}")
+        else:
+            why = f"{run.quantity} is not finite" if status in GOOD else last_words(folder)
+            say(f"{head}: failed with status {status}: {why}")
+        outcomes.append(outcome)
+    return outcomes
+
+
+def write_table(study, outcomes, path):
+    """study.csv: a row for every run; the fields of what a failed run did not give are empty."""
+    paths = list(dict.fromkeys(p for run in study.runs for p in run.settings))
+    temporary = path + ".part"
+    try:
+        with open(temporary, "w", newline="", encoding="utf-8") as file:
+            rows = csv.writer(file)
+            rows.writerow(["family", *paths, "value", "error", "wall_seconds", "particle_steps", "exit", "path"])
+            for o in outcomes:
+                numbers = [o.value, o.error, o.wall_seconds, o.particle_steps]
+                rows.writerow([o.run.family, *(o.run.settings.get(p, "") for p in paths),
+                               *("" if n is None else repr(n) for n in numbers), o.status, o.folder])
+        os.replace(temporary, path)
+    except OSError as error:
+        raise Problem(f"{path} can't be written ({error.strerror}).")

@@ -1,0 +1,49 @@
+"""Reads summary.json."""
+
+import json
+import os
+
+from .interpreter import Problem
+
+
+def read_summary(folder):
+    """The summary of a run, or None where the run left none."""
+    path = os.path.join(folder, "summary.json")
+    if not os.path.exists(path):
+        return None
+    try:
+        with open(path, encoding="utf-8") as file:
+            summary = json.load(file)
+    except (OSError, ValueError) as error:
+        raise Problem(f"{path} can't be read ({error}); the run may have been cut off, so run the scene again.")
+    if not isinstance(summary, dict):
+        raise Problem(f"{path} is no summary of a run: it must hold one JSON object.")
+    return summary
+
+
+def look_up(summary, quantity):
+    """The number at a path such as cracks.0.fronts.0.G_J; an entry of a list by index or by its name.
+
+    NaN where the run wrote null, which stands for a number that is not finite."""
+    value = summary
+    done = []
+    for step in quantity.split("."):
+        if isinstance(value, list):
+            named = [entry for entry in value if isinstance(entry, dict) and entry.get("name") == step]
+            if step.isdigit() and int(step) < len(value):
+                value = value[int(step)]
+            elif named:
+                value = named[0]
+            else:
+                raise Problem(f"the summary has no {quantity}: {'.'.join(done)} has {len(value)} entries, not {step}.")
+        elif isinstance(value, dict) and step in value:
+            value = value[step]
+        else:
+            names = ", ".join(value) if isinstance(value, dict) else "one value"
+            raise Problem(f"the summary has no {quantity}: {'.'.join(done) or 'it'} holds {names}.")
+        done.append(step)
+    if value is None:
+        return float("nan")
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        raise Problem(f"{quantity} in the summary is no number.")
+    return float(value)
