@@ -1,0 +1,73 @@
+# Tests of two kinds: folders of unit tests, and scenes that the program runs.
+
+find_package(GTest REQUIRED)
+find_package(Threads REQUIRED)
+
+set(RHEGMA_TEST_THREADS 2 CACHE STRING "Threads of a test where the back end has threads")
+set(RHEGMA_TEST_ENVIRONMENT OMP_PROC_BIND=false OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1)
+if(RHEGMA_BACKEND STREQUAL openmp)
+  list(APPEND RHEGMA_TEST_ENVIRONMENT OMP_NUM_THREADS=${RHEGMA_TEST_THREADS})
+  set(RHEGMA_TEST_PROCESSORS ${RHEGMA_TEST_THREADS})
+else()
+  set(RHEGMA_TEST_PROCESSORS 1)
+endif()
+
+# rhegma_set_test(NAME label LABEL timeout SECONDS): what all tests have in common.
+function(rhegma_set_test name label timeout)
+  set_tests_properties(${name} PROPERTIES LABELS ${label} TIMEOUT ${timeout}
+    PROCESSORS ${RHEGMA_TEST_PROCESSORS} ENVIRONMENT "${RHEGMA_TEST_ENVIRONMENT}")
+endfunction()
+
+# One program of all tst*.cpp of one folder of unit_tests: src/state becomes test_src_state.
+function(rhegma_add_unit_tests folder)
+  string(REPLACE "/" "_" name "test_${folder}")
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
+  add_executable(${name} ${sources} ${CMAKE_CURRENT_SOURCE_DIR}/main.cpp)
+  rhegma_compile_options(${name})
+  target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
+  target_link_libraries(${name} PRIVATE Rhegma::rhegma GTest::gtest Threads::Threads)
+  target_compile_definitions(${name} PRIVATE RHEGMA_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  if(TARGET rhegma_program)
+    target_compile_definitions(${name} PRIVATE RHEGMA_PROGRAM="$<TARGET_FILE:rhegma_program>")
+    add_dependencies(${name} rhegma_program)
+  endif()
+  add_test(NAME unit.${folder} COMMAND ${name})
+  rhegma_set_test(unit.${folder} unit 900)
+endfunction()
+
+# An interpreter that can read and draw a run, for the tools and their tests; empty if there is none.
+set(RHEGMA_PYTHON $ENV{RHEGMA_PYTHON} CACHE FILEPATH "python3 with numpy, h5py and matplotlib")
+if(NOT RHEGMA_PYTHON)
+  foreach(python python3 /usr/bin/python3)
+    execute_process(COMMAND ${python} -c "import h5py, matplotlib, numpy" RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
+    if(status EQUAL 0)
+      set_property(CACHE RHEGMA_PYTHON PROPERTY VALUE ${python})
+      break()
+    endif()
+  endforeach()
+endif()
+
+# One test of a tool: a file tst*.py or test_*.py, run by itself; the exit status tells.
+function(rhegma_add_python_test file)
+  get_filename_component(name ${file} NAME_WE)
+  get_filename_component(folder ${file} DIRECTORY)
+  if(NOT RHEGMA_PYTHON)
+    message(STATUS "no python3 with numpy, h5py and matplotlib: without the test of ${file}")
+    return()
+  endif()
+  add_test(NAME unit.${folder}.${name} COMMAND ${RHEGMA_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/${file})
+  rhegma_set_test(unit.${folder}.${name} unit 300)
+  set_property(TEST unit.${folder}.${name} APPEND PROPERTY ENVIRONMENT PYTHONDONTWRITEBYTECODE=1 MPLBACKEND=Agg
+    RHEGMA_SOURCE_DIR=${PROJECT_SOURCE_DIR})
+  if(TARGET rhegma_program)
+    set_property(TEST unit.${folder}.${name} APPEND PROPERTY ENVIRONMENT RHEGMA_PROGRAM=$<TARGET_FILE:rhegma_program>)
+  endif()
+endfunction()
+
+# One test that runs a scene; the program's exit status 4 (a reference was missed) fails it like any other.
+function(rhegma_add_scene_test scene label)
+  get_filename_component(name ${scene} NAME_WE)
+  add_test(NAME ${label}.${name}
+    COMMAND rhegma_program ${scene} --output ${PROJECT_BINARY_DIR}/scenes/${name})
+  rhegma_set_test(${label}.${name} ${label} 1200)
+endfunction()

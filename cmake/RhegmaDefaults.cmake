@@ -1,0 +1,32 @@
+# How every target of this project is compiled. Targets ask for it with rhegma_compile_options(NAME).
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Release, RelWithDebInfo or Debug" FORCE)
+endif()
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+find_program(RHEGMA_CCACHE ccache)
+if(RHEGMA_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${RHEGMA_CCACHE})
+endif()
+
+include(CheckCXXCompilerFlag)
+check_cxx_compiler_flag(-march=native RHEGMA_HAS_MARCH_NATIVE)
+
+# Results stay those of IEEE arithmetic (no -ffast-math): the two flags below only give up errno and floating-point
+# traps, which nothing here reads and which keep loops with sqrt or a division from being vectorised.
+# GCC's two warnings that are off come from its optimiser and are wrong where it inlines a null pointer that is never
+# used (no history of a material) or the allocator of std::vector (seen with GCC 12).
+function(rhegma_compile_options target)
+  target_compile_features(${target} PUBLIC cxx_std_17)
+  target_compile_options(${target} PRIVATE
+    -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual
+    -fno-math-errno -fno-trapping-math
+    $<$<CONFIG:Release>:-O3>
+    $<$<CXX_COMPILER_ID:GNU>:-Wno-array-bounds -Wno-free-nonheap-object>
+    $<$<BOOL:${RHEGMA_WARNINGS_AS_ERRORS}>:-Werror>)
+  if(RHEGMA_NATIVE AND RHEGMA_HAS_MARCH_NATIVE)
+    target_compile_options(${target} PRIVATE -march=native)
+  endif()
+endfunction()

@@ -1,0 +1,41 @@
+# Finds Trilinos and gives one target, Rhegma::Trilinos, for all versions from 13.2 (plain library names and variables)
+# to 16 (namespaced targets).
+#
+#   RHEGMA_TRILINOS   folder of the user's own Trilinos; Trilinos_ROOT and Trilinos_DIR work too
+#   RHEGMA_BACKEND    what was found: openmp or serial
+
+set(RHEGMA_TRILINOS "" CACHE PATH "Folder where Trilinos is installed; empty: the system's")
+set(RHEGMA_TRILINOS_PACKAGES Kokkos Teuchos)
+
+if(RHEGMA_TRILINOS)
+  set(Trilinos_ROOT ${RHEGMA_TRILINOS})
+endif()
+find_package(MPI REQUIRED COMPONENTS C CXX)
+
+# Kokkos of Trilinos 13.2 warns that it turns off compiler extensions, which are off here anyway.
+set(CMAKE_CXX_STANDARD 17)
+find_package(Trilinos REQUIRED COMPONENTS ${RHEGMA_TRILINOS_PACKAGES})
+unset(CMAKE_CXX_STANDARD)
+
+add_library(Rhegma::Trilinos INTERFACE IMPORTED)
+foreach(package ${RHEGMA_TRILINOS_PACKAGES})
+  if(TARGET ${package}::all_libs)
+    target_link_libraries(Rhegma::Trilinos INTERFACE ${package}::all_libs)
+  else()
+    target_link_libraries(Rhegma::Trilinos INTERFACE ${${package}_LIBRARIES} ${${package}_TPL_LIBRARIES})
+    foreach(folder ${${package}_INCLUDE_DIRS} ${${package}_TPL_INCLUDE_DIRS})
+      get_filename_component(folder ${folder} ABSOLUTE)
+      target_include_directories(Rhegma::Trilinos SYSTEM INTERFACE ${folder})
+    endforeach()
+  endif()
+endforeach()
+target_link_libraries(Rhegma::Trilinos INTERFACE MPI::MPI_CXX)
+
+if("OPENMP" IN_LIST Kokkos_DEVICES)
+  set(RHEGMA_BACKEND openmp)
+  find_package(OpenMP REQUIRED COMPONENTS CXX)
+  target_link_libraries(Rhegma::Trilinos INTERFACE OpenMP::OpenMP_CXX)
+else()
+  set(RHEGMA_BACKEND serial)
+endif()
+message(STATUS "Trilinos ${Trilinos_VERSION} (${RHEGMA_BACKEND}): ${Trilinos_DIR}")
