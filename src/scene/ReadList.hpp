@@ -16,7 +16,7 @@ namespace Rhegma
 template <int D>
 Vector<D> readVector(const Teuchos::ParameterList& list, const std::string& name)
 {
-  const auto values = list.get<Teuchos::Array<double>>(name);
+  const auto& values = list.get<Teuchos::Array<double>>(name);
   Vector<D> v;
   for (int d = 0; d < D; ++d)
     v[d] = values[d];
