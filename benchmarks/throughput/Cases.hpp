@@ -1,0 +1,34 @@
+#pragma once
+/// The bodies whose steps are timed.
+
+#include <Teuchos_ParameterList.hpp>
+#include <Teuchos_RCP.hpp>
+
+#include <string>
+#include <vector>
+
+namespace Rhegma::benchmarks
+{
+
+/// One scene and the bars that its step is held against.
+struct Case
+{
+  std::string name;
+  int dimension;
+  bool gimp;
+  bool crack;            ///< a short crack in a corner of the body, far from nearly all particles
+  double boundBytes;     ///< that a particle-step has to move
+  double allowed;        ///< multiple of the bandwidth bound on two threads
+  std::string compareTo; ///< the same body without the crack; empty without one
+};
+
+/// All cases. The bound is the time that 288 bytes (2D) or 472 bytes (3D) take at the bandwidth of the triad:
+/// what the passes of a MUSL step read and write of a particle's position, velocity, mass, volume, stress and
+/// deformation gradient.
+const std::vector<Case>& allCases();
+
+/// The scene of a case: an elastic box that turns slowly as it flies.
+/// \param particles about how many it has; exactly 200,000 (2D) and 300,000 (3D) if asked for
+Teuchos::RCP<Teuchos::ParameterList> makeScene(const Case& which, int particles);
+
+} // namespace Rhegma::benchmarks
