@@ -31,6 +31,7 @@ public:
     double time = 0.0;
     long steps = 0;
     bool settled = false;
+    bool ended = false;
     int particles = 0;
     double particleSteps = 0.0;
   };
@@ -67,10 +68,10 @@ public:
   void advance(double until) override
   {
     State<D>& state = run_.state();
-    while (state.time < until && !(state.settled && state.stopWhenSettled))
+    while (state.time < until && !state.ended())
     {
       const double dt = run_.stableTimeStep();
-      const bool ends = state.time + dt >= until;
+      const bool ends = state.time + dt >= until || state.step + 1 >= state.maximumSteps;
       const bool sample = interval > 0.0 && (ends || state.time + dt >= next_);
       run_.step(until, sample);
       if (sample)
@@ -122,7 +123,8 @@ public:
   Progress progress() const override
   {
     const State<D>& state = run_.state();
-    return {state.time, state.step, state.settled, state.particles.size(), state.particleSteps};
+    return {state.time,         state.step, state.settled, state.ended(), state.particles.size(),
+            state.particleSteps};
   }
 
 private:
@@ -175,6 +177,7 @@ const Simulation::Row& Simulation::observe() const { return engine_->last; }
 double Simulation::time() const { return engine_->progress().time; }
 long Simulation::steps() const { return engine_->progress().steps; }
 bool Simulation::settled() const { return engine_->progress().settled; }
+bool Simulation::ended() const { return engine_->progress().ended; }
 int Simulation::particles() const { return engine_->progress().particles; }
 double Simulation::particleSteps() const { return engine_->progress().particleSteps; }
 std::vector<std::string> Simulation::effects() const { return engine_->effects(); }

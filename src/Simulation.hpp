@@ -39,7 +39,7 @@ public:
   /// The time step that the state allows now [s].
   double stableTimeStep() const;
 
-  /// Runs to a time [s] in stable steps, or to where the run has settled if the scene says so.
+  /// Runs to a time [s] in stable steps, or to where the scene has the run end (`ended()`).
   void advance(double time);
 
   /// Samples at the end of the next step taken and calls `observer` with the row; used by advance().
@@ -54,7 +54,11 @@ public:
 
   double time() const;
   long steps() const;
+  /// Whether the run is at rest, by Damping > Settled Energy Ratio and Settled Drift.
   bool settled() const;
+  /// Whether the scene has the run end here, whatever time it is: at rest with Damping > Stop When Settled,
+  /// or after Time > Maximum Steps. advance() then does nothing.
+  bool ended() const;
   int particles() const;
   double particleSteps() const;
   std::vector<std::string> effects() const;

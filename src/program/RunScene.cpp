@@ -83,7 +83,7 @@ public:
         output.isParameter("Field Interval") ? output.get<double>("Field Interval") : finalTime_;
     if (fields && output.isParameter("Field Interval"))
       simulation_.writeFields(folder_);
-    for (int k = 1; simulation_.time() < finalTime_ && !over(); ++k)
+    for (int k = 1; simulation_.time() < finalTime_ && !simulation_.ended(); ++k)
     {
       simulation_.advance(std::min(k * interval, finalTime_));
       if (fields)
@@ -94,12 +94,6 @@ public:
   }
 
 private:
-  bool over() const { return simulation_.settled() && stopsWhenSettled(); }
-  bool stopsWhenSettled() const
-  {
-    return scene_.isSublist("Damping") && scene_.sublist("Damping").get<bool>("Stop When Settled");
-  }
-
   std::string folder_;
   const Teuchos::ParameterList& scene_;
   Simulation& simulation_;

@@ -153,7 +153,9 @@ Section reference()
       .notEmpty()
       .meaning("Path in summary.json, such as cracks.0.fronts.0.G_J or energy.kinetic.");
   entry.real("Value").meaning("What it should be, in the unit of the quantity.");
-  entry.real("Tolerance").positive().meaning("Largest relative difference.");
+  entry.real("Tolerance")
+      .positive()
+      .meaning("Largest relative difference; where Value is 0, the largest absolute one.");
   entry.text("Source").notEmpty().meaning("Where the value comes from.");
 
   Section s("Reference", "Values with which the run is compared at its end, so that a scene tests itself.");

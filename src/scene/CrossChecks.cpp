@@ -66,8 +66,6 @@ public:
             [this](const ParameterList& body, const std::string& where) { this->body(body, where); });
     forEach("Boundaries", [this](const ParameterList& boundary, const std::string& where)
             { this->boundary(boundary, where); });
-    forEach("Reference",
-            [this](const ParameterList& entry, const std::string& where) { this->reference(entry, where); });
     if (m_scene.isSublist("Output") && m_scene.isSublist("Time"))
       output(m_scene.sublist("Output"), m_scene.sublist("Time"));
   }
@@ -299,14 +297,6 @@ private:
         return;
       }
     }
-  }
-
-  void reference(const ParameterList& entry, const std::string& where)
-  {
-    if (real(entry, "Value") == 0.0)
-      report(scenePath(where, "Value"),
-             "is 0, from which no relative difference can be told; compare a quantity that "
-             "is not zero.");
   }
 
   void output(const ParameterList& output, const ParameterList& time)

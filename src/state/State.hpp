@@ -12,6 +12,7 @@
 #include "transfer/StencilTable.hpp"
 
 #include <functional>
+#include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
@@ -96,10 +97,11 @@ struct State
   double time = 0.0;
   double dt = 0.0;
   long step = 0;
-  double fastest = 0.0;   ///< largest wave speed plus particle speed [m/s]
-  bool observing = false; ///< a sample is taken at the end of this step
-  bool sorted = false;    ///< false: sort before the next step
-  View<int*> indexOf;     ///< index of the particle with each id; renewed by every sort
+  long maximumSteps = std::numeric_limits<long>::max(); ///< the run ends after them, if not before
+  double fastest = 0.0;                                 ///< largest wave speed plus particle speed [m/s]
+  bool observing = false;                               ///< a sample is taken at the end of this step
+  bool sorted = false;                                  ///< false: sort before the next step
+  View<int*> indexOf; ///< index of the particle with each id; renewed by every sort
   double particleSteps = 0.0;
 
   EnergyLedger energy;
@@ -107,6 +109,8 @@ struct State
   HistoryRow row; ///< filled by the Observe stage
   bool settled = false;
   bool stopWhenSettled = false;
+  /// Whether the scene has the run end here, before its final time.
+  bool ended() const { return (settled && stopWhenSettled) || step >= maximumSteps; }
   std::string trouble; ///< why the run can't go on; empty while it can
   std::vector<std::string> warnings;
 };

@@ -36,6 +36,7 @@ void readMethod(const Teuchos::ParameterList& scene, State<D>& state)
                                    : UpdateScheme::Musl;
   state.cfl = time.get<double>("CFL");
   state.picFraction = time.get<double>("PIC Fraction");
+  state.maximumSteps = time.get<int>("Maximum Steps");
   state.grid = makeGrid<D>(readVector<D>(domain, "Lower Corner"), readVector<D>(domain, "Upper Corner"),
                            domain.get<double>("Cell Size"));
 }

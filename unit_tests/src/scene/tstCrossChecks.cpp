@@ -164,14 +164,15 @@ TEST(SceneCrossChecks, RubberThatIsTooCompressible)
   expectMistake(rubber("7.9"), "Materials > Steel > Bulk Modulus", {"7.9", "8"});
 }
 
-TEST(SceneCrossChecks, ReferenceOfZero)
+/// Its tolerance is absolute (References.OfZeroAreAbsolute).
+TEST(SceneCrossChecks, ReferenceOfZeroIsAllowed)
 {
-  expectMistake(
-      with("Rhegma", "<ParameterList name=\"Reference\"><ParameterList name=\"E\">" +
-                         parameter("Quantity", "string", "energy.kinetic") +
-                         parameter("Value", "double", "0") + parameter("Tolerance", "double", "0.01") +
-                         parameter("Source", "string", "by hand") + "</ParameterList></ParameterList>"),
-      "Reference > E > Value", {"is 0", "relative"});
+  const SceneResult result =
+      read(with("Rhegma", "<ParameterList name=\"Reference\"><ParameterList name=\"E\">" +
+                              parameter("Quantity", "string", "energy.kinetic") +
+                              parameter("Value", "double", "0") + parameter("Tolerance", "double", "0.01") +
+                              parameter("Source", "string", "by hand") + "</ParameterList></ParameterList>"));
+  EXPECT_TRUE(result.errors.empty());
 }
 
 TEST(SceneCrossChecks, OfAnEffectSeeDefaultsAndAddErrors)

@@ -1,0 +1,64 @@
+/// Where a run ends.
+
+#include "Simulation.hpp"
+#include "scene/Scene.hpp"
+#include "step/EffectSchema.hpp"
+
+#include <Teuchos_DefaultMpiComm.hpp>
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+using namespace Rhegma;
+
+namespace
+{
+
+Simulation beam(const std::vector<std::string>& overrides)
+{
+  const SceneResult result =
+      readScene(std::string(RHEGMA_SOURCE_DIR) + "/xml_inputs/examples/dcb.xml", overrides, effectSchema());
+  for (const SceneError& error : result.errors)
+    ADD_FAILURE() << toString(error);
+  Simulation simulation(Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD)), result.list);
+  simulation.initialize();
+  return simulation;
+}
+
+} // namespace
+
+TEST(Simulation, EndsAfterTheMaximumOfSteps)
+{
+  Simulation simulation = beam({"Time:Maximum Steps=7"});
+  int samples = 0;
+  simulation.sampleEvery(1.0, [&samples](double, const Simulation::Row&) { ++samples; });
+  simulation.advance(2.0e-6);
+  EXPECT_FALSE(simulation.ended());
+  simulation.advance(8.0e-3);
+  EXPECT_TRUE(simulation.ended());
+  EXPECT_FALSE(simulation.settled());
+  EXPECT_EQ(simulation.steps(), 7);
+  EXPECT_LT(simulation.time(), 8.0e-3);
+  // After the first step, where the first advance ended, and at the end.
+  EXPECT_EQ(samples, 3);
+  simulation.advance(8.0e-3);
+  EXPECT_EQ(simulation.steps(), 7);
+}
+
+/// Tolerances that any sample meets: settled as soon as there are two. The run ends there only if the scene
+/// says so.
+TEST(Simulation, EndsAtRestWhereTheSceneSaysSo)
+{
+  for (const std::string stop : {"true", "false"})
+  {
+    Simulation simulation = beam({"Damping:Settled Energy Ratio=1e300", "Damping:Settled Drift=1e300",
+                                  "Damping:Settled Samples=2", "Damping:Stop When Settled=" + stop});
+    simulation.sampleEvery(1.0e-5, [](double, const Simulation::Row&) {});
+    simulation.advance(1.0e-4);
+    EXPECT_TRUE(simulation.settled());
+    EXPECT_EQ(simulation.ended(), stop == "true");
+    EXPECT_EQ(simulation.time() == 1.0e-4, stop == "false") << simulation.time();
+  }
+}
