@@ -14,7 +14,8 @@ namespace Rhegma
 ///
 ///     particles/  position, displacement [m], velocity [m/s] (n,3); stress (n,6) Cauchy xx yy zz xy yz xz
 ///     [Pa];
-///                 von_mises (n) [Pa]; mass (n) [kg]; edge (n) first undeformed edge [m]; body, material (n)
+///                 von_mises (n) [Pa]; mass (n) [kg]; edge (n) first undeformed edge [m]; deformation (n,9) F
+///                 row by row; edges (n,9) undeformed edge vectors one after another [m]; body, material (n)
 ///                 int; the fields of effects under their names with _ for spaces
 ///     leaves/     points (m,3), cells (k,4 or 8): the cells that hold particles
 ///     cracks/     points (v,3) midway between the faces, opening (v,3) from face -1 to face +1 [m],

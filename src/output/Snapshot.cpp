@@ -93,6 +93,38 @@ void addStress(const View<double* [7]>& device, Mesh& mesh)
   mesh.data.push_back(std::move(vonMises));
 }
 
+/// F row by row, nine columns.
+template <int D>
+DataSet deformationGradients(const FieldTable& particles)
+{
+  const auto F = onHost(particles.real<gradientSize<D>>(fields::deformation));
+  DataSet set{"deformation", Role::OnPoints, 9, false, std::vector<double>(9 * F.extent(0), 0.0), {}};
+  for (std::size_t p = 0; p < F.extent(0); ++p)
+  {
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j)
+        set.real[9 * p + 3 * i + j] = F(p, i * D + j);
+    if (D == 2)
+      set.real[9 * p + 8] = F(p, 4);
+  }
+  return set;
+}
+
+/// Undeformed edge vectors of each particle, one after another, nine columns [m]; zero out of the plane. With
+/// F they are the particle's box as it is now.
+template <int D>
+DataSet edgeVectors(const State<D>& state)
+{
+  const auto length = onHost(state.particles.template real<D>(fields::edge));
+  const auto body = onHost(state.particles.integer(fields::body));
+  DataSet set{"edges", Role::OnPoints, 9, false, std::vector<double>(9 * length.extent(0), 0.0), {}};
+  for (std::size_t p = 0; p < length.extent(0); ++p)
+    for (int e = 0; e < D; ++e)
+      for (int d = 0; d < D; ++d)
+        set.real[9 * p + 3 * e + d] = length(p, e) * state.bodies[body(p)].axes[e][d];
+  return set;
+}
+
 /// A field's name as a name in the file.
 std::string fileName(std::string name)
 {
@@ -114,8 +146,9 @@ bool isCoreField(const std::string& name)
 }
 
 template <int D>
-Mesh particleMesh(const FieldTable& particles)
+Mesh particleMesh(const State<D>& state)
 {
+  const FieldTable& particles = state.particles;
   const std::size_t n = particles.size();
   const auto position = onHost(particles.real<D>(fields::position));
   const auto reference = onHost(particles.real<D>(fields::reference));
@@ -138,6 +171,8 @@ Mesh particleMesh(const FieldTable& particles)
   addStress(cauchyStress<D>(particles), mesh);
   mesh.data.push_back(table("mass", onHost(particles.table(fields::mass))));
   mesh.data.push_back(std::move(firstEdge));
+  mesh.data.push_back(deformationGradients<D>(particles));
+  mesh.data.push_back(edgeVectors(state));
   mesh.data.push_back(numbers("body", onHost(particles.integer(fields::body))));
   mesh.data.push_back(numbers("material", onHost(particles.integer(fields::material))));
   for (const Field& field : particles.fields())
@@ -187,7 +222,7 @@ Snapshot makeSnapshot(const State<D>& state)
 {
   Snapshot snapshot;
   snapshot.time = state.time;
-  snapshot.meshes.push_back(particleMesh<D>(state.particles));
+  snapshot.meshes.push_back(particleMesh(state));
   snapshot.meshes.push_back(cellMesh<D>(state.grid, snapshot.meshes.front().data.front().real));
   if (!state.cracks.empty())
     snapshot.meshes.push_back(crackMesh<D>(state.cracks));

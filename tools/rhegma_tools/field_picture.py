@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import Normalize, TwoSlopeNorm
 
-from . import style
+from . import boxes, style
 from .deformation import automatic_magnification, crack_normals, magnified_faces
 from .style import plt
 
@@ -38,9 +38,13 @@ def choose_view(fields):
     # Of equally thin directions the last, so that x and y are drawn where nothing else decides.
     thinnest = extent[candidates].min()
     normal = [axis for axis in candidates if extent[axis] <= thinnest * (1.0 + 1.0e-6)][-1]
+    # Through the middle of a layer: between two layers that part a little one would see through the body.
+    heights = fields.position[:, normal]
     where = float(middle[normal])
-    if not in_slice(fields, normal, where).any():  # a gap between bodies
-        heights = fields.position[:, normal]
+    layer = in_slice(fields, normal, where) & (heights >= where)
+    if layer.any():
+        where = float(np.median(heights[layer]))
+    else:  # a gap between bodies
         where = float(heights[np.argmin(np.abs(heights - where))])
     return View([axis for axis in range(3) if axis != normal], normal, where)
 
@@ -48,7 +52,7 @@ def choose_view(fields):
 def in_slice(fields, normal, where):
     """Particles whose box the plane cuts; of two layers that touch it, the upper."""
     distance = fields.position[:, normal] - where
-    half = 0.5 * fields.edge
+    half = boxes.reach(fields.boxes(), normal)
     return (distance > -half * (1.0 - 1.0e-6)) & (distance <= half * (1.0 + 1.0e-6))
 
 
@@ -67,10 +71,20 @@ def colour_scale(values):
     return "viridis", Normalize(low, high)
 
 
-def squares(centres, edges):
-    """Corners (n, 4, 2) of squares."""
-    corner = 0.5 * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
-    return centres[:, None, :] + edges[:, None, None] * corner[None, :, :]
+def particle_outlines(fields, view, magnification):
+    """Outlines [(k, 2)] of the particles' own boxes, as they are drawn, and the particles' indices."""
+    everyone = np.arange(len(fields.position))
+    drawn = everyone if view.normal is None else everyone[in_slice(fields, view.normal, view.where)]
+    stride = -(-len(drawn) // MOST)
+    drawn = drawn[::stride]
+    place = fields.position[drawn] + (magnification - 1.0) * fields.displacement[drawn]
+    edges = fields.boxes(drawn, magnification)
+    # Boxes grow a little, so that no white shows where the strain of neighbours differs, the more when magnified.
+    by = np.sqrt(stride) * (1.03 if magnification == 1.0 else 1.08)
+    if view.normal is None:
+        return list(boxes.grown(boxes.parallelograms(place[:, :2], edges[:, :2, :2]), by)), drawn
+    outlines, cut = boxes.cut(fields.position[drawn], fields.boxes(drawn), place, edges, view.normal, view.where)
+    return [boxes.grown(view.flat(outline)[None], by)[0] for outline in outlines], drawn[cut]
 
 
 def crack_segments(crack, faces, view):
@@ -109,8 +123,8 @@ def front_places(fields, faces, summary, view):
     return places
 
 
-def draw_particles(axes, corners, values, colour_map, norm):
-    particles = PolyCollection(corners, array=values, cmap=colour_map, norm=norm, edgecolors="face", linewidths=0.15)
+def draw_particles(axes, outlines, values, colour_map, norm):
+    particles = PolyCollection(outlines, array=values, cmap=colour_map, norm=norm, edgecolors="face", linewidths=0.15)
     particles.set_rasterized(True)
     axes.add_collection(particles)
     axes.set_aspect("equal")
@@ -126,9 +140,7 @@ def draw_crack(axes, segments, places, width):
         axes.plot(*np.array(places).T, ls="none", marker="o", ms=3.2 * width, mfc="white", mec=style.INK, mew=0.9 * width)
 
 
-def limits(axes, corners, factor, margin):
-    low = corners.reshape(-1, 2).min(axis=0)
-    high = corners.reshape(-1, 2).max(axis=0)
+def limits(axes, low, high, margin):
     pad = margin * max(high - low)
     axes.set_xlim((low[0] - pad), (high[0] + pad))
     axes.set_ylim((low[1] - pad), (high[1] + pad))
@@ -151,17 +163,15 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
         magnification = automatic_magnification(fields.position, fields.displacement)
     view = choose_view(fields)
     values = fields.largest_principal_stress() if stress == "principal" else fields.von_mises
-    drawn = np.arange(len(values)) if view.normal is None else np.flatnonzero(in_slice(fields, view.normal, view.where))
-    stride = -(-len(drawn) // MOST)
-    drawn = drawn[::stride]
-    # Squares grow a little, so that no white shows between neighbours that strain, the more when magnified, moves apart.
-    edges = fields.edge[drawn] * np.sqrt(stride) * (1.06 if magnification == 1.0 else 1.15)
-    place = view.flat(fields.position[drawn] + (magnification - 1.0) * fields.displacement[drawn])
-
+    outlines, drawn = particle_outlines(fields, view, magnification)
+    low = np.min([outline.min(axis=0) for outline in outlines], axis=0)
+    high = np.max([outline.max(axis=0) for outline in outlines], axis=0)
+    length_factor, length_unit = style.scale(float(np.max(high - low)), "m")
+    low, high = low * length_factor, high * length_factor
+    outlines = [outline * length_factor for outline in outlines]
     stress_factor, stress_unit = style.scale(float(np.percentile(np.abs(values[drawn]), 99.5)), "Pa")
-    length_factor, length_unit = style.scale(float(np.max(np.ptp(place, axis=0))), "m")
-    colour_map, norm = colour_scale(values[drawn] * stress_factor)
-    corners = squares(place, edges) * length_factor
+    values = values[drawn] * stress_factor
+    colour_map, norm = colour_scale(values)
 
     segments, places = [], []
     if fields.crack is not None:
@@ -177,7 +187,7 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
         heading.append(f"slice at {'xyz'[view.normal]} = {view.where * slice_factor:.3g} {slice_unit}")
     heading.append("true displacement" if magnification == 1.0 else f"displacement × {magnification:,.7g}")
 
-    extent = np.ptp(corners.reshape(-1, 2), axis=0)
+    extent = high - low
     zoom = bool(places)
     tall, size = picture_size(extent, zoom)
     if zoom and tall:
@@ -186,17 +196,17 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
     ratios = {"height_ratios": [max(size[1] - 4.6, 1.2), 3.4]} if rows == 2 else {}
     figure, axes = plt.subplots(rows, columns, figsize=size, squeeze=False, layout="constrained", gridspec_kw=ratios)
     whole = axes.flat[0]
-    particles = draw_particles(whole, corners, values[drawn] * stress_factor, colour_map, norm)
+    particles = draw_particles(whole, outlines, values, colour_map, norm)
     draw_crack(whole, segments, places, 0.9)
-    limits(whole, corners, length_factor, 0.03)
+    limits(whole, low, high, 0.03)
     whole.set_title(title, fontsize=12, pad=22)
     whole.annotate(",   ".join(heading), (0.0, 1.0), (0.0, 8.0), "axes fraction", "offset points", fontsize=10)
     whole.set_xlabel(f"{names[0]} [{length_unit}]")
     whole.set_ylabel(f"{names[1]} [{length_unit}]")
     if zoom:
         close = axes.flat[1]
-        half = max(0.06 * max(extent), 6.0 * float(np.median(edges)) * length_factor)
-        draw_particles(close, corners, values[drawn] * stress_factor, colour_map, norm)
+        half = max(0.06 * max(extent), 6.0 * fields.size * length_factor)
+        draw_particles(close, outlines, values, colour_map, norm)
         draw_crack(close, segments, places, 1.3)
         wide = half if tall else 2.9 * half  # the shape of the panel
         close.set_xlim(places[0][0] - wide, places[0][0] + wide)
@@ -205,9 +215,8 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
                         fontweight="normal", fontsize=10)
         close.set_xlabel(f"{names[0]} [{length_unit}]")
         close.set_ylabel(f"{names[1]} [{length_unit}]")
-    over = values[drawn] * stress_factor
     extend = {(False, False): "neither", (True, False): "min", (False, True): "max", (True, True): "both"}[
-        (bool(over.min() < norm.vmin), bool(over.max() > norm.vmax))
+        (bool(values.min() < norm.vmin), bool(values.max() > norm.vmax))
     ]
     bar = figure.colorbar(particles, ax=list(axes.flat), extend=extend, shrink=0.9, aspect=28, pad=0.02)
     bar.set_label(f"{STRESSES[stress]} [{stress_unit}]")

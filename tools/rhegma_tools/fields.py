@@ -1,4 +1,4 @@
-"""Reads the last written time of fields.h5."""
+"""Reads one written time of fields.h5."""
 
 import os
 
@@ -22,7 +22,8 @@ class Crack:
 
 
 class Fields:
-    """Particles and cracks at one time; arrays as in the file."""
+    """Particles and cracks at one time; arrays as in the file. deformation (n, 3, 3): F; edges (n, 3, 3): the undeformed
+    edge vectors of a particle's box, one a row, in 2D two and a row of zeros [m]."""
 
     def __init__(self, time, particles, crack):
         self.time = time
@@ -30,13 +31,24 @@ class Fields:
         self.displacement = particles["displacement"]
         self.stress = particles["stress"]
         self.von_mises = particles["von_mises"]
-        self.edge = particles["edge"]
+        self.deformation = particles["deformation"].reshape(-1, 3, 3)
+        self.edges = particles["edges"].reshape(-1, 3, 3)
         self.crack = crack
 
     @property
     def dimension(self):
-        """2 where all particles lie in the plane z = 0, else 3."""
-        return 3 if np.any(self.position[:, 2]) or np.any(self.displacement[:, 2]) else 2
+        """2 where the particles' boxes have no extent along z, else 3."""
+        return 3 if np.any(self.edges[:, :, 2]) else 2
+
+    @property
+    def size(self):
+        """A particle's edge [m]: the median."""
+        return float(np.median(np.linalg.norm(self.edges[:, 0], axis=1)))
+
+    def boxes(self, chosen=slice(None), magnification=1.0):
+        """Edge vectors (n, 3, 3) of boxes as they are now, with displacements magnified: (1 + m (F - 1)) E."""
+        change = self.deformation[chosen] - np.eye(3)
+        return self.edges[chosen] + magnification * np.einsum("nij,nej->nei", change, self.edges[chosen])
 
     def largest_principal_stress(self):
         """Largest eigenvalue of every particle's stress [Pa]."""
@@ -54,8 +66,8 @@ def read_crack(group):
     return Crack(points, cells, opening) if cells.size else None
 
 
-def read_fields(folder):
-    """The last fields of a run, or None where the run left none."""
+def read_fields(folder, time=None):
+    """The fields of a run nearest to a time [s], or the last ones, or None where the run left none."""
     path = os.path.join(folder, "fields.h5")
     if not os.path.exists(path):
         return None
@@ -64,15 +76,18 @@ def read_fields(folder):
             times = sorted((name for name in file if name[:1] == "t" and name[1:].isdigit()), key=lambda n: int(n[1:]))
             if not times:
                 raise Problem(f"{path} holds no written time; the run was cut off before its first fields.")
-            last = file[times[-1]]
-            group = last["particles"]
-            names = ["position", "displacement", "stress", "von_mises", "edge"]
+            name = times[-1]
+            if time is not None:
+                name = min(times, key=lambda n: abs(float(file[n].attrs["time"]) - time))
+            chosen = file[name]
+            group = chosen["particles"]
+            names = ["position", "displacement", "stress", "von_mises", "deformation", "edges"]
             particles = {name: np.asarray(group[name], dtype=float) for name in names}
-            fields = Fields(float(last.attrs["time"]), particles, read_crack(last.get("cracks")))
+            fields = Fields(float(chosen.attrs["time"]), particles, read_crack(chosen.get("cracks")))
     except (OSError, KeyError, RuntimeError, ValueError) as error:
         raise Problem(f"{path} can't be read; it is truncated, still being written or not a file of fields ({error}).")
     if fields.position.shape[0] == 0:
-        raise Problem(f"{path} holds no particle at its last time.")
+        raise Problem(f"{path} holds no particle at {fields.time:g} s.")
     if not (np.isfinite(fields.position).all() and np.isfinite(fields.stress).all()):
-        raise Problem(f"{path} holds numbers that are not finite at its last time; the run was unstable.")
+        raise Problem(f"{path} holds numbers that are not finite at {fields.time:g} s; the run was unstable.")
     return fields

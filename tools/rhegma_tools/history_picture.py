@@ -121,9 +121,12 @@ def draw_energies(axes, history, time):
 
 
 def growth(history):
-    """[(front, growth since the start [m])] of the fronts that have moved."""
+    """[(front, growth since the start [m])] of the fronts that have run. A crack that is only stretched has no speed."""
     moved = []
     for front in history.fronts:
+        speed = history.of_front(front, "speed")
+        if speed is not None and finite_maximum([speed]) == 0.0:
+            continue
         length = history.of_front(front, "length")
         if length is not None and np.isfinite(length).any():
             start = length[np.isfinite(length)][0]

@@ -36,8 +36,10 @@ def write_fields(folder, times):
 
 
 def particles(start, displacement, stress, edge, body=None):
-    """All particle fields from starting places, displacements, stresses (n, 6) and the edge."""
+    """All particle fields from starting places, displacements, stresses (n, 6) and the edge; boxes are undeformed. 2D
+    where all start at z = 0."""
     n = len(start)
+    flat = n > 0 and not np.any(start[:, 2])
     xx, yy, zz, xy, yz, xz = np.asarray(stress).T
     mises = np.sqrt(0.5 * ((xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2) + 3 * (xy**2 + yz**2 + xz**2))
     return {
@@ -48,6 +50,8 @@ def particles(start, displacement, stress, edge, body=None):
         "von_mises": mises,
         "mass": np.ones(n),
         "edge": np.full(n, edge),
+        "deformation": np.tile(np.eye(3).ravel(), (n, 1)),
+        "edges": np.tile(edge * np.diag([1.0, 1.0, 0.0 if flat else 1.0]).ravel(), (n, 1)),
         "body": np.zeros(n, int) if body is None else body,
         "material": np.zeros(n, int),
     }

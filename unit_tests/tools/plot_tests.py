@@ -8,6 +8,7 @@ from tool import ToolTest, picture_size, run  # first, as it finds the Python fo
 import made_up_run
 import numpy as np
 
+from rhegma_tools.boxes import cut, parallelograms
 from rhegma_tools.deformation import automatic_magnification, crack_displacement, magnified_faces
 from rhegma_tools.field_picture import choose_view, colour_scale, crack_segments, in_slice
 from rhegma_tools.fields import Crack, read_fields
@@ -53,6 +54,7 @@ class Plot(ToolTest):
         self.assert_complains(run("rhegma-plot", self.folder), "neither history.csv nor fields.h5")
         self.assert_complains(run("rhegma-plot", self.write("file", "")), "is no folder")
         self.assert_complains(run("rhegma-plot", self.folder, "--magnify", "0"), "--magnify", "positive")
+        self.assert_complains(run("rhegma-plot", self.folder, "--time", "nan"), "--time", "seconds")
         self.assert_complains(run("rhegma-plot"), "DIR")
 
     def test_refuses_broken_files(self):
@@ -101,6 +103,11 @@ class History(ToolTest):
         self.assertIsNone(history.of_front(("A.b", 0), "K_I"))
         (front, grown), = growth(history)
         self.assertEqual((front, list(grown)), (("A.b", 0), [0.0, 0.25]))
+
+    def test_a_stretched_crack_has_not_grown(self):
+        """Its length changes with the body's strain; a speed of zero tells that the front has not run."""
+        self.write("history.csv", "time,A.0.length,A.0.speed,B.0.length,B.0.speed\n0,0.5,0,0.5,0\n1,0.501,0,0.501,9\n")
+        self.assertEqual([front for front, _ in growth(read_history(self.folder))], [("B", 0)])
 
     def test_a_cut_last_row_is_dropped(self):
         self.write("history.csv", "time,kinetic\n0,1\n1,2\n2")
@@ -173,6 +180,11 @@ class FieldPicture(ToolTest):
         self.assertEqual((fields.time, fields.dimension), (3.0e-3, 2))
         self.assertEqual(fields.crack.cells.shape, (40, 2))
 
+    def test_reads_the_time_nearest_to_the_one_asked_for(self):
+        made_up_run.beam(self.folder)  # with fields at 0 and 3 ms
+        self.assertEqual([read_fields(self.folder, time).time for time in (-1.0, 1.4e-3, 1.6e-3, 9.0)],
+                         [0.0, 0.0, 3.0e-3, 3.0e-3])
+
     def test_largest_principal_stress(self):
         """Pure shear of 3 has principal stresses 3, 0, -3; uniaxial pressure of 2 has 0, 0, -2."""
         made_up_run.write_fields(self.folder, [(0.0, {"particles": made_up_run.particles(
@@ -181,15 +193,18 @@ class FieldPicture(ToolTest):
 
     def test_slice_of_3d_cuts_the_crack(self):
         """A penny in the plane z = 0 is a line only in a slice along z: of x and y, equally wide, y is taken. The
-        slice of a cube of 40 layers holds one layer, and the crack's cut is as long as its diameter."""
+        slice of a cube of 40 layers goes through the middle of one, and the crack's cut is as long as its chord there.
+        """
         made_up_run.penny(self.folder)
         fields = read_fields(self.folder)
         view = choose_view(fields)
         self.assertEqual((view.normal, view.axes), (1, [0, 2]))
-        self.assertAlmostEqual(view.where, 0.0)
+        self.assertAlmostEqual(view.where, 0.0125)
         self.assertEqual(in_slice(fields, view.normal, view.where).sum(), 1600)
         cut = crack_segments(fields.crack, [fields.crack.points], view)[0]
-        self.assertAlmostEqual(np.linalg.norm(cut[:, 1] - cut[:, 0], axis=1).sum(), 0.6)
+        # 0.0125 from the diameter of a polygon of 24 corners, whose outermost edges there turn by 15 degrees.
+        chord = 2.0 * (0.3 - 0.0125 * np.tan(np.radians(7.5)))
+        self.assertAlmostEqual(np.linalg.norm(cut[:, 1] - cut[:, 0], axis=1).sum(), chord)
 
     def test_slice_finds_a_body_off_the_middle(self):
         """Two thin layers at z = 0 and z = 10: the middle, 5, is empty."""
@@ -201,6 +216,35 @@ class FieldPicture(ToolTest):
         view = choose_view(fields)
         self.assertEqual(view.normal, 2)
         self.assertEqual(in_slice(fields, 2, view.where).sum(), 400)
+
+    def test_boxes_follow_the_deformation(self):
+        """Edges 2 along y and 1 along -x, sheared by F = [[1, 3], [0, 2]]: (6, 4) and (-1, 0). Ten times the
+        displacement: F = [[1, 30], [0, 11]], (60, 22) and (-1, 0)."""
+        particles = made_up_run.particles(np.zeros((1, 3)), np.zeros((1, 3)), np.zeros((1, 6)), 1.0)
+        particles["edges"] = np.array([[0.0, 2.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0]])
+        particles["deformation"] = np.array([[1.0, 3.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 1.0]])
+        made_up_run.write_fields(self.folder, [(0.0, {"particles": particles})])
+        fields = read_fields(self.folder)
+        self.assertEqual(fields.dimension, 2)
+        np.testing.assert_allclose(fields.boxes()[0, :2, :2], [[6.0, 4.0], [-1.0, 0.0]])
+        np.testing.assert_allclose(fields.boxes(magnification=10.0)[0, :2, :2], [[60.0, 22.0], [-1.0, 0.0]])
+        corners = parallelograms(np.array([[1.0, 1.0]]), fields.boxes()[:, :2, :2])
+        np.testing.assert_allclose(corners[0], [[-1.5, -1.0], [4.5, 3.0], [3.5, 3.0], [-2.5, -1.0]])
+
+    def test_cut_of_a_box(self):
+        """A unit cube in the plane z = 0.25 is a unit square; one that stands on a corner is a regular hexagon with the
+        edge sqrt(1/2) in its middle, and nothing beyond its corners, sqrt(3)/2 away."""
+        cube = np.eye(3)[None]
+        outlines, owners = cut(np.zeros((1, 3)), cube, np.zeros((1, 3)), cube, 2, 0.25)
+        self.assertEqual(list(owners), [0])
+        self.assertEqual(sorted(map(tuple, np.abs(outlines[0]))), [(0.5, 0.5, 0.25)] * 4)
+        up = np.ones(3) / np.sqrt(3.0)
+        across = np.array([1.0, -1.0, 0.0]) / np.sqrt(2.0)
+        turned = np.array([[axis @ across, axis @ np.cross(up, across), axis @ up] for axis in np.eye(3)])[None]
+        outlines, _ = cut(np.zeros((1, 3)), turned, np.zeros((1, 3)), turned, 2, 0.0)
+        sides = np.linalg.norm(outlines[0] - np.roll(outlines[0], 1, axis=0), axis=1)
+        np.testing.assert_allclose(sides, np.full(6, np.sqrt(0.5)))
+        self.assertEqual(cut(np.zeros((1, 3)), turned, np.zeros((1, 3)), turned, 2, 0.87)[0], [])
 
     def test_colours(self):
         """Both signs: symmetric about zero; one sign: from zero."""

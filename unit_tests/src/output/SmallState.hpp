@@ -58,7 +58,7 @@ inline Properties softSolid(int dimension)
 }
 
 /// Particles at rest and undeformed at the origin of the domain (0,0,0) to (4,4,4) of cells of 1 m, in body 0
-/// of softSolid; volume 1/4 m3, mass 1 kg, edge 1/2 m.
+/// of two, of softSolid; volume 1/4 m3, mass 1 kg, edge 1/2 m.
 template <int D>
 State<D> smallState(int particles)
 {
@@ -90,6 +90,15 @@ State<D> smallState(int particles)
   fill(table.table(fields::mass), std::vector<double>(particles, 1.0));
   fill(table.table(fields::volume), std::vector<double>(particles, 0.25));
   fill(table.table(fields::edge), std::vector<double>(particles * D, 0.5));
+  for (const char* name : {"First", "Second"})
+  {
+    BodyInfo<D> body;
+    body.name = name;
+    for (int e = 0; e < D; ++e)
+      for (int d = 0; d < D; ++d)
+        body.axes[e][d] = e == d ? 1.0 : 0.0;
+    state.bodies.push_back(body);
+  }
   state.materialNames = {"Soft"};
   state.materialList = {softSolid(D)};
   state.materials = View<Properties*>("materials", 1);

@@ -42,6 +42,25 @@ TEST(FieldWriter, WritesParticles)
   EXPECT_EQ(file.numbers(p + "material"), (Numbers{0, 0}));
 }
 
+/// What a particle's box is drawn from: F, and the edges along the axes of its body, here turned a quarter.
+TEST(FieldWriter, WritesTheBoxesOfParticles)
+{
+  const Folder folder;
+  State<2> state = twoParticles();
+  fill(state.particles.table(fields::edge), {0.5, 0.25, 0.5, 0.25});
+  BodyInfo<2>& turned = state.bodies[1];
+  turned.axes[0][0] = 0.0;
+  turned.axes[0][1] = 1.0;
+  turned.axes[1][0] = -1.0;
+  turned.axes[1][1] = 0.0;
+  FieldWriter<2>(folder.path()).write(state);
+  const Hdf5Reader file(folder.path("fields.h5"));
+  EXPECT_EQ(file.numbers("/t00000/particles/deformation"),
+            (Numbers{2, 0, 0, 0, 1, 0, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, 0, 1}));
+  EXPECT_EQ(file.numbers("/t00000/particles/edges"),
+            (Numbers{0.5, 0, 0, 0, 0.25, 0, 0, 0, 0, 0, 0.5, 0, -0.25, 0, 0, 0, 0, 0}));
+}
+
 /// sigma = tau / J; pure shear s has the von Mises stress sqrt(3) s, and diag(10, 20, 40) with shear 30 has
 /// sqrt((10^2 + 20^2 + 30^2)/2 + 3 30^2) = sqrt(3400).
 TEST(FieldWriter, WritesCauchyStress)

@@ -93,6 +93,7 @@ TEST_P(VtkReader, SeesTimesParticlesLeavesAndCracks)
     EXPECT_EQ(particles["on points"]["temperature"], json({{300.0 + k}, {400.0}}));
     EXPECT_EQ(particles["on points"]["stress"][0], json({10.0, 20.0, 40.0, 30.0, 0.0, 0.0}));
     EXPECT_EQ(particles["on points"]["displacement"][1], json({0.0, 0.5, 0.0}));
+    EXPECT_EQ(particles["on points"]["deformation"][0], json({2.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0}));
     EXPECT_EQ(particles["on points"]["body"], json({{0.0}, {1.0}}));
 
     const json& leaves = meshes[1];
