@@ -18,7 +18,8 @@ function(rhegma_set_test name label timeout)
     PROCESSORS ${RHEGMA_TEST_PROCESSORS} ENVIRONMENT "${RHEGMA_TEST_ENVIRONMENT}")
 endfunction()
 
-# One program of all tst*.cpp of one folder of unit_tests: src/state becomes test_src_state.
+# One program of all tst*.cpp of one folder of unit_tests: src/state becomes test_src_state. Further arguments go to
+# the program.
 function(rhegma_add_unit_tests folder)
   string(REPLACE "/" "_" name "test_${folder}")
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
@@ -31,7 +32,7 @@ function(rhegma_add_unit_tests folder)
     target_compile_definitions(${name} PRIVATE RHEGMA_PROGRAM="$<TARGET_FILE:rhegma_program>")
     add_dependencies(${name} rhegma_program)
   endif()
-  add_test(NAME unit.${folder} COMMAND ${name})
+  add_test(NAME unit.${folder} COMMAND ${name} ${ARGN})
   rhegma_set_test(unit.${folder} unit 900)
 endfunction()
 

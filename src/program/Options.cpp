@@ -52,7 +52,7 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
     else if (a == "--describe" || a == "--describe-markdown")
     {
       options.action = a == "--describe" ? Options::Action::Describe : Options::Action::DescribeMarkdown;
-      if (k + 1 < arguments.size() && !startsWith(arguments[k + 1], "--"))
+      if (a == "--describe" && k + 1 < arguments.size() && !startsWith(arguments[k + 1], "--"))
         options.section = arguments[++k];
     }
     else if (a == "--version")
@@ -85,6 +85,7 @@ std::string usage()
          "rhegma SCENE.xml --check        every error of a scene, then stop\n"
          "rhegma SCENE.xml --print-plan   the effects, fields and stages that the scene would run\n"
          "rhegma --describe [Section]     every parameter: type, unit, default, allowed values, meaning\n"
+         "rhegma --describe-markdown      the same as a page of Markdown (docs/reference.md)\n"
          "rhegma --version\n"
          "\n"
          "Threads: OMP_NUM_THREADS or --kokkos-num-threads=N (OpenMP back end).\n"

@@ -3,6 +3,7 @@
 #include "scene/Numbers.hpp"
 #include "scene/Scene.hpp"
 
+#include <cctype>
 #include <sstream>
 #include <stdexcept>
 
@@ -187,6 +188,15 @@ std::string cell(const std::string& text)
   return escaped;
 }
 
+/// What a heading is called in links.
+std::string anchor(const std::string& heading)
+{
+  std::string link;
+  for (const char c : heading)
+    link += c == ' ' ? '-' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return link;
+}
+
 class MarkdownWriter : public Writer
 {
 protected:
@@ -237,9 +247,25 @@ std::string describe(const SceneSchema& schema, const std::string& section)
 std::string describeMarkdown(const SceneSchema& schema)
 {
   MarkdownWriter writer;
+  std::string contents;
   for (const auto& s : schema.root().sections)
+  {
     writer.section(s, s.name, presenceInWords(s));
-  return "# Parameters of a scene\n\nAll numbers are in SI units.\n\n" + writer.text();
+    contents += (contents.empty() ? "" : ", ") + ("[" + s.name + "](#" + anchor(s.name) + ")");
+  }
+  std::string text = writer.text();
+  while (text.size() > 1 && text.substr(text.size() - 2) == "\n\n")
+    text.pop_back();
+  return "# Parameters of a scene\n\n"
+         "Printed by the program (`rhegma --describe-markdown`) from the descriptions that validate "
+         "scenes.\n\n"
+         "A scene is a Teuchos parameter list `Rhegma` with these sections: " +
+         contents +
+         ".\nA name in angle brackets is chosen by you. All numbers are in SI units. A time function is a "
+         "string: "
+         "an expression\nof t [s], such as `100*sin(2000*t)`, or a table of time:value, such as "
+         "`0:0, 1e-3:100`.\n\n" +
+         text;
 }
 
 } // namespace Rhegma

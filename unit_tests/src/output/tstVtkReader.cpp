@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 
 using namespace Rhegma;
 using nlohmann::json;
@@ -53,8 +54,13 @@ protected:
   {
     static const std::string found = python();
     interpreter = found;
-    if (interpreter.empty())
-      GTEST_SKIP() << "no Python with VTK's readers of XDMF";
+    if (!interpreter.empty())
+      return;
+    if (std::getenv("RHEGMA_REQUIRE_VTK") != nullptr)
+      FAIL() << "RHEGMA_REQUIRE_VTK is set, but neither python3 nor pvpython has VTK's readers of XDMF; on "
+                "Debian "
+                "install python3-paraview";
+    GTEST_SKIP() << "no Python with VTK's readers of XDMF; on Debian install python3-paraview";
   }
   json read() const { return readBack(interpreter, GetParam(), folder.path("fields.xdmf")); }
 
