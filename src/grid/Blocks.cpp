@@ -30,12 +30,10 @@ struct BlockLayout
   }
 };
 
+/// Widens what is marked by `below` and `above` nodes along every axis.
 template <int D>
-View<int*> reachableNodes(const Grid<D>& grid, const std::vector<char>& occupied)
+std::vector<char> dilate(const Grid<D>& grid, std::vector<char> marked, int below, int above)
 {
-  // Dilate the occupied cells by the drift and the widest stencil: three nodes beyond a cell on each side.
-  constexpr int reach = 3;
-  std::vector<char> marked(occupied);
   for (int axis = 0; axis < D; ++axis)
   {
     std::vector<char> wider(marked.size(), 0);
@@ -44,13 +42,22 @@ View<int*> reachableNodes(const Grid<D>& grid, const std::vector<char>& occupied
       {
         int at[D];
         grid.nodeCoordinates(n, at);
-        const int low = std::max(0, at[axis] - reach),
-                  high = std::min(grid.cells[axis], at[axis] + 1 + reach);
+        const int low = std::max(0, at[axis] - below), high = std::min(grid.cells[axis], at[axis] + above);
         for (int k = low; k <= high; ++k)
           wider[n + (k - at[axis]) * grid.stride[axis]] = 1;
       }
     marked.swap(wider);
   }
+  return marked;
+}
+
+/// The nodes of the widest stencil (GIMP, ghosts of cracks) from any of some cells: two beyond a cell on each
+/// side.
+template <int D>
+View<int*> reachableNodes(const Grid<D>& grid, const std::vector<char>& from)
+{
+  constexpr int reach = 2;
+  const std::vector<char> marked = dilate(grid, from, reach, 1 + reach);
   std::vector<int> list;
   for (int n = 0; n < grid.numNodes; ++n)
     if (marked[n])
@@ -131,7 +138,12 @@ void sortParticles(const Grid<D>& grid, FieldTable& particles, Blocks<D>& blocks
   Kokkos::deep_copy(deviceOrder, hostOrder);
   particles.reorder(deviceOrder);
 
-  activeNodes = reachableNodes(grid, occupied);
+  const std::vector<char> nearby = dilate(grid, occupied, 1, 1);
+  blocks.nearby = View<char*>("rhegma::nearbyCells", nearby.size());
+  const auto hostNearby = Kokkos::create_mirror_view(blocks.nearby);
+  std::copy(nearby.begin(), nearby.end(), hostNearby.data());
+  Kokkos::deep_copy(blocks.nearby, hostNearby);
+  activeNodes = reachableNodes(grid, nearby);
 }
 
 template void sortParticles(const Grid<2>&, FieldTable&, Blocks<2>&, View<int*>&);

@@ -28,25 +28,31 @@ struct Blocks
   View<int*> first;         ///< first particle of each block, ordered by colour; one more at the end
   View<int* [axes]> corner; ///< lowest cell of each block along the cut axes
   View<int*> blockOf;       ///< block of each particle
+  /// By the lowest node of a cell: not 0 in cells that held a particle at the sort and in those beside them,
+  /// from where all nodes of a stencil are listed.
+  View<char*> nearby;
   int colourStart[colours + 1] = {0, 0, 0, 0, 0};
   int numBlocks = 0;
 };
 
 /// Sorts all fields of the particles by block and cell, and lists the nodes that they can reach until one of
-/// them is a cell outside of its block. The sort is stable: particles of one cell keep their order.
+/// them is a cell outside of its block or of the cells that held particles. The sort is stable: particles of
+/// one cell keep their order.
 template <int D>
 void sortParticles(const Grid<D>& grid, FieldTable& particles, Blocks<D>& blocks, View<int*>& activeNodes);
 
-/// True if the particle is further outside of its block than the blocks allow.
+/// True if the particle is further outside of its block than the blocks allow, or where nodes are not listed.
 template <int D>
 KOKKOS_INLINE_FUNCTION bool hasStrayed(const Grid<D>& grid, const Blocks<D>& blocks, int p, const double* x)
 {
   const int b = blocks.blockOf(p);
-  bool strayed = false;
+  int at[D];
+  for (int d = 0; d < D; ++d)
+    at[d] = static_cast<int>(grid.inCells(x[d], d));
+  bool strayed = blocks.nearby(grid.nodeIndex(at)) == 0;
   for (int a = 0; a < Blocks<D>::axes; ++a)
   {
-    const int axis = grid.axisOrder[a];
-    const int offset = static_cast<int>(grid.inCells(x[axis], axis)) - blocks.corner(b, a);
+    const int offset = at[grid.axisOrder[a]] - blocks.corner(b, a);
     strayed = strayed || offset < -1 || offset > Blocks<D>::edge;
   }
   return strayed;
