@@ -2,6 +2,8 @@
 
 #include "boundary/BodyForce.hpp"
 #include "boundary/Loads.hpp"
+#include "scene/Numbers.hpp"
+#include "scene/PlaceFunction.hpp"
 #include "scene/ReadList.hpp"
 
 #include <cmath>
@@ -28,28 +30,71 @@ struct TimedConstraint
   NodeConstraint<D> at(double time) const
   {
     NodeConstraint<D> now = constraint;
-    now.value = history(time) * value;
+    now.factor = history(time);
+    now.value = now.factor * value;
     return now;
   }
 };
 
 template <int D>
-TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, double spacing)
+std::string inWords(const Vector<D>& place)
 {
-  TimedConstraint<D> timed{
-      {}, readVector<D>(list, "Value"), TimeFunction::parse(list.get<std::string>("History"))};
+  std::string text = formatReal(place[0]);
+  for (int d = 1; d < D; ++d)
+    text += ", " + formatReal(place[d]);
+  return text;
+}
+
+/// The scene's function of place at the nodes that the constraint holds.
+template <int D>
+View<double* [D]> readField(const Teuchos::ParameterList& list, const NodeConstraint<D>& constraint,
+                            const Grid<D>& grid, const std::string& where)
+{
+  const View<double* [D]> field("rhegma::prescribedField", grid.numNodes);
+  const auto host = Kokkos::create_mirror_view(field);
+  const PlaceFunction function = PlaceFunction::parse(list.get<std::string>("Field"), D);
+  for (int n = 0; n < grid.numNodes; ++n)
+  {
+    const Vector<D> place = grid.nodePosition(n);
+    if (!constraint.appliesAt(place))
+      continue;
+    const Vector<D> value = function(place);
+    for (int d = 0; d < D; ++d)
+    {
+      host(n, d) = value[d];
+      if (constraint.holds[d] && !std::isfinite(value[d]))
+        throw std::invalid_argument(where + " > Field: it is not finite at the node {" + inWords<D>(place) +
+                                    "}; write a function that is finite at every node that is held");
+    }
+  }
+  Kokkos::deep_copy(field, host);
+  return field;
+}
+
+template <int D>
+TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const Grid<D>& grid,
+                                const std::string& where)
+{
+  TimedConstraint<D> timed{{}, {}, TimeFunction::parse(list.get<std::string>("History"))};
   timed.constraint.lower = readVector<D>(list, "Lower Corner");
   timed.constraint.upper = readVector<D>(list, "Upper Corner");
+  timed.constraint.outside = list.get<std::string>("Nodes") == "Outside";
+  // Nodes on the rim count as held whatever the rounding.
+  const double rim = (timed.constraint.outside ? -1e-9 : 1e-9) * grid.spacing;
   for (int d = 0; d < D; ++d)
   {
-    // Nodes on the rim of the region count as inside whatever the rounding.
-    timed.constraint.lower[d] -= 1e-9 * spacing;
-    timed.constraint.upper[d] += 1e-9 * spacing;
+    timed.constraint.lower[d] -= rim;
+    timed.constraint.upper[d] += rim;
     timed.constraint.holds[d] = false;
+    timed.value[d] = 0.0;
   }
   for (const char letter : list.get<std::string>("Components"))
     if (letter >= 'x' && letter < 'x' + D)
       timed.constraint.holds[axisNumber(letter)] = true;
+  if (list.isParameter("Value"))
+    timed.value = readVector<D>(list, "Value");
+  else
+    timed.constraint.field = readField<D>(list, timed.constraint, grid, where);
   return timed;
 }
 
@@ -267,7 +312,7 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
     {
       const Teuchos::ParameterList& list = section.sublist(name);
       constraints->push_back(list.get<std::string>("Type") == "Velocity"
-                                 ? readVelocity<D>(list, state.grid.spacing)
+                                 ? readVelocity<D>(list, state.grid, "Boundaries > " + name)
                                  : readSymmetry<D>(list, state.grid));
     }
     for (const std::string& name : loadNames)

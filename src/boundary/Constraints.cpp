@@ -3,20 +3,6 @@
 namespace Rhegma
 {
 
-namespace
-{
-
-template <int D>
-KOKKOS_INLINE_FUNCTION bool applies(const NodeConstraint<D>& constraint, const Vector<D>& x)
-{
-  bool in = true;
-  for (int d = 0; d < D; ++d)
-    in = in && x[d] >= constraint.lower[d] && x[d] <= constraint.upper[d];
-  return in;
-}
-
-} // namespace
-
 template <int D>
 double constrainMotion(State<D>& state, const NodeConstraint<D>& constraint)
 {
@@ -29,16 +15,17 @@ double constrainMotion(State<D>& state, const NodeConstraint<D>& constraint)
       KOKKOS_LAMBDA(const int i, double& sum) {
         const int n = activeNode(nodes, i);
         const double mass = nodes.sums(n, Nodes<D>::massAt);
-        if (!(mass > 0.0) || !applies(constraint, grid.nodePosition(latticeNode(nodes, n))))
+        const int lattice = latticeNode(nodes, n);
+        if (!(mass > 0.0) || !constraint.appliesAt(grid.nodePosition(lattice)))
           return;
         for (int d = 0; d < D; ++d)
           if (constraint.holds[d])
           {
             const double before = nodes.sums(n, Nodes<D>::momentumAt + d) / mass;
-            const double free = nodes.motion(n, d);
-            sum += mass * (constraint.value[d] - free) * 0.5 * (constraint.value[d] + before);
-            nodes.motion(n, d) = constraint.value[d];
-            nodes.motion(n, Nodes<D>::accelerationAt + d) = (constraint.value[d] - before) / dt;
+            const double free = nodes.motion(n, d), value = constraint.at(lattice, d);
+            sum += mass * (value - free) * 0.5 * (value + before);
+            nodes.motion(n, d) = value;
+            nodes.motion(n, Nodes<D>::accelerationAt + d) = (value - before) / dt;
           }
       },
       work);
@@ -54,11 +41,12 @@ void constrainProjection(State<D>& state, const NodeConstraint<D>& constraint)
       "rhegma::constrainProjection", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i) {
         const int n = activeNode(nodes, i);
-        if (!applies(constraint, grid.nodePosition(latticeNode(nodes, n))))
+        const int lattice = latticeNode(nodes, n);
+        if (!constraint.appliesAt(grid.nodePosition(lattice)))
           return;
         for (int d = 0; d < D; ++d)
           if (constraint.holds[d])
-            nodes.projection(n, d) = constraint.value[d];
+            nodes.projection(n, d) = constraint.at(lattice, d);
       });
 }
 

@@ -28,8 +28,17 @@ Section velocity()
   s.text("Components")
       .byDefault("xy", "xyz")
       .meaning("The axes along which it is prescribed, such as \"y\" or \"xy\".");
-  s.realArray("Value").unit("m/s").perAxis().meaning(
-      "The velocity; axes that are not in Components are left free.");
+  s.choice("Nodes", {"Inside", "Outside"})
+      .byDefault("Inside")
+      .meaning(
+          "Whether the nodes in the box are held, its rim included, or those beyond it, its rim included.");
+  s.realArray("Value").unit("m/s").perAxis().optional().meaning(
+      "The velocity, the same at all nodes; axes that are not in Components are left free.");
+  s.text("Field").unit("m/s").notEmpty().optional().meaning(
+      "The velocity as one expression of the node's place x, y, z for each axis, such as \"2*x, -y\"; names "
+      "that "
+      "they share are defined before, as in \"r = sqrt(x*x + y*y); x / r, y / r\".");
+  s.exactlyOneOf({"Value", "Field"});
   history(s);
   return s;
 }

@@ -4,6 +4,7 @@
 #include "material/MaterialTable.hpp"
 #include "scene/NearestName.hpp"
 #include "scene/Numbers.hpp"
+#include "scene/PlaceFunction.hpp"
 #include "scene/TimeFunction.hpp"
 #include "scene/Validation.hpp"
 
@@ -229,6 +230,7 @@ private:
     {
       corners(boundary, where, true);
       components(boundary, where);
+      field(boundary, where);
     }
     else if (type == "Symmetry" && m_dimension == 2 && text(boundary, "Axis") == "z")
       report(scenePath(where, "Axis"), "is z in a 2D scene; write x or y.");
@@ -276,6 +278,20 @@ private:
     if (!good)
       report(scenePath(where, "Components"),
              "is \"" + letters + "\"; write each axis once, such as \"" + axes + "\" or \"y\".");
+  }
+
+  void field(const ParameterList& boundary, const std::string& where)
+  {
+    if (!boundary.isParameter("Field"))
+      return;
+    try
+    {
+      PlaceFunction::parse(text(boundary, "Field"), m_dimension);
+    }
+    catch (const std::invalid_argument& error)
+    {
+      report(scenePath(where, "Field"), error.what());
+    }
   }
 
   /// A load must be a number at any time of the run; looked at where the parser is cheap enough to.

@@ -124,6 +124,24 @@ TEST(SceneCrossChecks, ComponentsAreAxesOnce)
     EXPECT_TRUE(read(velocity(right)).errors.empty()) << right;
 }
 
+TEST(SceneCrossChecks, FieldOfVelocity)
+{
+  const auto velocity = [](const std::string& field)
+  {
+    return boundary(parameter("Type", "string", "Velocity") +
+                    parameter("Lower Corner", "Array(double)", "{0, 0}") +
+                    parameter("Upper Corner", "Array(double)", "{0, 4}") + field);
+  };
+  EXPECT_TRUE(read(velocity(parameter("Field", "string", "r = x + y; 2*r, -r"))).errors.empty());
+  expectMistake(velocity(parameter("Field", "string", "2*x")), "Boundaries > Edge > Field",
+                {"gives 1 value instead of 2"});
+  expectMistake(velocity(parameter("Field", "string", "2*t, y")), "Boundaries > Edge > Field", {"t"});
+  EXPECT_FALSE(read(velocity("")).errors.empty());
+  EXPECT_FALSE(
+      read(velocity(parameter("Field", "string", "x, y") + parameter("Value", "Array(double)", "{0, 0}")))
+          .errors.empty());
+}
+
 TEST(SceneCrossChecks, LineOfNoLength)
 {
   expectMistake(

@@ -1,0 +1,39 @@
+#pragma once
+/// A vector that the user gives as a function of place.
+
+#include "state/Types.hpp"
+
+#include <memory>
+#include <string>
+
+namespace Rhegma
+{
+
+/// One expression of x, y and z [m] for each axis, with commas between them: "1e-3 * x, -3e-4 * y". Names
+/// that they share are defined before, each with a semicolon: "r = sqrt(x*x + y*y); x / r, y / r".
+///
+/// Copies share one parser, so a function belongs to one thread at a time.
+class PlaceFunction
+{
+public:
+  /// \param axes how many expressions there must be
+  /// \throws std::invalid_argument with one sentence on what is wrong with the text
+  static PlaceFunction parse(const std::string& text, int axes);
+
+  /// In 2D z is 0.
+  template <int D>
+  Vector<D> operator()(const Vector<D>& place) const
+  {
+    Vector<D> value;
+    evaluate(&place[0], D, &value[0]);
+    return value;
+  }
+
+private:
+  struct Form;
+  explicit PlaceFunction(std::shared_ptr<const Form> form);
+  void evaluate(const double* place, int axes, double* value) const;
+  std::shared_ptr<const Form> m_form;
+};
+
+} // namespace Rhegma
