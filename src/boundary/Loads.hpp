@@ -35,7 +35,8 @@ private:
   View<double* [D]> offset_;
   View<double*> share_;
   ObservedPoints<D> points_;
-  StencilTable<D> stencils_;
+  StencilTable<D> stencils_; ///< of all nodes with mass, which the load pushes
+  StencilTable<D> followed_; ///< without light nodes, for the velocity at which the load does work
   double now_ = 0.0;
 };
 

@@ -6,11 +6,6 @@ namespace Rhegma
 namespace
 {
 
-/// Share of the heaviest node around a point below which a node is too light to follow or to load. Where a
-/// particle's box touches a node's support by a share e of a cell, its mass goes with e^2 but its force with
-/// e, so its acceleration means nothing. The particles see it with weight e^2; a point would see it whole.
-constexpr double lightNode = 0.01;
-
 template <int D, ShapeKind S>
 void writeStencils(const Grid<D>& grid, const ObservedPoints<D>& points, const StencilTable<D>& table)
 {
@@ -111,7 +106,8 @@ void storeStencils(State<D>& state)
 }
 
 template <int D>
-int pointStencils(const State<D>& state, const ObservedPoints<D>& points, StencilTable<D>& table, bool massed)
+int pointStencils(const State<D>& state, const ObservedPoints<D>& points, StencilTable<D>& table, bool massed,
+                  double lightest)
 {
   table.reserve(points.count);
   writeStencils<D, ShapeKind::Linear>(state.grid, points, table);
@@ -130,7 +126,7 @@ int pointStencils(const State<D>& state, const ObservedPoints<D>& points, Stenci
         for (int k = 0; k < t.count(r); ++k)
           heaviest = std::fmax(heaviest, sums(t.node(r, k), Nodes<D>::massAt));
         for (int k = 0; k < t.count(r); ++k)
-          if (sums(t.node(r, k), Nodes<D>::massAt) > lightNode * heaviest && t.weight(r, k) != 0.0)
+          if (sums(t.node(r, k), Nodes<D>::massAt) > lightest * heaviest && t.weight(r, k) != 0.0)
           {
             t.node(r, kept) = t.node(r, k);
             t.weight(r, kept) = t.weight(r, k);
@@ -149,7 +145,7 @@ int pointStencils(const State<D>& state, const ObservedPoints<D>& points, Stenci
 
 template void storeStencils(State<2>&);
 template void storeStencils(State<3>&);
-template int pointStencils(const State<2>&, const ObservedPoints<2>&, StencilTable<2>&, bool);
-template int pointStencils(const State<3>&, const ObservedPoints<3>&, StencilTable<3>&, bool);
+template int pointStencils(const State<2>&, const ObservedPoints<2>&, StencilTable<2>&, bool, double);
+template int pointStencils(const State<3>&, const ObservedPoints<3>&, StencilTable<3>&, bool, double);
 
 } // namespace Rhegma

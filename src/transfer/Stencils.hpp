@@ -6,6 +6,12 @@
 namespace Rhegma
 {
 
+/// Share of the heaviest node around a point below which a node is too light to follow or to push faces with.
+/// Where a particle's box touches a node's support by a share e of a cell, its mass goes with e^2 but its
+/// force with e, so its acceleration means nothing. The particles see it with weight e^2; a point would see
+/// it whole.
+constexpr double lightNode = 0.01;
+
 /// Finds the particles that need stored stencils this step and makes them. Does nothing without an editor.
 template <int D>
 void storeStencils(State<D>& state);
@@ -13,8 +19,9 @@ void storeStencils(State<D>& state);
 /// Makes stencils of points (loads, crack faces) in rows 0 .. points.count - 1 of a table. Entries at nodes
 /// without mass are dropped and the rest renormalised when `massed` is set, so that a load at the rim of a
 /// body is never lost. \return the number of points none of whose nodes has mass
+/// \param lightest share of the heaviest node around a point from which a node counts as having mass
 template <int D>
-int pointStencils(const State<D>& state, const ObservedPoints<D>& points, StencilTable<D>& table,
-                  bool massed);
+int pointStencils(const State<D>& state, const ObservedPoints<D>& points, StencilTable<D>& table, bool massed,
+                  double lightest = lightNode);
 
 } // namespace Rhegma
