@@ -225,7 +225,7 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
                "energy release of crack fronts",
                {"crack geometry", "particle stress"},
                {},
-               {"history"},
+               {"energy release"},
                [=](State<2>& state)
                {
                  if (state.observing)

@@ -65,6 +65,13 @@ TEST(Simulation, EndsAtRestWhereTheSceneSaysSo)
   }
 }
 
+/// Settling looks at the energy release rates of the same sample, so they come first.
+TEST(Simulation, SettlesByWhatCracksRelease)
+{
+  EXPECT_NE(example("dcb.xml", {}).plan().find("energy release of crack fronts; settling"),
+            std::string::npos);
+}
+
 /// A strip under tension: its ends move by 3 % of a cell into cells that were empty, whose nodes then have
 /// 1e-3 of their neighbours' mass and carry 3 % of the stress. A load that leaves them out never comes to
 /// rest, and a quarter of its work is lost; the step's own error, with the energies half a step apart, is 0.7
