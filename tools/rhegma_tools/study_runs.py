@@ -49,10 +49,11 @@ def plain(text):
 
 
 def run_folder(output, run):
-    """A folder that follows from the run alone: its family, its values and a digest that tells like ones apart."""
+    """A folder that follows from scene and settings alone: the values and a digest that tells like ones apart. Families
+    that look at different quantities of the same run share it."""
     digest = hashlib.sha256(json.dumps([run.scene, sorted(run.settings.items())]).encode()).hexdigest()[:8]
     values = "_".join(plain(f"{path.split(':')[-1]}-{value}") for path, value in run.settings.items())[:80]
-    return os.path.join(output, plain(run.family), f"{values}_{digest}" if values else digest)
+    return os.path.join(output, f"{values}_{digest}" if values else digest)
 
 
 def record_of(run, launcher):
@@ -128,15 +129,16 @@ def last_words(folder):
 
 def run_all(study, output, program, launcher, again, say):
     """Outcomes of all runs, in order; those that were done before are only read, unless all shall run again."""
-    outcomes = []
+    outcomes, fresh = [], set()
     for number, run in enumerate(study.runs, start=1):
         folder = run_folder(output, run)
         values = ", ".join(f"{path} = {value}" for path, value in run.settings.items())
         head = f"[{number}/{len(study.runs)}] {run.family}: {values}"
-        status = None if again else done_before(folder, record_of(run, launcher))
+        status = None if again and folder not in fresh else done_before(folder, record_of(run, launcher))
         before = status is not None
         if not before:
             status = execute(run, folder, program, launcher)
+            fresh.add(folder)
         outcome = measure(run, folder, status)
         if outcome.good:
             say(f"{head}: error {outcome.error:.3g}, {outcome.wall_seconds:.3g} s{' (done before)' if before else ''}")

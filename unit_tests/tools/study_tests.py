@@ -138,6 +138,16 @@ class Study(ToolTest):
         self.assertEqual([r.quantity for r in study.runs], ["energy.strain"] * 3 + ["cracks.Notch.fronts.0.G_J"] * 2)
         self.assertEqual(study.swept, ["Domain:Cell Size"])
 
+    def test_families_share_a_run(self):
+        other = LINEAR.replace("linear", "another quantity of the same runs").replace(
+            "</", '  <Parameter name="Error Of" type="string" value="wall_seconds"/>\n    </', 1)
+        self.study(LINEAR + other)
+        self.assertEqual(self.start()[0], 0)
+        self.assertEqual(self.runs(), 3)
+        self.assertEqual(len({row["path"] for row in self.table()}), 3)
+        self.start("--again")
+        self.assertEqual(self.runs(), 6)
+
     def test_refuses_a_wrong_study(self):
         wrong = [
             (HEAD + LINEAR, "no XML, or it is cut off"),
