@@ -13,6 +13,7 @@ struct Sight
   double behind; ///< by how far the place lies behind the nearest front, negative ahead of it; huge away from
                  ///< fronts [m]
   bool found;
+  Vector<2> normal; ///< unit normal of the nearest segment, from side -1 to side +1
 };
 
 /// A crack's segments on the device.
@@ -30,7 +31,7 @@ struct Polyline
 /// Comput. Graph. 11 (2005) 243).
 KOKKOS_INLINE_FUNCTION Sight look(const Polyline& crack, const Vector<2>& x)
 {
-  Sight sight{0.0, 1e300, false};
+  Sight sight{0.0, 1e300, false, {0.0, 0.0}};
   double nearest = 1e300;
   for (int s = crack.first; s < crack.last; ++s)
   {
@@ -50,6 +51,7 @@ KOKKOS_INLINE_FUNCTION Sight look(const Polyline& crack, const Vector<2>& x)
       continue;
     nearest = square;
     double nx = -ty / length, ny = tx / length;
+    sight.normal = {nx, ny};
     const int other = at != along && at == 0.0 ? s - 1 : (at != along && at == length ? s + 1 : -1);
     if (other >= crack.first && other < crack.last)
     {

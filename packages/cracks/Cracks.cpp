@@ -2,6 +2,7 @@
 
 #include "cracks/CrackMotion.hpp"
 #include "cracks/CrackSetup.hpp"
+#include "cracks/Normals.hpp"
 #include "cracks/Sides.hpp"
 #include "cracks/Visibility.hpp"
 
@@ -51,22 +52,36 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
   const Teuchos::ParameterList section = scene.sublist("Cracks");
   const Formulation formulation = readFormulation(section);
   const auto surroundings = std::make_shared<Surroundings>();
+  const auto ghosts = std::make_shared<Ghosts>();
   const auto motion = std::make_shared<CrackMotion>();
   Effect<2> effect;
   effect.name = "Cracks";
   effect.adds.push_back(
       {fields::side, 1, "", "side of the nearest crack: its number + 1, negative on side -1", true});
+  if (formulation == Formulation::BrokenCell)
+    effect.adds.push_back(
+        {crackNormal, 2, "", "unit normal of the face near the particle, out of its material"});
   effect.atStart = [=](State<2>& state)
   {
     state.cracks.dualField = formulation == Formulation::DualField;
     readCracks(section, state);
-    state.editor.prepare = [=](State<2>& s, const View<int*>& row) { findSides(s, *surroundings, row); };
+    state.editor.prepare = [=](State<2>& s, const View<int*>& row)
+    {
+      findSides(s, *surroundings, row);
+      if (formulation == Formulation::CorrectedBrokenCell)
+        findGhosts(s, row, *ghosts);
+      if (formulation == Formulation::BrokenCell)
+        carryNormals(s, row);
+    };
     state.editor.edit = [=](const State<2>& s, const ObservedPoints<2>& points, const StencilTable<2>& table)
-    { editStencils(s, formulation, points, table); };
+    { editStencils(s, formulation, *ghosts, points, table); };
   };
   effect.call({Stage::Gather, "cracks move", {"nodal motion"}, {"crack geometry"}, {}, [motion](State<2>& s) {
                  motion->move(s);
                }});
+  if (formulation == Formulation::CorrectedBrokenCell)
+    effect.timeStepLimit = [](const State<2>& state)
+    { return largestCflOfGhosts * state.grid.spacing / state.fastest; };
   effect.report = [](const State<2>& state, nlohmann::json& summary)
   {
     for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)

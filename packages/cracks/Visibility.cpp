@@ -34,35 +34,52 @@ void useSecondFields(const State<2>& state, const ObservedPoints<2>& points, con
       });
 }
 
+/// Whether a node is a corner of the cell in which a point lies.
+KOKKOS_INLINE_FUNCTION bool isCorner(const Grid<2>& grid, int node, const Vector<2>& x)
+{
+  int at[2];
+  grid.nodeCoordinates(node, at);
+  bool corner = true;
+  for (int d = 0; d < 2; ++d)
+  {
+    const int from = at[d] - static_cast<int>(grid.inCells(x[d], d));
+    corner = corner && from >= 0 && from <= 1;
+  }
+  return corner;
+}
+
 void breakCells(const State<2>& state, const ObservedPoints<2>& points, const StencilTable<2>& table)
 {
   const Blind blind{state.cracks.nodeSide};
+  const Grid<2> grid = state.grid;
   Kokkos::parallel_for(
       "rhegma::cracks::breakCells", Kokkos::RangePolicy<ExecSpace>(0, points.count),
       KOKKOS_LAMBDA(const int r) {
         const int side = points.side(r);
         const int count = table.count(r);
-        // Only nodes that the unbroken function reaches are around the point.
-        int visible = 0;
+        const Vector<2> x{points.position(r, 0), points.position(r, 1)};
+        int corners = 0, others = 0;
         double hidden = 0.0, hiddenSlope[2] = {0.0, 0.0};
         for (int k = 0; k < count; ++k)
           if (!blind.invisible(table.node(r, k), side))
-            visible += table.weight(r, k) != 0.0 ? 1 : 0;
+            ++(isCorner(grid, table.node(r, k), x) ? corners : others);
           else
           {
             hidden += table.weight(r, k);
             for (int d = 0; d < 2; ++d)
               hiddenSlope[d] += table.slope(r, k, d);
           }
+        const int visible = corners > 0 ? corners : others;
         if (visible == 0)
           return;
         for (int k = 0; k < count; ++k)
         {
           const bool seen = !blind.invisible(table.node(r, k), side);
-          const bool around = table.weight(r, k) != 0.0;
-          table.weight(r, k) = seen && around ? table.weight(r, k) + hidden / visible : 0.0;
+          const bool takes = seen && (corners == 0 || isCorner(grid, table.node(r, k), x));
+          table.weight(r, k) = (seen ? table.weight(r, k) : 0.0) + (takes ? hidden / visible : 0.0);
           for (int d = 0; d < 2; ++d)
-            table.slope(r, k, d) = seen && around ? table.slope(r, k, d) + hiddenSlope[d] / visible : 0.0;
+            table.slope(r, k, d) =
+                (seen ? table.slope(r, k, d) : 0.0) + (takes ? hiddenSlope[d] / visible : 0.0);
         }
       });
 }
@@ -86,56 +103,15 @@ KOKKOS_INLINE_FUNCTION void addEntry(const StencilTable<2>& table, int r, int& c
     table.slope(r, k, d) += slope[d];
 }
 
-/// From node m towards the point's side: axis and sense of the extrapolation, the axis along which the
-/// crack's normal is largest where m lies.
-struct Towards
-{
-  Grid<2> grid;
-  View<double* [2]> vertex;
-  View<int* [2]> simplex;
-  View<int*> crackOf;
-
-  KOKKOS_INLINE_FUNCTION int step(int m, int side) const
-  {
-    const Vector<2> x = grid.nodePosition(m);
-    const int crack = (side > 0 ? side : -side) - 1;
-    double nearest = 1e300, normal[2] = {0.0, 1.0};
-    for (int s = 0; s < static_cast<int>(simplex.extent(0)); ++s)
-    {
-      if (crackOf(s) != crack)
-        continue;
-      const int a = simplex(s, 0), b = simplex(s, 1);
-      const double tx = vertex(b, 0) - vertex(a, 0), ty = vertex(b, 1) - vertex(a, 1);
-      double at = ((x[0] - vertex(a, 0)) * tx + (x[1] - vertex(a, 1)) * ty) / (tx * tx + ty * ty);
-      at = at < 0.0 ? 0.0 : (at > 1.0 ? 1.0 : at);
-      const double dx = x[0] - vertex(a, 0) - at * tx, dy = x[1] - vertex(a, 1) - at * ty;
-      if (dx * dx + dy * dy < nearest)
-      {
-        nearest = dx * dx + dy * dy;
-        normal[0] = -ty;
-        normal[1] = tx;
-      }
-    }
-    const int axis = std::abs(normal[0]) > std::abs(normal[1]) ? 0 : 1;
-    const bool positive = (normal[axis] > 0.0) == (side > 0);
-    return positive ? grid.stride[axis] : -grid.stride[axis];
-  }
-};
-
-void extrapolate(const State<2>& state, const ObservedPoints<2>& points, const StencilTable<2>& table)
+void extrapolate(const State<2>& state, const Ghosts& ghosts, const ObservedPoints<2>& points,
+                 const StencilTable<2>& table)
 {
   const Blind blind{state.cracks.nodeSide};
-  const Towards towards{state.grid, state.cracks.vertex, state.cracks.simplex, state.cracks.crackOf};
   Kokkos::parallel_for(
       "rhegma::cracks::extrapolate", Kokkos::RangePolicy<ExecSpace>(0, points.count),
       KOKKOS_LAMBDA(const int r) {
         const int side = points.side(r);
         const int unbroken = table.count(r);
-        bool sees = false;
-        for (int k = 0; k < unbroken; ++k)
-          sees = sees || !blind.invisible(table.node(r, k), side);
-        if (!sees)
-          return;
         int node[stencilCapacity<2>];
         double weight[stencilCapacity<2>], slope[stencilCapacity<2>][2];
         for (int k = 0; k < unbroken; ++k)
@@ -148,16 +124,14 @@ void extrapolate(const State<2>& state, const ObservedPoints<2>& points, const S
         int count = 0;
         for (int k = 0; k < unbroken; ++k)
         {
-          if (!blind.invisible(node[k], side))
+          const int step = blind.invisible(node[k], side) ? static_cast<int>(ghosts.step(node[k])) : 0;
+          if (step == 0)
           {
             addEntry(table, r, count, node[k], weight[k], slope[k]);
             continue;
           }
-          const int step = towards.step(node[k], side);
-          int steps = 1; // to the nearest visible node
-          while (steps < 3 && blind.invisible(node[k] + steps * step, side))
-            ++steps;
-          const double near = steps + 1.0, far = -double(steps);
+          const int steps = ghosts.distance(node[k]);
+          const double far = -steps * ghosts.share(node[k]), near = 1.0 - far;
           const double nearSlope[2] = {near * slope[k][0], near * slope[k][1]};
           const double farSlope[2] = {far * slope[k][0], far * slope[k][1]};
           addEntry(table, r, count, node[k] + steps * step, near * weight[k], nearSlope);
@@ -169,15 +143,15 @@ void extrapolate(const State<2>& state, const ObservedPoints<2>& points, const S
 
 } // namespace
 
-void editStencils(const State<2>& state, Formulation formulation, const ObservedPoints<2>& points,
-                  const StencilTable<2>& table)
+void editStencils(const State<2>& state, Formulation formulation, const Ghosts& ghosts,
+                  const ObservedPoints<2>& points, const StencilTable<2>& table)
 {
   if (formulation == Formulation::DualField)
     useSecondFields(state, points, table);
   else if (formulation == Formulation::BrokenCell)
     breakCells(state, points, table);
   else
-    extrapolate(state, points, table);
+    extrapolate(state, ghosts, points, table);
 }
 
 } // namespace Rhegma::cracks

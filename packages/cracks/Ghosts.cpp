@@ -1,0 +1,168 @@
+#include "cracks/Ghosts.hpp"
+
+#include "transfer/ParticleViews.hpp"
+
+namespace Rhegma::cracks
+{
+
+namespace
+{
+
+/// Whether a node that lies behind a front is hidden from a side.
+KOKKOS_INLINE_FUNCTION bool hidden(const View<int*>& nodeSide, int node, int side)
+{
+  return nodeSide(node) != 0 && nodeSide(node) == -side;
+}
+
+/// Points from a node to the side of a crack, along the axis closest to the crack's normal.
+struct Towards
+{
+  Grid<2> grid;
+  View<double* [2]> vertex;
+  View<int* [2]> simplex;
+  View<int*> crackOf;
+
+  KOKKOS_INLINE_FUNCTION int step(int node, int side) const
+  {
+    const Vector<2> x = grid.nodePosition(node);
+    const int crack = (side > 0 ? side : -side) - 1;
+    double nearest = 1e300, normal[2] = {0.0, 1.0};
+    for (int s = 0; s < static_cast<int>(simplex.extent(0)); ++s)
+    {
+      if (crackOf(s) != crack)
+        continue;
+      const int a = simplex(s, 0), b = simplex(s, 1);
+      const double tx = vertex(b, 0) - vertex(a, 0), ty = vertex(b, 1) - vertex(a, 1);
+      double at = ((x[0] - vertex(a, 0)) * tx + (x[1] - vertex(a, 1)) * ty) / (tx * tx + ty * ty);
+      at = at < 0.0 ? 0.0 : (at > 1.0 ? 1.0 : at);
+      const double dx = x[0] - vertex(a, 0) - at * tx, dy = x[1] - vertex(a, 1) - at * ty;
+      if (dx * dx + dy * dy < nearest)
+      {
+        nearest = dx * dx + dy * dy;
+        normal[0] = -ty;
+        normal[1] = tx;
+      }
+    }
+    const int axis = std::abs(normal[0]) > std::abs(normal[1]) ? 0 : 1;
+    const bool positive = (normal[axis] > 0.0) == (side > 0);
+    return positive ? grid.stride[axis] : -grid.stride[axis];
+  }
+};
+
+void findStandIns(const State<2>& state, const Ghosts& ghosts)
+{
+  const Nodes<2> nodes = state.nodes;
+  const View<int*> nodeSide = state.cracks.nodeSide;
+  const Towards towards{state.grid, state.cracks.vertex, state.cracks.simplex, state.cracks.crackOf};
+  Kokkos::parallel_for(
+      "rhegma::cracks::findStandIns", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
+      KOKKOS_LAMBDA(const int i) {
+        const int n = nodes.active(i);
+        ghosts.seen(n) = ghosts.unseen(n) = 0.0;
+        const int from = -nodeSide(n);
+        if (from == 0)
+          return;
+        const int step = towards.step(n, from);
+        int k = 1;
+        while (k <= ghostReach && hidden(nodeSide, n + k * step, from))
+          ++k;
+        if (k > ghostReach)
+          return;
+        ghosts.step(n) = step;
+        ghosts.distance(n) = k;
+        ghosts.share(n) = 1.0;
+      });
+}
+
+template <class Connect>
+struct AddMass
+{
+  Connect connect;
+  Ghosts ghosts;
+  View<int*> row, nodeSide;
+  BorrowedView<double*> mass;
+  BorrowedView<int*> side;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
+  {
+    for (int p = begin; p < end; ++p)
+      if (row(p) >= 0)
+        connect.visit(p,
+                      [&](int node, double weight, const double*)
+                      {
+                        const View<double*>& sum =
+                            hidden(nodeSide, node, side(p)) ? ghosts.unseen : ghosts.seen;
+                        sum(node) += weight * mass(p);
+                      });
+  }
+};
+
+template <ShapeKind S>
+void addMass(const State<2>& state, const View<int*>& row, const Ghosts& ghosts)
+{
+  using Connect = Connectivity<2, S, false>;
+  const AddMass<Connect> block{connectivity<2, S, false>(state),
+                               ghosts,
+                               row,
+                               state.cracks.nodeSide,
+                               state.particles.scalar(fields::mass),
+                               state.particles.integer(fields::side)};
+  forEachBlock("rhegma::cracks::massAround", state.blocks, block);
+}
+
+/// Mass that linear extrapolation to all ghosts would take from a node.
+KOKKOS_INLINE_FUNCTION double takenFrom(const Grid<2>& grid, const Ghosts& ghosts, int far)
+{
+  double taken = 0.0;
+  for (int axis = 0; axis < 2; ++axis)
+    for (int sense = -1; sense <= 1; sense += 2)
+      for (int k = 1; k <= ghostReach; ++k)
+      {
+        const int step = sense * grid.stride[axis];
+        const int ghost = far - (k + 1) * step;
+        if (ghost >= 0 && ghost < grid.numNodes && ghosts.step(ghost) == step && ghosts.distance(ghost) == k)
+          taken += k * ghosts.unseen(ghost);
+      }
+  return taken;
+}
+
+void limitShares(const State<2>& state, const Ghosts& ghosts)
+{
+  const Nodes<2> nodes = state.nodes;
+  const Grid<2> grid = state.grid;
+  Kokkos::parallel_for(
+      "rhegma::cracks::limitShares", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
+      KOKKOS_LAMBDA(const int i) {
+        const int n = nodes.active(i);
+        if (ghosts.step(n) == 0)
+          return;
+        const int far = n + (ghosts.distance(n) + 1) * ghosts.step(n);
+        const double taken = takenFrom(grid, ghosts, far);
+        const double allowed = takenAtMost * ghosts.seen(far);
+        ghosts.share(n) = taken > allowed ? allowed / taken : 1.0;
+      });
+}
+
+} // namespace
+
+void findGhosts(const State<2>& state, const View<int*>& row, Ghosts& ghosts)
+{
+  const int n = state.grid.numNodes;
+  if (static_cast<int>(ghosts.step.extent(0)) != n)
+  {
+    ghosts.step = View<int*>("rhegma::cracks::ghostStep", n);
+    ghosts.distance = View<int*>("rhegma::cracks::ghostDistance", n);
+    ghosts.share = View<double*>("rhegma::cracks::ghostShare", n);
+    ghosts.seen = View<double*>("rhegma::cracks::massSeen", n);
+    ghosts.unseen = View<double*>("rhegma::cracks::massUnseen", n);
+  }
+  Kokkos::deep_copy(ghosts.step, 0); // also at nodes that particles have left
+  findStandIns(state, ghosts);
+  if (state.shape == ShapeKind::Linear)
+    addMass<ShapeKind::Linear>(state, row, ghosts);
+  else
+    addMass<ShapeKind::Gimp>(state, row, ghosts);
+  limitShares(state, ghosts);
+}
+
+} // namespace Rhegma::cracks
