@@ -3,6 +3,7 @@
 #include "transfer/ParticleViews.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace Rhegma::energy_release
 {
@@ -64,6 +65,64 @@ double largestContour(const State<D>& state, const CrackFront<D>& front, double 
     if (other.crack != front.crack || other.number != front.number)
       clear = std::min(clear, norm(other.position - front.position));
   return clear;
+}
+
+double distanceToOtherCracks(const CrackSet<2>& cracks, const CrackFront<2>& front)
+{
+  double nearest = std::numeric_limits<double>::infinity();
+  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
+  const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
+  for (int c = 0; c < static_cast<int>(cracks.cracks.size()); ++c)
+  {
+    const Crack<2>& crack = cracks.cracks[c];
+    for (int s = crack.firstSimplex; c != front.crack && s < crack.firstSimplex + crack.numSimplices; ++s)
+    {
+      const Vector<2> a{{vertex(simplex(s, 0), 0), vertex(simplex(s, 0), 1)}};
+      const Vector<2> b{{vertex(simplex(s, 1), 0), vertex(simplex(s, 1), 1)}};
+      const double square = dot(b - a, b - a);
+      const double share = square > 0.0 ? std::clamp(dot(front.position - a, b - a) / square, 0.0, 1.0) : 0.0;
+      nearest = std::min(nearest, norm(front.position - (a + share * (b - a))));
+    }
+  }
+  return nearest;
+}
+
+namespace
+{
+
+constexpr double innerCells = 3.0, outerCells = 6.0, smallestOuterCells = 2.0, wantedInnerCells = 2.0;
+
+} // namespace
+
+ContourRadii usualRadii(const GivenRadii& given, double cell)
+{
+  ContourRadii radii;
+  radii.outer = given.outer > 0.0 ? given.outer : std::max(outerCells * cell, 2.0 * given.inner);
+  radii.inner = given.inner > 0.0 ? given.inner : std::min(innerCells * cell, 0.5 * radii.outer);
+  return radii;
+}
+
+double smallestOuter(const GivenRadii& given, double cell)
+{
+  return given.inner > 0.0 ? given.inner + cell : smallestOuterCells * cell;
+}
+
+double roomAround(const State<2>& state, const CrackFront<2>& front, double radius)
+{
+  return std::min(largestContour(state, front, radius), distanceToOtherCracks(state.cracks, front));
+}
+
+ContourRadii fittingRadii(const State<2>& state, const CrackFront<2>& front, const GivenRadii& given)
+{
+  const double cell = state.grid.spacing;
+  ContourRadii radii = usualRadii(given, cell);
+  if (given.outer > 0.0)
+    return radii;
+  const double usual = radii.outer;
+  radii.outer = std::max(roomAround(state, front, usual), smallestOuter(given, cell));
+  if (given.inner == 0.0 && radii.outer < usual)
+    radii.inner = std::max(0.5 * radii.outer, std::min(wantedInnerCells * cell, radii.outer - cell));
+  return radii;
 }
 
 template double clearRadius(const State<2>&, const Vector<2>&, double);

@@ -41,4 +41,27 @@ double clearRadius(const State<D>& state, const Vector<D>& centre, double radius
 template <int D>
 double largestContour(const State<D>& state, const CrackFront<D>& front, double radius);
 
+/// Distance [m] from a front to the nearest other crack.
+double distanceToOtherCracks(const CrackSet<2>& cracks, const CrackFront<2>& front);
+
+/// Radii that a scene gives; 0 where it leaves them to the program.
+struct GivenRadii
+{
+  double inner = 0.0, outer = 0.0;
+};
+
+/// Radii where there is room: 3 and 6 cells, or so that a given one fits.
+ContourRadii usualRadii(const GivenRadii& given, double cell);
+
+/// Radii of a front. An outer radius that the scene does not give is drawn in to what stays inside the body
+/// and clear of other fronts and cracks, but not below smallestOuter; the inner one to half of it, and to no
+/// less than 2 cells where a cell is left for the weight to fall.
+ContourRadii fittingRadii(const State<2>& state, const CrackFront<2>& front, const GivenRadii& given);
+
+/// Smallest outer radius that is chosen: 2 cells, or a cell beyond a given inner radius.
+double smallestOuter(const GivenRadii& given, double cell);
+
+/// Largest outer radius that is clear of everything, at most `radius` [m].
+double roomAround(const State<2>& state, const CrackFront<2>& front, double radius);
+
 } // namespace Rhegma::energy_release

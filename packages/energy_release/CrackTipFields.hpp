@@ -1,5 +1,5 @@
 #pragma once
-/// Stress and displacement gradient at a crack tip, and the direction in which it runs on.
+/// Displacement, its gradient and stress at a crack tip, and the direction in which it runs on.
 
 #include "state/Types.hpp"
 
@@ -16,8 +16,9 @@ struct TipModuli
 /// A field in the frame of the front: axis 0 along its direction, axis 1 along its normal.
 struct TipField
 {
-  double stress[2][2];   ///< [Pa]
-  double gradient[2][2]; ///< du_i/dx_j
+  double displacement[2]; ///< [m]
+  double stress[2][2];    ///< [Pa]
+  double gradient[2][2];  ///< du_i/dx_j
 };
 
 /// The singular field of unit stress intensity, K = 1 Pa m^0.5.
@@ -60,6 +61,7 @@ KOKKOS_INLINE_FUNCTION TipField williamsField(int mode, double r, double theta, 
   {
     f.gradient[i][0] = scale * (0.5 * cosine * g[i] - sine * slope[i]);
     f.gradient[i][1] = scale * (0.5 * sine * g[i] + cosine * slope[i]);
+    f.displacement[i] = scale * r * g[i];
   }
   return f;
 }

@@ -20,6 +20,8 @@ struct Disk
 {
   double cosine = 1.0, sine = 0.0; ///< of its mean turn
   Vector<D> velocity{{0.0, 0.0}};  ///< mean [m/s]
+  Vector<D> place{{0.0, 0.0}};     ///< mean [m]
+  Vector<D> reference{{0.0, 0.0}}; ///< mean before deformation [m]
   TipModuli moduli;
   double effectiveModulus; ///< [Pa]
 };
@@ -48,6 +50,32 @@ int nearestParticle(const State<D>& state, const Vector<D>& place)
       },
       Reducer(nearest));
   return nearest.loc;
+}
+
+/// Mean places of the particles in a disk, now and before deformation.
+void addMeanPlaces(const State<D>& state, const Vector<D>& centre, double reach, Disk& disk)
+{
+  const auto position = state.particles.real<D>(fields::position);
+  const auto reference = state.particles.real<D>(fields::reference);
+  double x = 0.0, y = 0.0, fromX = 0.0, fromY = 0.0;
+  int count = 0;
+  Kokkos::parallel_reduce(
+      "rhegma::meanPlace", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, double& sumX, double& sumY, double& sumFromX, double& sumFromY,
+                    int& number) {
+        if (distance(position, p, centre) > reach)
+          return;
+        sumX += position(p, 0);
+        sumY += position(p, 1);
+        sumFromX += reference(p, 0);
+        sumFromY += reference(p, 1);
+        ++number;
+      },
+      x, y, fromX, fromY, count);
+  if (count == 0)
+    return;
+  disk.place = {{x / count, y / count}};
+  disk.reference = {{fromX / count, fromY / count}};
 }
 
 Disk describeDisk(const State<D>& state, const CrackFront<D>& front, const ContourRadii& radii)
@@ -79,6 +107,7 @@ Disk describeDisk(const State<D>& state, const CrackFront<D>& front, const Conto
     disk.sine = across / size;
     disk.velocity = {{vx / count, vy / count}};
   }
+  addMeanPlaces(state, centre, reach, disk);
   const auto material = state.particles.integer(fields::material);
   int index = 0;
   Kokkos::deep_copy(index, Kokkos::subview(material, nearestParticle(state, centre)));
@@ -103,6 +132,13 @@ KOKKOS_INLINE_FUNCTION double tipAngle(double along, double across, int side)
   return theta;
 }
 
+/// What Williams' fields of the two modes give at a particle.
+struct Pair
+{
+  double interaction[2] = {0.0, 0.0};
+  double reciprocal[2] = {0.0, 0.0};
+};
+
 /// Sums the integrands of one particle.
 template <ShapeKind S, bool Stored>
 struct Integrand
@@ -112,7 +148,7 @@ struct Integrand
   NodalWeight<D> weight;
   View<double * [Nodes<D>::motionWidth]> motion;
   View<double* [D]> acceleration;
-  BorrowedView<double* [D]> position;
+  BorrowedView<double*[D]> position, reference;
   BorrowedView<double*> mass, volume;
   BorrowedView<double * [gradientSize<D>]> deformation;
   BorrowedView<double * [symmetricSize<D>]> stress;
@@ -120,11 +156,13 @@ struct Integrand
   BorrowedView<int*> material, side;
   View<Properties*> materials;
   Disk disk;
+  Vector<D> tip; ///< of Williams' field
   Vector<D> direction, normal;
   int positive, negative; ///< names of the crack's sides
   bool sides, moving;
 
-  KOKKOS_INLINE_FUNCTION void operator()(int p, double& J, double& modeI, double& modeII) const
+  KOKKOS_INLINE_FUNCTION void operator()(int p, double& J, double& modeI, double& modeII, double& reciprocalI,
+                                         double& reciprocalII) const
   {
     const Vector<D> centre = weight.centre;
     // A stencil reaches at most 2.5 cells along each axis.
@@ -177,47 +215,97 @@ struct Integrand
     const double* own = history.extent(1) > 0 ? &history(p, 0) : nullptr;
     const double energy = storedEnergy<D>(materials(material(p)), F, own) + 0.5 * density * dot(v, v);
     J += volume(p) * (dot(flux, du) - energy * dot(dq, image) + density * (dot(a, du) - dot(v, dv1)) * q);
-    addInteraction(p, q, dq, flux, du, density, a, modeI, modeII);
+    const Pair sum = interaction(p, q, dq, flux, du, density, a);
+    modeI += sum.interaction[0];
+    modeII += sum.interaction[1];
+    reciprocalI += sum.reciprocal[0];
+    reciprocalII += sum.reciprocal[1];
   }
 
-  KOKKOS_INLINE_FUNCTION void addInteraction(int p, double q, const Vector<D>& dq, const Vector<D>& flux,
-                                             const Vector<D>& du, double density, const Vector<D>& a,
-                                             double& modeI, double& modeII) const
+  /// Displacement relative to the disk's mean motion and turn, as `du` is.
+  KOKKOS_INLINE_FUNCTION Vector<D> displacement(int p) const
   {
-    const Vector<D> from{{position(p, 0) - weight.centre[0], position(p, 1) - weight.centre[1]}};
+    const double x = reference(p, 0) - disk.reference[0], y = reference(p, 1) - disk.reference[1];
+    return {{position(p, 0) - disk.place[0] - disk.cosine * x + disk.sine * y,
+             position(p, 1) - disk.place[1] - disk.sine * x - disk.cosine * y}};
+  }
+
+  KOKKOS_INLINE_FUNCTION Pair interaction(int p, double q, const Vector<D>& dq, const Vector<D>& flux,
+                                          const Vector<D>& du, double density, const Vector<D>& a) const
+  {
+    Pair sum;
+    const Vector<D> from{{position(p, 0) - tip[0], position(p, 1) - tip[1]}};
     const double along = dot(from, direction), across = dot(from, normal);
     const double r = std::sqrt(along * along + across * across);
     if (!(r > 0.0))
-      return;
+      return sum;
     const int named = sides ? side(p) : 0;
     const double theta = tipAngle(along, across, named == positive ? 1 : (named == negative ? -1 : 0));
     const double fluxIn[2] = {dot(flux, direction), dot(flux, normal)};
     const double slopeIn[2] = {dot(dq, direction), dot(dq, normal)};
     const double duIn[2] = {dot(du, direction), dot(du, normal)};
     const double aIn[2] = {dot(a, direction), dot(a, normal)};
+    const Vector<D> u = displacement(p);
+    const double uIn[2] = {dot(u, direction), dot(u, normal)};
     const double* tau = &stress(p, 0);
     const Vector<D> pull{
         {tau[0] * direction[0] + tau[2] * direction[1], tau[2] * direction[0] + tau[1] * direction[1]}};
     const Vector<D> lift{{tau[0] * normal[0] + tau[2] * normal[1], tau[2] * normal[0] + tau[1] * normal[1]}};
     const double s11 = dot(pull, direction), s12 = dot(pull, normal), s22 = dot(lift, normal);
-    double sum[2];
     for (int mode = 0; mode < 2; ++mode)
     {
       const TipField w = williamsField(mode, r, theta, disk.moduli);
       double m = -slopeIn[0] * (s11 * w.gradient[0][0] + s22 * w.gradient[1][1] +
                                 s12 * (w.gradient[0][1] + w.gradient[1][0]));
+      double reciprocal = 0.0;
       for (int i = 0; i < 2; ++i)
       {
-        m += fluxIn[i] * w.gradient[i][0] + density * aIn[i] * w.gradient[i][0] * q;
+        const double pulled = fluxIn[i], pushed = density * aIn[i] * q;
+        m += (pulled + pushed) * w.gradient[i][0];
+        reciprocal += (pulled + pushed) * w.displacement[i];
         for (int j = 0; j < 2; ++j)
+        {
           m += w.stress[i][j] * duIn[i] * slopeIn[j];
+          reciprocal -= w.stress[i][j] * uIn[i] * slopeIn[j];
+        }
       }
-      sum[mode] = volume(p) * m;
+      sum.interaction[mode] = volume(p) * m;
+      sum.reciprocal[mode] = volume(p) * reciprocal;
     }
-    modeI += sum[0];
-    modeII += sum[1];
+    return sum;
   }
 };
+
+/// Intensities by Williams' field about the tip that the cells have. Each turn finds the offset that is left;
+/// it falls by a factor of 50 or so.
+template <class Work>
+DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& front, Work& work)
+{
+  constexpr int turns = 4;
+  const double enough = 1e-3 * state.grid.spacing, most = state.grid.spacing;
+  const double scale = 0.5 * work.disk.effectiveModulus / state.thickness;
+  DomainIntegral sum;
+  for (int turn = 1;; ++turn)
+  {
+    work.tip = front.position + sum.tipOffset * front.direction;
+    double J = 0.0, modeI = 0.0, modeII = 0.0, reciprocalI = 0.0, reciprocalII = 0.0;
+    Kokkos::parallel_reduce("rhegma::domainIntegral",
+                            Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()), work, J, modeI, modeII,
+                            reciprocalI, reciprocalII);
+    sum.J = J / state.thickness;
+    sum.modeI = scale * modeI;
+    sum.modeII = scale * modeII;
+    const double square = modeI * modeI + modeII * modeII;
+    if (turn == turns || !(square > 0.0))
+      return sum;
+    // Without a singular field, as before a wave arrives, noise has no tip: keep to the cells that hold one.
+    const double next = sum.tipOffset + (reciprocalI * modeI + reciprocalII * modeII) / square;
+    const double offset = next > most ? most : (next < -most ? -most : next);
+    if (std::fabs(offset - sum.tipOffset) < enough)
+      return sum;
+    sum.tipOffset = offset;
+  }
+}
 
 template <ShapeKind S, bool Stored>
 DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, const ContourRadii& radii,
@@ -230,6 +318,7 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
   work.motion = state.nodes.motion;
   work.acceleration = acceleration;
   work.position = state.particles.template real<D>(fields::position);
+  work.reference = state.particles.template real<D>(fields::reference);
   work.mass = state.particles.scalar(fields::mass);
   work.volume = state.particles.scalar(fields::volume);
   work.deformation = state.particles.template real<gradientSize<D>>(fields::deformation);
@@ -247,14 +336,8 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
   work.positive = front.crack + 1;
   work.negative = -front.crack - 1;
   work.moving = state.step > 0 && state.nodes.motion.extent(0) > 0; // nodes are empty before the first step
-  DomainIntegral sum;
-  double modeI = 0.0, modeII = 0.0;
-  Kokkos::parallel_reduce("rhegma::domainIntegral", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-                          work, sum.J, modeI, modeII);
-  sum.J /= state.thickness;
-  sum.modeI = 0.5 * work.disk.effectiveModulus * modeI / state.thickness;
-  sum.modeII = 0.5 * work.disk.effectiveModulus * modeII / state.thickness;
-  const double lost = intensityLostAtFront(state, front);
+  DomainIntegral sum = integrateAboutTip(state, front, work);
+  const double lost = intensityLostAtFront(state, front, sum.tipOffset);
   sum.J += lost * (2.0 * sum.modeI + lost) / work.disk.effectiveModulus;
   sum.modeI += lost;
   return sum;

@@ -2,6 +2,7 @@
 
 #include "energy_release/Contour.hpp"
 #include "energy_release/CrackClosure.hpp"
+#include "energy_release/CrackTipFields.hpp"
 #include "energy_release/DomainIntegral.hpp"
 #include "scene/Numbers.hpp"
 
@@ -17,11 +18,9 @@ namespace Rhegma::energy_release
 namespace
 {
 
-constexpr double innerCells = 3.0, outerCells = 6.0;
-
 struct Options
 {
-  ContourRadii radii{0.0, 0.0}; ///< 0 where the scene leaves them to the cells
+  GivenRadii radii;
   bool closure = true;
   bool lumped = false;
   bool openingKnown = true; ///< shape functions without linear completeness give no opening to close
@@ -32,6 +31,7 @@ struct Options
 struct Sample
 {
   CrackFront<2> front;
+  ContourRadii radii;
   DomainIntegral integral;
   CrackClosure closure{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 };
@@ -50,16 +50,18 @@ Section section()
   s.real("Inner Radius")
       .unit("m")
       .positive()
-      .optional("3 cells")
+      .optional("3 cells, or half of Outer Radius where that is less")
       .meaning("The weight of the domain integrals is 1 up to this distance from the front. Take 5 cells "
                "round a front "
                "that runs: a closer contour cuts its cohesive zone.");
   s.real("Outer Radius")
       .unit("m")
       .positive()
-      .optional("6 cells")
+      .optional("6 cells or twice a given Inner Radius, less where that leaves the body or reaches another "
+                "front or crack")
       .meaning(
-          "The weight falls to 0 at this distance, which must be inside the body and clear of other fronts.");
+          "The weight falls to 0 at this distance. One that is given must be inside the body and clear of "
+          "other fronts.");
   s.boolean("Crack Closure")
       .byDefault(true)
       .meaning(
@@ -91,10 +93,12 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
     return;
   const double cell = domain.get<double>("Cell Size");
   const Teuchos::ParameterList& list = scene.sublist("Energy Release");
-  const double inner =
-      list.isType<double>("Inner Radius") ? list.get<double>("Inner Radius") : innerCells * cell;
-  const double outer =
-      list.isType<double>("Outer Radius") ? list.get<double>("Outer Radius") : outerCells * cell;
+  GivenRadii given;
+  if (list.isType<double>("Inner Radius"))
+    given.inner = list.get<double>("Inner Radius");
+  if (list.isType<double>("Outer Radius"))
+    given.outer = list.get<double>("Outer Radius");
+  const auto [inner, outer] = usualRadii(given, cell);
   if (outer < inner + cell)
     errors.push_back({"Energy Release > Outer Radius",
                       "the weight must fall over at least one cell of " + formatReal(cell) +
@@ -118,13 +122,6 @@ Options readOptions(const Teuchos::ParameterList& scene)
   return options;
 }
 
-ContourRadii radiiIn(const State<2>& state, const Options& options)
-{
-  const double cell = state.grid.spacing;
-  return {options.radii.inner > 0.0 ? options.radii.inner : innerCells * cell,
-          options.radii.outer > 0.0 ? options.radii.outer : outerCells * cell};
-}
-
 std::string frontName(const State<2>& state, const CrackFront<2>& front)
 {
   return state.cracks.cracks[front.crack].name + "." + std::to_string(front.number);
@@ -133,22 +130,57 @@ std::string frontName(const State<2>& state, const CrackFront<2>& front)
 /// A node may come to lie this share of a cell inside of the contour as the body moves.
 constexpr double slack = 1e-6;
 
-void checkContours(const State<2>& state, const Options& options)
+void refuseContour(const State<2>& state, const CrackFront<2>& front, const std::string& where,
+                   const std::string& contour, const std::string& advice)
 {
-  const ContourRadii radii = radiiIn(state, options);
+  throw std::invalid_argument("Energy Release > " + where + ": the contour of " + contour +
+                              " m round the front " + frontName(state, front) +
+                              " leaves the body or reaches another " + advice +
+                              ", or take smaller cells (Domain > Cell Size)");
+}
+
+/// Refuses radii that the scene gives and that don't fit; says which ones are used where the usual ones
+/// don't.
+void checkContours(State<2>& state, const Options& options)
+{
+  const double cell = state.grid.spacing;
+  const GivenRadii& given = options.radii;
   for (const CrackFront<2>& front : state.cracks.fronts)
   {
-    const double clear = largestContour(state, front, radii.outer);
-    if (clear < radii.outer - slack * state.grid.spacing)
-      throw std::invalid_argument("Energy Release > Outer Radius: the contour of " + formatReal(radii.outer) +
-                                  " m round the front " + frontName(state, front) +
-                                  " leaves the body or reaches another front; write at most " +
-                                  formatReal(clear) + ", or take smaller cells (Domain > Cell Size)");
+    if (given.outer > 0.0)
+    {
+      const double clear = largestContour(state, front, given.outer);
+      if (clear < given.outer - slack * cell)
+        refuseContour(state, front, "Outer Radius", formatReal(given.outer),
+                      "front; write at most " + formatReal(clear));
+      continue;
+    }
+    const double usual = usualRadii(given, cell).outer, room = roomAround(state, front, usual);
+    const double least = smallestOuter(given, cell);
+    if (room < least - slack * cell)
+      refuseContour(state, front, given.inner > 0.0 ? "Inner Radius" : "Outer Radius", formatReal(least),
+                    "front or crack; there is room for " + formatReal(room) + " m: " +
+                        (given.inner > 0.0 ? "write a smaller Inner Radius"
+                                           : "give both radii, or leave out Energy Release"));
+    if (room < usual - slack * cell)
+    {
+      const ContourRadii radii = fittingRadii(state, front, given);
+      state.warnings.push_back("Energy Release: round the front " + frontName(state, front) +
+                               " the weight is 1 up to " + formatReal(radii.inner) + " m and 0 from " +
+                               formatReal(radii.outer) +
+                               " m on, which is the room inside the body and clear of "
+                               "other fronts and cracks; " +
+                               formatReal(usual) + " m would be usual");
+    }
   }
 }
 
-void warnOfContour(State<2>& state, const CrackFront<2>& front, const ContourRadii& radii, Samples& samples)
+void warnOfContour(State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
+                   const Options& options, Samples& samples)
 {
+  const bool follows = options.radii.outer == 0.0; // then the contour is drawn in as far as it may be
+  if (follows && radii.outer > smallestOuter(options.radii, state.grid.spacing))
+    return;
   if (samples.warned.count({front.crack, front.number}) != 0 ||
       largestContour(state, front, radii.outer) > radii.outer - state.grid.spacing)
     return;
@@ -160,14 +192,14 @@ void warnOfContour(State<2>& state, const CrackFront<2>& front, const ContourRad
 
 void sample(State<2>& state, const Options& options, Samples& samples)
 {
-  const ContourRadii radii = radiiIn(state, options);
   samples.last.clear();
   for (const CrackFront<2>& front : state.cracks.fronts)
   {
-    warnOfContour(state, front, radii, samples);
     Sample s;
     s.front = front;
-    s.integral = integrateDomain(state, front, radii);
+    s.radii = fittingRadii(state, front, options.radii);
+    warnOfContour(state, front, s.radii, options, samples);
+    s.integral = integrateDomain(state, front, s.radii);
     const bool closure = options.closure && samples.inclined.count({front.crack, front.number}) == 0;
     if (closure)
       s.closure = closeCrack(state, front, options.columns);
@@ -188,6 +220,15 @@ void sample(State<2>& state, const Options& options, Samples& samples)
   }
 }
 
+/// Angle [degrees], counter-clockwise, by which the front would turn.
+double kinkAngle(const Sample& s)
+{
+  const double degrees = 45.0 / std::atan(1.0);
+  const Vector<2>&along = s.front.direction, &normal = s.front.normal;
+  const double turn = along[0] * normal[1] - along[1] * normal[0] > 0.0 ? degrees : -degrees;
+  return turn * hoopStressAngle(s.integral.modeI, s.integral.modeII);
+}
+
 void report(const State<2>& state, const Options& options, const Samples& samples, nlohmann::json& summary)
 {
   for (const Sample& s : samples.last)
@@ -201,6 +242,10 @@ void report(const State<2>& state, const Options& options, const Samples& sample
     entry["G_J"] = s.integral.J;
     entry["K_I"] = s.integral.modeI;
     entry["K_II"] = s.integral.modeII;
+    entry["kink_angle"] = kinkAngle(s);
+    entry["tip_offset"] = s.integral.tipOffset;
+    entry["inner_radius"] = s.radii.inner;
+    entry["outer_radius"] = s.radii.outer;
     if (options.openingKnown && std::isfinite(s.closure.consistent))
       entry["G_closure"] = s.closure.consistent;
     if (options.lumped && std::isfinite(s.closure.lumped))

@@ -64,7 +64,7 @@ private:
 
 } // namespace
 
-double intensityLostAtFront(const State<2>& state, const CrackFront<2>& front)
+double intensityLostAtFront(const State<2>& state, const CrackFront<2>& front, double tipOffset)
 {
   const CrackSet<2>& cracks = state.cracks;
   if (cracks.pressure.extent(0) != cracks.simplex.extent(0) || state.step == 0)
@@ -94,14 +94,17 @@ double intensityLostAtFront(const State<2>& state, const CrackFront<2>& front)
   const auto weight = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, stencils.weight);
   const auto nodeSide = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.nodeSide);
 
-  double intensity = 0.0;
+  // int s^-1/2 ds over a piece of the way back, s the distance from the tip that the cells have.
+  const auto weighed = [tipOffset](double from, double to)
+  { return 2.0 * (std::sqrt(std::max(to + tipOffset, 0.0)) - std::sqrt(std::max(from + tipOffset, 0.0))); };
+  double intensity = places.empty() ? 0.0 : places[0].pressure * weighed(-std::fabs(tipOffset), 0.0);
   for (int k = 0; k < points.count; ++k)
   {
     double shared = 0.0;
     for (int e = 0; e < count(k); ++e)
       if (node(k, e) < state.nodes.numLattice && nodeSide(node(k, e)) == 0)
         shared += weight(k, e);
-    intensity += shared * places[k].pressure * 2.0 * (std::sqrt((k + 1) * piece) - std::sqrt(k * piece));
+    intensity += shared * places[k].pressure * weighed(k * piece, (k + 1) * piece);
   }
   return intensity * std::sqrt(2.0 / std::acos(-1.0));
 }

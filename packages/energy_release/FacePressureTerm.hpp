@@ -15,6 +15,9 @@ namespace Rhegma::energy_release
 /// at the distance r give K_I = P sqrt(2 / (pi r)) (Tada, Paris and Irwin, The Stress Analysis of Cracks
 /// Handbook, 3rd ed., 2000, 3.6), so K_I = sqrt(2 / pi) int lost(r) p r^-1/2 dr. Without it K_I under a
 /// pressure would be low by p sqrt(32 h / (9 pi)).
-double intensityLostAtFront(const State<2>& state, const CrackFront<2>& front);
+///
+/// \param tipOffset how far ahead of the front the tip lies that the cells have [m]: r counts from there, and
+/// ahead of the front no pressure is felt at all
+double intensityLostAtFront(const State<2>& state, const CrackFront<2>& front, double tipOffset);
 
 } // namespace Rhegma::energy_release

@@ -148,6 +148,8 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
                   simulation.report());
   const bool within = addReferences(scene->sublist("Reference"), summary);
   writeSummary(summary, production.folder() + "/summary.json");
+  for (const auto& warning : summary["warnings"])
+    err << "rhegma: warning: " << warning.get<std::string>() << "\n";
   if (!trouble.empty())
   {
     err << "rhegma: " << trouble << "\n";

@@ -26,3 +26,55 @@ TEST(Contour, EndsAtAnotherFront)
   state.cracks.fronts.push_back(other);
   EXPECT_NEAR(largestContour(state, front, 0.007), 0.005, 1e-12);
 }
+
+namespace
+{
+
+constexpr double cell = 1e-3;
+
+ContourRadii radiiAt(double x, const GivenRadii& given = {})
+{
+  State<2> state = makeBody(0.01, cell, Plane::Strain, ShapeKind::Gimp);
+  return fittingRadii(state, addFront(state, {{x, 0.0}}, 0.0), given);
+}
+
+void expectRadii(const ContourRadii& radii, double inner, double outer)
+{
+  EXPECT_NEAR(radii.inner, inner, 1e-12);
+  EXPECT_NEAR(radii.outer, outer, 1e-12);
+}
+
+} // namespace
+
+/// The body ends at x = 10 mm.
+TEST(Contour, DrawsInWhereItIsNotGiven)
+{
+  expectRadii(radiiAt(0.000), 3e-3, 6e-3);
+  expectRadii(radiiAt(0.005), 2.5e-3, 5e-3);
+  expectRadii(radiiAt(0.006), 2e-3, 4e-3);
+  expectRadii(radiiAt(0.007), 2e-3, 3e-3);
+  expectRadii(radiiAt(0.008), 1e-3, 2e-3);
+  expectRadii(radiiAt(0.009), 1e-3, 2e-3); // no smaller: such a front is refused at the start
+}
+
+TEST(Contour, KeepsWhatIsGiven)
+{
+  expectRadii(radiiAt(0.007, {0.0, 5e-3}), 2.5e-3, 5e-3);
+  expectRadii(radiiAt(0.005, {1e-3, 0.0}), 1e-3, 5e-3);
+  expectRadii(radiiAt(0.000, {4e-3, 0.0}), 4e-3, 8e-3);
+  expectRadii(radiiAt(0.007, {4e-3, 0.0}), 4e-3, 5e-3);
+}
+
+TEST(Contour, StaysClearOfOtherCracks)
+{
+  State<2> state = makeBody(0.01, cell, Plane::Strain, ShapeKind::Gimp);
+  const CrackFront<2> front = addFront(state, {{0.0, 0.0}}, 0.0);
+  state.cracks.cracks.push_back({"Other", 0, 2, 0, 1});
+  state.cracks.vertex = View<double* [2]>("rhegma::vertex", 2);
+  state.cracks.vertex(0, 0) = -2e-3;
+  state.cracks.vertex(1, 0) = 2e-3;
+  state.cracks.vertex(0, 1) = state.cracks.vertex(1, 1) = 4e-3;
+  state.cracks.simplex = View<int* [2]>("rhegma::simplex", 1);
+  state.cracks.simplex(0, 1) = 1;
+  expectRadii(fittingRadii(state, front, {}), 2e-3, 4e-3);
+}

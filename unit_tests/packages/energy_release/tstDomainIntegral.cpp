@@ -121,6 +121,26 @@ TEST(DomainIntegral, FindsBothModesInPlaneStressBackwards)
   checkTipField(Plane::Stress, ShapeKind::Linear, 2.4, smallK, -0.7 * smallK, 1e-3);
 }
 
+/// The field of a tip 0.4 mm ahead of the front or behind it is found where it is. Reciprocity weighs terms
+/// of the size of outer radius by the quadrature's error.
+TEST(DomainIntegral, FindsTheTipThatTheCellsHave)
+{
+  const double cell = 1e-3;
+  for (const double offset : {0.4e-3, -0.4e-3})
+  {
+    State<2> state = makeBody(half, cell, Plane::Strain, ShapeKind::Gimp, {{0.3, -0.2}});
+    const double angle = 0.4;
+    CrackFront<2> front = addFront(state, {{0.13e-3, 0.07e-3}}, angle);
+    CrackFront<2> tip = front;
+    tip.position = tip.position + offset * front.direction;
+    deform(state, tipDisplacement(state, tip, smallK, -0.5 * smallK));
+    const DomainIntegral result = integrateDomain(state, front, radii, nodalAcceleration(state));
+    EXPECT_NEAR(result.tipOffset, offset, quadrature(cell) * radii.outer + 1e-3 * cell);
+    EXPECT_NEAR(result.modeI, smallK, quadrature(cell));
+    EXPECT_NEAR(result.modeII, -0.5 * smallK, quadrature(cell));
+  }
+}
+
 TEST(DomainIntegral, IsCloserOnFinerCells)
 {
   for (const double cell : {0.5e-3, 0.25e-3})

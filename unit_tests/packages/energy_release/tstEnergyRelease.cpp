@@ -46,6 +46,36 @@ TEST(EnergyRelease, StopsTheRunAtStartWhereItLeavesTheBody)
   }
 }
 
+/// Where the scene leaves the radii to the program, it draws the contour in and says so.
+TEST(EnergyRelease, DrawsInAContourThatIsNotGiven)
+{
+  Teuchos::ParameterList scene = sceneWith(3e-3);
+  scene.sublist("Energy Release").remove("Inner Radius");
+  scene.sublist("Energy Release").remove("Outer Radius");
+  const auto start = [&](double x)
+  {
+    State<2> state = makeBody(0.01, 1e-3, Plane::Strain, ShapeKind::Linear);
+    addFront(state, {{x, 0.0}}, 0.0);
+    const Effect<2> effect = energyReleaseEntry().make2(scene);
+    effect.atStart(state);
+    state.observing = true;
+    effect.calls[0].run(state);
+    nlohmann::json summary;
+    effect.report(state, summary);
+    EXPECT_EQ(state.warnings.size(), x == 0.0 ? 0u : 1u);
+    if (x > 0.0)
+    {
+      EXPECT_NE(state.warnings[0].find("1 up to 0.002 m and 0 from 0.003 m"), std::string::npos)
+          << state.warnings[0];
+    }
+    return summary["cracks"][0]["fronts"][0];
+  };
+  EXPECT_NEAR(start(0.0)["outer_radius"].get<double>(), 6e-3, 1e-12);
+  EXPECT_NEAR(start(7e-3)["outer_radius"].get<double>(), 3e-3, 1e-12);
+  EXPECT_NEAR(start(7e-3)["inner_radius"].get<double>(), 2e-3, 1e-12);
+  EXPECT_THROW(start(8.5e-3), std::invalid_argument);
+}
+
 TEST(EnergyRelease, RefusesSectionsThatDoNotFit)
 {
   const EffectEntry entry = energyReleaseEntry();
@@ -99,6 +129,31 @@ TEST(EnergyRelease, GivesColumnsAndASummary)
   EXPECT_EQ(reported["K_I"].get<double>(), state.row[1].second);
   EXPECT_EQ(reported["length"].get<double>(), 0.01);
   EXPECT_FALSE(reported.contains("G_closure"));
+  EXPECT_EQ(reported["inner_radius"].get<double>(), 1e-3);
+  EXPECT_EQ(reported["outer_radius"].get<double>(), 5e-3);
+}
+
+/// K_I = K_II turns a front clockwise by 2 atan(1/2) = 53.13 degrees, whichever way side +1 lies; the ring of
+/// a 1 mm grid gives the ratio to a per cent, and the angle to a quarter of that in radians.
+TEST(EnergyRelease, ReportsTheKinkCounterClockwise)
+{
+  for (const double handed : {1.0, -1.0})
+  {
+    State<2> state = makeBody(0.01, 1e-3, Plane::Strain, ShapeKind::Linear);
+    CrackFront<2> front = addFront(state, {{0.0, 0.0}}, 0.4);
+    const DisplacementField field = tipDisplacement(state, front, 2.0, 2.0);
+    state.cracks.fronts[0].normal = handed * front.normal;
+    const Effect<2> effect = energyReleaseEntry().make2(sceneWith(5e-3));
+    effect.atStart(state);
+    deform(state, field);
+    state.observing = true;
+    effect.calls[0].run(state);
+    nlohmann::json summary;
+    effect.report(state, summary);
+    const nlohmann::json& reported = summary["cracks"][0]["fronts"][0];
+    EXPECT_NEAR(reported["kink_angle"].get<double>(), -53.1301, 0.2);
+    EXPECT_NEAR(reported["tip_offset"].get<double>(), 0.0, 2e-5);
+  }
 }
 
 /// Crack closure has a column only where it is right.
