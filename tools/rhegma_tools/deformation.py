@@ -53,6 +53,42 @@ def crack_displacement(crack, position, displacement):
     return result
 
 
+def opening_power(crack, front, far, position, displacement):
+    """The power of the distance from a front with which faces open up to the next vertex, from the particles halfway:
+    1/2 near a front of an elastic body, 2 between the arms of a beam."""
+    middle = 0.5 * (crack.points[front] + crack.points[far])
+    normal = crack.opening[far] / np.linalg.norm(crack.opening[far])
+    arm = position - middle
+    across, squared = arm @ normal, np.einsum("ij,ij->i", arm, arm)
+    sides = [np.flatnonzero(across > 0.0), np.flatnonzero(across <= 0.0)]
+    if min(side.size for side in sides) < 2:
+        return 1.0
+    moved = [displacement[side[np.argsort(squared[side])[:2]]].mean(axis=0) @ normal for side in sides]
+    share = (moved[0] - moved[1]) / np.linalg.norm(crack.opening[far])
+    return float(np.clip(-np.log2(share), 0.5, 2.0)) if share > 0.0 else 2.0
+
+
+def curved_at_fronts(crack, faces, position, displacement):
+    """Segments (s, 2, 3) of each of the two faces of a polyline. Vertices are cells apart; up to the last one from a
+    front, where the faces meet, they are drawn with a power of the distance."""
+    one, other = faces
+    middle, half = 0.5 * (one + other), 0.5 * (one - other)
+    closed = np.linalg.norm(crack.opening, axis=1) == 0.0
+    lines = ([], [])
+    for i, j in crack.cells:
+        share = np.linspace(0.0, 1.0, 17 if closed[i] != closed[j] else 2)[:, None]
+        centre = (1.0 - share) * middle[i] + share * middle[j]
+        if closed[i] and not closed[j]:
+            apart = share ** opening_power(crack, i, j, position, displacement) * half[j]
+        elif closed[j] and not closed[i]:
+            apart = (1.0 - share) ** opening_power(crack, j, i, position, displacement) * half[i]
+        else:
+            apart = (1.0 - share) * half[i] + share * half[j]
+        for line, points in zip(lines, (centre + apart, centre - apart)):
+            line += list(np.stack([points[:-1], points[1:]], axis=1))
+    return [np.array(line) for line in lines]
+
+
 def magnified_faces(crack, position, displacement, magnification):
     """Both faces' vertices (v, 3) as drawn. An undeformed crack is closed, so its opening is a displacement too."""
     middle = crack.points

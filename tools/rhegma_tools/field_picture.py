@@ -5,7 +5,7 @@ from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.colors import Normalize, TwoSlopeNorm
 
 from . import boxes, style
-from .deformation import automatic_magnification, crack_normals, magnified_faces
+from .deformation import automatic_magnification, crack_normals, curved_at_fronts, magnified_faces
 from .style import plt
 
 MOST = 250_000  # particles drawn; of more, every second, third, ... is drawn larger
@@ -87,12 +87,13 @@ def particle_outlines(fields, view, magnification):
     return [boxes.grown(view.flat(outline)[None], by)[0] for outline in outlines], drawn[cut]
 
 
-def crack_segments(crack, faces, view):
+def crack_segments(fields, faces, view):
     """Segments (s, 2, 2) to draw of each face: the crack's own in 2D, its cuts with the plane in 3D.
 
     The cut is found on the crack as it is and drawn where the face has gone."""
+    crack = fields.crack
     if not crack.is_surface:
-        return [view.flat(face[crack.cells]) for face in faces]
+        return [view.flat(face) for face in curved_at_fronts(crack, faces, fields.position, fields.displacement)]
     height = crack.points[:, view.normal] - view.where
     height = np.where(height == 0.0, 1.0e-300, height)  # a vertex on the plane counts as above it
     result = [[] for _ in faces]
@@ -176,7 +177,7 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
     segments, places = [], []
     if fields.crack is not None:
         faces = magnified_faces(fields.crack, fields.position, fields.displacement, magnification)
-        segments = [face * length_factor for face in crack_segments(fields.crack, faces, view)]
+        segments = [face * length_factor for face in crack_segments(fields, faces, view)]
         places = [p * length_factor for p in front_places(fields, faces, summary, view)]
 
     names = ["xyz"[axis] for axis in view.axes]

@@ -72,8 +72,8 @@ def draw_study(study, outcomes, path):
     low, high = [[f(p[axis] for p in points) for axis in (0, 1)] for f in (min, max)]
     for axis, set_limits in ((0, axes.set_xlim), (1, axes.set_ylim)):
         span = max(high[axis] / low[axis], 2.0) ** 0.12 if low[axis] > 0.0 else 2.0
-        set_limits(low[axis] / span, high[axis] * span)
-        low[axis], high[axis] = low[axis] / span, high[axis] * span
+        low[axis], high[axis] = low[axis] / (span if axis == 1 else span**2), high[axis] * span  # room for labels
+        set_limits(low[axis], high[axis])
     sparse_ticks(axes.xaxis, low[0], high[0], seconds)
     relative = all(o.run.reference != 0.0 for o in good)
     sparse_ticks(axes.yaxis, low[1], high[1], percent if relative else seconds)

@@ -9,7 +9,7 @@ import made_up_run
 import numpy as np
 
 from rhegma_tools.boxes import cut, parallelograms
-from rhegma_tools.deformation import automatic_magnification, crack_displacement, magnified_faces
+from rhegma_tools.deformation import automatic_magnification, crack_displacement, curved_at_fronts, magnified_faces
 from rhegma_tools.field_picture import choose_view, colour_scale, crack_segments, in_slice
 from rhegma_tools.fields import Crack, read_fields
 from rhegma_tools.history import read_history
@@ -173,6 +173,25 @@ class Deformation(ToolTest):
         np.testing.assert_allclose(lower[:, 1], [-11.0, -11.0], rtol=1e-14)
 
 
+    def test_faces_part_with_a_power_of_the_distance_from_a_front(self):
+        """Straight from x = 0 to 1, open by 2 at both; closed at the front x = 2. Particles halfway to it have parted by
+        2 sqrt(1/2), so the root of the distance is drawn; by 1/2, and its square is."""
+        points = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]])
+        opening = np.array([[0.0, 2.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 0.0]])
+        crack = Crack(points, np.array([[0, 1], [1, 2]]), opening)
+        faces = (points + 0.5 * opening, points - 0.5 * opening)
+        place = np.array([[1.4, 0.3, 0.0], [1.6, 0.3, 0.0], [1.4, -0.3, 0.0], [1.6, -0.3, 0.0]])
+        part = np.array([[0.0, 0.5, 0.0]] * 2 + [[0.0, -0.5, 0.0]] * 2)
+        upper, lower = curved_at_fronts(crack, faces, place, 2.0 * np.sqrt(0.5) * part)
+        self.assertEqual(upper.shape, (17, 2, 3))
+        np.testing.assert_allclose(upper[0], [[0.0, 1.0, 0.0], [1.0, 1.0, 0.0]])
+        np.testing.assert_allclose(upper[8, 1], [1.5, np.sqrt(0.5), 0.0])
+        np.testing.assert_allclose(lower[8, 1], [1.5, -np.sqrt(0.5), 0.0])
+        np.testing.assert_allclose(upper[-1, 1], [2.0, 0.0, 0.0])
+        upper, _ = curved_at_fronts(crack, faces, place, 0.5 * part)
+        np.testing.assert_allclose(upper[8, 1], [1.5, 0.25, 0.0])
+
+
 class FieldPicture(ToolTest):
     def test_reads_the_last_time(self):
         made_up_run.beam(self.folder)
@@ -201,7 +220,7 @@ class FieldPicture(ToolTest):
         self.assertEqual((view.normal, view.axes), (1, [0, 2]))
         self.assertAlmostEqual(view.where, 0.0125)
         self.assertEqual(in_slice(fields, view.normal, view.where).sum(), 1600)
-        cut = crack_segments(fields.crack, [fields.crack.points], view)[0]
+        cut = crack_segments(fields, [fields.crack.points], view)[0]
         # 0.0125 from the diameter of a polygon of 24 corners, whose outermost edges there turn by 15 degrees.
         chord = 2.0 * (0.3 - 0.0125 * np.tan(np.radians(7.5)))
         self.assertAlmostEqual(np.linalg.norm(cut[:, 1] - cut[:, 0], axis=1).sum(), chord)
