@@ -81,7 +81,7 @@ Effect<D> makeCore(const State<D>& state)
                if (scheme == UpdateScheme::Musl)
                  project(s);
                if (scheme == UpdateScheme::Usf)
-                 strainAndMove(s, StrainVelocity::Motion, false, true);
+                 strainAndMove(s, StrainVelocity::Projection, false, true);
              }});
   core.call({Stage::OnParticles,
              "strain, stress and place of particles",

@@ -10,7 +10,7 @@ namespace Rhegma
 ///
 /// MUSL (Sulsky, Zhou and Schreyer 1995) strains the particles by the projection of their new velocities; USF
 /// by the projection of the old ones before forces are found; USL by the nodes' new velocity (Bardenhagen, J.
-/// Comput. Phys. 180 (2002) 383).
+/// Comput. Phys. 180 (2002) 383). Each moves them by the velocity that strains them (Gather.hpp).
 template <int D>
 Effect<D> makeCore(const State<D>& state);
 

@@ -34,13 +34,12 @@ struct GatherVelocity
   }
 };
 
-/// Strain and move of one particle. Strain velocities come from `straining`, moves from `moving`.
-template <int D, class Connect, int StrainWidth>
+/// Strain and move of one particle, both by one nodal velocity.
+template <int D, class Connect, int Width>
 struct StrainAndMove
 {
   Connect connect;
-  View<double* [StrainWidth]> straining;
-  View<double * [Nodes<D>::motionWidth]> moving;
+  View<double* [Width]> nodal;
   View<Properties*> materials;
   View<double* [D][D]> axes;
   BorrowedView<int*> material, body;
@@ -64,9 +63,10 @@ struct StrainAndMove
                   {
                     for (int i = 0; i < D; ++i)
                     {
-                      shift[i] += weight * moving(node, i);
+                      const double v = nodal(node, i);
+                      shift[i] += weight * v;
                       for (int j = 0; j < D; ++j)
-                        gradient[i][j] += slope[j] * straining(node, i);
+                        gradient[i][j] += slope[j] * v;
                     }
                   });
     if (move)
@@ -136,14 +136,13 @@ struct StrainAndMove
   }
 };
 
-template <int D, int StrainWidth, class Connect>
-double strainAndMoveWith(State<D>& state, const Connect& connect,
-                         const View<double* [StrainWidth]>& straining, bool strain, bool move)
+template <int D, int Width, class Connect>
+double strainAndMoveWith(State<D>& state, const Connect& connect, const View<double* [Width]>& nodal,
+                         bool strain, bool move)
 {
-  StrainAndMove<D, Connect, StrainWidth> work;
+  StrainAndMove<D, Connect, Width> work;
   work.connect = connect;
-  work.straining = straining;
-  work.moving = state.nodes.motion;
+  work.nodal = nodal;
   work.materials = state.materials;
   work.axes = state.bodyAxes;
   work.material = state.particles.integer(fields::material);
