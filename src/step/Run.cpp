@@ -34,7 +34,8 @@ template <int D>
 } // namespace
 
 template <int D>
-Run<D>::Run(const Teuchos::ParameterList& scene) : scene_(scene)
+Run<D>::Run(const Teuchos::ParameterList& scene, std::vector<Effect<D>> own)
+    : scene_(scene), own_(std::move(own))
 {
 }
 
@@ -49,6 +50,11 @@ void Run<D>::initialize()
       effects.push_back(makeEffect<D>(entry, scene_));
       extra.insert(extra.end(), effects.back().adds.begin(), effects.back().adds.end());
     }
+  for (const Effect<D>& effect : own_)
+  {
+    effects.push_back(effect);
+    extra.insert(extra.end(), effect.adds.begin(), effect.adds.end());
+  }
   makeState(scene_, extra, state_);
   effects.insert(effects.begin(), makeCore(state_));
   Effect<D> boundaries = makeBoundaries<D>(scene_);

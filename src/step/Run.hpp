@@ -23,7 +23,8 @@ class Run
 {
 public:
   /// \param scene a validated scene
-  explicit Run(const Teuchos::ParameterList& scene);
+  /// \param own   effects that the application brings beside those of the scene, such as a load of its own
+  explicit Run(const Teuchos::ParameterList& scene, std::vector<Effect<D>> own = {});
 
   /// Makes particles, fields and the plan. Throws std::invalid_argument for what only the bodies can show
   /// wrong.
@@ -48,6 +49,7 @@ public:
 
 private:
   Teuchos::ParameterList scene_;
+  std::vector<Effect<D>> own_;
   State<D> state_;
   Plan<D> plan_;
   std::vector<Stage> order_;
