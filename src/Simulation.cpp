@@ -1,5 +1,6 @@
 #include "Simulation.hpp"
 
+#include "output/BodyReport.hpp"
 #include "output/CoreRow.hpp"
 #include "output/FieldWriter.hpp"
 #include "scene/Scene.hpp"
@@ -94,6 +95,7 @@ public:
     const State<D>& state = run_.state();
     summary["warnings"] = state.warnings;
     coreReport(state, summary);
+    bodyReport(state, summary);
     for (const Effect<D>& effect : run_.plan().effects)
       if (effect.report)
         effect.report(state, summary);

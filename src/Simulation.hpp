@@ -66,7 +66,7 @@ public:
   std::string plan() const;
   /// Seconds spent in each stage.
   std::map<std::string, double> stageSeconds() const;
-  /// Energies, momentum, cracks and what else the effects report, as in summary.json.
+  /// Energies, momentum, bodies, cracks and what else the effects report, as in summary.json.
   nlohmann::json report() const;
   /// Writes the fields as they are now; the first call makes the files fields.h5 and fields.xdmf in the
   /// folder.

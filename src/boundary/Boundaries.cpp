@@ -19,13 +19,16 @@ namespace
 
 int axisNumber(char letter) { return letter - 'x'; }
 
-/// A constraint and the time function of its value.
+/// A constraint, the time function of its value, and the force that holds it.
 template <int D>
 struct TimedConstraint
 {
   NodeConstraint<D> constraint;
   Vector<D> value;
   TimeFunction history;
+  std::string name;
+  Vector<D> impulse{}; ///< on the body since the last sample [N s]
+  Vector<D> force{};   ///< mean between the last two samples [N]
 
   NodeConstraint<D> at(double time) const
   {
@@ -75,7 +78,7 @@ template <int D>
 TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const Grid<D>& grid,
                                 const std::string& where)
 {
-  TimedConstraint<D> timed{{}, {}, TimeFunction::parse(list.get<std::string>("History"))};
+  TimedConstraint<D> timed{{}, {}, TimeFunction::parse(list.get<std::string>("History")), {}};
   timed.constraint.lower = readVector<D>(list, "Lower Corner");
   timed.constraint.upper = readVector<D>(list, "Upper Corner");
   timed.constraint.outside = list.get<std::string>("Nodes") == "Outside";
@@ -101,7 +104,7 @@ TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const Grid<D
 template <int D>
 TimedConstraint<D> readSymmetry(const Teuchos::ParameterList& list, const Grid<D>& grid)
 {
-  TimedConstraint<D> timed{{}, {}, TimeFunction::parse("0")};
+  TimedConstraint<D> timed{{}, {}, TimeFunction::parse("0"), {}};
   const int axis = axisNumber(list.get<std::string>("Axis")[0]);
   const double position = list.get<double>("Position");
   const double huge = 1e300;
@@ -232,6 +235,41 @@ void addGravity(Effect<D>& effect, const Teuchos::ParameterList& list)
                }});
 }
 
+/// The force of each support on the bodies, as a mean over the time since the last sample, so that none of it
+/// goes unseen.
+template <int D>
+void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstraint<D>>>& constraints)
+{
+  const auto last = std::make_shared<double>(0.0);
+  effect.call({Stage::Observe,
+               "forces of supports",
+               {},
+               {},
+               {},
+               [constraints, last](State<D>& state)
+               {
+                 const char* columns[] = {".force_x", ".force_y", ".force_z"};
+                 const double duration = state.time - *last;
+                 *last = state.time;
+                 for (auto& timed : *constraints)
+                 {
+                   timed.force = (duration > 0.0 ? 1.0 / duration : 0.0) * timed.impulse;
+                   timed.impulse = Vector<D>{};
+                   for (int d = 0; d < D; ++d)
+                     if (timed.constraint.holds[d])
+                       state.row.emplace_back(timed.name + columns[d], timed.force[d]);
+                 }
+               }});
+  effect.report = [constraints](const State<D>&, nlohmann::json& summary)
+  {
+    nlohmann::json& boundaries = summary["boundaries"];
+    boundaries = nlohmann::json::array();
+    for (const auto& timed : *constraints)
+      boundaries.push_back(
+          {{"name", timed.name}, {"force", std::vector<double>(timed.force.c, timed.force.c + D)}});
+  };
+}
+
 template <int D>
 void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstraint<D>>>& constraints)
 {
@@ -242,8 +280,12 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
                {},
                [constraints](State<D>& state)
                {
-                 for (const auto& timed : *constraints)
-                   state.energy.externalWork += constrainMotion(state, timed.at(state.time + state.dt));
+                 for (auto& timed : *constraints)
+                 {
+                   const Reaction<D> reaction = constrainMotion(state, timed.at(state.time + state.dt));
+                   state.energy.externalWork += reaction.work;
+                   timed.impulse = timed.impulse + reaction.impulse;
+                 }
                }});
   effect.call({Stage::AfterProjection,
                "prescribed strain velocity",
@@ -282,7 +324,10 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
       loadNames.push_back(name);
   }
   if (!constraintNames.empty())
+  {
     addConstraints(effect, constraints);
+    addReactions(effect, constraints);
+  }
   if (!loadNames.empty())
   {
     effect.call({Stage::BeforeSolve,
@@ -314,6 +359,7 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
       constraints->push_back(list.get<std::string>("Type") == "Velocity"
                                  ? readVelocity<D>(list, state.grid, "Boundaries > " + name)
                                  : readSymmetry<D>(list, state.grid));
+      constraints->back().name = name;
     }
     for (const std::string& name : loadNames)
     {

@@ -34,10 +34,18 @@ struct NodeConstraint
   }
 };
 
-/// Prescribes the nodes' motion (velocity and acceleration) and returns the work [J] done on the body over dt
-/// by the forces that this takes: the change of momentum times the mean of old and new velocity.
+/// What the forces that hold a motion did over a step.
 template <int D>
-double constrainMotion(State<D>& state, const NodeConstraint<D>& constraint);
+struct Reaction
+{
+  double work;       ///< on the body [J]
+  Vector<D> impulse; ///< on the body [N s]
+};
+
+/// Prescribes the nodes' motion (velocity and acceleration). \return the impulse that this takes, the change
+/// of the nodes' momentum, and its work: the impulse times the mean of old and new velocity
+template <int D>
+Reaction<D> constrainMotion(State<D>& state, const NodeConstraint<D>& constraint);
 
 /// Prescribes the velocity that strains the particles.
 template <int D>

@@ -3,33 +3,61 @@
 namespace Rhegma
 {
 
-template <int D>
-double constrainMotion(State<D>& state, const NodeConstraint<D>& constraint)
+namespace
 {
-  const Nodes<D> nodes = state.nodes;
-  const Grid<D> grid = state.grid;
-  const double dt = state.dt;
-  double work = 0.0;
-  Kokkos::parallel_reduce(
-      "rhegma::constrainMotion", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
-      KOKKOS_LAMBDA(const int i, double& sum) {
-        const int n = activeNode(nodes, i);
-        const double mass = nodes.sums(n, Nodes<D>::massAt);
-        const int lattice = latticeNode(nodes, n);
-        if (!(mass > 0.0) || !constraint.appliesAt(grid.nodePosition(lattice)))
-          return;
-        for (int d = 0; d < D; ++d)
-          if (constraint.holds[d])
-          {
-            const double before = nodes.sums(n, Nodes<D>::momentumAt + d) / mass;
-            const double free = nodes.motion(n, d), value = constraint.at(lattice, d);
-            sum += mass * (value - free) * 0.5 * (value + before);
-            nodes.motion(n, d) = value;
-            nodes.motion(n, Nodes<D>::accelerationAt + d) = (value - before) / dt;
-          }
-      },
-      work);
-  return work;
+
+/// Holds the nodes and sums the work and the impulse. An array reduction, so that one pass gives all.
+template <int D>
+struct HoldNodes
+{
+  using value_type = double[];
+  using size_type = int;
+  using execution_space = ExecSpace;
+
+  int value_count = 1 + D;
+  Nodes<D> nodes;
+  Grid<D> grid;
+  NodeConstraint<D> constraint;
+  double dt;
+
+  KOKKOS_INLINE_FUNCTION void operator()(const int i, double* sum) const
+  {
+    const int n = activeNode(nodes, i);
+    const double mass = nodes.sums(n, Nodes<D>::massAt);
+    const int lattice = latticeNode(nodes, n);
+    if (!(mass > 0.0) || !constraint.appliesAt(grid.nodePosition(lattice)))
+      return;
+    for (int d = 0; d < D; ++d)
+      if (constraint.holds[d])
+      {
+        const double before = nodes.sums(n, Nodes<D>::momentumAt + d) / mass;
+        const double value = constraint.at(lattice, d);
+        const double impulse = mass * (value - nodes.motion(n, d));
+        sum[0] += impulse * 0.5 * (value + before);
+        sum[1 + d] += impulse;
+        nodes.motion(n, d) = value;
+        nodes.motion(n, Nodes<D>::accelerationAt + d) = (value - before) / dt;
+      }
+  }
+};
+
+} // namespace
+
+template <int D>
+Reaction<D> constrainMotion(State<D>& state, const NodeConstraint<D>& constraint)
+{
+  HoldNodes<D> hold;
+  hold.nodes = state.nodes;
+  hold.grid = state.grid;
+  hold.constraint = constraint;
+  hold.dt = state.dt;
+  double sum[1 + D] = {};
+  Kokkos::parallel_reduce("rhegma::constrainMotion",
+                          Kokkos::RangePolicy<ExecSpace>(0, state.nodes.numActive()), hold, sum);
+  Reaction<D> reaction{sum[0], {}};
+  for (int d = 0; d < D; ++d)
+    reaction.impulse[d] = sum[1 + d];
+  return reaction;
 }
 
 template <int D>
@@ -50,8 +78,8 @@ void constrainProjection(State<D>& state, const NodeConstraint<D>& constraint)
       });
 }
 
-template double constrainMotion(State<2>&, const NodeConstraint<2>&);
-template double constrainMotion(State<3>&, const NodeConstraint<3>&);
+template Reaction<2> constrainMotion(State<2>&, const NodeConstraint<2>&);
+template Reaction<3> constrainMotion(State<3>&, const NodeConstraint<3>&);
 template void constrainProjection(State<2>&, const NodeConstraint<2>&);
 template void constrainProjection(State<3>&, const NodeConstraint<3>&);
 

@@ -1,0 +1,113 @@
+#include "output/BodyReport.hpp"
+
+#include "material/Tensors.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+/// Sums over the particles of one body: mass, undeformed and present volume, then mass times place and
+/// velocity, and undeformed volume times deformation gradient and Kirchhoff stress.
+template <int D>
+struct BodySums
+{
+  using value_type = double[];
+  using size_type = int;
+  using execution_space = ExecSpace;
+
+  static constexpr int placeAt = 3, velocityAt = placeAt + D, deformationAt = velocityAt + D;
+  static constexpr int stressAt = deformationAt + gradientSize<D>, size = stressAt + symmetricSize<D>;
+
+  int value_count = size;
+  int which;
+  BorrowedView<int*> body;
+  BorrowedView<double*> mass, volume;
+  BorrowedView<double*[D]> position, velocity;
+  BorrowedView<double * [gradientSize<D>]> deformation;
+  BorrowedView<double * [symmetricSize<D>]> stress;
+
+  BodySums(const State<D>& state, int number)
+      : which(number),
+        body(state.particles.integer(fields::body)),
+        mass(state.particles.scalar(fields::mass)),
+        volume(state.particles.scalar(fields::volume)),
+        position(state.particles.template real<D>(fields::position)),
+        velocity(state.particles.template real<D>(fields::velocity)),
+        deformation(state.particles.template real<gradientSize<D>>(fields::deformation)),
+        stress(state.particles.template real<symmetricSize<D>>(fields::stress))
+  {
+  }
+
+  KOKKOS_INLINE_FUNCTION void operator()(const int p, double* sum) const
+  {
+    if (body(p) != which)
+      return;
+    sum[0] += mass(p);
+    sum[1] += volume(p);
+    sum[2] += volume(p) * determinant<D>(&deformation(p, 0));
+    for (int d = 0; d < D; ++d)
+    {
+      sum[placeAt + d] += mass(p) * position(p, d);
+      sum[velocityAt + d] += mass(p) * velocity(p, d);
+    }
+    for (int k = 0; k < gradientSize<D>; ++k)
+      sum[deformationAt + k] += volume(p) * deformation(p, k);
+    for (int k = 0; k < symmetricSize<D>; ++k)
+      sum[stressAt + k] += volume(p) * stress(p, k);
+  }
+};
+
+nlohmann::json named(const std::vector<const char*>& names, const double* sum, double share)
+{
+  nlohmann::json components;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    components[names[k]] = share * sum[k];
+  return components;
+}
+
+nlohmann::json listed(const double* sum, int count, double share)
+{
+  nlohmann::json list = nlohmann::json::array();
+  for (int d = 0; d < count; ++d)
+    list.push_back(share * sum[d]);
+  return list;
+}
+
+} // namespace
+
+template <int D>
+void bodyReport(const State<D>& state, nlohmann::json& summary)
+{
+  using Sums = BodySums<D>;
+  const std::vector<const char*> gradient =
+      D == 2 ? std::vector<const char*>{"xx", "xy", "yx", "yy", "zz"}
+             : std::vector<const char*>{"xx", "xy", "xz", "yx", "yy", "yz", "zx", "zy", "zz"};
+  const std::vector<const char*> symmetric =
+      D == 2 ? std::vector<const char*>{"xx", "yy", "xy", "zz"}
+             : std::vector<const char*>{"xx", "yy", "zz", "xy", "yz", "xz"};
+  nlohmann::json& bodies = summary["bodies"];
+  bodies = nlohmann::json::array();
+  for (std::size_t b = 0; b < state.bodies.size(); ++b)
+  {
+    double sum[Sums::size] = {};
+    Kokkos::parallel_reduce("rhegma::bodyReport", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+                            Sums(state, static_cast<int>(b)), sum);
+    nlohmann::json body;
+    body["name"] = state.bodies[b].name;
+    body["mass"] = sum[0];
+    body["centre"] = listed(sum + Sums::placeAt, D, 1.0 / sum[0]);
+    body["velocity"] = listed(sum + Sums::velocityAt, D, 1.0 / sum[0]);
+    body["stress"] = named(symmetric, sum + Sums::stressAt, 1.0 / sum[2]);
+    body["deformation"] = named(gradient, sum + Sums::deformationAt, 1.0 / sum[1]);
+    bodies.push_back(body);
+  }
+}
+
+template void bodyReport(const State<2>&, nlohmann::json&);
+template void bodyReport(const State<3>&, nlohmann::json&);
+
+} // namespace Rhegma
