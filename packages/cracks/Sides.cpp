@@ -57,7 +57,7 @@ void findNodeSides(const State<2>& state, const Reach& reach, int crack, const V
   const Nodes<2> nodes = state.nodes;
   const Grid<2> grid = state.grid;
   const View<int*> side = state.cracks.nodeSide;
-  const double tie = tieTolerance * grid.spacing;
+  const double tie = tieTolerance * grid.spacing, atFront = frontTolerance * grid.spacing;
   const double band = bandWidth * grid.spacing;
   Kokkos::parallel_for(
       "rhegma::cracks::findNodeSides", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
@@ -67,7 +67,7 @@ void findNodeSides(const State<2>& state, const Reach& reach, int crack, const V
         if (!isIn(reach, x))
           return;
         const Sight sight = look(reach.line, x);
-        if (std::abs(sight.distance) > band || sight.behind <= tie)
+        if (std::abs(sight.distance) > band || sight.behind <= atFront)
           return;
         side(n) = sight.distance > -tie ? crack + 1 : -(crack + 1);
         // A particle in cell c touches nodes c - 1 to c + 2 along each axis.
