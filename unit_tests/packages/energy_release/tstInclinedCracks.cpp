@@ -149,8 +149,8 @@ TEST(InclinedCracks, MeetTheClosedForm)
 {
   std::mt19937 random(20);
   std::uniform_real_distribution<double> angle(0.0, pi), turn(-pi / 3.0, pi / 3.0), shift(-0.5, 0.5);
-  Errors intensity, direction, release;
-  for (int k = 0; k < 8; ++k)
+  Errors intensity, direction, release, length;
+  for (int k = 0; k < 16; ++k)
   {
     const double a = angle(random), b = turn(random), cell = halfLength / 8.0;
     const double x = cell * shift(random), y = cell * shift(random);
@@ -172,12 +172,14 @@ TEST(InclinedCracks, MeetTheClosedForm)
       const double found = std::hypot(front["K_I"].get<double>(), front["K_II"].get<double>());
       intensity.values.push_back(100.0 * (found / K - 1.0));
       direction.values.push_back(front["kink_angle"].get<double>() - kink);
+      length.values.push_back(front["tip_offset"].get<double>() / cell);
       release.values.push_back(100.0 * (found / std::sqrt(young * front["G_J"].get<double>()) - 1.0));
     }
   }
   intensity.print("K against the closed form", "%");
   release.print("K against the root of E' J", "%");
   direction.print("kink against the closed form", "degrees");
+  length.print("tip of the cells ahead of the front", "cells");
   EXPECT_LT(std::fabs(intensity.mean()), 1.0);
   EXPECT_LT(intensity.rms(), 1.0);
   EXPECT_LT(intensity.largest(), 3.0);
