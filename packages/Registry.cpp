@@ -21,4 +21,12 @@ const std::vector<EffectEntry>& knownEffects()
   return effects;
 }
 
+/// A scene that asks for one of these is told so. A new effect takes its name out.
+const std::vector<std::string>& effectsToCome()
+{
+  static const std::vector<std::string> names = {"Propagation", "Thermal",     "Combustion",  "Mass Matrix",
+                                                 "Adaptivity",  "Sub-Cycling", "Load Balance"};
+  return names;
+}
+
 } // namespace Rhegma

@@ -10,30 +10,63 @@
 #include <mpi.h>
 #include <stdexcept>
 
-int main(int argc, char** argv)
+namespace
 {
-  using namespace Rhegma::program;
-  bindThreads(argv);
+
+using namespace Rhegma::program;
+
+/// Starts Kokkos; it says on its own terms what is wrong with its arguments.
+void startKokkos(const char* program, const std::vector<std::string>& forKokkos)
+{
+  const KokkosArguments arguments(program, forKokkos);
+  try
+  {
+    Kokkos::initialize(arguments.count(), arguments.values());
+  }
+  catch (const std::exception& error)
+  {
+    throw UsageError("Kokkos refuses its arguments (" + firstLine(error.what()) +
+                     "); write --kokkos-num-threads=2 or leave them out");
+  }
+}
+
+/// \return the program's exit code; every exception ends here, so that Kokkos and MPI are always closed
+int start(int argc, char** argv, std::ostream& out, std::ostream& err)
+{
   int code = exitDefect;
-  MPI_Init(&argc, &argv);
   try
   {
     std::vector<std::string> forKokkos;
     const Options options = readOptions({argv + 1, argv + argc}, forKokkos);
-    const KokkosArguments arguments(argv[0], forKokkos);
-    Kokkos::initialize(arguments.count(), arguments.values());
-    code = run(options, std::cout, std::cerr);
-    Kokkos::finalize();
+    startKokkos(argv[0], forKokkos);
+    code = run(options, out, err);
   }
   catch (const UsageError& error)
   {
-    std::cerr << "rhegma: " << error.what() << "\n";
+    err << "rhegma: " << error.what() << "\n";
     code = exitWrongScene;
   }
   catch (const std::exception& error)
   {
-    std::cerr << "rhegma: a defect of the program: " << error.what() << "\n";
+    err << "rhegma: a defect of the program: " << error.what() << "\n";
   }
+  if (Kokkos::is_initialized())
+    Kokkos::finalize();
+  return code;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  bindThreads(argv);
+  startWithoutHelper();
+  MPI_Init(&argc, &argv);
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  // Every rank comes to the same words; one says them.
+  std::ostream silence(nullptr);
+  const int code = start(argc, argv, rank == 0 ? std::cout : silence, rank == 0 ? std::cerr : silence);
   MPI_Finalize();
   return code;
 }

@@ -138,9 +138,12 @@ void observe(State<2>& state, Account& account)
 void report(const State<2>& state, const Account& account, nlohmann::json& summary)
 {
   const FaceContact& contact = account.contact;
-  for (std::size_t c = 0; c < contact.cracks().size(); ++c)
+  std::vector<CrackContact> cracks = contact.cracks();
+  if (cracks.empty() && !account.visibility) // before the first step
+    cracks.resize(state.cracks.cracks.size());
+  for (std::size_t c = 0; c < cracks.size(); ++c)
   {
-    const CrackContact& crack = contact.cracks()[c];
+    const CrackContact& crack = cracks[c];
     const View<int*> part = watchedPoints(contact.points(), static_cast<int>(c), account.watched[c]);
     const double stored = contact.storedIn(part), friction = contact.dissipatedIn(part);
     SideEnergy now = measureSides(state, account.watched[c]);
@@ -150,8 +153,10 @@ void report(const State<2>& state, const Account& account, nlohmann::json& summa
     const double all = now.below + now.above + friction;
     nlohmann::json& entry = summary["cracks"][c]["contact"];
     entry["touches"] = crack.touches;
-    if (crack.touches > 0)
-      entry["first_touch"] = crack.firstTouch;
+    // What has no value yet is there all the same, as null.
+    const auto where = [](bool known, double value)
+    { return known ? nlohmann::json(value) : nlohmann::json(); };
+    entry["first_touch"] = where(crack.touches > 0, crack.firstTouch);
     entry["closed_points"] = crack.closedPoints;
     entry["largest_pressure"] = crack.largestPressure;
     entry["stored"] = stored;
@@ -162,18 +167,12 @@ void report(const State<2>& state, const Account& account, nlohmann::json& summa
     const double waves = 2.0 * (now.alongBelow + now.alongAbove) + friction;
     entry["along_below"] = now.alongBelow;
     entry["along_above"] = now.alongAbove;
-    if (waves > 0.0)
-    {
-      entry["shear_share_below"] = 2.0 * now.alongBelow / waves;
-      entry["shear_share_above"] = 2.0 * now.alongAbove / waves;
-      entry["shear_share_friction"] = friction / waves;
-    }
-    if (all != 0.0)
-    {
-      entry["share_below"] = now.below / all;
-      entry["share_above"] = now.above / all;
-      entry["share_friction"] = friction / all;
-    }
+    entry["shear_share_below"] = where(waves > 0.0, 2.0 * now.alongBelow / waves);
+    entry["shear_share_above"] = where(waves > 0.0, 2.0 * now.alongAbove / waves);
+    entry["shear_share_friction"] = where(waves > 0.0, friction / waves);
+    entry["share_below"] = where(all != 0.0, now.below / all);
+    entry["share_above"] = where(all != 0.0, now.above / all);
+    entry["share_friction"] = where(all != 0.0, friction / all);
   }
   if (account.visibility)
     for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)

@@ -1,6 +1,8 @@
 #include "cracks/CrackSetup.hpp"
 
 #include "geometry/NearestPoint.hpp"
+#include "scene/Attempts.hpp"
+#include "scene/Numbers.hpp"
 #include "scene/ReadList.hpp"
 
 #include <algorithm>
@@ -49,6 +51,54 @@ private:
   NearestPoint<2> nearest_;
 };
 
+double distanceToSegment(const Vector<2>& x, const Vector<2>& a, const Vector<2>& b)
+{
+  const Vector<2> t = b - a;
+  const double s = std::clamp(dot(x - a, t) / dot(t, t), 0.0, 1.0);
+  return norm(x - a - s * t);
+}
+
+/// What lies outside of the bodies is cut off later, piece by piece; a unit or an exponent that is wrong
+/// would make too many pieces.
+void refuseLong(const Points& points, const std::string& where, double spacing)
+{
+  double cells = 0.0;
+  for (std::size_t k = 1; k < points.size(); ++k)
+    cells += norm(points[k] - points[k - 1]) / spacing;
+  if (!(cells <= 1e5))
+    throw std::invalid_argument(where + ": the crack is " + formatReal(cells) +
+                                " cells long; write its points in metres, not far outside of the body");
+}
+
+/// Whether the segments a-b and c-d have a point in common.
+bool meet(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c, const Vector<2>& d, double tolerance)
+{
+  const auto turn = [](const Vector<2>& p, const Vector<2>& q, const Vector<2>& r)
+  { return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]); };
+  if (turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0)
+    return true;
+  return std::min({distanceToSegment(a, c, d), distanceToSegment(b, c, d), distanceToSegment(c, a, b),
+                   distanceToSegment(d, a, b)}) < tolerance;
+}
+
+void refuseCrossing(const Points& points, const std::string& where, double spacing)
+{
+  const double tolerance = 1e-6 * spacing;
+  const auto refuse = [&](std::size_t i, std::size_t j)
+  {
+    throw std::invalid_argument(where + ": the piece after point " + std::to_string(j) +
+                                " meets the piece after point " + std::to_string(i) +
+                                " (counted from 0); write a line that neither crosses itself nor turns back");
+  };
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    for (std::size_t j = i + 1; j + 1 < points.size(); ++j)
+      // Neighbours share a point; they overlap if the end of one lies on the other.
+      if (j == i + 1 ? distanceToSegment(points[j + 1], points[i], points[j]) < tolerance ||
+                           distanceToSegment(points[i], points[j], points[j + 1]) < tolerance
+                     : meet(points[i], points[i + 1], points[j], points[j + 1], tolerance))
+        refuse(i, j);
+}
+
 Points readPoints(const Teuchos::ParameterList& list, const std::string& where, double spacing)
 {
   const auto values = list.get<Teuchos::Array<double>>("Points");
@@ -60,6 +110,8 @@ Points readPoints(const Teuchos::ParameterList& list, const std::string& where, 
       throw std::invalid_argument(
           where + ": two points in a row are the same, so a piece of the crack has no length; leave "
                   "one of them out");
+  refuseLong(points, where, spacing);
+  refuseCrossing(points, where, spacing);
   return points;
 }
 
@@ -119,13 +171,6 @@ bool isFront(const Vector<2>& end, const Vector<2>& before, const Material& mate
   return true;
 }
 
-double distanceToSegment(const Vector<2>& x, const Vector<2>& a, const Vector<2>& b)
-{
-  const Vector<2> t = b - a;
-  const double s = std::clamp(dot(x - a, t) / dot(t, t), 0.0, 1.0);
-  return norm(x - a - s * t);
-}
-
 void refuseNeighbours(const std::vector<Points>& all, const std::vector<std::string>& names, double spacing)
 {
   for (std::size_t a = 0; a < all.size(); ++a)
@@ -139,6 +184,20 @@ void refuseNeighbours(const std::vector<Points>& all, const std::vector<std::str
                   ", which this version can't tell apart; take smaller cells (Domain > Cell Size)");
 }
 
+/// \param given  as in the scene
+/// \param points inside of the bodies, and more of them
+void place(const Teuchos::ParameterList& list, const std::string& name, const Material& material,
+           double spacing, Points& given, Points& points)
+{
+  const std::string where = "Cracks > " + name + " > Points";
+  given = readPoints(list, where, spacing);
+  const Points inside = clip(given, material, spacing);
+  if (inside.empty())
+    throw std::invalid_argument(where +
+                                ": the crack lies outside of all bodies; give points inside one of them");
+  points = refine(inside, 4.0 * spacing);
+}
+
 } // namespace
 
 void readCracks(const Teuchos::ParameterList& section, State<2>& state)
@@ -148,16 +207,13 @@ void readCracks(const Teuchos::ParameterList& section, State<2>& state)
   std::vector<Points> all;
   std::vector<std::string> names;
   CrackSet<2>& set = state.cracks;
+  Attempts attempts;
   for (const std::string& name : sublistNames(section))
   {
     const Teuchos::ParameterList& list = section.sublist(name);
-    const std::string where = "Cracks > " + name + " > Points";
-    const Points given = readPoints(list, where, spacing);
-    const Points inside = clip(given, material, spacing);
-    if (inside.empty())
-      throw std::invalid_argument(where +
-                                  ": the crack lies outside of all bodies; give points inside one of them");
-    const Points points = refine(inside, 4.0 * spacing);
+    Points given, points;
+    if (!attempts.attempt([&] { place(list, name, material, spacing, given, points); }))
+      continue;
     Crack<2> crack;
     crack.name = name;
     crack.firstVertex = all.empty() ? 0 : set.cracks.back().firstVertex + set.cracks.back().numVertices;
@@ -187,6 +243,7 @@ void readCracks(const Teuchos::ParameterList& section, State<2>& state)
     all.push_back(points);
     names.push_back(name);
   }
+  attempts.complain();
   refuseNeighbours(all, names, spacing);
 
   const int vertices = set.cracks.empty() ? 0 : set.cracks.back().firstVertex + set.cracks.back().numVertices;

@@ -5,6 +5,7 @@
 #include "cracks/Normals.hpp"
 #include "cracks/Sides.hpp"
 #include "cracks/Visibility.hpp"
+#include "scene/ReadList.hpp"
 
 #include <memory>
 
@@ -34,6 +35,10 @@ Section section()
 
 void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
+  if (scene.isSublist("Cracks") && sublistNames(scene.sublist("Cracks")).empty())
+    errors.push_back({"Cracks",
+                      "the section holds no crack; write one as <ParameterList name=\"...\"> or leave "
+                      "the section out"});
   if (scene.isSublist("Cracks") && scene.isSublist("Domain") &&
       scene.sublist("Domain").isParameter("Dimension") && scene.sublist("Domain").get<int>("Dimension") == 3)
     errors.push_back({"Cracks", "cracks in three dimensions are not in this version; use a 2D scene"});

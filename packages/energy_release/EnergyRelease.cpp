@@ -4,6 +4,7 @@
 #include "energy_release/CrackClosure.hpp"
 #include "energy_release/CrackTipFields.hpp"
 #include "energy_release/DomainIntegral.hpp"
+#include "scene/Attempts.hpp"
 #include "scene/Numbers.hpp"
 
 #include <cmath>
@@ -17,6 +18,8 @@ namespace Rhegma::energy_release
 
 namespace
 {
+
+constexpr double notYet = std::numeric_limits<double>::quiet_NaN(); ///< null in the summary
 
 struct Options
 {
@@ -32,8 +35,9 @@ struct Sample
 {
   CrackFront<2> front;
   ContourRadii radii;
+  bool closed = false; ///< whether crack closure is wanted and can be found
   DomainIntegral integral;
-  CrackClosure closure{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+  CrackClosure closure{notYet, notYet};
 };
 
 struct Samples
@@ -91,6 +95,9 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
     errors.push_back({"Energy Release", "it is for 2D scenes as yet; take this section out"});
   if (!domain.isType<double>("Cell Size"))
     return;
+  for (const SceneError& error : errors)
+    if (error.where == "Domain > Cell Size") // what follows from a wrong cell says nothing
+      return;
   const double cell = domain.get<double>("Cell Size");
   const Teuchos::ParameterList& list = scene.sublist("Energy Release");
   GivenRadii given;
@@ -141,38 +148,47 @@ void refuseContour(const State<2>& state, const CrackFront<2>& front, const std:
 
 /// Refuses radii that the scene gives and that don't fit; says which ones are used where the usual ones
 /// don't.
-void checkContours(State<2>& state, const Options& options)
+void checkContour(State<2>& state, const CrackFront<2>& front, const Options& options)
 {
   const double cell = state.grid.spacing;
   const GivenRadii& given = options.radii;
-  for (const CrackFront<2>& front : state.cracks.fronts)
+  if (given.outer > 0.0)
   {
-    if (given.outer > 0.0)
-    {
-      const double clear = largestContour(state, front, given.outer);
-      if (clear < given.outer - slack * cell)
-        refuseContour(state, front, "Outer Radius", formatReal(given.outer),
-                      "front; write at most " + formatReal(clear));
-      continue;
-    }
-    const double usual = usualRadii(given, cell).outer, room = roomAround(state, front, usual);
-    const double least = smallestOuter(given, cell);
-    if (room < least - slack * cell)
-      refuseContour(state, front, given.inner > 0.0 ? "Inner Radius" : "Outer Radius", formatReal(least),
-                    "front or crack; there is room for " + formatReal(room) + " m: " +
-                        (given.inner > 0.0 ? "write a smaller Inner Radius"
-                                           : "give both radii, or leave out Energy Release"));
-    if (room < usual - slack * cell)
-    {
-      const ContourRadii radii = fittingRadii(state, front, given);
-      state.warnings.push_back("Energy Release: round the front " + frontName(state, front) +
-                               " the weight is 1 up to " + formatReal(radii.inner) + " m and 0 from " +
-                               formatReal(radii.outer) +
-                               " m on, which is the room inside the body and clear of "
-                               "other fronts and cracks; " +
-                               formatReal(usual) + " m would be usual");
-    }
+    const double clear = largestContour(state, front, given.outer);
+    if (clear < given.outer - slack * cell)
+      refuseContour(state, front, "Outer Radius", formatReal(given.outer),
+                    "front; write at most " + formatReal(clear));
+    return;
   }
+  const double usual = usualRadii(given, cell).outer, room = roomAround(state, front, usual);
+  const double least = smallestOuter(given, cell);
+  if (room < least - slack * cell)
+    refuseContour(state, front, given.inner > 0.0 ? "Inner Radius" : "Outer Radius", formatReal(least),
+                  "front or crack; there is room for " + formatReal(room) + " m: " +
+                      (given.inner > 0.0 ? "write a smaller Inner Radius"
+                                         : "give both radii, or leave out Energy Release"));
+  if (room < usual - slack * cell)
+  {
+    const ContourRadii radii = fittingRadii(state, front, given);
+    state.warnings.push_back("Energy Release: round the front " + frontName(state, front) +
+                             " the weight is 1 up to " + formatReal(radii.inner) + " m and 0 from " +
+                             formatReal(radii.outer) +
+                             " m on, which is the room inside the body and clear of "
+                             "other fronts and cracks; " +
+                             formatReal(usual) + " m would be usual");
+  }
+}
+
+void checkContours(State<2>& state, const Options& options)
+{
+  if (state.cracks.fronts.empty())
+    throw std::invalid_argument(
+        "Energy Release: no crack has a front inside a body; end a crack in material, choose "
+        "its front with Cracks > NAME > Fronts, or take this section out");
+  Attempts attempts;
+  for (const CrackFront<2>& front : state.cracks.fronts)
+    attempts.attempt([&] { checkContour(state, front, options); });
+  attempts.complain();
 }
 
 void warnOfContour(State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
@@ -190,6 +206,25 @@ void warnOfContour(State<2>& state, const CrackFront<2>& front, const ContourRad
                            " leaves the body or reaches another front: G_J, K_I and K_II are less accurate");
 }
 
+bool wantsClosure(const Options& options, const Samples& samples, const CrackFront<2>& front)
+{
+  return options.closure && samples.inclined.count({front.crack, front.number}) == 0;
+}
+
+/// A front whose surroundings have fallen apart ends the run.
+CrackClosure tryToClose(State<2>& state, const CrackFront<2>& front, int columns)
+{
+  try
+  {
+    return closeCrack(state, front, columns);
+  }
+  catch (const std::runtime_error& error)
+  {
+    state.trouble = error.what();
+    return {notYet, notYet};
+  }
+}
+
 void sample(State<2>& state, const Options& options, Samples& samples)
 {
   samples.last.clear();
@@ -200,9 +235,10 @@ void sample(State<2>& state, const Options& options, Samples& samples)
     s.radii = fittingRadii(state, front, options.radii);
     warnOfContour(state, front, s.radii, options, samples);
     s.integral = integrateDomain(state, front, s.radii);
-    const bool closure = options.closure && samples.inclined.count({front.crack, front.number}) == 0;
+    const bool closure = wantsClosure(options, samples, front);
+    s.closed = closure;
     if (closure)
-      s.closure = closeCrack(state, front, options.columns);
+      s.closure = tryToClose(state, front, options.columns);
     samples.last.push_back(s);
 
     const std::string name = frontName(state, front) + ".";
@@ -246,9 +282,9 @@ void report(const State<2>& state, const Options& options, const Samples& sample
     entry["tip_offset"] = s.integral.tipOffset;
     entry["inner_radius"] = s.radii.inner;
     entry["outer_radius"] = s.radii.outer;
-    if (options.openingKnown && std::isfinite(s.closure.consistent))
+    if (s.closed && options.openingKnown)
       entry["G_closure"] = s.closure.consistent;
-    if (options.lumped && std::isfinite(s.closure.lumped))
+    if (s.closed && options.lumped)
       entry["G_closure_lumped"] = s.closure.lumped;
   }
 }
@@ -265,6 +301,16 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
     for (const CrackFront<2>& front : state.cracks.fronts)
       if (!runsAlongGrid(front))
         samples->inclined.insert({front.crack, front.number});
+    // What will be reported is known from the start, though its values are not.
+    for (const CrackFront<2>& front : state.cracks.fronts)
+    {
+      Sample s;
+      s.front = front;
+      s.closed = wantsClosure(options, *samples, front);
+      s.radii = fittingRadii(state, front, options.radii);
+      s.integral = {notYet, notYet, notYet, notYet};
+      samples->last.push_back(s);
+    }
   };
   effect.call({Stage::Observe,
                "energy release of crack fronts",

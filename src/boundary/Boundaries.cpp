@@ -2,10 +2,12 @@
 
 #include "boundary/BodyForce.hpp"
 #include "boundary/Loads.hpp"
+#include "scene/Attempts.hpp"
 #include "scene/Numbers.hpp"
 #include "scene/PlaceFunction.hpp"
 #include "scene/ReadList.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -38,6 +40,18 @@ struct TimedConstraint
     return now;
   }
 };
+
+template <int D>
+bool holdsNode(const Grid<D>& grid, const Vector<D>& lower, const Vector<D>& upper)
+{
+  for (int d = 0; d < D; ++d)
+  {
+    const double from = std::max(lower[d], grid.lower[d]), to = std::min(upper[d], grid.upper[d]);
+    if (!(std::ceil(grid.inCells(from, d) - 1e-9) <= grid.inCells(to, d) + 1e-9))
+      return false;
+  }
+  return true;
+}
 
 template <int D>
 std::string inWords(const Vector<D>& place)
@@ -91,6 +105,10 @@ TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const Grid<D
     timed.constraint.holds[d] = false;
     timed.value[d] = 0.0;
   }
+  if (!timed.constraint.outside && !holdsNode(grid, timed.constraint.lower, timed.constraint.upper))
+    throw std::invalid_argument(where +
+                                ": the box holds no node of the cells inside the domain, so nothing is "
+                                "prescribed; make it a cell thick or move it");
   for (const char letter : list.get<std::string>("Components"))
     if (letter >= 'x' && letter < 'x' + D)
       timed.constraint.holds[axisNumber(letter)] = true;
@@ -102,11 +120,18 @@ TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const Grid<D
 }
 
 template <int D>
-TimedConstraint<D> readSymmetry(const Teuchos::ParameterList& list, const Grid<D>& grid)
+TimedConstraint<D> readSymmetry(const Teuchos::ParameterList& list, const Grid<D>& grid,
+                                const std::string& where)
 {
   TimedConstraint<D> timed{{}, {}, TimeFunction::parse("0"), {}};
   const int axis = axisNumber(list.get<std::string>("Axis")[0]);
   const double position = list.get<double>("Position");
+  const double slack = 1e-6 * grid.spacing;
+  if (position < grid.lower[axis] - slack || position > grid.upper[axis] + slack)
+    throw std::invalid_argument(where +
+                                " > Position: the plane lies outside of the domain, which reaches from " +
+                                formatReal(grid.lower[axis]) + " to " + formatReal(grid.upper[axis]) +
+                                " m along " + "xyz"[axis] + "; write a place between");
   const double huge = 1e300;
   for (int d = 0; d < D; ++d)
   {
@@ -222,6 +247,31 @@ Seeds<D> seedsOf(const State<D>& state, int body, std::vector<int>& ids)
 }
 
 template <int D>
+TimedConstraint<D> readConstraint(const Teuchos::ParameterList& list, const State<D>& state,
+                                  const std::string& name)
+{
+  const std::string where = "Boundaries > " + name;
+  TimedConstraint<D> timed = list.get<std::string>("Type") == "Velocity"
+                                 ? readVelocity<D>(list, state.grid, where)
+                                 : readSymmetry<D>(list, state.grid, where);
+  timed.name = name;
+  return timed;
+}
+
+template <int D>
+Load<D> readLoad(const Teuchos::ParameterList& list, const State<D>& state, const std::string& name)
+{
+  std::vector<int> ids;
+  const Seeds<D> seeds = seedsOf(state, findBody(state, list.get<std::string>("Body")), ids);
+  const PlacedLoad<D> placed =
+      placeLoad<D>(list, list.get<std::string>("Type"), seeds, state.thickness, "Boundaries > " + name);
+  std::vector<int> carriers;
+  for (const LoadPoint<D>& point : placed.points)
+    carriers.push_back(ids[point.particle]);
+  return {name, placed.points, carriers, placed.force, TimeFunction::parse(list.get<std::string>("History"))};
+}
+
+template <int D>
 void addGravity(Effect<D>& effect, const Teuchos::ParameterList& list)
 {
   const Vector<D> acceleration = readVector<D>(list, "Acceleration");
@@ -305,7 +355,7 @@ template <int D>
 Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
 {
   Effect<D> effect;
-  effect.name = "Boundaries";
+  effect.name = boundariesName;
   if (!scene.isSublist("Boundaries"))
     return effect;
   const Teuchos::ParameterList& section = scene.sublist("Boundaries");
@@ -353,28 +403,13 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
   }
   effect.atStart = [=, section = Teuchos::ParameterList(section)](State<D>& state)
   {
+    Attempts attempts;
     for (const std::string& name : constraintNames)
-    {
-      const Teuchos::ParameterList& list = section.sublist(name);
-      constraints->push_back(list.get<std::string>("Type") == "Velocity"
-                                 ? readVelocity<D>(list, state.grid, "Boundaries > " + name)
-                                 : readSymmetry<D>(list, state.grid));
-      constraints->back().name = name;
-    }
+      attempts.attempt([&]
+                       { constraints->push_back(readConstraint<D>(section.sublist(name), state, name)); });
     for (const std::string& name : loadNames)
-    {
-      const Teuchos::ParameterList& list = section.sublist(name);
-      const std::string where = "Boundaries > " + name;
-      std::vector<int> ids;
-      const Seeds<D> seeds = seedsOf(state, findBody(state, list.get<std::string>("Body")), ids);
-      const PlacedLoad<D> placed =
-          placeLoad<D>(list, list.get<std::string>("Type"), seeds, state.thickness, where);
-      std::vector<int> carriers;
-      for (const LoadPoint<D>& point : placed.points)
-        carriers.push_back(ids[point.particle]);
-      loads->emplace_back(name, placed.points, carriers, placed.force,
-                          TimeFunction::parse(list.get<std::string>("History")));
-    }
+      attempts.attempt([&] { loads->push_back(readLoad<D>(section.sublist(name), state, name)); });
+    attempts.complain();
   };
   return effect;
 }

@@ -6,6 +6,9 @@
 namespace Rhegma
 {
 
+/// Name of the part of the core that they make.
+constexpr const char* boundariesName = "Boundaries";
+
 /// The boundaries of a scene (its section `Boundaries`) as a part of the core.
 template <int D>
 Effect<D> makeBoundaries(const Teuchos::ParameterList& scene);

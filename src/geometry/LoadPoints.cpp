@@ -28,10 +28,21 @@ double smallestEdge(const Seeds<D>& body)
 }
 
 /// Equal pieces of a length, none longer than half the edge.
-int pieces(double length, double edge)
+double pieces(double length, double edge)
 {
   const double slack = 1.0e-9; // a length of exactly n half edges has n pieces
-  return std::max(1, static_cast<int>(std::ceil(2.0 * length / edge - slack)));
+  return std::max(1.0, std::ceil(2.0 * length / edge - slack));
+}
+
+/// More points than any body can carry come from a unit or an exponent that is wrong.
+void refuseMany(double count, const std::string& section)
+{
+  if (count <= 1e7)
+    return;
+  std::ostringstream message;
+  message << section << ": the load would need " << count
+          << " points, more than any body takes; write the ends of the loaded part of the surface in metres.";
+  throw std::invalid_argument(message.str());
 }
 
 /// Scales the weights so that, added in order, they give exactly 1.
@@ -103,7 +114,9 @@ std::vector<LoadPoint<D>> lineLoad(const Seeds<D>& body, const Vector<D>& from, 
   const double length = norm(to - from);
   if (!(length > 0.0))
     throw std::invalid_argument(section + ": the line of the load has no length; From and To must differ.");
-  const int n = pieces(length, smallestEdge(body));
+  const double needed = pieces(length, smallestEdge(body));
+  refuseMany(needed, section);
+  const int n = static_cast<int>(needed);
   std::vector<WeightedPoint<D>> load;
   for (int i = 0; i < n; ++i)
   {
@@ -124,8 +137,10 @@ std::vector<LoadPoint<3>> faceLoad(const Seeds<3>& body, const Vector<3>& corner
   if (!(norm(normal) > 1.0e-9 * norm(sideA) * norm(sideB)))
     throw std::invalid_argument(section +
                                 ": the face of the load has no area; its two sides must not be parallel.");
-  const int along = pieces(norm(sideA), smallestEdge(body));
-  const int across = pieces(norm(sideB), smallestEdge(body));
+  const double alongA = pieces(norm(sideA), smallestEdge(body));
+  const double alongB = pieces(norm(sideB), smallestEdge(body));
+  refuseMany(alongA * alongB, section);
+  const int along = static_cast<int>(alongA), across = static_cast<int>(alongB);
   std::vector<WeightedPoint<3>> load;
   for (int j = 0; j < across; ++j)
     for (int i = 0; i < along; ++i)

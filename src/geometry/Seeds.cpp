@@ -1,6 +1,7 @@
 #include "geometry/Seeds.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -54,7 +55,40 @@ Lattice<D> makeLattice(const Shape<D>& shape, double edge)
   return lattice;
 }
 
+template <int D>
+Vector<D> place(const Lattice<D>& lattice, const double (&index)[3])
+{
+  Vector<D> own;
+  for (int d = 0; d < D; ++d)
+    own[d] = lattice.origin[d] + (lattice.first[d] + index[d]) * lattice.edge[d];
+  return own;
+}
+
 } // namespace
+
+template <int D>
+double estimateSeeds(const Shape<D>& shape, double cell, int particlesPerCell)
+{
+  const Lattice<D> lattice = makeLattice(shape, cell / particlesPerCell);
+  double total = 1.0;
+  for (int d = 0; d < D; ++d)
+    total *= lattice.count[d];
+  constexpr int samples = 100000;
+  if (!(total > samples))
+    return total;
+  // Fractions of multiples of an irrational number fill the interval evenly (Weyl); square roots of primes do
+  // so in each axis without regard to the others.
+  const double steps[3] = {std::sqrt(2.0), std::sqrt(3.0), std::sqrt(5.0)};
+  int inside = 0;
+  for (int k = 1; k <= samples; ++k)
+  {
+    double index[3] = {};
+    for (int d = 0; d < D; ++d)
+      index[d] = (k * steps[d] - std::floor(k * steps[d])) * lattice.count[d];
+    inside += shape.contains(shape.base().frame.toSpace(place(lattice, index))) ? 1 : 0;
+  }
+  return total * std::max(inside, 1) / samples;
+}
 
 template <int D>
 Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell, const std::string& section)
@@ -89,11 +123,8 @@ Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell,
     for (long long j = 0; j < counts[1]; ++j)
       for (long long i = 0; i < counts[0]; ++i)
       {
-        const double index[3] = {double(i), double(j), double(k)};
-        Vector<D> own;
-        for (int d = 0; d < D; ++d)
-          own[d] = lattice.origin[d] + (lattice.first[d] + index[d] + 0.5) * lattice.edge[d];
-        const Vector<D> x = shape.base().frame.toSpace(own);
+        const double index[3] = {double(i) + 0.5, double(j) + 0.5, double(k) + 0.5};
+        const Vector<D> x = shape.base().frame.toSpace(place(lattice, index));
         if (shape.contains(x))
           seeds.position.push_back(x);
       }
@@ -108,6 +139,8 @@ Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell,
   return seeds;
 }
 
+template double estimateSeeds<2>(const Shape<2>&, double, int);
+template double estimateSeeds<3>(const Shape<3>&, double, int);
 template Seeds<2> seedParticles<2>(const Shape<2>&, double, int, const std::string&);
 template Seeds<3> seedParticles<3>(const Shape<3>&, double, int, const std::string&);
 

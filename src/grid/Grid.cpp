@@ -2,10 +2,19 @@
 
 #include <algorithm>
 #include <limits>
+#include <sstream>
 #include <stdexcept>
 
 namespace Rhegma
 {
+
+namespace
+{
+
+/// Nodes and their second fields are counted in an int.
+constexpr double mostNodes = 0.2 * std::numeric_limits<int>::max();
+
+} // namespace
 
 template <int D>
 Grid<D> makeGrid(const Vector<D>& lower, const Vector<D>& upper, double spacing)
@@ -25,8 +34,13 @@ Grid<D> makeGrid(const Vector<D>& lower, const Vector<D>& upper, double spacing)
     grid.cells[d] = static_cast<int>(std::min(cells, 1e9));
     grid.axisOrder[d] = d;
   }
-  if (nodes > 0.2 * std::numeric_limits<int>::max())
-    throw std::invalid_argument("the domain has too many cells; take larger cells or a smaller domain");
+  if (!(nodes <= mostNodes))
+  {
+    std::ostringstream message;
+    message << "Domain > Cell Size: the domain would have about " << nodes << " nodes, more than "
+            << mostNodes << "; take larger cells or a smaller domain";
+    throw std::invalid_argument(message.str());
+  }
   std::stable_sort(grid.axisOrder, grid.axisOrder + D,
                    [&](int a, int b) { return grid.cells[a] > grid.cells[b]; });
   int stride = 1;

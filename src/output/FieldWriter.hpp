@@ -28,7 +28,7 @@ class FieldWriter
 {
 public:
   /// Makes both files; older ones are replaced. \param folder is there already
-  /// Throws std::runtime_error when the files can't be made or written, here and later.
+  /// Throws OutputError when the files can't be made or written, here and later.
   explicit FieldWriter(const std::string& folder);
   ~FieldWriter();
   FieldWriter(FieldWriter&&) noexcept;

@@ -1,8 +1,9 @@
 #include "output/Hdf5.hpp"
 
+#include "output/OutputError.hpp"
+
 #include <cstdio>
 #include <hdf5.h>
-#include <stdexcept>
 
 namespace Rhegma
 {
@@ -67,7 +68,7 @@ public:
 private:
   [[noreturn]] void fail() const
   {
-    throw std::runtime_error(path_ + " can't be written; is the disk full or the file open elsewhere?");
+    throw OutputError(path_ + " can't be written; is the disk full or the file open elsewhere?");
   }
 
   hid_t id_;
@@ -117,7 +118,9 @@ void appendSnapshot(const std::string& path, const std::string& group, const Sna
   const Silence silence;
   Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, path);
   {
-    const Handle top = makeGroup(file, group, path);
+    // All of the snapshot goes out before the file knows of it, so that a run that is killed meanwhile leaves
+    // a file that can be read.
+    const Handle top(H5Gcreate_anon(file, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, path);
     writeTime(top, snapshot.time, path);
     for (const Mesh& mesh : snapshot.meshes)
     {
@@ -125,6 +128,8 @@ void appendSnapshot(const std::string& path, const std::string& group, const Sna
       for (const DataSet& data : mesh.data)
         writeTable(inner, data, path);
     }
+    file.require(H5Fflush(file, H5F_SCOPE_GLOBAL));
+    file.require(H5Olink(top, file, group.c_str(), H5P_DEFAULT, H5P_DEFAULT));
     file.require(H5Fflush(file, H5F_SCOPE_GLOBAL));
   }
   file.close();

@@ -9,7 +9,7 @@ namespace Rhegma
 {
 
 /// Makes an empty file; an older one is replaced, which those who have it open don't notice.
-/// Throws std::runtime_error when it can't, as does the next.
+/// Throws OutputError when it can't, as does the next.
 void createHdf5(const std::string& path);
 
 /// Adds a group with the attribute `time` and a group per mesh inside, and closes the file.

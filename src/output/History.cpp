@@ -1,9 +1,12 @@
 #include "output/History.hpp"
 
+#include "output/OutputError.hpp"
+
 #include <cerrno>
 #include <cstring>
 #include <set>
 #include <stdexcept>
+#include <unistd.h>
 
 namespace Rhegma
 {
@@ -39,7 +42,7 @@ History::History(const std::string& path)
     : path_(path), file_(std::fopen(path.c_str(), "wb")), lastFlush_(std::chrono::steady_clock::now())
 {
   if (!file_)
-    throw std::runtime_error(path + " can't be written: " + std::strerror(errno));
+    throw OutputError(path + " can't be written: " + std::strerror(errno));
   // Rows are held here and go out in one piece each time.
   std::setvbuf(file_.get(), nullptr, _IONBF, 0);
 }
@@ -107,11 +110,18 @@ void History::write(double time, const Row& row)
 void History::flush()
 {
   const bool good = std::fwrite(held_.data(), 1, held_.size(), file_.get()) == held_.size();
+  const int reason = errno;
+  if (good)
+    written_ += static_cast<long long>(held_.size());
   held_.clear();
   heldRows_ = 0;
   lastFlush_ = std::chrono::steady_clock::now();
-  if (!good)
-    throw std::runtime_error(path_ + " can't be written: " + std::strerror(errno));
+  if (good)
+    return;
+  // A full disk takes what still fits; the half row goes again.
+  if (ftruncate(fileno(file_.get()), written_) != 0)
+    throw OutputError(path_ + " can't be written and ends in half a row: " + std::strerror(reason));
+  throw OutputError(path_ + " can't be written: " + std::strerror(reason));
 }
 
 void History::close()
@@ -121,7 +131,7 @@ void History::close()
   if (!held_.empty())
     flush();
   if (std::fclose(file_.release()) != 0)
-    throw std::runtime_error(path_ + " can't be written: " + std::strerror(errno));
+    throw OutputError(path_ + " can't be written: " + std::strerror(errno));
 }
 
 } // namespace Rhegma

@@ -14,8 +14,8 @@ namespace Rhegma
 /// Writes samples as comma-separated values, one row each, with as many digits as a double has.
 ///
 /// The first row fixes the columns. Rows reach the file whole: every second of wall time, every few rows and
-/// at the end, so that a run that stops leaves no half row. Throws std::runtime_error when the file can't be
-/// made or written.
+/// at the end, so that a run that stops leaves no half row. Throws OutputError when the file can't be made
+/// or written; the rows before stay whole.
 class History
 {
 public:
@@ -48,6 +48,7 @@ private:
   std::vector<std::string> columns_;
   std::string held_; ///< whole rows on their way to the file
   int heldRows_ = 0;
+  long long written_ = 0; ///< bytes of whole rows in the file
   bool begun_ = false;
   double lastTime_ = 0.0;
   std::chrono::steady_clock::time_point lastFlush_;

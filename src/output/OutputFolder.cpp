@@ -48,10 +48,21 @@ std::string makeOutputFolder(const std::string& folder)
     throw std::invalid_argument("the output folder has no name; name one with --output");
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (!std::filesystem::is_directory(folder))
+  std::error_code unreadable;
+  if (!std::filesystem::is_directory(folder, unreadable))
     refuse(folder, error ? error.message() : "there is a file of that name");
   tryToWrite(folder);
   return folder;
+}
+
+void removeOldResults(const std::string& folder)
+{
+  for (const char* name : {"summary.json", "history.csv", "fields.xdmf", "fields.h5"})
+    for (const char* ending : {"", ".part"})
+    {
+      std::error_code ignored; // what can't be removed can't be written either, and that is told
+      std::filesystem::remove(std::filesystem::path(folder) / (std::string(name) + ending), ignored);
+    }
 }
 
 } // namespace Rhegma

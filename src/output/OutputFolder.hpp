@@ -14,4 +14,7 @@ std::string defaultOutputFolder(const std::string& scene);
 /// Throws std::invalid_argument with one sentence when it can't be made or written.
 std::string makeOutputFolder(const std::string& folder);
 
+/// Removes what an older run left in the folder, so that a run that is killed leaves no file of another.
+void removeOldResults(const std::string& folder);
+
 } // namespace Rhegma

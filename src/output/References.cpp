@@ -1,5 +1,8 @@
 #include "output/References.hpp"
 
+#include "scene/Attempts.hpp"
+#include "scene/NearestName.hpp"
+
 #include <cmath>
 #include <cstdio>
 #include <sstream>
@@ -20,12 +23,18 @@ std::vector<std::string> splitAtDots(const std::string& path)
   return parts;
 }
 
-std::string names(const nlohmann::json& object)
+std::vector<std::string> names(const nlohmann::json& object)
 {
-  std::string all;
+  std::vector<std::string> all;
   for (const auto& item : object.items())
-    all += (all.empty() ? "" : ", ") + item.key();
+    all.push_back(item.key());
   return all;
+}
+
+std::string nearest(const std::string& given, const std::vector<std::string>& possible)
+{
+  const std::string name = nearestName(given, possible);
+  return name.empty() ? "" : " (did you mean \"" + name + "\"?)";
 }
 
 bool isPlace(const std::string& part)
@@ -43,8 +52,8 @@ const nlohmann::json* entryOf(const nlohmann::json& list, const std::string& par
   return nullptr;
 }
 
-/// The number at a path, or NaN and why there is none.
-double lookUp(const nlohmann::json& summary, const std::string& path, std::string& problem)
+/// The entry at a path, or null and why there is none.
+const nlohmann::json* find(const nlohmann::json& summary, const std::string& path, std::string& problem)
 {
   const nlohmann::json* at = &summary;
   std::string done;
@@ -60,16 +69,26 @@ double lookUp(const nlohmann::json& summary, const std::string& path, std::strin
     {
       problem = place + " has no \"" + part + "\"; it ";
       if (at->is_object())
-        problem += at->empty() ? "is empty" : "has " + names(*at);
+        problem +=
+            at->empty() ? "is empty" : "has " + inWords(names(*at), " and ") + nearest(part, names(*at));
       else if (at->is_array())
         problem += "is a list of " + std::to_string(at->size());
       else
         problem += "is one value";
-      return std::nan("");
+      return nullptr;
     }
     at = next;
     done += (done.empty() ? "" : ".") + part;
   }
+  return at;
+}
+
+/// The number at a path, or NaN and why there is none.
+double lookUp(const nlohmann::json& summary, const std::string& path, std::string& problem)
+{
+  const nlohmann::json* at = find(summary, path, problem);
+  if (at == nullptr)
+    return std::nan("");
   const double value = at->is_number()    ? at->get<double>()
                        : at->is_boolean() ? (at->get<bool>() ? 1.0 : 0.0)
                                           : std::nan("");
@@ -111,7 +130,7 @@ nlohmann::json compare(const std::string& name, const Teuchos::ParameterList& en
   return result;
 }
 
-std::string inWords(const nlohmann::json& result)
+std::string comparison(const nlohmann::json& result)
 {
   const std::string start = result["within"].get<bool>() ? "within   " : "OUTSIDE  ";
   const std::string quantity = result["quantity"].get<std::string>();
@@ -144,12 +163,33 @@ bool addReferences(const Teuchos::ParameterList& section, nlohmann::json& summar
   return all;
 }
 
+void refuseUnknownQuantities(const Teuchos::ParameterList& section, const nlohmann::json& summary)
+{
+  Attempts attempts;
+  for (auto item = section.begin(); item != section.end(); ++item)
+    if (section.isSublist(section.name(item)))
+    {
+      const std::string quantity = section.sublist(section.name(item)).get<std::string>("Quantity");
+      std::string problem;
+      const nlohmann::json* at = find(summary, quantity, problem);
+      if (at != nullptr && (at->is_object() || at->is_array() || at->is_string()))
+        problem = quantity + " is not a number; write the path of one";
+      attempts.attempt(
+          [&]
+          {
+            if (!problem.empty())
+              throw std::invalid_argument("Reference > " + section.name(item) + " > Quantity: " + problem);
+          });
+    }
+  attempts.complain();
+}
+
 std::string referencesInWords(const nlohmann::json& summary)
 {
   std::string text;
   if (summary.contains("references"))
     for (const nlohmann::json& result : summary["references"])
-      text += inWords(result);
+      text += comparison(result);
   return text;
 }
 

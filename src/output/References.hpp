@@ -18,6 +18,11 @@ namespace Rhegma
 /// `Reference` section; may be empty \return whether all are within their tolerances
 bool addReferences(const Teuchos::ParameterList& section, nlohmann::json& summary);
 
+/// Throws std::invalid_argument with a sentence a line for quantities that a summary has no place for, so
+/// that a slip of the pen is told before the run and not after. \param summary of the run before its first
+/// step, with null where there is no value yet
+void refuseUnknownQuantities(const Teuchos::ParameterList& section, const nlohmann::json& summary);
+
 /// The references of a summary for a person, a line each; empty without references.
 std::string referencesInWords(const nlohmann::json& summary);
 

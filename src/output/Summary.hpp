@@ -34,7 +34,7 @@ struct SummaryFacts
 nlohmann::json makeSummary(const SummaryFacts& facts, const nlohmann::json& report);
 
 /// Writes the summary so that there is the old file or the whole new one, never half of one.
-/// Throws std::runtime_error when it can't.
+/// Throws OutputError when it can't.
 void writeSummary(const nlohmann::json& summary, const std::string& path);
 
 /// Largest memory that the process has held so far [bytes].

@@ -1,9 +1,10 @@
 #include "output/TextFile.hpp"
 
+#include "output/OutputError.hpp"
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <stdexcept>
 
 namespace Rhegma
 {
@@ -28,7 +29,7 @@ void replaceFile(const std::string& path, const std::string& text)
     return;
   if (file != nullptr)
     std::remove(temporary.c_str());
-  throw std::runtime_error(path + " can't be written: " + std::strerror(reason));
+  throw OutputError(path + " can't be written: " + std::strerror(reason));
 }
 
 } // namespace Rhegma

@@ -40,7 +40,11 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
     if (startsWith(a, "--kokkos-"))
       forKokkos.push_back(kokkosSpelling(a));
     else if (a == "--output")
+    {
       options.output = valueOf(k);
+      if (options.output.empty())
+        throw UsageError("the folder after --output has no name; name one after --output, or leave it out");
+    }
     else if (a == "--set")
       options.overrides.push_back(valueOf(k));
     else if (a == "--quiet")

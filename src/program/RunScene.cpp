@@ -1,21 +1,19 @@
 #include "program/RunScene.hpp"
 
 #include "Simulation.hpp"
-#include "output/History.hpp"
-#include "output/OutputFolder.hpp"
-#include "output/Progress.hpp"
+#include "output/OutputError.hpp"
 #include "output/References.hpp"
 #include "output/Summary.hpp"
+#include "program/Production.hpp"
 #include "scene/Scene.hpp"
 #include "step/EffectSchema.hpp"
-#include "step/Run.hpp"
 
 #include <Kokkos_Core.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
 
 #include <iostream>
-#include <optional>
-#include <unistd.h>
+#include <new>
+#include <sstream>
 
 namespace Rhegma::program
 {
@@ -28,10 +26,18 @@ Teuchos::RCP<const Teuchos::Comm<int>> world()
   return Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD));
 }
 
+/// One mistake a line, each said by the program.
+void printSentences(const std::string& sentences, std::ostream& err)
+{
+  std::istringstream lines(sentences);
+  for (std::string line; std::getline(lines, line);)
+    err << "rhegma: " << line << "\n";
+}
+
 void printErrors(const std::vector<SceneError>& errors, std::ostream& err)
 {
   for (const SceneError& error : errors)
-    err << "rhegma: " << (error.where.empty() ? "" : error.where + ": ") << error.message << "\n";
+    err << "rhegma: " << toString(error) << "\n";
 }
 
 /// A validated scene, or nothing after its errors have been printed.
@@ -43,64 +49,6 @@ Teuchos::RCP<Teuchos::ParameterList> validScene(const Options& options, std::ost
   printErrors(result.errors, err);
   return Teuchos::null;
 }
-
-double historyInterval(const Teuchos::ParameterList& scene)
-{
-  const Teuchos::ParameterList& output = scene.sublist("Output");
-  return output.isParameter("History Interval") ? output.get<double>("History Interval")
-                                                : scene.sublist("Time").get<double>("Final Time") / 200.0;
-}
-
-/// Runs from field output to field output.
-class Production
-{
-public:
-  Production(const Options& options, const Teuchos::ParameterList& scene, Simulation& simulation,
-             std::ostream& out)
-      : folder_(options.output.empty() ? defaultOutputFolder(options.scene) : options.output),
-        scene_(scene),
-        simulation_(simulation),
-        finalTime_(scene.sublist("Time").get<double>("Final Time")),
-        history_(makeOutputFolder(folder_) + "/history.csv"),
-        progress_(options.quiet ? nullptr : &out, finalTime_, isatty(STDOUT_FILENO) != 0)
-  {
-    simulation_.sampleEvery(historyInterval(scene),
-                            [this](double time, const Simulation::Row& row)
-                            {
-                              history_.write(time, row);
-                              progress_.sample(row);
-                            });
-    simulation_.onStep([this](double time, long step) { progress_.step(time, step); });
-  }
-
-  const std::string& folder() const { return folder_; }
-
-  void toTheEnd()
-  {
-    const Teuchos::ParameterList& output = scene_.sublist("Output");
-    const bool fields = output.get<bool>("Fields");
-    const double interval =
-        output.isParameter("Field Interval") ? output.get<double>("Field Interval") : finalTime_;
-    if (fields && output.isParameter("Field Interval"))
-      simulation_.writeFields(folder_);
-    for (int k = 1; simulation_.time() < finalTime_ && !simulation_.ended(); ++k)
-    {
-      simulation_.advance(std::min(k * interval, finalTime_));
-      if (fields)
-        simulation_.writeFields(folder_);
-    }
-    history_.close();
-    progress_.finish();
-  }
-
-private:
-  std::string folder_;
-  const Teuchos::ParameterList& scene_;
-  Simulation& simulation_;
-  double finalTime_;
-  History history_;
-  Progress progress_;
-};
 
 SummaryFacts facts(const Options& options, const Simulation& simulation, double wallSeconds,
                    const std::string& status)
@@ -122,32 +70,58 @@ SummaryFacts facts(const Options& options, const Simulation& simulation, double 
   return f;
 }
 
+/// \return why the summary could not be written; empty if it was
+std::string writeWhereItCan(const nlohmann::json& summary, const std::string& path)
+{
+  try
+  {
+    writeSummary(summary, path);
+    return {};
+  }
+  catch (const OutputError& error)
+  {
+    return error.what();
+  }
+}
+
+Teuchos::ParameterList references(const Teuchos::ParameterList& scene)
+{
+  return scene.isSublist("Reference") ? scene.sublist("Reference") : Teuchos::ParameterList();
+}
+
+/// Makes the bodies and all else, and finds the mistakes that only they can show.
+void initialize(Simulation& simulation, const Teuchos::ParameterList& scene, const Options& options)
+{
+  simulation.initialize();
+  refuseUnknownQuantities(references(scene),
+                          makeSummary(facts(options, simulation, 0.0, ""), simulation.report()));
+}
+
 int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>& scene, std::ostream& out,
              std::ostream& err)
 {
   Kokkos::Timer timer;
   Simulation simulation(world(), scene);
-  simulation.initialize();
+  initialize(simulation, *scene, options);
   if (options.action == Options::Action::PrintPlan)
   {
     out << simulation.plan();
     return exitFinished;
   }
   Production production(options, *scene, simulation, out);
-  std::string trouble;
-  try
-  {
-    production.toTheEnd();
-  }
-  catch (const RunError& error)
-  {
-    trouble = error.what();
-  }
+  std::string trouble = production.toTheEnd();
+  const std::string status = !trouble.empty()          ? trouble
+                             : production.outOfSteps() ? "finished at Time > Maximum Steps"
+                                                       : "finished";
   nlohmann::json summary =
-      makeSummary(facts(options, simulation, timer.seconds(), trouble.empty() ? "finished" : trouble),
-                  simulation.report());
-  const bool within = addReferences(scene->sublist("Reference"), summary);
-  writeSummary(summary, production.folder() + "/summary.json");
+      makeSummary(facts(options, simulation, timer.seconds(), status), simulation.report());
+  const bool within = addReferences(references(*scene), summary);
+  const std::string unwritten = writeWhereItCan(summary, production.folder() + "/summary.json");
+  if (trouble.empty())
+    trouble = unwritten;
+  if (!options.quiet)
+    out << (trouble.empty() ? "Results are in " : "Results up to then are in ") << production.folder()
+        << "\n";
   for (const auto& warning : summary["warnings"])
     err << "rhegma: warning: " << warning.get<std::string>() << "\n";
   if (!trouble.empty())
@@ -156,7 +130,7 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
     return exitStopped;
   }
   if (!options.quiet)
-    out << "Results are in " << production.folder() << "\n" << referencesInWords(summary);
+    out << referencesInWords(summary);
   return within ? exitFinished : exitReferenceMissed;
 }
 
@@ -192,7 +166,7 @@ int run(const Options& options, std::ostream& out, std::ostream& err)
       if (options.action == Action::Check)
       {
         Simulation simulation(world(), scene);
-        simulation.initialize();
+        initialize(simulation, *scene, options);
         out << options.scene << " is a valid scene\n";
         return exitFinished;
       }
@@ -200,7 +174,17 @@ int run(const Options& options, std::ostream& out, std::ostream& err)
     }
     catch (const std::invalid_argument& error)
     {
-      err << "rhegma: " << error.what() << "\n";
+      printSentences(error.what(), err);
+      return exitWrongScene;
+    }
+    catch (const OutputError& error)
+    {
+      err << "rhegma: " << error.what() << "; name another folder with --output\n";
+      return exitWrongScene;
+    }
+    catch (const std::bad_alloc&)
+    {
+      err << "rhegma: there is not enough memory for this scene; take larger cells (Domain > Cell Size)\n";
       return exitWrongScene;
     }
   }

@@ -24,6 +24,10 @@ void bindThreads(char** argv)
 #endif
 }
 
+void startWithoutHelper() { setenv("OMPI_MCA_ess_singleton_isolated", "1", 0); }
+
+std::string firstLine(const std::string& message) { return message.substr(0, message.find('\n')); }
+
 KokkosArguments::KokkosArguments(const std::string& program, const std::vector<std::string>& arguments)
     : texts_{program}
 {

@@ -12,6 +12,13 @@ namespace Rhegma::program
 /// binds ranks itself, threads are left alone.
 void bindThreads(char** argv);
 
+/// Lets a program that was not started by mpirun do without the helper process that Open MPI would start for
+/// it, which takes longer than to read a scene. Without effect on other kinds of MPI. Call before MPI_Init.
+void startWithoutHelper();
+
+/// A message up to its first line's end.
+std::string firstLine(const std::string& message);
+
 /// Arguments in the form that Kokkos::initialize takes.
 class KokkosArguments
 {

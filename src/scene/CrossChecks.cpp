@@ -322,6 +322,11 @@ private:
     if (end && interval && *end / *interval > 1e7)
       report("Output > History Interval",
              "asks for more than ten million rows; write at least " + formatReal(*end * 1e-7) + " s.");
+    const auto fields = real(output, "Field Interval");
+    if (end && fields && *end / *fields > 1e5)
+      report("Output > Field Interval",
+             "asks for more than a hundred thousand times of output; write at least " +
+                 formatReal(*end * 1e-5) + " s.");
   }
 
   const ParameterList& m_scene;

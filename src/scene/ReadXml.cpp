@@ -197,6 +197,54 @@ std::string parserReason(const std::string& what)
   return reason.substr(0, reason.find('\n'));
 }
 
+/// Far more than a scene has, and little enough to read at once: a device or a pipe may never end.
+constexpr std::size_t mostBytes = 16u << 20;
+
+/// \return whether the stream ended before
+bool readUpTo(std::size_t most, std::istream& in, std::string& text)
+{
+  char piece[65536];
+  while (text.size() <= most && (in.read(piece, sizeof piece) || in.gcount() > 0))
+    text.append(piece, static_cast<std::size_t>(in.gcount()));
+  return text.size() <= most;
+}
+
+/// End of the tag that begins at `from`: its `>` outside of quotes, or the end of the text.
+std::size_t endOfTag(const std::string& text, std::size_t from)
+{
+  if (text.compare(from, 4, "<!--") == 0)
+  {
+    const std::size_t close = text.find("-->", from);
+    return close == std::string::npos ? text.size() : close + 2;
+  }
+  char quote = '\0';
+  for (std::size_t at = from; at < text.size(); ++at)
+    if (quote != '\0')
+      quote = text[at] == quote ? '\0' : quote;
+    else if (text[at] == '"' || text[at] == '\'')
+      quote = text[at];
+    else if (text[at] == '>')
+      return at;
+  return text.size();
+}
+
+/// Deepest nesting of tags; the parser calls itself for each and would run out of stack.
+int deepestNesting(const std::string& text)
+{
+  int depth = 0, deepest = 0;
+  for (std::size_t at = text.find('<'); at < text.size();)
+  {
+    const std::size_t end = endOfTag(text, at);
+    const char next = at + 1 < text.size() ? text[at + 1] : ' ';
+    if (next == '/')
+      --depth;
+    else if (next != '!' && next != '?' && text[end - 1] != '/')
+      deepest = std::max(deepest, ++depth);
+    at = text.find('<', end);
+  }
+  return deepest;
+}
+
 /// No stack traces while a user's mistake passes through Teuchos.
 class NoStackTrace
 {
@@ -227,13 +275,16 @@ std::string readText(const std::string& file, std::vector<SceneError>& errors)
   else
   {
     std::ifstream in(file, std::ios::binary);
-    std::ostringstream text;
+    std::string text;
     if (in && in.peek() == std::ifstream::traits_type::eof())
       errors.push_back({"", name + "is empty; a scene starts with <ParameterList name=\"Rhegma\">."});
-    else if (!in || !(text << in.rdbuf()))
+    else if (!in)
       errors.push_back({"", name + "can't be read (" + std::strerror(errno) + "); check its permissions."});
+    else if (!readUpTo(mostBytes, in, text))
+      errors.push_back(
+          {"", name + "is larger than 16 MB, which no scene is; give the path of a scene's XML file."});
     else
-      return text.str();
+      return text;
   }
   return {};
 }
@@ -245,6 +296,11 @@ Teuchos::RCP<Teuchos::ParameterList> parseXml(const std::string& xml, const std:
   const std::string start = "a scene starts with <ParameterList name=\"" + topName + "\">.";
   const std::string byteOrderMark = "\xEF\xBB\xBF";
   const std::string text = xml.rfind(byteOrderMark, 0) == 0 ? xml.substr(byteOrderMark.size()) : xml;
+  if (deepestNesting(text) > 100)
+  {
+    errors.push_back({"", "the tags are nested more than 100 deep, or most are never closed; " + start});
+    return Teuchos::null;
+  }
   try
   {
     const XMLObject top = Teuchos::StringInputSource(text).getObject();

@@ -172,6 +172,9 @@ struct Section
   std::string key;
   std::vector<Section> variants;
 
+  /// Names of subsections that are planned but not there.
+  std::vector<std::string> toCome;
+
   /// Zero or one: what every sublist holds that the user names, beside the fixed subsections. Its own name
   /// says what such a sublist is, such as "body".
   std::vector<Section> entry;
@@ -225,6 +228,9 @@ public:
 
   /// The scene's top list as a section.
   const Section& root() const { return m_root; }
+  /// Names of sections that a later version will have, for a plain word to who asks for one now.
+  void setSectionsToCome(std::vector<std::string> names) { m_root.toCome = std::move(names); }
+
   /// An effect's own cross check.
   void addCheck(CrossCheck check) { m_checks.push_back(std::move(check)); }
   const std::vector<CrossCheck>& checks() const { return m_checks; }

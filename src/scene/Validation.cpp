@@ -3,6 +3,8 @@
 #include "scene/NearestName.hpp"
 #include "scene/NormaliseValue.hpp"
 
+#include <algorithm>
+
 namespace Rhegma
 {
 
@@ -147,6 +149,8 @@ void Validation::checkEntry(Teuchos::ParameterList& list, const std::string& nam
     }
     if (parameter)
       report(where, "is a parameter, not a section; write <Parameter name=\"" + name + "\" ...>.");
+    else if (std::find(section.toCome.begin(), section.toCome.end(), name) != section.toCome.end())
+      report(where, "is not in this version; leave the section out.");
     else if (active.variantKnown)
     {
       const auto sectionNames = active.sectionNames();

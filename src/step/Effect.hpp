@@ -70,4 +70,7 @@ struct EffectEntry
 /// Every effect that the program knows (packages/Registry.cpp).
 const std::vector<EffectEntry>& knownEffects();
 
+/// Sections of effects that a later version will have (packages/Registry.cpp).
+const std::vector<std::string>& effectsToCome();
+
 } // namespace Rhegma

@@ -14,6 +14,7 @@ SceneSchema makeSchema()
   for (const EffectEntry& entry : knownEffects())
     sections.push_back(entry.section);
   SceneSchema schema(sections);
+  schema.setSectionsToCome(effectsToCome());
   for (const EffectEntry& entry : knownEffects())
     if (entry.check)
       schema.addCheck(entry.check);

@@ -1,6 +1,8 @@
 #include "step/Run.hpp"
 
 #include "boundary/Boundaries.hpp"
+#include "scene/Attempts.hpp"
+#include "scene/Numbers.hpp"
 #include "step/CoreStep.hpp"
 #include "step/Setup.hpp"
 
@@ -23,11 +25,14 @@ Effect<D> makeEffect(const EffectEntry& entry, const Teuchos::ParameterList& sce
     return entry.make3(scene);
 }
 
+/// No run takes more steps; as many as Time > Maximum Steps allows by default.
+constexpr double mostSteps = 2e9;
+
 template <int D>
 [[noreturn]] void stop(const State<D>& state)
 {
   std::ostringstream reason;
-  reason << "the run stopped at time " << state.time << " s, step " << state.step << ": " << state.trouble;
+  reason << "the run stopped at time " << formatReal(state.time) << " s, step " << state.step << ": " << state.trouble;
   throw RunError(reason.str());
 }
 
@@ -63,10 +68,34 @@ void Run<D>::initialize()
   // Where nothing constrains the motion, who waits for the constrained motion reads the solved one.
   plan_ = makePlan<D>(std::move(effects));
   order_ = stageOrder(state_.scheme);
+  // Boundaries are made from the bodies alone, so they and the first of the effects may both be wrong; an
+  // effect may stand on those before it.
+  Attempts attempts;
+  bool on = true;
   for (const Effect<D>& effect : plan_.effects)
-    if (effect.atStart)
-      effect.atStart(state_);
+    if (effect.atStart && on)
+      on = attempts.attempt([&] { effect.atStart(state_); }) || effect.name == boundariesName;
   state_.fastest = fastestSpeed(state_);
+  attempts.attempt([&] { refuseEndless(); });
+  attempts.complain();
+}
+
+template <int D>
+void Run<D>::refuseEndless() const
+{
+  if (!std::isfinite(state_.fastest) || !(state_.fastest > 0.0))
+    throw std::invalid_argument("Materials: the speed of waves and particles is not a finite positive "
+                                "number; write stiffness, density "
+                                "and the velocity of bodies in SI units");
+  const double step = stableTimeStep();
+  const double steps = scene_.sublist("Time").get<double>("Final Time") / step;
+  // A scene that limits its steps knows what it does.
+  if (steps <= mostSteps || scene_.sublist("Time").get<int>("Maximum Steps") < mostSteps)
+    return;
+  throw std::invalid_argument(
+      "Time > Final Time: the run would take about " + formatReal(std::round(steps)) + " steps of " +
+      formatReal(step) +
+      " s; write a shorter time, larger cells or fewer Maximum Steps, and materials in SI units");
 }
 
 template <int D>

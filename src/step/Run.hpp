@@ -48,6 +48,8 @@ public:
   std::vector<std::string> effectNames() const;
 
 private:
+  void refuseEndless() const;
+
   Teuchos::ParameterList scene_;
   std::vector<Effect<D>> own_;
   State<D> state_;

@@ -1,12 +1,11 @@
 #include "step/Setup.hpp"
 
-#include "geometry/Seeds.hpp"
 #include "material/MaterialTable.hpp"
 #include "scene/ReadList.hpp"
+#include "step/PlaceBodies.hpp"
 #include "transfer/Box.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace Rhegma
 {
@@ -100,11 +99,11 @@ Vector<D> startVelocity(const Vector<D>& velocity, const std::vector<double>& sp
 }
 
 template <int D>
-void addBody(const Teuchos::ParameterList& list, const std::string& name, State<D>& state)
+void addBody(const PlacedBody<D>& body, State<D>& state)
 {
-  const Shape<D> shape = makeShape<D>(list);
-  const Seeds<D> seeds =
-      seedParticles<D>(shape, state.grid.spacing, list.get<int>("Particles Per Cell"), "Bodies > " + name);
+  const Teuchos::ParameterList& list = body.list;
+  const std::string& name = body.name;
+  const Seeds<D>& seeds = body.seeds;
   BodyInfo<D> info;
   info.name = name;
   const auto material =
@@ -118,13 +117,7 @@ void addBody(const Teuchos::ParameterList& list, const std::string& name, State<
   const int count = static_cast<int>(seeds.position.size());
   Vector<D> centre{};
   for (const Vector<D>& x : seeds.position)
-  {
-    if (!state.grid.inside(x))
-      throw std::invalid_argument("Bodies > " + name +
-                                  ": part of the body lies outside of the domain; move it or enlarge "
-                                  "Domain > Lower Corner, Upper Corner");
     centre = centre + (1.0 / count) * x;
-  }
   const Vector<D> velocity = readVector<D>(list, "Velocity");
   const Teuchos::Array<double> spin = list.get<Teuchos::Array<double>>("Angular Velocity");
   const double density = state.materialList[info.material].density;
@@ -214,8 +207,8 @@ void makeState(const Teuchos::ParameterList& scene, const std::vector<Field>& ex
   readMaterials(scene, state);
   addFields(state, extra);
   const Teuchos::ParameterList& bodies = scene.sublist("Bodies");
-  for (const std::string& name : sublistNames(bodies))
-    addBody(bodies.sublist(name), name, state);
+  for (const PlacedBody<D>& body : placeBodies<D>(bodies, state))
+    addBody(body, state);
   makeBodyAxes(state);
   if (state.shape == ShapeKind::Gimp)
     makeBoxes(state);

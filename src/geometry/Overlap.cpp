@@ -1,0 +1,45 @@
+#include "geometry/Overlap.hpp"
+
+namespace Rhegma
+{
+
+namespace
+{
+
+template <int D>
+bool liesInside(const Vector<D>& centre, const Seeds<D>& seeds, const Shape<D>& shape)
+{
+  if (!shape.contains(centre))
+    return false;
+  for (int axis = 0; axis < D; ++axis)
+    for (const double share : {-0.25, 0.25})
+      if (!shape.contains(centre + share * seeds.edge[axis] * seeds.axes[axis]))
+        return false;
+  return true;
+}
+
+template <int D>
+bool holds(const Geometry::Bounds<D>& bounds, const Vector<D>& x)
+{
+  for (int d = 0; d < D; ++d)
+    if (x[d] < bounds.lower[d] || x[d] > bounds.upper[d])
+      return false;
+  return true;
+}
+
+} // namespace
+
+template <int D>
+int findOverlap(const Seeds<D>& seeds, const Shape<D>& other)
+{
+  const Geometry::Bounds<D> bounds = other.bounds();
+  for (std::size_t p = 0; p < seeds.position.size(); ++p)
+    if (holds(bounds, seeds.position[p]) && liesInside(seeds.position[p], seeds, other))
+      return static_cast<int>(p);
+  return -1;
+}
+
+template int findOverlap(const Seeds<2>&, const Shape<2>&);
+template int findOverlap(const Seeds<3>&, const Shape<3>&);
+
+} // namespace Rhegma

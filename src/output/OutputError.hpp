@@ -1,0 +1,16 @@
+#pragma once
+/// A file of results that can't be written.
+
+#include <stdexcept>
+
+namespace Rhegma
+{
+
+/// Says which file and why, in one sentence: a full disk, a folder that is gone, missing rights.
+class OutputError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+} // namespace Rhegma

@@ -1,0 +1,52 @@
+#pragma once
+/// A run from its first step to its last, with its files and its progress.
+
+#include "Simulation.hpp"
+#include "output/History.hpp"
+#include "output/Progress.hpp"
+#include "program/Options.hpp"
+#include "program/StopSignal.hpp"
+
+#include <iosfwd>
+#include <string>
+
+namespace Rhegma::program
+{
+
+class Production
+{
+public:
+  /// Makes the output folder and removes what an older run left there.
+  /// Throws std::invalid_argument when the folder can't be used.
+  /// \param scene validated; must outlive this
+  /// \param out   for the progress line
+  Production(const Options& options, const Teuchos::ParameterList& scene, Simulation& simulation,
+             std::ostream& out);
+
+  /// The output folder.
+  const std::string& folder() const { return folder_; }
+
+  /// Steps to the final time, to where the run has settled or to Time > Maximum Steps. The files then hold
+  /// all rows and fields up to the last step, however the run ended.
+  /// \return why the run could not go on, in one sentence; empty if it could
+  std::string toTheEnd();
+
+  /// Whether the run ended because it had taken Time > Maximum Steps.
+  bool outOfSteps() const;
+
+private:
+  void observe();
+  void advanceFromFieldToField();
+  void stopIfAsked(double time, long step) const;
+  std::string stoppedBy(const std::string& reason) const;
+
+  std::string folder_;
+  const Teuchos::ParameterList& scene_;
+  Simulation& simulation_;
+  double finalTime_;
+  History history_;
+  Progress progress_;
+  StopSignal signal_;
+};
+
+} // namespace Rhegma::program

@@ -1,0 +1,110 @@
+#include "step/PlaceBodies.hpp"
+
+#include "geometry/Overlap.hpp"
+#include "scene/Attempts.hpp"
+#include "scene/ReadList.hpp"
+#include "step/MemoryNeed.hpp"
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+template <int D>
+std::vector<PlacedBody<D>> planBodies(const Teuchos::ParameterList& section)
+{
+  std::vector<PlacedBody<D>> bodies;
+  Attempts attempts;
+  for (const std::string& name : sublistNames(section))
+    attempts.attempt(
+        [&] {
+          bodies.push_back({name, section.sublist(name), makeShape<D>(section.sublist(name))});
+        });
+  attempts.complain();
+  return bodies;
+}
+
+/// Memory is asked for before any is taken.
+template <int D>
+void refuseTooMuch(const std::vector<PlacedBody<D>>& bodies, const State<D>& state)
+{
+  double particles = 0.0;
+  for (const PlacedBody<D>& body : bodies)
+    particles += estimateSeeds(body.shape, state.grid.spacing, body.particlesPerCell());
+  double fields = 0.0, largest = 0.0;
+  for (const Field& field : state.particles.fields())
+  {
+    const double bytes = field.components * double(field.integer ? sizeof(int) : sizeof(double));
+    fields += bytes;
+    largest = std::max(largest, bytes);
+  }
+  // Beside its fields a particle takes its seed, its numbers in the order of blocks, and a copy of one field
+  // while they are sorted; a node its rows and three marks.
+  const double perParticle = fields + largest + 2.0 * sizeof(Vector<D>) + 8.0 * sizeof(int);
+  const double perNode =
+      (Nodes<D>::sumWidth + Nodes<D>::motionWidth + Nodes<D>::projectionWidth) * sizeof(double) +
+      2.0 * sizeof(int);
+  refuseWithoutMemory(state.grid.numNodes, perNode, particles, perParticle, freeMemoryBytes());
+}
+
+template <int D>
+std::string inWords(const Vector<D>& x)
+{
+  std::ostringstream text;
+  for (int d = 0; d < D; ++d)
+    text << (d == 0 ? "(" : ", ") << x[d];
+  text << ") m";
+  return text.str();
+}
+
+template <int D>
+void seed(PlacedBody<D>& body, const Grid<D>& grid)
+{
+  body.seeds = seedParticles<D>(body.shape, grid.spacing, body.particlesPerCell(), body.where());
+  for (const Vector<D>& x : body.seeds.position)
+    if (!grid.inside(x))
+      throw std::invalid_argument(body.where() +
+                                  ": part of the body lies outside of the domain; move it or enlarge "
+                                  "Domain > Lower Corner, Upper Corner");
+}
+
+template <int D>
+void refuseOverlap(const PlacedBody<D>& one, const PlacedBody<D>& other)
+{
+  const int inOther = findOverlap(one.seeds, other.shape);
+  const int inOne = findOverlap(other.seeds, one.shape);
+  if (inOther < 0 && inOne < 0)
+    return;
+  throw std::invalid_argument(
+      other.where() + ": overlaps " + one.where() + ", such as at " +
+      inWords<D>(inOther >= 0 ? one.seeds.position[inOther] : other.seeds.position[inOne]) +
+      ", so that the mass there would count twice; move one of them, or cut it with "
+      "Operations");
+}
+
+} // namespace
+
+template <int D>
+std::vector<PlacedBody<D>> placeBodies(const Teuchos::ParameterList& section, const State<D>& state)
+{
+  std::vector<PlacedBody<D>> bodies = planBodies<D>(section);
+  refuseTooMuch(bodies, state);
+  Attempts attempts;
+  for (PlacedBody<D>& body : bodies)
+    attempts.attempt([&] { seed(body, state.grid); });
+  for (std::size_t a = 0; a < bodies.size(); ++a)
+    for (std::size_t b = a + 1; b < bodies.size(); ++b)
+      attempts.attempt([&] { refuseOverlap(bodies[a], bodies[b]); });
+  attempts.complain();
+  return bodies;
+}
+
+template std::vector<PlacedBody<2>> placeBodies(const Teuchos::ParameterList&, const State<2>&);
+template std::vector<PlacedBody<3>> placeBodies(const Teuchos::ParameterList&, const State<3>&);
+
+} // namespace Rhegma
