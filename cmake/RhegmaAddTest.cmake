@@ -48,20 +48,21 @@ if(NOT RHEGMA_PYTHON)
   endforeach()
 endif()
 
-# One test of a tool: a file tst*.py or test_*.py, run by itself; the exit status tells.
-function(rhegma_add_python_test file)
+# One test in Python: a file tst*.py or test_*.py, run by itself; the exit status tells.
+function(rhegma_add_python_test file label timeout)
   get_filename_component(name ${file} NAME_WE)
   get_filename_component(folder ${file} DIRECTORY)
+  set(name ${label}.${folder}.${name})
   if(NOT RHEGMA_PYTHON)
     message(STATUS "no python3 with numpy, h5py and matplotlib: without the test of ${file}")
     return()
   endif()
-  add_test(NAME unit.${folder}.${name} COMMAND ${RHEGMA_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/${file})
-  rhegma_set_test(unit.${folder}.${name} unit 300)
-  set_property(TEST unit.${folder}.${name} APPEND PROPERTY ENVIRONMENT PYTHONDONTWRITEBYTECODE=1 MPLBACKEND=Agg
+  add_test(NAME ${name} COMMAND ${RHEGMA_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/${file})
+  rhegma_set_test(${name} ${label} ${timeout})
+  set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT PYTHONDONTWRITEBYTECODE=1 MPLBACKEND=Agg
     RHEGMA_SOURCE_DIR=${PROJECT_SOURCE_DIR})
   if(TARGET rhegma_program)
-    set_property(TEST unit.${folder}.${name} APPEND PROPERTY ENVIRONMENT RHEGMA_PROGRAM=$<TARGET_FILE:rhegma_program>)
+    set_property(TEST ${name} APPEND PROPERTY ENVIRONMENT RHEGMA_PROGRAM=$<TARGET_FILE:rhegma_program>)
   endif()
 endfunction()
 

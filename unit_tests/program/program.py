@@ -1,0 +1,128 @@
+"""Runs rhegma as a user does and looks at its exit status, its words and the file system."""
+
+import hashlib
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = os.path.dirname(os.path.realpath(__file__))
+SOURCE = os.path.realpath(os.path.join(HERE, "..", ".."))
+PROGRAM = os.environ.get("RHEGMA_PROGRAM", os.path.join(SOURCE, "build", "rhegma"))
+
+sys.dont_write_bytecode = True
+
+# What a program that has lost its way says, and a user should never read.
+NOISE = (
+    "terminate called",
+    "what():",
+    "Throw number",
+    "Teuchos",
+    "std::",
+    "MPI_ABORT",
+    "*** Process received signal",
+    "Backtrace",
+    "HDF5-DIAG",
+    "Segmentation",
+    "Kokkos::",
+    "a defect of the program",
+)
+
+# No wrong scene takes longer to refuse, even on a machine that has much else to do.
+PATIENCE = 60
+
+
+class Answer:
+    def __init__(self, status, output, complaint):
+        self.status = status
+        self.output = output
+        self.complaint = complaint
+
+    def __str__(self):
+        return f"exit status {self.status}\nstdout: {self.output}\nstderr: {self.complaint}"
+
+
+def environment(more=None):
+    return dict(os.environ, OMP_NUM_THREADS="1", OMP_PROC_BIND="false", **(more or {}))
+
+
+def rhegma(*arguments, cwd=None, launcher=(), timeout=PATIENCE, preexec=None, **variables):
+    result = subprocess.run(
+        [*launcher, PROGRAM, *arguments],
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        cwd=cwd,
+        env=environment(variables),
+        timeout=timeout,
+        preexec_fn=preexec,
+    )
+    return Answer(result.returncode, result.stdout.decode(errors="replace"), result.stderr.decode(errors="replace"))
+
+
+def fingerprint(folder):
+    """Name, time of change and content of everything below a folder."""
+    found = {}
+    for root, folders, files in os.walk(folder):
+        for name in folders:
+            found[os.path.relpath(os.path.join(root, name), folder)] = "folder"
+        for name in files:
+            path = os.path.join(root, name)
+            changed = os.lstat(path).st_mtime_ns
+            content = "special"
+            if os.path.isfile(path) and os.access(path, os.R_OK):
+                with open(path, "rb") as file:
+                    content = hashlib.sha256(file.read()).hexdigest()
+            found[os.path.relpath(path, folder)] = (changed, content)
+    return found
+
+
+class ProgramTest(unittest.TestCase):
+    """Has a folder of its own, self.folder, where a scene lies beside the results of an older run."""
+
+    longMessage = True
+
+    def setUp(self):
+        keeper = tempfile.TemporaryDirectory()
+        self.addCleanup(keeper.cleanup)
+        self.folder = keeper.name
+
+    def path(self, *names):
+        return os.path.join(self.folder, *names)
+
+    def write(self, name, content):
+        with open(self.path(name), "wb") as file:
+            file.write(content if isinstance(content, bytes) else content.encode())
+        return self.path(name)
+
+    def leave_an_older_run(self, *names):
+        """Results that no wrong scene may touch."""
+        os.makedirs(self.path(*names))
+        for name in ("summary.json", "history.csv", "fields.h5", "fields.xdmf", "notes.txt"):
+            self.write(os.path.join(*names, name), f"an older {name}\n")
+
+    def assert_sentences(self, complaint, mistakes):
+        """One line on standard error for each (where, words), in any order."""
+        lines = complaint.splitlines()
+        self.assertEqual(len(lines), len(mistakes), complaint)
+        for line in lines:
+            self.assertTrue(line.startswith("rhegma: "), complaint)
+            self.assertFalse(line.startswith("rhegma: rhegma"), complaint)
+            self.assertLess(len(line), 600, "not a sentence but a page")
+        for noise in NOISE:
+            self.assertNotIn(noise, complaint)
+        for where, words in mistakes:
+            start = f"rhegma: {where}: " if where else "rhegma: "
+            fitting = [line for line in lines if line.startswith(start) and all(word in line for word in words)]
+            self.assertEqual(len(fitting), 1, f"one sentence {start!r} with {words}, in\n{complaint}")
+
+    def assert_refused(self, arguments, mistakes):
+        """Exit status 1, one sentence a mistake, no other word, and no trace in the file system."""
+        before = fingerprint(self.folder)
+        answer = rhegma(*arguments, cwd=self.folder)
+        self.assertEqual(answer.status, 1, answer)
+        self.assertEqual(answer.output, "", answer)
+        self.assert_sentences(answer.complaint, mistakes)
+        self.assertEqual(fingerprint(self.folder), before, answer)
+        return answer

@@ -1,0 +1,155 @@
+"""Right scenes, and ways to make them wrong."""
+
+import xml.etree.ElementTree as ElementTree
+
+
+def number(value):
+    return repr(value) if isinstance(value, (int, float)) else str(value)
+
+
+def array(values):
+    return "{" + ", ".join(number(v) for v in values) + "}"
+
+
+def typed(value):
+    """Type and text of a Python value as Teuchos writes them."""
+    if isinstance(value, bool):
+        return "bool", str(value).lower()
+    if isinstance(value, int):
+        return "int", str(value)
+    if isinstance(value, float):
+        return "double", repr(value)
+    if isinstance(value, (list, tuple)):
+        return "Array(double)", array(value)
+    return "string", value
+
+
+class Scene:
+    """A scene as a tree; places are paths such as "Bodies > Plate > Material"."""
+
+    def __init__(self, content):
+        self.root = ElementTree.Element("ParameterList", name="Rhegma")
+        self._fill(self.root, content)
+
+    def _fill(self, element, content):
+        for name, value in content.items():
+            if isinstance(value, dict):
+                self._fill(ElementTree.SubElement(element, "ParameterList", name=name), value)
+            else:
+                kind, text = typed(value)
+                ElementTree.SubElement(element, "Parameter", name=name, type=kind, value=text)
+
+    def find(self, place):
+        element = self.root
+        for name in place.split(" > "):
+            element = next(child for child in element if child.get("name") == name)
+        return element
+
+    def _parent(self, place):
+        above, _, name = place.rpartition(" > ")
+        return (self.find(above) if above else self.root), name
+
+    def set(self, place, value):
+        """Changes a parameter, or adds a parameter or, from a dict, a section."""
+        parent, name = self._parent(place)
+        for child in [c for c in parent if c.get("name") == name]:
+            parent.remove(child)
+        self._fill(parent, {name: value})
+        return self
+
+    def raw(self, place, kind, text):
+        """A parameter of any type and text."""
+        self.set(place, "")
+        self.find(place).set("type", kind)
+        self.find(place).set("value", text)
+        return self
+
+    def remove(self, place):
+        parent, _ = self._parent(place)
+        parent.remove(self.find(place))
+        return self
+
+    def rename(self, place, name):
+        self.find(place).set("name", name)
+        return self
+
+    def again(self, place, name=None):
+        """A copy of an entry beside it, under the same name or another."""
+        parent, _ = self._parent(place)
+        copy = ElementTree.fromstring(ElementTree.tostring(self.find(place)))
+        if name:
+            copy.set("name", name)
+        parent.append(copy)
+        return self
+
+    def text(self):
+        return ElementTree.tostring(self.root, encoding="unicode")
+
+
+def plate():
+    """A square that is pulled at its right edge and has a notch: 1,600 particles, a few steps."""
+    return Scene(
+        {
+            "Domain": {
+                "Dimension": 2,
+                "Lower Corner": [-0.2, -0.2],
+                "Upper Corner": [1.2, 1.2],
+                "Cell Size": 0.05,
+            },
+            "Time": {"Final Time": 1e-3},
+            "Materials": {
+                "Polymer": {
+                    "Model": "Linear Elastic",
+                    "Density": 1200.0,
+                    "Young Modulus": 3e9,
+                    "Poisson Ratio": 0.33,
+                }
+            },
+            "Bodies": {
+                "Plate": {
+                    "Material": "Polymer",
+                    "Shape": "Box",
+                    "Lower Corner": [0.0, 0.0],
+                    "Upper Corner": [1.0, 1.0],
+                }
+            },
+            "Boundaries": {
+                "Pull": {
+                    "Type": "Traction",
+                    "Body": "Plate",
+                    "From": [1.0, 0.0],
+                    "To": [1.0, 1.0],
+                    "Stress": [1e5, 0.0],
+                }
+            },
+            "Cracks": {"Notch": {"Points": [0.0, 0.5, 0.5, 0.5]}},
+            "Energy Release": {"Inner Radius": 0.15, "Outer Radius": 0.3},
+        }
+    )
+
+
+def ball():
+    """A falling ball in three dimensions."""
+    return Scene(
+        {
+            "Domain": {
+                "Dimension": 3,
+                "Lower Corner": [-0.1, -0.1, -0.1],
+                "Upper Corner": [0.1, 0.1, 0.1],
+                "Cell Size": 0.02,
+            },
+            "Time": {"Final Time": 1e-3},
+            "Materials": {
+                "Rubber": {
+                    "Model": "Neo-Hookean",
+                    "Density": 1000.0,
+                    "Young Modulus": 1e7,
+                    "Poisson Ratio": 0.3,
+                }
+            },
+            "Bodies": {
+                "Ball": {"Material": "Rubber", "Shape": "Ball", "Centre": [0.0, 0.0, 0.0], "Radius": 0.06}
+            },
+            "Boundaries": {"Weight": {"Type": "Gravity", "Acceleration": [0.0, 0.0, -9.81]}},
+        }
+    )

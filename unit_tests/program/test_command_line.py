@@ -1,0 +1,229 @@
+#!/usr/bin/env python3
+"""The command line: what is refused, what is printed, and where."""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+sys.dont_write_bytecode = True
+
+from program import NOISE, PROGRAM, ProgramTest, environment, rhegma  # noqa: E402
+from scenes import plate  # noqa: E402
+
+SECTIONS = ("Domain", "Time", "Materials", "Bodies", "Boundaries", "Output", "Reference")
+EFFECTS = ("Cracks", "Contact", "Energy Release", "Damping", "Face Pressure")
+
+
+class WrongArguments(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.leave_an_older_run("scene.out")
+        self.write("scene.xml", plate().text())
+
+    def refuse(self, *arguments, where="", words):
+        self.assert_refused(arguments, [(where, words)])
+
+    def test_nothing(self):
+        self.refuse(words=["no scene", "--help"])
+
+    def test_unknown_option(self):
+        self.refuse("scene.xml", "--verbose", words=["--verbose", "--help"])
+
+    def test_two_scenes(self):
+        self.refuse("scene.xml", "other.xml", words=["one scene", "other.xml"])
+
+    def test_output_without_folder(self):
+        self.refuse("scene.xml", "--output", words=["--output", "needs a value"])
+
+    def test_restart(self):
+        self.refuse("scene.xml", "--restart", "checkpoint.h5", words=["--restart", "not in this version"])
+
+    def test_set_without_value(self):
+        self.refuse("scene.xml", "--set", words=["--set", "needs a value"])
+
+    def test_set_without_equals(self):
+        self.refuse("scene.xml", "--set", "Time:CFL", words=["Time:CFL", "Section:Parameter=value"])
+
+    def test_set_without_section(self):
+        self.refuse("scene.xml", "--set", "CFL=0.3", words=["CFL=0.3", "Section:Parameter=value"])
+
+    def test_set_in_an_unknown_section(self):
+        self.refuse("scene.xml", "--set", "Tim:CFL=0.3", where="Tim", words=["leads nowhere", '"Time"'])
+
+    def test_set_of_an_unknown_parameter(self):
+        self.refuse("scene.xml", "--set", "Time:CLF=0.3", where="Time > CLF", words=["leads nowhere", '"CFL"'])
+
+    def test_set_of_an_unknown_material(self):
+        self.refuse(
+            "scene.xml", "--set", "Materials:Polymor:Density=1", where="Materials > Polymor", words=['"Polymer"']
+        )
+
+    def test_set_to_a_wrong_type(self):
+        self.refuse("scene.xml", "--set", "Time:CFL=fast", where="Time > CFL", words=['"fast"', "a real number"])
+
+    def test_set_out_of_range(self):
+        self.refuse("scene.xml", "--set", "Time:CFL=2", where="Time > CFL", words=["2", "at most 1"])
+
+    def test_set_to_nothing(self):
+        self.refuse("scene.xml", "--set", "Time:CFL=", where="Time > CFL", words=['""', "a real number"])
+
+    def test_every_wrong_set_is_told(self):
+        self.assert_refused(
+            ["scene.xml", "--set", "Time:CLF=0.3", "--set", "Domain:Cell Size=-1"],
+            [("Time > CLF", ['"CFL"']), ("Domain > Cell Size", ["above 0"])],
+        )
+
+    def test_threads_that_are_no_number(self):
+        self.refuse("scene.xml", "--kokkos-num-threads=many", words=["--kokkos-num-threads=2"])
+
+    def test_unknown_section_to_describe(self):
+        self.refuse("--describe", "Materiels", words=["Materiels", '"Materials"'])
+
+    def test_nonsense_to_describe(self):
+        self.refuse("--describe", "Zebra", words=["Zebra", "Domain", "Energy Release"])
+
+
+class Information(ProgramTest):
+    def said(self, *arguments):
+        answer = rhegma(*arguments, cwd=self.folder)
+        self.assertEqual((answer.status, answer.complaint), (0, ""), answer)
+        self.assertEqual(os.listdir(self.folder), [])
+        return answer.output
+
+    def test_help_names_every_option_and_exit_status(self):
+        text = self.said("--help")
+        for option in ("--output", "--set", "--quiet", "--check", "--print-plan", "--describe", "--version"):
+            self.assertIn(option, text)
+        for status in range(5):
+            self.assertRegex(text, rf"\b{status} ")
+        self.assertEqual(self.said("-h"), text)
+
+    def test_version(self):
+        self.assertRegex(self.said("--version"), r"\Arhegma \d+\.\d+\.\d+ \(\w+\)\n\Z")
+
+    def test_describe_everything(self):
+        text = self.said("--describe")
+        for section in SECTIONS + EFFECTS:
+            self.assertRegex(text, rf"(?m)^{section}  \((required|optional)\)$")
+
+    def test_describe_one_section(self):
+        everything = self.said("--describe")
+        for section in SECTIONS + EFFECTS:
+            with self.subTest(section=section):
+                text = self.said("--describe", section)
+                self.assertTrue(text.startswith(section + "  ("), text)
+                self.assertIn(text, everything)
+                # Every parameter says its type, whether it must be given, and what it means.
+                for line, meaning in re.findall(r"(?m)^  (\S.*; .*)\n      (.*)$", text):
+                    self.assertRegex(line, r"  (double|int|bool|string|Array\(\w+\))")
+                    self.assertRegex(line, r"; (required|default |absent unless given)")
+                    self.assertGreater(len(meaning), 8)
+                headings = [h for h in re.findall(r"(?m)^(\S.*?)  \(", text)]
+                for heading in headings:
+                    self.assertTrue(heading == section or heading.startswith(section + " > "), heading)
+
+    def test_described_ranges_are_those_that_are_checked(self):
+        self.assertRegex(self.said("--describe", "Time"), r"CFL  double; default 0.4; above 0 and at most 1")
+
+
+class Words(ProgramTest):
+    """Results go to files, progress and answers to stdout, complaints to stderr."""
+
+    def setUp(self):
+        super().setUp()
+        self.scene = self.write("scene.xml", plate().text())
+
+    def test_a_run_says_where_its_results_are(self):
+        answer = rhegma(self.scene)
+        self.assertEqual((answer.status, answer.complaint), (0, ""), answer)
+        self.assertIn(f"Results are in {self.path('scene.out')}\n", answer.output)
+        self.assertIn("100 %", answer.output)
+
+    def test_a_quiet_run_says_nothing(self):
+        answer = rhegma(self.scene, "--quiet")
+        self.assertEqual((answer.status, answer.output, answer.complaint), (0, "", ""), answer)
+        self.assertEqual(
+            sorted(os.listdir(self.path("scene.out"))), ["fields.h5", "fields.xdmf", "history.csv", "summary.json"]
+        )
+
+    def test_quiet_does_not_swallow_complaints(self):
+        self.assert_refused([self.scene, "--quiet", "--set", "Time:CFL=2"], [("Time > CFL", ["at most 1"])])
+
+    def test_check_of_a_right_scene(self):
+        answer = rhegma(self.scene, "--check")
+        self.assertEqual((answer.status, answer.complaint), (0, ""), answer)
+        self.assertIn("valid", answer.output)
+        self.assertEqual(os.listdir(self.folder), ["scene.xml"])
+
+    def test_plan_of_a_right_scene(self):
+        answer = rhegma(self.scene, "--print-plan")
+        self.assertEqual((answer.status, answer.complaint), (0, ""), answer)
+        self.assertIn("Stages of a step:", answer.output)
+        self.assertEqual(os.listdir(self.folder), ["scene.xml"])
+
+    def test_missed_reference(self):
+        missed = plate().set(
+            "Reference", {"Late": {"Quantity": "time", "Value": 1.0, "Tolerance": 0.1, "Source": "a guess"}}
+        )
+        answer = rhegma(self.write("missed.xml", missed.text()))
+        self.assertEqual((answer.status, answer.complaint), (4, ""), answer)
+        self.assertIn("OUTSIDE", answer.output)
+        self.assertIn("a guess", answer.output)
+
+
+@unittest.skipUnless(shutil.which("mpirun"), "without mpirun")
+class Ranks(ProgramTest):
+    LAUNCHER = ("mpirun", "--oversubscribe")
+
+    def start(self, ranks, *arguments):
+        root = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+        return rhegma(*arguments, launcher=(*self.LAUNCHER, "-np", str(ranks)), cwd=self.folder, **root)
+
+    def test_one_rank_is_as_none(self):
+        answer = self.start(1, self.write("scene.xml", plate().text()), "--quiet")
+        self.assertEqual((answer.status, answer.output, answer.complaint), (0, "", ""), answer)
+
+    def test_more_than_one_are_refused_once(self):
+        self.write("scene.xml", plate().text())
+        answer = self.start(3, "scene.xml")
+        self.assertEqual(answer.status, 1, answer)
+        self.assertEqual(answer.output, "")
+        ours = [line for line in answer.complaint.splitlines() if "rhegma:" in line]
+        self.assertEqual(len(ours), 1, answer)
+        self.assertRegex(ours[0], r"\Arhegma: this version runs on one rank")
+        self.assertIn("mpirun", ours[0])
+        for noise in NOISE:
+            self.assertNotIn(noise, answer.complaint)
+        self.assertEqual(os.listdir(self.folder), ["scene.xml"])
+
+    def test_a_mistake_is_told_once(self):
+        self.write("scene.xml", plate().set("Time > CFL", 3.0).text())
+        answer = self.start(2, "scene.xml")
+        self.assertEqual(answer.status, 1, answer)
+        self.assertEqual(answer.complaint.count("rhegma:"), 1, answer)
+
+    def test_help_is_printed_once(self):
+        answer = self.start(2, "--help")
+        self.assertEqual((answer.status, answer.output), (0, rhegma("--help").output), answer)
+
+
+class ClosedPipe(ProgramTest):
+    def test_a_reader_that_goes_away_is_no_crash(self):
+        """rhegma --describe | head -1"""
+        describe = subprocess.Popen(
+            [PROGRAM, "--describe"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment()
+        )
+        describe.stdout.close()
+        complaint = describe.stderr.read().decode()
+        describe.stderr.close()
+        describe.wait(60)
+        for noise in NOISE:
+            self.assertNotIn(noise, complaint)
+
+
+if __name__ == "__main__":
+    unittest.main()

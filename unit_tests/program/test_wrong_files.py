@@ -1,0 +1,133 @@
+#!/usr/bin/env python3
+"""Files that are no scene, and output that can't be written."""
+
+import os
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+sys.dont_write_bytecode = True
+
+from program import ProgramTest, rhegma  # noqa: E402
+from scenes import plate  # noqa: E402
+
+START = '<ParameterList name="Rhegma">'
+
+
+class WrongFiles(ProgramTest):
+    def refuse(self, content, *words):
+        self.leave_an_older_run("scene.out")
+        self.write("scene.xml", content)
+        self.assert_refused(["scene.xml"], [("", words)])
+
+    def test_missing(self):
+        self.leave_an_older_run("scene.out")
+        self.assert_refused(["scene.xml"], [("", ["scene.xml", "does not exist", "give the path"])])
+
+    def test_folder(self):
+        self.leave_an_older_run("scene.xml")
+        self.assert_refused(["scene.xml"], [("", ["scene.xml", "folder", "give the path"])])
+
+    def test_empty(self):
+        self.refuse("", "is empty", START)
+
+    def test_only_blanks(self):
+        self.refuse("\n \n", "XML", START)
+
+    def test_not_xml(self):
+        self.refuse("Domain: 2D, 10 mm\nTime: 1 s\n", "XML", START)
+
+    def test_binary(self):
+        self.refuse(bytes(range(256)) * 40, "XML", START)
+
+    def test_nothing_but_zeros(self):
+        self.refuse(bytes(5000), "XML", START)
+
+    def test_another_kind_of_xml(self):
+        self.refuse("<html><body>Rhegma</body></html>", "<html>", START)
+
+    def test_wrong_top_list(self):
+        self.refuse(plate().text().replace('name="Rhegma"', 'name="Regma"'), '"Regma"', START)
+
+    def test_top_list_without_name(self):
+        self.refuse(plate().text().replace(' name="Rhegma"', ""), "no name", START)
+
+    def test_tags_that_do_not_match(self):
+        self.refuse('<ParameterList name="Rhegma"><Parameter></ParameterList></Parameter>', "XML", START)
+
+    def test_two_top_lists(self):
+        self.refuse(plate().text() * 2, "XML", START)
+
+    def test_less_than_sign_in_an_expression(self):
+        broken = plate().set("Boundaries > Pull > History", "less").text().replace('"less"', '"t < 1e-4"')
+        self.refuse(broken, "XML", "&lt;")
+
+    def test_tags_without_end(self):
+        self.refuse(START + '<ParameterList name="A">' * 100000, "deep", START)
+
+    def test_larger_than_any_scene(self):
+        self.refuse(START + " " * (17 << 20), "16 MB", "scene")
+
+    def test_device_without_end(self):
+        self.assert_refused(["/dev/zero"], [("", ["/dev/zero", "16 MB"])])
+
+    def test_text_beside_the_tags(self):
+        self.leave_an_older_run("scene.out")
+        self.write("scene.xml", plate().text().replace("</ParameterList>", "steel</ParameterList>", 1))
+        self.assert_refused(["scene.xml"], [("Domain", ['"steel"', "<Parameter name"])])
+
+    def test_unknown_tag(self):
+        self.leave_an_older_run("scene.out")
+        self.write("scene.xml", plate().text().replace("<Parameter ", "<Param ", 1))
+        self.assert_refused(["scene.xml"], [("Domain", ["<Param>", "<Parameter>"]), ("Domain > Dimension", ["missing"])])
+
+    def test_truncated_anywhere(self):
+        """No beginning of a scene is taken for a scene, or brings the program down."""
+        self.leave_an_older_run("scene.out")
+        whole = plate().text()
+        for share in range(2, 100, 7):
+            with self.subTest(share=share):
+                self.write("scene.xml", whole[: len(whole) * share // 100])
+                self.assert_refused(["scene.xml"], [("", ["XML", START])])
+
+    def test_byte_order_mark_and_comments_are_no_mistake(self):
+        scene = b"\xef\xbb\xbf<!-- don't > stop -->" + plate().text().encode()
+        answer = rhegma(self.write("scene.xml", scene), "--check")
+        self.assertEqual(answer.status, 0, answer)
+
+
+class WrongOutput(ProgramTest):
+    def refuse(self, output, *words):
+        self.write("scene.xml", plate().text())
+        self.assert_refused(["scene.xml", "--output", output], [("", words + ("--output",))])
+
+    def test_file(self):
+        self.write("taken", "a file\n")
+        self.refuse("taken", "taken")
+
+    def test_below_a_file(self):
+        self.write("taken", "a file\n")
+        self.refuse("taken/below", "taken/below")
+
+    def test_where_nobody_may_write(self):
+        self.refuse("/proc/rhegma", "/proc/rhegma")
+
+    def test_without_a_name(self):
+        self.refuse("", "no name")
+
+    def test_name_that_is_too_long(self):
+        self.refuse("x" * 300, "too long")
+
+    def test_default_folder_is_a_file(self):
+        self.write("scene.xml", plate().text())
+        self.write("scene.out", "a file\n")
+        self.assert_refused(["scene.xml"], [("", ["scene.out", "--output"])])
+
+    def test_folder_in_place_of_a_result(self):
+        os.makedirs(self.path("out", "history.csv", "inside"))
+        self.write("scene.xml", plate().text())
+        self.assert_refused(["scene.xml", "--output", "out"], [("", ["history.csv", "--output"])])
+
+
+if __name__ == "__main__":
+    unittest.main()

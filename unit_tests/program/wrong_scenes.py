@@ -1,0 +1,230 @@
+"""The table of wrong scenes: what is done to a right one, and what a user must be told.
+
+Each row is a name, a scene, and the sentences that are expected: the path of the section and words of the sentence, by
+which it says what is wrong and what to write instead.
+"""
+
+from scenes import ball, plate
+
+NAN, INF = float("nan"), float("inf")
+
+
+def box(lower, upper, **more):
+    return dict({"Material": "Polymer", "Shape": "Box", "Lower Corner": lower, "Upper Corner": upper}, **more)
+
+
+def reference(quantity):
+    return {"Wanted": {"Quantity": quantity, "Value": 1.0, "Tolerance": 0.1, "Source": "none"}}
+
+
+def one(where, *words):
+    return [(where, words)]
+
+
+MODULUS = "Materials > Polymer > Young Modulus"
+RATIO = "Materials > Polymer > Poisson Ratio"
+DENSITY = "Materials > Polymer > Density"
+NOTCH = "Cracks > Notch > Points"
+HISTORY = "Boundaries > Pull > History"
+
+NAMES = [
+    ("misspelt_section", plate().rename("Bodies", "Bodys"), one("Bodys", '"Bodies"')),
+    ("misspelt_effect", plate().rename("Energy Release", "Energy Relase"), one("Energy Relase", '"Energy Release"')),
+    ("misspelt_parameter", plate().rename(MODULUS, "Youngs Modulus"), one(MODULUS[:-13] + "Youngs Modulus", '"Young Modulus"')),
+    ("letters_of_the_wrong_case", plate().rename("Time > Final Time", "final time"), one("Time > final time", '"Final Time"')),
+    ("unknown_parameter", plate().set("Time > Colour", "red"), one("Time > Colour", "Final Time", "CFL")),
+    ("parameter_of_another_law", plate().set("Materials > Polymer > C10", 1e6), one("Materials > Polymer > C10", "Mooney-Rivlin")),
+    ("misspelt_choice", plate().set("Domain > Shape Functions", "GIMPS"), one("Domain > Shape Functions", "GIMPS", '"GIMP"')),
+    ("unknown_law", plate().set("Materials > Polymer > Model", "Elastic"), one("Materials > Polymer > Model", "Linear Elastic", "Neo-Hookean")),
+    ("unknown_material", plate().set("Bodies > Plate > Material", "Polimer"), one("Bodies > Plate > Material", '"Polimer"', '"Polymer"')),
+    ("unknown_body", plate().set("Boundaries > Pull > Body", "Plat"), one("Boundaries > Pull > Body", '"Plate"')),
+    ("two_cracks_of_one_name", plate().again("Cracks > Notch"), one("Cracks > Notch", "twice")),
+    ("two_bodies_of_one_name", plate().again("Bodies > Plate"), one("Bodies > Plate", "twice")),
+    ("parameter_given_twice", plate().again("Time > Final Time"), one("Time > Final Time", "twice")),
+    ("section_as_parameter", plate().set("Damping", 3.0), one("Damping", "section", "ParameterList")),
+    ("parameter_as_section", plate().set("Time > CFL", {}), one("Time > CFL", "parameter", "<Parameter")),
+    ("parameter_outside_of_sections", plate().set("Dimension", 2), one("Dimension", "only sections")),
+]
+
+MISSING = [
+    ("without_materials", plate().remove("Materials"), one("Materials", "missing", "ParameterList")),
+    ("materials_that_are_empty", plate().set("Materials", {}), one("Materials", "empty", "material")),
+    ("without_bodies", plate().remove("Bodies"), one("Bodies", "missing")),
+    ("without_a_law", plate().remove("Materials > Polymer > Model"), one("Materials > Polymer > Model", "missing", "J2 Plastic")),
+    ("without_density", plate().remove(DENSITY), one(DENSITY, "missing", "kg/m3")),
+    ("without_final_time", plate().remove("Time > Final Time"), one("Time > Final Time", "missing", "[s]")),
+    ("cracks_that_are_empty", plate().set("Cracks", {}), one("Cracks", "no crack")),
+    ("coulomb_without_friction", plate().set("Contact", {"Law": "Coulomb"}), one("Contact > Friction Coefficient", "0.3")),
+]
+
+TYPES = [
+    ("text_for_a_number", plate().set(MODULUS, "stiff"), one(MODULUS, '"stiff"', 'type="double"')),
+    ("number_with_a_unit", plate().raw(MODULUS, "double", "3 GPa"), one(MODULUS, "3 GPa", "without a unit")),
+    ("broken_number_for_a_whole_one", plate().raw("Domain > Dimension", "double", "2.5"), one("Domain > Dimension", "2.5", "whole number")),
+    ("words_for_an_array", plate().set("Domain > Lower Corner", "0 0"), one("Domain > Lower Corner", "Array(double)")),
+    ("array_of_a_wrong_length", plate().set("Domain > Lower Corner", [0.0, 0.0, 0.0]), one("Domain > Lower Corner", "3 numbers", "2 numbers")),
+    ("unknown_type", plate().raw(MODULUS, "dubble", "3e9"), one(MODULUS, "dubble", '"double"')),
+    ("number_for_a_truth_value", plate().set("Output", {"Fields": 3}), one("Output > Fields", "true or false")),
+]
+
+MATERIALS = [
+    ("negative_modulus", plate().set(MODULUS, -3e9), one(MODULUS, "-3000000000", "above 0")),
+    ("zero_modulus", plate().set(MODULUS, 0.0), one(MODULUS, "above 0", "Pa")),
+    ("modulus_that_is_no_number", plate().set(MODULUS, NAN), one(MODULUS, "not finite")),
+    ("infinite_modulus", plate().set(MODULUS, INF), one(MODULUS, "not finite")),
+    ("absurd_modulus", plate().set(MODULUS, 1e308), one("Time > Final Time", "steps", "SI")),
+    ("incompressible", plate().set(RATIO, 0.5), one(RATIO, "0.5", "below 0.5")),
+    ("poisson_ratio_below_minus_one", plate().set(RATIO, -1.2), one(RATIO, "above -1")),
+    ("density_zero", plate().set(DENSITY, 0.0), one(DENSITY, "above 0")),
+    ("density_next_to_nothing", plate().set(DENSITY, 1e-300), one("Materials", "speed", "SI")),
+    ("negative_bulk_modulus", plate().set("Materials > Polymer", {"Model": "Mooney-Rivlin", "Density": 1.0, "C10": 1.0, "C01": 0.0, "Bulk Modulus": -1.0}),
+     one("Materials > Polymer > Bulk Modulus", "above 0")),
+    ("saturation_below_yield", plate().set("Materials > Polymer", {"Model": "J2 Plastic", "Density": 1.0, "Young Modulus": 1e9, "Poisson Ratio": 0.3, "Yield Stress": 1e6,
+     "Saturation Stress": 1e5, "Saturation Rate": 3.0}), one("Materials > Polymer > Saturation Stress", "yield stress")),
+]
+
+BODIES = [
+    ("body_that_catches_no_particle", plate().set("Bodies > Crumb", {"Material": "Polymer", "Shape": "Polygon", "Points": [1.1, 1.1, 1.11, 1.118, 1.12, 1.1, 1.11, 1.12]}),
+     one("Bodies > Crumb", "no particle", "larger")),
+    ("body_cut_away", plate().set("Bodies > Plate > Operations", {"All": {"Operation": "Cut", "Shape": "Box", "Lower Corner": [-0.1, -0.1], "Upper Corner": [1.1, 1.1]}}),
+     one("Bodies > Plate", "no particle")),
+    ("body_outside_of_the_domain", plate().set("Bodies > Plate > Upper Corner", [2.0, 1.0]), one("Bodies > Plate", "outside of the domain", "2 m")),
+    ("bodies_that_overlap", plate().set("Bodies > Inset", box([0.9, 0.9], [1.1, 1.1])), one("Bodies > Inset", "overlaps Bodies > Plate", "Operations")),
+    ("body_inside_of_another", plate().set("Bodies > Inset", box([0.4, 0.1], [0.6, 0.2])), one("Bodies > Inset", "overlaps Bodies > Plate")),
+    ("corners_of_a_body_exchanged", plate().set("Bodies > Plate > Lower Corner", [1.1, 0.0]), one("Bodies > Plate > Upper Corner", "Lower Corner")),
+    ("radius_zero", plate().set("Bodies > Ball", {"Material": "Polymer", "Shape": "Ball", "Centre": [1.1, 1.1], "Radius": 0.0}), one("Bodies > Ball > Radius", "above 0")),
+    ("polygon_that_crosses_itself", plate().set("Bodies > Bow", {"Material": "Polymer", "Shape": "Polygon", "Points": [1.02, 1.02, 1.2, 1.2, 1.2, 1.02, 1.02, 1.15]}),
+     one("Bodies > Bow > Points", "meets")),
+    ("absurdly_fast_body", plate().set("Bodies > Plate > Velocity", [1e308, 0.0]), one("Materials", "velocity of bodies")),
+]
+
+DOMAIN = [
+    ("dimension_4", plate().set("Domain > Dimension", 4), one("Domain > Dimension", "4", "from 2 to 3")),
+    ("cells_larger_than_the_domain", plate().set("Domain > Cell Size", 5.0), one("Domain > Cell Size", "5 m", "1.4 m")),
+    ("cell_size_zero", plate().set("Domain > Cell Size", 0.0), one("Domain > Cell Size", "above 0")),
+    ("negative_cell_size", plate().set("Domain > Cell Size", -0.1), one("Domain > Cell Size", "above 0")),
+    ("absurd_cell_size", plate().set("Domain > Cell Size", 1e308), one("Domain > Cell Size", "1e+308")),
+    ("corners_of_the_domain_exchanged", plate().set("Domain > Lower Corner", [-0.2, 2.0]), one("Domain > Upper Corner", "y", "Lower Corner")),
+    ("absurdly_large_domain", plate().set("Domain > Upper Corner", [1e308, 1e308]), one("Domain > Cell Size", "nodes", "larger cells")),
+    ("far_too_many_cells", plate().set("Domain > Cell Size", 1e-6), one("Domain > Cell Size", "nodes", "larger cells")),
+    ("far_too_many_particles", ball().set("Domain > Cell Size", 0.0003).set("Bodies > Ball > Particles Per Cell", 8), one("Domain > Cell Size", "particles", "GB", "larger cells")),
+    ("plane_stress_in_3d", ball().set("Domain > Plane", "Stress"), one("Domain > Plane", "2D", "leave it out")),
+    ("thickness_in_3d", ball().set("Domain > Thickness", 0.1), one("Domain > Thickness", "2D", "leave it out")),
+]
+
+TIME = [
+    ("final_time_zero", plate().set("Time > Final Time", 0.0), one("Time > Final Time", "above 0")),
+    ("negative_final_time", plate().set("Time > Final Time", -1.0), one("Time > Final Time", "above 0")),
+    ("final_time_that_is_no_number", plate().set("Time > Final Time", NAN), one("Time > Final Time", "not finite")),
+    ("absurd_final_time", plate().set("Time > Final Time", 1e300), one("Time > Final Time", "steps", "shorter")),
+    ("cfl_zero", plate().set("Time > CFL", 0.0), one("Time > CFL", "above 0")),
+    ("cfl_above_one", plate().set("Time > CFL", 1.5), one("Time > CFL", "at most 1")),
+    ("no_step_at_all", plate().set("Time > Maximum Steps", 0), one("Time > Maximum Steps", "at least 1")),
+    ("pic_fraction_above_one", plate().set("Time > PIC Fraction", 1.1), one("Time > PIC Fraction", "from 0 to 1")),
+    ("history_without_end", plate().set("Output", {"History Interval": 1e-300}), one("Output > History Interval", "at least")),
+    ("fields_without_end", plate().set("Output", {"Field Interval": 1e-300}), one("Output > Field Interval", "at least")),
+]
+
+LOADS = [
+    ("load_that_catches_nothing", plate().set("Boundaries > Pull > From", [1.15, 0.0]).set("Boundaries > Pull > To", [1.15, 1.0]), one("Boundaries > Pull", "no particle", "surface")),
+    ("load_that_half_misses", plate().set("Boundaries > Pull > To", [1.0, 1.2]), one("Boundaries > Pull", "miss the body", "surface")),
+    ("load_of_no_length", plate().set("Boundaries > Pull > To", [1.0, 0.0]), one("Boundaries > Pull > To", "same point")),
+    ("absurdly_long_load", plate().set("Boundaries > Pull > To", [1.0, 1e300]), one("Boundaries > Pull", "points", "metres")),
+    ("point_load_in_the_air", plate().set("Boundaries > Poke", {"Type": "Point Load", "Body": "Plate", "Point": [1.1, 1.1], "Force": [1.0, 0.0]}), one("Boundaries > Poke", "no particle")),
+    ("stress_and_pressure", plate().set("Boundaries > Pull > Pressure", 1.0), one("Boundaries > Pull", "only one of")),
+    ("wall_between_nodes", plate().set("Boundaries > Wall", {"Type": "Velocity", "Lower Corner": [0.01, 0.01], "Upper Corner": [0.04, 0.04], "Value": [0.0, 0.0]}),
+     one("Boundaries > Wall", "no node", "cell thick")),
+    ("wall_outside_of_the_domain", plate().set("Boundaries > Wall", {"Type": "Velocity", "Lower Corner": [3.0, 3.0], "Upper Corner": [4.0, 4.0], "Value": [0.0, 0.0]}),
+     one("Boundaries > Wall", "no node")),
+    ("symmetry_outside_of_the_domain", plate().set("Boundaries > Mirror", {"Type": "Symmetry", "Axis": "y", "Position": 7.0}), one("Boundaries > Mirror > Position", "from -0.2 to 1.2")),
+    ("symmetry_about_z_in_2d", plate().set("Boundaries > Mirror", {"Type": "Symmetry", "Axis": "z", "Position": 0.0}), one("Boundaries > Mirror > Axis", "x or y")),
+    ("expression_that_does_not_parse", plate().set(HISTORY, "sin(2*t"), one(HISTORY, "sin(2*t", "expression of t")),
+    ("expression_of_an_unknown", plate().set(HISTORY, "2*x"), one(HISTORY, "x", "expression of t")),
+    ("expression_that_divides_by_zero", plate().set(HISTORY, "1/t"), one(HISTORY, "not finite at t = 0 s")),
+    ("table_that_goes_back_in_time", plate().set(HISTORY, "0:0, 2e-4:1, 1e-4:2"), one(HISTORY, "must increase")),
+    ("table_that_is_broken", plate().set(HISTORY, "0:0, 1e-4"), one(HISTORY, "pair of a time and a value")),
+]
+
+CRACKS = [
+    ("crack_outside_of_the_body", plate().set(NOTCH, [0.0, 1.1, 0.5, 1.1]).remove("Energy Release"), one(NOTCH, "outside of all bodies", "inside")),
+    ("crack_of_no_length", plate().set(NOTCH, [0.5, 0.5, 0.5, 0.5]), one(NOTCH, "no length", "leave")),
+    ("crack_of_one_point", plate().set(NOTCH, [0.5, 0.5]), one(NOTCH, "at least 2 points")),
+    ("crack_of_half_a_point", plate().set(NOTCH, [0.0, 0.5, 0.5]), one(NOTCH, "3 numbers", "2 numbers for each point")),
+    ("crack_with_a_point_twice", plate().set(NOTCH, [0.0, 0.5, 0.3, 0.5, 0.3, 0.5, 0.5, 0.5]), one(NOTCH, "same")),
+    ("crack_that_turns_back", plate().set(NOTCH, [0.0, 0.5, 0.5, 0.5, 0.2, 0.5]), one(NOTCH, "turns back")),
+    ("crack_that_crosses_itself", plate().set(NOTCH, [0.2, 0.2, 0.8, 0.8, 0.8, 0.2, 0.2, 0.8]), one(NOTCH, "crosses itself")),
+    ("cracks_that_cross", plate().set("Cracks > Other", {"Points": [0.3, 0.3, 0.3, 0.7]}), one("Cracks > Notch", "Cracks > Other", "smaller cells")),
+    ("absurdly_long_crack", plate().set(NOTCH, [0.0, 0.5, 1e308, 0.5]), one(NOTCH, "cells long", "metres")),
+    ("contour_outside_of_the_body", plate().set("Energy Release > Outer Radius", 0.7), one("Energy Release > Outer Radius", "leaves the body", "at most")),
+    ("contour_of_no_width", plate().set("Energy Release > Outer Radius", 0.16), one("Energy Release > Outer Radius", "one cell", "at least 0.2")),
+    ("energy_release_without_a_crack", plate().remove("Cracks"), one("Energy Release", "no crack", "Cracks")),
+    ("energy_release_without_a_front", plate().set(NOTCH, [0.0, 0.5, 1.0, 0.5]), one("Energy Release", "front", "Fronts")),
+    ("contact_without_a_crack", plate().remove("Cracks").remove("Energy Release").set("Contact", {}), one("Contact", "no crack faces", "Cracks")),
+    ("pressure_in_an_unknown_crack", plate().set("Face Pressure", {"Noch": {"Pressure": "1e5"}}), one("Face Pressure > Noch", "no crack", "Notch")),
+    ("friction_without_coulomb", plate().set("Contact", {"Friction Coefficient": 0.3}), one("Contact > Friction Coefficient", "Frictionless", "Coulomb")),
+    ("visibility_with_two_fields", plate().set("Contact", {"Law": "Visibility"}), one("Contact > Law", "Broken Cell")),
+]
+
+NOT_IN_3D = [
+    ("cracks_in_3d", ball().set("Cracks", {"Penny": {"Points": [0.0, 0.0, 0.0, 0.05, 0.0, 0.0]}}), one("Cracks", "three dimensions", "2D")),
+    ("cylinder_in_2d", plate().set("Bodies > Bar", {"Material": "Polymer", "Shape": "Cylinder", "From": [0.0, 0.0, 0.0], "To": [0.0, 0.0, 1.0], "Radius": 0.1}),
+     one("Bodies > Bar > Shape", "Cylinder", "Box, Ball or Polygon")),
+    ("corners_of_two_numbers_in_3d", ball().set("Domain > Upper Corner", [0.1, 0.1]), one("Domain > Upper Corner", "2 numbers", "3 numbers")),
+    ("traction_on_a_line_in_3d", ball().set("Boundaries > Pull", {"Type": "Traction", "Body": "Ball", "From": [0.0, 0.0], "Corner": [0.0, 0.0, 0.06], "Edge 1": [0.01, 0.0, 0.0],
+     "Edge 2": [0.0, 0.01, 0.0], "Pressure": 1.0}), one("Boundaries > Pull > From", "2D", "leave it out")),
+]
+
+NOT_YET = [
+    (f"not_yet_{name.lower().replace(' ', '_').replace('-', '_')}", plate().set(name, {}), one(name, "not in this version", "leave the section out"))
+    for name in ("Propagation", "Thermal", "Combustion", "Mass Matrix", "Adaptivity", "Sub-Cycling", "Load Balance")
+]
+
+REFERENCES = [
+    ("unknown_quantity", plate().set("Reference", reference("energy.kinetik")), one("Reference > Wanted > Quantity", "kinetik", '"kinetic"')),
+    ("quantity_of_an_unknown_front", plate().set("Reference", reference("cracks.Notch.fronts.3.G_J")), one("Reference > Wanted > Quantity", "cracks.Notch.fronts", '"3"', "list of 1")),
+    ("quantity_of_an_effect_that_is_absent", plate().set("Reference", reference("temperature.peak")), one("Reference > Wanted > Quantity", "temperature")),
+    ("quantity_that_is_no_number", plate().set("Reference", reference("energy")), one("Reference > Wanted > Quantity", "not a number")),
+    ("reference_without_tolerance", plate().set("Reference", {"Wanted": {"Quantity": "time", "Value": 1.0, "Tolerance": 0.0, "Source": "none"}}), one("Reference > Wanted > Tolerance", "above 0")),
+    ("reference_without_source", plate().set("Reference", {"Wanted": {"Quantity": "time", "Value": 1.0, "Tolerance": 0.1, "Source": ""}}), one("Reference > Wanted > Source", "empty")),
+]
+
+SEVERAL = [
+    (
+        "mistakes_of_the_list_all_at_once",
+        plate().set(MODULUS, -1.0).set(RATIO, 0.5).set("Time > Final Time", 0.0).set("Bodies > Plate > Material", "Steel").rename("Domain > Cell Size", "Cell Sise").set("Thermal", {}),
+        [
+            (MODULUS, ["above 0"]),
+            (RATIO, ["below 0.5"]),
+            ("Time > Final Time", ["above 0"]),
+            ("Bodies > Plate > Material", ["Polymer"]),
+            ("Domain > Cell Sise", ['"Cell Size"']),
+            ("Thermal", ["not in this version"]),
+        ],
+    ),
+    (
+        "mistakes_of_the_bodies_all_at_once",
+        plate().set("Bodies > Inset", box([0.4, 0.1], [0.6, 0.2])).set("Bodies > Crumb", {"Material": "Polymer", "Shape": "Polygon", "Points": [1.1, 1.1, 1.11, 1.118, 1.12, 1.1, 1.11, 1.12]}),
+        [("Bodies > Inset", ["overlaps"]), ("Bodies > Crumb", ["no particle"])],
+    ),
+    (
+        "mistakes_of_loads_and_cracks_all_at_once",
+        plate()
+        .set("Boundaries > Pull > To", [1.0, 1.2])
+        .set("Boundaries > Poke", {"Type": "Point Load", "Body": "Plate", "Point": [1.1, 1.1], "Force": [1.0, 0.0]})
+        .set(NOTCH, [0.0, 1.1, 0.5, 1.1])
+        .set("Cracks > Other", {"Points": [0.2, 0.2, 0.2, 0.2]}),
+        [
+            ("Boundaries > Pull", ["miss the body"]),
+            ("Boundaries > Poke", ["no particle"]),
+            (NOTCH, ["outside of all bodies"]),
+            ("Cracks > Other > Points", ["no length"]),
+        ],
+    ),
+    (
+        "contours_all_at_once",
+        plate().set("Domain > Cell Size", 0.02).set(NOTCH, [0.2, 0.5, 0.8, 0.5]).set("Energy Release > Inner Radius", 0.06),
+        [("Energy Release > Outer Radius", ["Notch.0"]), ("Energy Release > Outer Radius", ["Notch.1"])],
+    ),
+]
+
+TABLE = NAMES + MISSING + TYPES + MATERIALS + BODIES + DOMAIN + TIME + LOADS + CRACKS + NOT_IN_3D + NOT_YET + REFERENCES + SEVERAL
