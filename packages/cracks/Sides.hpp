@@ -15,8 +15,7 @@ constexpr double tieTolerance = 0.1;
 
 /// A node less than this share of a cell behind a front counts as at the front and stays closed: so a front
 /// on a column of nodes stays there, and the crack that the cells have is neither too long nor too short in
-/// the mean (docs/verification.md: 0.01 cells too long over 32 tips of inclined cracks, 0.14 with a tenth of
-/// a cell here).
+/// the mean (unit test InclinedCracks; with a tenth of a cell it was 0.14 cells too long).
 constexpr double frontTolerance = 0.25;
 
 /// Cells over which a crack matters to nodes: a particle a stencil away on the other side must find the
