@@ -57,7 +57,7 @@ View<double* [7]> cauchyStress(const FieldTable& particles)
 {
   const auto F = particles.real<gradientSize<D>>(fields::deformation);
   const auto tau = particles.real<symmetricSize<D>>(fields::stress);
-  const View<double* [7]> stress("rhegma::cauchyStress", particles.size());
+  View<double* [7]> stress("rhegma::cauchyStress", particles.size());
   Kokkos::parallel_for(
       "rhegma::cauchyStress", Kokkos::RangePolicy<ExecSpace>(0, particles.size()),
       KOKKOS_LAMBDA(const int p) {
