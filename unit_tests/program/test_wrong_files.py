@@ -79,7 +79,8 @@ class WrongFiles(ProgramTest):
     def test_unknown_tag(self):
         self.leave_an_older_run("scene.out")
         self.write("scene.xml", plate().text().replace("<Parameter ", "<Param ", 1))
-        self.assert_refused(["scene.xml"], [("Domain", ["<Param>", "<Parameter>"]), ("Domain > Dimension", ["missing"])])
+        mistakes = [("Domain", ["<Param>", "<Parameter>"]), ("Domain > Dimension", ["missing"])]
+        self.assert_refused(["scene.xml"], mistakes)
 
     def test_truncated_anywhere(self):
         """No beginning of a scene is taken for a scene, or brings the program down."""
