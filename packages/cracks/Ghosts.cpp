@@ -22,7 +22,8 @@ struct Towards
   View<int* [2]> simplex;
   View<int*> crackOf;
 
-  KOKKOS_INLINE_FUNCTION int step(int node, int side) const
+  /// \param step one node on along that axis, and along the other one
+  KOKKOS_INLINE_FUNCTION void steps(int node, int side, int (&step)[2]) const
   {
     const Vector<2> x = grid.nodePosition(node);
     const int crack = (side > 0 ? side : -side) - 1;
@@ -43,9 +44,12 @@ struct Towards
         normal[1] = tx;
       }
     }
-    const int axis = std::abs(normal[0]) > std::abs(normal[1]) ? 0 : 1;
-    const bool positive = (normal[axis] > 0.0) == (side > 0);
-    return positive ? grid.stride[axis] : -grid.stride[axis];
+    const int first = std::abs(normal[0]) > std::abs(normal[1]) ? 0 : 1;
+    for (int k = 0; k < 2; ++k)
+    {
+      const int axis = k == 0 ? first : 1 - first;
+      step[k] = (normal[axis] > 0.0) == (side > 0) ? grid.stride[axis] : -grid.stride[axis];
+    }
   }
 };
 
@@ -62,15 +66,23 @@ void findStandIns(const State<2>& state, const Ghosts& ghosts)
         const int from = -nodeSide(n);
         if (from == 0)
           return;
-        const int step = towards.step(n, from);
-        int k = 1;
-        while (k <= ghostReach && hidden(nodeSide, n + k * step, from))
-          ++k;
-        if (k > ghostReach)
-          return;
-        ghosts.step(n) = step;
-        ghosts.distance(n) = k;
-        ghosts.share(n) = 1.0;
+        int steps[2];
+        towards.steps(n, from, steps);
+        // Beside a kink the far node along one axis may be beyond the crack again.
+        for (const bool both : {true, false})
+          for (const int step : steps)
+          {
+            if (ghosts.step(n) != 0)
+              continue;
+            int k = 1;
+            while (k <= ghostReach && hidden(nodeSide, n + k * step, from))
+              ++k;
+            if (k > ghostReach || (both && hidden(nodeSide, n + (k + 1) * step, from)))
+              continue;
+            ghosts.step(n) = step;
+            ghosts.distance(n) = k;
+            ghosts.share(n) = both ? 1.0 : 0.0;
+          }
       });
 }
 
@@ -139,7 +151,8 @@ void limitShares(const State<2>& state, const Ghosts& ghosts)
         const int far = n + (ghosts.distance(n) + 1) * ghosts.step(n);
         const double taken = takenFrom(grid, ghosts, far);
         const double allowed = takenAtMost * ghosts.seen(far);
-        ghosts.share(n) = taken > allowed ? allowed / taken : 1.0;
+        if (taken > allowed)
+          ghosts.share(n) *= allowed / taken;
       });
 }
 

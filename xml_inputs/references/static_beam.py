@@ -16,7 +16,7 @@ import scipy.sparse.linalg as linalg
 
 E, NU, RHO, ARM, LENGTH, CRACK, FORCE, REFERENCE = 3e9, 0.33, 1200.0, 0.01, 0.1, 0.05, 100.0, 0.12873
 STIFFNESS = E / (1 - NU**2) * np.array([[1, NU, 0], [NU, 1, 0], [0, 0, (1 - NU) / 2]])
-TIE = 0.1  # nodes less than this share of a cell below the crack are on its upper side, or behind a front at it
+TIE, AT_FRONT = 0.1, 0.25  # cells: nodes so little below the crack count as above it, behind the front as at it
 
 
 class Beam:
@@ -38,7 +38,7 @@ class Beam:
 
     def side(self, node):
         x, y = self.place(node)
-        if self.crack - x <= TIE * self.dx:
+        if self.crack - x <= AT_FRONT * self.dx:
             return 0
         return 1 if y - ARM > -TIE * self.dx else -1
 
@@ -48,7 +48,8 @@ class Beam:
         (u, v), found = at - cell, {}
         for i, wx, gx in ((0, 1 - u, -1), (1, u, 1)):
             for j, wy, gy in ((0, 1 - v, -1), (1, v, 1)):
-                found[(cell[0] + i) * self.rows + cell[1] + j] = np.array([wx * wy, gx * wy / self.dx, wx * gy / self.dx])
+                node = (cell[0] + i) * self.rows + cell[1] + j
+                found[node] = np.array([wx * wy, gx * wy / self.dx, wx * gy / self.dx])
         return found
 
     def cut(self, stencil, side):

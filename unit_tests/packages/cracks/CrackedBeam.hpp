@@ -22,6 +22,7 @@ constexpr double cell = 2.5e-3; ///< [m]
 inline const std::string onRow = "{0, 0.01, 0.05, 0.01}";
 inline const std::string belowTie = "{0, 0.01024, 0.05, 0.01024}"; ///< the row counts as above all the same
 inline const std::string midCell = "{0, 0.01125, 0.05, 0.01125}";
+inline const std::string steep = "{0, 0.0053, 0.02, 0.006, 0.026, 0.0125, 0.05, 0.0132}"; ///< 47 degrees
 inline const std::string inclined = "{0, 0.0063, 0.03, 0.0107, 0.05, 0.0118}";
 
 /// A beam at rest after one step of next to no time.
@@ -32,8 +33,8 @@ inline std::unique_ptr<Run<2>> beamAtRest(const std::string& formulation, const 
       readScene(std::string(RHEGMA_SOURCE_DIR) + "/xml_inputs/verification/dcb_h4.xml",
                 {"Cracks:Formulation=" + formulation, "Domain:Shape Functions=" + shape,
                  "Cracks:Notch:Points=" + points, "Energy Release:Crack Closure=false",
-                 "Energy Release:Lumped Closure=false", "Energy Release:Inner Radius=2.5e-3",
-                 "Energy Release:Outer Radius=6e-3", "Time:CFL=0.4"},
+                 "Energy Release:Lumped Closure=false", "Energy Release:Inner Radius=1e-4",
+                 "Energy Release:Outer Radius=2.7e-3", "Time:CFL=0.4"},
                 effectSchema());
   for (const SceneError& error : scene.errors)
     ADD_FAILURE() << toString(error);

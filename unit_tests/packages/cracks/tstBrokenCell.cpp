@@ -153,7 +153,7 @@ TEST(BrokenCell, StrainsARigidRotation)
 TEST(BrokenCell, SumsToOneAndIsZeroAtInvisibleNodes)
 {
   for (const std::string shape : {"Linear", "GIMP"})
-    for (const std::string& points : {onRow, belowTie, midCell, inclined})
+    for (const std::string& points : {onRow, belowTie, midCell, inclined, steep})
     {
       const auto run = beamAtRest("Broken Cell", shape, points);
       const State<2>& state = run->state();

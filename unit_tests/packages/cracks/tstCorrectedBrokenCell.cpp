@@ -68,7 +68,7 @@ void expectLinearlyComplete(const State<2>& state, const Seeing& one)
 TEST(CorrectedBrokenCell, TurnsRigidlyWithoutStrain)
 {
   for (const std::string shape : {"Linear", "GIMP"})
-    for (const std::string& points : {onRow, belowTie, midCell, inclined})
+    for (const std::string& points : {onRow, belowTie, midCell, inclined, steep})
     {
       const double largest = rotationStrain(beamAtRest("Corrected Broken Cell", shape, points)->state());
       std::printf("rotation strain of %s, crack at %s: %.1e\n", shape.c_str(), points.c_str(), largest);
@@ -87,11 +87,17 @@ TEST(CorrectedBrokenCell, UnlikeEquationThree)
 TEST(CorrectedBrokenCell, IsLinearlyComplete)
 {
   for (const std::string shape : {"Linear", "GIMP"})
-    for (const std::string& points : {onRow, belowTie, midCell, inclined})
+    for (const std::string& points : {onRow, belowTie, midCell, inclined, steep})
     {
       const auto run = beamAtRest("Corrected Broken Cell", shape, points);
+      const auto nodeSide =
+          Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, run->state().cracks.nodeSide);
       for (const Seeing& one : stencilsBesideCrack(run->state()))
+      {
         expectLinearlyComplete(run->state(), one);
+        for (const Entry& entry : one.entries)
+          EXPECT_FALSE(one.side != 0 && nodeSide(entry.node) == -one.side) << shape << points;
+      }
     }
 }
 
