@@ -69,9 +69,10 @@ void findStandIns(const State<2>& state, const Ghosts& ghosts)
         int steps[2];
         towards.steps(n, from, steps);
         // Beside a kink the far node along one axis may be beyond the crack again.
-        for (const bool both : {true, false})
+        for (int pass = 0; pass < 2; ++pass)
           for (const int step : steps)
           {
+            const bool both = pass == 0; // the far node, too, must be visible
             if (ghosts.step(n) != 0)
               continue;
             int k = 1;
