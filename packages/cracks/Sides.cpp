@@ -13,7 +13,11 @@ struct Reach
 {
   Polyline line;
   double lower[2], upper[2];
+  int firstNode, lastNode; ///< numbers between which all nodes in the box lie
 };
+
+/// Cells beyond the box in which a particle may still see one of its nodes, or may be out of its block.
+constexpr double sightBeyond = 3.0;
 
 std::vector<Reach> reaches(const State<2>& state)
 {
@@ -21,13 +25,18 @@ std::vector<Reach> reaches(const State<2>& state)
   std::vector<Reach> all;
   for (const Polyline& line : polylines(state.cracks))
   {
-    Reach reach{line, {1e300, 1e300}, {-1e300, -1e300}};
+    Reach reach{line, {1e300, 1e300}, {-1e300, -1e300}, 0, 0};
     for (int v = line.first; v <= line.last; ++v)
       for (int d = 0; d < 2; ++d)
       {
         reach.lower[d] = std::min(reach.lower[d], vertex(v, d) - bandWidth * state.grid.spacing);
         reach.upper[d] = std::max(reach.upper[d], vertex(v, d) + bandWidth * state.grid.spacing);
       }
+    // Nodes are numbered with one axis slowest, so the box along it bounds the numbers.
+    const int slow = state.grid.axisOrder[0];
+    reach.firstNode = static_cast<int>(state.grid.inCells(reach.lower[slow], slow)) * state.grid.stride[slow];
+    reach.lastNode =
+        (static_cast<int>(state.grid.inCells(reach.upper[slow], slow)) + 1) * state.grid.stride[slow];
     all.push_back(reach);
   }
   return all;
@@ -63,6 +72,8 @@ void findNodeSides(const State<2>& state, const Reach& reach, int crack, const V
       "rhegma::cracks::findNodeSides", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
       KOKKOS_LAMBDA(const int i) {
         const int n = nodes.active(i);
+        if (n < reach.firstNode || n > reach.lastNode)
+          return;
         const Vector<2> x = grid.nodePosition(n);
         if (!isIn(reach, x))
           return;
@@ -120,37 +131,65 @@ void listParents(State<2>& state, int count)
       });
 }
 
-void markParticles(const State<2>& state, const View<int*>& cellMark, int stamp, const View<int*>& row)
+/// True if a particle of the block may be near the crack.
+KOKKOS_INLINE_FUNCTION bool isNear(const Reach& reach, const Grid<2>& grid, const Blocks<2>& blocks,
+                                   int block)
+{
+  bool near = true;
+  for (int a = 0; a < 2; ++a)
+  {
+    const int axis = grid.axisOrder[a];
+    const double low = blocks.corner(block, a);
+    near = near && grid.inCells(reach.upper[axis], axis) > low - sightBeyond &&
+           grid.inCells(reach.lower[axis], axis) < low + Blocks<2>::edge + sightBeyond;
+  }
+  return near;
+}
+
+/// Marks the particles in marked cells.
+void markParticles(const State<2>& state, const Reach& reach, const View<int*>& cellMark, int stamp,
+                   const View<int*>& row)
 {
   const Grid<2> grid = state.grid;
+  const Blocks<2> blocks = state.blocks;
   const auto position = state.particles.real<2>(fields::position);
   Kokkos::parallel_for(
-      "rhegma::cracks::markParticles", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-      KOKKOS_LAMBDA(const int p) {
-        const int cell[2] = {static_cast<int>(grid.inCells(position(p, 0), 0)),
-                             static_cast<int>(grid.inCells(position(p, 1), 1))};
-        if (cellMark(grid.nodeIndex(cell)) == stamp)
-          row(p) = 0;
+      "rhegma::cracks::markParticles", Kokkos::RangePolicy<ExecSpace>(0, blocks.numBlocks),
+      KOKKOS_LAMBDA(const int b) {
+        if (!isNear(reach, grid, blocks, b))
+          return;
+        for (int p = blocks.first(b); p < blocks.first(b + 1); ++p)
+        {
+          const int cell[2] = {static_cast<int>(grid.inCells(position(p, 0), 0)),
+                               static_cast<int>(grid.inCells(position(p, 1), 1))};
+          if (cellMark(grid.nodeIndex(cell)) == stamp)
+            row(p) = 0;
+        }
       });
 }
 
 /// Gives marked particles without a side the side of the nearest crack.
 void findParticleSides(const State<2>& state, const Reach& reach, int crack, const View<int*>& row)
 {
+  const Grid<2> grid = state.grid;
+  const Blocks<2> blocks = state.blocks;
   const auto position = state.particles.real<2>(fields::position);
   const auto side = state.particles.integer(fields::side);
-  const double band = (bandWidth + 2.0) * state.grid.spacing;
+  const double band = (bandWidth + 2.0) * grid.spacing;
   Kokkos::parallel_for(
-      "rhegma::cracks::findParticleSides", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-      KOKKOS_LAMBDA(const int p) {
-        if (row(p) < 0 || side(p) != 0)
+      "rhegma::cracks::findParticleSides", Kokkos::RangePolicy<ExecSpace>(0, blocks.numBlocks),
+      KOKKOS_LAMBDA(const int b) {
+        if (!isNear(reach, grid, blocks, b))
           return;
-        const Vector<2> x{position(p, 0), position(p, 1)};
-        if (!isIn(reach, x))
-          return;
-        const Sight sight = look(reach.line, x);
-        if (std::abs(sight.distance) < band)
-          side(p) = sight.distance >= 0.0 ? crack + 1 : -(crack + 1);
+        for (int p = blocks.first(b); p < blocks.first(b + 1); ++p)
+        {
+          const Vector<2> x{position(p, 0), position(p, 1)};
+          if (row(p) < 0 || side(p) != 0 || !isIn(reach, x))
+            continue;
+          const Sight sight = look(reach.line, x);
+          if (std::abs(sight.distance) < band)
+            side(p) = sight.distance >= 0.0 ? crack + 1 : -(crack + 1);
+        }
       });
 }
 
@@ -179,7 +218,8 @@ void findSides(State<2>& state, Surroundings& surroundings, const View<int*>& ro
     findNodeSides(state, all[c], static_cast<int>(c), surroundings.cellMark, surroundings.stamp);
   if (state.cracks.dualField)
     listParents(state, numberSecondFields(state));
-  markParticles(state, surroundings.cellMark, surroundings.stamp, row);
+  for (const Reach& reach : all)
+    markParticles(state, reach, surroundings.cellMark, surroundings.stamp, row);
   for (std::size_t c = 0; c < all.size(); ++c)
     findParticleSides(state, all[c], static_cast<int>(c), row);
 }

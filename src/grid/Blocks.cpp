@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <numeric>
+#include <string>
 
 namespace Rhegma
 {
@@ -29,6 +30,16 @@ struct BlockLayout
     return (std::int64_t(colour) * across[0] + at[0]) * across[1] + at[1];
   }
 };
+
+template <class T>
+View<T*> toDevice(const std::string& label, const std::vector<T>& list)
+{
+  View<T*> view(label, list.size());
+  const auto host = Kokkos::create_mirror_view(view);
+  std::copy(list.begin(), list.end(), host.data());
+  Kokkos::deep_copy(view, host);
+  return view;
+}
 
 /// Widens what is marked by `below` and `above` nodes along every axis.
 template <int D>
@@ -62,11 +73,23 @@ View<int*> reachableNodes(const Grid<D>& grid, const std::vector<char>& from)
   for (int n = 0; n < grid.numNodes; ++n)
     if (marked[n])
       list.push_back(n);
-  View<int*> nodes("rhegma::activeNodes", list.size());
-  const auto host = Kokkos::create_mirror_view(nodes);
-  std::copy(list.begin(), list.end(), host.data());
-  Kokkos::deep_copy(nodes, host);
-  return nodes;
+  return toDevice("rhegma::activeNodes", list);
+}
+
+template <int D>
+void makeBundles(const std::vector<int>& first, Blocks<D>& blocks)
+{
+  std::vector<int> begin, block;
+  for (int b = 0; b < blocks.numBlocks; ++b)
+    for (int p = first[b]; p < first[b + 1]; p += lanes)
+    {
+      begin.push_back(p);
+      block.push_back(b);
+    }
+  blocks.numBundles = static_cast<int>(block.size());
+  begin.push_back(first.back());
+  blocks.bundleFirst = toDevice("rhegma::bundleFirst", begin);
+  blocks.bundleBlock = toDevice("rhegma::bundleBlock", block);
 }
 
 } // namespace
@@ -108,13 +131,9 @@ void sortParticles(const Grid<D>& grid, FieldTable& particles, Blocks<D>& blocks
   blocks.numBlocks = static_cast<int>(keys.size());
   first.push_back(n);
 
-  blocks.first = View<int*>("rhegma::blockFirst", first.size());
+  blocks.first = toDevice("rhegma::blockFirst", first);
   blocks.corner = View<int * [Blocks<D>::axes]>("rhegma::blockCorner", keys.size());
-  blocks.blockOf = View<int*>("rhegma::blockOf", n);
-  const auto hostFirst = Kokkos::create_mirror_view(blocks.first);
   const auto hostCorner = Kokkos::create_mirror_view(blocks.corner);
-  const auto hostBlockOf = Kokkos::create_mirror_view(blocks.blockOf);
-  std::copy(first.begin(), first.end(), hostFirst.data());
   std::fill(blocks.colourStart, blocks.colourStart + Blocks<D>::colours + 1, 0);
   for (int b = 0; b < blocks.numBlocks; ++b)
   {
@@ -123,26 +142,17 @@ void sortParticles(const Grid<D>& grid, FieldTable& particles, Blocks<D>& blocks
     hostCorner(b, 0) = at0 * Blocks<D>::edge;
     hostCorner(b, 1) = at1 * Blocks<D>::edge;
     ++blocks.colourStart[2 * (at0 % 2) + at1 % 2 + 1];
-    for (int i = first[b]; i < first[b + 1]; ++i)
-      hostBlockOf(i) = b;
   }
   for (int c = 0; c < Blocks<D>::colours; ++c)
     blocks.colourStart[c + 1] += blocks.colourStart[c];
-  Kokkos::deep_copy(blocks.first, hostFirst);
   Kokkos::deep_copy(blocks.corner, hostCorner);
-  Kokkos::deep_copy(blocks.blockOf, hostBlockOf);
+  makeBundles(first, blocks);
+  blocks.strays = View<int[2]>("rhegma::strays");
 
-  View<int*> deviceOrder("rhegma::particleOrder", n);
-  const auto hostOrder = Kokkos::create_mirror_view(deviceOrder);
-  std::copy(order.begin(), order.end(), hostOrder.data());
-  Kokkos::deep_copy(deviceOrder, hostOrder);
-  particles.reorder(deviceOrder);
+  particles.reorder(toDevice("rhegma::particleOrder", order));
 
   const std::vector<char> nearby = dilate(grid, occupied, 1, 1);
-  blocks.nearby = View<char*>("rhegma::nearbyCells", nearby.size());
-  const auto hostNearby = Kokkos::create_mirror_view(blocks.nearby);
-  std::copy(nearby.begin(), nearby.end(), hostNearby.data());
-  Kokkos::deep_copy(blocks.nearby, hostNearby);
+  blocks.nearby = toDevice("rhegma::nearbyCells", nearby);
   activeNodes = reachableNodes(grid, nearby);
 }
 

@@ -9,6 +9,14 @@
 namespace Rhegma
 {
 
+/// Particles that a thread works on together, one a lane, so that the compiler computes several of them with
+/// one instruction.
+#ifdef KOKKOS_ENABLE_CUDA
+constexpr int lanes = 1;
+#else
+constexpr int lanes = 16;
+#endif
+
 /// Particles sorted by block of cells and by cell inside a block.
 ///
 /// Blocks of one colour share no node as long as no particle is more than one cell outside of its block, so
@@ -27,12 +35,18 @@ struct Blocks
 
   View<int*> first;         ///< first particle of each block, ordered by colour; one more at the end
   View<int* [axes]> corner; ///< lowest cell of each block along the cut axes
-  View<int*> blockOf;       ///< block of each particle
+  /// First particle of each bundle of up to `lanes` in one block; one more at the end.
+  View<int*> bundleFirst;
+  View<int*> bundleBlock; ///< block of each bundle
   /// By the lowest node of a cell: not 0 in cells that held a particle at the sort and in those beside them,
   /// from where all nodes of a stencil are listed.
   View<char*> nearby;
+  /// Not 0 where a particle is further outside of its block than the blocks allow or where nodes are not
+  /// listed (0), or is outside of the domain (1).
+  View<int[2]> strays;
   int colourStart[colours + 1] = {0, 0, 0, 0, 0};
   int numBlocks = 0;
+  int numBundles = 0;
 };
 
 /// Sorts all fields of the particles by block and cell, and lists the nodes that they can reach until one of
@@ -40,23 +54,6 @@ struct Blocks
 /// one cell keep their order.
 template <int D>
 void sortParticles(const Grid<D>& grid, FieldTable& particles, Blocks<D>& blocks, View<int*>& activeNodes);
-
-/// True if the particle is further outside of its block than the blocks allow, or where nodes are not listed.
-template <int D>
-KOKKOS_INLINE_FUNCTION bool hasStrayed(const Grid<D>& grid, const Blocks<D>& blocks, int p, const double* x)
-{
-  const int b = blocks.blockOf(p);
-  int at[D];
-  for (int d = 0; d < D; ++d)
-    at[d] = static_cast<int>(grid.inCells(x[d], d));
-  bool strayed = blocks.nearby(grid.nodeIndex(at)) == 0;
-  for (int a = 0; a < Blocks<D>::axes; ++a)
-  {
-    const int offset = at[grid.axisOrder[a]] - blocks.corner(b, a);
-    strayed = strayed || offset < -1 || offset > Blocks<D>::edge;
-  }
-  return strayed;
-}
 
 /// Runs body(begin, end) on the particles of every block, colour by colour.
 template <int D, class Body>

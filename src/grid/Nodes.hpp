@@ -7,7 +7,8 @@ namespace Rhegma
 {
 
 /// Nodal values, a row a node. Quantities that a transfer needs together share a row, so that a particle's
-/// share is one vector operation a node. Rows past Grid::numNodes are second fields of nodes beside a crack.
+/// share is a few vector operations a node: mass and momentum fill one register of four numbers, forces
+/// another. Rows past Grid::numNodes are second fields of nodes beside a crack.
 template <int D>
 struct Nodes
 {
@@ -16,8 +17,8 @@ struct Nodes
   static constexpr int projectionWidth = D == 2 ? 2 : 4;
   static constexpr int massAt = 0;
   static constexpr int momentumAt = 1;
-  static constexpr int forceAt = 1 + D;
-  static constexpr int accelerationAt = D;
+  static constexpr int forceAt = 4;
+  static constexpr int accelerationAt = D == 2 ? 2 : 4;
 
   View<double* [sumWidth]> sums;      ///< mass [kg], momentum [kg m/s], force [N]
   View<double* [motionWidth]> motion; ///< velocity after the solve [m/s], acceleration [m/s2]

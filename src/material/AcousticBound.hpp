@@ -15,6 +15,9 @@
 namespace Rhegma
 {
 
+/// The larger of two numbers; unlike std::fmax it is one instruction.
+KOKKOS_FORCEINLINE_FUNCTION double larger(double a, double b) { return a > b ? a : b; }
+
 struct EigenvalueRange
 {
   double smallest;
@@ -23,15 +26,15 @@ struct EigenvalueRange
 
 /// Bounds of the eigenvalues in three dimensions from two invariants; equal to them where two of the three
 /// coincide. Source: Wolkowicz and Styan, Linear Algebra Appl. 29 (1980) 471, theorem 2.1.
-KOKKOS_INLINE_FUNCTION EigenvalueRange eigenvalueRange(double first, double second)
+KOKKOS_FORCEINLINE_FUNCTION EigenvalueRange eigenvalueRange(double first, double second)
 {
-  const double spread = 2.0 * std::sqrt(std::fmax(first * first - 3.0 * second, 0.0));
+  const double spread = 2.0 * std::sqrt(larger(first * first - 3.0 * second, 0.0));
   return {(first - spread) / 3.0, (first + spread) / 3.0};
 }
 
 /// Range of n.a n over the directions n in which waves travel: exact in 2D (the plane), a bound in 3D.
 template <int D>
-KOKKOS_INLINE_FUNCTION EigenvalueRange directionalRange(const double* a)
+KOKKOS_FORCEINLINE_FUNCTION EigenvalueRange directionalRange(const double* a)
 {
   if constexpr (D == 2)
   {
@@ -46,42 +49,42 @@ KOKKOS_INLINE_FUNCTION EigenvalueRange directionalRange(const double* a)
 
 /// Bound of the second derivative of J^(-2/3) tr b, where b is given as J^(-2/3) b:
 ///     2 n.b n - 8/3 p m.b n + 10/9 p^2 tr b.
-KOKKOS_INLINE_FUNCTION double firstInvariantBound(double traceB, EigenvalueRange b)
+KOKKOS_FORCEINLINE_FUNCTION double firstInvariantBound(double traceB, EigenvalueRange b)
 {
-  const double smallest = std::fmax(b.smallest, 0.0);
-  return std::fmax(2.0 * b.largest, 10.0 / 9.0 * traceB - 2.0 / 3.0 * smallest) +
+  const double smallest = larger(b.smallest, 0.0);
+  return larger(2.0 * b.largest, 10.0 / 9.0 * traceB - 2.0 / 3.0 * smallest) +
          2.0 / 3.0 * (b.largest - smallest);
 }
 
 /// Bound of the second derivative of J^(-4/3) tr cof b, where cof b is given as J^(-4/3) cof b:
 ///     2 m.c m + 4/3 p m.c n - 2/9 p^2 tr c, c = cof b.
-KOKKOS_INLINE_FUNCTION double secondInvariantBound(double traceCofactor, double largestCofactor)
+KOKKOS_FORCEINLINE_FUNCTION double secondInvariantBound(double traceCofactor, double largestCofactor)
 {
   return 10.0 / 3.0 * largestCofactor - 2.0 / 9.0 * traceCofactor;
 }
 
 /// Bound of alpha n.b n - beta p m.b n + gamma p^2 over the directions of the plane; alpha and beta not
 /// negative.
-KOKKOS_INLINE_FUNCTION double planeBound(double alpha, double beta, double gamma, EigenvalueRange b)
+KOKKOS_FORCEINLINE_FUNCTION double planeBound(double alpha, double beta, double gamma, EigenvalueRange b)
 {
   const double slope = alpha - beta;
   const double dilatational = gamma + slope * (slope > 0.0 ? b.largest : b.smallest);
-  return std::fmax(alpha * b.largest, dilatational) + 0.25 * beta * (b.largest - b.smallest);
+  return larger(alpha * b.largest, dilatational) + 0.25 * beta * (b.largest - b.smallest);
 }
 
 /// The share theta of the in-plane dilatation that the thickness takes back, as it is at small strain.
 /// \param isochoric second derivative of the isochoric energy by x, \param volumetric of the volumetric
 /// energy
-KOKKOS_INLINE_FUNCTION double relaxation(double isochoric, double volumetric)
+KOKKOS_FORCEINLINE_FUNCTION double relaxation(double isochoric, double volumetric)
 {
   const double theta = (volumetric - 0.5 * isochoric) / (volumetric + isochoric);
   return theta > 0.0 && theta < 1.0 ? theta : 1.0;
 }
 
 /// rho0 c^2 [Pa] -> c [m/s].
-KOKKOS_INLINE_FUNCTION double speedOf(double modulus, double density)
+KOKKOS_FORCEINLINE_FUNCTION double speedOf(double modulus, double density)
 {
-  return std::sqrt(std::fmax(modulus, 0.0) / density);
+  return std::sqrt(larger(modulus, 0.0) / density);
 }
 
 } // namespace Rhegma

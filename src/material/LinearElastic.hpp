@@ -19,16 +19,8 @@ namespace Rhegma
 struct LinearElastic
 {
   template <int D, Plane P>
-  KOKKOS_INLINE_FUNCTION static bool stress(const Properties& m, double* F, double* tau, double*)
+  KOKKOS_FORCEINLINE_FUNCTION static bool stress(const Properties& m, double* F, double* tau, double*)
   {
-    if constexpr (P == Plane::Stress)
-    {
-      if (!(planeDeterminant(F) > 0.0))
-        return noStress<D>(tau);
-    }
-    else if (!(determinant<D>(F) > 0.0))
-      return noStress<D>(tau);
-
     double g[symmetricSize<D>];
     leftStrain<D>(F, g);
     double gg[symmetricSize<D>];
@@ -38,26 +30,27 @@ struct LinearElastic
     const double pressure = 0.5 * m.planeLambda * traceG;
     const double factor = mu + pressure;
     const double thickness = 1.0 - m.thicknessRatio * traceG;
+    // Without a branch, so that the compiler can find the stress of several particles at once.
+    bool good = (P == Plane::Stress ? planeDeterminant(F) : determinant<D>(F)) > 0.0;
+    if constexpr (P == Plane::Stress)
+      good = good && thickness > 0.0;
     for (int i = 0; i < 3; ++i)
     {
       const int normal = normalIndex<D>(i);
-      tau[normal] = pressure + factor * g[normal] + mu * gg[normal];
+      tau[normal] = good ? pressure + factor * g[normal] + mu * gg[normal] : 0.0;
     }
     for (int i = shearBegin<D>; i < shearEnd<D>; ++i)
-      tau[i] = factor * g[i] + mu * gg[i];
-
+      tau[i] = good ? factor * g[i] + mu * gg[i] : 0.0;
     if constexpr (P == Plane::Stress)
     {
-      if (!(thickness > 0.0))
-        return noStress<D>(tau);
-      F[4] = std::sqrt(thickness);
+      F[4] = good ? std::sqrt(thickness) : F[4];
       tau[3] = 0.0;
     }
-    return true;
+    return good;
   }
 
   template <int D, Plane P>
-  KOKKOS_INLINE_FUNCTION static double energy(const Properties& m, const double* F, const double*)
+  KOKKOS_FORCEINLINE_FUNCTION static double energy(const Properties& m, const double* F, const double*)
   {
     // E and g/2 have the same invariants; in plane stress F[4] brings E_zz.
     double g[symmetricSize<D>];
@@ -70,15 +63,15 @@ struct LinearElastic
   /// (lambda + 2 mu) times the squared largest eigenvalue of b. An eigenvalue of tau is a convex function of
   /// that of g.
   template <int D, Plane P>
-  KOKKOS_INLINE_FUNCTION static double waveSpeed(const Properties& m, const double* F, const double*)
+  KOKKOS_FORCEINLINE_FUNCTION static double waveSpeed(const Properties& m, const double* F, const double*)
   {
     double g[symmetricSize<D>];
     leftStrain<D>(F, g);
     const EigenvalueRange range = directionalRange<D>(g);
     const double pressure = 0.5 * m.planeLambda * (P == Plane::Stress ? g[0] + g[1] : trace<D>(g));
     const double factor = m.mu + pressure;
-    const double stress = pressure + std::fmax((factor + m.mu * range.largest) * range.largest,
-                                               (factor + m.mu * range.smallest) * range.smallest);
+    const double stress = pressure + larger((factor + m.mu * range.largest) * range.largest,
+                                            (factor + m.mu * range.smallest) * range.smallest);
     const double b = 1.0 + range.largest;
     return speedOf(stress + (m.planeLambda + 2.0 * m.mu) * b * b, m.density);
   }

@@ -4,6 +4,8 @@
 
 #include "state/Types.hpp"
 
+// These are always inlined: a call in the loop over particles would keep it from being vectorised.
+
 namespace Rhegma
 {
 
@@ -21,11 +23,11 @@ template <int D>
 constexpr int shearEnd = D == 2 ? 3 : 6;
 
 /// Area ratio of the plane.
-KOKKOS_INLINE_FUNCTION double planeDeterminant(const double* F) { return F[0] * F[3] - F[1] * F[2]; }
+KOKKOS_FORCEINLINE_FUNCTION double planeDeterminant(const double* F) { return F[0] * F[3] - F[1] * F[2]; }
 
 /// Volume ratio J.
 template <int D>
-KOKKOS_INLINE_FUNCTION double determinant(const double* F)
+KOKKOS_FORCEINLINE_FUNCTION double determinant(const double* F)
 {
   if constexpr (D == 2)
     return planeDeterminant(F) * F[4];
@@ -36,7 +38,7 @@ KOKKOS_INLINE_FUNCTION double determinant(const double* F)
 
 /// g = F F^T - 1. Laws written in g keep their digits at small strain.
 template <int D>
-KOKKOS_INLINE_FUNCTION void leftStrain(const double* F, double* g)
+KOKKOS_FORCEINLINE_FUNCTION void leftStrain(const double* F, double* g)
 {
   if constexpr (D == 2)
   {
@@ -57,14 +59,14 @@ KOKKOS_INLINE_FUNCTION void leftStrain(const double* F, double* g)
 }
 
 template <int D>
-KOKKOS_INLINE_FUNCTION double trace(const double* a)
+KOKKOS_FORCEINLINE_FUNCTION double trace(const double* a)
 {
   return a[0] + a[1] + a[normalIndex<D>(2)];
 }
 
 /// a : a.
 template <int D>
-KOKKOS_INLINE_FUNCTION double squaredNorm(const double* a)
+KOKKOS_FORCEINLINE_FUNCTION double squaredNorm(const double* a)
 {
   const double zz = a[normalIndex<D>(2)];
   double shear = 0.0;
@@ -75,7 +77,7 @@ KOKKOS_INLINE_FUNCTION double squaredNorm(const double* a)
 
 /// Second invariant, ((tr a)^2 - a : a) / 2.
 template <int D>
-KOKKOS_INLINE_FUNCTION double secondInvariant(const double* a)
+KOKKOS_FORCEINLINE_FUNCTION double secondInvariant(const double* a)
 {
   const double zz = a[normalIndex<D>(2)];
   double shear = 0.0;
@@ -86,7 +88,7 @@ KOKKOS_INLINE_FUNCTION double secondInvariant(const double* a)
 
 /// Determinant of a symmetric tensor.
 template <int D>
-KOKKOS_INLINE_FUNCTION double symmetricDeterminant(const double* a)
+KOKKOS_FORCEINLINE_FUNCTION double symmetricDeterminant(const double* a)
 {
   if constexpr (D == 2)
     return (a[0] * a[1] - a[2] * a[2]) * a[3];
@@ -97,7 +99,7 @@ KOKKOS_INLINE_FUNCTION double symmetricDeterminant(const double* a)
 
 /// s = a a.
 template <int D>
-KOKKOS_INLINE_FUNCTION void square(const double* a, double* s)
+KOKKOS_FORCEINLINE_FUNCTION void square(const double* a, double* s)
 {
   if constexpr (D == 2)
   {
@@ -123,7 +125,7 @@ KOKKOS_INLINE_FUNCTION void square(const double* a, double* s)
 
 /// result = F a F^T for a symmetric a.
 template <int D>
-KOKKOS_INLINE_FUNCTION void pushForward(const double* F, const double* a, double* result)
+KOKKOS_FORCEINLINE_FUNCTION void pushForward(const double* F, const double* a, double* result)
 {
   double Fa[D * D];
   for (int i = 0; i < D; ++i)
@@ -148,7 +150,7 @@ KOKKOS_INLINE_FUNCTION void pushForward(const double* F, const double* a, double
 
 /// Inverse of F. \param J its determinant, not zero
 template <int D>
-KOKKOS_INLINE_FUNCTION void inverse(const double* F, double J, double* result)
+KOKKOS_FORCEINLINE_FUNCTION void inverse(const double* F, double J, double* result)
 {
   if constexpr (D == 2)
   {
@@ -176,7 +178,7 @@ KOKKOS_INLINE_FUNCTION void inverse(const double* F, double J, double* result)
 
 /// The answer of a law that can't go on.
 template <int D>
-KOKKOS_INLINE_FUNCTION bool noStress(double* tau)
+KOKKOS_FORCEINLINE_FUNCTION bool noStress(double* tau)
 {
   for (int i = 0; i < symmetricSize<D>; ++i)
     tau[i] = 0.0;
@@ -185,7 +187,7 @@ KOKKOS_INLINE_FUNCTION bool noStress(double* tau)
 
 /// 2 ln J from g = F F^T - 1, exact in the digits of g: det(1 + g) = 1 + I + II + III.
 template <int D>
-KOKKOS_INLINE_FUNCTION double logVolumeSquared(const double* g)
+KOKKOS_FORCEINLINE_FUNCTION double logVolumeSquared(const double* g)
 {
   return std::log1p(trace<D>(g) + secondInvariant<D>(g) + symmetricDeterminant<D>(g));
 }

@@ -5,6 +5,7 @@
 #include "transfer/Motion.hpp"
 #include "transfer/Scatter.hpp"
 #include "transfer/Stencils.hpp"
+#include "transfer/Velocity.hpp"
 
 #include <cmath>
 
@@ -13,14 +14,6 @@ namespace Rhegma
 
 namespace
 {
-
-template <int D>
-void project(State<D>& state)
-{
-  clearProjection(state);
-  scatterProjection(state);
-  finishProjection(state);
-}
 
 template <int D>
 void strain(State<D>& state, StrainVelocity velocity, bool alsoMove)
@@ -61,7 +54,10 @@ Effect<D> makeCore(const State<D>& state)
                clearNodes(s);
                scatter(s, scheme == UpdateScheme::Usf ? ScatterWhat::MassAndMomentum : ScatterWhat::All);
                if (scheme == UpdateScheme::Usf)
-                 project(s);
+               {
+                 particleVelocity(s, VelocityWhat::Project);
+                 finishProjection(s);
+               }
              }});
   if (scheme == UpdateScheme::Usf)
     core.call({Stage::BeforeSolve, "force to nodes", {}, {}, {"nodal force"}, [](State<D>& s) {
@@ -77,9 +73,10 @@ Effect<D> makeCore(const State<D>& state)
              {},
              [scheme](State<D>& s)
              {
-               gatherVelocity(s);
+               particleVelocity(s, scheme == UpdateScheme::Musl ? VelocityWhat::GatherAndProject
+                                                                : VelocityWhat::Gather);
                if (scheme == UpdateScheme::Musl)
-                 project(s);
+                 finishProjection(s);
                if (scheme == UpdateScheme::Usf)
                  strainAndMove(s, StrainVelocity::Projection, false, true);
              }});

@@ -3,6 +3,7 @@
 
 #include "grid/Grid.hpp"
 #include "grid/ShapeFunctions.hpp"
+#include "transfer/LaneStencils.hpp"
 #include "transfer/StencilTable.hpp"
 
 namespace Rhegma
@@ -18,6 +19,34 @@ struct Connectivity
   BorrowedView<double* [D]> box; ///< half widths [m]; empty for linear functions
   View<int*> row;                ///< row in the table, or -1
   StencilTable<D> table;
+
+  static constexpr ShapeKind shape = S;
+
+  /// Calls work(p, stencil) for the particles begin .. end - 1; a stencil has the operations of
+  /// TensorStencil.
+  template <class Work>
+  KOKKOS_INLINE_FUNCTION void forEachParticle(int begin, int end, const Work& work) const
+  {
+    LaneStencils<D, S> stencils;
+    for (int first = begin; first < end; first += lanes)
+    {
+      const int count = end - first < lanes ? end - first : lanes;
+      stencils.fill(grid, &position(first, 0), S == ShapeKind::Gimp ? &box(first, 0) : nullptr, count);
+      for (int l = 0; l < count; ++l)
+      {
+        if constexpr (Stored)
+        {
+          const int r = row(first + l);
+          if (r >= 0)
+          {
+            work(first + l, TableStencil<D>{table, r});
+            continue;
+          }
+        }
+        work(first + l, TensorStencil<D, S>{stencils, grid.stride, l});
+      }
+    }
+  }
 
   /// Calls visit(node, weight, slope) for each node, slope in 1/m.
   template <class Visit>

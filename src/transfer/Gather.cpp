@@ -12,32 +12,67 @@ namespace Rhegma
 namespace
 {
 
-template <int D, class Connect>
-struct GatherVelocity
+/// What the lanes of a bundle hold; component by component, so that a loop over lanes reads and writes
+/// neighbours.
+template <int D>
+struct StrainLanes
 {
-  Connect connect;
-  View<double * [Nodes<D>::motionWidth]> motion;
-  BorrowedView<double* [D]> velocity;
-  double dt, pic;
+  double gradient[D * D][lanes];    ///< of the straining velocity, row by row [1/s]
+  double shift[D][lanes];           ///< velocity of the particles' places [m/s]
+  double F[gradientSize<D>][lanes]; ///< old, then new
+  double tau[symmetricSize<D>][lanes];
+  double speed[lanes]; ///< of the particle, then with the wave speed on top [m/s]
+};
 
-  KOKKOS_INLINE_FUNCTION void operator()(int p) const
+/// F <- (I + dt L) F, stress and wave speed of the lanes from .. to - 1, all of one material.
+template <int D>
+struct StressOfLanes
+{
+  const Properties& properties;
+  StrainLanes<D>& at;
+  double* history; ///< of the first lane; null for laws without one
+  int historyWidth;
+  double dt;
+  int from, to;
+
+  template <class Law, int, Plane P>
+  KOKKOS_INLINE_FUNCTION void run() const
   {
-    double sum[Nodes<D>::motionWidth] = {};
-    connect.visit(p,
-                  [&](int node, double weight, const double*)
-                  {
-                    for (int k = 0; k < Nodes<D>::motionWidth; ++k)
-                      sum[k] += weight * motion(node, k);
-                  });
-    for (int d = 0; d < D; ++d)
-      velocity(p, d) = (1.0 - pic) * (velocity(p, d) + dt * sum[Nodes<D>::accelerationAt + d]) + pic * sum[d];
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    for (int l = from; l < to; ++l)
+    {
+      double F[gradientSize<D>], tau[symmetricSize<D>];
+      for (int i = 0; i < D; ++i)
+        for (int j = 0; j < D; ++j)
+        {
+          double change = 0.0;
+          for (int k = 0; k < D; ++k)
+            change += at.gradient[i * D + k][l] * at.F[k * D + j][l];
+          F[i * D + j] = at.F[i * D + j][l] + dt * change;
+        }
+      if constexpr (D == 2)
+        F[4] = at.F[4][l];
+      // Finite only if every component is.
+      const bool finite = determinant<D>(F) < infinity;
+      double* const own = history == nullptr ? nullptr : history + l * historyWidth;
+      const bool good = Law::template stress<D, P>(properties, F, tau, own);
+      const double wave = Law::template waveSpeed<D, P>(properties, F, own);
+      at.speed[l] = good && finite ? at.speed[l] + wave : infinity;
+      for (int k = 0; k < gradientSize<D>; ++k)
+        at.F[k][l] = F[k];
+      for (int k = 0; k < symmetricSize<D>; ++k)
+        at.tau[k][l] = tau[k];
+    }
   }
 };
 
-/// Strain and move of one particle, both by one nodal velocity.
+/// Strain and move of the particles of one bundle, both by one nodal velocity.
 template <int D, class Connect, int Width>
 struct StrainAndMove
 {
+  static constexpr int width = D == 2 ? 2 : 4;
+  using Lanes = StrainLanes<D>;
+
   Connect connect;
   View<double* [Width]> nodal;
   View<Properties*> materials;
@@ -50,89 +85,143 @@ struct StrainAndMove
   BorrowedView<double**> rate; ///< velocity gradient, where somebody asked for it
   Grid<D> grid;
   Blocks<D> blocks;
-  View<int[2]> strays;
   double dt, largestBox;
   bool strain, move, boxes;
 
-  KOKKOS_INLINE_FUNCTION void operator()(int p, double& fastest) const
+  KOKKOS_INLINE_FUNCTION void operator()(int bundle, double& fastest) const
   {
-    double gradient[D][D] = {};
-    double shift[D] = {};
-    connect.visit(p,
-                  [&](int node, double weight, const double* slope)
-                  {
-                    for (int i = 0; i < D; ++i)
-                    {
-                      const double v = nodal(node, i);
-                      shift[i] += weight * v;
-                      for (int j = 0; j < D; ++j)
-                        gradient[i][j] += slope[j] * v;
-                    }
-                  });
+    const int begin = blocks.bundleFirst(bundle), end = blocks.bundleFirst(bundle + 1);
+    Lanes at;
+    fromNodes(begin, end, at);
     if (move)
-      moveBy(p, shift);
-    if (!strain)
-    {
-      if (boxes)
-        updateBox<D>(axes, body(p), &edge(p, 0), &deformation(p, 0), largestBox, &box(p, 0));
-      return;
-    }
-    if (rate.extent(1) > 0)
-      for (int i = 0; i < D; ++i)
-        for (int j = 0; j < D; ++j)
-          rate(p, i * D + j) = gradient[i][j];
-
-    double increment[gradientSize<D>];
-    double F[gradientSize<D>];
-    bool good = true;
-    if constexpr (D == 2)
-      increment[4] = 1.0;
-    for (int i = 0; i < D; ++i)
-      for (int j = 0; j < D; ++j)
-      {
-        increment[i * D + j] = dt * gradient[i][j] + (i == j ? 1.0 : 0.0);
-        good = good && std::isfinite(gradient[i][j]);
-      }
-    if constexpr (D == 2)
-      F[4] = deformation(p, 4);
-    for (int i = 0; i < D; ++i)
-      for (int j = 0; j < D; ++j)
-      {
-        double sum = 0.0;
-        for (int k = 0; k < D; ++k)
-          sum += increment[i * D + k] * deformation(p, k * D + j);
-        F[i * D + j] = sum;
-      }
-    const Properties& law = materials(material(p));
-    double* own = history.extent(1) > 0 ? &history(p, 0) : nullptr;
-    good = updateStress<D>(law, F, &stress(p, 0), own) && good;
-    for (int k = 0; k < gradientSize<D>; ++k)
-      deformation(p, k) = F[k];
+      moveLanes(begin, end, blocks.bundleBlock(bundle), at);
+    loadDeformation(begin, end, at);
+    if (strain)
+      strainLanes(begin, end, at, fastest);
     // Where the step goes on after the strain (USF) its mass, force and velocity need one and the same box.
     if (boxes && move)
-      updateBox<D>(axes, body(p), &edge(p, 0), F, largestBox, &box(p, 0));
-    double speed = 0.0;
-    for (int d = 0; d < D; ++d)
-      speed += velocity(p, d) * velocity(p, d);
-    speed = std::sqrt(speed) + waveSpeed<D>(law, F, own);
-    if (!good || !std::isfinite(speed))
-      speed = std::numeric_limits<double>::infinity();
-    fastest = speed > fastest ? speed : fastest;
+      updateBoxes(begin, end, at);
   }
 
-  KOKKOS_INLINE_FUNCTION void moveBy(int p, const double* shift) const
+  KOKKOS_INLINE_FUNCTION void fromNodes(int begin, int end, Lanes& at) const
   {
-    Vector<D> x;
+    const double* const rows = nodal.data();
+    connect.forEachParticle(begin, end,
+                            [&](int p, const auto& stencil)
+                            {
+                              const int l = p - begin;
+                              Pack<width> slope[D];
+                              const Pack<width> shift = stencil.template valueAndGradient<Width>(rows, slope);
+                              for (int i = 0; i < D; ++i)
+                              {
+                                at.shift[i][l] = shift[i];
+                                for (int j = 0; j < D; ++j)
+                                  at.gradient[i * D + j][l] = slope[j][i];
+                              }
+                            });
+  }
+
+  KOKKOS_INLINE_FUNCTION void moveLanes(int begin, int end, int block, const Lanes& at) const
+  {
+    bool left = false;
+    int cell[lanes] = {}; // of the particle now, by its lowest node
     for (int d = 0; d < D; ++d)
     {
-      x[d] = position(p, d) + dt * shift[d];
-      position(p, d) = x[d];
+      const double lower = grid.lower[d], upper = grid.upper[d];
+      const double origin = grid.origin[d], inverse = grid.inverse;
+      const int stride = grid.stride[d];
+      for (int p = begin; p < end; ++p)
+      {
+        const double x = position(p, d) + dt * at.shift[d][p - begin];
+        position(p, d) = x;
+        left = left || !(x >= lower && x <= upper);
+        cell[p - begin] += stride * static_cast<int>((x - origin) * inverse);
+      }
     }
     // Every thread that finds one writes the same value.
-    if (!grid.inside(x))
-      Kokkos::atomic_exchange(&strays(1), 1);
-    else if (hasStrayed(grid, blocks, p, &position(p, 0)))
-      Kokkos::atomic_exchange(&strays(0), 1);
+    if (left)
+      Kokkos::atomic_exchange(&blocks.strays(1), 1);
+    else if (strayed(begin, end, block, cell))
+      Kokkos::atomic_exchange(&blocks.strays(0), 1);
+  }
+
+  KOKKOS_INLINE_FUNCTION bool strayed(int begin, int end, int block, const int* cell) const
+  {
+    bool any = false;
+    for (int l = 0; l < end - begin; ++l)
+      any = any || blocks.nearby(cell[l]) == 0;
+    for (int a = 0; a < Blocks<D>::axes; ++a)
+    {
+      const int axis = grid.axisOrder[a];
+      const double low = blocks.corner(block, a) - 1.0, high = low + Blocks<D>::edge + 2.0;
+      for (int p = begin; p < end; ++p)
+      {
+        const double cells = grid.inCells(position(p, axis), axis);
+        any = any || cells < low || cells >= high;
+      }
+    }
+    return any;
+  }
+
+  KOKKOS_INLINE_FUNCTION void loadDeformation(int begin, int end, Lanes& at) const
+  {
+    for (int k = 0; k < gradientSize<D>; ++k)
+      for (int p = begin; p < end; ++p)
+        at.F[k][p - begin] = deformation(p, k);
+  }
+
+  KOKKOS_INLINE_FUNCTION void strainLanes(int begin, int end, Lanes& at, double& fastest) const
+  {
+    if (rate.extent(1) > 0)
+      for (int k = 0; k < D * D; ++k)
+        for (int p = begin; p < end; ++p)
+          rate(p, k) = at.gradient[k][p - begin];
+    for (int p = begin; p < end; ++p)
+    {
+      double square = 0.0;
+      for (int d = 0; d < D; ++d)
+        square += velocity(p, d) * velocity(p, d);
+      at.speed[p - begin] = std::sqrt(square);
+    }
+    stressByLaw(begin, end, at);
+    for (int k = 0; k < gradientSize<D>; ++k)
+      for (int p = begin; p < end; ++p)
+        deformation(p, k) = at.F[k][p - begin];
+    for (int k = 0; k < symmetricSize<D>; ++k)
+      for (int p = begin; p < end; ++p)
+        stress(p, k) = at.tau[k][p - begin];
+    for (int l = 0; l < end - begin; ++l)
+      if (!(at.speed[l] <= fastest))
+        fastest = std::isfinite(at.speed[l]) ? at.speed[l] : std::numeric_limits<double>::infinity();
+  }
+
+  KOKKOS_INLINE_FUNCTION void stressByLaw(int begin, int end, Lanes& at) const
+  {
+    const int historyWidth = static_cast<int>(history.extent(1));
+    double* const memory = historyWidth > 0 ? &history(begin, 0) : nullptr;
+    // Mostly all are of one material.
+    for (int p = begin; p < end;)
+    {
+      const int kind = material(p);
+      int next = p + 1;
+      while (next < end && material(next) == kind)
+        ++next;
+      const Properties& law = materials(kind);
+      withLaw<D>(law.kind, law.plane,
+                 StressOfLanes<D>{law, at, memory, historyWidth, dt, p - begin, next - begin});
+      p = next;
+    }
+  }
+
+  KOKKOS_INLINE_FUNCTION void updateBoxes(int begin, int end, const Lanes& at) const
+  {
+    for (int p = begin; p < end; ++p)
+    {
+      double F[gradientSize<D>];
+      for (int k = 0; k < gradientSize<D>; ++k)
+        F[k] = at.F[k][p - begin];
+      updateBox<D>(axes, body(p), &edge(p, 0), F, largestBox, &box(p, 0));
+    }
   }
 };
 
@@ -161,16 +250,15 @@ double strainAndMoveWith(State<D>& state, const Connect& connect, const View<dou
     work.rate = state.particles.table(fields::rate);
   work.grid = state.grid;
   work.blocks = state.blocks;
-  work.strays = View<int[2]>("rhegma::strays");
   work.dt = state.dt;
   work.largestBox = 0.5 * state.grid.spacing;
   work.strain = strain;
   work.move = move;
   double fastest = 0.0;
   Kokkos::parallel_reduce(strain ? "rhegma::strainAndMove" : "rhegma::move",
-                          Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()), work,
+                          Kokkos::RangePolicy<ExecSpace>(0, state.blocks.numBundles), work,
                           Kokkos::Max<double>(fastest));
-  const auto strays = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, work.strays);
+  const auto strays = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.blocks.strays);
   if (strays(0) != 0)
     state.sorted = false;
   if (strays(1) != 0 && state.trouble.empty())
@@ -181,48 +269,6 @@ double strainAndMoveWith(State<D>& state, const Connect& connect, const View<dou
 }
 
 } // namespace
-
-template <int D>
-void gatherVelocity(State<D>& state)
-{
-  withConnectivity(state,
-                   [&](const auto& connect)
-                   {
-                     using Connect = std::decay_t<decltype(connect)>;
-                     const GatherVelocity<D, Connect> work{connect, state.nodes.motion,
-                                                           state.particles.template real<D>(fields::velocity),
-                                                           state.dt, state.picFraction};
-                     Kokkos::parallel_for("rhegma::gatherVelocity",
-                                          Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()), work);
-                   });
-}
-
-template <int D>
-void clearProjection(State<D>& state)
-{
-  const Nodes<D> nodes = state.nodes;
-  Kokkos::parallel_for(
-      "rhegma::clearProjection", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
-      KOKKOS_LAMBDA(const int i) {
-        const int n = activeNode(nodes, i);
-        for (int d = 0; d < D; ++d)
-          nodes.projection(n, d) = 0.0;
-      });
-}
-
-template <int D>
-void finishProjection(State<D>& state)
-{
-  const Nodes<D> nodes = state.nodes;
-  Kokkos::parallel_for(
-      "rhegma::finishProjection", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
-      KOKKOS_LAMBDA(const int i) {
-        const int n = activeNode(nodes, i);
-        const double mass = nodes.sums(n, Nodes<D>::massAt);
-        for (int d = 0; d < D; ++d)
-          nodes.projection(n, d) = mass > 0.0 ? nodes.projection(n, d) / mass : 0.0;
-      });
-}
 
 template <int D>
 double strainAndMove(State<D>& state, StrainVelocity velocity, bool strain, bool move)
@@ -239,12 +285,6 @@ double strainAndMove(State<D>& state, StrainVelocity velocity, bool strain, bool
   return fastest;
 }
 
-template void gatherVelocity(State<2>&);
-template void gatherVelocity(State<3>&);
-template void clearProjection(State<2>&);
-template void clearProjection(State<3>&);
-template void finishProjection(State<2>&);
-template void finishProjection(State<3>&);
 template double strainAndMove(State<2>&, StrainVelocity, bool, bool);
 template double strainAndMove(State<3>&, StrainVelocity, bool, bool);
 

@@ -1,25 +1,10 @@
 #pragma once
-/// Nodes to particles.
+/// From the nodes: the particles' strain, stress and motion.
 
 #include "state/State.hpp"
 
 namespace Rhegma
 {
-
-/// Changes the particles' velocity by the nodes' acceleration (FLIP), mixed with the nodes' velocity (PIC):
-/// v = (1 - f)(v + dt sum N a) + f sum N v_node, f the PIC fraction.
-/// Keeps momentum to round-off.
-/// Source: Brackbill and Ruppel, J. Comput. Phys. 65 (1986) 314.
-template <int D>
-void gatherVelocity(State<D>& state);
-
-/// Zeroes the nodes' projection.
-template <int D>
-void clearProjection(State<D>& state);
-
-/// The nodes' projection from momentum to velocity.
-template <int D>
-void finishProjection(State<D>& state);
 
 /// Which nodal velocity strains and moves the particles.
 enum class StrainVelocity

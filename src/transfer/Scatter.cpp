@@ -8,13 +8,11 @@ namespace Rhegma
 namespace
 {
 
-/// Adds a block of particles. A node's row changes by N a + sum_j dN/dx_j b_j: a holds mass and momentum, b_j
-/// column j of -V0 tau, each laid out like the row, so that the compiler makes it a few vector operations a
-/// node.
+/// Adds a block of particles: N (m, m v) to mass and momentum, -V0 tau grad N to force.
 template <int D, class Connect, bool Momentum, bool Force>
 struct ScatterBlock
 {
-  static constexpr int width = D == 2 ? 6 : 8;
+  static constexpr int forceWidth = D == 2 ? 2 : 4;
   Connect connect;
   View<double * [Nodes<D>::sumWidth]> sums;
   BorrowedView<double*> mass, volume;
@@ -23,59 +21,38 @@ struct ScatterBlock
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
   {
-    for (int p = begin; p < end; ++p)
-    {
-      double value[width] = {};
-      double flux[D][width] = {};
-      if constexpr (Momentum)
-      {
-        value[Nodes<D>::massAt] = mass(p);
-        for (int d = 0; d < D; ++d)
-          value[Nodes<D>::momentumAt + d] = mass(p) * velocity(p, d);
-      }
-      if constexpr (Force)
-        for (int j = 0; j < D; ++j)
-          for (int i = 0; i < D; ++i)
-            flux[j][Nodes<D>::forceAt + i] = -volume(p) * stress(p, symmetricIndex<D>(i, j));
-      connect.visit(p,
-                    [&](int node, double weight, const double* slope)
-                    {
-                      double* row = &sums(node, 0);
-                      for (int k = 0; k < width; ++k)
-                      {
-                        double add = weight * value[k];
-                        if constexpr (Force)
-                          for (int j = 0; j < D; ++j)
-                            add += slope[j] * flux[j][k];
-                        row[k] += add;
-                      }
-                    });
-    }
+    double* const rows = sums.data();
+    connect.forEachParticle(begin, end,
+                            [&](int p, const auto& stencil)
+                            {
+                              if constexpr (Momentum)
+                                stencil.template addValue<Nodes<D>::sumWidth>(rows, massAndMomentum(p));
+                              if constexpr (Force)
+                              {
+                                Pack<forceWidth> flux[D];
+                                for (int j = 0; j < D; ++j)
+                                  flux[j] = fluxAlong(p, j);
+                                stencil.template addFlux<Nodes<D>::sumWidth>(rows + Nodes<D>::forceAt, flux);
+                              }
+                            });
   }
-};
 
-template <int D, class Connect>
-struct ScatterProjectionBlock
-{
-  Connect connect;
-  View<double * [Nodes<D>::projectionWidth]> projection;
-  BorrowedView<double*> mass;
-  BorrowedView<double* [D]> velocity;
-
-  KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
+  KOKKOS_FORCEINLINE_FUNCTION Pack<4> massAndMomentum(int p) const
   {
-    for (int p = begin; p < end; ++p)
-    {
-      double momentum[D];
-      for (int d = 0; d < D; ++d)
-        momentum[d] = mass(p) * velocity(p, d);
-      connect.visit(p,
-                    [&](int node, double weight, const double*)
-                    {
-                      for (int d = 0; d < D; ++d)
-                        projection(node, d) += weight * momentum[d];
-                    });
-    }
+    static_assert(Nodes<D>::massAt == 0 && Nodes<D>::momentumAt == 1, "the layout of a row");
+    const double m = mass(p);
+    return pack(m, m * velocity(p, 0), m * velocity(p, 1), D == 2 ? 0.0 : m * velocity(p, D - 1));
+  }
+
+  /// Column j of -V0 tau.
+  KOKKOS_FORCEINLINE_FUNCTION Pack<forceWidth> fluxAlong(int p, int j) const
+  {
+    const double v = -volume(p);
+    if constexpr (D == 2)
+      return pack(v * stress(p, symmetricIndex<D>(0, j)), v * stress(p, symmetricIndex<D>(1, j)));
+    else
+      return pack(v * stress(p, symmetricIndex<D>(0, j)), v * stress(p, symmetricIndex<D>(1, j)),
+                  v * stress(p, symmetricIndex<D>(2, j)), 0.0);
   }
 };
 
@@ -103,6 +80,8 @@ void clearNodes(State<D>& state)
         const int n = activeNode(nodes, i);
         for (int k = 0; k < Nodes<D>::sumWidth; ++k)
           nodes.sums(n, k) = 0.0;
+        for (int k = 0; k < Nodes<D>::projectionWidth; ++k)
+          nodes.projection(n, k) = 0.0;
       });
 }
 
@@ -121,25 +100,9 @@ void scatter(State<D>& state, ScatterWhat what)
                    });
 }
 
-template <int D>
-void scatterProjection(State<D>& state)
-{
-  withConnectivity(state,
-                   [&](const auto& connect)
-                   {
-                     using Connect = std::decay_t<decltype(connect)>;
-                     const ScatterProjectionBlock<D, Connect> block{
-                         connect, state.nodes.projection, state.particles.scalar(fields::mass),
-                         state.particles.template real<D>(fields::velocity)};
-                     forEachBlock("rhegma::scatterProjection", state.blocks, block);
-                   });
-}
-
 template void clearNodes(State<2>&);
 template void clearNodes(State<3>&);
 template void scatter(State<2>&, ScatterWhat);
 template void scatter(State<3>&, ScatterWhat);
-template void scatterProjection(State<2>&);
-template void scatterProjection(State<3>&);
 
 } // namespace Rhegma

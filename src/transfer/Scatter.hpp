@@ -14,7 +14,7 @@ enum class ScatterWhat
   All
 };
 
-/// Zeroes mass, momentum and force of the nodes in use.
+/// Zeroes mass, momentum, force and projection of the nodes in use.
 template <int D>
 void clearNodes(State<D>& state);
 
@@ -25,10 +25,5 @@ void clearNodes(State<D>& state);
 /// zero). Source: Sulsky, Chen and Schreyer, Comput. Methods Appl. Mech. Engrg. 118 (1994) 179.
 template <int D>
 void scatter(State<D>& state, ScatterWhat what);
-
-/// Adds m v of the particles to the nodes' projection (the second momentum of MUSL).
-/// Source: Sulsky, Zhou and Schreyer, Comput. Phys. Commun. 87 (1995) 236.
-template <int D>
-void scatterProjection(State<D>& state);
 
 } // namespace Rhegma

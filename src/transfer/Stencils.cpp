@@ -21,25 +21,32 @@ void writeStencils(const Grid<D>& grid, const ObservedPoints<D>& points, const S
       });
 }
 
+/// Numbers the marked particles in their order and lists them. Blocks without any cost one look at their
+/// marks.
 template <int D>
-int numberRows(const View<int*>& row, View<int*>& particles)
+int numberRows(const Blocks<D>& blocks, const View<int*>& row, View<int*>& particles)
 {
   const int n = static_cast<int>(row.extent(0));
   if (static_cast<int>(particles.extent(0)) < n)
     particles = View<int*>("rhegma::storedParticle", n);
   const View<int*> list = particles;
+  const View<int*> first = blocks.first;
   int count = 0;
   Kokkos::parallel_scan(
-      "rhegma::numberStored", Kokkos::RangePolicy<ExecSpace>(0, n),
-      KOKKOS_LAMBDA(const int p, int& at, const bool final) {
-        if (row(p) < 0)
-          return;
-        if (final)
-        {
-          row(p) = at;
-          list(at) = p;
-        }
-        ++at;
+      "rhegma::numberStored", Kokkos::RangePolicy<ExecSpace>(0, blocks.numBlocks),
+      KOKKOS_LAMBDA(const int b, int& at, const bool final) {
+        const int begin = first(b), end = first(b + 1);
+        int marked = 0;
+        for (int p = begin; p < end; ++p)
+          marked += row(p) >= 0 ? 1 : 0;
+        if (final && marked > 0)
+          for (int p = begin, next = at; p < end; ++p)
+            if (row(p) >= 0)
+            {
+              row(p) = next;
+              list(next++) = p;
+            }
+        at += marked;
       },
       count);
   return count;
@@ -93,7 +100,7 @@ void storeStencils(State<D>& state)
     state.storedRow = View<int*>("rhegma::storedRow", n);
   Kokkos::deep_copy(state.storedRow, -1);
   state.editor.prepare(state, state.storedRow);
-  state.numStored = numberRows<D>(state.storedRow, state.storedParticle);
+  state.numStored = numberRows(state.blocks, state.storedRow, state.storedParticle);
   if (state.numStored == 0)
     return;
   state.stored.reserve(state.numStored);
