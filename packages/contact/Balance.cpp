@@ -11,15 +11,16 @@ namespace
 {
 
 /// Sum of momentum times acceleration of the nodes [W].
-double power(const Nodes<2>& nodes)
+template <int D>
+double power(const Nodes<D>& nodes)
 {
   double total = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::contact::power", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i, double& sum) {
         const int n = activeNode(nodes, i);
-        for (int d = 0; d < 2; ++d)
-          sum += nodes.sums(n, Nodes<2>::momentumAt + d) * nodes.motion(n, Nodes<2>::accelerationAt + d);
+        for (int d = 0; d < D; ++d)
+          sum += nodes.sums(n, Nodes<D>::momentumAt + d) * nodes.motion(n, Nodes<D>::accelerationAt + d);
       },
       total);
   return total;
@@ -27,14 +28,20 @@ double power(const Nodes<2>& nodes)
 
 } // namespace
 
-void Balance::begin(const State<2>& state) { workBefore_ = state.energy.externalWork; }
+template <int D>
+void Balance<D>::begin(const State<D>& state)
+{
+  workBefore_ = state.energy.externalWork;
+}
 
-void Balance::measure(const State<2>& state, double stored)
+template <int D>
+void Balance<D>::measure(const State<D>& state, double stored)
 {
   found_ = totalEnergy(state) + 0.5 * state.dt * power(state.nodes) + stored;
 }
 
-void Balance::compare(const State<2>& state, double lost)
+template <int D>
+void Balance<D>::compare(const State<D>& state, double lost)
 {
   const double in = state.energy.start + 0.5 * (workBefore_ + state.energy.externalWork) - lost;
   scale_ = std::max(scale_, in);
@@ -42,5 +49,8 @@ void Balance::compare(const State<2>& state, double lost)
   smallest_ = std::min(smallest_, last_);
   largest_ = std::max(largest_, last_);
 }
+
+template class Balance<2>;
+template class Balance<3>;
 
 } // namespace Rhegma::contact

@@ -13,17 +13,18 @@ namespace Rhegma::contact
 /// without any being lost. What the step keeps is v_before . v_after m / 2 beside the strain energy that made
 /// the forces between the two (the leapfrog's own invariant: Hairer, Lubich and Wanner, Acta Numerica 12
 /// (2003) 399); that is what is measured here, from the nodes' momentum and acceleration.
+template <int D>
 class Balance
 {
 public:
   /// Call when a step begins.
-  void begin(const State<2>& state);
+  void begin(const State<D>& state);
 
   /// Call after the solve of a step that is sampled. \param stored energy of contact then [J]
-  void measure(const State<2>& state, double stored);
+  void measure(const State<D>& state, double stored);
 
   /// Call at the end of a step that is sampled. \param lost energy [J] that is known to have gone
-  void compare(const State<2>& state, double lost);
+  void compare(const State<D>& state, double lost);
 
   /// Smallest, largest and last energy found, where the largest energy ever put in stands for 1.
   double smallestShare() const { return share(smallest_); }

@@ -30,7 +30,7 @@ void keepRows(const StencilTable<2>& from, const StencilTable<2>& to, int count)
 }
 
 /// Gives the points nearest to a closed face point their whole stencil back.
-void mendClosed(const ObservedPoints<2>& points, const FacePoints& faces, const View<double*>& separation,
+void mendClosed(const ObservedPoints<2>& points, const FacePoints<2>& faces, const View<double*>& separation,
                 const StencilTable<2>& whole, const StencilTable<2>& table)
 {
   Kokkos::parallel_for(
@@ -97,7 +97,7 @@ void ClosedVisibility::prepare(const State<2>& state)
 
 void ClosedVisibility::placeAround(double cell)
 {
-  const FacePoints points = points_;
+  const FacePoints<2> points = points_;
   const View<double*[2]> behind = behind_.position, ahead = ahead_.position;
   Kokkos::parallel_for(
       "rhegma::contact::placeAround", Kokkos::RangePolicy<ExecSpace>(0, points_.count()),
@@ -113,7 +113,7 @@ void ClosedVisibility::placeAround(double cell)
 template <class Velocity>
 void ClosedVisibility::advance(const State<2>& state, const Velocity& velocity)
 {
-  const FacePoints points = points_;
+  const FacePoints<2> points = points_;
   const StencilTable<2> below = below_, above = above_;
   const View<double*> separation = separation_;
   const double dt = state.dt;
@@ -123,7 +123,7 @@ void ClosedVisibility::advance(const State<2>& state, const Velocity& velocity)
         if (below.count(k) == 0 || above.count(k) == 0)
           return;
         const Vector<2> n{points.normal(k, 0), points.normal(k, 1)};
-        separation(k) += dt * dot(jumpAt(below, above, k, velocity), n);
+        separation(k) += dt * dot(jumpAt<2>(below, above, k, velocity), n);
       });
 }
 

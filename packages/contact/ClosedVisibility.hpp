@@ -38,7 +38,7 @@ private:
   std::function<void(const State<2>&, const ObservedPoints<2>&, const StencilTable<2>&)> cut_;
   void placeAround(double cell);
 
-  FacePoints points_;
+  FacePoints<2> points_;
   ObservedPoints<2> behind_, ahead_; ///< half a cell away from each face point, on both sides of it
   StencilTable<2> below_, above_;    ///< unbroken
   StencilTable<2> kept_;             ///< rows as they were before the cut

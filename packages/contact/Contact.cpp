@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
 
 namespace Rhegma::contact
 {
@@ -33,6 +32,7 @@ Section section()
       .above(0.0)
       .atMost(1.0)
       .byDefault(1.0)
+      .onlyIn(2)
       .meaning(
           "Middle part of each crack beside which the summary adds up the energies on both sides; with 1 "
           "all of the body counts.");
@@ -72,19 +72,21 @@ Law readLaw(const std::string& name)
 }
 
 /// What the effect keeps from step to step.
+template <int D>
 struct Account
 {
-  explicit Account(FaceContact c) : contact(std::move(c)) {}
-  FaceContact contact;
-  std::unique_ptr<ClosedVisibility> visibility; ///< in place of `contact`, if the scene asks for it
+  explicit Account(FaceContact<D> c) : contact(std::move(c)) {}
+  FaceContact<D> contact;
+  std::unique_ptr<ClosedVisibility> visibility; ///< in place of `contact`, if a 2D scene asks for it
   double booked = 0.0;                          ///< energy that stands in the ledger [J]
   double part = 1.0;
-  std::vector<WatchedCrack> watched;
+  std::vector<WatchedCrack<D>> watched;
   std::vector<SideEnergy> start;
-  Balance balance;
+  Balance<D> balance;
 };
 
-void book(State<2>& state, Account& account)
+template <int D>
+void book(State<D>& state, Account<D>& account)
 {
   const double now = account.contact.stored() + account.contact.dissipated();
   state.energy.contact += now - account.booked;
@@ -92,18 +94,20 @@ void book(State<2>& state, Account& account)
 }
 
 /// Points of one crack beside its watched part.
-View<int*> watchedPoints(const FacePoints& points, int crack, const WatchedCrack& watched)
+template <int D>
+View<int*> watchedPoints(const FacePoints<D>& points, int crack, const WatchedCrack<D>& watched)
 {
   const View<int*> part("rhegma::watchedPoints", points.count());
   const auto host = Kokkos::create_mirror_view(part);
   const auto of = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.crack);
-  const auto length = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.length);
+  const auto length = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.size);
   double passed = 0.0;
   for (int k = 0; k < points.count(); ++k)
     if (of(k) == crack)
     {
       const double along = passed + 0.5 * length(k);
-      host(k) = std::abs(along - 0.5 * watched.length) <= 0.5 * watched.part * watched.length ? 1 : 0;
+      host(k) =
+          D == 3 || std::abs(along - 0.5 * watched.length) <= 0.5 * watched.part * watched.length ? 1 : 0;
       passed += length(k);
     }
   Kokkos::deep_copy(part, host);
@@ -111,33 +115,34 @@ View<int*> watchedPoints(const FacePoints& points, int crack, const WatchedCrack
 }
 
 /// Largest separation of the faces at a crack's vertices [m].
-double opening(const CrackSet<2>& cracks, const Crack<2>& crack)
+template <int D>
+double opening(const CrackSet<D>& cracks, const Crack<D>& crack)
 {
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
+  const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertexNormal);
   const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.face);
   double largest = 0.0;
-  for (int k = 0; k < crack.numVertices; ++k)
+  for (int v = crack.firstVertex; v < crack.firstVertex + crack.numVertices; ++v)
   {
-    const int v = crack.firstVertex + k;
-    const int a = k == 0 ? v : v - 1, b = k + 1 == crack.numVertices ? v : v + 1;
-    const double tx = vertex(b, 0) - vertex(a, 0), ty = vertex(b, 1) - vertex(a, 1);
-    const double apart =
-        (-ty * (face(v, 1, 0) - face(v, 0, 0)) + tx * (face(v, 1, 1) - face(v, 0, 1))) / std::hypot(tx, ty);
+    double apart = 0.0;
+    for (int d = 0; d < D; ++d)
+      apart += normal(v, d) * (face(v, 1, d) - face(v, 0, d));
     largest = std::max(largest, apart);
   }
   return largest;
 }
 
-void observe(State<2>& state, Account& account)
+template <int D>
+void observe(State<D>& state, Account<D>& account)
 {
-  for (const Crack<2>& crack : state.cracks.cracks)
+  for (const Crack<D>& crack : state.cracks.cracks)
     state.row.emplace_back(crack.name + ".opening", opening(state.cracks, crack));
   account.balance.compare(state, state.energy.damped + state.energy.plastic + account.contact.dissipated());
 }
 
-void report(const State<2>& state, const Account& account, nlohmann::json& summary)
+template <int D>
+void report(const State<D>& state, const Account<D>& account, nlohmann::json& summary)
 {
-  const FaceContact& contact = account.contact;
+  const FaceContact<D>& contact = account.contact;
   std::vector<CrackContact> cracks = contact.cracks();
   if (cracks.empty() && !account.visibility) // before the first step
     cracks.resize(state.cracks.cracks.size());
@@ -187,41 +192,50 @@ void report(const State<2>& state, const Account& account, nlohmann::json& summa
 /// An explicit step resolves frequencies w only below 2 / w. Cells have w^2 <= 8 c^2 / h^2; the layer adds
 /// 4 alpha c^2 / h^2 on nodes with half a cell's mass on each side, and no more where it cuts cells, because
 /// mass and stiffness of a node both go with the square of its distance from the crack. A tenth is kept in
-/// hand.
+/// hand. In 3D cells have w^2 <= 12 c^2 / h^2.
 ///
 /// Extrapolated weights (Cracks > Formulation Corrected Broken Cell) see a face at up to 2 and -1 times two
 /// nodes and feed back up to 3.2 times what is scattered (docs/broken_cells.md): at worst, a crack a tenth of
 /// a cell above a row of nodes, the largest eigenvalue of the step is (25 + 16 alpha) c^2 / h^2.
-double timeStepLimit(const State<2>& state, double alpha, bool extrapolated)
+template <int D>
+double timeStepLimit(const State<D>& state, double alpha, bool extrapolated)
 {
   double fastest = 0.0;
   for (const Properties& p : state.materialList)
     fastest = std::max(fastest, std::sqrt(elasticity(p).constrainedModulus / p.density));
-  const double square = extrapolated ? 25.0 + 16.0 * alpha : 8.0 + 4.0 * alpha;
+  const double square = extrapolated ? 25.0 + 16.0 * alpha : 4.0 * (D + alpha);
   return 0.9 * 2.0 / std::sqrt(square) * state.grid.spacing / fastest;
 }
 
-void prepare(const State<2>& state, Account& account)
+template <int D>
+void prepare(const State<D>& state, Account<D>& account)
 {
   account.balance.begin(state);
-  if (account.visibility)
-    account.visibility->prepare(state);
-  else
-    account.contact.prepare(state);
+  if constexpr (D == 2)
+    if (account.visibility)
+    {
+      account.visibility->prepare(state);
+      return;
+    }
+  account.contact.prepare(state);
 }
 
-template <class Velocity>
-void advance(State<2>& state, Account& account, const Velocity& velocity)
+template <int D, class Velocity>
+void advance(State<D>& state, Account<D>& account, const Velocity& velocity)
 {
-  if (account.visibility)
-    account.visibility->advance(state, velocity);
-  else
-    account.contact.advance(state, velocity);
+  if constexpr (D == 2)
+    if (account.visibility)
+    {
+      account.visibility->advance(state, velocity);
+      return;
+    }
+  account.contact.advance(state, velocity);
   book(state, account);
 }
 
 /// The velocity that strains the particles moves the gaps.
-void advance(State<2>& state, Account& account)
+template <int D>
+void advance(State<D>& state, Account<D>& account)
 {
   if (state.scheme == UpdateScheme::Usl)
     advance(state, account, state.nodes.motion);
@@ -229,34 +243,37 @@ void advance(State<2>& state, Account& account)
     advance(state, account, state.nodes.projection);
 }
 
-Effect<2> make2(const Teuchos::ParameterList& scene)
+template <int D>
+Effect<D> make(const Teuchos::ParameterList& scene)
 {
   const Teuchos::ParameterList& list = scene.sublist("Contact");
   const double alpha = list.get<double>("Penalty");
   const double friction =
       list.isParameter("Friction Coefficient") ? list.get<double>("Friction Coefficient") : 0.0;
   const auto account =
-      std::make_shared<Account>(FaceContact(readLaw(list.get<std::string>("Law")), friction, alpha));
-  account->part = list.get<double>("Watched Part");
+      std::make_shared<Account<D>>(FaceContact<D>(readLaw(list.get<std::string>("Law")), friction, alpha));
+  if constexpr (D == 2)
+    account->part = list.get<double>("Watched Part");
   const bool visibility = list.get<std::string>("Law") == "Visibility";
   if (visibility)
     account->visibility = std::make_unique<ClosedVisibility>();
-  Effect<2> effect;
+  Effect<D> effect;
   effect.name = "Contact";
   effect.needs = {fields::side};
   const bool extrapolated = scene.isSublist("Cracks") && scene.sublist("Cracks").get<std::string>(
                                                              "Formulation") == "Corrected Broken Cell";
-  effect.atStart = [account](State<2>& state)
+  effect.atStart = [account](State<D>& state)
   {
-    if (account->visibility)
-      account->visibility->install(state);
+    if constexpr (D == 2)
+      if (account->visibility)
+        account->visibility->install(state);
     for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
     {
       account->watched.push_back(watch(state.cracks, static_cast<int>(c), account->part));
       account->start.push_back(measureSides(state, account->watched.back()));
     }
   };
-  effect.call({Stage::Scatter, "points on crack faces", {"nodal mass"}, {}, {}, [account](State<2>& s) {
+  effect.call({Stage::Scatter, "points on crack faces", {"nodal mass"}, {}, {}, [account](State<D>& s) {
                  prepare(s, *account);
                }});
   if (!visibility)
@@ -265,40 +282,33 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
                  {"nodal mass"},
                  {},
                  {"nodal force"},
-                 [account](State<2>& s) { account->contact.addForces(s); }});
+                 [account](State<D>& s) { account->contact.addForces(s); }});
   effect.call({Stage::AfterSolve,
                "balance of energy",
                {"constrained motion"},
                {},
                {},
-               [account](State<2>& s)
+               [account](State<D>& s)
                {
                  if (s.observing)
                    account->balance.measure(s, account->contact.stored());
                }});
   effect.call(
-      {Stage::AfterProjection, "gaps of crack faces", {"projection"}, {"gaps"}, {}, [account](State<2>& s) {
+      {Stage::AfterProjection, "gaps of crack faces", {"projection"}, {"gaps"}, {}, [account](State<D>& s) {
          advance(s, *account);
        }});
-  effect.call({Stage::Observe, "opening of cracks", {"energies"}, {}, {}, [account](State<2>& s) {
+  effect.call({Stage::Observe, "opening of cracks", {"energies"}, {}, {}, [account](State<D>& s) {
                  observe(s, *account);
                }});
-  effect.report = [account](const State<2>& state, nlohmann::json& summary)
+  effect.report = [account](const State<D>& state, nlohmann::json& summary)
   { report(state, *account, summary); };
-  effect.timeStepLimit = [alpha, extrapolated](const State<2>& state)
+  effect.timeStepLimit = [alpha, extrapolated](const State<D>& state)
   { return timeStepLimit(state, alpha, extrapolated); };
   return effect;
 }
 
-Effect<3> make3(const Teuchos::ParameterList&)
-{
-  throw std::invalid_argument(
-      "Contact: contact of crack faces in three dimensions is not in this version; use "
-      "a 2D scene");
-}
-
 } // namespace
 
-EffectEntry contactEntry() { return {section(), check, make2, make3}; }
+EffectEntry contactEntry() { return {section(), check, make<2>, make<3>}; }
 
 } // namespace Rhegma::contact

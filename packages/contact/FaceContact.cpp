@@ -17,35 +17,44 @@ namespace
 constexpr double noticeable = 1e-9;
 
 /// Traction of the face points on their faces, as forces.
-void scatterTractions(const Nodes<2>& nodes, const FacePoints& points, const View<double*>& pressure,
-                      const View<double*>& shear, double thickness)
+template <int D>
+void scatterTractions(const Nodes<D>& nodes, const FacePoints<D>& points, const View<double*>& pressure,
+                      const View<double * [D - 1]>& shear, double thickness)
 {
   Kokkos::parallel_for(
       "rhegma::contact::addForces", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
       KOKKOS_LAMBDA(const int k) {
         if (pressure(k) == 0.0)
           return;
-        const Vector<2> n{points.normal(k, 0), points.normal(k, 1)};
-        const double area = points.length(k) * thickness;
-        const Vector<2> onUpper = area * (pressure(k) * n - shear(k) * tangentOf(n));
+        Vector<D> onUpper;
+        for (int d = 0; d < D; ++d)
+          onUpper[d] = pressure(k) * points.normal(k, d);
+        for (int t = 0; t < D - 1; ++t)
+          onUpper = onUpper - shear(k, t) * tangentOf(points, k, t);
+        onUpper = (points.size(k) * thickness) * onUpper;
         addFaceForce(nodes, points.above, k, onUpper);
         addFaceForce(nodes, points.below, k, -1.0 * onUpper);
       });
 }
 
-/// The law at a point over one step.
+/// The law at a point over one step; T tangents.
+template <int T>
 struct Return
 {
-  double pressure, shear, slip, heat;
+  double pressure;
+  Vector<T> shear, slip;
+  double heat;
 };
 
 /// \param gap now \param moved slip over the step \param slip elastic slip before \param before shear before
-KOKKOS_INLINE_FUNCTION Return returnMap(Law law, double friction, const Stiffness& k, double gap, bool closed,
-                                        double moved, double slip, double before)
+template <int T>
+KOKKOS_INLINE_FUNCTION Return<T> returnMap(Law law, double friction, const Stiffness& k, double gap,
+                                           bool closed, const Vector<T>& moved, const Vector<T>& slip,
+                                           const Vector<T>& before)
 {
-  Return r{gap < 0.0 ? -k.normal * gap : 0.0, 0.0, 0.0, 0.0};
+  Return<T> r{gap < 0.0 ? -k.normal * gap : 0.0, {}, {}, 0.0};
   // Faces that have just met begin without slip.
-  const double trial = closed ? slip + moved : 0.0;
+  const Vector<T> trial = closed ? slip + moved : Vector<T>{};
   double limit = 0.0;
   if (r.pressure > 0.0 && law == Law::Stick)
     limit = 1e300;
@@ -53,13 +62,14 @@ KOKKOS_INLINE_FUNCTION Return returnMap(Law law, double friction, const Stiffnes
     limit = friction * r.pressure;
   r.shear = k.tangential * trial;
   r.slip = trial;
-  if (std::fabs(r.shear) > limit)
+  const double size = norm(r.shear);
+  if (size > limit)
   {
-    r.shear = r.shear > 0.0 ? limit : -limit;
-    r.slip = r.shear / k.tangential;
+    r.shear = (limit / size) * r.shear;
+    r.slip = (1.0 / k.tangential) * r.shear;
   }
   // By the mean traction, as the energy of the layer changes by it.
-  r.heat = 0.5 * (before + r.shear) * (trial - r.slip);
+  r.heat = 0.5 * dot(before + r.shear, trial - r.slip);
   return r;
 }
 
@@ -82,9 +92,25 @@ View<double*> inherit(const View<double*>& old, const View<int*>& before, const 
   return fresh;
 }
 
+/// Along the tangents of a point.
+template <int T>
+View<double* [T]> inherit(const View<double* [T]>& old, const View<int*>& before, const char* label)
+{
+  const View<double* [T]> fresh(std::string(label), before.extent(0));
+  if (old.extent(0) > 0)
+    Kokkos::parallel_for(
+        "rhegma::contact::inheritTangents", Kokkos::RangePolicy<ExecSpace>(0, before.extent(0)),
+        KOKKOS_LAMBDA(const int k) {
+          for (int t = 0; t < T; ++t)
+            fresh(k, t) = before(k) >= 0 ? old(before(k), t) : 0.0;
+        });
+  return fresh;
+}
+
 } // namespace
 
-void FaceContact::prepare(const State<2>& state)
+template <int D>
+void FaceContact<D>::prepare(const State<D>& state)
 {
   if (points_.update(state))
     keepHistory();
@@ -93,16 +119,18 @@ void FaceContact::prepare(const State<2>& state)
   thickness_ = state.thickness;
 }
 
-void FaceContact::keepHistory()
+template <int D>
+void FaceContact<D>::keepHistory()
 {
   gap_ = inherit(gap_, points_.before, "rhegma::contactGap");
-  slip_ = inherit(slip_, points_.before, "rhegma::contactSlip");
+  slip_ = inherit<D - 1>(slip_, points_.before, "rhegma::contactSlip");
   pressure_ = inherit(pressure_, points_.before, "rhegma::contactPressure");
-  shear_ = inherit(shear_, points_.before, "rhegma::contactShear");
+  shear_ = inherit<D - 1>(shear_, points_.before, "rhegma::contactShear");
   heat_ = inherit(heat_, points_.before, "rhegma::contactHeat");
 }
 
-void FaceContact::findStiffness(const State<2>& state)
+template <int D>
+void FaceContact<D>::findStiffness(const State<D>& state)
 {
   const int cracks = static_cast<int>(state.cracks.cracks.size());
   stiffness_ = View<Stiffness*>("rhegma::contactStiffness", cracks);
@@ -129,16 +157,19 @@ void FaceContact::findStiffness(const State<2>& state)
   Kokkos::deep_copy(stiffness_, stiffness);
 }
 
-void FaceContact::addForces(const State<2>& state) const
+template <int D>
+void FaceContact<D>::addForces(const State<D>& state) const
 {
   scatterTractions(state.nodes, points_, pressure_, shear_, thickness_);
 }
 
+template <int D>
 template <class Velocity>
-void FaceContact::advance(const State<2>& state, const Velocity& velocity)
+void FaceContact<D>::advance(const State<D>& state, const Velocity& velocity)
 {
-  const FacePoints points = points_;
-  const View<double*> gap = gap_, slip = slip_, pressure = pressure_, shear = shear_, heat = heat_;
+  const FacePoints<D> points = points_;
+  const View<double*> gap = gap_, pressure = pressure_, heat = heat_;
+  const View<double * [D - 1]> slip = slip_, shear = shear_;
   const View<double*> peak = peak_;
   const View<int*> closed = closed_;
   const View<Stiffness*> stiffness = stiffness_;
@@ -151,18 +182,30 @@ void FaceContact::advance(const State<2>& state, const Velocity& velocity)
       "rhegma::contact::advance", Kokkos::RangePolicy<ExecSpace>(0, points_.count()),
       KOKKOS_LAMBDA(const int k, double& energy, double& loss) {
         const int c = points.crack(k);
-        const double area = points.length(k) * thickness;
+        const double area = points.size(k) * thickness;
         if (points.above.count(k) > 0)
         {
-          const Vector<2> n{points.normal(k, 0), points.normal(k, 1)};
-          const Vector<2> jump = jumpAt(points.below, points.above, k, velocity);
+          Vector<D> n;
+          for (int d = 0; d < D; ++d)
+            n[d] = points.normal(k, d);
+          const Vector<D> jump = jumpAt<D>(points.below, points.above, k, velocity);
           const bool wasClosed = gap(k) < 0.0;
           gap(k) += dt * dot(jump, n);
-          const Return now = returnMap(law, friction, stiffness(c), gap(k), wasClosed,
-                                       dt * dot(jump, tangentOf(n)), slip(k), shear(k));
+          Vector<D - 1> moved, before, elastic;
+          for (int t = 0; t < D - 1; ++t)
+          {
+            moved[t] = dt * dot(jump, tangentOf(points, k, t));
+            before[t] = shear(k, t);
+            elastic[t] = slip(k, t);
+          }
+          const Return<D - 1> now =
+              returnMap(law, friction, stiffness(c), gap(k), wasClosed, moved, elastic, before);
           pressure(k) = now.pressure;
-          shear(k) = now.shear;
-          slip(k) = now.slip;
+          for (int t = 0; t < D - 1; ++t)
+          {
+            shear(k, t) = now.shear[t];
+            slip(k, t) = now.slip[t];
+          }
           heat(k) += area * now.heat;
           loss += area * now.heat;
           if (now.pressure > threshold * stiffness(c).normal)
@@ -170,7 +213,8 @@ void FaceContact::advance(const State<2>& state, const Velocity& velocity)
           Kokkos::atomic_fetch_max(&peak(c), now.pressure);
         }
         energy += area * 0.5 * (gap(k) < 0.0 ? -gap(k) * pressure(k) : 0.0);
-        energy += area * 0.5 * slip(k) * shear(k);
+        for (int t = 0; t < D - 1; ++t)
+          energy += area * 0.5 * slip(k, t) * shear(k, t);
       },
       stored, lost);
   stored_ = stored;
@@ -178,7 +222,8 @@ void FaceContact::advance(const State<2>& state, const Velocity& velocity)
   note(state);
 }
 
-void FaceContact::note(const State<2>& state)
+template <int D>
+void FaceContact<D>::note(const State<D>& state)
 {
   const auto closed = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, closed_);
   const auto peak = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, peak_);
@@ -194,26 +239,38 @@ void FaceContact::note(const State<2>& state)
   }
 }
 
-double FaceContact::dissipatedIn(const View<int*>& part) const { return sumOverPart(heat_, part); }
-
-double FaceContact::storedIn(const View<int*>& part) const
+template <int D>
+double FaceContact<D>::dissipatedIn(const View<int*>& part) const
 {
-  const View<double*> gap = gap_, slip = slip_, pressure = pressure_, shear = shear_;
-  const View<double*> length = points_.length;
+  return sumOverPart(heat_, part);
+}
+
+template <int D>
+double FaceContact<D>::storedIn(const View<int*>& part) const
+{
+  const View<double*> gap = gap_, pressure = pressure_, size = points_.size;
+  const View<double * [D - 1]> slip = slip_, shear = shear_;
   const double thickness = thickness_;
   double total = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::contact::storedIn", Kokkos::RangePolicy<ExecSpace>(0, part.extent(0)),
       KOKKOS_LAMBDA(const int k, double& sum) {
-        if (part(k) != 0)
-          sum += 0.5 * length(k) * thickness *
-                 ((gap(k) < 0.0 ? -gap(k) * pressure(k) : 0.0) + slip(k) * shear(k));
+        if (part(k) == 0)
+          return;
+        double twice = gap(k) < 0.0 ? -gap(k) * pressure(k) : 0.0;
+        for (int t = 0; t < D - 1; ++t)
+          twice += slip(k, t) * shear(k, t);
+        sum += 0.5 * size(k) * thickness * twice;
       },
       total);
   return total;
 }
 
-template void FaceContact::advance(const State<2>&, const View<double * [Nodes<2>::motionWidth]>&);
-template void FaceContact::advance(const State<2>&, const View<double * [Nodes<2>::projectionWidth]>&);
+template class FaceContact<2>;
+template class FaceContact<3>;
+template void FaceContact<2>::advance(const State<2>&, const View<double * [Nodes<2>::motionWidth]>&);
+template void FaceContact<2>::advance(const State<2>&, const View<double * [Nodes<2>::projectionWidth]>&);
+template void FaceContact<3>::advance(const State<3>&, const View<double * [Nodes<3>::motionWidth]>&);
+template void FaceContact<3>::advance(const State<3>&, const View<double * [Nodes<3>::projectionWidth]>&);
 
 } // namespace Rhegma::contact

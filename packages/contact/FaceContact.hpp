@@ -37,7 +37,8 @@ struct CrackContact
 /// the cells beside it and keeps energy as they do. Where the gap is negative the faces press each other with
 /// p = kn <-gap>; the shear traction kt s is limited to mu p, what goes beyond it slips for good (return
 /// mapping: Wriggers, Computational Contact Mechanics, 2nd ed., Springer 2006, ch. 5). Gap and slip are
-/// counted along the crack's own normal and tangent as they turn.
+/// counted along the crack's own normal and tangents as they turn.
+template <int D>
 class FaceContact
 {
 public:
@@ -45,22 +46,25 @@ public:
   FaceContact(Law law, double friction, double alpha) : law_(law), friction_(friction), alpha_(alpha) {}
 
   /// Finds points and stencils for this step; needs nodal masses.
-  void prepare(const State<2>& state);
+  void prepare(const State<D>& state);
 
   /// Adds the tractions' forces [N]: opposite ones on the two faces, so momentum is kept to round-off.
-  void addForces(const State<2>& state) const;
+  void addForces(const State<D>& state) const;
 
-  /// Moves gaps and slips on by dt with a nodal velocity (first two columns), finds the tractions, and adds
+  /// Moves gaps and slips on by dt with a nodal velocity (first D columns), finds the tractions, and adds
   /// what friction dissipates.
   template <class Velocity>
-  void advance(const State<2>& state, const Velocity& velocity);
+  void advance(const State<D>& state, const Velocity& velocity);
 
-  const FacePoints& points() const { return points_; }
+  const FacePoints<D>& points() const { return points_; }
   const View<double*>& gap() const { return gap_; }
-  const View<double*>& slip() const { return slip_; }
+  const View<double* [D - 1]>& slip() const { return slip_; }
 
   /// Energy [J] that the layer holds now and that friction has dissipated so far.
-  double stored() const { return stored_; }
+  double stored() const
+  {
+    return stored_;
+  }
   double dissipated() const { return dissipated_; }
 
   /// The same over the points for which `part` is not zero.
@@ -70,21 +74,21 @@ public:
   const std::vector<CrackContact>& cracks() const { return cracks_; }
 
 private:
-  void findStiffness(const State<2>& state);
+  void findStiffness(const State<D>& state);
   void keepHistory();
-  void note(const State<2>& state);
+  void note(const State<D>& state);
 
   Law law_;
   double friction_, alpha_;
-  FacePoints points_;
-  View<Stiffness*> stiffness_; ///< of each crack
-  View<double*> gap_;          ///< opening of the faces since the undeformed state [m]
-  View<double*> slip_;         ///< elastic slip, side +1 against side -1 along the tangent [m]
-  View<double*> pressure_;     ///< [Pa]
-  View<double*> shear_;        ///< traction that holds back side +1, along the tangent [Pa]
-  View<double*> heat_;         ///< dissipated at each point so far [J]
-  View<int*> closed_;          ///< points of each crack that press
-  View<double*> peak_;         ///< largest pressure of each crack [Pa]
+  FacePoints<D> points_;
+  View<Stiffness*> stiffness_;   ///< of each crack
+  View<double*> gap_;            ///< opening of the faces since the undeformed state [m]
+  View<double * [D - 1]> slip_;  ///< elastic slip, side +1 against side -1 along the tangents [m]
+  View<double*> pressure_;       ///< [Pa]
+  View<double * [D - 1]> shear_; ///< traction that holds back side +1, along the tangents [Pa]
+  View<double*> heat_;           ///< dissipated at each point so far [J]
+  View<int*> closed_;            ///< points of each crack that press
+  View<double*> peak_;           ///< largest pressure of each crack [Pa]
   double thickness_ = 1.0;
   double stored_ = 0.0, dissipated_ = 0.0;
   std::vector<CrackContact> cracks_;

@@ -10,17 +10,20 @@ namespace Rhegma::contact
 namespace
 {
 
-/// A place seen from a polyline that is continued straight on.
+/// A place seen from a crack that is continued straight on.
+template <int D>
 struct Foot
 {
-  double along; ///< length of crack up to the nearest place on it [m]
+  double along; ///< length of crack up to the nearest place on it; of a 2D crack [m]
   bool above;
-  double direction[2]; ///< unit vector along the crack there
+  Vector<D> normal; ///< of the crack there
 };
 
-KOKKOS_INLINE_FUNCTION Foot footOf(const View<double* [2]>& vertex, double x, double y)
+KOKKOS_INLINE_FUNCTION Foot<2> footOf(const View<double* [2]>& vertex, const Vector<2>&,
+                                      const Vector<2>& place)
 {
-  Foot foot{0.0, false, {0.0, 0.0}};
+  const double x = place[0], y = place[1];
+  Foot<2> foot{0.0, false, {0.0, 0.0}};
   double nearest = 1e300, passed = 0.0;
   const int last = static_cast<int>(vertex.extent(0)) - 1;
   for (int s = 0; s < last; ++s)
@@ -41,29 +44,36 @@ KOKKOS_INLINE_FUNCTION Foot footOf(const View<double* [2]>& vertex, double x, do
       nearest = square;
       foot.along = passed + at;
       foot.above = tx * ry - ty * rx > 0.0;
-      foot.direction[0] = tx / length;
-      foot.direction[1] = ty / length;
+      foot.normal = {-ty / length, tx / length};
     }
     passed += length;
   }
   return foot;
 }
 
+KOKKOS_INLINE_FUNCTION Foot<3> footOf(const View<double* [3]>& vertex, const Vector<3>& normal,
+                                      const Vector<3>& place)
+{
+  const Vector<3> from{place[0] - vertex(0, 0), place[1] - vertex(0, 1), place[2] - vertex(0, 2)};
+  return {0.0, dot(from, normal) > 0.0, normal};
+}
+
 /// Kinetic and strain energy of a particle [J].
+template <int D>
 struct ParticleEnergy
 {
-  BorrowedView<double* [2]> velocity;
+  BorrowedView<double* [D]> velocity;
   BorrowedView<double*> mass, volume;
-  BorrowedView<double * [gradientSize<2>]> F;
+  BorrowedView<double * [gradientSize<D>]> F;
   BorrowedView<int*> material;
   BorrowedView<double**> history;
   View<Properties*> materials;
 
-  explicit ParticleEnergy(const State<2>& state)
-      : velocity(state.particles.real<2>(fields::velocity)),
+  explicit ParticleEnergy(const State<D>& state)
+      : velocity(state.particles.template real<D>(fields::velocity)),
         mass(state.particles.scalar(fields::mass)),
         volume(state.particles.scalar(fields::volume)),
-        F(state.particles.real<gradientSize<2>>(fields::deformation)),
+        F(state.particles.template real<gradientSize<D>>(fields::deformation)),
         material(state.particles.integer(fields::material)),
         materials(state.materials)
   {
@@ -74,63 +84,84 @@ struct ParticleEnergy
   KOKKOS_INLINE_FUNCTION double operator()(int p) const
   {
     const double* memory = history.extent(1) > 0 ? &history(p, 0) : nullptr;
-    const double square = velocity(p, 0) * velocity(p, 0) + velocity(p, 1) * velocity(p, 1);
-    return 0.5 * mass(p) * square + volume(p) * storedEnergy<2>(materials(material(p)), &F(p, 0), memory);
+    double square = 0.0;
+    for (int d = 0; d < D; ++d)
+      square += velocity(p, d) * velocity(p, d);
+    return 0.5 * mass(p) * square + volume(p) * storedEnergy<D>(materials(material(p)), &F(p, 0), memory);
   }
 };
 
 } // namespace
 
-WatchedCrack watch(const CrackSet<2>& cracks, int crack, double part)
+template <int D>
+WatchedCrack<D> watch(const CrackSet<D>& cracks, int crack, double part)
 {
-  WatchedCrack watched;
+  WatchedCrack<D> watched;
   watched.part = part;
-  const Crack<2>& c = cracks.cracks[crack];
-  watched.vertex = View<double* [2]>("rhegma::watchedVertex", c.numVertices);
+  const Crack<D>& c = cracks.cracks[crack];
+  watched.vertex = View<double* [D]>("rhegma::watchedVertex", c.numVertices);
   const auto all = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
+  const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.normal);
   const auto vertex = Kokkos::create_mirror_view(watched.vertex);
+  for (int d = 0; d < D; ++d)
+    watched.normal[d] = normal(c.firstSimplex, d);
   for (int k = 0; k < c.numVertices; ++k)
   {
-    for (int d = 0; d < 2; ++d)
+    for (int d = 0; d < D; ++d)
       vertex(k, d) = all(c.firstVertex + k, d);
-    if (k > 0)
+    if (D == 2 && k > 0)
       watched.length += std::hypot(vertex(k, 0) - vertex(k - 1, 0), vertex(k, 1) - vertex(k - 1, 1));
   }
   Kokkos::deep_copy(watched.vertex, vertex);
   return watched;
 }
 
-SideEnergy measureSides(const State<2>& state, const WatchedCrack& crack)
+template <int D>
+SideEnergy measureSides(const State<D>& state, const WatchedCrack<D>& crack)
 {
-  const auto reference = state.particles.real<2>(fields::reference);
-  const ParticleEnergy energy(state);
-  const View<double* [2]> vertex = crack.vertex;
+  const auto reference = state.particles.template real<D>(fields::reference);
+  const ParticleEnergy<D> energy(state);
+  const View<double* [D]> vertex = crack.vertex;
+  const Vector<D> normal = crack.normal;
   const double middle = 0.5 * crack.length;
   const double reach = crack.part < 1.0 ? crack.part * middle : 1e300;
   SideEnergy sum;
   Kokkos::parallel_reduce(
       "rhegma::contact::measureSides", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p, double& below, double& above, double& alongBelow, double& alongAbove) {
-        const Foot foot = footOf(vertex, reference(p, 0), reference(p, 1));
+        Vector<D> place, v;
+        for (int d = 0; d < D; ++d)
+        {
+          place[d] = reference(p, d);
+          v[d] = energy.velocity(p, d);
+        }
+        const Foot<D> foot = footOf(vertex, normal, place);
         if (std::fabs(foot.along - middle) > reach)
           return;
-        const double v =
-            energy.velocity(p, 0) * foot.direction[0] + energy.velocity(p, 1) * foot.direction[1];
+        v = v - dot(v, foot.normal) * foot.normal;
         (foot.above ? above : below) += energy(p);
-        (foot.above ? alongAbove : alongBelow) += 0.5 * energy.mass(p) * v * v;
+        (foot.above ? alongAbove : alongBelow) += 0.5 * energy.mass(p) * dot(v, v);
       },
       sum.below, sum.above, sum.alongBelow, sum.alongAbove);
   return sum;
 }
 
-double totalEnergy(const State<2>& state)
+template <int D>
+double totalEnergy(const State<D>& state)
 {
-  const ParticleEnergy energy(state);
+  const ParticleEnergy<D> energy(state);
   double total = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::contact::totalEnergy", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p, double& sum) { sum += energy(p); }, total);
   return total;
 }
+
+template WatchedCrack<2> watch(const CrackSet<2>&, int, double);
+template WatchedCrack<3> watch(const CrackSet<3>&, int, double);
+template SideEnergy measureSides(const State<2>&, const WatchedCrack<2>&);
+template SideEnergy measureSides(const State<3>&, const WatchedCrack<3>&);
+template double totalEnergy(const State<2>&);
+template double totalEnergy(const State<3>&);
 
 } // namespace Rhegma::contact

@@ -6,15 +6,18 @@
 namespace Rhegma::contact
 {
 
-/// A crack as it was undeformed, and which part of it is watched.
+/// A crack as it was undeformed, and which part of it is watched: all of it in 3D.
+template <int D>
 struct WatchedCrack
 {
-  View<double* [2]> vertex; ///< undeformed [m]
-  double length = 0.0;      ///< undeformed [m]
+  View<double* [D]> vertex; ///< undeformed [m]
+  double length = 0.0;      ///< undeformed; of a 2D crack [m]
+  Vector<D> normal;         ///< undeformed unit normal; of a 3D crack
   double part = 1.0;        ///< middle part of its length beside which material counts; 1: all of the body
 };
 
-WatchedCrack watch(const CrackSet<2>& cracks, int crack, double part);
+template <int D>
+WatchedCrack<D> watch(const CrackSet<D>& cracks, int crack, double part);
 
 struct SideEnergy
 {
@@ -26,9 +29,11 @@ struct SideEnergy
 
 /// Kinetic and strain energy of the particles that lay on either side of a crack, continued straight on, in
 /// the undeformed body, and beside the part of it that is watched.
-SideEnergy measureSides(const State<2>& state, const WatchedCrack& crack);
+template <int D>
+SideEnergy measureSides(const State<D>& state, const WatchedCrack<D>& crack);
 
 /// Kinetic and strain energy of all particles [J].
-double totalEnergy(const State<2>& state);
+template <int D>
+double totalEnergy(const State<D>& state);
 
 } // namespace Rhegma::contact

@@ -6,71 +6,202 @@
 namespace Rhegma::cracks
 {
 
-/// A place seen from a crack that is continued straight on beyond its ends.
+/// Cells over which a crack matters to nodes: a particle a stencil away on the other side must find the
+/// node's side.
+constexpr double bandWidth = 3.0;
+
+/// A place seen from a crack that is continued straight on beyond its mouths and fronts.
 struct Sight
 {
   double distance; ///< from the continued crack, positive on side +1 [m]
   double behind; ///< by how far the place lies behind the nearest front, negative ahead of it; huge away from
                  ///< fronts [m]
-  bool found;
-  Vector<2> normal; ///< unit normal of the nearest segment, from side -1 to side +1
 };
 
-/// A crack's segments on the device.
-struct Polyline
+/// The point of a simplex that is nearest to a place.
+template <int D>
+struct Foot
 {
-  View<double* [2]> vertex;
-  int first;       ///< first vertex
-  int last;        ///< last vertex
-  bool frontFirst; ///< whether the first vertex is a front
-  bool frontLast;
+  double weight[D]; ///< of the simplex's vertices
+  int vertex;       ///< the point is this vertex of the simplex; -1: it is none
+  int facet;        ///< else it lies on this facet; -1: inside
 };
 
-/// Looks at x from a polyline. Where the nearest point is a kink, the two segments' normals together decide
-/// the side, so that sides change nowhere but on the continued crack (Baerentzen and Aanaes, IEEE Trans. Vis.
-/// Comput. Graph. 11 (2005) 243).
-KOKKOS_INLINE_FUNCTION Sight look(const Polyline& crack, const Vector<2>& x)
+/// Nearest point of a segment.
+KOKKOS_INLINE_FUNCTION Foot<2> footOn(const Vector<2> (&corner)[2], const Vector<2>& x)
 {
-  Sight sight{0.0, 1e300, false, {0.0, 0.0}};
-  double nearest = 1e300;
-  for (int s = crack.first; s < crack.last; ++s)
-  {
-    const double ax = crack.vertex(s, 0), ay = crack.vertex(s, 1);
-    const double tx = crack.vertex(s + 1, 0) - ax, ty = crack.vertex(s + 1, 1) - ay;
-    const double length = std::sqrt(tx * tx + ty * ty);
-    const double along = ((x[0] - ax) * tx + (x[1] - ay) * ty) / length;
-    const bool isFirst = s == crack.first, isLast = s + 1 == crack.last;
-    double at = along;
-    if (!isFirst && at < 0.0)
-      at = 0.0;
-    if (!isLast && at > length)
-      at = length;
-    const double dx = x[0] - ax - at * tx / length, dy = x[1] - ay - at * ty / length;
-    const double square = dx * dx + dy * dy;
-    if (square >= nearest)
-      continue;
-    nearest = square;
-    double nx = -ty / length, ny = tx / length;
-    sight.normal = {nx, ny};
-    const int other = at != along && at == 0.0 ? s - 1 : (at != along && at == length ? s + 1 : -1);
-    if (other >= crack.first && other < crack.last)
-    {
-      const double ox = crack.vertex(other + 1, 0) - crack.vertex(other, 0);
-      const double oy = crack.vertex(other + 1, 1) - crack.vertex(other, 1);
-      const double otherLength = std::sqrt(ox * ox + oy * oy);
-      nx -= oy / otherLength;
-      ny += ox / otherLength;
-    }
-    const double side = dx * nx + dy * ny;
-    sight.distance = side >= 0.0 ? std::sqrt(square) : -std::sqrt(square);
-    sight.behind = 1e300;
-    if (isFirst && crack.frontFirst)
-      sight.behind = along;
-    if (isLast && crack.frontLast && length - along < sight.behind)
-      sight.behind = length - along;
-    sight.found = true;
-  }
-  return sight;
+  const Vector<2> along = corner[1] - corner[0];
+  const double at = dot(x - corner[0], along) / dot(along, along);
+  if (at <= 0.0)
+    return {{1.0, 0.0}, 0, -1};
+  if (at >= 1.0)
+    return {{0.0, 1.0}, 1, -1};
+  return {{1.0 - at, at}, -1, -1};
 }
+
+/// Nearest point of a triangle, by the regions of its plane (Ericson, Real-Time Collision Detection, Morgan
+/// Kaufmann 2005, section 5.1.5).
+KOKKOS_INLINE_FUNCTION Foot<3> footOn(const Vector<3> (&corner)[3], const Vector<3>& x)
+{
+  const Vector<3> ab = corner[1] - corner[0], ac = corner[2] - corner[0];
+  const Vector<3> ax = x - corner[0], bx = x - corner[1], cx = x - corner[2];
+  const double a1 = dot(ab, ax), a2 = dot(ac, ax);
+  if (a1 <= 0.0 && a2 <= 0.0)
+    return {{1.0, 0.0, 0.0}, 0, -1};
+  const double b1 = dot(ab, bx), b2 = dot(ac, bx);
+  if (b1 >= 0.0 && b2 <= b1)
+    return {{0.0, 1.0, 0.0}, 1, -1};
+  const double c1 = dot(ab, cx), c2 = dot(ac, cx);
+  if (c2 >= 0.0 && c1 <= c2)
+    return {{0.0, 0.0, 1.0}, 2, -1};
+  const double wc = a1 * b2 - b1 * a2;
+  if (wc <= 0.0 && a1 >= 0.0 && b1 <= 0.0)
+  {
+    const double t = a1 / (a1 - b1);
+    return {{1.0 - t, t, 0.0}, -1, 2};
+  }
+  const double wb = c1 * a2 - a1 * c2;
+  if (wb <= 0.0 && a2 >= 0.0 && c2 <= 0.0)
+  {
+    const double t = a2 / (a2 - c2);
+    return {{1.0 - t, 0.0, t}, -1, 1};
+  }
+  const double wa = b1 * c2 - c1 * b2;
+  if (wa <= 0.0 && b2 - b1 >= 0.0 && c1 - c2 >= 0.0)
+  {
+    const double t = (b2 - b1) / ((b2 - b1) + (c1 - c2));
+    return {{0.0, 1.0 - t, t}, -1, 0};
+  }
+  const double sum = wa + wb + wc;
+  return {{wa / sum, wb / sum, wc / sum}, -1, -1};
+}
+
+template <int D>
+KOKKOS_INLINE_FUNCTION Vector<D> placeOf(const Vector<D> (&corner)[D], const Foot<D>& foot)
+{
+  Vector<D> x;
+  for (int d = 0; d < D; ++d)
+  {
+    x[d] = 0.0;
+    for (int i = 0; i < D; ++i)
+      x[d] += foot.weight[i] * corner[i][d];
+  }
+  return x;
+}
+
+/// What kernels need to look at cracks.
+template <int D>
+struct CrackSight
+{
+  View<double*[D]> vertex, vertexNormal, normal;
+  View<int*[D]> simplex, neighbour;
+  View<int* [2]> frontFacet;
+  View<int*> crackOf, kind, nearFront;
+  double extension; ///< how far a front's line goes straight on beyond a mouth [m]
+
+  CrackSight(const CrackSet<D>& cracks, double spacing)
+      : vertex(cracks.vertex),
+        vertexNormal(cracks.vertexNormal),
+        normal(cracks.normal),
+        simplex(cracks.simplex),
+        neighbour(cracks.neighbour),
+        frontFacet(cracks.frontFacet),
+        crackOf(cracks.crackOf),
+        kind(cracks.kind),
+        nearFront(cracks.nearFront),
+        extension((bandWidth + 2.0) * spacing)
+  {
+  }
+
+  KOKKOS_INLINE_FUNCTION void corners(int s, Vector<D> (&corner)[D]) const
+  {
+    for (int i = 0; i < D; ++i)
+      for (int d = 0; d < D; ++d)
+        corner[i][d] = vertex(simplex(s, i), d);
+  }
+
+  /// Square of the distance of x from simplex s [m2].
+  KOKKOS_INLINE_FUNCTION double square(int s, const Vector<D>& x) const
+  {
+    Vector<D> corner[D];
+    corners(s, corner);
+    const Vector<D> away = x - placeOf<D>(corner, footOn(corner, x));
+    return dot(away, away);
+  }
+
+  /// Looks at x from simplex s, which should be the nearest to it. The side is that of the normal of the
+  /// simplex, edge or vertex on which the nearest point lies, so that sides change nowhere but on the
+  /// continued crack (Baerentzen and Aanaes, IEEE Trans. Vis. Comput. Graph. 11 (2005) 243).
+  KOKKOS_INLINE_FUNCTION Sight look(int s, const Vector<D>& x) const
+  {
+    Vector<D> corner[D];
+    corners(s, corner);
+    const Foot<D> foot = footOn(corner, x);
+    const Vector<D> away = x - placeOf<D>(corner, foot);
+    Vector<D> n, m;
+    for (int d = 0; d < D; ++d)
+      n[d] = m[d] = normal(s, d);
+    int beyond = 0; // what is beyond the nearest point: facet::mouth or facet::front; 0: the point is inside
+    if (foot.vertex >= 0)
+    {
+      const int v = simplex(s, foot.vertex);
+      for (int d = 0; d < D; ++d)
+        m[d] = vertexNormal(v, d);
+      beyond = kind(v) == vertexKind::inner ? 0 : kind(v) == vertexKind::front ? facet::front : facet::mouth;
+    }
+    else if (foot.facet >= 0)
+    {
+      const int other = neighbour(s, foot.facet);
+      beyond = other < 0 ? other : 0;
+      if (other >= 0)
+        for (int d = 0; d < D; ++d)
+          m[d] += normal(other, d);
+    }
+    const double side = dot(away, m);
+    Sight sight;
+    sight.distance = beyond != 0 ? dot(away, n) : side >= 0.0 ? norm(away) : -norm(away);
+    sight.behind = nearFront(s) != 0 ? behindFront(s, x, n, beyond) : 1e300;
+    return sight;
+  }
+
+private:
+  /// By how far the projection of x along n lies behind the front pieces of the crack that simplex s is of.
+  KOKKOS_INLINE_FUNCTION double behindFront(int s, const Vector<D>& x, const Vector<D>& n, int beyond) const
+  {
+    double nearest = 1e300;
+    bool inward = true;
+    for (int f = 0; f < static_cast<int>(frontFacet.extent(0)); ++f)
+    {
+      const int t = frontFacet(f, 0), opposite = frontFacet(f, 1);
+      if (crackOf(t) != crackOf(s))
+        continue;
+      Vector<D> corner[D];
+      corners(t, corner);
+      const Vector<D>& a = corner[(opposite + 1) % D];
+      Vector<D> from = x - a, in = corner[opposite] - a;
+      from = from - dot(from, n) * n;
+      if constexpr (D == 3)
+      {
+        const Vector<D> along = corner[(opposite + 2) % D] - a;
+        const double square = dot(along, along), reach = extension / std::sqrt(square);
+        // Where a front ends at a mouth, its line goes on beyond.
+        const double low = kind(simplex(t, (opposite + 1) % D)) == vertexKind::front ? 0.0 : -reach;
+        const double high = kind(simplex(t, (opposite + 2) % D)) == vertexKind::front ? 1.0 : 1.0 + reach;
+        double at = dot(from, along) / square;
+        at = at < low ? low : (at > high ? high : at);
+        from = from - at * along;
+        in = in - (dot(in, along) / square) * along;
+      }
+      const double distance = norm(from);
+      if (distance < nearest)
+      {
+        nearest = distance;
+        inward = dot(from, in) >= 0.0;
+      }
+    }
+    const bool isBehind = beyond == 0 || (beyond == facet::mouth && inward);
+    return isBehind ? nearest : -nearest;
+  }
+};
 
 } // namespace Rhegma::cracks

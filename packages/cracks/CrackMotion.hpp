@@ -8,14 +8,15 @@ namespace Rhegma::cracks
 
 /// Moves each vertex's two places with the faces of the crack and puts the crack midway. A front has one
 /// place: it moves with the mean of both sides.
+template <int D>
 class CrackMotion
 {
 public:
-  void move(State<2>& state);
+  void move(State<D>& state);
 
 private:
-  ObservedPoints<2> points_; ///< side -1 and +1 of each vertex, in this order
-  StencilTable<2> stencils_;
+  ObservedPoints<D> points_; ///< side -1 and +1 of each vertex, in this order
+  StencilTable<D> stencils_;
 };
 
 } // namespace Rhegma::cracks

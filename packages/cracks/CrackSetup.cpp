@@ -1,8 +1,8 @@
 #include "cracks/CrackSetup.hpp"
 
-#include "geometry/NearestPoint.hpp"
+#include "cracks/CrackGeometry.hpp"
+#include "cracks/CrackMesh.hpp"
 #include "scene/Attempts.hpp"
-#include "scene/Numbers.hpp"
 #include "scene/ReadList.hpp"
 
 #include <algorithm>
@@ -15,291 +15,422 @@ namespace Rhegma::cracks
 namespace
 {
 
-using Points = std::vector<Vector<2>>;
-
-/// Whether there is material at a place: within half a particle's diagonal of a particle's centre, as every
-/// place inside a body is.
-class Material
+template <int D>
+CrackMesh<D> readCrack(const Teuchos::ParameterList& list, const std::string& name,
+                       const MaterialPlaces<D>& material, double spacing)
 {
-public:
-  explicit Material(const State<2>& state) : places_(readPlaces(state)), nearest_(places_, reachOf(state)) {}
-
-  bool at(const Vector<2>& x) const { return nearest_.find(x) >= 0; }
-
-private:
-  static Points readPlaces(const State<2>& state)
-  {
-    const auto x =
-        Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.real<2>(fields::position));
-    Points places;
-    for (int p = 0; p < state.particles.size(); ++p)
-      places.push_back({x(p, 0), x(p, 1)});
-    return places;
-  }
-
-  static double reachOf(const State<2>& state)
-  {
-    const auto edge =
-        Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.real<2>(fields::edge));
-    double reach = 0.0;
-    for (int p = 0; p < state.particles.size(); ++p)
-      reach = std::max(reach, 0.5 * std::hypot(edge(p, 0), edge(p, 1)));
-    return reach * (1.0 + 1e-9); // a place midway between four centres is inside whatever the rounding
-  }
-
-  Points places_;
-  NearestPoint<2> nearest_;
-};
-
-double distanceToSegment(const Vector<2>& x, const Vector<2>& a, const Vector<2>& b)
-{
-  const Vector<2> t = b - a;
-  const double s = std::clamp(dot(x - a, t) / dot(t, t), 0.0, 1.0);
-  return norm(x - a - s * t);
+  if constexpr (D == 2)
+    return readPolyline(list, "Cracks > " + name + " > Points", material, spacing);
+  else
+    return readPolygon(list, "Cracks > " + name, material, spacing);
 }
 
-/// What lies outside of the bodies is cut off later, piece by piece; a unit or an exponent that is wrong
-/// would make too many pieces.
-void refuseLong(const Points& points, const std::string& where, double spacing)
+template <int D>
+void corners(const CrackMesh<D>& mesh, int s, Vector<D> (&corner)[D])
 {
-  double cells = 0.0;
-  for (std::size_t k = 1; k < points.size(); ++k)
-    cells += norm(points[k] - points[k - 1]) / spacing;
-  if (!(cells <= 1e5))
-    throw std::invalid_argument(where + ": the crack is " + formatReal(cells) +
-                                " cells long; write its points in metres, not far outside of the body");
+  for (int i = 0; i < D; ++i)
+    corner[i] = mesh.vertices[mesh.simplices[s][i]];
 }
 
-/// Whether the segments a-b and c-d have a point in common.
-bool meet(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c, const Vector<2>& d, double tolerance)
+/// Places on a simplex no further apart than half a cell.
+template <int D>
+std::vector<Vector<D>> placesOn(const CrackMesh<D>& mesh, int s, double spacing)
 {
-  const auto turn = [](const Vector<2>& p, const Vector<2>& q, const Vector<2>& r)
-  { return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]); };
-  if (turn(a, b, c) * turn(a, b, d) < 0.0 && turn(c, d, a) * turn(c, d, b) < 0.0)
-    return true;
-  return std::min({distanceToSegment(a, c, d), distanceToSegment(b, c, d), distanceToSegment(c, a, b),
-                   distanceToSegment(d, a, b)}) < tolerance;
+  Vector<D> corner[D];
+  corners(mesh, s, corner);
+  const int pieces = std::max(1, static_cast<int>(std::ceil(norm(corner[1] - corner[0]) / (0.5 * spacing))));
+  std::vector<Vector<D>> places;
+  if constexpr (D == 2) // segments are longer than triangles
+    for (int i = 0; i <= pieces; ++i)
+      places.push_back(corner[0] + (double(i) / pieces) * (corner[1] - corner[0]));
+  else
+    places.assign(corner, corner + 3);
+  return places;
 }
 
-void refuseCrossing(const Points& points, const std::string& where, double spacing)
+template <int D>
+bool areClose(const CrackMesh<D>& a, const CrackMesh<D>& b, double spacing)
 {
-  const double tolerance = 1e-6 * spacing;
-  const auto refuse = [&](std::size_t i, std::size_t j)
-  {
-    throw std::invalid_argument(where + ": the piece after point " + std::to_string(j) +
-                                " meets the piece after point " + std::to_string(i) +
-                                " (counted from 0); write a line that neither crosses itself nor turns back");
-  };
-  for (std::size_t i = 0; i + 1 < points.size(); ++i)
-    for (std::size_t j = i + 1; j + 1 < points.size(); ++j)
-      // Neighbours share a point; they overlap if the end of one lies on the other.
-      if (j == i + 1 ? distanceToSegment(points[j + 1], points[i], points[j]) < tolerance ||
-                           distanceToSegment(points[i], points[j], points[j + 1]) < tolerance
-                     : meet(points[i], points[i + 1], points[j], points[j + 1], tolerance))
-        refuse(i, j);
+  constexpr double apart = 3.0; // cells
+  for (std::size_t s = 0; s < a.simplices.size(); ++s)
+    for (const Vector<D>& x : placesOn(a, static_cast<int>(s), spacing))
+      for (std::size_t t = 0; t < b.simplices.size(); ++t)
+      {
+        Vector<D> corner[D];
+        corners(b, static_cast<int>(t), corner);
+        if (norm(x - placeOf<D>(corner, footOn(corner, x))) < apart * spacing)
+          return true;
+      }
+  return false;
 }
 
-Points readPoints(const Teuchos::ParameterList& list, const std::string& where, double spacing)
-{
-  const auto values = list.get<Teuchos::Array<double>>("Points");
-  Points points;
-  for (int k = 0; k + 1 < values.size(); k += 2)
-    points.push_back({values[k], values[k + 1]});
-  for (std::size_t k = 1; k < points.size(); ++k)
-    if (norm(points[k] - points[k - 1]) < 1e-6 * spacing)
-      throw std::invalid_argument(
-          where + ": two points in a row are the same, so a piece of the crack has no length; leave "
-                  "one of them out");
-  refuseLong(points, where, spacing);
-  refuseCrossing(points, where, spacing);
-  return points;
-}
-
-/// Equal pieces no longer than `longest`.
-Points refine(const Points& points, double longest)
-{
-  Points fine{points.front()};
-  for (std::size_t k = 1; k < points.size(); ++k)
-  {
-    const Vector<2> along = points[k] - points[k - 1];
-    const int pieces = std::max(1, static_cast<int>(std::ceil(norm(along) / longest - 1e-9)));
-    for (int i = 1; i <= pieces; ++i)
-      fine.push_back(points[k - 1] + (double(i) / pieces) * along);
-  }
-  return fine;
-}
-
-/// Drops what lies outside of the bodies at both ends, to a hundredth of a cell.
-Points clip(const Points& points, const Material& material, double spacing)
-{
-  const Points dense = refine(points, 0.01 * spacing);
-  std::size_t first = 0, last = dense.size();
-  while (first < dense.size() && !material.at(dense[first]))
-    ++first;
-  while (last > first && !material.at(dense[last - 1]))
-    --last;
-  if (last < first + 2)
-    return {};
-  // Keep the user's own points that are left, between the two ends.
-  Points kept{dense[first]};
-  double from = 0.0;
-  for (std::size_t k = 0; k < first; ++k)
-    from += norm(dense[k + 1] - dense[k]);
-  double to = from;
-  for (std::size_t k = first; k + 1 < last; ++k)
-    to += norm(dense[k + 1] - dense[k]);
-  double at = 0.0;
-  for (std::size_t k = 1; k + 1 < points.size(); ++k)
-  {
-    at += norm(points[k] - points[k - 1]);
-    if (at > from + 1e-9 * spacing && at < to - 1e-9 * spacing)
-      kept.push_back(points[k]);
-  }
-  kept.push_back(dense[last - 1]);
-  return kept;
-}
-
-Vector<2> unit(const Vector<2>& a) { return (1.0 / norm(a)) * a; }
-
-/// An end is a front if the user's crack ends there and there is material one cell ahead of it.
-bool isFront(const Vector<2>& end, const Vector<2>& before, const Material& material, double spacing)
-{
-  const Vector<2> ahead = unit(end - before);
-  for (const double step : {0.25, 0.5, 0.75, 1.0})
-    if (!material.at(end + (step * spacing) * ahead))
-      return false;
-  return true;
-}
-
-void refuseNeighbours(const std::vector<Points>& all, const std::vector<std::string>& names, double spacing)
+template <int D>
+void refuseNeighbours(const std::vector<CrackMesh<D>>& all, const std::vector<std::string>& names,
+                      double spacing)
 {
   for (std::size_t a = 0; a < all.size(); ++a)
     for (std::size_t b = 0; b < all.size(); ++b)
-      if (a != b)
-        for (const Vector<2>& x : refine(all[a], 0.5 * spacing))
-          for (std::size_t k = 1; k < all[b].size(); ++k)
-            if (distanceToSegment(x, all[b][k - 1], all[b][k]) < 3.0 * spacing)
-              throw std::invalid_argument(
-                  "Cracks > " + names[a] + ": it comes closer than three cells to Cracks > " + names[b] +
-                  ", which this version can't tell apart; take smaller cells (Domain > Cell Size)");
+      if (a != b && areClose(all[a], all[b], spacing))
+        throw std::invalid_argument(
+            "Cracks > " + names[a] + ": it comes closer than three cells to Cracks > " + names[b] +
+            ", which this version can't tell apart; take smaller cells (Domain > Cell Size)");
 }
 
-/// \param given  as in the scene
-/// \param points inside of the bodies, and more of them
-void place(const Teuchos::ParameterList& list, const std::string& name, const Material& material,
-           double spacing, Points& given, Points& points)
+/// A piece of front in the set's numbering.
+struct Piece
 {
-  const std::string where = "Cracks > " + name + " > Points";
-  given = readPoints(list, where, spacing);
-  const Points inside = clip(given, material, spacing);
-  if (inside.empty())
-    throw std::invalid_argument(where +
-                                ": the crack lies outside of all bodies; give points inside one of them");
-  points = refine(inside, 4.0 * spacing);
+  int simplex, facet;
+};
+
+/// The fronts of one crack, each a run of pieces in order along it: in 2D the first end, then the last.
+std::vector<std::vector<Piece>> frontsOf(const CrackMesh<2>& mesh)
+{
+  std::vector<std::vector<Piece>> fronts;
+  if (mesh.beyond.front()[1] == facet::front)
+    fronts.push_back({{0, 1}});
+  if (mesh.beyond.back()[0] == facet::front)
+    fronts.push_back({{static_cast<int>(mesh.simplices.size()) - 1, 0}});
+  return fronts;
+}
+
+/// In 3D chains of edges; a chain that does not close begins where no other piece ends.
+std::vector<std::vector<Piece>> frontsOf(const CrackMesh<3>& mesh)
+{
+  const auto begin = [&](const Piece& p) { return mesh.simplices[p.simplex][(p.facet + 1) % 3]; };
+  const auto end = [&](const Piece& p) { return mesh.simplices[p.simplex][(p.facet + 2) % 3]; };
+  std::vector<Piece> rest;
+  for (std::size_t s = 0; s < mesh.simplices.size(); ++s)
+    for (int i = 0; i < 3; ++i)
+      if (mesh.beyond[s][i] == facet::front)
+        rest.push_back({static_cast<int>(s), i});
+  std::vector<std::vector<Piece>> fronts;
+  while (!rest.empty())
+  {
+    auto first = std::find_if(rest.begin(), rest.end(),
+                              [&](const Piece& p) {
+                                return std::none_of(rest.begin(), rest.end(),
+                                                    [&](const Piece& q) { return end(q) == begin(p); });
+                              });
+    if (first == rest.end())
+      first = rest.begin();
+    std::vector<Piece> chain;
+    for (auto next = first; next != rest.end();)
+    {
+      chain.push_back(*next);
+      rest.erase(next);
+      next = std::find_if(rest.begin(), rest.end(),
+                          [&](const Piece& p) { return begin(p) == end(chain.back()); });
+    }
+    fronts.push_back(chain);
+  }
+  return fronts;
+}
+
+/// The vertex of a front that stands for it.
+int middleVertex(const CrackMesh<2>& mesh, const std::vector<Piece>& pieces)
+{
+  return mesh.simplices[pieces[0].simplex][1 - pieces[0].facet];
+}
+
+int middleVertex(const CrackMesh<3>& mesh, const std::vector<Piece>& pieces)
+{
+  const Piece& middle = pieces[pieces.size() / 2];
+  return mesh.simplices[middle.simplex][(middle.facet + 1) % 3];
+}
+
+template <int D>
+void allocate(CrackSet<D>& set, int vertices, int simplices, int facets, int nodes)
+{
+  set.vertex = View<double* [D]>("rhegma::crackVertex", vertices);
+  set.face = View<double* [2][D]>("rhegma::crackFace", vertices);
+  set.kind = View<int*>("rhegma::crackVertexKind", vertices);
+  set.vertexNormal = View<double* [D]>("rhegma::crackVertexNormal", vertices);
+  set.simplex = View<int* [D]>("rhegma::crackSimplex", simplices);
+  set.crackOf = View<int*>("rhegma::crackOf", simplices);
+  set.neighbour = View<int* [D]>("rhegma::crackNeighbour", simplices);
+  set.normal = View<double* [D]>("rhegma::crackNormal", simplices);
+  set.nearFront = View<int*>("rhegma::crackNearFront", simplices);
+  set.frontFacet = View<int* [2]>("rhegma::crackFrontFacet", facets);
+  set.nodeSide = View<int*>("rhegma::nodeSide", nodes);
+  set.second = View<int*>("rhegma::secondField", nodes);
+  Kokkos::deep_copy(set.second, -1);
+}
+
+template <int D>
+void fill(CrackSet<D>& set, const std::vector<CrackMesh<D>>& meshes, const std::vector<Piece>& pieces)
+{
+  const auto vertex = Kokkos::create_mirror_view(set.vertex);
+  const auto face = Kokkos::create_mirror_view(set.face);
+  const auto kind = Kokkos::create_mirror_view(set.kind);
+  const auto simplex = Kokkos::create_mirror_view(set.simplex);
+  const auto crackOf = Kokkos::create_mirror_view(set.crackOf);
+  const auto neighbour = Kokkos::create_mirror_view(set.neighbour);
+  const auto frontFacet = Kokkos::create_mirror_view(set.frontFacet);
+  for (std::size_t c = 0; c < meshes.size(); ++c)
+  {
+    const CrackMesh<D>& mesh = meshes[c];
+    const int v0 = set.cracks[c].firstVertex, s0 = set.cracks[c].firstSimplex;
+    for (int v = 0; v < set.cracks[c].numVertices; ++v)
+      for (int d = 0; d < D; ++d)
+        vertex(v0 + v, d) = face(v0 + v, 0, d) = face(v0 + v, 1, d) = mesh.vertices[v][d];
+    for (int s = 0; s < set.cracks[c].numSimplices; ++s)
+    {
+      crackOf(s0 + s) = static_cast<int>(c);
+      for (int i = 0; i < D; ++i)
+      {
+        simplex(s0 + s, i) = v0 + mesh.simplices[s][i];
+        const int beyond = mesh.beyond[s][i];
+        neighbour(s0 + s, i) = beyond < 0 ? beyond : s0 + beyond;
+        if (beyond < 0)
+          for (int k = 1; k < D; ++k)
+            kind(v0 + mesh.simplices[s][(i + k) % D]) |=
+                beyond == facet::front ? vertexKind::front : vertexKind::mouth;
+      }
+    }
+  }
+  for (std::size_t f = 0; f < pieces.size(); ++f)
+  {
+    frontFacet(f, 0) = pieces[f].simplex;
+    frontFacet(f, 1) = pieces[f].facet;
+  }
+  Kokkos::deep_copy(set.vertex, vertex);
+  Kokkos::deep_copy(set.face, face);
+  Kokkos::deep_copy(set.kind, kind);
+  Kokkos::deep_copy(set.simplex, simplex);
+  Kokkos::deep_copy(set.crackOf, crackOf);
+  Kokkos::deep_copy(set.neighbour, neighbour);
+  Kokkos::deep_copy(set.frontFacet, frontFacet);
+}
+
+/// Marks the simplices from which a front may have to be looked at.
+template <int D>
+void markNearFront(CrackSet<D>& set, double spacing)
+{
+  const double reach = (bandWidth + 1.0) * spacing;
+  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.vertex);
+  const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.simplex);
+  const auto crackOf = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.crackOf);
+  const auto frontFacet = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.frontFacet);
+  const auto nearFront = Kokkos::create_mirror_view(set.nearFront);
+  const auto at = [&](int v)
+  {
+    Vector<D> x;
+    for (int d = 0; d < D; ++d)
+      x[d] = vertex(v, d);
+    return x;
+  };
+  for (std::size_t f = 0; f < frontFacet.extent(0); ++f)
+  {
+    const Vector<D> front = at(simplex(frontFacet(f, 0), (frontFacet(f, 1) + 1) % D));
+    for (std::size_t s = 0; s < simplex.extent(0); ++s)
+      if (crackOf(s) == crackOf(frontFacet(f, 0)))
+      {
+        Vector<D> corner[D];
+        for (int i = 0; i < D; ++i)
+          corner[i] = at(simplex(s, i));
+        if (norm(front - placeOf<D>(corner, footOn(corner, front))) < reach)
+          nearFront(s) = 1;
+      }
+  }
+  Kokkos::deep_copy(set.nearFront, nearFront);
+}
+
+template <int D>
+KOKKOS_INLINE_FUNCTION Vector<D> unit(const Vector<D>& a)
+{
+  return (1.0 / norm(a)) * a;
+}
+
+KOKKOS_INLINE_FUNCTION Vector<2> normalOf(const Vector<2> (&corner)[2])
+{
+  return unit(Vector<2>{corner[0][1] - corner[1][1], corner[1][0] - corner[0][0]});
+}
+
+KOKKOS_INLINE_FUNCTION Vector<3> normalOf(const Vector<3> (&corner)[3])
+{
+  const Vector<3> a = corner[1] - corner[0], b = corner[2] - corner[0];
+  return unit(Vector<3>{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
+}
+
+/// Weight of a simplex's normal at its i-th vertex: its angle there.
+template <int D>
+KOKKOS_INLINE_FUNCTION double angleAt(const Vector<D> (&corner)[D], int i)
+{
+  if constexpr (D == 2)
+    return 1.0;
+  else
+  {
+    const double cosine = dot(unit(corner[(i + 1) % D] - corner[i]), unit(corner[(i + 2) % D] - corner[i]));
+    return std::acos(cosine < -1.0 ? -1.0 : (cosine > 1.0 ? 1.0 : cosine));
+  }
+}
+
+/// Where each vertex finds its simplices.
+template <int D>
+void listStars(CrackSet<D>& set)
+{
+  const int vertices = static_cast<int>(set.vertex.extent(0)),
+            simplices = static_cast<int>(set.simplex.extent(0));
+  const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.simplex);
+  std::vector<std::vector<int>> stars(vertices);
+  for (int s = 0; s < simplices; ++s)
+    for (int i = 0; i < D; ++i)
+      stars[simplex(s, i)].push_back(s);
+  set.starBegin = View<int*>("rhegma::crackStarBegin", vertices + 1);
+  set.star = View<int*>("rhegma::crackStar", D * simplices);
+  const auto begin = Kokkos::create_mirror_view(set.starBegin);
+  const auto star = Kokkos::create_mirror_view(set.star);
+  for (int v = 0; v < vertices; ++v)
+  {
+    begin(v + 1) = begin(v) + static_cast<int>(stars[v].size());
+    std::copy(stars[v].begin(), stars[v].end(), star.data() + begin(v));
+  }
+  Kokkos::deep_copy(set.starBegin, begin);
+  Kokkos::deep_copy(set.star, star);
 }
 
 } // namespace
 
-void readCracks(const Teuchos::ParameterList& section, State<2>& state)
+template <int D>
+void readCracks(const Teuchos::ParameterList& section, State<D>& state)
 {
   const double spacing = state.grid.spacing;
-  const Material material(state);
-  std::vector<Points> all;
+  const MaterialPlaces<D> material(state);
+  std::vector<CrackMesh<D>> meshes;
   std::vector<std::string> names;
-  CrackSet<2>& set = state.cracks;
+  std::vector<Piece> pieces;
+  CrackSet<D>& set = state.cracks;
+  int vertices = 0, simplices = 0;
   Attempts attempts;
   for (const std::string& name : sublistNames(section))
   {
-    const Teuchos::ParameterList& list = section.sublist(name);
-    Points given, points;
-    if (!attempts.attempt([&] { place(list, name, material, spacing, given, points); }))
+    CrackMesh<D> mesh;
+    if (!attempts.attempt([&] { mesh = readCrack(section.sublist(name), name, material, spacing); }))
       continue;
-    Crack<2> crack;
-    crack.name = name;
-    crack.firstVertex = all.empty() ? 0 : set.cracks.back().firstVertex + set.cracks.back().numVertices;
-    crack.numVertices = static_cast<int>(points.size());
-    crack.firstSimplex = all.empty() ? 0 : set.cracks.back().firstSimplex + set.cracks.back().numSimplices;
-    crack.numSimplices = crack.numVertices - 1;
-    const int c = static_cast<int>(set.cracks.size());
-    const std::string fronts = list.get<std::string>("Fronts");
-    int number = 0;
-    const bool firstGiven = norm(points.front() - given.front()) < 1e-9 * spacing;
-    const bool lastGiven = norm(points.back() - given.back()) < 1e-9 * spacing;
-    const bool first = fronts == "Automatic" ? firstGiven && isFront(points[0], points[1], material, spacing)
-                                             : fronts == "First" || fronts == "Both";
-    const bool last = fronts == "Automatic"
-                          ? lastGiven && isFront(points.back(), points[points.size() - 2], material, spacing)
-                          : fronts == "Last" || fronts == "Both";
-    for (const int end : {0, 1})
-      if (end == 0 ? first : last)
-      {
-        CrackFront<2> front;
-        front.crack = c;
-        front.number = number++;
-        front.vertex = crack.firstVertex + (end == 0 ? 0 : crack.numVertices - 1);
-        set.fronts.push_back(front);
-      }
-    set.cracks.push_back(crack);
-    all.push_back(points);
+    meshes.push_back(mesh);
     names.push_back(name);
+    Crack<D> crack;
+    crack.name = name;
+    crack.firstVertex = vertices;
+    crack.numVertices = static_cast<int>(mesh.vertices.size());
+    crack.firstSimplex = simplices;
+    crack.numSimplices = static_cast<int>(mesh.simplices.size());
+    int number = 0;
+    for (const std::vector<Piece>& along : frontsOf(mesh))
+    {
+      CrackFront<D> front;
+      front.crack = static_cast<int>(set.cracks.size());
+      front.number = number++;
+      front.vertex = vertices + middleVertex(mesh, along);
+      front.firstFacet = static_cast<int>(pieces.size());
+      front.numFacets = static_cast<int>(along.size());
+      for (const Piece& piece : along)
+        pieces.push_back({simplices + piece.simplex, piece.facet});
+      set.fronts.push_back(front);
+    }
+    set.cracks.push_back(crack);
+    vertices += crack.numVertices;
+    simplices += crack.numSimplices;
   }
   attempts.complain();
-  refuseNeighbours(all, names, spacing);
-
-  const int vertices = set.cracks.empty() ? 0 : set.cracks.back().firstVertex + set.cracks.back().numVertices;
-  const int simplices =
-      set.cracks.empty() ? 0 : set.cracks.back().firstSimplex + set.cracks.back().numSimplices;
-  set.vertex = View<double* [2]>("rhegma::crackVertex", vertices);
-  set.face = View<double* [2][2]>("rhegma::crackFace", vertices);
-  set.simplex = View<int* [2]>("rhegma::crackSimplex", simplices);
-  set.crackOf = View<int*>("rhegma::crackOf", simplices);
-  const auto vertex = Kokkos::create_mirror_view(set.vertex);
-  const auto face = Kokkos::create_mirror_view(set.face);
-  const auto simplex = Kokkos::create_mirror_view(set.simplex);
-  const auto crackOf = Kokkos::create_mirror_view(set.crackOf);
-  for (std::size_t c = 0; c < set.cracks.size(); ++c)
-    for (int k = 0; k < set.cracks[c].numVertices; ++k)
-    {
-      const int v = set.cracks[c].firstVertex + k;
-      for (int d = 0; d < 2; ++d)
-        vertex(v, d) = face(v, 0, d) = face(v, 1, d) = all[c][k][d];
-      if (k + 1 < set.cracks[c].numVertices)
-      {
-        const int s = set.cracks[c].firstSimplex + k;
-        simplex(s, 0) = v;
-        simplex(s, 1) = v + 1;
-        crackOf(s) = static_cast<int>(c);
-      }
-    }
-  Kokkos::deep_copy(set.vertex, vertex);
-  Kokkos::deep_copy(set.face, face);
-  Kokkos::deep_copy(set.simplex, simplex);
-  Kokkos::deep_copy(set.crackOf, crackOf);
-  set.nodeSide = View<int*>("rhegma::nodeSide", state.grid.numNodes);
-  set.second = View<int*>("rhegma::secondField", state.grid.numNodes);
-  Kokkos::deep_copy(set.second, -1);
+  refuseNeighbours(meshes, names, spacing);
+  allocate(set, vertices, simplices, static_cast<int>(pieces.size()), state.grid.numNodes);
+  fill(set, meshes, pieces);
+  listStars(set);
+  markNearFront(set, spacing);
+  updateNormals(set);
   updateFronts(set);
 }
 
-void updateFronts(CrackSet<2>& cracks)
+template <int D>
+void updateNormals(const CrackSet<D>& cracks)
 {
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
-  const auto at = [&](int v) { return Vector<2>{vertex(v, 0), vertex(v, 1)}; };
-  for (CrackFront<2>& front : cracks.fronts)
+  const auto vertex = cracks.vertex, normal = cracks.normal, vertexNormal = cracks.vertexNormal;
+  const auto simplex = cracks.simplex;
+  const View<int*> starBegin = cracks.starBegin, star = cracks.star;
+  const auto corners = KOKKOS_LAMBDA(const int s, Vector<D>(&corner)[D])
   {
-    const Crack<2>& crack = cracks.cracks[front.crack];
-    const bool first = front.vertex == crack.firstVertex;
-    const Vector<2> before = at(front.vertex + (first ? 1 : -1));
-    front.position = at(front.vertex);
-    front.direction = unit(front.position - before);
-    // Side +1 lies to the left of the polyline as the scene gives it.
-    front.normal = {-front.direction[1], front.direction[0]};
-    if (first)
-      front.normal = -1.0 * front.normal;
+    for (int i = 0; i < D; ++i)
+      for (int d = 0; d < D; ++d)
+        corner[i][d] = vertex(simplex(s, i), d);
+  };
+  Kokkos::parallel_for(
+      "rhegma::cracks::normals", Kokkos::RangePolicy<ExecSpace>(0, simplex.extent(0)),
+      KOKKOS_LAMBDA(const int s) {
+        Vector<D> corner[D];
+        corners(s, corner);
+        const Vector<D> n = normalOf(corner);
+        for (int d = 0; d < D; ++d)
+          normal(s, d) = n[d];
+      });
+  Kokkos::parallel_for(
+      "rhegma::cracks::vertexNormals", Kokkos::RangePolicy<ExecSpace>(0, vertex.extent(0)),
+      KOKKOS_LAMBDA(const int v) {
+        Vector<D> sum{};
+        for (int k = starBegin(v); k < starBegin(v + 1); ++k)
+        {
+          const int s = star(k);
+          Vector<D> corner[D];
+          corners(s, corner);
+          for (int i = 0; i < D; ++i)
+            if (simplex(s, i) == v)
+              sum = sum + angleAt<D>(corner, i) * normalOf(corner);
+        }
+        const Vector<D> n = unit(sum);
+        for (int d = 0; d < D; ++d)
+          vertexNormal(v, d) = n[d];
+      });
+}
+
+template <int D>
+void updateFronts(CrackSet<D>& cracks)
+{
+  if (cracks.fronts.empty())
+    return;
+  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
+  const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
+  const auto frontFacet = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.frontFacet);
+  const auto at = [&](int v)
+  {
+    Vector<D> x;
+    for (int d = 0; d < D; ++d)
+      x[d] = vertex(v, d);
+    return x;
+  };
+  const auto edge = [&](int s, int i) { return at(simplex(s, (i + 2) % D)) - at(simplex(s, (i + 1) % D)); };
+  for (CrackFront<D>& front : cracks.fronts)
+  {
+    const int middle = front.firstFacet + front.numFacets / 2;
+    const int s = frontFacet(middle, 0), opposite = frontFacet(middle, 1);
+    Vector<D> corner[D];
+    for (int i = 0; i < D; ++i)
+      corner[i] = at(simplex(s, i));
+    Vector<D> out = corner[(opposite + 1) % D] - corner[opposite];
     front.length = 0.0;
-    for (int k = 1; k < crack.numVertices; ++k)
-      front.length += norm(at(crack.firstVertex + k) - at(crack.firstVertex + k - 1));
+    if constexpr (D == 2)
+    {
+      const Crack<D>& crack = cracks.cracks[front.crack];
+      for (int k = 0; k < crack.numSimplices; ++k)
+        front.length += norm(at(simplex(crack.firstSimplex + k, 1)) - at(simplex(crack.firstSimplex + k, 0)));
+    }
+    else
+    {
+      const Vector<D> along = edge(s, opposite);
+      out = out - (dot(out, along) / dot(along, along)) * along;
+      for (int f = front.firstFacet; f < front.firstFacet + front.numFacets; ++f)
+        front.length += norm(edge(frontFacet(f, 0), frontFacet(f, 1)));
+    }
+    front.position = at(front.vertex);
+    front.direction = unit(out);
+    front.normal = normalOf(corner);
   }
 }
+
+template void readCracks(const Teuchos::ParameterList&, State<2>&);
+template void readCracks(const Teuchos::ParameterList&, State<3>&);
+template void updateNormals(const CrackSet<2>&);
+template void updateNormals(const CrackSet<3>&);
+template void updateFronts(CrackSet<2>&);
+template void updateFronts(CrackSet<3>&);
 
 } // namespace Rhegma::cracks

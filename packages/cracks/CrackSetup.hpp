@@ -6,14 +6,19 @@
 namespace Rhegma::cracks
 {
 
-/// Reads the cracks of a 2D scene into state.cracks: clips them to the bodies, splits long segments, and
-/// finds which ends are fronts (material ahead of them) and which are mouths.
+/// Reads the cracks of a scene into state.cracks: polylines in 2D, planar polygons in 3D (CrackMesh.hpp).
 ///
-/// Throws std::invalid_argument, with the section's path, for a crack that lies outside of all bodies, has no
-/// length, or comes closer than three cells to another.
-void readCracks(const Teuchos::ParameterList& section, State<2>& state);
+/// Throws std::invalid_argument, with the section's path, for a crack that is wrong in itself or comes closer
+/// than three cells to another.
+template <int D>
+void readCracks(const Teuchos::ParameterList& section, State<D>& state);
+
+/// Normals of simplices and vertices from the vertices as they are now.
+template <int D>
+void updateNormals(const CrackSet<D>& cracks);
 
 /// Places, directions, normals and lengths of the fronts from the vertices as they are now.
-void updateFronts(CrackSet<2>& cracks);
+template <int D>
+void updateFronts(CrackSet<D>& cracks);
 
 } // namespace Rhegma::cracks

@@ -3,11 +3,13 @@
 #include "cracks/CrackMotion.hpp"
 #include "cracks/CrackSetup.hpp"
 #include "cracks/Normals.hpp"
+#include "cracks/Opening.hpp"
 #include "cracks/Sides.hpp"
 #include "cracks/Visibility.hpp"
 #include "scene/ReadList.hpp"
 
 #include <memory>
+#include <vector>
 
 namespace Rhegma::cracks
 {
@@ -25,10 +27,18 @@ Section section()
                "linearly complete by extrapolation.");
   Section crack("crack", "One crack; its own name is up to you.");
   crack.realArray("Points").unit("m").perPoint(2).meaning(
-      "The crack as a polyline, point after point. Points outside of the body are cut off.");
+      "In 2D the crack as a polyline, point after point; in 3D the corners of a flat polygon, convex or not, "
+      "in order around it, at least three. What lies outside of the body is cut off.");
   crack.choice("Fronts", {"Automatic", "First", "Last", "Both", "None"})
       .byDefault("Automatic")
+      .onlyIn(2)
       .meaning("Which ends are crack fronts. Automatic: those with material ahead of them.");
+  crack.integerArray("Front Edges")
+      .optional("edges with material ahead of them")
+      .onlyIn(3)
+      .meaning(
+          "Edges of the polygon that are crack fronts, the others being mouths; edge k goes from point k "
+          "to the next, counted from 1.");
   s.namedByUser(crack);
   return s;
 }
@@ -39,9 +49,13 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
     errors.push_back({"Cracks",
                       "the section holds no crack; write one as <ParameterList name=\"...\"> or leave "
                       "the section out"});
-  if (scene.isSublist("Cracks") && scene.isSublist("Domain") &&
-      scene.sublist("Domain").isParameter("Dimension") && scene.sublist("Domain").get<int>("Dimension") == 3)
-    errors.push_back({"Cracks", "cracks in three dimensions are not in this version; use a 2D scene"});
+  if (!scene.isSublist("Cracks") || !scene.isSublist("Domain") ||
+      !scene.sublist("Domain").isType<int>("Dimension") || scene.sublist("Domain").get<int>("Dimension") != 3)
+    return;
+  const Teuchos::ParameterList& cracks = scene.sublist("Cracks");
+  if (cracks.isType<std::string>("Formulation") && cracks.get<std::string>("Formulation") != "Dual Field")
+    errors.push_back({"Cracks > Formulation",
+                      cracks.get<std::string>("Formulation") + " is for 2D scenes as yet; write Dual Field"});
 }
 
 Formulation readFormulation(const Teuchos::ParameterList& section)
@@ -52,53 +66,61 @@ Formulation readFormulation(const Teuchos::ParameterList& section)
                                            : Formulation::DualField;
 }
 
-Effect<2> make2(const Teuchos::ParameterList& scene)
+template <int D>
+Effect<D> make(const Teuchos::ParameterList& scene)
 {
   const Teuchos::ParameterList section = scene.sublist("Cracks");
   const Formulation formulation = readFormulation(section);
   const auto surroundings = std::make_shared<Surroundings>();
   const auto ghosts = std::make_shared<Ghosts>();
-  const auto motion = std::make_shared<CrackMotion>();
-  Effect<2> effect;
+  const auto motion = std::make_shared<CrackMotion<D>>();
+  Effect<D> effect;
   effect.name = "Cracks";
   effect.adds.push_back(
       {fields::side, 1, "", "side of the nearest crack: its number + 1, negative on side -1", true});
   if (formulation == Formulation::BrokenCell)
     effect.adds.push_back(
         {crackNormal, 2, "", "unit normal of the face near the particle, out of its material"});
-  effect.atStart = [=](State<2>& state)
+  effect.atStart = [=](State<D>& state)
   {
     state.cracks.dualField = formulation == Formulation::DualField;
     readCracks(section, state);
-    state.editor.prepare = [=](State<2>& s, const View<int*>& row)
+    state.editor.prepare = [=](State<D>& s, const View<int*>& row)
     {
       findSides(s, *surroundings, row);
-      if (formulation == Formulation::CorrectedBrokenCell)
-        findGhosts(s, row, *ghosts);
-      if (formulation == Formulation::BrokenCell)
-        carryNormals(s, row);
+      if constexpr (D == 2) // a 3D scene with another formulation is refused
+      {
+        if (formulation == Formulation::CorrectedBrokenCell)
+          findGhosts(s, row, *ghosts);
+        if (formulation == Formulation::BrokenCell)
+          carryNormals(s, row);
+      }
     };
-    state.editor.edit = [=](const State<2>& s, const ObservedPoints<2>& points, const StencilTable<2>& table)
+    state.editor.edit = [=](const State<D>& s, const ObservedPoints<D>& points, const StencilTable<D>& table)
     { editStencils(s, formulation, *ghosts, points, table); };
   };
-  effect.call({Stage::Gather, "cracks move", {"nodal motion"}, {"crack geometry"}, {}, [motion](State<2>& s) {
+  effect.call({Stage::Gather, "cracks move", {"nodal motion"}, {"crack geometry"}, {}, [motion](State<D>& s) {
                  motion->move(s);
                }});
   if (formulation == Formulation::CorrectedBrokenCell)
-    effect.timeStepLimit = [](const State<2>& state)
+    effect.timeStepLimit = [](const State<D>& state)
     { return largestCflOfGhosts * state.grid.spacing / state.fastest; };
-  effect.report = [](const State<2>& state, nlohmann::json& summary)
+  effect.report = [](const State<D>& state, nlohmann::json& summary)
   {
     for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
     {
       summary["cracks"][c]["name"] = state.cracks.cracks[c].name;
       if (!summary["cracks"][c].contains("fronts"))
         summary["cracks"][c]["fronts"] = nlohmann::json::array();
+      const Opening opening = measureOpening(state.cracks, static_cast<int>(c));
+      summary["cracks"][c]["opening"] = opening.largest;
+      summary["cracks"][c][D == 2 ? "opening_area" : "opening_volume"] = opening.volume;
+      summary["cracks"][c][D == 2 ? "length" : "area"] = opening.size;
     }
-    for (const CrackFront<2>& front : state.cracks.fronts)
+    for (const CrackFront<D>& front : state.cracks.fronts)
     {
       nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
-      entry["position"] = {front.position[0], front.position[1]};
+      entry["position"] = std::vector<double>(front.position.c, front.position.c + D);
       entry["length"] = front.length;
       entry["speed"] = front.speed;
     }
@@ -106,13 +128,8 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
   return effect;
 }
 
-Effect<3> make3(const Teuchos::ParameterList&)
-{
-  throw std::invalid_argument("Cracks: cracks in three dimensions are not in this version; use a 2D scene");
-}
-
 } // namespace
 
-EffectEntry cracksEntry() { return {section(), check, make2, make3}; }
+EffectEntry cracksEntry() { return {section(), check, make<2>, make<3>}; }
 
 } // namespace Rhegma::cracks

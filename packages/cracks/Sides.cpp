@@ -1,6 +1,7 @@
 #include "cracks/Sides.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace Rhegma::cracks
 {
@@ -8,94 +9,185 @@ namespace Rhegma::cracks
 namespace
 {
 
-/// A polyline and the box beyond which it does not matter.
+/// Square of a distance in parts of the band, above the number of a simplex, in one integer, so that the
+/// smallest is the nearest whatever the order of threads.
+constexpr std::uint64_t noSimplex = ~std::uint64_t(0);
+constexpr double parts = 1073741824.0; // 2^30
+
+KOKKOS_INLINE_FUNCTION std::uint64_t pack(double square, int simplex)
+{
+  return (static_cast<std::uint64_t>(square * parts) << 32) | static_cast<std::uint64_t>(simplex);
+}
+
+KOKKOS_INLINE_FUNCTION int simplexOf(std::uint64_t packed) { return static_cast<int>(packed & 0xffffffffU); }
+
+/// The box of a crack beyond which it does not matter to nodes.
+template <int D>
 struct Reach
 {
-  Polyline line;
-  double lower[2], upper[2];
-  int firstNode, lastNode; ///< numbers between which all nodes in the box lie
+  Vector<D> lower, upper;
 };
 
 /// Cells beyond the box in which a particle may still see one of its nodes, or may be out of its block.
 constexpr double sightBeyond = 3.0;
 
-std::vector<Reach> reaches(const State<2>& state)
+template <int D>
+std::vector<Reach<D>> reaches(const State<D>& state)
 {
   const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.vertex);
-  std::vector<Reach> all;
-  for (const Polyline& line : polylines(state.cracks))
+  const double band = bandWidth * state.grid.spacing;
+  std::vector<Reach<D>> all;
+  for (const Crack<D>& crack : state.cracks.cracks)
   {
-    Reach reach{line, {1e300, 1e300}, {-1e300, -1e300}, 0, 0};
-    for (int v = line.first; v <= line.last; ++v)
-      for (int d = 0; d < 2; ++d)
+    Reach<D> reach;
+    for (int d = 0; d < D; ++d)
+    {
+      reach.lower[d] = 1e300;
+      reach.upper[d] = -1e300;
+      for (int v = crack.firstVertex; v < crack.firstVertex + crack.numVertices; ++v)
       {
-        reach.lower[d] = std::min(reach.lower[d], vertex(v, d) - bandWidth * state.grid.spacing);
-        reach.upper[d] = std::max(reach.upper[d], vertex(v, d) + bandWidth * state.grid.spacing);
+        reach.lower[d] = std::min(reach.lower[d], vertex(v, d) - band);
+        reach.upper[d] = std::max(reach.upper[d], vertex(v, d) + band);
       }
-    // Nodes are numbered with one axis slowest, so the box along it bounds the numbers.
-    const int slow = state.grid.axisOrder[0];
-    reach.firstNode = static_cast<int>(state.grid.inCells(reach.lower[slow], slow)) * state.grid.stride[slow];
-    reach.lastNode =
-        (static_cast<int>(state.grid.inCells(reach.upper[slow], slow)) + 1) * state.grid.stride[slow];
+    }
     all.push_back(reach);
   }
   return all;
 }
 
-KOKKOS_INLINE_FUNCTION bool isIn(const Reach& reach, const Vector<2>& x)
+/// True if a particle of the block may be near the crack.
+template <int D>
+KOKKOS_INLINE_FUNCTION bool isNear(const Reach<D>& reach, const Grid<D>& grid, const Blocks<D>& blocks,
+                                   int block)
 {
-  return x[0] > reach.lower[0] && x[0] < reach.upper[0] && x[1] > reach.lower[1] && x[1] < reach.upper[1];
+  bool near = true;
+  for (int a = 0; a < 2; ++a)
+  {
+    const int axis = grid.axisOrder[a];
+    const double low = blocks.corner(block, a);
+    near = near && grid.inCells(reach.upper[axis], axis) > low - sightBeyond &&
+           grid.inCells(reach.lower[axis], axis) < low + Blocks<D>::edge + sightBeyond;
+  }
+  return near;
 }
 
-void clearNodeSides(State<2>& state)
+template <int D>
+void clearNodeSides(const State<D>& state, const Surroundings& around)
 {
-  const Nodes<2> nodes = state.nodes;
+  const Nodes<D> nodes = state.nodes;
   const View<int*> side = state.cracks.nodeSide;
   const View<int*> second = state.cracks.second;
+  const View<std::uint64_t*> nearest = around.nearest;
   Kokkos::parallel_for(
       "rhegma::cracks::clearNodeSides", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
       KOKKOS_LAMBDA(const int i) {
-        side(nodes.active(i)) = 0;
-        second(nodes.active(i)) = -1;
+        const int n = nodes.active(i);
+        side(n) = 0;
+        second(n) = -1;
+        nearest(n) = noSimplex;
       });
 }
 
-void findNodeSides(const State<2>& state, const Reach& reach, int crack, const View<int*>& cellMark,
-                   int stamp)
+/// Tells the nodes round each simplex of it; a node keeps the nearest.
+template <int D>
+void findNearest(const State<D>& state, const Surroundings& around)
 {
-  const Nodes<2> nodes = state.nodes;
-  const Grid<2> grid = state.grid;
-  const View<int*> side = state.cracks.nodeSide;
+  using Policy = Kokkos::TeamPolicy<ExecSpace>;
+  const Grid<D> grid = state.grid;
+  const CrackSight<D> sight(state.cracks, grid.spacing);
+  const View<std::uint64_t*> nearest = around.nearest;
+  const double band = bandWidth * grid.spacing, scale = 1.0 / (band * band);
+  Kokkos::parallel_for(
+      "rhegma::cracks::findNearest", Policy(static_cast<int>(sight.simplex.extent(0)), Kokkos::AUTO),
+      KOKKOS_LAMBDA(const typename Policy::member_type& team) {
+        const int s = team.league_rank();
+        Vector<D> corner[D];
+        sight.corners(s, corner);
+        Vector<D> middle;
+        double radius = 0.0;
+        int first[D], count[D], all = 1;
+        for (int d = 0; d < D; ++d)
+        {
+          double low = corner[0][d], high = corner[0][d];
+          for (int i = 1; i < D; ++i)
+          {
+            low = corner[i][d] < low ? corner[i][d] : low;
+            high = corner[i][d] > high ? corner[i][d] : high;
+          }
+          middle[d] = 0.5 * (low + high);
+          radius += 0.25 * (high - low) * (high - low);
+          int last = static_cast<int>(grid.inCells(high, d) + bandWidth);
+          first[d] = static_cast<int>(grid.inCells(low, d) - bandWidth) + 1;
+          first[d] = first[d] < 0 ? 0 : first[d];
+          last = last > grid.cells[d] ? grid.cells[d] : last;
+          count[d] = last < first[d] ? 0 : last - first[d] + 1;
+          all *= count[d];
+        }
+        radius = std::sqrt(radius);
+        Kokkos::parallel_for(Kokkos::TeamThreadRange(team, all),
+                             [&](const int k)
+                             {
+                               int at[D], rest = k;
+                               Vector<D> x;
+                               for (int d = 0; d < D; ++d)
+                               {
+                                 at[d] = first[d] + rest % count[d];
+                                 rest /= count[d];
+                                 x[d] = grid.origin[d] + at[d] * grid.spacing;
+                               }
+                               const int n = grid.nodeIndex(at);
+                               // No nearer than the sphere round the simplex.
+                               const double apart = norm(x - middle) - radius;
+                               if (apart > band ||
+                                   (apart > 0.0 && nearest(n) < pack(apart * apart * scale, 0)))
+                                 return;
+                               const Vector<D> away = x - placeOf<D>(corner, footOn(corner, x));
+                               const double square = dot(away, away) * scale;
+                               if (square <= 1.0)
+                                 Kokkos::atomic_fetch_min(&nearest(n), pack(square, s));
+                             });
+      });
+}
+
+template <int D>
+void findNodeSides(const State<D>& state, const Surroundings& around)
+{
+  const Nodes<D> nodes = state.nodes;
+  const Grid<D> grid = state.grid;
+  const CrackSight<D> sight(state.cracks, grid.spacing);
+  const View<int*> side = state.cracks.nodeSide, cellMark = around.cellMark;
+  const View<std::uint64_t*> nearest = around.nearest;
   const double tie = tieTolerance * grid.spacing, atFront = frontTolerance * grid.spacing;
-  const double band = bandWidth * grid.spacing;
+  const int stamp = around.stamp;
   Kokkos::parallel_for(
       "rhegma::cracks::findNodeSides", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
       KOKKOS_LAMBDA(const int i) {
         const int n = nodes.active(i);
-        if (n < reach.firstNode || n > reach.lastNode)
+        if (nearest(n) == noSimplex)
           return;
-        const Vector<2> x = grid.nodePosition(n);
-        if (!isIn(reach, x))
+        const int s = simplexOf(nearest(n));
+        const Sight seen = sight.look(s, grid.nodePosition(n));
+        if (seen.behind <= atFront)
           return;
-        const Sight sight = look(reach.line, x);
-        if (std::abs(sight.distance) > band || sight.behind <= atFront)
-          return;
-        side(n) = sight.distance > -tie ? crack + 1 : -(crack + 1);
+        const int name = sight.crackOf(s) + 1;
+        side(n) = seen.distance > -tie ? name : -name;
         // A particle in cell c touches nodes c - 1 to c + 2 along each axis.
-        int at[2];
+        int at[D];
         grid.nodeCoordinates(n, at);
-        for (int a = -2; a <= 1; ++a)
-          for (int b = -2; b <= 1; ++b)
-          {
-            const int cell[2] = {at[0] + a, at[1] + b};
-            Kokkos::atomic_exchange(&cellMark(grid.nodeIndex(cell)), stamp);
-          }
+        for (int k = 0; k < (1 << (2 * D)); ++k)
+        {
+          int cell[D];
+          for (int d = 0; d < D; ++d)
+            cell[d] = at[d] + ((k >> (2 * d)) & 3) - 2;
+          Kokkos::atomic_exchange(&cellMark(grid.nodeIndex(cell)), stamp);
+        }
       });
 }
 
-int numberSecondFields(State<2>& state)
+template <int D>
+int numberSecondFields(const State<D>& state)
 {
-  const Nodes<2> nodes = state.nodes;
+  const Nodes<D> nodes = state.nodes;
   const View<int*> side = state.cracks.nodeSide;
   const View<int*> second = state.cracks.second;
   int count = 0;
@@ -113,14 +205,15 @@ int numberSecondFields(State<2>& state)
   return count;
 }
 
-void listParents(State<2>& state, int count)
+template <int D>
+void listParents(State<D>& state, int count)
 {
   if (static_cast<int>(state.nodes.parent.extent(0)) < count)
     state.nodes.parent = View<int*>("rhegma::secondFieldParent", 2 * count);
   if (static_cast<int>(state.nodes.sums.extent(0)) < state.grid.numNodes + count)
     state.nodes.reserve(state.grid.numNodes, 2 * count);
   state.nodes.numSecond = count;
-  const Nodes<2> nodes = state.nodes;
+  const Nodes<D> nodes = state.nodes;
   const View<int*> second = state.cracks.second;
   Kokkos::parallel_for(
       "rhegma::cracks::listParents", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
@@ -131,28 +224,54 @@ void listParents(State<2>& state, int count)
       });
 }
 
-/// True if a particle of the block may be near the crack.
-KOKKOS_INLINE_FUNCTION bool isNear(const Reach& reach, const Grid<2>& grid, const Blocks<2>& blocks,
-                                   int block)
+/// The side of a place in a cell: that of the simplex, of those nearest to the cell's nodes, which is nearest
+/// to the place. 0 where no crack is near.
+template <int D>
+struct SideOfPlace
 {
-  bool near = true;
-  for (int a = 0; a < 2; ++a)
-  {
-    const int axis = grid.axisOrder[a];
-    const double low = blocks.corner(block, a);
-    near = near && grid.inCells(reach.upper[axis], axis) > low - sightBeyond &&
-           grid.inCells(reach.lower[axis], axis) < low + Blocks<2>::edge + sightBeyond;
-  }
-  return near;
-}
+  Grid<D> grid;
+  CrackSight<D> sight;
+  View<std::uint64_t*> nearest;
 
-/// Marks the particles in marked cells.
-void markParticles(const State<2>& state, const Reach& reach, const View<int*>& cellMark, int stamp,
+  KOKKOS_INLINE_FUNCTION int operator()(const int (&cell)[D], const Vector<D>& x) const
+  {
+    int found = -1;
+    double least = 1e300;
+    for (int k = 0; k < (1 << D); ++k)
+    {
+      int n = grid.nodeIndex(cell);
+      for (int d = 0; d < D; ++d)
+        n += ((k >> d) & 1) * grid.stride[d];
+      if (nearest(n) == noSimplex || simplexOf(nearest(n)) == found)
+        continue;
+      const double square = sight.square(simplexOf(nearest(n)), x);
+      if (square < least)
+      {
+        least = square;
+        found = simplexOf(nearest(n));
+      }
+    }
+    if (found < 0)
+      return 0;
+    const int name = sight.crackOf(found) + 1;
+    return sight.look(found, x).distance >= 0.0 ? name : -name;
+  }
+};
+
+/// Gives particles near cracks their side and marks those in whose reach a node lies on the other side; all
+/// near cracks where particles on one side stand in for nodes of the other (broken cells).
+template <int D>
+void markParticles(const State<D>& state, const Surroundings& around, const Reach<D>& reach,
                    const View<int*>& row)
 {
-  const Grid<2> grid = state.grid;
-  const Blocks<2> blocks = state.blocks;
-  const auto position = state.particles.real<2>(fields::position);
+  const Grid<D> grid = state.grid;
+  const Blocks<D> blocks = state.blocks;
+  const auto position = state.particles.template real<D>(fields::position);
+  const auto side = state.particles.integer(fields::side);
+  const SideOfPlace<D> sideOf{grid, CrackSight<D>(state.cracks, grid.spacing), around.nearest};
+  const View<int*> cellMark = around.cellMark, nodeSide = state.cracks.nodeSide;
+  const int stamp = around.stamp;
+  const bool onlySplit = state.cracks.dualField;
   Kokkos::parallel_for(
       "rhegma::cracks::markParticles", Kokkos::RangePolicy<ExecSpace>(0, blocks.numBlocks),
       KOKKOS_LAMBDA(const int b) {
@@ -160,68 +279,54 @@ void markParticles(const State<2>& state, const Reach& reach, const View<int*>& 
           return;
         for (int p = blocks.first(b); p < blocks.first(b + 1); ++p)
         {
-          const int cell[2] = {static_cast<int>(grid.inCells(position(p, 0), 0)),
-                               static_cast<int>(grid.inCells(position(p, 1), 1))};
-          if (cellMark(grid.nodeIndex(cell)) == stamp)
-            row(p) = 0;
-        }
-      });
-}
-
-/// Gives marked particles without a side the side of the nearest crack.
-void findParticleSides(const State<2>& state, const Reach& reach, int crack, const View<int*>& row)
-{
-  const Grid<2> grid = state.grid;
-  const Blocks<2> blocks = state.blocks;
-  const auto position = state.particles.real<2>(fields::position);
-  const auto side = state.particles.integer(fields::side);
-  const double band = (bandWidth + 2.0) * grid.spacing;
-  Kokkos::parallel_for(
-      "rhegma::cracks::findParticleSides", Kokkos::RangePolicy<ExecSpace>(0, blocks.numBlocks),
-      KOKKOS_LAMBDA(const int b) {
-        if (!isNear(reach, grid, blocks, b))
-          return;
-        for (int p = blocks.first(b); p < blocks.first(b + 1); ++p)
-        {
-          const Vector<2> x{position(p, 0), position(p, 1)};
-          if (row(p) < 0 || side(p) != 0 || !isIn(reach, x))
+          int cell[D];
+          Vector<D> x;
+          for (int d = 0; d < D; ++d)
+          {
+            x[d] = position(p, d);
+            cell[d] = static_cast<int>(grid.inCells(x[d], d));
+          }
+          const int at = grid.nodeIndex(cell);
+          if (cellMark(at) != stamp)
             continue;
-          const Sight sight = look(reach.line, x);
-          if (std::abs(sight.distance) < band)
-            side(p) = sight.distance >= 0.0 ? crack + 1 : -(crack + 1);
+          if (side(p) == 0)
+            side(p) = sideOf(cell, x);
+          if (!onlySplit)
+            row(p) = 0;
+          for (int k = 0; onlySplit && side(p) != 0 && row(p) < 0 && k < (1 << (2 * D)); ++k)
+          {
+            int n = at;
+            for (int d = 0; d < D; ++d)
+              n += (((k >> (2 * d)) & 3) - 1) * grid.stride[d];
+            if (nodeSide(n) == -side(p))
+              row(p) = 0;
+          }
         }
       });
 }
 
 } // namespace
 
-std::vector<Polyline> polylines(const CrackSet<2>& cracks)
-{
-  std::vector<Polyline> lines;
-  for (const Crack<2>& crack : cracks.cracks)
-    lines.push_back(
-        {cracks.vertex, crack.firstVertex, crack.firstVertex + crack.numVertices - 1, false, false});
-  for (const CrackFront<2>& front : cracks.fronts)
-    (front.vertex == lines[front.crack].first ? lines[front.crack].frontFirst
-                                              : lines[front.crack].frontLast) = true;
-  return lines;
-}
-
-void findSides(State<2>& state, Surroundings& surroundings, const View<int*>& row)
+template <int D>
+void findSides(State<D>& state, Surroundings& surroundings, const View<int*>& row)
 {
   if (static_cast<int>(surroundings.cellMark.extent(0)) != state.grid.numNodes)
+  {
     surroundings.cellMark = View<int*>("rhegma::cracks::cellMark", state.grid.numNodes);
+    surroundings.nearest = View<std::uint64_t*>("rhegma::cracks::nearest", state.grid.numNodes);
+    Kokkos::deep_copy(surroundings.nearest, noSimplex);
+  }
   ++surroundings.stamp;
-  const std::vector<Reach> all = reaches(state);
-  clearNodeSides(state);
-  for (std::size_t c = 0; c < all.size(); ++c)
-    findNodeSides(state, all[c], static_cast<int>(c), surroundings.cellMark, surroundings.stamp);
+  clearNodeSides(state, surroundings);
+  findNearest(state, surroundings);
+  findNodeSides(state, surroundings);
   if (state.cracks.dualField)
     listParents(state, numberSecondFields(state));
-  for (const Reach& reach : all)
-    markParticles(state, reach, surroundings.cellMark, surroundings.stamp, row);
-  for (std::size_t c = 0; c < all.size(); ++c)
-    findParticleSides(state, all[c], static_cast<int>(c), row);
+  for (const Reach<D>& reach : reaches(state))
+    markParticles(state, surroundings, reach, row);
 }
+
+template void findSides(State<2>&, Surroundings&, const View<int*>&);
+template void findSides(State<3>&, Surroundings&, const View<int*>&);
 
 } // namespace Rhegma::cracks

@@ -4,7 +4,7 @@
 #include "cracks/CrackGeometry.hpp"
 #include "state/State.hpp"
 
-#include <vector>
+#include <cstdint>
 
 namespace Rhegma::cracks
 {
@@ -18,25 +18,24 @@ constexpr double tieTolerance = 0.1;
 /// the mean (unit test InclinedCracks; with a tenth of a cell it was 0.14 cells too long).
 constexpr double frontTolerance = 0.25;
 
-/// Cells over which a crack matters to nodes: a particle a stencil away on the other side must find the
-/// node's side.
-constexpr double bandWidth = 3.0;
-
 /// What each step finds out about the surroundings of the cracks.
 struct Surroundings
 {
-  View<int*> cellMark; ///< stamp of the last step in which a cell was near a crack
+  View<int*> cellMark;          ///< stamp of the last step in which a cell was near a crack
+  View<std::uint64_t*> nearest; ///< of each active node: square distance and number of the nearest simplex
   int stamp = 0;
 };
 
 /// Finds the side of every node that lies behind a front near a crack, gives it a second field (dual field),
-/// marks the particles that can see one of these nodes, and gives those a side if they have none yet. A
-/// particle keeps its side for good, so faces that press against each other never swap particles.
+/// gives the particles that can see one of these nodes a side if they have none yet, and marks those that see
+/// a node on the other side. A particle keeps its side for good, so faces that press against each other never
+/// swap particles.
+///
+/// A curved front is the rougher the fewer cells its radius has. Ties across it, springs between the two
+/// fields of nodes just behind, would enter where nodes get their side.
 ///
 /// \param row 0 for marked particles; others are left as they are
-void findSides(State<2>& state, Surroundings& surroundings, const View<int*>& row);
-
-/// The polylines of all cracks.
-std::vector<Polyline> polylines(const CrackSet<2>& cracks);
+template <int D>
+void findSides(State<D>& state, Surroundings& surroundings, const View<int*>& row);
 
 } // namespace Rhegma::cracks

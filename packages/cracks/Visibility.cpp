@@ -18,7 +18,8 @@ struct Blind
   }
 };
 
-void useSecondFields(const State<2>& state, const ObservedPoints<2>& points, const StencilTable<2>& table)
+template <int D>
+void useSecondFields(const State<D>& state, const ObservedPoints<D>& points, const StencilTable<D>& table)
 {
   const Blind blind{state.cracks.nodeSide};
   const View<int*> second = state.cracks.second;
@@ -143,15 +144,24 @@ void extrapolate(const State<2>& state, const Ghosts& ghosts, const ObservedPoin
 
 } // namespace
 
-void editStencils(const State<2>& state, Formulation formulation, const Ghosts& ghosts,
-                  const ObservedPoints<2>& points, const StencilTable<2>& table)
+template <int D>
+void editStencils(const State<D>& state, Formulation formulation, const Ghosts& ghosts,
+                  const ObservedPoints<D>& points, const StencilTable<D>& table)
 {
   if (formulation == Formulation::DualField)
     useSecondFields(state, points, table);
-  else if (formulation == Formulation::BrokenCell)
-    breakCells(state, points, table);
-  else
-    extrapolate(state, ghosts, points, table);
+  if constexpr (D == 2) // a 3D scene with another formulation is refused
+  {
+    if (formulation == Formulation::BrokenCell)
+      breakCells(state, points, table);
+    else if (formulation == Formulation::CorrectedBrokenCell)
+      extrapolate(state, ghosts, points, table);
+  }
 }
+
+template void editStencils(const State<2>&, Formulation, const Ghosts&, const ObservedPoints<2>&,
+                           const StencilTable<2>&);
+template void editStencils(const State<3>&, Formulation, const Ghosts&, const ObservedPoints<3>&,
+                           const StencilTable<3>&);
 
 } // namespace Rhegma::cracks

@@ -30,7 +30,8 @@ enum class Formulation
 /// complete (Ghosts.hpp). Where three nodes on are still invisible, the point keeps the node.
 ///
 /// \param ghosts what stands in for invisible nodes; only the corrected broken cell reads it
-void editStencils(const State<2>& state, Formulation formulation, const Ghosts& ghosts,
-                  const ObservedPoints<2>& points, const StencilTable<2>& table);
+template <int D>
+void editStencils(const State<D>& state, Formulation formulation, const Ghosts& ghosts,
+                  const ObservedPoints<D>& points, const StencilTable<D>& table);
 
 } // namespace Rhegma::cracks

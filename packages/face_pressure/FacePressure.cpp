@@ -12,14 +12,19 @@ namespace
 {
 
 /// Force on the face of side +1 at point k [N].
-KOKKOS_INLINE_FUNCTION Vector<2> faceForce(const FacePoints& points, int k, double pressure, double thickness)
+template <int D>
+KOKKOS_INLINE_FUNCTION Vector<D> faceForce(const FacePoints<D>& points, int k, double pressure,
+                                           double thickness)
 {
-  const Vector<2> normal{points.normal(k, 0), points.normal(k, 1)};
-  return (pressure * points.currentLength(k) * thickness) * normal;
+  Vector<D> force;
+  for (int d = 0; d < D; ++d)
+    force[d] = pressure * points.currentSize(k) * thickness * points.normal(k, d);
+  return force;
 }
 
 /// Lets others know of the pressure.
-void publish(CrackSet<2>& cracks, int crack, double pressure)
+template <int D>
+void publish(CrackSet<D>& cracks, int crack, double pressure)
 {
   if (cracks.pressure.extent(0) != cracks.simplex.extent(0))
     cracks.pressure = View<double*>("rhegma::crackPressure", cracks.simplex.extent(0));
@@ -32,12 +37,13 @@ void publish(CrackSet<2>& cracks, int crack, double pressure)
 
 } // namespace
 
-void FacePressure::apply(State<2>& state, const FacePoints& points)
+template <int D>
+void FacePressure::apply(State<D>& state, const FacePoints<D>& points)
 {
   now_ = history_(state.time + 0.5 * state.dt);
   publish(state.cracks, crack_, now_);
-  const FacePoints p = points;
-  const Nodes<2> nodes = state.nodes;
+  const FacePoints<D> p = points;
+  const Nodes<D> nodes = state.nodes;
   const double pressure = now_, thickness = state.thickness;
   const int crack = crack_;
   Kokkos::parallel_for(
@@ -45,29 +51,30 @@ void FacePressure::apply(State<2>& state, const FacePoints& points)
       KOKKOS_LAMBDA(const int k) {
         if (p.crack(k) != crack)
           return;
-        const Vector<2> force = faceForce(p, k, pressure, thickness);
+        const Vector<D> force = faceForce(p, k, pressure, thickness);
         addFaceForce(nodes, p.above, k, force);
         addFaceForce(nodes, p.below, k, -1.0 * force);
       });
 }
 
-double FacePressure::work(const State<2>& state, const FacePoints& points) const
+template <int D>
+double FacePressure::work(const State<D>& state, const FacePoints<D>& points) const
 {
-  const FacePoints p = points;
-  const Nodes<2> nodes = state.nodes;
+  const FacePoints<D> p = points;
+  const Nodes<D> nodes = state.nodes;
   const double pressure = now_, thickness = state.thickness, dt = state.dt;
   const int crack = crack_;
   // Velocity in the middle of the step.
   const auto mean = KOKKOS_LAMBDA(const int n, const int d)
   {
-    return nodes.motion(n, d) - 0.5 * dt * nodes.motion(n, Nodes<2>::accelerationAt + d);
+    return nodes.motion(n, d) - 0.5 * dt * nodes.motion(n, Nodes<D>::accelerationAt + d);
   };
   double work = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::face_pressure::work", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
       KOKKOS_LAMBDA(const int k, double& sum) {
         if (p.crack(k) == crack)
-          sum += dt * dot(faceForce(p, k, pressure, thickness), jumpAt(p.below, p.above, k, mean));
+          sum += dt * dot(faceForce(p, k, pressure, thickness), jumpAt<D>(p.below, p.above, k, mean));
       },
       work);
   return work;
@@ -107,13 +114,15 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 }
 
 /// What the effect keeps from step to step.
+template <int D>
 struct Account
 {
-  FacePoints points;
+  FacePoints<D> points;
   std::vector<FacePressure> pressures;
 };
 
-int findCrack(const CrackSet<2>& cracks, const std::string& name)
+template <int D>
+int findCrack(const CrackSet<D>& cracks, const std::string& name)
 {
   for (std::size_t c = 0; c < cracks.cracks.size(); ++c)
     if (cracks.cracks[c].name == name)
@@ -121,14 +130,15 @@ int findCrack(const CrackSet<2>& cracks, const std::string& name)
   throw std::invalid_argument("Face Pressure > " + name + ": there is no crack of this name");
 }
 
-Effect<2> make2(const Teuchos::ParameterList& scene)
+template <int D>
+Effect<D> make(const Teuchos::ParameterList& scene)
 {
   const Teuchos::ParameterList list = scene.sublist("Face Pressure");
-  const auto account = std::make_shared<Account>();
-  Effect<2> effect;
+  const auto account = std::make_shared<Account<D>>();
+  Effect<D> effect;
   effect.name = "Face Pressure";
   effect.needs = {fields::side};
-  effect.atStart = [account, list](State<2>& state)
+  effect.atStart = [account, list](State<D>& state)
   {
     for (const std::string& name : sublistNames(list))
       account->pressures.emplace_back(findCrack(state.cracks, name),
@@ -139,7 +149,7 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
                {"nodal mass"},
                {},
                {"nodal force"},
-               [account](State<2>& s)
+               [account](State<D>& s)
                {
                  account->points.update(s);
                  for (FacePressure& pressure : account->pressures)
@@ -150,7 +160,7 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
                {"constrained motion"},
                {},
                {},
-               [account](State<2>& s)
+               [account](State<D>& s)
                {
                  for (const FacePressure& pressure : account->pressures)
                    s.energy.externalWork += pressure.work(s, account->points);
@@ -160,13 +170,13 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
                {"energies"},
                {},
                {},
-               [account](State<2>& s)
+               [account](State<D>& s)
                {
                  for (const FacePressure& pressure : account->pressures)
                    s.row.emplace_back(s.cracks.cracks[pressure.crack()].name + ".pressure",
                                       pressure.pressure());
                }});
-  effect.report = [account](const State<2>&, nlohmann::json& summary)
+  effect.report = [account](const State<D>&, nlohmann::json& summary)
   {
     for (const FacePressure& pressure : account->pressures)
       summary["cracks"][pressure.crack()]["pressure"] = pressure.pressure();
@@ -174,14 +184,13 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
   return effect;
 }
 
-Effect<3> make3(const Teuchos::ParameterList&)
-{
-  throw std::invalid_argument("Face Pressure: pressure on crack faces in three dimensions is not in this "
-                              "version; use a 2D scene");
-}
-
 } // namespace
 
-EffectEntry facePressureEntry() { return {section(), check, make2, make3}; }
+EffectEntry facePressureEntry() { return {section(), check, make<2>, make<3>}; }
+
+template void FacePressure::apply(State<2>&, const FacePoints<2>&);
+template void FacePressure::apply(State<3>&, const FacePoints<3>&);
+template double FacePressure::work(const State<2>&, const FacePoints<2>&) const;
+template double FacePressure::work(const State<3>&, const FacePoints<3>&) const;
 
 } // namespace Rhegma::face_pressure

@@ -21,10 +21,12 @@ public:
   FacePressure(int crack, TimeFunction history) : crack_(crack), history_(std::move(history)) {}
 
   /// Adds the forces [N] of the middle of this step to the nodes.
-  void apply(State<2>& state, const FacePoints& points);
+  template <int D>
+  void apply(State<D>& state, const FacePoints<D>& points);
 
   /// Work [J] that the forces did in this step, by the mean of the nodes' velocities before and after.
-  double work(const State<2>& state, const FacePoints& points) const;
+  template <int D>
+  double work(const State<D>& state, const FacePoints<D>& points) const;
 
   double pressure() const { return now_; } ///< [Pa]
   int crack() const { return crack_; }

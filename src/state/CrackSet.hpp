@@ -9,17 +9,20 @@
 namespace Rhegma
 {
 
-/// An end of a crack inside the body.
+/// An end of a crack inside the body: a vertex of a polyline (2D), a line of edges along the border of a
+/// surface (3D).
 template <int D>
 struct CrackFront
 {
   int crack = 0;       ///< index of its crack
   int number = 0;      ///< counts the fronts of its crack from 0
-  int vertex = 0;      ///< the vertex that it is, in CrackSet's numbering
-  Vector<D> position;  ///< [m]
+  int vertex = 0;      ///< the vertex that it is, in CrackSet's numbering; in 3D the one midway along it
+  int firstFacet = 0;  ///< its facets, in order along it, are firstFacet .. firstFacet + numFacets - 1
+  int numFacets = 1;   ///< in CrackSet::frontFacet
+  Vector<D> position;  ///< of the vertex [m]
   Vector<D> direction; ///< unit vector in which the crack would run straight on
   Vector<D> normal;    ///< unit normal of the crack at the front, from side -1 to side +1
-  double length = 0.0; ///< length of the crack that ends here [m]
+  double length = 0.0; ///< length of the crack that ends here (2D) or of the front itself (3D) [m]
   double speed = 0.0;  ///< [m/s]
 };
 
@@ -33,8 +36,26 @@ struct Crack
   int firstSimplex = 0, numSimplices = 0;
 };
 
+/// What lies beyond a facet of a simplex: another simplex, or nothing.
+namespace facet
+{
+constexpr int mouth = -1; ///< the surface of the body
+constexpr int front = -2; ///< whole material
+} // namespace facet
+
+/// What a vertex of a crack lies on; both at a front's end at a mouth.
+namespace vertexKind
+{
+constexpr int inner = 0;
+constexpr int mouth = 1;
+constexpr int front = 2;
+} // namespace vertexKind
+
 /// All cracks. A side is named +(c + 1) or -(c + 1), c the index of the crack; 0 is away from cracks. Each
-/// vertex moves with both faces; the crack itself lies midway.
+/// vertex moves with both faces; the crack itself lies midway. Facet i of a simplex is the one opposite to
+/// its i-th vertex: the other end of a segment, an edge of a triangle. Simplices of a crack have one
+/// orientation: side +1 lies to the left of a segment, and where the vertices of a triangle are seen
+/// anticlockwise.
 template <int D>
 struct CrackSet
 {
@@ -45,9 +66,19 @@ struct CrackSet
   View<double* [2][D]> face; ///< places on the faces of side -1 (0) and +1 (1) [m]
   View<int* [D]> simplex;    ///< vertices of each segment or triangle
   View<int*> crackOf;        ///< crack of each simplex
-  View<int*> nodeSide;       ///< of each lattice node: its side where the node lies behind a front, else 0
-  View<int*> second;         ///< second field of each lattice node, or -1 (dual field only)
-  View<double*> pressure;    ///< that pushes the faces of each segment apart [Pa]; empty where nothing does
+  View<int* [D]> neighbour;  ///< simplex beyond each facet of a simplex, or facet::mouth or front
+  View<int*> starBegin; ///< the simplices at vertex v are star(starBegin(v)) .. star(starBegin(v + 1) - 1)
+  View<int*> star;
+  View<int*> kind;           ///< of each vertex: what it lies on (vertexKind, added)
+  View<int* [2]> frontFacet; ///< simplex and facet of each piece of front
+  View<int*> nearFront;      ///< whether each simplex lies within a stencil or two of a front
+
+  View<double* [D]> normal;       ///< unit normal of each simplex, from side -1 to side +1
+  View<double* [D]> vertexNormal; ///< unit normal of each vertex, mean of its simplices' by their angles
+
+  View<int*> nodeSide;    ///< of each lattice node: its side where the node lies behind a front, else 0
+  View<int*> second;      ///< second field of each lattice node, or -1 (dual field only)
+  View<double*> pressure; ///< that pushes the faces of each segment apart [Pa]; empty where nothing does
   bool dualField = true;
 
   bool empty() const { return cracks.empty(); }

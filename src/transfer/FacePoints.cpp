@@ -3,7 +3,9 @@
 #include "transfer/Stencils.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <type_traits>
 #include <vector>
 
 namespace Rhegma
@@ -15,36 +17,90 @@ namespace
 /// Longest piece of crack that one point stands for, in cells.
 constexpr double longestPiece = 0.5;
 
+template <int D>
 struct Place
 {
-  int segment, crack;
-  double along, share, length;
-  Vector<2> at;
+  int simplex, crack;
+  double weight[D], share, size;
+  Vector<D> at;
 };
 
-std::vector<Place> places(const CrackSet<2>& cracks, double spacing)
+/// Middles of the equal pieces of a simplex whose edges are cut into n.
+std::vector<std::array<double, 2>> middles(std::integral_constant<int, 2>, int n)
+{
+  std::vector<std::array<double, 2>> all;
+  for (int i = 0; i < n; ++i)
+    all.push_back({1.0 - (i + 0.5) / n, (i + 0.5) / n});
+  return all;
+}
+
+std::vector<std::array<double, 3>> middles(std::integral_constant<int, 3>, int n)
+{
+  std::vector<std::array<double, 3>> all;
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n - i; ++j)
+      for (const double third : {1.0 / 3.0, 2.0 / 3.0}) // upright pieces and those between them
+        if (third < 0.5 || j + 1 < n - i)
+        {
+          const double b = (i + third) / n, c = (j + third) / n;
+          all.push_back({1.0 - b - c, b, c});
+        }
+  return all;
+}
+
+KOKKOS_INLINE_FUNCTION Vector<2> sizedNormal(const Vector<2> (&corner)[2])
+{
+  return {corner[0][1] - corner[1][1], corner[1][0] - corner[0][0]};
+}
+
+KOKKOS_INLINE_FUNCTION Vector<3> sizedNormal(const Vector<3> (&corner)[3])
+{
+  const Vector<3> a = corner[1] - corner[0], b = corner[2] - corner[0];
+  return {0.5 * (a[1] * b[2] - a[2] * b[1]), 0.5 * (a[2] * b[0] - a[0] * b[2]),
+          0.5 * (a[0] * b[1] - a[1] * b[0])};
+}
+
+template <int D>
+std::vector<Place<D>> places(const CrackSet<D>& cracks, double spacing)
 {
   const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
   const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
   const auto crackOf = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.crackOf);
-  std::vector<Place> all;
+  std::vector<Place<D>> all;
   for (int s = 0; s < static_cast<int>(simplex.extent(0)); ++s)
   {
-    const Vector<2> a{vertex(simplex(s, 0), 0), vertex(simplex(s, 0), 1)};
-    const Vector<2> b{vertex(simplex(s, 1), 0), vertex(simplex(s, 1), 1)};
-    const double length = norm(b - a);
-    const int pieces = std::max(1, static_cast<int>(std::ceil(length / (longestPiece * spacing) - 1e-6)));
-    for (int i = 0; i < pieces; ++i)
+    Vector<D> corner[D];
+    for (int i = 0; i < D; ++i)
+      for (int d = 0; d < D; ++d)
+        corner[i][d] = vertex(simplex(s, i), d);
+    double longest = 0.0;
+    for (int i = 0; i < D; ++i)
+      longest = std::max(longest, norm(corner[(i + 1) % D] - corner[i]));
+    const int n = std::max(1, static_cast<int>(std::ceil(longest / (longestPiece * spacing) - 1e-6)));
+    const auto weights = middles(std::integral_constant<int, D>{}, n);
+    const double size = norm(sizedNormal(corner));
+    for (const std::array<double, D>& weight : weights)
     {
-      const double along = (i + 0.5) / pieces;
-      all.push_back({s, crackOf(s), along, 1.0 / pieces, length / pieces, a + along * (b - a)});
+      Place<D> place;
+      place.simplex = s;
+      place.crack = crackOf(s);
+      place.share = 1.0 / double(weights.size());
+      place.size = size * place.share;
+      place.at = Vector<D>{};
+      for (int i = 0; i < D; ++i)
+      {
+        place.weight[i] = weight[i];
+        place.at = place.at + weight[i] * corner[i];
+      }
+      all.push_back(place);
     }
   }
   return all;
 }
 
 /// Leaves a point out on both faces where one of them has no node to act on.
-void leaveOutLonely(const StencilTable<2>& below, const StencilTable<2>& above, int count)
+template <int D>
+void leaveOutLonely(const StencilTable<D>& below, const StencilTable<D>& above, int count)
 {
   Kokkos::parallel_for(
       "rhegma::leaveOutLonelyFaces", Kokkos::RangePolicy<ExecSpace>(0, count), KOKKOS_LAMBDA(const int k) {
@@ -55,13 +111,14 @@ void leaveOutLonely(const StencilTable<2>& below, const StencilTable<2>& above, 
 
 } // namespace
 
-bool FacePoints::update(const State<2>& state)
+template <int D>
+bool FacePoints<D>::update(const State<D>& state)
 {
-  const int segments = static_cast<int>(state.cracks.simplex.extent(0));
-  const bool anew = segments != segments_;
+  const int simplices = static_cast<int>(state.cracks.simplex.extent(0));
+  const bool anew = simplices != simplices_;
   if (anew)
     place(state.cracks, state.grid.spacing);
-  segments_ = segments;
+  simplices_ = simplices;
   follow(state.cracks);
   pointStencils(state, lower_, below, true);
   pointStencils(state, upper_, above, true);
@@ -69,10 +126,11 @@ bool FacePoints::update(const State<2>& state)
   return anew;
 }
 
-void FacePoints::place(const CrackSet<2>& cracks, double spacing)
+template <int D>
+void FacePoints<D>::place(const CrackSet<D>& cracks, double spacing)
 {
-  const std::vector<Place> all = places(cracks, spacing);
-  std::vector<Place> old(count_);
+  const std::vector<Place<D>> all = places(cracks, spacing);
+  std::vector<Place<D>> old(count_);
   if (count_ > 0)
   {
     const auto oldCrack = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, crack);
@@ -80,39 +138,42 @@ void FacePoints::place(const CrackSet<2>& cracks, double spacing)
     for (int k = 0; k < count_; ++k)
     {
       old[k].crack = oldCrack(k);
-      old[k].at = {oldPosition(k, 0), oldPosition(k, 1)};
+      for (int d = 0; d < D; ++d)
+        old[k].at[d] = oldPosition(k, d);
     }
   }
   count_ = static_cast<int>(all.size());
   crack = View<int*>("rhegma::facePointCrack", count_);
-  length = View<double*>("rhegma::facePointLength", count_);
-  currentLength = View<double*>("rhegma::facePointCurrentLength", count_);
-  position = View<double* [2]>("rhegma::facePointPosition", count_);
-  normal = View<double* [2]>("rhegma::facePointNormal", count_);
+  size = View<double*>("rhegma::facePointSize", count_);
+  currentSize = View<double*>("rhegma::facePointCurrentSize", count_);
+  position = View<double* [D]>("rhegma::facePointPosition", count_);
+  normal = View<double* [D]>("rhegma::facePointNormal", count_);
+  edge = View<double* [D]>("rhegma::facePointEdge", count_);
   separation = View<double*>("rhegma::facePointSeparation", count_);
   before = View<int*>("rhegma::facePointBefore", count_);
-  segment_ = View<int*>("rhegma::facePointSegment", count_);
-  along_ = View<double*>("rhegma::facePointAlong", count_);
+  simplex_ = View<int*>("rhegma::facePointSimplex", count_);
+  weight_ = View<double* [D]>("rhegma::facePointWeight", count_);
   share_ = View<double*>("rhegma::facePointShare", count_);
-  for (ObservedPoints<2>* face : {&lower_, &upper_})
+  for (ObservedPoints<D>* face : {&lower_, &upper_})
   {
     face->count = count_;
-    face->position = View<double* [2]>("rhegma::facePosition", count_);
-    face->half = View<double* [2]>("rhegma::faceHalf", count_);
+    face->position = View<double* [D]>("rhegma::facePosition", count_);
+    face->half = View<double* [D]>("rhegma::faceHalf", count_);
     face->side = View<int*>("rhegma::faceSide", count_);
   }
   const auto hostCrack = Kokkos::create_mirror_view(crack);
-  const auto hostLength = Kokkos::create_mirror_view(length);
+  const auto hostSize = Kokkos::create_mirror_view(size);
   const auto hostBefore = Kokkos::create_mirror_view(before);
-  const auto hostSegment = Kokkos::create_mirror_view(segment_);
-  const auto hostAlong = Kokkos::create_mirror_view(along_);
+  const auto hostSimplex = Kokkos::create_mirror_view(simplex_);
+  const auto hostWeight = Kokkos::create_mirror_view(weight_);
   const auto hostShare = Kokkos::create_mirror_view(share_);
   for (int k = 0; k < count_; ++k)
   {
     hostCrack(k) = all[k].crack;
-    hostLength(k) = all[k].length;
-    hostSegment(k) = all[k].segment;
-    hostAlong(k) = all[k].along;
+    hostSize(k) = all[k].size;
+    hostSimplex(k) = all[k].simplex;
+    for (int i = 0; i < D; ++i)
+      hostWeight(k, i) = all[k].weight[i];
     hostShare(k) = all[k].share;
     hostBefore(k) = -1;
     double nearest = longestPiece * spacing;
@@ -124,44 +185,57 @@ void FacePoints::place(const CrackSet<2>& cracks, double spacing)
       }
   }
   Kokkos::deep_copy(crack, hostCrack);
-  Kokkos::deep_copy(length, hostLength);
+  Kokkos::deep_copy(size, hostSize);
   Kokkos::deep_copy(before, hostBefore);
-  Kokkos::deep_copy(segment_, hostSegment);
-  Kokkos::deep_copy(along_, hostAlong);
+  Kokkos::deep_copy(simplex_, hostSimplex);
+  Kokkos::deep_copy(weight_, hostWeight);
   Kokkos::deep_copy(share_, hostShare);
 }
 
-void FacePoints::follow(const CrackSet<2>& cracks)
+template <int D>
+void FacePoints<D>::follow(const CrackSet<D>& cracks)
 {
   const FacePoints p = *this;
-  const View<int*> segment = segment_;
-  const View<double*> along = along_, share = share_;
-  const ObservedPoints<2> lower = lower_, upper = upper_;
-  const View<int* [2]> simplex = cracks.simplex;
-  const View<double* [2]> vertex = cracks.vertex;
-  const View<double* [2][2]> face = cracks.face;
+  const View<int*> simplexOf = simplex_;
+  const View<double* [D]> weight = weight_;
+  const View<double*> share = share_;
+  const ObservedPoints<D> lower = lower_, upper = upper_;
+  const View<int* [D]> simplex = cracks.simplex;
+  const View<double* [D]> vertex = cracks.vertex;
+  const View<double* [2][D]> face = cracks.face;
   Kokkos::parallel_for(
       "rhegma::followFaces", Kokkos::RangePolicy<ExecSpace>(0, count_), KOKKOS_LAMBDA(const int k) {
-        const int a = simplex(segment(k), 0), b = simplex(segment(k), 1);
-        const Vector<2> t{vertex(b, 0) - vertex(a, 0), vertex(b, 1) - vertex(a, 1)};
-        const double now = norm(t);
-        const Vector<2> n{-t[1] / now, t[0] / now};
-        double apart = 0.0;
-        for (int d = 0; d < 2; ++d)
-          apart += n[d] * ((1.0 - along(k)) * (face(a, 1, d) - face(a, 0, d)) +
-                           along(k) * (face(b, 1, d) - face(b, 0, d)));
+        Vector<D> corner[D], at{}, jump{};
+        for (int i = 0; i < D; ++i)
+        {
+          const int v = simplex(simplexOf(k), i);
+          for (int d = 0; d < D; ++d)
+          {
+            corner[i][d] = vertex(v, d);
+            at[d] += weight(k, i) * vertex(v, d);
+            jump[d] += weight(k, i) * (face(v, 1, d) - face(v, 0, d));
+          }
+        }
+        const Vector<D> area = sizedNormal(corner), along = corner[1] - corner[0];
+        const double now = norm(area), length = norm(along);
+        const Vector<D> n = (1.0 / now) * area;
+        const double apart = dot(n, jump);
         p.separation(k) = apart;
-        p.currentLength(k) = share(k) * now;
+        p.currentSize(k) = share(k) * now;
         lower.side(k) = -(p.crack(k) + 1);
         upper.side(k) = p.crack(k) + 1;
-        for (int d = 0; d < 2; ++d)
+        for (int d = 0; d < D; ++d)
         {
           p.normal(k, d) = n[d];
-          p.position(k, d) = vertex(a, d) + along(k) * t[d];
-          lower.position(k, d) = p.position(k, d) - 0.5 * apart * n[d];
-          upper.position(k, d) = p.position(k, d) + 0.5 * apart * n[d];
+          p.edge(k, d) = along[d] / length;
+          p.position(k, d) = at[d];
+          lower.position(k, d) = at[d] - 0.5 * apart * n[d];
+          upper.position(k, d) = at[d] + 0.5 * apart * n[d];
         }
       });
 }
+
+template class FacePoints<2>;
+template class FacePoints<3>;
 
 } // namespace Rhegma

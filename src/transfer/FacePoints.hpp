@@ -6,69 +6,86 @@
 namespace Rhegma
 {
 
-/// Points on the segments of all cracks, about half a cell apart, with a stencil on each face.
+/// Points on the segments (2D) or triangles (3D) of all cracks, about half a cell apart, with a stencil on
+/// each face: the middles of equal pieces, so that sums over them are midpoint rules.
 ///
-/// A point is fixed to a place on its segment. Its two faces lie on the normal through that place, half the
+/// A point is fixed to a place on its simplex. Its two faces lie on the normal through that place, half the
 /// separation of the faces away on either side, so that opposite forces on them have no moment, however far
 /// the faces have slid. Points whose face meets no node with mass (at a mouth) have no stencil on either
 /// side: what acts between faces stays in balance.
+template <int D>
 class FacePoints
 {
 public:
   /// Follows the cracks and makes the stencils for this step; needs the masses of the nodes. Where the pieces
   /// of a crack have changed, its points are placed anew.
   /// \return true when they were; `before` then tells from which earlier point each may inherit
-  bool update(const State<2>& state);
+  bool update(const State<D>& state);
 
   int count() const { return count_; }
 
-  View<int*> crack;            ///< crack of each point
-  View<double*> length;        ///< undeformed length of crack that each point stands for [m]
-  View<double*> currentLength; ///< the same now [m]
-  View<double* [2]> position;  ///< midway between the faces [m]
-  View<double* [2]> normal;    ///< unit normal from side -1 to side +1, now
-  View<double*> separation;    ///< of the faces along the normal, negative where they overlap [m]
-  StencilTable<2> below;       ///< on side -1; no entries where a point is left out
-  StencilTable<2> above;       ///< on side +1
-  View<int*> before;           ///< earlier point in the same place, or -1
+  View<int*> crack;           ///< crack of each point
+  View<double*> size;         ///< undeformed length or area of crack that each point stands for [m, m2]
+  View<double*> currentSize;  ///< the same now [m, m2]
+  View<double* [D]> position; ///< midway between the faces [m]
+  View<double* [D]> normal;   ///< unit normal from side -1 to side +1, now
+  View<double* [D]> edge;     ///< unit vector along the first edge of the simplex, now
+  View<double*> separation;   ///< of the faces along the normal, negative where they overlap [m]
+  StencilTable<D> below;      ///< on side -1; no entries where a point is left out
+  StencilTable<D> above;      ///< on side +1
+  View<int*> before;          ///< earlier point in the same place, or -1
 
 private:
-  void place(const CrackSet<2>& cracks, double spacing);
-  void follow(const CrackSet<2>& cracks);
+  void place(const CrackSet<D>& cracks, double spacing);
+  void follow(const CrackSet<D>& cracks);
 
-  View<int*> segment_;
-  View<double*> along_; ///< place on the segment, 0 to 1
-  View<double*> share_; ///< of the segment's length
-  ObservedPoints<2> lower_, upper_;
+  View<int*> simplex_;
+  View<double* [D]> weight_; ///< of the simplex's vertices at the point
+  View<double*> share_;      ///< of the simplex's size
+  ObservedPoints<D> lower_, upper_;
   int count_ = 0;
-  int segments_ = -1;
+  int simplices_ = -1;
 };
 
-/// The tangent t of a point with normal n: side +1 slides along t when the crack's own direction is t.
-KOKKOS_INLINE_FUNCTION Vector<2> tangentOf(const Vector<2>& normal) { return {normal[1], -normal[0]}; }
+/// Unit tangents of a point: in 2D side +1 slides along it when the crack's own direction is it; in 3D two at
+/// right angles, which turn with the triangle.
+KOKKOS_INLINE_FUNCTION Vector<2> tangentOf(const FacePoints<2>& points, int k, int)
+{
+  return {points.normal(k, 1), -points.normal(k, 0)};
+}
 
-/// Jump of a nodal velocity (its first two columns) from side -1 to side +1 at point k.
-template <class Velocity>
-KOKKOS_INLINE_FUNCTION Vector<2> jumpAt(const StencilTable<2>& below, const StencilTable<2>& above, int k,
+KOKKOS_INLINE_FUNCTION Vector<3> tangentOf(const FacePoints<3>& points, int k, int which)
+{
+  const Vector<3> t{points.edge(k, 0), points.edge(k, 1), points.edge(k, 2)};
+  if (which == 0)
+    return t;
+  const Vector<3> n{points.normal(k, 0), points.normal(k, 1), points.normal(k, 2)};
+  return {n[1] * t[2] - n[2] * t[1], n[2] * t[0] - n[0] * t[2], n[0] * t[1] - n[1] * t[0]};
+}
+
+/// Jump of a nodal velocity (its first D columns) from side -1 to side +1 at point k.
+template <int D, class Velocity>
+KOKKOS_INLINE_FUNCTION Vector<D> jumpAt(const StencilTable<D>& below, const StencilTable<D>& above, int k,
                                         const Velocity& velocity)
 {
-  Vector<2> jump{0.0, 0.0};
+  Vector<D> jump{};
   for (int e = 0; e < above.count(k); ++e)
-    for (int d = 0; d < 2; ++d)
+    for (int d = 0; d < D; ++d)
       jump[d] += above.weight(k, e) * velocity(above.node(k, e), d);
   for (int e = 0; e < below.count(k); ++e)
-    for (int d = 0; d < 2; ++d)
+    for (int d = 0; d < D; ++d)
       jump[d] -= below.weight(k, e) * velocity(below.node(k, e), d);
   return jump;
 }
 
 /// Adds a force [N] to the nodes of one face at point k.
-KOKKOS_INLINE_FUNCTION void addFaceForce(const Nodes<2>& nodes, const StencilTable<2>& face, int k,
-                                         const Vector<2>& force)
+template <int D>
+KOKKOS_INLINE_FUNCTION void addFaceForce(const Nodes<D>& nodes, const StencilTable<D>& face, int k,
+                                         const Vector<D>& force)
 {
   for (int e = 0; e < face.count(k); ++e)
-    for (int d = 0; d < 2; ++d)
-      Kokkos::atomic_add(&nodes.sums(face.node(k, e), Nodes<2>::forceAt + d), face.weight(k, e) * force[d]);
+    for (int d = 0; d < D; ++d)
+      Kokkos::atomic_add(&nodes.sums(face.node(k, e), Nodes<D>::forceAt + d), face.weight(k, e) * force[d]);
 }
 
 } // namespace Rhegma

@@ -10,7 +10,7 @@ namespace
 {
 
 /// Closes the joint by `overlap` [m] in one step of 1e-7 s, then slides it by `slide` in another.
-void press(State<2>& state, FaceContact& contact, double overlap, double slide)
+void press(State<2>& state, FaceContact<2>& contact, double overlap, double slide)
 {
   state.dt = 1e-7;
   contact.prepare(state);
@@ -21,9 +21,9 @@ void press(State<2>& state, FaceContact& contact, double overlap, double slide)
 }
 
 /// Area of the joint that has face points [m2].
-double area(const FaceContact& contact)
+double area(const FaceContact<2>& contact)
 {
-  const auto length = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, contact.points().length);
+  const auto length = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, contact.points().size);
   double sum = 0.0;
   for (int k = 0; k < contact.points().count(); ++k)
     sum += length(k);
@@ -38,7 +38,7 @@ TEST(FaceContact, PressesWithThePenaltyAndKeepsMomentum)
 {
   const auto run = barAtRest();
   State<2>& state = run->state();
-  FaceContact contact(Law::Frictionless, 0.0, 2.0);
+  FaceContact<2> contact(Law::Frictionless, 0.0, 2.0);
   press(state, contact, overlap, slide);
   clearForces(state);
   contact.addForces(state);
@@ -61,7 +61,7 @@ TEST(FaceContact, OpenFacesAreFree)
   State<2>& state = run->state();
   for (const Law law : {Law::Stick, Law::Frictionless, Law::Coulomb})
   {
-    FaceContact contact(law, 0.3, 1.0);
+    FaceContact<2> contact(law, 0.3, 1.0);
     press(state, contact, -overlap, slide);
     clearForces(state);
     contact.addForces(state);
@@ -76,7 +76,7 @@ TEST(FaceContact, SticksElastically)
 {
   const auto run = barAtRest();
   State<2>& state = run->state();
-  FaceContact contact(Law::Stick, 0.0, 1.0);
+  FaceContact<2> contact(Law::Stick, 0.0, 1.0);
   press(state, contact, overlap, slide);
   clearForces(state);
   contact.addForces(state);
@@ -94,7 +94,7 @@ TEST(FaceContact, SlipsBeyondCoulombsLimit)
   const auto run = barAtRest();
   State<2>& state = run->state();
   const double friction = 0.1;
-  FaceContact contact(Law::Coulomb, friction, 1.0);
+  FaceContact<2> contact(Law::Coulomb, friction, 1.0);
   press(state, contact, overlap, slide);
   const double limit = friction * modulus / cell * overlap;
   const double elastic = limit / (shear / cell);
@@ -116,7 +116,7 @@ TEST(FaceContact, ForgetsSlipWhenItOpens)
 {
   const auto run = barAtRest();
   State<2>& state = run->state();
-  FaceContact contact(Law::Stick, 0.0, 1.0);
+  FaceContact<2> contact(Law::Stick, 0.0, 1.0);
   press(state, contact, overlap, slide);
   const double sheared = 0.5 * shear / cell * slide * slide * area(contact);
   moveSides(state, {0.0, 2.0 * overlap / state.dt}, {0.0, 0.0});
@@ -132,7 +132,7 @@ TEST(FaceContact, KeepsItsGapWhileItTurns)
   const auto run = barAtRest();
   State<2>& state = run->state();
   const double opening = 0.3 * cell;
-  FaceContact contact(Law::Frictionless, 0.0, 1.0);
+  FaceContact<2> contact(Law::Frictionless, 0.0, 1.0);
   press(state, contact, -opening, 0.0);
   const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.vertex);
   const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.face);

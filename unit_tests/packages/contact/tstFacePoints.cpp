@@ -8,11 +8,11 @@ using namespace Rhegma::contact::test;
 TEST(FacePoints, StandForTheWholeCrack)
 {
   const auto run = barAtRest();
-  FacePoints points;
+  FacePoints<2> points;
   EXPECT_TRUE(points.update(run->state()));
   EXPECT_FALSE(points.update(run->state())) << "the crack has not changed";
-  const auto length = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.length);
-  const auto current = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.currentLength);
+  const auto length = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.size);
+  const auto current = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.currentSize);
   const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.normal);
   const auto separation = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.separation);
   double total = 0.0;
@@ -34,7 +34,7 @@ TEST(FacePoints, SeeOnlyTheirOwnSide)
 {
   const auto run = barAtRest();
   State<2>& state = run->state();
-  FacePoints points;
+  FacePoints<2> points;
   points.update(state);
   moveSides(state, {1.0, 2.0}, {-3.0, 5.0});
   const auto projection = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.projection);
@@ -63,7 +63,7 @@ TEST(FacePoints, FollowFacesThatPart)
 {
   const auto run = barAtRest();
   State<2>& state = run->state();
-  FacePoints points;
+  FacePoints<2> points;
   points.update(state);
   const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.face);
   for (std::size_t v = 0; v < face.extent(0); ++v)

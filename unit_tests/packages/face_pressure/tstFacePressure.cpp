@@ -32,7 +32,7 @@ TEST(FacePressure, PushesFacesApartInBalance)
   run.initialize();
   run.step(1e-9, false);
   State<2>& state = run.state();
-  FacePoints points;
+  FacePoints<2> points;
   points.update(state);
   const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.sums);
   for (std::size_t n = 0; n < sums.extent(0); ++n)
@@ -57,7 +57,7 @@ TEST(FacePressure, PushesFacesApartInBalance)
     if (second(n) >= 0)
       add(second(n), side(n) < 0);
   }
-  const auto length = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.length);
+  const auto length = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.size);
   double crack = 0.0;
   for (int k = 0; k < points.count(); ++k)
     crack += length(k);

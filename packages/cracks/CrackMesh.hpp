@@ -1,0 +1,42 @@
+#pragma once
+/// One crack as the scene gives it, made ready for a run.
+
+#include "cracks/MaterialPlaces.hpp"
+#include "state/CrackSet.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace Rhegma::cracks
+{
+
+/// Vertices and simplices of one crack.
+template <int D>
+struct CrackMesh
+{
+  std::vector<Vector<D>> vertices;
+  std::vector<std::array<int, D>> simplices;
+  std::vector<std::array<int, D>> beyond; ///< neighbour beyond each facet, or facet::mouth or front
+};
+
+/// Reads a polyline: clips it to the bodies at both ends, splits long segments, and finds which ends are
+/// fronts (material ahead of them) and which are mouths.
+///
+/// \param where section's path, for messages. Throws std::invalid_argument for a crack that has no length or
+/// lies outside of all bodies.
+CrackMesh<2> readPolyline(const Teuchos::ParameterList& list, const std::string& where,
+                          const MaterialPlaces<2>& material, double spacing);
+
+/// Reads a planar polygon: covers it with triangles with edges of about a cell, cuts off what lies outside of
+/// the bodies, and finds which pieces of its border are fronts and which are mouths.
+///
+/// \param where section's path, for messages. Throws std::invalid_argument for a polygon that has fewer than
+/// three points, no area, crosses itself, is not planar to a hundredth of a cell, or lies outside of all
+/// bodies.
+CrackMesh<3> readPolygon(const Teuchos::ParameterList& list, const std::string& where,
+                         const MaterialPlaces<3>& material, double spacing);
+
+} // namespace Rhegma::cracks

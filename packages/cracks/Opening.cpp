@@ -1,0 +1,59 @@
+#include "cracks/Opening.hpp"
+
+#include <algorithm>
+
+namespace Rhegma::cracks
+{
+
+namespace
+{
+
+double sizeOf(const Vector<2> (&corner)[2]) { return norm(corner[1] - corner[0]); }
+
+double sizeOf(const Vector<3> (&corner)[3])
+{
+  const Vector<3> a = corner[1] - corner[0], b = corner[2] - corner[0];
+  return 0.5 *
+         norm(Vector<3>{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
+}
+
+} // namespace
+
+template <int D>
+Opening measureOpening(const CrackSet<D>& cracks, int crack)
+{
+  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
+  const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.face);
+  const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
+  const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.normal);
+  const auto vertexNormal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertexNormal);
+  const Crack<D>& c = cracks.cracks[crack];
+  Opening opening{0.0, 0.0, 0.0};
+  for (int v = c.firstVertex; v < c.firstVertex + c.numVertices; ++v)
+  {
+    double apart = 0.0;
+    for (int d = 0; d < D; ++d)
+      apart += vertexNormal(v, d) * (face(v, 1, d) - face(v, 0, d));
+    opening.largest = std::max(opening.largest, apart);
+  }
+  for (int s = c.firstSimplex; s < c.firstSimplex + c.numSimplices; ++s)
+  {
+    Vector<D> corner[D];
+    double mean = 0.0;
+    for (int i = 0; i < D; ++i)
+      for (int d = 0; d < D; ++d)
+      {
+        const int v = simplex(s, i);
+        corner[i][d] = vertex(v, d);
+        mean += normal(s, d) * (face(v, 1, d) - face(v, 0, d)) / D;
+      }
+    opening.volume += mean * sizeOf(corner);
+    opening.size += sizeOf(corner);
+  }
+  return opening;
+}
+
+template Opening measureOpening(const CrackSet<2>&, int);
+template Opening measureOpening(const CrackSet<3>&, int);
+
+} // namespace Rhegma::cracks

@@ -1,0 +1,20 @@
+#pragma once
+/// How far a crack is open.
+
+#include "state/CrackSet.hpp"
+
+namespace Rhegma::cracks
+{
+
+struct Opening
+{
+  double largest; ///< of the vertices, along the normal [m]
+  double volume;  ///< between the faces, negative where they overlap; an area in 2D [m2, m3]
+  double size;    ///< length or area of the crack now [m, m2]
+};
+
+/// Adds up the opening of a crack that is linear between its vertices.
+template <int D>
+Opening measureOpening(const CrackSet<D>& cracks, int crack);
+
+} // namespace Rhegma::cracks

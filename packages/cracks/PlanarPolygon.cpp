@@ -1,0 +1,174 @@
+#include "cracks/CrackMesh.hpp"
+#include "cracks/Triangulation.hpp"
+#include "geometry/Primitives.hpp"
+#include "scene/Numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace Rhegma::cracks
+{
+
+namespace
+{
+
+/// How far a point may lie off the plane of the others, in cells.
+constexpr double flatness = 0.01;
+
+/// Area of the largest polygon, in squares of cells.
+constexpr double mostCells = 4e4;
+
+Vector<3> cross(const Vector<3>& a, const Vector<3>& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+std::string number(std::size_t k) { return std::to_string(k + 1); }
+
+/// A plane with axes of its own; the normal is a x b.
+struct OwnPlane
+{
+  Vector<3> origin, a, b, normal;
+
+  Vector<2> own(const Vector<3>& x) const { return {dot(x - origin, a), dot(x - origin, b)}; }
+  Vector<3> space(const Vector<2>& x) const { return origin + x[0] * a + x[1] * b; }
+};
+
+std::vector<Vector<3>> readCorners(const Teuchos::ParameterList& list, const std::string& where,
+                                   double spacing)
+{
+  const auto values = list.get<Teuchos::Array<double>>("Points");
+  std::vector<Vector<3>> points;
+  for (int k = 0; k + 2 < values.size(); k += 3)
+    points.push_back({values[k], values[k + 1], values[k + 2]});
+  // Who closes the polygon with its first point means the same.
+  if (points.size() > 3 && norm(points.front() - points.back()) < 1e-9 * spacing)
+    points.pop_back();
+  if (points.size() < 3)
+    throw std::invalid_argument(where +
+                                ": a crack in 3D is a polygon and needs at least three points; it has " +
+                                std::to_string(points.size()));
+  for (std::size_t k = 0; k < points.size(); ++k)
+    if (norm(points[(k + 1) % points.size()] - points[k]) < 1e-6 * spacing)
+      throw std::invalid_argument(
+          where + ": points " + number(k) + " and " + number((k + 1) % points.size()) +
+          " are the same, so an edge of the crack has no length; leave one of them out");
+  return points;
+}
+
+/// The plane of the polygon; its normal is that from which the points go round anticlockwise (Newell's sum).
+OwnPlane planeOf(const std::vector<Vector<3>>& points, const std::string& where, double spacing)
+{
+  Vector<3> area{0.0, 0.0, 0.0}, middle{0.0, 0.0, 0.0};
+  double longest = 0.0;
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    area = area + 0.5 * cross(points[k] - points[0], points[(k + 1) % points.size()] - points[0]);
+    middle = middle + (1.0 / double(points.size())) * points[k];
+    longest = std::max(longest, norm(points[k] - points[0]));
+  }
+  if (norm(area) < 1e-6 * longest * longest)
+    throw std::invalid_argument(where + ": the polygon has no area; give points that go round one");
+  // What lies outside of the bodies is cut off later; a unit or an exponent that is wrong would make too many
+  // triangles.
+  const double cells = norm(area) / (spacing * spacing);
+  if (!(cells <= mostCells))
+    throw std::invalid_argument(where + ": the polygon covers " + formatReal(cells) +
+                                " cells; write its points in metres, not far outside of the body");
+  OwnPlane plane;
+  plane.origin = middle;
+  plane.normal = (1.0 / norm(area)) * area;
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    const double off = std::abs(dot(points[k] - middle, plane.normal));
+    if (off > flatness * spacing)
+      throw std::invalid_argument(
+          where + ": point " + number(k) + " lies " + formatReal(off) +
+          " m off the plane of the polygon, which must be flat to a hundredth of a cell; "
+          "move it, or give several cracks");
+  }
+  const Vector<3> along = points[1] - points[0];
+  plane.a = along - dot(along, plane.normal) * plane.normal;
+  plane.a = (1.0 / norm(plane.a)) * plane.a;
+  plane.b = cross(plane.normal, plane.a);
+  return plane;
+}
+
+/// The edge of the outline on which a place lies, or -1.
+int edgeAt(const std::vector<Vector<2>>& outline, const Vector<2>& x, double tolerance)
+{
+  for (std::size_t k = 0; k < outline.size(); ++k)
+  {
+    const Vector<2> along = outline[(k + 1) % outline.size()] - outline[k], from = x - outline[k];
+    const double at = std::clamp(dot(from, along) / dot(along, along), 0.0, 1.0);
+    if (norm(from - at * along) < tolerance)
+      return static_cast<int>(k);
+  }
+  return -1;
+}
+
+/// Which edges the scene calls fronts; empty where it leaves that open.
+std::vector<bool> readFrontEdges(const Teuchos::ParameterList& list, const std::string& where,
+                                 std::size_t edges)
+{
+  if (!list.isParameter("Front Edges"))
+    return {};
+  std::vector<bool> chosen(edges, false);
+  for (const int k : list.get<Teuchos::Array<int>>("Front Edges"))
+  {
+    if (k < 1 || k > static_cast<int>(edges))
+      throw std::invalid_argument(where + ": there is no edge " + std::to_string(k) +
+                                  "; the polygon has edges 1 to " + std::to_string(edges) +
+                                  ", edge k from point k to the next");
+    chosen[k - 1] = true;
+  }
+  return chosen;
+}
+
+} // namespace
+
+CrackMesh<3> readPolygon(const Teuchos::ParameterList& list, const std::string& where,
+                         const MaterialPlaces<3>& material, double spacing)
+{
+  const std::vector<Vector<3>> corners = readCorners(list, where + " > Points", spacing);
+  const OwnPlane plane = planeOf(corners, where + " > Points", spacing);
+  std::vector<Vector<2>> outline;
+  for (const Vector<3>& x : corners)
+    outline.push_back(plane.own(x));
+  const std::array<int, 2> crossing = Geometry::crossingEdges(outline);
+  if (crossing[0] >= 0)
+    throw std::invalid_argument(where + " > Points: the edges that start at points " + number(crossing[0]) +
+                                " and " + number(crossing[1]) +
+                                " cross or touch; list the points in order around the polygon");
+  const std::vector<bool> chosen = readFrontEdges(list, where + " > Front Edges", corners.size());
+  const Triangulation flat = cutToRegion(triangulate(outline, spacing),
+                                         [&](const Vector<2>& x) { return material.fills(plane.space(x)); });
+  if (flat.triangles.empty())
+    throw std::invalid_argument(
+        where + " > Points: the crack lies outside of all bodies; give points inside one of them");
+  CrackMesh<3> mesh;
+  for (const Vector<2>& x : flat.points)
+    mesh.vertices.push_back(plane.space(x));
+  mesh.simplices = flat.triangles;
+  mesh.beyond = findNeighbours(flat.triangles);
+  for (std::size_t t = 0; t < flat.triangles.size(); ++t)
+    for (int i = 0; i < 3; ++i)
+      if (mesh.beyond[t][i] < 0)
+      {
+        const Vector<2>& a = flat.points[flat.triangles[t][(i + 1) % 3]];
+        const Vector<2>& b = flat.points[flat.triangles[t][(i + 2) % 3]];
+        const Vector<2> middle = 0.5 * (a + b);
+        const Vector<2> outwards = (1.0 / norm(b - a)) * Vector<2>{b[1] - a[1], a[0] - b[0]};
+        const int edge = edgeAt(outline, middle, 1e-6 * spacing);
+        bool front = edge >= 0 && (chosen.empty() || chosen[edge]);
+        // As in 2D: a front has a cell of material ahead of it.
+        if (chosen.empty())
+          for (const double step : {0.25, 0.5, 0.75, 1.0})
+            front = front && material.fills(plane.space(middle + (step * spacing) * outwards));
+        mesh.beyond[t][i] = front ? facet::front : facet::mouth;
+      }
+  return mesh;
+}
+
+} // namespace Rhegma::cracks

@@ -1,0 +1,341 @@
+#include "cracks/Triangulation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace Rhegma::cracks
+{
+
+namespace
+{
+
+using Points = std::vector<Vector<2>>;
+using Triangle = std::array<int, 3>;
+
+Points splitEdges(const Points& outline, double longest)
+{
+  Points split;
+  for (std::size_t k = 0; k < outline.size(); ++k)
+  {
+    const Vector<2> along = outline[(k + 1) % outline.size()] - outline[k];
+    const int pieces = std::max(1, static_cast<int>(std::ceil(norm(along) / longest - 1e-9)));
+    for (int i = 0; i < pieces; ++i)
+      split.push_back(outline[k] + (double(i) / pieces) * along);
+  }
+  return split;
+}
+
+bool isInTriangle(const Vector<2>& x, const Vector<2>& a, const Vector<2>& b, const Vector<2>& c,
+                  double margin)
+{
+  return doubleArea(a, b, x) > margin && doubleArea(b, c, x) > margin && doubleArea(c, a, x) > margin;
+}
+
+/// Cuts off ears, those with the shortest cut first.
+std::vector<Triangle> cutEars(const Points& points)
+{
+  std::vector<int> rest(points.size());
+  for (std::size_t k = 0; k < rest.size(); ++k)
+    rest[k] = static_cast<int>(k);
+  double extent = 0.0;
+  for (const Vector<2>& x : points)
+    extent = std::max(extent, norm(x - points.front()));
+  const double tiny = 1e-12 * extent * extent;
+  std::vector<Triangle> triangles;
+  while (rest.size() > 3)
+  {
+    const int n = static_cast<int>(rest.size());
+    int ear = -1;
+    double shortest = 1e300;
+    for (int k = 0; k < n; ++k)
+    {
+      const int i = rest[(k + n - 1) % n], j = rest[k], l = rest[(k + 1) % n];
+      const double cut = norm(points[l] - points[i]);
+      if (cut >= shortest || doubleArea(points[i], points[j], points[l]) <= tiny)
+        continue;
+      bool empty = true;
+      for (const int o : rest)
+        empty = empty && (o == i || o == j || o == l ||
+                          !isInTriangle(points[o], points[i], points[j], points[l], -tiny));
+      if (!empty)
+        continue;
+      ear = k;
+      shortest = cut;
+    }
+    if (ear < 0) // only round-off is left
+      return triangles;
+    triangles.push_back({rest[(ear + n - 1) % n], rest[ear], rest[(ear + 1) % n]});
+    rest.erase(rest.begin() + ear);
+  }
+  triangles.push_back({rest[0], rest[1], rest[2]});
+  return triangles;
+}
+
+double distanceToBorder(const Vector<2>& x, const Points& border)
+{
+  double nearest = 1e300;
+  for (std::size_t k = 0; k < border.size(); ++k)
+  {
+    const Vector<2> from = x - border[k], along = border[(k + 1) % border.size()] - border[k];
+    const double at = std::clamp(dot(from, along) / dot(along, along), 0.0, 1.0);
+    nearest = std::min(nearest, norm(from - at * along));
+  }
+  return nearest;
+}
+
+/// Splits the triangle that a point lies in; a point on an edge or outside is left out.
+void insertPoint(Triangulation& mesh, const Vector<2>& x, double margin)
+{
+  for (Triangle& t : mesh.triangles)
+    if (isInTriangle(x, mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], margin))
+    {
+      const int p = static_cast<int>(mesh.points.size());
+      mesh.points.push_back(x);
+      const Triangle whole = t;
+      t = {whole[0], whole[1], p};
+      mesh.triangles.push_back({whole[1], whole[2], p});
+      mesh.triangles.push_back({whole[2], whole[0], p});
+      return;
+    }
+}
+
+/// Points of a hexagonal lattice that keep off the border.
+void fillInside(Triangulation& mesh, const Points& border, double spacing)
+{
+  Vector<2> lower{1e300, 1e300}, upper{-1e300, -1e300};
+  for (const Vector<2>& x : border)
+    for (int d = 0; d < 2; ++d)
+    {
+      lower[d] = std::min(lower[d], x[d]);
+      upper[d] = std::max(upper[d], x[d]);
+    }
+  const double rise = spacing * std::sqrt(0.75);
+  const Vector<2> middle = 0.5 * (lower + upper);
+  const int columns = static_cast<int>((upper[0] - lower[0]) / spacing) / 2 + 1;
+  const int rows = static_cast<int>((upper[1] - lower[1]) / rise) / 2 + 1;
+  // Off the middle by an odd share, where no diagonal of a regular polygon runs.
+  const Vector<2> start{middle[0] + 0.0137 * spacing, middle[1] + 0.0071 * spacing};
+  for (int j = -rows; j <= rows; ++j)
+    for (int i = -columns; i <= columns; ++i)
+    {
+      const Vector<2> x{start[0] + spacing * (i + 0.5 * std::abs(j % 2)), start[1] + rise * j};
+      if (distanceToBorder(x, border) > 0.6 * spacing)
+        insertPoint(mesh, x, 1e-9 * spacing * spacing);
+    }
+}
+
+/// Positive where d lies inside of the circle through a, b, c (anticlockwise).
+double insideCircle(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c, const Vector<2>& d)
+{
+  const Vector<2> p = a - d, q = b - d, r = c - d;
+  return dot(p, p) * (q[0] * r[1] - r[0] * q[1]) - dot(q, q) * (p[0] * r[1] - r[0] * p[1]) +
+         dot(r, r) * (p[0] * q[1] - q[0] * p[1]);
+}
+
+/// Flips edges in rounds, in which no triangle changes twice. \return whether any was flipped
+bool flipRound(Triangulation& mesh, double spacing)
+{
+  const std::vector<Triangle> neighbours = findNeighbours(mesh.triangles);
+  const Points& x = mesh.points;
+  const double tinyArea = 1e-9 * spacing * spacing, tinyCircle = 1e-9 * std::pow(spacing, 4);
+  std::vector<bool> changed(mesh.triangles.size(), false);
+  bool any = false;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (int i = 0; i < 3 && !changed[t]; ++i)
+    {
+      const int u = neighbours[t][i];
+      if (u < static_cast<int>(t) || changed[u])
+        continue;
+      const int c = mesh.triangles[t][i], a = mesh.triangles[t][(i + 1) % 3],
+                b = mesh.triangles[t][(i + 2) % 3];
+      int d = -1;
+      for (const int v : mesh.triangles[u])
+        d = v != a && v != b ? v : d;
+      if (insideCircle(x[a], x[b], x[c], x[d]) <= tinyCircle || doubleArea(x[a], x[d], x[c]) <= tinyArea ||
+          doubleArea(x[d], x[b], x[c]) <= tinyArea)
+        continue;
+      mesh.triangles[t] = {a, d, c};
+      mesh.triangles[u] = {d, b, c};
+      changed[t] = changed[u] = any = true;
+    }
+  return any;
+}
+
+bool covers(const Triangulation& mesh, const Vector<2>& x)
+{
+  return std::any_of(mesh.triangles.begin(), mesh.triangles.end(),
+                     [&](const Triangle& t)
+                     {
+                       const Vector<2>&a = mesh.points[t[0]], &b = mesh.points[t[1]], &c = mesh.points[t[2]];
+                       return isInTriangle(x, a, b, c, -1e-9 * doubleArea(a, b, c));
+                     });
+}
+
+/// A cut runs straight past a corner of the region: puts a triangle over each border edge beyond which the
+/// region goes on.
+void fillCorners(Triangulation& cut, const Triangulation& whole,
+                 const std::function<bool(const Vector<2>&)>& isIn)
+{
+  constexpr double worthwhile = 0.02; // height of the triangle, in edges
+  const auto neighbours = findNeighbours(cut.triangles);
+  const auto isThere = [&](const Vector<2>& x) { return isIn(x) && covers(whole, x); };
+  for (std::size_t t = 0; t < neighbours.size(); ++t)
+    for (int i = 0; i < 3; ++i)
+    {
+      if (neighbours[t][i] >= 0)
+        continue;
+      const int a = cut.triangles[t][(i + 1) % 3], b = cut.triangles[t][(i + 2) % 3];
+      const Vector<2> along = cut.points[b] - cut.points[a], out{along[1], -along[0]};
+      Vector<2> low = 0.5 * (cut.points[a] + cut.points[b]), high = low + out;
+      const Vector<2> middle = low;
+      if (!isThere(low + worthwhile * out) || isThere(high))
+        continue;
+      for (int halving = 0; halving < 10; ++halving)
+      {
+        const Vector<2> between = 0.5 * (low + high);
+        (isThere(between) ? low : high) = between;
+      }
+      if (norm(low - middle) < worthwhile * norm(along))
+        continue;
+      cut.triangles.push_back({a, static_cast<int>(cut.points.size()), b});
+      cut.points.push_back(low);
+    }
+}
+
+} // namespace
+
+double doubleArea(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c)
+{
+  return (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
+}
+
+std::vector<std::array<int, 3>> findNeighbours(const std::vector<std::array<int, 3>>& triangles)
+{
+  std::map<std::pair<int, int>, int> withEdge;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (int i = 0; i < 3; ++i)
+      withEdge[{triangles[t][(i + 1) % 3], triangles[t][(i + 2) % 3]}] = static_cast<int>(t);
+  std::vector<std::array<int, 3>> neighbours(triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (int i = 0; i < 3; ++i)
+    {
+      const auto other = withEdge.find({triangles[t][(i + 2) % 3], triangles[t][(i + 1) % 3]});
+      neighbours[t][i] = other == withEdge.end() ? -1 : other->second;
+    }
+  return neighbours;
+}
+
+Triangulation triangulate(const std::vector<Vector<2>>& outline, double spacing)
+{
+  const Points border = splitEdges(outline, spacing);
+  Triangulation mesh;
+  mesh.points = border;
+  mesh.triangles = cutEars(border);
+  fillInside(mesh, border, spacing);
+  // Lawson's flips come to an end; the bound is for round-off that flips to and fro.
+  const std::size_t most = 100 + mesh.triangles.size();
+  for (std::size_t round = 0; round < most && flipRound(mesh, spacing); ++round)
+  {
+  }
+  return mesh;
+}
+
+Triangulation cutToRegion(const Triangulation& whole, const std::function<bool(const Vector<2>&)>& isIn)
+{
+  enum Place
+  {
+    Outside,
+    OnBorder,
+    Inside
+  };
+  constexpr double near = 0.3; // part of an edge within which its end moves onto the border
+  Triangulation cut;
+  cut.points = whole.points;
+  std::vector<Place> place;
+  for (const Vector<2>& x : whole.points)
+    place.push_back(isIn(x) ? Inside : Outside);
+  const std::vector<Place> before = place;
+  const auto crossing = [&](int in, int out)
+  {
+    Vector<2> a = whole.points[in], b = whole.points[out];
+    for (int halving = 0; halving < 10; ++halving)
+    {
+      const Vector<2> middle = 0.5 * (a + b);
+      (isIn(middle) ? a : b) = middle;
+    }
+    return a;
+  };
+  std::map<std::pair<int, int>, Vector<2>> crossings; // of edges (inner end, outer end)
+  std::vector<double> moved(place.size(), 1e300);
+  for (const Triangle& t : whole.triangles)
+    for (int i = 0; i < 3; ++i)
+      for (const auto& [in, out] :
+           {std::make_pair(t[i], t[(i + 1) % 3]), std::make_pair(t[(i + 1) % 3], t[i])})
+        if (before[in] == Inside && before[out] == Outside && crossings.count({in, out}) == 0)
+        {
+          const Vector<2> x = crossing(in, out);
+          crossings[{in, out}] = x;
+          const double length = norm(whole.points[out] - whole.points[in]);
+          for (const int end : {in, out})
+          {
+            const double way = norm(x - whole.points[end]);
+            if (way < near * length && way < moved[end])
+            {
+              moved[end] = way;
+              cut.points[end] = x;
+              place[end] = OnBorder;
+            }
+          }
+        }
+  std::map<std::pair<int, int>, int> added;
+  const auto between = [&](int in, int out)
+  {
+    const auto [entry, isNew] = added.insert({{in, out}, static_cast<int>(cut.points.size())});
+    if (isNew)
+      cut.points.push_back(crossings.at({in, out}));
+    return entry->second;
+  };
+  for (const Triangle& t : whole.triangles)
+  {
+    // The polygon that is left of the triangle, corner by corner.
+    std::vector<int> left;
+    bool inside = false;
+    for (int i = 0; i < 3; ++i)
+    {
+      const int a = t[i], b = t[(i + 1) % 3];
+      inside = inside || place[a] == Inside;
+      if (place[a] != Outside)
+        left.push_back(a);
+      if (place[a] == Inside && place[b] == Outside)
+        left.push_back(between(a, b));
+      if (place[a] == Outside && place[b] == Inside)
+        left.push_back(between(b, a));
+    }
+    if (!inside && left.size() == 3)
+      inside = isIn((1.0 / 3.0) * (whole.points[t[0]] + whole.points[t[1]] + whole.points[t[2]]));
+    for (std::size_t k = 2; inside && k < left.size(); ++k)
+      if (doubleArea(cut.points[left[0]], cut.points[left[k - 1]], cut.points[left[k]]) > 0.0)
+        cut.triangles.push_back({left[0], left[k - 1], left[k]});
+  }
+  for (int round = 0; round < 3; ++round)
+    fillCorners(cut, whole, isIn);
+  // Points that no triangle uses any more.
+  std::vector<int> number(cut.points.size(), -1);
+  Points used;
+  for (Triangle& t : cut.triangles)
+    for (int& v : t)
+    {
+      if (number[v] < 0)
+      {
+        number[v] = static_cast<int>(used.size());
+        used.push_back(cut.points[v]);
+      }
+      v = number[v];
+    }
+  cut.points = used;
+  return cut;
+}
+
+} // namespace Rhegma::cracks

@@ -1,0 +1,107 @@
+#pragma once
+/// A block of 3D material with a flat crack, written as a list.
+
+#include "scene/Scene.hpp"
+#include "step/EffectSchema.hpp"
+#include "step/Run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Rhegma::cracks::test
+{
+
+using Numbers = Teuchos::Array<double>;
+
+inline Numbers numbers(const std::vector<double>& values) { return Numbers(values.begin(), values.end()); }
+
+constexpr double cell = 1e-3, young = 3e9, poisson = 0.3, density = 1200.0;
+
+/// \param upper corner of a box whose lower corner is the origin; its dimension is the scene's
+inline Teuchos::ParameterList blockScene(const std::vector<double>& upper, double room = 4.0)
+{
+  const int dimension = static_cast<int>(upper.size());
+  Teuchos::ParameterList scene("Rhegma");
+  Numbers low, high;
+  for (const double u : upper)
+  {
+    low.push_back(-room * cell);
+    high.push_back(u + room * cell);
+  }
+  Teuchos::ParameterList& domain = scene.sublist("Domain");
+  domain.set("Dimension", dimension);
+  if (dimension == 2)
+    domain.set("Plane", std::string("Strain"));
+  domain.set("Lower Corner", low);
+  domain.set("Upper Corner", high);
+  domain.set("Cell Size", cell);
+  scene.sublist("Time").set("Final Time", 1.0);
+  Teuchos::ParameterList& material = scene.sublist("Materials").sublist("Polymer");
+  material.set("Model", std::string("Linear Elastic"));
+  material.set("Density", density);
+  material.set("Young Modulus", young);
+  material.set("Poisson Ratio", poisson);
+  Teuchos::ParameterList& body = scene.sublist("Bodies").sublist("Block");
+  body.set("Material", std::string("Polymer"));
+  body.set("Shape", std::string("Box"));
+  body.set("Lower Corner", Numbers(dimension, 0.0));
+  body.set("Upper Corner", numbers(upper));
+  return scene;
+}
+
+inline void setCrack(Teuchos::ParameterList& scene, const std::vector<double>& points)
+{
+  scene.sublist("Cracks").sublist("Cut").set("Points", numbers(points));
+}
+
+/// Points of a regular polygon in the plane z = centre[2], anticlockwise seen from above.
+inline std::vector<double> regularPolygon(const Vector<3>& centre, double radius, int corners)
+{
+  std::vector<double> points;
+  for (int k = 0; k < corners; ++k)
+  {
+    const double angle = 2.0 * std::acos(-1.0) * (k + 0.5) / corners;
+    points.push_back(centre[0] + radius * std::cos(angle));
+    points.push_back(centre[1] + radius * std::sin(angle));
+    points.push_back(centre[2]);
+  }
+  return points;
+}
+
+template <int D>
+std::unique_ptr<Run<D>> start(Teuchos::ParameterList scene)
+{
+  std::vector<SceneError> errors;
+  validateList(scene, effectSchema(), errors);
+  for (const SceneError& error : errors)
+    ADD_FAILURE() << toString(error);
+  auto run = std::make_unique<Run<D>>(scene);
+  run->initialize();
+  return run;
+}
+
+/// Gives every particle the velocity of its place.
+template <int D, class Velocity>
+void setVelocity(State<D>& state, const Velocity& velocity)
+{
+  const auto x = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{},
+                                                     state.particles.template real<D>(fields::position));
+  const auto v = state.particles.template real<D>(fields::velocity);
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, v);
+  for (int p = 0; p < state.particles.size(); ++p)
+  {
+    Vector<D> at;
+    for (int d = 0; d < D; ++d)
+      at[d] = x(p, d);
+    const Vector<D> of = velocity(at);
+    for (int d = 0; d < D; ++d)
+      host(p, d) = of[d];
+  }
+  Kokkos::deep_copy(v, host);
+}
+
+} // namespace Rhegma::cracks::test

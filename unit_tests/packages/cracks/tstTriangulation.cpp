@@ -1,0 +1,108 @@
+#include "cracks/Triangulation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace Rhegma;
+using namespace Rhegma::cracks;
+
+namespace
+{
+
+using Points = std::vector<Vector<2>>;
+
+double area(const Triangulation& mesh)
+{
+  double sum = 0.0;
+  for (const auto& t : mesh.triangles)
+  {
+    const double twice = doubleArea(mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]]);
+    EXPECT_GT(twice, 0.0);
+    sum += 0.5 * twice;
+  }
+  return sum;
+}
+
+double longestEdge(const Triangulation& mesh)
+{
+  double longest = 0.0;
+  for (const auto& t : mesh.triangles)
+    for (int i = 0; i < 3; ++i)
+      longest = std::max(longest, norm(mesh.points[t[(i + 1) % 3]] - mesh.points[t[i]]));
+  return longest;
+}
+
+/// Euler: a disk has points - edges + triangles = 1.
+int eulerNumber(const Triangulation& mesh)
+{
+  int border = 0;
+  for (const auto& beyond : findNeighbours(mesh.triangles))
+    border += static_cast<int>(std::count(beyond.begin(), beyond.end(), -1));
+  const int triangles = static_cast<int>(mesh.triangles.size());
+  return static_cast<int>(mesh.points.size()) - (3 * triangles + border) / 2 + triangles;
+}
+
+const Points square{{0.0, 0.0}, {4.0, 0.0}, {4.0, 4.0}, {0.0, 4.0}};
+const Points hook{{0.0, 0.0}, {5.0, 0.0}, {5.0, 5.0}, {3.0, 5.0}, {3.0, 2.0}, {0.0, 2.0}};
+
+Points star(int tips)
+{
+  Points points;
+  for (int k = 0; k < 2 * tips; ++k)
+  {
+    const double angle = std::acos(-1.0) * k / tips, radius = k % 2 == 0 ? 6.0 : 2.5;
+    points.push_back({radius * std::cos(angle), radius * std::sin(angle)});
+  }
+  return points;
+}
+
+double polygonArea(const Points& points)
+{
+  double sum = 0.0;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    sum += 0.5 * doubleArea({0.0, 0.0}, points[k], points[(k + 1) % points.size()]);
+  return sum;
+}
+
+} // namespace
+
+/// The triangles tile the polygon: areas to round-off, one border, no hole.
+TEST(Triangulation, TilesPolygons)
+{
+  for (const Points& outline : {square, hook, star(5), star(12)})
+    for (const double spacing : {10.0, 1.0, 0.37})
+    {
+      const Triangulation mesh = triangulate(outline, spacing);
+      EXPECT_NEAR(area(mesh), polygonArea(outline), 1e-12 * polygonArea(outline)) << "at spacing " << spacing;
+      EXPECT_EQ(eulerNumber(mesh), 1) << "at spacing " << spacing;
+    }
+}
+
+/// Triangles of a Delaunay triangulation of points this dense have circles that hold none, of a radius of at
+/// most 1.2 spacings (0.6 to the border and 0.6 on), so no edge is longer than twice that; a fan would have
+/// edges of 4.
+TEST(Triangulation, HasTrianglesAsSmallAsAskedFor)
+{
+  for (const Points& outline : {square, hook})
+    EXPECT_LE(longestEdge(triangulate(outline, 0.5)), 2.4 * 0.5);
+}
+
+/// A straight cut is exact to the tolerance of its halvings, 1e-3 of an edge.
+TEST(Triangulation, IsCutOffOutside)
+{
+  const Triangulation whole = triangulate(square, 0.5);
+  const Triangulation cut = cutToRegion(whole, [](const Vector<2>& x) { return x[0] < 1.234 + 0.1 * x[1]; });
+  EXPECT_NEAR(area(cut), 4.0 * 1.234 + 0.1 * 8.0, 4.0 * 2e-3 * longestEdge(whole));
+  EXPECT_EQ(eulerNumber(cut), 1);
+  for (const Vector<2>& x : cut.points)
+    EXPECT_LE(x[0], 1.234 + 0.1 * x[1]);
+  EXPECT_TRUE(cutToRegion(whole, [](const Vector<2>&) { return false; }).triangles.empty());
+  EXPECT_EQ(cutToRegion(whole, [](const Vector<2>&) { return true; }).triangles.size(),
+            whole.triangles.size());
+  // A corner of the region that lies inside of triangles: the cut that runs past it is filled.
+  const Triangulation corner =
+      cutToRegion(whole, [](const Vector<2>& x) { return x[0] < 2.13 && x[1] < 1.71; });
+  EXPECT_NEAR(area(corner), 2.13 * 1.71, 4e-3 * 2.13 * 1.71);
+}
