@@ -3,6 +3,7 @@
 #include "damping/Damping.hpp"
 #include "energy_release/EnergyRelease.hpp"
 #include "face_pressure/FacePressure.hpp"
+#include "mass_matrix/MassMatrix.hpp"
 #include "step/Effect.hpp"
 
 namespace Rhegma
@@ -17,6 +18,7 @@ const std::vector<EffectEntry>& knownEffects()
       damping::dampingEntry(),
       energy_release::energyReleaseEntry(),
       face_pressure::facePressureEntry(),
+      mass_matrix::massMatrixEntry(),
   };
   return effects;
 }

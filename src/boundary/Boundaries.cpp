@@ -323,6 +323,17 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
 template <int D>
 void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstraint<D>>>& constraints)
 {
+  effect.call({Stage::BetweenSteps,
+               "values of prescribed motion",
+               {},
+               {},
+               {},
+               [constraints](State<D>& state)
+               {
+                 state.constraints.clear();
+                 for (const auto& timed : *constraints)
+                   state.constraints.push_back(timed.at(state.time + state.dt));
+               }});
   effect.call({Stage::AfterSolve,
                "prescribed motion",
                {"nodal motion"},
@@ -330,11 +341,11 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
                {},
                [constraints](State<D>& state)
                {
-                 for (auto& timed : *constraints)
+                 for (std::size_t c = 0; c < constraints->size(); ++c)
                  {
-                   const Reaction<D> reaction = constrainMotion(state, timed.at(state.time + state.dt));
+                   const Reaction<D> reaction = constrainMotion(state, state.constraints[c]);
                    state.energy.externalWork += reaction.work;
-                   timed.impulse = timed.impulse + reaction.impulse;
+                   (*constraints)[c].impulse = (*constraints)[c].impulse + reaction.impulse;
                  }
                }});
   effect.call({Stage::AfterProjection,
@@ -342,10 +353,10 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
                {},
                {"projection"},
                {},
-               [constraints](State<D>& state)
+               [](State<D>& state)
                {
-                 for (const auto& timed : *constraints)
-                   constrainProjection(state, timed.at(state.time + state.dt));
+                 for (const NodeConstraint<D>& constraint : state.constraints)
+                   constrainProjection(state, constraint);
                }});
 }
 

@@ -13,30 +13,6 @@ constexpr const char* boundariesName = "Boundaries";
 template <int D>
 Effect<D> makeBoundaries(const Teuchos::ParameterList& scene);
 
-/// Sets the velocity of nodes inside or outside of a box, axis by axis.
-template <int D>
-struct NodeConstraint
-{
-  Vector<D> lower, upper;  ///< the box, both corners inside [m]
-  bool outside = false;    ///< nodes beyond the box and on its rim instead
-  bool holds[D];           ///< axes that are prescribed
-  Vector<D> value;         ///< velocity along them now [m/s]
-  View<double* [D]> field; ///< velocity of each lattice node, to be multiplied by `factor`; empty: `value`
-  double factor = 1.0;
-
-  KOKKOS_INLINE_FUNCTION bool appliesAt(const Vector<D>& x) const
-  {
-    bool in = true;
-    for (int d = 0; d < D; ++d)
-      in = in && x[d] >= lower[d] && x[d] <= upper[d];
-    return in != outside;
-  }
-  KOKKOS_INLINE_FUNCTION double at(int latticeNode, int axis) const
-  {
-    return field.extent(0) > 0 ? factor * field(latticeNode, axis) : value[axis];
-  }
-};
-
 /// What the forces that hold a motion did over a step.
 template <int D>
 struct Reaction

@@ -18,6 +18,8 @@ struct HoldNodes
   Nodes<D> nodes;
   Grid<D> grid;
   NodeConstraint<D> constraint;
+  View<int*> coupledRow;         ///< empty where all masses are lumped
+  View<double*> coupledReaction; ///< impulse on each unknown of coupled nodes
   double dt;
 
   KOKKOS_INLINE_FUNCTION void operator()(const int i, double* sum) const
@@ -27,8 +29,18 @@ struct HoldNodes
     const int lattice = latticeNode(nodes, n);
     if (!(mass > 0.0) || !constraint.appliesAt(grid.nodePosition(lattice)))
       return;
+    const int row = coupledRow.extent(0) > 0 ? coupledRow(n) : -1;
     for (int d = 0; d < D; ++d)
-      if (constraint.holds[d])
+      if (constraint.holds[d] && row >= 0)
+      {
+        // Held while it was solved; where two supports hold a node the first takes the force.
+        const double mean = nodes.motion(n, d) - 0.5 * dt * nodes.motion(n, Nodes<D>::accelerationAt + d);
+        const double impulse = coupledReaction(row * D + d);
+        coupledReaction(row * D + d) = 0.0;
+        sum[0] += impulse * mean;
+        sum[1 + d] += impulse;
+      }
+      else if (constraint.holds[d])
       {
         const double before = nodes.sums(n, Nodes<D>::momentumAt + d) / mass;
         const double value = constraint.at(lattice, d);
@@ -50,6 +62,8 @@ Reaction<D> constrainMotion(State<D>& state, const NodeConstraint<D>& constraint
   hold.nodes = state.nodes;
   hold.grid = state.grid;
   hold.constraint = constraint;
+  hold.coupledRow = state.coupledRow;
+  hold.coupledReaction = state.coupledReaction;
   hold.dt = state.dt;
   double sum[1 + D] = {};
   Kokkos::parallel_reduce("rhegma::constrainMotion",

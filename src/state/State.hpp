@@ -9,6 +9,7 @@
 #include "state/CrackSet.hpp"
 #include "state/Energy.hpp"
 #include "state/FieldTable.hpp"
+#include "state/NodeConstraint.hpp"
 #include "transfer/StencilTable.hpp"
 
 #include <functional>
@@ -93,6 +94,10 @@ struct State
   View<int*> storedParticle; ///< particle of each row
   StencilTable<D> stored;
   int numStored = 0;
+
+  std::vector<NodeConstraint<D>> constraints; ///< prescribed motion at the end of this step
+  View<double*> coupledReaction; ///< impulse that holds each unknown (row, axis) of coupled nodes [N s]
+  View<int*> coupledRow;         ///< of each node, -1 where its mass is lumped; empty where all masses are
 
   double time = 0.0;
   double dt = 0.0;

@@ -1,0 +1,31 @@
+#include "mass_matrix/AngularMomentum.hpp"
+
+namespace Rhegma::mass_matrix
+{
+
+template <int D>
+Vector<3> angularMomentum(const State<D>& state)
+{
+  const auto mass = state.particles.scalar(fields::mass);
+  const auto position = state.particles.template real<D>(fields::position);
+  const auto velocity = state.particles.template real<D>(fields::velocity);
+  Vector<3> total{{0.0, 0.0, 0.0}};
+  Kokkos::parallel_reduce(
+      "rhegma::mass::angularMomentum", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, double& aboutX, double& aboutY, double& aboutZ) {
+        const double m = mass(p);
+        if constexpr (D == 3)
+        {
+          aboutX += m * (position(p, 1) * velocity(p, 2) - position(p, 2) * velocity(p, 1));
+          aboutY += m * (position(p, 2) * velocity(p, 0) - position(p, 0) * velocity(p, 2));
+        }
+        aboutZ += m * (position(p, 0) * velocity(p, 1) - position(p, 1) * velocity(p, 0));
+      },
+      total[0], total[1], total[2]);
+  return total;
+}
+
+template Vector<3> angularMomentum(const State<2>&);
+template Vector<3> angularMomentum(const State<3>&);
+
+} // namespace Rhegma::mass_matrix

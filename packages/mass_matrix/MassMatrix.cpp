@@ -1,0 +1,296 @@
+#include "mass_matrix/MassMatrix.hpp"
+
+#include "mass_matrix/AngularMomentum.hpp"
+#include "mass_matrix/MassSystem.hpp"
+#include "mass_matrix/NodalSolve.hpp"
+#include "mass_matrix/Series.hpp"
+
+#include <memory>
+
+namespace Rhegma::mass_matrix
+{
+
+namespace
+{
+
+/// What the particles take from the nodes.
+enum class VelocityUpdate
+{
+  Flip, ///< the acceleration
+  Pic,  ///< the velocity itself
+  Xpic, ///< the velocity with the momentum filtered by a series, and the acceleration
+  Fmpm  ///< the velocity of a series of momentum and impulse
+};
+
+struct Options
+{
+  std::string type;
+  int order = 2;       ///< of the series of the type FMPM
+  int updateOrder = 2; ///< of the series of the velocity update
+  VelocityUpdate update = VelocityUpdate::Flip;
+  Unlumping unlumping;
+  double radius = 0.0, edge = -1.0; ///< of Partial; 0 and below 0: from the cells
+  double tolerance = 1e-6;
+  int iterations = 200;
+
+  bool coupled() const { return type == "Full" || type == "Partial"; }
+  bool series() const { return type == "FMPM"; }
+  bool filtered() const { return update == VelocityUpdate::Xpic || update == VelocityUpdate::Fmpm; }
+};
+
+constexpr double radiusCells = 3.0, edgeCells = 1.0;
+
+void addSolverParameters(Section& s)
+{
+  s.real("Lumped Share")
+      .atLeast(0.0)
+      .below(1.0)
+      .byDefault(0.1)
+      .meaning(
+          "eps of (1 - eps) M + eps lumped(M). With 0 the matrix can be singular, and the stable step far "
+          "smaller where a boundary cuts cells.");
+  s.real("Smallest Node")
+      .range(0.0, 1.0)
+      .byDefault(0.1)
+      .meaning(
+          "A particle that touches a node with less than this share of a full cell's mass stays lumped.");
+  s.real("Solver Tolerance")
+      .above(0.0)
+      .below(1.0)
+      .byDefault(1e-6)
+      .meaning("Conjugate gradients stop when the residual is this small beside the right side.");
+  s.integer("Maximum Iterations")
+      .atLeast(1)
+      .byDefault(200)
+      .meaning("The run stops where more would be needed for one solve.");
+}
+
+Section section()
+{
+  Section s(
+      "Mass Matrix",
+      "How the mass of particles is shared by nodes. Without this section each node has its own (lumped).");
+  s.chosenBy("Type").meaning("The mass matrix, or the series that stands for its inverse.");
+  s.choice("Velocity Update", {"FLIP", "PIC", "XPIC", "FMPM"})
+      .byDefault("FLIP")
+      .meaning(
+          "What particles take from the nodes: accelerations (FLIP), velocities (PIC), velocities with the "
+          "momentum filtered by the series of Update Order (XPIC), or the series of momentum and impulse "
+          "(FMPM). "
+          "With Type Full, PIC is the limit of FMPM.");
+  s.integer("Update Order").atLeast(1).byDefault(2).meaning("Terms of the series of XPIC and FMPM updates.");
+  s.variant(Section("Lumped", "Row sums: no matrix to solve."));
+  Section full("Full", "Sum of m N N^T over all particles, solved by conjugate gradients.");
+  addSolverParameters(full);
+  s.variant(full);
+  Section partial("Partial", "Full around crack fronts, lumped elsewhere.");
+  partial.real("Radius").unit("m").positive().optional("3 cells").meaning(
+      "Full up to this distance from a front.");
+  partial.real("Edge Width")
+      .unit("m")
+      .notNegative()
+      .optional("1 cell")
+      .meaning("The share of the full matrix falls to none over this width beyond the radius.");
+  addSolverParameters(partial);
+  s.variant(partial);
+  Section fmpm("FMPM", "The inverse of the full matrix as a series about the lumped one.");
+  fmpm.integer("Order").atLeast(1).byDefault(2).meaning("Terms of the series; 1 is Lumped.");
+  s.variant(fmpm);
+  return s;
+}
+
+void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
+{
+  if (!scene.isSublist("Mass Matrix"))
+    return;
+  const Teuchos::ParameterList& list = scene.sublist("Mass Matrix");
+  const auto text = [&](const char* name)
+  { return list.isType<std::string>(name) ? list.get<std::string>(name) : std::string(); };
+  const std::string type = text("Type"), update = text("Velocity Update");
+  if (type == "Partial" && !scene.isSublist("Cracks"))
+    errors.push_back({"Mass Matrix > Type",
+                      "Partial unlumps the mass around crack fronts and there are no cracks; "
+                      "add a section Cracks or choose another type"});
+  if ((type == "Full" || type == "Partial") && (update == "XPIC" || update == "FMPM"))
+    errors.push_back(
+        {"Mass Matrix > Velocity Update",
+         update + " is a series about the lumped mass; with Type " + type + " write FLIP or PIC"});
+  if (!update.empty() && update != "FLIP" && scene.isSublist("Time") &&
+      scene.sublist("Time").isType<double>("PIC Fraction") &&
+      scene.sublist("Time").get<double>("PIC Fraction") > 0.0)
+    errors.push_back({"Mass Matrix > Velocity Update",
+                      update + " leaves no room for Time > PIC Fraction; take one of them out"});
+}
+
+Options readOptions(const Teuchos::ParameterList& scene)
+{
+  const Teuchos::ParameterList& list = scene.sublist("Mass Matrix");
+  Options o;
+  o.type = list.get<std::string>("Type");
+  const auto update = list.get<std::string>("Velocity Update");
+  o.update = update == "PIC"    ? VelocityUpdate::Pic
+             : update == "XPIC" ? VelocityUpdate::Xpic
+             : update == "FMPM" ? VelocityUpdate::Fmpm
+                                : VelocityUpdate::Flip;
+  o.updateOrder = list.get<int>("Update Order");
+  if (o.series())
+    o.order = list.get<int>("Order");
+  if (o.coupled())
+  {
+    o.unlumping.lumpedShare = list.get<double>("Lumped Share");
+    o.unlumping.smallestNode = list.get<double>("Smallest Node");
+    o.tolerance = list.get<double>("Solver Tolerance");
+    o.iterations = list.get<int>("Maximum Iterations");
+  }
+  if (o.type == "Partial")
+  {
+    o.unlumping.everywhere = false;
+    if (list.isParameter("Radius"))
+      o.radius = list.get<double>("Radius");
+    if (list.isParameter("Edge Width"))
+      o.edge = list.get<double>("Edge Width");
+  }
+  return o;
+}
+
+/// What the calls of a run share.
+template <int D>
+struct Work
+{
+  explicit Work(const Options& o)
+      : options(o), solve(o.tolerance, o.iterations), series(o.order), filter(o.updateOrder)
+  {
+  }
+
+  Unlumping unlumping(const State<D>& state) const
+  {
+    Unlumping u = options.unlumping;
+    u.radius = options.radius > 0.0 ? options.radius : radiusCells * state.grid.spacing;
+    u.edge = options.edge >= 0.0 ? options.edge : edgeCells * state.grid.spacing;
+    return u;
+  }
+
+  /// A series has the whole matrix as it is: no cell is too empty for it, as nothing is solved.
+  static Unlumping plain()
+  {
+    Unlumping u;
+    u.lumpedShare = 0.0;
+    u.smallestNode = 0.0;
+    return u;
+  }
+
+  void prepare(State<D>& state)
+  {
+    if (options.coupled())
+    {
+      assemble(state, unlumping(state), coupled);
+      state.coupledRow = coupled.rowOf;
+      solve.begin(state, coupled);
+    }
+    if (options.series() || options.filtered())
+    {
+      assemble(state, plain(), whole);
+      series.begin(whole);
+      filter.begin(whole);
+    }
+  }
+
+  void motion(State<D>& state)
+  {
+    if (options.coupled() && coupled.numRows > 0)
+      solve.solveMotion(state, coupled);
+    if (options.series())
+      series.motion(state, whole);
+    if (options.filtered())
+      filter.updateVelocity(state, whole, options.update == VelocityUpdate::Fmpm);
+  }
+
+  void projection(State<D>& state)
+  {
+    if (options.coupled() && coupled.numRows > 0)
+      solve.solveProjection(state, coupled);
+    if (options.series())
+      series.projection(state, whole);
+  }
+
+  void report(const State<D>& state, nlohmann::json& summary) const
+  {
+    nlohmann::json& entry = summary["mass_matrix"];
+    entry["type"] = options.type;
+    if (options.series())
+      entry["order"] = options.order;
+    if (options.coupled())
+    {
+      const SolveCount& count = solve.count();
+      entry["coupled_nodes"] = coupled.numRows;
+      entry["solves"] = count.solves;
+      entry["cg_iterations_mean"] =
+          count.solves > 0 ? static_cast<double>(count.iterations) / static_cast<double>(count.solves) : 0.0;
+      entry["cg_iterations_max"] = count.mostIterations;
+      entry["worst_residual"] = count.worstResidual;
+    }
+    const Vector<3> now = angularMomentum(state);
+    for (int d = D == 2 ? 2 : 0; d < 3; ++d)
+    {
+      entry["angular_momentum"]["start"].push_back(start[d]);
+      entry["angular_momentum"]["end"].push_back(now[d]);
+    }
+  }
+
+  Options options;
+  MassSystem<D> coupled, whole;
+  NodalSolve<D> solve;
+  Series<D> series, filter;
+  Vector<3> start{{0.0, 0.0, 0.0}};
+};
+
+std::string nameOf(const Options& o)
+{
+  if (o.series())
+    return "FMPM(" + std::to_string(o.order) + ")";
+  return o.type == "Full"      ? "full mass matrix"
+         : o.type == "Partial" ? "partly unlumped mass matrix"
+                               : "lumped mass";
+}
+
+template <int D>
+Effect<D> make(const Teuchos::ParameterList& scene)
+{
+  const auto work = std::make_shared<Work<D>>(readOptions(scene));
+  const Options& options = work->options;
+  Effect<D> effect;
+  effect.name = "Mass Matrix";
+  effect.atStart = [work](State<D>& state)
+  {
+    work->start = angularMomentum(state);
+    if (work->options.update != VelocityUpdate::Flip)
+      state.picFraction = 1.0;
+  };
+  effect.report = [work](const State<D>& state, nlohmann::json& summary) { work->report(state, summary); };
+  if (!options.coupled() && !options.series() && !options.filtered())
+    return effect;
+  effect.call(
+      {Stage::Scatter, "assemble the mass matrix", {"nodal mass"}, {"mass matrix"}, {}, [work](State<D>& s) {
+         work->prepare(s);
+       }});
+  effect.call({Stage::Solve,
+               options.filtered() ? "filtered velocity" : "solve with the " + nameOf(options),
+               {"nodal motion", "mass matrix"},
+               {"nodal motion"},
+               {},
+               [work](State<D>& s) { work->motion(s); }});
+  if (options.coupled() || options.series())
+    effect.call({Stage::AfterProjection,
+                 "project with the " + nameOf(options),
+                 {"projection"},
+                 {"projection"},
+                 {},
+                 [work](State<D>& s) { work->projection(s); }});
+  return effect;
+}
+
+} // namespace
+
+EffectEntry massMatrixEntry() { return {section(), check, make<2>, make<3>}; }
+
+} // namespace Rhegma::mass_matrix

@@ -1,0 +1,12 @@
+#pragma once
+/// The mass matrix of the nodes: lumped, full, partly unlumped, or its inverse as a series.
+
+#include "step/Effect.hpp"
+
+namespace Rhegma::mass_matrix
+{
+
+/// The effect `Mass Matrix`.
+EffectEntry massMatrixEntry();
+
+} // namespace Rhegma::mass_matrix
