@@ -26,7 +26,7 @@ const std::vector<EffectEntry>& knownEffects()
 /// A scene that asks for one of these is told so. A new effect takes its name out.
 const std::vector<std::string>& effectsToCome()
 {
-  static const std::vector<std::string> names = {"Propagation", "Thermal",     "Combustion",  "Mass Matrix",
+  static const std::vector<std::string> names = {"Propagation", "Thermal",     "Combustion",
                                                  "Adaptivity",  "Sub-Cycling", "Load Balance"};
   return names;
 }

@@ -5,6 +5,7 @@
 #include "mass_matrix/NodalSolve.hpp"
 #include "mass_matrix/Series.hpp"
 
+#include <algorithm>
 #include <memory>
 
 namespace Rhegma::mass_matrix
@@ -39,6 +40,9 @@ struct Options
 };
 
 constexpr double radiusCells = 3.0, edgeCells = 1.0;
+
+/// Largest CFL number of a coupled matrix.
+constexpr double largestCoupledCfl = 0.4;
 
 void addSolverParameters(Section& s)
 {
@@ -80,7 +84,9 @@ Section section()
           "With Type Full, PIC is the limit of FMPM.");
   s.integer("Update Order").atLeast(1).byDefault(2).meaning("Terms of the series of XPIC and FMPM updates.");
   s.variant(Section("Lumped", "Row sums: no matrix to solve."));
-  Section full("Full", "Sum of m N N^T over all particles, solved by conjugate gradients.");
+  Section full("Full", "Sum of m N N^T over all particles, solved by conjugate gradients. The step stays at "
+                       "a CFL number of 0.4 or "
+                       "less.");
   addSolverParameters(full);
   s.variant(full);
   Section partial("Partial", "Full around crack fronts, lumped elsewhere.");
@@ -269,6 +275,12 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.report = [work](const State<D>& state, nlohmann::json& summary) { work->report(state, summary); };
   if (!options.coupled() && !options.series() && !options.filtered())
     return effect;
+  // A coupled matrix is lighter in waves of two cells than its row sums: with a tenth of lumped mass blended
+  // in, the shortest of them limit the step to 0.44 cells a wave's step and more (measured on cut grids),
+  // without it to less.
+  if (options.coupled())
+    effect.timeStepLimit = [](const State<D>& state)
+    { return std::min(state.cfl, largestCoupledCfl) * state.grid.spacing / state.fastest; };
   effect.call(
       {Stage::Scatter, "assemble the mass matrix", {"nodal mass"}, {"mass matrix"}, {}, [work](State<D>& s) {
          work->prepare(s);

@@ -9,7 +9,7 @@ namespace Rhegma::mass_matrix
 namespace
 {
 
-Kokkos::RangePolicy<ExecSpace> range(int n) { return {0, n}; }
+Kokkos::RangePolicy<ExecSpace> range(int n) { return Kokkos::RangePolicy<ExecSpace>(0, n); }
 
 template <class Value>
 BorrowedView<const double*> readOnly(const View<Value*>& view)

@@ -6,7 +6,7 @@ namespace Rhegma::mass_matrix
 namespace
 {
 
-Kokkos::RangePolicy<ExecSpace> range(int n) { return {0, n}; }
+Kokkos::RangePolicy<ExecSpace> range(int n) { return Kokkos::RangePolicy<ExecSpace>(0, n); }
 
 /// L^-1 of the sums at `at`, and of `scale` times those at `alsoAt`.
 template <int D>

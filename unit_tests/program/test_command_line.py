@@ -15,7 +15,7 @@ from program import NOISE, PROGRAM, ProgramTest, environment, rhegma  # noqa: E4
 from scenes import plate  # noqa: E402
 
 SECTIONS = ("Domain", "Time", "Materials", "Bodies", "Boundaries", "Output", "Reference")
-EFFECTS = ("Cracks", "Contact", "Energy Release", "Damping", "Face Pressure")
+EFFECTS = ("Cracks", "Contact", "Energy Release", "Damping", "Face Pressure", "Mass Matrix")
 
 
 class WrongArguments(ProgramTest):

@@ -140,6 +140,10 @@ class UnstableRuns(LeftFiles):
         scene.set("Output", {"History Interval": 1e-5, "Field Interval": 1e-4})
         self.stops(scene, "step")
 
+    def test_mass_matrix_that_is_not_solved(self):
+        scene = plate().set("Mass Matrix", {"Type": "Full", "Maximum Iterations": 1})
+        self.stops(scene, "residual")
+
     def test_load_that_loses_its_body(self):
         """A point load tears its particle off."""
         scene = block().set(

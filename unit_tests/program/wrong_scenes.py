@@ -242,10 +242,23 @@ NOT_IN_3D = [
      "Edge 2": [0.0, 0.01, 0.0], "Pressure": 1.0}), one("Boundaries > Pull > From", "2D", "leave it out")),
 ]
 
+MASS = [
+    ("mass_matrix_of_a_negative_radius", plate().set("Mass Matrix", {"Type": "Partial", "Radius": -1.0}),
+     one("Mass Matrix > Radius", "above 0")),
+    ("mass_matrix_of_order_0", plate().set("Mass Matrix", {"Type": "FMPM", "Order": 0}),
+     one("Mass Matrix > Order", "at least 1")),
+    ("partial_mass_matrix_without_cracks",
+     plate().remove("Cracks").remove("Energy Release").set("Mass Matrix", {"Type": "Partial"}),
+     one("Mass Matrix > Type", "no cracks")),
+    ("mass_matrix_and_a_series", plate().set("Mass Matrix", {"Type": "Full", "Velocity Update": "XPIC"}),
+     one("Mass Matrix > Velocity Update", "FLIP or PIC")),
+    ("mass_matrix_of_no_type", plate().set("Mass Matrix", {}), one("Mass Matrix > Type", "missing", "Full")),
+]
+
 NOT_YET = [
     (f"not_yet_{name.lower().replace(' ', '_').replace('-', '_')}", plate().set(name, {}),
     one(name, "not in this version", "leave the section out"))
-    for name in ("Propagation", "Thermal", "Combustion", "Mass Matrix", "Adaptivity", "Sub-Cycling", "Load Balance")
+    for name in ("Propagation", "Thermal", "Combustion", "Adaptivity", "Sub-Cycling", "Load Balance")
 ]
 
 REFERENCES = [
@@ -308,4 +321,4 @@ SEVERAL = [
 ]
 
 TABLE = NAMES + MISSING + TYPES + MATERIALS + BODIES + DOMAIN + TIME + LOADS + CRACKS
-TABLE += NOT_IN_3D + NOT_YET + REFERENCES + SEVERAL
+TABLE += NOT_IN_3D + MASS + NOT_YET + REFERENCES + SEVERAL

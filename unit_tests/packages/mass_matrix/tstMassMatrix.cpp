@@ -1,0 +1,224 @@
+/// The mass matrix: its entries, and what runs keep with each type.
+
+#include "mass_matrix/MassSystem.hpp"
+
+#include "../../src/step/Bodies.hpp"
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace Rhegma
+{
+namespace Test
+{
+
+namespace
+{
+
+using mass_matrix::MassSystem;
+using mass_matrix::Unlumping;
+
+/// A square of 5 cells that lies askew to the lattice, with random velocities: every mode of the particles
+/// moves.
+Teuchos::ParameterList squareScene(const std::string& scheme, const std::string& shape, double rotation)
+{
+  Teuchos::ParameterList scene =
+      emptyScene<2>(Vector<2>{{-8.0, -8.0}}, Vector<2>{{8.0, 8.0}}, 1.0, scheme, shape);
+  addMaterial(scene, "Linear Elastic", 0.3);
+  addBox<2>(scene, "Square", Vector<2>{{-2.37, -2.19}}, Vector<2>{{2.63, 2.81}}).set("Rotation", rotation);
+  scene.sublist("Time").set("CFL", 0.3);
+  return scene;
+}
+
+void shake(State<2>& state, double speed)
+{
+  HostParticles<2> particles(state);
+  std::mt19937 generator(7);
+  std::uniform_real_distribution<double> number(-speed, speed);
+  for (int p = 0; p < particles.size; ++p)
+    for (int d = 0; d < 2; ++d)
+      particles.velocity(p, d) = number(generator);
+  particles.store(state);
+}
+
+double energyOf(State<2>& state)
+{
+  measureEnergy(state);
+  return state.energy.kinetic + state.energy.strain;
+}
+
+/// Momentum over the sum of |m v|, largest component.
+double relativeMomentum(const State<2>& state, const Vector<2>& start)
+{
+  const HostParticles<2> particles(state);
+  Vector<2> total{{-start[0], -start[1]}};
+  double size = 0.0;
+  for (int p = 0; p < particles.size; ++p)
+  {
+    for (int d = 0; d < 2; ++d)
+      total[d] += particles.mass(p) * particles.velocity(p, d);
+    size += particles.mass(p) * std::hypot(particles.velocity(p, 0), particles.velocity(p, 1));
+  }
+  return std::max(std::fabs(total[0]), std::fabs(total[1])) / size;
+}
+
+Vector<2> momentumOf(const State<2>& state)
+{
+  const HostParticles<2> particles(state);
+  Vector<2> total{{0.0, 0.0}};
+  for (int p = 0; p < particles.size; ++p)
+    for (int d = 0; d < 2; ++d)
+      total[d] += particles.mass(p) * particles.velocity(p, d);
+  return total;
+}
+
+struct Case
+{
+  const char* name;
+  const char* type;
+  const char* update;
+  int order;
+};
+
+const std::vector<Case> cases = {{"Lumped", "Lumped", "FLIP", 0},    {"Full", "Full", "FLIP", 0},
+                                 {"FullPic", "Full", "PIC", 0},      {"Fmpm2", "FMPM", "FLIP", 2},
+                                 {"Fmpm4", "FMPM", "FLIP", 4},       {"Xpic2", "Lumped", "XPIC", 2},
+                                 {"FmpmUpdate", "Lumped", "FMPM", 2}};
+
+Teuchos::ParameterList withMass(Teuchos::ParameterList scene, const Case& c)
+{
+  Teuchos::ParameterList& list = scene.sublist("Mass Matrix");
+  list.set("Type", c.type);
+  list.set("Velocity Update", c.update);
+  if (c.order > 0 && std::string(c.type) == "FMPM")
+    list.set("Order", c.order);
+  return scene;
+}
+
+} // namespace
+
+/// M u for a linear u against the sum over particles, and the row sums: A 1 = 0.
+TEST(MassSystem, MultipliesAsTheSumOverParticles)
+{
+  for (const char* shape : {"Linear", "GIMP"})
+  {
+    Rhegma::Run<2> run(validated(squareScene("MUSL", shape, 17.0)));
+    run.initialize();
+    State<2>& state = run.state();
+    run.step(1e30, false);
+    Unlumping whole;
+    whole.lumpedShare = 0.0;
+    whole.smallestNode = 0.0;
+    MassSystem<2> system;
+    // The nodes keep the masses of the step, for which the particles stood where they are but for the step's
+    // move: so none moves here.
+    mass_matrix::assemble(state, whole, system);
+    ASSERT_GT(system.numRows, 30);
+    const int n = system.numRows * 2;
+    View<double*> one("one", n), x("x", n), y("y", n);
+    const auto hostOne = Kokkos::create_mirror_view(one), hostX = Kokkos::create_mirror_view(x);
+    std::mt19937 generator(3);
+    std::uniform_real_distribution<double> number(-1.0, 1.0);
+    for (int i = 0; i < n; ++i)
+    {
+      hostOne(i) = 1.0;
+      hostX(i) = number(generator);
+    }
+    Kokkos::deep_copy(one, hostOne);
+    Kokkos::deep_copy(x, hostX);
+    const auto multiply = [&](const View<double*>& from)
+    {
+      mass_matrix::multiply<2, 2>(state, system, BorrowedView<const double*>(from.data(), n),
+                                  BorrowedView<double*>(y.data(), n));
+      return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, y);
+    };
+    const double cellMass = 1.0;
+    const auto ofOne = multiply(one);
+    double largest = 0.0;
+    for (int i = 0; i < n; ++i)
+      largest = std::max(largest, std::fabs(ofOne(i)));
+    EXPECT_LT(largest, 1e-14 * cellMass) << shape;
+    // Symmetric, and M - L can only take from the quadratic form: x^T A x = - sum of m times a variance.
+    const auto ofX = multiply(x);
+    double form = 0.0, sumOfImage = 0.0;
+    for (int i = 0; i < n; ++i)
+    {
+      form += hostX(i) * ofX(i);
+      sumOfImage += ofX(i); // 1^T A x = 0 as A is symmetric with row sums of zero
+    }
+    EXPECT_LT(form, -0.1 * cellMass) << shape;
+    EXPECT_LT(std::fabs(sumOfImage), 1e-12 * cellMass) << shape;
+  }
+}
+
+TEST(MassMatrix, KeepsMomentumWithEveryType)
+{
+  for (const Case& c : cases)
+    for (const char* scheme : {"MUSL", "USF"})
+    {
+      Rhegma::Run<2> run(validated(withMass(squareScene(scheme, "GIMP", 17.0), c)));
+      run.initialize();
+      State<2>& state = run.state();
+      shake(state, 1e-3);
+      const Vector<2> start = momentumOf(state);
+      for (int k = 0; k < 40; ++k)
+        run.step(1e30, false);
+      EXPECT_LT(relativeMomentum(state, start), 1e-12) << c.name << " " << scheme;
+    }
+}
+
+/// Random velocities, bodies at odd places and angles to the lattice. \return the mean energy of the last
+/// tenth of the steps over that of the second tenth: the mean, as kinetic and strain energy are half a step
+/// apart and their sum wavers. A run that stops counts as one that grew without bound.
+double growth(double lumpedShare, double smallestNode, double rotation, const char* shape, int steps)
+{
+  Teuchos::ParameterList scene = squareScene("MUSL", shape, rotation);
+  Teuchos::ParameterList& list = scene.sublist("Mass Matrix");
+  list.set("Type", "Full");
+  list.set("Lumped Share", lumpedShare);
+  list.set("Smallest Node", smallestNode);
+  list.set("Maximum Iterations", 2000);
+  Rhegma::Run<2> run(validated(scene));
+  run.initialize();
+  State<2>& state = run.state();
+  shake(state, 1e-6);
+  double early = 0.0, late = 0.0;
+  const int tenth = steps / 10;
+  try
+  {
+    for (int k = 0; k < steps; ++k)
+    {
+      run.step(1e30, false);
+      if (k / tenth == 1)
+        early += energyOf(state);
+      else if (k / tenth == 9)
+        late += energyOf(state);
+    }
+  }
+  catch (const RunError&)
+  {
+    return 1e300;
+  }
+  return std::isfinite(late) ? late / early : 1e300;
+}
+
+/// The cures (Lumped Share, Smallest Node) hold the energy where it is; what FLIP keeps in motions that the
+/// nodes do not see stays too, and the rest may only fall.
+TEST(MassMatrix, IsStableOnCutCells)
+{
+  for (const char* shape : {"Linear", "GIMP"})
+    for (const double rotation : {0.0, 17.0, 45.0})
+      EXPECT_LT(growth(0.1, 0.1, rotation, shape, 300), 1.01) << shape << " at " << rotation << " degrees";
+}
+
+TEST(MassMatrix, NeedsItsCures)
+{
+  double worst = 0.0;
+  for (const double rotation : {0.0, 17.0, 45.0})
+    worst = std::max(worst, growth(0.0, 0.0, rotation, "GIMP", 200));
+  EXPECT_GT(worst, 10.0);
+}
+
+} // namespace Test
+} // namespace Rhegma
