@@ -200,8 +200,11 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
     particles = draw_particles(whole, outlines, values, colour_map, norm)
     draw_crack(whole, segments, places, 0.9)
     limits(whole, low, high, 0.03)
-    whole.set_title(title, fontsize=12, pad=22)
-    whole.annotate(",   ".join(heading), (0.0, 1.0), (0.0, 8.0), "axes fraction", "offset points", fontsize=10)
+    # A tall body without a close-up has a narrow panel: a line for each part, or they would run into the colour bar.
+    narrow = tall and not zoom
+    subtitle = ("\n" if narrow else ",   ").join(heading)
+    whole.set_title(title, fontsize=12, pad=22 + (14 * (len(heading) - 1) if narrow else 0))
+    whole.annotate(subtitle, (0.0, 1.0), (0.0, 8.0), "axes fraction", "offset points", fontsize=10, linespacing=1.3)
     whole.set_xlabel(f"{names[0]} [{length_unit}]")
     whole.set_ylabel(f"{names[1]} [{length_unit}]")
     if zoom:
