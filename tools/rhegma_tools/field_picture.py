@@ -215,7 +215,7 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
         wide = half if tall else 2.9 * half  # the shape of the panel
         close.set_xlim(places[0][0] - wide, places[0][0] + wide)
         close.set_ylim(places[0][1] - half, places[0][1] + half)
-        close.set_title("at the crack's front" if len(places) == 1 else "at the first crack's front",
+        close.set_title("at the crack's front" if len(places) == 1 else "at the first front",
                         fontweight="normal", fontsize=10)
         close.set_xlabel(f"{names[0]} [{length_unit}]")
         close.set_ylabel(f"{names[1]} [{length_unit}]")
