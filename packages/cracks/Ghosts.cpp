@@ -53,6 +53,16 @@ struct Towards
   }
 };
 
+/// Whether all nodes that may stand in for a node along an axis are on the lattice.
+KOKKOS_INLINE_FUNCTION bool staysOnLattice(const Grid<2>& grid, int node, int step)
+{
+  int at[2];
+  grid.nodeCoordinates(node, at);
+  const int axis = step == grid.stride[0] || step == -grid.stride[0] ? 0 : 1;
+  const int last = at[axis] + (step > 0 ? ghostReach + 1 : -ghostReach - 1);
+  return last >= 0 && last <= grid.cells[axis];
+}
+
 void findStandIns(const State<2>& state, const Ghosts& ghosts)
 {
   const Nodes<2> nodes = state.nodes;
@@ -73,7 +83,7 @@ void findStandIns(const State<2>& state, const Ghosts& ghosts)
           for (const int step : steps)
           {
             const bool both = pass == 0; // the far node, too, must be visible
-            if (ghosts.step(n) != 0)
+            if (ghosts.step(n) != 0 || !staysOnLattice(towards.grid, n, step))
               continue;
             int k = 1;
             while (k <= ghostReach && hidden(nodeSide, n + k * step, from))

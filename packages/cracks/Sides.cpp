@@ -177,9 +177,15 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
         for (int k = 0; k < (1 << (2 * D)); ++k)
         {
           int cell[D];
+          bool exists =
+              true; // where a crack begins at the rim of the domain, a cell may be beyond the lattice
           for (int d = 0; d < D; ++d)
+          {
             cell[d] = at[d] + ((k >> (2 * d)) & 3) - 2;
-          Kokkos::atomic_exchange(&cellMark(grid.nodeIndex(cell)), stamp);
+            exists = exists && cell[d] >= 0 && cell[d] < grid.cells[d];
+          }
+          if (exists)
+            Kokkos::atomic_exchange(&cellMark(grid.nodeIndex(cell)), stamp);
         }
       });
 }

@@ -62,12 +62,12 @@ std::vector<char> dilate(const Grid<D>& grid, std::vector<char> marked, int belo
   return marked;
 }
 
-/// The nodes of the widest stencil (GIMP, ghosts of cracks) from any of some cells: two beyond a cell on each
-/// side.
+/// The nodes of the widest stencil from any of some cells: GIMP reaches two beyond a cell on each side, ghosts
+/// of a crack at 45 degrees to the grid three.
 template <int D>
 View<int*> reachableNodes(const Grid<D>& grid, const std::vector<char>& from)
 {
-  constexpr int reach = 2;
+  constexpr int reach = 3;
   const std::vector<char> marked = dilate(grid, from, reach, 1 + reach);
   std::vector<int> list;
   for (int n = 0; n < grid.numNodes; ++n)

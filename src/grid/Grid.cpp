@@ -11,8 +11,9 @@ namespace Rhegma
 namespace
 {
 
-/// Nodes and their second fields are counted in an int.
-constexpr double mostNodes = 0.2 * std::numeric_limits<int>::max();
+/// A place in the rows of all nodes, up to eight numbers each and with second fields beside cracks, fits into
+/// an int.
+constexpr double mostNodes = 0.1 * std::numeric_limits<int>::max();
 
 } // namespace
 
