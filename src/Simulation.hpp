@@ -42,11 +42,11 @@ public:
   /// Runs to a time [s] in stable steps, or to where the scene has the run end (`ended()`).
   void advance(double time);
 
-  /// Samples at the end of the next step taken and calls `observer` with the row; used by advance().
-  /// \param interval time between samples [s]
+  /// Has advance() sample, in the step that ends an interval and at its end, and call `observer` with the
+  /// row. \param interval time between samples [s]; none are taken before this is called
   void sampleEvery(double interval, std::function<void(double time, const Row&)> observer);
 
-  /// Called after each step with the share of the way to the time advanced to.
+  /// Has advance() call `progress` after each step. \param progress gets the time [s] and the number of steps
   void onStep(std::function<void(double time, long step)> progress);
 
   /// The last sample.

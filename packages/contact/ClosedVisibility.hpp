@@ -32,11 +32,13 @@ public:
   /// Points of a crack where it is closed.
   int closedPoints(int crack) const;
 
+  /// Part of `prepare`; public because compilers for devices want kernels in public functions.
+  void placeAround(double cell);
+
 private:
   void edit(const State<2>& state, const ObservedPoints<2>& points, const StencilTable<2>& table);
 
   std::function<void(const State<2>&, const ObservedPoints<2>&, const StencilTable<2>&)> cut_;
-  void placeAround(double cell);
 
   FacePoints<2> points_;
   ObservedPoints<2> behind_, ahead_; ///< half a cell away from each face point, on both sides of it

@@ -97,7 +97,7 @@ void book(State<D>& state, Account<D>& account)
 template <int D>
 View<int*> watchedPoints(const FacePoints<D>& points, int crack, const WatchedCrack<D>& watched)
 {
-  const View<int*> part("rhegma::watchedPoints", points.count());
+  View<int*> part("rhegma::watchedPoints", points.count());
   const auto host = Kokkos::create_mirror_view(part);
   const auto of = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.crack);
   const auto length = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.size);

@@ -1,6 +1,7 @@
 #include "contact/FaceContact.hpp"
 
 #include "material/MaterialTable.hpp"
+#include "transfer/PushNodes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +22,8 @@ template <int D>
 void scatterTractions(const Nodes<D>& nodes, const FacePoints<D>& points, const View<double*>& pressure,
                       const View<double * [D - 1]>& shear, double thickness)
 {
-  Kokkos::parallel_for(
-      "rhegma::contact::addForces", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
-      KOKKOS_LAMBDA(const int k) {
+  forEachPushing(
+      "rhegma::contact::addForces", points.count(), KOKKOS_LAMBDA(const int k) {
         if (pressure(k) == 0.0)
           return;
         Vector<D> onUpper;
@@ -84,7 +84,7 @@ double sumOverPart(const View<double*>& value, const View<int*>& part)
 
 View<double*> inherit(const View<double*>& old, const View<int*>& before, const char* label)
 {
-  const View<double*> fresh(std::string(label), before.extent(0));
+  View<double*> fresh(std::string(label), before.extent(0));
   if (old.extent(0) > 0)
     Kokkos::parallel_for(
         "rhegma::contact::inherit", Kokkos::RangePolicy<ExecSpace>(0, before.extent(0)),
@@ -96,7 +96,7 @@ View<double*> inherit(const View<double*>& old, const View<int*>& before, const 
 template <int T>
 View<double* [T]> inherit(const View<double* [T]>& old, const View<int*>& before, const char* label)
 {
-  const View<double* [T]> fresh(std::string(label), before.extent(0));
+  View<double* [T]> fresh(std::string(label), before.extent(0));
   if (old.extent(0) > 0)
     Kokkos::parallel_for(
         "rhegma::contact::inheritTangents", Kokkos::RangePolicy<ExecSpace>(0, before.extent(0)),
@@ -209,7 +209,7 @@ void FaceContact<D>::advance(const State<D>& state, const Velocity& velocity)
           heat(k) += area * now.heat;
           loss += area * now.heat;
           if (now.pressure > threshold * stiffness(c).normal)
-            Kokkos::atomic_increment(&closed(c));
+            Kokkos::atomic_add(&closed(c), 1);
           Kokkos::atomic_fetch_max(&peak(c), now.pressure);
         }
         energy += area * 0.5 * (gap(k) < 0.0 ? -gap(k) * pressure(k) : 0.0);

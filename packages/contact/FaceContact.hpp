@@ -24,7 +24,6 @@ struct Stiffness
 struct CrackContact
 {
   int closedPoints = 0;         ///< points that carry pressure now
-  int points = 0;               ///< points in all
   int touches = 0;              ///< how often an open crack has begun to touch
   double firstTouch = -1.0;     ///< time of the first [s]; negative: never
   double largestPressure = 0.0; ///< ever, at a point [Pa]

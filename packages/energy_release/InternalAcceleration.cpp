@@ -55,7 +55,7 @@ void divideByMass(const Nodes<D>& nodes, const View<double* [D]>& force)
 
 View<double* [D]> internalAcceleration(const State<D>& state, const Vector<D>& centre, double radius)
 {
-  const View<double* [D]> force("rhegma::internalForce", state.nodes.sums.extent(0));
+  View<double* [D]> force("rhegma::internalForce", state.nodes.sums.extent(0));
   if (state.step == 0 || force.extent(0) == 0) // nodes have no mass before the first step
     return force;
   withConnectivity(state,

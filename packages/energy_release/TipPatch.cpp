@@ -35,7 +35,7 @@ View<int*> listParticles(const State<2>& state, const Vector<2>& centre, double 
         ++at;
       },
       count);
-  const View<int*> list("rhegma::patchList", count);
+  View<int*> list("rhegma::patchList", count);
   Kokkos::deep_copy(list, Kokkos::subview(all, std::make_pair(0, count)));
   return list;
 }
@@ -48,7 +48,7 @@ View<double* [rowWidth]> gatherRows(const State<2>& state, const View<int*>& lis
   const auto mass = state.particles.scalar(fields::mass);
   const auto volume = state.particles.scalar(fields::volume);
   const auto stress = state.particles.real<symmetricSize<2>>(fields::stress);
-  const View<double* [rowWidth]> row("rhegma::patchRows", n);
+  View<double* [rowWidth]> row("rhegma::patchRows", n);
   Kokkos::parallel_for(
       "rhegma::gatherPatch", Kokkos::RangePolicy<ExecSpace>(0, n), KOKKOS_LAMBDA(const int i) {
         const int p = list(i);

@@ -1,6 +1,7 @@
 #include "face_pressure/FacePressure.hpp"
 
 #include "scene/ReadList.hpp"
+#include "transfer/PushNodes.hpp"
 
 #include <memory>
 #include <stdexcept>
@@ -46,9 +47,8 @@ void FacePressure::apply(State<D>& state, const FacePoints<D>& points)
   const Nodes<D> nodes = state.nodes;
   const double pressure = now_, thickness = state.thickness;
   const int crack = crack_;
-  Kokkos::parallel_for(
-      "rhegma::face_pressure::apply", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
-      KOKKOS_LAMBDA(const int k) {
+  forEachPushing(
+      "rhegma::face_pressure::apply", points.count(), KOKKOS_LAMBDA(const int k) {
         if (p.crack(k) != crack)
           return;
         const Vector<D> force = faceForce(p, k, pressure, thickness);

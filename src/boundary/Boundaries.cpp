@@ -67,7 +67,7 @@ template <int D>
 View<double* [D]> readField(const Teuchos::ParameterList& list, const NodeConstraint<D>& constraint,
                             const Grid<D>& grid, const std::string& where)
 {
-  const View<double* [D]> field("rhegma::prescribedField", grid.numNodes);
+  View<double* [D]> field("rhegma::prescribedField", grid.numNodes);
   const auto host = Kokkos::create_mirror_view(field);
   const PlaceFunction function = PlaceFunction::parse(list.get<std::string>("Field"), D);
   for (int n = 0; n < grid.numNodes; ++n)

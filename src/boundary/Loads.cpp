@@ -1,5 +1,6 @@
 #include "boundary/Loads.hpp"
 
+#include "transfer/PushNodes.hpp"
 #include "transfer/Stencils.hpp"
 
 #include <cmath>
@@ -37,22 +38,30 @@ void followParticles(const State<D>& state, const View<int*>& id, const View<dou
       });
 }
 
-/// Adds force times share to the nodes. \return the sum of the shares that arrived
+/// Adds force times share to the nodes.
 template <int D>
-double addToNodes(const Nodes<D>& nodes, const StencilTable<D>& stencils, const View<double*>& share,
-                  int count, const Vector<D>& force)
+void addToNodes(const Nodes<D>& nodes, const StencilTable<D>& stencils, const View<double*>& share, int count,
+                const Vector<D>& force)
+{
+  forEachPushing(
+      "rhegma::addLoad", count, KOKKOS_LAMBDA(const int k) {
+        for (int e = 0; e < stencils.count(k); ++e)
+          for (int d = 0; d < D; ++d)
+            Kokkos::atomic_add(&nodes.sums(stencils.node(k, e), Nodes<D>::forceAt + d),
+                               stencils.weight(k, e) * share(k) * force[d]);
+      });
+}
+
+/// Sum of the shares that reach nodes: 1 where none is lost.
+template <int D>
+double arrivedShare(const StencilTable<D>& stencils, const View<double*>& share, int count)
 {
   double arrived = 0.0;
   Kokkos::parallel_reduce(
-      "rhegma::addLoad", Kokkos::RangePolicy<ExecSpace>(0, count),
+      "rhegma::arrivedShare", Kokkos::RangePolicy<ExecSpace>(0, count),
       KOKKOS_LAMBDA(const int k, double& sum) {
         for (int e = 0; e < stencils.count(k); ++e)
-        {
-          const double part = stencils.weight(k, e) * share(k);
-          for (int d = 0; d < D; ++d)
-            Kokkos::atomic_add(&nodes.sums(stencils.node(k, e), Nodes<D>::forceAt + d), part * force[d]);
-          sum += part;
-        }
+          sum += stencils.weight(k, e) * share(k);
       },
       arrived);
   return arrived;
@@ -97,7 +106,8 @@ void Load<D>::apply(State<D>& state)
   // too: else the rim's particles give way until their stress is gone, and the load works for ever.
   const int lost = pointStencils(state, points_, stencils_, true, 0.0);
   pointStencils(state, points_, followed_, true);
-  const double arrived = addToNodes(state.nodes, stencils_, share_, points_.count, now_ * force_);
+  addToNodes(state.nodes, stencils_, share_, points_.count, now_ * force_);
+  const double arrived = arrivedShare(stencils_, share_, points_.count);
   if ((lost > 0 || std::abs(arrived - 1.0) > 1e-10) && state.trouble.empty())
     state.trouble = "the load Boundaries > " + name_ +
                     " no longer reaches its body: " + std::to_string(100.0 * (1.0 - arrived)) +

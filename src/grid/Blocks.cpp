@@ -62,8 +62,8 @@ std::vector<char> dilate(const Grid<D>& grid, std::vector<char> marked, int belo
   return marked;
 }
 
-/// The nodes of the widest stencil from any of some cells: GIMP reaches two beyond a cell on each side, ghosts
-/// of a crack at 45 degrees to the grid three.
+/// The nodes of the widest stencil from any of some cells: GIMP reaches two beyond a cell on each side,
+/// ghosts of a crack at 45 degrees to the grid three.
 template <int D>
 View<int*> reachableNodes(const Grid<D>& grid, const std::vector<char>& from)
 {

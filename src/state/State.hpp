@@ -89,9 +89,10 @@ struct State
   View<Properties*> materials;
 
   CrackSet<D> cracks;
-  StencilEditor<D> editor;   ///< empty unless an effect cuts the body
-  View<int*> storedRow;      ///< row of each particle in `stored`, or -1; empty without an editor
-  View<int*> storedParticle; ///< particle of each row
+  StencilEditor<D> editor;        ///< empty unless an effect cuts the body
+  View<int*> storedRow;           ///< row of each particle in `stored`, or -1; empty without an editor
+  View<int*> storedParticle;      ///< particle of each row
+  ObservedPoints<D> storedPoints; ///< the particles of the rows as points
   StencilTable<D> stored;
   int numStored = 0;
 

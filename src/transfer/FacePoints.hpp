@@ -24,6 +24,9 @@ public:
 
   int count() const { return count_; }
 
+  /// Part of `update`; public because compilers for devices want kernels in public functions.
+  void follow(const CrackSet<D>& cracks);
+
   View<int*> crack;           ///< crack of each point
   View<double*> size;         ///< undeformed length or area of crack that each point stands for [m, m2]
   View<double*> currentSize;  ///< the same now [m, m2]
@@ -37,7 +40,6 @@ public:
 
 private:
   void place(const CrackSet<D>& cracks, double spacing);
-  void follow(const CrackSet<D>& cracks);
 
   View<int*> simplex_;
   View<double* [D]> weight_; ///< of the simplex's vertices at the point

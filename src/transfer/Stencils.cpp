@@ -52,16 +52,20 @@ int numberRows(const Blocks<D>& blocks, const View<int*>& row, View<int*>& parti
   return count;
 }
 
+/// The stored particles as points, with room for some more.
 template <int D>
-ObservedPoints<D> gatherPoints(const State<D>& state)
+void gatherPoints(State<D>& state)
 {
   const int count = state.numStored;
-  ObservedPoints<D> points;
-  points.count = count;
-  points.position =
-      View<double* [D]>(Kokkos::view_alloc("rhegma::storedPosition", Kokkos::WithoutInitializing), count);
-  points.half = View<double* [D]>("rhegma::storedHalf", count);
-  points.side = View<int*>("rhegma::storedSide", count);
+  state.storedPoints.count = count;
+  if (static_cast<int>(state.storedPoints.side.extent(0)) < count)
+  {
+    const int room = count + count / 4 + 16;
+    state.storedPoints.position = View<double* [D]>("rhegma::storedPosition", room);
+    state.storedPoints.half = View<double* [D]>("rhegma::storedHalf", room);
+    state.storedPoints.side = View<int*>("rhegma::storedSide", room);
+  }
+  const ObservedPoints<D> points = state.storedPoints;
   const auto position = state.particles.template real<D>(fields::position);
   BorrowedView<double* [D]> box;
   const bool boxes = state.shape == ShapeKind::Gimp;
@@ -84,7 +88,6 @@ ObservedPoints<D> gatherPoints(const State<D>& state)
             points.half(r, d) = box(p, d);
         }
       });
-  return points;
 }
 
 } // namespace
@@ -104,7 +107,8 @@ void storeStencils(State<D>& state)
   if (state.numStored == 0)
     return;
   state.stored.reserve(state.numStored);
-  const ObservedPoints<D> points = gatherPoints(state);
+  gatherPoints(state);
+  const ObservedPoints<D>& points = state.storedPoints;
   if (state.shape == ShapeKind::Linear)
     writeStencils<D, ShapeKind::Linear>(state.grid, points, state.stored);
   else
