@@ -41,13 +41,20 @@ public:
 
   const SolveCount& count() const { return count_; }
 
-private:
+  // Parts of the above; public because compilers for devices want kernels in public functions.
+
   /// Solves M x = right from the guess in x. \param held 1 where x is given by `prescribed`; empty if nowhere
   void solve(State<D>& state, const MassSystem<D>& system, const View<int*>& held, const View<double*>& x,
              const std::string& what);
+
+  /// y = M x.
   void applyMass(const State<D>& state, const MassSystem<D>& system, const BorrowedView<const double*>& x,
                  const BorrowedView<double*>& y) const;
+
+  /// Shifts x by a constant so that the residual sums to zero along each axis.
   void matchSums(const MassSystem<D>& system, const View<double*>& residual, const View<double*>& x);
+
+private:
   void reserve(int unknowns);
 
   ConjugateGradients gradients_;

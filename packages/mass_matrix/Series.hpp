@@ -28,10 +28,11 @@ public:
   /// Replaces the velocity that strains the particles, which arrives as one of the lumped mass.
   void projection(State<D>& state, const MassSystem<D>& system);
 
-private:
-  /// Sums the terms into sum_, from the first in term_.
+  /// Part of the above: sums the terms into sum_, from the first in term_. Public because compilers for
+  /// devices want kernels in public functions.
   void sum(const State<D>& state, const MassSystem<D>& system);
 
+private:
   int order_;
   View<double*> term_, image_, sum_;
 };

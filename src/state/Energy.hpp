@@ -5,8 +5,8 @@ namespace Rhegma
 {
 
 /// Energies of a run [J]. What the books cannot account for is the residual:
-/// (kinetic + strain) now - at the start - external work + damped + contact + fracture + merged - combustion.
-/// Plastic work spent is part of `damped`: energy that became heat inside the material.
+/// (kinetic + strain) now - at the start - external work + damped + plastic + contact + fracture + merged -
+/// combustion.
 struct EnergyLedger
 {
   double kinetic = 0.0;
