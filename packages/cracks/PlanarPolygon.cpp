@@ -134,6 +134,7 @@ CrackMesh<3> readPolygon(const Teuchos::ParameterList& list, const std::string& 
   const std::vector<Vector<3>> corners = readCorners(list, where + " > Points", spacing);
   const OwnPlane plane = planeOf(corners, where + " > Points", spacing);
   std::vector<Vector<2>> outline;
+  outline.reserve(corners.size());
   for (const Vector<3>& x : corners)
     outline.push_back(plane.own(x));
   const std::array<int, 2> crossing = Geometry::crossingEdges(outline);

@@ -67,7 +67,8 @@ const nlohmann::json* find(const nlohmann::json& summary, const std::string& pat
       next = entryOf(*at, part);
     if (next == nullptr)
     {
-      problem = place + " has no \"" + part + "\"; it ";
+      problem = place;
+      problem.append(" has no \"").append(part).append("\"; it ");
       if (at->is_object())
         problem +=
             at->empty() ? "is empty" : "has " + inWords(names(*at), " and ") + nearest(part, names(*at));
@@ -78,7 +79,9 @@ const nlohmann::json* find(const nlohmann::json& summary, const std::string& pat
       return nullptr;
     }
     at = next;
-    done += (done.empty() ? "" : ".") + part;
+    if (!done.empty())
+      done += ".";
+    done += part;
   }
   return at;
 }
