@@ -94,6 +94,19 @@ Section section()
   return s;
 }
 
+/// A pressure must be a number at any time of the run.
+void checkPressure(const Teuchos::ParameterList& scene, const std::string& name,
+                   std::vector<SceneError>& errors)
+{
+  const Teuchos::ParameterList& list = scene.sublist("Face Pressure").sublist(name);
+  if (!list.isType<std::string>("Pressure") || !scene.isSublist("Time") ||
+      !scene.sublist("Time").isType<double>("Final Time"))
+    return;
+  const double end = scene.sublist("Time").get<double>("Final Time");
+  if (const auto complaint = complaintIfNotFinite(list.get<std::string>("Pressure"), end))
+    errors.push_back({"Face Pressure > " + name + " > Pressure", *complaint});
+}
+
 void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
   if (!scene.isSublist("Face Pressure"))
@@ -109,8 +122,11 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
   for (const std::string& name : cracks)
     known += (known.empty() ? "" : ", ") + name;
   for (const std::string& name : sublistNames(scene.sublist("Face Pressure")))
+  {
     if (!scene.sublist("Cracks").isSublist(name))
       errors.push_back({"Face Pressure > " + name, "there is no crack of this name; Cracks has " + known});
+    checkPressure(scene, name, errors);
+  }
 }
 
 /// What the effect keeps from step to step.

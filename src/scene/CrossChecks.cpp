@@ -301,18 +301,8 @@ private:
     const std::string given = text(boundary, "History");
     if (!end || given.empty())
       return;
-    const auto function = TimeFunction::parse(given);
-    const int samples = 200;
-    for (int i = 0; i <= samples; ++i)
-    {
-      const double t = *end * i / samples;
-      if (!std::isfinite(function(t)))
-      {
-        report(scenePath(where, "History"), "\"" + given + "\" is not finite at t = " + formatReal(t) +
-                                                " s; write a function that is finite from 0 to Final Time.");
-        return;
-      }
-    }
+    if (const auto complaint = complaintIfNotFinite(given, *end))
+      report(scenePath(where, "History"), *complaint);
   }
 
   void output(const ParameterList& output, const ParameterList& time)

@@ -129,4 +129,18 @@ double TimeFunction::operator()(double t) const
   return form.values[i - 1] + share * (form.values[i] - form.values[i - 1]);
 }
 
+std::optional<std::string> complaintIfNotFinite(const std::string& given, double end)
+{
+  const auto function = TimeFunction::parse(given);
+  const int samples = 200;
+  for (int i = 0; i <= samples; ++i)
+  {
+    const double t = end * i / samples;
+    if (!std::isfinite(function(t)))
+      return "\"" + given + "\" is not finite at t = " + formatReal(t) +
+             " s; write a function that is finite from 0 to Final Time.";
+  }
+  return std::nullopt;
+}
+
 } // namespace Rhegma

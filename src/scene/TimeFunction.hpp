@@ -2,6 +2,7 @@
 /// A quantity that the user gives as a function of time.
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace Rhegma
@@ -25,5 +26,11 @@ private:
   explicit TimeFunction(std::shared_ptr<const Form> form);
   std::shared_ptr<const Form> m_form;
 };
+
+/// A sentence on a function that is not finite at one of 200 times from 0 to the end of a run; nothing of one
+/// that is.
+/// \param given the text of the function
+/// \param end   of the run [s]
+std::optional<std::string> complaintIfNotFinite(const std::string& given, double end);
 
 } // namespace Rhegma
