@@ -94,6 +94,9 @@ public:
     nlohmann::json summary = nlohmann::json::object();
     const State<D>& state = run_.state();
     summary["warnings"] = state.warnings;
+    const std::string ofEnergy = run_.energyWatch().warning(state.picFraction > 0.0, state.step);
+    if (!ofEnergy.empty() && state.trouble.empty())
+      summary["warnings"].push_back(ofEnergy);
     coreReport(state, summary);
     bodyReport(state, summary);
     for (const Effect<D>& effect : run_.plan().effects)

@@ -32,7 +32,8 @@ template <int D>
 [[noreturn]] void stop(const State<D>& state)
 {
   std::ostringstream reason;
-  reason << "the run stopped at time " << formatReal(state.time) << " s, step " << state.step << ": " << state.trouble;
+  reason << "the run stopped at time " << formatReal(state.time) << " s, step " << state.step << ": "
+         << state.trouble;
   throw RunError(reason.str());
 }
 
@@ -141,6 +142,9 @@ void Run<D>::step(double until, bool sample)
     if (beforeObserve)
       beforeObserve(state_);
     plan_.run(Stage::Observe, state_);
+    energyWatch_.sample(state_.energy);
+    if (state_.trouble.empty())
+      state_.trouble = energyWatch_.trouble();
     if (!state_.trouble.empty())
       stop(state_);
   }

@@ -1,6 +1,7 @@
 #pragma once
 /// A scene in motion.
 
+#include "step/EnergyWatch.hpp"
 #include "step/Plan.hpp"
 
 #include <functional>
@@ -40,6 +41,7 @@ public:
   State<D>& state() { return state_; }
   const State<D>& state() const { return state_; }
   const Plan<D>& plan() const { return plan_; }
+  const EnergyWatch& energyWatch() const { return energyWatch_; }
 
   /// Called in a sample before the Observe stage, to fill the row with the energies.
   std::function<void(State<D>&)> beforeObserve;
@@ -55,6 +57,7 @@ private:
   State<D> state_;
   Plan<D> plan_;
   std::vector<Stage> order_;
+  EnergyWatch energyWatch_;
 };
 
 } // namespace Rhegma

@@ -1,0 +1,75 @@
+#pragma once
+/// Notices a run that makes energy out of nothing, or loses it.
+
+#include "scene/Numbers.hpp"
+#include "state/Energy.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace Rhegma
+{
+
+/// Follows the ledger from sample to sample. An unstable step multiplies the energy of a few particles, but a
+/// body can burst and come to an end long before a number overflows: its energy is what gives it away.
+class EnergyWatch
+{
+public:
+  /// To be called with every sample of a run.
+  void sample(const EnergyLedger& energy)
+  {
+    given_ = std::max(given_, energy.start + std::fabs(energy.externalWork) + std::fabs(energy.combustion));
+    residual_ = energy.residual();
+    largest_ = std::max(largest_, residual_);
+    bursts_ = residual_ > burst * given_ ? bursts_ + 1 : 0;
+    now_ = energy.kinetic + energy.strain;
+  }
+
+  /// \return why the run can't go on; empty if it can
+  std::string trouble() const
+  {
+    if (!std::isfinite(residual_))
+      return "an energy is no longer a number" + advice();
+    if (bursts_ < burstsInARow)
+      return {};
+    return "the bodies hold " + formatReal(now_) + " J, of which no more than " + formatReal(given_) +
+           " J were given to them" + advice();
+  }
+
+  /// \param losesByDesign whether the scene asks for a scheme that takes energy which nobody books
+  /// \param steps         that were done
+  /// \return what a user must know of the books; empty if they balance
+  std::string warning(bool losesByDesign, long steps) const
+  {
+    if (steps < fewSteps)
+      return {};
+    if (largest_ > noticeable * given_)
+      return "energy.residual: the run made " + percent(largest_) +
+             " % more energy than was given to the bodies" + advice();
+    if (!losesByDesign && -residual_ > noticeable * given_)
+      return "energy.residual: the run lost " + percent(-residual_) +
+             " % of the energy that was given to the bodies; smaller cells lose less";
+    return {};
+  }
+
+private:
+  static constexpr double burst = 10.0;     ///< times the energy that was given: an unstable run
+  static constexpr int burstsInARow = 3;    ///< for the books of the very first steps are rough
+  static constexpr double noticeable = 0.1; ///< share that a user is told of
+  static constexpr long fewSteps = 50; ///< velocities are half a step behind; shorter runs show little else
+
+  static std::string advice()
+  {
+    return " (an unstable step: try a smaller Time > CFL, smaller cells, a gentler load or another Cracks > "
+           "Formulation)";
+  }
+
+  std::string percent(double energy) const { return formatReal(std::round(1e3 * energy / given_) / 10.0); }
+
+  double given_ = 0.0; ///< most that was ever given [J]
+  double residual_ = 0.0, largest_ = 0.0, now_ = 0.0;
+  int bursts_ = 0;
+};
+
+} // namespace Rhegma

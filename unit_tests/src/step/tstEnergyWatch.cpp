@@ -1,0 +1,100 @@
+/// When the books of a run say that it has come apart.
+
+#include "step/EnergyWatch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace Rhegma
+{
+namespace Test
+{
+
+namespace
+{
+
+/// Books of bodies to which 2 J were given and that hold so much.
+EnergyLedger holding(double energy)
+{
+  EnergyLedger ledger;
+  ledger.start = 0.5;
+  ledger.externalWork = 1.5;
+  ledger.strain = energy;
+  return ledger;
+}
+
+constexpr long manySteps = 1000;
+
+} // namespace
+
+TEST(EnergyWatch, SaysNothingWhereTheBooksBalance)
+{
+  EnergyWatch watch;
+  for (int k = 0; k < 100; ++k)
+    watch.sample(holding(2.0 + (k % 2 == 0 ? 0.15 : -0.15)));
+  EXPECT_EQ(watch.trouble(), "");
+  EXPECT_EQ(watch.warning(false, manySteps), "");
+}
+
+TEST(EnergyWatch, StopsARunThatMakesEnergyAndNotForOneRoughSample)
+{
+  EnergyWatch watch;
+  for (int k = 0; k < 2; ++k)
+  {
+    watch.sample(holding(30.0));
+    EXPECT_EQ(watch.trouble(), "");
+  }
+  watch.sample(holding(2.0));
+  for (int k = 0; k < 2; ++k)
+    watch.sample(holding(30.0));
+  EXPECT_EQ(watch.trouble(), "");
+  watch.sample(holding(30.0));
+  EXPECT_NE(watch.trouble().find("hold 30 J, of which no more than 2 J were given"), std::string::npos)
+      << watch.trouble();
+}
+
+TEST(EnergyWatch, StopsWhereAnEnergyIsNoNumber)
+{
+  EnergyWatch watch;
+  watch.sample(holding(std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_NE(watch.trouble().find("no longer a number"), std::string::npos);
+}
+
+TEST(EnergyWatch, TellsOfEnergyThatWasMadeOrLost)
+{
+  EnergyWatch made;
+  made.sample(holding(2.5));
+  made.sample(holding(2.0));
+  EXPECT_EQ(made.trouble(), "");
+  EXPECT_NE(made.warning(true, manySteps).find("made 25 % more"), std::string::npos);
+  EnergyWatch lost;
+  lost.sample(holding(1.0));
+  EXPECT_NE(lost.warning(false, manySteps).find("lost 50 %"), std::string::npos);
+  EXPECT_EQ(lost.warning(true, manySteps), "") << "a fraction of PIC is meant to lose it";
+}
+
+TEST(EnergyWatch, IsSilentOnAFewSteps)
+{
+  EnergyWatch watch;
+  watch.sample(holding(1.0));
+  EXPECT_EQ(watch.warning(false, 3), "");
+}
+
+/// Work that was given and taken back is still what the energy is compared with.
+TEST(EnergyWatch, RemembersTheMostThatWasGiven)
+{
+  EnergyWatch watch;
+  EnergyLedger ledger;
+  ledger.externalWork = ledger.kinetic = 100.0;
+  watch.sample(ledger);
+  ledger.externalWork = 0.0;
+  ledger.kinetic = 5.0;
+  for (int k = 0; k < 5; ++k)
+    watch.sample(ledger);
+  EXPECT_EQ(watch.trouble(), "");
+  EXPECT_EQ(watch.warning(false, manySteps), "");
+}
+
+} // namespace Test
+} // namespace Rhegma
