@@ -143,8 +143,9 @@ void FaceContact<D>::findStiffness(const State<D>& state)
       Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(fields::material));
   const auto stiffness = Kokkos::create_mirror_view(stiffness_);
   // The softer of the materials that meet: a stiff layer on a soft body would ask for a smaller step.
+  const double infinity = std::numeric_limits<double>::infinity();
   for (int c = 0; c < cracks; ++c)
-    stiffness(c) = {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+    stiffness(c) = {infinity, infinity};
   const double factor = alpha_ / state.grid.spacing;
   for (int p = 0; p < state.particles.size(); ++p)
     if (side(p) != 0)
@@ -154,6 +155,15 @@ void FaceContact<D>::findStiffness(const State<D>& state)
       s.normal = std::min(s.normal, factor * e.constrainedModulus);
       s.tangential = std::min(s.tangential, factor * e.shear);
     }
+  // A crack shorter than a cell may have no particle beside it yet; later it may meet any of the materials.
+  for (int c = 0; c < cracks; ++c)
+    if (stiffness(c).normal == infinity)
+      for (const Properties& any : state.materialList)
+      {
+        const Elasticity e = elasticity(any);
+        stiffness(c).normal = std::min(stiffness(c).normal, factor * e.constrainedModulus);
+        stiffness(c).tangential = std::min(stiffness(c).tangential, factor * e.shear);
+      }
   Kokkos::deep_copy(stiffness_, stiffness);
 }
 

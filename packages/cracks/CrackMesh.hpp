@@ -20,6 +20,7 @@ struct CrackMesh
   std::vector<Vector<D>> vertices;
   std::vector<std::array<int, D>> simplices;
   std::vector<std::array<int, D>> beyond; ///< neighbour beyond each facet, or facet::mouth or front
+  std::vector<std::string> warnings;      ///< what a user must know of it
 };
 
 /// Reads a polyline: clips it to the bodies at both ends, splits long segments, and finds which ends are

@@ -308,6 +308,7 @@ void readCracks(const Teuchos::ParameterList& section, State<D>& state)
     if (!attempts.attempt([&] { mesh = readCrack(section.sublist(name), name, material, spacing); }))
       continue;
     meshes.push_back(mesh);
+    state.warnings.insert(state.warnings.end(), mesh.warnings.begin(), mesh.warnings.end());
     names.push_back(name);
     Crack<D> crack;
     crack.name = name;

@@ -2,6 +2,7 @@
 
 #include "cracks/CrackMotion.hpp"
 #include "cracks/CrackSetup.hpp"
+#include "cracks/IdleCracks.hpp"
 #include "cracks/Normals.hpp"
 #include "cracks/Opening.hpp"
 #include "cracks/Sides.hpp"
@@ -88,6 +89,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     state.editor.prepare = [=](State<D>& s, const View<int*>& row)
     {
       findSides(s, *surroundings, row);
+      if (surroundings->stamp == 1)
+        warnOfIdleCracks(s);
       if constexpr (D == 2) // a 3D scene with another formulation is refused
       {
         if (formulation == Formulation::CorrectedBrokenCell)
@@ -102,9 +105,10 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.call({Stage::Gather, "cracks move", {"nodal motion"}, {"crack geometry"}, {}, [motion](State<D>& s) {
                  motion->move(s);
                }});
-  if (formulation == Formulation::CorrectedBrokenCell)
-    effect.timeStepLimit = [](const State<D>& state)
-    { return largestCflOfGhosts * state.grid.spacing / state.fastest; };
+  if constexpr (D == 2)
+    if (formulation == Formulation::CorrectedBrokenCell)
+      effect.timeStepLimit = [](const State<D>& state)
+      { return largestCfl(state.cracks) * state.grid.spacing / state.fastest; };
   effect.report = [](const State<D>& state, nlohmann::json& summary)
   {
     for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)

@@ -169,6 +169,21 @@ void limitShares(const State<2>& state, const Ghosts& ghosts)
 
 } // namespace
 
+double largestCfl(const CrackSet<2>& cracks)
+{
+  const auto normal = cracks.normal;
+  int diagonal = 0;
+  Kokkos::parallel_reduce(
+      "rhegma::cracks::diagonalSegments", Kokkos::RangePolicy<ExecSpace>(0, cracks.simplex.extent(0)),
+      KOKKOS_LAMBDA(const int s, int& any) {
+        const double nx = std::fabs(normal(s, 0)), ny = std::fabs(normal(s, 1));
+        if (std::fmin(nx, ny) > diagonalSlope * std::fmax(nx, ny))
+          any = 1;
+      },
+      Kokkos::Max<int>(diagonal));
+  return diagonal > 0 ? largestCflOfDiagonalGhosts : largestCflOfGhosts;
+}
+
 void findGhosts(const State<2>& state, const View<int*>& row, Ghosts& ghosts)
 {
   const int n = state.grid.numNodes;

@@ -133,6 +133,16 @@ bool isFront(const Vector<2>& end, const Vector<2>& before, const MaterialPlaces
   return true;
 }
 
+/// What to say of an end that stops in the material but is no front; nothing of one that reaches the surface.
+void warnOfBridge(const Vector<2>& end, const Vector<2>& before, const std::string& where,
+                  const MaterialPlaces<2>& material, double spacing, std::vector<std::string>& warnings)
+{
+  if (material.at(end + (0.5 * spacing) * unit(end - before)))
+    warnings.push_back(where + ": less than a cell of material is left ahead of the end at " +
+                       formatReal(end[0]) + ", " + formatReal(end[1]) +
+                       ", so it counts as broken; take smaller cells (Domain > Cell Size), or choose Fronts");
+}
+
 } // namespace
 
 CrackMesh<2> readPolyline(const Teuchos::ParameterList& list, const std::string& where,
@@ -153,6 +163,10 @@ CrackMesh<2> readPolyline(const Teuchos::ParameterList& list, const std::string&
                         ? lastGiven && isFront(points.back(), points[points.size() - 2], material, spacing)
                         : fronts == "Last" || fronts == "Both";
   CrackMesh<2> mesh;
+  if (fronts == "Automatic" && firstGiven && !first)
+    warnOfBridge(points[0], points[1], where, material, spacing, mesh.warnings);
+  if (fronts == "Automatic" && lastGiven && !last)
+    warnOfBridge(points.back(), points[points.size() - 2], where, material, spacing, mesh.warnings);
   mesh.vertices = points;
   const int segments = static_cast<int>(points.size()) - 1;
   for (int s = 0; s < segments; ++s)

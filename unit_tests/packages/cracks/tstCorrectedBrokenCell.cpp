@@ -152,6 +152,9 @@ TEST(CorrectedBrokenCell, LimitsTheStep)
   const auto run = beamAtRest("Corrected Broken Cell", "GIMP", onRow);
   const State<2>& state = run->state();
   EXPECT_NEAR(run->stableTimeStep(), 0.36 * cell / state.fastest, 1e-12 * cell / state.fastest);
+  const auto diagonal = beamAtRest("Corrected Broken Cell", "GIMP", "{0, 0.01, 0.04, 0.01, 0.046, 0.015}");
+  EXPECT_NEAR(diagonal->stableTimeStep(), 0.18 * cell / diagonal->state().fastest,
+              1e-12 * cell / state.fastest);
   const auto dual = beamAtRest("Dual Field", "GIMP", onRow);
   EXPECT_NEAR(dual->stableTimeStep(), 0.4 * cell / dual->state().fastest, 1e-12 * cell / state.fastest);
 }

@@ -1,0 +1,75 @@
+#!/usr/bin/env python3
+"""Cracks that the cells are too coarse for: the run goes on, and its user is told."""
+
+import csv
+import json
+import math
+import os
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+sys.dont_write_bytecode = True
+
+from program import ProgramTest, rhegma  # noqa: E402
+from scenes import plate  # noqa: E402
+
+FORMULATIONS = ("Dual Field", "Broken Cell", "Corrected Broken Cell")
+
+
+def cracked(points, formulation="Dual Field"):
+    """The plate, of cells of 50 mm, with another crack and no contour around its front."""
+    scene = plate().remove("Energy Release").set("Cracks > Notch > Points", points)
+    return scene.set("Cracks > Formulation", formulation)
+
+
+class OddCracks(ProgramTest):
+    def told(self, scene, *words):
+        """Finishes with finite numbers and warnings with these words, one for each."""
+        answer = rhegma(self.write("scene.xml", scene.text()), "--quiet")
+        self.assertEqual(answer.status, 0, answer)
+        lines = answer.complaint.splitlines()
+        self.assertEqual(len(lines), len(words), answer)
+        for line, word in zip(lines, words):
+            self.assertTrue(line.startswith("rhegma: warning: Cracks > Notch"), line)
+            self.assertIn(word, line)
+        with open(self.path("scene.out", "summary.json")) as file:
+            self.assertEqual(len(json.load(file)["warnings"]), len(words))
+        with open(self.path("scene.out", "history.csv"), newline="") as file:
+            rows = [[float(value) for value in row] for row in list(csv.reader(file))[1:]]
+        self.assertGreater(len(rows), 10)
+        self.assertTrue(all(math.isfinite(value) for row in rows for value in row))
+
+    def test_crack_shorter_than_a_cell(self):
+        for formulation in FORMULATIONS:
+            with self.subTest(formulation=formulation):
+                self.told(cracked([0.51, 0.52, 0.53, 0.53], formulation), "parts nothing")
+
+    def test_faces_without_particles_that_stick(self):
+        for formulation in FORMULATIONS:
+            with self.subTest(formulation=formulation):
+                scene = cracked([0.5, 0.5, 0.51, 0.5], formulation).set("Contact", {"Law": "Stick"})
+                self.told(scene, "parts nothing")
+
+    def test_crack_beyond_the_last_particles(self):
+        self.told(cracked([0.0, 0.002, 0.5, 0.002]), "parts nothing")
+
+    def test_crack_that_leaves_a_bridge_thinner_than_a_cell(self):
+        self.told(cracked([0.03, 0.5, 0.97, 0.5]), "0.03, 0.5", "0.97, 0.5")
+
+    def test_crack_along_the_diagonal_of_the_cells(self):
+        """Pulled across: a burst of energy would stop the run, and a gain of a tenth would be told."""
+        for formulation in FORMULATIONS:
+            with self.subTest(formulation=formulation):
+                scene = cracked([-0.1, -0.1, 0.5, 0.5], formulation).set("Time > Final Time", 6e-3)
+                scene.set("Boundaries > Pull > Stress", [1e5, -1e5])
+                self.told(scene)
+
+    def test_cracks_that_the_cells_see(self):
+        for points in ([0.0, 0.5, 0.5, 0.5], [0.0, 0.5, 1.0, 0.5], [-3.0, 0.47, 7.0, 0.49], [0.3, 0.31, 0.6, 0.72]):
+            with self.subTest(points=points):
+                self.told(cracked(points))
+
+
+if __name__ == "__main__":
+    unittest.main()
