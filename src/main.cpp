@@ -18,7 +18,10 @@ using namespace Rhegma::program;
 /// Starts Kokkos; it says on its own terms what is wrong with its arguments.
 void startKokkos(const char* program, const std::vector<std::string>& forKokkos)
 {
-  const KokkosArguments arguments(program, forKokkos);
+  // What it warns of (more threads than cores) a user of several ranks has asked for.
+  std::vector<std::string> all = forKokkos;
+  all.emplace_back("--kokkos-disable-warnings");
+  const KokkosArguments arguments(program, all);
   try
   {
     Kokkos::initialize(arguments.count(), arguments.values());

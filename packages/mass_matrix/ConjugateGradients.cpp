@@ -10,6 +10,7 @@
 #include <Tpetra_Operator.hpp>
 #include <Tpetra_Vector.hpp>
 
+#include <stdexcept>
 #include <utility>
 
 namespace Rhegma::mass_matrix
@@ -153,7 +154,14 @@ SolveResult ConjugateGradients::solve(int n, const Apply& apply, const View<doub
   settings->set<RCP<std::ostream>>("Output Stream", rcp(new Teuchos::oblackholestream()));
   work.solver.setParameters(settings);
   work.solver.setProblem(problem);
-  result.converged = work.solver.solve() == Belos::Converged;
+  try
+  {
+    result.converged = work.solver.solve() == Belos::Converged;
+  }
+  catch (const std::logic_error&) // p^T A p is not positive: A is singular to round-off
+  {
+    return result;
+  }
   result.iterations = work.solver.getNumIters();
   result.residual = work.solver.achievedTol() * norm / scale;
   copyOut(*work.left, x, n);

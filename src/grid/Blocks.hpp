@@ -26,9 +26,10 @@ constexpr int lanes = 16;
 template <int D>
 struct Blocks
 {
-  /// Cells along an edge: a block's stencils reach up to three cells beyond it (GIMP, drift, ghosts of
-  /// cracks), so that two blocks of one colour, one block apart, stay clear of each other.
-  static constexpr int edge = 8;
+  /// Cells along an edge. A particle that has drifted one cell out of its block and has ghosts of a crack
+  /// reaches from the node four before the block's first cell to the node four beyond its last: two blocks of
+  /// one colour, one block apart, stay clear of each other from nine cells on.
+  static constexpr int edge = 9;
   /// Axes that are cut into blocks; in 3D the fastest is left whole.
   static constexpr int axes = 2;
   static constexpr int colours = 4;

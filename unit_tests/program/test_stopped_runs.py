@@ -141,8 +141,11 @@ class UnstableRuns(LeftFiles):
         self.stops(scene, "step")
 
     def test_mass_matrix_that_is_not_solved(self):
-        scene = plate().set("Mass Matrix", {"Type": "Full", "Maximum Iterations": 1})
-        self.stops(scene, "residual")
+        """It stops in the first step, before any sample."""
+        path = self.write("scene.xml", plate().set("Mass Matrix", {"Type": "Full", "Maximum Iterations": 1}).text())
+        answer = rhegma(path, "--quiet", timeout=300)
+        self.assertEqual(answer.status, 2, answer)
+        self.assertRegex(answer.complaint, r"mass matrix could not be solved .* residual")
 
     def test_load_that_loses_its_body(self):
         """A point load tears its particle off."""
