@@ -15,7 +15,7 @@ template <int D>
 View<double* [D]> frontPlaces(const State<D>& state)
 {
   const int n = static_cast<int>(state.cracks.fronts.size());
-  const View<double* [D]> places(Kokkos::view_alloc("rhegma::massFronts", Kokkos::WithoutInitializing), n);
+  View<double* [D]> places(Kokkos::view_alloc("rhegma::massFronts", Kokkos::WithoutInitializing), n);
   const auto host = Kokkos::create_mirror_view(places);
   for (int f = 0; f < n; ++f)
     for (int d = 0; d < D; ++d)
