@@ -179,6 +179,9 @@ void checkContour(State<2>& state, const CrackFront<2>& front, const Options& op
   }
 }
 
+/// Closer contours see the tip's own cells.
+constexpr double leastInnerCells = 2.0;
+
 void checkContours(State<2>& state, const Options& options)
 {
   if (state.cracks.fronts.empty())
@@ -189,6 +192,12 @@ void checkContours(State<2>& state, const Options& options)
   for (const CrackFront<2>& front : state.cracks.fronts)
     attempts.attempt([&] { checkContour(state, front, options); });
   attempts.complain();
+  const double cell = state.grid.spacing;
+  if (options.radii.inner > 0.0 && options.radii.inner < (leastInnerCells - slack) * cell)
+    state.warnings.push_back(
+        "Energy Release > Inner Radius is " + formatReal(options.radii.inner / cell) +
+        " cells: below two cells the contour runs through the cells of the front, and G and K "
+        "can be off by 10 % and more; take smaller cells or a larger radius");
 }
 
 void warnOfContour(State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,

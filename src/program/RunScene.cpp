@@ -97,6 +97,12 @@ void initialize(Simulation& simulation, const Teuchos::ParameterList& scene, con
                           makeSummary(facts(options, simulation, 0.0, ""), simulation.report()));
 }
 
+/// Whether the scene asks for a body at rest.
+bool waitsForRest(const Teuchos::ParameterList& scene)
+{
+  return scene.isSublist("Damping") && scene.sublist("Damping").get<bool>("Stop When Settled");
+}
+
 int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>& scene, std::ostream& out,
              std::ostream& err)
 {
@@ -115,6 +121,10 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
                                                        : "finished";
   nlohmann::json summary =
       makeSummary(facts(options, simulation, timer.seconds(), status), simulation.report());
+  if (trouble.empty() && waitsForRest(*scene) && !simulation.settled())
+    summary["warnings"].push_back(
+        "the run ended before it had settled (Damping > Stop When Settled): its values are "
+        "those of a body in motion; raise Time > Final Time or the damping");
   const bool within = addReferences(references(*scene), summary);
   const std::string unwritten = writeWhereItCan(summary, production.folder() + "/summary.json");
   if (trouble.empty())

@@ -24,14 +24,14 @@ def cracked(points, formulation="Dual Field"):
 
 
 class OddCracks(ProgramTest):
-    def told(self, scene, *words):
+    def told(self, scene, *words, where="Cracks > Notch"):
         """Finishes with finite numbers and warnings with these words, one for each."""
         answer = rhegma(self.write("scene.xml", scene.text()), "--quiet")
         self.assertEqual(answer.status, 0, answer)
         lines = answer.complaint.splitlines()
         self.assertEqual(len(lines), len(words), answer)
         for line, word in zip(lines, words):
-            self.assertTrue(line.startswith("rhegma: warning: Cracks > Notch"), line)
+            self.assertTrue(line.startswith("rhegma: warning: " + where), line)
             self.assertIn(word, line)
         with open(self.path("scene.out", "summary.json")) as file:
             self.assertEqual(len(json.load(file)["warnings"]), len(words))
@@ -64,6 +64,14 @@ class OddCracks(ProgramTest):
                 scene = cracked([-0.1, -0.1, 0.5, 0.5], formulation).set("Time > Final Time", 6e-3)
                 scene.set("Boundaries > Pull > Stress", [1e5, -1e5])
                 self.told(scene)
+
+    def test_contour_through_the_cells_of_the_front(self):
+        scene = plate().set("Energy Release", {"Inner Radius": 0.06, "Outer Radius": 0.2})
+        self.told(scene, "below two cells", where="Energy Release > Inner Radius")
+
+    def test_run_that_ends_before_it_rests(self):
+        scene = plate().set("Damping", {"Mass Rate": 1.0, "Stop When Settled": True})
+        self.told(scene, "Stop When Settled", where="the run ended before it had settled")
 
     def test_cracks_that_the_cells_see(self):
         for points in ([0.0, 0.5, 0.5, 0.5], [0.0, 0.5, 1.0, 0.5], [-3.0, 0.47, 7.0, 0.49], [0.3, 0.31, 0.6, 0.72]):
