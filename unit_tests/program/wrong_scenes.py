@@ -231,8 +231,8 @@ CRACKS = [
 ]
 
 NOT_IN_3D = [
-    ("cracks_in_3d", ball().set("Cracks", {"Penny": {"Points": [0.0, 0.0, 0.0, 0.05, 0.0, 0.0]}}),
-     one("Cracks", "three dimensions", "2D")),
+    ("crack_of_two_points_in_3d", ball().set("Cracks", {"Penny": {"Points": [0.0, 0.0, 0.0, 0.05, 0.0, 0.0]}}),
+     one("Cracks > Penny > Points", "polygon", "at least three points")),
     ("cylinder_in_2d",
      plate().set("Bodies > Bar", {"Material": "Polymer", "Shape": "Cylinder", "From": [0.0, 0.0, 0.0], "To": [0.0,
      0.0, 1.0], "Radius": 0.1}),
