@@ -140,7 +140,7 @@ DOMAIN = [
      one("Domain > Cell Size", "nodes", "larger cells")),
     ("far_too_many_cells", plate().set("Domain > Cell Size", 1e-6),
      one("Domain > Cell Size", "nodes", "larger cells")),
-    ("far_too_many_particles", ball().set("Domain > Cell Size", 0.0003).set("Bodies > Ball > Particles Per Cell", 8),
+    ("far_too_many_particles", ball().set("Domain > Cell Size", 0.00035).set("Bodies > Ball > Particles Per Cell", 8),
      one("Domain > Cell Size", "particles", "GB", "larger cells")),
     ("plane_stress_in_3d", ball().set("Domain > Plane", "Stress"), one("Domain > Plane", "2D", "leave it out")),
     ("thickness_in_3d", ball().set("Domain > Thickness", 0.1), one("Domain > Thickness", "2D", "leave it out")),
