@@ -13,8 +13,9 @@ struct ContourRadii
 };
 
 /// The weight q of the domain integrals. It is evaluated at nodes only and interpolated like the motion, cuts
-/// included, so that the integrals are sums over nodal residual forces: evaluated at particles it gives errors
-/// of tens of percent, and interpolated by unbroken functions errors of percents with extrapolated weights.
+/// included, so that the integrals are sums over nodal residual forces: evaluated at particles it gives
+/// errors of tens of percent, and interpolated by unbroken functions errors of percents with extrapolated
+/// weights.
 template <int D>
 struct NodalWeight
 {

@@ -109,7 +109,8 @@ TEST(References, OfZeroAreAbsolute)
 
 TEST(References, OfWhatIsNotThereAreOutsideAndSayWhy)
 {
-  EXPECT_EQ(judged("energy.heat", 1.0, 1.0)["problem"], "energy has no \"heat\"; it has kinetic and residual");
+  EXPECT_EQ(judged("energy.heat", 1.0, 1.0)["problem"],
+            "energy has no \"heat\"; it has kinetic and residual");
   EXPECT_EQ(judged("cracks.2.length", 1.0, 1.0)["problem"], "cracks has no \"2\"; it is a list of 2");
   EXPECT_EQ(judged("cracks.Top.length", 1.0, 1.0)["problem"], "cracks has no \"Top\"; it is a list of 2");
   EXPECT_EQ(judged("settled.really", 1.0, 1.0)["problem"], "settled has no \"really\"; it is one value");
