@@ -49,6 +49,9 @@ void NodalSolve<D>::begin(const State<D>& state, const MassSystem<D>& system)
   if (lastAcceleration_.extent(0) < state.nodes.sums.extent(0))
     lastAcceleration_ = View<double* [D]>("rhegma::massLastAcceleration", state.nodes.sums.extent(0));
   held_ = state.constraints.empty() ? View<int*>() : heldRoom_;
+  for (int d = 0; d < D; ++d)
+    heldAxis_[d] = std::any_of(state.constraints.begin(), state.constraints.end(),
+                               [d](const NodeConstraint<D>& constraint) { return constraint.holds[d]; });
   const MassSystem<D> s = system;
   const Nodes<D> nodes = state.nodes;
   const View<int*> held = heldRoom_;
@@ -93,27 +96,24 @@ void NodalSolve<D>::applyMass(const State<D>& state, const MassSystem<D>& system
 }
 
 template <int D>
-void NodalSolve<D>::matchSums(const MassSystem<D>& system, const View<double*>& residual,
+void NodalSolve<D>::matchSums(const MassSystem<D>& system, int axis, const View<double*>& residual,
                               const View<double*>& x)
 {
   const MassSystem<D> s = system;
-  for (int d = 0; d < D; ++d)
-  {
-    double left = 0.0, mass = 0.0;
-    Kokkos::parallel_reduce(
-        "rhegma::mass::sums", range(system.numRows),
-        KOKKOS_LAMBDA(const int row, double& sum, double& total) {
-          sum += residual(row * D + d);
-          total += s.lumped(row);
-        },
-        left, mass);
-    const double shift = left / mass;
-    Kokkos::parallel_for(
-        "rhegma::mass::shift", range(system.numRows), KOKKOS_LAMBDA(const int row) {
-          x(row * D + d) += shift;
-          residual(row * D + d) -= shift * s.lumped(row); // M 1 = L 1
-        });
-  }
+  double left = 0.0, mass = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::mass::sums", range(system.numRows),
+      KOKKOS_LAMBDA(const int row, double& sum, double& total) {
+        sum += residual(row * D + axis);
+        total += s.lumped(row);
+      },
+      left, mass);
+  const double shift = left / mass;
+  Kokkos::parallel_for(
+      "rhegma::mass::shift", range(system.numRows), KOKKOS_LAMBDA(const int row) {
+        x(row * D + axis) += shift;
+        residual(row * D + axis) -= shift * s.lumped(row); // M 1 = L 1
+      });
 }
 
 template <int D>
@@ -141,8 +141,12 @@ void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, const Vi
       },
       scale);
   scale = std::sqrt(scale);
-  if (!masked)
-    matchSums(system, residual, x);
+  // Axes along which nothing is held keep their momentum; without a mask all do.
+  for (int d = 0; d < D; ++d)
+    if (!masked || !heldAxis_[d])
+      matchSums(system, d, residual, x);
+  // Where supports alone move a body at rest, the right side of the free nodes is zero.
+  scale = std::max(scale, norm2(residual, n));
 
   const auto apply = [&](const BorrowedView<const double*>& from, const BorrowedView<double*>& to)
   {

@@ -51,8 +51,9 @@ public:
   void applyMass(const State<D>& state, const MassSystem<D>& system, const BorrowedView<const double*>& x,
                  const BorrowedView<double*>& y) const;
 
-  /// Shifts x by a constant so that the residual sums to zero along each axis.
-  void matchSums(const MassSystem<D>& system, const View<double*>& residual, const View<double*>& x);
+  /// Shifts x by a constant so that the residual sums to zero along an axis.
+  void matchSums(const MassSystem<D>& system, int axis, const View<double*>& residual,
+                 const View<double*>& x);
 
 private:
   void reserve(int unknowns);
@@ -60,6 +61,7 @@ private:
   ConjugateGradients gradients_;
   SolveCount count_;
   int room_ = 0;
+  bool heldAxis_[D] = {}; ///< whether any boundary holds motion along the axis
   View<int*> heldRoom_;
   View<int*> held_; ///< 1 where a boundary holds the unknown; empty where there are no such boundaries
   View<double*> heldVelocity_, inverseDiagonal_;

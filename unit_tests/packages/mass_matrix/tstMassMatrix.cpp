@@ -168,6 +168,28 @@ TEST(MassMatrix, KeepsMomentumWithEveryType)
     }
 }
 
+/// A wall that moves a body at rest: no force acts on the free nodes, and their share comes from the wall's
+/// alone. All of the momentum is the wall's impulse.
+TEST(MassMatrix, TakesWhatASupportDoesToABodyAtRest)
+{
+  Teuchos::ParameterList scene = squareScene("MUSL", "GIMP", 0.0);
+  scene.sublist("Mass Matrix").set("Type", "Full");
+  Teuchos::ParameterList& wall = scene.sublist("Boundaries").sublist("Wall");
+  wall.set("Type", "Velocity");
+  wall.set("Lower Corner", array(Vector<2>{{-8.0, -8.0}}));
+  wall.set("Upper Corner", array(Vector<2>{{-1.5, 8.0}}));
+  wall.set("Components", "x");
+  wall.set("Value", array(Vector<2>{{1e-4, 0.0}}));
+  Rhegma::Run<2> run(validated(scene));
+  run.initialize();
+  State<2>& state = run.state();
+  for (int k = 0; k < 20; ++k)
+    run.step(1e30, false);
+  const Vector<2> momentum = momentumOf(state);
+  EXPECT_GT(momentum[0], 0.0);
+  EXPECT_NEAR(momentum[1], 0.0, 1e-12 * momentum[0]);
+}
+
 /// Random velocities, bodies at odd places and angles to the lattice. \return the mean energy of the last
 /// tenth of the steps over that of the second tenth: the mean, as kinetic and strain energy are half a step
 /// apart and their sum wavers. A run that stops counts as one that grew without bound.
