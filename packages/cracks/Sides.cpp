@@ -216,8 +216,8 @@ void listParents(State<D>& state, int count)
 {
   if (static_cast<int>(state.nodes.parent.extent(0)) < count)
     state.nodes.parent = View<int*>("rhegma::secondFieldParent", 2 * count);
-  if (static_cast<int>(state.nodes.sums.extent(0)) < state.grid.numNodes + count)
-    state.nodes.reserve(state.grid.numNodes, 2 * count);
+  if (static_cast<int>(state.nodes.sums.extent(0)) < state.nodes.numLattice + count)
+    state.nodes.reserve(state.nodes.numLattice, 2 * count);
   state.nodes.numSecond = count;
   const Nodes<D> nodes = state.nodes;
   const View<int*> second = state.cracks.second;

@@ -16,7 +16,7 @@ struct HoldNodes
 
   int value_count = 1 + D;
   Nodes<D> nodes;
-  Grid<D> grid;
+  NodePlaces<D> places;
   NodeConstraint<D> constraint;
   View<int*> coupledRow;         ///< empty where all masses are lumped
   View<double*> coupledReaction; ///< impulse on each unknown of coupled nodes
@@ -27,7 +27,7 @@ struct HoldNodes
     const int n = activeNode(nodes, i);
     const double mass = nodes.sums(n, Nodes<D>::massAt);
     const int lattice = latticeNode(nodes, n);
-    if (!(mass > 0.0) || !constraint.appliesAt(grid.nodePosition(lattice)))
+    if (!(mass > 0.0) || !constraint.appliesAt(places(lattice)))
       return;
     const int row = coupledRow.extent(0) > 0 ? coupledRow(n) : -1;
     for (int d = 0; d < D; ++d)
@@ -60,7 +60,7 @@ Reaction<D> constrainMotion(State<D>& state, const NodeConstraint<D>& constraint
 {
   HoldNodes<D> hold;
   hold.nodes = state.nodes;
-  hold.grid = state.grid;
+  hold.places = nodePlaces(state);
   hold.constraint = constraint;
   hold.coupledRow = state.coupledRow;
   hold.coupledReaction = state.coupledReaction;
@@ -78,13 +78,13 @@ template <int D>
 void constrainProjection(State<D>& state, const NodeConstraint<D>& constraint)
 {
   const Nodes<D> nodes = state.nodes;
-  const Grid<D> grid = state.grid;
+  const NodePlaces<D> places = nodePlaces(state);
   Kokkos::parallel_for(
       "rhegma::constrainProjection", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i) {
         const int n = activeNode(nodes, i);
         const int lattice = latticeNode(nodes, n);
-        if (!constraint.appliesAt(grid.nodePosition(lattice)))
+        if (!constraint.appliesAt(places(lattice)))
           return;
         for (int d = 0; d < D; ++d)
           if (constraint.holds[d])

@@ -8,7 +8,8 @@ namespace Rhegma
 
 /// Nodal values, a row a node. Quantities that a transfer needs together share a row, so that a particle's
 /// share is a few vector operations a node: mass and momentum fill one register of four numbers, forces
-/// another. Rows past Grid::numNodes are second fields of nodes beside a crack.
+/// another. Rows 0 .. numLattice - 1 are the lattice's nodes and then those of refined cells (Tree.hpp); rows
+/// past them are second fields of nodes beside a crack.
 template <int D>
 struct Nodes
 {
@@ -26,8 +27,8 @@ struct Nodes
       projection; ///< momentum, then velocity, that strains the particles (MUSL) [m/s]
 
   View<int*> active;  ///< nodes that particles can reach until the next sort
-  View<int*> parent;  ///< lattice node of each second field
-  int numLattice = 0; ///< nodes of the lattice
+  View<int*> parent;  ///< node at whose place each second field is
+  int numLattice = 0; ///< nodes of the lattice and of refined cells
   int numSecond = 0;  ///< second fields in use
 
   int numActive() const { return static_cast<int>(active.extent(0)) + numSecond; }
@@ -36,9 +37,9 @@ struct Nodes
   void reserve(int lattice, int second)
   {
     const int rows = lattice + second;
-    if (static_cast<int>(sums.extent(0)) >= rows && numLattice == lattice)
-      return;
     numLattice = lattice;
+    if (static_cast<int>(sums.extent(0)) >= rows)
+      return;
     sums = View<double* [sumWidth]>("rhegma::nodeSums", rows);
     motion = View<double* [motionWidth]>("rhegma::nodeMotion", rows);
     projection = View<double* [projectionWidth]>("rhegma::nodeProjection", rows);
@@ -53,7 +54,7 @@ KOKKOS_INLINE_FUNCTION int activeNode(const Nodes<D>& nodes, int i)
   return i < lattice ? nodes.active(i) : nodes.numLattice + i - lattice;
 }
 
-/// The lattice node at whose place a node is.
+/// The node, no second field, at whose place a node is.
 template <int D>
 KOKKOS_INLINE_FUNCTION int latticeNode(const Nodes<D>& nodes, int node)
 {

@@ -37,6 +37,8 @@ inline const std::string id = "id";
 inline const std::string rate = "velocity gradient";
 /// Which side of a crack a particle lies on (CrackSet); only where an effect cuts the body.
 inline const std::string side = "side";
+/// How often a particle was split; only where an effect splits them.
+inline const std::string level = "level";
 } // namespace fields
 
 } // namespace Rhegma

@@ -5,6 +5,7 @@
 #include "grid/Grid.hpp"
 #include "grid/Nodes.hpp"
 #include "grid/ShapeFunctions.hpp"
+#include "grid/Tree.hpp"
 #include "material/Law.hpp"
 #include "state/CrackSet.hpp"
 #include "state/Energy.hpp"
@@ -79,6 +80,7 @@ struct State
   double cfl = 0.4;
 
   Grid<D> grid;
+  Tree<D> tree; ///< refined cells; empty where none is
   Nodes<D> nodes;
   Blocks<D> blocks;
   FieldTable particles;
@@ -115,11 +117,20 @@ struct State
   HistoryRow row; ///< filled by the Observe stage
   bool settled = false;
   bool stopWhenSettled = false;
+  /// Edge of the smallest cells [m].
+  double smallestSpacing() const { return std::ldexp(grid.spacing, -tree.deepest); }
   /// Whether the scene has the run end here, before its final time.
   bool ended() const { return (settled && stopWhenSettled) || step >= maximumSteps; }
   std::string trouble; ///< why the run can't go on; empty while it can
   std::vector<std::string> warnings;
 };
+
+/// Where the nodes of a state are, those of refined cells included.
+template <int D>
+NodePlaces<D> nodePlaces(const State<D>& state)
+{
+  return {state.grid, state.tree.finePlace};
+}
 
 /// Index of a body by name, or -1.
 template <int D>

@@ -20,7 +20,7 @@ void strain(State<D>& state, StrainVelocity velocity, bool alsoMove)
 {
   state.fastest = strainAndMove(state, velocity, true, alsoMove);
   // No stable step takes anything across two cells: who left the domain so did not walk out of it.
-  const bool flung = !state.trouble.empty() && state.fastest * state.dt > 2.0 * state.grid.spacing;
+  const bool flung = !state.trouble.empty() && state.fastest * state.dt > 2.0 * state.smallestSpacing();
   if (!std::isfinite(state.fastest) || flung)
     state.trouble = "a particle is turned inside out or its velocity is no longer a number (an unstable "
                     "step: try a smaller "
@@ -95,10 +95,31 @@ Effect<D> makeCore(const State<D>& state)
   return core;
 }
 
+namespace
+{
+
+/// Adds the nodes of refined cells to those in use: their cells are few, and most hold particles.
+template <int D>
+void addFineNodes(State<D>& state)
+{
+  const int lattice = static_cast<int>(state.nodes.active.extent(0)), fine = state.tree.numFine;
+  const View<int*> active("rhegma::activeNodes", lattice + fine);
+  Kokkos::deep_copy(Kokkos::subview(active, std::make_pair(0, lattice)), state.nodes.active);
+  const int first = state.grid.numNodes;
+  Kokkos::parallel_for(
+      "rhegma::addFineNodes", Kokkos::RangePolicy<ExecSpace>(0, fine),
+      KOKKOS_LAMBDA(const int k) { active(lattice + k) = first + k; });
+  state.nodes.active = active;
+}
+
+} // namespace
+
 template <int D>
 void sortState(State<D>& state)
 {
   sortParticles(state.grid, state.particles, state.blocks, state.nodes.active);
+  if (state.tree.refined())
+    addFineNodes(state);
   const int n = state.particles.size();
   if (static_cast<int>(state.indexOf.extent(0)) != n)
     state.indexOf = View<int*>("rhegma::indexOf", n);

@@ -83,6 +83,7 @@ struct StrainAndMove
   BorrowedView<double * [symmetricSize<D>]> stress;
   BorrowedView<double**> history;
   BorrowedView<double**> rate; ///< velocity gradient, where somebody asked for it
+  BorrowedView<int*> level;    ///< how often each particle was split; empty where none is
   Grid<D> grid;
   Blocks<D> blocks;
   double dt, largestBox;
@@ -220,7 +221,8 @@ struct StrainAndMove
       double F[gradientSize<D>];
       for (int k = 0; k < gradientSize<D>; ++k)
         F[k] = at.F[k][p - begin];
-      updateBox<D>(axes, body(p), &edge(p, 0), F, largestBox, &box(p, 0));
+      const double largest = level.extent(0) > 0 ? std::ldexp(largestBox, -level(p)) : largestBox;
+      updateBox<D>(axes, body(p), &edge(p, 0), F, largest, &box(p, 0));
     }
   }
 };
@@ -248,6 +250,8 @@ double strainAndMoveWith(State<D>& state, const Connect& connect, const View<dou
     work.history = state.particles.table(fields::history);
   if (state.particles.has(fields::rate))
     work.rate = state.particles.table(fields::rate);
+  if (state.particles.has(fields::level))
+    work.level = state.particles.integer(fields::level);
   work.grid = state.grid;
   work.blocks = state.blocks;
   work.dt = state.dt;

@@ -1,10 +1,33 @@
 #include "transfer/Stencils.hpp"
 
+#include "transfer/TreeStencil.hpp"
+
 namespace Rhegma
 {
 
 namespace
 {
+
+/// Stencils where cells are refined.
+template <int D>
+void writeTreeStencils(const State<D>& state, ShapeKind shape, const ObservedPoints<D>& points,
+                       const StencilTable<D>& table, int& crowded)
+{
+  const TreeSight<D> sight(state.grid, state.tree);
+  const bool boxes = shape == ShapeKind::Gimp;
+  Kokkos::parallel_reduce(
+      "rhegma::writeTreeStencils", Kokkos::RangePolicy<ExecSpace>(0, points.count),
+      KOKKOS_LAMBDA(const int r, int& number) {
+        Vector<D> x, half;
+        for (int d = 0; d < D; ++d)
+        {
+          x[d] = points.position(r, d);
+          half[d] = boxes ? points.half(r, d) : 0.0;
+        }
+        number += writeTreeStencil(sight, table, r, x, half) ? 0 : 1;
+      },
+      crowded);
+}
 
 template <int D, ShapeKind S>
 void writeStencils(const Grid<D>& grid, const ObservedPoints<D>& points, const StencilTable<D>& table)
@@ -18,6 +41,40 @@ void writeStencils(const Grid<D>& grid, const ObservedPoints<D>& points, const S
           half[d] = points.half(r, d);
         }
         writeStencil<D, S>(grid, table, r, x, half);
+      });
+}
+
+/// Writes unbroken stencils into rows 0 .. points.count - 1. \return the number of points that touch more
+/// nodes than a row holds
+template <int D>
+int writeUnbroken(const State<D>& state, ShapeKind shape, const ObservedPoints<D>& points,
+                  const StencilTable<D>& table)
+{
+  int crowded = 0;
+  if (state.tree.refined())
+    writeTreeStencils(state, shape, points, table, crowded);
+  else if (shape == ShapeKind::Linear)
+    writeStencils<D, ShapeKind::Linear>(state.grid, points, table);
+  else
+    writeStencils<D, ShapeKind::Gimp>(state.grid, points, table);
+  return crowded;
+}
+
+/// Marks the particles in refined cells and beside them.
+template <int D>
+void markRefined(const State<D>& state, const View<int*>& row)
+{
+  const Grid<D> grid = state.grid;
+  const View<char*> near = state.tree.nearRefined;
+  const auto position = state.particles.template real<D>(fields::position);
+  Kokkos::parallel_for(
+      "rhegma::markRefined", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p) {
+        int cell[D];
+        for (int d = 0; d < D; ++d)
+          cell[d] = static_cast<int>(grid.inCells(position(p, d), d));
+        if (near(grid.nodeIndex(cell)) != 0)
+          row(p) = 0;
       });
 }
 
@@ -96,24 +153,28 @@ template <int D>
 void storeStencils(State<D>& state)
 {
   state.numStored = 0;
-  if (!state.editor.prepare)
+  if (!state.editor.prepare && !state.tree.refined())
     return;
   const int n = state.particles.size();
   if (static_cast<int>(state.storedRow.extent(0)) != n)
     state.storedRow = View<int*>("rhegma::storedRow", n);
   Kokkos::deep_copy(state.storedRow, -1);
-  state.editor.prepare(state, state.storedRow);
+  if (state.tree.refined())
+    markRefined(state, state.storedRow);
+  if (state.editor.prepare)
+    state.editor.prepare(state, state.storedRow);
   state.numStored = numberRows(state.blocks, state.storedRow, state.storedParticle);
   if (state.numStored == 0)
     return;
   state.stored.reserve(state.numStored);
   gatherPoints(state);
   const ObservedPoints<D>& points = state.storedPoints;
-  if (state.shape == ShapeKind::Linear)
-    writeStencils<D, ShapeKind::Linear>(state.grid, points, state.stored);
-  else
-    writeStencils<D, ShapeKind::Gimp>(state.grid, points, state.stored);
-  state.editor.edit(state, points, state.stored);
+  if (writeUnbroken(state, state.shape, points, state.stored) > 0)
+    state.trouble =
+        "a particle touches more nodes than its stencil can hold: it is far larger than the cells "
+        "around it";
+  if (state.editor.edit)
+    state.editor.edit(state, points, state.stored);
 }
 
 template <int D>
@@ -121,7 +182,7 @@ int pointStencils(const State<D>& state, const ObservedPoints<D>& points, Stenci
                   double lightest)
 {
   table.reserve(points.count);
-  writeStencils<D, ShapeKind::Linear>(state.grid, points, table);
+  writeUnbroken(state, ShapeKind::Linear, points, table);
   if (state.editor.edit)
     state.editor.edit(state, points, table);
   if (!massed)

@@ -1,0 +1,55 @@
+#pragma once
+/// Which cells are refined, as the host keeps it, and the tree made of them.
+
+#include "grid/Tree.hpp"
+
+#include <array>
+#include <cstdint>
+#include <unordered_set>
+#include <vector>
+
+namespace Rhegma
+{
+
+/// The refined cells of each level. Coordinates count cells of their level from node 0 of the lattice.
+template <int D>
+class Branches
+{
+public:
+  using Cell = std::array<int, D>;
+
+  explicit Branches(const Grid<D>& grid) : grid_(grid) {}
+
+  /// Refines a cell, and all that it lies in.
+  void refine(int level, const Cell& cell);
+
+  bool isRefined(int level, const Cell& cell) const;
+
+  /// Refines what is needed for neighbours over faces, edges and corners to differ by one level at most: of
+  /// every refined cell, each neighbour of its size must exist.
+  void balance();
+
+  /// Levels that have refined cells.
+  int depth() const { return static_cast<int>(levels_.size()); }
+
+  /// Refined cells of a level, ordered by their place.
+  std::vector<Cell> cells(int level) const;
+
+  const Grid<D>& grid() const { return grid_; }
+
+  bool operator==(const Branches& other) const { return levels_ == other.levels_; }
+
+private:
+  std::uint64_t key(const Cell& cell) const;
+  Cell cellOf(std::uint64_t key) const;
+  bool isInside(int level, const Cell& cell) const;
+
+  Grid<D> grid_;
+  std::vector<std::unordered_set<std::uint64_t>> levels_;
+};
+
+/// Makes the tree of balanced branches. The generation counts on; views of another size are made anew.
+template <int D>
+void buildTree(const Branches<D>& branches, Tree<D>& tree);
+
+} // namespace Rhegma
