@@ -113,26 +113,26 @@ bool runsAlongGrid(const CrackFront<2>& front)
   return std::max(std::fabs(front.direction[0]), std::fabs(front.direction[1])) > cosineOfFiveDegrees;
 }
 
-CrackClosure closeCrack(const State<2>& state, const CrackFront<2>& front, int number)
+CrackClosure closeCrack(const State<2>& state, const CrackFront<2>& front, int number,
+                        const RecoveryMatrix& choice)
 {
   const double none = std::numeric_limits<double>::quiet_NaN();
   if (!runsAlongGrid(front))
     return {none, none};
-  const std::vector<PatchParticle> particles =
-      particlesAround(state, front, patchRadius * state.grid.spacing);
+  const double cell = state.grid.spacing;
+  const std::vector<PatchParticle> particles = particlesAround(state, front, patchRadius * cell);
   const SplitNodes split(state, front);
   const Columns columns(state.grid, front.direction);
   const std::map<int, SideForces> forces = nodeForces(particles);
   const std::map<int, int> first = firstClosed(forces, split, columns);
-  const double area = 2.0 * number * state.grid.spacing * state.thickness;
-  CrackClosure result;
-  result.consistent = work(forces, split, columns, first,
-                           recoverDisplacement(particles, split, Projection::Consistent), number) /
-                      area;
-  result.lumped =
-      work(forces, split, columns, first, recoverDisplacement(particles, split, Projection::Lumped), number) /
-      area;
-  return result;
+  const auto release = [&](const RecoveryMatrix& matrix)
+  {
+    const NodeDisplacement displacement =
+        recoverDisplacement(particles, split, matrix, cell * cell * state.thickness);
+    return work(forces, split, columns, first, displacement, number) /
+           (2.0 * number * cell * state.thickness);
+  };
+  return {release(choice), release(lumpedMatrix())};
 }
 
 } // namespace Rhegma::energy_release

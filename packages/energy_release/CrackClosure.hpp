@@ -8,8 +8,8 @@ namespace Rhegma::energy_release
 
 struct CrackClosure
 {
-  double consistent; ///< with consistently recovered opening [J/m2]
-  double lumped;     ///< with the opening of a lumped projection, for comparison [J/m2]
+  double chosen; ///< with the opening that the chosen matrix gives [J/m2]
+  double lumped; ///< with the opening of a lumped projection, for comparison [J/m2]
 };
 
 /// Work that would close the last columns of nodes behind the front, by the forces that hold the next ones
@@ -28,7 +28,8 @@ struct CrackClosure
 /// degrees to the grid); and where the crack has fewer than m open columns.
 ///
 /// Source: Rybicki and Kanninen, Eng. Fract. Mech. 9 (1977) 931; Krueger, Appl. Mech. Rev. 57 (2004) 109.
-CrackClosure closeCrack(const State<2>& state, const CrackFront<2>& front, int columns);
+CrackClosure closeCrack(const State<2>& state, const CrackFront<2>& front, int columns,
+                        const RecoveryMatrix& choice);
 
 /// Whether a front runs along a direction of the grid, to within 5 degrees.
 bool runsAlongGrid(const CrackFront<2>& front);

@@ -7,6 +7,7 @@
 #include "scene/Attempts.hpp"
 #include "scene/Numbers.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -24,10 +25,12 @@ constexpr double notYet = std::numeric_limits<double>::quiet_NaN(); ///< null in
 struct Options
 {
   GivenRadii radii;
+  bool contour = true; ///< domain integrals are wanted
   bool closure = true;
   bool lumped = false;
   bool openingKnown = true; ///< shape functions without linear completeness give no opening to close
   int columns = 1;
+  RecoveryMatrix recovery = consistentMatrix();
 };
 
 /// The last sample of a front.
@@ -66,6 +69,11 @@ Section section()
       .meaning(
           "The weight falls to 0 at this distance. One that is given must be inside the body and clear of "
           "other fronts.");
+  s.boolean("Contour Integral")
+      .byDefault(true)
+      .meaning(
+          "Find J and the stress intensities by domain integrals. Without them crack closure works on cells "
+          "that are too large for a contour inside the body.");
   s.boolean("Crack Closure")
       .byDefault(true)
       .meaning(
@@ -77,6 +85,11 @@ Section section()
                "whatever the "
                "cells.");
   s.integer("Closure Cells").range(1, 2).byDefault(1).meaning("Columns of cells that crack closure closes.");
+  s.choice("Closure Recovery", {"Consistent", "Lumped", "Mass Matrix"})
+      .byDefault("Consistent")
+      .meaning("The matrix that crack closure recovers the displacement of nodes with: the consistent mass, "
+               "its row "
+               "sums, or what the section Mass Matrix says (row sums where there is none).");
   return s;
 }
 
@@ -88,18 +101,30 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
     errors.push_back({"Energy Release",
                       "there is no crack whose energy release could be found; add a section Cracks or "
                       "take this section out"});
+  const Teuchos::ParameterList& list = scene.sublist("Energy Release");
+  const auto refused = [&](const char* name) { return list.isType<bool>(name) && !list.get<bool>(name); };
+  const bool contour = !refused("Contour Integral");
+  const auto formulation = [&] // the opening of Broken Cell is not known
+  {
+    const bool given =
+        scene.isSublist("Cracks") && scene.sublist("Cracks").isType<std::string>("Formulation");
+    return given ? scene.sublist("Cracks").get<std::string>("Formulation") : std::string();
+  };
+  if (!contour && (refused("Crack Closure") || formulation() == "Broken Cell"))
+    errors.push_back({"Energy Release > Contour Integral",
+                      "nothing is left to find without crack closure; set this to true or take the "
+                      "section Energy Release out"});
   if (!scene.isSublist("Domain"))
     return;
   const Teuchos::ParameterList& domain = scene.sublist("Domain");
   if (domain.isType<int>("Dimension") && domain.get<int>("Dimension") == 3)
     errors.push_back({"Energy Release", "it is for 2D scenes as yet; take this section out"});
-  if (!domain.isType<double>("Cell Size"))
+  if (!contour || !domain.isType<double>("Cell Size"))
     return;
   for (const SceneError& error : errors)
     if (error.where == "Domain > Cell Size") // what follows from a wrong cell says nothing
       return;
   const double cell = domain.get<double>("Cell Size");
-  const Teuchos::ParameterList& list = scene.sublist("Energy Release");
   GivenRadii given;
   if (list.isType<double>("Inner Radius"))
     given.inner = list.get<double>("Inner Radius");
@@ -110,6 +135,42 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
     errors.push_back({"Energy Release > Outer Radius",
                       "the weight must fall over at least one cell of " + formatReal(cell) +
                           " m; write at least " + formatReal(inner + cell) + ", or a smaller Inner Radius"});
+}
+
+/// What the section Mass Matrix says.
+RecoveryMatrix matrixOfTheMotion(const Teuchos::ParameterList& scene)
+{
+  if (!scene.isSublist("Mass Matrix"))
+    return lumpedMatrix();
+  const Teuchos::ParameterList& list = scene.sublist("Mass Matrix");
+  const auto type = list.get<std::string>("Type");
+  if (type == "Lumped")
+    return lumpedMatrix();
+  RecoveryMatrix matrix = consistentMatrix();
+  if (type == "FMPM")
+  {
+    matrix.terms = list.get<int>("Order");
+    return matrix;
+  }
+  matrix.lumpedShare = std::max(matrix.lumpedShare, list.get<double>("Lumped Share"));
+  matrix.smallestNode = list.get<double>("Smallest Node");
+  if (type == "Partial")
+  {
+    const double cell = scene.sublist("Domain").get<double>("Cell Size");
+    const auto length = [&](const char* name, double cells)
+    { return list.isParameter(name) ? list.get<double>(name) : cells * cell; };
+    matrix.radius = length("Radius", 3.0); // as Mass Matrix has it where it is not given
+    matrix.edge = length("Edge Width", 1.0);
+  }
+  return matrix;
+}
+
+RecoveryMatrix readRecovery(const Teuchos::ParameterList& scene)
+{
+  const auto choice = scene.sublist("Energy Release").get<std::string>("Closure Recovery");
+  if (choice == "Mass Matrix")
+    return matrixOfTheMotion(scene);
+  return choice == "Lumped" ? lumpedMatrix() : consistentMatrix();
 }
 
 Options readOptions(const Teuchos::ParameterList& scene)
@@ -123,9 +184,11 @@ Options readOptions(const Teuchos::ParameterList& scene)
     options.radii.inner = list.get<double>("Inner Radius");
   if (list.isParameter("Outer Radius"))
     options.radii.outer = list.get<double>("Outer Radius");
+  options.contour = list.get<bool>("Contour Integral");
   options.closure = list.get<bool>("Crack Closure");
   options.lumped = list.get<bool>("Lumped Closure");
   options.columns = list.get<int>("Closure Cells");
+  options.recovery = readRecovery(scene);
   return options;
 }
 
@@ -188,6 +251,8 @@ void checkContours(State<2>& state, const Options& options)
     throw std::invalid_argument(
         "Energy Release: no crack has a front inside a body; end a crack in material, choose "
         "its front with Cracks > NAME > Fronts, or take this section out");
+  if (!options.contour)
+    return;
   Attempts attempts;
   for (const CrackFront<2>& front : state.cracks.fronts)
     attempts.attempt([&] { checkContour(state, front, options); });
@@ -221,11 +286,11 @@ bool wantsClosure(const Options& options, const Samples& samples, const CrackFro
 }
 
 /// A front whose surroundings have fallen apart ends the run.
-CrackClosure tryToClose(State<2>& state, const CrackFront<2>& front, int columns)
+CrackClosure tryToClose(State<2>& state, const CrackFront<2>& front, const Options& options)
 {
   try
   {
-    return closeCrack(state, front, columns);
+    return closeCrack(state, front, options.columns, options.recovery);
   }
   catch (const std::runtime_error& error)
   {
@@ -241,23 +306,30 @@ void sample(State<2>& state, const Options& options, Samples& samples)
   {
     Sample s;
     s.front = front;
-    s.radii = fittingRadii(state, front, options.radii);
-    warnOfContour(state, front, s.radii, options, samples);
-    s.integral = integrateDomain(state, front, s.radii);
+    if (options.contour)
+    {
+      s.radii = fittingRadii(state, front, options.radii);
+      warnOfContour(state, front, s.radii, options, samples);
+      s.integral = integrateDomain(state, front, s.radii);
+    }
     const bool closure = wantsClosure(options, samples, front);
     s.closed = closure;
     if (closure)
-      s.closure = tryToClose(state, front, options.columns);
+      s.closure = tryToClose(state, front, options);
     samples.last.push_back(s);
 
     const std::string name = frontName(state, front) + ".";
-    state.row.emplace_back(name + "G_J", s.integral.J);
+    if (options.contour)
+      state.row.emplace_back(name + "G_J", s.integral.J);
     if (closure && options.openingKnown)
-      state.row.emplace_back(name + "G_closure", s.closure.consistent);
+      state.row.emplace_back(name + "G_closure", s.closure.chosen);
     if (closure && options.lumped)
       state.row.emplace_back(name + "G_closure_lumped", s.closure.lumped);
-    state.row.emplace_back(name + "K_I", s.integral.modeI);
-    state.row.emplace_back(name + "K_II", s.integral.modeII);
+    if (options.contour)
+    {
+      state.row.emplace_back(name + "K_I", s.integral.modeI);
+      state.row.emplace_back(name + "K_II", s.integral.modeII);
+    }
     state.row.emplace_back(name + "length", front.length);
     state.row.emplace_back(name + "speed", front.speed);
     state.row.emplace_back(name + "x", front.position[0]);
@@ -284,15 +356,18 @@ void report(const State<2>& state, const Options& options, const Samples& sample
     entry["position"] = {s.front.position[0], s.front.position[1]};
     entry["length"] = s.front.length;
     entry["speed"] = s.front.speed;
-    entry["G_J"] = s.integral.J;
-    entry["K_I"] = s.integral.modeI;
-    entry["K_II"] = s.integral.modeII;
-    entry["kink_angle"] = kinkAngle(s);
-    entry["tip_offset"] = s.integral.tipOffset;
-    entry["inner_radius"] = s.radii.inner;
-    entry["outer_radius"] = s.radii.outer;
+    if (options.contour)
+    {
+      entry["G_J"] = s.integral.J;
+      entry["K_I"] = s.integral.modeI;
+      entry["K_II"] = s.integral.modeII;
+      entry["kink_angle"] = kinkAngle(s);
+      entry["tip_offset"] = s.integral.tipOffset;
+      entry["inner_radius"] = s.radii.inner;
+      entry["outer_radius"] = s.radii.outer;
+    }
     if (s.closed && options.openingKnown)
-      entry["G_closure"] = s.closure.consistent;
+      entry["G_closure"] = s.closure.chosen;
     if (s.closed && options.lumped)
       entry["G_closure_lumped"] = s.closure.lumped;
   }
@@ -316,7 +391,8 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
       Sample s;
       s.front = front;
       s.closed = wantsClosure(options, *samples, front);
-      s.radii = fittingRadii(state, front, options.radii);
+      if (options.contour)
+        s.radii = fittingRadii(state, front, options.radii);
       s.integral = {notYet, notYet, notYet, notYet};
       samples->last.push_back(s);
     }

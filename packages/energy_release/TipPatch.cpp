@@ -7,6 +7,8 @@
 #include <Teuchos_SerialSpdDenseSolver.hpp>
 #include <Teuchos_SerialSymDenseMatrix.hpp>
 
+#include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 namespace Rhegma::energy_release
@@ -134,6 +136,10 @@ std::vector<PatchParticle> particlesAround(const State<2>& state, const CrackFro
         p.force[d][e] = -row(i, 5) * row(i, 6 + symmetricIndex<2>(d, e));
     }
     p.mass = row(i, 4);
+    p.density = row(i, 4) / row(i, 5);
+    p.fromFront = std::numeric_limits<double>::infinity();
+    for (const CrackFront<2>& other : state.cracks.fronts)
+      p.fromFront = std::min(p.fromFront, norm(p.place - other.position));
     if (named[i] == front.crack + 1)
       p.side = 1;
     else if (named[i] == -front.crack - 1)
@@ -166,65 +172,146 @@ bool SplitNodes::operator()(int node) const
   return dot(grid_.nodePosition(node) - front_.position, front_.direction) < 0.0;
 }
 
-NodeDisplacement recoverDisplacement(const std::vector<PatchParticle>& particles, const SplitNodes& split,
-                                     Projection projection)
-{
-  // A node that a particle barely touches is found by extrapolation; this share of row sums bounds how far
-  // noise is blown up there, and moves well-covered nodes by less than a thousandth of what lumping would.
-  constexpr double lumpedShare = 1.0e-3;
+RecoveryMatrix consistentMatrix() { return {1.0e-3, 0.0, std::numeric_limits<double>::infinity(), 0.0, 0}; }
 
-  std::map<std::pair<int, int>, int> index;
+RecoveryMatrix lumpedMatrix() { return {1.0, 0.0, std::numeric_limits<double>::infinity(), 0.0, 0}; }
+
+namespace
+{
+
+/// Matrix and right side of the least squares.
+struct Normal
+{
+  std::map<std::pair<int, int>, int> index; ///< of a node and its side (0 where the node is not split)
+  Teuchos::SerialSymDenseMatrix<int, double> coupling; ///< sum of theta m N N^T, lower triangle
+  std::vector<double> own;                             ///< sum of (1 - theta) m N
+  std::vector<double> lumped;                          ///< row sums of both
+  Teuchos::SerialDenseMatrix<int, double> right;
+
+  Normal(const std::vector<PatchParticle>& particles, const SplitNodes& split);
+  int size() const { return static_cast<int>(index.size()); }
+  void places(const PatchParticle& p, const SplitNodes& split, int* at) const;
+  void couple(const std::vector<PatchParticle>& particles, const SplitNodes& split,
+              const RecoveryMatrix& choice, double fullCell);
+};
+
+Normal::Normal(const std::vector<PatchParticle>& particles, const SplitNodes& split)
+{
   for (const PatchParticle& p : particles)
     for (int k = 0; k < p.count; ++k)
       index.emplace(std::make_pair(p.node[k], split(p.node[k]) ? p.side : 0), 0);
-  const int n = static_cast<int>(index.size());
-  NodeDisplacement result;
-  if (n == 0)
-    return result;
   int next = 0;
   for (auto& entry : index)
     entry.second = next++;
-
-  Teuchos::SerialSymDenseMatrix<int, double> matrix(n);
-  Teuchos::SerialDenseMatrix<int, double> right(n, 2), solution(n, 2);
-  std::vector<double> lumped(n, 0.0);
+  lumped.assign(size(), 0.0);
+  right.shape(size(), 2);
   for (const PatchParticle& p : particles)
   {
     int at[PatchParticle::capacity];
-    for (int k = 0; k < p.count; ++k)
-      at[k] = index.at({p.node[k], split(p.node[k]) ? p.side : 0});
+    places(p, split, at);
     for (int k = 0; k < p.count; ++k)
     {
       lumped[at[k]] += p.mass * p.weight[k];
       for (int d = 0; d < 2; ++d)
         right(at[k], d) += p.mass * p.weight[k] * p.displacement[d];
+    }
+  }
+}
+
+void Normal::places(const PatchParticle& p, const SplitNodes& split, int* at) const
+{
+  for (int k = 0; k < p.count; ++k)
+    at[k] = index.at({p.node[k], split(p.node[k]) ? p.side : 0});
+}
+
+/// theta: 1 up to the radius, a cubic with flat ends over the edge, 0 beyond.
+double consistentShare(double fromFront, const RecoveryMatrix& choice)
+{
+  const double beyond = fromFront - choice.radius;
+  if (beyond <= 0.0)
+    return 1.0;
+  if (!(beyond < choice.edge))
+    return 0.0;
+  const double s = beyond / choice.edge;
+  return 1.0 - s * s * (3.0 - 2.0 * s);
+}
+
+void Normal::couple(const std::vector<PatchParticle>& particles, const SplitNodes& split,
+                    const RecoveryMatrix& choice, double fullCell)
+{
+  coupling.shape(size());
+  own.assign(size(), 0.0);
+  for (const PatchParticle& p : particles)
+  {
+    int at[PatchParticle::capacity];
+    places(p, split, at);
+    double theta = consistentShare(p.fromFront, choice);
+    for (int k = 0; k < p.count; ++k)
+      if (lumped[at[k]] < choice.smallestNode * p.density * fullCell)
+        theta = 0.0;
+    for (int k = 0; k < p.count; ++k)
+    {
+      own[at[k]] += (1.0 - theta) * p.mass * p.weight[k];
       for (int l = 0; l < p.count; ++l)
         if (at[l] <= at[k])
-          matrix(at[k], at[l]) += p.mass * p.weight[k] * p.weight[l];
+          coupling(at[k], at[l]) += theta * p.mass * p.weight[k] * p.weight[l];
     }
   }
-  if (projection == Projection::Consistent)
+}
+
+/// M_eps u = right, factored.
+void solve(Normal& normal, double eps, Teuchos::SerialDenseMatrix<int, double>& solution)
+{
+  normal.coupling *= 1.0 - eps;
+  for (int i = 0; i < normal.size(); ++i)
+    normal.coupling(i, i) += (1.0 - eps) * normal.own[i] + eps * normal.lumped[i];
+  Teuchos::SerialSpdDenseSolver<int, double> solver;
+  solver.setMatrix(Teuchos::rcpFromRef(normal.coupling));
+  solver.setVectors(Teuchos::rcpFromRef(solution), Teuchos::rcpFromRef(normal.right));
+  solver.factorWithEquilibration(true);
+  if (solver.factor() != 0 || solver.solve() != 0)
+    throw std::runtime_error("the displacement of the nodes around a crack front can't be recovered: their "
+                             "mass matrix is not positive definite");
+}
+
+/// The sum of (1 - L^-1 M)^k L^-1 right over k below `terms`, L the row sums.
+void sumSeries(const Normal& normal, int terms, Teuchos::SerialDenseMatrix<int, double>& solution)
+{
+  const int n = normal.size();
+  Teuchos::SerialDenseMatrix<int, double> term(n, 2), image(n, 2);
+  for (int i = 0; i < n; ++i)
+    for (int d = 0; d < 2; ++d)
+      solution(i, d) = term(i, d) = normal.right(i, d) / normal.lumped[i];
+  for (int k = 1; k < terms; ++k)
   {
+    image.multiply(Teuchos::LEFT_SIDE, 1.0, normal.coupling, term, 0.0);
     for (int i = 0; i < n; ++i)
-    {
-      matrix(i, i) += lumpedShare * lumped[i];
       for (int d = 0; d < 2; ++d)
-        right(i, d) *= 1.0 + lumpedShare;
-    }
-    Teuchos::SerialSpdDenseSolver<int, double> solver;
-    solver.setMatrix(Teuchos::rcpFromRef(matrix));
-    solver.setVectors(Teuchos::rcpFromRef(solution), Teuchos::rcpFromRef(right));
-    solver.factorWithEquilibration(true);
-    if (solver.factor() != 0 || solver.solve() != 0)
-      throw std::runtime_error(
-          "the displacement of the nodes around a crack front can't be recovered: their mass "
-          "matrix is not positive definite");
+      {
+        term(i, d) -= (image(i, d) + normal.own[i] * term(i, d)) / normal.lumped[i];
+        solution(i, d) += term(i, d);
+      }
   }
+}
+
+} // namespace
+
+NodeDisplacement recoverDisplacement(const std::vector<PatchParticle>& particles, const SplitNodes& split,
+                                     const RecoveryMatrix& choice, double fullCell)
+{
+  Normal normal(particles, split);
+  NodeDisplacement result;
+  if (normal.size() == 0)
+    return result;
+  Teuchos::SerialDenseMatrix<int, double> solution(normal.size(), 2);
+  const bool rowSums = choice.lumpedShare >= 1.0;
+  if (!rowSums)
+    normal.couple(particles, split, choice, fullCell);
+  if (rowSums || choice.terms > 0)
+    sumSeries(normal, rowSums ? 1 : choice.terms, solution);
   else
-    for (int i = 0; i < n; ++i)
-      for (int d = 0; d < 2; ++d)
-        solution(i, d) = right(i, d) / lumped[i];
-  for (const auto& entry : index)
+    solve(normal, choice.lumpedShare, solution);
+  for (const auto& entry : normal.index)
     result[entry.first] = {{solution(entry.second, 0), solution(entry.second, 1)}};
   return result;
 }

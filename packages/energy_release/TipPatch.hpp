@@ -18,6 +18,8 @@ struct PatchParticle
   Vector<2> place;
   Vector<2> displacement;
   double mass;
+  double density;
+  double fromFront;   ///< distance from the nearest front of all [m]
   double force[2][2]; ///< -V0 tau; times the slope of a node's function: the force on the node [N m]
   int side;           ///< -1 or +1
   int count;
@@ -45,14 +47,30 @@ private:
 /// Displacement of nodes: of a node behind the front one for each side (-1, +1), of all others one (side 0).
 using NodeDisplacement = std::map<std::pair<int, int>, Vector<2>>;
 
-enum class Projection
+/// The mass matrix that displacement is recovered with, as in the effect Mass Matrix:
+///
+///     M = sum_p m_p [(1 - theta_p) diag(N_p) + theta_p N_p N_p^T],    M_eps = (1 - eps) M + eps diag(M 1)
+///
+/// \sa consistentMatrix, lumpedMatrix
+struct RecoveryMatrix
 {
-  Consistent, ///< M u = sum_p m_p N_p u_p, M_ij = sum_p m_p N_i N_j: exact for linear displacement
-  Lumped ///< the same with row sums of M: smears a crack's opening, which does not improve with the cells
+  double lumpedShare;  ///< eps; with 1 the displacement is that of row sums
+  double smallestNode; ///< theta is 0 for a particle that touches a lighter node, in shares of a full cell
+  double radius;       ///< theta is 1 up to this distance from a front [m]
+  double edge;         ///< and falls to 0 over this width beyond it [m]
+  int terms;           ///< of the series about the row sums that stands for the inverse; 0: solved
 };
 
-/// Least-squares nodal displacement of the particles. Throws std::runtime_error where M can't be factored.
+/// theta = 1. A node that a particle barely touches is found by extrapolation; the thousandth of row sums
+/// bounds how far noise is blown up there, and moves well-covered nodes by as much of what lumping would.
+RecoveryMatrix consistentMatrix();
+
+/// Row sums: smears a crack's opening over a cell, which smaller cells do not mend.
+RecoveryMatrix lumpedMatrix();
+
+/// Least-squares nodal displacement of the particles, M_eps u = sum_p m_p N_p u_p.
+/// \param fullCell volume of a cell [m3]. Throws std::runtime_error where M_eps can't be factored.
 NodeDisplacement recoverDisplacement(const std::vector<PatchParticle>& particles, const SplitNodes& split,
-                                     Projection projection);
+                                     const RecoveryMatrix& choice, double fullCell);
 
 } // namespace Rhegma::energy_release

@@ -21,6 +21,8 @@ Teuchos::ParameterList sceneWith(double outer)
   list.set("Crack Closure", false);
   list.set("Lumped Closure", false);
   list.set("Closure Cells", 1);
+  list.set("Contour Integral", true);
+  list.set<std::string>("Closure Recovery", "Consistent");
   scene.sublist("Cracks");
   scene.sublist("Domain").set("Dimension", 2);
   scene.sublist("Domain").set("Cell Size", 1e-3);
@@ -93,6 +95,11 @@ TEST(EnergyRelease, RefusesSectionsThatDoNotFit)
   EXPECT_EQ(wrong(sceneWith(1.5e-3)), std::vector<std::string>{"Energy Release > Outer Radius"});
   scene.remove("Cracks");
   EXPECT_EQ(wrong(scene), std::vector<std::string>{"Energy Release"});
+  scene = sceneWith(1.5e-3);
+  scene.sublist("Energy Release").set("Contour Integral", false);
+  EXPECT_EQ(wrong(scene), std::vector<std::string>{"Energy Release > Contour Integral"});
+  scene.sublist("Energy Release").set("Crack Closure", true); // the radii are then of no use
+  EXPECT_TRUE(wrong(scene).empty());
   scene = sceneWith(3e-3);
   scene.sublist("Domain").set("Dimension", 3);
   EXPECT_EQ(wrong(scene), std::vector<std::string>{"Energy Release"});
@@ -131,6 +138,84 @@ TEST(EnergyRelease, GivesColumnsAndASummary)
   EXPECT_FALSE(reported.contains("G_closure"));
   EXPECT_EQ(reported["inner_radius"].get<double>(), 1e-3);
   EXPECT_EQ(reported["outer_radius"].get<double>(), 5e-3);
+}
+
+/// Crack closure alone works where no contour fits, here 1.5 cells before the surface.
+TEST(EnergyRelease, DoesWithoutAContour)
+{
+  State<2> state = makeBody(0.01, 1e-3, Plane::Strain, ShapeKind::Linear);
+  addFront(state, {{8.5e-3, 0.0}}, 0.0);
+  Teuchos::ParameterList scene = sceneWith(3e-3);
+  EXPECT_THROW(energyReleaseEntry().make2(scene).atStart(state), std::invalid_argument);
+  scene.sublist("Energy Release").set("Contour Integral", false);
+  scene.sublist("Energy Release").set("Crack Closure", true);
+  const Effect<2> effect = energyReleaseEntry().make2(scene);
+  effect.atStart(state);
+  state.observing = true;
+  effect.calls[0].run(state);
+  std::vector<std::string> names;
+  for (const auto& entry : state.row)
+    names.push_back(entry.first);
+  EXPECT_EQ(names, (std::vector<std::string>{"Notch.0.G_closure", "Notch.0.length", "Notch.0.speed",
+                                             "Notch.0.x", "Notch.0.y"}));
+  nlohmann::json summary;
+  effect.report(state, summary);
+  const nlohmann::json& reported = summary["cracks"][0]["fronts"][0];
+  EXPECT_TRUE(reported.contains("G_closure"));
+  for (const char* name : {"G_J", "K_I", "K_II", "kink_angle", "tip_offset", "inner_radius", "outer_radius"})
+    EXPECT_FALSE(reported.contains(name)) << name;
+}
+
+/// The release rates of an opened crack by each matrix that a scene can choose.
+TEST(EnergyRelease, TakesTheMatrixThatTheSceneChooses)
+{
+  const auto release = [](const std::string& recovery, const Teuchos::ParameterList& matrix)
+  {
+    State<2> state = makeBody(0.016, 1e-3, Plane::Strain, ShapeKind::Linear);
+    const CrackFront<2> front = addFront(state, {{0.0, 0.5e-3}}, 0.0);
+    Teuchos::ParameterList scene = sceneWith(5e-3);
+    scene.sublist("Energy Release").set("Crack Closure", true);
+    scene.sublist("Energy Release").set("Lumped Closure", true);
+    scene.sublist("Energy Release").set("Closure Recovery", recovery);
+    if (matrix.numParams() > 0)
+      scene.sublist("Mass Matrix") = matrix;
+    const Effect<2> effect = energyReleaseEntry().make2(scene);
+    effect.atStart(state);
+    state.cracks.nodeSide = View<int*>("rhegma::nodeSide", state.grid.numNodes);
+    for (int n = 0; n < state.grid.numNodes; ++n)
+    {
+      const Vector<2> from = state.grid.nodePosition(n) - front.position;
+      state.cracks.nodeSide(n) = from[0] < -1e-4 && std::fabs(from[1]) < 2e-3 ? (from[1] > 0.0 ? 1 : -1) : 0;
+    }
+    deform(state, tipDisplacement(state, front, 1e6, 0.0));
+    state.observing = true;
+    effect.calls[0].run(state);
+    nlohmann::json summary;
+    effect.report(state, summary);
+    const nlohmann::json& reported = summary["cracks"][0]["fronts"][0];
+    return std::make_pair(reported["G_closure"].get<double>(), reported["G_closure_lumped"].get<double>());
+  };
+  Teuchos::ParameterList none, row, full, partial, series;
+  row.set<std::string>("Type", "Lumped");
+  full.set<std::string>("Type", "Full");
+  full.set("Lumped Share", 0.0);
+  full.set("Smallest Node", 0.0);
+  partial = full;
+  partial.set<std::string>("Type", "Partial");
+  partial.set("Radius", 1e-9); // no particle
+  partial.set("Edge Width", 0.0);
+  series.set<std::string>("Type", "FMPM");
+  series.set("Order", 1);
+  const double consistent = release("Consistent", none).first, lumped = release("Lumped", none).first;
+  EXPECT_GT(consistent, 1.05 * lumped);
+  EXPECT_EQ(release("Consistent", row).first, consistent);
+  EXPECT_EQ(release("Lumped", full).first, lumped);
+  EXPECT_EQ(release("Consistent", none).second, lumped);
+  EXPECT_EQ(release("Mass Matrix", none).first, lumped);
+  EXPECT_EQ(release("Mass Matrix", row).first, lumped);
+  EXPECT_EQ(release("Mass Matrix", full).first, consistent);
+  EXPECT_NEAR(release("Mass Matrix", partial).first, lumped, 1e-9 * lumped);
+  EXPECT_NEAR(release("Mass Matrix", series).first, lumped, 1e-9 * lumped);
 }
 
 /// K_I = K_II turns a front clockwise by 2 atan(1/2) = 53.13 degrees, whichever way side +1 lies; the ring of
