@@ -13,12 +13,17 @@ A study is a Teuchos parameter list named Study:
 
   <ParameterList name="Study">
     <Parameter name="Scene" type="string" value="../verification/dcb_h8.xml"/>    relative to the study
-    <Parameter name="Title" type="string" value="Double cantilever beam"/>        optional; of the picture
+    <Parameter name="Title" type="string" value="Double cantilever beam"/>        optional; of the pictures
     <Parameter name="Error Of" type="string" value="cracks.0.fronts.0.G_J"/>      path in summary.json
-    <Parameter name="Reference Value" type="double" value="0.515"/>               what the exact answer is
+    <Parameter name="Reference Value" type="double" value="0.12873"/>             what the exact answer is
+    <Parameter name="Source" type="string" value="finite elements"/>              optional; where it is from
+    <Parameter name="Curve Of" type="string" value="Notch.0.G_J"/>                optional: a column of history.csv,
+    <Parameter name="Curve Divided By" type="double" value="0.1"/>                drawn over time in curves.png,
+    <Parameter name="Curve Label" type="string" value="G / G of beam theory"/>    its axis
     <ParameterList name="Sweep">
       <ParameterList name="GIMP">                                                 a family: a line in study.png
         <Parameter name="Combine" type="string" value="Zip"/>                     or Product; default Zip
+        <Parameter name="Group" type="string" value="GIMP"/>                      families of a group share a colour
         <Parameter name="Domain:Cell Size" type="Array(string)" value="{2.5e-3, 1.25e-3}"/>
         <Parameter name="Time:CFL" type="Array(string)" value="{0.4, 0.2}"/>
         <Parameter name="Domain:Shape Functions" type="string" value="GIMP"/>     the same in all of its runs
@@ -28,18 +33,31 @@ A study is a Teuchos parameter list named Study:
 
 A parameter of a family is the path of a parameter of the scene, its parts joined by colons. Zip runs the first values
 of all arrays together, then the second ones, so the arrays have one length; Product runs every combination. A family
-may have a Scene of its own, and it may change the quantity (Error Of) and its Reference Value, for example where the
-quantity is in other units. Values that are arrays themselves are written in braces: {{0, 0}, {1, 0}}.
+may have a Scene of its own, and it may change the quantity (Error Of), its Reference Value, for example where the
+quantity is in other units, and the column Curve Of. Values that are arrays themselves are written in braces:
+{{0, 0}, {1, 0}}.
 """
 
-STUDY_NAMES = ["Scene", "Title", "Error Of", "Reference Value", "Sweep"]
+STUDY_NAMES = ["Scene", "Title", "Error Of", "Reference Value", "Source", "Curve Of", "Curve Divided By", "Curve Label",
+               "Sweep"]
+FAMILY_NAMES = ["Combine", "Group", "Scene", "Error Of", "Reference Value", "Curve Of"]
+
+
+class Curve:
+    """A column of history.csv that is drawn over time, in multiples of `unit`."""
+
+    def __init__(self, unit, label):
+        self.unit = unit
+        self.label = label
 
 
 class Run:
     """One run: a family, its scene and its settings {path: value}, and what is measured in it."""
 
-    def __init__(self, family, scene, settings, quantity, reference):
+    def __init__(self, family, scene, settings, quantity, reference, group=None, column=None):
         self.family = family
+        self.group = group or family
+        self.column = column
         self.scene = scene
         self.settings = settings
         self.quantity = quantity
@@ -47,9 +65,12 @@ class Run:
 
 
 class Study:
-    """runs: all, in the order of the families; swept: paths whose value changes in a family, in order."""
+    """runs: all, in the order of the families; swept: paths whose value changes in a family, in order; curve: None
+    where none is drawn; source: of the reference values, or None."""
 
-    def __init__(self, path, title, runs, swept):
+    def __init__(self, path, title, runs, swept, curve=None, source=None):
+        self.curve = curve
+        self.source = source
         self.path = path
         self.title = title
         self.runs = runs
@@ -151,8 +172,11 @@ def read_family(element, study, study_path):
         if name in values:
             raise Problem(f"{where} > {name}: appears twice.")
         values[name] = read_value(child, f"{where} > {name}")
-    own = {name: values.pop(name) for name in ("Combine", "Scene", "Error Of", "Reference Value") if name in values}
+    own = {name: values.pop(name) for name in FAMILY_NAMES if name in values}
     for path in values:
+        near = difflib.get_close_matches(path, FAMILY_NAMES, 1)
+        if near and ":" not in path:
+            raise Problem(f"{where} > {path}: is unknown; write {near[0]}.")
         if not re.fullmatch(r"[^:=]+(:[^:=]+)+", path):
             raise Problem(f"{where} > {path}: is no path of a scene's parameter; write Section:Parameter, "
                           "such as Domain:Cell Size.")
@@ -162,9 +186,25 @@ def read_family(element, study, study_path):
     reference = read_number(merged, "Reference Value", where if "Reference Value" in own else "Study")
     if reference is None:
         raise Problem("Study > Reference Value: is missing; write the exact answer for Error Of as a double.")
+    column = read_text(merged, "Curve Of", where if "Curve Of" in own else "Study") if "Curve Of" in merged else None
+    group = read_text(own, "Group", where) if "Group" in own else None
     rows = combine(values, own.get("Combine", "Zip"), where)
-    runs = [Run(element.get("name"), scene, row, quantity, reference) for row in rows]
+    runs = [Run(element.get("name"), scene, row, quantity, reference, group, column) for row in rows]
     return runs, [path for path, value in values.items() if isinstance(value, list)]
+
+
+def read_curve(values, runs):
+    """How curves are drawn; None where no family has any."""
+    unit = read_number(values, "Curve Divided By", "Study")
+    if unit == 0.0:
+        raise Problem("Study > Curve Divided By: must not be 0.")
+    if not any(run.column for run in runs):
+        for name in ("Curve Divided By", "Curve Label"):
+            if name in values:
+                raise Problem(f"Study > {name}: there is no curve; add Curve Of, a column of history.csv.")
+        return None
+    label = read_text(values, "Curve Label", "Study") if "Curve Label" in values else None
+    return Curve(1.0 if unit is None else unit, label)
 
 
 def read_study(path):
@@ -203,4 +243,17 @@ def read_study(path):
         more, paths = read_family(element, values, path)
         runs += more
         swept += [p for p in paths if p not in swept]
-    return Study(path, values.get("Title") or os.path.splitext(os.path.basename(path))[0], runs, swept)
+    texts = {name: read_text(values, name, "Study") for name in ("Title", "Source") if name in values}
+    title = texts.get("Title") or os.path.splitext(os.path.basename(path))[0]
+    return Study(path, title, runs, swept, read_curve(values, runs), texts.get("Source"))
+
+
+def choose_families(study, names):
+    """The study with the runs of these families only."""
+    families = list(dict.fromkeys(run.family for run in study.runs))
+    for name in names:
+        if name not in families:
+            near = difflib.get_close_matches(name, families, 1)
+            raise Problem(f"--family {name}: the study has no such family; it has {', '.join(families)}"
+                          + (f" (did you mean {near[0]}?)." if near else "."))
+    study.runs = [run for run in study.runs if run.family in names]

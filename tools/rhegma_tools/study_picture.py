@@ -1,4 +1,4 @@
-"""Draws error against wall time."""
+"""Draws error against cost."""
 
 import math
 
@@ -6,6 +6,7 @@ from . import style
 from .style import plt
 
 MARKERS = ["o", "s", "^", "D", "v", "P", "X"]
+DASHES = ["-", (0, (5, 1.5)), (0, (1.2, 1.2)), (0, (6, 1.5, 1.2, 1.5))]
 SMALLEST = 1.0e-12  # an error of exactly zero has no place on a logarithmic axis
 
 
@@ -50,20 +51,30 @@ def sparse_ticks(axis, low, high, form):
     axis.set_minor_formatter(plt.matplotlib.ticker.NullFormatter())
 
 
-def draw_study(study, outcomes, path):
-    """Writes study.png from the runs that finished; there must be one."""
-    good = [o for o in outcomes if o.good]
-    points = [(o.wall_seconds, max(o.error, SMALLEST)) for o in good]
-    families = list(dict.fromkeys(o.run.family for o in good))
-    figure, axes = plt.subplots(figsize=(7.2, 4.6), layout="constrained")
+def group_style(runs):
+    """{family: (colour, line style, marker)}: a colour for each group, lines and markers within it."""
+    groups = list(dict.fromkeys(run.group for run in runs))
+    members = {group: list(dict.fromkeys(run.family for run in runs if run.group == group)) for group in groups}
+    alone = all(len(families) == 1 for families in members.values())
+    found = {}
+    for i, group in enumerate(groups):
+        for k, family in enumerate(members[group]):
+            marker = MARKERS[(i if alone else k) % len(MARKERS)]
+            found[family] = (style.COLOURS[i % len(style.COLOURS)], DASHES[k % len(DASHES)], marker)
+    return found
+
+
+def draw_cost(axes, study, good, costs, styles, name_axis):
+    """Error against one measure of cost. Returns the indices of the runs on the efficient frontier."""
+    points = [(cost, max(o.error, SMALLEST)) for cost, o in zip(costs, good)]
     best = frontier(points)
     axes.plot([points[i][0] for i in best], [points[i][1] for i in best], color="#BBBBBB", lw=7, alpha=0.6,
               solid_capstyle="round", solid_joinstyle="round", zorder=1, label=frontier_label(good, best, study.swept),
               marker="o", ms=13, mew=0)
-    for i, family in enumerate(families):
+    for family, (colour, dashes, marker) in styles.items():
         own = [p for p, o in zip(points, good) if o.run.family == family]
-        axes.plot([p[0] for p in own], [p[1] for p in own], color=style.COLOURS[i % len(style.COLOURS)],
-                  marker=MARKERS[i % len(MARKERS)], ms=5.5, mec="white", mew=0.7, label=family, zorder=3)
+        axes.plot([p[0] for p in own], [p[1] for p in own], color=colour, ls=dashes, marker=marker, ms=5.5, mec="white",
+                  mew=0.7, label=family, zorder=3)
     for i in best:
         axes.annotate(short(good[i].run, study.swept), points[i], (-7, -7), textcoords="offset points", ha="right",
                       va="top", fontsize=8, color=style.QUIET, zorder=4)
@@ -77,11 +88,23 @@ def draw_study(study, outcomes, path):
     sparse_ticks(axes.xaxis, low[0], high[0], seconds)
     relative = all(o.run.reference != 0.0 for o in good)
     sparse_ticks(axes.yaxis, low[1], high[1], percent if relative else seconds)
-    axes.set_xlabel("wall time [s]")
+    axes.set_xlabel(name_axis)
+    return best
+
+
+def draw_study(study, outcomes, path):
+    """Writes study.png from the runs that finished; there must be one. Returns those on the frontier of wall time."""
+    good = [o for o in outcomes if o.good]
+    styles = group_style([o.run for o in good])
+    figure, (left, right) = plt.subplots(1, 2, sharey=True, figsize=(10.4, 4.6), layout="constrained")
+    # A run of no step or no measurable time still has a place on a logarithmic axis.
+    best = draw_cost(left, study, good, [max(o.wall_seconds, 1.0e-3) for o in good], styles, "wall time [s]")
+    draw_cost(right, study, good, [max(o.particle_steps, 1) * 1.0e-6 for o in good], styles, "particle-steps [million]")
+    relative = all(o.run.reference != 0.0 for o in good)
     quantities = list(dict.fromkeys(o.run.quantity for o in good))
-    axes.set_ylabel(f"{'relative ' if relative else ''}error of {quantities[0] if len(quantities) == 1 else 'the result'}")
-    axes.set_title(study.title, fontsize=12)
-    handles, labels = axes.get_legend_handles_labels()
-    axes.legend(handles[1:] + handles[:1], labels[1:] + labels[:1], loc="upper left", bbox_to_anchor=(1.01, 1.0))
+    left.set_ylabel(f"{'relative ' if relative else ''}error of {quantities[0] if len(quantities) == 1 else 'the result'}")
+    figure.suptitle(study.title, x=0.01, ha="left", fontsize=12, fontweight="bold")
+    handles, labels = right.get_legend_handles_labels()
+    right.legend(handles[1:] + handles[:1], labels[1:] + labels[:1], loc="upper left", bbox_to_anchor=(1.01, 1.0))
     style.save(figure, path)
     return [good[i] for i in best]

@@ -9,6 +9,7 @@ import re
 import shutil
 import subprocess
 import sys
+import time
 
 from .interpreter import Problem
 from .summary import look_up, read_summary
@@ -81,7 +82,50 @@ def command_of(run, folder, program, launcher):
     return command
 
 
-def execute(run, folder, program, launcher):
+def check(run, program):
+    """Throws a Problem where rhegma finds the scene wrong with the settings of a run."""
+    command = [program, run.scene, "--check"]
+    for path, value in run.settings.items():
+        command += ["--set", f"{path}={value}"]
+    try:
+        result = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True,
+                                errors="replace")
+    except OSError as error:
+        raise Problem(f"{program} can't be started ({error.strerror}).")
+    if result.returncode != 0:
+        lines = [line.strip() for line in result.stdout.splitlines() if line.strip()]
+        raise Problem(f"Sweep > {run.family}: {lines[0] if lines else 'rhegma --check fails without a word'}")
+
+
+def check_all(study, output, program, launcher, again):
+    """Checks every scene that is still to be run, so that a mistake in the last one shows before the first one runs."""
+    checked = set()
+    for run in study.runs:
+        folder = run_folder(output, run)
+        if folder not in checked and (again or done_before(folder, record_of(run, launcher)) is None):
+            check(run, program)
+            checked.add(folder)
+
+
+def start(command, log, watch):
+    """Runs a command to its end and calls watch() now and then. Returns the exit status."""
+    process = subprocess.Popen(command, stdout=log, stderr=log)
+    try:
+        while watch:
+            try:
+                return process.wait(timeout=0.5)
+            except subprocess.TimeoutExpired:
+                watch()
+        return process.wait()
+    except BaseException:  # such as a KeyboardInterrupt, which the child got too
+        try:
+            process.wait(timeout=10)
+        except subprocess.TimeoutExpired:
+            process.kill()
+        raise
+
+
+def execute(run, folder, program, launcher, watch=None):
     """Runs a scene; its words go to rhegma.log in its folder. Returns the exit status."""
     record = record_of(run, launcher)
     os.makedirs(folder, exist_ok=True)
@@ -90,7 +134,7 @@ def execute(run, folder, program, launcher):
             os.remove(os.path.join(folder, name))
     with open(os.path.join(folder, "rhegma.log"), "w", encoding="utf-8") as log:
         try:
-            status = subprocess.run(command_of(run, folder, program, launcher), stdout=log, stderr=log).returncode
+            status = start(command_of(run, folder, program, launcher), log, watch)
         except OSError as error:
             raise Problem(f"{(launcher or [program])[0]} can't be started ({error.strerror}).")
     with open(os.path.join(folder, RECORD), "w", encoding="utf-8") as file:
@@ -127,9 +171,11 @@ def last_words(folder):
     return lines[-1] if lines else ""
 
 
-def run_all(study, output, program, launcher, again, say):
-    """Outcomes of all runs, in order; those that were done before are only read, unless all shall run again."""
-    outcomes, fresh = [], set()
+def run_all(study, output, program, launcher, again, say, show=None):
+    """Outcomes of all runs, in order; those that were done before are only read, unless all shall run again.
+
+    say(line): for good; show(line): for the moment, while a run goes on; None where there is no terminal."""
+    outcomes, fresh, begin = [], set(), time.monotonic()
     for number, run in enumerate(study.runs, start=1):
         folder = run_folder(output, run)
         values = ", ".join(f"{path} = {value}" for path, value in run.settings.items())
@@ -137,7 +183,9 @@ def run_all(study, output, program, launcher, again, say):
         status = None if again and folder not in fresh else done_before(folder, record_of(run, launcher))
         before = status is not None
         if not before:
-            status = execute(run, folder, program, launcher)
+            watch = show and (lambda: show(f"[{number}/{len(study.runs)}] {run.family}: {last_words(folder)} "
+                                           f"({time.monotonic() - begin:.0f} s in all)"))
+            status = execute(run, folder, program, launcher, watch)
             fresh.add(folder)
         outcome = measure(run, folder, status)
         if outcome.good:

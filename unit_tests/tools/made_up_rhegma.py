@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Stands in for rhegma: answers G = 0.5 (1 + (cell / 10 mm)^order), takes (10 mm / cell)^3 / 100 s, and counts its runs.
 
-A cell larger than 9 mm is unstable and exits with 2.
+A cell larger than 9 mm is unstable and exits with 2. With --check it knows no setting but the cell size, the shape
+functions and the kind of history.
 """
 
 import json
@@ -10,11 +11,17 @@ import sys
 
 settings = {"Domain:Cell Size": "5e-3", "Domain:Shape Functions": "Linear"}
 arguments = sys.argv[1:]
-output = arguments[arguments.index("--output") + 1]
 for i, argument in enumerate(arguments):
     if argument == "--set":
         path, value = arguments[i + 1].split("=", 1)
         settings[path] = value
+if "--check" in arguments:
+    for path in settings:
+        if path not in ("Domain:Cell Size", "Domain:Shape Functions", "Output:History"):
+            print(f"rhegma: {path.replace(':', ' > ')}: is no parameter.", file=sys.stderr)
+            sys.exit(1)
+    sys.exit(0)
+output = arguments[arguments.index("--output") + 1]
 with open(os.path.join(os.path.dirname(arguments[0]), "runs.txt"), "a") as runs:
     runs.write(output + "\n")
 cell = float(settings["Domain:Cell Size"]) / 1.0e-2
@@ -32,3 +39,6 @@ summary = {
 }
 with open(os.path.join(output, "summary.json"), "w") as file:
     json.dump(summary, file)
+if settings.get("Output:History") != "none":
+    with open(os.path.join(output, "history.csv"), "w") as file:
+        file.write("time,Notch.0.G_J\n0,0\n" + f"1e-3,{0.5 * (1.0 + cell**order)}\n")

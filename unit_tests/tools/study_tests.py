@@ -2,12 +2,13 @@
 
 import csv
 import os
+import sys
 import unittest
 
 from tool import HERE, ToolTest, picture_size, run
 
 from rhegma_tools.study_file import combine, read_study, split_array
-from rhegma_tools.study_picture import frontier
+from rhegma_tools.study_picture import frontier, group_style
 
 PROGRAM = os.path.join(HERE, "made_up_rhegma.py")
 HEAD = """<ParameterList name="Study">
@@ -26,6 +27,17 @@ GIMP = """    <ParameterList name="GIMP, both">
       <Parameter name="Domain:Shape Functions" type="string" value="GIMP"/>
     </ParameterList>
 """
+
+
+CURVE = """  <Parameter name="Curve Of" type="string" value="Notch.0.G_J"/>
+  <Parameter name="Curve Divided By" type="double" value="0.1"/>
+  <Parameter name="Curve Label" type="string" value="G / G of beam theory"/>
+  <Parameter name="Source" type="string" value="finite elements"/>
+"""
+
+
+def with_curve(head, curve=CURVE):
+    return head.replace('  <ParameterList name="Sweep">', curve + '  <ParameterList name="Sweep">')
 
 
 class Study(ToolTest):
@@ -63,7 +75,7 @@ class Study(ToolTest):
             self.assertTrue(os.path.exists(os.path.join(row["path"], "summary.json")))
         self.assertIn(f"Wrote {self.path('study.out', 'study.csv')}: 5 runs.", output)
         # Linear at 0.08 s and GIMP at 0.16 and 1.28 s; the other linear ones are slower and worse.
-        self.assertIn(f"Wrote {self.path('study.out', 'study.png')}: 3 runs are on the efficient frontier.", output)
+        self.assertIn(f"Wrote {self.path('study.out', 'study.png')}: 3 runs are on the efficient frontier of wall time.", output)
         self.assertGreater(picture_size(self.path("study.out", "study.png"))[0], 900)
 
     def test_goes_on_where_it_stopped(self):
@@ -138,6 +150,71 @@ class Study(ToolTest):
         self.assertEqual([r.quantity for r in study.runs], ["energy.strain"] * 3 + ["cracks.Notch.fronts.0.G_J"] * 2)
         self.assertEqual(study.swept, ["Domain:Cell Size"])
 
+    def test_a_wrong_setting_stops_the_study_before_its_first_run(self):
+        self.study(LINEAR + GIMP.replace("Domain:Shape Functions", "Domain:Shape Funktions"))
+        self.assert_complains(self.start(), "Sweep > GIMP, both: rhegma: Domain > Shape Funktions: is no parameter.")
+        self.assertFalse(os.path.exists(self.path("runs.txt")))
+        self.assertFalse(os.path.exists(self.path("study.out")))
+
+    def test_draws_curves(self):
+        self.study(LINEAR + GIMP, with_curve(HEAD))
+        status, output, complaint = self.start()
+        self.assertEqual((status, complaint), (0, ""))
+        self.assertIn(f"Wrote {self.path('study.out', 'curves.png')}: 5 curves.", output)
+        self.assertGreater(picture_size(self.path("study.out", "curves.png"))[0], 900)
+
+    def test_without_a_column_there_are_no_curves(self):
+        self.study(LINEAR)
+        self.start()
+        self.assertFalse(os.path.exists(self.path("study.out", "curves.png")))
+
+    def test_a_column_that_is_not_there_is_told(self):
+        self.study(LINEAR, with_curve(HEAD, CURVE.replace("Notch.0.G_J", "Notch.0.G")))
+        status, _, complaint = self.start()
+        self.assertEqual(status, 1)
+        self.assertIn("Curve Of Notch.0.G: history.csv has no such column; it has time, Notch.0.G_J.", complaint)
+        self.study(LINEAR.replace("</", '  <Parameter name="Output:History" type="string" value="none"/>\n    </', 1),
+                   with_curve(HEAD))
+        status, _, complaint = self.start()
+        self.assertEqual(status, 1)
+        self.assertIn("has no history.csv for Curve Of", complaint)
+
+    def test_runs_a_family_alone(self):
+        self.study(LINEAR + GIMP)
+        self.assertEqual(self.start("--family", "GIMP, both")[0], 0)
+        self.assertEqual([row["family"] for row in self.table()], ["GIMP, both"] * 2)
+        self.assertEqual(self.runs(), 2)
+        self.start()
+        self.assertEqual((self.runs(), len(self.table())), (5, 5))
+        self.assert_complains(self.start("--family", "GIMP both"), "it has linear, GIMP, both (did you mean GIMP, both?)")
+
+    def test_families_of_a_group_share_a_colour(self):
+        grouped = '<Parameter name="Group" type="string" value="one"/>\n    </'
+        study = read_study(self.study(LINEAR.replace("</", grouped, 1) + GIMP.replace("</", grouped, 1)
+                                      + LINEAR.replace("linear", "third")))
+        styles = group_style(study.runs)
+        self.assertEqual(styles["linear"][0], styles["GIMP, both"][0])
+        self.assertNotEqual(styles["linear"][1:], styles["GIMP, both"][1:])
+        self.assertNotEqual(styles["linear"][0], styles["third"][0])
+
+    def test_an_interrupted_study_keeps_what_is_done(self):
+        """The second run kills the study as Ctrl-C would; the third never starts."""
+        self.study(LINEAR)
+        killer = self.write("killer.py", f"""#!{sys.executable}
+import os, signal, subprocess, sys, time
+if "--check" not in sys.argv and "Domain:Cell Size=2.5e-3" in sys.argv:
+    os.kill(os.getppid(), signal.SIGINT)
+    time.sleep(0.2)
+    sys.exit(2)
+sys.exit(subprocess.call([{PROGRAM!r}] + sys.argv[1:]))
+""")
+        os.chmod(killer, 0o755)
+        status, output, complaint = run("rhegma-study", self.path("study.xml"), "--rhegma", killer)
+        self.assertEqual((status, complaint), (130, "rhegma-study: interrupted.\n"))
+        self.assertEqual(self.runs(), 1)
+        status, output, _ = self.start()
+        self.assertEqual((status, self.runs(), output.count("(done before)")), (0, 3, 1))
+
     def test_families_share_a_run(self):
         other = LINEAR.replace("linear", "another quantity of the same runs").replace(
             "</", '  <Parameter name="Error Of" type="string" value="wall_seconds"/>\n    </', 1)
@@ -153,6 +230,11 @@ class Study(ToolTest):
             (HEAD + LINEAR, "no XML, or it is cut off"),
             (HEAD.replace("Study", "Rhegma") + LINEAR + TAIL, "is no study"),
             (HEAD + TAIL, "Study > Sweep: is missing or empty"),
+            (with_curve(HEAD, CURVE.replace('"0.1"', '"0"')) + LINEAR + TAIL, "Curve Divided By: must not be 0"),
+            (with_curve(HEAD, CURVE.split("\n", 1)[1]) + LINEAR + TAIL, "there is no curve; add Curve Of"),
+            (HEAD + LINEAR.replace("Domain:Cell Size", "Grup") + TAIL, "Sweep > linear > Grup: is unknown; write Group."),
+            (HEAD + LINEAR.replace("</", '  <Parameter name="Combine" type="string" value="Both"/>\n</', 1) + TAIL,
+             "must be Zip or Product, not Both"),
             (HEAD.replace("Error Of", "Eror Of") + LINEAR + TAIL, "Study > Eror Of: is unknown; write Error Of."),
             (HEAD.replace("scene.xml", "sene.xml") + LINEAR + TAIL, "there is no file"),
             (HEAD.replace('value="0.5"', 'value="half"') + LINEAR + TAIL, "Reference Value: must be a number"),
