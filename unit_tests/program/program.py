@@ -4,14 +4,13 @@ import hashlib
 import os
 import subprocess
 import sys
-import tempfile
-import unittest
 
-HERE = os.path.dirname(os.path.realpath(__file__))
-SOURCE = os.path.realpath(os.path.join(HERE, "..", ".."))
-PROGRAM = os.environ.get("RHEGMA_PROGRAM", os.path.join(SOURCE, "build", "rhegma"))
-
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.realpath(__file__)), ".."))
 sys.dont_write_bytecode = True
+
+from own_folder import SOURCE, OwnFolder  # noqa: E402
+
+PROGRAM = os.environ.get("RHEGMA_PROGRAM", os.path.join(SOURCE, "build", "rhegma"))
 
 # What a program that has lost its way says, and a user should never read.
 NOISE = (
@@ -78,23 +77,8 @@ def fingerprint(folder):
     return found
 
 
-class ProgramTest(unittest.TestCase):
-    """Has a folder of its own, self.folder, where a scene lies beside the results of an older run."""
-
-    longMessage = True
-
-    def setUp(self):
-        keeper = tempfile.TemporaryDirectory()
-        self.addCleanup(keeper.cleanup)
-        self.folder = keeper.name
-
-    def path(self, *names):
-        return os.path.join(self.folder, *names)
-
-    def write(self, name, content):
-        with open(self.path(name), "wb") as file:
-            file.write(content if isinstance(content, bytes) else content.encode())
-        return self.path(name)
+class ProgramTest(OwnFolder):
+    """Its scene lies beside the results of an older run."""
 
     def leave_an_older_run(self, *names):
         """Results that no wrong scene may touch."""

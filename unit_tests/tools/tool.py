@@ -4,13 +4,13 @@ import os
 import struct
 import subprocess
 import sys
-import tempfile
-import unittest
 
 HERE = os.path.dirname(os.path.realpath(__file__))
-TOOLS = os.path.realpath(os.path.join(HERE, "..", "..", "tools"))
 
 sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.join(HERE, ".."))
+from own_folder import TOOLS, OwnFolder  # noqa: E402
+
 sys.path.insert(0, TOOLS)
 from rhegma_tools import interpreter  # noqa: E402
 
@@ -37,21 +37,8 @@ def picture_size(path):
     return struct.unpack(">II", head[16:24])
 
 
-class ToolTest(unittest.TestCase):
-    """Has a folder of its own, self.folder, and refuses complaints of more than one line."""
-
-    def setUp(self):
-        keeper = tempfile.TemporaryDirectory()
-        self.addCleanup(keeper.cleanup)
-        self.folder = keeper.name
-
-    def path(self, *names):
-        return os.path.join(self.folder, *names)
-
-    def write(self, name, text):
-        with open(self.path(name), "w") as file:
-            file.write(text)
-        return self.path(name)
+class ToolTest(OwnFolder):
+    """Refuses complaints of more than one line."""
 
     def assert_complains(self, answer, *words):
         """Exit status 1, nothing on standard output, one line with these words on standard error."""
