@@ -1,6 +1,6 @@
 #include "contact/SideEnergy.hpp"
 
-#include "material/Materials.hpp"
+#include "output/ParticleEnergy.hpp"
 
 #include <cmath>
 
@@ -58,39 +58,6 @@ KOKKOS_INLINE_FUNCTION Foot<3> footOf(const View<double* [3]>& vertex, const Vec
   return {0.0, dot(from, normal) > 0.0, normal};
 }
 
-/// Kinetic and strain energy of a particle [J].
-template <int D>
-struct ParticleEnergy
-{
-  BorrowedView<double* [D]> velocity;
-  BorrowedView<double*> mass, volume;
-  BorrowedView<double * [gradientSize<D>]> F;
-  BorrowedView<int*> material;
-  BorrowedView<double**> history;
-  View<Properties*> materials;
-
-  explicit ParticleEnergy(const State<D>& state)
-      : velocity(state.particles.template real<D>(fields::velocity)),
-        mass(state.particles.scalar(fields::mass)),
-        volume(state.particles.scalar(fields::volume)),
-        F(state.particles.template real<gradientSize<D>>(fields::deformation)),
-        material(state.particles.integer(fields::material)),
-        materials(state.materials)
-  {
-    if (state.particles.has(fields::history))
-      history = state.particles.table(fields::history);
-  }
-
-  KOKKOS_INLINE_FUNCTION double operator()(int p) const
-  {
-    const double* memory = history.extent(1) > 0 ? &history(p, 0) : nullptr;
-    double square = 0.0;
-    for (int d = 0; d < D; ++d)
-      square += velocity(p, d) * velocity(p, d);
-    return 0.5 * mass(p) * square + volume(p) * storedEnergy<D>(materials(material(p)), &F(p, 0), memory);
-  }
-};
-
 } // namespace
 
 template <int D>
@@ -139,7 +106,7 @@ SideEnergy measureSides(const State<D>& state, const WatchedCrack<D>& crack)
         if (std::fabs(foot.along - middle) > reach)
           return;
         v = v - dot(v, foot.normal) * foot.normal;
-        (foot.above ? above : below) += energy(p);
+        (foot.above ? above : below) += energy.kinetic(p) + energy.strain(p);
         (foot.above ? alongAbove : alongBelow) += 0.5 * energy.mass(p) * dot(v, v);
       },
       sum.below, sum.above, sum.alongBelow, sum.alongAbove);
@@ -153,7 +120,7 @@ double totalEnergy(const State<D>& state)
   double total = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::contact::totalEnergy", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-      KOKKOS_LAMBDA(const int p, double& sum) { sum += energy(p); }, total);
+      KOKKOS_LAMBDA(const int p, double& sum) { sum += energy.kinetic(p) + energy.strain(p); }, total);
   return total;
 }
 

@@ -1,6 +1,6 @@
 #include "output/CoreRow.hpp"
 
-#include "material/Materials.hpp"
+#include "output/ParticleEnergy.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -22,40 +22,18 @@ struct ParticleSums
   using execution_space = ExecSpace;
 
   int value_count = 3 + D;
-  BorrowedView<double* [D]> velocity;
-  BorrowedView<double*> mass;
-  BorrowedView<double*> volume;
-  BorrowedView<double * [gradientSize<D>]> deformation;
-  BorrowedView<double**> history;
-  BorrowedView<int*> material;
-  View<Properties*> materials;
-
-  explicit ParticleSums(const State<D>& state)
-      : velocity(state.particles.template real<D>(fields::velocity)),
-        mass(state.particles.scalar(fields::mass)),
-        volume(state.particles.scalar(fields::volume)),
-        deformation(state.particles.template real<gradientSize<D>>(fields::deformation)),
-        material(state.particles.integer(fields::material)),
-        materials(state.materials)
-  {
-    if (state.particles.has(fields::history))
-      history = state.particles.table(fields::history);
-  }
+  ParticleEnergy<D> energy;
 
   KOKKOS_INLINE_FUNCTION void operator()(const int p, double* sum) const
   {
-    double speedSquared = 0.0;
+    sum[0] += energy.kinetic(p);
+    sum[1] += energy.strain(p);
+    sum[2] += energy.dissipated(p);
     for (int d = 0; d < D; ++d)
-    {
-      speedSquared += velocity(p, d) * velocity(p, d);
-      sum[3 + d] += mass(p) * velocity(p, d);
-    }
-    const Properties& properties = materials(material(p));
-    const double* memory = history.extent(1) > 0 ? &history(p, 0) : nullptr;
-    sum[0] += 0.5 * mass(p) * speedSquared;
-    sum[1] += volume(p) * storedEnergy<D>(properties, &deformation(p, 0), memory);
-    sum[2] += volume(p) * dissipatedEnergy<D>(properties, memory);
+      sum[3 + d] += energy.mass(p) * energy.velocity(p, d);
   }
+
+  explicit ParticleSums(const State<D>& state) : energy(state) {}
 };
 
 bool canFlow(const std::vector<Properties>& materials)

@@ -8,7 +8,6 @@
 #include <Teuchos_Array.hpp>
 
 #include <cmath>
-#include <cstdio>
 #include <stdexcept>
 
 namespace Rhegma
@@ -72,13 +71,6 @@ std::optional<std::vector<int>> wholeNumbers(const std::vector<double>& values)
   return whole;
 }
 
-std::string exactText(double value)
-{
-  char text[40];
-  std::snprintf(text, sizeof text, "%.17g", value);
-  return text;
-}
-
 std::optional<std::string> text(const ParameterEntry& entry)
 {
   if (entry.isType<std::string>())
@@ -111,7 +103,7 @@ std::optional<ParameterValue> convert(const ParameterEntry& entry, ParameterType
     return pack(text(entry));
   case ParameterType::TimeFunction:
     if (const auto value = number(entry))
-      return ParameterValue(exactText(*value));
+      return ParameterValue(formatExactly(*value));
     return pack(text(entry));
   case ParameterType::RealArray:
     return pack(numbers(entry));

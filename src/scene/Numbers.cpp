@@ -89,15 +89,18 @@ std::string formatReal(double value)
   return text;
 }
 
+std::string formatExactly(double value)
+{
+  char text[40];
+  std::snprintf(text, sizeof text, "%.17g", value);
+  return text;
+}
+
 std::string formatReals(const std::vector<double>& values)
 {
   std::string text = "{";
   for (const double value : values)
-  {
-    char digits[40];
-    std::snprintf(digits, sizeof digits, "%.17g", value);
-    text += (text.size() > 1 ? ", " : "") + std::string(digits);
-  }
+    text += (text.size() > 1 ? ", " : "") + formatExactly(value);
   return text + "}";
 }
 

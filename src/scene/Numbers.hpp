@@ -27,6 +27,9 @@ std::optional<int> wholeNumber(double value);
 /// The shortest text that a person would write for the number, exact to 10 digits.
 std::string formatReal(double value);
 
+/// All digits of the number, so that reading the text gives the same one.
+std::string formatExactly(double value);
+
 /// "{1, 2}", each number with all of its digits, so that reading it gives the same numbers.
 std::string formatReals(const std::vector<double>& values);
 

@@ -3,6 +3,7 @@
 import math
 
 from . import style
+from .interpreter import Problem
 from .style import plt
 
 MARKERS = ["o", "s", "^", "D", "v", "P", "X"]
@@ -92,13 +93,18 @@ def draw_cost(axes, study, good, costs, styles, name_axis):
     return best
 
 
-def draw_study(study, outcomes, path):
-    """Writes study.png from the runs that finished; there must be one. Returns those on the frontier of wall time."""
+def draw_study(study, outcomes, path, processor=False):
+    """Writes study.png from the runs that finished; there must be one. Returns those on the frontier of wall time, or of
+    processor time if that shall be drawn in its place."""
     good = [o for o in outcomes if o.good]
+    if processor and any(o.processor_seconds is None for o in good):
+        raise Problem("--processor-time: it is not known of every run; run the study --again and without --launcher.")
+    spent = [o.processor_seconds if processor else o.wall_seconds for o in good]
     styles = group_style([o.run for o in good])
     figure, (left, right) = plt.subplots(1, 2, sharey=True, figsize=(10.4, 4.6), layout="constrained")
     # A run of no step or no measurable time still has a place on a logarithmic axis.
-    best = draw_cost(left, study, good, [max(o.wall_seconds, 1.0e-3) for o in good], styles, "wall time [s]")
+    best = draw_cost(left, study, good, [max(t, 1.0e-3) for t in spent], styles,
+                     "processor time [s]" if processor else "wall time [s]")
     draw_cost(right, study, good, [max(o.particle_steps, 1) * 1.0e-6 for o in good], styles, "particle-steps [million]")
     relative = all(o.run.reference != 0.0 for o in good)
     quantities = list(dict.fromkeys(o.run.quantity for o in good))

@@ -6,6 +6,7 @@ import json
 import math
 import os
 import re
+import resource
 import shutil
 import subprocess
 import sys
@@ -19,13 +20,14 @@ GOOD = (0, 4)  # exit statuses of a finished run; 4: a reference of the scene it
 
 
 class Outcome:
-    """What a run gave. value, error, wall_seconds and particle_steps are None where it failed."""
+    """What a run gave. value, error, wall_seconds and particle_steps are None where it failed; processor_seconds, of all
+    its threads, where it was started by a launcher."""
 
     def __init__(self, run, folder, status):
         self.run = run
         self.folder = folder
         self.status = status
-        self.value = self.error = self.wall_seconds = self.particle_steps = None
+        self.value = self.error = self.wall_seconds = self.processor_seconds = self.particle_steps = None
 
     @property
     def good(self):
@@ -71,6 +73,8 @@ def done_before(folder, record):
     except (OSError, ValueError):
         return None
     status = found.pop("exit", None) if isinstance(found, dict) else None
+    if isinstance(found, dict):
+        found.pop("processor_seconds", None)
     finished = os.path.exists(os.path.join(folder, "summary.json"))
     return status if found == record and status in GOOD and finished else None
 
@@ -108,21 +112,23 @@ def check_all(study, output, program, launcher, again):
 
 
 def start(command, log, watch):
-    """Runs a command to its end and calls watch() now and then. Returns the exit status."""
+    """Runs a command to its end and calls watch() now and then. Returns the exit status and the processor time [s]."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
     process = subprocess.Popen(command, stdout=log, stderr=log)
     try:
-        while watch:
+        while process.poll() is None:
             try:
-                return process.wait(timeout=0.5)
+                process.wait(timeout=0.5 if watch else None)
             except subprocess.TimeoutExpired:
                 watch()
-        return process.wait()
     except BaseException:  # such as a KeyboardInterrupt, which the child got too
         try:
             process.wait(timeout=10)
         except subprocess.TimeoutExpired:
             process.kill()
         raise
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return process.returncode, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
 def execute(run, folder, program, launcher, watch=None):
@@ -134,12 +140,18 @@ def execute(run, folder, program, launcher, watch=None):
             os.remove(os.path.join(folder, name))
     with open(os.path.join(folder, "rhegma.log"), "w", encoding="utf-8") as log:
         try:
-            status = start(command_of(run, folder, program, launcher), log, watch)
+            status, seconds = start(command_of(run, folder, program, launcher), log, watch)
         except OSError as error:
             raise Problem(f"{(launcher or [program])[0]} can't be started ({error.strerror}).")
     with open(os.path.join(folder, RECORD), "w", encoding="utf-8") as file:
-        json.dump(dict(record, exit=status), file, indent=1)
+        json.dump(dict(record, exit=status, processor_seconds=None if launcher else seconds), file, indent=1)
     return status
+
+
+def processor_seconds(folder):
+    """Processor time of the run in a folder as it was recorded, or None."""
+    with open(os.path.join(folder, RECORD), encoding="utf-8") as file:
+        return json.load(file).get("processor_seconds")
 
 
 def measure(run, folder, status):
@@ -157,6 +169,7 @@ def measure(run, folder, status):
     deviation = abs(outcome.value - run.reference)
     outcome.error = deviation / abs(run.reference) if run.reference != 0.0 else deviation
     outcome.wall_seconds = look_up(summary, "wall_seconds")
+    outcome.processor_seconds = processor_seconds(folder)
     outcome.particle_steps = round(look_up(summary, "particle_steps"))
     return outcome
 
@@ -204,9 +217,10 @@ def write_table(study, outcomes, path):
     try:
         with open(temporary, "w", newline="", encoding="utf-8") as file:
             rows = csv.writer(file)
-            rows.writerow(["family", *paths, "value", "error", "wall_seconds", "particle_steps", "exit", "path"])
+            rows.writerow(["family", *paths, "value", "error", "wall_seconds", "processor_seconds", "particle_steps",
+                           "exit", "path"])
             for o in outcomes:
-                numbers = [o.value, o.error, o.wall_seconds, o.particle_steps]
+                numbers = [o.value, o.error, o.wall_seconds, o.processor_seconds, o.particle_steps]
                 rows.writerow([o.run.family, *(o.run.settings.get(p, "") for p in paths),
                                *("" if n is None else repr(n) for n in numbers), o.status, o.folder])
         os.replace(temporary, path)

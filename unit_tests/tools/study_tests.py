@@ -197,6 +197,22 @@ class Study(ToolTest):
         self.assertNotEqual(styles["linear"][1:], styles["GIMP, both"][1:])
         self.assertNotEqual(styles["linear"][0], styles["third"][0])
 
+    def test_draws_processor_time(self):
+        """It is measured from outside; a run that a launcher starts may have its time elsewhere."""
+        self.study(LINEAR)
+        status, output, _ = self.start("--processor-time")
+        self.assertEqual(status, 0)
+        self.assertIn("on the efficient frontier of processor time.", output)
+        for row in self.table():
+            self.assertGreater(float(row["processor_seconds"]), 0.0)
+        self.assert_complains_at_the_end(self.start("--processor-time", "--launcher", "env"), "without --launcher")
+        self.assertEqual({row["processor_seconds"] for row in self.table()}, {""})
+
+    def assert_complains_at_the_end(self, answer, words):
+        status, _, complaint = answer
+        self.assertEqual((status, complaint.count("\n")), (1, 1), complaint)
+        self.assertIn(words, complaint)
+
     def test_an_interrupted_study_keeps_what_is_done(self):
         """The second run kills the study as Ctrl-C would; the third never starts."""
         self.study(LINEAR)
