@@ -1,6 +1,7 @@
+#include "ShapeLists.hpp"
+
 #include "geometry/Seeds.hpp"
 
-#include <Teuchos_Array.hpp>
 #include <gtest/gtest.h>
 
 #include <set>
@@ -10,35 +11,8 @@
 using Rhegma::makeShape;
 using Rhegma::seedParticles;
 using Rhegma::Vector;
+using namespace ShapeLists;
 using Teuchos::ParameterList;
-
-namespace
-{
-
-Teuchos::Array<double> numbers(std::initializer_list<double> values)
-{
-  return Teuchos::Array<double>(values);
-}
-
-ParameterList box(std::initializer_list<double> lower, std::initializer_list<double> upper)
-{
-  ParameterList list("Bodies->Beam");
-  list.set<std::string>("Shape", "Box");
-  list.set("Lower Corner", numbers(lower));
-  list.set("Upper Corner", numbers(upper));
-  return list;
-}
-
-ParameterList ball(std::initializer_list<double> centre, double radius)
-{
-  ParameterList list("Bodies->Ball");
-  list.set<std::string>("Shape", "Ball");
-  list.set("Centre", numbers(centre));
-  list.set("Radius", radius);
-  return list;
-}
-
-} // namespace
 
 /// Cells of 1 m, two particles a cell and axis: centres at 1/4 and 3/4 of every cell, in rows along x.
 TEST(Seeds, SitAtTheQuarterPointsOfCells)
@@ -120,9 +94,7 @@ TEST(Seeds, OfADiskAreSymmetricAndFillIt)
 /// An L of three unit squares holds 3 * 4 particles of edge 1/2.
 TEST(Seeds, TileAPolygonWithSidesAlongTheAxes)
 {
-  ParameterList list("Bodies->Angle");
-  list.set<std::string>("Shape", "Polygon");
-  list.set("Points", numbers({0, 0, 2, 0, 2, 1, 1, 1, 1, 2, 0, 2}));
+  const ParameterList list = polygon({0, 0, 2, 0, 2, 1, 1, 1, 1, 2, 0, 2});
   const auto seeds = seedParticles(makeShape<2>(list), 1.0, 2, "Angle");
   EXPECT_EQ(seeds.position.size(), 12u);
   EXPECT_DOUBLE_EQ(12 * seeds.volume, 3.0);

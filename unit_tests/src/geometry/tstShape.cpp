@@ -1,6 +1,7 @@
+#include "ShapeLists.hpp"
+
 #include "geometry/Shape.hpp"
 
-#include <Teuchos_Array.hpp>
 #include <gtest/gtest.h>
 
 #include <stdexcept>
@@ -8,41 +9,11 @@
 
 using Rhegma::makeShape;
 using Rhegma::Vector;
+using namespace ShapeLists;
 using Teuchos::ParameterList;
 
 namespace
 {
-
-Teuchos::Array<double> numbers(std::initializer_list<double> values)
-{
-  return Teuchos::Array<double>(values);
-}
-
-ParameterList box(std::initializer_list<double> lower, std::initializer_list<double> upper)
-{
-  ParameterList list("Rhegma->Bodies->Beam");
-  list.set<std::string>("Shape", "Box");
-  list.set("Lower Corner", numbers(lower));
-  list.set("Upper Corner", numbers(upper));
-  return list;
-}
-
-ParameterList ball(std::initializer_list<double> centre, double radius)
-{
-  ParameterList list("Rhegma->Bodies->Beam");
-  list.set<std::string>("Shape", "Ball");
-  list.set("Centre", numbers(centre));
-  list.set("Radius", radius);
-  return list;
-}
-
-ParameterList polygon(std::initializer_list<double> points)
-{
-  ParameterList list("Rhegma->Bodies->Beam");
-  list.set<std::string>("Shape", "Polygon");
-  list.set("Points", numbers(points));
-  return list;
-}
 
 /// The message that makeShape throws.
 template <int D>
