@@ -88,6 +88,28 @@ void clearNodeSides(const State<D>& state, const Surroundings& around)
       });
 }
 
+/// What a simplex tells a node: that it is that near, unless another is nearer.
+template <int D>
+struct TellNode
+{
+  View<std::uint64_t*> nearest;
+  Vector<D> corner[D], middle;
+  double radius, band, scale;
+  int simplex;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int n, const Vector<D>& x) const
+  {
+    // No nearer than the sphere round the simplex.
+    const double apart = norm(x - middle) - radius;
+    if (apart > band || (apart > 0.0 && nearest(n) < pack(apart * apart * scale, 0)))
+      return;
+    const Vector<D> away = x - placeOf<D>(corner, footOn(corner, x));
+    const double square = dot(away, away) * scale;
+    if (square <= 1.0)
+      Kokkos::atomic_fetch_min(&nearest(n), pack(square, simplex));
+  }
+};
+
 /// Tells the nodes round each simplex of it; a node keeps the nearest.
 template <int D>
 void findNearest(const State<D>& state, const Surroundings& around)
@@ -96,55 +118,55 @@ void findNearest(const State<D>& state, const Surroundings& around)
   const Grid<D> grid = state.grid;
   const CrackSight<D> sight(state.cracks, grid.spacing);
   const View<std::uint64_t*> nearest = around.nearest;
-  const double band = bandWidth * grid.spacing, scale = 1.0 / (band * band);
+  const NodePlaces<D> places = nodePlaces(state);
+  const bool refined = state.tree.refined();
+  const View<int*> root = state.tree.root, fineBegin = state.tree.fineBegin, fineIn = state.tree.fineIn;
+  const double band = bandWidth * grid.spacing;
   Kokkos::parallel_for(
       "rhegma::cracks::findNearest", Policy(static_cast<int>(sight.simplex.extent(0)), Kokkos::AUTO),
       KOKKOS_LAMBDA(const typename Policy::member_type& team) {
-        const int s = team.league_rank();
-        Vector<D> corner[D];
-        sight.corners(s, corner);
-        Vector<D> middle;
-        double radius = 0.0;
+        TellNode<D> tell;
+        tell.nearest = nearest;
+        tell.simplex = team.league_rank();
+        tell.band = band;
+        tell.scale = 1.0 / (band * band);
+        tell.radius = 0.0;
+        sight.corners(tell.simplex, tell.corner);
         int first[D], count[D], all = 1;
         for (int d = 0; d < D; ++d)
         {
-          double low = corner[0][d], high = corner[0][d];
+          double low = tell.corner[0][d], high = tell.corner[0][d];
           for (int i = 1; i < D; ++i)
           {
-            low = corner[i][d] < low ? corner[i][d] : low;
-            high = corner[i][d] > high ? corner[i][d] : high;
+            low = tell.corner[i][d] < low ? tell.corner[i][d] : low;
+            high = tell.corner[i][d] > high ? tell.corner[i][d] : high;
           }
-          middle[d] = 0.5 * (low + high);
-          radius += 0.25 * (high - low) * (high - low);
+          tell.middle[d] = 0.5 * (low + high);
+          tell.radius += 0.25 * (high - low) * (high - low);
+          // The cell below the first node has nodes of its own in the band.
           int last = static_cast<int>(grid.inCells(high, d) + bandWidth);
-          first[d] = static_cast<int>(grid.inCells(low, d) - bandWidth) + 1;
+          first[d] = static_cast<int>(grid.inCells(low, d) - bandWidth);
           first[d] = first[d] < 0 ? 0 : first[d];
           last = last > grid.cells[d] ? grid.cells[d] : last;
           count[d] = last < first[d] ? 0 : last - first[d] + 1;
           all *= count[d];
         }
-        radius = std::sqrt(radius);
+        tell.radius = std::sqrt(tell.radius);
         Kokkos::parallel_for(Kokkos::TeamThreadRange(team, all),
                              [&](const int k)
                              {
                                int at[D], rest = k;
-                               Vector<D> x;
                                for (int d = 0; d < D; ++d)
                                {
                                  at[d] = first[d] + rest % count[d];
                                  rest /= count[d];
-                                 x[d] = grid.origin[d] + at[d] * grid.spacing;
                                }
                                const int n = grid.nodeIndex(at);
-                               // No nearer than the sphere round the simplex.
-                               const double apart = norm(x - middle) - radius;
-                               if (apart > band ||
-                                   (apart > 0.0 && nearest(n) < pack(apart * apart * scale, 0)))
-                                 return;
-                               const Vector<D> away = x - placeOf<D>(corner, footOn(corner, x));
-                               const double square = dot(away, away) * scale;
-                               if (square <= 1.0)
-                                 Kokkos::atomic_fetch_min(&nearest(n), pack(square, s));
+                               tell(n, places(n));
+                               const int branch = refined ? root(n) : -1;
+                               for (int i = branch < 0 ? 0 : fineBegin(branch);
+                                    branch >= 0 && i < fineBegin(branch + 1); ++i)
+                                 tell(fineIn(i), places(fineIn(i)));
                              });
       });
 }
@@ -154,10 +176,12 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
 {
   const Nodes<D> nodes = state.nodes;
   const Grid<D> grid = state.grid;
+  const NodePlaces<D> places = nodePlaces(state);
+  const bool refined = state.tree.refined();
+  const View<int*> level = state.tree.nodeLevel;
   const CrackSight<D> sight(state.cracks, grid.spacing);
   const View<int*> side = state.cracks.nodeSide, cellMark = around.cellMark;
   const View<std::uint64_t*> nearest = around.nearest;
-  const double tie = tieTolerance * grid.spacing, atFront = frontTolerance * grid.spacing;
   const int stamp = around.stamp;
   Kokkos::parallel_for(
       "rhegma::cracks::findNodeSides", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
@@ -166,26 +190,30 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
         if (nearest(n) == noSimplex)
           return;
         const int s = simplexOf(nearest(n));
-        const Sight seen = sight.look(s, grid.nodePosition(n));
-        if (seen.behind <= atFront)
+        const Vector<D> x = places(n);
+        const double cell = refined ? std::ldexp(grid.spacing, -level(n)) : grid.spacing;
+        const Sight seen = sight.look(s, x);
+        if (seen.behind <= frontTolerance * cell)
           return;
         const int name = sight.crackOf(s) + 1;
-        side(n) = seen.distance > -tie ? name : -name;
-        // A particle in cell c touches nodes c - 1 to c + 2 along each axis.
+        side(n) = seen.distance > -tieTolerance * cell ? name : -name;
+        // A particle in cell c touches nodes c - 1 to c + 2 along each axis, and in refined cells those
+        // in c - 1 to c + 1.
         int at[D];
-        grid.nodeCoordinates(n, at);
+        for (int d = 0; d < D; ++d)
+          at[d] = static_cast<int>(grid.inCells(x[d], d) + 1e-6);
         for (int k = 0; k < (1 << (2 * D)); ++k)
         {
-          int cell[D];
+          int beside[D];
           bool exists =
               true; // where a crack begins at the rim of the domain, a cell may be beyond the lattice
           for (int d = 0; d < D; ++d)
           {
-            cell[d] = at[d] + ((k >> (2 * d)) & 3) - 2;
-            exists = exists && cell[d] >= 0 && cell[d] < grid.cells[d];
+            beside[d] = at[d] + ((k >> (2 * d)) & 3) - 2;
+            exists = exists && beside[d] >= 0 && beside[d] < grid.cells[d];
           }
           if (exists)
-            Kokkos::atomic_exchange(&cellMark(grid.nodeIndex(cell)), stamp);
+            Kokkos::atomic_exchange(&cellMark(grid.nodeIndex(beside)), stamp);
         }
       });
 }
@@ -311,17 +339,33 @@ void markParticles(const State<D>& state, const Surroundings& around, const Reac
       });
 }
 
+/// Arrays over nodes and cells, grown where cells have been refined since.
+template <int D>
+void makeRoom(State<D>& state, Surroundings& around)
+{
+  if (static_cast<int>(around.cellMark.extent(0)) != state.grid.numNodes)
+    around.cellMark = View<int*>("rhegma::cracks::cellMark", state.grid.numNodes);
+  const int nodes = state.nodes.numLattice, room = nodes + nodes / 4;
+  if (static_cast<int>(around.nearest.extent(0)) < nodes)
+  {
+    around.nearest = View<std::uint64_t*>("rhegma::cracks::nearest", room);
+    Kokkos::deep_copy(around.nearest, noSimplex);
+  }
+  CrackSet<D>& cracks = state.cracks;
+  if (static_cast<int>(cracks.nodeSide.extent(0)) < nodes)
+  {
+    cracks.nodeSide = View<int*>("rhegma::nodeSide", room);
+    cracks.second = View<int*>("rhegma::secondField", room);
+    Kokkos::deep_copy(cracks.second, -1);
+  }
+}
+
 } // namespace
 
 template <int D>
 void findSides(State<D>& state, Surroundings& surroundings, const View<int*>& row)
 {
-  if (static_cast<int>(surroundings.cellMark.extent(0)) != state.grid.numNodes)
-  {
-    surroundings.cellMark = View<int*>("rhegma::cracks::cellMark", state.grid.numNodes);
-    surroundings.nearest = View<std::uint64_t*>("rhegma::cracks::nearest", state.grid.numNodes);
-    Kokkos::deep_copy(surroundings.nearest, noSimplex);
-  }
+  makeRoom(state, surroundings);
   ++surroundings.stamp;
   clearNodeSides(state, surroundings);
   findNearest(state, surroundings);

@@ -1,6 +1,6 @@
 #include "energy_release/Contour.hpp"
 
-#include "transfer/ParticleViews.hpp"
+#include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -11,21 +11,30 @@ namespace Rhegma::energy_release
 namespace
 {
 
-template <int D, ShapeKind S>
+/// Adds the particles' volume to the nodes, without regard to cracks.
+template <int D>
 void sumVolume(const State<D>& state, const Vector<D>& centre, double radius, const View<double*>& volume)
 {
-  const Connectivity<D, S, false> unbroken = connectivity<D, S, false>(state);
+  const TreeSight<D> sight(state.grid, state.tree);
   const auto position = state.particles.template real<D>(fields::position);
   const auto initial = state.particles.scalar(fields::volume);
+  const bool boxes = state.shape == ShapeKind::Gimp;
+  BorrowedView<double* [D]> box;
+  if (boxes)
+    box = state.particles.template real<D>(fields::box);
   Kokkos::parallel_for(
       "rhegma::contourVolume", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p) {
-        double square = 0.0;
+        Vector<D> x, half;
         for (int d = 0; d < D; ++d)
-          square += (position(p, d) - centre[d]) * (position(p, d) - centre[d]);
-        if (square < radius * radius)
-          unbroken.visit(p, [&](int node, double weight, const double*)
-                         { Kokkos::atomic_add(&volume(node), weight * initial(p)); });
+        {
+          x[d] = position(p, d);
+          half[d] = boxes ? box(p, d) : 0.0;
+        }
+        if (dot(x - centre, x - centre) < radius * radius)
+          sight.forEachNode(x, half,
+                            [&](int node, double weight, const double(&)[D])
+                            { Kokkos::atomic_add(&volume(node), weight * initial(p)); });
       });
 }
 
@@ -35,22 +44,22 @@ template <int D>
 double clearRadius(const State<D>& state, const Vector<D>& centre, double radius)
 {
   const Grid<D> grid = state.grid;
-  const View<double*> volume("rhegma::contourVolume", grid.numNodes);
-  const double reach = radius + 3.0 * grid.spacing;
-  if (state.shape == ShapeKind::Linear)
-    sumVolume<D, ShapeKind::Linear>(state, centre, reach, volume);
-  else
-    sumVolume<D, ShapeKind::Gimp>(state, centre, reach, volume);
-  double full = D == 2 ? state.thickness : 1.0;
+  const NodePlaces<D> places = nodePlaces(state);
+  const int nodes = grid.numNodes + state.tree.numFine;
+  const View<double*> volume("rhegma::contourVolume", nodes);
+  sumVolume(state, centre, radius + 3.0 * grid.spacing, volume);
+  double cell = D == 2 ? state.thickness : 1.0;
   for (int d = 0; d < D; ++d)
-    full *= grid.spacing;
+    cell *= grid.spacing;
+  const bool refined = state.tree.refined();
+  const View<double*> share = state.tree.share;
   double nearest = radius;
   Kokkos::parallel_reduce(
-      "rhegma::clearRadius", Kokkos::RangePolicy<ExecSpace>(0, grid.numNodes),
+      "rhegma::clearRadius", Kokkos::RangePolicy<ExecSpace>(0, nodes),
       KOKKOS_LAMBDA(const int n, double& smallest) {
-        if (volume(n) > 0.6 * full)
+        if (volume(n) > 0.6 * cell * (refined ? share(n) : 1.0))
           return;
-        const double r = norm(grid.nodePosition(n) - centre);
+        const double r = norm(places(n) - centre);
         smallest = r < smallest ? r : smallest;
       },
       Kokkos::Min<double>(nearest));
@@ -114,7 +123,7 @@ double roomAround(const State<2>& state, const CrackFront<2>& front, double radi
 
 ContourRadii fittingRadii(const State<2>& state, const CrackFront<2>& front, const GivenRadii& given)
 {
-  const double cell = state.grid.spacing;
+  const double cell = spacingAt(state, front.position);
   ContourRadii radii = usualRadii(given, cell);
   if (given.outer > 0.0)
     return radii;

@@ -1,6 +1,9 @@
 #include "energy_release/CrackClosure.hpp"
 
+#include "transfer/LocalSpacing.hpp"
+
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace Rhegma::energy_release
@@ -36,32 +39,42 @@ std::map<int, SideForces> nodeForces(const std::vector<PatchParticle>& particles
   return forces;
 }
 
-/// Rows and columns of nodes as the front sees them: columns are counted in its direction.
-struct Columns
+/// Rows and columns of nodes as the front sees them, in cells of the size that they have at the front:
+/// columns are counted in its direction.
+class Columns
 {
-  Grid<2> grid;
-  int axis;
-  int sign;
+public:
+  Columns(const State<2>& state, const CrackFront<2>& front, double cell,
+          const std::map<int, SideForces>& forces)
+      : places_(state),
+        origin_(state.grid.origin),
+        cell_(cell),
+        axis_(std::fabs(front.direction[0]) >= std::fabs(front.direction[1]) ? 0 : 1),
+        sign_(front.direction[axis_] > 0.0 ? 1 : -1)
+  {
+    for (const auto& entry : forces)
+      at_[{row(entry.first), column(entry.first)}] = entry.first;
+  }
+  int column(int node) const { return sign_ * count(node, axis_); }
+  int row(int node) const { return count(node, 1 - axis_); }
+  /// The node some columns behind another, or -1.
+  int behind(int node, int columns) const
+  {
+    const auto found = at_.find({row(node), column(node) - columns});
+    return found == at_.end() ? -1 : found->second;
+  }
 
-  Columns(const Grid<2>& g, const Vector<2>& direction)
-      : grid(g),
-        axis(std::fabs(direction[0]) >= std::fabs(direction[1]) ? 0 : 1),
-        sign(direction[axis] > 0.0 ? 1 : -1)
+private:
+  int count(int node, int axis) const
   {
+    return static_cast<int>(std::lround((places_(node)[axis] - origin_[axis]) / cell_));
   }
-  int column(int node) const
-  {
-    int at[2];
-    grid.nodeCoordinates(node, at);
-    return sign * at[axis];
-  }
-  int row(int node) const
-  {
-    int at[2];
-    grid.nodeCoordinates(node, at);
-    return at[1 - axis];
-  }
-  int behind(int node, int columns) const { return node - sign * columns * grid.stride[axis]; }
+
+  HostPlaces places_;
+  Vector<2> origin_;
+  double cell_;
+  int axis_, sign_;
+  std::map<std::pair<int, int>, int> at_;
 };
 
 /// First closed column of each row.
@@ -119,11 +132,11 @@ CrackClosure closeCrack(const State<2>& state, const CrackFront<2>& front, int n
   const double none = std::numeric_limits<double>::quiet_NaN();
   if (!runsAlongGrid(front))
     return {none, none};
-  const double cell = state.grid.spacing;
+  const double cell = spacingAt(state, front.position);
   const std::vector<PatchParticle> particles = particlesAround(state, front, patchRadius * cell);
   const SplitNodes split(state, front);
-  const Columns columns(state.grid, front.direction);
   const std::map<int, SideForces> forces = nodeForces(particles);
+  const Columns columns(state, front, cell, forces);
   const std::map<int, int> first = firstClosed(forces, split, columns);
   const auto release = [&](const RecoveryMatrix& matrix)
   {

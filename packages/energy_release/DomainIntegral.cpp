@@ -5,6 +5,7 @@
 #include "energy_release/InternalAcceleration.hpp"
 #include "material/MaterialTable.hpp"
 #include "material/Materials.hpp"
+#include "transfer/LocalSpacing.hpp"
 #include "transfer/ParticleViews.hpp"
 
 namespace Rhegma::energy_release
@@ -144,7 +145,8 @@ template <ShapeKind S, bool Stored>
 struct Integrand
 {
   Connectivity<D, S, Stored> broken;
-  View<int*> parent; ///< lattice node of each second field
+  View<int*> parent; ///< node of each second field
+  int numFirst;      ///< nodes before them
   NodalWeight<D> weight;
   View<double * [Nodes<D>::motionWidth]> motion;
   View<double* [D]> acceleration;
@@ -166,7 +168,7 @@ struct Integrand
   {
     const Vector<D> centre = weight.centre;
     // A stencil reaches at most 2.5 cells along each axis.
-    if (distance(position, p, centre) > weight.radii.outer + 4.0 * weight.grid.spacing)
+    if (distance(position, p, centre) > weight.radii.outer + 4.0 * weight.places.grid.spacing)
       return;
     // Interpolated like the motion, a weighted shift of the body is a motion that the cells can make:
     // stresses in equilibrium do no work on it, however much the body beside the crack turns
@@ -176,8 +178,7 @@ struct Integrand
     broken.visit(p,
                  [&](int node, double share, const double* slope)
                  {
-                   const double at =
-                       weight(node < weight.grid.numNodes ? node : parent(node - weight.grid.numNodes));
+                   const double at = weight(node < numFirst ? node : parent(node - numFirst));
                    q += share * at;
                    for (int d = 0; d < D; ++d)
                      dq[d] += slope[d] * at;
@@ -282,7 +283,7 @@ template <class Work>
 DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& front, Work& work)
 {
   constexpr int turns = 4;
-  const double enough = 1e-3 * state.grid.spacing, most = state.grid.spacing;
+  const double most = spacingAt(state, front.position), enough = 1e-3 * most;
   const double scale = 0.5 * work.disk.effectiveModulus / state.thickness;
   DomainIntegral sum;
   for (int turn = 1;; ++turn)
@@ -314,7 +315,8 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
   Integrand<S, Stored> work;
   work.broken = broken;
   work.parent = state.nodes.parent;
-  work.weight = {state.grid, front.position, radii};
+  work.numFirst = state.nodes.numLattice;
+  work.weight = {nodePlaces(state), front.position, radii};
   work.motion = state.nodes.motion;
   work.acceleration = acceleration;
   work.position = state.particles.template real<D>(fields::position);

@@ -6,6 +6,7 @@
 #include "energy_release/DomainIntegral.hpp"
 #include "scene/Attempts.hpp"
 #include "scene/Numbers.hpp"
+#include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -213,7 +214,7 @@ void refuseContour(const State<2>& state, const CrackFront<2>& front, const std:
 /// don't.
 void checkContour(State<2>& state, const CrackFront<2>& front, const Options& options)
 {
-  const double cell = state.grid.spacing;
+  const double cell = spacingAt(state, front.position);
   const GivenRadii& given = options.radii;
   if (given.outer > 0.0)
   {
@@ -257,7 +258,7 @@ void checkContours(State<2>& state, const Options& options)
   for (const CrackFront<2>& front : state.cracks.fronts)
     attempts.attempt([&] { checkContour(state, front, options); });
   attempts.complain();
-  const double cell = state.grid.spacing;
+  const double cell = spacingAt(state, state.cracks.fronts.front().position);
   if (options.radii.inner > 0.0 && options.radii.inner < (leastInnerCells - slack) * cell)
     state.warnings.push_back(
         "Energy Release > Inner Radius is " + formatReal(options.radii.inner / cell) +
@@ -269,10 +270,10 @@ void warnOfContour(State<2>& state, const CrackFront<2>& front, const ContourRad
                    const Options& options, Samples& samples)
 {
   const bool follows = options.radii.outer == 0.0; // then the contour is drawn in as far as it may be
-  if (follows && radii.outer > smallestOuter(options.radii, state.grid.spacing))
+  if (follows && radii.outer > smallestOuter(options.radii, spacingAt(state, front.position)))
     return;
   if (samples.warned.count({front.crack, front.number}) != 0 ||
-      largestContour(state, front, radii.outer) > radii.outer - state.grid.spacing)
+      largestContour(state, front, radii.outer) > radii.outer - spacingAt(state, front.position))
     return;
   samples.warned.insert({front.crack, front.number});
   state.warnings.push_back("from time " + formatReal(state.time) +

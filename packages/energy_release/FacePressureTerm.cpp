@@ -1,5 +1,6 @@
 #include "energy_release/FacePressureTerm.hpp"
 
+#include "transfer/LocalSpacing.hpp"
 #include "transfer/Stencils.hpp"
 
 #include <algorithm>
@@ -70,7 +71,7 @@ double intensityLostAtFront(const State<2>& state, const CrackFront<2>& front, d
   if (cracks.pressure.extent(0) != cracks.simplex.extent(0) || state.step == 0)
     return 0.0;
   const WayBack way(cracks, front);
-  const double piece = state.grid.spacing / pieces;
+  const double piece = spacingAt(state, front.position) / pieces;
   std::vector<Place> places;
   Place place;
   while (static_cast<int>(places.size()) < cells * pieces && way.find((places.size() + 0.5) * piece, place))

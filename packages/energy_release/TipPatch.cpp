@@ -1,7 +1,7 @@
 #include "energy_release/TipPatch.hpp"
 
 #include "energy_release/CrackLine.hpp"
-#include "transfer/StencilTable.hpp"
+#include "transfer/TreeStencil.hpp"
 
 #include <Teuchos_SerialDenseMatrix.hpp>
 #include <Teuchos_SerialSpdDenseSolver.hpp>
@@ -73,7 +73,7 @@ StencilTable<2> patchStencils(const State<2>& state, const View<int*>& list)
   const int n = static_cast<int>(list.extent(0));
   StencilTable<2> table;
   table.reserve(n);
-  const Grid<2> grid = state.grid;
+  const TreeSight<2> sight(state.grid, state.tree);
   const auto position = state.particles.real<2>(fields::position);
   BorrowedView<double* [2]> box;
   if (S == ShapeKind::Gimp)
@@ -86,7 +86,7 @@ StencilTable<2> patchStencils(const State<2>& state, const View<int*>& list)
           x[d] = position(list(i), d);
           half[d] = S == ShapeKind::Gimp ? box(list(i), d) : 0.0;
         }
-        writeStencil<2, S>(grid, table, i, x, half);
+        writeTreeStencil(sight, table, i, x, half);
       });
   return table;
 }
@@ -158,9 +158,21 @@ std::vector<PatchParticle> particlesAround(const State<2>& state, const CrackFro
   return particles;
 }
 
+HostPlaces::HostPlaces(const State<2>& state)
+    : grid_(state.grid), fine_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.tree.finePlace))
+{
+}
+
+Vector<2> HostPlaces::operator()(int node) const
+{
+  if (node < grid_.numNodes)
+    return grid_.nodePosition(node);
+  return {{fine_(node - grid_.numNodes, 0), fine_(node - grid_.numNodes, 1)}};
+}
+
 SplitNodes::SplitNodes(const State<2>& state, const CrackFront<2>& front)
     : side_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide)),
-      grid_(state.grid),
+      places_(state),
       front_(front)
 {
 }
@@ -169,7 +181,7 @@ bool SplitNodes::operator()(int node) const
 {
   if (node < static_cast<int>(side_.extent(0)))
     return side_(node) == front_.crack + 1 || side_(node) == -front_.crack - 1;
-  return dot(grid_.nodePosition(node) - front_.position, front_.direction) < 0.0;
+  return dot(places_(node) - front_.position, front_.direction) < 0.0;
 }
 
 RecoveryMatrix consistentMatrix() { return {1.0e-3, 0.0, std::numeric_limits<double>::infinity(), 0.0, 0}; }

@@ -14,7 +14,7 @@ namespace Rhegma::energy_release
 /// A particle near a front and the unbroken shape functions of the nodes around it.
 struct PatchParticle
 {
-  static constexpr int capacity = 9;
+  static constexpr int capacity = stencilCapacity<2>;
   Vector<2> place;
   Vector<2> displacement;
   double mass;
@@ -31,7 +31,19 @@ struct PatchParticle
 /// Particles within `radius` of a front, on the host.
 std::vector<PatchParticle> particlesAround(const State<2>& state, const CrackFront<2>& front, double radius);
 
-/// Whether a lattice node lies behind a front, so that each side of the crack has its own value there.
+/// Places of nodes, on the host.
+class HostPlaces
+{
+public:
+  explicit HostPlaces(const State<2>& state);
+  Vector<2> operator()(int node) const;
+
+private:
+  Grid<2> grid_;
+  View<double* [2]>::HostMirror fine_;
+};
+
+/// Whether a node lies behind a front, so that each side of the crack has its own value there.
 class SplitNodes
 {
 public:
@@ -40,7 +52,7 @@ public:
 
 private:
   View<int*>::HostMirror side_;
-  Grid<2> grid_;
+  HostPlaces places_;
   CrackFront<2> front_;
 };
 

@@ -266,9 +266,14 @@ Load<D> readLoad(const Teuchos::ParameterList& list, const State<D>& state, cons
   const PlacedLoad<D> placed =
       placeLoad<D>(list, list.get<std::string>("Type"), seeds, state.thickness, "Boundaries > " + name);
   std::vector<int> carriers;
+  std::vector<Vector<D>> starts;
   for (const LoadPoint<D>& point : placed.points)
+  {
     carriers.push_back(ids[point.particle]);
-  return {name, placed.points, carriers, placed.force, TimeFunction::parse(list.get<std::string>("History"))};
+    starts.push_back(seeds.position[point.particle]);
+  }
+  return {name,   placed.points, carriers,
+          starts, placed.force,  TimeFunction::parse(list.get<std::string>("History"))};
 }
 
 template <int D>

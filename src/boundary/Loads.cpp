@@ -13,11 +13,12 @@ namespace
 
 /// Places of the load's points now.
 template <int D>
-void followParticles(const State<D>& state, const View<int*>& id, const View<double* [D]>& offset,
+void followParticles(const State<D>& state, const View<int*>& id, const View<double* [D]>& start,
                      const ObservedPoints<D>& points)
 {
   const auto position = state.particles.template real<D>(fields::position);
   const auto deformation = state.particles.template real<gradientSize<D>>(fields::deformation);
+  const auto reference = state.particles.template real<D>(fields::reference);
   const View<int*> indexOf = state.indexOf;
   BorrowedView<int*> side;
   const bool sides = state.particles.has(fields::side);
@@ -32,7 +33,7 @@ void followParticles(const State<D>& state, const View<int*>& id, const View<dou
         {
           double x = position(p, i);
           for (int j = 0; j < D; ++j)
-            x += deformation(p, i * D + j) * offset(k, j);
+            x += deformation(p, i * D + j) * (start(k, j) - reference(p, j));
           points.position(k, i) = x;
         }
       });
@@ -71,25 +72,25 @@ double arrivedShare(const StencilTable<D>& stencils, const View<double*>& share,
 
 template <int D>
 Load<D>::Load(std::string name, const std::vector<LoadPoint<D>>& points, const std::vector<int>& ids,
-              const Vector<D>& force, TimeFunction history)
+              const std::vector<Vector<D>>& carriers, const Vector<D>& force, TimeFunction history)
     : name_(std::move(name)), force_(force), history_(std::move(history))
 {
   const int count = static_cast<int>(points.size());
   id_ = View<int*>("rhegma::loadId", count);
-  offset_ = View<double* [D]>("rhegma::loadOffset", count);
+  start_ = View<double* [D]>("rhegma::loadStart", count);
   share_ = View<double*>("rhegma::loadShare", count);
   const auto id = Kokkos::create_mirror_view(id_);
-  const auto offset = Kokkos::create_mirror_view(offset_);
+  const auto start = Kokkos::create_mirror_view(start_);
   const auto share = Kokkos::create_mirror_view(share_);
   for (int k = 0; k < count; ++k)
   {
     id(k) = ids[k];
     share(k) = points[k].share;
     for (int d = 0; d < D; ++d)
-      offset(k, d) = points[k].offset[d];
+      start(k, d) = carriers[k][d] + points[k].offset[d];
   }
   Kokkos::deep_copy(id_, id);
-  Kokkos::deep_copy(offset_, offset);
+  Kokkos::deep_copy(start_, start);
   Kokkos::deep_copy(share_, share);
   points_.count = count;
   points_.position = View<double* [D]>("rhegma::loadPosition", count);
@@ -101,7 +102,7 @@ template <int D>
 void Load<D>::apply(State<D>& state)
 {
   now_ = history_(state.time + 0.5 * state.dt);
-  followParticles(state, id_, offset_, points_);
+  followParticles(state, id_, start_, points_);
   // A light node at the rim carries its share of the stress beside it, so it must get its share of the load
   // too: else the rim's particles give way until their stress is gone, and the load works for ever.
   const int lost = pointStencils(state, points_, stencils_, true, 0.0);

@@ -16,9 +16,10 @@ template <int D>
 class Load
 {
 public:
-  /// \param ids id of the particle that carries each point \param force whole load at history 1 [N]
+  /// \param ids id of the particle that carries each point, which may be split: then of a part of it
+  /// \param carriers where these particles start [m] \param force whole load at history 1 [N]
   Load(std::string name, const std::vector<LoadPoint<D>>& points, const std::vector<int>& ids,
-       const Vector<D>& force, TimeFunction history);
+       const std::vector<Vector<D>>& carriers, const Vector<D>& force, TimeFunction history);
 
   /// Adds the load to the nodal force. The nodal loads sum to the load asked for, or the run is in trouble:
   /// points whose nodes all lack mass would lose theirs.
@@ -32,7 +33,7 @@ private:
   Vector<D> force_;
   TimeFunction history_;
   View<int*> id_;
-  View<double* [D]> offset_;
+  View<double* [D]> start_; ///< of each point [m]
   View<double*> share_;
   ObservedPoints<D> points_;
   StencilTable<D> stencils_; ///< of all nodes with mass, which the load pushes

@@ -153,6 +153,7 @@ public:
     tree.masterCount = viewOf<int * [Tree<D>::corners]>("rhegma::masterCount", masterCount_);
     tree.master = viewOf<int * [Tree<D>::corners][Tree<D>::mastersPerCorner]>("rhegma::master", master_);
     tree.finePlace = viewOf<double* [D]>("rhegma::finePlace", finePlaces());
+    fillFine(tree);
     tree.share = viewOf<double*>("rhegma::nodeShare", shares());
     tree.nodeLevel = viewOf<int*>("rhegma::nodeLevel", nodeLevels());
   }
@@ -355,6 +356,38 @@ private:
     for (const auto& entry : fine_)
       all.push_back(placeOf(entry.first));
     return all;
+  }
+
+  /// The nodes beside the lattice's by the branch that a cell of the lattice is; these come first.
+  std::vector<std::vector<int>> fineByRoot() const
+  {
+    std::vector<std::vector<int>> list(branches_.cells(0).size());
+    std::vector<char> listed(fine_.size(), 0);
+    for (std::size_t l = 0; l < leaf_.size(); ++l)
+      for (int k = 0; k < corners_; ++k)
+      {
+        const int node = master_[l][k][0] - grid_.numNodes;
+        if (masterCount_[l][k] > 1 || node < 0 || listed[node] != 0)
+          continue;
+        listed[node] = 1;
+        Cell root;
+        for (int d = 0; d < D; ++d)
+          root[d] = leaf_[l][d] >> level_[l];
+        list[root_[nodeOf(root)]].push_back(node + grid_.numNodes);
+      }
+    return list;
+  }
+
+  void fillFine(Tree<D>& tree) const
+  {
+    std::vector<int> begin{0}, all;
+    for (const std::vector<int>& nodes : fineByRoot())
+    {
+      all.insert(all.end(), nodes.begin(), nodes.end());
+      begin.push_back(static_cast<int>(all.size()));
+    }
+    tree.fineBegin = viewOf<int*>("rhegma::fineBegin", begin);
+    tree.fineIn = viewOf<int*>("rhegma::fineIn", all);
   }
 
   /// Calls work(leaf, node, weight) for the masters of all corners.

@@ -34,6 +34,9 @@ struct Tree
   View<int* [corners]> masterCount; ///< of each corner of a leaf
   View<int* [corners][mastersPerCorner]> master;
   View<double* [D]> finePlace; ///< of the nodes beside the lattice's [m]
+  /// Those of them that are corners of leaves in a refined cell of the lattice, whose branch b is:
+  /// fineIn(fineBegin(b)) .. fineIn(fineBegin(b + 1) - 1). On faces between two such cells they are in one.
+  View<int*> fineBegin, fineIn;
   View<int*> leafLevel;
   View<double* [D]> leafCorner; ///< lowest corner of each leaf [m]
   /// Part of the cells that is a node's: integral of its function over the unbroken cells, in cells of the

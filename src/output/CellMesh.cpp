@@ -1,6 +1,9 @@
 #include "output/CellMesh.hpp"
 
 #include <algorithm>
+#include <array>
+#include <map>
+#include <vector>
 
 namespace Rhegma
 {
@@ -12,59 +15,88 @@ namespace
 constexpr int corners[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
                                {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
 
-void sortUnique(std::vector<int>& numbers)
+/// A leaf: coordinates of its lowest corner in the smallest cells from node 0, slowest axis first, and level.
+template <int D>
+using LeafKey = std::array<int, D + 1>;
+
+/// The leaves in which the particles lie, each once, by place.
+template <int D>
+std::vector<LeafKey<D>> leavesWithParticles(const State<D>& state)
 {
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+  const TreeSight<D> sight(state.grid, state.tree);
+  const auto position = state.particles.template real<D>(fields::position);
+  const double perCell = std::ldexp(1.0, state.tree.deepest);
+  const View<int * [D + 1]> key("rhegma::leafKeys", state.particles.size());
+  Kokkos::parallel_for(
+      "rhegma::findLeaves", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p) {
+        Vector<D> x;
+        for (int d = 0; d < D; ++d)
+          x[d] = position(p, d);
+        const auto leaf = sight.leafAt(x);
+        for (int d = 0; d < D; ++d)
+          key(p, d) = static_cast<int>(leaf.corner[sight.grid.axisOrder[d]] * perCell + 0.5);
+        key(p, D) = leaf.level;
+      });
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, key);
+  std::vector<LeafKey<D>> leaves(host.extent(0));
+  for (std::size_t p = 0; p < leaves.size(); ++p)
+    for (int k = 0; k <= D; ++k)
+      leaves[p][k] = host(p, k);
+  std::sort(leaves.begin(), leaves.end());
+  leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
+  return leaves;
 }
 
 } // namespace
 
 template <int D>
-Mesh cellMesh(const Grid<D>& grid, const std::vector<double>& position)
+Mesh cellMesh(const State<D>& state)
 {
   constexpr int perCell = D == 2 ? 4 : 8;
-  std::vector<int> lowest; // node at the lowest corner of each cell
-  for (std::size_t p = 0; 3 * p < position.size(); ++p)
+  const Grid<D>& grid = state.grid;
+  const std::vector<LeafKey<D>> leaves = leavesWithParticles(state);
+  std::map<std::array<int, D>, int> nodes;
+  std::vector<std::array<int, D>> corner; // of one leaf after another
+  DataSet level{"level", DataSet::Role::OnCells, 1, true, {}, {}};
+  for (const LeafKey<D>& leaf : leaves)
   {
-    int at[D];
-    for (int d = 0; d < D; ++d)
-      at[d] = static_cast<int>(grid.inCells(position[3 * p + d], d));
-    lowest.push_back(grid.nodeIndex(at));
-  }
-  sortUnique(lowest);
-
-  std::vector<int> corner; // nodes of one cell after another
-  for (const int node : lowest)
+    const int edge = 1 << (state.tree.deepest - leaf[D]);
     for (int k = 0; k < perCell; ++k)
     {
-      int other = node;
+      std::array<int, D> at;
       for (int d = 0; d < D; ++d)
-        other += corners[k][d] * grid.stride[d];
-      corner.push_back(other);
+        at[d] = leaf[d] + corners[k][grid.axisOrder[d]] * edge;
+      nodes[at] = 0;
+      corner.push_back(at);
     }
-  std::vector<int> nodes = corner;
-  sortUnique(nodes);
-
+    level.whole.push_back(leaf[D]);
+  }
   DataSet points{"points", DataSet::Role::Points, 3, false, std::vector<double>(3 * nodes.size(), 0.0), {}};
-  for (std::size_t i = 0; i < nodes.size(); ++i)
+  int next = 0;
+  for (auto& node : nodes)
   {
-    const Vector<D> x = grid.nodePosition(nodes[i]);
     for (int d = 0; d < D; ++d)
-      points.real[3 * i + d] = x[d];
+    {
+      const int axis = grid.axisOrder[d];
+      points.real[3 * next + axis] =
+          grid.origin[axis] +
+          std::ldexp(static_cast<double>(node.first[d]), -state.tree.deepest) * grid.spacing;
+    }
+    node.second = next++;
   }
   DataSet cells{"cells", DataSet::Role::Cells, perCell, true, {}, {}};
-  for (const int node : corner)
-    cells.whole.push_back(
-        static_cast<int>(std::lower_bound(nodes.begin(), nodes.end(), node) - nodes.begin()));
+  for (const std::array<int, D>& at : corner)
+    cells.whole.push_back(nodes.at(at));
 
   Mesh mesh{"leaves", D == 2 ? "Quadrilateral" : "Hexahedron", {}};
   mesh.data.push_back(std::move(points));
   mesh.data.push_back(std::move(cells));
+  mesh.data.push_back(std::move(level));
   return mesh;
 }
 
-template Mesh cellMesh(const Grid<2>&, const std::vector<double>&);
-template Mesh cellMesh(const Grid<3>&, const std::vector<double>&);
+template Mesh cellMesh(const State<2>&);
+template Mesh cellMesh(const State<3>&);
 
 } // namespace Rhegma

@@ -1,17 +1,15 @@
 #pragma once
 /// The cells that hold particles, as a mesh.
 
-#include "grid/Grid.hpp"
 #include "output/Snapshot.hpp"
-
-#include <vector>
+#include "state/State.hpp"
 
 namespace Rhegma
 {
 
-/// Quadrilaterals, counter-clockwise, or hexahedra, lower face first; each node is one point.
-/// \param position x y z of one particle after another, z ignored in 2D [m]
+/// Leaves with particles in them: quadrilaterals, counter-clockwise, or hexahedra, lower face first, with
+/// their level; each corner is one point.
 template <int D>
-Mesh cellMesh(const Grid<D>& grid, const std::vector<double>& position);
+Mesh cellMesh(const State<D>& state);
 
 } // namespace Rhegma

@@ -223,7 +223,7 @@ Snapshot makeSnapshot(const State<D>& state)
   Snapshot snapshot;
   snapshot.time = state.time;
   snapshot.meshes.push_back(particleMesh(state));
-  snapshot.meshes.push_back(cellMesh<D>(state.grid, snapshot.meshes.front().data.front().real));
+  snapshot.meshes.push_back(cellMesh(state));
   if (!state.cracks.empty())
     snapshot.meshes.push_back(crackMesh<D>(state.cracks));
   return snapshot;

@@ -76,8 +76,8 @@ struct CrackSet
   View<double* [D]> normal;       ///< unit normal of each simplex, from side -1 to side +1
   View<double* [D]> vertexNormal; ///< unit normal of each vertex, mean of its simplices' by their angles
 
-  View<int*> nodeSide;    ///< of each lattice node: its side where the node lies behind a front, else 0
-  View<int*> second;      ///< second field of each lattice node, or -1 (dual field only)
+  View<int*> nodeSide;    ///< of each node: its side where the node lies behind a front, else 0
+  View<int*> second;      ///< second field of each node, or -1 (dual field only)
   View<double*> pressure; ///< that pushes the faces of each segment apart [Pa]; empty where nothing does
   bool dualField = true;
 

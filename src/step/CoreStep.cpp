@@ -37,7 +37,7 @@ Effect<D> makeCore(const State<D>& state)
   core.name = "Material Point Method";
   core.call({Stage::BetweenSteps,
              "sort particles",
-             {},
+             {"cells"},
              {"order"},
              {},
              [](State<D>& s)
@@ -98,6 +98,17 @@ Effect<D> makeCore(const State<D>& state)
 namespace
 {
 
+/// Where particles come and go, ids have gaps.
+int largestId(const BorrowedView<int*>& id)
+{
+  int largest = -1;
+  Kokkos::parallel_reduce(
+      "rhegma::largestId", Kokkos::RangePolicy<ExecSpace>(0, id.extent(0)),
+      KOKKOS_LAMBDA(const int p, int& most) { most = id(p) > most ? id(p) : most; },
+      Kokkos::Max<int>(largest));
+  return largest;
+}
+
 /// Adds the nodes of refined cells to those in use: their cells are few, and most hold particles.
 template <int D>
 void addFineNodes(State<D>& state)
@@ -121,9 +132,10 @@ void sortState(State<D>& state)
   if (state.tree.refined())
     addFineNodes(state);
   const int n = state.particles.size();
-  if (static_cast<int>(state.indexOf.extent(0)) != n)
-    state.indexOf = View<int*>("rhegma::indexOf", n);
   const auto id = state.particles.integer(fields::id);
+  const int ids = state.particles.has(fields::level) ? largestId(id) + 1 : n;
+  if (static_cast<int>(state.indexOf.extent(0)) < ids)
+    state.indexOf = View<int*>("rhegma::indexOf", ids);
   const View<int*> indexOf = state.indexOf;
   Kokkos::parallel_for(
       "rhegma::indexParticles", Kokkos::RangePolicy<ExecSpace>(0, n),

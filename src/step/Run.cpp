@@ -110,9 +110,20 @@ double Run<D>::stableTimeStep() const
 }
 
 template <int D>
+void Run<D>::runStage(Stage stage)
+{
+  plan_.run(stage, state_);
+  if (!state_.trouble.empty())
+    stop(state_);
+}
+
+template <int D>
 void Run<D>::step(double until, bool sample)
 {
   const double left = until - state_.time;
+  state_.observing = sample;
+  // First, since the step depends on the cells.
+  runStage(Stage::BetweenSteps);
   state_.dt = stableTimeStep();
   if (!(state_.dt > 0.0) || !std::isfinite(state_.dt))
   {
@@ -124,15 +135,9 @@ void Run<D>::step(double until, bool sample)
     state_.dt = left;
   else if (2.0 * state_.dt > left)
     state_.dt = 0.5 * left;
-  state_.observing = sample;
   for (const Stage stage : order_)
-  {
-    if (stage == Stage::Observe)
-      continue;
-    plan_.run(stage, state_);
-    if (!state_.trouble.empty())
-      stop(state_);
-  }
+    if (stage != Stage::Observe && stage != Stage::BetweenSteps)
+      runStage(stage);
   state_.time = state_.dt == left ? until : state_.time + state_.dt;
   ++state_.step;
   state_.particleSteps += state_.particles.size();

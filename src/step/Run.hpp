@@ -51,6 +51,8 @@ public:
 
 private:
   void refuseEndless() const;
+  /// Throws RunError where the stage brings trouble.
+  void runStage(Stage stage);
 
   Teuchos::ParameterList scene_;
   std::vector<Effect<D>> own_;

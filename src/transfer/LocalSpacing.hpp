@@ -1,0 +1,13 @@
+#pragma once
+/// How large the cells are at a place.
+
+#include "state/State.hpp"
+
+namespace Rhegma
+{
+
+/// Edge of the leaf in which a place lies [m]; for a few places, asked for from the host.
+template <int D>
+double spacingAt(const State<D>& state, const Vector<D>& x);
+
+} // namespace Rhegma
