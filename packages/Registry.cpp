@@ -1,3 +1,4 @@
+#include "adaptivity/Adaptivity.hpp"
 #include "contact/Contact.hpp"
 #include "cracks/Cracks.hpp"
 #include "damping/Damping.hpp"
@@ -14,6 +15,7 @@ const std::vector<EffectEntry>& knownEffects()
 {
   static const std::vector<EffectEntry> effects = {
       cracks::cracksEntry(),
+      adaptivity::adaptivityEntry(),
       contact::contactEntry(),
       damping::dampingEntry(),
       energy_release::energyReleaseEntry(),
@@ -26,8 +28,8 @@ const std::vector<EffectEntry>& knownEffects()
 /// A scene that asks for one of these is told so. A new effect takes its name out.
 const std::vector<std::string>& effectsToCome()
 {
-  static const std::vector<std::string> names = {"Propagation", "Thermal",     "Combustion",
-                                                 "Adaptivity",  "Sub-Cycling", "Load Balance"};
+  static const std::vector<std::string> names = {"Propagation", "Thermal", "Combustion", "Sub-Cycling",
+                                                 "Load Balance"};
   return names;
 }
 

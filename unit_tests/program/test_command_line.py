@@ -15,7 +15,8 @@ from program import NOISE, PROGRAM, ProgramTest, environment, rhegma  # noqa: E4
 from scenes import plate  # noqa: E402
 
 SECTIONS = ("Domain", "Time", "Materials", "Bodies", "Boundaries", "Output", "Reference")
-EFFECTS = ("Cracks", "Contact", "Energy Release", "Damping", "Face Pressure", "Mass Matrix")
+EFFECTS = ("Cracks", "Contact", "Energy Release", "Damping", "Face Pressure", "Mass Matrix",
+           "Adaptivity")
 
 
 class WrongArguments(ProgramTest):

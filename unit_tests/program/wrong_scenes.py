@@ -266,7 +266,31 @@ MASS = [
 NOT_YET = [
     (f"not_yet_{name.lower().replace(' ', '_').replace('-', '_')}", plate().set(name, {}),
     one(name, "not in this version", "leave the section out"))
-    for name in ("Propagation", "Thermal", "Combustion", "Adaptivity", "Sub-Cycling", "Load Balance")
+    for name in ("Propagation", "Thermal", "Combustion", "Sub-Cycling", "Load Balance")
+]
+
+BOX = {"Lower Corner": [0.0, 0.0], "Upper Corner": [0.02, 0.02], "Level": 1}
+
+ADAPTIVITY = [
+    ("adaptivity_without_a_criterion", plate().set("Adaptivity", {"Front Cells": 0.0}),
+     one("Adaptivity", "nothing tells where", "Velocity Change")),
+    ("adaptivity_of_level_0", plate().set("Adaptivity", {"Maximum Level": 0}),
+     one("Adaptivity > Maximum Level", "1")),
+    ("adaptivity_that_never_coarsens", plate().set("Adaptivity", {"Velocity Change": 1.0, "Coarsening": 1.0}),
+     one("Adaptivity > Coarsening", "below 1")),
+    ("adaptivity_of_a_negative_threshold", plate().set("Adaptivity", {"Velocity Change": -1.0}),
+     one("Adaptivity > Velocity Change", "above 0")),
+    ("region_deeper_than_the_cells", plate().set("Adaptivity", {"Maximum Level": 1, "Corner": {**BOX, "Level": 2}}),
+     one("Adaptivity > Corner > Level", "Maximum Level")),
+    ("region_without_a_size", plate().set("Adaptivity", {"Corner": {**BOX, "Upper Corner": [0.0, 0.02]}}),
+     one("Adaptivity > Corner > Upper Corner", "not above Lower Corner along x")),
+    ("region_outside_of_the_domain",
+     plate().set("Adaptivity", {"Corner": {**BOX, "Lower Corner": [5.0, 5.0], "Upper Corner": [6.0, 6.0]}}),
+     one("Adaptivity > Corner", "outside of the domain")),
+    ("adaptivity_and_a_mass_matrix", plate().set("Adaptivity", {}).set("Mass Matrix", {"Type": "Full"}),
+     one("Adaptivity", "Mass Matrix")),
+    ("adaptivity_of_broken_cells", plate().set("Adaptivity", {}).set("Cracks > Formulation", "Broken Cell"),
+     one("Adaptivity", "Dual Field")),
 ]
 
 REFERENCES = [
@@ -329,4 +353,4 @@ SEVERAL = [
 ]
 
 TABLE = NAMES + MISSING + TYPES + MATERIALS + BODIES + DOMAIN + TIME + LOADS + CRACKS
-TABLE += NOT_IN_3D + MASS + NOT_YET + REFERENCES + SEVERAL
+TABLE += NOT_IN_3D + MASS + ADAPTIVITY + NOT_YET + REFERENCES + SEVERAL

@@ -1,0 +1,229 @@
+#include "adaptivity/Adaptivity.hpp"
+
+#include "adaptivity/Criteria.hpp"
+#include "adaptivity/Lineage.hpp"
+#include "adaptivity/Merging.hpp"
+#include "adaptivity/Splitting.hpp"
+#include "scene/ReadList.hpp"
+
+#include <memory>
+#include <string>
+
+namespace Rhegma::adaptivity
+{
+
+namespace
+{
+
+template <int D>
+struct Options
+{
+  Criteria<D> criteria;
+  int interval = 10;
+  double mergeLoss = 0.1;
+};
+
+/// What a run has done so far.
+template <int D>
+struct Progress
+{
+  Branches<D> branches;
+  long changes = 0, split = 0, merged = 0;
+  int most = 0, kept = 0;
+};
+
+Section section()
+{
+  Section s("Adaptivity",
+            "Cells that become smaller where it matters and larger again, particles with them.");
+  s.integer("Maximum Level")
+      .range(1, 6)
+      .byDefault(2)
+      .meaning("The smallest cells are Domain > Cell Size / 2^level.");
+  s.real("Front Cells")
+      .range(0.0, 64.0)
+      .byDefault(3.0)
+      .meaning("A cell nearer to a crack front than this many of its own edges is refined. 0: fronts do not "
+               "matter.");
+  s.real("Velocity Change")
+      .unit("m/s")
+      .positive()
+      .optional("the velocity does not matter")
+      .meaning("A cell over which the velocity changes by more than this is refined: its edge times the "
+               "velocity gradient.");
+  s.real("Coarsening")
+      .above(0.0)
+      .below(1.0)
+      .byDefault(0.5)
+      .meaning("Cells become larger where the change over the larger cell is below this share of Velocity "
+               "Change; near 1 cells switch back and forth.");
+  s.integer("Buffer Cells")
+      .range(0, 16)
+      .byDefault(1)
+      .meaning("Rings of cells that are refined around those over which the velocity changes.");
+  s.integer("Interval").atLeast(1).byDefault(10).meaning("Steps between two looks at the cells.");
+  s.real("Merge Loss")
+      .above(0.0)
+      .atMost(1.0)
+      .byDefault(0.1)
+      .meaning(
+          "Small particles stay where becoming one would lose more than this share of their energy. What is "
+          "lost is in the ledger under merged.");
+  Section region("region", "A box in which cells are refined from the start; its own name is up to you.");
+  region.realArray("Lower Corner").unit("m").perAxis().meaning("The corner with the smallest coordinates.");
+  region.realArray("Upper Corner").unit("m").perAxis().meaning("The corner with the largest coordinates.");
+  region.integer("Level").range(1, 6).meaning("Level of the cells in the box; no deeper than Maximum Level.");
+  s.namedByUser(region);
+  return s;
+}
+
+void refuse(const Teuchos::ParameterList& scene, const std::string& effect, std::vector<SceneError>& errors)
+{
+  if (scene.isSublist(effect))
+    errors.push_back({"Adaptivity", "it does not go with " + effect + " as yet; take one of the two out"});
+}
+
+void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
+{
+  if (!scene.isSublist("Adaptivity"))
+    return;
+  const Teuchos::ParameterList& list = scene.sublist("Adaptivity");
+  refuse(scene, "Mass Matrix", errors);
+  refuse(scene, "Contact", errors);
+  if (scene.isSublist("Cracks") && scene.sublist("Cracks").isType<std::string>("Formulation") &&
+      scene.sublist("Cracks").get<std::string>("Formulation") != "Dual Field")
+    errors.push_back({"Adaptivity",
+                      "it goes with Cracks > Formulation = Dual Field only as yet; take one of the two out"});
+  if (scene.isSublist("Boundaries"))
+    for (const std::string& name : sublistNames(scene.sublist("Boundaries")))
+      if (scene.sublist("Boundaries").sublist(name).isParameter("Field"))
+        errors.push_back(
+            {"Boundaries > " + name + " > Field",
+             "a velocity that varies over space does not go with Adaptivity as yet; give a Value"});
+  if (list.isType<int>("Maximum Level"))
+    for (const std::string& name : sublistNames(list))
+      if (list.sublist(name).isType<int>("Level") &&
+          list.sublist(name).get<int>("Level") > list.get<int>("Maximum Level"))
+        errors.push_back(
+            {"Adaptivity > " + name + " > Level", "it is deeper than Maximum Level, which is " +
+                                                      std::to_string(list.get<int>("Maximum Level")) +
+                                                      "; write one of the two anew"});
+  const bool fronts = scene.isSublist("Cracks") &&
+                      !(list.isType<double>("Front Cells") && list.get<double>("Front Cells") == 0.0);
+  if (!fronts && !list.isParameter("Velocity Change") && sublistNames(list).empty())
+    errors.push_back(
+        {"Adaptivity",
+         "nothing tells where cells should be refined; write Velocity Change, add a box, or have "
+         "Cracks"});
+}
+
+template <int D>
+Options<D> readOptions(const Teuchos::ParameterList& list)
+{
+  Options<D> options;
+  Criteria<D>& criteria = options.criteria;
+  criteria.maximumLevel = list.get<int>("Maximum Level");
+  criteria.frontCells = list.get<double>("Front Cells");
+  if (list.isParameter("Velocity Change"))
+    criteria.velocityChange = list.get<double>("Velocity Change");
+  criteria.coarsening = list.get<double>("Coarsening");
+  criteria.buffer = list.get<int>("Buffer Cells");
+  options.interval = list.get<int>("Interval");
+  options.mergeLoss = list.get<double>("Merge Loss");
+  for (const std::string& name : sublistNames(list))
+  {
+    const Teuchos::ParameterList& box = list.sublist(name);
+    criteria.regions.push_back(
+        {readVector<D>(box, "Lower Corner"), readVector<D>(box, "Upper Corner"), box.get<int>("Level")});
+  }
+  return options;
+}
+
+template <int D>
+void checkRegions(const Teuchos::ParameterList& list, const Grid<D>& grid)
+{
+  for (const std::string& name : sublistNames(list))
+  {
+    const Teuchos::ParameterList& box = list.sublist(name);
+    const Vector<D> lower = readVector<D>(box, "Lower Corner"), upper = readVector<D>(box, "Upper Corner");
+    for (int d = 0; d < D; ++d)
+    {
+      if (!(lower[d] < upper[d]))
+        throw std::invalid_argument("Adaptivity > " + name +
+                                    " > Upper Corner: it is not above Lower Corner along " + "xyz"[d] +
+                                    "; write a box with a size");
+      if (upper[d] <= grid.lower[d] || lower[d] >= grid.upper[d])
+        throw std::invalid_argument("Adaptivity > " + name +
+                                    ": the box lies outside of the domain; write one inside");
+    }
+  }
+}
+
+/// Brings cells and particles to what the criteria want now.
+template <int D>
+void adapt(State<D>& state, const Options<D>& options, Progress<D>& progress)
+{
+  Branches<D> wanted = wantedBranches(state, options.criteria, progress.branches);
+  if (!(wanted == progress.branches))
+  {
+    progress.branches = std::move(wanted);
+    buildTree(progress.branches, state.tree);
+    state.nodes.reserve(state.grid.numNodes + state.tree.numFine, state.nodes.numSecond);
+    state.sorted = false;
+    ++progress.changes;
+  }
+  const Merged merged = mergeParticles(state, options.mergeLoss);
+  state.energy.merged += merged.lost;
+  progress.merged += merged.families;
+  progress.kept = merged.kept;
+  progress.split += splitParticles(state);
+  progress.most = std::max(progress.most, state.particles.size());
+}
+
+template <int D>
+Effect<D> make(const Teuchos::ParameterList& scene)
+{
+  const Teuchos::ParameterList list = scene.sublist("Adaptivity");
+  const Options<D> options = readOptions<D>(list);
+  const auto progress = std::make_shared<std::shared_ptr<Progress<D>>>();
+  Effect<D> effect;
+  effect.name = "Adaptivity";
+  effect.adds.push_back({fields::level, 1, "", "how often it was split", true});
+  effect.adds.push_back({ancestor, 1, "", "id of the particle of the start that it is part of", true});
+  effect.adds.push_back({lineage, 1, "", "which part of it", true});
+  if (options.criteria.velocityChange > 0.0)
+    effect.adds.push_back({fields::rate, D * D, "1/s", "velocity gradient, row by row"});
+  effect.atStart = [=](State<D>& state)
+  {
+    checkRegions<D>(list, state.grid);
+    *progress = std::make_shared<Progress<D>>(Progress<D>{Branches<D>(state.grid)});
+    Kokkos::deep_copy(state.particles.integer(ancestor), state.particles.integer(fields::id));
+    adapt(state, options, **progress);
+  };
+  effect.call({Stage::BetweenSteps,
+               "cells and particles adapt",
+               {"crack geometry"},
+               {"cells"},
+               {},
+               [=](State<D>& state)
+               {
+                 if (state.step % options.interval == (state.step < options.interval ? 1 : 0))
+                   adapt(state, options, **progress);
+               }});
+  effect.report = [=](const State<D>& state, nlohmann::json& summary)
+  {
+    const Progress<D>& done = **progress;
+    summary["adaptivity"] = {
+        {"deepest_level", state.tree.deepest}, {"leaves", state.tree.leafLevel.extent(0)},
+        {"changes_of_cells", done.changes},    {"particles_added", done.split},
+        {"families_merged", done.merged},      {"families_kept", done.kept},
+        {"most_particles", done.most}};
+  };
+  return effect;
+}
+
+} // namespace
+
+EffectEntry adaptivityEntry() { return {section(), check, make<2>, make<3>}; }
+
+} // namespace Rhegma::adaptivity

@@ -1,0 +1,41 @@
+#pragma once
+/// Which cells should be refined.
+
+#include "grid/Branches.hpp"
+#include "state/State.hpp"
+
+#include <vector>
+
+namespace Rhegma::adaptivity
+{
+
+/// A box whose cells are refined down to a level.
+template <int D>
+struct Region
+{
+  Vector<D> lower, upper; ///< [m]
+  int level;
+};
+
+template <int D>
+struct Criteria
+{
+  int maximumLevel = 1;
+  double frontCells = 0.0;     ///< 0: crack fronts do not matter
+  double velocityChange = 0.0; ///< over a cell; 0: it does not matter [m/s]
+  double coarsening = 0.5;     ///< share of the threshold below which cells become larger
+  int buffer = 1;              ///< rings of cells round those that a velocity wants
+  std::vector<Region<D>> regions;
+};
+
+/// The cells that the criteria want to be refined now, and what balance needs on top.
+///
+/// Fronts: a cell of any level that is nearer to a crack front than `frontCells` of its own edges is refined
+/// (half a cell more where it is refined already, so that a front that sways does not switch cells on and
+/// off). Velocity: the level l of a particle is such that h_l |grad v| is below the threshold; a smaller cell
+/// stays until a larger one would be below `coarsening` times it. A cell becomes finer by one level at a
+/// time. Cells outside of the domain stay as they are.
+template <int D>
+Branches<D> wantedBranches(const State<D>& state, const Criteria<D>& criteria, const Branches<D>& now);
+
+} // namespace Rhegma::adaptivity

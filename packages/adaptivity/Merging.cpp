@@ -1,0 +1,384 @@
+#include "adaptivity/Merging.hpp"
+
+#include "adaptivity/Lineage.hpp"
+#include "material/Materials.hpp"
+#include "material/Tensors.hpp"
+#include "transfer/Box.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace Rhegma::adaptivity
+{
+
+namespace
+{
+
+template <int D>
+constexpr int parts = 1 << D;
+
+/// Particles that are finer than the leaf in which they lie.
+template <int D>
+View<int*> tooSmall(const State<D>& state)
+{
+  const int n = state.particles.size();
+  const TreeSight<D> sight(state.grid, state.tree);
+  const auto position = state.particles.template real<D>(fields::position);
+  const auto level = state.particles.integer(fields::level);
+  const View<int*> all("rhegma::small", n);
+  int count = 0;
+  Kokkos::parallel_scan(
+      "rhegma::adaptivity::listSmall", Kokkos::RangePolicy<ExecSpace>(0, n),
+      KOKKOS_LAMBDA(const int p, int& at, const bool final) {
+        if (level(p) == 0)
+          return;
+        Vector<D> x;
+        for (int d = 0; d < D; ++d)
+          x[d] = position(p, d);
+        if (level(p) <= sight.leafAt(x).level)
+          return;
+        if (final)
+          all(at) = p;
+        ++at;
+      },
+      count);
+  const View<int*> list("rhegma::small", count);
+  Kokkos::deep_copy(list, Kokkos::subview(all, std::make_pair(0, count)));
+  return list;
+}
+
+/// Rows of the parts of one particle, in the order of their lineage.
+template <int D>
+using Family = std::array<int, parts<D>>;
+
+/// Whole families among the listed particles.
+template <int D>
+std::vector<Family<D>> wholeFamilies(const State<D>& state, const View<int*>& list)
+{
+  const int count = static_cast<int>(list.extent(0));
+  const auto fromAncestor = state.particles.integer(ancestor), fromLineage = state.particles.integer(lineage);
+  const auto fromLevel = state.particles.integer(fields::level);
+  const View<int* [4]> rows("rhegma::familyRows", count);
+  Kokkos::parallel_for(
+      "rhegma::adaptivity::gatherSmall", Kokkos::RangePolicy<ExecSpace>(0, count),
+      KOKKOS_LAMBDA(const int i) {
+        rows(i, 0) = fromAncestor(list(i));
+        rows(i, 1) = fromLevel(list(i));
+        rows(i, 2) = fromLineage(list(i));
+        rows(i, 3) = list(i);
+      });
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, rows);
+  std::vector<std::array<int, 4>> sorted(count);
+  for (int i = 0; i < count; ++i)
+    sorted[i] = {host(i, 0), host(i, 1), host(i, 2), host(i, 3)};
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<Family<D>> families;
+  for (int i = 0; i + parts<D> <= count;)
+  {
+    const auto sameParent = [&](const std::array<int, 4>& a, const std::array<int, 4>& b)
+    { return a[0] == b[0] && a[1] == b[1] && a[2] >> D == b[2] >> D; };
+    int size = 1;
+    while (i + size < count && sameParent(sorted[i], sorted[i + size]))
+      ++size;
+    if (size == parts<D>)
+    {
+      Family<D> family;
+      for (int k = 0; k < size; ++k)
+        family[k] = sorted[i + k][3];
+      families.push_back(family);
+    }
+    i += size;
+  }
+  return families;
+}
+
+/// Finds out what a family would be as one, whether it may be, and makes it so.
+template <int D>
+struct MergeFamilies
+{
+  View<int * [parts<D>]> family;
+  View<int*> accepted; ///< 1: merged, 2: kept for its energy
+  TreeSight<D> sight;
+  View<double* [D][D]> axes;
+  View<Properties*> materials;
+  BorrowedView<double*[D]> position, reference, velocity, edge, box;
+  BorrowedView<double*> mass, volume;
+  BorrowedView<double * [gradientSize<D>]> deformation;
+  BorrowedView<double**> history;
+  BorrowedView<int*> body, material, level, lineage, side;
+  double largestBox, tolerance, meanEnergy; ///< the last per mass [J/kg]
+  bool boxes, sides;
+
+  KOKKOS_INLINE_FUNCTION double energyOf(const double* F, const double (&v)[D], double m, double V,
+                                         const Properties& law, const double* memory) const
+  {
+    double square = 0.0;
+    for (int d = 0; d < D; ++d)
+      square += v[d] * v[d];
+    return 0.5 * m * square + V * storedEnergy<D>(law, F, memory);
+  }
+
+  KOKKOS_INLINE_FUNCTION void operator()(int i, double& lost) const
+  {
+    constexpr double share = 1.0 / parts<D>;
+    const int to = family(i, 0);
+    accepted(i) = 0;
+    double F[gradientSize<D>] = {}, v[D] = {}, x[D] = {}, X[D] = {}, m = 0.0, V = 0.0, now = 0.0,
+           energy = 0.0;
+    const Properties& law = materials(material(to));
+    for (int k = 0; k < parts<D>; ++k)
+    {
+      const int p = family(i, k);
+      if (sides && side(p) != side(to))
+        return;
+      double own[D];
+      for (int d = 0; d < D; ++d)
+      {
+        own[d] = velocity(p, d);
+        v[d] += share * own[d];
+        x[d] += share * position(p, d);
+        X[d] += share * reference(p, d);
+      }
+      for (int c = 0; c < gradientSize<D>; ++c)
+        F[c] += share * deformation(p, c);
+      m += mass(p);
+      V += volume(p);
+      now += share * determinant<D>(&deformation(p, 0));
+      energy += energyOf(&deformation(p, 0), own, mass(p), volume(p), law,
+                         history.extent(1) > 0 ? &history(p, 0) : nullptr);
+    }
+    // The volume that the parts have now.
+    const double stretch = D == 2 ? std::sqrt(now / determinant<D>(F)) : std::cbrt(now / determinant<D>(F));
+    for (int c = 0; c < D * D; ++c)
+      F[c] *= stretch;
+    const int depth = level(to) - 1;
+    double edges[D], half[D];
+    for (int d = 0; d < D; ++d)
+      edges[d] = 2.0 * edge(to, d);
+    updateBox<D>(axes, body(to), edges, F, std::ldexp(largestBox, -depth), half);
+    if (touchesFiner(x, half, depth))
+      return;
+    double memory[historyRoom] = {};
+    meanHistory(i, memory);
+    const double after = energyOf(F, v, m, V, law, history.extent(1) > 0 ? memory : nullptr);
+    const double enough = energy > m * meanEnergy ? energy : m * meanEnergy;
+    if (energy - after > tolerance * enough)
+    {
+      accepted(i) = 2;
+      return;
+    }
+    accepted(i) = 1;
+    lost += energy - after;
+    for (int d = 0; d < D; ++d)
+    {
+      velocity(to, d) = v[d];
+      position(to, d) = x[d];
+      reference(to, d) = X[d];
+      edge(to, d) = edges[d];
+      if (boxes)
+        box(to, d) = half[d];
+    }
+    for (int c = 0; c < gradientSize<D>; ++c)
+      deformation(to, c) = F[c];
+    mass(to) = m;
+    volume(to) = V;
+    level(to) = depth;
+    lineage(to) = lineage(to) >> D;
+  }
+
+  static constexpr int historyRoom = 16;
+
+  KOKKOS_INLINE_FUNCTION void meanHistory(int i, double (&memory)[historyRoom]) const
+  {
+    const int width = static_cast<int>(history.extent(1));
+    for (int c = 0; c < width && c < historyRoom; ++c)
+      for (int k = 0; k < parts<D>; ++k)
+        memory[c] += history(family(i, k), c) / parts<D>;
+  }
+
+  KOKKOS_INLINE_FUNCTION bool touchesFiner(const double (&x)[D], const double (&half)[D], int depth) const
+  {
+    constexpr double rounding = 1e-9; // as where particles are split
+    double low[D], high[D];
+    for (int d = 0; d < D; ++d)
+    {
+      const double at = sight.grid.inCells(x[d], d);
+      const double reach = boxes ? half[d] * sight.grid.inverse - rounding : 0.0;
+      low[d] = at - reach;
+      high[d] = at + reach;
+    }
+    bool finer = false;
+    sight.forEachLeaf(low, high, [&](const auto& leaf) { finer = finer || leaf.level > depth; });
+    return finer;
+  }
+};
+
+/// Kinetic and strain energy of all particles over their mass [J/kg].
+template <int D>
+double meanEnergy(const State<D>& state)
+{
+  const auto velocity = state.particles.template real<D>(fields::velocity);
+  const auto mass = state.particles.scalar(fields::mass), volume = state.particles.scalar(fields::volume);
+  const auto F = state.particles.template real<gradientSize<D>>(fields::deformation);
+  const auto material = state.particles.integer(fields::material);
+  const auto materials = state.materials;
+  BorrowedView<double**> history;
+  if (state.particles.has(fields::history))
+    history = state.particles.table(fields::history);
+  double energy = 0.0, all = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::adaptivity::meanEnergy", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, double& sum, double& m) {
+        double square = 0.0;
+        for (int d = 0; d < D; ++d)
+          square += velocity(p, d) * velocity(p, d);
+        sum += 0.5 * mass(p) * square +
+               volume(p) * storedEnergy<D>(materials(material(p)), &F(p, 0),
+                                           history.extent(1) > 0 ? &history(p, 0) : nullptr);
+        m += mass(p);
+      },
+      energy, all);
+  return all > 0.0 ? energy / all : 0.0;
+}
+
+/// Fields that merging itself finds; of all others the merged particle has the mean.
+bool isFound(const std::string& name)
+{
+  static const std::vector<std::string> found = {fields::position, fields::reference,  fields::velocity,
+                                                 fields::mass,     fields::volume,     fields::edge,
+                                                 fields::box,      fields::deformation};
+  return std::find(found.begin(), found.end(), name) != found.end();
+}
+
+template <int D>
+void averageOthers(State<D>& state, const View<int * [parts<D>]>& family, const View<int*>& accepted)
+{
+  for (const Field& field : state.particles.fields())
+  {
+    if (field.integer || isFound(field.name))
+      continue;
+    const auto values = state.particles.table(field.name);
+    const int width = field.components;
+    Kokkos::parallel_for(
+        "rhegma::adaptivity::averageField", Kokkos::RangePolicy<ExecSpace>(0, family.extent(0)),
+        KOKKOS_LAMBDA(const int i) {
+          if (accepted(i) != 1)
+            return;
+          for (int c = 0; c < width; ++c)
+          {
+            double sum = 0.0;
+            for (int k = 0; k < parts<D>; ++k)
+              sum += values(family(i, k), c);
+            values(family(i, 0), c) = sum / parts<D>;
+          }
+        });
+  }
+}
+
+template <int D>
+MergeFamilies<D> mergerOf(State<D>& state, double tolerance)
+{
+  FieldTable& table = state.particles;
+  MergeFamilies<D> merge;
+  merge.sight = TreeSight<D>(state.grid, state.tree);
+  merge.axes = state.bodyAxes;
+  merge.materials = state.materials;
+  merge.position = table.real<D>(fields::position);
+  merge.reference = table.real<D>(fields::reference);
+  merge.velocity = table.real<D>(fields::velocity);
+  merge.edge = table.real<D>(fields::edge);
+  merge.mass = table.scalar(fields::mass);
+  merge.volume = table.scalar(fields::volume);
+  merge.deformation = table.real<gradientSize<D>>(fields::deformation);
+  if (table.has(fields::history))
+    merge.history = table.table(fields::history);
+  merge.body = table.integer(fields::body);
+  merge.material = table.integer(fields::material);
+  merge.level = table.integer(fields::level);
+  merge.lineage = table.integer(lineage);
+  merge.sides = table.has(fields::side);
+  if (merge.sides)
+    merge.side = table.integer(fields::side);
+  merge.boxes = state.shape == ShapeKind::Gimp;
+  if (merge.boxes)
+    merge.box = table.real<D>(fields::box);
+  merge.largestBox = 0.5 * state.grid.spacing;
+  merge.tolerance = tolerance;
+  merge.meanEnergy = meanEnergy(state);
+  return merge;
+}
+
+/// Merges the families that may be. \return what was done
+template <int D>
+Merged mergeOnce(State<D>& state, const std::vector<Family<D>>& families, double tolerance)
+{
+  const int count = static_cast<int>(families.size());
+  const View<int * [parts<D>]> family("rhegma::family", count);
+  const auto hostFamily = Kokkos::create_mirror_view(family);
+  for (int i = 0; i < count; ++i)
+    for (int k = 0; k < parts<D>; ++k)
+      hostFamily(i, k) = families[i][k];
+  Kokkos::deep_copy(family, hostFamily);
+  const View<int*> accepted("rhegma::accepted", count);
+  MergeFamilies<D> merge = mergerOf(state, tolerance);
+  merge.family = family;
+  merge.accepted = accepted;
+  Merged merged;
+  Kokkos::parallel_reduce("rhegma::adaptivity::mergeFamilies", Kokkos::RangePolicy<ExecSpace>(0, count),
+                          merge, merged.lost);
+  averageOthers<D>(state, family, accepted);
+
+  const int n = state.particles.size();
+  std::vector<char> gone(n, 0);
+  const auto hostAccepted = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, accepted);
+  for (int i = 0; i < count; ++i)
+  {
+    merged.families += hostAccepted(i) == 1 ? 1 : 0;
+    merged.kept += hostAccepted(i) == 2 ? 1 : 0;
+    for (int k = 1; k < parts<D> && hostAccepted(i) == 1; ++k)
+      gone[families[i][k]] = 1;
+  }
+  if (merged.families == 0)
+    return merged;
+  const View<int*> order("rhegma::mergeOrder", n - merged.families * (parts<D> - 1));
+  const auto hostOrder = Kokkos::create_mirror_view(order);
+  int next = 0;
+  for (int p = 0; p < n; ++p)
+    if (gone[p] == 0)
+      hostOrder(next++) = p;
+  Kokkos::deep_copy(order, hostOrder);
+  state.particles.reorder(order);
+  return merged;
+}
+
+} // namespace
+
+template <int D>
+Merged mergeParticles(State<D>& state, double tolerance)
+{
+  Merged all;
+  for (;;)
+  {
+    const View<int*> list = tooSmall(state);
+    if (static_cast<int>(list.extent(0)) < parts<D>)
+      break;
+    const std::vector<Family<D>> families = wholeFamilies<D>(state, list);
+    if (families.empty())
+      break;
+    const Merged some = mergeOnce(state, families, tolerance);
+    all.lost += some.lost;
+    all.families += some.families;
+    all.kept = some.kept;
+    if (some.families == 0)
+      break;
+    state.sorted = false;
+  }
+  return all;
+}
+
+template Merged mergeParticles(State<2>&, double);
+template Merged mergeParticles(State<3>&, double);
+
+} // namespace Rhegma::adaptivity

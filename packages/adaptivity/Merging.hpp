@@ -1,0 +1,27 @@
+#pragma once
+/// Families of particles that are smaller than the cells around them become one again.
+
+#include "state/State.hpp"
+
+namespace Rhegma::adaptivity
+{
+
+/// What merging did.
+struct Merged
+{
+  int families = 0;
+  int kept = 0;      ///< families that would have lost more energy than is allowed
+  double lost = 0.0; ///< kinetic and strain energy [J]
+};
+
+/// Merges whole families (the 2^D parts of one particle) whose particle would touch no leaf of a deeper level
+/// than its own, as long as one is found; families on two sides of a crack stay. Mass, volume now and before
+/// deformation and momentum are kept to round-off; stress and all that effects add becomes the mean. Kinetic
+/// and strain energy fall: the loss is returned, for the ledger. Leaves the particles unsorted.
+///
+/// \param tolerance largest loss, as a share of what the family holds or, where that is more, of what its
+/// mass would hold at the mean of all particles
+template <int D>
+Merged mergeParticles(State<D>& state, double tolerance);
+
+} // namespace Rhegma::adaptivity

@@ -1,0 +1,190 @@
+#include "adaptivity/Splitting.hpp"
+
+#include "adaptivity/Ids.hpp"
+#include "adaptivity/Lineage.hpp"
+#include "transfer/Box.hpp"
+
+namespace Rhegma::adaptivity
+{
+
+namespace
+{
+
+/// A box that ends on the face of a finer leaf touches it by rounding only [cells].
+constexpr double rounding = 1e-9;
+
+/// Marks the particles that are too large: row i of the list is the i-th of them.
+template <int D>
+View<int*> tooLarge(const State<D>& state)
+{
+  const int n = state.particles.size();
+  const TreeSight<D> sight(state.grid, state.tree);
+  const auto position = state.particles.template real<D>(fields::position);
+  const auto level = state.particles.integer(fields::level);
+  BorrowedView<double* [D]> box;
+  const bool boxes = state.shape == ShapeKind::Gimp;
+  if (boxes)
+    box = state.particles.template real<D>(fields::box);
+  const View<int*> mark("rhegma::tooLarge", n);
+  Kokkos::parallel_for(
+      "rhegma::adaptivity::markLarge", Kokkos::RangePolicy<ExecSpace>(0, n), KOKKOS_LAMBDA(const int p) {
+        int cell[D];
+        for (int d = 0; d < D; ++d)
+          cell[d] = static_cast<int>(sight.grid.inCells(position(p, d), d));
+        if (sight.nearRefined(sight.grid.nodeIndex(cell)) == 0)
+          return;
+        double low[D], high[D];
+        for (int d = 0; d < D; ++d)
+        {
+          const double at = sight.grid.inCells(position(p, d), d);
+          const double half = boxes ? box(p, d) * sight.grid.inverse - rounding : 0.0;
+          low[d] = at - half;
+          high[d] = at + half;
+        }
+        int deepest = 0;
+        sight.forEachLeaf(low, high,
+                          [&](const auto& leaf) { deepest = leaf.level > deepest ? leaf.level : deepest; });
+        mark(p) = deepest > level(p) ? 1 : 0;
+      });
+  int count = 0;
+  const View<int*> all("rhegma::large", n);
+  Kokkos::parallel_scan(
+      "rhegma::adaptivity::listLarge", Kokkos::RangePolicy<ExecSpace>(0, n),
+      KOKKOS_LAMBDA(const int p, int& at, const bool final) {
+        if (mark(p) == 0)
+          return;
+        if (final)
+          all(at) = p;
+        ++at;
+      },
+      count);
+  const View<int*> list("rhegma::large", count);
+  Kokkos::deep_copy(list, Kokkos::subview(all, std::make_pair(0, count)));
+  return list;
+}
+
+/// Copies of the particles of a list are added at the end, 2^D - 1 of each, one after another.
+template <int D>
+void copyParticles(State<D>& state, const View<int*>& list)
+{
+  constexpr int more = (1 << D) - 1;
+  const int n = state.particles.size(), count = static_cast<int>(list.extent(0));
+  const View<int*> order("rhegma::splitOrder", n + more * count);
+  Kokkos::parallel_for(
+      "rhegma::adaptivity::orderSplit", Kokkos::RangePolicy<ExecSpace>(0, n + more * count),
+      KOKKOS_LAMBDA(const int i) { order(i) = i < n ? i : list((i - n) / more); });
+  state.particles.reorder(order);
+}
+
+/// Makes the copies parts of the whole.
+template <int D>
+struct MakeParts
+{
+  static constexpr int parts = 1 << D;
+  View<int*> list;
+  int first; ///< row of the first copy
+  View<double* [D][D]> axes;
+  BorrowedView<double*[D]> position, reference, edge, box;
+  BorrowedView<double*> mass, volume;
+  BorrowedView<double * [gradientSize<D>]> deformation;
+  BorrowedView<int*> body, level, lineage, id;
+  double largestBox;
+  bool boxes;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int i) const
+  {
+    const int whole = list(i);
+    double F[gradientSize<D>], edges[D], at[D], start[D];
+    for (int k = 0; k < gradientSize<D>; ++k)
+      F[k] = deformation(whole, k);
+    for (int d = 0; d < D; ++d)
+    {
+      edges[d] = 0.5 * edge(whole, d);
+      at[d] = position(whole, d);
+      start[d] = reference(whole, d);
+    }
+    const double m = mass(whole) / parts, v = volume(whole) / parts;
+    const int depth = level(whole) + 1, code = lineage(whole) << D;
+    for (int k = 0; k < parts; ++k)
+    {
+      const int p = k == 0 ? whole : first + i * (parts - 1) + k - 1;
+      Vector<D> shift{};
+      for (int e = 0; e < D; ++e)
+        for (int d = 0; d < D; ++d)
+          shift[d] += (((k >> e) & 1) != 0 ? 0.5 : -0.5) * edges[e] * axes(body(whole), e, d);
+      for (int d = 0; d < D; ++d)
+      {
+        edge(p, d) = edges[d];
+        reference(p, d) = start[d] + shift[d];
+        position(p, d) = at[d];
+        for (int j = 0; j < D; ++j)
+          position(p, d) += F[d * D + j] * shift[j];
+      }
+      mass(p) = m;
+      volume(p) = v;
+      level(p) = depth;
+      lineage(p) = code | k;
+      if (k > 0)
+        id(p) = -1;
+      if (boxes)
+        updateBox<D>(axes, body(p), edges, F, std::ldexp(largestBox, -depth), &box(p, 0));
+    }
+  }
+};
+
+template <int D>
+void makeParts(State<D>& state, const View<int*>& list, int first)
+{
+  FieldTable& table = state.particles;
+  MakeParts<D> make;
+  make.list = list;
+  make.first = first;
+  make.axes = state.bodyAxes;
+  make.position = table.real<D>(fields::position);
+  make.reference = table.real<D>(fields::reference);
+  make.edge = table.real<D>(fields::edge);
+  make.mass = table.scalar(fields::mass);
+  make.volume = table.scalar(fields::volume);
+  make.deformation = table.real<gradientSize<D>>(fields::deformation);
+  make.body = table.integer(fields::body);
+  make.level = table.integer(fields::level);
+  make.lineage = table.integer(lineage);
+  make.id = table.integer(fields::id);
+  make.largestBox = 0.5 * state.grid.spacing;
+  make.boxes = state.shape == ShapeKind::Gimp;
+  if (make.boxes)
+    make.box = table.real<D>(fields::box);
+  Kokkos::parallel_for("rhegma::adaptivity::makeParts", Kokkos::RangePolicy<ExecSpace>(0, list.extent(0)),
+                       make);
+}
+
+} // namespace
+
+template <int D>
+int splitParticles(State<D>& state)
+{
+  if (!state.tree.refined())
+    return 0;
+  const int before = state.particles.size();
+  for (;;)
+  {
+    const View<int*> list = tooLarge(state);
+    if (list.extent(0) == 0)
+      break;
+    const int first = state.particles.size();
+    copyParticles(state, list);
+    makeParts(state, list, first);
+  }
+  const int added = state.particles.size() - before;
+  if (added > 0)
+  {
+    nameParticles(state);
+    state.sorted = false;
+  }
+  return added;
+}
+
+template int splitParticles(State<2>&);
+template int splitParticles(State<3>&);
+
+} // namespace Rhegma::adaptivity

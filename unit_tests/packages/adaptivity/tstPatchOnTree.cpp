@@ -1,0 +1,108 @@
+/// Patch tests on refined cells: the same stress everywhere gives no force on nodes inside the body, at rest
+/// and after the body has drifted through the cells while its particles split and merge.
+
+#include "Refined.hpp"
+
+namespace Rhegma
+{
+namespace Test
+{
+
+namespace
+{
+
+constexpr double side = 6.0; // of the body, in cells of the lattice of 1 m
+constexpr int drifts = 40;
+
+template <int D>
+void move(State<D>& state, const Vector<D>& shift)
+{
+  const HostParticles<D> particles(state);
+  for (int p = 0; p < particles.size; ++p)
+    for (int d = 0; d < D; ++d)
+      particles.position(p, d) += shift[d];
+  particles.store(state);
+}
+
+template <int D>
+void setStress(State<D>& state)
+{
+  const HostParticles<D> particles(state);
+  for (int p = 0; p < particles.size; ++p)
+    for (int k = 0; k < symmetricSize<D>; ++k)
+      particles.stress(p, k) = 1.0 - 0.3 * k;
+  particles.store(state);
+}
+
+/// The largest internal force on a node that is a cell of the lattice and more inside of the body, over the
+/// largest stress (1 Pa) times a cell's face (1 m2).
+template <int D>
+double residual(State<D>& state, const Vector<D>& lower)
+{
+  clearNodes(state);
+  scatter(state, ScatterWhat::Force);
+  const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.sums);
+  const auto active = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.active);
+  const NodePlaces<D> places = nodePlaces(state);
+  double largest = 0.0;
+  int inside = 0, fine = 0;
+  for (int i = 0; i < static_cast<int>(active.extent(0)); ++i)
+  {
+    const Vector<D> x = places(active(i));
+    bool in = true;
+    for (int d = 0; d < D; ++d)
+      in = in && x[d] - 1.0 >= lower[d] - 1e-9 && x[d] + 1.0 <= lower[d] + side + 1e-9;
+    if (!in)
+      continue;
+    ++inside;
+    fine += active(i) >= state.grid.numNodes ? 1 : 0;
+    for (int d = 0; d < D; ++d)
+      largest = std::max(largest, std::abs(sums(active(i), Nodes<D>::forceAt + d)));
+  }
+  EXPECT_GE(inside, D == 2 ? 16 : 64);
+  EXPECT_GT(fine, 0);
+  return largest;
+}
+
+template <int D>
+void checkPatch(int level)
+{
+  Vector<D> lower = all<D>(2.0), upper = all<D>(4.0);
+  upper[0] = 5.0;
+  Run<D> run = refinedCube<D>("GIMP", side, lower, upper, level);
+  State<D>& state = run.state();
+  followCells(state);
+  setStress(state);
+  double worst = residual(state, all<D>(0.0));
+  std::mt19937 engine(11);
+  std::uniform_real_distribution<double> anywhere(-0.35, 0.35);
+  Vector<D> corner = all<D>(0.0);
+  int most = 0, least = state.particles.size();
+  long merged = 0;
+  for (int k = 0; k < drifts; ++k)
+  {
+    Vector<D> shift;
+    for (int d = 0; d < D; ++d)
+      shift[d] = anywhere(engine) + (corner[d] > 2.0 ? -0.5 : corner[d] < -2.0 ? 0.5 : 0.15);
+    corner = corner + shift;
+    move(state, shift);
+    merged += followCells(state).families;
+    most = std::max(most, state.particles.size());
+    least = std::min(least, state.particles.size());
+    worst = std::max(worst, residual(state, corner));
+  }
+  EXPECT_GT(merged, 100);
+  EXPECT_GT(most, least);
+  EXPECT_LT(worst, 1e-12);
+}
+
+} // namespace
+
+TEST(PatchOnTree, noForceInsideIn2DOneLevel) { checkPatch<2>(1); }
+TEST(PatchOnTree, noForceInsideIn2DTwoLevels) { checkPatch<2>(2); }
+TEST(PatchOnTree, noForceInsideIn2DThreeLevels) { checkPatch<2>(3); }
+TEST(PatchOnTree, noForceInsideIn3DOneLevel) { checkPatch<3>(1); }
+TEST(PatchOnTree, noForceInsideIn3DTwoLevels) { checkPatch<3>(2); }
+
+} // namespace Test
+} // namespace Rhegma

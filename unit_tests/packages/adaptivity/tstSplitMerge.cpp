@@ -1,0 +1,178 @@
+/// What splitting and merging keep, and that what merging loses is known.
+
+#include "Refined.hpp"
+
+#include "output/CoreRow.hpp"
+
+namespace Rhegma
+{
+namespace Test
+{
+
+namespace
+{
+
+/// Sums over all particles, each over the sum of its terms' sizes so that 1e-16 is round-off.
+template <int D>
+struct Sums
+{
+  double mass = 0.0, momentum[3] = {}, spin[3] = {}, energy = 0.0;
+  double sizeOfMomentum = 0.0, sizeOfSpin = 0.0;
+
+  explicit Sums(State<D>& state)
+  {
+    const HostParticles<D> particles(state);
+    for (int p = 0; p < particles.size; ++p)
+    {
+      const double m = particles.mass(p);
+      double x[3] = {}, v[3] = {};
+      for (int d = 0; d < D; ++d)
+      {
+        x[d] = particles.position(p, d);
+        v[d] = particles.velocity(p, d);
+      }
+      mass += m;
+      for (int d = 0; d < 3; ++d)
+      {
+        const int e = (d + 1) % 3, f = (d + 2) % 3;
+        momentum[d] += m * v[d];
+        spin[d] += m * (x[e] * v[f] - x[f] * v[e]);
+        sizeOfMomentum += m * std::fabs(v[d]);
+        sizeOfSpin += m * (std::fabs(x[e] * v[f]) + std::fabs(x[f] * v[e]));
+      }
+    }
+    measureEnergy(state);
+    energy = state.energy.kinetic + state.energy.strain;
+  }
+};
+
+/// Gives every particle a velocity and a deformation of its own, of the size of a tenth.
+template <int D>
+void shake(State<D>& state)
+{
+  const HostParticles<D> particles(state);
+  std::mt19937 engine(1);
+  std::uniform_real_distribution<double> some(-0.1, 0.1);
+  for (int p = 0; p < particles.size; ++p)
+  {
+    for (int d = 0; d < D; ++d)
+      particles.velocity(p, d) = some(engine);
+    for (int k = 0; k < D * D; ++k)
+      particles.deformation(p, k) = (k % (D + 1) == 0 ? 1.0 : 0.0) + some(engine);
+  }
+  particles.store(state);
+}
+
+template <int D>
+void setCells(State<D>& state, int level)
+{
+  Branches<D> branches(state.grid);
+  std::array<int, D> cell;
+  for (int l = 0; l < level; ++l)
+    for (int k = 0; k < (1 << l); ++k)
+    {
+      for (int d = 0; d < D; ++d)
+        cell[d] = (gridMargin + 5) * (1 << l) + k;
+      branches.refine(l, cell);
+    }
+  branches.balance();
+  buildTree(branches, state.tree);
+  state.nodes.reserve(state.grid.numNodes + state.tree.numFine, 0);
+}
+
+template <int D>
+void checkSplitting()
+{
+  Run<D> run = refinedCube<D>("GIMP", 4.0, all<D>(-3.0), all<D>(-2.0), 2);
+  State<D>& state = run.state();
+  shake(state);
+  const Sums<D> before(state);
+  const int particles = state.particles.size();
+  setCells(state, 2);
+  followCells(state);
+  const Sums<D> after(state);
+  ASSERT_GT(state.particles.size(), particles);
+  EXPECT_NEAR(after.mass, before.mass, 1e-13 * before.mass);
+  for (int d = 0; d < 3; ++d)
+  {
+    EXPECT_NEAR(after.momentum[d], before.momentum[d], 1e-13 * before.sizeOfMomentum);
+    EXPECT_NEAR(after.spin[d], before.spin[d], 1e-13 * before.sizeOfSpin);
+  }
+  EXPECT_NEAR(after.energy, before.energy, 1e-13 * before.energy);
+}
+
+/// Cells are refined and made whole again; in between every particle gets a velocity of its own.
+template <int D>
+void checkMerging()
+{
+  Run<D> run = refinedCube<D>("GIMP", 4.0, all<D>(-3.0), all<D>(-2.0), 2);
+  State<D>& state = run.state();
+  const int particles = state.particles.size();
+  setCells(state, 2);
+  followCells(state);
+  shake(state);
+  const Sums<D> before(state);
+  setCells(state, 0);
+  const adaptivity::Merged merged = followCells(state);
+  const Sums<D> after(state);
+  EXPECT_EQ(state.particles.size(), particles);
+  EXPECT_GT(merged.families, 0);
+  EXPECT_GT(merged.lost, 0.0);
+  EXPECT_NEAR(after.mass, before.mass, 1e-13 * before.mass);
+  for (int d = 0; d < 3; ++d)
+    EXPECT_NEAR(after.momentum[d], before.momentum[d], 1e-13 * before.sizeOfMomentum);
+  EXPECT_NEAR(after.energy + merged.lost, before.energy, 1e-12 * before.energy);
+}
+
+} // namespace
+
+TEST(SplitMerge, splittingKeepsEverythingIn2D) { checkSplitting<2>(); }
+TEST(SplitMerge, splittingKeepsEverythingIn3D) { checkSplitting<3>(); }
+TEST(SplitMerge, mergingKeepsMassAndMomentumAndBooksTheRestIn2D) { checkMerging<2>(); }
+TEST(SplitMerge, mergingKeepsMassAndMomentumAndBooksTheRestIn3D) { checkMerging<3>(); }
+
+/// Split and merged a thousand times: no drift, and particles are where they were.
+TEST(SplitMerge, aThousandTimesOver)
+{
+  Rhegma::Run<2> run = refinedCube<2>("GIMP", 4.0, all<2>(-3.0), all<2>(-2.0), 2);
+  State<2>& state = run.state();
+  shake(state);
+  const Sums<2> before(state);
+  const int particles = state.particles.size();
+  for (int k = 0; k < 1000; ++k)
+  {
+    setCells(state, 1 + k % 3);
+    followCells(state);
+    ASSERT_GT(state.particles.size(), particles);
+    setCells(state, 0);
+    followCells(state);
+    ASSERT_EQ(state.particles.size(), particles);
+  }
+  const Sums<2> after(state);
+  EXPECT_NEAR(after.mass, before.mass, 1e-12 * before.mass);
+  for (int d = 0; d < 3; ++d)
+  {
+    EXPECT_NEAR(after.momentum[d], before.momentum[d], 1e-12 * before.sizeOfMomentum);
+    EXPECT_NEAR(after.spin[d], before.spin[d], 1e-12 * before.sizeOfSpin);
+  }
+  EXPECT_NEAR(after.energy, before.energy, 1e-11 * before.energy);
+}
+
+/// A family whose motion would be lost stays, and is counted.
+TEST(SplitMerge, keepsFamiliesThatWouldLoseTooMuch)
+{
+  Rhegma::Run<2> run = refinedCube<2>("GIMP", 4.0, all<2>(-3.0), all<2>(-2.0), 2);
+  State<2>& state = run.state();
+  setCells(state, 1);
+  followCells(state);
+  shake(state);
+  const int particles = state.particles.size();
+  setCells(state, 0);
+  const adaptivity::Merged merged = followCells(state, 0.01);
+  EXPECT_EQ(merged.families, 0);
+  EXPECT_GT(merged.kept, 0);
+  EXPECT_EQ(state.particles.size(), particles);
+}
+
+} // namespace Test
+} // namespace Rhegma
