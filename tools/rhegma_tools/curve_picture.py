@@ -16,7 +16,8 @@ def read_curve(outcome):
         raise Problem(f"{outcome.folder} has no history.csv for Curve Of; the scene needs a section Output.")
     values = history.column.get(outcome.run.column)
     if values is None:
-        raise Problem(f"Curve Of {outcome.run.column}: history.csv has no such column; it has {', '.join(history.column)}.")
+        raise Problem(f"Curve Of {outcome.run.column}: history.csv has no such column; it has "
+                      f"{', '.join(history.column)}.")
     return history.time, values
 
 
