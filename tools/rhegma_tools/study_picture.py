@@ -8,14 +8,15 @@ from .style import plt
 
 MARKERS = ["o", "s", "^", "D", "v", "P", "X"]
 DASHES = ["-", (0, (5, 1.5)), (0, (1.2, 1.2)), (0, (6, 1.5, 1.2, 1.5))]
+GAIN = 0.02  # an error that is lower by less than this share is not worth a higher cost
 SMALLEST = 1.0e-12  # an error of exactly zero has no place on a logarithmic axis
 
 
 def frontier(points):
-    """Indices of the points (time, error) that no other beats in both, by rising time."""
+    """Indices of the points (cost, error) that no cheaper one beats or equals to GAIN, by rising cost."""
     best, found = math.inf, []
     for i in sorted(range(len(points)), key=lambda k: points[k]):
-        if points[i][1] < best:
+        if points[i][1] < (1.0 - GAIN) * best:
             best = points[i][1]
             found.append(i)
     return found

@@ -144,6 +144,10 @@ class Study(ToolTest):
         """Times 1, 2, 3, 4 and errors 4, 5, 2, 2: the second and the last are beaten."""
         self.assertEqual(frontier([(1.0, 4.0), (2.0, 5.0), (3.0, 2.0), (4.0, 2.0)]), [0, 2])
 
+    def test_frontier_wants_a_gain(self):
+        """1 % less is not worth twice the time; 1 % twice is."""
+        self.assertEqual(frontier([(1.0, 100.0), (2.0, 99.0), (4.0, 97.5)]), [0, 2])
+
     def test_a_family_may_have_a_quantity_of_its_own(self):
         own = LINEAR.replace("</", '  <Parameter name="Error Of" type="string" value="energy.strain"/>\n    </', 1)
         study = read_study(self.study(own + GIMP))

@@ -86,6 +86,7 @@ TEST(EnergyRelease, RefusesSectionsThatDoNotFit)
     std::vector<SceneError> errors;
     entry.check(scene, errors);
     std::vector<std::string> places;
+    places.reserve(errors.size());
     for (const SceneError& error : errors)
       places.push_back(error.where);
     return places;
