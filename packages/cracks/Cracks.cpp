@@ -2,6 +2,7 @@
 
 #include "cracks/CrackMotion.hpp"
 #include "cracks/CrackSetup.hpp"
+#include "cracks/FrontTies.hpp"
 #include "cracks/IdleCracks.hpp"
 #include "cracks/Normals.hpp"
 #include "cracks/Opening.hpp"
@@ -26,6 +27,10 @@ Section section()
       .meaning("How cells are cut: a velocity field on each side; shape functions broken by visibility; the "
                "same made "
                "linearly complete by extrapolation.");
+  s.boolean("Front Ties")
+      .byDefault(true)
+      .meaning("Dual Field only: springs between the two fields of nodes less than a cell behind a front, so "
+               "that the crack of the cells ends where its front is, and not at the next column of nodes.");
   Section crack("crack", "One crack; its own name is up to you.");
   crack.realArray("Points").unit("m").perPoint(2).meaning(
       "In 2D the crack as a polyline, point after point; in 3D the corners of a flat polygon, convex or not, "
@@ -72,6 +77,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 {
   const Teuchos::ParameterList section = scene.sublist("Cracks");
   const Formulation formulation = readFormulation(section);
+  const bool tied = formulation == Formulation::DualField && section.get<bool>("Front Ties");
   const auto surroundings = std::make_shared<Surroundings>();
   const auto ghosts = std::make_shared<Ghosts>();
   const auto motion = std::make_shared<CrackMotion<D>>();
@@ -85,6 +91,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.atStart = [=](State<D>& state)
   {
     state.cracks.dualField = formulation == Formulation::DualField;
+    state.cracks.tied = tied;
     readCracks(section, state);
     state.editor.prepare = [=](State<D>& s, const View<int*>& row)
     {
@@ -102,6 +109,22 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     state.editor.edit = [=](const State<D>& s, const ObservedPoints<D>& points, const StencilTable<D>& table)
     { editStencils(s, formulation, *ghosts, points, table); };
   };
+  if (tied)
+  {
+    const auto ties = std::make_shared<FrontTies<D>>();
+    effect.call({Stage::BeforeSolve,
+                 "ties behind crack fronts",
+                 {"nodal mass"},
+                 {},
+                 {"nodal force"},
+                 [ties, surroundings](State<D>& s) { ties->addForces(s, *surroundings); }});
+    effect.call({Stage::AfterProjection,
+                 "stretch of ties behind crack fronts",
+                 {"projection"},
+                 {"ties"},
+                 {},
+                 [ties](State<D>& s) { ties->advance(s); }});
+  }
   effect.call({Stage::Gather, "cracks move", {"nodal motion"}, {"crack geometry"}, {}, [motion](State<D>& s) {
                  motion->move(s);
                }});

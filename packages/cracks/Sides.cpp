@@ -19,8 +19,6 @@ KOKKOS_INLINE_FUNCTION std::uint64_t pack(double square, int simplex)
   return (static_cast<std::uint64_t>(square * parts) << 32) | static_cast<std::uint64_t>(simplex);
 }
 
-KOKKOS_INLINE_FUNCTION int simplexOf(std::uint64_t packed) { return static_cast<int>(packed & 0xffffffffU); }
-
 /// The box of a crack beyond which it does not matter to nodes.
 template <int D>
 struct Reach
@@ -171,6 +169,16 @@ void findNearest(const State<D>& state, const Surroundings& around)
       });
 }
 
+/// How far behind a front a node must lie to open, with ties, seen from a simplex [cells].
+template <int D>
+KOKKOS_INLINE_FUNCTION double tiedTolerance(const CrackSight<D>& sight, int simplex)
+{
+  bool aligned = false;
+  for (int d = 0; d < D; ++d)
+    aligned = aligned || std::fabs(sight.normal(simplex, d)) > alongTheCells;
+  return aligned ? tiedToleranceAligned : tiedToleranceInclined;
+}
+
 template <int D>
 void findNodeSides(const State<D>& state, const Surroundings& around)
 {
@@ -182,6 +190,7 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
   const CrackSight<D> sight(state.cracks, grid.spacing);
   const View<int*> side = state.cracks.nodeSide, cellMark = around.cellMark;
   const View<std::uint64_t*> nearest = around.nearest;
+  const bool tied = state.cracks.tied;
   const int stamp = around.stamp;
   Kokkos::parallel_for(
       "rhegma::cracks::findNodeSides", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
@@ -193,7 +202,7 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
         const Vector<D> x = places(n);
         const double cell = refined ? std::ldexp(grid.spacing, -level(n)) : grid.spacing;
         const Sight seen = sight.look(s, x);
-        if (seen.behind <= frontTolerance * cell)
+        if (seen.behind <= (tied ? tiedTolerance<D>(sight, s) : frontTolerance) * cell)
           return;
         const int name = sight.crackOf(s) + 1;
         side(n) = seen.distance > -tieTolerance * cell ? name : -name;

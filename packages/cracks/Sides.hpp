@@ -18,6 +18,12 @@ constexpr double tieTolerance = 0.1;
 /// the mean (unit test InclinedCracks; with a tenth of a cell it was 0.14 cells too long).
 constexpr double frontTolerance = 0.25;
 
+/// The same with ties behind fronts (FrontTies.hpp), which make up for what is too long. Where a crack runs
+/// along the cells, within five degrees, only a node at the front itself stays closed, as crack closure wants
+/// it; elsewhere nodes open a little before the front passes them, which measures better.
+constexpr double tiedToleranceAligned = 0.02, tiedToleranceInclined = -0.03;
+constexpr double alongTheCells = 0.99619; ///< cosine of five degrees
+
 /// What each step finds out about the surroundings of the cracks.
 struct Surroundings
 {
@@ -26,13 +32,13 @@ struct Surroundings
   int stamp = 0;
 };
 
+/// The simplex in an entry of Surroundings::nearest.
+KOKKOS_INLINE_FUNCTION int simplexOf(std::uint64_t packed) { return static_cast<int>(packed & 0xffffffffU); }
+
 /// Finds the side of every node that lies behind a front near a crack, gives it a second field (dual field),
 /// gives the particles that can see one of these nodes a side if they have none yet, and marks those that see
 /// a node on the other side. A particle keeps its side for good, so faces that press against each other never
 /// swap particles.
-///
-/// A curved front is the rougher the fewer cells its radius has. Ties across it, springs between the two
-/// fields of nodes just behind, would enter where nodes get their side.
 ///
 /// \param row 0 for marked particles; others are left as they are
 template <int D>

@@ -277,6 +277,34 @@ struct Integrand
   }
 };
 
+/// How far beside the crack, along the front's normal, the cut lies that the particles have, where the weight
+/// falls: particles stand for their boxes, so that it is midway between the nearest above and the nearest
+/// below. With the hat (1 - |z| / h) about the crack, the sums of volume on its two sides differ by 2 h times
+/// the offset per h^2. Zero where particles have no sides.
+double offsetAside(const State<D>& state, const CrackFront<D>& front, const ContourRadii& radii)
+{
+  if (!state.particles.has(fields::side))
+    return 0.0;
+  const auto side = state.particles.integer(fields::side);
+  const auto position = state.particles.real<D>(fields::position);
+  const auto volume = state.particles.scalar(fields::volume);
+  const Vector<D> tip = front.position, direction = front.direction, normal = front.normal;
+  const double cell = spacingAt(state, front.position), from = radii.inner, to = radii.outer + cell;
+  const int name = front.crack + 1;
+  double above = 0.0, below = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::offsetAside", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, double& up, double& down) {
+        const Vector<D> away{{position(p, 0) - tip[0], position(p, 1) - tip[1]}};
+        const double behind = -dot(away, direction), z = std::fabs(dot(away, normal));
+        if ((side(p) != name && side(p) != -name) || behind < from || behind > to || z > cell)
+          return;
+        (side(p) == name ? up : down) += volume(p) * (1.0 - z / cell);
+      },
+      above, below);
+  return above + below > 0.0 ? 0.5 * cell * (below - above) / (above + below) : 0.0;
+}
+
 /// Intensities by Williams' field about the tip that the cells have. Each turn finds the offset that is left;
 /// it falls by a factor of 50 or so.
 template <class Work>
@@ -286,9 +314,10 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
   const double most = spacingAt(state, front.position), enough = 1e-3 * most;
   const double scale = 0.5 * work.disk.effectiveModulus / state.thickness;
   DomainIntegral sum;
+  const Vector<D> middle = front.position + offsetAside(state, front, work.weight.radii) * front.normal;
   for (int turn = 1;; ++turn)
   {
-    work.tip = front.position + sum.tipOffset * front.direction;
+    work.tip = middle + sum.tipOffset * front.direction;
     double J = 0.0, modeI = 0.0, modeII = 0.0, reciprocalI = 0.0, reciprocalII = 0.0;
     Kokkos::parallel_reduce("rhegma::domainIntegral",
                             Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()), work, J, modeI, modeII,

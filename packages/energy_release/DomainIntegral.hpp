@@ -42,6 +42,10 @@ struct DomainIntegral
 ///     R   = int (s_ij w_i - z_ij u_i) q,j + rho a_i w_i q  dV / thickness = 2 K c / E'
 ///     c   = E' (R_I K_I + R_II K_II) / (2 (K_I^2 + K_II^2))
 ///
+/// Aside of the crack w is taken about the cut that the particles have where q falls: a crack along the cells
+/// lies up to a quarter of a cell from the middle between its two rows of particles, which would show as a
+/// K_II of a fiftieth of K_I.
+///
 /// So K, like J, belongs to the crack that the cells have, and K_I^2 + K_II^2 = E' J but for quadrature.
 ///
 /// \param acceleration of the nodes, a row a node [m/s2]

@@ -40,6 +40,24 @@ struct ForceBlock
   }
 };
 
+/// Ties hold the front together, as the material does.
+void addTies(const State<D>& state, const View<double* [D]>& force)
+{
+  const View<double* [D]> tie = state.cracks.tieForce;
+  if (tie.extent(0) == 0)
+    return;
+  const Nodes<D> nodes = state.nodes;
+  Kokkos::parallel_for(
+      "rhegma::internalTies", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond), KOKKOS_LAMBDA(const int i) {
+        const int n = nodes.parent(i), m = nodes.numLattice + i;
+        for (int d = 0; d < D; ++d)
+        {
+          force(n, d) += tie(n, d);
+          force(m, d) -= tie(n, d);
+        }
+      });
+}
+
 void divideByMass(const Nodes<D>& nodes, const View<double* [D]>& force)
 {
   Kokkos::parallel_for(
@@ -71,6 +89,7 @@ View<double* [D]> internalAcceleration(const State<D>& state, const Vector<D>& c
                                                      radius};
                      forEachBlock("rhegma::internalForce", state.blocks, block);
                    });
+  addTies(state, force);
   divideByMass(state.nodes, force);
   return force;
 }

@@ -72,7 +72,7 @@ void measureEnergy(State<D>& state)
   Kokkos::parallel_reduce("rhegma::measureEnergy", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
                           ParticleSums<D>(state), sum);
   state.energy.kinetic = sum[0];
-  state.energy.strain = sum[1];
+  state.energy.strain = sum[1] + state.energy.ties;
   state.energy.plastic = sum[2];
   for (int d = 0; d < D; ++d)
     state.momentum[d] = sum[3 + d];

@@ -14,6 +14,7 @@ struct EnergyLedger
   double start = 0.0; ///< kinetic + strain when the run began
   double thermal = 0.0;
   double externalWork = 0.0;
+  double ties = 0.0;    ///< elastic, of ties just behind crack fronts; a part of `strain`
   double damped = 0.0;  ///< by the damping effect
   double plastic = 0.0; ///< spent in plastic flow
   double contact = 0.0;

@@ -141,10 +141,9 @@ struct Errors
 
 } // namespace
 
-/// What is asked: K within 1 %, the direction of the largest hoop stress within 0.5 degrees, at 8 cells a
-/// half length. A single tip may be off by more in K, because the crack of the cells is longer or shorter by
-/// up to half a cell an end: K by 1/2 times 0.5/8, 3 %, is the bound for one tip, 1 % that for their mean and
-/// spread.
+/// What is asked of every tip: K within 1 %, the direction of the largest hoop stress within 0.5 degrees, at
+/// 8 cells a half length. Without ties behind the fronts (Cracks > Front Ties) the crack of the cells is
+/// longer or shorter by up to half a cell an end, and 1.2 % and 1.3 degrees are reached.
 TEST(InclinedCracks, MeetTheClosedForm)
 {
   std::mt19937 random(20);
@@ -180,11 +179,8 @@ TEST(InclinedCracks, MeetTheClosedForm)
   release.print("K against the root of E' J", "%");
   direction.print("kink against the closed form", "degrees");
   length.print("tip of the cells ahead of the front", "cells");
-  EXPECT_LT(std::fabs(intensity.mean()), 1.0);
-  EXPECT_LT(intensity.rms(), 1.0);
-  EXPECT_LT(intensity.largest(), 3.0);
-  EXPECT_LT(std::fabs(direction.mean()), 0.5);
-  EXPECT_LT(direction.rms(), 0.5);
+  EXPECT_LT(intensity.largest(), 1.0);
+  EXPECT_LT(direction.largest(), 0.5);
   // The quadrature of both: (cell / inner)^2 / 24 of the singular products, twice for the square.
   EXPECT_LT(release.largest(), 1.0);
 }
