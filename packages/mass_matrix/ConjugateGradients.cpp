@@ -1,7 +1,7 @@
 #include "mass_matrix/ConjugateGradients.hpp"
 
+#include <BelosBlockCGSolMgr.hpp>
 #include <BelosLinearProblem.hpp>
-#include <BelosPseudoBlockCGSolMgr.hpp>
 #include <BelosTpetraAdapter.hpp>
 #include <Teuchos_DefaultSerialComm.hpp>
 #include <Teuchos_oblackholestream.hpp>
@@ -22,90 +22,81 @@ namespace
 using Map = Tpetra::Map<>;
 using MultiVector = Tpetra::MultiVector<double>;
 using Operator = Tpetra::Operator<double>;
-using Solver = Belos::PseudoBlockCGSolMgr<double, MultiVector, Operator>;
+using Solver = Belos::BlockCGSolMgr<double, MultiVector, Operator>;
 using Problem = Belos::LinearProblem<double, MultiVector, Operator>;
 using Teuchos::RCP;
 using Teuchos::rcp;
 
-/// The numbers of a vector of Tpetra with one column.
-template <class Column>
-auto borrow(const Column& column)
+BorrowedView<const double*> read(const MultiVector& from)
 {
-  using Value = typename Column::value_type;
-  return BorrowedView<Value*>(column.data(), column.extent(0));
+  const auto column = Kokkos::subview(from.getLocalViewDevice(Tpetra::Access::ReadOnly), Kokkos::ALL(), 0);
+  return BorrowedView<const double*>(column.data(), column.extent(0));
 }
 
-/// y = alpha f(x) + beta y for each column, as Tpetra asks.
+BorrowedView<double*> overwrite(MultiVector& to)
+{
+  const auto column = Kokkos::subview(to.getLocalViewDevice(Tpetra::Access::OverwriteAll), Kokkos::ALL(), 0);
+  return BorrowedView<double*>(column.data(), column.extent(0));
+}
+
+/// y = f(x) for vectors of one column, f set anew for each solve; y = 0 while there is none.
 class FunctionOperator : public Operator
 {
 public:
-  FunctionOperator(RCP<const Map> map, ConjugateGradients::Apply apply)
-      : map_(std::move(map)), apply_(std::move(apply)), image_(map_, 1)
-  {
-  }
+  explicit FunctionOperator(RCP<const Map> map) : map_(std::move(map)) {}
   RCP<const Map> getDomainMap() const override { return map_; }
   RCP<const Map> getRangeMap() const override { return map_; }
+  void set(ConjugateGradients::Apply function) { function_ = std::move(function); }
   void apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp, double alpha, double beta) const override
   {
-    for (std::size_t c = 0; c < x.getNumVectors(); ++c)
-    {
-      const auto from = x.getVector(c);
-      const auto to = y.getVectorNonConst(c);
-      if (alpha == 1.0 && beta == 0.0)
-        applyTo(*from, *to);
-      else
-      {
-        applyTo(*from, image_);
-        to->update(alpha, image_, beta);
-      }
-    }
+    if (alpha != 1.0 || beta != 0.0 || x.getNumVectors() != 1)
+      throw std::logic_error("the mass matrix is only ever applied to one vector, as y = M x");
+    if (function_)
+      function_(read(x), overwrite(y));
+    else
+      y.putScalar(0.0);
   }
 
 private:
-  void applyTo(const MultiVector& from, MultiVector& to) const
-  {
-    const auto x = Kokkos::subview(from.getLocalViewDevice(Tpetra::Access::ReadOnly), Kokkos::ALL(), 0);
-    const auto y = Kokkos::subview(to.getLocalViewDevice(Tpetra::Access::OverwriteAll), Kokkos::ALL(), 0);
-    apply_(borrow(x), borrow(y));
-  }
-
   RCP<const Map> map_;
-  ConjugateGradients::Apply apply_;
-  mutable MultiVector image_;
+  ConjugateGradients::Apply function_;
 };
-
-void copyIn(const View<double*>& from, MultiVector& to, int n)
-{
-  const auto column = Kokkos::subview(to.getLocalViewDevice(Tpetra::Access::OverwriteAll), Kokkos::ALL(), 0);
-  Kokkos::parallel_for(
-      "rhegma::mass::copyIn", Kokkos::RangePolicy<ExecSpace>(0, n),
-      KOKKOS_LAMBDA(const int i) { column(i) = from(i); });
-}
-
-void copyOut(const MultiVector& from, const View<double*>& to, int n)
-{
-  const auto column = Kokkos::subview(from.getLocalViewDevice(Tpetra::Access::ReadOnly), Kokkos::ALL(), 0);
-  Kokkos::parallel_for(
-      "rhegma::mass::copyOut", Kokkos::RangePolicy<ExecSpace>(0, n),
-      KOKKOS_LAMBDA(const int i) { to(i) = column(i); });
-}
 
 } // namespace
 
-/// Vectors and solver, kept between solves of the same size.
+/// What solves of one size share.
 class ConjugateGradients::Work
 {
 public:
-  explicit Work(int n)
+  Work(int n, double tolerance, int maximumIterations)
       : size(n),
         map(rcp(new Map(static_cast<Tpetra::global_size_t>(n), 0, rcp(new Teuchos::SerialComm<int>())))),
         left(rcp(new MultiVector(map, 1))),
-        right(rcp(new MultiVector(map, 1)))
+        right(rcp(new MultiVector(map, 1))),
+        matrix(rcp(new FunctionOperator(map))),
+        preconditioner(rcp(new FunctionOperator(map))),
+        problem(rcp(new Problem(matrix, left, right)))
   {
+    // From the right, so that no preconditioned first residual is formed that nobody reads.
+    problem->setRightPrec(preconditioner);
+    problem->setHermitian();
+    problem->setProblem();
+    const RCP<Teuchos::ParameterList> settings = Teuchos::parameterList();
+    settings->set("Block Size", 1); // with which the manager runs plain conjugate gradients
+    settings->set("Convergence Tolerance", tolerance);
+    settings->set("Implicit Residual Scaling", "None");
+    settings->set("Maximum Iterations", maximumIterations);
+    settings->set("Verbosity", static_cast<int>(Belos::Errors));
+    settings->set<RCP<std::ostream>>("Output Stream", rcp(new Teuchos::oblackholestream()));
+    solver.setParameters(settings);
+    solver.setProblem(problem);
   }
+
   int size;
   RCP<const Map> map;
   RCP<MultiVector> left, right;
+  RCP<FunctionOperator> matrix, preconditioner;
+  RCP<Problem> problem;
   Solver solver;
 };
 
@@ -116,65 +107,39 @@ ConjugateGradients::ConjugateGradients(double tolerance, int maximumIterations)
 
 ConjugateGradients::~ConjugateGradients() = default;
 
-SolveResult ConjugateGradients::solve(int n, const Apply& apply, const View<double*>& inverseDiagonal,
-                                      const View<double*>& right, double scale, const View<double*>& x)
+void ConjugateGradients::resize(int n)
 {
-  SolveResult result;
-  Kokkos::parallel_for(
-      "rhegma::mass::clearSolution", Kokkos::RangePolicy<ExecSpace>(0, n),
-      KOKKOS_LAMBDA(const int i) { x(i) = 0.0; });
-  const double norm = norm2(right, n);
-  result.residual = scale > 0.0 ? norm / scale : 0.0;
-  result.converged = norm <= tolerance_ * scale;
-  if (result.converged || !std::isfinite(norm))
-    return result;
-
   if (!work_ || work_->size != n)
-    work_ = std::make_unique<Work>(n);
+    work_ = std::make_unique<Work>(n, tolerance_, maximumIterations_);
+}
+
+BorrowedView<double*> ConjugateGradients::right() { return overwrite(*work_->right); }
+
+BorrowedView<const double*> ConjugateGradients::solution() const { return read(*work_->left); }
+
+SolveResult ConjugateGradients::solve(Apply apply, Apply precondition)
+{
   Work& work = *work_;
-  copyIn(right, *work.right, n);
+  SolveResult result;
   work.left->putScalar(0.0);
-  const auto divide =
-      [inverseDiagonal, n](const BorrowedView<const double*>& from, const BorrowedView<double*>& to)
-  {
-    Kokkos::parallel_for(
-        "rhegma::mass::precondition", Kokkos::RangePolicy<ExecSpace>(0, n),
-        KOKKOS_LAMBDA(const int i) { to(i) = inverseDiagonal(i) * from(i); });
-  };
-  const RCP<Problem> problem =
-      rcp(new Problem(rcp(new FunctionOperator(work.map, apply)), work.left, work.right));
-  problem->setLeftPrec(rcp(new FunctionOperator(work.map, divide)));
-  problem->setHermitian();
-  problem->setProblem();
-  const RCP<Teuchos::ParameterList> settings = Teuchos::parameterList();
-  // The residual that the solver starts with is `norm`, as x starts from zero.
-  settings->set("Convergence Tolerance", tolerance_ * scale / norm);
-  settings->set("Maximum Iterations", maximumIterations_);
-  settings->set("Verbosity", static_cast<int>(Belos::Errors));
-  settings->set<RCP<std::ostream>>("Output Stream", rcp(new Teuchos::oblackholestream()));
-  work.solver.setParameters(settings);
-  work.solver.setProblem(problem);
+  // The first residual is the right side: the matrix is not asked what it makes of zero.
+  work.matrix->set({});
+  work.problem->setProblem();
+  work.matrix->set(std::move(apply));
+  work.preconditioner->set(std::move(precondition));
   try
   {
     result.converged = work.solver.solve() == Belos::Converged;
   }
   catch (const std::logic_error&) // p^T A p is not positive: A is singular to round-off
   {
+    result.residual = work.right->getVector(0)->norm2();
+    work.left->putScalar(0.0);
     return result;
   }
   result.iterations = work.solver.getNumIters();
-  result.residual = work.solver.achievedTol() * norm / scale;
-  copyOut(*work.left, x, n);
+  result.residual = work.solver.achievedTol();
   return result;
-}
-
-double norm2(const View<double*>& values, int n)
-{
-  double square = 0.0;
-  Kokkos::parallel_reduce(
-      "rhegma::mass::norm", Kokkos::RangePolicy<ExecSpace>(0, n),
-      KOKKOS_LAMBDA(const int i, double& sum) { sum += values(i) * values(i); }, square);
-  return std::sqrt(square);
 }
 
 } // namespace Rhegma::mass_matrix

@@ -15,27 +15,37 @@ struct SolveResult
 {
   bool converged = false;
   int iterations = 0;
-  double residual = 0.0; ///< 2-norm of what is left of the right side, over the scale that was given
+  double residual = 0.0; ///< 2-norm of what is left of the right side
 };
 
-/// Preconditioned conjugate gradients for a symmetric positive definite operator.
+/// Preconditioned conjugate gradients for a symmetric positive definite operator. Vectors, problem and
+/// manager are made once and serve every solve of the same size.
 class ConjugateGradients
 {
 public:
   /// y = A x
   using Apply = std::function<void(const BorrowedView<const double*>& x, const BorrowedView<double*>& y)>;
 
-  /// \param tolerance of the 2-norm of the residual, over `scale` of solve()
+  /// \param tolerance of the 2-norm of the residual, beside a right side of a size about one
   ConjugateGradients(double tolerance, int maximumIterations);
   ~ConjugateGradients();
   ConjugateGradients(const ConjugateGradients&) = delete;
   ConjugateGradients& operator=(const ConjugateGradients&) = delete;
 
-  /// Finds x from x = 0. \param n unknowns \param inverseDiagonal preconditioner, n values \param scale
-  /// 2-norm that residuals are compared with. Nothing is done where the right side itself is below the
-  /// tolerance.
-  SolveResult solve(int n, const Apply& apply, const View<double*>& inverseDiagonal,
-                    const View<double*>& right, double scale, const View<double*>& x);
+  double tolerance() const { return tolerance_; }
+
+  /// Makes room for problems of n unknowns, if there is none for just as many.
+  void resize(int n);
+
+  /// The right side, to be filled before solve().
+  BorrowedView<double*> right();
+
+  /// What solve() found.
+  BorrowedView<const double*> solution() const;
+
+  /// Finds x with A x = right() from x = 0. \param precondition called once for the first residual and for
+  /// each after
+  SolveResult solve(Apply apply, Apply precondition);
 
 private:
   class Work;
@@ -43,8 +53,5 @@ private:
   int maximumIterations_;
   std::unique_ptr<Work> work_;
 };
-
-/// 2-norm of the first n values.
-double norm2(const View<double*>& values, int n);
 
 } // namespace Rhegma::mass_matrix

@@ -164,7 +164,10 @@ template <int D>
 struct Work
 {
   explicit Work(const Options& o)
-      : options(o), solve(o.tolerance, o.iterations), series(o.order), filter(o.updateOrder)
+      : options(o),
+        solve(o.tolerance, o.iterations, o.unlumping.lumpedShare),
+        series(o.order),
+        filter(o.updateOrder)
   {
   }
 
@@ -176,47 +179,29 @@ struct Work
     return u;
   }
 
-  /// A series has the whole matrix as it is: no cell is too empty for it, as nothing is solved.
-  static Unlumping plain()
-  {
-    Unlumping u;
-    u.lumpedShare = 0.0;
-    u.smallestNode = 0.0;
-    return u;
-  }
-
   void prepare(State<D>& state)
   {
-    if (options.coupled())
-    {
-      assemble(state, unlumping(state), coupled);
-      state.coupledRow = coupled.rowOf;
-      solve.begin(state, coupled);
-    }
-    if (options.series() || options.filtered())
-    {
-      assemble(state, plain(), whole);
-      series.begin(whole);
-      filter.begin(whole);
-    }
+    assemble(state, unlumping(state), coupled);
+    state.coupledRow = coupled.rowOf;
+    solve.begin(state, coupled);
   }
 
   void motion(State<D>& state)
   {
-    if (options.coupled() && coupled.numRows > 0)
+    if (options.coupled() && coupled.numCoupled > 0)
       solve.solveMotion(state, coupled);
     if (options.series())
-      series.motion(state, whole);
+      series.motion(state);
     if (options.filtered())
-      filter.updateVelocity(state, whole, options.update == VelocityUpdate::Fmpm);
+      filter.updateVelocity(state, options.update == VelocityUpdate::Fmpm);
   }
 
   void projection(State<D>& state)
   {
-    if (options.coupled() && coupled.numRows > 0)
+    if (options.coupled() && coupled.numCoupled > 0)
       solve.solveProjection(state, coupled);
     if (options.series())
-      series.projection(state, whole);
+      series.projection(state);
   }
 
   void report(const State<D>& state, nlohmann::json& summary) const
@@ -228,7 +213,7 @@ struct Work
     if (options.coupled())
     {
       const SolveCount& count = solve.count();
-      entry["coupled_nodes"] = coupled.numRows;
+      entry["coupled_nodes"] = coupled.numCoupled;
       entry["solves"] = count.solves;
       entry["cg_iterations_mean"] =
           count.solves > 0 ? static_cast<double>(count.iterations) / static_cast<double>(count.solves) : 0.0;
@@ -244,7 +229,7 @@ struct Work
   }
 
   Options options;
-  MassSystem<D> coupled, whole;
+  MassSystem<D> coupled;
   NodalSolve<D> solve;
   Series<D> series, filter;
   Vector<3> start{{0.0, 0.0, 0.0}};
@@ -280,10 +265,11 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   if (options.coupled())
     effect.timeStepLimit = [](const State<D>& state)
     { return std::min(state.cfl, largestCoupledCfl) * state.grid.spacing / state.fastest; };
-  effect.call(
-      {Stage::Scatter, "assemble the mass matrix", {"nodal mass"}, {"mass matrix"}, {}, [work](State<D>& s) {
-         work->prepare(s);
-       }});
+  if (options.coupled())
+    effect.call(
+        {Stage::Scatter, "assemble the mass matrix", {"nodal mass"}, {"mass matrix"}, {}, [work](State<D>& s) {
+           work->prepare(s);
+         }});
   effect.call({Stage::Solve,
                options.filtered() ? "filtered velocity" : "solve with the " + nameOf(options),
                {"nodal motion", "mass matrix"},

@@ -1,6 +1,7 @@
 #pragma once
-/// The mass matrix that couples nodes, stored as its difference from the lumped one.
+/// The mass matrix that couples nodes: which nodes have a row, and what the rows hold.
 
+#include "state/Pack.hpp"
 #include "state/State.hpp"
 
 namespace Rhegma::mass_matrix
@@ -17,36 +18,90 @@ struct Unlumping
       0.1; ///< a particle that touches a lighter node, in shares of a full cell's mass, stays lumped
 };
 
-/// M = L + A over the nodes that are coupled, L the lumped mass and
+/// M = L + (1 - eps) sum_p theta_p m_p (N_p N_p^T - diag(N_p)) over the nodes of the rows, L the lumped mass.
 ///
-///     A = (1 - eps) sum_p theta_p m_p (N_p N_p^T - diag(N_p)).
+/// Rows and columns add up to L: the total momentum of M x is that of L x. What particles whose functions are
+/// a tensor product give a row lies in its band: lines of nodes along the lattice's fastest axis, whose rows
+/// follow one another, so that a line is one start and a run of numbers. Particles with a stored stencil
+/// (beside cracks) give to rows that also have a list of single entries.
 ///
-/// Rows and columns of A sum to zero, so that L + A has the row sums of L: the total momentum of L x is that
-/// of (L + A) x. Each row holds the nodes around its own: a band for lattice nodes and, beside a crack,
-/// another for second fields.
+/// Vectors have `width` numbers a row and `room` rows; rows outside of first .. last - 1 are zero in them,
+/// and the first lines of a band may read them.
 template <int D>
 struct MassSystem
 {
-  int reach = 1;        ///< neighbours along an axis on each side: 1 linear, 2 GIMP
-  int slots = 0;        ///< (2 reach + 1)^D
-  int numRows = 0;      ///< coupled nodes
-  bool crossed = false; ///< whether the band of second fields is in use
+  static constexpr int width = D == 2 ? 2 : 4; ///< numbers of a row of vectors: one an axis, then zero
 
-  View<int*> rowOf;       ///< row of each node (second fields included), or -1 where the mass stays lumped
-  View<int*> nodeOf;      ///< node of each row
-  View<int*> step;        ///< distance of each slot's node from the row's in the lattice's numbering
-  View<double*> lumped;   ///< L [kg]
-  View<double**> lattice; ///< A, columns at lattice nodes [kg]
-  View<double**> second;  ///< A, columns at second fields of lattice nodes [kg]
+  int reach = 1;         ///< neighbours along an axis on each side: 1 linear, 2 GIMP
+  int lines = 0;         ///< of a band: (2 reach + 1)^(D - 1)
+  int slots = 0;         ///< of a band: (2 reach + 1)^D
+  int stride = 0;        ///< numbers of a row's band, a few unused ones at its end included
+  int first = 0;         ///< first row
+  int last = 0;          ///< one beyond the last row
+  int room = 0;          ///< rows of vectors
+  int numExtra = 0;      ///< rows that have a list
+  int numCoupled = 0;    ///< rows with entries beside their diagonal
+  double coupledMass = 0; ///< sum of L over them [kg]
+
+  View<int*> rowOf;        ///< row of each node (second fields included), or -1 where it is coupled to none
+  View<int*> nodeOf;       ///< node of each row
+  View<double*> lumped;    ///< L [kg]
+  View<double*> band;      ///< M, `stride` numbers a row [kg]
+  View<int*> lineStart;    ///< first row of each line of a row's band
+  View<char*> coupled;     ///< whether a row has entries beside its diagonal
+  View<int*> extraOf;      ///< list of each row, or -1
+  View<int*> extraCount;   ///< entries of each list
+  View<double**> extra;    ///< M beyond the band [kg]
+  View<int**> extraColumn; ///< row of each entry
+
+  // For making the lists.
+  View<int*> step;            ///< distance of a slot's node from the row's, slots by axes in their order
+  View<double* [D]> front;    ///< places around which Partial unlumps [m]
+  int numFronts = 0;
 };
 
 /// Makes the rows and fills the matrix for the particles as they lie now. Needs the nodal mass.
 template <int D>
 void assemble(const State<D>& state, const Unlumping& unlumping, MassSystem<D>& system);
 
-/// y = A x for `Width` values a row, x and y of numRows * Width values.
-template <int D, int Width>
-void multiply(const State<D>& state, const MassSystem<D>& system, const BorrowedView<const double*>& x,
-              const BorrowedView<double*>& y);
+/// Bytes of each node that may have a row, vectors of the solves included.
+template <int D>
+double bytesPerRow(ShapeKind shape);
+
+/// The numbers of row `row` of M x. \param x `width` numbers a row
+template <int D, int Reach>
+KOKKOS_FORCEINLINE_FUNCTION Pack<MassSystem<D>::width> rowTimes(const MassSystem<D>& s, int row,
+                                                                const double* x)
+{
+  constexpr int W = MassSystem<D>::width, span = 2 * Reach + 1, lines = D == 2 ? span : span * span;
+  Pack<W> sum = Pack<W>::zero();
+  const double* const values = s.band.data() + static_cast<std::size_t>(row) * s.stride;
+  const int* const starts = s.lineStart.data() + row * lines;
+  for (int line = 0; line < lines; ++line)
+  {
+    const double* const from = x + W * starts[line];
+    for (int k = 0; k < span; ++k)
+      sum.add(values[line * span + k], Pack<W>::load(from + W * k));
+  }
+  const int list = s.extraOf(row);
+  if (list >= 0)
+    for (int k = 0; k < s.extraCount(list); ++k)
+      sum.add(s.extra(list, k), Pack<W>::load(x + W * s.extraColumn(list, k)));
+  return sum;
+}
+
+/// Calls work(std::integral_constant<int, reach>) with the reach of the system.
+template <int D, class Work>
+void withReach(const MassSystem<D>& system, const Work& work)
+{
+  if (system.reach == 1)
+    work(std::integral_constant<int, 1>{});
+  else
+    work(std::integral_constant<int, 2>{});
+}
+
+/// y = M x, of room * width numbers each. \param weight null, or where a number of it is zero so is y's
+template <int D>
+void multiply(const MassSystem<D>& system, const double* x, double* y, const double* weight = nullptr);
 
 } // namespace Rhegma::mass_matrix

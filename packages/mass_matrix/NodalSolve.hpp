@@ -1,6 +1,7 @@
 #pragma once
 /// Motion of the nodes with a mass matrix that couples them.
 
+#include "mass_matrix/Chebyshev.hpp"
 #include "mass_matrix/ConjugateGradients.hpp"
 #include "mass_matrix/MassSystem.hpp"
 
@@ -26,7 +27,8 @@ template <int D>
 class NodalSolve
 {
 public:
-  NodalSolve(double tolerance, int maximumIterations) : gradients_(tolerance, maximumIterations) {}
+  /// \param lumpedShare eps of M_eps, the least eigenvalue of the lumped mass' inverse times M
+  NodalSolve(double tolerance, int maximumIterations, double lumpedShare);
 
   /// Takes the rows as they are now and the nodes that boundaries hold.
   void begin(const State<D>& state, const MassSystem<D>& system);
@@ -43,31 +45,29 @@ public:
 
   // Parts of the above; public because compilers for devices want kernels in public functions.
 
-  /// Solves M x = right from the guess in x. \param held 1 where x is given by `prescribed`; empty if nowhere
-  void solve(State<D>& state, const MassSystem<D>& system, const View<int*>& held, const View<double*>& x,
+  /// Solves M x = right from the guess in x. \param held whether x is given by `prescribed` where supports are
+  void solve(State<D>& state, const MassSystem<D>& system, bool held, const View<double*>& x,
              const std::string& what);
 
-  /// y = M x.
-  void applyMass(const State<D>& state, const MassSystem<D>& system, const BorrowedView<const double*>& x,
-                 const BorrowedView<double*>& y) const;
-
-  /// Shifts x by a constant so that the residual sums to zero along an axis.
-  void matchSums(const MassSystem<D>& system, int axis, const View<double*>& residual,
-                 const View<double*>& x);
+  /// Finds rows that boundaries hold, and the inverse of the lumped mass elsewhere.
+  void holdRows(const State<D>& state, const MassSystem<D>& system);
 
 private:
-  void reserve(int unknowns);
+  void reserve(const State<D>& state, const MassSystem<D>& system);
+  void record(State<D>& state, const SolveResult& result, double scale, const std::string& what);
 
   ConjugateGradients gradients_;
+  Chebyshev<D> chebyshev_;
   SolveCount count_;
-  int room_ = 0;
-  bool heldAxis_[D] = {}; ///< whether any boundary holds motion along the axis
-  View<int*> heldRoom_;
-  View<int*> held_; ///< 1 where a boundary holds the unknown; empty where there are no such boundaries
-  View<double*> heldVelocity_, inverseDiagonal_;
-  View<double*> right_, prescribed_, residual_, correction_;
+  bool masked_ = false;     ///< whether any boundary holds a motion
+  bool heldAxis_[D] = {};   ///< whether any boundary holds motion along the axis
+  View<double*> inverse_;   ///< 1/L
+  View<double*> freeOnly_;  ///< 1/L, 0 where a boundary holds the unknown
+  View<double*> heldVelocity_;
+  View<double*> right_, prescribed_, residual_;
   View<double*> velocity_, acceleration_;
-  View<double* [D]> lastAcceleration_; ///< of every node: where the next solve starts
+  // Of every node: where the next solves start.
+  View<double* [D]> lastVelocity_, lastAcceleration_;
 };
 
 } // namespace Rhegma::mass_matrix

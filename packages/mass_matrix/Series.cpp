@@ -1,120 +1,122 @@
 #include "mass_matrix/Series.hpp"
 
+#include "transfer/ParticleViews.hpp"
+
 namespace Rhegma::mass_matrix
 {
 
 namespace
 {
 
-Kokkos::RangePolicy<ExecSpace> range(int n) { return Kokkos::RangePolicy<ExecSpace>(0, n); }
-
-/// L^-1 of the sums at `at`, and of `scale` times those at `alsoAt`.
-template <int D>
-void divide(const Nodes<D>& nodes, const MassSystem<D>& s, int at, int alsoAt, double scale,
-            const View<double*>& term)
+/// image += sum of m N (N . rows) over the particles of a block.
+template <int D, int Width, class Connect>
+struct MassTimesBlock
 {
-  Kokkos::parallel_for(
-      "rhegma::mass::firstTerm", range(s.numRows), KOKKOS_LAMBDA(const int row) {
-        const int n = s.nodeOf(row);
-        const double inverse = s.lumped(row) > 0.0 ? 1.0 / s.lumped(row) : 0.0;
-        for (int d = 0; d < D; ++d)
-          term(row * D + d) = inverse * (nodes.sums(n, at + d) + scale * nodes.sums(n, alsoAt + d));
-      });
+  Connect connect;
+  View<double* [Width]> rows, image;
+  BorrowedView<double*> mass;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
+  {
+    const double* const from = rows.data();
+    double* const to = image.data();
+    connect.forEachParticle(begin, end,
+                            [&](int p, const auto& stencil)
+                            {
+                              const Pack<Width> seen = stencil.template value<Width, Width>(from);
+                              stencil.template addValue<Width>(to, mass(p) * seen);
+                            });
+  }
+};
+
+template <int D, int Width>
+void addMassTimes(const State<D>& state, const View<double* [Width]>& rows,
+                  const View<double* [Width]>& image)
+{
+  withConnectivity(state,
+                   [&](const auto& connect)
+                   {
+                     using Connect = std::decay_t<decltype(connect)>;
+                     const MassTimesBlock<D, Width, Connect> block{
+                         connect, rows, image, state.particles.scalar(fields::mass)};
+                     forEachBlock("rhegma::mass::seriesProduct", state.blocks, block);
+                   });
+}
+
+/// Adds the terms 1 .. order - 1 to rows that hold term 0. \param image zero, and left so
+template <int D, int Width>
+void addTerms(const State<D>& state, int order, const View<double* [Width]>& sum,
+              View<double* [Width]>& term, View<double* [Width]>& image)
+{
+  if (image.extent(0) < state.nodes.sums.extent(0))
+  {
+    image = View<double* [Width]>("rhegma::seriesImage", state.nodes.sums.extent(0));
+    if (order > 2)
+      term = View<double* [Width]>("rhegma::seriesTerm", state.nodes.sums.extent(0));
+  }
+  const Nodes<D> nodes = state.nodes;
+  const View<double* [Width]> next = term, product = image;
+  for (int k = 1; k < order; ++k)
+  {
+    const View<double* [Width]> now = k == 1 ? sum : term;
+    const bool more = k + 1 < order;
+    addMassTimes<D, Width>(state, now, image);
+    Kokkos::parallel_for(
+        "rhegma::mass::nextTerm", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+        KOKKOS_LAMBDA(const int i) {
+          const int n = activeNode(nodes, i);
+          const double mass = nodes.sums(n, Nodes<D>::massAt), inverse = mass > 0.0 ? 1.0 / mass : 0.0;
+          for (int c = 0; c < Width; ++c)
+          {
+            const double t = now(n, c) - inverse * product(n, c);
+            product(n, c) = 0.0;
+            if (more)
+              next(n, c) = t;
+            sum(n, c) += t;
+          }
+        });
+  }
 }
 
 } // namespace
 
 template <int D>
-void Series<D>::begin(const MassSystem<D>& system)
+void Series<D>::motion(State<D>& state)
 {
-  const int unknowns = system.numRows * D;
-  if (static_cast<int>(term_.extent(0)) >= unknowns)
-    return;
-  const int room = unknowns + unknowns / 4 + 16;
-  term_ = View<double*>("rhegma::seriesTerm", room);
-  image_ = View<double*>("rhegma::seriesImage", room);
-  sum_ = View<double*>("rhegma::seriesSum", room);
+  addTerms<D, Nodes<D>::motionWidth>(state, order_, state.nodes.motion, motionTerm_, motionImage_);
 }
 
 template <int D>
-void Series<D>::sum(const State<D>& state, const MassSystem<D>& system)
-{
-  const View<double*> term = term_, image = image_, sum = sum_;
-  const MassSystem<D> s = system;
-  Kokkos::parallel_for(
-      "rhegma::mass::startSeries", range(s.numRows * D), KOKKOS_LAMBDA(const int i) { sum(i) = term(i); });
-  for (int k = 1; k < order_; ++k)
-  {
-    multiply<D, D>(state, system, BorrowedView<const double*>(term.data(), term.extent(0)),
-                   BorrowedView<double*>(image.data(), image.extent(0)));
-    Kokkos::parallel_for(
-        "rhegma::mass::nextTerm", range(s.numRows * D), KOKKOS_LAMBDA(const int i) {
-          const double mass = s.lumped(i / D);
-          term(i) = mass > 0.0 ? -image(i) / mass : 0.0;
-          sum(i) += term(i);
-        });
-  }
-}
-
-template <int D>
-void Series<D>::motion(State<D>& state, const MassSystem<D>& system)
+void Series<D>::updateVelocity(State<D>& state, bool withImpulse)
 {
   const Nodes<D> nodes = state.nodes;
-  const MassSystem<D> s = system;
-  const View<double*> result = sum_;
-  const double dt = state.dt;
-  divide(nodes, s, Nodes<D>::forceAt, Nodes<D>::forceAt, 0.0, term_);
-  sum(state, system);
+  if (filtered_.extent(0) < nodes.sums.extent(0))
+    filtered_ = VelocityRows("rhegma::filteredVelocity", nodes.sums.extent(0));
+  const VelocityRows filtered = filtered_;
+  const double dt = state.dt, impulse = withImpulse ? dt : 0.0, rest = withImpulse ? 0.0 : dt;
   Kokkos::parallel_for(
-      "rhegma::mass::seriesAcceleration", range(s.numRows), KOKKOS_LAMBDA(const int row) {
+      "rhegma::mass::firstTerm", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+      KOKKOS_LAMBDA(const int i) {
+        const int n = activeNode(nodes, i);
+        const double mass = nodes.sums(n, Nodes<D>::massAt), inverse = mass > 0.0 ? 1.0 / mass : 0.0;
         for (int d = 0; d < D; ++d)
-          nodes.motion(s.nodeOf(row), Nodes<D>::accelerationAt + d) = result(row * D + d);
+          filtered(n, d) = inverse * (nodes.sums(n, Nodes<D>::momentumAt + d) +
+                                      impulse * nodes.sums(n, Nodes<D>::forceAt + d));
       });
-  divide(nodes, s, Nodes<D>::momentumAt, Nodes<D>::momentumAt, 0.0, term_);
-  sum(state, system);
+  addTerms<D, Nodes<D>::projectionWidth>(state, order_, filtered_, term_, image_);
   Kokkos::parallel_for(
-      "rhegma::mass::seriesVelocity", range(s.numRows), KOKKOS_LAMBDA(const int row) {
-        const int n = s.nodeOf(row);
+      "rhegma::mass::filteredVelocity", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+      KOKKOS_LAMBDA(const int i) {
+        const int n = activeNode(nodes, i);
         for (int d = 0; d < D; ++d)
-          nodes.motion(n, d) = result(row * D + d) + dt * nodes.motion(n, Nodes<D>::accelerationAt + d);
-      });
-}
-
-template <int D>
-void Series<D>::updateVelocity(State<D>& state, const MassSystem<D>& system, bool withImpulse)
-{
-  const Nodes<D> nodes = state.nodes;
-  const MassSystem<D> s = system;
-  const View<double*> result = sum_;
-  const double dt = state.dt;
-  divide(nodes, s, Nodes<D>::momentumAt, Nodes<D>::forceAt, withImpulse ? dt : 0.0, term_);
-  sum(state, system);
-  Kokkos::parallel_for(
-      "rhegma::mass::filteredVelocity", range(s.numRows), KOKKOS_LAMBDA(const int row) {
-        const int n = s.nodeOf(row);
-        for (int d = 0; d < D; ++d)
-          nodes.motion(n, d) =
-              result(row * D + d) + (withImpulse ? 0.0 : dt * nodes.motion(n, Nodes<D>::accelerationAt + d));
+          nodes.motion(n, d) = filtered(n, d) + rest * nodes.motion(n, Nodes<D>::accelerationAt + d);
       });
 }
 
 template <int D>
-void Series<D>::projection(State<D>& state, const MassSystem<D>& system)
+void Series<D>::projection(State<D>& state)
 {
-  const Nodes<D> nodes = state.nodes;
-  const MassSystem<D> s = system;
-  const View<double*> term = term_, result = sum_;
-  Kokkos::parallel_for(
-      "rhegma::mass::projected", range(s.numRows), KOKKOS_LAMBDA(const int row) {
-        for (int d = 0; d < D; ++d)
-          term(row * D + d) = nodes.projection(s.nodeOf(row), d);
-      });
-  sum(state, system);
-  Kokkos::parallel_for(
-      "rhegma::mass::seriesProjection", range(s.numRows), KOKKOS_LAMBDA(const int row) {
-        for (int d = 0; d < D; ++d)
-          nodes.projection(s.nodeOf(row), d) = result(row * D + d);
-      });
+  addTerms<D, Nodes<D>::projectionWidth>(state, order_, state.nodes.projection, term_, image_);
 }
 
 template class Series<2>;

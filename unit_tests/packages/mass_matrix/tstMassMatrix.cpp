@@ -1,6 +1,7 @@
 /// The mass matrix: its entries, and what runs keep with each type.
 
 #include "mass_matrix/MassSystem.hpp"
+#include "transfer/ParticleViews.hpp"
 
 #include "../../src/step/Bodies.hpp"
 
@@ -114,40 +115,70 @@ TEST(MassSystem, MultipliesAsTheSumOverParticles)
     // The nodes keep the masses of the step, for which the particles stood where they are but for the step's
     // move: so none moves here.
     mass_matrix::assemble(state, whole, system);
-    ASSERT_GT(system.numRows, 30);
-    const int n = system.numRows * 2;
+    ASSERT_GT(system.numCoupled, 30);
+    const int n = system.room * 2;
     View<double*> one("one", n), x("x", n), y("y", n);
     const auto hostOne = Kokkos::create_mirror_view(one), hostX = Kokkos::create_mirror_view(x);
     std::mt19937 generator(3);
     std::uniform_real_distribution<double> number(-1.0, 1.0);
-    for (int i = 0; i < n; ++i)
+    for (int i = 2 * system.first; i < 2 * system.last; ++i)
     {
       hostOne(i) = 1.0;
       hostX(i) = number(generator);
     }
     Kokkos::deep_copy(one, hostOne);
     Kokkos::deep_copy(x, hostX);
-    const auto multiply = [&](const View<double*>& from)
+    const auto lumped = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, system.lumped);
+    // M x - L x
+    const auto beyondLumped = [&](const View<double*>& from)
     {
-      mass_matrix::multiply<2, 2>(state, system, BorrowedView<const double*>(from.data(), n),
-                                  BorrowedView<double*>(y.data(), n));
-      return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, y);
+      mass_matrix::multiply<2>(system, from.data(), y.data());
+      const auto image = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, y);
+      const auto given = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, from);
+      std::vector<double> difference(n);
+      for (int i = 2 * system.first; i < 2 * system.last; ++i)
+        difference[i] = image(i) - lumped(i / 2) * given(i);
+      return difference;
     };
     const double cellMass = 1.0;
-    const auto ofOne = multiply(one);
+    const auto ofOne = beyondLumped(one);
     double largest = 0.0;
     for (int i = 0; i < n; ++i)
-      largest = std::max(largest, std::fabs(ofOne(i)));
+      largest = std::max(largest, std::fabs(ofOne[i]));
     EXPECT_LT(largest, 1e-14 * cellMass) << shape;
-    // Symmetric, and M - L can only take from the quadratic form: x^T A x = - sum of m times a variance.
-    const auto ofX = multiply(x);
+    // x^T (M - L) x = - sum over particles of m times the variance of x over the weights; and the sum of
+    // (M - L) x is 0, as it is symmetric with row sums of zero.
+    const auto ofX = beyondLumped(x);
     double form = 0.0, sumOfImage = 0.0;
     for (int i = 0; i < n; ++i)
     {
-      form += hostX(i) * ofX(i);
-      sumOfImage += ofX(i); // 1^T A x = 0 as A is symmetric with row sums of zero
+      form += hostX(i) * ofX[i];
+      sumOfImage += ofX[i];
     }
+    const auto rowOf = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, system.rowOf);
+    const auto mass = state.particles.scalar(fields::mass);
+    double byParticles = 0.0;
+    withConnectivity(state,
+                     [&](const auto& connect)
+                     {
+                       for (int p = 0; p < state.particles.size(); ++p)
+                         for (int d = 0; d < 2; ++d)
+                         {
+                           double mean = 0.0, square = 0.0;
+                           connect.visit(p,
+                                         [&](int node, double weight, const double*)
+                                         {
+                                           if (weight == 0.0)
+                                             return;
+                                           const double value = hostX(2 * rowOf(node) + d);
+                                           mean += weight * value;
+                                           square += weight * value * value;
+                                         });
+                           byParticles -= mass(p) * (square - mean * mean);
+                         }
+                     });
     EXPECT_LT(form, -0.1 * cellMass) << shape;
+    EXPECT_NEAR(form, byParticles, 1e-12 * std::fabs(form)) << shape;
     EXPECT_LT(std::fabs(sumOfImage), 1e-12 * cellMass) << shape;
   }
 }

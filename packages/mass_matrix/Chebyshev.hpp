@@ -1,0 +1,35 @@
+#pragma once
+/// A polynomial in the mass matrix that stands for its inverse.
+
+#include "mass_matrix/MassSystem.hpp"
+
+namespace Rhegma::mass_matrix
+{
+
+/// z = p(D^-1 M) D^-1 r, D the lumped mass and p the polynomial for which the worst |1 - x p(x)| over the
+/// eigenvalues is least.
+///
+/// The eigenvalues of D^-1 M lie between the share of lumped mass and 1: the row sums of M are D, and what is
+/// taken from D has no negative eigenvalue. p is positive there, so z is a symmetric positive definite
+/// function of r and may precondition conjugate gradients; a constant times L is mapped to a constant.
+/// Source: Saad, Iterative Methods for Sparse Linear Systems, 2nd ed., algorithm 12.1.
+template <int D>
+class Chebyshev
+{
+public:
+  /// \param least eigenvalue \param products of the matrix with a vector that one application takes; even, so
+  /// that the last iterate lies in z
+  Chebyshev(double least, int products);
+
+  /// \param r, z room * width numbers \param inverse 1/D, or 0 where an unknown is given: z is 0 there
+  /// \param enough where the 2-norm of r is not above this, only D^-1 r is formed
+  void apply(const MassSystem<D>& system, const View<double*>& inverse, const double* r, double* z,
+             double enough);
+
+private:
+  double least_;
+  int products_;
+  View<double*> other_; ///< the iterates lie here and in z by turns
+};
+
+} // namespace Rhegma::mass_matrix
