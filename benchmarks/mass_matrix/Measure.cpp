@@ -37,10 +37,7 @@ struct Runner
     advance(warmUp);
   }
 
-  void advance(int steps)
-  {
-    simulation->advance(simulation->time() + steps * simulation->stableTimeStep());
-  }
+  void advance(int steps) { simulation->advance(simulation->time() + steps * simulation->stableTimeStep()); }
 
   void batch(int steps)
   {

@@ -266,10 +266,12 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     effect.timeStepLimit = [](const State<D>& state)
     { return std::min(state.cfl, largestCoupledCfl) * state.grid.spacing / state.fastest; };
   if (options.coupled())
-    effect.call(
-        {Stage::Scatter, "assemble the mass matrix", {"nodal mass"}, {"mass matrix"}, {}, [work](State<D>& s) {
-           work->prepare(s);
-         }});
+    effect.call({Stage::Scatter,
+                 "assemble the mass matrix",
+                 {"nodal mass"},
+                 {"mass matrix"},
+                 {},
+                 [work](State<D>& s) { work->prepare(s); }});
   effect.call({Stage::Solve,
                options.filtered() ? "filtered velocity" : "solve with the " + nameOf(options),
                {"nodal motion", "mass matrix"},

@@ -61,8 +61,8 @@ struct AssembleBlock
       }
       if (!any)
         continue;
-      stencils.fill(grid, &connect.position(begin, 0), S == ShapeKind::Gimp ? &connect.box(begin, 0) : nullptr,
-                    count);
+      stencils.fill(grid, &connect.position(begin, 0),
+                    S == ShapeKind::Gimp ? &connect.box(begin, 0) : nullptr, count);
       for (int l = 0; l < count; ++l)
       {
         const int p = begin + l;
@@ -147,7 +147,8 @@ struct AssembleBlock
   KOKKOS_INLINE_FUNCTION void addToLists(int r, double m, double lightest) const
   {
     const StencilTable<D>& table = connect.table;
-    int row[stencilCapacity<D>], place[stencilCapacity<D>], at[stencilCapacity<D>][D], field[stencilCapacity<D>];
+    int row[stencilCapacity<D>], place[stencilCapacity<D>], at[stencilCapacity<D>][D],
+        field[stencilCapacity<D>];
     double weight[stencilCapacity<D>];
     int low[D], high[D], n = 0;
     for (int k = 0; k < table.count(r); ++k)
@@ -478,11 +479,11 @@ void addParticles(const State<D>& state, const Unlumping& unlumping, const Consi
   add.consistentShare = 1.0 - unlumping.lumpedShare;
   // Blocks of one colour share no node.
   for (int colour = 0; colour < Blocks<D>::colours; ++colour)
-    Kokkos::parallel_for("rhegma::mass::assemble",
-                         Kokkos::RangePolicy<ExecSpace, Kokkos::Schedule<Kokkos::Dynamic>>(
-                             state.blocks.colourStart[colour], state.blocks.colourStart[colour + 1],
-                             Kokkos::ChunkSize(1)),
-                         add);
+    Kokkos::parallel_for(
+        "rhegma::mass::assemble",
+        Kokkos::RangePolicy<ExecSpace, Kokkos::Schedule<Kokkos::Dynamic>>(
+            state.blocks.colourStart[colour], state.blocks.colourStart[colour + 1], Kokkos::ChunkSize(1)),
+        add);
 }
 
 } // namespace

@@ -32,15 +32,15 @@ struct MassSystem
 {
   static constexpr int width = D == 2 ? 2 : 4; ///< numbers of a row of vectors: one an axis, then zero
 
-  int reach = 1;         ///< neighbours along an axis on each side: 1 linear, 2 GIMP
-  int lines = 0;         ///< of a band: (2 reach + 1)^(D - 1)
-  int slots = 0;         ///< of a band: (2 reach + 1)^D
-  int stride = 0;        ///< numbers of a row's band, a few unused ones at its end included
-  int first = 0;         ///< first row
-  int last = 0;          ///< one beyond the last row
-  int room = 0;          ///< rows of vectors
-  int numExtra = 0;      ///< rows that have a list
-  int numCoupled = 0;    ///< rows with entries beside their diagonal
+  int reach = 1;          ///< neighbours along an axis on each side: 1 linear, 2 GIMP
+  int lines = 0;          ///< of a band: (2 reach + 1)^(D - 1)
+  int slots = 0;          ///< of a band: (2 reach + 1)^D
+  int stride = 0;         ///< numbers of a row's band, a few unused ones at its end included
+  int first = 0;          ///< first row
+  int last = 0;           ///< one beyond the last row
+  int room = 0;           ///< rows of vectors
+  int numExtra = 0;       ///< rows that have a list
+  int numCoupled = 0;     ///< rows with entries beside their diagonal
   double coupledMass = 0; ///< sum of L over them [kg]
 
   View<int*> rowOf;        ///< row of each node (second fields included), or -1 where it is coupled to none
@@ -55,8 +55,8 @@ struct MassSystem
   View<int**> extraColumn; ///< row of each entry
 
   // For making the lists.
-  View<int*> step;            ///< distance of a slot's node from the row's, slots by axes in their order
-  View<double* [D]> front;    ///< places around which Partial unlumps [m]
+  View<int*> step;         ///< distance of a slot's node from the row's, slots by axes in their order
+  View<double* [D]> front; ///< places around which Partial unlumps [m]
   int numFronts = 0;
 };
 
@@ -74,19 +74,25 @@ KOKKOS_FORCEINLINE_FUNCTION Pack<MassSystem<D>::width> rowTimes(const MassSystem
                                                                 const double* x)
 {
   constexpr int W = MassSystem<D>::width, span = 2 * Reach + 1, lines = D == 2 ? span : span * span;
-  Pack<W> sum = Pack<W>::zero();
+  // A sum for each place along the lines: one sum alone would wait for itself at every entry.
+  Pack<W> sums[span];
+  for (int k = 0; k < span; ++k)
+    sums[k] = Pack<W>::zero();
   const double* const values = s.band.data() + static_cast<std::size_t>(row) * s.stride;
   const int* const starts = s.lineStart.data() + row * lines;
   for (int line = 0; line < lines; ++line)
   {
     const double* const from = x + W * starts[line];
     for (int k = 0; k < span; ++k)
-      sum.add(values[line * span + k], Pack<W>::load(from + W * k));
+      sums[k].add(values[line * span + k], Pack<W>::load(from + W * k));
   }
   const int list = s.extraOf(row);
   if (list >= 0)
     for (int k = 0; k < s.extraCount(list); ++k)
-      sum.add(s.extra(list, k), Pack<W>::load(x + W * s.extraColumn(list, k)));
+      sums[k % 2].add(s.extra(list, k), Pack<W>::load(x + W * s.extraColumn(list, k)));
+  Pack<W> sum = sums[0];
+  for (int k = 1; k < span; ++k)
+    sum.add(1.0, sums[k]);
   return sum;
 }
 

@@ -22,34 +22,90 @@ Kokkos::RangePolicy<ExecSpace> rows(const MassSystem<D>& system)
   return Kokkos::RangePolicy<ExecSpace>(system.first, system.last);
 }
 
-/// residual = right - M x in free rows, 0 in held ones. Sums the squares of both and the residual along each
-/// axis in one pass.
+/// What one look at a first guess x gives, summed over the unknowns that are free.
+template <int D>
+struct GuessSums
+{
+  double rightSquare = 0.0;    ///< b^2
+  double residualSquare = 0.0; ///< (b - M x)^2
+  double along = 0.0;          ///< x b
+  double energy = 0.0;         ///< x M x
+  double right[D] = {};        ///< b, along each axis
+  double image[D] = {};        ///< M x, along each axis
+  static constexpr int size = 4 + 2 * D;
+};
+
+/// image = M x, with the sums of a first guess.
 template <int D, int Reach>
-struct Residual
+struct LookAtGuess
 {
   using value_type = double[];
   using size_type = int;
   using execution_space = ExecSpace;
 
-  int value_count = 2 + D;
+  int value_count = GuessSums<D>::size;
   MassSystem<D> system;
-  View<double*> right, x, inverse, residual;
+  View<double*> right, x, inverse, image;
 
   KOKKOS_INLINE_FUNCTION void operator()(const int row, double* sum) const
   {
-    const Pack<width<D>> image = rowTimes<D, Reach>(system, row, x.data());
+    const Pack<width<D>> product = rowTimes<D, Reach>(system, row, x.data());
     for (int d = 0; d < D; ++d)
     {
       const int i = width<D> * row + d;
-      const bool free = inverse(i) != 0.0;
-      const double b = free ? right(i) : 0.0, r = free ? b - image[d] : 0.0;
-      residual(i) = r;
+      image(i) = product[d];
+      if (inverse(i) == 0.0)
+        continue;
+      const double b = right(i), y = product[d];
       sum[0] += b * b;
-      sum[1] += r * r;
-      sum[2 + d] += r;
+      sum[1] += (b - y) * (b - y);
+      sum[2] += x(i) * b;
+      sum[3] += x(i) * y;
+      sum[4 + d] += b;
+      sum[4 + D + d] += y;
     }
   }
 };
+
+template <int D>
+GuessSums<D> lookAtGuess(const MassSystem<D>& system, const View<double*>& right, const View<double*>& x,
+                         const View<double*>& inverse, const View<double*>& image)
+{
+  double sum[GuessSums<D>::size] = {};
+  withReach(system,
+            [&](auto reach)
+            {
+              LookAtGuess<D, decltype(reach)::value> work;
+              work.system = system;
+              work.right = right;
+              work.x = x;
+              work.inverse = inverse;
+              work.image = image;
+              Kokkos::parallel_reduce("rhegma::mass::guess", rows(system), work, sum);
+            });
+  GuessSums<D> sums;
+  sums.rightSquare = sum[0];
+  sums.residualSquare = sum[1];
+  sums.along = sum[2];
+  sums.energy = sum[3];
+  for (int d = 0; d < D; ++d)
+  {
+    sums.right[d] = sum[4 + d];
+    sums.image[d] = sum[4 + D + d];
+  }
+  return sums;
+}
+
+/// x += scale correction, in the rows.
+template <int D>
+void addScaled(const MassSystem<D>& system, double scale, const BorrowedView<const double*>& correction,
+               const View<double*>& x)
+{
+  Kokkos::parallel_for(
+      "rhegma::mass::correct",
+      Kokkos::RangePolicy<ExecSpace>(system.first * width<D>, system.last * width<D>),
+      KOKKOS_LAMBDA(const int i) { x(i) += scale * correction(i); });
+}
 
 } // namespace
 
@@ -71,7 +127,7 @@ void NodalSolve<D>::reserve(const State<D>& state, const MassSystem<D>& system)
     heldVelocity_ = make("rhegma::massHeldVelocity");
     right_ = make("rhegma::massRight");
     prescribed_ = make("rhegma::massPrescribed");
-    residual_ = make("rhegma::massResidual");
+    image_ = make("rhegma::massImage");
     velocity_ = make("rhegma::massVelocity");
     acceleration_ = make("rhegma::massAcceleration");
     gradients_.resize(static_cast<int>(n));
@@ -100,7 +156,7 @@ void NodalSolve<D>::holdRows(const State<D>& state, const MassSystem<D>& system)
   const MassSystem<D> s = system;
   const Nodes<D> nodes = state.nodes;
   const View<double*> inverse = inverse_, free = freeOnly_, value = heldVelocity_, right = right_,
-                      residual = residual_, velocity = velocity_, acceleration = acceleration_;
+                      image = image_, velocity = velocity_, acceleration = acceleration_;
   // Vectors are zero outside of the rows and in unused numbers of them.
   Kokkos::parallel_for(
       "rhegma::mass::begin", Kokkos::RangePolicy<ExecSpace>(0, s.room), KOKKOS_LAMBDA(const int row) {
@@ -110,7 +166,7 @@ void NodalSolve<D>::holdRows(const State<D>& state, const MassSystem<D>& system)
           const int i = width<D> * row + d;
           inverse(i) = free(i) = inside && d < D && s.coupled(row) ? 1.0 / s.lumped(row) : 0.0;
           if (!inside || !s.coupled(row))
-            right(i) = residual(i) = velocity(i) = acceleration(i) = 0.0;
+            right(i) = image(i) = velocity(i) = acceleration(i) = 0.0;
         }
       });
   for (const NodeConstraint<D>& constraint : state.constraints)
@@ -151,10 +207,10 @@ void NodalSolve<D>::record(State<D>& state, const SolveResult& result, double sc
 
 template <int D>
 void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool held, const View<double*>& x,
-                          const std::string& what)
+                          const std::string& what, Accuracy accuracy)
 {
   const bool masked = held && masked_;
-  const View<double*> inverse = masked ? freeOnly_ : inverse_, residual = residual_, prescribed = prescribed_;
+  const View<double*> inverse = masked ? freeOnly_ : inverse_, image = image_, prescribed = prescribed_;
   const MassSystem<D> s = system;
   if (masked)
     Kokkos::parallel_for(
@@ -163,42 +219,37 @@ void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool hel
             if (inverse(i) == 0.0 && s.coupled(row))
               x(i) = prescribed(i);
         });
-  double sum[2 + D] = {};
-  withReach(system,
-            [&](auto reach)
-            {
-              Residual<D, decltype(reach)::value> work;
-              work.system = system;
-              work.right = right_;
-              work.x = x;
-              work.inverse = inverse;
-              work.residual = residual;
-              Kokkos::parallel_reduce("rhegma::mass::residual", rows(system), work, sum);
-            });
+  const GuessSums<D> guess = lookAtGuess(system, right_, x, inverse, image);
   // Where supports alone move a body at rest, the right side of the free nodes is zero.
-  const double scale = std::sqrt(std::max(sum[0], sum[1]));
-  if (scale == 0.0)
-    return record(state, {true, 0, 0.0}, scale, what);
+  const double scale =
+      std::sqrt(masked ? std::max(guess.rightSquare, guess.residualSquare) : guess.rightSquare);
+  // The multiple of the guess that is nearest to the solution in the norm of M: damping scales velocities.
+  const bool scalable = !masked && guess.energy > 0.0;
+  const double multiple = masked ? 1.0 : scalable ? guess.along / guess.energy : 0.0;
   // A shift of x by a constant leaves a residual without a sum, as M 1 = L 1. Axes along which nothing is
   // held keep their momentum so; without a mask all do.
   Vector<D> shift{};
   for (int d = 0; d < D; ++d)
-    shift[d] = masked && heldAxis_[d] ? 0.0 : sum[2 + d] / system.coupledMass;
+    if (!masked || !heldAxis_[d])
+      shift[d] = (guess.right[d] - multiple * guess.image[d]) / system.coupledMass;
   const BorrowedView<double*> right = gradients_.right();
+  const View<double*> asked = right_;
+  const double inverseScale = scale > 0.0 ? 1.0 / scale : 0.0;
   double square = 0.0;
   Kokkos::parallel_reduce(
-      "rhegma::mass::shift", Kokkos::RangePolicy<ExecSpace>(0, s.room),
-      KOKKOS_LAMBDA(const int row, double& sum2) {
-        const bool inside = row >= s.first && row < s.last;
+      "rhegma::mass::start", Kokkos::RangePolicy<ExecSpace>(0, s.room),
+      KOKKOS_LAMBDA(const int row, double& sum) {
+        const bool coupled = row >= s.first && row < s.last && s.coupled(row);
         for (int d = 0; d < width<D>; ++d)
         {
           const int i = width<D> * row + d;
           right(i) = 0.0;
-          if (!inside || d >= D || !s.coupled(row))
+          if (!coupled || d >= D)
             continue;
-          x(i) += shift[d];
-          right(i) = (residual(i) - shift[d] * s.lumped(row)) / scale;
-          sum2 += right(i) * right(i);
+          x(i) = multiple * x(i) + shift[d];
+          if (inverse(i) != 0.0)
+            right(i) = (asked(i) - multiple * image(i) - shift[d] * s.lumped(row)) * inverseScale;
+          sum += right(i) * right(i);
         }
       },
       square);
@@ -206,16 +257,19 @@ void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool hel
   if (norm <= gradients_.tolerance() || !std::isfinite(norm))
     return record(state, {norm <= gradients_.tolerance(), 0, norm}, scale, what);
 
+  if (accuracy == Accuracy::Near)
+  {
+    chebyshev_.apply(system, inverse, right.data(), image.data(), gradients_.tolerance());
+    addScaled(system, scale, BorrowedView<const double*>(image.data(), image.extent(0)), x);
+    return;
+  }
   const double* const mask = masked ? inverse.data() : nullptr;
   const SolveResult result = gradients_.solve(
       [&system, mask](const BorrowedView<const double*>& from, const BorrowedView<double*>& to)
       { multiply<D>(system, from.data(), to.data(), mask); },
       [this, &system, inverse](const BorrowedView<const double*>& from, const BorrowedView<double*>& to)
       { chebyshev_.apply(system, inverse, from.data(), to.data(), gradients_.tolerance()); });
-  const BorrowedView<const double*> correction = gradients_.solution();
-  Kokkos::parallel_for(
-      "rhegma::mass::correct", Kokkos::RangePolicy<ExecSpace>(s.first * width<D>, s.last * width<D>),
-      KOKKOS_LAMBDA(const int i) { x(i) += scale * correction(i); });
+  addScaled(system, scale, gradients_.solution(), x);
   record(state, result, scale, what);
 }
 
@@ -225,13 +279,16 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
   const MassSystem<D> s = system;
   const Nodes<D> nodes = state.nodes;
   const View<double*> right = right_, prescribed = prescribed_, velocity = velocity_,
-                      acceleration = acceleration_, heldVelocity = heldVelocity_, image = residual_,
+                      acceleration = acceleration_, heldVelocity = heldVelocity_, image = image_,
                       free = freeOnly_;
-  const View<double* [D]> lastVelocity = lastVelocity_, last = lastAcceleration_;
+  const View<double*[D]> lastVelocity = lastVelocity_, last = lastAcceleration_;
   const bool masked = masked_;
   const double dt = state.dt;
 
-  // Velocity before the forces, held by nothing: it belongs to the particles.
+  // Velocity before the forces, held by nothing: it belongs to the particles. They take it over where there
+  // is some PIC, and supports change it to theirs. Else what reads it are accounts of work and points that
+  // ride on nodes: the last step's, brought nearer by the polynomial alone, leaves 1e-4 of it or less.
+  const Accuracy accuracy = masked || state.picFraction > 0.0 ? Accuracy::Solved : Accuracy::Near;
   Kokkos::parallel_for(
       "rhegma::mass::momentum", rows(system), KOKKOS_LAMBDA(const int row) {
         const int n = s.nodeOf(row);
@@ -241,7 +298,7 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
           velocity(row * width<D> + d) = lastVelocity(n, d);
         }
       });
-  solve(state, system, false, velocity, "velocity of the nodes");
+  solve(state, system, false, velocity, "velocity of the nodes", accuracy);
 
   Kokkos::parallel_for(
       "rhegma::mass::force", rows(system), KOKKOS_LAMBDA(const int row) {
@@ -255,7 +312,7 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
             prescribed(i) = (heldVelocity(i) - velocity(i)) / dt;
         }
       });
-  solve(state, system, true, acceleration, "acceleration of the nodes");
+  solve(state, system, true, acceleration, "acceleration of the nodes", Accuracy::Solved);
 
   if (masked)
   {
@@ -310,7 +367,7 @@ void NodalSolve<D>::solveProjection(State<D>& state, const MassSystem<D>& system
             prescribed(i) = heldVelocity(i);
         }
       });
-  solve(state, system, true, velocity, "velocity that strains the particles");
+  solve(state, system, true, velocity, "velocity that strains the particles", Accuracy::Solved);
   // In the next step of MUSL, or later in this one of USF, the nodes move about as they do here.
   Kokkos::parallel_for(
       "rhegma::mass::projection", rows(system), KOKKOS_LAMBDA(const int row) {

@@ -19,6 +19,13 @@ struct SolveCount
   double worstResidual = 0.0;
 };
 
+/// How well a solve has to hit.
+enum class Accuracy
+{
+  Solved, ///< to the tolerance
+  Near    ///< one application of the polynomial to what the first guess leaves; counted as no solve
+};
+
 /// Solves M x = b for the coupled nodes, with prescribed values where boundaries hold a node:
 /// free rows of M x = b, held rows of x given. The sum of M x over the free nodes is that of b to round-off
 /// where nothing is held, whatever the tolerance: the constant vector is an eigenvector of the preconditioned
@@ -45,9 +52,10 @@ public:
 
   // Parts of the above; public because compilers for devices want kernels in public functions.
 
-  /// Solves M x = right from the guess in x. \param held whether x is given by `prescribed` where supports are
+  /// Solves M x = right from the guess in x. \param held whether x is given by `prescribed` where supports
+  /// are
   void solve(State<D>& state, const MassSystem<D>& system, bool held, const View<double*>& x,
-             const std::string& what);
+             const std::string& what, Accuracy accuracy);
 
   /// Finds rows that boundaries hold, and the inverse of the lumped mass elsewhere.
   void holdRows(const State<D>& state, const MassSystem<D>& system);
@@ -59,15 +67,15 @@ private:
   ConjugateGradients gradients_;
   Chebyshev<D> chebyshev_;
   SolveCount count_;
-  bool masked_ = false;     ///< whether any boundary holds a motion
-  bool heldAxis_[D] = {};   ///< whether any boundary holds motion along the axis
-  View<double*> inverse_;   ///< 1/L
-  View<double*> freeOnly_;  ///< 1/L, 0 where a boundary holds the unknown
+  bool masked_ = false;    ///< whether any boundary holds a motion
+  bool heldAxis_[D] = {};  ///< whether any boundary holds motion along the axis
+  View<double*> inverse_;  ///< 1/L
+  View<double*> freeOnly_; ///< 1/L, 0 where a boundary holds the unknown
   View<double*> heldVelocity_;
-  View<double*> right_, prescribed_, residual_;
+  View<double*> right_, prescribed_, image_;
   View<double*> velocity_, acceleration_;
   // Of every node: where the next solves start.
-  View<double* [D]> lastVelocity_, lastAcceleration_;
+  View<double*[D]> lastVelocity_, lastAcceleration_;
 };
 
 } // namespace Rhegma::mass_matrix

@@ -13,7 +13,7 @@ template <int D, int Width, class Connect>
 struct MassTimesBlock
 {
   Connect connect;
-  View<double* [Width]> rows, image;
+  View<double*[Width]> rows, image;
   BorrowedView<double*> mass;
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
@@ -37,16 +37,16 @@ void addMassTimes(const State<D>& state, const View<double* [Width]>& rows,
                    [&](const auto& connect)
                    {
                      using Connect = std::decay_t<decltype(connect)>;
-                     const MassTimesBlock<D, Width, Connect> block{
-                         connect, rows, image, state.particles.scalar(fields::mass)};
+                     const MassTimesBlock<D, Width, Connect> block{connect, rows, image,
+                                                                   state.particles.scalar(fields::mass)};
                      forEachBlock("rhegma::mass::seriesProduct", state.blocks, block);
                    });
 }
 
 /// Adds the terms 1 .. order - 1 to rows that hold term 0. \param image zero, and left so
 template <int D, int Width>
-void addTerms(const State<D>& state, int order, const View<double* [Width]>& sum,
-              View<double* [Width]>& term, View<double* [Width]>& image)
+void addTerms(const State<D>& state, int order, const View<double* [Width]>& sum, View<double* [Width]>& term,
+              View<double* [Width]>& image)
 {
   if (image.extent(0) < state.nodes.sums.extent(0))
   {
@@ -55,7 +55,7 @@ void addTerms(const State<D>& state, int order, const View<double* [Width]>& sum
       term = View<double* [Width]>("rhegma::seriesTerm", state.nodes.sums.extent(0));
   }
   const Nodes<D> nodes = state.nodes;
-  const View<double* [Width]> next = term, product = image;
+  const View<double*[Width]> next = term, product = image;
   for (int k = 1; k < order; ++k)
   {
     const View<double* [Width]> now = k == 1 ? sum : term;
