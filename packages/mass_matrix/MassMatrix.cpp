@@ -2,8 +2,10 @@
 
 #include "mass_matrix/AngularMomentum.hpp"
 #include "mass_matrix/MassSystem.hpp"
+#include "mass_matrix/MatrixMemory.hpp"
 #include "mass_matrix/NodalSolve.hpp"
 #include "mass_matrix/Series.hpp"
+#include "step/MemoryNeed.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -244,6 +246,13 @@ std::string nameOf(const Options& o)
                                : "lumped mass";
 }
 
+/// No more nodes get a row than there are, and hardly more than particles where each fills a cell.
+template <int D>
+double largestRows(const State<D>& state)
+{
+  return std::min<double>(state.grid.numNodes, 1.5 * state.particles.size());
+}
+
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)
 {
@@ -254,6 +263,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.atStart = [work](State<D>& state)
   {
     work->start = angularMomentum(state);
+    if (work->options.type == "Full")
+      refuseLargeMatrix(largestRows(state), bytesPerRow<D>(state.shape), freeMemoryBytes());
     if (work->options.update != VelocityUpdate::Flip)
       state.picFraction = 1.0;
   };

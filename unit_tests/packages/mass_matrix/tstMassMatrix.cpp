@@ -1,6 +1,7 @@
 /// The mass matrix: its entries, and what runs keep with each type.
 
 #include "mass_matrix/MassSystem.hpp"
+#include "mass_matrix/MatrixMemory.hpp"
 #include "transfer/ParticleViews.hpp"
 
 #include "../../src/step/Bodies.hpp"
@@ -180,6 +181,26 @@ TEST(MassSystem, MultipliesAsTheSumOverParticles)
     EXPECT_LT(form, -0.1 * cellMass) << shape;
     EXPECT_NEAR(form, byParticles, 1e-12 * std::fabs(form)) << shape;
     EXPECT_LT(std::fabs(sumOfImage), 1e-12 * cellMass) << shape;
+  }
+}
+
+TEST(MassMatrix, IsRefusedWhereItDoesNotFit)
+{
+  // A row of GIMP in space has 125 numbers of the band and 16 of vectors of four.
+  const double row = mass_matrix::bytesPerRow<3>(ShapeKind::Gimp);
+  EXPECT_GT(row, (125 + 16 * 4) * sizeof(double));
+  EXPECT_LT(row, 2.0 * (125 + 16 * 4) * sizeof(double));
+  EXPECT_NO_THROW(mass_matrix::refuseLargeMatrix(1e6, row, 1e6 * row));
+  try
+  {
+    mass_matrix::refuseLargeMatrix(1e6, row, 0.5e6 * row);
+    ADD_FAILURE() << "a matrix of twice the memory was taken";
+  }
+  catch (const std::invalid_argument& error)
+  {
+    EXPECT_EQ(
+        std::string(error.what()).rfind("Mass Matrix > Type: the matrix of about 1e+06 nodes needs ", 0), 0u)
+        << error.what();
   }
 }
 

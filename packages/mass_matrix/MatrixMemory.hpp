@@ -1,0 +1,13 @@
+#pragma once
+/// Whether a mass matrix fits into the machine.
+
+namespace Rhegma::mass_matrix
+{
+
+/// Throws std::invalid_argument with a sentence where a matrix needs more than there is. Linux grants memory
+/// that it does not have and ends the program when it is used, so this asks before.
+/// \param rows of the matrix \param bytesPerRow of the matrix and of the vectors of its solves
+/// \param available [bytes]
+void refuseLargeMatrix(double rows, double bytesPerRow, double available);
+
+} // namespace Rhegma::mass_matrix
