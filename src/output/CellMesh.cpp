@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <vector>
 
@@ -35,7 +36,7 @@ std::vector<LeafKey<D>> leavesWithParticles(const State<D>& state)
           x[d] = position(p, d);
         const auto leaf = sight.leafAt(x);
         for (int d = 0; d < D; ++d)
-          key(p, d) = static_cast<int>(leaf.corner[sight.grid.axisOrder[d]] * perCell + 0.5);
+          key(p, d) = static_cast<int>(std::lround(leaf.corner[sight.grid.axisOrder[d]] * perCell));
         key(p, D) = leaf.level;
       });
   const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, key);
