@@ -43,7 +43,7 @@ class OddCracks(ProgramTest):
     def test_crack_shorter_than_a_cell(self):
         for formulation in FORMULATIONS:
             with self.subTest(formulation=formulation):
-                self.told(cracked([0.51, 0.52, 0.53, 0.53], formulation), "parts nothing")
+                self.told(cracked([0.51, 0.52, 0.53, 0.52], formulation), "parts nothing")
 
     def test_faces_without_particles_that_stick(self):
         for formulation in FORMULATIONS:
