@@ -6,6 +6,7 @@
 #include "face_pressure/FacePressure.hpp"
 #include "mass_matrix/MassMatrix.hpp"
 #include "step/Effect.hpp"
+#include "sub_cycling/SubCycling.hpp"
 
 namespace Rhegma
 {
@@ -21,6 +22,7 @@ const std::vector<EffectEntry>& knownEffects()
       energy_release::energyReleaseEntry(),
       face_pressure::facePressureEntry(),
       mass_matrix::massMatrixEntry(),
+      sub_cycling::subCyclingEntry(),
   };
   return effects;
 }
@@ -28,8 +30,7 @@ const std::vector<EffectEntry>& knownEffects()
 /// A scene that asks for one of these is told so. A new effect takes its name out.
 const std::vector<std::string>& effectsToCome()
 {
-  static const std::vector<std::string> names = {"Propagation", "Thermal", "Combustion", "Sub-Cycling",
-                                                 "Load Balance"};
+  static const std::vector<std::string> names = {"Propagation", "Thermal", "Combustion", "Load Balance"};
   return names;
 }
 

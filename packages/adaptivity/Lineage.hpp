@@ -15,4 +15,10 @@ inline const std::string ancestor = "ancestor";
 /// axis d.
 inline const std::string lineage = "lineage";
 
+/// By how much a box may reach into leaves of a deeper level before the particle is too large for them, in
+/// edges of the largest of these: boxes that end on their faces would else split at the first breath. Shape
+/// functions are exact for such boxes too. What is merged must keep clear of half of it, so that it does not
+/// split again at once.
+constexpr double mayReach = 0.05;
+
 } // namespace Rhegma::adaptivity

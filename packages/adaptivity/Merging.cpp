@@ -200,12 +200,12 @@ struct MergeFamilies
 
   KOKKOS_INLINE_FUNCTION bool touchesFiner(const double (&x)[D], const double (&half)[D], int depth) const
   {
-    constexpr double rounding = 1e-9; // as where particles are split
+    const double slack = std::ldexp(0.5 * mayReach, -depth - 1);
     double low[D], high[D];
     for (int d = 0; d < D; ++d)
     {
       const double at = sight.grid.inCells(x[d], d);
-      const double reach = boxes ? half[d] * sight.grid.inverse - rounding : 0.0;
+      const double reach = boxes ? half[d] * sight.grid.inverse - slack : 0.0;
       low[d] = at - reach;
       high[d] = at + reach;
     }

@@ -10,9 +10,6 @@ namespace Rhegma::adaptivity
 namespace
 {
 
-/// A box that ends on the face of a finer leaf touches it by rounding only [cells].
-constexpr double rounding = 1e-9;
-
 /// Marks the particles that are too large: row i of the list is the i-th of them.
 template <int D>
 View<int*> tooLarge(const State<D>& state)
@@ -34,10 +31,11 @@ View<int*> tooLarge(const State<D>& state)
         if (sight.nearRefined(sight.grid.nodeIndex(cell)) == 0)
           return;
         double low[D], high[D];
+        const double slack = std::ldexp(mayReach, -level(p) - 1);
         for (int d = 0; d < D; ++d)
         {
           const double at = sight.grid.inCells(position(p, d), d);
-          const double half = boxes ? box(p, d) * sight.grid.inverse - rounding : 0.0;
+          const double half = boxes ? box(p, d) * sight.grid.inverse - slack : 0.0;
           low[d] = at - half;
           high[d] = at + half;
         }

@@ -119,6 +119,13 @@ struct State
   bool stopWhenSettled = false;
   /// Edge of the smallest cells [m].
   double smallestSpacing() const { return std::ldexp(grid.spacing, -tree.deepest); }
+  int subcycledLevels = 0; ///< how many of the deepest levels take short steps of their own
+  /// Edge of the smallest cells that take the whole step [m].
+  double stepSpacing() const
+  {
+    const int own = tree.deepest < subcycledLevels ? tree.deepest : subcycledLevels;
+    return std::ldexp(grid.spacing, own - tree.deepest);
+  }
   /// Whether the scene has the run end here, before its final time.
   bool ended() const { return (settled && stopWhenSettled) || step >= maximumSteps; }
   std::string trouble; ///< why the run can't go on; empty while it can

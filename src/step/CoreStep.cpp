@@ -20,7 +20,7 @@ void strain(State<D>& state, StrainVelocity velocity, bool alsoMove)
 {
   state.fastest = strainAndMove(state, velocity, true, alsoMove);
   // No stable step takes anything across two cells: who left the domain so did not walk out of it.
-  const bool flung = !state.trouble.empty() && state.fastest * state.dt > 2.0 * state.smallestSpacing();
+  const bool flung = !state.trouble.empty() && state.fastest * state.dt > 2.0 * state.stepSpacing();
   if (!std::isfinite(state.fastest) || flung)
     state.trouble = "a particle is turned inside out or its velocity is no longer a number (an unstable "
                     "step: try a smaller "

@@ -102,7 +102,7 @@ void Run<D>::refuseEndless() const
 template <int D>
 double Run<D>::stableTimeStep() const
 {
-  double dt = state_.cfl * state_.smallestSpacing() / state_.fastest;
+  double dt = state_.cfl * state_.stepSpacing() / state_.fastest;
   for (const Effect<D>& effect : plan_.effects)
     if (effect.timeStepLimit)
       dt = std::min(dt, effect.timeStepLimit(state_));

@@ -60,21 +60,34 @@ int writeUnbroken(const State<D>& state, ShapeKind shape, const ObservedPoints<D
   return crowded;
 }
 
-/// Marks the particles in refined cells and beside them.
+/// Marks the particles whose boxes touch refined cells or those beside them: all that touch a node of theirs.
 template <int D>
 void markRefined(const State<D>& state, const View<int*>& row)
 {
   const Grid<D> grid = state.grid;
   const View<char*> near = state.tree.nearRefined;
   const auto position = state.particles.template real<D>(fields::position);
+  const bool boxes = state.shape == ShapeKind::Gimp;
+  BorrowedView<double* [D]> box;
+  if (boxes)
+    box = state.particles.template real<D>(fields::box);
   Kokkos::parallel_for(
       "rhegma::markRefined", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p) {
-        int cell[D];
-        for (int d = 0; d < D; ++d)
-          cell[d] = static_cast<int>(grid.inCells(position(p, d), d));
-        if (near(grid.nodeIndex(cell)) != 0)
+        for (int k = 0; k < (1 << D); ++k)
+        {
+          int cell[D];
+          for (int d = 0; d < D; ++d)
+          {
+            const double half = boxes ? box(p, d) * grid.inverse : 0.0;
+            cell[d] =
+                static_cast<int>(grid.inCells(position(p, d), d) + (((k >> d) & 1) != 0 ? half : -half));
+          }
+          if (near(grid.nodeIndex(cell)) == 0)
+            continue;
           row(p) = 0;
+          return;
+        }
       });
 }
 

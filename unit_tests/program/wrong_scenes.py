@@ -266,7 +266,7 @@ MASS = [
 NOT_YET = [
     (f"not_yet_{name.lower().replace(' ', '_').replace('-', '_')}", plate().set(name, {}),
     one(name, "not in this version", "leave the section out"))
-    for name in ("Propagation", "Thermal", "Combustion", "Sub-Cycling", "Load Balance")
+    for name in ("Propagation", "Thermal", "Combustion", "Load Balance")
 ]
 
 BOX = {"Lower Corner": [0.0, 0.0], "Upper Corner": [0.02, 0.02], "Level": 1}
@@ -289,6 +289,10 @@ ADAPTIVITY = [
      one("Adaptivity > Corner", "outside of the domain")),
     ("adaptivity_and_a_mass_matrix", plate().set("Adaptivity", {}).set("Mass Matrix", {"Type": "Full"}),
      one("Adaptivity", "Mass Matrix")),
+    ("sub_cycling_of_cells_of_one_size", plate().set("Sub-Cycling", {}),
+     one("Sub-Cycling", "one size", "Adaptivity")),
+    ("sub_cycling_of_no_level", plate().set("Adaptivity", {}).set("Sub-Cycling", {"Levels": 0}),
+     one("Sub-Cycling > Levels", "at least 1")),
     ("adaptivity_of_broken_cells", plate().set("Adaptivity", {}).set("Cracks > Formulation", "Broken Cell"),
      one("Adaptivity", "Dual Field")),
 ]

@@ -70,6 +70,11 @@ const std::map<std::string, std::string> sectionsOf = {
        <Parameter name="Lower Corner" type="Array(double)" value="{0, 0}"/>
        <Parameter name="Upper Corner" type="Array(double)" value="{0.3, 0.3}"/>
        <Parameter name="Level" type="int" value="1"/></ParameterList></ParameterList>)xml"},
+    {"Sub-Cycling", R"xml(<ParameterList name="Adaptivity"><ParameterList name="Corner">
+       <Parameter name="Lower Corner" type="Array(double)" value="{0, 0}"/>
+       <Parameter name="Upper Corner" type="Array(double)" value="{0.3, 0.3}"/>
+       <Parameter name="Level" type="int" value="1"/></ParameterList></ParameterList>
+       <ParameterList name="Sub-Cycling"/>)xml"},
     {"Contact", cracks + "<ParameterList name=\"Contact\"/>"},
     {"Damping", R"xml(<ParameterList name="Damping"><Parameter name="Mass Rate" type="double" value="10"/>
        <Parameter name="Shear Viscosity" type="double" value="1"/></ParameterList>)xml"},

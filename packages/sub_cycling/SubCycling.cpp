@@ -1,0 +1,67 @@
+#include "sub_cycling/SubCycling.hpp"
+
+#include "sub_cycling/LocalSteps.hpp"
+
+#include <algorithm>
+#include <memory>
+
+namespace Rhegma::sub_cycling
+{
+
+namespace
+{
+
+Section section()
+{
+  Section s("Sub-Cycling",
+            "Smaller steps where cells are smaller: the long step is that of the largest cells.");
+  s.integer("Levels")
+      .atLeast(1)
+      .optional("all that there are")
+      .meaning("How many of the deepest levels take steps of their own; the long step is 2^Levels times that "
+               "of the smallest cells.");
+  s.real("Damping").range(0.0, 1.0).byDefault(0.1).meaning(
+      "Takes this share more of what the short steps would do to the coupling of levels, which else "
+      "slowly feeds motion of single particles.");
+  return s;
+}
+
+void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
+{
+  if (scene.isSublist("Sub-Cycling") && !scene.isSublist("Adaptivity"))
+    errors.push_back(
+        {"Sub-Cycling", "all cells are of one size; add a section Adaptivity or take this section out"});
+}
+
+template <int D>
+Effect<D> make(const Teuchos::ParameterList& scene)
+{
+  const Teuchos::ParameterList& list = scene.sublist("Sub-Cycling");
+  const int levels = list.isParameter("Levels") ? list.get<int>("Levels") : deepestLevel;
+  const auto steps = std::make_shared<LocalSteps<D>>(list.get<double>("Damping"));
+  Effect<D> effect;
+  effect.name = "Sub-Cycling";
+  effect.atStart = [=](State<D>& state) { state.subcycledLevels = levels; };
+  effect.call({Stage::Solve,
+               "short steps of small cells",
+               {},
+               {},
+               {"nodal force"},
+               [=](State<D>& state)
+               {
+                 const int last = state.tree.deepest, first = last - std::min(levels, last) + 1;
+                 steps->act(state, first, last);
+               }});
+  effect.report = [=](const State<D>& state, nlohmann::json& summary)
+  {
+    summary["subcycling"] = {{"levels", std::min(levels, state.tree.deepest)},
+                             {"extra_particle_steps", steps->extraSteps()}};
+  };
+  return effect;
+}
+
+} // namespace
+
+EffectEntry subCyclingEntry() { return {section(), check, make<2>, make<3>}; }
+
+} // namespace Rhegma::sub_cycling
