@@ -25,7 +25,7 @@ Section section()
                "Visibility, for comparison and for Cracks > Formulation Broken Cell only: particles see "
                "through closed parts, which stick.");
   s.real("Friction Coefficient").notNegative().optional().meaning("Of Coulomb's law, and only of it.");
-  s.real("Penalty").positive().byDefault(1.0).meaning(
+  s.real("Penalty").positive().byDefault(2.0).meaning(
       "Stiffness of the faces against overlap, in units of the modulus of a dilatational wave over the cell "
       "size. Above 3 it may ask for smaller time steps.");
   s.real("Watched Part")
@@ -114,28 +114,9 @@ View<int*> watchedPoints(const FacePoints<D>& points, int crack, const WatchedCr
   return part;
 }
 
-/// Largest separation of the faces at a crack's vertices [m].
-template <int D>
-double opening(const CrackSet<D>& cracks, const Crack<D>& crack)
-{
-  const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertexNormal);
-  const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.face);
-  double largest = 0.0;
-  for (int v = crack.firstVertex; v < crack.firstVertex + crack.numVertices; ++v)
-  {
-    double apart = 0.0;
-    for (int d = 0; d < D; ++d)
-      apart += normal(v, d) * (face(v, 1, d) - face(v, 0, d));
-    largest = std::max(largest, apart);
-  }
-  return largest;
-}
-
 template <int D>
 void observe(State<D>& state, Account<D>& account)
 {
-  for (const Crack<D>& crack : state.cracks.cracks)
-    state.row.emplace_back(crack.name + ".opening", opening(state.cracks, crack));
   account.balance.compare(state, state.energy.damped + state.energy.plastic + account.contact.dissipated());
 }
 
@@ -297,7 +278,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       {Stage::AfterProjection, "gaps of crack faces", {"projection"}, {"gaps"}, {}, [account](State<D>& s) {
          advance(s, *account);
        }});
-  effect.call({Stage::Observe, "opening of cracks", {"energies"}, {}, {}, [account](State<D>& s) {
+  effect.call({Stage::Observe, "shares of energy", {"energies"}, {}, {}, [account](State<D>& s) {
                  observe(s, *account);
                }});
   effect.report = [account](const State<D>& state, nlohmann::json& summary)
