@@ -1,6 +1,6 @@
 #include "cracks/CrackMotion.hpp"
 
-#include "cracks/CrackSetup.hpp"
+#include "cracks/CrackFrames.hpp"
 #include "transfer/Stencils.hpp"
 
 namespace Rhegma::cracks

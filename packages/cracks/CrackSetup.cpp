@@ -1,7 +1,9 @@
 #include "cracks/CrackSetup.hpp"
 
+#include "cracks/CrackFrames.hpp"
 #include "cracks/CrackGeometry.hpp"
 #include "cracks/CrackMesh.hpp"
+#include "cracks/FrontPieces.hpp"
 #include "scene/Attempts.hpp"
 #include "scene/ReadList.hpp"
 
@@ -74,68 +76,6 @@ void refuseNeighbours(const std::vector<CrackMesh<D>>& all, const std::vector<st
         throw std::invalid_argument(
             "Cracks > " + names[a] + ": it comes closer than three cells to Cracks > " + names[b] +
             ", which this version can't tell apart; take smaller cells (Domain > Cell Size)");
-}
-
-/// A piece of front in the set's numbering.
-struct Piece
-{
-  int simplex, facet;
-};
-
-/// The fronts of one crack, each a run of pieces in order along it: in 2D the first end, then the last.
-std::vector<std::vector<Piece>> frontsOf(const CrackMesh<2>& mesh)
-{
-  std::vector<std::vector<Piece>> fronts;
-  if (mesh.beyond.front()[1] == facet::front)
-    fronts.push_back({{0, 1}});
-  if (mesh.beyond.back()[0] == facet::front)
-    fronts.push_back({{static_cast<int>(mesh.simplices.size()) - 1, 0}});
-  return fronts;
-}
-
-/// In 3D chains of edges; a chain that does not close begins where no other piece ends.
-std::vector<std::vector<Piece>> frontsOf(const CrackMesh<3>& mesh)
-{
-  const auto begin = [&](const Piece& p) { return mesh.simplices[p.simplex][(p.facet + 1) % 3]; };
-  const auto end = [&](const Piece& p) { return mesh.simplices[p.simplex][(p.facet + 2) % 3]; };
-  std::vector<Piece> rest;
-  for (std::size_t s = 0; s < mesh.simplices.size(); ++s)
-    for (int i = 0; i < 3; ++i)
-      if (mesh.beyond[s][i] == facet::front)
-        rest.push_back({static_cast<int>(s), i});
-  std::vector<std::vector<Piece>> fronts;
-  while (!rest.empty())
-  {
-    auto first = std::find_if(rest.begin(), rest.end(),
-                              [&](const Piece& p) {
-                                return std::none_of(rest.begin(), rest.end(),
-                                                    [&](const Piece& q) { return end(q) == begin(p); });
-                              });
-    if (first == rest.end())
-      first = rest.begin();
-    std::vector<Piece> chain;
-    for (auto next = first; next != rest.end();)
-    {
-      chain.push_back(*next);
-      rest.erase(next);
-      next = std::find_if(rest.begin(), rest.end(),
-                          [&](const Piece& p) { return begin(p) == end(chain.back()); });
-    }
-    fronts.push_back(chain);
-  }
-  return fronts;
-}
-
-/// The vertex of a front that stands for it.
-int middleVertex(const CrackMesh<2>& mesh, const std::vector<Piece>& pieces)
-{
-  return mesh.simplices[pieces[0].simplex][1 - pieces[0].facet];
-}
-
-int middleVertex(const CrackMesh<3>& mesh, const std::vector<Piece>& pieces)
-{
-  const Piece& middle = pieces[pieces.size() / 2];
-  return mesh.simplices[middle.simplex][(middle.facet + 1) % 3];
 }
 
 template <int D>
@@ -235,36 +175,6 @@ void markNearFront(CrackSet<D>& set, double spacing)
   Kokkos::deep_copy(set.nearFront, nearFront);
 }
 
-template <int D>
-KOKKOS_INLINE_FUNCTION Vector<D> unit(const Vector<D>& a)
-{
-  return (1.0 / norm(a)) * a;
-}
-
-KOKKOS_INLINE_FUNCTION Vector<2> normalOf(const Vector<2> (&corner)[2])
-{
-  return unit(Vector<2>{corner[0][1] - corner[1][1], corner[1][0] - corner[0][0]});
-}
-
-KOKKOS_INLINE_FUNCTION Vector<3> normalOf(const Vector<3> (&corner)[3])
-{
-  const Vector<3> a = corner[1] - corner[0], b = corner[2] - corner[0];
-  return unit(Vector<3>{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
-}
-
-/// Weight of a simplex's normal at its i-th vertex: its angle there.
-template <int D>
-KOKKOS_INLINE_FUNCTION double angleAt(const Vector<D> (&corner)[D], int i)
-{
-  if constexpr (D == 2)
-    return 1.0;
-  else
-  {
-    const double cosine = dot(unit(corner[(i + 1) % D] - corner[i]), unit(corner[(i + 2) % D] - corner[i]));
-    return std::acos(cosine < -1.0 ? -1.0 : (cosine > 1.0 ? 1.0 : cosine));
-  }
-}
-
 /// Where each vertex finds its simplices.
 template <int D>
 void listStars(CrackSet<D>& set)
@@ -343,95 +253,7 @@ void readCracks(const Teuchos::ParameterList& section, State<D>& state)
   updateFronts(set);
 }
 
-template <int D>
-void updateNormals(const CrackSet<D>& cracks)
-{
-  const auto vertex = cracks.vertex, normal = cracks.normal, vertexNormal = cracks.vertexNormal;
-  const auto simplex = cracks.simplex;
-  const View<int*> starBegin = cracks.starBegin, star = cracks.star;
-  const auto corners = KOKKOS_LAMBDA(const int s, Vector<D>(&corner)[D])
-  {
-    for (int i = 0; i < D; ++i)
-      for (int d = 0; d < D; ++d)
-        corner[i][d] = vertex(simplex(s, i), d);
-  };
-  Kokkos::parallel_for(
-      "rhegma::cracks::normals", Kokkos::RangePolicy<ExecSpace>(0, simplex.extent(0)),
-      KOKKOS_LAMBDA(const int s) {
-        Vector<D> corner[D];
-        corners(s, corner);
-        const Vector<D> n = normalOf(corner);
-        for (int d = 0; d < D; ++d)
-          normal(s, d) = n[d];
-      });
-  Kokkos::parallel_for(
-      "rhegma::cracks::vertexNormals", Kokkos::RangePolicy<ExecSpace>(0, vertex.extent(0)),
-      KOKKOS_LAMBDA(const int v) {
-        Vector<D> sum{};
-        for (int k = starBegin(v); k < starBegin(v + 1); ++k)
-        {
-          const int s = star(k);
-          Vector<D> corner[D];
-          corners(s, corner);
-          for (int i = 0; i < D; ++i)
-            if (simplex(s, i) == v)
-              sum = sum + angleAt<D>(corner, i) * normalOf(corner);
-        }
-        const Vector<D> n = unit(sum);
-        for (int d = 0; d < D; ++d)
-          vertexNormal(v, d) = n[d];
-      });
-}
-
-template <int D>
-void updateFronts(CrackSet<D>& cracks)
-{
-  if (cracks.fronts.empty())
-    return;
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
-  const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
-  const auto frontFacet = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.frontFacet);
-  const auto at = [&](int v)
-  {
-    Vector<D> x;
-    for (int d = 0; d < D; ++d)
-      x[d] = vertex(v, d);
-    return x;
-  };
-  const auto edge = [&](int s, int i) { return at(simplex(s, (i + 2) % D)) - at(simplex(s, (i + 1) % D)); };
-  for (CrackFront<D>& front : cracks.fronts)
-  {
-    const int middle = front.firstFacet + front.numFacets / 2;
-    const int s = frontFacet(middle, 0), opposite = frontFacet(middle, 1);
-    Vector<D> corner[D];
-    for (int i = 0; i < D; ++i)
-      corner[i] = at(simplex(s, i));
-    Vector<D> out = corner[(opposite + 1) % D] - corner[opposite];
-    front.length = 0.0;
-    if constexpr (D == 2)
-    {
-      const Crack<D>& crack = cracks.cracks[front.crack];
-      for (int k = 0; k < crack.numSimplices; ++k)
-        front.length += norm(at(simplex(crack.firstSimplex + k, 1)) - at(simplex(crack.firstSimplex + k, 0)));
-    }
-    else
-    {
-      const Vector<D> along = edge(s, opposite);
-      out = out - (dot(out, along) / dot(along, along)) * along;
-      for (int f = front.firstFacet; f < front.firstFacet + front.numFacets; ++f)
-        front.length += norm(edge(frontFacet(f, 0), frontFacet(f, 1)));
-    }
-    front.position = at(front.vertex);
-    front.direction = unit(out);
-    front.normal = normalOf(corner);
-  }
-}
-
 template void readCracks(const Teuchos::ParameterList&, State<2>&);
 template void readCracks(const Teuchos::ParameterList&, State<3>&);
-template void updateNormals(const CrackSet<2>&);
-template void updateNormals(const CrackSet<3>&);
-template void updateFronts(CrackSet<2>&);
-template void updateFronts(CrackSet<3>&);
 
 } // namespace Rhegma::cracks

@@ -13,12 +13,4 @@ namespace Rhegma::cracks
 template <int D>
 void readCracks(const Teuchos::ParameterList& section, State<D>& state);
 
-/// Normals of simplices and vertices from the vertices as they are now.
-template <int D>
-void updateNormals(const CrackSet<D>& cracks);
-
-/// Places, directions, normals and lengths of the fronts from the vertices as they are now.
-template <int D>
-void updateFronts(CrackSet<D>& cracks);
-
 } // namespace Rhegma::cracks

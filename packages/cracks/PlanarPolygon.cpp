@@ -1,5 +1,6 @@
 #include "cracks/CrackMesh.hpp"
 #include "cracks/Triangulation.hpp"
+#include "geometry/Cross.hpp"
 #include "geometry/Primitives.hpp"
 #include "scene/Numbers.hpp"
 
@@ -18,11 +19,6 @@ constexpr double flatness = 0.01;
 
 /// Area of the largest polygon, in squares of cells.
 constexpr double mostCells = 4e4;
-
-Vector<3> cross(const Vector<3>& a, const Vector<3>& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 std::string number(std::size_t k) { return std::to_string(k + 1); }
 

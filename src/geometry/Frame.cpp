@@ -1,5 +1,7 @@
 #include "geometry/Frame.hpp"
 
+#include "geometry/Cross.hpp"
+
 #include <algorithm>
 #include <limits>
 
@@ -46,8 +48,7 @@ Axes<3> turnedAxes(double degrees, const Vector<3>& about)
   Axes<3> axes = spaceAxes<3>();
   for (Vector<3>& e : axes)
   {
-    const Vector<3> across = {
-        {n[1] * e[2] - n[2] * e[1], n[2] * e[0] - n[0] * e[2], n[0] * e[1] - n[1] * e[0]}};
+    const Vector<3> across = cross(n, e);
     e = t.cosine * e + t.sine * across + ((1.0 - t.cosine) * dot(n, e)) * n;
   }
   return axes;

@@ -1,5 +1,6 @@
 #include "geometry/LoadPoints.hpp"
 
+#include "geometry/Cross.hpp"
 #include "geometry/NearestPoint.hpp"
 
 #include <algorithm>
@@ -130,9 +131,7 @@ std::vector<LoadPoint<D>> lineLoad(const Seeds<D>& body, const Vector<D>& from, 
 std::vector<LoadPoint<3>> faceLoad(const Seeds<3>& body, const Vector<3>& corner, const Vector<3>& sideA,
                                    const Vector<3>& sideB, const std::string& section)
 {
-  const Vector<3> normal = {{sideA[1] * sideB[2] - sideA[2] * sideB[1],
-                             sideA[2] * sideB[0] - sideA[0] * sideB[2],
-                             sideA[0] * sideB[1] - sideA[1] * sideB[0]}};
+  const Vector<3> normal = cross(sideA, sideB);
   // Sides that differ in direction by less than 1e-9 enclose no area worth loading.
   if (!(norm(normal) > 1.0e-9 * norm(sideA) * norm(sideB)))
     throw std::invalid_argument(section +

@@ -1,5 +1,6 @@
 #include "transfer/FacePoints.hpp"
 
+#include "geometry/Cross.hpp"
 #include "transfer/Stencils.hpp"
 
 #include <algorithm>
@@ -55,9 +56,7 @@ KOKKOS_INLINE_FUNCTION Vector<2> sizedNormal(const Vector<2> (&corner)[2])
 
 KOKKOS_INLINE_FUNCTION Vector<3> sizedNormal(const Vector<3> (&corner)[3])
 {
-  const Vector<3> a = corner[1] - corner[0], b = corner[2] - corner[0];
-  return {0.5 * (a[1] * b[2] - a[2] * b[1]), 0.5 * (a[2] * b[0] - a[0] * b[2]),
-          0.5 * (a[0] * b[1] - a[1] * b[0])};
+  return 0.5 * cross(corner[1] - corner[0], corner[2] - corner[0]);
 }
 
 template <int D>

@@ -1,0 +1,49 @@
+#pragma once
+/// Prescribed motion and symmetry from the scene.
+
+#include "scene/TimeFunction.hpp"
+#include "step/Effect.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Rhegma
+{
+
+/// A constraint, the time function of its value, and the force that holds it.
+template <int D>
+struct TimedConstraint
+{
+  NodeConstraint<D> constraint;
+  Vector<D> value;
+  TimeFunction history;
+  std::string name;
+  Vector<D> impulse{}; ///< on the body since the last sample [N s]
+  Vector<D> force{};   ///< mean between the last two samples [N]
+
+  NodeConstraint<D> at(double time) const
+  {
+    NodeConstraint<D> now = constraint;
+    now.factor = history(time);
+    now.value = now.factor * value;
+    return now;
+  }
+};
+
+/// Reads a boundary of type Velocity or Symmetry. Warns of a plane of symmetry that no nodes lie on. Throws
+/// std::invalid_argument, with the section's path, for one that is wrong in itself or holds no node.
+template <int D>
+TimedConstraint<D> readConstraint(const Teuchos::ParameterList& list, State<D>& state,
+                                  const std::string& name);
+
+/// The calls that prescribe the motion.
+template <int D>
+void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstraint<D>>>& constraints);
+
+/// The calls that report the force of each support on the bodies, as a mean over the time since the last
+/// sample, so that none of it goes unseen.
+template <int D>
+void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstraint<D>>>& constraints);
+
+} // namespace Rhegma
