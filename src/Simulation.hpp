@@ -1,6 +1,8 @@
 #pragma once
 /// Rhegma inside an application.
 
+#include "RunError.hpp"
+
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
 #include <Teuchos_RCP.hpp>

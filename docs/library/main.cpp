@@ -61,6 +61,11 @@ int main(int argc, char** argv)
     {
       code = willItRun(argv[1], std::atof(argv[2]));
     }
+    catch (const Rhegma::RunError& error)
+    {
+      std::cerr << error.what() << "\n";
+      code = 2;
+    }
     catch (const std::exception& error)
     {
       std::cerr << error.what() << "\n";

@@ -1,22 +1,15 @@
 #pragma once
 /// A scene in motion.
 
+#include "RunError.hpp"
 #include "step/EnergyWatch.hpp"
 #include "step/Plan.hpp"
 
 #include <functional>
 #include <limits>
-#include <stdexcept>
 
 namespace Rhegma
 {
-
-/// Why a run can't go on; the program's exit 2.
-class RunError : public std::runtime_error
-{
-public:
-  using std::runtime_error::runtime_error;
-};
 
 /// Owns the state and the plan, and steps them.
 template <int D>
