@@ -3,9 +3,11 @@
 #include "cracks/CrackMotion.hpp"
 #include "cracks/CrackSetup.hpp"
 #include "cracks/FrontTies.hpp"
+#include "cracks/HeldFaces.hpp"
 #include "cracks/IdleCracks.hpp"
 #include "cracks/Normals.hpp"
 #include "cracks/Opening.hpp"
+#include "cracks/Overlap.hpp"
 #include "cracks/Sides.hpp"
 #include "cracks/Visibility.hpp"
 #include "scene/ReadList.hpp"
@@ -125,14 +127,34 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  {},
                  [ties](State<D>& s) { ties->advance(s); }});
   }
-  effect.call({Stage::Gather, "cracks move", {"nodal motion"}, {"crack geometry"}, {}, [motion](State<D>& s) {
+  effect.call({Stage::Gather,
+               "cracks move",
+               {"nodal motion"},
+               {"crack geometry"},
+               {},
+               [motion, surroundings](State<D>& s)
+               {
+                 if (s.step == 0 && s.cracks.dualField)
+                   warnOfHeldFaces(s, *surroundings);
                  motion->move(s);
+               }});
+  effect.call({Stage::Observe,
+               "opening of cracks",
+               {"energies"},
+               {},
+               {},
+               [](State<D>& s)
+               {
+                 for (std::size_t c = 0; c < s.cracks.cracks.size(); ++c)
+                   s.row.emplace_back(s.cracks.cracks[c].name + ".opening",
+                                      measureOpening(s.cracks, static_cast<int>(c)).largest);
                }});
   if constexpr (D == 2)
     if (formulation == Formulation::CorrectedBrokenCell)
       effect.timeStepLimit = [](const State<D>& state)
       { return largestCfl(state.cracks) * state.grid.spacing / state.fastest; };
-  effect.report = [](const State<D>& state, nlohmann::json& summary)
+  const bool touching = scene.isSublist("Contact");
+  effect.report = [touching](const State<D>& state, nlohmann::json& summary)
   {
     for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
     {
@@ -140,6 +162,9 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       if (!summary["cracks"][c].contains("fronts"))
         summary["cracks"][c]["fronts"] = nlohmann::json::array();
       const Opening opening = measureOpening(state.cracks, static_cast<int>(c));
+      const std::string complaint = touching ? "" : complaintOfOverlap(state, static_cast<int>(c));
+      if (!complaint.empty())
+        summary["warnings"].push_back(complaint);
       summary["cracks"][c]["opening"] = opening.largest;
       summary["cracks"][c][D == 2 ? "opening_area" : "opening_volume"] = opening.volume;
       summary["cracks"][c][D == 2 ? "length" : "area"] = opening.size;

@@ -1,5 +1,7 @@
 #include "cracks/Opening.hpp"
 
+#include "geometry/Cross.hpp"
+
 #include <algorithm>
 
 namespace Rhegma::cracks
@@ -12,9 +14,7 @@ double sizeOf(const Vector<2> (&corner)[2]) { return norm(corner[1] - corner[0])
 
 double sizeOf(const Vector<3> (&corner)[3])
 {
-  const Vector<3> a = corner[1] - corner[0], b = corner[2] - corner[0];
-  return 0.5 *
-         norm(Vector<3>{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]});
+  return 0.5 * norm(cross(corner[1] - corner[0], corner[2] - corner[0]));
 }
 
 } // namespace
@@ -28,13 +28,14 @@ Opening measureOpening(const CrackSet<D>& cracks, int crack)
   const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.normal);
   const auto vertexNormal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertexNormal);
   const Crack<D>& c = cracks.cracks[crack];
-  Opening opening{0.0, 0.0, 0.0};
+  Opening opening{0.0, 0.0, 0.0, 0.0};
   for (int v = c.firstVertex; v < c.firstVertex + c.numVertices; ++v)
   {
     double apart = 0.0;
     for (int d = 0; d < D; ++d)
       apart += vertexNormal(v, d) * (face(v, 1, d) - face(v, 0, d));
     opening.largest = std::max(opening.largest, apart);
+    opening.smallest = std::min(opening.smallest, apart);
   }
   for (int s = c.firstSimplex; s < c.firstSimplex + c.numSimplices; ++s)
   {

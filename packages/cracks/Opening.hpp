@@ -8,9 +8,10 @@ namespace Rhegma::cracks
 
 struct Opening
 {
-  double largest; ///< of the vertices, along the normal [m]
-  double volume;  ///< between the faces, negative where they overlap; an area in 2D [m2, m3]
-  double size;    ///< length or area of the crack now [m, m2]
+  double largest;  ///< of the vertices, along the normal [m]
+  double smallest; ///< of the vertices, negative where the faces overlap [m]
+  double volume;   ///< between the faces, negative where they overlap; an area in 2D [m2, m3]
+  double size;     ///< length or area of the crack now [m, m2]
 };
 
 /// Adds up the opening of a crack that is linear between its vertices.

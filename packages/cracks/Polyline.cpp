@@ -48,9 +48,9 @@ void refuseCrossing(const Points& points, const std::string& where, double spaci
   const double tolerance = 1e-6 * spacing;
   const auto refuse = [&](std::size_t i, std::size_t j)
   {
-    throw std::invalid_argument(where + ": the piece after point " + std::to_string(j) +
-                                " meets the piece after point " + std::to_string(i) +
-                                " (counted from 0); write a line that neither crosses itself nor turns back");
+    throw std::invalid_argument(where + ": the piece after point " + std::to_string(j + 1) +
+                                " meets the piece after point " + std::to_string(i + 1) +
+                                " (counted from 1); write a line that neither crosses itself nor turns back");
   };
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
     for (std::size_t j = i + 1; j + 1 < points.size(); ++j)

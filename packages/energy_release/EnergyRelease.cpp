@@ -6,6 +6,7 @@
 #include "energy_release/DomainIntegral.hpp"
 #include "scene/Attempts.hpp"
 #include "scene/Numbers.hpp"
+#include "scene/ReadList.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>
@@ -28,6 +29,7 @@ struct Options
   GivenRadii radii;
   bool contour = true; ///< domain integrals are wanted
   bool closure = true;
+  std::set<std::string> pushed; ///< cracks with Face Pressure, of which closure would leave out the pressure
   bool lumped = false;
   bool openingKnown = true; ///< shape functions without linear completeness give no opening to close
   int columns = 1;
@@ -187,6 +189,9 @@ Options readOptions(const Teuchos::ParameterList& scene)
     options.radii.outer = list.get<double>("Outer Radius");
   options.contour = list.get<bool>("Contour Integral");
   options.closure = list.get<bool>("Crack Closure");
+  if (scene.isSublist("Face Pressure"))
+    for (const std::string& name : sublistNames(scene.sublist("Face Pressure")))
+      options.pushed.insert(name);
   options.lumped = list.get<bool>("Lumped Closure");
   options.columns = list.get<int>("Closure Cells");
   options.recovery = readRecovery(scene);
@@ -281,9 +286,11 @@ void warnOfContour(State<2>& state, const CrackFront<2>& front, const ContourRad
                            " leaves the body or reaches another front: G_J, K_I and K_II are less accurate");
 }
 
-bool wantsClosure(const Options& options, const Samples& samples, const CrackFront<2>& front)
+bool wantsClosure(const State<2>& state, const Options& options, const Samples& samples,
+                  const CrackFront<2>& front)
 {
-  return options.closure && samples.inclined.count({front.crack, front.number}) == 0;
+  return options.closure && options.pushed.count(state.cracks.cracks[front.crack].name) == 0 &&
+         samples.inclined.count({front.crack, front.number}) == 0;
 }
 
 /// A front whose surroundings have fallen apart ends the run.
@@ -313,7 +320,7 @@ void sample(State<2>& state, const Options& options, Samples& samples)
       warnOfContour(state, front, s.radii, options, samples);
       s.integral = integrateDomain(state, front, s.radii);
     }
-    const bool closure = wantsClosure(options, samples, front);
+    const bool closure = wantsClosure(state, options, samples, front);
     s.closed = closure;
     if (closure)
       s.closure = tryToClose(state, front, options);
@@ -391,7 +398,7 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
     {
       Sample s;
       s.front = front;
-      s.closed = wantsClosure(options, *samples, front);
+      s.closed = wantsClosure(state, options, *samples, front);
       if (options.contour)
         s.radii = fittingRadii(state, front, options.radii);
       s.integral = {notYet, notYet, notYet, notYet};

@@ -81,7 +81,8 @@ Section mooneyRivlin()
   Section s("Mooney-Rivlin",
             "Rubber with two shear constants; nearly incompressible if the bulk modulus is large.");
   s.real("Density").unit("kg/m3").positive().meaning("Of the undeformed material.");
-  s.real("C10").unit("Pa").positive().meaning("Constant of the first invariant.");
+  s.real("C10").unit("Pa").notNegative().meaning(
+      "Constant of the first invariant; C10 and C01 are not both zero.");
   s.real("C01").unit("Pa").notNegative().meaning("Constant of the second invariant.");
   s.real("Bulk Modulus").unit("Pa").positive().meaning("Stiffness against a change of volume.");
   return s;

@@ -23,6 +23,20 @@ def cracked(points, formulation="Dual Field"):
     return scene.set("Cracks > Formulation", formulation)
 
 
+def pressed(stress):
+    """An inner crack with this stress [Pa] across it, before waves return."""
+    scene = cracked([0.25, 0.5, 0.75, 0.5]).set("Time > Final Time", 5e-4).remove("Boundaries > Pull")
+    for name, y, sign in (("Top", 1.0, 1.0), ("Bottom", 0.0, -1.0)):
+        load = {"Type": "Traction", "Body": "Plate", "From": [0.0, y], "To": [1.0, y], "Stress": [0.0, sign * stress]}
+        scene.set("Boundaries > " + name, load)
+    return scene
+
+
+def supported(points, position=0.0):
+    """A crack in the plate with a plane of symmetry, by default along its lower edge, which is a plane of nodes."""
+    return cracked(points).set("Boundaries > Wall", {"Type": "Symmetry", "Axis": "y", "Position": position})
+
+
 class OddCracks(ProgramTest):
     def told(self, scene, *words, where="Cracks > Notch"):
         """Finishes with finite numbers and warnings with these words, one for each."""
@@ -72,6 +86,25 @@ class OddCracks(ProgramTest):
     def test_run_that_ends_before_it_rests(self):
         scene = plate().set("Damping", {"Mass Rate": 1.0, "Stop When Settled": True})
         self.told(scene, "Stop When Settled", where="the run ended before it had settled")
+
+    def test_faces_that_pass_through_each_other(self):
+        self.told(pressed(-1e5), "overlap")
+
+    def test_faces_that_do_not(self):
+        self.told(pressed(1e5))
+        self.told(pressed(-1e5).set("Contact", {"Law": "Stick"}))
+
+    def test_crack_whose_faces_are_both_held(self):
+        self.told(supported([0.25, 0.02, 0.75, 0.02]), "along a support")
+        box = {"Type": "Velocity", "Lower Corner": [-0.1, -0.1], "Upper Corner": [1.1, 0.0], "Value": [0.0, 0.0]}
+        self.told(cracked([0.25, 0.02, 0.75, 0.02]).set("Boundaries > Clamp", box), "along a support")
+
+    def test_cracks_beside_supports_that_hold_one_face_or_rightly_both(self):
+        self.told(supported([0.25, 0.07, 0.75, 0.07]))
+        self.told(supported([0.51, 0.0, 0.51, 0.5]))
+
+    def test_mirror_between_planes_of_nodes(self):
+        self.told(supported([0.25, 0.5, 0.75, 0.5], 0.02), "0.4 cells", where="Boundaries > Wall > Position")
 
     def test_cracks_that_the_cells_see(self):
         for points in ([0.0, 0.5, 0.5, 0.5], [0.0, 0.5, 1.0, 0.5], [-3.0, 0.47, 7.0, 0.49], [0.3, 0.31, 0.6, 0.72]):

@@ -1,0 +1,63 @@
+#include "cracks/HeldFaces.hpp"
+
+#include <set>
+
+namespace Rhegma::cracks
+{
+
+namespace
+{
+
+/// Component of the crack's normal along a held axis from which it runs along the support: 45 degrees.
+constexpr double alongSupport = 0.7072;
+
+} // namespace
+
+template <int D>
+void warnOfHeldFaces(State<D>& state, const Surroundings& surroundings)
+{
+  const Nodes<D> nodes = state.nodes;
+  const NodePlaces<D> places = nodePlaces(state);
+  const CrackSight<D> sight(state.cracks, state.grid.spacing);
+  const View<std::uint64_t*> nearest = surroundings.nearest;
+  std::set<int> cracks;
+  for (const NodeConstraint<D>& constraint : state.constraints)
+  {
+    int held = -1;
+    Kokkos::parallel_reduce(
+        "rhegma::cracks::heldFaces", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
+        KOKKOS_LAMBDA(const int i, int& last) {
+          const int n = nodes.parent(i);
+          const Vector<D> x = places(n);
+          if (!(nodes.sums(n, Nodes<D>::massAt) > 0.0) ||
+              !(nodes.sums(nodes.numLattice + i, Nodes<D>::massAt) > 0.0) || !constraint.appliesAt(x))
+            return;
+          const int s = simplexOf(nearest(n));
+          const double distance = sight.look(s, x).distance;
+          Vector<D> across = x;
+          bool along = false;
+          for (int d = 0; d < D; ++d)
+          {
+            across[d] -= distance * sight.normal(s, d);
+            along = along || (constraint.holds[d] && std::fabs(sight.normal(s, d)) > alongSupport);
+          }
+          const int crack = sight.crackOf(s);
+          if (along && !constraint.appliesAt(across) && crack > last)
+            last = crack;
+        },
+        Kokkos::Max<int>(held));
+    if (held >= 0)
+      cracks.insert(held);
+  }
+  for (const int c : cracks)
+    state.warnings.push_back(
+        "Cracks > " + state.cracks.cracks[c].name +
+        ": it runs along a support less than a cell away, which so holds both of its faces "
+        "and lets it open less than it should; keep a cell between them, or take smaller "
+        "cells (Domain > Cell Size)");
+}
+
+template void warnOfHeldFaces(State<2>&, const Surroundings&);
+template void warnOfHeldFaces(State<3>&, const Surroundings&);
+
+} // namespace Rhegma::cracks

@@ -1,0 +1,62 @@
+#include "cracks/Overlap.hpp"
+
+#include "cracks/Opening.hpp"
+#include "scene/Numbers.hpp"
+
+#include <cmath>
+
+namespace Rhegma::cracks
+{
+
+namespace
+{
+
+/// Root mean square of Green's strain of the particles beside a crack.
+template <int D>
+double strainBeside(const State<D>& state, int crack)
+{
+  const auto side = state.particles.integer(fields::side);
+  const auto F = state.particles.template real<gradientSize<D>>(fields::deformation);
+  const int name = crack + 1;
+  double squares = 0.0;
+  int count = 0;
+  Kokkos::parallel_reduce(
+      "rhegma::cracks::strainBeside", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, double& sum, int& number) {
+        if (side(p) != name && side(p) != -name)
+          return;
+        for (int i = 0; i < D; ++i)
+          for (int j = 0; j < D; ++j)
+          {
+            double strain = i == j ? -0.5 : 0.0;
+            for (int k = 0; k < D; ++k)
+              strain += 0.5 * F(p, k * D + i) * F(p, k * D + j);
+            sum += strain * strain;
+          }
+        ++number;
+      },
+      squares, count);
+  return count > 0 ? std::sqrt(squares / count) : 0.0;
+}
+
+} // namespace
+
+template <int D>
+std::string complaintOfOverlap(const State<D>& state, int crack)
+{
+  constexpr double share = 1.0;
+  const Opening opening = measureOpening(state.cracks, crack);
+  const double length = D == 2 ? opening.size : std::sqrt(opening.size);
+  const double overlap = -opening.smallest;
+  if (!(overlap > share * length * strainBeside(state, crack)) || !(overlap > 1e-9 * state.grid.spacing))
+    return {};
+  return "Cracks > " + state.cracks.cracks[crack].name + ": its faces overlap at the end, by up to " +
+         formatReal(overlap) +
+         " m, as nothing keeps them apart, and G is that of a crack which closes further; add a section "
+         "Contact";
+}
+
+template std::string complaintOfOverlap(const State<2>&, int);
+template std::string complaintOfOverlap(const State<3>&, int);
+
+} // namespace Rhegma::cracks
