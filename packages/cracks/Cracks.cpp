@@ -114,12 +114,19 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   if (tied)
   {
     const auto ties = std::make_shared<FrontTies<D>>();
+    // USF stretches ties before forces are summed.
+    effect.call({Stage::Scatter,
+                 "stiffness of ties behind crack fronts",
+                 {"nodal mass"},
+                 {"stiffness of ties"},
+                 {},
+                 [ties, surroundings](State<D>& s) { ties->prepare(s, *surroundings); }});
     effect.call({Stage::BeforeSolve,
                  "ties behind crack fronts",
-                 {"nodal mass"},
+                 {"stiffness of ties"},
                  {},
                  {"nodal force"},
-                 [ties, surroundings](State<D>& s) { ties->addForces(s, *surroundings); }});
+                 [ties](State<D>& s) { ties->addForces(s); }});
     effect.call({Stage::AfterProjection,
                  "stretch of ties behind crack fronts",
                  {"projection"},

@@ -3,8 +3,10 @@
 #include "material/MaterialTable.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 
 namespace Rhegma::cracks
 {
@@ -22,25 +24,28 @@ constexpr double stable = 1.0;
 /// Sign of a node's own field.
 KOKKOS_INLINE_FUNCTION double signOf(int side) { return side > 0 ? 1.0 : -1.0; }
 
+/// The first level of cells whose nodes take steps of their own.
+template <int D>
+int firstOfShortSteps(const State<D>& state)
+{
+  return state.tree.deepest - std::min(state.subcycledLevels, state.tree.deepest) + 1;
+}
+
 } // namespace
 
 template <int D>
-void FrontTies<D>::prepare(State<D>& state)
+void FrontTies<D>::makeRoom(State<D>& state)
 {
-  const int rows = state.nodes.numLattice, lattice = state.grid.numNodes;
+  const int rows = state.nodes.numLattice;
   if (static_cast<int>(jump_.extent(0)) < rows)
   {
     Kokkos::resize(jump_, rows);
     Kokkos::resize(step_, rows);
-    stiffness_ = View<double*>("rhegma::tieStiffness", rows);
-    state.cracks.tieForce = View<double* [D]>("rhegma::tieForce", rows);
+    state.cracks.tie = View<double * [D + 1]>("rhegma::ties", rows);
   }
   if (generation_ != state.tree.generation)
   {
-    const View<int*> last = step_; // nodes of refined cells have new numbers
-    Kokkos::parallel_for(
-        "rhegma::cracks::forgetTies", Kokkos::RangePolicy<ExecSpace>(lattice, last.extent(0)),
-        KOKKOS_LAMBDA(const int n) { last(n) = 0; });
+    carryOver(state);
     generation_ = state.tree.generation;
   }
   if (modulus_ > 0.0)
@@ -51,24 +56,80 @@ void FrontTies<D>::prepare(State<D>& state)
 }
 
 template <int D>
-void FrontTies<D>::addForces(State<D>& state, const Surroundings& surroundings)
+void FrontTies<D>::carryOver(const State<D>& state)
 {
-  prepare(state);
+  using Key = std::array<long, D>;
+  const double unit = std::ldexp(state.grid.spacing, -deepestLevel); // the smallest cells that there can be
+  const int lattice = state.grid.numNodes;
+  const auto jump = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, jump_);
+  const auto step = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, step_);
+  const auto keyOf = [&](const auto& place, int k)
+  {
+    Key key;
+    for (int d = 0; d < D; ++d)
+      key[d] = std::lround((place(k, d) - state.grid.origin[d]) / unit);
+    return key;
+  };
+  struct Tie
+  {
+    Vector<D> jump;
+    int step;
+  };
+  std::map<Key, Tie> ties;
+  const auto before = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, finePlace_);
+  for (int k = 0; k < static_cast<int>(before.extent(0)); ++k)
+  {
+    const int n = lattice + k;
+    if (step(n) == 0)
+      continue;
+    Tie& tie = ties[keyOf(before, k)];
+    tie.step = step(n);
+    for (int d = 0; d < D; ++d)
+      tie.jump[d] = jump(n, d);
+  }
+  const int fine = state.tree.numFine;
+  finePlace_ = View<double* [D]>("rhegma::placesOfTies", fine);
+  if (fine > 0)
+    Kokkos::deep_copy(finePlace_,
+                      Kokkos::subview(state.tree.finePlace, std::make_pair(0, fine), Kokkos::ALL));
+  const auto after = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, finePlace_);
+  for (int n = lattice; n < static_cast<int>(step.extent(0)); ++n)
+  {
+    step(n) = 0;
+    if (n - lattice >= fine)
+      continue;
+    const auto found = ties.find(keyOf(after, n - lattice));
+    if (found == ties.end())
+      continue;
+    step(n) = found->second.step;
+    for (int d = 0; d < D; ++d)
+      jump(n, d) = found->second.jump[d];
+  }
+  Kokkos::deep_copy(jump_, jump);
+  Kokkos::deep_copy(step_, step);
+}
+
+template <int D>
+void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
+{
+  makeRoom(state);
   const Nodes<D> nodes = state.nodes;
   const double spacing = state.grid.spacing;
   const NodePlaces<D> places = nodePlaces(state);
   const bool refined = state.tree.refined();
   const View<int*> level = state.tree.nodeLevel;
+  const int firstShort = firstOfShortSteps(state);
   const CrackSight<D> sight(state.cracks, spacing);
   const View<std::uint64_t*> nearest = surroundings.nearest;
-  const View<int*> side = state.cracks.nodeSide, last = step_;
-  const View<double*[D]> jump = jump_, force = state.cracks.tieForce;
-  const View<double*> stiffness = stiffness_;
+  const View<int*> last = step_;
+  const View<double* [D]> jump = jump_;
+  const View<double * [D + 1]> tie = state.cracks.tie;
   const double modulus = factor * modulus_, thickness = state.thickness;
   const double limit = stable / (state.dt * state.dt);
   const int step = surroundings.stamp;
   Kokkos::parallel_for(
-      "rhegma::cracks::tie", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond), KOKKOS_LAMBDA(const int i) {
+      "rhegma::cracks::findTies", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
+      KOKKOS_LAMBDA(const int i) {
         const int own = nodes.parent(i), other = nodes.numLattice + i;
         if (last(own) != step - 1)
           for (int d = 0; d < D; ++d)
@@ -83,18 +144,32 @@ void FrontTies<D>::addForces(State<D>& state, const Surroundings& surroundings)
         const double xi = seen.behind / cell * std::sqrt(steepest) + offset;
         const double away = std::fabs(seen.distance) / (cell * steepest);
         const double a = nodes.sums(own, Nodes<D>::massAt), b = nodes.sums(other, Nodes<D>::massAt);
-        stiffness(own) = 0.0;
+        tie(own, D) = 0.0;
         if (xi < 1.0 && away < 1.0 && a > 0.0 && b > 0.0)
         {
+          const int halvings = refined && level(own) >= firstShort ? level(own) - firstShort + 1 : 0;
           const double wanted = modulus * (D == 2 ? thickness : cell) * (1.0 - xi) / xi * (1.0 - away),
-                       most = limit * a * b / (a + b);
-          stiffness(own) = wanted < most ? wanted : most;
+                       most = std::ldexp(limit, 2 * halvings) * a * b / (a + b);
+          tie(own, D) = wanted < most ? wanted : most;
         }
+      });
+}
+
+template <int D>
+void FrontTies<D>::addForces(State<D>& state) const
+{
+  const Nodes<D> nodes = state.nodes;
+  const View<int*> side = state.cracks.nodeSide;
+  const View<double* [D]> jump = jump_;
+  const View<double * [D + 1]> tie = state.cracks.tie;
+  Kokkos::parallel_for(
+      "rhegma::cracks::tie", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond), KOKKOS_LAMBDA(const int i) {
+        const int own = nodes.parent(i), other = nodes.numLattice + i;
         for (int d = 0; d < D; ++d)
         {
-          force(own, d) = -signOf(side(own)) * stiffness(own) * jump(own, d);
-          nodes.sums(own, Nodes<D>::forceAt + d) += force(own, d);
-          nodes.sums(other, Nodes<D>::forceAt + d) -= force(own, d);
+          tie(own, d) = -signOf(side(own)) * tie(own, D) * jump(own, d);
+          nodes.sums(own, Nodes<D>::forceAt + d) += tie(own, d);
+          nodes.sums(other, Nodes<D>::forceAt + d) -= tie(own, d);
         }
       });
 }
@@ -104,8 +179,8 @@ void FrontTies<D>::advance(State<D>& state) const
 {
   const Nodes<D> nodes = state.nodes;
   const View<int*> side = state.cracks.nodeSide;
-  const View<double*[D]> jump = jump_, force = state.cracks.tieForce;
-  const View<double*> stiffness = stiffness_;
+  const View<double* [D]> jump = jump_;
+  const View<double * [D + 1]> tie = state.cracks.tie;
   const double dt = state.dt;
   const bool byMotion = state.scheme == UpdateScheme::Usl;
   double energy = 0.0;
@@ -119,8 +194,8 @@ void FrontTies<D>::advance(State<D>& state) const
           const double moved = byMotion ? nodes.motion(own, d) - nodes.motion(other, d)
                                         : nodes.projection(own, d) - nodes.projection(other, d);
           jump(own, d) += sign * dt * moved;
-          force(own, d) = -sign * stiffness(own) * jump(own, d);
-          sum += 0.5 * stiffness(own) * jump(own, d) * jump(own, d);
+          tie(own, d) = -sign * tie(own, D) * jump(own, d);
+          sum += 0.5 * tie(own, D) * jump(own, d) * jump(own, d);
         }
       },
       energy);

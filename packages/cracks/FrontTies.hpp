@@ -18,31 +18,35 @@ namespace Rhegma::cracks
 /// c the larger component of the normal, as springs reach a little further across the cells, E' of fracture
 /// mechanics, b the thickness (2D) or dx (3D), z the node's distance from the crack along the axis nearest to
 /// its normal, in cells, so that the nodes above and below share one spring. The 0.05 keeps the springs
-/// finite; for the same reason none is stiffer than its two masses allow in the step that is taken. Two
-/// opposite forces: momentum is exact. Measured: test InclinedCracks.
+/// finite; for the same reason none is stiffer than its two masses allow in the step that their node takes
+/// (with Sub-Cycling the short one). Two opposite forces: momentum is exact. Measured: test InclinedCracks.
 ///
 /// A spring follows the jump of the velocity that strains the particles, from the step in which its node gets
 /// two fields; it is unstretched then, as a node that a front has just passed is closed. Where refined cells
-/// change, their nodes' springs begin anew too. Its elastic energy
-/// counts as strain energy.
+/// change, a spring stays at its place if there is still a node. Its elastic energy counts as strain energy.
 template <int D>
 class FrontTies
 {
 public:
-  /// Adds the forces of the ties to both fields of their nodes and leaves them in state.cracks.tieForce.
-  void addForces(State<D>& state, const Surroundings& surroundings);
+  /// Finds the ties of this step, once nodes have masses, and leaves their stiffness in state.cracks.tie.
+  void prepare(State<D>& state, const Surroundings& surroundings);
+
+  /// Adds the forces of the ties to both fields of their nodes and leaves them in state.cracks.tie.
+  void addForces(State<D>& state) const;
 
   /// Stretches the ties over the step.
   void advance(State<D>& state) const;
 
 private:
-  void prepare(State<D>& state);
+  void makeRoom(State<D>& state);
+  /// Moves jumps to the numbers that the nodes of refined cells have now.
+  void carryOver(const State<D>& state);
 
-  int generation_ = 0;      ///< of the refined cells
-  double modulus_ = 0.0;    ///< the smallest E' of the scene [Pa]
-  View<double* [D]> jump_;  ///< of each lattice node, from the field of side -1 to that of +1 [m]
-  View<double*> stiffness_; ///< of the tie of each lattice node in this step [N/m]
-  View<int*> step_;         ///< number, from 1, of the last step in which a node had two fields
+  int generation_ = 0;          ///< of the refined cells
+  double modulus_ = 0.0;        ///< the smallest E' of the scene [Pa]
+  View<double* [D]> jump_;      ///< of each lattice node, from the field of side -1 to that of +1 [m]
+  View<int*> step_;             ///< number, from 1, of the last step in which a node had two fields
+  View<double* [D]> finePlace_; ///< of the nodes of refined cells to which these belong [m]
 };
 
 } // namespace Rhegma::cracks

@@ -92,28 +92,65 @@ std::map<int, int> firstClosed(const std::map<int, SideForces>& forces, const Sp
   return first;
 }
 
-double work(const std::map<int, SideForces>& forces, const SplitNodes& split, const Columns& columns,
-            const std::map<int, int>& first, const NodeDisplacement& displacement, int number)
+/// Forces with which ties behind the front pull each node's side +1 towards side -1 [N]; zero of nodes
+/// without.
+class TieForces
+{
+public:
+  explicit TieForces(const State<2>& state) : known_(state.cracks.tie.extent(0) > 0)
+  {
+    if (!known_)
+      return;
+    const auto host = [](const auto& view)
+    { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
+    force_ = host(state.cracks.tie);
+    side_ = host(state.cracks.nodeSide);
+    second_ = host(state.cracks.second);
+  }
+  Vector<2> operator()(int node) const
+  {
+    if (!known_ || second_(node) < 0)
+      return {{0.0, 0.0}};
+    const double sign = side_(node) > 0 ? -1.0 : 1.0;
+    return {{sign * force_(node, 0), sign * force_(node, 1)}};
+  }
+
+private:
+  bool known_;
+  View<double* [3]>::HostMirror force_;
+  View<int*>::HostMirror side_, second_;
+};
+
+double work(const std::map<int, SideForces>& forces, const TieForces& ties, const SplitNodes& split,
+            const Columns& columns, const std::map<int, int>& first, const NodeDisplacement& displacement,
+            int number)
 {
   double sum = 0.0;
   bool found = false;
   for (const auto& entry : forces)
   {
     const int node = entry.first;
-    if (!entry.second.both() || split(node))
+    if (!entry.second.both())
       continue;
     const auto row = first.find(columns.row(node));
     if (row == first.end())
       continue;
     const int ahead = columns.column(node) - row->second;
-    if (ahead < 0 || ahead >= number)
+    const bool tied = split(node) && ahead == -1;
+    if (!tied && (split(node) || ahead < 0 || ahead >= number))
       continue;
     const int open = columns.behind(node, number);
     const auto plus = displacement.find({open, 1}), minus = displacement.find({open, -1});
     if (plus == displacement.end() || minus == displacement.end())
       continue;
+    const Vector<2> opening = plus->second - minus->second;
+    if (tied)
+    {
+      sum += dot(ties(node), opening);
+      continue;
+    }
     found = true;
-    sum += 0.5 * dot(entry.second.of[1] - entry.second.of[0], plus->second - minus->second);
+    sum += 0.5 * dot(entry.second.of[1] - entry.second.of[0], opening);
   }
   return found ? sum : std::numeric_limits<double>::quiet_NaN();
 }
@@ -136,13 +173,14 @@ CrackClosure closeCrack(const State<2>& state, const CrackFront<2>& front, int n
   const std::vector<PatchParticle> particles = particlesAround(state, front, patchRadius * cell);
   const SplitNodes split(state, front);
   const std::map<int, SideForces> forces = nodeForces(particles);
+  const TieForces ties(state);
   const Columns columns(state, front, cell, forces);
   const std::map<int, int> first = firstClosed(forces, split, columns);
   const auto release = [&](const RecoveryMatrix& matrix)
   {
     const NodeDisplacement displacement =
         recoverDisplacement(particles, split, matrix, cell * cell * state.thickness);
-    return work(forces, split, columns, first, displacement, number) /
+    return work(forces, ties, split, columns, first, displacement, number) /
            (2.0 * number * cell * state.thickness);
   };
   return {release(choice), release(lumpedMatrix())};

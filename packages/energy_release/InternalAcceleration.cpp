@@ -43,7 +43,7 @@ struct ForceBlock
 /// Ties hold the front together, as the material does.
 void addTies(const State<D>& state, const View<double* [D]>& force)
 {
-  const View<double* [D]> tie = state.cracks.tieForce;
+  const View<double * [D + 1]> tie = state.cracks.tie;
   if (tie.extent(0) == 0)
     return;
   const Nodes<D> nodes = state.nodes;

@@ -334,6 +334,29 @@ void FineParticles<D>::relax(const State<D>& state, int level, const Values& dis
           to(i, d) = from(i, d) - sum;
         }
       });
+  relaxTies(state, displacement, to);
+}
+
+template <int D>
+void FineParticles<D>::relaxTies(const State<D>& state, const Values& displacement, const Values& to) const
+{
+  const View<double * [D + 1]> tie = state.cracks.tie;
+  if (tie.extent(0) == 0)
+    return;
+  const Nodes<D> nodes = state.nodes;
+  const View<int*> slotOf = slotOf_;
+  Kokkos::parallel_for(
+      "rhegma::subcycling::relaxTies", Range(0, nodes.numSecond), KOKKOS_LAMBDA(const int i) {
+        const int own = nodes.parent(i), a = slotOf(own), b = slotOf(nodes.numLattice + i);
+        if (a < 0 || b < 0)
+          return;
+        for (int d = 0; d < D; ++d)
+        {
+          const double more = tie(own, D) * (displacement(a, d) - displacement(b, d));
+          to(a, d) -= more;
+          to(b, d) += more;
+        }
+      });
 }
 
 template class FineParticles<2>;

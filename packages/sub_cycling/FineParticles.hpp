@@ -31,7 +31,8 @@ public:
   void displace(const State<D>& state, int level, double factor, const Values& force,
                 const Values& displacement);
 
-  /// to = from - K displacement, of a displacement of nodes of a level and deeper.
+  /// to = from - K displacement, of a displacement of nodes of a level and deeper. K holds the ties behind
+  /// crack fronts too.
   void relax(const State<D>& state, int level, const Values& displacement, const Values& from,
              const Values& to);
 
@@ -42,6 +43,7 @@ private:
   void listNodes(const State<D>& state);
   void holdNodes(const State<D>& state);
   void gatherParticles(const State<D>& state);
+  void relaxTies(const State<D>& state, const Values& displacement, const Values& to) const;
   /// Zeroes the parts and runs add(particle, part) for the particles of a level and deeper.
   template <class Add>
   void sumInParts(const char* label, int level, const Add& add);

@@ -79,8 +79,9 @@ struct CrackSet
   View<int*> nodeSide;    ///< of each node: its side where the node lies behind a front, else 0
   View<int*> second;      ///< second field of each node, or -1 (dual field only)
   View<double*> pressure; ///< that pushes the faces of each segment apart [Pa]; empty where nothing does
-  View<double* [D]> tieForce; ///< of ties just behind fronts on each lattice node's own field, opposite on its
-                              ///< second [N]; empty without ties
+  /// Ties just behind fronts, of each lattice node: force on its own field, opposite on its second [N], and
+  /// stiffness [N/m]. Holds for nodes with a second field; empty without ties.
+  View<double * [D + 1]> tie;
   bool dualField = true;
   bool tied = false; ///< springs tie the two fields of nodes just behind fronts
 
