@@ -114,7 +114,7 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
     errors.push_back(
         {"Adaptivity",
          "nothing tells where cells should be refined; write Velocity Change, add a box, or have "
-         "Cracks"});
+         "Cracks with Front Cells above 0"});
 }
 
 template <int D>

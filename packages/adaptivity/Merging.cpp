@@ -164,7 +164,8 @@ struct MergeFamilies
     meanHistory(i, memory);
     const double after = energyOf(F, v, m, V, law, history.extent(1) > 0 ? memory : nullptr);
     const double enough = energy > m * meanEnergy ? energy : m * meanEnergy;
-    if (energy - after > tolerance * enough)
+    // What flows does not average: a mean strain with a mean plastic one can hold more than the parts did.
+    if (std::fabs(energy - after) > tolerance * enough)
     {
       accepted(i) = 2;
       return;

@@ -123,7 +123,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       double density = s.materialList.front().density;
       for (const Properties& p : s.materialList)
         density = std::min(density, p.density);
-      return s.cfl * density * s.grid.spacing * s.grid.spacing / (2.0 * D * (2.0 * shear + bulk));
+      return s.cfl * density * s.smallestSpacing() * s.smallestSpacing() / (2.0 * D * (2.0 * shear + bulk));
     };
   }
   const auto settling =

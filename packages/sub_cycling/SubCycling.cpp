@@ -15,11 +15,9 @@ Section section()
 {
   Section s("Sub-Cycling",
             "Smaller steps where cells are smaller: the long step is that of the largest cells.");
-  s.integer("Levels")
-      .atLeast(1)
-      .optional("all that there are")
-      .meaning("How many of the deepest levels take steps of their own; the long step is 2^Levels times that "
-               "of the smallest cells.");
+  s.integer("Levels").range(1, 6).byDefault(1).meaning(
+      "How many of the deepest levels take steps of their own; the long step is 2^Levels times that "
+      "of the smallest cells. Two hold while cells and particles move little; more only at rest.");
   s.real("Damping").range(0.0, 1.0).byDefault(0.1).meaning(
       "Takes this share more of what the short steps would do to the coupling of levels, which else "
       "slowly feeds motion of single particles.");
@@ -28,7 +26,12 @@ Section section()
 
 void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  if (scene.isSublist("Sub-Cycling") && !scene.isSublist("Adaptivity"))
+  if (!scene.isSublist("Sub-Cycling"))
+    return;
+  if (scene.isSublist("Time") && scene.sublist("Time").isType<std::string>("Update Scheme") &&
+      scene.sublist("Time").get<std::string>("Update Scheme") == "USL")
+    errors.push_back({"Sub-Cycling", "it is unstable with Time > Update Scheme = USL; write MUSL or USF"});
+  if (!scene.isSublist("Adaptivity"))
     errors.push_back(
         {"Sub-Cycling", "all cells are of one size; add a section Adaptivity or take this section out"});
 }
@@ -37,7 +40,7 @@ template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)
 {
   const Teuchos::ParameterList& list = scene.sublist("Sub-Cycling");
-  const int levels = list.isParameter("Levels") ? list.get<int>("Levels") : deepestLevel;
+  const int levels = list.get<int>("Levels");
   const auto steps = std::make_shared<LocalSteps<D>>(list.get<double>("Damping"));
   Effect<D> effect;
   effect.name = "Sub-Cycling";
@@ -50,7 +53,9 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                [=](State<D>& state)
                {
                  const int last = state.tree.deepest, first = last - std::min(levels, last) + 1;
+                 const double before = steps->extraSteps();
                  steps->act(state, first, last);
+                 state.particleSteps += steps->extraSteps() - before;
                }});
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {

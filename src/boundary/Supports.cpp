@@ -183,7 +183,8 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
 template <int D>
 void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstraint<D>>>& constraints)
 {
-  effect.call({Stage::BetweenSteps,
+  // Not between steps: only after them is the step known.
+  effect.call({Stage::Scatter,
                "values of prescribed motion",
                {},
                {},

@@ -114,10 +114,12 @@ template <int D>
 bool FacePoints<D>::update(const State<D>& state)
 {
   const int simplices = static_cast<int>(state.cracks.simplex.extent(0));
-  const bool anew = simplices != simplices_;
+  const double spacing = state.smallestSpacing();
+  const bool anew = simplices != simplices_ || spacing != spacing_;
   if (anew)
-    place(state.cracks, state.grid.spacing);
+    place(state.cracks, spacing);
   simplices_ = simplices;
+  spacing_ = spacing;
   follow(state.cracks);
   pointStencils(state, lower_, below, true);
   pointStencils(state, upper_, above, true);

@@ -47,6 +47,7 @@ private:
   ObservedPoints<D> lower_, upper_;
   int count_ = 0;
   int simplices_ = -1;
+  double spacing_ = 0.0; ///< of the smallest cells when the points were placed [m]
 };
 
 /// Unit tangents of a point: in 2D side +1 slides along it when the crack's own direction is it; in 3D two at

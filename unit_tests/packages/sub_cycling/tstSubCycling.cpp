@@ -55,7 +55,7 @@ Rhegma::Run<D> bar(int levels, bool subCycled, double cfl)
   box.set("Upper Corner", array(to));
   box.set("Level", levels);
   if (subCycled)
-    scene.sublist("Sub-Cycling");
+    scene.sublist("Sub-Cycling").set("Levels", levels);
   Rhegma::Run<D> run(validated(scene));
   run.initialize();
   return run;
