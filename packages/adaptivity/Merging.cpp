@@ -44,7 +44,7 @@ View<int*> tooSmall(const State<D>& state)
         ++at;
       },
       count);
-  const View<int*> list("rhegma::small", count);
+  View<int*> list("rhegma::small", count);
   Kokkos::deep_copy(list, Kokkos::subview(all, std::make_pair(0, count)));
   return list;
 }

@@ -56,7 +56,7 @@ View<int*> tooLarge(const State<D>& state)
         ++at;
       },
       count);
-  const View<int*> list("rhegma::large", count);
+  View<int*> list("rhegma::large", count);
   Kokkos::deep_copy(list, Kokkos::subview(all, std::make_pair(0, count)));
   return list;
 }

@@ -294,7 +294,9 @@ class NoRoom(LeftFiles):
     def test_history_that_may_not_grow(self):
         path = self.write(
             "scene.xml",
-            plate().set("Time > Final Time", FOREVER).set("Output", {"History Interval": 1e-6, "Fields": False}).text(),
+            # Without its crack, whose faces may overlap when the run stops, of which there is a warning too.
+            plate().remove("Cracks").remove("Energy Release").set("Time > Final Time", FOREVER)
+            .set("Output", {"History Interval": 1e-6, "Fields": False}).text(),
         )
         answer = rhegma(path, "--output", self.path("out"), "--quiet", preexec=small_files)
         self.told(answer, self.path("out"))
