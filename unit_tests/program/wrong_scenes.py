@@ -295,7 +295,7 @@ ADAPTIVITY = [
      plate().set("Adaptivity", {}).set("Sub-Cycling", {}).set("Time > Update Scheme", "USL"),
      one("Sub-Cycling", "unstable", "MUSL or USF")),
     ("sub_cycling_of_no_level", plate().set("Adaptivity", {}).set("Sub-Cycling", {"Levels": 0}),
-     one("Sub-Cycling > Levels", "at least 1")),
+     one("Sub-Cycling > Levels", "from 1 to 6")),
     ("adaptivity_of_broken_cells", plate().set("Adaptivity", {}).set("Cracks > Formulation", "Broken Cell"),
      one("Adaptivity", "Dual Field")),
 ]
