@@ -19,8 +19,8 @@ struct Merged
 /// deformation and momentum are kept to round-off; stress and all that effects add becomes the mean. Kinetic
 /// and strain energy fall: the loss is returned, for the ledger. Leaves the particles unsorted.
 ///
-/// \param tolerance largest loss, or gain by rounding of a law with memory, as a share of what the family holds or, where that is more, of what its
-/// mass would hold at the mean of all particles
+/// \param tolerance largest loss, or gain by rounding of a law with memory, as a share of what the family
+/// holds or, where that is more, of what its mass would hold at the mean of all particles
 template <int D>
 Merged mergeParticles(State<D>& state, double tolerance);
 
