@@ -33,7 +33,7 @@ struct Options
   VelocityUpdate update = VelocityUpdate::Flip;
   Unlumping unlumping;
   double radius = 0.0, edge = -1.0; ///< of Partial; 0 and below 0: from the cells
-  double tolerance = 1e-6;
+  double tolerance = 1e-7;
   int iterations = 200;
 
   bool coupled() const { return type == "Full" || type == "Partial"; }
@@ -63,8 +63,10 @@ void addSolverParameters(Section& s)
   s.real("Solver Tolerance")
       .above(0.0)
       .below(1.0)
-      .byDefault(1e-6)
-      .meaning("Conjugate gradients stop when the residual is this small beside the right side.");
+      .byDefault(1e-7)
+      .meaning("Conjugate gradients stop when the residual is this small beside the right side, uniform "
+               "motion apart. "
+               "Times the number of steps it bounds what solves add to the energy or take from it.");
   s.integer("Maximum Iterations")
       .atLeast(1)
       .byDefault(200)

@@ -13,6 +13,9 @@ namespace
 /// more of them cost as much as the iterations they spare, fewer leave Belos' own vectors in front.
 constexpr int polynomialProducts = 4;
 
+/// Residual beside the right side that sums in double precision reach.
+constexpr double leastResidual = 1e-13;
+
 template <int D>
 constexpr int width = MassSystem<D>::width;
 
@@ -32,7 +35,9 @@ struct GuessSums
   double energy = 0.0;         ///< x M x
   double right[D] = {};        ///< b, along each axis
   double image[D] = {};        ///< M x, along each axis
-  static constexpr int size = 4 + 2 * D;
+  double weighted[D] = {};     ///< L b, along each axis
+  double lumpedSquare = 0.0;   ///< L^2, over all coupled rows
+  static constexpr int size = 5 + 3 * D;
 };
 
 /// image = M x, with the sums of a first guess.
@@ -63,7 +68,10 @@ struct LookAtGuess
       sum[3] += x(i) * y;
       sum[4 + d] += b;
       sum[4 + D + d] += y;
+      sum[4 + 2 * D + d] += system.lumped(row) * b;
     }
+    if (system.coupled(row))
+      sum[4 + 3 * D] += system.lumped(row) * system.lumped(row);
   }
 };
 
@@ -92,7 +100,9 @@ GuessSums<D> lookAtGuess(const MassSystem<D>& system, const View<double*>& right
   {
     sums.right[d] = sum[4 + d];
     sums.image[d] = sum[4 + D + d];
+    sums.weighted[d] = sum[4 + 2 * D + d];
   }
+  sums.lumpedSquare = sum[4 + 3 * D];
   return sums;
 }
 
@@ -220,9 +230,20 @@ void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool hel
               x(i) = prescribed(i);
         });
   const GuessSums<D> guess = lookAtGuess(system, right_, x, inverse, image);
+  const auto freeAxis = [&](int d) { return !masked || !heldAxis_[d]; };
+  // The residual is measured beside b - L c, c the mean of the solution: were it beside b, a body that flies
+  // past would be solved less well than one at rest, and its vibration fed by what is left.
+  double square = guess.rightSquare;
+  for (int d = 0; d < D; ++d)
+    if (freeAxis(d))
+    {
+      const double mean = guess.right[d] / system.coupledMass;
+      square += mean * (mean * guess.lumpedSquare - 2.0 * guess.weighted[d]);
+    }
+  const double roundOff = leastResidual / gradients_.tolerance();
+  square = std::max(square, roundOff * roundOff * guess.rightSquare);
   // Where supports alone move a body at rest, the right side of the free nodes is zero.
-  const double scale =
-      std::sqrt(masked ? std::max(guess.rightSquare, guess.residualSquare) : guess.rightSquare);
+  const double scale = std::sqrt(masked ? std::max(square, guess.residualSquare) : square);
   // The multiple of the guess that is nearest to the solution in the norm of M: damping scales velocities.
   const bool scalable = !masked && guess.energy > 0.0;
   const double multiple = masked ? 1.0 : scalable ? guess.along / guess.energy : 0.0;
@@ -230,12 +251,12 @@ void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool hel
   // held keep their momentum so; without a mask all do.
   Vector<D> shift{};
   for (int d = 0; d < D; ++d)
-    if (!masked || !heldAxis_[d])
+    if (freeAxis(d))
       shift[d] = (guess.right[d] - multiple * guess.image[d]) / system.coupledMass;
   const BorrowedView<double*> right = gradients_.right();
   const View<double*> asked = right_;
   const double inverseScale = scale > 0.0 ? 1.0 / scale : 0.0;
-  double square = 0.0;
+  double remains = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::mass::start", Kokkos::RangePolicy<ExecSpace>(0, s.room),
       KOKKOS_LAMBDA(const int row, double& sum) {
@@ -252,8 +273,8 @@ void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool hel
           sum += right(i) * right(i);
         }
       },
-      square);
-  const double norm = std::sqrt(square);
+      remains);
+  const double norm = std::sqrt(remains);
   if (norm <= gradients_.tolerance() || !std::isfinite(norm))
     return record(state, {norm <= gradients_.tolerance(), 0, norm}, scale, what);
 
