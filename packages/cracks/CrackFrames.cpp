@@ -1,6 +1,7 @@
 #include "cracks/CrackFrames.hpp"
 
 #include "geometry/Cross.hpp"
+#include "state/FewItems.hpp"
 
 #include <cmath>
 
@@ -53,18 +54,16 @@ void updateNormals(const CrackSet<D>& cracks)
       for (int d = 0; d < D; ++d)
         corner[i][d] = vertex(simplex(s, i), d);
   };
-  Kokkos::parallel_for(
-      "rhegma::cracks::normals", Kokkos::RangePolicy<ExecSpace>(0, simplex.extent(0)),
-      KOKKOS_LAMBDA(const int s) {
+  forFew(
+      "rhegma::cracks::normals", static_cast<int>(simplex.extent(0)), KOKKOS_LAMBDA(const int s) {
         Vector<D> corner[D];
         corners(s, corner);
         const Vector<D> n = normalOf(corner);
         for (int d = 0; d < D; ++d)
           normal(s, d) = n[d];
       });
-  Kokkos::parallel_for(
-      "rhegma::cracks::vertexNormals", Kokkos::RangePolicy<ExecSpace>(0, vertex.extent(0)),
-      KOKKOS_LAMBDA(const int v) {
+  forFew(
+      "rhegma::cracks::vertexNormals", static_cast<int>(vertex.extent(0)), KOKKOS_LAMBDA(const int v) {
         Vector<D> sum{};
         for (int k = starBegin(v); k < starBegin(v + 1); ++k)
         {

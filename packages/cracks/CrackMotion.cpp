@@ -1,6 +1,7 @@
 #include "cracks/CrackMotion.hpp"
 
 #include "cracks/CrackFrames.hpp"
+#include "state/FewItems.hpp"
 #include "transfer/Stencils.hpp"
 
 namespace Rhegma::cracks
@@ -14,9 +15,8 @@ void placePoints(const CrackSet<D>& cracks, const ObservedPoints<D>& points)
 {
   const View<double* [2][D]> face = cracks.face;
   const View<int*> starBegin = cracks.starBegin, star = cracks.star, crackOf = cracks.crackOf;
-  Kokkos::parallel_for(
-      "rhegma::cracks::placeFaces", Kokkos::RangePolicy<ExecSpace>(0, points.count),
-      KOKKOS_LAMBDA(const int k) {
+  forFew(
+      "rhegma::cracks::placeFaces", points.count, KOKKOS_LAMBDA(const int k) {
         const int v = k / 2, side = k % 2, name = crackOf(star(starBegin(v))) + 1;
         points.side(k) = side == 1 ? name : -name;
         for (int d = 0; d < D; ++d)
@@ -30,9 +30,8 @@ void moveFaces(const CrackSet<D>& cracks, const Nodes<D>& nodes, const StencilTa
   const View<double* [2][D]> face = cracks.face;
   const View<double* [D]> vertex = cracks.vertex;
   const View<int*> kind = cracks.kind;
-  Kokkos::parallel_for(
-      "rhegma::cracks::moveFaces", Kokkos::RangePolicy<ExecSpace>(0, vertex.extent(0)),
-      KOKKOS_LAMBDA(const int v) {
+  forFew(
+      "rhegma::cracks::moveFaces", static_cast<int>(vertex.extent(0)), KOKKOS_LAMBDA(const int v) {
         for (int d = 0; d < D; ++d)
         {
           double shift[2] = {0.0, 0.0};

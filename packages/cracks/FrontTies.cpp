@@ -1,6 +1,7 @@
 #include "cracks/FrontTies.hpp"
 
 #include "material/MaterialTable.hpp"
+#include "state/FewItems.hpp"
 
 #include <algorithm>
 #include <array>
@@ -127,15 +128,17 @@ void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
   const double modulus = factor * modulus_, thickness = state.thickness;
   const double limit = stable / (state.dt * state.dt);
   const int step = surroundings.stamp;
-  Kokkos::parallel_for(
-      "rhegma::cracks::findTies", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
-      KOKKOS_LAMBDA(const int i) {
+  forFew(
+      "rhegma::cracks::findTies", nodes.numSecond, KOKKOS_LAMBDA(const int i) {
         const int own = nodes.parent(i), other = nodes.numLattice + i;
         if (last(own) != step - 1)
           for (int d = 0; d < D; ++d)
             jump(own, d) = 0.0;
         last(own) = step;
+        tie(own, D) = 0.0;
         const int s = simplexOf(nearest(own));
+        if (sight.nearFront(s) == 0)
+          return;
         const Sight seen = sight.look(s, places(own));
         const double cell = refined ? std::ldexp(spacing, -level(own)) : spacing;
         double steepest = 0.0;
@@ -144,7 +147,6 @@ void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
         const double xi = seen.behind / cell * std::sqrt(steepest) + offset;
         const double away = std::fabs(seen.distance) / (cell * steepest);
         const double a = nodes.sums(own, Nodes<D>::massAt), b = nodes.sums(other, Nodes<D>::massAt);
-        tie(own, D) = 0.0;
         if (xi < 1.0 && away < 1.0 && a > 0.0 && b > 0.0)
         {
           const int halvings = refined && level(own) >= firstShort ? level(own) - firstShort + 1 : 0;
@@ -162,8 +164,8 @@ void FrontTies<D>::addForces(State<D>& state) const
   const View<int*> side = state.cracks.nodeSide;
   const View<double* [D]> jump = jump_;
   const View<double * [D + 1]> tie = state.cracks.tie;
-  Kokkos::parallel_for(
-      "rhegma::cracks::tie", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond), KOKKOS_LAMBDA(const int i) {
+  forFew(
+      "rhegma::cracks::tie", nodes.numSecond, KOKKOS_LAMBDA(const int i) {
         const int own = nodes.parent(i), other = nodes.numLattice + i;
         for (int d = 0; d < D; ++d)
         {
@@ -183,10 +185,8 @@ void FrontTies<D>::advance(State<D>& state) const
   const View<double * [D + 1]> tie = state.cracks.tie;
   const double dt = state.dt;
   const bool byMotion = state.scheme == UpdateScheme::Usl;
-  double energy = 0.0;
-  Kokkos::parallel_reduce(
-      "rhegma::cracks::stretchTies", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
-      KOKKOS_LAMBDA(const int i, double& sum) {
+  state.energy.ties = sumFew<double>(
+      "rhegma::cracks::stretchTies", nodes.numSecond, KOKKOS_LAMBDA(const int i, double& sum) {
         const int own = nodes.parent(i), other = nodes.numLattice + i;
         const double sign = signOf(side(own));
         for (int d = 0; d < D; ++d)
@@ -197,9 +197,7 @@ void FrontTies<D>::advance(State<D>& state) const
           tie(own, d) = -sign * tie(own, D) * jump(own, d);
           sum += 0.5 * tie(own, D) * jump(own, d) * jump(own, d);
         }
-      },
-      energy);
-  state.energy.ties = energy;
+      });
 }
 
 template class FrontTies<2>;

@@ -154,13 +154,15 @@ void findNearest(const State<D>& state, const Surroundings& around)
                              [&](const int k)
                              {
                                int at[D], rest = k;
+                               Vector<D> x;
                                for (int d = 0; d < D; ++d)
                                {
                                  at[d] = first[d] + rest % count[d];
                                  rest /= count[d];
+                                 x[d] = grid.origin[d] + at[d] * grid.spacing;
                                }
                                const int n = grid.nodeIndex(at);
-                               tell(n, places(n));
+                               tell(n, x);
                                const int branch = refined ? root(n) : -1;
                                for (int i = branch < 0 ? 0 : fineBegin(branch);
                                     branch >= 0 && i < fineBegin(branch + 1); ++i)
@@ -221,7 +223,7 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
             beside[d] = at[d] + ((k >> (2 * d)) & 3) - 2;
             exists = exists && beside[d] >= 0 && beside[d] < grid.cells[d];
           }
-          if (exists)
+          if (exists && cellMark(grid.nodeIndex(beside)) != stamp)
             Kokkos::atomic_exchange(&cellMark(grid.nodeIndex(beside)), stamp);
         }
       });
@@ -301,6 +303,51 @@ struct SideOfPlace
   }
 };
 
+/// Gives a particle in a cell near a crack its side, and marks it if a node in its reach lies on the other.
+template <int D>
+struct MarkParticle
+{
+  Grid<D> grid;
+  SideOfPlace<D> sideOf;
+  BorrowedView<double* [D]> position;
+  BorrowedView<int*> side;
+  View<int*> nodeSide, row;
+  bool onlySplit; ///< false: mark it in any case
+
+  KOKKOS_INLINE_FUNCTION void operator()(int p, int cell) const
+  {
+    if (side(p) == 0)
+      side(p) = findSide(p);
+    if (!onlySplit)
+      row(p) = 0;
+    if (row(p) >= 0 || side(p) == 0)
+      return;
+    const int other = -side(p);
+    bool sees = false;
+    for (int k = 0; k < (1 << (2 * D)); ++k)
+    {
+      int n = cell;
+      for (int d = 0; d < D; ++d)
+        n += (((k >> (2 * d)) & 3) - 1) * grid.stride[d];
+      sees = sees || nodeSide(n) == other;
+    }
+    if (sees)
+      row(p) = 0;
+  }
+
+  KOKKOS_INLINE_FUNCTION int findSide(int p) const
+  {
+    int cell[D];
+    Vector<D> x;
+    for (int d = 0; d < D; ++d)
+    {
+      x[d] = position(p, d);
+      cell[d] = static_cast<int>(grid.inCells(x[d], d));
+    }
+    return sideOf(cell, x);
+  }
+};
+
 /// Gives particles near cracks their side and marks those in whose reach a node lies on the other side; all
 /// near cracks where particles on one side stand in for nodes of the other (broken cells).
 template <int D>
@@ -310,40 +357,32 @@ void markParticles(const State<D>& state, const Surroundings& around, const Reac
   const Grid<D> grid = state.grid;
   const Blocks<D> blocks = state.blocks;
   const auto position = state.particles.template real<D>(fields::position);
-  const auto side = state.particles.integer(fields::side);
   const SideOfPlace<D> sideOf{grid, CrackSight<D>(state.cracks, grid.spacing), around.nearest};
-  const View<int*> cellMark = around.cellMark, nodeSide = state.cracks.nodeSide;
+  const MarkParticle<D> mark{grid,
+                             sideOf,
+                             position,
+                             state.particles.integer(fields::side),
+                             state.cracks.nodeSide,
+                             row,
+                             state.cracks.dualField};
+  const View<int*> cellMark = around.cellMark;
   const int stamp = around.stamp;
-  const bool onlySplit = state.cracks.dualField;
   Kokkos::parallel_for(
       "rhegma::cracks::markParticles", Kokkos::RangePolicy<ExecSpace>(0, blocks.numBlocks),
       KOKKOS_LAMBDA(const int b) {
         if (!isNear(reach, grid, blocks, b))
           return;
-        for (int p = blocks.first(b); p < blocks.first(b + 1); ++p)
+        const int last = blocks.first(b + 1);
+        for (int begin = blocks.first(b); begin < last; begin += lanes)
         {
-          int cell[D];
-          Vector<D> x;
+          const int count = begin + lanes < last ? lanes : last - begin;
+          int cell[lanes] = {}; // by its lowest node
           for (int d = 0; d < D; ++d)
-          {
-            x[d] = position(p, d);
-            cell[d] = static_cast<int>(grid.inCells(x[d], d));
-          }
-          const int at = grid.nodeIndex(cell);
-          if (cellMark(at) != stamp)
-            continue;
-          if (side(p) == 0)
-            side(p) = sideOf(cell, x);
-          if (!onlySplit)
-            row(p) = 0;
-          for (int k = 0; onlySplit && side(p) != 0 && row(p) < 0 && k < (1 << (2 * D)); ++k)
-          {
-            int n = at;
-            for (int d = 0; d < D; ++d)
-              n += (((k >> (2 * d)) & 3) - 1) * grid.stride[d];
-            if (nodeSide(n) == -side(p))
-              row(p) = 0;
-          }
+            for (int l = 0; l < count; ++l)
+              cell[l] += grid.stride[d] * static_cast<int>(grid.inCells(position(begin + l, d), d));
+          for (int l = 0; l < count; ++l)
+            if (cellMark(cell[l]) == stamp)
+              mark(begin + l, cell[l]);
         }
       });
 }

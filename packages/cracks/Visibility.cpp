@@ -1,5 +1,7 @@
 #include "cracks/Visibility.hpp"
 
+#include "state/FewItems.hpp"
+
 namespace Rhegma::cracks
 {
 
@@ -23,13 +25,13 @@ void useSecondFields(const State<D>& state, const ObservedPoints<D>& points, con
 {
   const Blind blind{state.cracks.nodeSide};
   const View<int*> second = state.cracks.second;
-  Kokkos::parallel_for(
-      "rhegma::cracks::useSecondFields", Kokkos::RangePolicy<ExecSpace>(0, points.count),
-      KOKKOS_LAMBDA(const int r) {
-        for (int k = 0; k < table.count(r); ++k)
+  forFew(
+      "rhegma::cracks::useSecondFields", points.count, KOKKOS_LAMBDA(const int r) {
+        const int side = points.side(r), count = side != 0 ? table.count(r) : 0;
+        for (int k = 0; k < count; ++k)
         {
           const int n = table.node(r, k);
-          if (blind.invisible(n, points.side(r)))
+          if (blind.invisible(n, side))
             table.node(r, k) = second(n);
         }
       });

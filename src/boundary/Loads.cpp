@@ -1,5 +1,6 @@
 #include "boundary/Loads.hpp"
 
+#include "state/FewItems.hpp"
 #include "transfer/PushNodes.hpp"
 #include "transfer/Stencils.hpp"
 
@@ -24,8 +25,8 @@ void followParticles(const State<D>& state, const View<int*>& id, const View<dou
   const bool sides = state.particles.has(fields::side);
   if (sides)
     side = state.particles.integer(fields::side);
-  Kokkos::parallel_for(
-      "rhegma::placeLoad", Kokkos::RangePolicy<ExecSpace>(0, points.count), KOKKOS_LAMBDA(const int k) {
+  forFew(
+      "rhegma::placeLoad", points.count, KOKKOS_LAMBDA(const int k) {
         const int p = indexOf(id(k));
         if (sides)
           points.side(k) = side(p);
@@ -57,15 +58,11 @@ void addToNodes(const Nodes<D>& nodes, const StencilTable<D>& stencils, const Vi
 template <int D>
 double arrivedShare(const StencilTable<D>& stencils, const View<double*>& share, int count)
 {
-  double arrived = 0.0;
-  Kokkos::parallel_reduce(
-      "rhegma::arrivedShare", Kokkos::RangePolicy<ExecSpace>(0, count),
-      KOKKOS_LAMBDA(const int k, double& sum) {
+  return sumFew<double>(
+      "rhegma::arrivedShare", count, KOKKOS_LAMBDA(const int k, double& sum) {
         for (int e = 0; e < stencils.count(k); ++e)
           sum += stencils.weight(k, e) * share(k);
-      },
-      arrived);
-  return arrived;
+      });
 }
 
 } // namespace
@@ -105,8 +102,9 @@ void Load<D>::apply(State<D>& state)
   followParticles(state, id_, start_, points_);
   // A light node at the rim carries its share of the stress beside it, so it must get its share of the load
   // too: else the rim's particles give way until their stress is gone, and the load works for ever.
-  const int lost = pointStencils(state, points_, stencils_, true, 0.0);
-  pointStencils(state, points_, followed_, true);
+  placeStencils(state, points_, followed_);
+  const int lost = keepMassedNodes(state, points_.count, followed_, stencils_, 0.0);
+  keepMassedNodes(state, points_.count, followed_, followed_);
   addToNodes(state.nodes, stencils_, share_, points_.count, now_ * force_);
   const double arrived = arrivedShare(stencils_, share_, points_.count);
   if ((lost > 0 || std::abs(arrived - 1.0) > 1e-10) && state.trouble.empty())
@@ -123,10 +121,8 @@ double Load<D>::work(const State<D>& state) const
   const View<double*> share = share_;
   const Vector<D> force = now_ * force_;
   const double dt = state.dt;
-  double work = 0.0;
-  Kokkos::parallel_reduce(
-      "rhegma::loadWork", Kokkos::RangePolicy<ExecSpace>(0, points_.count),
-      KOKKOS_LAMBDA(const int k, double& sum) {
+  return sumFew<double>(
+      "rhegma::loadWork", points_.count, KOKKOS_LAMBDA(const int k, double& sum) {
         for (int e = 0; e < stencils.count(k); ++e)
         {
           const int n = stencils.node(k, e);
@@ -136,9 +132,7 @@ double Load<D>::work(const State<D>& state) const
             sum += dt * stencils.weight(k, e) * share(k) * force[d] * mean;
           }
         }
-      },
-      work);
-  return work;
+      });
 }
 
 template class Load<2>;

@@ -42,6 +42,8 @@ struct Blocks
   /// By the lowest node of a cell: not 0 in cells that held a particle at the sort and in those beside them,
   /// from where all nodes of a stencil are listed.
   View<char*> nearby;
+  /// Not 0 for blocks whose particles may touch a refined cell or one beside it; empty where none is refined.
+  View<char*> refined;
   /// Not 0 where a particle is further outside of its block than the blocks allow or where nodes are not
   /// listed (0), or is outside of the domain (1).
   View<int[2]> strays;

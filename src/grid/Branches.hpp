@@ -37,12 +37,16 @@ public:
 
   const Grid<D>& grid() const { return grid_; }
 
+  /// A number of a cell among those of its level, in the order of their places.
+  std::uint64_t key(const Cell& cell) const;
+
+  /// Whether a cell of a level lies on the lattice.
+  bool isInside(int level, const Cell& cell) const;
+
   bool operator==(const Branches& other) const { return levels_ == other.levels_; }
 
 private:
-  std::uint64_t key(const Cell& cell) const;
   Cell cellOf(std::uint64_t key) const;
-  bool isInside(int level, const Cell& cell) const;
 
   Grid<D> grid_;
   std::vector<std::unordered_set<std::uint64_t>> levels_;

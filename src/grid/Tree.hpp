@@ -23,6 +23,7 @@ struct Tree
 {
   static constexpr int corners = 1 << D;
   static constexpr int mastersPerCorner = 1 << (D - 1);
+  static constexpr int nodesAround = 1 << (2 * D);
 
   int deepest = 0;    ///< level of the smallest leaves; 0: nothing is refined
   int numFine = 0;    ///< nodes beside the lattice's
@@ -33,6 +34,12 @@ struct Tree
   View<int* [corners]> child;       ///< of each branch: another branch, or -1 - leaf
   View<int* [corners]> masterCount; ///< of each corner of a leaf
   View<int* [corners][mastersPerCorner]> master;
+  /// Which of the 3^D cells of its size round each leaf, itself in the middle, are leaves: a bit each, the
+  /// first axis fastest.
+  View<int*> alike;
+  /// The 4^D corners of these cells, the first axis fastest: a row of nodal arrays, or -2 - (corners leaf +
+  /// k) where it hangs and is corner k of that leaf, or -1 where it is a corner of no leaf among them.
+  View<int* [nodesAround]> around;
   View<double* [D]> finePlace; ///< of the nodes beside the lattice's [m]
   /// Those of them that are corners of leaves in a refined cell of the lattice, whose branch b is:
   /// fineIn(fineBegin(b)) .. fineIn(fineBegin(b + 1) - 1). On faces between two such cells they are in one.
@@ -140,12 +147,13 @@ struct TreeSight
   KOKKOS_INLINE_FUNCTION Leaf leafAt(const Vector<D>& x) const
   {
     Leaf cell;
-    int at[D];
-    double from[D];
+    int at[D], part[D]; // lattice cell, and in the smallest cells from there
+    constexpr int parts = 1 << deepestLevel;
     for (int d = 0; d < D; ++d)
     {
-      from[d] = grid.inCells(x[d], d);
-      at[d] = static_cast<int>(from[d]);
+      const double from = grid.inCells(x[d], d);
+      at[d] = static_cast<int>(from);
+      part[d] = static_cast<int>((from - at[d]) * parts);
       cell.corner[d] = at[d];
     }
     cell.edge = 1.0;
@@ -153,21 +161,20 @@ struct TreeSight
     const int lowest = grid.nodeIndex(at);
     cell.number = -1 - lowest;
     int branch = refined ? root(lowest) : -1;
+    if (branch < 0)
+      return cell;
     while (branch >= 0)
     {
-      int which = 0;
-      cell.edge *= 0.5;
       ++cell.level;
+      int which = 0;
       for (int d = 0; d < D; ++d)
-        if (from[d] >= cell.corner[d] + cell.edge)
-        {
-          which |= 1 << d;
-          cell.corner[d] += cell.edge;
-        }
+        which |= ((part[d] >> (deepestLevel - cell.level)) & 1) << d;
       branch = child(branch, which);
-      if (branch < 0)
-        cell.number = -1 - branch;
     }
+    cell.number = -1 - branch;
+    cell.edge = 1.0 / (1 << cell.level);
+    for (int d = 0; d < D; ++d)
+      cell.corner[d] += (part[d] >> (deepestLevel - cell.level)) * cell.edge;
     return cell;
   }
 

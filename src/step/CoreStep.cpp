@@ -123,6 +123,44 @@ void addFineNodes(State<D>& state)
   state.nodes.active = active;
 }
 
+/// Finds the blocks whose particles may touch a refined cell or one beside it: they are no more than a cell
+/// outside of their block, and their boxes reach no more than half a cell further.
+template <int D>
+void markBlocks(State<D>& state)
+{
+  constexpr int beyond = 2;
+  Blocks<D>& blocks = state.blocks;
+  blocks.refined = View<char*>("rhegma::refinedBlocks", blocks.numBlocks);
+  const Grid<D> grid = state.grid;
+  const View<char*> refined = blocks.refined, near = state.tree.nearRefined;
+  const View<int * [Blocks<D>::axes]> corner = blocks.corner;
+  Kokkos::parallel_for(
+      "rhegma::markBlocks", Kokkos::RangePolicy<ExecSpace>(0, blocks.numBlocks), KOKKOS_LAMBDA(const int b) {
+        int low[D], count[D], all = 1;
+        for (int k = 0; k < D; ++k)
+        {
+          const int axis = grid.axisOrder[k], cells = grid.cells[axis];
+          const bool cut = k < Blocks<D>::axes;
+          const int begin = cut ? corner(b, k) - beyond : 0;
+          const int end = cut ? corner(b, k) + Blocks<D>::edge + beyond : cells;
+          low[axis] = begin > 0 ? begin : 0;
+          count[axis] = (end < cells ? end : cells) - low[axis];
+          all *= count[axis];
+        }
+        for (int k = 0; k < all; ++k)
+        {
+          int at[D], rest = k;
+          for (int d = 0; d < D; ++d)
+          {
+            at[d] = low[d] + rest % count[d];
+            rest /= count[d];
+          }
+          if (near(grid.nodeIndex(at)) != 0)
+            refined(b) = 1;
+        }
+      });
+}
+
 } // namespace
 
 template <int D>
@@ -130,7 +168,10 @@ void sortState(State<D>& state)
 {
   sortParticles(state.grid, state.particles, state.blocks, state.nodes.active);
   if (state.tree.refined())
+  {
     addFineNodes(state);
+    markBlocks(state);
+  }
   const int n = state.particles.size();
   const auto id = state.particles.integer(fields::id);
   const int ids = state.particles.has(fields::level) ? largestId(id) + 1 : n;

@@ -31,6 +31,13 @@ struct Connectivity
     for (int first = begin; first < end; first += lanes)
     {
       const int count = end - first < lanes ? end - first : lanes;
+      if constexpr (Stored)
+        if (allStored(first, count))
+        {
+          for (int p = first; p < first + count; ++p)
+            work(p, TableStencil<D>{table, row(p)});
+          continue;
+        }
       stencils.fill(grid, &position(first, 0), S == ShapeKind::Gimp ? &box(first, 0) : nullptr, count);
       for (int l = 0; l < count; ++l)
       {
@@ -46,6 +53,14 @@ struct Connectivity
         work(first + l, TensorStencil<D, S>{stencils, grid.stride, l});
       }
     }
+  }
+
+  KOKKOS_INLINE_FUNCTION bool allStored(int first, int count) const
+  {
+    int least = 0;
+    for (int p = first; p < first + count; ++p)
+      least = row(p) < least ? row(p) : least;
+    return least >= 0;
   }
 
   /// Calls visit(node, weight, slope) for each node, slope in 1/m.

@@ -1,9 +1,7 @@
 #pragma once
 /// Loops over points that push nodes: loads, faces of cracks.
 
-#include "state/Types.hpp"
-
-#include <type_traits>
+#include "state/FewItems.hpp"
 
 namespace Rhegma
 {
@@ -17,8 +15,8 @@ template <class Push>
 void forEachPushing(const char* label, int count, const Push& push)
 {
   if (std::is_same_v<ExecSpace, Kokkos::DefaultHostExecutionSpace>)
-    Kokkos::parallel_for(
-        label, Kokkos::RangePolicy<ExecSpace>(0, count > 0 ? 1 : 0), KOKKOS_LAMBDA(const int) {
+    forFew(
+        label, count > 0 ? 1 : 0, KOKKOS_LAMBDA(const int) {
           for (int k = 0; k < count; ++k)
             push(k);
         });

@@ -1,5 +1,6 @@
 #include "transfer/Stencils.hpp"
 
+#include "state/FewItems.hpp"
 #include "transfer/TreeStencil.hpp"
 
 namespace Rhegma
@@ -8,32 +9,28 @@ namespace Rhegma
 namespace
 {
 
-/// Stencils where cells are refined.
-template <int D>
-void writeTreeStencils(const State<D>& state, ShapeKind shape, const ObservedPoints<D>& points,
-                       const StencilTable<D>& table, int& crowded)
+/// Stencils where cells are refined. \return the number of points that touch more nodes than a row holds
+template <int D, ShapeKind S>
+int writeTreeStencils(const State<D>& state, const ObservedPoints<D>& points, const StencilTable<D>& table)
 {
-  const TreeSight<D> sight(state.grid, state.tree);
-  const bool boxes = shape == ShapeKind::Gimp;
-  Kokkos::parallel_reduce(
-      "rhegma::writeTreeStencils", Kokkos::RangePolicy<ExecSpace>(0, points.count),
-      KOKKOS_LAMBDA(const int r, int& number) {
+  const TreeStencils<D, S> stencils(state.grid, state.tree, table);
+  return sumFew<int>(
+      "rhegma::writeTreeStencils", points.count, KOKKOS_LAMBDA(const int r, int& number) {
         Vector<D> x, half;
         for (int d = 0; d < D; ++d)
         {
           x[d] = points.position(r, d);
-          half[d] = boxes ? points.half(r, d) : 0.0;
+          half[d] = S == ShapeKind::Gimp ? points.half(r, d) : 0.0;
         }
-        number += writeTreeStencil(sight, table, r, x, half) ? 0 : 1;
-      },
-      crowded);
+        number += stencils.write(r, x, half) ? 0 : 1;
+      });
 }
 
 template <int D, ShapeKind S>
 void writeStencils(const Grid<D>& grid, const ObservedPoints<D>& points, const StencilTable<D>& table)
 {
-  Kokkos::parallel_for(
-      "rhegma::writeStencils", Kokkos::RangePolicy<ExecSpace>(0, points.count), KOKKOS_LAMBDA(const int r) {
+  forFew(
+      "rhegma::writeStencils", points.count, KOKKOS_LAMBDA(const int r) {
         Vector<D> x, half;
         for (int d = 0; d < D; ++d)
         {
@@ -50,14 +47,14 @@ template <int D>
 int writeUnbroken(const State<D>& state, ShapeKind shape, const ObservedPoints<D>& points,
                   const StencilTable<D>& table)
 {
-  int crowded = 0;
   if (state.tree.refined())
-    writeTreeStencils(state, shape, points, table, crowded);
-  else if (shape == ShapeKind::Linear)
+    return shape == ShapeKind::Linear ? writeTreeStencils<D, ShapeKind::Linear>(state, points, table)
+                                      : writeTreeStencils<D, ShapeKind::Gimp>(state, points, table);
+  if (shape == ShapeKind::Linear)
     writeStencils<D, ShapeKind::Linear>(state.grid, points, table);
   else
     writeStencils<D, ShapeKind::Gimp>(state.grid, points, table);
-  return crowded;
+  return 0;
 }
 
 /// Marks the particles whose boxes touch refined cells or those beside them: all that touch a node of theirs.
@@ -65,28 +62,31 @@ template <int D>
 void markRefined(const State<D>& state, const View<int*>& row)
 {
   const Grid<D> grid = state.grid;
-  const View<char*> near = state.tree.nearRefined;
+  const View<char*> near = state.tree.nearRefined, some = state.blocks.refined;
+  const View<int*> first = state.blocks.first;
   const auto position = state.particles.template real<D>(fields::position);
   const bool boxes = state.shape == ShapeKind::Gimp;
   BorrowedView<double* [D]> box;
   if (boxes)
     box = state.particles.template real<D>(fields::box);
   Kokkos::parallel_for(
-      "rhegma::markRefined", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-      KOKKOS_LAMBDA(const int p) {
-        for (int k = 0; k < (1 << D); ++k)
+      "rhegma::markRefined", Kokkos::RangePolicy<ExecSpace>(0, state.blocks.numBlocks),
+      KOKKOS_LAMBDA(const int b) {
+        for (int p = first(b); p < first(b + 1); ++p)
         {
-          int cell[D];
-          for (int d = 0; d < D; ++d)
+          row(p) = -1;
+          for (int k = 0; some(b) != 0 && row(p) < 0 && k < (1 << D); ++k)
           {
-            const double half = boxes ? box(p, d) * grid.inverse : 0.0;
-            cell[d] =
-                static_cast<int>(grid.inCells(position(p, d), d) + (((k >> d) & 1) != 0 ? half : -half));
+            int cell[D];
+            for (int d = 0; d < D; ++d)
+            {
+              const double half = boxes ? box(p, d) * grid.inverse : 0.0;
+              cell[d] =
+                  static_cast<int>(grid.inCells(position(p, d), d) + (((k >> d) & 1) != 0 ? half : -half));
+            }
+            if (near(grid.nodeIndex(cell)) != 0)
+              row(p) = 0;
           }
-          if (near(grid.nodeIndex(cell)) == 0)
-            continue;
-          row(p) = 0;
-          return;
         }
       });
 }
@@ -171,9 +171,10 @@ void storeStencils(State<D>& state)
   const int n = state.particles.size();
   if (static_cast<int>(state.storedRow.extent(0)) != n)
     state.storedRow = View<int*>("rhegma::storedRow", n);
-  Kokkos::deep_copy(state.storedRow, -1);
   if (state.tree.refined())
     markRefined(state, state.storedRow);
+  else
+    Kokkos::deep_copy(state.storedRow, -1);
   if (state.editor.prepare)
     state.editor.prepare(state, state.storedRow);
   state.numStored = numberRows(state.blocks, state.storedRow, state.storedParticle);
@@ -191,45 +192,58 @@ void storeStencils(State<D>& state)
 }
 
 template <int D>
-int pointStencils(const State<D>& state, const ObservedPoints<D>& points, StencilTable<D>& table, bool massed,
-                  double lightest)
+void placeStencils(const State<D>& state, const ObservedPoints<D>& points, StencilTable<D>& table)
 {
   table.reserve(points.count);
   writeUnbroken(state, ShapeKind::Linear, points, table);
   if (state.editor.edit)
     state.editor.edit(state, points, table);
-  if (!massed)
-    return 0;
-  const StencilTable<D> t = table;
+}
+
+template <int D>
+int keepMassedNodes(const State<D>& state, int count, const StencilTable<D>& from, StencilTable<D>& to,
+                    double lightest)
+{
+  to.reserve(count);
+  const StencilTable<D> all = from, t = to;
   const auto sums = state.nodes.sums;
-  int lost = 0;
-  Kokkos::parallel_reduce(
-      "rhegma::keepMassedNodes", Kokkos::RangePolicy<ExecSpace>(0, points.count),
-      KOKKOS_LAMBDA(const int r, int& missing) {
+  return sumFew<int>(
+      "rhegma::keepMassedNodes", count, KOKKOS_LAMBDA(const int r, int& missing) {
+        const int entries = all.count(r);
         int kept = 0;
         double sum = 0.0, heaviest = 0.0;
-        for (int k = 0; k < t.count(r); ++k)
-          heaviest = std::fmax(heaviest, sums(t.node(r, k), Nodes<D>::massAt));
-        for (int k = 0; k < t.count(r); ++k)
-          if (sums(t.node(r, k), Nodes<D>::massAt) > lightest * heaviest && t.weight(r, k) != 0.0)
+        for (int k = 0; k < entries; ++k)
+          heaviest = std::fmax(heaviest, sums(all.node(r, k), Nodes<D>::massAt));
+        for (int k = 0; k < entries; ++k)
+          if (sums(all.node(r, k), Nodes<D>::massAt) > lightest * heaviest && all.weight(r, k) != 0.0)
           {
-            t.node(r, kept) = t.node(r, k);
-            t.weight(r, kept) = t.weight(r, k);
+            t.node(r, kept) = all.node(r, k);
+            t.weight(r, kept) = all.weight(r, k);
             for (int d = 0; d < D; ++d)
-              t.slope(r, kept, d) = t.slope(r, k, d);
+              t.slope(r, kept, d) = all.slope(r, k, d);
             sum += t.weight(r, kept++);
           }
         t.count(r) = sum > 0.0 ? kept : 0;
         for (int k = 0; k < t.count(r); ++k)
           t.weight(r, k) /= sum;
         missing += sum > 0.0 ? 0 : 1;
-      },
-      lost);
-  return lost;
+      });
+}
+
+template <int D>
+int pointStencils(const State<D>& state, const ObservedPoints<D>& points, StencilTable<D>& table, bool massed,
+                  double lightest)
+{
+  placeStencils(state, points, table);
+  return massed ? keepMassedNodes(state, points.count, table, table, lightest) : 0;
 }
 
 template void storeStencils(State<2>&);
 template void storeStencils(State<3>&);
+template void placeStencils(const State<2>&, const ObservedPoints<2>&, StencilTable<2>&);
+template void placeStencils(const State<3>&, const ObservedPoints<3>&, StencilTable<3>&);
+template int keepMassedNodes(const State<2>&, int, const StencilTable<2>&, StencilTable<2>&, double);
+template int keepMassedNodes(const State<3>&, int, const StencilTable<3>&, StencilTable<3>&, double);
 template int pointStencils(const State<2>&, const ObservedPoints<2>&, StencilTable<2>&, bool, double);
 template int pointStencils(const State<3>&, const ObservedPoints<3>&, StencilTable<3>&, bool, double);
 

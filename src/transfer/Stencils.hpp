@@ -16,10 +16,19 @@ constexpr double lightNode = 0.01;
 template <int D>
 void storeStencils(State<D>& state);
 
-/// Makes stencils of points (loads, crack faces) in rows 0 .. points.count - 1 of a table. Entries at nodes
-/// without mass are dropped and the rest renormalised when `massed` is set, so that a load at the rim of a
-/// body is never lost. \return the number of points none of whose nodes has mass
-/// \param lightest share of the heaviest node around a point from which a node counts as having mass
+/// Makes stencils of points (loads, crack faces) in rows 0 .. points.count - 1 of a table, of all nodes
+/// around them on their side.
+template <int D>
+void placeStencils(const State<D>& state, const ObservedPoints<D>& points, StencilTable<D>& table);
+
+/// Copies the entries at nodes that have mass and renormalises them, so that a load at the rim of a body is
+/// never lost; the two tables may be one. \return the number of points none of whose nodes has mass \param
+/// lightest share of the heaviest node around a point from which a node counts as having mass
+template <int D>
+int keepMassedNodes(const State<D>& state, int count, const StencilTable<D>& from, StencilTable<D>& to,
+                    double lightest = lightNode);
+
+/// Both in one table; without the second unless `massed` is set.
 template <int D>
 int pointStencils(const State<D>& state, const ObservedPoints<D>& points, StencilTable<D>& table, bool massed,
                   double lightest = lightNode);

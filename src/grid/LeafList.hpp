@@ -1,0 +1,60 @@
+#pragma once
+/// The branches and leaves of a tree as the host lists them before they become views.
+
+#include "grid/Branches.hpp"
+
+#include <unordered_map>
+
+namespace Rhegma
+{
+
+/// Branches and leaves by number. Places count the finest cells from node 0 of the lattice.
+template <int D>
+class LeafList
+{
+public:
+  using Cell = std::array<int, D>;
+  static constexpr int corners = Tree<D>::corners;
+
+  explicit LeafList(const Branches<D>& branches);
+
+  std::vector<int> root;                       ///< as in Tree
+  std::vector<std::array<int, corners>> child; ///< as in Tree
+  std::vector<Cell> cell;                      ///< of each leaf, in cells of its level
+  std::vector<int> level;                      ///< of each leaf
+
+  const Branches<D>& branches() const { return branches_; }
+  const Grid<D>& grid() const { return branches_.grid(); }
+  int depth() const { return branches_.depth(); }
+  int size() const { return static_cast<int>(cell.size()); }
+
+  /// The leaf that is this cell of this level; -1 where there is none, and for cells of the lattice.
+  int leafAt(int ofLevel, const Cell& at) const;
+
+  /// Edge of a cell in finest cells.
+  int edge(int ofLevel) const { return 1 << (depth() - ofLevel); }
+
+  /// Place of a corner of a leaf.
+  Cell corner(int leaf, int k) const;
+
+  /// Whether a place is a node of the lattice, and which.
+  bool onLattice(const Cell& place) const;
+  int latticeNodeAt(const Cell& place) const;
+
+  /// The lowest node of a cell of the lattice.
+  int lowestNode(const Cell& lattice) const;
+
+  /// A place in space [m].
+  std::array<double, D> position(const Cell& place) const;
+
+private:
+  void numberBranches();
+  void listLeaves();
+
+  const Branches<D>& branches_;
+  std::vector<Cell> branchCell_;
+  std::vector<int> branchLevel_;
+  std::vector<std::unordered_map<std::uint64_t, int>> branchAt_, leafAt_; ///< of each level
+};
+
+} // namespace Rhegma

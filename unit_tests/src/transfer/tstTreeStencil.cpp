@@ -1,0 +1,135 @@
+/// Stencils in refined cells as products of the axes are those that the leaves give one by one.
+
+#include "transfer/TreeStencil.hpp"
+
+#include "grid/Branches.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+
+namespace Rhegma
+{
+namespace Test
+{
+
+namespace
+{
+
+constexpr int trees = 200, boxesPerTree = 50;
+/// Products and sums of a few dozen numbers of order 1 (weights) and 1/h of the smallest cells (slopes).
+constexpr double roundOff = 1e-13;
+
+template <int D>
+Grid<D> lattice()
+{
+  Vector<D> lower, upper;
+  for (int d = 0; d < D; ++d)
+  {
+    lower[d] = -0.3 + 0.1 * d;
+    upper[d] = lower[d] + 2.0;
+  }
+  return makeGrid<D>(lower, upper, 0.5);
+}
+
+template <int D>
+Branches<D> randomBranches(const Grid<D>& grid, std::mt19937& engine)
+{
+  Branches<D> branches(grid);
+  const int depth = 1 + static_cast<int>(engine() % 3);
+  for (int s = 0; s < 3; ++s)
+  {
+    std::array<int, D> cell;
+    for (int d = 0; d < D; ++d)
+      cell[d] = (gridMargin << (depth - 1)) +
+                static_cast<int>(engine() % ((grid.cells[d] - 2 * gridMargin) << (depth - 1)));
+    branches.refine(depth - 1, cell);
+  }
+  branches.balance();
+  return branches;
+}
+
+/// Largest difference of weights, and of slopes times the spacing, over all nodes of two rows.
+template <int D>
+double difference(const StencilTable<D>& table, double spacing)
+{
+  std::map<int, std::array<double, D + 1>> left;
+  for (const int row : {0, 1})
+    for (int k = 0; k < table.count(row); ++k)
+    {
+      std::array<double, D + 1>& entry = left[table.node(row, k)];
+      const double sign = row == 0 ? 1.0 : -1.0;
+      entry[D] += sign * table.weight(row, k);
+      for (int d = 0; d < D; ++d)
+        entry[d] += sign * spacing * table.slope(row, k, d);
+    }
+  double worst = 0.0;
+  for (const auto& entry : left)
+    for (const double value : entry.second)
+      worst = std::max(worst, std::fabs(value));
+  return worst;
+}
+
+/// How often a node comes in row 0 at most.
+template <int D>
+int mostTimes(const StencilTable<D>& table)
+{
+  std::map<int, int> times;
+  int most = 0;
+  for (int k = 0; k < table.count(0); ++k)
+    most = std::max(most, ++times[table.node(0, k)]);
+  return most;
+}
+
+template <int D, ShapeKind S>
+void compare()
+{
+  const Grid<D> grid = lattice<D>();
+  std::mt19937 engine(11);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  StencilTable<D> table;
+  table.reserve(2);
+  int refined = 0;
+  for (int t = 0; t < trees; ++t)
+  {
+    Tree<D> tree;
+    buildTree(randomBranches(grid, engine), tree);
+    const TreeSight<D> sight(grid, tree);
+    const TreeStencils<D, S> stencils(grid, tree, table);
+    for (int b = 0; b < boxesPerTree; ++b)
+    {
+      Vector<D> x, half{};
+      for (int d = 0; d < D; ++d)
+        x[d] = grid.lower[d] + share(engine) * (grid.upper[d] - grid.lower[d]);
+      // Up to half the edge of the leaf, as split particles have, and every fifth box a little more.
+      const double most = (b % 5 == 0 ? 0.7 : 0.5) * sight.spacingAt(x);
+      for (int d = 0; d < D && S == ShapeKind::Gimp; ++d)
+        half[d] = most * (0.01 + 0.99 * share(engine));
+      // A box that reaches into much smaller cells than its own, whose particle would be split, may not fit.
+      const bool fits = writeTreeStencil(sight, table, 1, x, half);
+      ASSERT_EQ(stencils.write(0, x, half), fits);
+      refined += fits && sight.leafAt(x).level > 0 ? 1 : 0;
+      ASSERT_LT(difference(table, std::ldexp(grid.spacing, -tree.deepest)), roundOff);
+      ASSERT_LE(mostTimes(table), 1);
+    }
+  }
+  EXPECT_GT(refined, trees * boxesPerTree / 10);
+}
+
+} // namespace
+
+TEST(TreeStencil, ProductsInTwoDimensions)
+{
+  compare<2, ShapeKind::Linear>();
+  compare<2, ShapeKind::Gimp>();
+}
+
+TEST(TreeStencil, ProductsInThreeDimensions)
+{
+  compare<3, ShapeKind::Linear>();
+  compare<3, ShapeKind::Gimp>();
+}
+
+} // namespace Test
+} // namespace Rhegma
