@@ -140,7 +140,7 @@ void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
         if (sight.nearFront(s) == 0)
           return;
         const Sight seen = sight.look(s, places(own));
-        const double cell = refined ? std::ldexp(spacing, -level(own)) : spacing;
+        const double cell = refined ? spacing / (1 << level(own)) : spacing;
         double steepest = 0.0;
         for (int d = 0; d < D; ++d)
           steepest = std::fmax(steepest, std::fabs(sight.normal(s, d)));

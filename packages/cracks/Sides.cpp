@@ -202,7 +202,7 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
           return;
         const int s = simplexOf(nearest(n));
         const Vector<D> x = places(n);
-        const double cell = refined ? std::ldexp(grid.spacing, -level(n)) : grid.spacing;
+        const double cell = refined ? grid.spacing / (1 << level(n)) : grid.spacing;
         const Sight seen = sight.look(s, x);
         if (seen.behind <= (tied ? tiedTolerance<D>(sight, s) : frontTolerance) * cell)
           return;

@@ -221,7 +221,7 @@ struct StrainAndMove
       double F[gradientSize<D>];
       for (int k = 0; k < gradientSize<D>; ++k)
         F[k] = at.F[k][p - begin];
-      const double largest = level.extent(0) > 0 ? std::ldexp(largestBox, -level(p)) : largestBox;
+      const double largest = level.extent(0) > 0 ? largestBox / (1 << level(p)) : largestBox;
       updateBox<D>(axes, body(p), &edge(p, 0), F, largest, &box(p, 0));
     }
   }

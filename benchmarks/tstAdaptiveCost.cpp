@@ -1,0 +1,63 @@
+// What `adaptive` writes, from a run too small to say anything about speed.
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+struct Output
+{
+  std::string text;
+  int status;
+};
+
+Output adaptive(const std::string& options)
+{
+  Output output;
+  FILE* pipe = popen((std::string("'") + RHEGMA_ADAPTIVE + "' " + options + " 2>/dev/null").c_str(), "r");
+  EXPECT_NE(pipe, nullptr);
+  std::array<char, 4096> buffer;
+  for (std::size_t got; (got = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
+    output.text.append(buffer.data(), got);
+  output.status = pclose(pipe);
+  return output;
+}
+
+std::string scene(const std::string& name)
+{
+  return std::string("'") + RHEGMA_SOURCE_DIR + "/xml_inputs/verification/" + name + "' ";
+}
+
+TEST(AdaptiveCost, writesTheUniformRunsBesideTheAdaptiveOne)
+{
+  const Output output = adaptive(scene("dcb_adaptive.xml") + "--rounds 1 --finer 1 --interval 3e-6 --json");
+  ASSERT_EQ(output.status, 0) << output.text;
+  const nlohmann::json runs = nlohmann::json::parse(output.text).at("runs");
+  ASSERT_EQ(runs.size(), 2u);
+  EXPECT_EQ(runs[0].at("name"), "adaptive");
+  EXPECT_EQ(runs[1].at("name"), "uniform, cells / 2");
+  EXPECT_EQ(runs[0].at("of_adaptive").get<double>(), 1.0);
+  EXPECT_EQ(runs[1].at("particles").get<int>(), 160 * 32 * 4); // 160 by 32 cells of four
+  EXPECT_GT(runs[0].at("particles").get<int>(), 80 * 16 * 4);  // more than the lattice's
+  EXPECT_GT(runs[1].at("steps").get<int>(), runs[0].at("steps").get<int>());
+  for (const nlohmann::json& run : runs)
+    EXPECT_GT(run.at("us_per_step").get<double>(), 0.0);
+}
+
+TEST(AdaptiveCost, refusesWhatItDoesNotKnow)
+{
+  const std::string good = scene("dcb_adaptive.xml");
+  for (const std::string& wrong :
+       {std::string(), good + "--rounds ten", good + "--round 3", good + good, good + "--interval -1",
+        scene("dcb_h4.xml"), std::string("no_such_file.xml --rounds 1")})
+    EXPECT_EQ(WEXITSTATUS(adaptive(wrong).status), 1) << wrong;
+}
+
+} // namespace
