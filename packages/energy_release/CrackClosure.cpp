@@ -26,16 +26,27 @@ struct SideForces
 
 std::map<int, SideForces> nodeForces(const std::vector<PatchParticle>& particles)
 {
-  std::map<int, SideForces> forces;
+  int lowest = std::numeric_limits<int>::max(), highest = -1;
   for (const PatchParticle& p : particles)
     for (int k = 0; k < p.count; ++k)
     {
-      SideForces& f = forces[p.node[k]];
+      lowest = std::min(lowest, p.node[k]);
+      highest = std::max(highest, p.node[k]);
+    }
+  std::vector<SideForces> table(highest < 0 ? 0 : highest - lowest + 1);
+  for (const PatchParticle& p : particles)
+    for (int k = 0; k < p.count; ++k)
+    {
+      SideForces& f = table[p.node[k] - lowest];
       const int s = p.side > 0 ? 1 : 0;
       f.touched[s] = true;
       for (int d = 0; d < 2; ++d)
         f.of[s][d] += p.force[d][0] * p.slope[k][0] + p.force[d][1] * p.slope[k][1];
     }
+  std::map<int, SideForces> forces;
+  for (std::size_t n = 0; n < table.size(); ++n)
+    if (table[n].touched[0] || table[n].touched[1])
+      forces.emplace_hint(forces.end(), lowest + static_cast<int>(n), table[n]);
   return forces;
 }
 

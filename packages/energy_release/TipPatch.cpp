@@ -8,6 +8,7 @@
 #include <Teuchos_SerialSymDenseMatrix.hpp>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <stdexcept>
 
@@ -73,7 +74,7 @@ StencilTable<2> patchStencils(const State<2>& state, const View<int*>& list)
   const int n = static_cast<int>(list.extent(0));
   StencilTable<2> table;
   table.reserve(n);
-  const TreeSight<2> sight(state.grid, state.tree);
+  const TreeStencils<2, S> stencils(state.grid, state.tree, table);
   const auto position = state.particles.real<2>(fields::position);
   BorrowedView<double* [2]> box;
   if (S == ShapeKind::Gimp)
@@ -86,7 +87,7 @@ StencilTable<2> patchStencils(const State<2>& state, const View<int*>& list)
           x[d] = position(list(i), d);
           half[d] = S == ShapeKind::Gimp ? box(list(i), d) : 0.0;
         }
-        writeTreeStencil(sight, table, i, x, half);
+        stencils.write(i, x, half);
       });
   return table;
 }
@@ -194,46 +195,71 @@ namespace
 /// Matrix and right side of the least squares.
 struct Normal
 {
-  std::map<std::pair<int, int>, int> index; ///< of a node and its side (0 where the node is not split)
-  Teuchos::SerialSymDenseMatrix<int, double> coupling; ///< sum of theta m N N^T, lower triangle
-  std::vector<double> own;                             ///< sum of (1 - theta) m N
-  std::vector<double> lumped;                          ///< row sums of both
+  std::vector<std::pair<int, int>> nodes; ///< and their sides (0 where a node is not split), in order
+  std::vector<std::array<int, PatchParticle::capacity>> at; ///< places of each particle's nodes among them
+  Teuchos::SerialSymDenseMatrix<int, double> coupling;      ///< sum of theta m N N^T, lower triangle
+  std::vector<double> own;                                  ///< sum of (1 - theta) m N
+  std::vector<double> lumped;                               ///< row sums of both
   Teuchos::SerialDenseMatrix<int, double> right;
 
   Normal(const std::vector<PatchParticle>& particles, const SplitNodes& split);
-  int size() const { return static_cast<int>(index.size()); }
-  void places(const PatchParticle& p, const SplitNodes& split, int* at) const;
-  void couple(const std::vector<PatchParticle>& particles, const SplitNodes& split,
-              const RecoveryMatrix& choice, double fullCell);
+  int size() const { return static_cast<int>(nodes.size()); }
+  void listNodes(const std::vector<PatchParticle>& particles, const SplitNodes& split);
+  void couple(const std::vector<PatchParticle>& particles, const RecoveryMatrix& choice, double fullCell);
 };
 
 Normal::Normal(const std::vector<PatchParticle>& particles, const SplitNodes& split)
 {
-  for (const PatchParticle& p : particles)
-    for (int k = 0; k < p.count; ++k)
-      index.emplace(std::make_pair(p.node[k], split(p.node[k]) ? p.side : 0), 0);
-  int next = 0;
-  for (auto& entry : index)
-    entry.second = next++;
+  listNodes(particles, split);
   lumped.assign(size(), 0.0);
   right.shape(size(), 2);
-  for (const PatchParticle& p : particles)
+  for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    int at[PatchParticle::capacity];
-    places(p, split, at);
+    const PatchParticle& p = particles[i];
     for (int k = 0; k < p.count; ++k)
     {
-      lumped[at[k]] += p.mass * p.weight[k];
+      lumped[at[i][k]] += p.mass * p.weight[k];
       for (int d = 0; d < 2; ++d)
-        right(at[k], d) += p.mass * p.weight[k] * p.displacement[d];
+        right(at[i][k], d) += p.mass * p.weight[k] * p.displacement[d];
     }
   }
 }
 
-void Normal::places(const PatchParticle& p, const SplitNodes& split, int* at) const
+/// Nodes of a patch are near each other in their numbering, so a table over it is smaller than a tree.
+void Normal::listNodes(const std::vector<PatchParticle>& particles, const SplitNodes& split)
 {
-  for (int k = 0; k < p.count; ++k)
-    at[k] = index.at({p.node[k], split(p.node[k]) ? p.side : 0});
+  int lowest = std::numeric_limits<int>::max(), highest = -1;
+  for (const PatchParticle& p : particles)
+    for (int k = 0; k < p.count; ++k)
+    {
+      lowest = std::min(lowest, p.node[k]);
+      highest = std::max(highest, p.node[k]);
+    }
+  if (highest < 0)
+    return;
+  std::vector<std::array<int, 3>> slot(highest - lowest + 1, {-1, -1, -1}); // by side + 1
+  std::vector<signed char> splits(slot.size(), -1);
+  at.resize(particles.size());
+  const auto slotOf = [&](const PatchParticle& p, int k) -> int&
+  {
+    const int n = p.node[k] - lowest;
+    if (splits[n] < 0)
+      splits[n] = split(p.node[k]) ? 1 : 0;
+    return slot[n][splits[n] != 0 ? p.side + 1 : 1];
+  };
+  for (const PatchParticle& p : particles)
+    for (int k = 0; k < p.count; ++k)
+      slotOf(p, k) = 0;
+  for (std::size_t n = 0; n < slot.size(); ++n)
+    for (int side = -1; side <= 1; ++side)
+      if (slot[n][side + 1] == 0)
+      {
+        slot[n][side + 1] = size();
+        nodes.emplace_back(lowest + static_cast<int>(n), side);
+      }
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    for (int k = 0; k < particles[i].count; ++k)
+      at[i][k] = slotOf(particles[i], k);
 }
 
 /// theta: 1 up to the radius, a cubic with flat ends over the edge, 0 beyond.
@@ -248,25 +274,24 @@ double consistentShare(double fromFront, const RecoveryMatrix& choice)
   return 1.0 - s * s * (3.0 - 2.0 * s);
 }
 
-void Normal::couple(const std::vector<PatchParticle>& particles, const SplitNodes& split,
-                    const RecoveryMatrix& choice, double fullCell)
+void Normal::couple(const std::vector<PatchParticle>& particles, const RecoveryMatrix& choice,
+                    double fullCell)
 {
   coupling.shape(size());
   own.assign(size(), 0.0);
-  for (const PatchParticle& p : particles)
+  for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    int at[PatchParticle::capacity];
-    places(p, split, at);
+    const PatchParticle& p = particles[i];
     double theta = consistentShare(p.fromFront, choice);
     for (int k = 0; k < p.count; ++k)
-      if (lumped[at[k]] < choice.smallestNode * p.density * fullCell)
+      if (lumped[at[i][k]] < choice.smallestNode * p.density * fullCell)
         theta = 0.0;
     for (int k = 0; k < p.count; ++k)
     {
-      own[at[k]] += (1.0 - theta) * p.mass * p.weight[k];
+      own[at[i][k]] += (1.0 - theta) * p.mass * p.weight[k];
       for (int l = 0; l < p.count; ++l)
-        if (at[l] <= at[k])
-          coupling(at[k], at[l]) += theta * p.mass * p.weight[k] * p.weight[l];
+        if (at[i][l] <= at[i][k])
+          coupling(at[i][k], at[i][l]) += theta * p.mass * p.weight[k] * p.weight[l];
     }
   }
 }
@@ -318,13 +343,13 @@ NodeDisplacement recoverDisplacement(const std::vector<PatchParticle>& particles
   Teuchos::SerialDenseMatrix<int, double> solution(normal.size(), 2);
   const bool rowSums = choice.lumpedShare >= 1.0;
   if (!rowSums)
-    normal.couple(particles, split, choice, fullCell);
+    normal.couple(particles, choice, fullCell);
   if (rowSums || choice.terms > 0)
     sumSeries(normal, rowSums ? 1 : choice.terms, solution);
   else
     solve(normal, choice.lumpedShare, solution);
-  for (const auto& entry : normal.index)
-    result[entry.first] = {{solution(entry.second, 0), solution(entry.second, 1)}};
+  for (int i = 0; i < normal.size(); ++i)
+    result.emplace_hint(result.end(), normal.nodes[i], Vector<2>{{solution(i, 0), solution(i, 1)}});
   return result;
 }
 

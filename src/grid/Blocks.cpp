@@ -29,7 +29,37 @@ struct BlockLayout
     const int colour = 2 * (at[0] % 2) + at[1] % 2;
     return (std::int64_t(colour) * across[0] + at[0]) * across[1] + at[1];
   }
+
+  int colourOf(std::int64_t key) const { return static_cast<int>(key / across[1] / across[0]); }
 };
+
+/// The particles of a block in the order by block and cell.
+struct BlockRun
+{
+  std::int64_t key;
+  int begin, end;
+};
+
+/// The blocks of each colour with the most particles first, so that the threads that share them end together.
+template <int D>
+std::vector<BlockRun> largestFirst(const BlockLayout<D>& layout, const std::vector<std::int64_t>& block,
+                                   const std::vector<int>& order)
+{
+  std::vector<BlockRun> runs;
+  for (int i = 0; i < static_cast<int>(order.size()); ++i)
+  {
+    if (runs.empty() || block[order[i]] != runs.back().key)
+      runs.push_back({block[order[i]], i, i});
+    ++runs.back().end;
+  }
+  std::stable_sort(runs.begin(), runs.end(),
+                   [&](const BlockRun& a, const BlockRun& b)
+                   {
+                     const int of[2] = {layout.colourOf(a.key), layout.colourOf(b.key)};
+                     return of[0] != of[1] ? of[0] < of[1] : a.end - a.begin > b.end - b.begin;
+                   });
+  return runs;
+}
 
 template <class T>
 View<T*> toDevice(const std::string& label, const std::vector<T>& list)
@@ -120,14 +150,17 @@ void sortParticles(const Grid<D>& grid, FieldTable& particles, Blocks<D>& blocks
                    [&](int a, int b)
                    { return block[a] != block[b] ? block[a] < block[b] : cell[a] < cell[b]; });
 
+  const std::vector<BlockRun> runs = largestFirst(layout, block, order);
+  const std::vector<int> byCell = order;
   std::vector<int> first;
   std::vector<std::int64_t> keys;
-  for (int i = 0; i < n; ++i)
-    if (i == 0 || block[order[i]] != keys.back())
-    {
-      first.push_back(i);
-      keys.push_back(block[order[i]]);
-    }
+  auto to = order.begin();
+  for (const BlockRun& run : runs)
+  {
+    first.push_back(static_cast<int>(to - order.begin()));
+    keys.push_back(run.key);
+    to = std::copy(byCell.begin() + run.begin, byCell.begin() + run.end, to);
+  }
   blocks.numBlocks = static_cast<int>(keys.size());
   first.push_back(n);
 

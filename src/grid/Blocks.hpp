@@ -34,7 +34,7 @@ struct Blocks
   static constexpr int axes = 2;
   static constexpr int colours = 4;
 
-  View<int*> first;         ///< first particle of each block, ordered by colour; one more at the end
+  View<int*> first; ///< first particle of each block, by colour, the largest first; one more at the end
   View<int* [axes]> corner; ///< lowest cell of each block along the cut axes
   /// First particle of each bundle of up to `lanes` in one block; one more at the end.
   View<int*> bundleFirst;

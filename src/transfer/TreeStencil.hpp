@@ -114,7 +114,7 @@ private:
     if (leaf.level > 0)
       return (touched & ~static_cast<unsigned>(alike(leaf.number))) == 0;
     const int lowest = -1 - leaf.number;
-    if (sight.nearRefined(lowest) == 0)
+    if (!sight.refined || sight.nearRefined(lowest) == 0)
       return true;
     bool all = true;
     for (int k = 0; k < Tree<D>::corners; ++k)
