@@ -50,7 +50,7 @@ Section section()
       .positive()
       .optional("the velocity does not matter")
       .meaning("A cell over which the velocity changes by more than this is refined: its edge times the "
-               "velocity gradient.");
+               "mean velocity gradient of the particles in it.");
   s.real("Coarsening")
       .above(0.0)
       .below(1.0)

@@ -1,5 +1,7 @@
 #include "adaptivity/Criteria.hpp"
 
+#include "adaptivity/VelocityCriterion.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -146,104 +148,26 @@ void refineFronts(const State<D>& state, const Criteria<D>& criteria, const Bran
     }
 }
 
-/// Levels that velocities want, a number for each cell of the lattice and for each leaf of its tree.
-struct WantedLevels
-{
-  View<int*> cell, leaf;
-};
-
-template <int D>
-WantedLevels levelsByVelocity(const State<D>& state, const Criteria<D>& criteria)
-{
-  WantedLevels wanted{View<int*>("rhegma::wantedOfCells", state.grid.numNodes),
-                      View<int*>("rhegma::wantedOfLeaves", state.tree.leafLevel.extent(0))};
-  const TreeSight<D> sight(state.grid, state.tree);
-  const auto position = state.particles.template real<D>(fields::position);
-  const auto rate = state.particles.table(fields::rate);
-  const double threshold = criteria.velocityChange, coarsening = criteria.coarsening;
-  const double spacing = state.grid.spacing;
-  const int most = criteria.maximumLevel;
-  Kokkos::parallel_for(
-      "rhegma::adaptivity::levelsByVelocity", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-      KOKKOS_LAMBDA(const int p) {
-        double square = 0.0;
-        for (int k = 0; k < D * D; ++k)
-          square += rate(p, k) * rate(p, k);
-        double change = std::sqrt(square) * spacing; // over a cell of the level that is looked at
-        int finest = 0;                              // level that is fine enough
-        while (finest < most && change > threshold)
-        {
-          ++finest;
-          change *= 0.5;
-        }
-        int coarsest = finest; // level that is coarse enough
-        while (coarsest < most && change > coarsening * threshold)
-        {
-          ++coarsest;
-          change *= 0.5;
-        }
-        Vector<D> x;
-        for (int d = 0; d < D; ++d)
-          x[d] = position(p, d);
-        const auto leaf = sight.leafAt(x);
-        const int level =
-            finest > leaf.level ? leaf.level + 1 : (coarsest < leaf.level ? coarsest : leaf.level);
-        if (level == 0)
-          return;
-        if (leaf.level == 0)
-          Kokkos::atomic_fetch_max(&wanted.cell(-1 - leaf.number), level);
-        else
-          Kokkos::atomic_fetch_max(&wanted.leaf(leaf.number), level);
-      });
-  return wanted;
-}
-
-/// Refines so that a place has a leaf of a level, and so the cells around by rings of the size of its parent.
-template <int D>
-void refineAround(const Criteria<D>& criteria, const Vector<D>& x, int level, Branches<D>& branches)
-{
-  const Grid<D>& grid = branches.grid();
-  const double edge = edgeOf(grid, level - 1);
-  CellRange<D> range;
-  for (int d = 0; d < D; ++d)
-  {
-    const int at = static_cast<int>((x[d] - grid.origin[d]) / edge);
-    const int lowest = static_cast<int>(std::floor((grid.lower[d] - grid.origin[d]) / edge + 1e-9));
-    const int highest = static_cast<int>(std::ceil((grid.upper[d] - grid.origin[d]) / edge - 1e-9)) - 1;
-    range.first[d] = std::max(at - criteria.buffer, lowest);
-    range.last[d] = std::min(at + criteria.buffer, highest);
-  }
-  forEachCell<D>(range, [&](const Cell<D>& cell) { branches.refine(level - 1, cell); });
-}
-
+/// Refines cells over which the velocity changes much, and rings of cells of their size around them.
 template <int D>
 void refineByVelocity(const State<D>& state, const Criteria<D>& criteria, Branches<D>& branches)
 {
   if (!(criteria.velocityChange > 0.0) || state.step == 0)
     return;
-  const WantedLevels wanted = levelsByVelocity(state, criteria);
-  const Grid<D>& grid = state.grid;
-  const auto cell = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, wanted.cell);
-  const auto leaf = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, wanted.leaf);
-  const auto level = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.tree.leafLevel);
-  const auto corner = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.tree.leafCorner);
-  const auto middleOf = [&](Vector<D> x, int of)
+  const Grid<D>& grid = branches.grid();
+  const double keeping = criteria.coarsening * criteria.velocityChange;
+  for (const LevelCell<D>& cell :
+       cellsOfFastChange(state, criteria.velocityChange, keeping, criteria.maximumLevel))
   {
+    const CellRange<D> domain = cellsIn(grid, cell.level, grid.lower, grid.upper);
+    CellRange<D> range;
     for (int d = 0; d < D; ++d)
-      x[d] += 0.5 * edgeOf(grid, of);
-    return x;
-  };
-  for (int n = 0; n < grid.numNodes; ++n)
-    if (cell(n) > 0)
-      refineAround(criteria, middleOf(grid.nodePosition(n), 0), cell(n), branches);
-  for (int l = 0; l < static_cast<int>(leaf.extent(0)); ++l)
-    if (leaf(l) > 0)
     {
-      Vector<D> x;
-      for (int d = 0; d < D; ++d)
-        x[d] = corner(l, d);
-      refineAround(criteria, middleOf(x, level(l)), leaf(l), branches);
+      range.first[d] = std::max(cell.at[d] - criteria.buffer, domain.first[d]);
+      range.last[d] = std::min(cell.at[d] + criteria.buffer, domain.last[d]);
     }
+    forEachCell<D>(range, [&](const Cell<D>& near) { branches.refine(cell.level, near); });
+  }
 }
 
 } // namespace

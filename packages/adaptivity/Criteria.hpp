@@ -32,9 +32,9 @@ struct Criteria
 ///
 /// Fronts: a cell of any level that is nearer to a crack front than `frontCells` of its own edges is refined
 /// (half a cell more where it is refined already, so that a front that sways does not switch cells on and
-/// off). Velocity: the level l of a particle is such that h_l |grad v| is below the threshold; a smaller cell
-/// stays until a larger one would be below `coarsening` times it. A cell becomes finer by one level at a
-/// time. Cells outside of the domain stay as they are.
+/// off). Velocity: a leaf whose edge times its mean velocity gradient is above the threshold is refined, by
+/// one level at a time; a refined cell stays so while its own edge times the mean over all of it is above
+/// `coarsening` times the threshold (VelocityCriterion.hpp). Cells outside of the domain stay as they are.
 template <int D>
 Branches<D> wantedBranches(const State<D>& state, const Criteria<D>& criteria, const Branches<D>& now);
 

@@ -1,0 +1,131 @@
+#include "adaptivity/VelocityCriterion.hpp"
+
+#include <cmath>
+#include <map>
+
+namespace Rhegma::adaptivity
+{
+
+namespace
+{
+
+/// Volume and integral of the velocity gradient.
+template <int D>
+struct GradientSum
+{
+  double volume = 0.0, gradient[D * D] = {};
+
+  void add(const GradientSum& other)
+  {
+    volume += other.volume;
+    for (int k = 0; k < D * D; ++k)
+      gradient[k] += other.gradient[k];
+  }
+
+  double mean() const
+  {
+    double square = 0.0;
+    for (const double g : gradient)
+      square += g * g;
+    return volume > 0.0 ? std::sqrt(square) / volume : 0.0;
+  }
+};
+
+/// Leaf of every particle: its number or, for cells of the lattice, -1 - the lowest node.
+template <int D>
+View<int*> leavesOf(const State<D>& state)
+{
+  const int n = state.particles.size();
+  const View<int*> leaf("rhegma::leafOfParticle", n);
+  const TreeSight<D> sight(state.grid, state.tree);
+  const auto position = state.particles.template real<D>(fields::position);
+  Kokkos::parallel_for(
+      "rhegma::adaptivity::findLeaves", Kokkos::RangePolicy<ExecSpace>(0, n), KOKKOS_LAMBDA(const int p) {
+        Vector<D> x;
+        for (int d = 0; d < D; ++d)
+          x[d] = position(p, d);
+        leaf(p) = sight.leafAt(x).number;
+      });
+  return leaf;
+}
+
+template <int D>
+using LevelSums = std::map<std::array<int, D>, GradientSum<D>>;
+
+/// Sums of all leaves that hold particles, by level. Added on the host in the order of the particles, so that
+/// what is refined does not depend on the number of threads.
+template <int D>
+std::vector<LevelSums<D>> sumOverLeaves(const State<D>& state)
+{
+  const auto host = [](const auto& view)
+  { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
+  const auto leafOf = host(leavesOf(state));
+  const auto volume = host(state.particles.scalar(fields::volume));
+  const auto rate = host(state.particles.table(fields::rate));
+  std::vector<GradientSum<D>> lattice(state.grid.numNodes), leaves(state.tree.leafLevel.extent(0));
+  for (int p = 0; p < state.particles.size(); ++p)
+  {
+    GradientSum<D>& sum = leafOf(p) < 0 ? lattice[-1 - leafOf(p)] : leaves[leafOf(p)];
+    sum.volume += volume(p);
+    for (int k = 0; k < D * D; ++k)
+      sum.gradient[k] += volume(p) * rate(p, k);
+  }
+  std::vector<LevelSums<D>> sums(state.tree.deepest + 1);
+  for (int n = 0; n < state.grid.numNodes; ++n)
+    if (lattice[n].volume > 0.0)
+    {
+      int at[D];
+      state.grid.nodeCoordinates(n, at);
+      std::array<int, D> cell;
+      std::copy(at, at + D, cell.begin());
+      sums[0][cell] = lattice[n];
+    }
+  const auto level = host(state.tree.leafLevel);
+  const auto corner = host(state.tree.leafCorner);
+  for (std::size_t l = 0; l < leaves.size(); ++l)
+    if (leaves[l].volume > 0.0)
+    {
+      std::array<int, D> cell;
+      for (int d = 0; d < D; ++d)
+        cell[d] = static_cast<int>(std::lround(std::ldexp(state.grid.inCells(corner(l, d), d), level(l))));
+      sums[level(l)][cell] = leaves[l];
+    }
+  return sums;
+}
+
+} // namespace
+
+template <int D>
+std::vector<LevelCell<D>> cellsOfFastChange(const State<D>& state, double threshold, double keeping,
+                                            int deepest)
+{
+  std::vector<LevelSums<D>> leaves = sumOverLeaves(state);
+  std::vector<LevelCell<D>> wanted;
+  LevelSums<D> refined; // of the level that is looked at
+  for (int level = state.tree.deepest; level >= 0; --level)
+  {
+    const double edge = std::ldexp(state.grid.spacing, -level);
+    LevelSums<D> parents;
+    const auto look = [&](const LevelSums<D>& cells, double bound)
+    {
+      for (const auto& cell : cells)
+      {
+        if (level < deepest && edge * cell.second.mean() > bound)
+          wanted.push_back({level, cell.first});
+        std::array<int, D> parent;
+        for (int d = 0; d < D; ++d)
+          parent[d] = cell.first[d] >> 1;
+        parents[parent].add(cell.second);
+      }
+    };
+    look(leaves[level], threshold);
+    look(refined, keeping);
+    refined = std::move(parents);
+  }
+  return wanted;
+}
+
+template std::vector<LevelCell<2>> cellsOfFastChange(const State<2>&, double, double, int);
+template std::vector<LevelCell<3>> cellsOfFastChange(const State<3>&, double, double, int);
+
+} // namespace Rhegma::adaptivity

@@ -1,0 +1,34 @@
+#pragma once
+/// Which cells the velocity wants to be refined.
+
+#include "grid/Branches.hpp"
+#include "state/State.hpp"
+
+#include <array>
+#include <vector>
+
+namespace Rhegma::adaptivity
+{
+
+/// A cell of any level: coordinates count cells of the level from node 0 of the lattice.
+template <int D>
+struct LevelCell
+{
+  int level;
+  std::array<int, D> at;
+};
+
+/// Cells over which the velocity changes too much: their edge times the Frobenius norm of the velocity
+/// gradient, averaged over the volume of the particles in the cell. The mean is what the cell's own nodes
+/// could show; gradients that alternate from particle to particle cancel in it.
+///
+/// \param state its particles carry fields::rate
+/// \param threshold of a leaf [m/s]
+/// \param keeping of a cell that is refined already: the mean is that over all of it [m/s]
+/// \param deepest leaves of this level and deeper are left as they are
+/// \return leaves above `threshold` and refined cells above `keeping`, by level and place
+template <int D>
+std::vector<LevelCell<D>> cellsOfFastChange(const State<D>& state, double threshold, double keeping,
+                                            int deepest);
+
+} // namespace Rhegma::adaptivity
