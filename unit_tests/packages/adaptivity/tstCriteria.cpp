@@ -257,6 +257,32 @@ void refinesNearFronts()
 
 } // namespace
 
+/// Cells are looked at in step 1 and then in every step that Interval divides.
+TEST(Criteria, IntervalTellsWhenCellsAreLookedAt)
+{
+  Teuchos::ParameterList scene = emptyScene<2>(all<2>(-2.0), all<2>(10.0), 1.0, "MUSL", "GIMP");
+  addMaterial(scene, "Neo-Hookean", 0.3);
+  addBox<2>(scene, "Block", all<2>(0.0), all<2>(8.0));
+  scene.sublist("Adaptivity").set("Velocity Change", 0.1);
+  scene.sublist("Adaptivity").set("Maximum Level", 1);
+  scene.sublist("Adaptivity").set("Interval", 5);
+  Rhegma::Run<2> run(validated(scene));
+  run.initialize();
+  State<2>& state = run.state();
+  std::vector<long> refined;
+  for (int k = 0; k < 20; ++k)
+  {
+    const int before = state.tree.generation;
+    // Refined and large in turn.
+    setRate<2>(state, [&](const Vector<2>& x)
+               { return x[0] < 1.0 && state.tree.deepest == 0 && state.step > 0 ? 1.0 : 0.0; });
+    const long step = state.step;
+    run.step(1e30, false);
+    if (state.tree.generation != before)
+      refined.push_back(step);
+  }
+  EXPECT_EQ(refined, (std::vector<long>{1, 5, 10, 15}));
+}
 TEST(Criteria, VelocityRefinesIn2D) { refinesWhereTheVelocityChanges<2>(); }
 TEST(Criteria, VelocityRefinesIn3D) { refinesWhereTheVelocityChanges<3>(); }
 TEST(Criteria, VelocityIgnoresNoise)

@@ -211,7 +211,7 @@ TEST(Tracking, AnImpactIn3D)
 {
   checkTracking<3>("impact_adaptive",
                    {"Bodies:Rod:Upper Corner={0.11, 0.02, 0.02}", "Domain:Upper Corner={0.16, 0.04, 0.04}",
-                    "Time:Final Time=4.2e-3"},
+                    "Time:Final Time=4.8e-3"},
                    5e-3, 0.12, 0.4);
 }
 

@@ -1,0 +1,279 @@
+/// Places and habits of refinement that could break a run: many levels, corners and boundaries of bodies, two
+/// fronts close together, cells that come and go with every step.
+
+#include "Refined.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+namespace Rhegma
+{
+namespace Test
+{
+
+namespace
+{
+
+/// A block of 4 cells of 1 m that flies and vibrates.
+template <int D>
+Teuchos::ParameterList flyingBlock(double speed)
+{
+  Teuchos::ParameterList scene = emptyScene<D>(all<D>(-3.0), all<D>(9.0), 1.0, "MUSL", "GIMP");
+  addMaterial(scene, "Neo-Hookean", 0.3);
+  Teuchos::ParameterList& body = addBox<D>(scene, "Block", all<D>(0.0), all<D>(4.0));
+  Vector<D> velocity = all<D>(speed);
+  velocity[0] = -0.5 * speed;
+  body.set("Velocity", array(velocity));
+  return scene;
+}
+
+template <int D>
+void addRegion(Teuchos::ParameterList& scene, const Vector<D>& lower, const Vector<D>& upper, int level)
+{
+  Teuchos::ParameterList& adaptivity = scene.sublist("Adaptivity");
+  adaptivity.set("Maximum Level", level);
+  adaptivity.set("Interval", 2);
+  Teuchos::ParameterList& box = adaptivity.sublist("Box");
+  box.set("Lower Corner", array(lower));
+  box.set("Upper Corner", array(upper));
+  box.set("Level", level);
+}
+
+/// Adds a smooth motion of its own, of 1 cm/s.
+template <int D>
+void stir(State<D>& state)
+{
+  const HostParticles<D> particles(state);
+  for (int p = 0; p < particles.size; ++p)
+    for (int d = 0; d < D; ++d)
+      particles.velocity(p, d) +=
+          0.01 * std::cos(0.25 * 3.14159265358979 * particles.position(p, (d + 1) % D));
+  particles.store(state);
+}
+
+struct Kept
+{
+  double energy = 0.0, momentum = 0.0; ///< largest changes, as shares
+  int fewest = 0, most = 0;
+};
+
+/// Steps, and what happens to energy (what merging took included) and momentum meanwhile.
+template <int D, class Between>
+Kept keep(Run<D>& run, int steps, const Between& between)
+{
+  State<D>& state = run.state();
+  measureEnergy(state);
+  const double energy = state.energy.kinetic + state.energy.strain;
+  const Vector<D> momentum = state.momentum;
+  Kept kept;
+  kept.fewest = kept.most = state.particles.size();
+  double merged = 0.0;
+  for (int k = 0; k < steps; ++k)
+  {
+    merged += between(k);
+    run.step(1e30, false);
+    measureEnergy(state);
+    const double now =
+        state.energy.kinetic + state.energy.strain + state.energy.merged + merged - state.energy.externalWork;
+    kept.energy = std::max(kept.energy, std::fabs(now / energy - 1.0));
+    kept.momentum = std::max(kept.momentum, norm(state.momentum - momentum) / norm(momentum));
+    kept.fewest = std::min(kept.fewest, state.particles.size());
+    kept.most = std::max(kept.most, state.particles.size());
+  }
+  EXPECT_TRUE(std::isfinite(kept.energy));
+  return kept;
+}
+
+const auto nothing = [](int) { return 0.0; };
+
+/// A corner of the body lies in a refined corner of the cells, and leaves it.
+template <int D>
+void checkCorner(int level, int steps)
+{
+  Teuchos::ParameterList scene = flyingBlock<D>(0.3);
+  const double edge = std::ldexp(1.0, 1 - level);
+  addRegion(scene, all<D>(4.0 - edge), all<D>(4.0 + edge), level);
+  Run<D> run(validated(scene));
+  run.initialize();
+  EXPECT_EQ(run.state().tree.deepest, level);
+  const int before = run.state().particles.size();
+  stir(run.state());
+  const Kept kept = keep(run, steps, nothing);
+  std::printf("%d levels at a corner in %dD: %d particles, %d to %d; energy by %.1e, momentum by %.1e\n",
+              level, D, before, kept.fewest, kept.most, kept.energy, kept.momentum);
+  EXPECT_LT(kept.energy, 1e-3);
+  EXPECT_LT(kept.momentum, 1e-12);
+}
+
+} // namespace
+
+TEST(Robust, sixLevelsAtACornerIn2D) { checkCorner<2>(6, 300); }
+TEST(Robust, fourLevelsAtACornerIn3D) { checkCorner<3>(4, 40); }
+
+/// The block slides along a wall, in part refined, and vibrates.
+TEST(Robust, refinedAtABoundary)
+{
+  Teuchos::ParameterList scene = flyingBlock<2>(-0.2);
+  scene.sublist("Bodies").sublist("Block").set("Velocity", array(Vector<2>{{0.1, 0.0}}));
+  addRegion<2>(scene, Vector<2>{{1.0, -3.0}}, Vector<2>{{2.5, 0.5}}, 3);
+  Teuchos::ParameterList& wall = scene.sublist("Boundaries").sublist("Wall");
+  wall.set("Type", "Symmetry");
+  wall.set("Axis", "y");
+  wall.set("Position", 0.0);
+  wall.set("Side", "Lower");
+  Rhegma::Run<2> run(validated(scene));
+  run.initialize();
+  State<2>& state = run.state();
+  stir(state);
+  measureEnergy(state);
+  const double energy = state.energy.kinetic + state.energy.strain, along = state.momentum[0];
+  double off = 0.0, drift = 0.0, lowest = 1.0;
+  int most = 0, fewest = state.particles.size();
+  while (state.time < 15.0)
+  {
+    run.step(1e30, false);
+    measureEnergy(state);
+    const double now = state.energy.kinetic + state.energy.strain + state.energy.merged;
+    off = std::max(off, std::fabs((now - state.energy.externalWork) / energy - 1.0));
+    drift = std::max(drift, std::fabs(state.momentum[0] / along - 1.0));
+    const HostParticles<2> particles(state);
+    for (int p = 0; p < particles.size; ++p)
+      lowest = std::min(lowest, particles.position(p, 1));
+    most = std::max(most, particles.size);
+    fewest = std::min(fewest, particles.size);
+  }
+  std::printf(
+      "at a wall: energy by %.1e, momentum along it by %.1e, lowest particle at %.4f m, %d to %d particles\n",
+      off, drift, lowest, fewest, most);
+  EXPECT_GT(most, fewest);
+  EXPECT_LT(off, 0.01);
+  EXPECT_LT(drift, 1e-12);
+  EXPECT_GT(lowest, 0.0);
+}
+
+/// Two cracks in line whose fronts are as close as cracks may be, 3 large cells, and a little more: what is
+/// refined around them overlaps.
+TEST(Robust, aroundTwoFrontsCloseTogether)
+{
+  for (const double apart : {3.05, 3.6})
+  {
+    Teuchos::ParameterList scene =
+        emptyScene<2>(Vector<2>{{-2.0, -2.0}}, Vector<2>{{12.0, 10.0}}, 1.0, "MUSL", "GIMP");
+    addMaterial(scene, "Linear Elastic", 0.3);
+    addBox<2>(scene, "Plate", Vector<2>{{0.0, 0.0}}, Vector<2>{{10.0, 8.0}});
+    scene.sublist("Adaptivity").set("Maximum Level", 3);
+    for (const int end : {0, 1})
+    {
+      const double from = end == 0 ? -1.0 : 5.0 + 0.5 * apart, to = end == 0 ? 5.0 - 0.5 * apart : 11.0;
+      scene.sublist("Cracks")
+          .sublist("Crack " + std::to_string(end))
+          .set("Points", Teuchos::Array<double>(Teuchos::tuple(from, 4.0, to, 4.0)));
+      Teuchos::ParameterList& load = scene.sublist("Boundaries").sublist("Load " + std::to_string(end));
+      load.set("Type", "Traction");
+      load.set("Body", "Plate");
+      load.set("From", array(Vector<2>{{0.0, 8.0 * end}}));
+      load.set("To", array(Vector<2>{{10.0, 8.0 * end}}));
+      load.set("Stress", array(Vector<2>{{0.0, end == 0 ? -1e-4 : 1e-4}}));
+    }
+    Rhegma::Run<2> run(validated(scene));
+    run.initialize();
+    State<2>& state = run.state();
+    EXPECT_EQ(state.tree.deepest, 3);
+    for (int k = 0; k < 400; ++k)
+      run.step(1e30, false);
+    measureEnergy(state);
+    const double energy = state.energy.kinetic + state.energy.strain;
+    std::printf("fronts %.2f m apart: energy %.3e J, %.3e J from loads\n", apart, energy,
+                state.energy.externalWork);
+    EXPECT_GT(energy, 0.0);
+    EXPECT_NEAR(energy, state.energy.externalWork, 0.02 * state.energy.externalWork);
+  }
+}
+
+namespace
+{
+
+/// Cells are refined in one step and large again in the next, at a corner of the body and inside it in turn.
+Kept toggled(bool on)
+{
+  Teuchos::ParameterList scene = flyingBlock<2>(0.02);
+  addRegion<2>(scene, all<2>(8.0), all<2>(8.5), 2);
+  scene.sublist("Adaptivity").set("Interval", 1000000);
+  Run<2> run(validated(scene));
+  run.initialize();
+  State<2>& state = run.state();
+  stir(state);
+  const auto toggle = [&](int k)
+  {
+    Branches<2> branches(state.grid);
+    const int at = gridMargin + 3 + (k % 4 < 2 ? 0 : 2); // the cell at the corner (0, 0), or at (2, 2)
+    if (on && k % 2 == 0)
+      for (int x = 0; x < 2; ++x)
+        for (int y = 0; y < 2; ++y)
+          branches.refine(1, {2 * at + x, 2 * at + y});
+    branches.balance();
+    buildTree(branches, state.tree);
+    state.nodes.reserve(state.grid.numNodes + state.tree.numFine, state.nodes.numSecond);
+    state.sorted = false;
+    return followCells(state).lost;
+  };
+  const Kept kept = keep(run, 400, toggle);
+  std::printf("%s: %d to %d particles; energy by %.1e, momentum by %.1e\n", on ? "on and off" : "off",
+              kept.fewest, kept.most, kept.energy, kept.momentum);
+  return kept;
+}
+
+} // namespace
+
+/// Energy swings as it does in large cells that stay.
+TEST(Robust, onAndOffEveryStep)
+{
+  const Kept plain = toggled(false), kept = toggled(true);
+  EXPECT_EQ(plain.most, plain.fewest);
+  EXPECT_EQ(kept.fewest, plain.fewest);
+  EXPECT_GT(kept.most, plain.most);
+  EXPECT_LT(kept.momentum, 1e-12);
+  EXPECT_LT(kept.energy, 1.1 * plain.energy);
+}
+
+/// Refined, large, and refined again in the same places: the numbers of nodes are those of before.
+TEST(Robust, numbersOfNodesDoNotDependOnTheRun)
+{
+  Teuchos::ParameterList scene = flyingBlock<2>(0.0);
+  addRegion<2>(scene, all<2>(1.0), all<2>(3.0), 2);
+  Rhegma::Run<2> run(validated(scene));
+  run.initialize();
+  State<2>& state = run.state();
+  const auto copy = [](const auto& view)
+  {
+    const auto host = Kokkos::create_mirror(view);
+    Kokkos::deep_copy(host, view);
+    return host;
+  };
+  const auto place = copy(state.tree.finePlace);
+  const auto master = copy(state.tree.master);
+  Branches<2> branches(state.grid);
+  for (const int k : {7, 2, 5})
+    branches.refine(0, {k, k});
+  branches.balance();
+  buildTree(branches, state.tree);
+  Branches<2> again(state.grid);          // in another order
+  const int first = 2 * (gridMargin + 4); // of level 1 in the box
+  for (int x = first + 3; x >= first; --x)
+    for (int y = first; y < first + 4; ++y)
+      again.refine(1, {x, y});
+  again.balance();
+  buildTree(again, state.tree);
+  ASSERT_EQ(state.tree.finePlace.extent(0), place.extent(0));
+  ASSERT_EQ(state.tree.master.extent(0), master.extent(0));
+  for (std::size_t n = 0; n < place.extent(0); ++n)
+    for (int d = 0; d < 2; ++d)
+      EXPECT_EQ(state.tree.finePlace(n, d), place(n, d));
+  for (std::size_t l = 0; l < master.extent(0); ++l)
+    for (int k = 0; k < 4; ++k)
+      for (int m = 0; m < 2; ++m)
+        EXPECT_EQ(state.tree.master(l, k, m), master(l, k, m));
+}
+
+} // namespace Test
+} // namespace Rhegma
