@@ -5,6 +5,7 @@
 ///
 /// Threads: OMP_NUM_THREADS.
 
+#include "PositiveNumber.hpp"
 #include "adaptive/Measure.hpp"
 
 #include <Kokkos_Core.hpp>
@@ -27,39 +28,21 @@ struct Options
   bool json = false;
 };
 
-double positive(const std::string& option, const std::string& text, bool whole)
-{
-  std::size_t used = 0;
-  double value = 0.0;
-  try
-  {
-    value = whole ? std::stoi(text, &used) : std::stod(text, &used);
-  }
-  catch (const std::logic_error&)
-  {
-  }
-  if (!(value > 0.0) || used != text.size())
-    throw std::invalid_argument(option + " needs a positive " + (whole ? "whole " : "") + "number, not \"" +
-                                text + "\"");
-  return value;
-}
-
 Options readOptions(const std::vector<std::string>& arguments)
 {
   Options options;
   for (std::size_t k = 1; k < arguments.size(); ++k)
   {
     const std::string& name = arguments[k];
-    const auto number = [&](bool whole)
-    { return positive(name, ++k < arguments.size() ? arguments[k] : "", whole); };
+    const auto next = [&] { return ++k < arguments.size() ? arguments[k] : std::string(); };
     if (name == "--json")
       options.json = true;
     else if (name == "--rounds")
-      options.effort.rounds = static_cast<int>(number(true));
+      options.effort.rounds = positiveNumber<int>(name, next());
     else if (name == "--finer")
-      options.effort.finer = static_cast<int>(number(true));
+      options.effort.finer = positiveNumber<int>(name, next());
     else if (name == "--interval")
-      options.effort.interval = number(false);
+      options.effort.interval = positiveNumber<double>(name, next());
     else if (name.rfind("--", 0) != 0 && options.scene.empty())
       options.scene = name;
     else

@@ -4,6 +4,7 @@
 ///
 /// Threads: OMP_NUM_THREADS.
 
+#include "PositiveNumber.hpp"
 #include "mass_matrix/Measure.hpp"
 
 #include <Kokkos_Core.hpp>
@@ -28,29 +29,13 @@ struct Options
   bool json = false;
 };
 
-int positive(const std::string& option, const std::string& text)
-{
-  std::size_t used = 0;
-  int value = 0;
-  try
-  {
-    value = std::stoi(text, &used);
-  }
-  catch (const std::logic_error&)
-  {
-  }
-  if (value <= 0 || used != text.size())
-    throw std::invalid_argument(option + " needs a positive whole number, not \"" + text + "\"");
-  return value;
-}
-
 Options readOptions(const std::vector<std::string>& arguments)
 {
   Options options;
   for (std::size_t k = 1; k < arguments.size(); ++k)
   {
     const std::string& name = arguments[k];
-    const auto number = [&] { return positive(name, ++k < arguments.size() ? arguments[k] : ""); };
+    const auto number = [&] { return positiveNumber<int>(name, ++k < arguments.size() ? arguments[k] : ""); };
     if (name == "--json")
       options.json = true;
     else if (name == "--steps")

@@ -4,6 +4,7 @@
 ///
 /// Measures with 1 and 2 threads where the back end has threads, or with --threads N only.
 
+#include "PositiveNumber.hpp"
 #include "throughput/Cases.hpp"
 #include "throughput/Measure.hpp"
 #include "throughput/Worker.hpp"
@@ -29,22 +30,6 @@ struct Options
   int threads = 0;     ///< 0: 1 and 2
 };
 
-int positive(const std::string& option, const std::string& text)
-{
-  std::size_t used = 0;
-  int value = 0;
-  try
-  {
-    value = std::stoi(text, &used);
-  }
-  catch (const std::logic_error&)
-  {
-  }
-  if (value <= 0 || used != text.size())
-    throw std::invalid_argument(option + " needs a positive whole number, not \"" + text + "\"");
-  return value;
-}
-
 Options readOptions(const std::vector<std::string>& arguments)
 {
   Options options;
@@ -59,15 +44,15 @@ Options readOptions(const std::vector<std::string>& arguments)
     const std::string text = k + 1 < arguments.size() ? arguments[k + 1] : "";
     ++k;
     if (name == "--particles")
-      options.effort.particles2 = options.effort.particles3 = positive(name, text);
+      options.effort.particles2 = options.effort.particles3 = positiveNumber<int>(name, text);
     else if (name == "--steps")
-      options.effort.steps = positive(name, text);
+      options.effort.steps = positiveNumber<int>(name, text);
     else if (name == "--rounds")
-      options.effort.rounds = positive(name, text);
+      options.effort.rounds = positiveNumber<int>(name, text);
     else if (name == "--triad")
-      options.effort.triad = positive(name, text);
+      options.effort.triad = positiveNumber<int>(name, text);
     else if (name == "--threads")
-      options.threads = positive(name, text);
+      options.threads = positiveNumber<int>(name, text);
     else
       throw std::invalid_argument(
           "\"" + name +

@@ -1,33 +1,18 @@
 // What `mass_matrix` writes, from a run too small to say anything about speed.
 
-#include <gtest/gtest.h>
+#include "Output.hpp"
+
 #include <nlohmann/json.hpp>
 
-#include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
 namespace
 {
 
-struct Output
-{
-  std::string text;
-  int status;
-};
-
 Output massMatrix(const std::string& options)
 {
-  Output output;
-  FILE* pipe = popen((std::string("'") + RHEGMA_MASS_MATRIX + "' " + options + " 2>/dev/null").c_str(), "r");
-  EXPECT_NE(pipe, nullptr);
-  std::array<char, 4096> buffer;
-  for (std::size_t got; (got = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
-    output.text.append(buffer.data(), got);
-  output.status = pclose(pipe);
-  return output;
+  return outputOf(std::string("'") + RHEGMA_MASS_MATRIX + "' " + options + " 2>/dev/null");
 }
 
 const std::string scene = std::string("'") + RHEGMA_SOURCE_DIR + "/xml_inputs/verification/dcb_h4.xml' ";

@@ -1,35 +1,20 @@
 // What `throughput` writes, from a run too small to say anything about speed.
 
-#include <gtest/gtest.h>
+#include "Output.hpp"
+
 #include <nlohmann/json.hpp>
 
-#include <array>
-#include <cstdio>
-#include <cstdlib>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace
 {
 
-struct Output
-{
-  std::string text;
-  int status;
-};
-
 Output throughput(const std::string& options)
 {
-  Output output;
-  const std::string command =
-      std::string("'") + RHEGMA_THROUGHPUT + "' --steps 5 --rounds 2 --triad 10000 " + options + " 2>&1";
-  FILE* pipe = popen(command.c_str(), "r");
-  EXPECT_NE(pipe, nullptr);
-  std::array<char, 4096> buffer;
-  for (std::size_t got; (got = std::fread(buffer.data(), 1, buffer.size(), pipe)) > 0;)
-    output.text.append(buffer.data(), got);
-  output.status = pclose(pipe);
-  return output;
+  return outputOf(std::string("'") + RHEGMA_THROUGHPUT + "' --steps 5 --rounds 2 --triad 10000 " + options +
+                  " 2>&1");
 }
 
 TEST(Throughput, writesBandwidthAndEveryCaseForEachNumberOfThreads)

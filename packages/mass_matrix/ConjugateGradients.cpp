@@ -131,8 +131,9 @@ SolveResult ConjugateGradients::solve(Apply apply, Apply precondition)
   {
     result.converged = work.solver.solve() == Belos::Converged;
   }
-  catch (const std::logic_error&) // p^T A p is not positive: A is singular to round-off
+  catch (const Belos::CGIterateFailure&) // p^T A p is not positive: A is singular to round-off
   {
+    result.singular = true;
     result.residual = work.right->getVector(0)->norm2();
     work.left->putScalar(0.0);
     return result;

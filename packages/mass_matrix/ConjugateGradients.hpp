@@ -14,6 +14,7 @@ namespace Rhegma::mass_matrix
 struct SolveResult
 {
   bool converged = false;
+  bool singular = false; ///< p M p <= 0 for a direction p of the search
   int iterations = 0;
   double residual = 0.0; ///< 2-norm of what is left of the right side
 };

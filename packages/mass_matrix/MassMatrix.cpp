@@ -1,7 +1,7 @@
 #include "mass_matrix/MassMatrix.hpp"
 
 #include "mass_matrix/AngularMomentum.hpp"
-#include "mass_matrix/MassSystem.hpp"
+#include "mass_matrix/MassRows.hpp"
 #include "mass_matrix/MatrixMemory.hpp"
 #include "mass_matrix/NodalSolve.hpp"
 #include "mass_matrix/Series.hpp"
@@ -248,13 +248,6 @@ std::string nameOf(const Options& o)
                                : "lumped mass";
 }
 
-/// No more nodes get a row than there are, and hardly more than particles where each fills a cell.
-template <int D>
-double largestRows(const State<D>& state)
-{
-  return std::min<double>(state.grid.numNodes, 1.5 * state.particles.size());
-}
-
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)
 {
@@ -265,8 +258,15 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.atStart = [work](State<D>& state)
   {
     work->start = angularMomentum(state);
-    if (work->options.type == "Full")
-      refuseLargeMatrix(largestRows(state), bytesPerRow<D>(state.shape), freeMemoryBytes());
+    if (work->options.coupled())
+    {
+      const Unlumping unlumping = work->unlumping(state);
+      refuseLargeMatrix(largestRows(state, unlumping), bytesPerRow<D>(state.shape, !unlumping.everywhere),
+                        freeMemoryBytes(),
+                        unlumping.everywhere
+                            ? "Lumped, FMPM or Partial, larger cells or a smaller body"
+                            : "Lumped or FMPM, a smaller Mass Matrix > Radius or larger cells");
+    }
     if (work->options.update != VelocityUpdate::Flip)
       state.picFraction = 1.0;
   };

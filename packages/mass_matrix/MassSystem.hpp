@@ -64,9 +64,10 @@ struct MassSystem
 template <int D>
 void assemble(const State<D>& state, const Unlumping& unlumping, MassSystem<D>& system);
 
-/// Bytes of each node that may have a row, vectors of the solves included.
+/// Bytes of each node that may have a row, vectors of the solves included. \param list whether the row has a
+/// list beside its band
 template <int D>
-double bytesPerRow(ShapeKind shape);
+double bytesPerRow(ShapeKind shape, bool list);
 
 /// The numbers of row `row` of M x. \param x `width` numbers a row
 template <int D, int Reach>

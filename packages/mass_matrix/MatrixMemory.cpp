@@ -7,7 +7,7 @@
 namespace Rhegma::mass_matrix
 {
 
-void refuseLargeMatrix(double rows, double bytesPerRow, double available)
+void refuseLargeMatrix(double rows, double bytesPerRow, double available, const char* instead)
 {
   const double needed = rows * bytesPerRow;
   if (!(needed > available))
@@ -15,8 +15,8 @@ void refuseLargeMatrix(double rows, double bytesPerRow, double available)
   char sizes[128];
   std::snprintf(sizes, sizeof sizes, "about %.3g nodes needs %.3g GB of memory where %.3g GB are free", rows,
                 1e-9 * needed, 1e-9 * available);
-  throw std::invalid_argument("Mass Matrix > Type: the matrix of " + std::string(sizes) +
-                              "; take Lumped, FMPM or Partial, larger cells or a smaller body");
+  throw std::invalid_argument("Mass Matrix > Type: the matrix of " + std::string(sizes) + "; take " +
+                              instead);
 }
 
 } // namespace Rhegma::mass_matrix

@@ -1,5 +1,7 @@
 #include "mass_matrix/NodalSolve.hpp"
 
+#include "mass_matrix/FirstGuess.hpp"
+
 #include <algorithm>
 #include <sstream>
 
@@ -23,87 +25,6 @@ template <int D>
 Kokkos::RangePolicy<ExecSpace> rows(const MassSystem<D>& system)
 {
   return Kokkos::RangePolicy<ExecSpace>(system.first, system.last);
-}
-
-/// What one look at a first guess x gives, summed over the unknowns that are free.
-template <int D>
-struct GuessSums
-{
-  double rightSquare = 0.0;    ///< b^2
-  double residualSquare = 0.0; ///< (b - M x)^2
-  double along = 0.0;          ///< x b
-  double energy = 0.0;         ///< x M x
-  double right[D] = {};        ///< b, along each axis
-  double image[D] = {};        ///< M x, along each axis
-  double weighted[D] = {};     ///< L b, along each axis
-  double lumpedSquare = 0.0;   ///< L^2, over all coupled rows
-  static constexpr int size = 5 + 3 * D;
-};
-
-/// image = M x, with the sums of a first guess.
-template <int D, int Reach>
-struct LookAtGuess
-{
-  using value_type = double[];
-  using size_type = int;
-  using execution_space = ExecSpace;
-
-  int value_count = GuessSums<D>::size;
-  MassSystem<D> system;
-  View<double*> right, x, inverse, image;
-
-  KOKKOS_INLINE_FUNCTION void operator()(const int row, double* sum) const
-  {
-    const Pack<width<D>> product = rowTimes<D, Reach>(system, row, x.data());
-    for (int d = 0; d < D; ++d)
-    {
-      const int i = width<D> * row + d;
-      image(i) = product[d];
-      if (inverse(i) == 0.0)
-        continue;
-      const double b = right(i), y = product[d];
-      sum[0] += b * b;
-      sum[1] += (b - y) * (b - y);
-      sum[2] += x(i) * b;
-      sum[3] += x(i) * y;
-      sum[4 + d] += b;
-      sum[4 + D + d] += y;
-      sum[4 + 2 * D + d] += system.lumped(row) * b;
-    }
-    if (system.coupled(row))
-      sum[4 + 3 * D] += system.lumped(row) * system.lumped(row);
-  }
-};
-
-template <int D>
-GuessSums<D> lookAtGuess(const MassSystem<D>& system, const View<double*>& right, const View<double*>& x,
-                         const View<double*>& inverse, const View<double*>& image)
-{
-  double sum[GuessSums<D>::size] = {};
-  withReach(system,
-            [&](auto reach)
-            {
-              LookAtGuess<D, decltype(reach)::value> work;
-              work.system = system;
-              work.right = right;
-              work.x = x;
-              work.inverse = inverse;
-              work.image = image;
-              Kokkos::parallel_reduce("rhegma::mass::guess", rows(system), work, sum);
-            });
-  GuessSums<D> sums;
-  sums.rightSquare = sum[0];
-  sums.residualSquare = sum[1];
-  sums.along = sum[2];
-  sums.energy = sum[3];
-  for (int d = 0; d < D; ++d)
-  {
-    sums.right[d] = sum[4 + d];
-    sums.image[d] = sum[4 + D + d];
-    sums.weighted[d] = sum[4 + 2 * D + d];
-  }
-  sums.lumpedSquare = sum[4 + 3 * D];
-  return sums;
 }
 
 /// x += scale correction, in the rows.
@@ -208,10 +129,15 @@ void NodalSolve<D>::record(State<D>& state, const SolveResult& result, double sc
   if (result.converged || !state.trouble.empty())
     return;
   std::ostringstream reason;
-  reason << "the mass matrix could not be solved for the " << what << ": after " << result.iterations
-         << " iterations the residual is still " << result.residual << " of the right side"
-         << (std::isfinite(scale) ? "" : ", which is not a number")
-         << " (raise Mass Matrix > Maximum Iterations, Solver Tolerance or Lumped Share)";
+  reason << "the mass matrix could not be solved for the " << what << ": ";
+  if (!std::isfinite(scale))
+    reason << "the right side is not a number (an unstable step: try a smaller Time > CFL)";
+  else if (result.singular)
+    reason << "it is singular, and " << result.residual
+           << " of the right side is left (raise Mass Matrix > Lumped Share above 0)";
+  else
+    reason << "after " << result.iterations << " iterations the residual is still " << result.residual
+           << " of the right side (raise Mass Matrix > Maximum Iterations, Solver Tolerance or Lumped Share)";
   state.trouble = reason.str();
 }
 
@@ -276,7 +202,7 @@ void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool hel
       remains);
   const double norm = std::sqrt(remains);
   if (norm <= gradients_.tolerance() || !std::isfinite(norm))
-    return record(state, {norm <= gradients_.tolerance(), 0, norm}, scale, what);
+    return record(state, {norm <= gradients_.tolerance(), false, 0, norm}, scale, what);
 
   if (accuracy == Accuracy::Near)
   {

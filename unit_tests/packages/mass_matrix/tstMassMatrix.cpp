@@ -1,7 +1,7 @@
 /// The mass matrix: its entries, and what runs keep with each type.
 
 #include "mass_matrix/AngularMomentum.hpp"
-#include "mass_matrix/MassSystem.hpp"
+#include "mass_matrix/MassRows.hpp"
 #include "mass_matrix/MatrixMemory.hpp"
 #include "transfer/ParticleViews.hpp"
 
@@ -198,22 +198,46 @@ TEST(MassSystem, MultipliesAsTheSumOverParticles)
 
 TEST(MassMatrix, IsRefusedWhereItDoesNotFit)
 {
-  // A row of GIMP in space has 125 numbers of the band and 16 of vectors of four.
-  const double row = mass_matrix::bytesPerRow<3>(ShapeKind::Gimp);
+  // A row of GIMP in space has 125 numbers of the band and 16 of vectors of four; a list has twice 125
+  // numbers and their places.
+  const double row = mass_matrix::bytesPerRow<3>(ShapeKind::Gimp, false);
   EXPECT_GT(row, (125 + 16 * 4) * sizeof(double));
   EXPECT_LT(row, 2.0 * (125 + 16 * 4) * sizeof(double));
-  EXPECT_NO_THROW(mass_matrix::refuseLargeMatrix(1e6, row, 1e6 * row));
+  EXPECT_EQ(mass_matrix::bytesPerRow<3>(ShapeKind::Gimp, true) - row, 250 * (sizeof(double) + sizeof(int)));
+  EXPECT_NO_THROW(mass_matrix::refuseLargeMatrix(1e6, row, 1e6 * row, "less"));
   try
   {
-    mass_matrix::refuseLargeMatrix(1e6, row, 0.5e6 * row);
+    mass_matrix::refuseLargeMatrix(1e6, row, 0.5e6 * row, "less");
     ADD_FAILURE() << "a matrix of twice the memory was taken";
   }
   catch (const std::invalid_argument& error)
   {
-    EXPECT_EQ(
-        std::string(error.what()).rfind("Mass Matrix > Type: the matrix of about 1e+06 nodes needs ", 0), 0u)
-        << error.what();
+    const std::string words = error.what();
+    EXPECT_EQ(words.rfind("Mass Matrix > Type: the matrix of about 1e+06 nodes needs ", 0), 0u) << words;
+    EXPECT_NE(words.find("; take less"), std::string::npos) << words;
   }
+}
+
+/// As many rows as are reckoned with before a run, or fewer; in two fields beside a crack, and one elsewhere.
+TEST(MassMatrix, HasNoMoreRowsThanAreReckonedWith)
+{
+  for (const char* shape : {"Linear", "GIMP"})
+    for (const char* type : {"Full", "Partial"})
+    {
+      Rhegma::Run<2> run(validated(withMass(squareScene("MUSL", shape, 17.0), {type, type, "FLIP", 0})));
+      run.initialize();
+      Unlumping unlumping;
+      unlumping.everywhere = std::string(type) == "Full";
+      unlumping.radius = 1.5;
+      unlumping.edge = 1.0;
+      const double reckoned = mass_matrix::largestRows(run.state(), unlumping);
+      run.step(1e30, false);
+      MassSystem<2> system;
+      mass_matrix::assemble(run.state(), unlumping, system);
+      const int rows = system.last - system.first;
+      EXPECT_LE(rows, reckoned) << type << " " << shape;
+      EXPECT_GT(rows, 0.2 * reckoned) << type << " " << shape;
+    }
 }
 
 TEST(MassMatrix, KeepsMomentumWithEveryType)
