@@ -65,26 +65,65 @@ double arrivedShare(const StencilTable<D>& stencils, const View<double*>& share,
       });
 }
 
+/// How many sides the piece has for which a point stands: none at a point, one on a line.
+template <int D>
+int sidesOf(const LoadPoint<D>& point)
+{
+  int count = 0;
+  while (count < D - 1 && norm(point.side[count]) > 0.0)
+    ++count;
+  return count;
+}
+
 } // namespace
 
 template <int D>
 Load<D>::Load(std::string name, const std::vector<LoadPoint<D>>& points, const std::vector<int>& ids,
               const std::vector<Vector<D>>& carriers, const Vector<D>& force, TimeFunction history)
-    : name_(std::move(name)), force_(force), history_(std::move(history))
+    : whole_(points),
+      carrier_(ids),
+      seat_(carriers),
+      wholeId_("rhegma::loadWholeId", points.size()),
+      level_("rhegma::loadLevel", points.size()),
+      name_(std::move(name)),
+      force_(force),
+      history_(std::move(history))
 {
-  const int count = static_cast<int>(points.size());
+  const auto id = Kokkos::create_mirror_view(wholeId_);
+  for (std::size_t k = 0; k < points.size(); ++k)
+    id(k) = ids[k];
+  Kokkos::deep_copy(wholeId_, id);
+  makePoints(std::vector<int>(points.size(), 0));
+}
+
+template <int D>
+void Load<D>::makePoints(const std::vector<int>& levels)
+{
+  const auto parts = [&](std::size_t k) { return 1 << (sidesOf(whole_[k]) * levels[k]); };
+  int count = 0;
+  for (std::size_t k = 0; k < whole_.size(); ++k)
+    count += parts(k);
   id_ = View<int*>("rhegma::loadId", count);
   start_ = View<double* [D]>("rhegma::loadStart", count);
   share_ = View<double*>("rhegma::loadShare", count);
   const auto id = Kokkos::create_mirror_view(id_);
   const auto start = Kokkos::create_mirror_view(start_);
   const auto share = Kokkos::create_mirror_view(share_);
-  for (int k = 0; k < count; ++k)
+  int at = 0;
+  for (std::size_t k = 0; k < whole_.size(); ++k)
   {
-    id(k) = ids[k];
-    share(k) = points[k].share;
-    for (int d = 0; d < D; ++d)
-      start(k, d) = carriers[k][d] + points[k].offset[d];
+    const int along = 1 << levels[k];
+    for (int part = 0; part < parts(k); ++part, ++at)
+    {
+      id(at) = carrier_[k];
+      share(at) = whole_[k].share / parts(k);
+      Vector<D> x = seat_[k] + whole_[k].offset;
+      int rest = part;
+      for (int s = 0; s < sidesOf(whole_[k]); ++s, rest /= along)
+        x = x + ((rest % along + 0.5) / along - 0.5) * whole_[k].side[s];
+      for (int d = 0; d < D; ++d)
+        start(at, d) = x[d];
+    }
   }
   Kokkos::deep_copy(id_, id);
   Kokkos::deep_copy(start_, start);
@@ -96,9 +135,35 @@ Load<D>::Load(std::string name, const std::vector<LoadPoint<D>>& points, const s
 }
 
 template <int D>
+void Load<D>::followLevels(const State<D>& state)
+{
+  if (!state.particles.has(fields::level))
+    return;
+  const auto level = state.particles.integer(fields::level);
+  const View<int*> indexOf = state.indexOf, id = wholeId_, last = level_;
+  int changed = 0;
+  Kokkos::parallel_reduce(
+      "rhegma::levelsOfLoad", Kokkos::RangePolicy<ExecSpace>(0, id.extent(0)),
+      KOKKOS_LAMBDA(const int k, int& sum) {
+        const int now = level(indexOf(id(k)));
+        sum += now != last(k) ? 1 : 0;
+        last(k) = now;
+      },
+      changed);
+  if (changed == 0)
+    return;
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, level_);
+  std::vector<int> levels(whole_.size());
+  for (std::size_t k = 0; k < levels.size(); ++k)
+    levels[k] = host(k);
+  makePoints(levels);
+}
+
+template <int D>
 void Load<D>::apply(State<D>& state)
 {
   now_ = history_(state.time + 0.5 * state.dt);
+  followLevels(state);
   followParticles(state, id_, start_, points_);
   // A light node at the rim carries its share of the stress beside it, so it must get its share of the load
   // too: else the rim's particles give way until their stress is gone, and the load works for ever.

@@ -11,7 +11,9 @@ namespace Rhegma
 {
 
 /// A load spread over points of a body's surface. Dead: its direction stays, its points move and turn with
-/// the particles that carry them.
+/// the particles that carry them. Where these were split, a point becomes as many as its particle has parts
+/// along the surface, so that small cells feel an even load; else one of them would take what is meant for
+/// all.
 template <int D>
 class Load
 {
@@ -29,6 +31,14 @@ public:
   double work(const State<D>& state) const;
 
 private:
+  /// Makes the points anew where particles that carry them were split or have become one again.
+  void followLevels(const State<D>& state);
+  void makePoints(const std::vector<int>& levels);
+
+  std::vector<LoadPoint<D>> whole_; ///< the points of particles that were not split
+  std::vector<int> carrier_;        ///< id of the particle that carries each of them
+  std::vector<Vector<D>> seat_;     ///< where that particle starts [m]
+  View<int*> wholeId_, level_;      ///< for each of them: the id again, and how often it is split now
   std::string name_;
   Vector<D> force_;
   TimeFunction history_;

@@ -17,6 +17,7 @@ struct WeightedPoint
 {
   Vector<D> x;   ///< [m]
   double weight; ///< in any unit
+  Vector<D> side[D - 1] = {};
 };
 
 template <int D>
@@ -74,7 +75,10 @@ std::vector<LoadPoint<D>> attach(const Seeds<D>& body, const std::vector<Weighte
   {
     const int particle = particles.find(point.x);
     if (particle >= 0)
+    {
       points.push_back({particle, point.x - body.position[particle], point.weight});
+      std::copy(point.side, point.side + D - 1, points.back().side);
+    }
     else if (!missing)
       missing = &point;
   }
@@ -105,7 +109,7 @@ std::vector<LoadPoint<D>> attach(const Seeds<D>& body, const std::vector<Weighte
 template <int D>
 std::vector<LoadPoint<D>> pointLoad(const Seeds<D>& body, const Vector<D>& at, const std::string& section)
 {
-  return attach<D>(body, {{at, 1.0}}, section);
+  return attach<D>(body, {{at, 1.0, {}}}, section);
 }
 
 template <int D>
@@ -123,7 +127,8 @@ std::vector<LoadPoint<D>> lineLoad(const Seeds<D>& body, const Vector<D>& from, 
   {
     const double s = (i + 0.5) / n;
     const double weight = profile == Profile::Parabolic ? 6.0 * s * (1.0 - s) : 1.0;
-    load.push_back({from + s * (to - from), weight});
+    load.push_back({from + s * (to - from), weight, {}});
+    load.back().side[0] = (1.0 / n) * (to - from); // of 2D; in 3D the line has no second
   }
   return attach(body, load, section);
 }
@@ -143,7 +148,9 @@ std::vector<LoadPoint<3>> faceLoad(const Seeds<3>& body, const Vector<3>& corner
   std::vector<WeightedPoint<3>> load;
   for (int j = 0; j < across; ++j)
     for (int i = 0; i < along; ++i)
-      load.push_back({corner + ((i + 0.5) / along) * sideA + ((j + 0.5) / across) * sideB, 1.0});
+      load.push_back({corner + ((i + 0.5) / along) * sideA + ((j + 0.5) / across) * sideB,
+                      1.0,
+                      {(1.0 / along) * sideA, (1.0 / across) * sideB}});
   return attach(body, load, section);
 }
 
