@@ -3,64 +3,116 @@
 
 #include "state/State.hpp"
 
+#include <string>
+
 namespace Rhegma::sub_cycling
 {
 
-/// Values of the nodes of small cells are kept in slots 0 .. numSlots - 1; sums over particles are formed in
-/// a fixed number of parts, so that they do not depend on the number of threads.
+/// Listed are particles of classes `first` and deeper, the deepest first, and after them their neighbours,
+/// which touch one of the same nodes. The class of a node is the level of the smallest leaf that a particle
+/// on it reaches; the class of a particle is that of its deepest node. So each class has a rim of one
+/// particle's reach in larger cells: motions that only small cells can have are faint at its edge, where the
+/// impulses of the next class act (LocalSteps.hpp). Nodes of the listed classes have slots
+/// 0 .. numInner - 1, other nodes of neighbours slots up to numSlots - 1; all nodal values here are kept in
+/// slots. Sums over particles are formed in a fixed number of parts, so that they do not depend on the number
+/// of threads. Weights, sides of cracks and supports are those at the start of the long step.
 template <int D>
 class FineParticles
 {
 public:
   using Values = View<double* [D]>;
 
-  /// Lists the particles with stored stencils that touch a node of a leaf of level `first` or deeper, and the
-  /// nodes that these touch.
-  void update(const State<D>& state, int first);
+  void list(const State<D>& state, int first);
 
+  /// Without neighbours.
+  int numParticles() const { return particlesFrom_[first_]; }
+  /// How many are of a class or deeper.
+  int particlesFrom(int level) const { return particlesFrom_[level]; }
   int numSlots() const { return numSlots_; }
-  int numParticles() const { return numParticles_; }
+  int numInner() const { return numInner_; }
 
-  /// Force of the nodes, and back [N].
+  /// Force that the nodes have in `state` [N].
   void load(const State<D>& state, const Values& force) const;
-  void store(const State<D>& state, const Values& force) const;
+  /// Gives inner nodes in `state` this many times a force.
+  void store(const State<D>& state, const Values& force, double factor) const;
 
-  /// Displacement `factor` P B P force of the nodes of leaves of a level and deeper, held nodes at rest [m];
-  /// zero elsewhere. B takes a force to the acceleration of the nodes, that to the particles, and back with
-  /// their masses.
-  void displace(const State<D>& state, int level, double factor, const Values& force,
-                const Values& displacement);
+  /// Velocity of the nodes at the start of the long step, that of supports where they hold [m/s].
+  void startVelocity(const State<D>& state, const Values& velocity) const;
 
-  /// to = from - K displacement, of a displacement of nodes of a level and deeper. K holds the ties behind
-  /// crack fronts too.
-  void relax(const State<D>& state, int level, const Values& displacement, const Values& from,
-             const Values& to);
+  /// Internal force of the particles of one class after the nodes moved by `displacement` [m] since the start
+  /// of the step: -V0 tau (1 + grad u)^-T grad N, tau by the particle's law at (1 + grad u) F, which for an
+  /// elastic law is the gradient of its energy and has no resultant and no torque.
+  void force(const State<D>& state, int level, const Values& displacement, const Values& force);
 
-  int particlesOf(int level) const;
+  /// Adds what the ties behind crack fronts pull more than at the start of the step.
+  void addTies(const State<D>& state, const Values& displacement, const Values& force) const;
+
+  /// Mean of a force over the last long steps, on inner nodes that had a slot in all of them; it grows from
+  /// zero elsewhere, and everywhere after cells changed. \param kind which force it is, 0 .. deepestLevel
+  void smooth(const State<D>& state, int kind, const Values& force, const Values& mean);
+
+  /// velocity += duration B force, of a force on nodes of particles of class `level` and deeper. B is what a
+  /// step of MUSL makes of a force: to accelerations of nodes, to the particles, and back to the nodes by
+  /// their masses. Nothing moves where supports hold.
+  void accelerate(const State<D>& state, int level, double duration, const Values& force,
+                  const Values& velocity);
+
+  /// Adds (displacement / duration - velocity) to the velocity that strains and moves particles, where no
+  /// support holds.
+  void correctProjection(const State<D>& state, const Values& displacement, double duration,
+                         const Values& velocity) const;
 
 private:
-  void listParticles(const State<D>& state, int first);
-  void listNodes(const State<D>& state);
-  void holdNodes(const State<D>& state);
-  void gatherParticles(const State<D>& state);
-  void relaxTies(const State<D>& state, const Values& displacement, const Values& to) const;
-  /// Zeroes the parts and runs add(particle, part) for the particles of a level and deeper.
-  template <class Add>
-  void sumInParts(const char* label, int level, const Add& add);
+  /// A running mean on every node and then on every node's second field.
+  struct Mean
+  {
+    Values value;        ///< [N]
+    View<int*> renewed;  ///< the long step in which it was
+    int generation = -1; ///< of the tree, then
+    int step = 0;
+  };
 
-  int numParticles_ = 0, numSlots_ = 0, numParts_ = 0;
-  View<int*> row_;       ///< stored stencil of each of the particles
-  View<int*> rowLevel_;  ///< of every stored stencil: level of the smallest leaf around its nodes
-  View<int*> level_;     ///< the same, of each of the particles
-  View<int*> slotOf_;    ///< of every node, -1 where it has none
-  View<int*> nodeOf_;    ///< of every slot
-  View<int*> nodeLevel_; ///< of every slot
-  View<double*> mass_;   ///< of every slot [kg]
-  View<int* [D]> held_;  ///< of every slot
-  View<double * [symmetricSize<D>]> stress_; ///< of each particle, by its law at its strain now [Pa]
+  void classifyNodes(const State<D>& state);
+  void listParticles(const State<D>& state);
+  void markNodes(const State<D>& state, int begin, int end);
+  void numberSlots(const State<D>& state, int from);
+  void listNeighbours(const State<D>& state);
+  void packStencils(const State<D>& state);
+  void holdNodes(const State<D>& state);
+  void weighNodes(const State<D>& state);
+  /// Zeroes the parts and runs add(particle, sums of its part) for particles begin .. end - 1.
+  template <class Add>
+  void sumInParts(const char* label, int begin, int end, const Add& add);
+
+  /// Room for some more than asked for; values are lost when a view grows.
+  template <class AnyView>
+  static void fit(AnyView& view, const std::string& label, int size)
+  {
+    if (static_cast<int>(view.extent(0)) < size)
+      view = AnyView(label, size + size / 4);
+  }
+
+  int first_ = 0;
+  int numListed_ = 0; ///< with neighbours
+  int numSlots_ = 0, numInner_ = 0, numParts_ = 0;
+  int particlesFrom_[deepestLevel + 2] = {};
+  View<int*> class_;      ///< of every particle
+  View<int*> classCount_; ///< particles of each
+  View<int*> particle_;   ///< those listed
+  View<int*> reach_;      ///< of each of them: class of its deepest node
+  View<int*> nodeClass_;  ///< of every node; 0 for outer ones, -1 for those without a slot
+  View<int*> slotOf_;     ///< of every node, -1 where it has none
+  View<int*> nodeOf_;     ///< of every slot
+  View<int*> count_;      ///< nodes of each of the particles
+  View<int**> slot_;      ///< of the nodes of each particle
+  View<double**> weight_;
+  View<double** [D]> slope_;
+  View<double*> mass_; ///< of every slot [kg]
+  View<int* [D]> held_;
+  View<double* [D]> heldVelocity_;
+  Mean means_[deepestLevel + 1];
+  Values acceleration_;
   View<double** [D]> parts_;
-  View<int*> count_; ///< of particles of each level
-  int countOf_[deepestLevel + 1] = {};
 };
 
 } // namespace Rhegma::sub_cycling

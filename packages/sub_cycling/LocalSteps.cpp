@@ -3,64 +3,162 @@
 namespace Rhegma::sub_cycling
 {
 
-template <int D>
-void LocalSteps<D>::makeRoom(int levels, int nodes)
+namespace
 {
-  const auto fit = [&](std::vector<Values>& all)
-  {
-    all.resize(levels);
-    for (Values& values : all)
-      if (static_cast<int>(values.extent(0)) < nodes)
-        values = Values("rhegma::subcycling::values", nodes + nodes / 4);
-  };
-  fit(changed_);
-  fit(mean_);
-  if (static_cast<int>(displacement_.extent(0)) < nodes)
-    displacement_ = Values("rhegma::subcycling::displacement", nodes + nodes / 4);
-}
 
-template <int D>
-void LocalSteps<D>::act(State<D>& state, int first, int last)
-{
-  if (last < first || !state.tree.refined())
-    return;
-  fine_.update(state, first);
-  if (fine_.numParticles() == 0)
-    return;
-  makeRoom(last + 2, fine_.numSlots());
-  const Values force = mean_[last + 1]; // no level has this one
-  fine_.load(state, force);
-  fine_.store(state, evolve(state, first, last, state.dt, force));
-}
+using Range = Kokkos::RangePolicy<ExecSpace>;
 
+/// to += factor * from.
 template <int D>
-typename LocalSteps<D>::Values LocalSteps<D>::evolve(const State<D>& state, int level, int last,
-                                                     double length, const Values& from)
+void add(const View<double* [D]>& to, double factor, const View<double* [D]>& from, int slots)
 {
-  if (level > last)
-    return from;
-  const double half = 0.5 * length;
-  const Values before = evolve(state, level + 1, last, half, from);
-  const Values changed = changed_[level], mean = mean_[level];
-  const int slots = fine_.numSlots();
-  fine_.displace(state, level, 0.5 * (1.0 + damping_) * half * half, before, displacement_);
-  fine_.relax(state, level, displacement_, from, changed);
-  extraSteps_ += fine_.particlesOf(level);
-  // The second half overwrites what the levels below hold of the first.
-  if (before.data() != from.data())
-    Kokkos::parallel_for(
-        "rhegma::subcycling::keep", Kokkos::RangePolicy<ExecSpace>(0, slots), KOKKOS_LAMBDA(const int i) {
-          for (int d = 0; d < D; ++d)
-            mean(i, d) = before(i, d);
-        });
-  const Values kept = before.data() != from.data() ? mean : from;
-  const Values after = evolve(state, level + 1, last, half, changed);
   Kokkos::parallel_for(
-      "rhegma::subcycling::mean", Kokkos::RangePolicy<ExecSpace>(0, slots), KOKKOS_LAMBDA(const int i) {
+      "rhegma::subcycling::add", Range(0, slots), KOKKOS_LAMBDA(const int i) {
         for (int d = 0; d < D; ++d)
-          mean(i, d) = 0.5 * (kept(i, d) + after(i, d));
+          to(i, d) += factor * from(i, d);
       });
-  return mean;
+}
+
+} // namespace
+
+template <int D>
+void LocalSteps<D>::makeRoom(int slots)
+{
+  const auto fit = [slots](Values& values)
+  {
+    if (static_cast<int>(values.extent(0)) < slots)
+      values = Values("rhegma::subcycling::values", slots + slots / 4);
+  };
+  for (Values* values : {&others_, &loads_, &force_, &impulse_, &velocity_, &displacement_})
+    fit(*values);
+  for (int level = first_ - 1; level < last_; ++level)
+    fit(mean_[level]);
+}
+
+template <int D>
+void LocalSteps<D>::begin(State<D>& state, int first, int last)
+{
+  first_ = first;
+  last_ = last;
+  active_ = first <= last && state.tree.refined();
+  if (!active_)
+    return;
+  fine_.list(state, first);
+  active_ = fine_.numParticles() > 0;
+  if (!active_)
+    return;
+  const int slots = fine_.numSlots();
+  makeRoom(slots);
+  Kokkos::deep_copy(displacement_, 0.0);
+  fine_.load(state, others_);
+  Kokkos::deep_copy(loads_, 0.0);
+  add<D>(loads_, -1.0, others_, slots); // all forces that are to come less these are the loads
+  for (int level = first_; level <= last_; ++level)
+  {
+    if (fine_.particlesFrom(level) == fine_.particlesFrom(level + 1))
+      continue;
+    fine_.force(state, level, displacement_, force_);
+    add<D>(others_, -1.0, force_, slots);
+    if (level < last_)
+      steady(state, level, force_, mean_[level]);
+  }
+  steady(state, first_ - 1, others_, mean_[first_ - 1]);
+  add<D>(others_, -1.0, mean_[first_ - 1], slots);
+}
+
+template <int D>
+void LocalSteps<D>::steady(const State<D>& state, int level, const Values& force, const Values& mean)
+{
+  fine_.smooth(state, level, force, mean);
+  add<D>(loads_, 1.0, mean, fine_.numSlots());
+}
+
+template <int D>
+void LocalSteps<D>::evolve(State<D>& state)
+{
+  if (!active_)
+    return;
+  const int slots = fine_.numSlots();
+  fine_.load(state, force_);
+  add<D>(loads_, 1.0, force_, slots);
+  leaveOuterNodes();
+  Kokkos::deep_copy(impulse_, 0.0);
+  add<D>(impulse_, state.dt, loads_, slots);
+  add<D>(impulse_, state.dt, others_, slots);
+  fine_.startVelocity(state, velocity_);
+  fine_.accelerate(state, 0, state.dt, others_, velocity_);
+  Kokkos::deep_copy(force_, 0.0);
+  fine_.accelerate(state, 0, 1.0, loads_, force_);
+  Kokkos::deep_copy(loads_, force_);
+  step(state, first_, 0.5 * state.dt);
+  step(state, first_, 0.5 * state.dt);
+  fine_.store(state, impulse_, 1.0 / state.dt);
+}
+
+template <int D>
+void LocalSteps<D>::leaveOuterNodes()
+{
+  const Values others = others_, loads = loads_, all = force_;
+  Kokkos::parallel_for(
+      "rhegma::subcycling::leaveOuterNodes", Range(fine_.numInner(), fine_.numSlots()),
+      KOKKOS_LAMBDA(const int i) {
+        for (int d = 0; d < D; ++d)
+        {
+          others(i, d) = all(i, d);
+          loads(i, d) = 0.0;
+        }
+      });
+}
+
+template <int D>
+void LocalSteps<D>::step(const State<D>& state, int level, double length)
+{
+  kick(state, level, length);
+  if (level == last_)
+  {
+    drift(length);
+    return;
+  }
+  step(state, level + 1, 0.5 * length);
+  step(state, level + 1, 0.5 * length);
+}
+
+template <int D>
+void LocalSteps<D>::kick(const State<D>& state, int level, double length)
+{
+  const int particles = fine_.particlesFrom(level) - fine_.particlesFrom(level + 1);
+  if (particles == 0)
+    return;
+  fine_.force(state, level, displacement_, force_);
+  if (level < last_)
+    add<D>(force_, -1.0, mean_[level], fine_.numSlots());
+  else
+    fine_.addTies(state, displacement_, force_);
+  // Ties may be on nodes of any class.
+  fine_.accelerate(state, level == last_ && state.cracks.tied ? first_ : level, length, force_, velocity_);
+  add<D>(impulse_, length, force_, fine_.numSlots());
+  extraSteps_ += particles;
+}
+
+template <int D>
+void LocalSteps<D>::drift(double length)
+{
+  const Values velocity = velocity_, displacement = displacement_, rate = loads_;
+  Kokkos::parallel_for(
+      "rhegma::subcycling::drift", Range(0, fine_.numSlots()), KOKKOS_LAMBDA(const int i) {
+        for (int d = 0; d < D; ++d)
+        {
+          velocity(i, d) += length * rate(i, d);
+          displacement(i, d) += length * velocity(i, d);
+        }
+      });
+}
+
+template <int D>
+void LocalSteps<D>::correct(State<D>& state) const
+{
+  if (active_)
+    fine_.correctProjection(state, displacement_, state.dt, velocity_);
 }
 
 template class LocalSteps<2>;

@@ -1,55 +1,72 @@
 #pragma once
-/// Time-symmetric local time stepping.
+/// Short steps of small cells within a long one.
 
 #include "state/State.hpp"
 #include "sub_cycling/FineParticles.hpp"
 
-#include <vector>
-
 namespace Rhegma::sub_cycling
 {
 
-/// Turns the force on the nodes of small cells into the one that gives, over one long step, the motion that
-/// they would have in short steps of their own.
+/// Moves the nodes of small cells in steps of their own through one long step, and turns what they did into
+/// the force and the velocity of that step.
 ///
-/// Half steps of a level stand for two steps of half the length: with d the length of the short step, F the
-/// force and K the stiffness of the cells,
+/// Particles of a class (FineParticles.hpp) act on the nodes by an impulse at the start of each step of their
+/// class, and nodes drift between impulses: with h the length of a step of class l and f_l the force of its
+/// particles where the nodes are now,
 ///
-///     T(l, F) = (T(l+1, F) + T(l+1, F - (1 + nu) d^2/2 K P_l B P_l T(l+1, F))) / 2,   T(beyond the last) =
-///     F,
+///     step(l, h):  v += h B f_l;   in the last class u += h v,   else step(l + 1, h / 2) twice.
 ///
-/// where P_l keeps the nodes of leaves of level l and deeper, and B is what a step makes of a force: to
-/// accelerations of the nodes, to the particles, and back to the nodes. Since T is the same forwards and
-/// backwards in time, energy stays bounded; since K maps to forces whose sum is zero, momentum is kept to
-/// round-off. nu damps what the coupling of levels feeds: a force that is frozen instead would be unstable.
-/// Stiffness is that of the constitutive law at the strain that the displacement adds, so any law will do;
-/// weights, sides of cracks and supports are those of the long step.
-/// Source: Diaz and Grote, SIAM J. Sci. Comput. 31 (2009) 1985, with the mass of MUSL.
+/// The long step is step(first - 1, dt), whose impulse is that of all other particles. Each impulse is the
+/// gradient of an energy and each drift that of another, so with fixed weights the steps are symplectic in
+/// v and u: energy stays bounded without damping, and momentum is kept to round-off since every f_l sums to
+/// zero. Particles then get the sum of impulses over dt as their force, and u over dt as the velocity that
+/// strains and moves them. What a long step leaves is what the short ones came to, so weights and cells may
+/// change from one to the next. (A scheme that feeds back a mean force, as Diaz and Grote, SIAM J. Sci.
+/// Comput. 31 (2009) 1985, has no memory of the phase of motions that turn about as often as there are long
+/// steps; in a body that travels through its cells it gained energy at two levels and burst at three.)
+///
+/// Impulses at long intervals would make a body at rest tremble, and may drive a motion of small cells that
+/// fits the interval. So only what changes comes in impulses: loads, and the mean of each force over some
+/// hundred long steps, pull all the time; and each class has a rim of larger cells.
+/// Source: asynchronous variational integrators, Lew, Marsden, Ortiz and West, Int. J. Numer. Meth. Engng
+/// 60 (2004) 153; impulses as Tuckerman, Berne and Martyna, J. Chem. Phys. 97 (1992) 1990; the mass of MUSL.
 template <int D>
 class LocalSteps
 {
 public:
-  /// \param damping nu
-  explicit LocalSteps(double damping) : damping_(damping) {}
-
-  /// Changes the force of the nodes. \param first, last levels that take steps of their own; `first` takes
-  /// two a long step
-  void act(State<D>& state, int first, int last);
+  /// Lists the particles of small cells and separates the forces of the others. To be called when nodes have
+  /// internal forces and no other. \param first, last levels that take steps of their own; `first` takes two
+  /// a long step
+  void begin(State<D>& state, int first, int last);
+  /// Changes the force of the nodes. To be called when nodes have all forces.
+  void evolve(State<D>& state);
+  /// Changes the projected velocity.
+  void correct(State<D>& state) const;
 
   /// Steps of particles beyond the long ones' so far.
   double extraSteps() const { return extraSteps_; }
 
 private:
   using Values = View<double* [D]>;
-  /// T(level, from): the view that holds it.
-  Values evolve(const State<D>& state, int level, int last, double length, const Values& from);
-  void makeRoom(int levels, int nodes);
+  void makeRoom(int slots);
+  void step(const State<D>& state, int level, double length);
+  void kick(const State<D>& state, int level, double length);
+  void drift(double length);
+  /// Takes all of the force on nodes that no small particle touches for one of the long step.
+  void leaveOuterNodes();
+  /// Moves the mean of a force of one class to the loads.
+  void steady(const State<D>& state, int level, const Values& force, const Values& mean);
 
-  double damping_;
+  int first_ = 1, last_ = 0;
+  bool active_ = false;
   double extraSteps_ = 0.0;
   FineParticles<D> fine_;
-  std::vector<Values> changed_, mean_; ///< of each level
-  Values displacement_;
+  Values others_;                  ///< force of all other particles, without its mean [N]
+  Values loads_;                   ///< what pulls all the time [N], then what it does to the velocity [m/s2]
+  Values force_;                   ///< of particles of one class [N]
+  Values mean_[deepestLevel + 1];  ///< of the force of each class [N]
+  Values impulse_;                 ///< so far [N s]
+  Values velocity_, displacement_; ///< so far
 };
 
 } // namespace Rhegma::sub_cycling

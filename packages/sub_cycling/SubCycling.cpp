@@ -18,9 +18,6 @@ Section section()
   s.integer("Levels").range(1, 6).byDefault(1).meaning(
       "How many of the deepest levels take steps of their own; the long step is 2^Levels times that "
       "of the smallest cells. Two hold while cells and particles move little; more only at rest.");
-  s.real("Damping").range(0.0, 1.0).byDefault(0.1).meaning(
-      "Takes this share more of what the short steps would do to the coupling of levels, which else "
-      "slowly feeds motion of single particles.");
   return s;
 }
 
@@ -29,8 +26,8 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
   if (!scene.isSublist("Sub-Cycling"))
     return;
   if (scene.isSublist("Time") && scene.sublist("Time").isType<std::string>("Update Scheme") &&
-      scene.sublist("Time").get<std::string>("Update Scheme") == "USL")
-    errors.push_back({"Sub-Cycling", "it is unstable with Time > Update Scheme = USL; write MUSL or USF"});
+      scene.sublist("Time").get<std::string>("Update Scheme") != "MUSL")
+    errors.push_back({"Sub-Cycling", "short steps are those of Time > Update Scheme = MUSL; write that"});
   if (!scene.isSublist("Adaptivity"))
     errors.push_back(
         {"Sub-Cycling", "all cells are of one size; add a section Adaptivity or take this section out"});
@@ -41,10 +38,20 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 {
   const Teuchos::ParameterList& list = scene.sublist("Sub-Cycling");
   const int levels = list.get<int>("Levels");
-  const auto steps = std::make_shared<LocalSteps<D>>(list.get<double>("Damping"));
+  const auto steps = std::make_shared<LocalSteps<D>>();
   Effect<D> effect;
   effect.name = "Sub-Cycling";
   effect.atStart = [=](State<D>& state) { state.subcycledLevels = levels; };
+  effect.call({Stage::Scatter,
+               "particles of small cells",
+               {"nodal mass", "stiffness of ties"},
+               {},
+               {},
+               [=](State<D>& state)
+               {
+                 const int last = state.tree.deepest, first = last - std::min(levels, last) + 1;
+                 steps->begin(state, first, last);
+               }});
   effect.call({Stage::Solve,
                "short steps of small cells",
                {},
@@ -52,10 +59,12 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                {"nodal force"},
                [=](State<D>& state)
                {
-                 const int last = state.tree.deepest, first = last - std::min(levels, last) + 1;
                  const double before = steps->extraSteps();
-                 steps->act(state, first, last);
+                 steps->evolve(state);
                  state.particleSteps += steps->extraSteps() - before;
+               }});
+  effect.call({Stage::AfterProjection, "motion of short steps", {}, {}, {"projection"}, [=](State<D>& state) {
+                 steps->correct(state);
                }});
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {

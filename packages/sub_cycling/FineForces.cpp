@@ -1,0 +1,316 @@
+#include "sub_cycling/FineParticles.hpp"
+
+#include "material/Materials.hpp"
+
+namespace Rhegma::sub_cycling
+{
+
+namespace
+{
+
+/// Particles of a part of a sum; parts are no more than these many.
+constexpr int particlesPerPart = 256, mostParts = 32;
+
+/// Long steps that the mean of a force is over.
+constexpr double meanOver = 500.0;
+
+using Range = Kokkos::RangePolicy<ExecSpace>;
+
+constexpr int historyRoom = historySize(LawKind::J2Plastic, 3);
+
+/// (1 + G)^-1.
+template <int D>
+KOKKOS_FORCEINLINE_FUNCTION void inverseOfMotion(const double (&G)[D][D], double (&result)[D][D])
+{
+  if constexpr (D == 2)
+  {
+    const double scale = 1.0 / ((1.0 + G[0][0]) * (1.0 + G[1][1]) - G[0][1] * G[1][0]);
+    result[0][0] = scale * (1.0 + G[1][1]);
+    result[0][1] = -scale * G[0][1];
+    result[1][0] = -scale * G[1][0];
+    result[1][1] = scale * (1.0 + G[0][0]);
+  }
+  else
+  {
+    double F[9], inverted[9];
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b)
+        F[a * 3 + b] = G[a][b] + (a == b ? 1.0 : 0.0);
+    inverse<3>(F, determinant<3>(F), inverted);
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b)
+        result[a][b] = inverted[a * 3 + b];
+  }
+}
+
+} // namespace
+
+template <int D>
+template <class Add>
+void FineParticles<D>::sumInParts(const char* label, int begin, int end, const Add& add)
+{
+  const int wanted = (end - begin + particlesPerPart - 1) / particlesPerPart;
+  const int number = wanted < mostParts ? wanted : mostParts;
+  if (static_cast<int>(parts_.extent(0)) < number || static_cast<int>(parts_.extent(1)) < numSlots_)
+    parts_ = View<double** [D]>("rhegma::subcycling::parts", mostParts, numSlots_ + numSlots_ / 4);
+  numParts_ = number;
+  const View<double** [D]> parts = parts_;
+  const int slots = numSlots_;
+  Kokkos::parallel_for(
+      label,
+      Kokkos::RangePolicy<ExecSpace, Kokkos::Schedule<Kokkos::Dynamic>>(0, number, Kokkos::ChunkSize(1)),
+      KOKKOS_LAMBDA(const int part) {
+        double* const to = &parts(part, 0, 0);
+        for (int i = 0; i < slots * D; ++i)
+          to[i] = 0.0;
+        const int from = begin + static_cast<int>(static_cast<long>(end - begin) * part / number);
+        const int until = begin + static_cast<int>(static_cast<long>(end - begin) * (part + 1) / number);
+        for (int i = from; i < until; ++i)
+          add(i, to);
+      });
+}
+
+template <int D>
+void FineParticles<D>::load(const State<D>& state, const Values& force) const
+{
+  const auto sums = state.nodes.sums;
+  const View<int*> nodeOf = nodeOf_;
+  Kokkos::parallel_for(
+      "rhegma::subcycling::load", Range(0, numSlots_), KOKKOS_LAMBDA(const int i) {
+        for (int d = 0; d < D; ++d)
+          force(i, d) = sums(nodeOf(i), Nodes<D>::forceAt + d);
+      });
+}
+
+template <int D>
+void FineParticles<D>::store(const State<D>& state, const Values& force, double factor) const
+{
+  const auto sums = state.nodes.sums;
+  const View<int*> nodeOf = nodeOf_;
+  Kokkos::parallel_for(
+      "rhegma::subcycling::store", Range(0, numInner_), KOKKOS_LAMBDA(const int i) {
+        for (int d = 0; d < D; ++d)
+          sums(nodeOf(i), Nodes<D>::forceAt + d) = factor * force(i, d);
+      });
+}
+
+template <int D>
+void FineParticles<D>::startVelocity(const State<D>& state, const Values& velocity) const
+{
+  const auto sums = state.nodes.sums;
+  const View<int*> nodeOf = nodeOf_;
+  const View<double*> mass = mass_;
+  const View<int* [D]> held = held_;
+  const View<double* [D]> heldVelocity = heldVelocity_;
+  Kokkos::parallel_for(
+      "rhegma::subcycling::startVelocity", Range(0, numSlots_), KOKKOS_LAMBDA(const int i) {
+        const double inverse = mass(i) > 0.0 ? 1.0 / mass(i) : 0.0;
+        for (int d = 0; d < D; ++d)
+          velocity(i, d) =
+              held(i, d) != 0 ? heldVelocity(i, d) : inverse * sums(nodeOf(i), Nodes<D>::momentumAt + d);
+      });
+}
+
+template <int D>
+void FineParticles<D>::force(const State<D>& state, int level, const Values& displacement,
+                             const Values& force)
+{
+  const View<int*> count = count_, particle = particle_;
+  const View<int**> slot = slot_;
+  const View<double** [D]> slope = slope_;
+  const auto deformation = state.particles.template real<gradientSize<D>>(fields::deformation);
+  const auto volume = state.particles.scalar(fields::volume);
+  const auto material = state.particles.integer(fields::material);
+  const auto materials = state.materials;
+  BorrowedView<double**> history;
+  if (state.particles.has(fields::history))
+    history = state.particles.table(fields::history);
+  sumInParts(
+      "rhegma::subcycling::force", particlesFrom_[level + 1], particlesFrom_[level],
+      KOKKOS_LAMBDA(const int i, double* sums) {
+        const int p = particle(i);
+        double gradient[D][D] = {};
+        for (int k = 0; k < count(i); ++k)
+          for (int a = 0; a < D; ++a)
+            for (int b = 0; b < D; ++b)
+              gradient[a][b] += slope(i, k, b) * displacement(slot(i, k), a);
+        double F[gradientSize<D>], tau[symmetricSize<D>], memory[historyRoom], back[D][D];
+        for (int k = 0; k < gradientSize<D>; ++k)
+          F[k] = deformation(p, k);
+        for (int a = 0; a < D; ++a)
+          for (int b = 0; b < D; ++b)
+            for (int c = 0; c < D; ++c)
+              F[a * D + b] += gradient[a][c] * deformation(p, c * D + b);
+        for (int k = 0; k < static_cast<int>(history.extent(1)); ++k)
+          memory[k] = history(p, k);
+        updateStress<D>(materials(material(p)), F, tau, memory);
+        inverseOfMotion<D>(gradient, back);
+        double flux[D][D];
+        for (int a = 0; a < D; ++a)
+          for (int c = 0; c < D; ++c)
+          {
+            flux[a][c] = 0.0;
+            for (int b = 0; b < D; ++b)
+              flux[a][c] -= volume(p) * tau[symmetricIndex<D>(a, b)] * back[c][b];
+          }
+        for (int k = 0; k < count(i); ++k)
+          for (int a = 0; a < D; ++a)
+            for (int c = 0; c < D; ++c)
+              sums[slot(i, k) * D + a] += flux[a][c] * slope(i, k, c);
+      });
+  const View<double** [D]> parts = parts_;
+  const int number = numParts_;
+  Kokkos::parallel_for(
+      "rhegma::subcycling::sumForces", Range(0, numSlots_), KOKKOS_LAMBDA(const int i) {
+        for (int d = 0; d < D; ++d)
+        {
+          double sum = 0.0;
+          for (int part = 0; part < number; ++part)
+            sum += parts(part, i, d);
+          force(i, d) = sum;
+        }
+      });
+}
+
+template <int D>
+void FineParticles<D>::smooth(const State<D>& state, int kind, const Values& force, const Values& mean)
+{
+  const Nodes<D> nodes = state.nodes;
+  const int rows = nodes.numLattice;
+  Mean& own = means_[kind];
+  if (own.generation != state.tree.generation || static_cast<int>(own.value.extent(0)) < 2 * rows)
+  {
+    fit(own.value, "rhegma::subcycling::meanForce", 2 * rows);
+    fit(own.renewed, "rhegma::subcycling::meanRenewed", 2 * rows);
+    Kokkos::deep_copy(own.renewed, -1);
+    own.generation = state.tree.generation;
+  }
+  const Values memory = own.value;
+  const View<int*> renewed = own.renewed, nodeOf = nodeOf_;
+  const int now = ++own.step, inner = numInner_;
+  Kokkos::parallel_for(
+      "rhegma::subcycling::smooth", Range(0, numSlots_), KOKKOS_LAMBDA(const int i) {
+        const int n = nodeOf(i);
+        const int row = n < rows ? n : rows + nodes.parent(n - rows);
+        for (int d = 0; d < D; ++d)
+        {
+          const double before = renewed(row) == now - 1 ? memory(row, d) : 0.0;
+          memory(row, d) = before + (force(i, d) - before) / meanOver;
+          mean(i, d) = i < inner ? memory(row, d) : 0.0;
+        }
+        renewed(row) = now;
+      });
+}
+
+template <int D>
+void FineParticles<D>::addTies(const State<D>& state, const Values& displacement, const Values& force) const
+{
+  const View<double * [D + 1]> tie = state.cracks.tie;
+  if (tie.extent(0) == 0)
+    return;
+  const Nodes<D> nodes = state.nodes;
+  const View<int*> slotOf = slotOf_;
+  Kokkos::parallel_for(
+      "rhegma::subcycling::ties", Range(0, nodes.numSecond), KOKKOS_LAMBDA(const int i) {
+        const int own = nodes.parent(i), a = slotOf(own), b = slotOf(nodes.numLattice + i);
+        if (a < 0 || b < 0)
+          return;
+        for (int d = 0; d < D; ++d)
+        {
+          const double more = tie(own, D) * (displacement(a, d) - displacement(b, d));
+          force(a, d) -= more;
+          force(b, d) += more;
+        }
+      });
+}
+
+template <int D>
+void FineParticles<D>::accelerate(const State<D>& state, int level, double duration, const Values& force,
+                                  const Values& velocity)
+{
+  if (static_cast<int>(acceleration_.extent(0)) < numSlots_)
+    acceleration_ = Values("rhegma::subcycling::acceleration", numSlots_ + numSlots_ / 4);
+  const Values acceleration = acceleration_;
+  const View<int*> count = count_, reach = reach_, particle = particle_;
+  const View<int**> slot = slot_;
+  const View<double**> weight = weight_;
+  const View<int* [D]> held = held_;
+  const View<double*> nodal = mass_;
+  const auto mass = state.particles.scalar(fields::mass);
+  Kokkos::parallel_for(
+      "rhegma::subcycling::accelerate", Range(0, numSlots_), KOKKOS_LAMBDA(const int i) {
+        const double inverse = nodal(i) > 0.0 ? 1.0 / nodal(i) : 0.0;
+        for (int d = 0; d < D; ++d)
+          acceleration(i, d) = held(i, d) != 0 ? 0.0 : inverse * force(i, d);
+      });
+  sumInParts(
+      "rhegma::subcycling::roundTrip", 0, numListed_, KOKKOS_LAMBDA(const int i, double* to) {
+        if (reach(i) < level)
+          return;
+        double own[D] = {};
+        for (int k = 0; k < count(i); ++k)
+          for (int d = 0; d < D; ++d)
+            own[d] += weight(i, k) * acceleration(slot(i, k), d);
+        const double m = mass(particle(i));
+        for (int k = 0; k < count(i); ++k)
+          for (int d = 0; d < D; ++d)
+            to[slot(i, k) * D + d] += m * weight(i, k) * own[d];
+      });
+  const View<double** [D]> parts = parts_;
+  const int number = numParts_;
+  Kokkos::parallel_for(
+      "rhegma::subcycling::kick", Range(0, numSlots_), KOKKOS_LAMBDA(const int i) {
+        const double inverse = nodal(i) > 0.0 ? 1.0 / nodal(i) : 0.0;
+        for (int d = 0; d < D; ++d)
+        {
+          double sum = 0.0;
+          for (int part = 0; part < number; ++part)
+            sum += parts(part, i, d);
+          velocity(i, d) += held(i, d) != 0 ? 0.0 : duration * inverse * sum;
+        }
+      });
+}
+
+template <int D>
+void FineParticles<D>::correctProjection(const State<D>& state, const Values& displacement, double duration,
+                                         const Values& velocity) const
+{
+  const auto projection = state.nodes.projection;
+  const View<int*> nodeOf = nodeOf_;
+  const View<int* [D]> held = held_;
+  Kokkos::parallel_for(
+      "rhegma::subcycling::correctProjection", Range(0, numSlots_), KOKKOS_LAMBDA(const int i) {
+        for (int d = 0; d < D; ++d)
+          if (held(i, d) == 0)
+            projection(nodeOf(i), d) += displacement(i, d) / duration - velocity(i, d);
+      });
+}
+
+template void FineParticles<2>::load(const State<2>&, const FineParticles<2>::Values&) const;
+template void FineParticles<2>::store(const State<2>&, const FineParticles<2>::Values&, double) const;
+template void FineParticles<2>::startVelocity(const State<2>&, const FineParticles<2>::Values&) const;
+template void FineParticles<2>::force(const State<2>&, int, const FineParticles<2>::Values&,
+                                      const FineParticles<2>::Values&);
+template void FineParticles<2>::addTies(const State<2>&, const FineParticles<2>::Values&,
+                                        const FineParticles<2>::Values&) const;
+template void FineParticles<2>::smooth(const State<2>&, int, const FineParticles<2>::Values&,
+                                       const FineParticles<2>::Values&);
+template void FineParticles<2>::accelerate(const State<2>&, int, double, const FineParticles<2>::Values&,
+                                           const FineParticles<2>::Values&);
+template void FineParticles<2>::correctProjection(const State<2>&, const FineParticles<2>::Values&, double,
+                                                  const FineParticles<2>::Values&) const;
+template void FineParticles<3>::load(const State<3>&, const FineParticles<3>::Values&) const;
+template void FineParticles<3>::store(const State<3>&, const FineParticles<3>::Values&, double) const;
+template void FineParticles<3>::startVelocity(const State<3>&, const FineParticles<3>::Values&) const;
+template void FineParticles<3>::force(const State<3>&, int, const FineParticles<3>::Values&,
+                                      const FineParticles<3>::Values&);
+template void FineParticles<3>::addTies(const State<3>&, const FineParticles<3>::Values&,
+                                        const FineParticles<3>::Values&) const;
+template void FineParticles<3>::smooth(const State<3>&, int, const FineParticles<3>::Values&,
+                                       const FineParticles<3>::Values&);
+template void FineParticles<3>::accelerate(const State<3>&, int, double, const FineParticles<3>::Values&,
+                                           const FineParticles<3>::Values&);
+template void FineParticles<3>::correctProjection(const State<3>&, const FineParticles<3>::Values&, double,
+                                                  const FineParticles<3>::Values&) const;
+
+} // namespace Rhegma::sub_cycling
