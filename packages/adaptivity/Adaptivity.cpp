@@ -89,7 +89,6 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
     return;
   const Teuchos::ParameterList& list = scene.sublist("Adaptivity");
   refuse(scene, "Mass Matrix", errors);
-  refuse(scene, "Contact", errors);
   if (scene.isSublist("Cracks") && scene.sublist("Cracks").isType<std::string>("Formulation") &&
       scene.sublist("Cracks").get<std::string>("Formulation") != "Dual Field")
     errors.push_back({"Adaptivity",

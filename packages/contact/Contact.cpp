@@ -173,7 +173,8 @@ void report(const State<D>& state, const Account<D>& account, nlohmann::json& su
 /// An explicit step resolves frequencies w only below 2 / w. Cells have w^2 <= 8 c^2 / h^2; the layer adds
 /// 4 alpha c^2 / h^2 on nodes with half a cell's mass on each side, and no more where it cuts cells, because
 /// mass and stiffness of a node both go with the square of its distance from the crack. A tenth is kept in
-/// hand. In 3D cells have w^2 <= 12 c^2 / h^2.
+/// hand. In 3D cells have w^2 <= 12 c^2 / h^2. In refined cells the layer is as stiff as between the largest
+/// ones, so that it adds less; with Sub-Cycling it follows the short steps of the nodes.
 ///
 /// Extrapolated weights (Cracks > Formulation Corrected Broken Cell) see a face at up to 2 and -1 times two
 /// nodes and feed back up to 3.2 times what is scattered (docs/broken_cells.md): at worst, a crack a tenth of
@@ -185,7 +186,7 @@ double timeStepLimit(const State<D>& state, double alpha, bool extrapolated)
   for (const Properties& p : state.materialList)
     fastest = std::max(fastest, std::sqrt(elasticity(p).constrainedModulus / p.density));
   const double square = extrapolated ? 25.0 + 16.0 * alpha : 4.0 * (D + alpha);
-  return 0.9 * 2.0 / std::sqrt(square) * state.grid.spacing / fastest;
+  return 0.9 * 2.0 / std::sqrt(square) * state.stepSpacing() / fastest;
 }
 
 template <int D>
@@ -248,6 +249,13 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     if constexpr (D == 2)
       if (account->visibility)
         account->visibility->install(state);
+    if (!account->visibility)
+      state.followingForces.push_back(
+          {[account](const State<D>& s, const NodeSlots& slots, const View<double* [D]>& force)
+           { account->contact.addFrozenForces(s, slots, force); },
+           [account](const State<D>& s, const NodeSlots& slots, const View<double* [D]>& displacement,
+                     const View<double* [D]>& force)
+           { account->contact.addChange(s, slots, displacement, force); }});
     for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
     {
       account->watched.push_back(watch(state.cracks, static_cast<int>(c), account->part));

@@ -17,6 +17,19 @@ namespace
 /// A closed crack at rest presses with round-off of its material's modulus; that is no touch.
 constexpr double noticeable = 1e-9;
 
+/// Traction on side +1 at a point [Pa].
+template <int D>
+KOKKOS_INLINE_FUNCTION Vector<D> tractionAt(const FacePoints<D>& points, const View<double*>& pressure,
+                                            const View<double * [D - 1]>& shear, int k)
+{
+  Vector<D> traction;
+  for (int d = 0; d < D; ++d)
+    traction[d] = pressure(k) * points.normal(k, d);
+  for (int t = 0; t < D - 1; ++t)
+    traction = traction - shear(k, t) * tangentOf(points, k, t);
+  return traction;
+}
+
 /// Traction of the face points on their faces, as forces.
 template <int D>
 void scatterTractions(const Nodes<D>& nodes, const FacePoints<D>& points, const View<double*>& pressure,
@@ -26,15 +39,49 @@ void scatterTractions(const Nodes<D>& nodes, const FacePoints<D>& points, const 
       "rhegma::contact::addForces", points.count(), KOKKOS_LAMBDA(const int k) {
         if (pressure(k) == 0.0)
           return;
-        Vector<D> onUpper;
-        for (int d = 0; d < D; ++d)
-          onUpper[d] = pressure(k) * points.normal(k, d);
-        for (int t = 0; t < D - 1; ++t)
-          onUpper = onUpper - shear(k, t) * tangentOf(points, k, t);
-        onUpper = (points.size(k) * thickness) * onUpper;
+        const Vector<D> onUpper = (points.size(k) * thickness) * tractionAt(points, pressure, shear, k);
         addFaceForce(nodes, points.above, k, onUpper);
         addFaceForce(nodes, points.below, k, -1.0 * onUpper);
       });
+}
+
+/// Whether all nodes of a point move in short steps.
+template <int D>
+KOKKOS_INLINE_FUNCTION bool follows(const FacePoints<D>& points, const NodeSlots& slots, int k)
+{
+  for (int e = 0; e < points.above.count(k); ++e)
+    if (!slots.moves(points.above.node(k, e)))
+      return false;
+  for (int e = 0; e < points.below.count(k); ++e)
+    if (!slots.moves(points.below.node(k, e)))
+      return false;
+  return points.above.count(k) > 0;
+}
+
+/// Adds a force [N] on one face of a point to the nodes of it that move in short steps.
+template <int D>
+KOKKOS_INLINE_FUNCTION void addToSlots(const StencilTable<D>& face, const NodeSlots& slots, int k,
+                                       const Vector<D>& force, const View<double* [D]>& forces)
+{
+  for (int e = 0; e < face.count(k); ++e)
+    if (slots.moves(face.node(k, e)))
+      for (int d = 0; d < D; ++d)
+        Kokkos::atomic_add(&forces(slots.of(face.node(k, e)), d), face.weight(k, e) * force[d]);
+}
+
+/// Movement of side +1 against side -1 at a point all of whose nodes move in short steps.
+template <int D>
+KOKKOS_INLINE_FUNCTION Vector<D> jumpOfSlots(const FacePoints<D>& points, const NodeSlots& slots, int k,
+                                             const View<double* [D]>& displacement)
+{
+  Vector<D> jump{};
+  for (int e = 0; e < points.above.count(k); ++e)
+    for (int d = 0; d < D; ++d)
+      jump[d] += points.above.weight(k, e) * displacement(slots.of(points.above.node(k, e)), d);
+  for (int e = 0; e < points.below.count(k); ++e)
+    for (int d = 0; d < D; ++d)
+      jump[d] -= points.below.weight(k, e) * displacement(slots.of(points.below.node(k, e)), d);
+  return jump;
 }
 
 /// The law at a point over one step; T tangents.
@@ -171,6 +218,64 @@ template <int D>
 void FaceContact<D>::addForces(const State<D>& state) const
 {
   scatterTractions(state.nodes, points_, pressure_, shear_, thickness_);
+}
+
+template <int D>
+void FaceContact<D>::addFrozenForces(const State<D>&, const NodeSlots& slots,
+                                     const View<double* [D]>& force) const
+{
+  const FacePoints<D> points = points_;
+  const View<double*> pressure = pressure_;
+  const View<double * [D - 1]> shear = shear_;
+  const double thickness = thickness_;
+  forEachPushing(
+      "rhegma::contact::frozenForces", points.count(), KOKKOS_LAMBDA(const int k) {
+        if (pressure(k) == 0.0 || follows(points, slots, k))
+          return;
+        const Vector<D> onUpper = (points.size(k) * thickness) * tractionAt(points, pressure, shear, k);
+        addToSlots<D>(points.above, slots, k, onUpper, force);
+        addToSlots<D>(points.below, slots, k, -1.0 * onUpper, force);
+      });
+}
+
+template <int D>
+void FaceContact<D>::addChange(const State<D>&, const NodeSlots& slots, const View<double* [D]>& displacement,
+                               const View<double* [D]>& force) const
+{
+  const FacePoints<D> points = points_;
+  const View<double*> gap = gap_, pressure = pressure_;
+  const View<double * [D - 1]> slip = slip_, shear = shear_;
+  const View<Stiffness*> stiffness = stiffness_;
+  const Law law = law_;
+  const double friction = friction_, thickness = thickness_;
+  forEachPushing(
+      "rhegma::contact::followNodes", points.count(), KOKKOS_LAMBDA(const int k) {
+        if (!follows(points, slots, k))
+          return;
+        const Vector<D> jump = jumpOfSlots(points, slots, k, displacement);
+        double opening = gap(k);
+        for (int d = 0; d < D; ++d)
+          opening += jump[d] * points.normal(k, d);
+        if (opening >= 0.0 && pressure(k) == 0.0)
+          return;
+        Vector<D - 1> moved, before, elastic;
+        for (int t = 0; t < D - 1; ++t)
+        {
+          moved[t] = dot(jump, tangentOf(points, k, t));
+          before[t] = shear(k, t);
+          elastic[t] = slip(k, t);
+        }
+        const Return<D - 1> now = returnMap(law, friction, stiffness(points.crack(k)), opening, gap(k) < 0.0,
+                                            moved, elastic, before);
+        Vector<D> onUpper;
+        for (int d = 0; d < D; ++d)
+          onUpper[d] = (now.pressure - pressure(k)) * points.normal(k, d);
+        for (int t = 0; t < D - 1; ++t)
+          onUpper = onUpper - (now.shear[t] - shear(k, t)) * tangentOf(points, k, t);
+        onUpper = (points.size(k) * thickness) * onUpper;
+        addToSlots<D>(points.above, slots, k, onUpper, force);
+        addToSlots<D>(points.below, slots, k, -1.0 * onUpper, force);
+      });
 }
 
 template <int D>

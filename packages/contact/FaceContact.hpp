@@ -50,6 +50,11 @@ public:
   /// Adds the tractions' forces [N]: opposite ones on the two faces, so momentum is kept to round-off.
   void addForces(const State<D>& state) const;
 
+  /// How the forces follow nodes that move in short steps: those of points all of whose nodes do.
+  void addFrozenForces(const State<D>& state, const NodeSlots& slots, const View<double* [D]>& force) const;
+  void addChange(const State<D>& state, const NodeSlots& slots, const View<double* [D]>& displacement,
+                 const View<double* [D]>& force) const;
+
   /// Moves gaps and slips on by dt with a nodal velocity (first D columns), finds the tractions, and adds
   /// what friction dissipates.
   template <class Velocity>

@@ -94,6 +94,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   {
     state.cracks.dualField = formulation == Formulation::DualField;
     state.cracks.tied = tied;
+    if (tied)
+      state.followingForces.push_back(FrontTies<D>::following());
     readCracks(section, state);
     state.editor.prepare = [=](State<D>& s, const View<int*>& row)
     {

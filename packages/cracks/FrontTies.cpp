@@ -177,6 +177,48 @@ void FrontTies<D>::addForces(State<D>& state) const
 }
 
 template <int D>
+FollowingForce<D> FrontTies<D>::following()
+{
+  using Values = View<double* [D]>;
+  const auto frozen = [](const State<D>& state, const NodeSlots& slots, const Values& force)
+  {
+    const Nodes<D> nodes = state.nodes;
+    const View<double * [D + 1]> tie = state.cracks.tie;
+    Kokkos::parallel_for(
+        "rhegma::cracks::frozenTies", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
+        KOKKOS_LAMBDA(const int i) {
+          const int own = nodes.parent(i), other = nodes.numLattice + i;
+          if (slots.moves(own) == slots.moves(other))
+            return;
+          const int at = slots.of(slots.moves(own) ? own : other);
+          for (int d = 0; d < D; ++d)
+            force(at, d) += slots.moves(own) ? tie(own, d) : -tie(own, d);
+        });
+  };
+  const auto change =
+      [](const State<D>& state, const NodeSlots& slots, const Values& displacement, const Values& force)
+  {
+    const Nodes<D> nodes = state.nodes;
+    const View<double * [D + 1]> tie = state.cracks.tie;
+    Kokkos::parallel_for(
+        "rhegma::cracks::followTies", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
+        KOKKOS_LAMBDA(const int i) {
+          const int own = nodes.parent(i), other = nodes.numLattice + i;
+          if (tie(own, D) == 0.0 || !slots.moves(own) || !slots.moves(other))
+            return;
+          const int a = slots.of(own), b = slots.of(other);
+          for (int d = 0; d < D; ++d)
+          {
+            const double more = tie(own, D) * (displacement(a, d) - displacement(b, d));
+            force(a, d) -= more;
+            force(b, d) += more;
+          }
+        });
+  };
+  return {frozen, change};
+}
+
+template <int D>
 void FrontTies<D>::advance(State<D>& state) const
 {
   const Nodes<D> nodes = state.nodes;

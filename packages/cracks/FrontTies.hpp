@@ -34,6 +34,9 @@ public:
   /// Adds the forces of the ties to both fields of their nodes and leaves them in state.cracks.tie.
   void addForces(State<D>& state) const;
 
+  /// How the forces follow nodes that move in short steps.
+  static FollowingForce<D> following();
+
   /// Stretches the ties over the step.
   void advance(State<D>& state) const;
 

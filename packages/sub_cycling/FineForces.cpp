@@ -203,28 +203,6 @@ void FineParticles<D>::smooth(const State<D>& state, int kind, const Values& for
 }
 
 template <int D>
-void FineParticles<D>::addTies(const State<D>& state, const Values& displacement, const Values& force) const
-{
-  const View<double * [D + 1]> tie = state.cracks.tie;
-  if (tie.extent(0) == 0)
-    return;
-  const Nodes<D> nodes = state.nodes;
-  const View<int*> slotOf = slotOf_;
-  Kokkos::parallel_for(
-      "rhegma::subcycling::ties", Range(0, nodes.numSecond), KOKKOS_LAMBDA(const int i) {
-        const int own = nodes.parent(i), a = slotOf(own), b = slotOf(nodes.numLattice + i);
-        if (a < 0 || b < 0)
-          return;
-        for (int d = 0; d < D; ++d)
-        {
-          const double more = tie(own, D) * (displacement(a, d) - displacement(b, d));
-          force(a, d) -= more;
-          force(b, d) += more;
-        }
-      });
-}
-
-template <int D>
 void FineParticles<D>::accelerate(const State<D>& state, int level, double duration, const Values& force,
                                   const Values& velocity)
 {
@@ -291,8 +269,6 @@ template void FineParticles<2>::store(const State<2>&, const FineParticles<2>::V
 template void FineParticles<2>::startVelocity(const State<2>&, const FineParticles<2>::Values&) const;
 template void FineParticles<2>::force(const State<2>&, int, const FineParticles<2>::Values&,
                                       const FineParticles<2>::Values&);
-template void FineParticles<2>::addTies(const State<2>&, const FineParticles<2>::Values&,
-                                        const FineParticles<2>::Values&) const;
 template void FineParticles<2>::smooth(const State<2>&, int, const FineParticles<2>::Values&,
                                        const FineParticles<2>::Values&);
 template void FineParticles<2>::accelerate(const State<2>&, int, double, const FineParticles<2>::Values&,
@@ -304,8 +280,6 @@ template void FineParticles<3>::store(const State<3>&, const FineParticles<3>::V
 template void FineParticles<3>::startVelocity(const State<3>&, const FineParticles<3>::Values&) const;
 template void FineParticles<3>::force(const State<3>&, int, const FineParticles<3>::Values&,
                                       const FineParticles<3>::Values&);
-template void FineParticles<3>::addTies(const State<3>&, const FineParticles<3>::Values&,
-                                        const FineParticles<3>::Values&) const;
 template void FineParticles<3>::smooth(const State<3>&, int, const FineParticles<3>::Values&,
                                        const FineParticles<3>::Values&);
 template void FineParticles<3>::accelerate(const State<3>&, int, double, const FineParticles<3>::Values&,

@@ -44,8 +44,7 @@ public:
   /// elastic law is the gradient of its energy and has no resultant and no torque.
   void force(const State<D>& state, int level, const Values& displacement, const Values& force);
 
-  /// Adds what the ties behind crack fronts pull more than at the start of the step.
-  void addTies(const State<D>& state, const Values& displacement, const Values& force) const;
+  NodeSlots slots() const { return {slotOf_, numInner_}; }
 
   /// Mean of a force over the last long steps, on inner nodes that had a slot in all of them; it grows from
   /// zero elsewhere, and everywhere after cells changed. \param kind which force it is, 0 .. deepestLevel

@@ -62,8 +62,6 @@ void LocalSteps<D>::begin(State<D>& state, int first, int last)
     if (level < last_)
       steady(state, level, force_, mean_[level]);
   }
-  steady(state, first_ - 1, others_, mean_[first_ - 1]);
-  add<D>(others_, -1.0, mean_[first_ - 1], slots);
 }
 
 template <int D>
@@ -82,6 +80,15 @@ void LocalSteps<D>::evolve(State<D>& state)
   fine_.load(state, force_);
   add<D>(loads_, 1.0, force_, slots);
   leaveOuterNodes();
+  for (const FollowingForce<D>& following : state.followingForces)
+  {
+    Kokkos::deep_copy(force_, 0.0);
+    following.frozen(state, fine_.slots(), force_);
+    add<D>(loads_, -1.0, force_, fine_.numInner());
+    add<D>(others_, 1.0, force_, fine_.numInner());
+  }
+  steady(state, first_ - 1, others_, mean_[first_ - 1]);
+  add<D>(others_, -1.0, mean_[first_ - 1], slots);
   Kokkos::deep_copy(impulse_, 0.0);
   add<D>(impulse_, state.dt, loads_, slots);
   add<D>(impulse_, state.dt, others_, slots);
@@ -133,9 +140,11 @@ void LocalSteps<D>::kick(const State<D>& state, int level, double length)
   if (level < last_)
     add<D>(force_, -1.0, mean_[level], fine_.numSlots());
   else
-    fine_.addTies(state, displacement_, force_);
-  // Ties may be on nodes of any class.
-  fine_.accelerate(state, level == last_ && state.cracks.tied ? first_ : level, length, force_, velocity_);
+    for (const FollowingForce<D>& following : state.followingForces)
+      following.change(state, fine_.slots(), displacement_, force_);
+  // Following forces may be on nodes of any class.
+  const int reached = level == last_ && !state.followingForces.empty() ? first_ : level;
+  fine_.accelerate(state, reached, length, force_, velocity_);
   add<D>(impulse_, length, force_, fine_.numSlots());
   extraSteps_ += particles;
 }

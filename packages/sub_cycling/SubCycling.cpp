@@ -15,9 +15,9 @@ Section section()
 {
   Section s("Sub-Cycling",
             "Smaller steps where cells are smaller: the long step is that of the largest cells.");
-  s.integer("Levels").range(1, 6).byDefault(1).meaning(
-      "How many of the deepest levels take steps of their own; the long step is 2^Levels times that "
-      "of the smallest cells. Two hold while cells and particles move little; more only at rest.");
+  s.integer("Levels").range(1, 6).byDefault(6).meaning(
+      "How many of the deepest levels take steps of their own, or all levels where there are fewer; the "
+      "long step is 2^Levels times that of the smallest cells.");
   return s;
 }
 

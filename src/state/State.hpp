@@ -56,6 +56,30 @@ struct StencilEditor
   std::function<void(const State<D>&, const ObservedPoints<D>& points, const StencilTable<D>& table)> edit;
 };
 
+/// Places that short steps within a step give to nodes: `of` each node's row, -1 where a node has none; those
+/// of nodes that move in short steps are the first `inner`.
+struct NodeSlots
+{
+  View<int*> of;
+  int inner = 0;
+  KOKKOS_INLINE_FUNCTION bool moves(int node) const { return of(node) >= 0 && of(node) < inner; }
+};
+
+/// A nodal force that changes where nodes move within a step (contact, ties), for those who move them in
+/// short steps. Such forces are also among all others before the solve, as at the start of the step. `force`
+/// and `displacement` have a row a slot [N, m].
+template <int D>
+struct FollowingForce
+{
+  using Values = View<double* [D]>;
+  /// Adds the part, as at the start of the step, that does not follow: it acts on a node that does not move
+  /// in short steps.
+  std::function<void(const State<D>&, const NodeSlots&, const Values& force)> frozen;
+  /// Adds the change of the part that follows.
+  std::function<void(const State<D>&, const NodeSlots&, const Values& displacement, const Values& force)>
+      change;
+};
+
 /// One body of the scene as particles made it.
 template <int D>
 struct BodyInfo
@@ -101,6 +125,8 @@ struct State
   std::vector<NodeConstraint<D>> constraints; ///< prescribed motion at the end of this step
   View<double*> coupledReaction; ///< impulse that holds each unknown (row, axis) of coupled nodes [N s]
   View<int*> coupledRow;         ///< of each node, -1 where its mass is lumped; empty where all masses are
+
+  std::vector<FollowingForce<D>> followingForces; ///< of effects that have any
 
   double time = 0.0;
   double dt = 0.0;

@@ -306,7 +306,7 @@ ADAPTIVITY = [
      one("Sub-Cycling", "one size", "Adaptivity")),
     ("sub_cycling_of_usl",
      plate().set("Adaptivity", {}).set("Sub-Cycling", {}).set("Time > Update Scheme", "USL"),
-     one("Sub-Cycling", "unstable", "MUSL or USF")),
+     one("Sub-Cycling", "Update Scheme", "MUSL")),
     ("sub_cycling_of_no_level", plate().set("Adaptivity", {}).set("Sub-Cycling", {"Levels": 0}),
      one("Sub-Cycling > Levels", "from 1 to 6")),
     ("adaptivity_of_broken_cells", plate().set("Adaptivity", {}).set("Cracks > Formulation", "Broken Cell"),
