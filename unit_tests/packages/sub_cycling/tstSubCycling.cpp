@@ -219,7 +219,7 @@ TEST_P(Levels, keepEnergyInFlight)
   };
   const double sub = kept(true), all = kept(false);
   std::printf("%d levels in flight: energy kept %.6f, in short steps only %.6f\n", GetParam(), sub, all);
-  EXPECT_NEAR(sub, all, 0.03);
+  EXPECT_NEAR(sub, all, 0.005);
 }
 
 INSTANTIATE_TEST_SUITE_P(SubCycling, Levels, testing::Values(1, 2, 3, 4));
