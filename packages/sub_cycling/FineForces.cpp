@@ -9,7 +9,7 @@ namespace
 {
 
 /// Particles of a part of a sum; parts are no more than these many.
-constexpr int particlesPerPart = 256, mostParts = 32;
+constexpr int particlesPerPart = 512, mostParts = 32;
 
 /// Long steps that the mean of a force is over.
 constexpr double meanOver = 500.0;

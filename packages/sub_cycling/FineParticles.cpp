@@ -10,25 +10,80 @@ namespace
 
 using Range = Kokkos::RangePolicy<ExecSpace>;
 
+/// Cells of the lattice from refined ones within which all lie that `list` may ask for: a particle on a node
+/// of a cell beside a refined one, one that shares a node with it, and one that shares a node with that; each
+/// reaches through two cells at most.
+constexpr int farthest = 7;
+
+/// Whether a cell beside a refined one is no farther than that along the axes up to `axis`, given the same
+/// for those before it.
+template <int D>
+View<char*> widen(const Grid<D>& grid, const View<char*>& given, int axis)
+{
+  const View<char*> wide("rhegma::subcycling::nearRefined", grid.numNodes);
+  Kokkos::parallel_for(
+      "rhegma::subcycling::widen", Range(0, grid.numNodes), KOKKOS_LAMBDA(const int n) {
+        int at[D];
+        grid.nodeCoordinates(n, at);
+        for (int k = -farthest; k <= farthest; ++k)
+          if (at[axis] + k >= 0 && at[axis] + k < grid.cells[axis] && given(n + k * grid.stride[axis]) != 0)
+            wide(n) = 1;
+      });
+  return wide;
+}
+
 } // namespace
 
 template <int D>
 void FineParticles<D>::list(const State<D>& state, int first)
 {
   first_ = first;
+  findCandidates(state);
   classifyNodes(state);
   listParticles(state);
   numInner_ = numSlots_ = numListed_ = 0;
   if (numParticles() == 0)
     return;
-  markNodes(state, 0, numParticles());
+  // Shallow classes first: where two meet the deeper one stays.
+  for (int l = first; l <= state.tree.deepest; ++l)
+    markNodes(state, particlesFrom_[l + 1], particlesFrom_[l], l);
   numberSlots(state, 0);
   listNeighbours(state);
-  markNodes(state, numParticles(), numListed_);
+  markOuterNodes(state);
   numberSlots(state, numInner_);
   packStencils(state);
   holdNodes(state);
   weighNodes(state);
+}
+
+template <int D>
+void FineParticles<D>::findCandidates(const State<D>& state)
+{
+  const Grid<D> grid = state.grid;
+  if (generation_ != state.tree.generation)
+  {
+    near_ = state.tree.nearRefined;
+    for (int axis = 0; axis < D; ++axis)
+      near_ = widen(grid, near_, axis);
+    generation_ = state.tree.generation;
+  }
+  fit(candidate_, "rhegma::subcycling::candidate", state.particles.size());
+  const View<char*> near = near_;
+  const View<int*> candidate = candidate_;
+  const auto position = state.particles.template real<D>(fields::position);
+  Kokkos::parallel_scan(
+      "rhegma::subcycling::findCandidates", Range(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, int& at, const bool final) {
+        int cell[D];
+        for (int d = 0; d < D; ++d)
+          cell[d] = static_cast<int>(grid.inCells(position(p, d), d));
+        if (near(grid.nodeIndex(cell)) == 0)
+          return;
+        if (final)
+          candidate(at) = p;
+        ++at;
+      },
+      numCandidates_);
 }
 
 template <int D>
@@ -38,9 +93,10 @@ void FineParticles<D>::classifyNodes(const State<D>& state)
   fit(nodeClass_, "rhegma::subcycling::nodeClass", nodes.numLattice + nodes.numSecond);
   fit(slotOf_, "rhegma::subcycling::slot", nodes.numLattice + nodes.numSecond);
   fit(nodeOf_, "rhegma::subcycling::nodeOf", nodes.numActive());
-  const View<int*> nodeClass = nodeClass_, slotOf = slotOf_, nodeLevel = state.tree.nodeLevel;
+  fit(class_, "rhegma::subcycling::class", numCandidates_);
+  const View<int*> nodeClass = nodeClass_, slotOf = slotOf_, nodeLevel = state.tree.nodeLevel,
+                   classOf = class_, candidate = candidate_, row = state.storedRow;
   const StencilTable<D> table = state.stored;
-  const int first = first_;
   Kokkos::parallel_for(
       "rhegma::subcycling::clearNodes", Range(0, nodes.numActive()), KOKKOS_LAMBDA(const int i) {
         nodeClass(activeNode(nodes, i)) = -1;
@@ -48,77 +104,99 @@ void FineParticles<D>::classifyNodes(const State<D>& state)
       });
   // Particles without stored stencils touch no node of small cells.
   Kokkos::parallel_for(
-      "rhegma::subcycling::classifyNodes", Range(0, state.numStored), KOKKOS_LAMBDA(const int r) {
+      "rhegma::subcycling::levelOfParticles", Range(0, numCandidates_), KOKKOS_LAMBDA(const int i) {
+        const int r = row(candidate(i));
         int deepest = 0;
-        for (int k = 0; k < table.count(r); ++k)
+        for (int k = 0; r >= 0 && k < table.count(r); ++k)
         {
           const int of = nodeLevel(latticeNode(nodes, table.node(r, k)));
           deepest = of > deepest ? of : deepest;
         }
-        if (deepest >= first)
-          for (int k = 0; k < table.count(r); ++k)
-            Kokkos::atomic_fetch_max(&nodeClass(table.node(r, k)), deepest);
+        classOf(i) = deepest;
       });
+  // One class after the other, so that whoever writes writes the same.
+  for (int l = first_; l <= state.tree.deepest; ++l)
+    Kokkos::parallel_for(
+        "rhegma::subcycling::classifyNodes", Range(0, numCandidates_), KOKKOS_LAMBDA(const int i) {
+          if (classOf(i) != l)
+            return;
+          const int r = row(candidate(i));
+          for (int k = 0; k < table.count(r); ++k)
+            nodeClass(table.node(r, k)) = l;
+        });
 }
 
 template <int D>
 void FineParticles<D>::listParticles(const State<D>& state)
 {
-  const int particles = state.particles.size(), first = first_;
-  fit(class_, "rhegma::subcycling::class", particles);
-  fit(particle_, "rhegma::subcycling::particle", particles);
-  if (classCount_.extent(0) == 0)
-    classCount_ = View<int*>("rhegma::subcycling::classCount", deepestLevel + 1);
-  Kokkos::deep_copy(classCount_, 0);
-  const View<int*> classOf = class_, particle = particle_, classCount = classCount_, nodeClass = nodeClass_;
+  fit(particle_, "rhegma::subcycling::particle", numCandidates_);
+  const View<int*> classOf = class_, candidate = candidate_, particle = particle_, nodeClass = nodeClass_;
   withConnectivity(state,
                    [&](const auto& connect)
                    {
                      const auto see = connect;
                      Kokkos::parallel_for(
-                         "rhegma::subcycling::classifyParticles", Range(0, particles),
-                         KOKKOS_LAMBDA(const int p) {
+                         "rhegma::subcycling::classifyParticles", Range(0, numCandidates_),
+                         KOKKOS_LAMBDA(const int i) {
                            int deepest = 0;
-                           see.visit(p, [&](int node, double, const double*)
+                           see.visit(candidate(i), [&](int node, double, const double*)
                                      { deepest = nodeClass(node) > deepest ? nodeClass(node) : deepest; });
-                           classOf(p) = deepest;
-                           if (deepest >= first)
-                             Kokkos::atomic_add(&classCount(deepest), 1);
+                           classOf(i) = deepest;
                          });
                    });
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, classCount_);
-  particlesFrom_[deepestLevel + 1] = 0;
-  for (int l = deepestLevel; l >= 0; --l)
+  for (int& number : particlesFrom_)
+    number = 0;
+  for (int l = state.tree.deepest; l >= first_; --l)
   {
     const int before = particlesFrom_[l + 1];
-    particlesFrom_[l] = before + host(l);
-    if (host(l) > 0)
-      Kokkos::parallel_scan(
-          "rhegma::subcycling::listParticles", Range(0, particles),
-          KOKKOS_LAMBDA(const int p, int& at, const bool final) {
-            if (classOf(p) != l)
-              return;
-            if (final)
-              particle(before + at) = p;
-            ++at;
-          });
+    int more = 0;
+    Kokkos::parallel_scan(
+        "rhegma::subcycling::listParticles", Range(0, numCandidates_),
+        KOKKOS_LAMBDA(const int i, int& at, const bool final) {
+          if (classOf(i) != l)
+            return;
+          if (final)
+            particle(before + at) = candidate(i);
+          ++at;
+        },
+        more);
+    particlesFrom_[l] = before + more;
   }
 }
 
 template <int D>
-void FineParticles<D>::markNodes(const State<D>& state, int begin, int end)
+void FineParticles<D>::markNodes(const State<D>& state, int begin, int end, int own)
 {
-  const View<int*> nodeClass = nodeClass_, particle = particle_, classOf = class_;
+  const View<int*> nodeClass = nodeClass_, particle = particle_;
   withConnectivity(state,
                    [&](const auto& connect)
                    {
                      const auto see = connect;
                      Kokkos::parallel_for(
                          "rhegma::subcycling::markNodes", Range(begin, end), KOKKOS_LAMBDA(const int i) {
-                           const int p = particle(i);
-                           const int own = classOf(p);
-                           see.visit(p, [&](int node, double, const double*)
-                                     { Kokkos::atomic_fetch_max(&nodeClass(node), own); });
+                           see.visit(particle(i),
+                                     [&](int node, double, const double*) { nodeClass(node) = own; });
+                         });
+                   });
+}
+
+template <int D>
+void FineParticles<D>::markOuterNodes(const State<D>& state)
+{
+  const View<int*> nodeClass = nodeClass_, particle = particle_;
+  withConnectivity(state,
+                   [&](const auto& connect)
+                   {
+                     const auto see = connect;
+                     Kokkos::parallel_for(
+                         "rhegma::subcycling::markOuterNodes", Range(numParticles(), numListed_),
+                         KOKKOS_LAMBDA(const int i) {
+                           see.visit(particle(i),
+                                     [&](int node, double, const double*)
+                                     {
+                                       if (nodeClass(node) < 0)
+                                         nodeClass(node) = 0;
+                                     });
                          });
                    });
 }
@@ -152,28 +230,33 @@ template <int D>
 void FineParticles<D>::listNeighbours(const State<D>& state)
 {
   const int first = first_, before = numParticles();
-  const View<int*> particle = particle_, classOf = class_, slotOf = slotOf_;
+  const View<int*> particle = particle_, classOf = class_, candidate = candidate_, slotOf = slotOf_;
   int more = 0;
   withConnectivity(state,
                    [&](const auto& connect)
                    {
                      const auto see = connect;
-                     Kokkos::parallel_scan(
-                         "rhegma::subcycling::listNeighbours", Range(0, state.particles.size()),
-                         KOKKOS_LAMBDA(const int p, int& at, const bool final) {
-                           if (classOf(p) >= first)
+                     Kokkos::parallel_for(
+                         "rhegma::subcycling::findNeighbours", Range(0, numCandidates_),
+                         KOKKOS_LAMBDA(const int i) {
+                           if (classOf(i) >= first)
                              return;
                            bool touches = false;
-                           see.visit(p, [&](int node, double, const double*)
+                           see.visit(candidate(i), [&](int node, double, const double*)
                                      { touches = touches || slotOf(node) >= 0; });
-                           if (!touches)
-                             return;
-                           if (final)
-                             particle(before + at) = p;
-                           ++at;
-                         },
-                         more);
+                           classOf(i) = touches ? 0 : -1;
+                         });
                    });
+  Kokkos::parallel_scan(
+      "rhegma::subcycling::listNeighbours", Range(0, numCandidates_),
+      KOKKOS_LAMBDA(const int i, int& at, const bool final) {
+        if (classOf(i) != 0)
+          return;
+        if (final)
+          particle(before + at) = candidate(i);
+        ++at;
+      },
+      more);
   numListed_ = before + more;
 }
 

@@ -71,9 +71,11 @@ private:
     int step = 0;
   };
 
+  void findCandidates(const State<D>& state);
   void classifyNodes(const State<D>& state);
   void listParticles(const State<D>& state);
-  void markNodes(const State<D>& state, int begin, int end);
+  void markNodes(const State<D>& state, int begin, int end, int own);
+  void markOuterNodes(const State<D>& state);
   void numberSlots(const State<D>& state, int from);
   void listNeighbours(const State<D>& state);
   void packStencils(const State<D>& state);
@@ -92,18 +94,21 @@ private:
   }
 
   int first_ = 0;
+  int numCandidates_ = 0;
   int numListed_ = 0; ///< with neighbours
   int numSlots_ = 0, numInner_ = 0, numParts_ = 0;
   int particlesFrom_[deepestLevel + 2] = {};
-  View<int*> class_;      ///< of every particle
-  View<int*> classCount_; ///< particles of each
-  View<int*> particle_;   ///< those listed
-  View<int*> reach_;      ///< of each of them: class of its deepest node
-  View<int*> nodeClass_;  ///< of every node; 0 for outer ones, -1 for those without a slot
-  View<int*> slotOf_;     ///< of every node, -1 where it has none
-  View<int*> nodeOf_;     ///< of every slot
-  View<int*> count_;      ///< nodes of each of the particles
-  View<int**> slot_;      ///< of the nodes of each particle
+  int generation_ = -1;  ///< of the tree, when
+  View<char*> near_;     ///< not 0 for cells of the lattice that are not far from refined ones
+  View<int*> candidate_; ///< particles in such cells
+  View<int*> class_;     ///< of each of these
+  View<int*> particle_;  ///< those listed
+  View<int*> reach_;     ///< of each of them: class of its deepest node
+  View<int*> nodeClass_; ///< of every node; 0 for outer ones, -1 for those without a slot
+  View<int*> slotOf_;    ///< of every node, -1 where it has none
+  View<int*> nodeOf_;    ///< of every slot
+  View<int*> count_;     ///< nodes of each of the particles
+  View<int**> slot_;     ///< of the nodes of each particle
   View<double**> weight_;
   View<double** [D]> slope_;
   View<double*> mass_; ///< of every slot [kg]

@@ -31,8 +31,11 @@ void LocalSteps<D>::makeRoom(int slots)
   };
   for (Values* values : {&others_, &loads_, &force_, &impulse_, &velocity_, &displacement_})
     fit(*values);
-  for (int level = first_ - 1; level < last_; ++level)
+  for (int level = first_ - 1; level <= last_; ++level)
+  {
+    fit(start_[level]);
     fit(mean_[level]);
+  }
 }
 
 template <int D>
@@ -57,10 +60,14 @@ void LocalSteps<D>::begin(State<D>& state, int first, int last)
   {
     if (fine_.particlesFrom(level) == fine_.particlesFrom(level + 1))
       continue;
-    fine_.force(state, level, displacement_, force_);
-    add<D>(others_, -1.0, force_, slots);
+    fine_.force(state, level, displacement_, start_[level]);
+    atStart_[level] = true;
+    add<D>(others_, -1.0, start_[level], slots);
     if (level < last_)
-      steady(state, level, force_, mean_[level]);
+    {
+      steady(state, level, start_[level], mean_[level]);
+      add<D>(start_[level], -1.0, mean_[level], slots);
+    }
   }
 }
 
@@ -134,18 +141,23 @@ template <int D>
 void LocalSteps<D>::kick(const State<D>& state, int level, double length)
 {
   const int particles = fine_.particlesFrom(level) - fine_.particlesFrom(level + 1);
-  if (particles == 0)
+  const bool followed = level == last_ && !state.followingForces.empty();
+  if (particles == 0 && !followed)
     return;
-  fine_.force(state, level, displacement_, force_);
-  if (level < last_)
-    add<D>(force_, -1.0, mean_[level], fine_.numSlots());
-  else
-    for (const FollowingForce<D>& following : state.followingForces)
-      following.change(state, fine_.slots(), displacement_, force_);
+  const Values force = atStart_[level] ? start_[level] : force_;
+  if (!atStart_[level])
+  {
+    fine_.force(state, level, displacement_, force);
+    if (level < last_)
+      add<D>(force, -1.0, mean_[level], fine_.numSlots());
+    else
+      for (const FollowingForce<D>& following : state.followingForces)
+        following.change(state, fine_.slots(), displacement_, force);
+  }
+  atStart_[level] = false;
   // Following forces may be on nodes of any class.
-  const int reached = level == last_ && !state.followingForces.empty() ? first_ : level;
-  fine_.accelerate(state, reached, length, force_, velocity_);
-  add<D>(impulse_, length, force_, fine_.numSlots());
+  fine_.accelerate(state, followed ? first_ : level, length, force, velocity_);
+  add<D>(impulse_, length, force, fine_.numSlots());
   extraSteps_ += particles;
 }
 

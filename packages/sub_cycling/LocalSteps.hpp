@@ -64,9 +64,11 @@ private:
   Values others_;                  ///< force of all other particles, without its mean [N]
   Values loads_;                   ///< what pulls all the time [N], then what it does to the velocity [m/s2]
   Values force_;                   ///< of particles of one class [N]
-  Values mean_[deepestLevel + 1];  ///< of the force of each class [N]
-  Values impulse_;                 ///< so far [N s]
-  Values velocity_, displacement_; ///< so far
+  Values start_[deepestLevel + 1]; ///< that of each class at the start of the long step [N]
+  bool atStart_[deepestLevel + 1] = {}; ///< whether nodes are still where that is
+  Values mean_[deepestLevel + 1];       ///< of the force of each class [N]
+  Values impulse_;                      ///< so far [N s]
+  Values velocity_, displacement_;      ///< so far
 };
 
 } // namespace Rhegma::sub_cycling
