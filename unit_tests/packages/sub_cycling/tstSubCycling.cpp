@@ -179,8 +179,8 @@ TEST_P(Levels, moveAsInShortStepsOnly)
 }
 
 /// The bar vibrates as it flies through cells that stay small where they are: its particles split before
-/// them and become one again behind. What it keeps of the energy of its vibration, beside what merging took, is
-/// that of the same flight in short steps only.
+/// them and become one again behind. What it keeps of the energy of its vibration, beside what merging took,
+/// is that of the same flight in short steps only.
 TEST_P(Levels, keepEnergyInFlight)
 {
   const double periods = 2.0;
