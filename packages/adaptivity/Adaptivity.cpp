@@ -93,12 +93,6 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
       scene.sublist("Cracks").get<std::string>("Formulation") != "Dual Field")
     errors.push_back({"Adaptivity",
                       "it goes with Cracks > Formulation = Dual Field only as yet; take one of the two out"});
-  if (scene.isSublist("Boundaries"))
-    for (const std::string& name : sublistNames(scene.sublist("Boundaries")))
-      if (scene.sublist("Boundaries").sublist(name).isParameter("Field"))
-        errors.push_back(
-            {"Boundaries > " + name + " > Field",
-             "a velocity that varies over space does not go with Adaptivity as yet; give a Value"});
   if (list.isType<int>("Maximum Level"))
     for (const std::string& name : sublistNames(list))
       if (list.sublist(name).isType<int>("Level") &&

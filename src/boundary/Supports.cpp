@@ -2,7 +2,6 @@
 
 #include "boundary/Boundaries.hpp"
 #include "scene/Numbers.hpp"
-#include "scene/PlaceFunction.hpp"
 #include "scene/ReadList.hpp"
 
 #include <algorithm>
@@ -38,17 +37,20 @@ std::string inWords(const Vector<D>& place)
   return text;
 }
 
-/// The scene's function of place at the nodes that the constraint holds.
+/// The scene's function of place at the nodes that the constraint holds, those of refined cells included.
+/// Throws std::invalid_argument where it is not finite.
 template <int D>
-View<double* [D]> readField(const Teuchos::ParameterList& list, const NodeConstraint<D>& constraint,
-                            const Grid<D>& grid, const std::string& where)
+View<double* [D]> fieldAtNodes(const PlaceFunction& function, const NodeConstraint<D>& constraint,
+                               const State<D>& state, const std::string& where)
 {
-  View<double* [D]> field("rhegma::prescribedField", grid.numNodes);
+  const int count = state.grid.numNodes + state.tree.numFine;
+  View<double* [D]> field("rhegma::prescribedField", count);
   const auto host = Kokkos::create_mirror_view(field);
-  const PlaceFunction function = PlaceFunction::parse(list.get<std::string>("Field"), D);
-  for (int n = 0; n < grid.numNodes; ++n)
+  NodePlaces<D> places = nodePlaces(state);
+  places.fine = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, places.fine);
+  for (int n = 0; n < count; ++n)
   {
-    const Vector<D> place = grid.nodePosition(n);
+    const Vector<D> place = places(n);
     if (!constraint.appliesAt(place))
       continue;
     const Vector<D> value = function(place);
@@ -64,10 +66,29 @@ View<double* [D]> readField(const Teuchos::ParameterList& list, const NodeConstr
   return field;
 }
 
+/// Gives the nodes of cells that have changed their velocities.
 template <int D>
-TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const Grid<D>& grid,
+void followCells(TimedConstraint<D>& timed, State<D>& state)
+{
+  if (!timed.field || timed.generation == state.tree.generation)
+    return;
+  timed.generation = state.tree.generation;
+  try
+  {
+    timed.constraint.field =
+        fieldAtNodes<D>(*timed.field, timed.constraint, state, "Boundaries > " + timed.name);
+  }
+  catch (const std::invalid_argument& wrong)
+  {
+    state.trouble = wrong.what();
+  }
+}
+
+template <int D>
+TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const State<D>& state,
                                 const std::string& where)
 {
+  const Grid<D>& grid = state.grid;
   TimedConstraint<D> timed{{}, {}, TimeFunction::parse(list.get<std::string>("History")), {}};
   timed.constraint.lower = readVector<D>(list, "Lower Corner");
   timed.constraint.upper = readVector<D>(list, "Upper Corner");
@@ -91,7 +112,11 @@ TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const Grid<D
   if (list.isParameter("Value"))
     timed.value = readVector<D>(list, "Value");
   else
-    timed.constraint.field = readField<D>(list, timed.constraint, grid, where);
+  {
+    timed.field = PlaceFunction::parse(list.get<std::string>("Field"), D);
+    timed.generation = state.tree.generation;
+    timed.constraint.field = fieldAtNodes<D>(*timed.field, timed.constraint, state, where);
+  }
   return timed;
 }
 
@@ -141,7 +166,7 @@ TimedConstraint<D> readConstraint(const Teuchos::ParameterList& list, State<D>& 
 {
   const std::string where = "Boundaries > " + name;
   TimedConstraint<D> timed = list.get<std::string>("Type") == "Velocity"
-                                 ? readVelocity<D>(list, state.grid, where)
+                                 ? readVelocity<D>(list, state, where)
                                  : readSymmetry<D>(list, state, where);
   timed.name = name;
   return timed;
@@ -192,8 +217,11 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
                [constraints](State<D>& state)
                {
                  state.constraints.clear();
-                 for (const auto& timed : *constraints)
+                 for (auto& timed : *constraints)
+                 {
+                   followCells(timed, state);
                    state.constraints.push_back(timed.at(state.time + state.dt));
+                 }
                }});
   effect.call({Stage::AfterSolve,
                "prescribed motion",

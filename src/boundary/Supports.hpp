@@ -1,10 +1,12 @@
 #pragma once
 /// Prescribed motion and symmetry from the scene.
 
+#include "scene/PlaceFunction.hpp"
 #include "scene/TimeFunction.hpp"
 #include "step/Effect.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +21,10 @@ struct TimedConstraint
   Vector<D> value;
   TimeFunction history;
   std::string name;
-  Vector<D> impulse{}; ///< on the body since the last sample [N s]
-  Vector<D> force{};   ///< mean between the last two samples [N]
+  Vector<D> impulse{};                  ///< on the body since the last sample [N s]
+  Vector<D> force{};                    ///< mean between the last two samples [N]
+  std::optional<PlaceFunction> field{}; ///< of the velocity over space, if it varies
+  int generation = 0;                   ///< of the cells whose nodes have it
 
   NodeConstraint<D> at(double time) const
   {
