@@ -21,11 +21,23 @@ class Crack:
         return self.cells.shape[1] == 3
 
 
+class Leaves:
+    """The cells that hold particles. corners (k, 4 or 8, 3) [m], level (k): 0 for the scene's own Cell Size."""
+
+    def __init__(self, corners, level):
+        self.corners = corners
+        self.level = level
+
+    @property
+    def refined(self):
+        return bool(np.any(self.level > 0))
+
+
 class Fields:
     """Particles and cracks at one time; arrays as in the file. deformation (n, 3, 3): F; edges (n, 3, 3): the undeformed
     edge vectors of a particle's box, one a row, in 2D two and a row of zeros [m]."""
 
-    def __init__(self, time, particles, crack):
+    def __init__(self, time, particles, crack, leaves=None):
         self.time = time
         self.position = particles["position"]
         self.displacement = particles["displacement"]
@@ -34,6 +46,7 @@ class Fields:
         self.deformation = particles["deformation"].reshape(-1, 3, 3)
         self.edges = particles["edges"].reshape(-1, 3, 3)
         self.crack = crack
+        self.leaves = leaves
 
     @property
     def dimension(self):
@@ -66,6 +79,13 @@ def read_crack(group):
     return Crack(points, cells, opening) if cells.size else None
 
 
+def read_leaves(group):
+    if group is None or "level" not in group or group["level"].shape[0] == 0:
+        return None
+    points = np.asarray(group["points"], dtype=float)
+    return Leaves(points[np.asarray(group["cells"], dtype=int)], np.asarray(group["level"], dtype=int))
+
+
 def read_fields(folder, time=None):
     """The fields of a run nearest to a time [s], or the last ones, or None where the run left none."""
     path = os.path.join(folder, "fields.h5")
@@ -83,8 +103,9 @@ def read_fields(folder, time=None):
             group = chosen["particles"]
             names = ["position", "displacement", "stress", "von_mises", "deformation", "edges"]
             particles = {name: np.asarray(group[name], dtype=float) for name in names}
-            fields = Fields(float(chosen.attrs["time"]), particles, read_crack(chosen.get("cracks")))
-    except (OSError, KeyError, RuntimeError, ValueError) as error:
+            fields = Fields(float(chosen.attrs["time"]), particles, read_crack(chosen.get("cracks")),
+                            read_leaves(chosen.get("leaves")))
+    except (OSError, KeyError, RuntimeError, ValueError, IndexError) as error:
         raise Problem(f"{path} can't be read; it is truncated, still being written or not a file of fields ({error}).")
     if fields.position.shape[0] == 0:
         raise Problem(f"{path} holds no particle at {fields.time:g} s.")

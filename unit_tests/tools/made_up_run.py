@@ -113,6 +113,23 @@ def beam(folder, samples=400):
         ])
 
 
+def refined_plate(folder, levels):
+    """A plate of 2 m by 1 m on two cells of 1 m; those of level 1 are four leaves."""
+    corners, level = [], []
+    for x, l in zip((0.0, 1.0), levels):
+        edge = 0.5**l
+        for i in range(2**l):
+            for j in range(2**l):
+                low = np.array([x + edge * i, edge * j, 0.0])
+                corners += [low + edge * np.array(c) for c in ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0))]
+                level.append(l)
+    start = lattice(np.arange(0.25, 2.0, 0.5), np.arange(0.25, 1.0, 0.5), [0.0])
+    stress = np.zeros((len(start), 6))
+    stress[:, 0] = 1e6 * start[:, 0]
+    leaves = {"points": np.array(corners), "cells": np.arange(len(corners)).reshape(-1, 4), "level": np.array(level)}
+    write_fields(folder, [(2e-3, {"particles": particles(start, np.zeros_like(start), stress, 0.5), "leaves": leaves})])
+
+
 def penny(folder):
     """A cube of edge 1 m with a round crack of radius 0.3 m at z = 0, pulled along z."""
     os.makedirs(folder, exist_ok=True)

@@ -8,6 +8,7 @@ from tool import ToolTest, picture_size, run  # first, as it finds the Python fo
 import made_up_run
 import numpy as np
 
+from rhegma_tools import cell_picture
 from rhegma_tools.boxes import cut, parallelograms
 from rhegma_tools.deformation import automatic_magnification, crack_displacement, curved_at_fronts, magnified_faces
 from rhegma_tools.field_picture import choose_view, colour_scale, crack_segments, in_slice
@@ -40,6 +41,28 @@ class Plot(ToolTest):
         self.assertIn("displacement times 10.", output)
         self.assertGreater(picture_size(self.path("pictures", "fields.png"))[1], 500)
         self.assertFalse(os.path.exists(self.path("fields.png")))
+
+    def test_draws_cells_where_some_are_refined(self):
+        made_up_run.refined_plate(self.folder, levels=(0, 0))
+        status, output, complaint = run("rhegma-plot", self.folder)
+        self.assertEqual((status, complaint), (0, ""))
+        self.assertNotIn("cells.png", output)  # all alike
+        made_up_run.refined_plate(self.folder, levels=(0, 1))
+        status, output, complaint = run("rhegma-plot", self.folder)
+        self.assertEqual((status, complaint), (0, ""))
+        self.assertIn(f"Wrote {self.path('cells.png')}: 5 cells at 0.002 s.", output)
+        self.assertGreater(picture_size(self.path("cells.png"))[0], 900)
+
+    def test_close_up_is_of_the_smallest_cells(self):
+        low = np.array([[0.0, 0.0], [1.0, 0.0], [1.5, 0.0], [1.0, 0.5], [1.5, 0.5], [2.0, 0.0]])
+        high = low + np.array([1.0, 0.5, 0.5, 0.5, 0.5, 1.0])[:, None]
+        level = np.array([0, 1, 1, 1, 1, 0])
+        corner, opposite = cell_picture.close_up(low, high, level)
+        shape = opposite - corner
+        self.assertAlmostEqual(shape[0], 2.5 * shape[1])
+        self.assertAlmostEqual(shape[1], 2.0)  # the middles are 0.5 m apart, and three cells of 0.5 m more
+        middle = 0.5 * (corner + opposite)
+        self.assertTrue(np.all((middle > [1.0, 0.0]) & (middle < [2.0, 1.0])))
 
     def test_draws_what_there_is(self):
         made_up_run.beam(self.folder)
