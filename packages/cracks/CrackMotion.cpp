@@ -24,14 +24,17 @@ void placePoints(const CrackSet<D>& cracks, const ObservedPoints<D>& points)
       });
 }
 
+/// Moves the faces with their nodes. \return how many vertices lie beyond all cells now
 template <int D>
-void moveFaces(const CrackSet<D>& cracks, const Nodes<D>& nodes, const StencilTable<D>& stencils, double dt)
+int moveFaces(const CrackSet<D>& cracks, const Grid<D>& grid, const Nodes<D>& nodes,
+              const StencilTable<D>& stencils, double dt)
 {
   const View<double* [2][D]> face = cracks.face;
   const View<double* [D]> vertex = cracks.vertex;
   const View<int*> kind = cracks.kind;
-  forFew(
-      "rhegma::cracks::moveFaces", static_cast<int>(vertex.extent(0)), KOKKOS_LAMBDA(const int v) {
+  return sumFew<int>(
+      "rhegma::cracks::moveFaces", static_cast<int>(vertex.extent(0)), KOKKOS_LAMBDA(const int v, int& lost) {
+        bool in = true;
         for (int d = 0; d < D; ++d)
         {
           double shift[2] = {0.0, 0.0};
@@ -42,9 +45,14 @@ void moveFaces(const CrackSet<D>& cracks, const Nodes<D>& nodes, const StencilTa
           if ((kind(v) & vertexKind::front) != 0)
             shift[0] = shift[1] = 0.5 * (shift[0] + shift[1]);
           for (int side = 0; side < 2; ++side)
+          {
             face(v, side, d) += shift[side];
+            const double cell = grid.inCells(face(v, side, d), d);
+            in = in && (stencils.count(2 * v + side) == 0 || (cell >= 0.0 && cell < grid.cells[d]));
+          }
           vertex(v, d) = 0.5 * (face(v, 0, d) + face(v, 1, d));
         }
+        lost += in ? 0 : 1;
       });
 }
 
@@ -64,7 +72,11 @@ void CrackMotion<D>::move(State<D>& state)
   }
   placePoints(cracks, points_);
   pointStencils(state, points_, stencils_, true);
-  moveFaces(cracks, state.nodes, stencils_, state.dt);
+  const int lost = moveFaces(cracks, state.grid, state.nodes, stencils_, state.dt);
+  if (lost > 0 && state.trouble.empty())
+    state.trouble =
+        "a crack left the domain (an unstable step: try a smaller Time > CFL; or make the Domain larger "
+        "or stop the run before)";
   updateNormals(cracks);
   updateFronts(cracks);
 }

@@ -360,6 +360,24 @@ TEST_P(MassStability, GrowsWithoutTheCures)
             << " bodies grow tenfold in 2,000 steps" << std::endl;
 }
 
+/// Without the cures a crack may be flung farther than all cells before a particle is: the run stops with a
+/// sentence.
+TEST(MassWithoutCures, StopsWhereACrackIsFlungAway)
+{
+  Settings none;
+  none.lumpedShare = none.smallestNode = 0.0;
+  const Pose pose{Vector<2>{{0.21497922217155768, 0.15703111183739796}}, 11.0};
+  Rhegma::Run<2> run(validated(bodiesScene("Partial", "Linear", {pose}, none)));
+  run.initialize();
+  shake(run.state(), 1, Motion{});
+  const auto manySteps = [&run]
+  {
+    for (int k = 0; k < 2000; ++k)
+      run.step(1e30, false);
+  };
+  EXPECT_THROW(manySteps(), RunError);
+}
+
 /// Bodies that fly through the lattice, a cell in 20,000 steps, two hundred times as fast as they are shaken.
 /// What they keep of the energy of the shaking must not hang on the solver: it works on what is not flight.
 /// Particles reach other cells here, which gives and takes energy with any mass matrix; what Lumped makes of
@@ -382,7 +400,7 @@ TEST_P(MassFlight, IsSolvedAsWellAsRest)
     };
     const std::vector<double> full = kept("Full", Settings{}.tolerance), exact = kept("Full", 1e-11);
     for (std::size_t b = 0; b < bodies.size(); ++b)
-      EXPECT_NEAR(full[b], exact[b], 2.0 * steps * Settings{}.tolerance) << bodies[b];
+      EXPECT_NEAR(full[b], exact[b], steps * Settings{}.tolerance) << bodies[b];
     std::cout << GetParam() << ", " << bodies.size() << " bodies in flight, the last " << bodies.back()
               << ": energy of the last tenth of " << steps << " steps over the first with Full "
               << range(full) << ", with Lumped " << range(kept("Lumped", 0.0)) << std::endl;
