@@ -231,11 +231,14 @@ void FrontTies<D>::advance(State<D>& state) const
       "rhegma::cracks::stretchTies", nodes.numSecond, KOKKOS_LAMBDA(const int i, double& sum) {
         const int own = nodes.parent(i), other = nodes.numLattice + i;
         const double sign = signOf(side(own));
+        // A field without mass moves nowhere: beside it the other's flight is no stretch.
+        const bool both =
+            nodes.sums(own, Nodes<D>::massAt) > 0.0 && nodes.sums(other, Nodes<D>::massAt) > 0.0;
         for (int d = 0; d < D; ++d)
         {
           const double moved = byMotion ? nodes.motion(own, d) - nodes.motion(other, d)
                                         : nodes.projection(own, d) - nodes.projection(other, d);
-          jump(own, d) += sign * dt * moved;
+          jump(own, d) = both ? jump(own, d) + sign * dt * moved : 0.0;
           tie(own, d) = -sign * tie(own, D) * jump(own, d);
           sum += 0.5 * tie(own, D) * jump(own, d) * jump(own, d);
         }
