@@ -90,9 +90,9 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
   const Teuchos::ParameterList& list = scene.sublist("Adaptivity");
   refuse(scene, "Mass Matrix", errors);
   if (scene.isSublist("Cracks") && scene.sublist("Cracks").isType<std::string>("Formulation") &&
-      scene.sublist("Cracks").get<std::string>("Formulation") != "Dual Field")
-    errors.push_back({"Adaptivity",
-                      "it goes with Cracks > Formulation = Dual Field only as yet; take one of the two out"});
+      scene.sublist("Cracks").get<std::string>("Formulation") == "Corrected Broken Cell")
+    errors.push_back({"Adaptivity", "it does not go with Cracks > Formulation = Corrected Broken Cell, which "
+                                    "extrapolates along equal cells; choose another formulation"});
   if (list.isType<int>("Maximum Level"))
     for (const std::string& name : sublistNames(list))
       if (list.sublist(name).isType<int>("Level") &&

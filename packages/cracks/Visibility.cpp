@@ -1,5 +1,6 @@
 #include "cracks/Visibility.hpp"
 
+#include "grid/Tree.hpp"
 #include "state/FewItems.hpp"
 
 namespace Rhegma::cracks
@@ -37,35 +38,50 @@ void useSecondFields(const State<D>& state, const ObservedPoints<D>& points, con
       });
 }
 
-/// Whether a node is a corner of the cell in which a point lies.
-KOKKOS_INLINE_FUNCTION bool isCorner(const Grid<2>& grid, int node, const Vector<2>& x)
+/// The cell in which a point lies, a leaf where cells are refined.
+struct CellAround
 {
-  int at[2];
-  grid.nodeCoordinates(node, at);
-  bool corner = true;
-  for (int d = 0; d < 2; ++d)
+  const TreeSight<2>& sight;
+  TreeSight<2>::Leaf leaf;
+
+  KOKKOS_INLINE_FUNCTION CellAround(const TreeSight<2>& s, const Vector<2>& x) : sight(s), leaf(s.leafAt(x))
   {
-    const int from = at[d] - static_cast<int>(grid.inCells(x[d], d));
-    corner = corner && from >= 0 && from <= 1;
   }
-  return corner;
-}
+
+  /// Whether a node is one of its corners, or one of those between which a hanging corner lies.
+  KOKKOS_INLINE_FUNCTION bool hasCorner(int node) const
+  {
+    for (int k = 0; k < Tree<2>::corners; ++k)
+    {
+      if (leaf.level == 0)
+      {
+        if (node == -1 - leaf.number + (k & 1) * sight.grid.stride[0] + (k >> 1) * sight.grid.stride[1])
+          return true;
+        continue;
+      }
+      for (int m = 0; m < sight.masterCount(leaf.number, k); ++m)
+        if (node == sight.master(leaf.number, k, m))
+          return true;
+    }
+    return false;
+  }
+};
 
 void breakCells(const State<2>& state, const ObservedPoints<2>& points, const StencilTable<2>& table)
 {
   const Blind blind{state.cracks.nodeSide};
-  const Grid<2> grid = state.grid;
+  const TreeSight<2> sight(state.grid, state.tree);
   Kokkos::parallel_for(
       "rhegma::cracks::breakCells", Kokkos::RangePolicy<ExecSpace>(0, points.count),
       KOKKOS_LAMBDA(const int r) {
         const int side = points.side(r);
         const int count = table.count(r);
-        const Vector<2> x{points.position(r, 0), points.position(r, 1)};
+        const CellAround cell(sight, {points.position(r, 0), points.position(r, 1)});
         int corners = 0, others = 0;
         double hidden = 0.0, hiddenSlope[2] = {0.0, 0.0};
         for (int k = 0; k < count; ++k)
           if (!blind.invisible(table.node(r, k), side))
-            ++(isCorner(grid, table.node(r, k), x) ? corners : others);
+            ++(cell.hasCorner(table.node(r, k)) ? corners : others);
           else
           {
             hidden += table.weight(r, k);
@@ -78,7 +94,7 @@ void breakCells(const State<2>& state, const ObservedPoints<2>& points, const St
         for (int k = 0; k < count; ++k)
         {
           const bool seen = !blind.invisible(table.node(r, k), side);
-          const bool takes = seen && (corners == 0 || isCorner(grid, table.node(r, k), x));
+          const bool takes = seen && (corners == 0 || cell.hasCorner(table.node(r, k)));
           table.weight(r, k) = (seen ? table.weight(r, k) : 0.0) + (takes ? hidden / visible : 0.0);
           for (int d = 0; d < 2; ++d)
             table.slope(r, k, d) =

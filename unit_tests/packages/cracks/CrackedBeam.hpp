@@ -27,15 +27,17 @@ inline const std::string inclined = "{0, 0.0063, 0.03, 0.0107, 0.05, 0.0118}";
 
 /// A beam at rest after one step of next to no time.
 inline std::unique_ptr<Run<2>> beamAtRest(const std::string& formulation, const std::string& shape,
-                                          const std::string& points)
+                                          const std::string& points,
+                                          const std::vector<std::string>& more = {})
 {
-  const SceneResult scene =
-      readScene(std::string(RHEGMA_SOURCE_DIR) + "/xml_inputs/verification/dcb_h4.xml",
-                {"Cracks:Formulation=" + formulation, "Domain:Shape Functions=" + shape,
-                 "Cracks:Notch:Points=" + points, "Energy Release:Crack Closure=false",
-                 "Energy Release:Lumped Closure=false", "Energy Release:Inner Radius=1e-4",
-                 "Energy Release:Outer Radius=2.7e-3", "Time:CFL=0.4"},
-                effectSchema());
+  std::vector<std::string> overrides{
+      "Cracks:Formulation=" + formulation,   "Domain:Shape Functions=" + shape,
+      "Cracks:Notch:Points=" + points,       "Energy Release:Crack Closure=false",
+      "Energy Release:Lumped Closure=false", "Energy Release:Inner Radius=1e-4",
+      "Energy Release:Outer Radius=2.7e-3",  "Time:CFL=0.4"};
+  overrides.insert(overrides.end(), more.begin(), more.end());
+  const SceneResult scene = readScene(std::string(RHEGMA_SOURCE_DIR) + "/xml_inputs/verification/dcb_h4.xml",
+                                      overrides, effectSchema());
   for (const SceneError& error : scene.errors)
     ADD_FAILURE() << toString(error);
   auto run = std::make_unique<Run<2>>(*scene.list);

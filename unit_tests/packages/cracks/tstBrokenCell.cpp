@@ -275,3 +275,39 @@ TEST(BrokenCell, GivesParticlesTheNormalOfTheirFace)
     EXPECT_NEAR(std::hypot(normal(p, 0), normal(p, 1)), near[p] == 0 ? 0.0 : 1.0, 1e-14);
   EXPECT_FALSE(beamAtRest("Dual Field", "GIMP", onRow)->state().particles.has(crackNormal));
 }
+
+/// Where cells are refined, masters of hanging nodes come first and sides after: particles on either side see
+/// no node of the other, and what they see still sums to one.
+TEST(BrokenCell, BreaksRefinedCells)
+{
+  for (const char* shape : {"Linear", "GIMP"})
+  {
+    const auto run = beamAtRest("Broken Cell", shape, midCell, {"Adaptivity:Maximum Level=2"});
+    const State<2>& state = run->state();
+    const auto nodeSide = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide);
+    int onFine = 0, blinded = 0;
+    for (const Seeing& one : stencilsBesideCrack(state))
+    {
+      double sum = 0.0, slope[2] = {0.0, 0.0};
+      bool fine = false, hidden = false;
+      for (const Entry& entry : one.entries)
+      {
+        sum += entry.weight;
+        for (int d = 0; d < 2; ++d)
+          slope[d] += entry.slope[d];
+        fine = fine || entry.node >= state.grid.numNodes;
+        if (one.side == 0 || nodeSide(entry.node) != -one.side)
+          continue;
+        hidden = true;
+        EXPECT_EQ(entry.weight, 0.0);
+      }
+      // Sums of sixteen numbers; slopes up to 4 over a cell of the beam's quarter.
+      EXPECT_NEAR(sum, 1.0, 1e-14);
+      EXPECT_NEAR(std::hypot(slope[0], slope[1]) * cell / 4.0, 0.0, 1e-14);
+      onFine += fine ? 1 : 0;
+      blinded += fine && hidden ? 1 : 0;
+    }
+    EXPECT_GT(onFine, 50) << shape;
+    EXPECT_GT(blinded, 10) << shape;
+  }
+}
