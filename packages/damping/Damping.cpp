@@ -15,16 +15,26 @@ double dampVelocity(State<D>& state, double rate)
   const auto velocity = state.particles.template real<D>(fields::velocity);
   const auto mass = state.particles.scalar(fields::mass);
   const double factor = std::exp(-rate * state.dt);
+  const int particles = state.particles.size();
   double loss = 0.0;
+  // A sum for each lane: one sum would wait for itself at every particle.
   Kokkos::parallel_reduce(
-      "rhegma::dampVelocity", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-      KOKKOS_LAMBDA(const int p, double& sum) {
+      "rhegma::dampVelocity", Kokkos::RangePolicy<ExecSpace>(0, (particles + lanes - 1) / lanes),
+      KOKKOS_LAMBDA(const int bundle, double& sum) {
+        const int begin = bundle * lanes;
+        const int count = begin + lanes < particles ? lanes : particles - begin;
+        double energy[lanes] = {}; // twice the kinetic
         for (int d = 0; d < D; ++d)
-        {
-          const double before = velocity(p, d);
-          velocity(p, d) = factor * before;
-          sum += 0.5 * mass(p) * (1.0 - factor * factor) * before * before;
-        }
+          for (int l = 0; l < count; ++l)
+          {
+            const double before = velocity(begin + l, d);
+            velocity(begin + l, d) = factor * before;
+            energy[l] += mass(begin + l) * before * before;
+          }
+        for (int width = lanes / 2; width > 0; width /= 2)
+          for (int l = 0; l < width; ++l)
+            energy[l] += energy[l + width];
+        sum += 0.5 * (1.0 - factor * factor) * energy[0];
       },
       loss);
   return loss;
