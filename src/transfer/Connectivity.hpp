@@ -55,12 +55,13 @@ struct Connectivity
     }
   }
 
+  /// Mostly the first tells.
   KOKKOS_INLINE_FUNCTION bool allStored(int first, int count) const
   {
-    int least = 0;
     for (int p = first; p < first + count; ++p)
-      least = row(p) < least ? row(p) : least;
-    return least >= 0;
+      if (row(p) < 0)
+        return false;
+    return true;
   }
 
   /// Calls visit(node, weight, slope) for each node, slope in 1/m.
