@@ -31,14 +31,8 @@ struct Connectivity
     for (int first = begin; first < end; first += lanes)
     {
       const int count = end - first < lanes ? end - first : lanes;
-      if constexpr (Stored)
-        if (allStored(first, count))
-        {
-          for (int p = first; p < first + count; ++p)
-            work(p, TableStencil<D>{table, row(p)});
-          continue;
-        }
-      stencils.fill(grid, &position(first, 0), S == ShapeKind::Gimp ? &box(first, 0) : nullptr, count);
+      if (!Stored || !allStored(first, count))
+        stencils.fill(grid, &position(first, 0), S == ShapeKind::Gimp ? &box(first, 0) : nullptr, count);
       for (int l = 0; l < count; ++l)
       {
         if constexpr (Stored)
