@@ -112,8 +112,9 @@ Teuchos::ParameterList bodiesScene(const std::string& type, const std::string& s
   for (std::size_t k = 0; k < bodies.size(); ++k)
   {
     const Pose& pose = bodies[k];
-    const double x = apart * static_cast<double>(k % across) + pose.offset[0],
-                 y = apart * static_cast<double>(k / across) + pose.offset[1];
+    const std::size_t column = k % across, row = k / across;
+    const double x = apart * static_cast<double>(column) + pose.offset[0],
+                 y = apart * static_cast<double>(row) + pose.offset[1];
     addBox<2>(scene, "Body " + std::to_string(k), Vector<2>{{x - 0.5 * length, y - 0.5 * height}},
               Vector<2>{{x + 0.5 * length, y + 0.5 * height}})
         .set("Rotation", pose.angle);
@@ -252,7 +253,7 @@ History follow(const Teuchos::ParameterList& scene, std::size_t bodies, int step
 {
   std::array<double, parts> infinite;
   infinite.fill(std::numeric_limits<double>::infinity());
-  const History unbounded(bodies, infinite);
+  History unbounded(bodies, infinite);
   Rhegma::Run<2> run(validated(scene));
   run.initialize();
   shake(run.state(), bodies, motion);
