@@ -20,7 +20,7 @@ constexpr int farthest = 7;
 template <int D>
 View<char*> widen(const Grid<D>& grid, const View<char*>& given, int axis)
 {
-  const View<char*> wide("rhegma::subcycling::nearRefined", grid.numNodes);
+  View<char*> wide("rhegma::subcycling::nearRefined", grid.numNodes);
   Kokkos::parallel_for(
       "rhegma::subcycling::widen", Range(0, grid.numNodes), KOKKOS_LAMBDA(const int n) {
         int at[D];
@@ -30,6 +30,87 @@ View<char*> widen(const Grid<D>& grid, const View<char*>& given, int axis)
             wide(n) = 1;
       });
   return wide;
+}
+
+// Kernels over particles and the nodes that they touch; functions of their own, as compilers for devices want
+// no kernel in a generic lambda.
+
+/// classOf(i) = the class of the deepest node that a candidate touches.
+template <class Connect>
+void classifyParticles(const Connect& connect, int count, const View<int*>& candidate,
+                       const View<int*>& nodeClass, const View<int*>& classOf)
+{
+  Kokkos::parallel_for(
+      "rhegma::subcycling::classifyParticles", Range(0, count), KOKKOS_LAMBDA(const int i) {
+        int deepest = 0;
+        connect.visit(candidate(i), [&](int node, double, const double*)
+                      { deepest = nodeClass(node) > deepest ? nodeClass(node) : deepest; });
+        classOf(i) = deepest;
+      });
+}
+
+/// Gives the nodes of particles a class: `own`, or where `onlyNew` only those without one.
+template <class Connect>
+void classifyNodesOf(const Connect& connect, int begin, int end, const View<int*>& particle, int own,
+                     bool onlyNew, const View<int*>& nodeClass)
+{
+  Kokkos::parallel_for(
+      "rhegma::subcycling::markNodes", Range(begin, end), KOKKOS_LAMBDA(const int i) {
+        connect.visit(particle(i),
+                      [&](int node, double, const double*)
+                      {
+                        if (!onlyNew || nodeClass(node) < 0)
+                          nodeClass(node) = own;
+                      });
+      });
+}
+
+/// Of candidates of classes before `first`: class 0 for those that touch a node with a slot, else -1.
+template <class Connect>
+void findNeighbours(const Connect& connect, int count, int first, const View<int*>& candidate,
+                    const View<int*>& slotOf, const View<int*>& classOf)
+{
+  Kokkos::parallel_for(
+      "rhegma::subcycling::findNeighbours", Range(0, count), KOKKOS_LAMBDA(const int i) {
+        if (classOf(i) >= first)
+          return;
+        bool touches = false;
+        connect.visit(candidate(i),
+                      [&](int node, double, const double*) { touches = touches || slotOf(node) >= 0; });
+        classOf(i) = touches ? 0 : -1;
+      });
+}
+
+/// Stencils by slot, and the class of each particle's deepest node.
+template <int D>
+struct Packed
+{
+  View<int*> count, reach;
+  View<int**> slot;
+  View<double**> weight;
+  View<double** [D]> slope;
+};
+
+template <int D, class Connect>
+void pack(const Connect& connect, int number, const View<int*>& particle, const View<int*>& slotOf,
+          const View<int*>& nodeClass, const Packed<D>& to)
+{
+  Kokkos::parallel_for(
+      "rhegma::subcycling::packStencils", Range(0, number), KOKKOS_LAMBDA(const int i) {
+        int k = 0, deepest = 0;
+        connect.visit(particle(i),
+                      [&](int node, double w, const double* gradient)
+                      {
+                        to.slot(i, k) = slotOf(node);
+                        deepest = nodeClass(node) > deepest ? nodeClass(node) : deepest;
+                        to.weight(i, k) = w;
+                        for (int d = 0; d < D; ++d)
+                          to.slope(i, k, d) = gradient[d];
+                        ++k;
+                      });
+        to.count(i) = k;
+        to.reach(i) = deepest;
+      });
 }
 
 } // namespace
@@ -46,10 +127,10 @@ void FineParticles<D>::list(const State<D>& state, int first)
     return;
   // Shallow classes first: where two meet the deeper one stays.
   for (int l = first; l <= state.tree.deepest; ++l)
-    markNodes(state, particlesFrom_[l + 1], particlesFrom_[l], l);
+    markNodes(state, particlesFrom_[l + 1], particlesFrom_[l], l, false);
   numberSlots(state, 0);
   listNeighbours(state);
-  markOuterNodes(state);
+  markNodes(state, numParticles(), numListed_, 0, true);
   numberSlots(state, numInner_);
   packStencils(state);
   holdNodes(state);
@@ -130,20 +211,9 @@ template <int D>
 void FineParticles<D>::listParticles(const State<D>& state)
 {
   fit(particle_, "rhegma::subcycling::particle", numCandidates_);
-  const View<int*> classOf = class_, candidate = candidate_, particle = particle_, nodeClass = nodeClass_;
-  withConnectivity(state,
-                   [&](const auto& connect)
-                   {
-                     const auto see = connect;
-                     Kokkos::parallel_for(
-                         "rhegma::subcycling::classifyParticles", Range(0, numCandidates_),
-                         KOKKOS_LAMBDA(const int i) {
-                           int deepest = 0;
-                           see.visit(candidate(i), [&](int node, double, const double*)
-                                     { deepest = nodeClass(node) > deepest ? nodeClass(node) : deepest; });
-                           classOf(i) = deepest;
-                         });
-                   });
+  const View<int*> classOf = class_, candidate = candidate_, particle = particle_;
+  withConnectivity(state, [&](const auto& connect)
+                   { classifyParticles(connect, numCandidates_, candidate_, nodeClass_, class_); });
   for (int& number : particlesFrom_)
     number = 0;
   for (int l = state.tree.deepest; l >= first_; --l)
@@ -165,40 +235,10 @@ void FineParticles<D>::listParticles(const State<D>& state)
 }
 
 template <int D>
-void FineParticles<D>::markNodes(const State<D>& state, int begin, int end, int own)
+void FineParticles<D>::markNodes(const State<D>& state, int begin, int end, int own, bool onlyNew)
 {
-  const View<int*> nodeClass = nodeClass_, particle = particle_;
-  withConnectivity(state,
-                   [&](const auto& connect)
-                   {
-                     const auto see = connect;
-                     Kokkos::parallel_for(
-                         "rhegma::subcycling::markNodes", Range(begin, end), KOKKOS_LAMBDA(const int i) {
-                           see.visit(particle(i),
-                                     [&](int node, double, const double*) { nodeClass(node) = own; });
-                         });
-                   });
-}
-
-template <int D>
-void FineParticles<D>::markOuterNodes(const State<D>& state)
-{
-  const View<int*> nodeClass = nodeClass_, particle = particle_;
-  withConnectivity(state,
-                   [&](const auto& connect)
-                   {
-                     const auto see = connect;
-                     Kokkos::parallel_for(
-                         "rhegma::subcycling::markOuterNodes", Range(numParticles(), numListed_),
-                         KOKKOS_LAMBDA(const int i) {
-                           see.visit(particle(i),
-                                     [&](int node, double, const double*)
-                                     {
-                                       if (nodeClass(node) < 0)
-                                         nodeClass(node) = 0;
-                                     });
-                         });
-                   });
+  withConnectivity(state, [&](const auto& connect)
+                   { classifyNodesOf(connect, begin, end, particle_, own, onlyNew, nodeClass_); });
 }
 
 template <int D>
@@ -229,24 +269,11 @@ void FineParticles<D>::numberSlots(const State<D>& state, int from)
 template <int D>
 void FineParticles<D>::listNeighbours(const State<D>& state)
 {
-  const int first = first_, before = numParticles();
-  const View<int*> particle = particle_, classOf = class_, candidate = candidate_, slotOf = slotOf_;
+  withConnectivity(state, [&](const auto& connect)
+                   { findNeighbours(connect, numCandidates_, first_, candidate_, slotOf_, class_); });
+  const int before = numParticles();
+  const View<int*> particle = particle_, classOf = class_, candidate = candidate_;
   int more = 0;
-  withConnectivity(state,
-                   [&](const auto& connect)
-                   {
-                     const auto see = connect;
-                     Kokkos::parallel_for(
-                         "rhegma::subcycling::findNeighbours", Range(0, numCandidates_),
-                         KOKKOS_LAMBDA(const int i) {
-                           if (classOf(i) >= first)
-                             return;
-                           bool touches = false;
-                           see.visit(candidate(i), [&](int node, double, const double*)
-                                     { touches = touches || slotOf(node) >= 0; });
-                           classOf(i) = touches ? 0 : -1;
-                         });
-                   });
   Kokkos::parallel_scan(
       "rhegma::subcycling::listNeighbours", Range(0, numCandidates_),
       KOKKOS_LAMBDA(const int i, int& at, const bool final) {
@@ -272,33 +299,9 @@ void FineParticles<D>::packStencils(const State<D>& state)
     weight_ = View<double**>("rhegma::subcycling::weights", rows, stencilCapacity<D>);
     slope_ = View<double** [D]>("rhegma::subcycling::slopes", rows, stencilCapacity<D>);
   }
-  const View<int*> count = count_, reach = reach_, particle = particle_, slotOf = slotOf_,
-                   nodeClass = nodeClass_;
-  const View<int**> slot = slot_;
-  const View<double**> weight = weight_;
-  const View<double** [D]> slope = slope_;
-  withConnectivity(state,
-                   [&](const auto& connect)
-                   {
-                     const auto see = connect;
-                     Kokkos::parallel_for(
-                         "rhegma::subcycling::packStencils", Range(0, numListed_),
-                         KOKKOS_LAMBDA(const int i) {
-                           int k = 0, deepest = 0;
-                           see.visit(particle(i),
-                                     [&](int node, double w, const double* gradient)
-                                     {
-                                       slot(i, k) = slotOf(node);
-                                       deepest = nodeClass(node) > deepest ? nodeClass(node) : deepest;
-                                       weight(i, k) = w;
-                                       for (int d = 0; d < D; ++d)
-                                         slope(i, k, d) = gradient[d];
-                                       ++k;
-                                     });
-                           count(i) = k;
-                           reach(i) = deepest;
-                         });
-                   });
+  const Packed<D> to{count_, reach_, slot_, weight_, slope_};
+  withConnectivity(state, [&](const auto& connect)
+                   { pack<D>(connect, numListed_, particle_, slotOf_, nodeClass_, to); });
 }
 
 template <int D>

@@ -74,8 +74,7 @@ private:
   void findCandidates(const State<D>& state);
   void classifyNodes(const State<D>& state);
   void listParticles(const State<D>& state);
-  void markNodes(const State<D>& state, int begin, int end, int own);
-  void markOuterNodes(const State<D>& state);
+  void markNodes(const State<D>& state, int begin, int end, int own, bool onlyNew);
   void numberSlots(const State<D>& state, int from);
   void listNeighbours(const State<D>& state);
   void packStencils(const State<D>& state);
