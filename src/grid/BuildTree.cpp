@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 
 namespace Rhegma
@@ -15,14 +16,8 @@ View<Data> viewOf(const std::string& label, const List& list)
 {
   View<Data> view(Kokkos::view_alloc(label, Kokkos::WithoutInitializing), list.size());
   const auto host = Kokkos::create_mirror_view(view);
-  using Value = typename View<Data>::non_const_value_type;
-  auto* to = reinterpret_cast<Value*>(host.data());
-  constexpr std::size_t width = sizeof(typename List::value_type) / sizeof(Value);
-  for (std::size_t i = 0; i < list.size(); ++i)
-  {
-    const auto* from = reinterpret_cast<const Value*>(&list[i]);
-    std::copy(from, from + width, to + i * width);
-  }
+  if (!list.empty())
+    std::memcpy(host.data(), list.data(), list.size() * sizeof(list.front()));
   Kokkos::deep_copy(view, host);
   return view;
 }
@@ -101,6 +96,7 @@ private:
   std::vector<std::array<double, D>> leafCorners() const
   {
     std::vector<std::array<double, D>> all;
+    all.reserve(leaves_.size());
     for (int l = 0; l < leaves_.size(); ++l)
       all.push_back(leaves_.position(leaves_.corner(l, 0)));
     return all;
