@@ -1,8 +1,10 @@
 #include "adaptivity/Merging.hpp"
 
 #include "adaptivity/Lineage.hpp"
+#include "material/HistoryRoom.hpp"
 #include "material/Materials.hpp"
 #include "material/Tensors.hpp"
+#include "output/ParticleEnergy.hpp"
 #include "transfer/Box.hpp"
 
 #include <algorithm>
@@ -102,23 +104,15 @@ struct MergeFamilies
   View<int*> accepted; ///< 1: merged, 2: kept for its energy
   TreeSight<D> sight;
   View<double* [D][D]> axes;
-  View<Properties*> materials;
+  ParticleEnergy<D> before; ///< of the parts
   BorrowedView<double*[D]> position, reference, velocity, edge, box;
   BorrowedView<double*> mass, volume;
   BorrowedView<double * [gradientSize<D>]> deformation;
-  BorrowedView<double**> history;
-  BorrowedView<int*> body, material, level, lineage, side;
+  BorrowedView<int*> body, level, lineage, side;
   double largestBox, tolerance, meanEnergy; ///< the last per mass [J/kg]
   bool boxes, sides;
 
-  KOKKOS_INLINE_FUNCTION double energyOf(const double* F, const double (&v)[D], double m, double V,
-                                         const Properties& law, const double* memory) const
-  {
-    double square = 0.0;
-    for (int d = 0; d < D; ++d)
-      square += v[d] * v[d];
-    return 0.5 * m * square + V * storedEnergy<D>(law, F, memory);
-  }
+  explicit MergeFamilies(const State<D>& state) : before(state) {}
 
   KOKKOS_INLINE_FUNCTION void operator()(int i, double& lost) const
   {
@@ -127,17 +121,15 @@ struct MergeFamilies
     accepted(i) = 0;
     double F[gradientSize<D>] = {}, v[D] = {}, x[D] = {}, X[D] = {}, m = 0.0, V = 0.0, now = 0.0,
            energy = 0.0;
-    const Properties& law = materials(material(to));
+    const Properties& law = before.materials(before.material(to));
     for (int k = 0; k < parts<D>; ++k)
     {
       const int p = family(i, k);
       if (sides && side(p) != side(to))
         return;
-      double own[D];
       for (int d = 0; d < D; ++d)
       {
-        own[d] = velocity(p, d);
-        v[d] += share * own[d];
+        v[d] += share * velocity(p, d);
         x[d] += share * position(p, d);
         X[d] += share * reference(p, d);
       }
@@ -146,8 +138,7 @@ struct MergeFamilies
       m += mass(p);
       V += volume(p);
       now += share * determinant<D>(&deformation(p, 0));
-      energy += energyOf(&deformation(p, 0), own, mass(p), volume(p), law,
-                         history.extent(1) > 0 ? &history(p, 0) : nullptr);
+      energy += before.kinetic(p) + before.strain(p);
     }
     // The volume that the parts have now.
     const double stretch = D == 2 ? std::sqrt(now / determinant<D>(F)) : std::cbrt(now / determinant<D>(F));
@@ -162,7 +153,11 @@ struct MergeFamilies
       return;
     double memory[historyRoom] = {};
     meanHistory(i, memory);
-    const double after = energyOf(F, v, m, V, law, history.extent(1) > 0 ? memory : nullptr);
+    double square = 0.0;
+    for (int d = 0; d < D; ++d)
+      square += v[d] * v[d];
+    const double after =
+        0.5 * m * square + V * storedEnergy<D>(law, F, before.history.extent(1) > 0 ? memory : nullptr);
     const double enough = energy > m * meanEnergy ? energy : m * meanEnergy;
     // What flows does not average: a mean strain with a mean plastic one can hold more than the parts did.
     if (std::fabs(energy - after) > tolerance * enough)
@@ -189,14 +184,11 @@ struct MergeFamilies
     lineage(to) = lineage(to) >> D;
   }
 
-  static constexpr int historyRoom = 16;
-
   KOKKOS_INLINE_FUNCTION void meanHistory(int i, double (&memory)[historyRoom]) const
   {
-    const int width = static_cast<int>(history.extent(1));
-    for (int c = 0; c < width && c < historyRoom; ++c)
+    for (int c = 0; c < static_cast<int>(before.history.extent(1)); ++c)
       for (int k = 0; k < parts<D>; ++k)
-        memory[c] += history(family(i, k), c) / parts<D>;
+        memory[c] += before.history(family(i, k), c) / parts<D>;
   }
 
   KOKKOS_INLINE_FUNCTION bool touchesFiner(const double (&x)[D], const double (&half)[D], int depth) const
@@ -220,25 +212,13 @@ struct MergeFamilies
 template <int D>
 double meanEnergy(const State<D>& state)
 {
-  const auto velocity = state.particles.template real<D>(fields::velocity);
-  const auto mass = state.particles.scalar(fields::mass), volume = state.particles.scalar(fields::volume);
-  const auto F = state.particles.template real<gradientSize<D>>(fields::deformation);
-  const auto material = state.particles.integer(fields::material);
-  const auto materials = state.materials;
-  BorrowedView<double**> history;
-  if (state.particles.has(fields::history))
-    history = state.particles.table(fields::history);
+  const ParticleEnergy<D> of(state);
   double energy = 0.0, all = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::adaptivity::meanEnergy", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p, double& sum, double& m) {
-        double square = 0.0;
-        for (int d = 0; d < D; ++d)
-          square += velocity(p, d) * velocity(p, d);
-        sum += 0.5 * mass(p) * square +
-               volume(p) * storedEnergy<D>(materials(material(p)), &F(p, 0),
-                                           history.extent(1) > 0 ? &history(p, 0) : nullptr);
-        m += mass(p);
+        sum += of.kinetic(p) + of.strain(p);
+        m += of.mass(p);
       },
       energy, all);
   return all > 0.0 ? energy / all : 0.0;
@@ -282,10 +262,9 @@ template <int D>
 MergeFamilies<D> mergerOf(State<D>& state, double tolerance)
 {
   FieldTable& table = state.particles;
-  MergeFamilies<D> merge;
+  MergeFamilies<D> merge(state);
   merge.sight = TreeSight<D>(state.grid, state.tree);
   merge.axes = state.bodyAxes;
-  merge.materials = state.materials;
   merge.position = table.real<D>(fields::position);
   merge.reference = table.real<D>(fields::reference);
   merge.velocity = table.real<D>(fields::velocity);
@@ -293,10 +272,7 @@ MergeFamilies<D> mergerOf(State<D>& state, double tolerance)
   merge.mass = table.scalar(fields::mass);
   merge.volume = table.scalar(fields::volume);
   merge.deformation = table.real<gradientSize<D>>(fields::deformation);
-  if (table.has(fields::history))
-    merge.history = table.table(fields::history);
   merge.body = table.integer(fields::body);
-  merge.material = table.integer(fields::material);
   merge.level = table.integer(fields::level);
   merge.lineage = table.integer(lineage);
   merge.sides = table.has(fields::side);

@@ -14,26 +14,6 @@ namespace
 constexpr double side = 6.0; // of the body, in cells of the lattice of 1 m
 constexpr int drifts = 40;
 
-template <int D>
-void move(State<D>& state, const Vector<D>& shift)
-{
-  const HostParticles<D> particles(state);
-  for (int p = 0; p < particles.size; ++p)
-    for (int d = 0; d < D; ++d)
-      particles.position(p, d) += shift[d];
-  particles.store(state);
-}
-
-template <int D>
-void setStress(State<D>& state)
-{
-  const HostParticles<D> particles(state);
-  for (int p = 0; p < particles.size; ++p)
-    for (int k = 0; k < symmetricSize<D>; ++k)
-      particles.stress(p, k) = 1.0 - 0.3 * k;
-  particles.store(state);
-}
-
 /// The largest internal force on a node that is a cell of the lattice and more inside of the body, over the
 /// largest stress (1 Pa) times a cell's face (1 m2).
 template <int D>
@@ -72,7 +52,7 @@ void checkPatch(int level)
   Run<D> run = refinedCube<D>("GIMP", side, lower, upper, level);
   State<D>& state = run.state();
   followCells(state);
-  setStress(state);
+  setUniformStress(state);
   double worst = residual(state, all<D>(0.0));
   std::mt19937 engine(11);
   std::uniform_real_distribution<double> anywhere(-0.35, 0.35);
@@ -85,7 +65,7 @@ void checkPatch(int level)
     for (int d = 0; d < D; ++d)
       shift[d] = anywhere(engine) + (corner[d] > 2.0 ? -0.5 : corner[d] < -2.0 ? 0.5 : 0.15);
     corner = corner + shift;
-    move(state, shift);
+    moveBody(state, shift);
     merged += followCells(state).families;
     most = std::max(most, state.particles.size());
     least = std::min(least, state.particles.size());

@@ -80,6 +80,28 @@ Vector<D> all(double value)
   return v;
 }
 
+/// Moves all particles.
+template <int D>
+void moveBody(State<D>& state, const Vector<D>& shift)
+{
+  const HostParticles<D> particles(state);
+  for (int p = 0; p < particles.size; ++p)
+    for (int d = 0; d < D; ++d)
+      particles.position(p, d) += shift[d];
+  particles.store(state);
+}
+
+/// Gives all particles the same stress, of 1 Pa at most, all its components different.
+template <int D>
+void setUniformStress(State<D>& state)
+{
+  const HostParticles<D> particles(state);
+  for (int p = 0; p < particles.size; ++p)
+    for (int k = 0; k < symmetricSize<D>; ++k)
+      particles.stress(p, k) = 1.0 - 0.3 * k;
+  particles.store(state);
+}
+
 /// Names a test after its two parameters: the letters and digits of both.
 struct CaseName
 {

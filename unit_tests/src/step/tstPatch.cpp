@@ -46,11 +46,7 @@ Vector<D> offTheLattice()
 template <int D>
 void drift(State<D>& state, const Vector<D>& shift)
 {
-  const HostParticles<D> particles(state);
-  for (int p = 0; p < particles.size; ++p)
-    for (int d = 0; d < D; ++d)
-      particles.position(p, d) += shift[d];
-  particles.store(state);
+  moveBody(state, shift);
   sortState(state);
 }
 
@@ -72,16 +68,6 @@ void strainBy(State<D>& state, const double (&L)[D][D])
   ASSERT_TRUE(std::isfinite(strainAndMove(state, StrainVelocity::Motion, true, true)));
   ASSERT_EQ(state.trouble, "");
   sortState(state);
-}
-
-template <int D>
-void setStress(State<D>& state)
-{
-  const HostParticles<D> particles(state);
-  for (int p = 0; p < particles.size; ++p)
-    for (int k = 0; k < symmetricSize<D>; ++k)
-      particles.stress(p, k) = 1.0 - 0.3 * k;
-  particles.store(state);
 }
 
 /// The largest internal force on a node whose cells the body fills, over the largest stress times the face of
@@ -121,7 +107,7 @@ double worstAfterDrift(const std::string& shape)
 {
   Rhegma::Run<D> run = cube<D>(shape);
   State<D>& state = run.state();
-  setStress(state);
+  setUniformStress(state);
   std::mt19937 engine(7);
   std::uniform_real_distribution<double> anywhere(-0.4, 0.4);
   Vector<D> lower = all<D>(0.0);
@@ -143,7 +129,7 @@ double onTheLattice(const std::string& shape)
 {
   Rhegma::Run<D> run = cube<D>(shape);
   sortState(run.state());
-  setStress(run.state());
+  setUniformStress(run.state());
   return residual<D>(run.state(), all<D>(0.0), all<D>(side));
 }
 
