@@ -36,7 +36,7 @@ template <int D>
 View<int*> leavesOf(const State<D>& state)
 {
   const int n = state.particles.size();
-  const View<int*> leaf("rhegma::leafOfParticle", n);
+  View<int*> leaf("rhegma::leafOfParticle", n);
   const TreeSight<D> sight(state.grid, state.tree);
   const auto position = state.particles.template real<D>(fields::position);
   Kokkos::parallel_for(
