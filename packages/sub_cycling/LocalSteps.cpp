@@ -1,5 +1,7 @@
 #include "sub_cycling/LocalSteps.hpp"
 
+#include <algorithm>
+
 namespace Rhegma::sub_cycling
 {
 
@@ -29,7 +31,7 @@ void LocalSteps<D>::makeRoom(int slots)
     if (static_cast<int>(values.extent(0)) < slots)
       values = Values("rhegma::subcycling::values", slots + slots / 4);
   };
-  for (Values* values : {&others_, &loads_, &force_, &impulse_, &velocity_, &displacement_})
+  for (Values* values : {&others_, &loads_, &force_, &impulse_, &waiting_, &velocity_, &displacement_})
     fit(*values);
   for (int level = first_ - 1; level <= last_; ++level)
   {
@@ -98,12 +100,13 @@ void LocalSteps<D>::evolve(State<D>& state)
   add<D>(others_, -1.0, mean_[first_ - 1], slots);
   Kokkos::deep_copy(impulse_, 0.0);
   add<D>(impulse_, state.dt, loads_, slots);
-  add<D>(impulse_, state.dt, others_, slots);
   fine_.startVelocity(state, velocity_);
-  fine_.accelerate(state, 0, state.dt, others_, velocity_);
   Kokkos::deep_copy(force_, 0.0);
   fine_.accelerate(state, 0, 1.0, loads_, force_);
   Kokkos::deep_copy(loads_, force_);
+  Kokkos::deep_copy(waiting_, 0.0);
+  add<D>(waiting_, state.dt, others_, slots);
+  waitingFrom_ = 0;
   step(state, first_, 0.5 * state.dt);
   step(state, first_, 0.5 * state.dt);
   fine_.store(state, impulse_, 1.0 / state.dt);
@@ -127,9 +130,10 @@ void LocalSteps<D>::leaveOuterNodes()
 template <int D>
 void LocalSteps<D>::step(const State<D>& state, int level, double length)
 {
-  kick(state, level, length);
+  addImpulse(state, level, length);
   if (level == last_)
   {
+    kick(state);
     drift(length);
     return;
   }
@@ -138,14 +142,16 @@ void LocalSteps<D>::step(const State<D>& state, int level, double length)
 }
 
 template <int D>
-void LocalSteps<D>::kick(const State<D>& state, int level, double length)
+void LocalSteps<D>::addImpulse(const State<D>& state, int level, double length)
 {
   const int particles = fine_.particlesFrom(level) - fine_.particlesFrom(level + 1);
-  const bool followed = level == last_ && !state.followingForces.empty();
+  const bool followed = level == last_ && !state.followingForces.empty(), first = atStart_[level];
+  extraSteps_ += particles;
+  atStart_[level] = false;
   if (particles == 0 && !followed)
     return;
-  const Values force = atStart_[level] ? start_[level] : force_;
-  if (!atStart_[level])
+  const Values force = first ? start_[level] : force_;
+  if (!first)
   {
     fine_.force(state, level, displacement_, force);
     if (level < last_)
@@ -154,11 +160,18 @@ void LocalSteps<D>::kick(const State<D>& state, int level, double length)
       for (const FollowingForce<D>& following : state.followingForces)
         following.change(state, fine_.slots(), displacement_, force);
   }
-  atStart_[level] = false;
+  add<D>(waiting_, length, force, fine_.numSlots());
   // Following forces may be on nodes of any class.
-  fine_.accelerate(state, followed ? first_ : level, length, force, velocity_);
-  add<D>(impulse_, length, force, fine_.numSlots());
-  extraSteps_ += particles;
+  waitingFrom_ = std::min(waitingFrom_, followed ? first_ : level);
+}
+
+template <int D>
+void LocalSteps<D>::kick(const State<D>& state)
+{
+  fine_.accelerate(state, waitingFrom_, 1.0, waiting_, velocity_);
+  add<D>(impulse_, 1.0, waiting_, fine_.numSlots());
+  Kokkos::deep_copy(waiting_, 0.0);
+  waitingFrom_ = last_;
 }
 
 template <int D>

@@ -50,7 +50,10 @@ private:
   using Values = View<double* [D]>;
   void makeRoom(int slots);
   void step(const State<D>& state, int level, double length);
-  void kick(const State<D>& state, int level, double length);
+  /// Adds the impulse of a class to those that wait.
+  void addImpulse(const State<D>& state, int level, double length);
+  /// Gives the nodes what waits; impulses of several classes at a time come at once.
+  void kick(const State<D>& state);
   void drift(double length);
   /// Takes all of the force on nodes that no small particle touches for one of the long step.
   void leaveOuterNodes();
@@ -65,8 +68,10 @@ private:
   Values loads_;                   ///< what pulls all the time [N], then what it does to the velocity [m/s2]
   Values force_;                   ///< of particles of one class [N]
   Values start_[deepestLevel + 1]; ///< that of each class at the start of the long step [N]
-  bool atStart_[deepestLevel + 1] = {}; ///< whether nodes are still where that is
-  Values mean_[deepestLevel + 1];       ///< of the force of each class [N]
+  Values mean_[deepestLevel + 1];  ///< of the force of each class [N]
+  bool atStart_[deepestLevel + 1] = {}; ///< whether nodes are still where that of a class was reckoned
+  Values waiting_;                      ///< impulses that are to be given next [N s]
+  int waitingFrom_ = 0;                 ///< the lowest class among them
   Values impulse_;                      ///< so far [N s]
   Values velocity_, displacement_;      ///< so far
 };
