@@ -12,10 +12,12 @@ else()
   set(RHEGMA_TEST_PROCESSORS 1)
 endif()
 
-# rhegma_set_test(NAME label LABEL timeout SECONDS): what all tests have in common.
+# rhegma_set_test(NAME label LABEL timeout SECONDS): what all tests have in common. Each has a folder of its own for
+# Open MPI, of which a program that ends removes what another that starts needs.
 function(rhegma_set_test name label timeout)
-  set_tests_properties(${name} PROPERTIES LABELS ${label} TIMEOUT ${timeout}
-    PROCESSORS ${RHEGMA_TEST_PROCESSORS} ENVIRONMENT "${RHEGMA_TEST_ENVIRONMENT}")
+  string(REPLACE "/" "_" folder ${name})
+  set_tests_properties(${name} PROPERTIES LABELS ${label} TIMEOUT ${timeout} PROCESSORS ${RHEGMA_TEST_PROCESSORS}
+    ENVIRONMENT "${RHEGMA_TEST_ENVIRONMENT};OMPI_MCA_orte_tmpdir_base=${PROJECT_BINARY_DIR}/mpi/${folder}")
 endfunction()
 
 # One program of all tst*.cpp of one folder of unit_tests: src/state becomes test_src_state. Further arguments go to
