@@ -309,8 +309,9 @@ ADAPTIVITY = [
      one("Sub-Cycling", "Update Scheme", "MUSL")),
     ("sub_cycling_of_no_level", plate().set("Adaptivity", {}).set("Sub-Cycling", {"Levels": 0}),
      one("Sub-Cycling > Levels", "from 1 to 6")),
-    ("adaptivity_of_broken_cells", plate().set("Adaptivity", {}).set("Cracks > Formulation", "Broken Cell"),
-     one("Adaptivity", "Dual Field")),
+    ("adaptivity_of_corrected_broken_cells",
+     plate().set("Adaptivity", {}).set("Cracks > Formulation", "Corrected Broken Cell"),
+     one("Adaptivity", "Corrected Broken Cell", "equal cells")),
 ]
 
 REFERENCES = [
