@@ -61,7 +61,7 @@ Section section()
       .range(0, 16)
       .byDefault(1)
       .meaning("Rings of cells that are refined around those over which the velocity changes.");
-  s.integer("Interval").atLeast(1).byDefault(10).meaning("Steps between two looks at the cells.");
+  s.integer("Interval").atLeast(1).byDefault(10).meaning("Steps of the smallest cells between two looks at the cells.");
   s.real("Merge Loss")
       .above(0.0)
       .atMost(1.0)
@@ -93,6 +93,11 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
       scene.sublist("Cracks").get<std::string>("Formulation") == "Corrected Broken Cell")
     errors.push_back({"Adaptivity", "it does not go with Cracks > Formulation = Corrected Broken Cell, which "
                                     "extrapolates along equal cells; choose another formulation"});
+  if (scene.isSublist("Contact") && scene.sublist("Contact").isType<std::string>("Law") &&
+      scene.sublist("Contact").get<std::string>("Law") == "Visibility")
+    errors.push_back({"Adaptivity",
+                      "it does not go with Contact > Law = Visibility, which looks half a cell to "
+                      "each side of a crack; choose another law"});
   if (list.isType<int>("Maximum Level"))
     for (const std::string& name : sublistNames(list))
       if (list.sublist(name).isType<int>("Level") &&
@@ -108,6 +113,13 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
         {"Adaptivity",
          "nothing tells where cells should be refined; write Velocity Change, add a box, or have "
          "Cracks with Front Cells above 0"});
+}
+
+/// How many levels take steps shorter than the run's.
+template <int D>
+int ownLevels(const State<D>& state)
+{
+  return std::min(state.tree.deepest, state.subcycledLevels);
 }
 
 template <int D>
@@ -200,7 +212,9 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                {},
                [=](State<D>& state)
                {
-                 if (state.step % options.interval == (state.step < options.interval ? 1 : 0))
+                 // Steps of the smallest cells, so that no particle runs far into them unsplit.
+                 const int interval = std::max(options.interval >> ownLevels(state), 1);
+                 if (state.step % interval == (state.step < interval ? 1 % interval : 0))
                    adapt(state, options, **progress);
                }});
   effect.report = [=](const State<D>& state, nlohmann::json& summary)

@@ -117,7 +117,8 @@ View<int*> watchedPoints(const FacePoints<D>& points, int crack, const WatchedCr
 template <int D>
 void observe(State<D>& state, Account<D>& account)
 {
-  account.balance.compare(state, state.energy.damped + state.energy.plastic + account.contact.dissipated());
+  account.balance.compare(state, state.energy.damped + state.energy.plastic + state.energy.merged +
+                                     account.contact.dissipated());
 }
 
 template <int D>

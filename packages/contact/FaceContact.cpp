@@ -120,15 +120,6 @@ KOKKOS_INLINE_FUNCTION Return<T> returnMap(Law law, double friction, const Stiff
   return r;
 }
 
-double sumOverPart(const View<double*>& value, const View<int*>& part)
-{
-  double total = 0.0;
-  Kokkos::parallel_reduce(
-      "rhegma::contact::sumOverPart", Kokkos::RangePolicy<ExecSpace>(0, value.extent(0)),
-      KOKKOS_LAMBDA(const int k, double& sum) { sum += part(k) != 0 ? value(k) : 0.0; }, total);
-  return total;
-}
-
 View<double*> inherit(const View<double*>& old, const View<int*>& before, const char* label)
 {
   View<double*> fresh(std::string(label), before.extent(0));
@@ -321,7 +312,7 @@ void FaceContact<D>::advance(const State<D>& state, const Velocity& velocity)
             shear(k, t) = now.shear[t];
             slip(k, t) = now.slip[t];
           }
-          heat(k) += area * now.heat;
+          heat(k) += now.heat;
           loss += area * now.heat;
           if (now.pressure > threshold * stiffness(c).normal)
             Kokkos::atomic_add(&closed(c), 1);
@@ -357,7 +348,12 @@ void FaceContact<D>::note(const State<D>& state)
 template <int D>
 double FaceContact<D>::dissipatedIn(const View<int*>& part) const
 {
-  return sumOverPart(heat_, part);
+  const View<double*> heat = heat_, size = points_.size;
+  double total = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::contact::dissipatedIn", Kokkos::RangePolicy<ExecSpace>(0, part.extent(0)),
+      KOKKOS_LAMBDA(const int k, double& sum) { sum += part(k) != 0 ? heat(k) * size(k) : 0.0; }, total);
+  return thickness_ * total;
 }
 
 template <int D>

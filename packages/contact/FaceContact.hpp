@@ -90,7 +90,7 @@ private:
   View<double * [D - 1]> slip_;  ///< elastic slip, side +1 against side -1 along the tangents [m]
   View<double*> pressure_;       ///< [Pa]
   View<double * [D - 1]> shear_; ///< traction that holds back side +1, along the tangents [Pa]
-  View<double*> heat_;           ///< dissipated at each point so far [J]
+  View<double*> heat_;           ///< dissipated at each point so far, by its undeformed size [J/m2]
   View<int*> closed_;            ///< points of each crack that press
   View<double*> peak_;           ///< largest pressure of each crack [Pa]
   double thickness_ = 1.0;

@@ -1,5 +1,6 @@
 #include "sub_cycling/FineParticles.hpp"
 
+#include "material/HistoryRoom.hpp"
 #include "material/Materials.hpp"
 
 namespace Rhegma::sub_cycling
@@ -15,8 +16,6 @@ constexpr int particlesPerPart = 512, mostParts = 32;
 constexpr double meanOver = 500.0;
 
 using Range = Kokkos::RangePolicy<ExecSpace>;
-
-constexpr int historyRoom = historySize(LawKind::J2Plastic, 3);
 
 /// (1 + G)^-1.
 template <int D>
@@ -182,12 +181,12 @@ void FineParticles<D>::smooth(const State<D>& state, int kind, const Values& for
   {
     fit(own.value, "rhegma::subcycling::meanForce", 2 * rows);
     fit(own.renewed, "rhegma::subcycling::meanRenewed", 2 * rows);
-    Kokkos::deep_copy(own.renewed, -1);
+    Kokkos::deep_copy(own.renewed, -2);
     own.generation = state.tree.generation;
   }
   const Values memory = own.value;
   const View<int*> renewed = own.renewed, nodeOf = nodeOf_;
-  const int now = ++own.step, inner = numInner_;
+  const int now = static_cast<int>(state.step), inner = numInner_;
   Kokkos::parallel_for(
       "rhegma::subcycling::smooth", Range(0, numSlots_), KOKKOS_LAMBDA(const int i) {
         const int n = nodeOf(i);
@@ -204,7 +203,7 @@ void FineParticles<D>::smooth(const State<D>& state, int kind, const Values& for
 
 template <int D>
 void FineParticles<D>::accelerate(const State<D>& state, int level, double duration, const Values& force,
-                                  const Values& velocity)
+                                  const Values& velocity, bool supports)
 {
   if (static_cast<int>(acceleration_.extent(0)) < numSlots_)
     acceleration_ = Values("rhegma::subcycling::acceleration", numSlots_ + numSlots_ / 4);
@@ -214,12 +213,21 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
   const View<double**> weight = weight_;
   const View<int* [D]> held = held_;
   const View<double*> nodal = mass_;
+  const View<double* [D]> heldVelocity = heldVelocity_;
+  const View<int*> nodeOf = nodeOf_;
+  const auto sums = state.nodes.sums;
   const auto mass = state.particles.scalar(fields::mass);
   Kokkos::parallel_for(
       "rhegma::subcycling::accelerate", Range(0, numSlots_), KOKKOS_LAMBDA(const int i) {
         const double inverse = nodal(i) > 0.0 ? 1.0 / nodal(i) : 0.0;
         for (int d = 0; d < D; ++d)
-          acceleration(i, d) = held(i, d) != 0 ? 0.0 : inverse * force(i, d);
+          if (held(i, d) == 0)
+            acceleration(i, d) = inverse * force(i, d);
+          else
+            acceleration(i, d) =
+                supports
+                    ? (heldVelocity(i, d) - inverse * sums(nodeOf(i), Nodes<D>::momentumAt + d)) / duration
+                    : 0.0;
       });
   sumInParts(
       "rhegma::subcycling::roundTrip", 0, numListed_, KOKKOS_LAMBDA(const int i, double* to) {
@@ -250,6 +258,21 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
 }
 
 template <int D>
+void FineParticles<D>::correctMotion(const State<D>& state, const Values& displacement, double duration,
+                                     const Values& velocity) const
+{
+  const auto motion = state.nodes.motion;
+  const View<int*> nodeOf = nodeOf_;
+  const View<int* [D]> held = held_;
+  Kokkos::parallel_for(
+      "rhegma::subcycling::correctMotion", Range(0, numSlots_), KOKKOS_LAMBDA(const int i) {
+        for (int d = 0; d < D; ++d)
+          if (held(i, d) == 0)
+            motion(nodeOf(i), d) += displacement(i, d) / duration - velocity(i, d);
+      });
+}
+
+template <int D>
 void FineParticles<D>::correctProjection(const State<D>& state, const Values& displacement, double duration,
                                          const Values& velocity) const
 {
@@ -272,7 +295,9 @@ template void FineParticles<2>::force(const State<2>&, int, const FineParticles<
 template void FineParticles<2>::smooth(const State<2>&, int, const FineParticles<2>::Values&,
                                        const FineParticles<2>::Values&);
 template void FineParticles<2>::accelerate(const State<2>&, int, double, const FineParticles<2>::Values&,
-                                           const FineParticles<2>::Values&);
+                                           const FineParticles<2>::Values&, bool);
+template void FineParticles<2>::correctMotion(const State<2>&, const FineParticles<2>::Values&, double,
+                                              const FineParticles<2>::Values&) const;
 template void FineParticles<2>::correctProjection(const State<2>&, const FineParticles<2>::Values&, double,
                                                   const FineParticles<2>::Values&) const;
 template void FineParticles<3>::load(const State<3>&, const FineParticles<3>::Values&) const;
@@ -283,7 +308,9 @@ template void FineParticles<3>::force(const State<3>&, int, const FineParticles<
 template void FineParticles<3>::smooth(const State<3>&, int, const FineParticles<3>::Values&,
                                        const FineParticles<3>::Values&);
 template void FineParticles<3>::accelerate(const State<3>&, int, double, const FineParticles<3>::Values&,
-                                           const FineParticles<3>::Values&);
+                                           const FineParticles<3>::Values&, bool);
+template void FineParticles<3>::correctMotion(const State<3>&, const FineParticles<3>::Values&, double,
+                                              const FineParticles<3>::Values&) const;
 template void FineParticles<3>::correctProjection(const State<3>&, const FineParticles<3>::Values&, double,
                                                   const FineParticles<3>::Values&) const;
 

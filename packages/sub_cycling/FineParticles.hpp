@@ -52,23 +52,27 @@ public:
 
   /// velocity += duration B force, of a force on nodes of particles of class `level` and deeper. B is what a
   /// step of MUSL makes of a force: to accelerations of nodes, to the particles, and back to the nodes by
-  /// their masses. Nothing moves where supports hold.
+  /// their masses. Nothing moves where supports hold, but where `supports` is set they first take nodes to
+  /// their velocity, as they do once a step, and particles feel it.
   void accelerate(const State<D>& state, int level, double duration, const Values& force,
-                  const Values& velocity);
+                  const Values& velocity, bool supports = false);
 
-  /// Adds (displacement / duration - velocity) to the velocity that strains and moves particles, where no
-  /// support holds.
+  /// Adds (displacement / duration - velocity) to the velocity after the solve, which moves cracks and of
+  /// which work is reckoned, where no support holds.
+  void correctMotion(const State<D>& state, const Values& displacement, double duration,
+                     const Values& velocity) const;
+  /// The same for the velocity that strains and moves particles.
   void correctProjection(const State<D>& state, const Values& displacement, double duration,
                          const Values& velocity) const;
 
-private:
+  // What follows is public because compilers for devices want kernels in public functions.
+
   /// A running mean on every node and then on every node's second field.
   struct Mean
   {
     Values value;        ///< [N]
-    View<int*> renewed;  ///< the long step in which it was
+    View<int*> renewed;  ///< number of the step in which it was
     int generation = -1; ///< of the tree, then
-    int step = 0;
   };
 
   void findCandidates(const State<D>& state);
@@ -92,6 +96,7 @@ private:
       view = AnyView(label, size + size / 4);
   }
 
+private:
   int first_ = 0;
   int numCandidates_ = 0;
   int numListed_ = 0; ///< with neighbours

@@ -107,6 +107,7 @@ void LocalSteps<D>::evolve(State<D>& state)
   Kokkos::deep_copy(waiting_, 0.0);
   add<D>(waiting_, state.dt, others_, slots);
   waitingFrom_ = 0;
+  atFirst_ = true;
   step(state, first_, 0.5 * state.dt);
   step(state, first_, 0.5 * state.dt);
   fine_.store(state, impulse_, 1.0 / state.dt);
@@ -168,7 +169,8 @@ void LocalSteps<D>::addImpulse(const State<D>& state, int level, double length)
 template <int D>
 void LocalSteps<D>::kick(const State<D>& state)
 {
-  fine_.accelerate(state, waitingFrom_, 1.0, waiting_, velocity_);
+  fine_.accelerate(state, waitingFrom_, 1.0, waiting_, velocity_, atFirst_);
+  atFirst_ = false;
   add<D>(impulse_, 1.0, waiting_, fine_.numSlots());
   Kokkos::deep_copy(waiting_, 0.0);
   waitingFrom_ = last_;
@@ -189,7 +191,14 @@ void LocalSteps<D>::drift(double length)
 }
 
 template <int D>
-void LocalSteps<D>::correct(State<D>& state) const
+void LocalSteps<D>::correctMotion(State<D>& state) const
+{
+  if (active_)
+    fine_.correctMotion(state, displacement_, state.dt, velocity_);
+}
+
+template <int D>
+void LocalSteps<D>::correctProjection(State<D>& state) const
 {
   if (active_)
     fine_.correctProjection(state, displacement_, state.dt, velocity_);

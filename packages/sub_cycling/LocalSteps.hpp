@@ -40,13 +40,15 @@ public:
   void begin(State<D>& state, int first, int last);
   /// Changes the force of the nodes. To be called when nodes have all forces.
   void evolve(State<D>& state);
-  /// Changes the projected velocity.
-  void correct(State<D>& state) const;
+  /// Change the velocity after the solve and the projected one.
+  void correctMotion(State<D>& state) const;
+  void correctProjection(State<D>& state) const;
 
   /// Steps of particles beyond the long ones' so far.
   double extraSteps() const { return extraSteps_; }
 
-private:
+  // What follows is public because compilers for devices want kernels in public functions.
+
   using Values = View<double* [D]>;
   void makeRoom(int slots);
   void step(const State<D>& state, int level, double length);
@@ -60,18 +62,21 @@ private:
   /// Moves the mean of a force of one class to the loads.
   void steady(const State<D>& state, int level, const Values& force, const Values& mean);
 
+private:
   int first_ = 1, last_ = 0;
   bool active_ = false;
   double extraSteps_ = 0.0;
   FineParticles<D> fine_;
-  Values others_;                  ///< force of all other particles, without its mean [N]
-  Values loads_;                   ///< what pulls all the time [N], then what it does to the velocity [m/s2]
-  Values force_;                   ///< of particles of one class [N]
-  Values start_[deepestLevel + 1]; ///< that of each class at the start of the long step [N]
-  Values mean_[deepestLevel + 1];  ///< of the force of each class [N]
+  Values others_; ///< all other forces but loads: of particles of no class here, frozen ones; without the
+                  ///< mean [N]
+  Values loads_;  ///< what pulls all the time [N], then what it does to the velocity [m/s2]
+  Values force_;  ///< of particles of one class [N]
+  Values start_[deepestLevel + 1];      ///< that of each class at the start of the long step [N]
+  Values mean_[deepestLevel + 1];       ///< of the force of each class [N]
   bool atStart_[deepestLevel + 1] = {}; ///< whether nodes are still where that of a class was reckoned
   Values waiting_;                      ///< impulses that are to be given next [N s]
   int waitingFrom_ = 0;                 ///< the lowest class among them
+  bool atFirst_ = false;                ///< whether these are the first of the long step
   Values impulse_;                      ///< so far [N s]
   Values velocity_, displacement_;      ///< so far
 };

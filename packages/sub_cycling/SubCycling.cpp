@@ -44,7 +44,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.atStart = [=](State<D>& state) { state.subcycledLevels = levels; };
   effect.call({Stage::Scatter,
                "particles of small cells",
-               {"nodal mass", "stiffness of ties"},
+               {"nodal mass", "stiffness of ties", "prescribed values"},
                {},
                {},
                [=](State<D>& state)
@@ -63,8 +63,11 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  steps->evolve(state);
                  state.particleSteps += steps->extraSteps() - before;
                }});
+  effect.call({Stage::Solve, "velocity of short steps", {"nodal motion"}, {}, {}, [=](State<D>& state) {
+                 steps->correctMotion(state);
+               }});
   effect.call({Stage::AfterProjection, "motion of short steps", {}, {}, {"projection"}, [=](State<D>& state) {
-                 steps->correct(state);
+                 steps->correctProjection(state);
                }});
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {

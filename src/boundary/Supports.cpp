@@ -46,11 +46,15 @@ View<double* [D]> fieldAtNodes(const PlaceFunction& function, const NodeConstrai
   const int count = state.grid.numNodes + state.tree.numFine;
   View<double* [D]> field("rhegma::prescribedField", count);
   const auto host = Kokkos::create_mirror_view(field);
-  NodePlaces<D> places = nodePlaces(state);
-  places.fine = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, places.fine);
+  const auto fine = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.tree.finePlace);
   for (int n = 0; n < count; ++n)
   {
-    const Vector<D> place = places(n);
+    Vector<D> place;
+    if (n < state.grid.numNodes)
+      place = state.grid.nodePosition(n);
+    else
+      for (int d = 0; d < D; ++d)
+        place[d] = fine(n - state.grid.numNodes, d);
     if (!constraint.appliesAt(place))
       continue;
     const Vector<D> value = function(place);
@@ -80,7 +84,11 @@ void followCells(TimedConstraint<D>& timed, State<D>& state)
   }
   catch (const std::invalid_argument& wrong)
   {
-    state.trouble = wrong.what();
+    // The run stops after this stage; until then the nodes are at rest.
+    timed.constraint.field =
+        View<double* [D]>("rhegma::prescribedField", state.grid.numNodes + state.tree.numFine);
+    if (state.trouble.empty())
+      state.trouble = wrong.what();
   }
 }
 
@@ -212,7 +220,7 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
   effect.call({Stage::Scatter,
                "values of prescribed motion",
                {},
-               {},
+               {"prescribed values"},
                {},
                [constraints](State<D>& state)
                {

@@ -312,6 +312,9 @@ ADAPTIVITY = [
     ("adaptivity_of_corrected_broken_cells",
      plate().set("Adaptivity", {}).set("Cracks > Formulation", "Corrected Broken Cell"),
      one("Adaptivity", "Corrected Broken Cell", "equal cells")),
+    ("adaptivity_of_contact_by_visibility",
+     plate().set("Adaptivity", {}).set("Cracks > Formulation", "Broken Cell").set("Contact", {"Law": "Visibility"}),
+     one("Adaptivity", "Visibility", "another law")),
 ]
 
 REFERENCES = [

@@ -35,12 +35,12 @@ struct Outcome
 };
 
 template <int D>
-Rhegma::Run<D> bar(int levels, bool subCycled, double cfl, double travel = 0.0)
+Rhegma::Run<D> bar(int levels, bool subCycled, double cfl, double travel = 0.0, const char* shape = "GIMP")
 {
   Vector<D> lower = all<D>(-2.0), upper = all<D>(4.0), end = all<D>(2.0);
   upper[0] = length + travel + 2.0;
   end[0] = length;
-  Teuchos::ParameterList scene = emptyScene<D>(lower, upper, 1.0, "MUSL", "GIMP");
+  Teuchos::ParameterList scene = emptyScene<D>(lower, upper, 1.0, "MUSL", shape);
   scene.sublist("Time").set("CFL", cfl);
   addMaterial(scene, "Neo-Hookean", 0.0);
   addBox<D>(scene, "Bar", all<D>(0.0), end);
@@ -92,9 +92,9 @@ void start(State<D>& state, Start kind)
 }
 
 template <int D>
-Outcome vibrate(int levels, bool subCycled, Start kind, double cfl, int periods)
+Outcome vibrate(int levels, bool subCycled, Start kind, double cfl, int periods, const char* shape = "GIMP")
 {
-  Rhegma::Run<D> run = bar<D>(levels, subCycled, cfl);
+  Rhegma::Run<D> run = bar<D>(levels, subCycled, cfl, 0.0, shape);
   State<D>& state = run.state();
   start(state, kind);
   const std::vector<double> mode = modeOf(state);
@@ -165,6 +165,16 @@ TEST_P(Levels, holdFromARandomStart)
               o.momentum);
   EXPECT_NEAR(o.kept, 1.0, 0.03);
   EXPECT_LT(o.most, 1.05);
+  EXPECT_LT(o.momentum, 1e-12);
+}
+
+TEST_P(Levels, holdWithLinearFunctions)
+{
+  const Outcome o = vibrate<2>(GetParam(), true, Start::Random, 0.3, 10, "Linear");
+  std::printf("%d levels, linear, random: energy kept %.6f, most %.6f, momentum %.1e\n", GetParam(), o.kept,
+              o.most, o.momentum);
+  EXPECT_NEAR(o.kept, 1.0, 0.03);
+  EXPECT_LT(o.most, 1.06);
   EXPECT_LT(o.momentum, 1e-12);
 }
 
