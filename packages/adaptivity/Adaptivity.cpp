@@ -61,7 +61,10 @@ Section section()
       .range(0, 16)
       .byDefault(1)
       .meaning("Rings of cells that are refined around those over which the velocity changes.");
-  s.integer("Interval").atLeast(1).byDefault(10).meaning("Steps of the smallest cells between two looks at the cells.");
+  s.integer("Interval")
+      .atLeast(1)
+      .byDefault(10)
+      .meaning("Steps of the smallest cells between two looks at the cells.");
   s.real("Merge Loss")
       .above(0.0)
       .atMost(1.0)
