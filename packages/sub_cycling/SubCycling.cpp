@@ -28,6 +28,16 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
   if (scene.isSublist("Time") && scene.sublist("Time").isType<std::string>("Update Scheme") &&
       scene.sublist("Time").get<std::string>("Update Scheme") != "MUSL")
     errors.push_back({"Sub-Cycling", "short steps are those of Time > Update Scheme = MUSL; write that"});
+  if (scene.isSublist("Mass Matrix"))
+  {
+    const Teuchos::ParameterList& mass = scene.sublist("Mass Matrix");
+    const auto other = [&](const char* name, const char* usual)
+    { return mass.isType<std::string>(name) && mass.get<std::string>(name) != usual; };
+    if (other("Type", "Lumped") || other("Velocity Update", "FLIP"))
+      errors.push_back({"Sub-Cycling",
+                        "short steps are those of Mass Matrix > Type = Lumped with Velocity Update = "
+                        "FLIP; write these, or take one of the two sections out"});
+  }
   if (!scene.isSublist("Adaptivity"))
     errors.push_back(
         {"Sub-Cycling", "all cells are of one size; add a section Adaptivity or take this section out"});
