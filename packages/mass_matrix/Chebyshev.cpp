@@ -1,4 +1,5 @@
 #include "mass_matrix/Chebyshev.hpp"
+#include "state/FewItems.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -20,9 +21,8 @@ void advance(const MassSystem<D>& system, const View<double*>& inverse, const do
               constexpr int W = MassSystem<D>::width;
               const MassSystem<D> s = system;
               const double* const weight = inverse.data();
-              Kokkos::parallel_for(
-                  "rhegma::mass::chebyshev", Kokkos::RangePolicy<ExecSpace>(s.first, s.last),
-                  KOKKOS_LAMBDA(const int row) {
+              forFew(
+                  "rhegma::mass::chebyshev", s.first, s.last, KOKKOS_LAMBDA(const int row) {
                     const Pack<W> image = rowTimes<D, decltype(reach)::value>(s, row, z);
                     for (int d = 0; d < W; ++d)
                     {
@@ -51,8 +51,8 @@ void Chebyshev<D>::apply(const MassSystem<D>& system, const View<double*>& inver
   double *now = z, *before = other_.data();
   const double* const weight = inverse.data();
   double square = 0.0;
-  Kokkos::parallel_reduce(
-      "rhegma::mass::precondition", Kokkos::RangePolicy<ExecSpace>(0, n),
+  sumFew(
+      "rhegma::mass::precondition", 0, n,
       KOKKOS_LAMBDA(const int i, double& sum) {
         now[i] = weight[i] * r[i] / middle;
         before[i] = 0.0;

@@ -1,4 +1,5 @@
 #include "mass_matrix/FirstGuess.hpp"
+#include "state/FewItems.hpp"
 
 namespace Rhegma::mass_matrix
 {
@@ -12,7 +13,6 @@ struct LookAtGuess
 {
   using value_type = double[];
   using size_type = int;
-  using execution_space = ExecSpace;
 
   int value_count = GuessSums<D>::size;
   MassSystem<D> system;
@@ -57,8 +57,7 @@ GuessSums<D> lookAtGuess(const MassSystem<D>& system, const View<double*>& right
               work.x = x;
               work.inverse = inverse;
               work.image = image;
-              Kokkos::parallel_reduce("rhegma::mass::guess",
-                                      Kokkos::RangePolicy<ExecSpace>(system.first, system.last), work, sum);
+              sumFew("rhegma::mass::guess", system.first, system.last, work, sum);
             });
   GuessSums<D> sums;
   sums.rightSquare = sum[0];

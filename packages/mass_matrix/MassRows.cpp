@@ -1,4 +1,5 @@
 #include "mass_matrix/MassRows.hpp"
+#include "state/FewItems.hpp"
 
 #include <algorithm>
 
@@ -7,11 +8,6 @@ namespace Rhegma::mass_matrix
 
 namespace
 {
-
-Kokkos::RangePolicy<ExecSpace> range(int begin, int end)
-{
-  return Kokkos::RangePolicy<ExecSpace>(begin, end);
-}
 
 int reachOf(ShapeKind shape) { return shape == ShapeKind::Linear ? 1 : 2; }
 
@@ -53,8 +49,8 @@ template <int D>
 void clearRows(const MassSystem<D>& system)
 {
   const View<int*> rowOf = system.rowOf, nodeOf = system.nodeOf;
-  Kokkos::parallel_for(
-      "rhegma::mass::clearRows", range(system.first, system.last),
+  forFew(
+      "rhegma::mass::clearRows", system.first, system.last,
       KOKKOS_LAMBDA(const int row) { rowOf(nodeOf(row)) = -1; });
 }
 
@@ -74,7 +70,8 @@ struct AroundFronts
         front(places),
         furthest(unlumping.radius + unlumping.edge +
                  std::sqrt(double(D)) * 0.5 * (reachOf(state.shape) + 1) * grid.spacing),
-        half(static_cast<int>(std::ceil(furthest * grid.inverse))),
+        half(std::min(*std::max_element(grid.cells, grid.cells + D),
+                      static_cast<int>(std::ceil(furthest * grid.inverse)))),
         side(2 * half + 1),
         all(D == 2 ? side * side : side * side * side),
         size(fronts * all)
@@ -108,8 +105,8 @@ void chooseAroundFronts(const State<D>& state, const Unlumping& unlumping, const
   const View<int*> rowOf = system.rowOf, second = state.cracks.second;
   const auto sums = state.nodes.sums;
   const bool seconds = state.nodes.numSecond > 0;
-  Kokkos::parallel_for(
-      "rhegma::mass::chooseAroundFronts", range(0, around.size), KOKKOS_LAMBDA(const int i) {
+  forFew(
+      "rhegma::mass::chooseAroundFronts", 0, around.size, KOKKOS_LAMBDA(const int i) {
         const int node = around(i);
         if (node < 0)
           return;
@@ -132,8 +129,8 @@ void numberRows(const State<D>& state, bool everywhere, MassSystem<D>& system)
   const View<int*> rowOf = system.rowOf, nodeOf = system.nodeOf;
   const int first = system.first;
   int count = 0;
-  Kokkos::parallel_scan(
-      "rhegma::mass::numberRows", range(0, active),
+  scanFew(
+      "rhegma::mass::numberRows", 0, active,
       KOKKOS_LAMBDA(const int i, int& at, const bool final) {
         const int n = activeNode(nodes, i);
         if (!(everywhere ? nodes.sums(n, Nodes<D>::massAt) > 0.0 : rowOf(n) != -1))
@@ -173,8 +170,8 @@ void startRows(const State<D>& state, MassSystem<D>& system)
   const Nodes<D> nodes = state.nodes;
   const MassSystem<D> s = system;
   const Grid<D> grid = state.grid;
-  Kokkos::parallel_for(
-      "rhegma::mass::startRows", range(s.first, s.last), KOKKOS_LAMBDA(const int row) {
+  forFew(
+      "rhegma::mass::startRows", s.first, s.last, KOKKOS_LAMBDA(const int row) {
         const int node = s.nodeOf(row), lattice = latticeNode(nodes, node), span = 2 * s.reach + 1;
         s.lumped(row) = sums(node, Nodes<D>::massAt);
         s.extraOf(row) = -1;
@@ -207,8 +204,8 @@ void startLists(const State<D>& state, const ConsistentShare<D>& share, MassSyst
   const View<int*> extraOf = system.extraOf, rowOf = system.rowOf, particle = state.storedParticle;
   const StencilTable<D> table = state.stored;
   const auto position = state.particles.template real<D>(fields::position);
-  Kokkos::parallel_for(
-      "rhegma::mass::chooseLists", range(0, state.numStored), KOKKOS_LAMBDA(const int r) {
+  forFew(
+      "rhegma::mass::chooseLists", 0, state.numStored, KOKKOS_LAMBDA(const int r) {
         if (share(&position(particle(r), 0)) == 0.0)
           return;
         for (int k = 0; k < table.count(r); ++k)
@@ -219,8 +216,8 @@ void startLists(const State<D>& state, const ConsistentShare<D>& share, MassSyst
         }
       });
   int count = 0;
-  Kokkos::parallel_scan(
-      "rhegma::mass::numberLists", range(system.first, system.last),
+  scanFew(
+      "rhegma::mass::numberLists", system.first, system.last,
       KOKKOS_LAMBDA(const int row, int& at, const bool final) {
         if (extraOf(row) == -1)
           return;
@@ -239,8 +236,8 @@ void startLists(const State<D>& state, const ConsistentShare<D>& share, MassSyst
     system.extraColumn = View<int**>("rhegma::massExtraColumn", room, wide);
   }
   const auto values = system.extra;
-  Kokkos::parallel_for(
-      "rhegma::mass::clearLists", range(0, count), KOKKOS_LAMBDA(const int list) {
+  forFew(
+      "rhegma::mass::clearLists", 0, count, KOKKOS_LAMBDA(const int list) {
         for (int k = 0; k < wide; ++k)
           values(list, k) = 0.0;
       });
@@ -272,8 +269,8 @@ void finishRows(const State<D>& state, MassSystem<D>& system)
   const View<int*> second = state.cracks.second;
   double mass = 0.0;
   int coupled = 0;
-  Kokkos::parallel_reduce(
-      "rhegma::mass::finishRows", range(s.first, s.last),
+  sumFew(
+      "rhegma::mass::finishRows", s.first, s.last,
       KOKKOS_LAMBDA(const int row, double& sum, int& count) {
         const int centre = s.slots / 2;
         double* const values = s.band.data() + static_cast<std::size_t>(row) * s.stride;
@@ -325,15 +322,15 @@ double largestRows(const State<D>& state, const Unlumping& unlumping)
   listFronts(state, front, numFronts);
   const AroundFronts<D> around(state, unlumping, front, numFronts);
   const View<char*> near("rhegma::massNearFronts", state.grid.numNodes);
-  Kokkos::parallel_for(
-      "rhegma::mass::nearFronts", range(0, around.size), KOKKOS_LAMBDA(const int i) {
+  forFew(
+      "rhegma::mass::nearFronts", 0, around.size, KOKKOS_LAMBDA(const int i) {
         const int node = around(i);
         if (node >= 0)
           near(node) = 1;
       });
   int count = 0;
-  Kokkos::parallel_reduce(
-      "rhegma::mass::countNearFronts", range(0, state.grid.numNodes),
+  sumFew(
+      "rhegma::mass::countNearFronts", 0, state.grid.numNodes,
       KOKKOS_LAMBDA(const int node, int& sum) { sum += near(node); }, count);
   return std::min(most, 2.0 * count);
 }

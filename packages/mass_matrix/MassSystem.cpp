@@ -2,6 +2,7 @@
 
 #include "mass_matrix/MassRows.hpp"
 #include "mass_matrix/ParticleMass.hpp"
+#include "state/FewItems.hpp"
 
 namespace Rhegma::mass_matrix
 {
@@ -60,9 +61,8 @@ void multiply(const MassSystem<D>& system, const double* x, double* y, const dou
             {
               constexpr int W = MassSystem<D>::width;
               const MassSystem<D> s = system;
-              Kokkos::parallel_for(
-                  "rhegma::mass::multiply", Kokkos::RangePolicy<ExecSpace>(0, s.room),
-                  KOKKOS_LAMBDA(const int row) {
+              forFew(
+                  "rhegma::mass::multiply", 0, s.room, KOKKOS_LAMBDA(const int row) {
                     const bool inside = row >= s.first && row < s.last;
                     const Pack<W> sum =
                         inside ? rowTimes<D, decltype(reach)::value>(s, row, x) : Pack<W>::zero();

@@ -1,6 +1,7 @@
 #include "mass_matrix/NodalSolve.hpp"
 
 #include "mass_matrix/FirstGuess.hpp"
+#include "state/FewItems.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -21,21 +22,16 @@ constexpr double leastResidual = 1e-13;
 template <int D>
 constexpr int width = MassSystem<D>::width;
 
-template <int D>
-Kokkos::RangePolicy<ExecSpace> rows(const MassSystem<D>& system)
-{
-  return Kokkos::RangePolicy<ExecSpace>(system.first, system.last);
-}
-
 /// x += scale correction, in the rows.
 template <int D>
 void addScaled(const MassSystem<D>& system, double scale, const BorrowedView<const double*>& correction,
                const View<double*>& x)
 {
-  Kokkos::parallel_for(
-      "rhegma::mass::correct",
-      Kokkos::RangePolicy<ExecSpace>(system.first * width<D>, system.last * width<D>),
-      KOKKOS_LAMBDA(const int i) { x(i) += scale * correction(i); });
+  forFew(
+      "rhegma::mass::correct", system.first, system.last, KOKKOS_LAMBDA(const int row) {
+        for (int i = width<D> * row; i < width<D> * (row + 1); ++i)
+          x(i) += scale * correction(i);
+      });
 }
 
 } // namespace
@@ -89,8 +85,8 @@ void NodalSolve<D>::holdRows(const State<D>& state, const MassSystem<D>& system)
   const View<double*> inverse = inverse_, free = freeOnly_, value = heldVelocity_, right = right_,
                       image = image_, velocity = velocity_, acceleration = acceleration_;
   // Vectors are zero outside of the rows and in unused numbers of them.
-  Kokkos::parallel_for(
-      "rhegma::mass::begin", Kokkos::RangePolicy<ExecSpace>(0, s.room), KOKKOS_LAMBDA(const int row) {
+  forFew(
+      "rhegma::mass::begin", 0, s.room, KOKKOS_LAMBDA(const int row) {
         const bool inside = row >= s.first && row < s.last;
         for (int d = 0; d < width<D>; ++d)
         {
@@ -104,8 +100,8 @@ void NodalSolve<D>::holdRows(const State<D>& state, const MassSystem<D>& system)
   {
     const NodeConstraint<D> c = constraint;
     const Grid<D> grid = state.grid;
-    Kokkos::parallel_for(
-        "rhegma::mass::hold", rows(system), KOKKOS_LAMBDA(const int row) {
+    forFew(
+        "rhegma::mass::hold", system.first, system.last, KOKKOS_LAMBDA(const int row) {
           const int lattice = latticeNode(nodes, s.nodeOf(row));
           if (!c.appliesAt(grid.nodePosition(lattice)))
             return;
@@ -149,8 +145,8 @@ void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool hel
   const View<double*> inverse = masked ? freeOnly_ : inverse_, image = image_, prescribed = prescribed_;
   const MassSystem<D> s = system;
   if (masked)
-    Kokkos::parallel_for(
-        "rhegma::mass::prescribe", rows(system), KOKKOS_LAMBDA(const int row) {
+    forFew(
+        "rhegma::mass::prescribe", system.first, system.last, KOKKOS_LAMBDA(const int row) {
           for (int i = width<D> * row; i < width<D> * row + D; ++i)
             if (inverse(i) == 0.0 && s.coupled(row))
               x(i) = prescribed(i);
@@ -183,8 +179,8 @@ void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool hel
   const View<double*> asked = right_;
   const double inverseScale = scale > 0.0 ? 1.0 / scale : 0.0;
   double remains = 0.0;
-  Kokkos::parallel_reduce(
-      "rhegma::mass::start", Kokkos::RangePolicy<ExecSpace>(0, s.room),
+  sumFew(
+      "rhegma::mass::start", 0, s.room,
       KOKKOS_LAMBDA(const int row, double& sum) {
         const bool coupled = row >= s.first && row < s.last && s.coupled(row);
         for (int d = 0; d < width<D>; ++d)
@@ -236,8 +232,8 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
   // is some PIC, and supports change it to theirs. Else what reads it are accounts of work and points that
   // ride on nodes: the last step's, brought nearer by the polynomial alone, leaves 1e-4 of it or less.
   const Accuracy accuracy = masked || state.picFraction > 0.0 ? Accuracy::Solved : Accuracy::Near;
-  Kokkos::parallel_for(
-      "rhegma::mass::momentum", rows(system), KOKKOS_LAMBDA(const int row) {
+  forFew(
+      "rhegma::mass::momentum", system.first, system.last, KOKKOS_LAMBDA(const int row) {
         const int n = s.nodeOf(row);
         for (int d = 0; d < D; ++d)
         {
@@ -247,8 +243,8 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
       });
   solve(state, system, false, velocity, "velocity of the nodes", accuracy);
 
-  Kokkos::parallel_for(
-      "rhegma::mass::force", rows(system), KOKKOS_LAMBDA(const int row) {
+  forFew(
+      "rhegma::mass::force", system.first, system.last, KOKKOS_LAMBDA(const int row) {
         const int n = s.nodeOf(row);
         for (int d = 0; d < D; ++d)
         {
@@ -269,8 +265,8 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
       state.coupledReaction = View<double*>("rhegma::massReaction", unknowns);
     const View<double*> reaction = state.coupledReaction;
     multiply<D>(system, acceleration.data(), image.data());
-    Kokkos::parallel_for(
-        "rhegma::mass::reaction", rows(system), KOKKOS_LAMBDA(const int row) {
+    forFew(
+        "rhegma::mass::reaction", system.first, system.last, KOKKOS_LAMBDA(const int row) {
           for (int d = 0; d < D; ++d)
           {
             const int i = row * width<D> + d;
@@ -278,8 +274,8 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
           }
         });
   }
-  Kokkos::parallel_for(
-      "rhegma::mass::motion", rows(system), KOKKOS_LAMBDA(const int row) {
+  forFew(
+      "rhegma::mass::motion", system.first, system.last, KOKKOS_LAMBDA(const int row) {
         const int n = s.nodeOf(row);
         for (int d = 0; d < D && s.coupled(row); ++d)
         {
@@ -302,8 +298,8 @@ void NodalSolve<D>::solveProjection(State<D>& state, const MassSystem<D>& system
   const View<double* [D]> lastVelocity = lastVelocity_;
   const bool masked = masked_;
   const bool afterSolve = state.scheme == UpdateScheme::Musl;
-  Kokkos::parallel_for(
-      "rhegma::mass::projected", rows(system), KOKKOS_LAMBDA(const int row) {
+  forFew(
+      "rhegma::mass::projected", system.first, system.last, KOKKOS_LAMBDA(const int row) {
         const int n = s.nodeOf(row);
         for (int d = 0; d < D; ++d)
         {
@@ -316,8 +312,8 @@ void NodalSolve<D>::solveProjection(State<D>& state, const MassSystem<D>& system
       });
   solve(state, system, true, velocity, "velocity that strains the particles", Accuracy::Solved);
   // In the next step of MUSL, or later in this one of USF, the nodes move about as they do here.
-  Kokkos::parallel_for(
-      "rhegma::mass::projection", rows(system), KOKKOS_LAMBDA(const int row) {
+  forFew(
+      "rhegma::mass::projection", system.first, system.last, KOKKOS_LAMBDA(const int row) {
         for (int d = 0; d < D && s.coupled(row); ++d)
           nodes.projection(s.nodeOf(row), d) = lastVelocity(s.nodeOf(row), d) = velocity(row * width<D> + d);
       });

@@ -1,5 +1,6 @@
 #pragma once
-/// Loops over items that are few beside particles and nodes: points of loads, vertices of cracks.
+/// Loops over items that are few beside particles and nodes: points of loads, vertices of cracks, rows of a
+/// mass matrix around a front.
 
 #include "state/Types.hpp"
 
@@ -21,27 +22,50 @@ using OneThread = ExecSpace;
 #endif
 } // namespace detail
 
-/// Runs work(k) for k = 0 .. count - 1, on a host by one thread where they are few. A device takes all at
+/// Runs work(k) for k = begin .. end - 1, on a host by one thread where they are few. A device takes all at
 /// once.
+template <class Work>
+void forFew(const char* label, int begin, int end, const Work& work)
+{
+  if (end - begin <= fewItems)
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<detail::OneThread>(begin, end), work);
+  else
+    Kokkos::parallel_for(label, Kokkos::RangePolicy<ExecSpace>(begin, end), work);
+}
+
 template <class Work>
 void forFew(const char* label, int count, const Work& work)
 {
-  if (count <= fewItems)
-    Kokkos::parallel_for(label, Kokkos::RangePolicy<detail::OneThread>(0, count), work);
-  else
-    Kokkos::parallel_for(label, Kokkos::RangePolicy<ExecSpace>(0, count), work);
+  forFew(label, 0, count, work);
 }
 
-/// The sum that work(k, sum) makes, in the same way.
+/// The sums that work(k, sum ...) makes for k = begin .. end - 1, in the same way. \param sums where they go:
+/// numbers, or an array as Kokkos takes it
+template <class Work, class... Sums>
+void sumFew(const char* label, int begin, int end, const Work& work, Sums&&... sums)
+{
+  if (end - begin <= fewItems)
+    Kokkos::parallel_reduce(label, Kokkos::RangePolicy<detail::OneThread>(begin, end), work, sums...);
+  else
+    Kokkos::parallel_reduce(label, Kokkos::RangePolicy<ExecSpace>(begin, end), work, sums...);
+}
+
 template <class Value, class Work>
 Value sumFew(const char* label, int count, const Work& work)
 {
   Value sum{};
-  if (count <= fewItems)
-    Kokkos::parallel_reduce(label, Kokkos::RangePolicy<detail::OneThread>(0, count), work, sum);
-  else
-    Kokkos::parallel_reduce(label, Kokkos::RangePolicy<ExecSpace>(0, count), work, sum);
+  sumFew(label, 0, count, work, sum);
   return sum;
+}
+
+/// Counts and places in the way of Kokkos::parallel_scan.
+template <class Work>
+void scanFew(const char* label, int begin, int end, const Work& work, int& count)
+{
+  if (end - begin <= fewItems)
+    Kokkos::parallel_scan(label, Kokkos::RangePolicy<detail::OneThread>(begin, end), work, count);
+  else
+    Kokkos::parallel_scan(label, Kokkos::RangePolicy<ExecSpace>(begin, end), work, count);
 }
 
 } // namespace Rhegma
