@@ -1,19 +1,18 @@
-/// What a scene costs whose cells refine, beside the same scene with small cells everywhere, in one process
-/// and turn by turn.
+/// What a scene costs whose cells refine, beside the same scene with small cells everywhere, or with short
+/// steps everywhere, in one process and turn by turn.
 ///
-///     adaptive SCENE.xml [--json] [--rounds N] [--finer N] [--interval SECONDS]
+///     adaptive SCENE.xml [--json] [--rounds N] [--interval SECONDS] [--finer N]
+///     adaptive SCENE.xml --levels N [--json] [--rounds N] [--interval SECONDS]
 ///
-/// Threads: OMP_NUM_THREADS.
+/// The second times, for Adaptivity > Maximum Level = 1 ... N, short steps in small cells only (Sub-Cycling)
+/// beside short steps in all cells. Threads: OMP_NUM_THREADS.
 
-#include "PositiveNumber.hpp"
 #include "adaptive/Measure.hpp"
+#include "common/CommandLine.hpp"
+#include "common/Program.hpp"
 
-#include <Kokkos_Core.hpp>
-
-#include <cstdlib>
 #include <iomanip>
 #include <iostream>
-#include <stdexcept>
 #include <vector>
 
 namespace
@@ -21,42 +20,7 @@ namespace
 
 using namespace Rhegma::benchmarks;
 
-struct Options
-{
-  AdaptiveEffort effort;
-  std::string scene;
-  bool json = false;
-};
-
-Options readOptions(const std::vector<std::string>& arguments)
-{
-  Options options;
-  for (std::size_t k = 1; k < arguments.size(); ++k)
-  {
-    const std::string& name = arguments[k];
-    const auto next = [&] { return ++k < arguments.size() ? arguments[k] : std::string(); };
-    if (name == "--json")
-      options.json = true;
-    else if (name == "--rounds")
-      options.effort.rounds = positiveNumber<int>(name, next());
-    else if (name == "--finer")
-      options.effort.finer = positiveNumber<int>(name, next());
-    else if (name == "--interval")
-      options.effort.interval = positiveNumber<double>(name, next());
-    else if (name.rfind("--", 0) != 0 && options.scene.empty())
-      options.scene = name;
-    else
-      throw std::invalid_argument("\"" + name +
-                                  "\" is not an option; write SCENE.xml [--json] [--rounds N] [--finer N] "
-                                  "[--interval SECONDS]");
-  }
-  if (options.scene.empty())
-    throw std::invalid_argument("write the scene that shall be timed, as "
-                                "xml_inputs/verification/dcb_adaptive.xml");
-  return options;
-}
-
-void printTable(const nlohmann::json& all)
+void printRuns(const nlohmann::json& all)
 {
   std::cout << all.at("threads") << " threads\n"
             << "  run                    particles   us/step   seconds/simulated ms   of adaptive\n"
@@ -69,27 +33,47 @@ void printTable(const nlohmann::json& all)
               << entry.at("of_adaptive").get<double>() << "\n";
 }
 
+void printLevels(const nlohmann::json& all)
+{
+  std::cout << all.at("threads") << " threads\n"
+            << "                      seconds/simulated ms, short steps   short steps in small cells only:\n"
+            << "  levels   particles   in small cells      everywhere   times faster   fewer particle-steps\n"
+            << std::fixed;
+  for (const nlohmann::json& entry : all.at("levels"))
+  {
+    const nlohmann::json& small = entry.at("short_in_small_cells");
+    std::cout << std::setw(8) << entry.at("maximum_level").get<int>() << std::setw(12)
+              << small.at("particles").get<int>() << std::setprecision(3) << std::setw(17)
+              << small.at("seconds_per_simulated_ms").get<double>() << std::setw(16)
+              << entry.at("short_everywhere").at("seconds_per_simulated_ms").get<double>()
+              << std::setprecision(2) << std::setw(15) << entry.at("times_faster").get<double>()
+              << std::setw(23) << entry.at("times_fewer_particle_steps").get<double>() << "\n";
+  }
+}
+
+void run(const std::vector<std::string>& arguments)
+{
+  AdaptiveEffort effort;
+  std::string scene;
+  bool json = false;
+  CommandLine()
+      .flag("--json", json)
+      .number("--rounds", effort.rounds)
+      .number("--finer", effort.finer)
+      .number("--levels", effort.levels)
+      .number("--interval", effort.interval)
+      .scene(scene, "xml_inputs/verification/dcb_adaptive.xml")
+      .read(arguments);
+  placeThreads();
+  if (effort.levels > 0)
+    print(withKokkos([&] { return measureShortSteps(scene, effort); }), json, printLevels);
+  else
+    print(withKokkos([&] { return measureAdaptive(scene, effort); }), json, printRuns);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
-  try
-  {
-    const Options options = readOptions(std::vector<std::string>(argv, argv + argc));
-    // As the program itself does where the user has not decided.
-    setenv("OMP_PROC_BIND", "spread", 0);
-    setenv("OMP_PLACES", "threads", 0);
-    Kokkos::ScopeGuard kokkos(argc, argv);
-    const nlohmann::json all = measureAdaptive(options.scene, options.effort);
-    if (options.json)
-      std::cout << all.dump(2) << "\n";
-    else
-      printTable(all);
-  }
-  catch (const std::exception& error)
-  {
-    std::cerr << "adaptive: " << error.what() << "\n";
-    return 1;
-  }
-  return 0;
+  return statusOf("adaptive", [&] { run({argv, argv + argc}); });
 }

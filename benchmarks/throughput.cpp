@@ -4,18 +4,17 @@
 ///
 /// Measures with 1 and 2 threads where the back end has threads, or with --threads N only.
 
-#include "PositiveNumber.hpp"
+#include "common/CommandLine.hpp"
+#include "common/Program.hpp"
 #include "throughput/Cases.hpp"
 #include "throughput/Measure.hpp"
 #include "throughput/Worker.hpp"
 
-#include <Kokkos_Core.hpp>
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
-#include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -30,35 +29,24 @@ struct Options
   int threads = 0;     ///< 0: 1 and 2
 };
 
-Options readOptions(const std::vector<std::string>& arguments)
+Options readOptions(std::vector<std::string> arguments)
 {
   Options options;
-  for (std::size_t k = 1; k < arguments.size(); ++k)
-  {
-    const std::string& name = arguments[k];
-    if (name == "--json" || name == "--worker")
-    {
-      (name == "--json" ? options.json : options.worker) = true;
-      continue;
-    }
-    const std::string text = k + 1 < arguments.size() ? arguments[k + 1] : "";
-    ++k;
-    if (name == "--particles")
-      options.effort.particles2 = options.effort.particles3 = positiveNumber<int>(name, text);
-    else if (name == "--steps")
-      options.effort.steps = positiveNumber<int>(name, text);
-    else if (name == "--rounds")
-      options.effort.rounds = positiveNumber<int>(name, text);
-    else if (name == "--triad")
-      options.effort.triad = positiveNumber<int>(name, text);
-    else if (name == "--threads")
-      options.threads = positiveNumber<int>(name, text);
-    else
-      throw std::invalid_argument(
-          "\"" + name +
-          "\" is not an option; there are --json, --particles N, --steps N, --rounds N, "
-          "--triad N and --threads N");
-  }
+  const auto worker = std::find(arguments.begin(), arguments.end(), "--worker");
+  options.worker = worker != arguments.end();
+  if (options.worker)
+    arguments.erase(worker);
+  int particles = 0;
+  CommandLine()
+      .flag("--json", options.json)
+      .number("--particles", particles)
+      .number("--steps", options.effort.steps)
+      .number("--rounds", options.effort.rounds)
+      .number("--triad", options.effort.triad)
+      .number("--threads", options.threads)
+      .read(arguments);
+  if (particles > 0)
+    options.effort.particles2 = options.effort.particles3 = particles;
   return options;
 }
 
@@ -120,31 +108,18 @@ void printTable(const nlohmann::json& all)
   }
 }
 
+void run(const std::vector<std::string>& arguments)
+{
+  const Options options = readOptions(arguments);
+  if (options.worker)
+    std::cout << withKokkos([&] { return measure(options.effort); }) << "\n";
+  else
+    print(gather(options, arguments), options.json, printTable);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
-  try
-  {
-    const std::vector<std::string> arguments(argv, argv + argc);
-    const Options options = readOptions(arguments);
-    if (options.worker)
-    {
-      Kokkos::initialize();
-      std::cout << measure(options.effort) << "\n";
-      Kokkos::finalize();
-      return 0;
-    }
-    const nlohmann::json all = gather(options, arguments);
-    if (options.json)
-      std::cout << all.dump(2) << "\n";
-    else
-      printTable(all);
-  }
-  catch (const std::exception& error)
-  {
-    std::cerr << "throughput: " << error.what() << "\n";
-    return 1;
-  }
-  return 0;
+  return statusOf("throughput", [&] { run({argv, argv + argc}); });
 }

@@ -36,12 +36,37 @@ TEST(AdaptiveCost, writesTheUniformRunsBesideTheAdaptiveOne)
     EXPECT_GT(run.at("us_per_step").get<double>(), 0.0);
 }
 
+// Both of a pair have the same cells, so what Sub-Cycling saves is steps of particles in large cells.
+TEST(AdaptiveCost, writesShortStepsEverywhereBesideThoseOfSmallCells)
+{
+  const Output output = adaptive(scene("dcb_adaptive.xml") + "--rounds 1 --levels 2 --interval 3e-6 --json");
+  ASSERT_EQ(output.status, 0) << output.text;
+  const nlohmann::json levels = nlohmann::json::parse(output.text).at("levels");
+  ASSERT_EQ(levels.size(), 2u);
+  for (int level = 1; level <= 2; ++level)
+  {
+    const nlohmann::json& entry = levels[level - 1];
+    EXPECT_EQ(entry.at("maximum_level").get<int>(), level);
+    const nlohmann::json& small = entry.at("short_in_small_cells");
+    const nlohmann::json& everywhere = entry.at("short_everywhere");
+    EXPECT_EQ(small.at("particles"), everywhere.at("particles"));
+    const auto steps = small.at("steps").get<double>();
+    EXPECT_NEAR(everywhere.at("steps").get<double>(), steps * (1 << level), 1 << level);
+    EXPECT_GT(small.at("particle_steps").get<double>(), steps * small.at("particles").get<double>());
+    EXPECT_GT(entry.at("times_fewer_particle_steps").get<double>(), 1.0);
+    EXPECT_LT(entry.at("times_fewer_particle_steps").get<double>(), 1 << level);
+    EXPECT_DOUBLE_EQ(entry.at("times_faster").get<double>(),
+                     everywhere.at("seconds_per_simulated_ms").get<double>() /
+                         small.at("seconds_per_simulated_ms").get<double>());
+  }
+}
+
 TEST(AdaptiveCost, refusesWhatItDoesNotKnow)
 {
   const std::string good = scene("dcb_adaptive.xml");
   for (const std::string& wrong :
        {std::string(), good + "--rounds ten", good + "--round 3", good + good, good + "--interval -1",
-        scene("dcb_h4.xml"), std::string("no_such_file.xml --rounds 1")})
+        good + "--levels 0", scene("dcb_h4.xml"), std::string("no_such_file.xml --rounds 1")})
     EXPECT_EQ(WEXITSTATUS(adaptive(wrong).status), 1) << wrong;
 }
 

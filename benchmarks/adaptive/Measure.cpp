@@ -1,13 +1,10 @@
 #include "adaptive/Measure.hpp"
 
-#include "Simulation.hpp"
+#include "common/TimedRun.hpp"
 
 #include <Kokkos_Core.hpp>
-#include <Teuchos_DefaultSerialComm.hpp>
 #include <Teuchos_XMLParameterListHelpers.hpp>
 
-#include <algorithm>
-#include <memory>
 #include <stdexcept>
 #include <vector>
 
@@ -17,83 +14,116 @@ namespace Rhegma::benchmarks
 namespace
 {
 
-/// One run and the times of its batches.
-struct Runner
+using Scene = Teuchos::RCP<Teuchos::ParameterList>;
+
+Scene readRefined(const std::string& file)
 {
-  std::string name;
-  std::unique_ptr<Simulation> simulation;
-  double best = 1e300; ///< [s per batch]
-  long steps = 0;      ///< of a batch
+  const Scene scene = Teuchos::getParametersFromXmlFile(file);
+  if (!scene->isSublist("Adaptivity"))
+    throw std::invalid_argument("the scene " + file +
+                                " has no section Adaptivity; write one whose cells refine, as "
+                                "xml_inputs/verification/dcb_adaptive.xml");
+  return scene;
+}
 
-  Runner(const std::string& which, const Teuchos::RCP<Teuchos::ParameterList>& scene) : name(which)
-  {
-    // A beam that comes to rest is timed no longer than it moves.
-    if (scene->isSublist("Damping"))
-      scene->sublist("Damping").set("Stop When Settled", false);
-    double interval = 0.0;
-    if (scene->isSublist("Output") && scene->sublist("Output").isType<double>("History Interval"))
-      interval = scene->sublist("Output").get<double>("History Interval");
-    simulation = std::make_unique<Simulation>(Teuchos::rcp(new Teuchos::SerialComm<int>()), scene);
-    simulation->initialize();
-    if (interval > 0.0)
-      simulation->sampleEvery(interval, [](double, const Simulation::Row&) {});
-  }
-
-  void batch(double interval)
-  {
-    const long before = simulation->steps();
-    const Kokkos::Timer timer;
-    simulation->advance(simulation->time() + interval);
-    Kokkos::fence();
-    best = std::min(best, timer.seconds());
-    steps = simulation->steps() - before;
-  }
-};
-
-Runner uniform(const std::string& sceneFile, int parts)
+TimedRun makeRun(const std::string& name, const Scene& scene)
 {
-  const auto scene = Teuchos::getParametersFromXmlFile(sceneFile);
+  double samples = 0.0;
+  if (scene->isSublist("Output") && scene->sublist("Output").isType<double>("History Interval"))
+    samples = scene->sublist("Output").get<double>("History Interval");
+  TimedRun run(name, scene);
+  if (samples > 0.0)
+    run.simulation->sampleEvery(samples, [](double, const Simulation::Row&) {});
+  return run;
+}
+
+TimedRun uniform(const std::string& file, int parts)
+{
+  const Scene scene = readRefined(file);
   scene->remove("Adaptivity");
   scene->remove("Sub-Cycling", false);
   Teuchos::ParameterList& domain = scene->sublist("Domain");
   domain.set("Cell Size", domain.get<double>("Cell Size") / parts);
-  return {"uniform, cells / " + std::to_string(parts), scene};
+  return makeRun("uniform, cells / " + std::to_string(parts), scene);
+}
+
+/// \param everywhere whether large cells take short steps too
+TimedRun withLevels(const std::string& file, int levels, bool everywhere)
+{
+  const Scene scene = readRefined(file);
+  scene->sublist("Adaptivity").set("Maximum Level", levels);
+  scene->remove("Sub-Cycling", false);
+  if (!everywhere)
+    scene->sublist("Sub-Cycling").set("Levels", levels);
+  return makeRun("levels " + std::to_string(levels), scene);
+}
+
+double seconds(const TimedRun& run)
+{
+  return run.best([](const Batch& batch) { return batch.seconds; });
+}
+
+void measure(std::vector<TimedRun>& runs, const AdaptiveEffort& effort)
+{
+  timeByTurns(runs, 1, effort.interval); // so that the body moves
+  for (TimedRun& run : runs)
+    run.batches.clear();
+  timeByTurns(runs, effort.rounds, effort.interval);
+}
+
+nlohmann::json timesOf(const TimedRun& run, double interval)
+{
+  return {{"particles", run.simulation->particles()},
+          {"steps", run.batches.back().steps},
+          {"particle_steps", run.batches.back().particleSteps},
+          {"us_per_step", 1e6 * seconds(run) / run.batches.back().steps},
+          {"seconds_per_simulated_ms", 1e-3 * seconds(run) / interval}};
 }
 
 } // namespace
 
 nlohmann::json measureAdaptive(const std::string& sceneFile, const AdaptiveEffort& effort)
 {
-  const auto scene = Teuchos::getParametersFromXmlFile(sceneFile);
-  if (!scene->isSublist("Adaptivity"))
-    throw std::invalid_argument("the scene " + sceneFile +
-                                " has no section Adaptivity; write one whose cells refine, as "
-                                "xml_inputs/verification/dcb_adaptive.xml");
-  std::vector<Runner> runners;
-  runners.emplace_back("adaptive", scene);
+  std::vector<TimedRun> runs;
+  runs.push_back(makeRun("adaptive", readRefined(sceneFile)));
   for (int k = 1; k <= effort.finer; ++k)
-    runners.push_back(uniform(sceneFile, 1 << k));
-  for (Runner& runner : runners) // so that the body moves
-  {
-    runner.batch(effort.interval);
-    runner.best = 1e300;
-  }
-  for (int round = 0; round < effort.rounds; ++round)
-    for (Runner& runner : runners)
-      runner.batch(effort.interval);
+    runs.push_back(uniform(sceneFile, 1 << k));
+  measure(runs, effort);
 
   nlohmann::json all;
   all["threads"] = Kokkos::DefaultExecutionSpace().concurrency();
-  for (const Runner& runner : runners)
+  for (const TimedRun& run : runs)
   {
-    nlohmann::json entry;
-    entry["name"] = runner.name;
-    entry["particles"] = runner.simulation->particles();
-    entry["steps"] = runner.steps;
-    entry["us_per_step"] = 1e6 * runner.best / static_cast<double>(runner.steps);
-    entry["seconds_per_simulated_ms"] = 1e-3 * runner.best / effort.interval;
-    entry["of_adaptive"] = runner.best / runners.front().best;
+    nlohmann::json entry = timesOf(run, effort.interval);
+    entry["name"] = run.name;
+    entry["of_adaptive"] = seconds(run) / seconds(runs.front());
     all["runs"].push_back(entry);
+  }
+  return all;
+}
+
+nlohmann::json measureShortSteps(const std::string& sceneFile, const AdaptiveEffort& effort)
+{
+  std::vector<TimedRun> runs;
+  for (int levels = 1; levels <= effort.levels; ++levels)
+    for (const bool everywhere : {false, true})
+      runs.push_back(withLevels(sceneFile, levels, everywhere));
+  measure(runs, effort);
+
+  nlohmann::json all;
+  all["threads"] = Kokkos::DefaultExecutionSpace().concurrency();
+  for (int levels = 1; levels <= effort.levels; ++levels)
+  {
+    const TimedRun& small = runs[2 * levels - 2];
+    const TimedRun& everywhere = runs[2 * levels - 1];
+    nlohmann::json entry;
+    entry["maximum_level"] = levels;
+    entry["short_in_small_cells"] = timesOf(small, effort.interval);
+    entry["short_everywhere"] = timesOf(everywhere, effort.interval);
+    entry["times_faster"] = seconds(everywhere) / seconds(small);
+    entry["times_fewer_particle_steps"] =
+        everywhere.batches.back().particleSteps / small.batches.back().particleSteps;
+    all["levels"].push_back(entry);
   }
   return all;
 }

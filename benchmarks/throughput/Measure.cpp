@@ -1,14 +1,15 @@
 #include "throughput/Measure.hpp"
 
-#include "Simulation.hpp"
+#include "common/TimedRun.hpp"
 #include "throughput/Cases.hpp"
 #include "throughput/Triad.hpp"
 
 #include <Kokkos_Core.hpp>
-#include <Teuchos_DefaultSerialComm.hpp>
 
 #include <algorithm>
-#include <memory>
+#include <map>
+#include <string>
+#include <vector>
 
 namespace Rhegma::benchmarks
 {
@@ -16,37 +17,28 @@ namespace Rhegma::benchmarks
 namespace
 {
 
-/// A body and the times of its batches.
+/// A body that is timed, and what its stages had taken before.
 struct Runner
 {
   const Case& which;
-  std::unique_ptr<Simulation> simulation;
-  std::vector<double> nanoseconds; ///< per particle and step, one a batch
+  TimedRun run;
   std::map<std::string, double> stages;
 
-  Runner(const Case& c, const Effort& effort) : which(c)
+  Runner(const Case& c, const Effort& effort)
+      : which(c), run(c.name, makeScene(c, c.dimension == 2 ? effort.particles2 : effort.particles3))
   {
-    simulation =
-        std::make_unique<Simulation>(Teuchos::rcp(new Teuchos::SerialComm<int>()),
-                                     makeScene(c, c.dimension == 2 ? effort.particles2 : effort.particles3));
-    simulation->initialize();
-    advance(2); // sorts the particles and touches all memory
-    stages = simulation->stageSeconds();
-  }
-
-  void advance(int steps) { simulation->advance(simulation->time() + steps * simulation->stableTimeStep()); }
-
-  void batch(int steps)
-  {
-    const double before = simulation->particleSteps();
-    const Kokkos::Timer timer;
-    advance(steps);
-    nanoseconds.push_back(1e9 * timer.seconds() / (simulation->particleSteps() - before));
+    run.advance(2); // sorts the particles and touches all memory
+    stages = run.simulation->stageSeconds();
   }
 };
 
-double median(std::vector<double> values)
+double nanoseconds(const Batch& batch) { return 1e9 * batch.seconds / batch.particleSteps; }
+
+double median(const std::vector<Batch>& batches)
 {
+  std::vector<double> values;
+  for (const Batch& batch : batches)
+    values.push_back(nanoseconds(batch));
   std::sort(values.begin(), values.end());
   return values[values.size() / 2];
 }
@@ -56,15 +48,15 @@ nlohmann::json result(const Runner& runner, int threads)
   nlohmann::json entry;
   entry["name"] = runner.which.name;
   entry["threads"] = threads;
-  entry["particles"] = runner.simulation->particles();
-  entry["ns_per_particle_step"] = *std::min_element(runner.nanoseconds.begin(), runner.nanoseconds.end());
-  entry["median_ns_per_particle_step"] = median(runner.nanoseconds);
+  entry["particles"] = runner.run.simulation->particles();
+  entry["ns_per_particle_step"] = runner.run.best(nanoseconds);
+  entry["median_ns_per_particle_step"] = median(runner.run.batches);
   entry["bytes_per_particle"] = runner.which.boundBytes;
   // The stages take the same share of every step, so the share of all batches stands for the best.
   double all = 0.0;
-  for (const auto& [stage, seconds] : runner.simulation->stageSeconds())
+  for (const auto& [stage, seconds] : runner.run.simulation->stageSeconds())
     all += seconds - runner.stages.at(stage);
-  for (const auto& [stage, seconds] : runner.simulation->stageSeconds())
+  for (const auto& [stage, seconds] : runner.run.simulation->stageSeconds())
     entry["stage_share"][stage] = (seconds - runner.stages.at(stage)) / all;
   return entry;
 }
@@ -86,7 +78,7 @@ nlohmann::json measure(const Effort& effort)
     for (Runner& runner : runners)
     {
       bandwidth = std::max(bandwidth, triad.pass());
-      runner.batch(effort.steps);
+      runner.run.time(effort.steps);
     }
 
   nlohmann::json all;

@@ -1,5 +1,7 @@
 #include "throughput/Worker.hpp"
 
+#include "common/Program.hpp"
+
 #include <array>
 #include <cerrno>
 #include <cstdlib>
@@ -17,9 +19,7 @@ namespace
 {
   dup2(output, STDOUT_FILENO);
   setenv("OMP_NUM_THREADS", std::to_string(threads).c_str(), 1);
-  // As the program itself does where the user has not decided.
-  setenv("OMP_PROC_BIND", "spread", 0);
-  setenv("OMP_PLACES", "threads", 0);
+  placeThreads();
   std::vector<std::string> texts(arguments);
   std::vector<char*> pointers;
   for (std::string& text : texts)

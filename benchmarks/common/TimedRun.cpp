@@ -1,0 +1,38 @@
+#include "common/TimedRun.hpp"
+
+#include <Kokkos_Core.hpp>
+#include <Teuchos_DefaultSerialComm.hpp>
+
+#include <utility>
+
+namespace Rhegma::benchmarks
+{
+
+TimedRun::TimedRun(std::string which, const Teuchos::RCP<Teuchos::ParameterList>& scene)
+    : name(std::move(which))
+{
+  if (scene->isSublist("Damping"))
+    scene->sublist("Damping").set("Stop When Settled", false);
+  simulation = std::make_unique<Simulation>(Teuchos::rcp(new Teuchos::SerialComm<int>()), scene);
+  simulation->initialize();
+}
+
+double TimedRun::lasting(int steps) const { return steps * simulation->stableTimeStep(); }
+
+void TimedRun::advance(int steps) { simulation->advance(simulation->time() + lasting(steps)); }
+
+void TimedRun::time(int steps) { timeUntil(simulation->time() + lasting(steps)); }
+
+void TimedRun::time(double simulated) { timeUntil(simulation->time() + simulated); }
+
+void TimedRun::timeUntil(double end)
+{
+  const auto steps = static_cast<double>(simulation->steps());
+  const double particleSteps = simulation->particleSteps();
+  const Kokkos::Timer timer;
+  simulation->advance(end);
+  batches.push_back({timer.seconds(), static_cast<double>(simulation->steps()) - steps,
+                     simulation->particleSteps() - particleSteps});
+}
+
+} // namespace Rhegma::benchmarks
