@@ -85,13 +85,6 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
   if (!scene.isSublist("Adaptivity"))
     return;
   const Teuchos::ParameterList& list = scene.sublist("Adaptivity");
-  const std::string matrix =
-      scene.isSublist("Mass Matrix") && scene.sublist("Mass Matrix").isType<std::string>("Type")
-          ? scene.sublist("Mass Matrix").get<std::string>("Type")
-          : "";
-  if (matrix == "Full" || matrix == "Partial")
-    errors.push_back({"Adaptivity", "it does not go with Mass Matrix > Type = " + matrix +
-                                        " as yet; take Lumped or FMPM, or take one of the two sections out"});
   if (scene.isSublist("Cracks") && scene.sublist("Cracks").isType<std::string>("Formulation") &&
       scene.sublist("Cracks").get<std::string>("Formulation") == "Corrected Broken Cell")
     errors.push_back({"Adaptivity", "it does not go with Cracks > Formulation = Corrected Broken Cell, which "

@@ -187,8 +187,10 @@ CrackClosure closeCrack(const State<2>& state, const CrackFront<2>& front, int n
   const TieForces ties(state);
   const Columns columns(state, front, cell, forces);
   const std::map<int, int> first = firstClosed(forces, split, columns);
-  const auto release = [&](const RecoveryMatrix& matrix)
+  const auto release = [&](RecoveryMatrix matrix)
   {
+    matrix.radius += matrix.radiusCells * cell;
+    matrix.edge += matrix.edgeCells * cell;
     const NodeDisplacement displacement =
         recoverDisplacement(particles, split, matrix, cell * cell * state.thickness);
     return work(forces, ties, split, columns, first, displacement, number) /

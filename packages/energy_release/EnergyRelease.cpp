@@ -159,11 +159,13 @@ RecoveryMatrix matrixOfTheMotion(const Teuchos::ParameterList& scene)
   matrix.smallestNode = list.get<double>("Smallest Node");
   if (type == "Partial")
   {
-    const double cell = scene.sublist("Domain").get<double>("Cell Size");
-    const auto length = [&](const char* name, double cells)
-    { return list.isParameter(name) ? list.get<double>(name) : cells * cell; };
-    matrix.radius = length("Radius", 3.0); // as Mass Matrix has it where it is not given
-    matrix.edge = length("Edge Width", 1.0);
+    const auto length = [&](const char* name)
+    { return list.isParameter(name) ? list.get<double>(name) : 0.0; };
+    matrix.radius = length("Radius");
+    matrix.edge = length("Edge Width");
+    // As Mass Matrix has them where they are not given.
+    matrix.radiusCells = list.isParameter("Radius") ? 0.0 : 3.0;
+    matrix.edgeCells = list.isParameter("Edge Width") ? 0.0 : 1.0;
   }
   return matrix;
 }

@@ -71,6 +71,8 @@ struct RecoveryMatrix
   double radius;       ///< theta is 1 up to this distance from a front [m]
   double edge;         ///< and falls to 0 over this width beyond it [m]
   int terms;           ///< of the series about the row sums that stands for the inverse; 0: solved
+  double radiusCells = 0.0; ///< of the radius beside what is in m, in cells as they are at the front
+  double edgeCells = 0.0;   ///< of the edge
 };
 
 /// theta = 1. A node that a particle barely touches is found by extrapolation; the thousandth of row sums

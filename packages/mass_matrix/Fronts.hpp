@@ -1,44 +1,50 @@
 #pragma once
 /// Which particles a crack front unlumps.
 
-#include "state/State.hpp"
+#include "mass_matrix/MassSystem.hpp"
 
 namespace Rhegma::mass_matrix
 {
 
-/// Lists the places of all fronts: their vertices, so that in 3D a front is a line of places.
-/// \param places grows where there are more than it holds \param count of the places
+/// Lists the places of all fronts: their vertices, so that in 3D a front is a line of places; and the radius
+/// and the edge of the zone around each. \param places, zones grow where there are more than they hold \param
+/// count of the places
 template <int D>
-void listFronts(const State<D>& state, View<double* [D]>& places, int& count);
+void listFronts(const State<D>& state, const Unlumping& unlumping, View<double* [D]>& places,
+                View<double* [2]>& zones, int& count);
 
-/// theta: 1 inside the radius around a front, 0 beyond its edge, a cubic between with flat ends.
+/// theta: 1 inside the radius around a front, 0 beyond its edge, a cubic between with flat ends. The largest
+/// of all fronts.
 template <int D>
 struct ConsistentShare
 {
   View<double* [D]> front;
+  View<double* [2]> zone; ///< radius and edge of each [m]
   int numFronts;
   bool everywhere;
-  double radius, edge;
 
   KOKKOS_INLINE_FUNCTION double operator()(const double* x) const
   {
     if (everywhere)
       return 1.0;
-    double nearest = 1e300;
+    double largest = 0.0;
     for (int f = 0; f < numFronts; ++f)
     {
       double square = 0.0;
       for (int d = 0; d < D; ++d)
         square += (x[d] - front(f, d)) * (x[d] - front(f, d));
-      nearest = square < nearest ? square : nearest;
+      const double edge = zone(f, 1), furthest = zone(f, 0) + edge;
+      if (square > (1.0 + 1e-12) * furthest * furthest)
+        continue;
+      const double beyond = std::sqrt(square) - zone(f, 0);
+      if (beyond <= 0.0)
+        return 1.0;
+      if (!(beyond < edge))
+        continue;
+      const double s = beyond / edge, share = 1.0 - s * s * (3.0 - 2.0 * s);
+      largest = share > largest ? share : largest;
     }
-    const double beyond = std::sqrt(nearest) - radius;
-    if (beyond <= 0.0)
-      return 1.0;
-    if (!(beyond < edge))
-      return 0.0;
-    const double s = beyond / edge;
-    return 1.0 - s * s * (3.0 - 2.0 * s);
+    return largest;
   }
 
   /// Whether a particle of a block can be near enough. \param corner lowest cell along the cut axes
@@ -46,7 +52,6 @@ struct ConsistentShare
   {
     if (everywhere)
       return true;
-    const double zone = (radius + edge) * grid.inverse;
     bool any = false;
     for (int f = 0; f < numFronts; ++f)
     {
@@ -60,7 +65,8 @@ struct ConsistentShare
         const double apart = at < low ? low - at : at > high ? at - high : 0.0;
         square += apart * apart;
       }
-      any = any || square <= zone * zone;
+      const double furthest = (zone(f, 0) + zone(f, 1)) * grid.inverse;
+      any = any || square <= furthest * furthest;
     }
     return any;
   }

@@ -58,8 +58,9 @@ void addSolverParameters(Section& s)
   s.real("Smallest Node")
       .range(0.0, 1.0)
       .byDefault(0.1)
-      .meaning(
-          "A particle that touches a node with less than this share of a full cell's mass stays lumped.");
+      .meaning("A particle that touches a node with less than this share of the mass that the node has in a "
+               "full body "
+               "stays lumped.");
   s.real("Solver Tolerance")
       .above(0.0)
       .below(1.0)
@@ -95,7 +96,7 @@ Section section()
   s.variant(full);
   Section partial("Partial", "Full around crack fronts, lumped elsewhere.");
   partial.real("Radius").unit("m").positive().optional("3 cells").meaning(
-      "Full up to this distance from a front.");
+      "Full up to this distance from a front. Cells are those at the front.");
   partial.real("Edge Width")
       .unit("m")
       .notNegative()
@@ -178,8 +179,10 @@ struct Work
   Unlumping unlumping(const State<D>& state) const
   {
     Unlumping u = options.unlumping;
-    u.radius = options.radius > 0.0 ? options.radius : radiusCells * state.grid.spacing;
-    u.edge = options.edge >= 0.0 ? options.edge : edgeCells * state.grid.spacing;
+    u.radiusShrinks = !(options.radius > 0.0);
+    u.edgeShrinks = !(options.edge >= 0.0);
+    u.radius = u.radiusShrinks ? radiusCells * state.grid.spacing : options.radius;
+    u.edge = u.edgeShrinks ? edgeCells * state.grid.spacing : options.edge;
     return u;
   }
 
@@ -261,11 +264,12 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     if (work->options.coupled())
     {
       const Unlumping unlumping = work->unlumping(state);
-      refuseLargeMatrix(largestRows(state, unlumping), bytesPerRow<D>(state.shape, !unlumping.everywhere),
-                        freeMemoryBytes(),
-                        unlumping.everywhere
-                            ? "Lumped, FMPM or Partial, larger cells or a smaller body"
-                            : "Lumped or FMPM, a smaller Mass Matrix > Radius or larger cells");
+      refuseLargeMatrix(
+          largestRows(state, unlumping),
+          bytesPerRow<D>(state.shape, !unlumping.everywhere || state.tree.refined(), state.tree.refined()),
+          freeMemoryBytes(),
+          unlumping.everywhere ? "Lumped, FMPM or Partial, larger cells or a smaller body"
+                               : "Lumped or FMPM, a smaller Mass Matrix > Radius or larger cells");
     }
     if (work->options.update != VelocityUpdate::Flip)
       state.picFraction = 1.0;
@@ -277,7 +281,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   // in, prototypes on cut grids were stable to CFL numbers of 0.44 and more, without it of far less.
   if (options.coupled())
     effect.timeStepLimit = [](const State<D>& state)
-    { return std::min(state.cfl, largestCoupledCfl) * state.grid.spacing / state.fastest; };
+    { return std::min(state.cfl, largestCoupledCfl) * state.smallestSpacing() / state.fastest; };
   if (options.coupled())
     effect.call({Stage::Scatter,
                  "assemble the mass matrix",

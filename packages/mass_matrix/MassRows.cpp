@@ -1,4 +1,6 @@
 #include "mass_matrix/MassRows.hpp"
+
+#include "mass_matrix/HashedLists.hpp"
 #include "state/FewItems.hpp"
 
 #include <algorithm>
@@ -56,22 +58,26 @@ void clearRows(const MassSystem<D>& system)
 
 constexpr int chosen = -2; ///< in rowOf: a node that shall have a row
 
-/// The nodes around fronts that particles in their zones can touch, some of them more than once.
+/// The nodes of the lattice around fronts that particles in their zones can touch, some of them more than
+/// once.
 template <int D>
 struct AroundFronts
 {
   Grid<D> grid;
   View<double* [D]> front;
-  double furthest; ///< [m]
+  View<double* [2]> zone;
+  double beyond; ///< how far particles reach beyond their zone [m]
   int half, side, all, size;
 
-  AroundFronts(const State<D>& state, const Unlumping& unlumping, const View<double* [D]>& places, int fronts)
+  AroundFronts(const State<D>& state, const Unlumping& unlumping, const View<double* [D]>& places,
+               const View<double* [2]>& zones, int fronts)
       : grid(state.grid),
         front(places),
-        furthest(unlumping.radius + unlumping.edge +
-                 std::sqrt(double(D)) * 0.5 * (reachOf(state.shape) + 1) * grid.spacing),
-        half(std::min(*std::max_element(grid.cells, grid.cells + D),
-                      static_cast<int>(std::ceil(furthest * grid.inverse)))),
+        zone(zones),
+        beyond(std::sqrt(double(D)) * 0.5 * (reachOf(state.shape) + 1) * grid.spacing),
+        half(std::min(
+            *std::max_element(grid.cells, grid.cells + D),
+            static_cast<int>(std::ceil((unlumping.radius + unlumping.edge + beyond) * grid.inverse)))),
         side(2 * half + 1),
         all(D == 2 ? side * side : side * side * side),
         size(fronts * all)
@@ -93,7 +99,23 @@ struct AroundFronts
       const double apart = grid.origin[d] + at[d] * grid.spacing - front(f, d);
       square += apart * apart;
     }
-    return in && square <= furthest * furthest ? grid.nodeIndex(at) : -1;
+    return in && square <= furthest(f) * furthest(f) ? grid.nodeIndex(at) : -1;
+  }
+
+  KOKKOS_INLINE_FUNCTION double furthest(int f) const { return zone(f, 0) + zone(f, 1) + beyond; }
+
+  /// Whether a place is so near to a front.
+  KOKKOS_INLINE_FUNCTION bool holds(const Vector<D>& x) const
+  {
+    bool any = false;
+    for (int f = 0; f < size / all; ++f)
+    {
+      double square = 0.0;
+      for (int d = 0; d < D; ++d)
+        square += (x[d] - front(f, d)) * (x[d] - front(f, d));
+      any = any || square <= furthest(f) * furthest(f);
+    }
+    return any;
   }
 };
 
@@ -101,7 +123,7 @@ struct AroundFronts
 template <int D>
 void chooseAroundFronts(const State<D>& state, const Unlumping& unlumping, const MassSystem<D>& system)
 {
-  const AroundFronts<D> around(state, unlumping, system.front, system.numFronts);
+  const AroundFronts<D> around(state, unlumping, system.front, system.zone, system.numFronts);
   const View<int*> rowOf = system.rowOf, second = state.cracks.second;
   const auto sums = state.nodes.sums;
   const bool seconds = state.nodes.numSecond > 0;
@@ -115,6 +137,24 @@ void chooseAroundFronts(const State<D>& state, const Unlumping& unlumping, const
         const int other = seconds ? second(node) : -1;
         if (other >= 0 && sums(other, Nodes<D>::massAt) > 0.0)
           rowOf(other) = chosen;
+      });
+}
+
+/// Marks the nodes that particles with a stored stencil touch, where cells are refined.
+template <int D>
+void chooseTouched(const State<D>& state, const ConsistentShare<D>& share, const MassSystem<D>& system)
+{
+  const View<int*> rowOf = system.rowOf, particle = state.storedParticle;
+  const StencilTable<D> table = state.stored;
+  const auto sums = state.nodes.sums;
+  const auto position = state.particles.template real<D>(fields::position);
+  forFew(
+      "rhegma::mass::chooseTouched", 0, state.numStored, KOKKOS_LAMBDA(const int r) {
+        if (share(&position(particle(r), 0)) == 0.0)
+          return;
+        for (int k = 0; k < table.count(r); ++k)
+          if (sums(table.node(r, k), Nodes<D>::massAt) > 0.0)
+            rowOf(table.node(r, k)) = chosen;
       });
 }
 
@@ -162,6 +202,36 @@ void reserveRows(MassSystem<D>& system)
   system.coupled = View<char*>("rhegma::massCoupled", room);
 }
 
+/// Which nodes only particles with a stored stencil touch: those of refined cells, and those of the lattice
+/// all of whose cells are refined or beside such.
+template <int D>
+struct OnlyStored
+{
+  Grid<D> grid;
+  View<char*> near; ///< empty where no cell is refined
+
+  explicit OnlyStored(const State<D>& state) : grid(state.grid)
+  {
+    if (state.tree.refined())
+      near = state.tree.nearRefined;
+  }
+
+  KOKKOS_INLINE_FUNCTION bool operator()(int place) const
+  {
+    if (near.extent(0) == 0 || place >= grid.numNodes)
+      return near.extent(0) > 0;
+    bool inside = true;
+    for (int k = 0; k < (1 << D); ++k)
+    {
+      int cell = place;
+      for (int d = 0; d < D; ++d)
+        cell -= ((k >> d) & 1) * grid.stride[d];
+      inside = inside && cell >= 0 && near(cell) != 0;
+    }
+    return inside;
+  }
+};
+
 /// Lumped mass and lines of each row; clears its band.
 template <int D>
 void startRows(const State<D>& state, MassSystem<D>& system)
@@ -170,11 +240,17 @@ void startRows(const State<D>& state, MassSystem<D>& system)
   const Nodes<D> nodes = state.nodes;
   const MassSystem<D> s = system;
   const Grid<D> grid = state.grid;
+  const OnlyStored<D> onlyStored(state);
   forFew(
       "rhegma::mass::startRows", s.first, s.last, KOKKOS_LAMBDA(const int row) {
         const int node = s.nodeOf(row), lattice = latticeNode(nodes, node), span = 2 * s.reach + 1;
         s.lumped(row) = sums(node, Nodes<D>::massAt);
         s.extraOf(row) = -1;
+        if (onlyStored(lattice))
+        {
+          s.lineStart(row * s.lines) = -1;
+          return;
+        }
         double* const values = s.band.data() + static_cast<std::size_t>(row) * s.stride;
         for (int k = 0; k < s.stride; ++k)
           values[k] = 0.0;
@@ -227,8 +303,9 @@ void startLists(const State<D>& state, const ConsistentShare<D>& share, MassSyst
       },
       count);
   system.numExtra = count;
-  const int wide = 2 * system.slots;
-  if (static_cast<int>(system.extraCount.extent(0)) < count)
+  const int wide = system.listRoom;
+  if (static_cast<int>(system.extraCount.extent(0)) < count ||
+      static_cast<int>(system.extra.extent(1)) != wide)
   {
     const int room = count + count / 4 + 16;
     system.extraCount = View<int*>("rhegma::massExtraCount", room);
@@ -236,11 +313,41 @@ void startLists(const State<D>& state, const ConsistentShare<D>& share, MassSyst
     system.extraColumn = View<int**>("rhegma::massExtraColumn", room, wide);
   }
   const auto values = system.extra;
+  const auto columns = system.extraColumn;
+  const bool hashed = system.hashed;
   forFew(
       "rhegma::mass::clearLists", 0, count, KOKKOS_LAMBDA(const int list) {
-        for (int k = 0; k < wide; ++k)
+        for (int k = 0; k < wide && hashed; ++k)
+          columns(list, k) = -1;
+        for (int k = 0; k < wide && !hashed; ++k)
           values(list, k) = 0.0;
       });
+}
+
+/// Most entries of a list.
+template <int D>
+int fullestListOf(const MassSystem<D>& system)
+{
+  const View<int*> number = system.extraCount;
+  int most = 0;
+  Kokkos::parallel_reduce(
+      "rhegma::mass::fullestList", Kokkos::RangePolicy<ExecSpace>(0, system.numExtra),
+      KOKKOS_LAMBDA(const int list, int& largest) {
+        largest = number(list) > largest ? number(list) : largest;
+      },
+      Kokkos::Max<int>(most));
+  return most;
+}
+
+/// The kind of the lists.
+template <int D>
+void chooseLists(bool refined, MassSystem<D>& system)
+{
+  if (system.listRoom == 0 || system.hashed != refined)
+    system.listRoom = listRoomOf<D>(system.slots, refined);
+  system.hashed = refined;
+  if (refined && system.overflow.data() == nullptr)
+    system.overflow = View<int>("rhegma::massOverflow");
 }
 
 } // namespace
@@ -250,10 +357,13 @@ void beginRows(const State<D>& state, const Unlumping& unlumping, MassSystem<D>&
 {
   reserveNodes(state, system);
   clearRows(system);
+  chooseLists(state.tree.refined(), system);
   if (!unlumping.everywhere)
   {
-    listFronts(state, system.front, system.numFronts);
+    listFronts(state, unlumping, system.front, system.zone, system.numFronts);
     chooseAroundFronts(state, unlumping, system);
+    if (system.hashed)
+      chooseTouched(state, consistentShare(unlumping, system), system);
   }
   numberRows(state, unlumping.everywhere, system);
   reserveRows(system);
@@ -274,11 +384,17 @@ void finishRows(const State<D>& state, MassSystem<D>& system)
       KOKKOS_LAMBDA(const int row, double& sum, int& count) {
         const int centre = s.slots / 2;
         double* const values = s.band.data() + static_cast<std::size_t>(row) * s.stride;
-        double others = -values[centre];
-        for (int k = 0; k < s.slots; ++k)
-          others += values[k];
+        double others = 0.0;
+        if (s.lineStart(row * s.lines) >= 0)
+        {
+          others = -values[centre];
+          for (int k = 0; k < s.slots; ++k)
+            others += values[k];
+        }
         const int list = s.extraOf(row);
-        if (list >= 0)
+        if (list >= 0 && s.hashed)
+          s.extraCount(list) = packHashed(&s.extra(list, 0), &s.extraColumn(list, 0), s.listRoom, others);
+        else if (list >= 0)
         {
           const int node = s.nodeOf(row), lattice = latticeNode(nodes, node);
           int kept = 0;
@@ -309,18 +425,22 @@ void finishRows(const State<D>& state, MassSystem<D>& system)
       mass, coupled);
   system.coupledMass = mass;
   system.numCoupled = coupled;
+  if (system.hashed && fullestListOf(system) > fullestList * system.listRoom)
+    system.listRoom *= 2; // from the next step on
 }
 
 template <int D>
 double largestRows(const State<D>& state, const Unlumping& unlumping)
 {
-  const double most = std::min<double>(state.grid.numNodes, 1.5 * state.particles.size());
+  const double most =
+      std::min<double>(state.grid.numNodes + state.tree.numFine, 1.5 * state.particles.size());
   if (unlumping.everywhere)
     return most;
   View<double* [D]> front;
+  View<double* [2]> zone;
   int numFronts = 0;
-  listFronts(state, front, numFronts);
-  const AroundFronts<D> around(state, unlumping, front, numFronts);
+  listFronts(state, unlumping, front, zone, numFronts);
+  const AroundFronts<D> around(state, unlumping, front, zone, numFronts);
   const View<char*> near("rhegma::massNearFronts", state.grid.numNodes);
   forFew(
       "rhegma::mass::nearFronts", 0, around.size, KOKKOS_LAMBDA(const int i) {
@@ -332,9 +452,40 @@ double largestRows(const State<D>& state, const Unlumping& unlumping)
   sumFew(
       "rhegma::mass::countNearFronts", 0, state.grid.numNodes,
       KOKKOS_LAMBDA(const int node, int& sum) { sum += near(node); }, count);
+  const NodePlaces<D> places = nodePlaces(state);
+  int fine = 0;
+  sumFew(
+      "rhegma::mass::countFineNearFronts", state.grid.numNodes, state.grid.numNodes + state.tree.numFine,
+      KOKKOS_LAMBDA(const int node, int& sum) { sum += around.holds(places(node)) ? 1 : 0; }, fine);
+  count += fine;
   return std::min(most, 2.0 * count);
 }
 
+template <int D>
+int listRoomOf(int slots, bool refined)
+{
+  // On a lattice each slot in either of two fields.
+  return refined ? (D == 2 ? 64 : 256) : 2 * slots;
+}
+
+template <int D>
+bool growLists(MassSystem<D>& system)
+{
+  if (!system.hashed)
+    return false;
+  int full = 0;
+  Kokkos::deep_copy(full, system.overflow);
+  if (full == 0)
+    return false;
+  system.listRoom *= 2;
+  Kokkos::deep_copy(system.overflow, 0);
+  return true;
+}
+
+template int listRoomOf<2>(int, bool);
+template int listRoomOf<3>(int, bool);
+template bool growLists(MassSystem<2>&);
+template bool growLists(MassSystem<3>&);
 template void beginRows(const State<2>&, const Unlumping&, MassSystem<2>&);
 template void beginRows(const State<3>&, const Unlumping&, MassSystem<3>&);
 template void finishRows(const State<2>&, MassSystem<2>&);

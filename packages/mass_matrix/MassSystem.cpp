@@ -22,6 +22,7 @@ void addParticles(const State<D>& state, const Unlumping& unlumping, const MassS
   add.mass = state.particles.scalar(fields::mass);
   add.volume = state.particles.scalar(fields::volume);
   add.share = consistentShare(unlumping, system);
+  add.nodeShare = state.tree.share;
   add.numLattice = state.nodes.numLattice;
   double cell = D == 2 ? state.thickness : 1.0;
   for (int d = 0; d < D; ++d)
@@ -42,14 +43,17 @@ void addParticles(const State<D>& state, const Unlumping& unlumping, const MassS
 template <int D>
 void assemble(const State<D>& state, const Unlumping& unlumping, MassSystem<D>& system)
 {
-  beginRows(state, unlumping, system);
   const bool stored = state.numStored > 0;
-  if (state.shape == ShapeKind::Linear)
-    stored ? addParticles<D, ShapeKind::Linear, true>(state, unlumping, system)
-           : addParticles<D, ShapeKind::Linear, false>(state, unlumping, system);
-  else
-    stored ? addParticles<D, ShapeKind::Gimp, true>(state, unlumping, system)
-           : addParticles<D, ShapeKind::Gimp, false>(state, unlumping, system);
+  do
+  {
+    beginRows(state, unlumping, system);
+    if (state.shape == ShapeKind::Linear)
+      stored ? addParticles<D, ShapeKind::Linear, true>(state, unlumping, system)
+             : addParticles<D, ShapeKind::Linear, false>(state, unlumping, system);
+    else
+      stored ? addParticles<D, ShapeKind::Gimp, true>(state, unlumping, system)
+             : addParticles<D, ShapeKind::Gimp, false>(state, unlumping, system);
+  } while (growLists(system));
   finishRows(state, system);
 }
 
@@ -76,21 +80,21 @@ void multiply(const MassSystem<D>& system, const double* x, double* y, const dou
 }
 
 template <int D>
-double bytesPerRow(ShapeKind shape, bool list)
+double bytesPerRow(ShapeKind shape, bool list, bool refined)
 {
   const int span = shape == ShapeKind::Linear ? 3 : 5;
   const int lines = D == 2 ? span : span * span, slots = lines * span;
   // The band and its lines; the lumped mass and marks; and vectors: nine of the solves, seven of Belos.
   return slots * sizeof(double) + lines * sizeof(int) + sizeof(double) + 3 * sizeof(int) +
          16.0 * MassSystem<D>::width * sizeof(double) +
-         (list ? 2.0 * slots * (sizeof(double) + sizeof(int)) : 0.0);
+         (list ? listRoomOf<D>(slots, refined) * double(sizeof(double) + sizeof(int)) : 0.0);
 }
 
 template void assemble(const State<2>&, const Unlumping&, MassSystem<2>&);
 template void assemble(const State<3>&, const Unlumping&, MassSystem<3>&);
 template void multiply(const MassSystem<2>&, const double*, double*, const double*);
 template void multiply(const MassSystem<3>&, const double*, double*, const double*);
-template double bytesPerRow<2>(ShapeKind, bool);
-template double bytesPerRow<3>(ShapeKind, bool);
+template double bytesPerRow<2>(ShapeKind, bool, bool);
+template double bytesPerRow<3>(ShapeKind, bool, bool);
 
 } // namespace Rhegma::mass_matrix

@@ -10,12 +10,14 @@ namespace Rhegma::mass_matrix
 /// Where particles give the nodes a consistent mass, and how much of it.
 struct Unlumping
 {
-  bool everywhere = true;   ///< all particles; else only those around crack fronts
-  double radius = 0.0;      ///< of the unlumped zone around each front [m]
-  double edge = 0.0;        ///< width over which the share falls from 1 to 0 beyond the radius [m]
+  bool everywhere = true; ///< all particles; else only those around crack fronts
+  double radius = 0.0;    ///< of the unlumped zone around each front [m]
+  double edge = 0.0;      ///< width over which the share falls from 1 to 0 beyond the radius [m]
+  /// Whether radius and edge are those in cells of the lattice: they shrink with the cells at a front.
+  bool radiusShrinks = false, edgeShrinks = false;
   double lumpedShare = 0.1; ///< eps of M_eps = (1 - eps) M + eps lumped(M)
   double smallestNode =
-      0.1; ///< a particle that touches a lighter node, in shares of a full cell's mass, stays lumped
+      0.1; ///< a particle that touches a lighter node, in shares of its mass in a full body, stays lumped
 };
 
 /// M = L + (1 - eps) sum_p theta_p m_p (N_p N_p^T - diag(N_p)) over the nodes of the rows, L the lumped mass.
@@ -23,7 +25,10 @@ struct Unlumping
 /// Rows and columns add up to L: the total momentum of M x is that of L x. What particles whose functions are
 /// a tensor product give a row lies in its band: lines of nodes along the lattice's fastest axis, whose rows
 /// follow one another, so that a line is one start and a run of numbers. Particles with a stored stencil
-/// (beside cracks) give to rows that also have a list of single entries.
+/// (beside cracks and in refined cells) give to rows that also have a list of single entries. Beside cracks
+/// in equal cells an entry has its place in the list by where its node lies; in refined cells, where nodes of
+/// several sizes of cells meet, by hashing. Rows that only such particles touch there are bare: they have a
+/// diagonal and a list.
 ///
 /// Vectors have `width` numbers a row and `room` rows; rows outside of first .. last - 1 are zero in them,
 /// and the first lines of a band may read them.
@@ -40,6 +45,8 @@ struct MassSystem
   int last = 0;           ///< one beyond the last row
   int room = 0;           ///< rows of vectors
   int numExtra = 0;       ///< rows that have a list
+  int listRoom = 0;       ///< entries that a list can have; a power of two where hashed
+  bool hashed = false;    ///< whether lists find their columns by hashing: cells are refined
   int numCoupled = 0;     ///< rows with entries beside their diagonal
   double coupledMass = 0; ///< sum of L over them [kg]
 
@@ -47,7 +54,7 @@ struct MassSystem
   View<int*> nodeOf;       ///< node of each row
   View<double*> lumped;    ///< L [kg]
   View<double*> band;      ///< M, `stride` numbers a row [kg]
-  View<int*> lineStart;    ///< first row of each line of a row's band
+  View<int*> lineStart;    ///< first row of each line of a row's band; -1 at the first where the row is bare
   View<char*> coupled;     ///< whether a row has entries beside its diagonal
   View<int*> extraOf;      ///< list of each row, or -1
   View<int*> extraCount;   ///< entries of each list
@@ -57,6 +64,8 @@ struct MassSystem
   // For making the lists.
   View<int*> step;         ///< distance of a slot's node from the row's, slots by axes in their order
   View<double* [D]> front; ///< places around which Partial unlumps [m]
+  View<double* [2]> zone;  ///< radius and edge of each of them [m]
+  View<int> overflow;      ///< not 0 where a hashed list was full
   int numFronts = 0;
 };
 
@@ -65,9 +74,9 @@ template <int D>
 void assemble(const State<D>& state, const Unlumping& unlumping, MassSystem<D>& system);
 
 /// Bytes of each node that may have a row, vectors of the solves included. \param list whether the row has a
-/// list beside its band
+/// list beside its band \param refined whether cells are refined
 template <int D>
-double bytesPerRow(ShapeKind shape, bool list);
+double bytesPerRow(ShapeKind shape, bool list, bool refined = false);
 
 /// The numbers of row `row` of M x. \param x `width` numbers a row
 template <int D, int Reach>
@@ -81,12 +90,15 @@ KOKKOS_FORCEINLINE_FUNCTION Pack<MassSystem<D>::width> rowTimes(const MassSystem
     sums[k] = Pack<W>::zero();
   const double* const values = s.band.data() + static_cast<std::size_t>(row) * s.stride;
   const int* const starts = s.lineStart.data() + row * lines;
-  for (int line = 0; line < lines; ++line)
-  {
-    const double* const from = x + W * starts[line];
-    for (int k = 0; k < span; ++k)
-      sums[k].add(values[line * span + k], Pack<W>::load(from + W * k));
-  }
+  if (starts[0] < 0)
+    sums[0].add(values[lines * span / 2], Pack<W>::load(x + W * row));
+  else
+    for (int line = 0; line < lines; ++line)
+    {
+      const double* const from = x + W * starts[line];
+      for (int k = 0; k < span; ++k)
+        sums[k].add(values[line * span + k], Pack<W>::load(from + W * k));
+    }
   const int list = s.extraOf(row);
   if (list >= 0)
     for (int k = 0; k < s.extraCount(list); ++k)

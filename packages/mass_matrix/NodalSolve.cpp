@@ -34,6 +34,24 @@ void addScaled(const MassSystem<D>& system, double scale, const BorrowedView<con
       });
 }
 
+/// Velocity before the forces, and acceleration, of the lumped mass.
+template <int D>
+void guessFromRowSums(const State<D>& state, const MassSystem<D>& system, const View<double* [D]>& velocity,
+                      const View<double* [D]>& acceleration)
+{
+  const MassSystem<D> s = system;
+  const auto sums = state.nodes.sums;
+  forFew(
+      "rhegma::mass::guessFromRowSums", system.first, system.last, KOKKOS_LAMBDA(const int row) {
+        const int n = s.nodeOf(row);
+        for (int d = 0; d < D; ++d)
+        {
+          velocity(n, d) = sums(n, Nodes<D>::momentumAt + d) / s.lumped(row);
+          acceleration(n, d) = sums(n, Nodes<D>::forceAt + d) / s.lumped(row);
+        }
+      });
+}
+
 } // namespace
 
 template <int D>
@@ -70,6 +88,8 @@ template <int D>
 void NodalSolve<D>::begin(const State<D>& state, const MassSystem<D>& system)
 {
   reserve(state, system);
+  renewed_ = generation_ != state.tree.generation;
+  generation_ = state.tree.generation;
   holdRows(state, system);
 }
 
@@ -99,11 +119,11 @@ void NodalSolve<D>::holdRows(const State<D>& state, const MassSystem<D>& system)
   for (const NodeConstraint<D>& constraint : state.constraints)
   {
     const NodeConstraint<D> c = constraint;
-    const Grid<D> grid = state.grid;
+    const NodePlaces<D> places = nodePlaces(state);
     forFew(
         "rhegma::mass::hold", system.first, system.last, KOKKOS_LAMBDA(const int row) {
           const int lattice = latticeNode(nodes, s.nodeOf(row));
-          if (!c.appliesAt(grid.nodePosition(lattice)))
+          if (!c.appliesAt(places(lattice)))
             return;
           for (int d = 0; d < D; ++d)
             if (c.holds[d] && s.coupled(row))
@@ -231,7 +251,10 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
   // Velocity before the forces, held by nothing: it belongs to the particles. They take it over where there
   // is some PIC, and supports change it to theirs. Else what reads it are accounts of work and points that
   // ride on nodes: the last step's, brought nearer by the polynomial alone, leaves 1e-4 of it or less.
-  const Accuracy accuracy = masked || state.picFraction > 0.0 ? Accuracy::Solved : Accuracy::Near;
+  // Where cells have changed there is no such guess.
+  const Accuracy accuracy = masked || renewed_ || state.picFraction > 0.0 ? Accuracy::Solved : Accuracy::Near;
+  if (renewed_)
+    guessFromRowSums(state, system, lastVelocity, last);
   forFew(
       "rhegma::mass::momentum", system.first, system.last, KOKKOS_LAMBDA(const int row) {
         const int n = s.nodeOf(row);

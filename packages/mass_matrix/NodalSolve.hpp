@@ -67,6 +67,8 @@ private:
   ConjugateGradients gradients_;
   Chebyshev<D> chebyshev_;
   SolveCount count_;
+  int generation_ = 0;     ///< of the cells at the last step
+  bool renewed_ = false;   ///< whether nodes are others than at the last step
   bool masked_ = false;    ///< whether any boundary holds a motion
   bool heldAxis_[D] = {};  ///< whether any boundary holds motion along the axis
   View<double*> inverse_;  ///< 1/L

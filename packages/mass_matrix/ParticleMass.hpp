@@ -2,7 +2,7 @@
 /// What particles give to the mass matrix.
 
 #include "mass_matrix/Fronts.hpp"
-#include "mass_matrix/MassSystem.hpp"
+#include "mass_matrix/HashedLists.hpp"
 #include "transfer/ParticleViews.hpp"
 
 namespace Rhegma::mass_matrix
@@ -29,6 +29,8 @@ struct AssembleBlock
   View<int * [Blocks<D>::axes]> corner;
   BorrowedView<double*> mass, volume;
   ConsistentShare<D> share;
+  View<double*>
+      nodeShare; ///< part of the cells that is a node's, in cells of the lattice; empty: each has one
   int numLattice;
   double smallest;        ///< lightest node that may be coupled, over the density [m^D times thickness]
   double consistentShare; ///< 1 - eps
@@ -65,7 +67,7 @@ struct AssembleBlock
           const int r = connect.row(p);
           if (r >= 0)
           {
-            addToLists(r, m, lightest);
+            system.hashed ? addToHashedLists(r, m, lightest) : addToLists(r, m, lightest);
             continue;
           }
         }
@@ -133,6 +135,39 @@ struct AssembleBlock
         }
       }
     }
+  }
+
+  /// Where cells are refined: nodes are what the stencil has, masters of those that hang, and their full mass
+  /// is that of the cells that are theirs.
+  KOKKOS_INLINE_FUNCTION void addToHashedLists(int r, double m, double lightest) const
+  {
+    const StencilTable<D>& table = connect.table;
+    int row[stencilCapacity<D>], n = 0;
+    double weight[stencilCapacity<D>];
+    for (int k = 0; k < table.count(r); ++k)
+    {
+      const double w = table.weight(r, k);
+      if (w == 0.0)
+        continue;
+      const int node = table.node(r, k), place = node < numLattice ? node : parent(node - numLattice);
+      row[n] = system.rowOf(node);
+      if (row[n] < 0 || (w > barelyTouched && system.lumped(row[n]) < lightest * nodeShare(place)))
+        return;
+      weight[n++] = w;
+    }
+    bool fits = true;
+    for (int k = 0; k < n; ++k)
+    {
+      const int list = system.extraOf(row[k]);
+      double* const values = &system.extra(list, 0);
+      int* const columns = &system.extraColumn(list, 0);
+      const double mk = m * weight[k];
+      for (int l = 0; l < n; ++l)
+        if (l != k)
+          fits = addHashed(values, columns, system.listRoom, row[l], mk * weight[l]) && fits;
+    }
+    if (!fits)
+      system.overflow() = 1;
   }
 
   KOKKOS_INLINE_FUNCTION void addToLists(int r, double m, double lightest) const
