@@ -94,7 +94,8 @@ public:
     nlohmann::json summary = nlohmann::json::object();
     const State<D>& state = run_.state();
     summary["warnings"] = state.warnings;
-    const std::string ofEnergy = run_.energyWatch().warning(state.picFraction > 0.0, state.step);
+    const std::string ofEnergy =
+        run_.energyWatch().warning(state.picFraction > 0.0, state.step, state.subcycledLevels);
     if (!ofEnergy.empty() && state.trouble.empty())
       summary["warnings"].push_back(ofEnergy);
     coreReport(state, summary);

@@ -37,7 +37,8 @@ void Balance<D>::begin(const State<D>& state)
 template <int D>
 void Balance<D>::measure(const State<D>& state, double stored)
 {
-  found_ = totalEnergy(state) + 0.5 * state.dt * power(state.nodes) + stored;
+  const double soon = state.dt * power(state.nodes) - state.shortSteps.lateWork;
+  found_ = totalEnergy(state) + 0.5 * soon + stored;
 }
 
 template <int D>

@@ -12,7 +12,8 @@ namespace Rhegma::contact
 /// simply added, waver by the share w dt / 2 of what moves at the frequency w: by percents after a slap,
 /// without any being lost. What the step keeps is v_before . v_after m / 2 beside the strain energy that made
 /// the forces between the two (the leapfrog's own invariant: Hairer, Lubich and Wanner, Acta Numerica 12
-/// (2003) 399); that is what is measured here, from the nodes' momentum and acceleration.
+/// (2003) 399); that is what is measured here, from the nodes' momentum and acceleration. Where nodes move in
+/// short steps, v_after is that after the impulses at the start of the step.
 template <int D>
 class Balance
 {

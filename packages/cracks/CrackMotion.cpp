@@ -2,6 +2,7 @@
 
 #include "cracks/CrackFrames.hpp"
 #include "state/FewItems.hpp"
+#include "state/UnstableStep.hpp"
 #include "transfer/Stencils.hpp"
 
 namespace Rhegma::cracks
@@ -74,9 +75,8 @@ void CrackMotion<D>::move(State<D>& state)
   pointStencils(state, points_, stencils_, true);
   const int lost = moveFaces(cracks, state.grid, state.nodes, stencils_, state.dt);
   if (lost > 0 && state.trouble.empty())
-    state.trouble =
-        "a crack left the domain (an unstable step: try a smaller Time > CFL; or make the Domain larger "
-        "or stop the run before)";
+    state.trouble = "a crack left the domain (" + unstableStep(state.subcycledLevels) +
+                    "; or make the Domain larger or stop the run before)";
   updateNormals(cracks);
   updateFronts(cracks);
 }

@@ -1,6 +1,7 @@
 #include "face_pressure/FacePressure.hpp"
 
 #include "scene/ReadList.hpp"
+#include "state/MeanVelocity.hpp"
 #include "transfer/PushNodes.hpp"
 
 #include <memory>
@@ -61,14 +62,9 @@ template <int D>
 double FacePressure::work(const State<D>& state, const FacePoints<D>& points) const
 {
   const FacePoints<D> p = points;
-  const Nodes<D> nodes = state.nodes;
+  const MeanVelocity<D> mean(state);
   const double pressure = now_, thickness = state.thickness, dt = state.dt;
   const int crack = crack_;
-  // Velocity in the middle of the step.
-  const auto mean = KOKKOS_LAMBDA(const int n, const int d)
-  {
-    return nodes.motion(n, d) - 0.5 * dt * nodes.motion(n, Nodes<D>::accelerationAt + d);
-  };
   double work = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::face_pressure::work", Kokkos::RangePolicy<ExecSpace>(0, points.count()),

@@ -2,6 +2,7 @@
 
 #include "mass_matrix/FirstGuess.hpp"
 #include "state/FewItems.hpp"
+#include "state/UnstableStep.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -147,7 +148,7 @@ void NodalSolve<D>::record(State<D>& state, const SolveResult& result, double sc
   std::ostringstream reason;
   reason << "the mass matrix could not be solved for the " << what << ": ";
   if (!std::isfinite(scale))
-    reason << "the right side is not a number (an unstable step: try a smaller Time > CFL)";
+    reason << "the right side is not a number (" << unstableStep(state.subcycledLevels) << ")";
   else if (result.singular)
     reason << "it is singular, and " << result.residual
            << " of the right side is left (raise Mass Matrix > Lumped Share above 0)";

@@ -44,6 +44,14 @@ public:
   /// elastic law is the gradient of its energy and has no resultant and no torque.
   void force(const State<D>& state, int level, const Values& displacement, const Values& force);
 
+  /// Impulses on inner nodes as they change the energy.
+  struct ImpulseWork
+  {
+    double free = 0.0; ///< where nothing holds: times the velocity at the start of the long step [J]
+    double held = 0.0; ///< at supports: times half the change of velocity that they force upon the node [J]
+  };
+  ImpulseWork workOf(const State<D>& state, const Values& impulse) const;
+
   NodeSlots slots() const { return {slotOf_, numInner_}; }
 
   /// Mean of a force over the last long steps, on inner nodes that had a slot in all of them; it grows from

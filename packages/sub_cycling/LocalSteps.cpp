@@ -1,6 +1,7 @@
 #include "sub_cycling/LocalSteps.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace Rhegma::sub_cycling
 {
@@ -46,12 +47,15 @@ void LocalSteps<D>::begin(State<D>& state, int first, int last)
   first_ = first;
   last_ = last;
   active_ = first <= last && state.tree.refined();
+  state.shortSteps = {};
   if (!active_)
     return;
   fine_.list(state, first);
   active_ = fine_.numParticles() > 0;
   if (!active_)
     return;
+  state.shortSteps.nodes = fine_.slots();
+  state.shortSteps.length = std::ldexp(state.dt, first - 1 - last);
   const int slots = fine_.numSlots();
   makeRoom(slots);
   Kokkos::deep_copy(displacement_, 0.0);
@@ -101,6 +105,9 @@ void LocalSteps<D>::evolve(State<D>& state)
   Kokkos::deep_copy(impulse_, 0.0);
   add<D>(impulse_, state.dt, loads_, slots);
   fine_.startVelocity(state, velocity_);
+  startWork_ = {};
+  if (reckonsWork(state))
+    addStartWork(state, loads_, state.shortSteps.length);
   Kokkos::deep_copy(force_, 0.0);
   fine_.accelerate(state, 0, 1.0, loads_, force_);
   Kokkos::deep_copy(loads_, force_);
@@ -110,7 +117,28 @@ void LocalSteps<D>::evolve(State<D>& state)
   atFirst_ = true;
   step(state, first_, 0.5 * state.dt);
   step(state, first_, 0.5 * state.dt);
+  if (reckonsWork(state))
+    bookWork(state);
   fine_.store(state, impulse_, 1.0 / state.dt);
+}
+
+template <int D>
+void LocalSteps<D>::addStartWork(const State<D>& state, const Values& force, double duration)
+{
+  const auto work = fine_.workOf(state, force);
+  startWork_.free += duration * work.free;
+  startWork_.held += duration * work.held;
+}
+
+// A support takes a node to its velocity at the start of the long step and keeps it there, so that later
+// impulses of other forces find the node at that velocity; the support's own books, written at the ends of
+// the step, take half the velocity before for them too. Their impulses are its own but for the sign.
+template <int D>
+void LocalSteps<D>::bookWork(State<D>& state)
+{
+  const auto all = fine_.workOf(state, impulse_);
+  state.energy.externalWork -= all.held - startWork_.held;
+  state.shortSteps.lateWork = all.free - startWork_.free;
 }
 
 template <int D>
@@ -170,6 +198,8 @@ template <int D>
 void LocalSteps<D>::kick(const State<D>& state)
 {
   fine_.accelerate(state, waitingFrom_, 1.0, waiting_, velocity_, atFirst_);
+  if (atFirst_ && reckonsWork(state))
+    addStartWork(state, waiting_, 1.0);
   atFirst_ = false;
   add<D>(impulse_, 1.0, waiting_, fine_.numSlots());
   Kokkos::deep_copy(waiting_, 0.0);

@@ -59,6 +59,12 @@ public:
   void drift(double length);
   /// Takes all of the force on nodes that no small particle touches for one of the long step.
   void leaveOuterNodes();
+  /// Whether anybody asks for the work of impulses.
+  static bool reckonsWork(const State<D>& state) { return state.observing || !state.constraints.empty(); }
+  /// Adds the work of a force at the start of the long step. \param duration that it acts by then [s]
+  void addStartWork(const State<D>& state, const Values& force, double duration);
+  /// Books what supports give in short steps, and leaves the rest with the state.
+  void bookWork(State<D>& state);
   /// Moves the mean of a force of one class to the loads.
   void steady(const State<D>& state, int level, const Values& force, const Values& mean);
 
@@ -79,6 +85,7 @@ private:
   bool atFirst_ = false;                ///< whether these are the first of the long step
   Values impulse_;                      ///< so far [N s]
   Values velocity_, displacement_;      ///< so far
+  typename FineParticles<D>::ImpulseWork startWork_; ///< of the impulses at the start of the long step
 };
 
 } // namespace Rhegma::sub_cycling

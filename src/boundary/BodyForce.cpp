@@ -1,5 +1,7 @@
 #include "boundary/BodyForce.hpp"
 
+#include "state/MeanVelocity.hpp"
+
 namespace Rhegma
 {
 
@@ -16,16 +18,18 @@ void addBodyForce(const Nodes<D>& nodes, const Vector<D>& acceleration)
 }
 
 template <int D>
-double bodyForceWork(const Nodes<D>& nodes, const Vector<D>& acceleration, double dt)
+double bodyForceWork(const State<D>& state, const Vector<D>& acceleration)
 {
+  const Nodes<D> nodes = state.nodes;
+  const MeanVelocity<D> mean(state);
+  const double dt = state.dt;
   double work = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::bodyForceWork", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i, double& sum) {
         const int n = activeNode(nodes, i);
         for (int d = 0; d < D; ++d)
-          sum += dt * acceleration[d] * nodes.sums(n, Nodes<D>::massAt) *
-                 (nodes.motion(n, d) - 0.5 * dt * nodes.motion(n, Nodes<D>::accelerationAt + d));
+          sum += dt * acceleration[d] * nodes.sums(n, Nodes<D>::massAt) * mean(n, d);
       },
       work);
   return work;
@@ -33,7 +37,7 @@ double bodyForceWork(const Nodes<D>& nodes, const Vector<D>& acceleration, doubl
 
 template void addBodyForce(const Nodes<2>&, const Vector<2>&);
 template void addBodyForce(const Nodes<3>&, const Vector<3>&);
-template double bodyForceWork(const Nodes<2>&, const Vector<2>&, double);
-template double bodyForceWork(const Nodes<3>&, const Vector<3>&, double);
+template double bodyForceWork(const State<2>&, const Vector<2>&);
+template double bodyForceWork(const State<3>&, const Vector<3>&);
 
 } // namespace Rhegma

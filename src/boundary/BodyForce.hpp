@@ -1,7 +1,7 @@
 #pragma once
 /// Forces that act on all mass.
 
-#include "grid/Nodes.hpp"
+#include "state/State.hpp"
 
 namespace Rhegma
 {
@@ -10,8 +10,8 @@ namespace Rhegma
 template <int D>
 void addBodyForce(const Nodes<D>& nodes, const Vector<D>& acceleration);
 
-/// Work [J] of m g over dt, from the mean of old and new velocity.
+/// Work [J] of m g over the step that was solved.
 template <int D>
-double bodyForceWork(const Nodes<D>& nodes, const Vector<D>& acceleration, double dt);
+double bodyForceWork(const State<D>& state, const Vector<D>& acceleration);
 
 } // namespace Rhegma

@@ -24,7 +24,7 @@ void addGravity(Effect<D>& effect, const Teuchos::ParameterList& list)
                  addBodyForce(state.nodes, now(state));
                }});
   effect.call({Stage::AfterSolve, "work of gravity", {"constrained motion"}, {}, {}, [now](State<D>& state) {
-                 state.energy.externalWork += bodyForceWork(state.nodes, now(state), state.dt);
+                 state.energy.externalWork += bodyForceWork(state, now(state));
                }});
 }
 

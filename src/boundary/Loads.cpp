@@ -1,6 +1,7 @@
 #include "boundary/Loads.hpp"
 
 #include "state/FewItems.hpp"
+#include "state/MeanVelocity.hpp"
 #include "transfer/PushNodes.hpp"
 #include "transfer/Stencils.hpp"
 
@@ -181,7 +182,7 @@ void Load<D>::apply(State<D>& state)
 template <int D>
 double Load<D>::work(const State<D>& state) const
 {
-  const Nodes<D> nodes = state.nodes;
+  const MeanVelocity<D> mean(state);
   const StencilTable<D> stencils = followed_;
   const View<double*> share = share_;
   const Vector<D> force = now_ * force_;
@@ -192,10 +193,7 @@ double Load<D>::work(const State<D>& state) const
         {
           const int n = stencils.node(k, e);
           for (int d = 0; d < D; ++d)
-          {
-            const double mean = nodes.motion(n, d) - 0.5 * dt * nodes.motion(n, Nodes<D>::accelerationAt + d);
-            sum += dt * stencils.weight(k, e) * share(k) * force[d] * mean;
-          }
+            sum += dt * stencils.weight(k, e) * share(k) * force[d] * mean(n, d);
         }
       });
 }

@@ -62,7 +62,17 @@ struct NodeSlots
 {
   View<int*> of;
   int inner = 0;
-  KOKKOS_INLINE_FUNCTION bool moves(int node) const { return of(node) >= 0 && of(node) < inner; }
+  KOKKOS_INLINE_FUNCTION bool moves(int node) const { return inner > 0 && of(node) >= 0 && of(node) < inner; }
+};
+
+/// What short steps within the step did, for those who reckon work; without effect where there are none.
+struct ShortSteps
+{
+  NodeSlots nodes;
+  double length = 0.0; ///< of the shortest ones [s]
+  /// Impulses on nodes that move in short steps but for those at the start of the step, times the velocity
+  /// that the nodes had before it [J]. Nodes that supports hold don't count.
+  double lateWork = 0.0;
 };
 
 /// A nodal force that changes where nodes move within a step (contact, ties), for those who move them in
@@ -127,6 +137,8 @@ struct State
   View<int*> coupledRow;         ///< of each node, -1 where its mass is lumped; empty where all masses are
 
   std::vector<FollowingForce<D>> followingForces; ///< of effects that have any
+
+  ShortSteps shortSteps; ///< of this step
 
   double time = 0.0;
   double dt = 0.0;

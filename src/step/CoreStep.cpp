@@ -1,6 +1,7 @@
 #include "step/CoreStep.hpp"
 
 #include "material/Materials.hpp"
+#include "state/UnstableStep.hpp"
 #include "transfer/Gather.hpp"
 #include "transfer/Motion.hpp"
 #include "transfer/Scatter.hpp"
@@ -22,9 +23,8 @@ void strain(State<D>& state, StrainVelocity velocity, bool alsoMove)
   // No stable step takes anything across two cells: who left the domain so did not walk out of it.
   const bool flung = !state.trouble.empty() && state.fastest * state.dt > 2.0 * state.stepSpacing();
   if (!std::isfinite(state.fastest) || flung)
-    state.trouble = "a particle is turned inside out or its velocity is no longer a number (an unstable "
-                    "step: try a smaller "
-                    "Time > CFL, smaller cells or a gentler load)";
+    state.trouble = "a particle is turned inside out or its velocity is no longer a number (" +
+                    unstableStep(state.subcycledLevels) + ", smaller cells or a gentler load)";
 }
 
 } // namespace

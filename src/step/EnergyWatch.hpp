@@ -3,6 +3,7 @@
 
 #include "scene/Numbers.hpp"
 #include "state/Energy.hpp"
+#include "state/UnstableStep.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,27 +27,29 @@ public:
     now_ = energy.kinetic + energy.strain;
   }
 
+  /// \param subcycledLevels of the state
   /// \return why the run can't go on; empty if it can
-  std::string trouble() const
+  std::string trouble(int subcycledLevels = 0) const
   {
     if (!std::isfinite(residual_))
-      return "an energy is no longer a number" + advice();
+      return "an energy is no longer a number" + advice(subcycledLevels);
     if (bursts_ < burstsInARow)
       return {};
     return "the bodies hold " + formatReal(now_) + " J, of which no more than " + formatReal(given_) +
-           " J were given to them" + advice();
+           " J were given to them" + advice(subcycledLevels);
   }
 
   /// \param losesByDesign whether the scene asks for a scheme that takes energy which nobody books
   /// \param steps         that were done
+  /// \param subcycledLevels of the state
   /// \return what a user must know of the books; empty if they balance
-  std::string warning(bool losesByDesign, long steps) const
+  std::string warning(bool losesByDesign, long steps, int subcycledLevels = 0) const
   {
     if (steps < fewSteps)
       return {};
     if (largest_ > noticeable * given_)
       return "energy.residual: the run made " + percent(largest_) +
-             " % more energy than was given to the bodies" + advice();
+             " % more energy than was given to the bodies" + advice(subcycledLevels);
     if (!losesByDesign && -residual_ > noticeable * given_)
       return "energy.residual: the run lost " + percent(-residual_) +
              " % of the energy that was given to the bodies; smaller cells lose less";
@@ -59,10 +62,10 @@ private:
   static constexpr double noticeable = 0.1; ///< share that a user is told of
   static constexpr long fewSteps = 50; ///< velocities are half a step behind; shorter runs show little else
 
-  static std::string advice()
+  static std::string advice(int subcycledLevels)
   {
-    return " (an unstable step: try a smaller Time > CFL, smaller cells, a gentler load or another Cracks > "
-           "Formulation)";
+    return " (" + unstableStep(subcycledLevels) +
+           ", smaller cells, a gentler load or another Cracks > Formulation)";
   }
 
   std::string percent(double energy) const { return formatReal(std::round(1e3 * energy / given_) / 10.0); }

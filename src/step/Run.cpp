@@ -149,7 +149,7 @@ void Run<D>::step(double until, bool sample)
     plan_.run(Stage::Observe, state_);
     energyWatch_.sample(state_.energy);
     if (state_.trouble.empty())
-      state_.trouble = energyWatch_.trouble();
+      state_.trouble = energyWatch_.trouble(state_.subcycledLevels);
     if (!state_.trouble.empty())
       stop(state_);
   }

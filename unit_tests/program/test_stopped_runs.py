@@ -129,6 +129,11 @@ class UnstableRuns(LeftFiles):
         scene = block().set("Boundaries", {"Left": wall(0.0, 0.45, 1.0), "Right": wall(0.55, 1.0, -1.0)})
         self.stops(scene, "inside out", "Time > CFL")
 
+    def test_short_steps_are_named_where_they_may_be_the_cause(self):
+        scene = block().set("Boundaries", {"Left": wall(0.0, 0.45, 1.0), "Right": wall(0.55, 1.0, -1.0)})
+        scene.set("Adaptivity", {"Velocity Change": 1.0}).set("Sub-Cycling", {"Levels": 1})
+        self.stops(scene, "inside out", "Time > CFL", "Sub-Cycling > Levels")
+
     def test_step_at_the_limit_with_stresses_updated_last(self):
         """CFL 1 is allowed; with USL, which is unstable where nodes are light, a loaded plate does not bear it."""
         scene = plate().remove("Cracks").remove("Energy Release")

@@ -59,6 +59,8 @@ TEST(EnergyWatch, StopsWhereAnEnergyIsNoNumber)
   EnergyWatch watch;
   watch.sample(holding(std::numeric_limits<double>::quiet_NaN()));
   EXPECT_NE(watch.trouble().find("no longer a number"), std::string::npos);
+  EXPECT_EQ(watch.trouble().find("Sub-Cycling"), std::string::npos);
+  EXPECT_NE(watch.trouble(2).find("a smaller Time > CFL, fewer Sub-Cycling > Levels"), std::string::npos);
 }
 
 TEST(EnergyWatch, TellsOfEnergyThatWasMadeOrLost)

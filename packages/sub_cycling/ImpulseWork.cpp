@@ -1,0 +1,36 @@
+#include "sub_cycling/FineParticles.hpp"
+
+namespace Rhegma::sub_cycling
+{
+
+template <int D>
+typename FineParticles<D>::ImpulseWork FineParticles<D>::workOf(const State<D>& state,
+                                                                const Values& impulse) const
+{
+  const auto sums = state.nodes.sums;
+  const View<int*> nodeOf = nodeOf_;
+  const View<double*> mass = mass_;
+  const View<int* [D]> held = held_;
+  const View<double* [D]> heldVelocity = heldVelocity_;
+  ImpulseWork work;
+  Kokkos::parallel_reduce(
+      "rhegma::subcycling::workOfImpulses", Kokkos::RangePolicy<ExecSpace>(0, numInner_),
+      KOKKOS_LAMBDA(const int i, double& free, double& atSupports) {
+        const double inverse = mass(i) > 0.0 ? 1.0 / mass(i) : 0.0;
+        for (int d = 0; d < D; ++d)
+        {
+          const double before = inverse * sums(nodeOf(i), Nodes<D>::momentumAt + d);
+          if (held(i, d) == 0)
+            free += before * impulse(i, d);
+          else
+            atSupports += 0.5 * (heldVelocity(i, d) - before) * impulse(i, d);
+        }
+      },
+      work.free, work.held);
+  return work;
+}
+
+template FineParticles<2>::ImpulseWork FineParticles<2>::workOf(const State<2>&, const Values&) const;
+template FineParticles<3>::ImpulseWork FineParticles<3>::workOf(const State<3>&, const Values&) const;
+
+} // namespace Rhegma::sub_cycling

@@ -1,0 +1,34 @@
+#pragma once
+/// The velocity at which forces work.
+
+#include "state/State.hpp"
+
+namespace Rhegma
+{
+
+/// After the solve, the velocity [m/s] at which a force works that acts on a node all through the step: the
+/// mean of those before and after it; of a node that moves in short steps the mean over all of them.
+template <int D>
+struct MeanVelocity
+{
+  Nodes<D> nodes;
+  NodeSlots brief;
+  double half, briefHalf; ///< of the step and of the shortest steps [s]
+
+  explicit MeanVelocity(const State<D>& state)
+      : nodes(state.nodes),
+        brief(state.shortSteps.nodes),
+        half(0.5 * state.dt),
+        briefHalf(0.5 * state.shortSteps.length)
+  {
+  }
+
+  /// Along an axis. The velocity of nodes that move in short steps is already that of their way.
+  KOKKOS_INLINE_FUNCTION double operator()(int node, int axis) const
+  {
+    const double time = brief.moves(node) ? briefHalf : half;
+    return nodes.motion(node, axis) - time * nodes.motion(node, Nodes<D>::accelerationAt + axis);
+  }
+};
+
+} // namespace Rhegma

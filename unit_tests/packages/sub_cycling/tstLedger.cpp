@@ -1,0 +1,176 @@
+/// What the ledger says of small cells that move in short steps: the work of supports, loads and gravity.
+
+#include "../../src/step/Bodies.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace Rhegma
+{
+namespace Test
+{
+
+namespace
+{
+
+constexpr double speed = 1e-5; // of walls; waves are of about 1 m/s and cells of 1 m
+
+/// A block of 6 by 2 cells, refined at its left end.
+Teuchos::ParameterList blockScene(int levels, bool shortSteps)
+{
+  Teuchos::ParameterList scene =
+      emptyScene<2>(Vector<2>{{-2.0, -2.0}}, Vector<2>{{8.0, 4.0}}, 1.0, "MUSL", "GIMP");
+  scene.sublist("Time").set("CFL", 0.4);
+  addMaterial(scene, "Neo-Hookean", 0.3);
+  addBox<2>(scene, "Block", all<2>(0.0), Vector<2>{{6.0, 2.0}});
+  Teuchos::ParameterList& adaptivity = scene.sublist("Adaptivity");
+  adaptivity.set("Maximum Level", levels);
+  adaptivity.set("Interval", 1000000);
+  Teuchos::ParameterList& box = adaptivity.sublist("Left End");
+  box.set("Lower Corner", array(Vector<2>{{-0.5, -0.5}}));
+  box.set("Upper Corner", array(Vector<2>{{0.5, 2.5}}));
+  box.set("Level", levels);
+  if (shortSteps)
+    scene.sublist("Sub-Cycling").set("Levels", levels);
+  return scene;
+}
+
+/// A wall that takes the left end along x. \param history of its speed
+Teuchos::ParameterList withWall(Teuchos::ParameterList scene, const char* history)
+{
+  Teuchos::ParameterList& wall = scene.sublist("Boundaries").sublist("Wall");
+  wall.set("Type", "Velocity");
+  wall.set("Lower Corner", array(Vector<2>{{-2.0, -2.0}}));
+  wall.set("Upper Corner", array(Vector<2>{{0.0, 4.0}}));
+  wall.set("Value", array(Vector<2>{{speed, 0.0}}));
+  wall.set("Components", "x");
+  wall.set("History", history);
+  return scene;
+}
+
+/// A traction that pulls the left end.
+Teuchos::ParameterList withLoad(Teuchos::ParameterList scene)
+{
+  Teuchos::ParameterList& pull = scene.sublist("Boundaries").sublist("Pull");
+  pull.set("Type", "Traction");
+  pull.set("Body", "Block");
+  pull.set("From", array(Vector<2>{{0.0, 0.0}}));
+  pull.set("To", array(Vector<2>{{0.0, 2.0}}));
+  pull.set("Stress", array(Vector<2>{{-speed, 0.0}}));
+  return scene;
+}
+
+/// What the books of a run leave open, and the most that supports and loads gave within one of its steps [J].
+struct Books
+{
+  double mean = 0.0; ///< residual over the last fifth of the time
+  double step = 0.0;
+};
+
+Books keep(const Teuchos::ParameterList& scene, double end)
+{
+  Rhegma::Run<2> run(validated(scene));
+  run.initialize();
+  State<2>& state = run.state();
+  Books books;
+  double time = 0.0;
+  while (state.time < end)
+  {
+    const double before = state.energy.externalWork;
+    run.step(end, false);
+    measureEnergy(state);
+    books.step = std::max(books.step, std::fabs(state.energy.externalWork - before));
+    if (state.time < 0.8 * end)
+      continue;
+    books.mean += state.dt * state.energy.residual();
+    time += state.dt;
+  }
+  books.mean /= time;
+  return books;
+}
+
+/// The residual after one long step from rest [J].
+double afterOneStep(const Teuchos::ParameterList& scene, double* length)
+{
+  Rhegma::Run<2> run(validated(scene));
+  run.initialize();
+  run.step(1e9, false);
+  measureEnergy(run.state());
+  *length = run.state().dt;
+  return run.state().energy.residual();
+}
+
+class Ledger : public testing::TestWithParam<int>
+{
+};
+
+} // namespace
+
+/// Velocities are half a short step behind stresses. So a wall that begins to move at once may leave open
+/// half of what it gives in a short step: its speed times that of a plane wave times that of the wall, 2 m
+/// wide.
+TEST_P(Ledger, knowsWhatAWallGivesInTheFirstStep)
+{
+  const double wave = std::sqrt(0.7 / (1.3 * 0.4)); // [m/s]
+  double length = 0.0;
+  const double open = afterOneStep(withWall(blockScene(GetParam(), true), "1"), &length);
+  const double brief = std::ldexp(length, -GetParam());
+  std::printf("%d levels, wall: open after a step %.2e J of %.2e J that the wall gives\n", GetParam(), open,
+              2.0 * wave * speed * speed * length);
+  EXPECT_LT(std::fabs(open), 0.5 * 2.0 * wave * speed * speed * brief);
+}
+
+/// Books know energies to half a step; what they leave open in the mean is what they do where all cells take
+/// short steps, but for half of what the wall gives in a step. (One level of small cells hardly shows waves
+/// of a period of 6 s: the steps themselves take a fifth of their energy.)
+TEST_P(Ledger, knowsWhatAWallGivesThatGoesToAndFro)
+{
+  for (const char* history : {"1", "sin(pi*t/12)", "sin(pi*t/3)"})
+  {
+    if (std::string(history) == "sin(pi*t/3)" && GetParam() == 1)
+      continue;
+    const Books brief = keep(withWall(blockScene(GetParam(), true), history), 60.0);
+    const Books all = keep(withWall(blockScene(GetParam(), false), history), 60.0);
+    std::printf("%d levels, wall %s: open in the mean %.2e J, in short steps only %.2e, half a step %.2e\n",
+                GetParam(), history, brief.mean, all.mean, 0.5 * brief.step);
+    EXPECT_NEAR(brief.mean, all.mean, 0.5 * brief.step) << history;
+  }
+}
+
+/// A load pulls all the time, so that it is known to half of what it gives in a short step.
+TEST_P(Ledger, knowsTheWorkOfALoad)
+{
+  const Books some = keep(withLoad(blockScene(GetParam(), true)), 60.0);
+  const Books all = keep(withLoad(blockScene(GetParam(), false)), 60.0);
+  const double half = 0.5 * std::ldexp(some.step, -GetParam());
+  std::printf("%d levels, load: open in the mean %.2e J, in short steps only %.2e, half a step %.2e\n",
+              GetParam(), some.mean, all.mean, half);
+  EXPECT_NEAR(some.mean, all.mean, half);
+}
+
+/// Gravity pulls nodes of small cells all through a step and moves others at its start, so that in N steps
+/// their velocities come to differ by half of what a step gives: a share of 1 / 2N, which has the square of
+/// that share of the energy. The rest of it is the work of gravity.
+TEST_P(Ledger, knowsTheWorkOfGravity)
+{
+  constexpr int steps = 50;
+  Teuchos::ParameterList scene = blockScene(GetParam(), true);
+  Teuchos::ParameterList& gravity = scene.sublist("Boundaries").sublist("Earth");
+  gravity.set("Type", "Gravity");
+  gravity.set("Acceleration", array(Vector<2>{{1e-6, -2e-6}}));
+  Rhegma::Run<2> run(validated(scene));
+  run.initialize();
+  State<2>& state = run.state();
+  for (int k = 0; k < steps; ++k)
+    run.step(1e9, false);
+  measureEnergy(state);
+  EXPECT_GT(state.energy.kinetic, 0.0);
+  EXPECT_NEAR(state.energy.externalWork, state.energy.kinetic, state.energy.kinetic / (4.0 * steps * steps));
+}
+
+INSTANTIATE_TEST_SUITE_P(SubCycling, Ledger, testing::Values(1, 2, 3, 4));
+
+} // namespace Test
+} // namespace Rhegma
