@@ -90,19 +90,20 @@ struct AssembleBlock
     double lineWeight[numLines], along[packed] = {};
     int lineRow[numLines] = {};
     for (int k = 0; k < N; ++k)
-      along[k] = stencils.weight[fast][k][l];
+      along[k] = coupledPart(stencils.weight[fast][k][l]);
     for (int s = 0; s < numLines; ++s)
     {
       int node = stencils.base[l];
       if constexpr (D == 2)
       {
-        lineWeight[s] = stencils.weight[outer][s][l];
+        lineWeight[s] = coupledPart(stencils.weight[outer][s][l]);
         node += s * grid.stride[outer];
       }
       else
       {
         const int middle = grid.axisOrder[1];
-        lineWeight[s] = stencils.weight[outer][s / N][l] * stencils.weight[middle][s % N][l];
+        lineWeight[s] =
+            coupledPart(stencils.weight[outer][s / N][l]) * coupledPart(stencils.weight[middle][s % N][l]);
         node += s / N * grid.stride[outer] + s % N * grid.stride[middle];
       }
       if (lineWeight[s] == 0.0)
@@ -137,6 +138,14 @@ struct AssembleBlock
     }
   }
 
+  /// Where cells are refined, what a particle gives a node that it barely touches stays lumped. There the
+  /// weight of one particle may be zero to round-off and its slope not, while the node has next to no mass
+  /// from another: its force over its mass is any number, which solves would carry on.
+  KOKKOS_FORCEINLINE_FUNCTION double coupledPart(double weight) const
+  {
+    return system.hashed && weight <= barelyTouched ? 0.0 : weight;
+  }
+
   /// Where cells are refined: nodes are what the stencil has, masters of those that hang, and their full mass
   /// is that of the cells that are theirs.
   KOKKOS_INLINE_FUNCTION void addToHashedLists(int r, double m, double lightest) const
@@ -147,11 +156,11 @@ struct AssembleBlock
     for (int k = 0; k < table.count(r); ++k)
     {
       const double w = table.weight(r, k);
-      if (w == 0.0)
+      if (coupledPart(w) == 0.0)
         continue;
       const int node = table.node(r, k), place = node < numLattice ? node : parent(node - numLattice);
       row[n] = system.rowOf(node);
-      if (row[n] < 0 || (w > barelyTouched && system.lumped(row[n]) < lightest * nodeShare(place)))
+      if (row[n] < 0 || system.lumped(row[n]) < lightest * nodeShare(place))
         return;
       weight[n++] = w;
     }
