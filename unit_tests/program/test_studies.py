@@ -80,21 +80,26 @@ class Studies(ProgramTest):
         self.near(front["G_closure_lumped"], -0.247)
 
     def test_figure_2_on_refined_cells(self):
-        """5 % with the lumped matrix, 1 % with the consistent one, from one and the same motion: what makes the difference is
-        how the opening is recovered. 8 cells an arm, two levels more around the tip; comes to rest sooner than in the
-        study."""
+        """5 % with the lumped matrix, 1 % with the full one, whichever moves the beam: what makes the difference is how the
+        opening is recovered. 8 cells an arm, two levels more around the tip; comes to rest sooner than in the study, and
+        the series of two terms, which is quick, moves it in place of the full matrix."""
         with open(os.path.join(STUDIES, "figure2.xml")) as study:
             text = study.read().replace("scenes/beam.xml", BEAM)
         levels = '<Parameter name="Adaptivity:Maximum Level"'
         self.assertEqual(text.count(levels), 2)
         sooner = ('<Parameter name="Damping:Mass Rate" type="string" value="8100"/>'
                   '<Parameter name="Damping:Stop When Settled" type="string" value="true"/>')
-        quick = self.write("quick.xml", text.replace(levels, sooner + levels))
+        slow = ('<Parameter name="Time:CFL" type="string" value="0.4"/>\n      '
+                '<Parameter name="Mass Matrix:Type" type="string" value="Full"/>')
+        self.assertEqual(text.count(slow), 1)
+        series = slow.replace("0.4", "0.8").replace("Full", "FMPM")
+        quick = self.write("quick.xml", text.replace(levels, sooner + levels).replace(slow, series))
         lumped, full = self.study(quick, "adaptive, lumped", "adaptive, full")
-        self.assertEqual(lumped["path"], full["path"])
         self.near(float(lumped["value"]), -0.05)
         self.near(float(full["value"]), -0.01)
-        self.near(full["front"]["G_J"], -0.0066)
+        for row in (lumped, full):
+            self.near(row["front"]["G_J"], -0.0066)
+        self.near(lumped["front"]["G_closure_lumped"], full["front"]["G_closure_lumped"] / REFERENCE - 1.0)
 
     def test_static_J_is_the_same_for_every_mass_matrix(self):
         """Within 0.1 points at 4 cells an arm: at rest K u = f, whatever the mass."""
