@@ -191,7 +191,7 @@ double timeStepLimit(const State<D>& state, double alpha, bool extrapolated)
 }
 
 template <int D>
-void prepare(const State<D>& state, Account<D>& account)
+void prepare(State<D>& state, Account<D>& account)
 {
   account.balance.begin(state);
   if constexpr (D == 2)
@@ -200,7 +200,11 @@ void prepare(const State<D>& state, Account<D>& account)
       account.visibility->prepare(state);
       return;
     }
-  account.contact.prepare(state);
+  // What points that are placed anew keep of the energy of the layer differs; no force worked.
+  const double change = account.contact.prepare(state);
+  state.energy.merged -= change;
+  state.energy.contact += change;
+  account.booked += change;
 }
 
 template <int D, class Velocity>

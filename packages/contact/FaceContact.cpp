@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace Rhegma::contact
 {
@@ -145,26 +146,62 @@ View<double* [T]> inherit(const View<double* [T]>& old, const View<int*>& before
   return fresh;
 }
 
+/// Heat by size of points that were placed anew [J/m2]: what each earlier point had goes to the points that
+/// inherit from it by their sizes, or where none does to the one in its place. \param size of earlier points
+template <int D>
+View<double*> leaveHeat(const View<double*>& old, const View<double*>& size, const FacePoints<D>& points)
+{
+  View<double*> fresh("rhegma::contactHeat", points.count());
+  const auto heat = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, old);
+  const auto oldSize = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, size);
+  const auto newSize = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.size);
+  const auto before = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.before);
+  const auto after = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.after);
+  const auto host = Kokkos::create_mirror_view(fresh);
+  const int count = static_cast<int>(heat.extent(0));
+  std::vector<double> heirs(count, 0.0); // their size
+  for (int k = 0; k < points.count(); ++k)
+    if (before(k) >= 0)
+      heirs[before(k)] += newSize(k);
+  for (int k = 0; k < points.count(); ++k)
+    if (before(k) >= 0)
+      host(k) = heat(before(k)) * oldSize(before(k)) / heirs[before(k)];
+  for (int o = 0; o < count; ++o)
+    if (heirs[o] == 0.0 && after(o) >= 0)
+      host(after(o)) += heat(o) * oldSize(o) / newSize(after(o));
+  Kokkos::deep_copy(fresh, host);
+  return fresh;
+}
+
 } // namespace
 
 template <int D>
-void FaceContact<D>::prepare(const State<D>& state)
+double FaceContact<D>::prepare(const State<D>& state)
 {
+  const View<double*> size = points_.size;
+  double change = 0.0;
   if (points_.update(state))
-    keepHistory();
+  {
+    keepHistory(size);
+    const View<int*> everywhere("rhegma::contact::everywhere", points_.count());
+    Kokkos::deep_copy(everywhere, 1);
+    change = storedIn(everywhere) - stored_;
+    stored_ += change;
+  }
   if (stiffness_.extent(0) != state.cracks.cracks.size())
     findStiffness(state);
   thickness_ = state.thickness;
+  return change;
 }
 
 template <int D>
-void FaceContact<D>::keepHistory()
+void FaceContact<D>::keepHistory(const View<double*>& size)
 {
   gap_ = inherit(gap_, points_.before, "rhegma::contactGap");
   slip_ = inherit<D - 1>(slip_, points_.before, "rhegma::contactSlip");
   pressure_ = inherit(pressure_, points_.before, "rhegma::contactPressure");
   shear_ = inherit<D - 1>(shear_, points_.before, "rhegma::contactShear");
-  heat_ = inherit(heat_, points_.before, "rhegma::contactHeat");
+  heat_ = leaveHeat(heat_, size, points_);
 }
 
 template <int D>

@@ -45,7 +45,9 @@ public:
   FaceContact(Law law, double friction, double alpha) : law_(law), friction_(friction), alpha_(alpha) {}
 
   /// Finds points and stencils for this step; needs nodal masses.
-  void prepare(const State<D>& state);
+  /// \return the change of the stored energy [J] where points were placed anew, as those that inherit stand
+  /// for other pieces; the dissipated energy stays
+  double prepare(const State<D>& state);
 
   /// Adds the tractions' forces [N]: opposite ones on the two faces, so momentum is kept to round-off.
   void addForces(const State<D>& state) const;
@@ -79,7 +81,7 @@ public:
 
 private:
   void findStiffness(const State<D>& state);
-  void keepHistory();
+  void keepHistory(const View<double*>& size);
   void note(const State<D>& state);
 
   Law law_;

@@ -97,6 +97,20 @@ std::vector<Place<D>> places(const CrackSet<D>& cracks, double spacing)
   return all;
 }
 
+/// The nearest of some places on the same crack, or -1 where none is nearer than `reach`.
+template <int D>
+int nearest(const std::vector<Place<D>>& all, const Place<D>& to, double reach)
+{
+  int found = -1;
+  for (std::size_t o = 0; o < all.size(); ++o)
+    if (all[o].crack == to.crack && norm(all[o].at - to.at) < reach)
+    {
+      reach = norm(all[o].at - to.at);
+      found = static_cast<int>(o);
+    }
+  return found;
+}
+
 /// Leaves a point out on both faces where one of them has no node to act on.
 template <int D>
 void leaveOutLonely(const StencilTable<D>& below, const StencilTable<D>& above, int count)
@@ -143,6 +157,8 @@ void FacePoints<D>::place(const CrackSet<D>& cracks, double spacing)
         old[k].at[d] = oldPosition(k, d);
     }
   }
+  // A point and its place in pieces of another size are no more than half the longer piece apart.
+  const double reach = longestPiece * std::max(spacing, spacing_);
   count_ = static_cast<int>(all.size());
   crack = View<int*>("rhegma::facePointCrack", count_);
   size = View<double*>("rhegma::facePointSize", count_);
@@ -152,6 +168,7 @@ void FacePoints<D>::place(const CrackSet<D>& cracks, double spacing)
   edge = View<double* [D]>("rhegma::facePointEdge", count_);
   separation = View<double*>("rhegma::facePointSeparation", count_);
   before = View<int*>("rhegma::facePointBefore", count_);
+  after = View<int*>("rhegma::facePointAfter", old.size());
   simplex_ = View<int*>("rhegma::facePointSimplex", count_);
   weight_ = View<double* [D]>("rhegma::facePointWeight", count_);
   share_ = View<double*>("rhegma::facePointShare", count_);
@@ -165,6 +182,7 @@ void FacePoints<D>::place(const CrackSet<D>& cracks, double spacing)
   const auto hostCrack = Kokkos::create_mirror_view(crack);
   const auto hostSize = Kokkos::create_mirror_view(size);
   const auto hostBefore = Kokkos::create_mirror_view(before);
+  const auto hostAfter = Kokkos::create_mirror_view(after);
   const auto hostSimplex = Kokkos::create_mirror_view(simplex_);
   const auto hostWeight = Kokkos::create_mirror_view(weight_);
   const auto hostShare = Kokkos::create_mirror_view(share_);
@@ -176,18 +194,14 @@ void FacePoints<D>::place(const CrackSet<D>& cracks, double spacing)
     for (int i = 0; i < D; ++i)
       hostWeight(k, i) = all[k].weight[i];
     hostShare(k) = all[k].share;
-    hostBefore(k) = -1;
-    double nearest = longestPiece * spacing;
-    for (std::size_t o = 0; o < old.size(); ++o)
-      if (old[o].crack == all[k].crack && norm(old[o].at - all[k].at) < nearest)
-      {
-        nearest = norm(old[o].at - all[k].at);
-        hostBefore(k) = static_cast<int>(o);
-      }
+    hostBefore(k) = nearest(old, all[k], reach);
   }
+  for (std::size_t o = 0; o < old.size(); ++o)
+    hostAfter(o) = nearest(all, old[o], reach);
   Kokkos::deep_copy(crack, hostCrack);
   Kokkos::deep_copy(size, hostSize);
   Kokkos::deep_copy(before, hostBefore);
+  Kokkos::deep_copy(after, hostAfter);
   Kokkos::deep_copy(simplex_, hostSimplex);
   Kokkos::deep_copy(weight_, hostWeight);
   Kokkos::deep_copy(share_, hostShare);

@@ -19,7 +19,8 @@ class FacePoints
 public:
   /// Follows the cracks and makes the stencils for this step; needs the masses of the nodes. Where the pieces
   /// of a crack have changed, its points are placed anew.
-  /// \return true when they were; `before` then tells from which earlier point each may inherit
+  /// \return true when they were; `before` then tells from which earlier point each may inherit, `after` to
+  /// which one each earlier point may leave what it has
   bool update(const State<D>& state);
 
   int count() const { return count_; }
@@ -37,6 +38,7 @@ public:
   StencilTable<D> below;      ///< on side -1; no entries where a point is left out
   StencilTable<D> above;      ///< on side +1
   View<int*> before;          ///< earlier point in the same place, or -1
+  View<int*> after;           ///< of each earlier point the one now in the same place, or -1
 
 private:
   void place(const CrackSet<D>& cracks, double spacing);

@@ -21,13 +21,25 @@ constexpr double young = 3e9, poisson = 0.3;
 const double modulus = young * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
 const double shear = young / (2.0 * (1.0 + poisson));
 
-inline std::unique_ptr<Run<2>> barAtRest(std::vector<std::string> overrides = {})
+/// \param levels how often all its cells are refined
+inline std::unique_ptr<Run<2>> barAtRest(std::vector<std::string> overrides = {}, int levels = 0)
 {
   overrides.push_back("Boundaries:Pulse:Stress={0, 0}");
   const SceneResult scene =
       readScene(std::string(RHEGMA_SOURCE_DIR) + "/xml_inputs/verification/contact_pulse_compressive.xml",
                 overrides, effectSchema());
-  for (const SceneError& error : scene.errors)
+  std::vector<SceneError> errors = scene.errors;
+  if (levels > 0)
+  {
+    Teuchos::ParameterList& adaptivity = scene.list->sublist("Adaptivity");
+    adaptivity.set("Maximum Level", levels);
+    Teuchos::ParameterList& all = adaptivity.sublist("All");
+    all.set("Lower Corner", Teuchos::Array<double>(2, -1.0));
+    all.set("Upper Corner", Teuchos::Array<double>(2, 1.0));
+    all.set("Level", levels);
+    validateList(*scene.list, effectSchema(), errors);
+  }
+  for (const SceneError& error : errors)
     ADD_FAILURE() << toString(error);
   auto run = std::make_unique<Run<2>>(*scene.list);
   run->initialize();

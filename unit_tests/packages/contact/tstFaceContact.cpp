@@ -182,3 +182,32 @@ TEST(FaceContact, KeepsItsGapWhileItTurns)
   for (std::size_t k = 0; k < gap.extent(0); ++k)
     EXPECT_NEAR(gap(k), opening, roundOff);
 }
+
+/// Heat of friction, and how the ledger is told what becomes of the energy of the layer, when cells of
+/// another size ask for points in other places.
+TEST(FaceContact, KeepsHeatWherePointsArePlacedAnew)
+{
+  const auto coarse = barAtRest(), fine = barAtRest({}, 2);
+  FaceContact<2> contact(Law::Coulomb, 0.3, 1.0);
+  press(coarse->state(), contact, overlap, 20.0 * slide);
+  const double heat = contact.dissipated();
+  EXPECT_GT(heat, 0.0);
+  const auto everywhere = [&contact]
+  {
+    const View<int*> part("part", contact.points().count());
+    Kokkos::deep_copy(part, 1);
+    return part;
+  };
+  // Round-off of sums over some forty points.
+  EXPECT_NEAR(contact.dissipatedIn(everywhere()), heat, 1e-14 * heat);
+  for (State<2>* state : {&fine->state(), &coarse->state(), &fine->state()})
+  {
+    const double stored = contact.stored();
+    const int points = contact.points().count();
+    const double change = contact.prepare(*state);
+    EXPECT_NE(contact.points().count(), points);
+    EXPECT_NEAR(contact.dissipatedIn(everywhere()), heat, 1e-13 * heat);
+    EXPECT_NEAR(contact.storedIn(everywhere()), stored + change, 1e-13 * stored);
+    EXPECT_EQ(contact.stored(), stored + change);
+  }
+}

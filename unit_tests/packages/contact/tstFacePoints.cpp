@@ -2,6 +2,9 @@
 
 #include "transfer/FacePoints.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 using namespace Rhegma;
 using namespace Rhegma::contact::test;
 
@@ -76,4 +79,42 @@ TEST(FacePoints, FollowFacesThatPart)
   const auto separation = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.separation);
   for (int k = 0; k < points.count(); ++k)
     EXPECT_NEAR(separation(k), 2e-4, 1e-16);
+}
+
+/// Cells that become smaller by two levels at once cut each piece into up to four, whose middles lie within
+/// it: all of them inherit from the point of that piece, and none of the earlier points is left without heirs
+/// on the way back.
+TEST(FacePoints, InheritAcrossTwoLevelsAtOnce)
+{
+  const auto coarse = barAtRest(), fine = barAtRest({}, 2);
+  FacePoints<2> points;
+  points.update(coarse->state());
+  const auto check = [&points](const State<2>& state)
+  {
+    const auto oldPosition = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.position);
+    const auto oldSize = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.size);
+    const int old = points.count();
+    ASSERT_TRUE(points.update(state));
+    const auto position = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.position);
+    const auto size = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.size);
+    const auto before = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.before);
+    const auto after = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.after);
+    const auto apart = [&](int o, int k)
+    { return std::hypot(oldPosition(o, 0) - position(k, 0), oldPosition(o, 1) - position(k, 1)); };
+    for (int k = 0; k < points.count(); ++k)
+    {
+      ASSERT_GE(before(k), 0);
+      EXPECT_LE(apart(before(k), k), 0.5 * std::max(oldSize(before(k)), size(k)) * (1.0 + 1e-9));
+    }
+    for (int o = 0; o < old; ++o)
+    {
+      ASSERT_GE(after(o), 0);
+      EXPECT_LE(apart(o, after(o)), 0.5 * std::max(oldSize(o), size(after(o))) * (1.0 + 1e-9));
+    }
+  };
+  const int few = points.count();
+  check(fine->state());
+  EXPECT_GT(points.count(), 2 * few);
+  check(coarse->state());
+  EXPECT_EQ(points.count(), few);
 }
