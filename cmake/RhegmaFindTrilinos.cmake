@@ -5,7 +5,7 @@
 #   RHEGMA_BACKEND    what was found: openmp or serial
 
 set(RHEGMA_TRILINOS "" CACHE PATH "Folder where Trilinos is installed; empty: the system's")
-set(RHEGMA_TRILINOS_PACKAGES Kokkos Teuchos Tpetra Belos)
+set(RHEGMA_TRILINOS_PACKAGES Kokkos Teuchos Tpetra Belos Zoltan2Core)
 
 if(RHEGMA_TRILINOS)
   set(Trilinos_ROOT ${RHEGMA_TRILINOS})

@@ -48,7 +48,7 @@ template <int D>
 class Simulation::EngineOf : public Simulation::Engine
 {
 public:
-  explicit EngineOf(const Teuchos::ParameterList& scene) : run_(scene)
+  EngineOf(const Teuchos::ParameterList& scene, const Ranks& ranks) : run_(scene, {}, ranks)
   {
     const std::vector<std::string> names = run_.effectNames();
     effects_.insert(names.begin(), names.end());
@@ -120,7 +120,7 @@ public:
   void writeFields(const std::string& folder) override
   {
     if (!writer_)
-      writer_ = std::make_unique<FieldWriter<D>>(folder);
+      writer_ = std::make_unique<FieldWriter<D>>(folder, run_.state().ranks);
     writer_->write(run_.state());
   }
 
@@ -129,8 +129,7 @@ public:
   Progress progress() const override
   {
     const State<D>& state = run_.state();
-    return {state.time,         state.step, state.settled, state.ended(), state.particles.size(),
-            state.particleSteps};
+    return {state.time, state.step, state.settled, state.ended(), allParticles(state), state.particleSteps};
   }
 
 private:
@@ -140,12 +139,26 @@ private:
   double next_ = 0.0;
 };
 
+namespace
+{
+
+/// Throws std::invalid_argument where the scene has effects that work on one rank only.
+void refuseOnRanks(const Teuchos::ParameterList& scene)
+{
+  std::string alone;
+  for (const EffectEntry& entry : knownEffects())
+    if (scene.isSublist(entry.section.name) && !entry.onRanks)
+      alone += (alone.empty() ? "" : ", ") + entry.section.name;
+  if (!alone.empty())
+    throw std::invalid_argument(alone + ": this version runs such scenes on one rank; start it without "
+                                        "mpirun, or with mpirun -np 1");
+}
+
+} // namespace
+
 Simulation::Simulation(Teuchos::RCP<const Teuchos::Comm<int>> comm,
                        const Teuchos::RCP<Teuchos::ParameterList>& scene)
 {
-  if (comm->getSize() > 1)
-    throw std::invalid_argument(
-        "this version runs on one rank; start it without mpirun, or with mpirun -np 1");
   std::vector<SceneError> errors;
   validateList(*scene, effectSchema(), errors);
   if (!errors.empty())
@@ -155,10 +168,13 @@ Simulation::Simulation(Teuchos::RCP<const Teuchos::Comm<int>> comm,
       all << (&error == &errors.front() ? "" : "\n") << error.where << ": " << error.message;
     throw std::invalid_argument(all.str());
   }
+  const Ranks ranks(comm);
+  if (ranks.many())
+    refuseOnRanks(*scene);
   if (scene->sublist("Domain").get<int>("Dimension") == 2)
-    engine_ = std::make_unique<EngineOf<2>>(*scene);
+    engine_ = std::make_unique<EngineOf<2>>(*scene, ranks);
   else
-    engine_ = std::make_unique<EngineOf<3>>(*scene);
+    engine_ = std::make_unique<EngineOf<3>>(*scene, ranks);
 }
 
 Simulation::~Simulation() = default;

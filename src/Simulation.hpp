@@ -28,7 +28,7 @@ class Simulation
 public:
   using Row = std::vector<std::pair<std::string, double>>;
 
-  /// \param comm  ranks that take part; this version runs on one
+  /// \param comm  ranks that take part; every call below is then collective
   /// \param scene the list `Rhegma` of a scene; validated and completed with defaults here
   Simulation(Teuchos::RCP<const Teuchos::Comm<int>> comm, const Teuchos::RCP<Teuchos::ParameterList>& scene);
   ~Simulation();

@@ -8,6 +8,7 @@
 
 #include <iostream>
 #include <mpi.h>
+#include <new>
 #include <stdexcept>
 
 namespace
@@ -33,6 +34,24 @@ void startKokkos(const char* program, const std::vector<std::string>& forKokkos)
   }
 }
 
+/// Where there are more ranks than this one they may wait for it for ever: ends them too.
+void endAlone(const std::exception& error)
+{
+  int size = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &size);
+  if (size == 1)
+    return;
+  if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr)
+  {
+    std::cerr << "rhegma: there is not enough memory for this scene on one of the ranks; take larger cells "
+                 "(Domain > "
+                 "Cell Size)\n";
+    MPI_Abort(MPI_COMM_WORLD, exitStopped);
+  }
+  std::cerr << "rhegma: a defect of the program: " << error.what() << "\n";
+  MPI_Abort(MPI_COMM_WORLD, exitDefect);
+}
+
 /// \return the program's exit code; every exception ends here, so that Kokkos and MPI are always closed
 int start(int argc, char** argv, std::ostream& out, std::ostream& err)
 {
@@ -51,6 +70,7 @@ int start(int argc, char** argv, std::ostream& out, std::ostream& err)
   }
   catch (const std::exception& error)
   {
+    endAlone(error);
     err << "rhegma: a defect of the program: " << error.what() << "\n";
   }
   if (Kokkos::is_initialized())

@@ -149,7 +149,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 
 } // namespace
 
-EffectEntry dampingEntry() { return {section(), {}, make<2>, make<3>}; }
+EffectEntry dampingEntry() { return {section(), {}, make<2>, make<3>, true}; }
 
 template double dampVelocity(State<2>&, double);
 template double dampVelocity(State<3>&, double);

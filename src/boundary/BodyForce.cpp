@@ -12,7 +12,7 @@ void addBodyForce(const Nodes<D>& nodes, const Vector<D>& acceleration)
       "rhegma::addBodyForce", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i) {
         const int n = activeNode(nodes, i);
-        for (int d = 0; d < D; ++d)
+        for (int d = 0; d < D && countsHere(nodes, n); ++d)
           nodes.sums(n, Nodes<D>::forceAt + d) += nodes.sums(n, Nodes<D>::massAt) * acceleration[d];
       });
 }
@@ -28,7 +28,7 @@ double bodyForceWork(const State<D>& state, const Vector<D>& acceleration)
       "rhegma::bodyForceWork", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i, double& sum) {
         const int n = activeNode(nodes, i);
-        for (int d = 0; d < D; ++d)
+        for (int d = 0; d < D && countsHere(nodes, n); ++d)
           sum += dt * acceleration[d] * nodes.sums(n, Nodes<D>::massAt) * mean(n, d);
       },
       work);

@@ -45,8 +45,11 @@ struct HoldNodes
         const double before = nodes.sums(n, Nodes<D>::momentumAt + d) / mass;
         const double value = constraint.at(lattice, d);
         const double impulse = mass * (value - nodes.motion(n, d));
-        sum[0] += impulse * 0.5 * (value + before);
-        sum[1 + d] += impulse;
+        if (countsHere(nodes, n))
+        {
+          sum[0] += impulse * 0.5 * (value + before);
+          sum[1 + d] += impulse;
+        }
         nodes.motion(n, d) = value;
         nodes.motion(n, Nodes<D>::accelerationAt + d) = (value - before) / dt;
       }

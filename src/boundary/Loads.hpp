@@ -45,6 +45,7 @@ private:
   View<int*> id_;
   View<double* [D]> start_; ///< of each point [m]
   View<double*> share_;
+  View<double*> here_; ///< the share where this rank has the particle that carries the point, else zero
   ObservedPoints<D> points_;
   StencilTable<D> stencils_; ///< of all nodes with mass, which the load pushes
   StencilTable<D> followed_; ///< without light nodes, for the velocity at which the load does work

@@ -196,6 +196,7 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
                  *last = state.time;
                  for (auto& timed : *constraints)
                  {
+                   state.ranks.sum(timed.impulse.c, D);
                    timed.force = (duration > 0.0 ? 1.0 / duration : 0.0) * timed.impulse;
                    timed.impulse = Vector<D>{};
                    for (int d = 0; d < D; ++d)

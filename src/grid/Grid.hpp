@@ -64,6 +64,10 @@ struct Grid
   }
 };
 
+/// Numbers the nodes of a lattice whose cells along each axis are known.
+template <int D>
+void numberNodes(Grid<D>& grid);
+
 /// The lattice over a domain. The upper corner need not be a whole number of cells away: the last cell
 /// reaches beyond.
 template <int D>

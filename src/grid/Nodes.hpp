@@ -26,10 +26,11 @@ struct Nodes
   View<double* [projectionWidth]>
       projection; ///< momentum, then velocity, that strains the particles (MUSL) [m/s]
 
-  View<int*> active;  ///< nodes that particles can reach until the next sort
-  View<int*> parent;  ///< node at whose place each second field is
-  int numLattice = 0; ///< nodes of the lattice and of refined cells
-  int numSecond = 0;  ///< second fields in use
+  View<int*> active;   ///< nodes that particles can reach until the next sort
+  View<char*> foreign; ///< not 0 for nodes that another rank owns; empty where there is one rank
+  View<int*> parent;   ///< node at whose place each second field is
+  int numLattice = 0;  ///< nodes of the lattice and of refined cells
+  int numSecond = 0;   ///< second fields in use
 
   int numActive() const { return static_cast<int>(active.extent(0)) + numSecond; }
 
@@ -45,6 +46,13 @@ struct Nodes
     projection = View<double* [projectionWidth]>("rhegma::nodeProjection", rows);
   }
 };
+
+/// Whether sums over nodes count a node here, and not on another rank that has it too.
+template <int D>
+KOKKOS_INLINE_FUNCTION bool countsHere(const Nodes<D>& nodes, int node)
+{
+  return nodes.foreign.extent(0) == 0 || nodes.foreign(node) == 0;
+}
 
 /// The i-th node in use, a second field included.
 template <int D>

@@ -96,6 +96,7 @@ void bodyReport(const State<D>& state, nlohmann::json& summary)
     double sum[Sums::size] = {};
     Kokkos::parallel_reduce("rhegma::bodyReport", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
                             Sums(state, static_cast<int>(b)), sum);
+    state.ranks.sum(sum, Sums::size);
     nlohmann::json body;
     body["name"] = state.bodies[b].name;
     body["mass"] = sum[0];

@@ -71,6 +71,7 @@ void measureEnergy(State<D>& state)
   double sum[3 + D] = {};
   Kokkos::parallel_reduce("rhegma::measureEnergy", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
                           ParticleSums<D>(state), sum);
+  state.ranks.sum(sum, 3 + D);
   state.energy.kinetic = sum[0];
   state.energy.strain = sum[1] + state.energy.ties;
   state.energy.plastic = sum[2];
@@ -79,9 +80,28 @@ void measureEnergy(State<D>& state)
 }
 
 template <int D>
+void shareBooks(State<D>& state)
+{
+  constexpr double EnergyLedger::*booked[] = {&EnergyLedger::externalWork, &EnergyLedger::damped,
+                                              &EnergyLedger::contact,      &EnergyLedger::fracture,
+                                              &EnergyLedger::merged,       &EnergyLedger::combustion};
+  constexpr int count = sizeof(booked) / sizeof(*booked);
+  if (!state.ranks.many())
+    return;
+  double since[count];
+  for (int k = 0; k < count; ++k)
+    since[k] = state.energy.*booked[k] - state.sampledEnergy.*booked[k];
+  state.ranks.sum(since, count);
+  for (int k = 0; k < count; ++k)
+    state.energy.*booked[k] = state.sampledEnergy.*booked[k] + since[k];
+  state.sampledEnergy = state.energy;
+}
+
+template <int D>
 void coreRow(State<D>& state, const std::set<std::string>& effects)
 {
   measureEnergy(state);
+  shareBooks(state);
   HistoryRow row;
   for (const Entry& entry : entries(state.energy))
     if (*entry.effect == '\0' || effects.count(entry.effect) > 0)
@@ -110,6 +130,8 @@ void coreReport(const State<D>& state, nlohmann::json& summary)
 
 template void measureEnergy(State<2>&);
 template void measureEnergy(State<3>&);
+template void shareBooks(State<2>&);
+template void shareBooks(State<3>&);
 template void coreRow(State<2>&, const std::set<std::string>&);
 template void coreRow(State<3>&, const std::set<std::string>&);
 template void coreReport(const State<2>&, nlohmann::json&);

@@ -18,6 +18,10 @@ namespace Rhegma
 template <int D>
 void measureEnergy(State<D>& state);
 
+/// Makes the books those of all ranks, in every rank's ledger. Collective; `coreRow` does so too.
+template <int D>
+void shareBooks(State<D>& state);
+
 /// Measures, and puts the columns of the ledger and of the momentum in front of those that the row has.
 ///
 /// Always kinetic, strain, external_work, residual, momentum_x..; `plastic` where a material can flow;

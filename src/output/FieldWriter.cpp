@@ -1,8 +1,10 @@
 #include "output/FieldWriter.hpp"
 
 #include "output/Hdf5.hpp"
+#include "output/OutputError.hpp"
 #include "output/TextFile.hpp"
 #include "output/Xdmf.hpp"
+#include "parallel/FirstRank.hpp"
 
 #include <cstdio>
 
@@ -29,22 +31,19 @@ public:
     document_.add(snapshot, group);
     replaceFile(guide_, document_.text());
     ++written_;
-    lastTime_ = snapshot.time;
   }
-
-  bool hasJustWritten(double time) const { return written_ > 0 && time == lastTime_; }
 
 private:
   std::string data_;
   std::string guide_;
   XdmfDocument document_{"fields.h5"};
   std::size_t written_ = 0;
-  double lastTime_ = 0.0;
 };
 
 template <int D>
-FieldWriter<D>::FieldWriter(const std::string& folder) : files_(std::make_unique<Files>(folder))
+FieldWriter<D>::FieldWriter(const std::string& folder, const Ranks& ranks)
 {
+  onFirstRank<OutputError>(ranks, [&] { files_ = std::make_unique<Files>(folder); });
 }
 
 template <int D>
@@ -57,8 +56,11 @@ FieldWriter<D>& FieldWriter<D>::operator=(FieldWriter&&) noexcept = default;
 template <int D>
 void FieldWriter<D>::write(const State<D>& state)
 {
-  if (!files_->hasJustWritten(state.time))
-    files_->write(makeSnapshot(state));
+  if (state.time == lastTime_)
+    return;
+  lastTime_ = state.time;
+  const Snapshot snapshot = gatherSnapshot(state.ranks, makeSnapshot(state));
+  onFirstRank<OutputError>(state.ranks, [&] { files_->write(snapshot); });
 }
 
 template class FieldWriter<2>;

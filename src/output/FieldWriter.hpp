@@ -27,9 +27,10 @@ template <int D>
 class FieldWriter
 {
 public:
-  /// Makes both files; older ones are replaced. \param folder is there already
+  /// Makes both files; older ones are replaced. \param folder is there already \param ranks that share the
+  /// run; the first of them writes, and all calls are collective
   /// Throws OutputError when the files can't be made or written, here and later.
-  explicit FieldWriter(const std::string& folder);
+  explicit FieldWriter(const std::string& folder, const Ranks& ranks = {});
   ~FieldWriter();
   FieldWriter(FieldWriter&&) noexcept;
   FieldWriter& operator=(FieldWriter&&) noexcept;
@@ -39,7 +40,8 @@ public:
 
 private:
   class Files;
-  std::unique_ptr<Files> files_;
+  std::unique_ptr<Files> files_; ///< of the first rank
+  double lastTime_ = -1.0;
 };
 
 } // namespace Rhegma

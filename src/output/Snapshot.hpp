@@ -48,4 +48,8 @@ struct Snapshot
 template <int D>
 Snapshot makeSnapshot(const State<D>& state);
 
+/// On rank 0 the meshes of all ranks as one, in the order of the ranks; cells where ranks meet and points of
+/// theirs may be there twice. Nothing on others. Collective.
+Snapshot gatherSnapshot(const Ranks& ranks, Snapshot own);
+
 } // namespace Rhegma

@@ -2,6 +2,7 @@
 
 #include "output/OutputError.hpp"
 #include "output/OutputFolder.hpp"
+#include "parallel/FirstRank.hpp"
 #include "scene/Numbers.hpp"
 #include "step/Run.hpp"
 
@@ -15,11 +16,16 @@ namespace Rhegma::program
 namespace
 {
 
-std::string emptyOutputFolder(const std::string& folder)
+/// \return the history's file; on all ranks but the first one that holds nothing
+std::string emptyOutputFolder(const std::string& folder, const Ranks& ranks)
 {
-  makeOutputFolder(folder);
-  removeOldResults(folder);
-  return folder;
+  onFirstRank<std::invalid_argument>(ranks,
+                                     [&]
+                                     {
+                                       makeOutputFolder(folder);
+                                       removeOldResults(folder);
+                                     });
+  return ranks.rank() == 0 ? folder + "/history.csv" : "/dev/null";
 }
 
 double historyInterval(const Teuchos::ParameterList& scene)
@@ -32,12 +38,13 @@ double historyInterval(const Teuchos::ParameterList& scene)
 } // namespace
 
 Production::Production(const Options& options, const Teuchos::ParameterList& scene, Simulation& simulation,
-                       std::ostream& out)
-    : folder_(options.output.empty() ? defaultOutputFolder(options.scene) : options.output),
+                       std::ostream& out, const Ranks& ranks)
+    : ranks_(ranks),
+      folder_(options.output.empty() ? defaultOutputFolder(options.scene) : options.output),
       scene_(scene),
       simulation_(simulation),
       finalTime_(scene.sublist("Time").get<double>("Final Time")),
-      history_(emptyOutputFolder(folder_) + "/history.csv"),
+      history_(emptyOutputFolder(folder_, ranks)),
       progress_(options.quiet ? nullptr : &out, finalTime_, isatty(STDOUT_FILENO) != 0)
 {
   observe();
@@ -48,7 +55,14 @@ void Production::observe()
   simulation_.sampleEvery(historyInterval(scene_),
                           [this](double time, const Simulation::Row& row)
                           {
-                            history_.write(time, row);
+                            try
+                            {
+                              history_.write(time, row);
+                            }
+                            catch (const OutputError& error)
+                            {
+                              unwritten_ = error.what();
+                            }
                             progress_.sample(row);
                           });
   simulation_.onStep(
@@ -76,6 +90,8 @@ std::string Production::toTheEnd()
   }
   catch (const std::bad_alloc&)
   {
+    if (ranks_.many())
+      throw;
     trouble = stoppedBy("there is no memory left; take larger cells (Domain > Cell Size)");
   }
   try
@@ -88,7 +104,7 @@ std::string Production::toTheEnd()
       trouble = stoppedBy(error.what());
   }
   progress_.finish();
-  return trouble;
+  return ranks_.firstText(trouble);
 }
 
 bool Production::outOfSteps() const
@@ -117,7 +133,7 @@ void Production::advanceFromFieldToField()
   catch (const RunError&)
   {
     // Who stops a run wants to see how far it came; what an unstable step left is no result.
-    if (fields && !signal_.name().empty())
+    if (fields && !ranks_.firstText(signal_.name()).empty())
       simulation_.writeFields(folder_);
     throw;
   }
@@ -125,7 +141,10 @@ void Production::advanceFromFieldToField()
 
 void Production::stopIfAsked(double time, long step) const
 {
-  const std::string signal = signal_.name();
+  const std::string unwritten = ranks_.firstText(unwritten_);
+  if (!unwritten.empty())
+    throw OutputError(unwritten);
+  const std::string signal = ranks_.firstText(signal_.name());
   if (!signal.empty())
     throw RunError("the run was stopped by " + signal + " at time " + formatReal(time) + " s, step " +
                    std::to_string(step));

@@ -4,6 +4,7 @@
 #include "Simulation.hpp"
 #include "output/History.hpp"
 #include "output/Progress.hpp"
+#include "parallel/Ranks.hpp"
 #include "program/Options.hpp"
 #include "program/StopSignal.hpp"
 
@@ -20,8 +21,9 @@ public:
   /// Throws std::invalid_argument when the folder can't be used.
   /// \param scene validated; must outlive this
   /// \param out   for the progress line
+  /// \param ranks that share the run; the first of them writes the files
   Production(const Options& options, const Teuchos::ParameterList& scene, Simulation& simulation,
-             std::ostream& out);
+             std::ostream& out, const Ranks& ranks);
 
   /// The output folder.
   const std::string& folder() const { return folder_; }
@@ -37,9 +39,11 @@ public:
 private:
   void observe();
   void advanceFromFieldToField();
+  /// Throws where a signal or a file that can't be written, on any rank, ends the run.
   void stopIfAsked(double time, long step) const;
   std::string stoppedBy(const std::string& reason) const;
 
+  Ranks ranks_;
   std::string folder_;
   const Teuchos::ParameterList& scene_;
   Simulation& simulation_;
@@ -47,6 +51,7 @@ private:
   History history_;
   Progress progress_;
   StopSignal signal_;
+  std::string unwritten_; ///< why the history could not be written
 };
 
 } // namespace Rhegma::program

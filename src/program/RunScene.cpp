@@ -55,7 +55,7 @@ SummaryFacts facts(const Options& options, const Simulation& simulation, double 
 {
   SummaryFacts f;
   f.scene = options.scene;
-  f.ranks = 1;
+  f.ranks = world()->getSize();
   f.threads = Kokkos::DefaultExecutionSpace().concurrency();
   f.backend = Kokkos::DefaultExecutionSpace::name();
   f.effects = simulation.effects();
@@ -114,7 +114,8 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
     out << simulation.plan();
     return exitFinished;
   }
-  Production production(options, *scene, simulation, out);
+  const Ranks ranks(world());
+  Production production(options, *scene, simulation, out, ranks);
   std::string trouble = production.toTheEnd();
   const std::string status = !trouble.empty()          ? trouble
                              : production.outOfSteps() ? "finished at Time > Maximum Steps"
@@ -126,7 +127,8 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
         "the run ended before it had settled (Damping > Stop When Settled): its values are "
         "those of a body in motion; raise Time > Final Time or the damping");
   const bool within = addReferences(references(*scene), summary);
-  const std::string unwritten = writeWhereItCan(summary, production.folder() + "/summary.json");
+  const std::string unwritten = ranks.firstText(
+      ranks.rank() == 0 ? writeWhereItCan(summary, production.folder() + "/summary.json") : std::string());
   if (trouble.empty())
     trouble = unwritten;
   if (!options.quiet)
@@ -194,6 +196,8 @@ int run(const Options& options, std::ostream& out, std::ostream& err)
     }
     catch (const std::bad_alloc&)
     {
+      if (world()->getSize() > 1)
+        throw;
       err << "rhegma: there is not enough memory for this scene; take larger cells (Domain > Cell Size)\n";
       return exitWrongScene;
     }

@@ -7,6 +7,7 @@
 #include "grid/ShapeFunctions.hpp"
 #include "grid/Tree.hpp"
 #include "material/Law.hpp"
+#include "parallel/Ranks.hpp"
 #include "state/CrackSet.hpp"
 #include "state/Energy.hpp"
 #include "state/FieldTable.hpp"
@@ -15,6 +16,7 @@
 
 #include <functional>
 #include <limits>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <utility>
@@ -25,6 +27,8 @@ namespace Rhegma
 
 template <int D>
 struct State;
+template <int D>
+struct Subdomain;
 
 enum class UpdateScheme
 {
@@ -113,11 +117,14 @@ struct State
   double picFraction = 0.0;
   double cfl = 0.4;
 
-  Grid<D> grid;
+  Ranks ranks;                                   ///< that share the run
+  std::shared_ptr<const Subdomain<D>> subdomain; ///< this rank's; none where there is one rank
+  Grid<D> grid; ///< what this rank's particles can reach; the whole lattice where there is one rank
   Tree<D> tree; ///< refined cells; empty where none is
   Nodes<D> nodes;
   Blocks<D> blocks;
-  FieldTable particles;
+  FieldTable particles;        ///< of this rank
+  int particlesOfAllRanks = 0; ///< where there are many
   std::vector<BodyInfo<D>> bodies;
   View<double* [D][D]> bodyAxes;
   std::vector<std::string> materialNames;
@@ -147,10 +154,12 @@ struct State
   double fastest = 0.0;                                 ///< largest wave speed plus particle speed [m/s]
   bool observing = false;                               ///< a sample is taken at the end of this step
   bool sorted = false;                                  ///< false: sort before the next step
-  View<int*> indexOf; ///< index of the particle with each id; renewed by every sort
+  View<int*>
+      indexOf; ///< index of the particle with each id, -1 where another rank has it; renewed by every sort
   double particleSteps = 0.0;
 
-  EnergyLedger energy;
+  EnergyLedger energy;        ///< of all ranks when a sample is taken; what is booked later is this rank's
+  EnergyLedger sampledEnergy; ///< the same as it was at the last sample
   Vector<D> momentum;
   HistoryRow row; ///< filled by the Observe stage
   bool settled = false;
@@ -175,6 +184,13 @@ template <int D>
 NodePlaces<D> nodePlaces(const State<D>& state)
 {
   return {state.grid, state.tree.finePlace};
+}
+
+/// Number of particles, of all ranks.
+template <int D>
+int allParticles(const State<D>& state)
+{
+  return state.ranks.many() ? state.particlesOfAllRanks : state.particles.size();
 }
 
 /// Index of a body by name, or -1.

@@ -1,6 +1,7 @@
 #include "step/CoreStep.hpp"
 
 #include "material/Materials.hpp"
+#include "parallel/Subdomain.hpp"
 #include "state/UnstableStep.hpp"
 #include "transfer/Gather.hpp"
 #include "transfer/Motion.hpp"
@@ -42,8 +43,10 @@ Effect<D> makeCore(const State<D>& state)
              {},
              [](State<D>& s)
              {
-               if (!s.sorted)
-                 sortState(s);
+               if (s.sorted)
+                 return;
+               migrateParticles(s);
+               sortState(s);
              }});
   core.call({Stage::Scatter,
              scheme == UpdateScheme::Usf ? "mass and momentum to nodes" : "mass, momentum and force to nodes",
@@ -55,9 +58,11 @@ Effect<D> makeCore(const State<D>& state)
                storeStencils(s);
                clearNodes(s);
                scatter(s, scheme == UpdateScheme::Usf ? ScatterWhat::MassAndMomentum : ScatterWhat::All);
+               sumOverRanks(s, SharedSums::MassAndMomentum);
                if (scheme == UpdateScheme::Usf)
                {
                  particleVelocity(s, VelocityWhat::Project);
+                 sumOverRanks(s, SharedSums::Projection);
                  finishProjection(s);
                }
              }});
@@ -65,7 +70,14 @@ Effect<D> makeCore(const State<D>& state)
     core.call({Stage::BeforeSolve, "force to nodes", {}, {}, {"nodal force"}, [](State<D>& s) {
                  scatter(s, ScatterWhat::Force);
                }});
-  core.call({Stage::Solve, "lumped solve", {"nodal force"}, {"nodal motion"}, {}, [](State<D>& s) {
+  core.call({Stage::Solve,
+             "lumped solve",
+             {"nodal force"},
+             {"nodal motion"},
+             {},
+             [](State<D>& s)
+             {
+               sumOverRanks(s, SharedSums::Force);
                solveLumped(s);
              }});
   core.call({Stage::Gather,
@@ -78,7 +90,10 @@ Effect<D> makeCore(const State<D>& state)
                particleVelocity(s, scheme == UpdateScheme::Musl ? VelocityWhat::GatherAndProject
                                                                 : VelocityWhat::Gather);
                if (scheme == UpdateScheme::Musl)
+               {
+                 sumOverRanks(s, SharedSums::Projection);
                  finishProjection(s);
+               }
                if (scheme == UpdateScheme::Usf)
                  strainAndMove(s, StrainVelocity::Projection, false, true);
              }});
@@ -167,6 +182,7 @@ template <int D>
 void sortState(State<D>& state)
 {
   sortParticles(state.grid, state.particles, state.blocks, state.nodes.active);
+  useSharedNodes(state);
   if (state.tree.refined())
   {
     addFineNodes(state);
@@ -174,9 +190,12 @@ void sortState(State<D>& state)
   }
   const int n = state.particles.size();
   const auto id = state.particles.integer(fields::id);
-  const int ids = state.particles.has(fields::level) ? largestId(id) + 1 : n;
+  const bool gaps = state.particles.has(fields::level) || state.ranks.many();
+  const int ids = gaps ? static_cast<int>(state.ranks.max(largestId(id))) + 1 : n;
   if (static_cast<int>(state.indexOf.extent(0)) < ids)
     state.indexOf = View<int*>("rhegma::indexOf", ids);
+  if (state.ranks.many())
+    Kokkos::deep_copy(state.indexOf, -1);
   const View<int*> indexOf = state.indexOf;
   Kokkos::parallel_for(
       "rhegma::indexParticles", Kokkos::RangePolicy<ExecSpace>(0, n),

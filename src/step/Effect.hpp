@@ -65,6 +65,7 @@ struct EffectEntry
   CrossCheck check; ///< what no single parameter can show wrong; may be empty
   std::function<Effect<2>(const Teuchos::ParameterList& scene)> make2;
   std::function<Effect<3>(const Teuchos::ParameterList& scene)> make3;
+  bool onRanks = false; ///< whether it works on more than one rank
 };
 
 /// Every effect that the program knows (packages/Registry.cpp).

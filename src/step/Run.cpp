@@ -1,6 +1,8 @@
 #include "step/Run.hpp"
 
 #include "boundary/Boundaries.hpp"
+#include "output/CoreRow.hpp"
+#include "parallel/Subdomain.hpp"
 #include "scene/Attempts.hpp"
 #include "scene/Numbers.hpp"
 #include "step/CoreStep.hpp"
@@ -40,9 +42,10 @@ template <int D>
 } // namespace
 
 template <int D>
-Run<D>::Run(const Teuchos::ParameterList& scene, std::vector<Effect<D>> own)
+Run<D>::Run(const Teuchos::ParameterList& scene, std::vector<Effect<D>> own, const Ranks& ranks)
     : scene_(scene), own_(std::move(own))
 {
+  state_.ranks = ranks;
 }
 
 template <int D>
@@ -79,6 +82,7 @@ void Run<D>::initialize()
   state_.fastest = fastestSpeed(state_);
   attempts.attempt([&] { refuseEndless(); });
   attempts.complain();
+  divideState(state_);
 }
 
 template <int D>
@@ -113,8 +117,24 @@ template <int D>
 void Run<D>::runStage(Stage stage)
 {
   plan_.run(stage, state_);
-  if (!state_.trouble.empty())
+  if (!state_.trouble.empty() && !state_.ranks.many())
     stop(state_);
+}
+
+template <int D>
+void Run<D>::agree()
+{
+  if (!state_.ranks.many())
+    return;
+  double most[] = {state_.fastest, state_.sorted ? 0.0 : 1.0, state_.trouble.empty() ? 0.0 : 1.0};
+  state_.ranks.max(most, 3);
+  state_.fastest = most[0];
+  state_.sorted = most[1] == 0.0;
+  if (most[2] == 0.0)
+    return;
+  state_.trouble = state_.ranks.firstText(state_.trouble);
+  shareBooks(state_);
+  stop(state_);
 }
 
 template <int D>
@@ -138,9 +158,10 @@ void Run<D>::step(double until, bool sample)
   for (const Stage stage : order_)
     if (stage != Stage::Observe && stage != Stage::BetweenSteps)
       runStage(stage);
+  agree();
   state_.time = state_.dt == left ? until : state_.time + state_.dt;
   ++state_.step;
-  state_.particleSteps += state_.particles.size();
+  state_.particleSteps += allParticles(state_);
   if (sample)
   {
     state_.row.clear();

@@ -18,7 +18,8 @@ class Run
 public:
   /// \param scene a validated scene
   /// \param own   effects that the application brings beside those of the scene, such as a load of its own
-  explicit Run(const Teuchos::ParameterList& scene, std::vector<Effect<D>> own = {});
+  /// \param ranks that share the run: `initialize` and `step` are then collective
+  explicit Run(const Teuchos::ParameterList& scene, std::vector<Effect<D>> own = {}, const Ranks& ranks = {});
 
   /// Makes particles, fields and the plan. Throws std::invalid_argument for what only the bodies can show
   /// wrong.
@@ -44,7 +45,10 @@ public:
 
 private:
   void refuseEndless() const;
-  /// Throws RunError where the stage brings trouble.
+  /// Makes what ranks must know of each other before the next step the same on all: the fastest speed,
+  /// whether somebody must sort, and why the run can't go on. Throws RunError where it can't.
+  void agree();
+  /// Throws RunError where the stage brings trouble; where there are many ranks that waits for `agree`.
   void runStage(Stage stage);
 
   Teuchos::ParameterList scene_;

@@ -1,0 +1,48 @@
+#pragma once
+/// Which rank owns which cells.
+
+#include "grid/Grid.hpp"
+#include "parallel/Ranks.hpp"
+
+#include <vector>
+
+namespace Rhegma
+{
+
+/// Cells low .. high - 1 of a lattice along each axis; may be empty.
+template <int D>
+struct CellBox
+{
+  int low[D], high[D];
+
+  bool holds(const int (&cell)[D]) const
+  {
+    bool in = true;
+    for (int d = 0; d < D; ++d)
+      in = in && cell[d] >= low[d] && cell[d] < high[d];
+    return in;
+  }
+};
+
+/// A box of cells for each rank; together they are the cells of the domain, each once.
+template <int D>
+struct Division
+{
+  Grid<D> lattice; ///< of the whole domain
+  std::vector<CellBox<D>> boxes;
+
+  /// The cell of the domain that is nearest to a place.
+  void cellAt(const Vector<D>& x, int (&cell)[D]) const;
+  /// The rank that owns a cell of the domain.
+  int ownerOf(const int (&cell)[D]) const;
+  /// The part of the lattice that the particles of a rank can reach: its box and the margin around it.
+  Grid<D> window(int rank) const;
+};
+
+/// Divides a domain so that each rank gets about the same share of the places, by multijagged cuts (M.
+/// Deveci, S. Rajamanickam, K. D. Devine, U. V. Catalyurek, IEEE Trans. Parallel Distrib. Syst. 27, 2016) as
+/// Zoltan2 makes them. Collective. \param places of this rank
+template <int D>
+Division<D> divide(const Ranks& ranks, const Grid<D>& lattice, const std::vector<Vector<D>>& places);
+
+} // namespace Rhegma

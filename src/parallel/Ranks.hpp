@@ -1,0 +1,53 @@
+#pragma once
+/// The ranks that share a run, and what they tell each other in a few numbers.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace Teuchos
+{
+template <class Ordinal>
+class Comm;
+template <class T>
+class RCP;
+} // namespace Teuchos
+
+namespace Rhegma
+{
+
+/// A group of ranks; by default the one that asks, alone. Every call but `rank` and `size` is collective: all
+/// ranks must make it, in the same order.
+class Ranks
+{
+public:
+  Ranks() = default;
+  explicit Ranks(const Teuchos::RCP<const Teuchos::Comm<int>>& comm);
+
+  int rank() const { return rank_; }
+  int size() const { return size_; }
+  bool many() const { return size_ > 1; }
+
+  /// Replaces each value by its sum over the ranks.
+  void sum(double* values, int count) const;
+  double sum(double value) const;
+  /// Replaces each value by the largest of any rank.
+  void max(double* values, int count) const;
+  double max(double value) const;
+  /// The text of the lowest rank that has one; empty where none has.
+  std::string firstText(const std::string& text) const;
+
+  /// The numbers of all ranks one after another on rank 0; nothing on others.
+  std::vector<double> gather(const std::vector<double>& own) const;
+  std::vector<int> gather(const std::vector<int>& own) const;
+
+  /// Only where there are many.
+  const Teuchos::RCP<const Teuchos::Comm<int>>& comm() const;
+
+private:
+  struct Holder;
+  std::shared_ptr<const Holder> holder_;
+  int rank_ = 0, size_ = 1;
+};
+
+} // namespace Rhegma

@@ -1,0 +1,103 @@
+#include "parallel/Subdomain.hpp"
+
+#include "parallel/Migration.hpp"
+
+#include <vector>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+template <class T>
+auto onHost(const T& view)
+{
+  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
+}
+
+/// Of the particles that all ranks hold, a part that each of them answers for while they are divided.
+template <int D>
+std::vector<Vector<D>> placesOfPart(const State<D>& state)
+{
+  const auto position = onHost(state.particles.template real<D>(fields::position));
+  const long n = state.particles.size(), rank = state.ranks.rank(), size = state.ranks.size();
+  std::vector<Vector<D>> places;
+  for (long p = n * rank / size; p < n * (rank + 1) / size; ++p)
+  {
+    Vector<D> x;
+    for (int d = 0; d < D; ++d)
+      x[d] = position(p, d);
+    places.push_back(x);
+  }
+  return places;
+}
+
+} // namespace
+
+template <int D>
+void divideState(State<D>& state)
+{
+  if (!state.ranks.many())
+    return;
+  state.particlesOfAllRanks = state.particles.size();
+  const Division<D> division = divide(state.ranks, state.grid, placesOfPart(state));
+  state.subdomain = std::make_shared<const Subdomain<D>>(state.ranks, division);
+  const std::vector<int> owner = ownersOf(state, division);
+  std::vector<int> stay;
+  for (std::size_t p = 0; p < owner.size(); ++p)
+    if (owner[p] == state.ranks.rank())
+      stay.push_back(static_cast<int>(p));
+  keepParticles(state, stay);
+  state.grid = division.window(state.ranks.rank());
+  state.nodes = Nodes<D>();
+  state.nodes.reserve(state.grid.numNodes, 0);
+  state.nodes.foreign = state.subdomain->halo.foreign();
+  ++state.tree.generation; // who keeps values by node makes them anew
+  state.sorted = false;
+}
+
+template <int D>
+void useSharedNodes(State<D>& state)
+{
+  if (!state.subdomain)
+    return;
+  const auto active = onHost(state.nodes.active), shared = onHost(state.subdomain->halo.nodes());
+  std::vector<char> used(state.grid.numNodes, 0);
+  for (std::size_t i = 0; i < active.extent(0); ++i)
+    used[active(i)] = 1;
+  for (std::size_t i = 0; i < shared.extent(0); ++i)
+    used[shared(i)] = 1;
+  std::vector<int> list;
+  for (int n = 0; n < state.grid.numNodes; ++n)
+    if (used[n])
+      list.push_back(n);
+  state.nodes.active = View<int*>("rhegma::activeNodes", list.size());
+  const auto host = Kokkos::create_mirror_view(state.nodes.active);
+  std::copy(list.begin(), list.end(), host.data());
+  Kokkos::deep_copy(state.nodes.active, host);
+}
+
+template <int D>
+void sumOverRanks(const State<D>& state, SharedSums what)
+{
+  if (!state.subdomain)
+    return;
+  const Halo<D>& halo = state.subdomain->halo;
+  const Nodes<D>& nodes = state.nodes;
+  if (what == SharedSums::MassAndMomentum)
+    halo.sum(nodes.sums.data(), Nodes<D>::sumWidth, Nodes<D>::massAt, 1 + D);
+  else if (what == SharedSums::Force)
+    halo.sum(nodes.sums.data(), Nodes<D>::sumWidth, Nodes<D>::forceAt, D);
+  else
+    halo.sum(nodes.projection.data(), Nodes<D>::projectionWidth, 0, D);
+}
+
+template void divideState(State<2>&);
+template void divideState(State<3>&);
+template void useSharedNodes(State<2>&);
+template void useSharedNodes(State<3>&);
+template void sumOverRanks(const State<2>&, SharedSums);
+template void sumOverRanks(const State<3>&, SharedSums);
+
+} // namespace Rhegma

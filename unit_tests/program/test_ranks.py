@@ -1,0 +1,186 @@
+#!/usr/bin/env python3
+"""A run on several ranks gives what one rank gives, up to round-off that has grown."""
+
+import csv
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+sys.dont_write_bytecode = True
+
+import h5py  # noqa: E402
+import numpy  # noqa: E402
+from program import PROGRAM, SOURCE, environment, rhegma  # noqa: E402
+from scenes import ball, plate  # noqa: E402
+
+LAUNCHER = ("mpirun", "--oversubscribe")
+ROOT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+
+# Sums in another order differ in their last digits, about 1e-16 a step; the motion of these bodies is stable, so that
+# some hundred steps add up to less than this share of the largest value.
+ROUND_OFF = 1e-10
+
+
+def whole_plate():
+    """The plate without its notch."""
+    scene = plate().remove("Cracks").remove("Energy Release")
+    return scene
+
+
+def held_plate():
+    """Everything that the method's own boundaries offer, and damping."""
+    scene = whole_plate()
+    scene.set("Boundaries > Weight", {"Type": "Gravity", "Acceleration": [30.0, -981.0]})
+    scene.set("Boundaries > Wall", {"Type": "Symmetry", "Axis": "x", "Position": 0.0})
+    scene.set(
+        "Boundaries > Grip",
+        {
+            "Type": "Velocity",
+            "Lower Corner": [-0.1, 0.9],
+            "Upper Corner": [0.3, 1.1],
+            "Components": "y",
+            "Value": [0.0, 0.2],
+        },
+    )
+    scene.set("Damping", {"Mass Rate": 200.0, "Shear Viscosity": 1000.0})
+    return scene
+
+
+def flying_plate():
+    """It turns and flies through half of the domain, so that ranks hand on all that they have."""
+    scene = whole_plate().remove("Boundaries")
+    scene.set("Domain > Upper Corner", [3.0, 1.6])
+    scene.set("Domain > Lower Corner", [-0.6, -0.6])
+    scene.set("Bodies > Plate > Velocity", [300.0, 0.0])
+    scene.set("Bodies > Plate > Angular Velocity", [200.0])
+    scene.set("Time > Final Time", 6e-3)
+    return scene
+
+
+@unittest.skipUnless(shutil.which("mpirun"), "without mpirun")
+class Ranks(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = self.temporary.name
+        self.addCleanup(self.temporary.cleanup)
+
+    def write(self, scene):
+        with open(os.path.join(self.folder, "scene.xml"), "w", encoding="utf-8") as file:
+            file.write(scene.text())
+        return os.path.join(self.folder, "scene.xml")
+
+    def run_on(self, ranks, scene, *arguments):
+        """Summary, columns of the history and the particles' last fields, ordered by where they started."""
+        out = os.path.join(self.folder, f"on{ranks}")
+        launcher = (*LAUNCHER, "-np", str(ranks)) if ranks > 1 else ()
+        answer = rhegma(
+            scene,
+            *("--output", out, "--quiet", "--set", "Output:Fields=true"),
+            *arguments,
+            launcher=launcher,
+            timeout=600,
+            **ROOT,
+        )
+        self.assertIn(answer.status, (0, 4), answer)  # 4: too few steps for the scene's reference
+        with open(os.path.join(out, "summary.json"), encoding="utf-8") as file:
+            summary = json.load(file)
+        with open(os.path.join(out, "history.csv"), encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        history = {name: numpy.array([float(row[name]) for row in rows]) for name in rows[0]}
+        with h5py.File(os.path.join(out, "fields.h5"), "r") as file:
+            last = file[sorted(file)[-1]]["particles"]
+            fields = {name: last[name][()] for name in last if name != "cells"}
+        start = numpy.round(fields["position"] - fields["displacement"], 9)
+        order = numpy.lexsort(start.T)
+        return summary, history, {name: values[order] for name, values in fields.items()}
+
+    def agree(self, scene, *arguments, ranks=(2, 3, 4)):
+        summary, history, fields = self.run_on(1, scene, *arguments)
+        energy = max(numpy.max(numpy.abs(history[name])) for name in ("kinetic", "strain"))
+        mass = sum(body["mass"] for body in summary["bodies"])
+        scales = {"momentum": (2.0 * mass * energy) ** 0.5, "time": history["time"][-1]}
+        for name in ("kinetic", "strain", "external_work", "residual", "damped"):
+            scales[name] = energy
+        forces = [numpy.max(numpy.abs(history[name])) for name in history if ".force_" in name]
+        if forces:
+            scales[""] = max(forces)
+        for count in ranks:
+            other, others, theirs = self.run_on(count, scene, *arguments)
+            self.assertEqual(other["ranks"], count)
+            self.assertEqual((other["steps"], other["particles"]), (summary["steps"], summary["particles"]))
+            self.assertEqual(list(others), list(history))
+            for name, values in history.items():
+                scale = scales.get(name.split("_")[0] if name.startswith("momentum") else name, scales.get(""))
+                worst = numpy.max(numpy.abs(others[name] - values)) / scale
+                self.assertLess(worst, ROUND_OFF, f"{name} on {count} ranks")
+            for name, values in fields.items():
+                scale = numpy.max(numpy.abs(values)) or 1.0
+                self.assertEqual(theirs[name].shape, values.shape, name)
+                worst = numpy.max(numpy.abs(theirs[name] - values)) / scale
+                self.assertLess(worst, ROUND_OFF, f"{name} on {count} ranks")
+        return fields
+
+    def test_loads_supports_and_damping(self):
+        self.agree(self.write(held_plate()))
+
+    def test_linear_functions_and_usf(self):
+        scene = held_plate().set("Domain > Shape Functions", "Linear").set("Time > Update Scheme", "USF")
+        self.agree(self.write(scene), ranks=(3,))
+
+    def test_particles_that_change_ranks(self):
+        fields = self.agree(self.write(flying_plate()))
+        self.assertGreater(numpy.min(fields["displacement"][:, 0]), 0.5, "the plate has not flown")
+
+    def test_more_ranks_than_cells_along_the_body(self):
+        self.agree(self.write(whole_plate()), "--set", "Time:Maximum Steps=20", ranks=(12,))
+
+    def test_three_dimensions(self):
+        scene = ball().set("Bodies > Ball > Velocity", [40.0, 10.0, -20.0])
+        scene.set("Bodies > Ball > Angular Velocity", [0.0, 300.0, 100.0])
+        self.agree(self.write(scene))
+
+    def test_rubber(self):
+        scene = os.path.join(SOURCE, "xml_inputs", "verification", "rubber_bar.xml")
+        self.agree(scene, "--set", "Time:Maximum Steps=100", ranks=(2,))
+
+    def test_a_signal_to_one_rank_stops_all(self):
+        scene = self.write(whole_plate().set("Time > Final Time", 10.0).set("Output", {"History Interval": 1e-3}))
+        run = subprocess.Popen(
+            [*LAUNCHER, "-np", "3", PROGRAM, scene, "--output", os.path.join(self.folder, "out")],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            env=environment(ROOT),
+        )
+        self.addCleanup(run.stdout.close)
+        self.addCleanup(run.stderr.close)
+        self.addCleanup(run.kill)
+        history = os.path.join(self.folder, "out", "history.csv")
+        for _ in range(600):
+            time.sleep(0.1)
+            if os.path.exists(history) and os.path.getsize(history) > 0:
+                break
+        children = subprocess.run(["pgrep", "-P", str(run.pid)], stdout=subprocess.PIPE, check=True).stdout.split()
+        self.assertEqual(len(children), 3)
+        os.kill(int(children[-1]), signal.SIGTERM)
+        _, complaint = run.communicate(timeout=60)
+        self.assertEqual(run.returncode, 2, complaint)
+        self.assertEqual(complaint.decode().count("the run was stopped by SIGTERM"), 1, complaint)
+        with open(os.path.join(self.folder, "out", "summary.json"), encoding="utf-8") as file:
+            self.assertIn("SIGTERM", json.load(file)["status"])
+
+    def test_a_run_that_bursts_says_so_once(self):
+        scene = whole_plate().set("Boundaries > Pull > Stress", [1e13, 0.0])
+        answer = rhegma(self.write(scene), "--quiet", launcher=(*LAUNCHER, "-np", "3"), timeout=300, **ROOT)
+        self.assertEqual(answer.status, 2, answer)
+        self.assertEqual(answer.complaint.count("the run stopped at time"), 1, answer)
+
+
+if __name__ == "__main__":
+    unittest.main()
