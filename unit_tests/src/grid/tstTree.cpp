@@ -1,7 +1,7 @@
 /// Random balanced trees: shape functions are complete, masters hang nowhere, numbers do not depend on the
 /// way.
 
-#include "grid/Branches.hpp"
+#include "RandomTrees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,39 +20,6 @@ constexpr int trees = 1000;
 constexpr int boxesPerTree = 20;
 /// Sums of up to 4 leaves' corners in double precision, weights of order 1, slopes of order 1/h.
 constexpr double roundOff = 1e-12;
-
-template <int D>
-Grid<D> lattice()
-{
-  Vector<D> lower, upper;
-  for (int d = 0; d < D; ++d)
-  {
-    lower[d] = -0.3 + 0.1 * d;
-    upper[d] = lower[d] + 2.0;
-  }
-  return makeGrid<D>(lower, upper, 0.5);
-}
-
-/// Refines some cells of each level down to a random depth.
-template <int D>
-Branches<D> randomBranches(const Grid<D>& grid, std::mt19937& engine)
-{
-  Branches<D> branches(grid);
-  const int depth = 1 + static_cast<int>(engine() % (D == 2 ? 4 : 3));
-  const int seeds = 1 + static_cast<int>(engine() % 3);
-  for (int s = 0; s < seeds; ++s)
-  {
-    std::array<int, D> cell;
-    for (int d = 0; d < D; ++d)
-    {
-      const int inside = grid.cells[d] - 2 * gridMargin; // of the domain
-      cell[d] = (gridMargin << (depth - 1)) + static_cast<int>(engine() % (inside << (depth - 1)));
-    }
-    branches.refine(depth - 1, cell);
-  }
-  branches.balance();
-  return branches;
-}
 
 template <int D>
 Vector<D> anywhere(const Grid<D>& grid, std::mt19937& engine)
@@ -104,7 +71,7 @@ void checkCompleteness()
   for (int t = 0; t < trees; ++t)
   {
     Tree<D> tree;
-    buildTree(randomBranches(grid, engine), tree);
+    buildTree(randomBranches(grid, D == 2 ? 4 : 3, engine), tree);
     const TreeSight<D> sight(grid, tree);
     const NodePlaces<D> places{grid, tree.finePlace};
     for (int b = 0; b < boxesPerTree; ++b)
@@ -132,7 +99,7 @@ void checkMasters()
   for (int t = 0; t < trees; ++t)
   {
     Tree<D> tree;
-    buildTree(randomBranches(grid, engine), tree);
+    buildTree(randomBranches(grid, D == 2 ? 4 : 3, engine), tree);
     const NodePlaces<D> places{grid, tree.finePlace};
     // Places in units of a cell of 1/2^8 of the lattice's, which all corners are multiples of.
     std::map<std::array<long, D>, int> masters;
@@ -182,7 +149,7 @@ void checkShares()
   for (int t = 0; t < 20; ++t)
   {
     Tree<D> tree;
-    buildTree(randomBranches(grid, engine), tree);
+    buildTree(randomBranches(grid, D == 2 ? 4 : 3, engine), tree);
     double sum = 0.0, least = 1.0;
     for (int n = 0; n < static_cast<int>(tree.share.extent(0)); ++n)
     {

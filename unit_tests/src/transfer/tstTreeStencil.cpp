@@ -2,7 +2,7 @@
 
 #include "transfer/TreeStencil.hpp"
 
-#include "grid/Branches.hpp"
+#include "../grid/RandomTrees.hpp"
 
 #include <gtest/gtest.h>
 
@@ -20,35 +20,6 @@ namespace
 constexpr int trees = 200, boxesPerTree = 50;
 /// Products and sums of a few dozen numbers of order 1 (weights) and 1/h of the smallest cells (slopes).
 constexpr double roundOff = 1e-13;
-
-template <int D>
-Grid<D> lattice()
-{
-  Vector<D> lower, upper;
-  for (int d = 0; d < D; ++d)
-  {
-    lower[d] = -0.3 + 0.1 * d;
-    upper[d] = lower[d] + 2.0;
-  }
-  return makeGrid<D>(lower, upper, 0.5);
-}
-
-template <int D>
-Branches<D> randomBranches(const Grid<D>& grid, std::mt19937& engine)
-{
-  Branches<D> branches(grid);
-  const int depth = 1 + static_cast<int>(engine() % 3);
-  for (int s = 0; s < 3; ++s)
-  {
-    std::array<int, D> cell;
-    for (int d = 0; d < D; ++d)
-      cell[d] = (gridMargin << (depth - 1)) +
-                static_cast<int>(engine() % ((grid.cells[d] - 2 * gridMargin) << (depth - 1)));
-    branches.refine(depth - 1, cell);
-  }
-  branches.balance();
-  return branches;
-}
 
 /// Largest difference of weights, and of slopes times the spacing, over all nodes of two rows.
 template <int D>
@@ -94,7 +65,7 @@ void compare()
   for (int t = 0; t < trees; ++t)
   {
     Tree<D> tree;
-    buildTree(randomBranches(grid, engine), tree);
+    buildTree(randomBranches(grid, 3, engine), tree);
     const TreeSight<D> sight(grid, tree);
     const TreeStencils<D, S> stencils(grid, tree, table);
     for (int b = 0; b < boxesPerTree; ++b)
@@ -117,7 +88,70 @@ void compare()
   EXPECT_GT(refined, trees * boxesPerTree / 10);
 }
 
+/// Boxes that begin and end on faces of leaves, on middles of leaves or a rounding beside them.
+template <int D>
+void compareOnFaces()
+{
+  const Grid<D> grid = lattice<D>();
+  std::mt19937 engine(13);
+  std::uniform_real_distribution<double> share(0.0, 1.0);
+  StencilTable<D> table;
+  table.reserve(2);
+  int onFaces = 0;
+  for (int t = 0; t < trees; ++t)
+  {
+    Tree<D> tree;
+    buildTree(randomBranches(grid, 3, engine), tree);
+    const TreeSight<D> sight(grid, tree);
+    const TreeStencils<D, ShapeKind::Gimp> stencils(grid, tree, table);
+    for (int b = 0; b < boxesPerTree; ++b)
+    {
+      Vector<D> x, half;
+      for (int d = 0; d < D; ++d)
+        x[d] = grid.lower[d] + (0.1 + 0.8 * share(engine)) * (grid.upper[d] - grid.lower[d]);
+      const auto leaf = sight.leafAt(x);
+      bool bothFaces = false;
+      for (int d = 0; d < D; ++d)
+      {
+        // From a face of the leaf, or its middle, to its middle or the other face.
+        const int from = static_cast<int>(engine() % 2),
+                  to = from + 1 + static_cast<int>(engine() % (2 - from));
+        const double begin = leaf.corner[d] + 0.5 * from * leaf.edge,
+                     end = leaf.corner[d] + 0.5 * to * leaf.edge;
+        x[d] = grid.nodePosition(0)[d] + 0.5 * (begin + end) * grid.spacing;
+        half[d] = 0.5 * (end - begin) * grid.spacing;
+        const int beside = static_cast<int>(engine() % 3) - 1;
+        if (beside != 0)
+          half[d] = std::nextafter(half[d], beside > 0 ? 1.0 : 0.0);
+        bothFaces = bothFaces || (from == 0 && to == 2);
+      }
+      onFaces += bothFaces ? 1 : 0;
+      const bool fits = writeTreeStencil(sight, table, 1, x, half);
+      ASSERT_TRUE(fits);
+      ASSERT_TRUE(stencils.write(0, x, half));
+      ASSERT_LT(difference(table, std::ldexp(grid.spacing, -tree.deepest)), roundOff);
+      double sum = 0.0;
+      for (int k = 0; k < table.count(0); ++k)
+        sum += table.weight(0, k);
+      ASSERT_NEAR(sum, 1.0, roundOff);
+      // No node is reached but corners of the leaf and their masters, of which a corner has 2^(D-1) at most;
+      // what lies beyond the leaf by a rounding has no weight but a rounding.
+      int reached = 0;
+      for (int k = 0; k < table.count(0); ++k)
+        reached += std::fabs(table.weight(0, k)) > roundOff ? 1 : 0;
+      ASSERT_LE(reached, (1 << D) * (1 << (D - 1)));
+    }
+  }
+  EXPECT_GT(onFaces, trees * boxesPerTree / 10);
+}
+
 } // namespace
+
+TEST(TreeStencil, BoxesThatEndOnFacesOfLeaves)
+{
+  compareOnFaces<2>();
+  compareOnFaces<3>();
+}
 
 TEST(TreeStencil, ProductsInTwoDimensions)
 {
