@@ -4,6 +4,7 @@
 #include "damping/Damping.hpp"
 #include "energy_release/EnergyRelease.hpp"
 #include "face_pressure/FacePressure.hpp"
+#include "load_balance/LoadBalance.hpp"
 #include "mass_matrix/MassMatrix.hpp"
 #include "step/Effect.hpp"
 #include "sub_cycling/SubCycling.hpp"
@@ -21,6 +22,7 @@ const std::vector<EffectEntry>& knownEffects()
       damping::dampingEntry(),
       energy_release::energyReleaseEntry(),
       face_pressure::facePressureEntry(),
+      load_balance::loadBalanceEntry(),
       mass_matrix::massMatrixEntry(),
       sub_cycling::subCyclingEntry(),
   };
@@ -30,7 +32,7 @@ const std::vector<EffectEntry>& knownEffects()
 /// A scene that asks for one of these is told so. A new effect takes its name out.
 const std::vector<std::string>& effectsToCome()
 {
-  static const std::vector<std::string> names = {"Propagation", "Thermal", "Combustion", "Load Balance"};
+  static const std::vector<std::string> names = {"Propagation", "Thermal", "Combustion"};
   return names;
 }
 

@@ -16,14 +16,13 @@ auto onHost(const T& view)
   return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
 }
 
-/// Of the particles that all ranks hold, a part that each of them answers for while they are divided.
+/// Places of particles begin .. end - 1.
 template <int D>
-std::vector<Vector<D>> placesOfPart(const State<D>& state)
+std::vector<Vector<D>> placesOf(const State<D>& state, long begin, long end)
 {
   const auto position = onHost(state.particles.template real<D>(fields::position));
-  const long n = state.particles.size(), rank = state.ranks.rank(), size = state.ranks.size();
   std::vector<Vector<D>> places;
-  for (long p = n * rank / size; p < n * (rank + 1) / size; ++p)
+  for (long p = begin; p < end; ++p)
   {
     Vector<D> x;
     for (int d = 0; d < D; ++d)
@@ -31,6 +30,19 @@ std::vector<Vector<D>> placesOfPart(const State<D>& state)
     places.push_back(x);
   }
   return places;
+}
+
+/// Takes this rank's part of the lattice, without anything on its nodes.
+template <int D>
+void settle(State<D>& state, const Division<D>& division)
+{
+  state.subdomain = std::make_shared<const Subdomain<D>>(state.ranks, division);
+  state.grid = division.window(state.ranks.rank());
+  state.nodes = Nodes<D>();
+  state.nodes.reserve(state.grid.numNodes, 0);
+  state.nodes.foreign = state.subdomain->halo.foreign();
+  ++state.tree.generation; // who keeps values by node makes them anew
+  state.sorted = false;
 }
 
 } // namespace
@@ -41,20 +53,28 @@ void divideState(State<D>& state)
   if (!state.ranks.many())
     return;
   state.particlesOfAllRanks = state.particles.size();
-  const Division<D> division = divide(state.ranks, state.grid, placesOfPart(state));
-  state.subdomain = std::make_shared<const Subdomain<D>>(state.ranks, division);
+  // All ranks hold all particles; each answers for a part of them while they are divided.
+  const long n = state.particles.size(), rank = state.ranks.rank(), size = state.ranks.size();
+  const Division<D> division =
+      divide(state.ranks, state.grid, placesOf(state, n * rank / size, n * (rank + 1) / size));
   const std::vector<int> owner = ownersOf(state, division);
   std::vector<int> stay;
   for (std::size_t p = 0; p < owner.size(); ++p)
     if (owner[p] == state.ranks.rank())
       stay.push_back(static_cast<int>(p));
   keepParticles(state, stay);
-  state.grid = division.window(state.ranks.rank());
-  state.nodes = Nodes<D>();
-  state.nodes.reserve(state.grid.numNodes, 0);
-  state.nodes.foreign = state.subdomain->halo.foreign();
-  ++state.tree.generation; // who keeps values by node makes them anew
-  state.sorted = false;
+  settle(state, division);
+}
+
+template <int D>
+void redivideState(State<D>& state)
+{
+  if (!state.subdomain)
+    return;
+  const Division<D> division =
+      divide(state.ranks, state.subdomain->division.lattice, placesOf(state, 0, state.particles.size()));
+  sendParticles(state, ownersOf(state, division));
+  settle(state, division);
 }
 
 template <int D>
@@ -95,6 +115,8 @@ void sumOverRanks(const State<D>& state, SharedSums what)
 
 template void divideState(State<2>&);
 template void divideState(State<3>&);
+template void redivideState(State<2>&);
+template void redivideState(State<3>&);
 template void useSharedNodes(State<2>&);
 template void useSharedNodes(State<3>&);
 template void sumOverRanks(const State<2>&, SharedSums);

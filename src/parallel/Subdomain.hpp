@@ -23,6 +23,11 @@ struct Subdomain
 template <int D>
 void divideState(State<D>& state);
 
+/// Divides the cells anew by the particles as they lie now, and sends these to their owners. Nothing where
+/// there is one rank. Collective.
+template <int D>
+void redivideState(State<D>& state);
+
 /// Sends particles that are in cells of other ranks to these. Total mass, momentum and all fields are kept;
 /// the order of particles is not. Collective.
 template <int D>

@@ -38,7 +38,7 @@ Effect<D> makeCore(const State<D>& state)
   core.name = "Material Point Method";
   core.call({Stage::BetweenSteps,
              "sort particles",
-             {"cells"},
+             {"cells", "owners of cells"},
              {"order"},
              {},
              [](State<D>& s)

@@ -138,6 +138,21 @@ class Ranks(unittest.TestCase):
         fields = self.agree(self.write(flying_plate()))
         self.assertGreater(numpy.min(fields["displacement"][:, 0]), 0.5, "the plate has not flown")
 
+    def test_ranks_with_less_to_do_get_more(self):
+        """A body that flies out of the boxes of its ranks; alone on one of them it is four times as much as the mean."""
+        scene = flying_plate().set("Domain > Cell Size", 0.02)
+        scene.set("Load Balance", {"Threshold": 1000.0})
+        left = self.run_on(4, self.write(scene))[0]["load_balance"]
+        self.assertEqual(left["divisions"], 0)
+        self.assertGreater(left["largest_imbalance"], 1.5)
+        scene.set("Load Balance > Threshold", 1.05)
+        self.agree(self.write(scene), ranks=(4,))
+        with open(os.path.join(self.folder, "on4", "summary.json"), encoding="utf-8") as file:
+            balanced = json.load(file)
+        self.assertGreater(balanced["load_balance"]["divisions"], 1)
+        self.assertLess(balanced["load_balance"]["imbalance"], 1.1)
+        self.assertLess(balanced["load_balance"]["largest_imbalance"], 1.2)
+
     def test_more_ranks_than_cells_along_the_body(self):
         self.agree(self.write(whole_plate()), "--set", "Time:Maximum Steps=20", ranks=(12,))
 

@@ -83,6 +83,7 @@ const std::map<std::string, std::string> sectionsOf = {
        <Parameter name="Outer Radius" type="double" value="0.4"/></ParameterList>)xml"},
     {"Face Pressure", cracks + R"xml(<ParameterList name="Face Pressure"><ParameterList name="Notch">
        <Parameter name="Pressure" type="string" value="1e5"/></ParameterList></ParameterList>)xml"},
+    {"Load Balance", "<ParameterList name=\"Load Balance\"/>"},
     {"Mass Matrix", R"xml(<ParameterList name="Mass Matrix">
        <Parameter name="Type" type="string" value="Full"/></ParameterList>)xml"},
 };

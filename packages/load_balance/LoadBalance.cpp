@@ -1,0 +1,115 @@
+#include "load_balance/LoadBalance.hpp"
+
+#include "parallel/Subdomain.hpp"
+
+#include <Kokkos_Timer.hpp>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace Rhegma::load_balance
+{
+
+namespace
+{
+
+/// What summary.json tells.
+struct Account
+{
+  long looks = 0, divisions = 0;
+  double worst = 1.0, last = 1.0; ///< largest over mean cost of a rank, as found
+  double seconds = 0.0;
+};
+
+Section section()
+{
+  Section s(
+      "Load Balance",
+      "Divides the domain among the ranks anew when some of them have more to do than others. Without it "
+      "ranks keep the boxes that they got at the start.");
+  s.real("Threshold")
+      .range(1.0, 1000.0)
+      .byDefault(1.1)
+      .meaning("The domain is divided anew when the largest cost of a rank is more than this many times the "
+               "mean.");
+  s.integer("Interval").atLeast(1).byDefault(20).meaning("Steps between two looks at the costs.");
+  return s;
+}
+
+/// Largest over mean cost of the ranks.
+template <int D>
+double imbalance(const State<D>& state)
+{
+  const double own = costOfParticles(state);
+  const double mean = state.ranks.sum(own) / state.ranks.size();
+  return mean > 0.0 ? state.ranks.max(own) / mean : 1.0;
+}
+
+template <int D>
+void look(State<D>& state, double threshold, Account& account)
+{
+  const Kokkos::Timer timer;
+  account.last = imbalance(state);
+  account.worst = std::max(account.worst, account.last);
+  ++account.looks;
+  if (state.ranks.many() && account.last > threshold)
+  {
+    redivideState(state);
+    ++account.divisions;
+    account.last = imbalance(state);
+  }
+  account.seconds += timer.seconds();
+}
+
+template <int D>
+Effect<D> make(const Teuchos::ParameterList& scene)
+{
+  const Teuchos::ParameterList& list = scene.sublist("Load Balance");
+  const double threshold = list.get<double>("Threshold");
+  const int interval = list.get<int>("Interval");
+  const auto account = std::make_shared<Account>();
+  Effect<D> effect;
+  effect.name = "Load Balance";
+  effect.call({Stage::BetweenSteps,
+               "balance of ranks",
+               {"cells"},
+               {"owners of cells"},
+               {},
+               [=](State<D>& state)
+               {
+                 if (state.step % interval == 0)
+                   look(state, threshold, *account);
+               }});
+  effect.report = [account](const State<D>& state, nlohmann::json& summary)
+  {
+    summary["load_balance"] = {{"imbalance", account->last},
+                               {"largest_imbalance", account->worst},
+                               {"looks", account->looks},
+                               {"divisions", account->divisions},
+                               {"seconds", state.ranks.max(account->seconds)}};
+  };
+  return effect;
+}
+
+} // namespace
+
+EffectEntry loadBalanceEntry() { return {section(), {}, make<2>, make<3>, true}; }
+
+template <int D>
+double costOfParticles(const State<D>& state)
+{
+  const bool levels = state.particles.has(fields::level);
+  BorrowedView<int*> level;
+  if (levels)
+    level = state.particles.integer(fields::level);
+  double cost = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::loadBalance::cost", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, double& sum) { sum += levels ? std::ldexp(1.0, level(p)) : 1.0; }, cost);
+  return cost;
+}
+
+template double costOfParticles(const State<2>&);
+template double costOfParticles(const State<3>&);
+
+} // namespace Rhegma::load_balance
