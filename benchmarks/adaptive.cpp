@@ -2,7 +2,7 @@
 /// steps everywhere, in one process and turn by turn.
 ///
 ///     adaptive SCENE.xml [--json] [--rounds N] [--interval SECONDS] [--finer N]
-///     adaptive SCENE.xml --levels N [--json] [--rounds N] [--interval SECONDS]
+///     adaptive SCENE.xml --levels N [--front-cells N] [--json] [--rounds N] [--interval SECONDS]
 ///
 /// The second times, for Adaptivity > Maximum Level = 1 ... N, short steps in small cells only (Sub-Cycling)
 /// beside short steps in all cells. Threads: OMP_NUM_THREADS.
@@ -61,6 +61,7 @@ void run(const std::vector<std::string>& arguments)
       .number("--rounds", effort.rounds)
       .number("--finer", effort.finer)
       .number("--levels", effort.levels)
+      .number("--front-cells", effort.frontCells)
       .number("--interval", effort.interval)
       .scene(scene, "xml_inputs/verification/dcb_adaptive.xml")
       .read(arguments);

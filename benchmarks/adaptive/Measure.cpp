@@ -48,10 +48,12 @@ TimedRun uniform(const std::string& file, int parts)
 }
 
 /// \param everywhere whether large cells take short steps too
-TimedRun withLevels(const std::string& file, int levels, bool everywhere)
+TimedRun withLevels(const std::string& file, int levels, bool everywhere, double frontCells)
 {
   const Scene scene = readRefined(file);
   scene->sublist("Adaptivity").set("Maximum Level", levels);
+  if (frontCells > 0.0)
+    scene->sublist("Adaptivity").set("Front Cells", frontCells);
   scene->remove("Sub-Cycling", false);
   if (!everywhere)
     scene->sublist("Sub-Cycling").set("Levels", levels);
@@ -107,7 +109,7 @@ nlohmann::json measureShortSteps(const std::string& sceneFile, const AdaptiveEff
   std::vector<TimedRun> runs;
   for (int levels = 1; levels <= effort.levels; ++levels)
     for (const bool everywhere : {false, true})
-      runs.push_back(withLevels(sceneFile, levels, everywhere));
+      runs.push_back(withLevels(sceneFile, levels, everywhere, effort.frontCells));
   measure(runs, effort);
 
   nlohmann::json all;

@@ -14,6 +14,7 @@ struct AdaptiveEffort
   int rounds = 5;         ///< batches of each run, of which the best counts
   int finer = 2;          ///< uniform runs: with cells of 1/2, 1/4, ... of the scene's
   int levels = 0;         ///< if not 0, instead of uniform runs: up to how many levels short steps are timed
+  double frontCells = 0;  ///< if not 0: Adaptivity > Front Cells in place of the scene's
   double interval = 2e-5; ///< simulated time of a batch [s]
 };
 

@@ -32,6 +32,38 @@ View<char*> widen(const Grid<D>& grid, const View<char*>& given, int axis)
   return wide;
 }
 
+/// Whether a particle of block b can be in a marked cell: until the next sort it is no more than a cell
+/// outside of its block.
+template <int D>
+KOKKOS_INLINE_FUNCTION bool anyNear(const Grid<D>& grid, const View<char*>& near,
+                                    const View<int * [Blocks<D>::axes]>& corner, int b)
+{
+  int low[D], count[D], all = 1;
+  for (int k = 0; k < D; ++k)
+  {
+    const int axis = grid.axisOrder[k], cells = grid.cells[axis];
+    const bool cut = k < Blocks<D>::axes;
+    const int begin = cut && corner(b, k) > 0 ? corner(b, k) - 1 : 0;
+    const int end =
+        cut && corner(b, k) + Blocks<D>::edge + 1 < cells ? corner(b, k) + Blocks<D>::edge + 1 : cells;
+    low[axis] = begin;
+    count[axis] = end - begin;
+    all *= count[axis];
+  }
+  for (int k = 0; k < all; ++k)
+  {
+    int at[D], rest = k;
+    for (int d = 0; d < D; ++d)
+    {
+      at[d] = low[d] + rest % count[d];
+      rest /= count[d];
+    }
+    if (near(grid.nodeIndex(at)) != 0)
+      return true;
+  }
+  return false;
+}
+
 // Kernels over particles and the nodes that they touch; functions of their own, as compilers for devices want
 // no kernel in a generic lambda.
 
@@ -138,23 +170,50 @@ void FineParticles<D>::list(const State<D>& state, int first)
 }
 
 template <int D>
-void FineParticles<D>::findCandidates(const State<D>& state)
+void FineParticles<D>::listNearBlocks(const State<D>& state)
 {
   const Grid<D> grid = state.grid;
-  if (generation_ != state.tree.generation)
+  const bool changed = generation_ != state.tree.generation;
+  if (changed)
   {
     near_ = state.tree.nearRefined;
     for (int axis = 0; axis < D; ++axis)
       near_ = widen(grid, near_, axis);
     generation_ = state.tree.generation;
   }
+  const View<int*> first = state.blocks.first;
+  if (!changed && sorted_.data() == first.data())
+    return;
+  sorted_ = first;
+  fit(inBlocks_, "rhegma::subcycling::inBlocks", state.particles.size());
+  const View<char*> near = near_;
+  const View<int*> inBlocks = inBlocks_;
+  const View<int * [Blocks<D>::axes]> corner = state.blocks.corner;
+  Kokkos::parallel_scan(
+      "rhegma::subcycling::listNearBlocks", Range(0, state.blocks.numBlocks),
+      KOKKOS_LAMBDA(const int b, int& at, const bool final) {
+        if (!anyNear(grid, near, corner, b))
+          return;
+        for (int p = first(b); final && p < first(b + 1); ++p)
+          inBlocks(at + p - first(b)) = p;
+        at += first(b + 1) - first(b);
+      },
+      numInBlocks_);
+}
+
+template <int D>
+void FineParticles<D>::findCandidates(const State<D>& state)
+{
+  listNearBlocks(state);
+  const Grid<D> grid = state.grid;
   fit(candidate_, "rhegma::subcycling::candidate", state.particles.size());
   const View<char*> near = near_;
-  const View<int*> candidate = candidate_;
+  const View<int*> candidate = candidate_, inBlocks = inBlocks_;
   const auto position = state.particles.template real<D>(fields::position);
   Kokkos::parallel_scan(
-      "rhegma::subcycling::findCandidates", Range(0, state.particles.size()),
-      KOKKOS_LAMBDA(const int p, int& at, const bool final) {
+      "rhegma::subcycling::findCandidates", Range(0, numInBlocks_),
+      KOKKOS_LAMBDA(const int i, int& at, const bool final) {
+        const int p = inBlocks(i);
         int cell[D];
         for (int d = 0; d < D; ++d)
           cell[d] = static_cast<int>(grid.inCells(position(p, d), d));

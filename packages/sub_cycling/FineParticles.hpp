@@ -83,6 +83,7 @@ public:
     int generation = -1; ///< of the tree, then
   };
 
+  void listNearBlocks(const State<D>& state);
   void findCandidates(const State<D>& state);
   void classifyNodes(const State<D>& state);
   void listParticles(const State<D>& state);
@@ -110,8 +111,11 @@ private:
   int numListed_ = 0; ///< with neighbours
   int numSlots_ = 0, numInner_ = 0, numParts_ = 0;
   int particlesFrom_[deepestLevel + 2] = {};
-  int generation_ = -1;  ///< of the tree, when
-  View<char*> near_;     ///< not 0 for cells of the lattice that are not far from refined ones
+  int generation_ = -1; ///< of the tree, when
+  View<char*> near_;    ///< not 0 for cells of the lattice that are not far from refined ones
+  View<int*> sorted_;   ///< the first particles of blocks, when the list that follows was made
+  View<int*> inBlocks_; ///< particles of blocks that have such cells or whose particles can reach them
+  int numInBlocks_ = 0;
   View<int*> candidate_; ///< particles in such cells
   View<int*> class_;     ///< of each of these
   View<int*> particle_;  ///< those listed
