@@ -1,5 +1,6 @@
 #include "mass_matrix/MassRows.hpp"
 
+#include "mass_matrix/ChooseRows.hpp"
 #include "mass_matrix/HashedLists.hpp"
 #include "state/FewItems.hpp"
 
@@ -10,8 +11,6 @@ namespace Rhegma::mass_matrix
 
 namespace
 {
-
-int reachOf(ShapeKind shape) { return shape == ShapeKind::Linear ? 1 : 2; }
 
 template <int D>
 void reserveNodes(const State<D>& state, MassSystem<D>& system)
@@ -54,108 +53,6 @@ void clearRows(const MassSystem<D>& system)
   forFew(
       "rhegma::mass::clearRows", system.first, system.last,
       KOKKOS_LAMBDA(const int row) { rowOf(nodeOf(row)) = -1; });
-}
-
-constexpr int chosen = -2; ///< in rowOf: a node that shall have a row
-
-/// The nodes of the lattice around fronts that particles in their zones can touch, some of them more than
-/// once.
-template <int D>
-struct AroundFronts
-{
-  Grid<D> grid;
-  View<double* [D]> front;
-  View<double* [2]> zone;
-  double beyond; ///< how far particles reach beyond their zone [m]
-  int half, side, all, size;
-
-  AroundFronts(const State<D>& state, const Unlumping& unlumping, const View<double* [D]>& places,
-               const View<double* [2]>& zones, int fronts)
-      : grid(state.grid),
-        front(places),
-        zone(zones),
-        beyond(std::sqrt(double(D)) * 0.5 * (reachOf(state.shape) + 1) * grid.spacing),
-        half(std::min(
-            *std::max_element(grid.cells, grid.cells + D),
-            static_cast<int>(std::ceil((unlumping.radius + unlumping.edge + beyond) * grid.inverse)))),
-        side(2 * half + 1),
-        all(D == 2 ? side * side : side * side * side),
-        size(fronts * all)
-  {
-  }
-
-  /// Number i of them, below size; or -1 where there is none.
-  KOKKOS_INLINE_FUNCTION int operator()(const int i) const
-  {
-    const int f = i / all;
-    int rest = i % all, at[D];
-    double square = 0.0;
-    bool in = true;
-    for (int d = 0; d < D; ++d)
-    {
-      at[d] = static_cast<int>(grid.inCells(front(f, d), d)) + rest % side - half;
-      rest /= side;
-      in = in && at[d] >= 0 && at[d] <= grid.cells[d];
-      const double apart = grid.origin[d] + at[d] * grid.spacing - front(f, d);
-      square += apart * apart;
-    }
-    return in && square <= furthest(f) * furthest(f) ? grid.nodeIndex(at) : -1;
-  }
-
-  KOKKOS_INLINE_FUNCTION double furthest(int f) const { return zone(f, 0) + zone(f, 1) + beyond; }
-
-  /// Whether a place is so near to a front.
-  KOKKOS_INLINE_FUNCTION bool holds(const Vector<D>& x) const
-  {
-    bool any = false;
-    for (int f = 0; f < size / all; ++f)
-    {
-      double square = 0.0;
-      for (int d = 0; d < D; ++d)
-        square += (x[d] - front(f, d)) * (x[d] - front(f, d));
-      any = any || square <= furthest(f) * furthest(f);
-    }
-    return any;
-  }
-};
-
-/// Marks the nodes that particles in the zone around fronts can touch.
-template <int D>
-void chooseAroundFronts(const State<D>& state, const Unlumping& unlumping, const MassSystem<D>& system)
-{
-  const AroundFronts<D> around(state, unlumping, system.front, system.zone, system.numFronts);
-  const View<int*> rowOf = system.rowOf, second = state.cracks.second;
-  const auto sums = state.nodes.sums;
-  const bool seconds = state.nodes.numSecond > 0;
-  forFew(
-      "rhegma::mass::chooseAroundFronts", 0, around.size, KOKKOS_LAMBDA(const int i) {
-        const int node = around(i);
-        if (node < 0)
-          return;
-        if (sums(node, Nodes<D>::massAt) > 0.0)
-          rowOf(node) = chosen;
-        const int other = seconds ? second(node) : -1;
-        if (other >= 0 && sums(other, Nodes<D>::massAt) > 0.0)
-          rowOf(other) = chosen;
-      });
-}
-
-/// Marks the nodes that particles with a stored stencil touch, where cells are refined.
-template <int D>
-void chooseTouched(const State<D>& state, const ConsistentShare<D>& share, const MassSystem<D>& system)
-{
-  const View<int*> rowOf = system.rowOf, particle = state.storedParticle;
-  const StencilTable<D> table = state.stored;
-  const auto sums = state.nodes.sums;
-  const auto position = state.particles.template real<D>(fields::position);
-  forFew(
-      "rhegma::mass::chooseTouched", 0, state.numStored, KOKKOS_LAMBDA(const int r) {
-        if (share(&position(particle(r), 0)) == 0.0)
-          return;
-        for (int k = 0; k < table.count(r); ++k)
-          if (sums(table.node(r, k), Nodes<D>::massAt) > 0.0)
-            rowOf(table.node(r, k)) = chosen;
-      });
 }
 
 /// Gives the nodes their rows, in the order of the active nodes.
@@ -362,8 +259,6 @@ void beginRows(const State<D>& state, const Unlumping& unlumping, MassSystem<D>&
   {
     listFronts(state, unlumping, system.front, system.zone, system.numFronts);
     chooseAroundFronts(state, unlumping, system);
-    if (system.hashed)
-      chooseTouched(state, consistentShare(unlumping, system), system);
   }
   numberRows(state, unlumping.everywhere, system);
   reserveRows(system);
@@ -430,38 +325,6 @@ void finishRows(const State<D>& state, MassSystem<D>& system)
 }
 
 template <int D>
-double largestRows(const State<D>& state, const Unlumping& unlumping)
-{
-  const double most =
-      std::min<double>(state.grid.numNodes + state.tree.numFine, 1.5 * state.particles.size());
-  if (unlumping.everywhere)
-    return most;
-  View<double* [D]> front;
-  View<double* [2]> zone;
-  int numFronts = 0;
-  listFronts(state, unlumping, front, zone, numFronts);
-  const AroundFronts<D> around(state, unlumping, front, zone, numFronts);
-  const View<char*> near("rhegma::massNearFronts", state.grid.numNodes);
-  forFew(
-      "rhegma::mass::nearFronts", 0, around.size, KOKKOS_LAMBDA(const int i) {
-        const int node = around(i);
-        if (node >= 0)
-          near(node) = 1;
-      });
-  int count = 0;
-  sumFew(
-      "rhegma::mass::countNearFronts", 0, state.grid.numNodes,
-      KOKKOS_LAMBDA(const int node, int& sum) { sum += near(node); }, count);
-  const NodePlaces<D> places = nodePlaces(state);
-  int fine = 0;
-  sumFew(
-      "rhegma::mass::countFineNearFronts", state.grid.numNodes, state.grid.numNodes + state.tree.numFine,
-      KOKKOS_LAMBDA(const int node, int& sum) { sum += around.holds(places(node)) ? 1 : 0; }, fine);
-  count += fine;
-  return std::min(most, 2.0 * count);
-}
-
-template <int D>
 int listRoomOf(int slots, bool refined)
 {
   // On a lattice each slot in either of two fields.
@@ -490,7 +353,5 @@ template void beginRows(const State<2>&, const Unlumping&, MassSystem<2>&);
 template void beginRows(const State<3>&, const Unlumping&, MassSystem<3>&);
 template void finishRows(const State<2>&, MassSystem<2>&);
 template void finishRows(const State<3>&, MassSystem<3>&);
-template double largestRows(const State<2>&, const Unlumping&);
-template double largestRows(const State<3>&, const Unlumping&);
 
 } // namespace Rhegma::mass_matrix

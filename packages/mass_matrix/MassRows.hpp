@@ -1,18 +1,10 @@
 #pragma once
 /// The rows of the mass matrix: which nodes have one, and what stands there before and after particles give.
 
-#include "mass_matrix/Fronts.hpp"
-#include "mass_matrix/MassSystem.hpp"
+#include "mass_matrix/ChooseRows.hpp"
 
 namespace Rhegma::mass_matrix
 {
-
-/// Which share of a particle's mass is consistent, with the fronts as they were listed last.
-template <int D>
-ConsistentShare<D> consistentShare(const Unlumping& unlumping, const MassSystem<D>& system)
-{
-  return {system.front, system.zone, system.numFronts, unlumping.everywhere};
-}
 
 /// Makes the rows of the nodes that particles couple now, and clears what particles give to.
 template <int D>
@@ -31,10 +23,5 @@ bool growLists(MassSystem<D>& system);
 /// not coupled to others lose their rows.
 template <int D>
 void finishRows(const State<D>& state, MassSystem<D>& system);
-
-/// No more rows than this are needed: nodes of the grid, hardly more than particles where each fills a cell,
-/// and with Partial those near fronts, in two fields.
-template <int D>
-double largestRows(const State<D>& state, const Unlumping& unlumping);
 
 } // namespace Rhegma::mass_matrix

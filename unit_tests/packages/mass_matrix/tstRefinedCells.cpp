@@ -242,6 +242,35 @@ TEST(MassOnRefinedCells, LetsABodyFlyOn)
   checkFlight<3>();
 }
 
+/// Supports hold nodes at hanging nodes' masters as elsewhere: all nodes stretch evenly, and so does the
+/// body.
+TEST(MassOnRefinedCells, StretchesEvenlyWhereAllIsHeld)
+{
+  Teuchos::ParameterList scene = emptyScene<2>(all<2>(-3.0), all<2>(7.0), 1.0, "MUSL", "GIMP");
+  addMaterial(scene, "Neo-Hookean", 0.3);
+  addBox<2>(scene, "Block", all<2>(0.3), all<2>(4.3));
+  Teuchos::ParameterList& held = scene.sublist("Boundaries").sublist("Held");
+  held.set("Type", "Velocity");
+  held.set("Lower Corner", array(all<2>(-3.0)));
+  held.set("Upper Corner", array(all<2>(7.0)));
+  held.set("Field", "0.01*x, -0.002*y");
+  refine(scene, all<2>(1.0), all<2>(2.0), 2);
+  scene.sublist("Mass Matrix").set("Type", "Full");
+  Rhegma::Run<2> run(validated(scene));
+  run.initialize();
+  State<2>& state = run.state();
+  double stretch = 1.0;
+  for (int k = 0; k < 20; ++k)
+  {
+    run.step(1e30, false);
+    stretch *= 1.0 + 0.01 * state.dt;
+    const HostParticles<2> particles(state);
+    for (int p = 0; p < particles.size; ++p)
+      ASSERT_NEAR(particles.deformation(p, 0), stretch, 1e-13);
+  }
+  EXPECT_EQ(state.tree.deepest, 2);
+}
+
 /// The step is that of the smallest cells, at a CFL number of 0.4 or less.
 TEST(MassOnRefinedCells, LimitsTheStepByItsSmallestCells)
 {

@@ -1,0 +1,160 @@
+#include "mass_matrix/ChooseRows.hpp"
+
+#include "state/FewItems.hpp"
+
+#include <algorithm>
+
+namespace Rhegma::mass_matrix
+{
+
+namespace
+{
+
+/// The nodes of the lattice around fronts that particles in their zones can touch, some of them more than
+/// once.
+template <int D>
+struct AroundFronts
+{
+  Grid<D> grid;
+  View<double* [D]> front;
+  View<double* [2]> zone;
+  double beyond; ///< how far particles reach beyond their zone [m]
+  int half, side, all, size;
+
+  AroundFronts(const State<D>& state, const Unlumping& unlumping, const View<double* [D]>& places,
+               const View<double* [2]>& zones, int fronts)
+      : grid(state.grid),
+        front(places),
+        zone(zones),
+        beyond(std::sqrt(double(D)) * 0.5 * (reachOf(state.shape) + 1) * grid.spacing),
+        half(std::min(
+            *std::max_element(grid.cells, grid.cells + D),
+            static_cast<int>(std::ceil((unlumping.radius + unlumping.edge + beyond) * grid.inverse)))),
+        side(2 * half + 1),
+        all(D == 2 ? side * side : side * side * side),
+        size(fronts * all)
+  {
+  }
+
+  /// Number i of them, below size; or -1 where there is none.
+  KOKKOS_INLINE_FUNCTION int operator()(const int i) const
+  {
+    const int f = i / all;
+    int rest = i % all, at[D];
+    double square = 0.0;
+    bool in = true;
+    for (int d = 0; d < D; ++d)
+    {
+      at[d] = static_cast<int>(grid.inCells(front(f, d), d)) + rest % side - half;
+      rest /= side;
+      in = in && at[d] >= 0 && at[d] <= grid.cells[d];
+      const double apart = grid.origin[d] + at[d] * grid.spacing - front(f, d);
+      square += apart * apart;
+    }
+    return in && square <= furthest(f) * furthest(f) ? grid.nodeIndex(at) : -1;
+  }
+
+  KOKKOS_INLINE_FUNCTION double furthest(int f) const { return zone(f, 0) + zone(f, 1) + beyond; }
+
+  /// Whether a place is so near to a front.
+  KOKKOS_INLINE_FUNCTION bool holds(const Vector<D>& x) const
+  {
+    bool any = false;
+    for (int f = 0; f < size / all; ++f)
+    {
+      double square = 0.0;
+      for (int d = 0; d < D; ++d)
+        square += (x[d] - front(f, d)) * (x[d] - front(f, d));
+      any = any || square <= furthest(f) * furthest(f);
+    }
+    return any;
+  }
+};
+
+/// Marks the nodes of the lattice among them.
+template <int D>
+void chooseLattice(const State<D>& state, const Unlumping& unlumping, const MassSystem<D>& system)
+{
+  const AroundFronts<D> around(state, unlumping, system.front, system.zone, system.numFronts);
+  const View<int*> rowOf = system.rowOf, second = state.cracks.second;
+  const auto sums = state.nodes.sums;
+  const bool seconds = state.nodes.numSecond > 0;
+  forFew(
+      "rhegma::mass::chooseAroundFronts", 0, around.size, KOKKOS_LAMBDA(const int i) {
+        const int node = around(i);
+        if (node < 0)
+          return;
+        if (sums(node, Nodes<D>::massAt) > 0.0)
+          rowOf(node) = chosen;
+        const int other = seconds ? second(node) : -1;
+        if (other >= 0 && sums(other, Nodes<D>::massAt) > 0.0)
+          rowOf(other) = chosen;
+      });
+}
+
+/// Marks the nodes that particles with a stored stencil touch, where cells are refined.
+template <int D>
+void chooseTouched(const State<D>& state, const ConsistentShare<D>& share, const MassSystem<D>& system)
+{
+  const View<int*> rowOf = system.rowOf, particle = state.storedParticle;
+  const StencilTable<D> table = state.stored;
+  const auto sums = state.nodes.sums;
+  const auto position = state.particles.template real<D>(fields::position);
+  forFew(
+      "rhegma::mass::chooseTouched", 0, state.numStored, KOKKOS_LAMBDA(const int r) {
+        if (share(&position(particle(r), 0)) == 0.0)
+          return;
+        for (int k = 0; k < table.count(r); ++k)
+          if (sums(table.node(r, k), Nodes<D>::massAt) > 0.0)
+            rowOf(table.node(r, k)) = chosen;
+      });
+}
+
+} // namespace
+
+template <int D>
+void chooseAroundFronts(const State<D>& state, const Unlumping& unlumping, const MassSystem<D>& system)
+{
+  chooseLattice(state, unlumping, system);
+  if (system.hashed)
+    chooseTouched(state, consistentShare(unlumping, system), system);
+}
+
+template <int D>
+double largestRows(const State<D>& state, const Unlumping& unlumping)
+{
+  const double most =
+      std::min<double>(state.grid.numNodes + state.tree.numFine, 1.5 * state.particles.size());
+  if (unlumping.everywhere)
+    return most;
+  View<double* [D]> front;
+  View<double* [2]> zone;
+  int numFronts = 0;
+  listFronts(state, unlumping, front, zone, numFronts);
+  const AroundFronts<D> around(state, unlumping, front, zone, numFronts);
+  const View<char*> near("rhegma::massNearFronts", state.grid.numNodes);
+  forFew(
+      "rhegma::mass::nearFronts", 0, around.size, KOKKOS_LAMBDA(const int i) {
+        const int node = around(i);
+        if (node >= 0)
+          near(node) = 1;
+      });
+  int count = 0;
+  sumFew(
+      "rhegma::mass::countNearFronts", 0, state.grid.numNodes,
+      KOKKOS_LAMBDA(const int node, int& sum) { sum += near(node); }, count);
+  const NodePlaces<D> places = nodePlaces(state);
+  int fine = 0;
+  sumFew(
+      "rhegma::mass::countFineNearFronts", state.grid.numNodes, state.grid.numNodes + state.tree.numFine,
+      KOKKOS_LAMBDA(const int node, int& sum) { sum += around.holds(places(node)) ? 1 : 0; }, fine);
+  count += fine;
+  return std::min(most, 2.0 * count);
+}
+
+template void chooseAroundFronts(const State<2>&, const Unlumping&, const MassSystem<2>&);
+template void chooseAroundFronts(const State<3>&, const Unlumping&, const MassSystem<3>&);
+template double largestRows(const State<2>&, const Unlumping&);
+template double largestRows(const State<3>&, const Unlumping&);
+
+} // namespace Rhegma::mass_matrix

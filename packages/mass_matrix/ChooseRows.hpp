@@ -1,0 +1,30 @@
+#pragma once
+/// Which nodes have a row where only particles around crack fronts are unlumped.
+
+#include "mass_matrix/Fronts.hpp"
+
+namespace Rhegma::mass_matrix
+{
+
+/// How many neighbours along an axis a node may share a particle with, on each side.
+inline int reachOf(ShapeKind shape) { return shape == ShapeKind::Linear ? 1 : 2; }
+
+constexpr int chosen = -2; ///< in rowOf: a node that shall have a row
+
+/// Which share of a particle's mass is consistent, with the fronts as they were listed last.
+template <int D>
+ConsistentShare<D> consistentShare(const Unlumping& unlumping, const MassSystem<D>& system)
+{
+  return {system.front, system.zone, system.numFronts, unlumping.everywhere};
+}
+
+/// Marks the nodes that particles in the zones around fronts can touch, as the fronts were listed last.
+template <int D>
+void chooseAroundFronts(const State<D>& state, const Unlumping& unlumping, const MassSystem<D>& system);
+
+/// No more rows than this are needed: nodes of the grid, hardly more than particles where each fills a cell,
+/// and with Partial those near fronts, in two fields.
+template <int D>
+double largestRows(const State<D>& state, const Unlumping& unlumping);
+
+} // namespace Rhegma::mass_matrix
