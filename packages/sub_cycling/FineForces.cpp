@@ -74,8 +74,8 @@ void FineParticles<D>::load(const State<D>& state, const Values& force) const
 {
   const auto sums = state.nodes.sums;
   const View<int*> nodeOf = nodeOf_;
-  Kokkos::parallel_for(
-      "rhegma::subcycling::load", Range(0, numSlots_), KOKKOS_LAMBDA(const int i) {
+  forFew<fewSlots>(
+      "rhegma::subcycling::load", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         for (int d = 0; d < D; ++d)
           force(i, d) = sums(nodeOf(i), Nodes<D>::forceAt + d);
       });
@@ -86,8 +86,8 @@ void FineParticles<D>::store(const State<D>& state, const Values& force, double 
 {
   const auto sums = state.nodes.sums;
   const View<int*> nodeOf = nodeOf_;
-  Kokkos::parallel_for(
-      "rhegma::subcycling::store", Range(0, numInner_), KOKKOS_LAMBDA(const int i) {
+  forFew<fewSlots>(
+      "rhegma::subcycling::store", 0, numInner_, KOKKOS_LAMBDA(const int i) {
         for (int d = 0; d < D; ++d)
           sums(nodeOf(i), Nodes<D>::forceAt + d) = factor * force(i, d);
       });
@@ -101,8 +101,8 @@ void FineParticles<D>::startVelocity(const State<D>& state, const Values& veloci
   const View<double*> mass = mass_;
   const View<int* [D]> held = held_;
   const View<double* [D]> heldVelocity = heldVelocity_;
-  Kokkos::parallel_for(
-      "rhegma::subcycling::startVelocity", Range(0, numSlots_), KOKKOS_LAMBDA(const int i) {
+  forFew<fewSlots>(
+      "rhegma::subcycling::startVelocity", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         const double inverse = mass(i) > 0.0 ? 1.0 / mass(i) : 0.0;
         for (int d = 0; d < D; ++d)
           velocity(i, d) =
@@ -187,8 +187,8 @@ void FineParticles<D>::smooth(const State<D>& state, int kind, const Values& for
   const Values memory = own.value;
   const View<int*> renewed = own.renewed, nodeOf = nodeOf_;
   const int now = static_cast<int>(state.step), inner = numInner_;
-  Kokkos::parallel_for(
-      "rhegma::subcycling::smooth", Range(0, numSlots_), KOKKOS_LAMBDA(const int i) {
+  forFew<fewSlots>(
+      "rhegma::subcycling::smooth", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         const int n = nodeOf(i);
         const int row = n < rows ? n : rows + nodes.parent(n - rows);
         for (int d = 0; d < D; ++d)
@@ -217,8 +217,8 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
   const View<int*> nodeOf = nodeOf_;
   const auto sums = state.nodes.sums;
   const auto mass = state.particles.scalar(fields::mass);
-  Kokkos::parallel_for(
-      "rhegma::subcycling::accelerate", Range(0, numSlots_), KOKKOS_LAMBDA(const int i) {
+  forFew<fewSlots>(
+      "rhegma::subcycling::accelerate", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         const double inverse = nodal(i) > 0.0 ? 1.0 / nodal(i) : 0.0;
         for (int d = 0; d < D; ++d)
           if (held(i, d) == 0)
@@ -244,8 +244,8 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
       });
   const View<double** [D]> parts = parts_;
   const int number = numParts_;
-  Kokkos::parallel_for(
-      "rhegma::subcycling::kick", Range(0, numSlots_), KOKKOS_LAMBDA(const int i) {
+  forFew<fewSlots>(
+      "rhegma::subcycling::kick", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         const double inverse = nodal(i) > 0.0 ? 1.0 / nodal(i) : 0.0;
         for (int d = 0; d < D; ++d)
         {
@@ -264,8 +264,8 @@ void FineParticles<D>::correctMotion(const State<D>& state, const Values& displa
   const auto motion = state.nodes.motion;
   const View<int*> nodeOf = nodeOf_;
   const View<int* [D]> held = held_;
-  Kokkos::parallel_for(
-      "rhegma::subcycling::correctMotion", Range(0, numSlots_), KOKKOS_LAMBDA(const int i) {
+  forFew<fewSlots>(
+      "rhegma::subcycling::correctMotion", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         for (int d = 0; d < D; ++d)
           if (held(i, d) == 0)
             motion(nodeOf(i), d) += displacement(i, d) / duration - velocity(i, d);
@@ -279,8 +279,8 @@ void FineParticles<D>::correctProjection(const State<D>& state, const Values& di
   const auto projection = state.nodes.projection;
   const View<int*> nodeOf = nodeOf_;
   const View<int* [D]> held = held_;
-  Kokkos::parallel_for(
-      "rhegma::subcycling::correctProjection", Range(0, numSlots_), KOKKOS_LAMBDA(const int i) {
+  forFew<fewSlots>(
+      "rhegma::subcycling::correctProjection", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         for (int d = 0; d < D; ++d)
           if (held(i, d) == 0)
             projection(nodeOf(i), d) += displacement(i, d) / duration - velocity(i, d);

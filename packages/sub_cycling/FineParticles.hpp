@@ -1,12 +1,16 @@
 #pragma once
 /// The particles that short steps move, and the nodes they touch, packed together for one long step.
 
+#include "state/FewItems.hpp"
 #include "state/State.hpp"
 
 #include <string>
 
 namespace Rhegma::sub_cycling
 {
+
+/// Slots that one thread is through with sooner than others could be told to help, a few numbers each.
+constexpr int fewSlots = 1500;
 
 /// Listed are particles of classes `first` and deeper, the deepest first, and after them their neighbours,
 /// which touch one of the same nodes. The class of a node is the level of the smallest leaf that a particle

@@ -15,8 +15,8 @@ using Range = Kokkos::RangePolicy<ExecSpace>;
 template <int D>
 void add(const View<double* [D]>& to, double factor, const View<double* [D]>& from, int slots)
 {
-  Kokkos::parallel_for(
-      "rhegma::subcycling::add", Range(0, slots), KOKKOS_LAMBDA(const int i) {
+  forFew<fewSlots>(
+      "rhegma::subcycling::add", 0, slots, KOKKOS_LAMBDA(const int i) {
         for (int d = 0; d < D; ++d)
           to(i, d) += factor * from(i, d);
       });
@@ -145,9 +145,8 @@ template <int D>
 void LocalSteps<D>::leaveOuterNodes()
 {
   const Values others = others_, loads = loads_, all = force_;
-  Kokkos::parallel_for(
-      "rhegma::subcycling::leaveOuterNodes", Range(fine_.numInner(), fine_.numSlots()),
-      KOKKOS_LAMBDA(const int i) {
+  forFew<fewSlots>(
+      "rhegma::subcycling::leaveOuterNodes", fine_.numInner(), fine_.numSlots(), KOKKOS_LAMBDA(const int i) {
         for (int d = 0; d < D; ++d)
         {
           others(i, d) = all(i, d);
@@ -210,8 +209,8 @@ template <int D>
 void LocalSteps<D>::drift(double length)
 {
   const Values velocity = velocity_, displacement = displacement_, rate = loads_;
-  Kokkos::parallel_for(
-      "rhegma::subcycling::drift", Range(0, fine_.numSlots()), KOKKOS_LAMBDA(const int i) {
+  forFew<fewSlots>(
+      "rhegma::subcycling::drift", 0, fine_.numSlots(), KOKKOS_LAMBDA(const int i) {
         for (int d = 0; d < D; ++d)
         {
           velocity(i, d) += length * rate(i, d);

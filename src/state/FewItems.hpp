@@ -23,11 +23,11 @@ using OneThread = ExecSpace;
 } // namespace detail
 
 /// Runs work(k) for k = begin .. end - 1, on a host by one thread where they are few. A device takes all at
-/// once.
-template <class Work>
+/// once. \tparam limit how many are few; more where the work on one of them is little
+template <int limit = fewItems, class Work>
 void forFew(const char* label, int begin, int end, const Work& work)
 {
-  if (end - begin <= fewItems)
+  if (end - begin <= limit)
     Kokkos::parallel_for(label, Kokkos::RangePolicy<detail::OneThread>(begin, end), work);
   else
     Kokkos::parallel_for(label, Kokkos::RangePolicy<ExecSpace>(begin, end), work);
