@@ -1,7 +1,8 @@
-# The libraries beside Trilinos: HDF5 (C, the one of the MPI in use), JSON and expressions.
+# The libraries beside Trilinos: HDF5 (C, the one of the MPI in use), checksums, JSON and expressions.
 
 set(HDF5_PREFER_PARALLEL ON)
 find_package(HDF5 REQUIRED COMPONENTS C)
+find_package(ZLIB REQUIRED)
 find_package(nlohmann_json REQUIRED)
 
 find_package(muparser CONFIG QUIET)

@@ -38,6 +38,35 @@ public:
   /// Makes the particles and the plan. Call once, before all that follows.
   void initialize();
 
+  /// What an application wants kept beside the state, by names of its own.
+  using Notes = std::map<std::string, std::string>;
+
+  /// Writes the state as it is now to an HDF5 file (checkpoint/CheckpointFile.hpp): under another name first,
+  /// so that there is the older file or the whole new one. Not to be called within a step; a call-back of
+  /// sampleEvery or onStep may. Throws std::runtime_error when it can't be written.
+  void checkpoint(const std::string& path, const Notes& notes = {});
+
+  /// Takes the place of initialize(), or goes back later: makes the particles and the plan and puts the state
+  /// of a checkpoint in place. The run goes on as if it had never stopped, on one thread with the same
+  /// digits.
+  ///
+  /// The scene must be the one of the checkpoint but for what may change (--describe says which parameters).
+  /// Throws std::invalid_argument, with one sentence, for a file that is no checkpoint, is damaged or belongs
+  /// to another scene; this simulation then is as it was. \return the notes of the checkpoint
+  Notes restore(const std::string& path);
+
+  /// Keeps a copy of the state as it is now in memory, in place of an earlier one.
+  void hold(const Notes& notes = {});
+  /// Whether there is a copy, and its time [s].
+  bool holds() const;
+  double heldTime() const;
+  /// Writes the copy as checkpoint() would have written the state.
+  void checkpointHeld(const std::string& path) const;
+
+  /// Whether, up to the last sample, the bodies had no energy of which nobody knows where it came from: a
+  /// state worth keeping.
+  bool sound() const;
+
   /// The time step that the state allows now [s].
   double stableTimeStep() const;
 
@@ -71,8 +100,14 @@ public:
   /// Energies, momentum, bodies, cracks and what else the effects report, as in summary.json.
   nlohmann::json report() const;
   /// Writes the fields as they are now; the first call makes the files fields.h5 and fields.xdmf in the
-  /// folder.
+  /// folder, or goes on with them after restore().
   void writeFields(const std::string& folder);
+  /// After restore(): takes up fields.h5 and fields.xdmf in the folder, without the times that they have
+  /// beyond the checkpoint; where it had none, they will be made anew. \return false where they should be
+  /// there and are not, or can't be read: they will be made anew too
+  bool continueFields(const std::string& folder);
+  /// Seconds by the clock since it was made, and those of the run before that it restored [s].
+  double wallSeconds() const;
 
 private:
   class Engine;

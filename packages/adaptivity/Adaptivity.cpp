@@ -4,6 +4,8 @@
 #include "adaptivity/Lineage.hpp"
 #include "adaptivity/Merging.hpp"
 #include "adaptivity/Splitting.hpp"
+#include "checkpoint/Archive.hpp"
+#include "grid/Branches.hpp"
 #include "scene/ReadList.hpp"
 
 #include <memory>
@@ -213,6 +215,17 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  if (state.step % interval == (state.step < interval ? 1 % interval : 0))
                    adapt(state, options, **progress);
                }});
+  effect.memory = [=](State<D>& state, Archive& archive)
+  {
+    Progress<D>& done = **progress;
+    archive("changes", done.changes);
+    archive("split", done.split);
+    archive("merged", done.merged);
+    archive("most", done.most);
+    archive("kept", done.kept);
+    if (archive.loads())
+      done.branches = branchesOf(state.grid, state.tree);
+  };
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {
     const Progress<D>& done = **progress;

@@ -1,5 +1,6 @@
 #include "contact/Balance.hpp"
 
+#include "checkpoint/Archive.hpp"
 #include "contact/SideEnergy.hpp"
 
 #include <algorithm>
@@ -49,6 +50,17 @@ void Balance<D>::compare(const State<D>& state, double lost)
   last_ = found_ - in;
   smallest_ = std::min(smallest_, last_);
   largest_ = std::max(largest_, last_);
+}
+
+template <int D>
+void Balance<D>::keep(Archive& archive)
+{
+  archive("work_before", workBefore_);
+  archive("found", found_);
+  archive("smallest", smallest_);
+  archive("largest", largest_);
+  archive("last", last_);
+  archive("scale", scale_);
 }
 
 template class Balance<2>;

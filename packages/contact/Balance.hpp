@@ -3,6 +3,11 @@
 
 #include "state/State.hpp"
 
+namespace Rhegma
+{
+class Archive;
+}
+
 namespace Rhegma::contact
 {
 
@@ -26,6 +31,8 @@ public:
 
   /// Call at the end of a step that is sampled. \param lost energy [J] that is known to have gone
   void compare(const State<D>& state, double lost);
+
+  void keep(Archive& archive);
 
   /// Smallest, largest and last energy found, where the largest energy ever put in stands for 1.
   double smallestShare() const { return share(smallest_); }

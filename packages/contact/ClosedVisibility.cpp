@@ -1,5 +1,6 @@
 #include "contact/ClosedVisibility.hpp"
 
+#include "checkpoint/Archive.hpp"
 #include "transfer/Stencils.hpp"
 
 #include <cmath>
@@ -81,18 +82,34 @@ void ClosedVisibility::prepare(const State<2>& state)
   if (points_.update(state))
   {
     separation_ = View<double*>("rhegma::closedSeparation", points_.count());
-    for (ObservedPoints<2>* side : {&behind_, &ahead_})
-    {
-      side->count = points_.count();
-      side->position = View<double* [2]>("rhegma::aroundFacePosition", points_.count());
-      side->half = View<double* [2]>("rhegma::aroundFaceHalf", points_.count());
-      side->side = View<int*>("rhegma::aroundFaceSide", points_.count());
-    }
+    makeRoom();
   }
   placeAround(state.grid.spacing);
   pointStencils(state, behind_, below_, true);
   pointStencils(state, ahead_, above_, true);
   whole_ = false;
+}
+
+void ClosedVisibility::makeRoom()
+{
+  for (ObservedPoints<2>* side : {&behind_, &ahead_})
+  {
+    side->count = points_.count();
+    side->position = View<double* [2]>("rhegma::aroundFacePosition", points_.count());
+    side->half = View<double* [2]>("rhegma::aroundFaceHalf", points_.count());
+    side->side = View<int*>("rhegma::aroundFaceSide", points_.count());
+  }
+}
+
+void ClosedVisibility::keep(Archive& archive)
+{
+  {
+    const Archive::Group group(archive, "points");
+    points_.keep(archive);
+  }
+  archive("separation", separation_);
+  if (archive.loads())
+    makeRoom();
 }
 
 void ClosedVisibility::placeAround(double cell)

@@ -29,6 +29,8 @@ public:
   template <class Velocity>
   void advance(const State<2>& state, const Velocity& velocity);
 
+  void keep(Archive& archive);
+
   /// Points of a crack where it is closed.
   int closedPoints(int crack) const;
 
@@ -36,6 +38,7 @@ public:
   void placeAround(double cell);
 
 private:
+  void makeRoom();
   void edit(const State<2>& state, const ObservedPoints<2>& points, const StencilTable<2>& table);
 
   std::function<void(const State<2>&, const ObservedPoints<2>&, const StencilTable<2>&)> cut_;

@@ -1,5 +1,6 @@
 #include "contact/Contact.hpp"
 
+#include "checkpoint/Archive.hpp"
 #include "contact/Balance.hpp"
 #include "contact/ClosedVisibility.hpp"
 #include "contact/FaceContact.hpp"
@@ -294,6 +295,18 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.call({Stage::Observe, "shares of energy", {"energies"}, {}, {}, [account](State<D>& s) {
                  observe(s, *account);
                }});
+  effect.memory = [account](State<D>&, Archive& archive)
+  {
+    archive("booked", account->booked);
+    {
+      const Archive::Group group(archive, "balance");
+      account->balance.keep(archive);
+    }
+    if (account->visibility)
+      account->visibility->keep(archive);
+    else
+      account->contact.keep(archive);
+  };
   effect.report = [account](const State<D>& state, nlohmann::json& summary)
   { report(state, *account, summary); };
   effect.timeStepLimit = [alpha, extrapolated](const State<D>& state)

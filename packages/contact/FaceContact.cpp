@@ -1,5 +1,6 @@
 #include "contact/FaceContact.hpp"
 
+#include "checkpoint/Archive.hpp"
 #include "material/MaterialTable.hpp"
 #include "transfer/PushNodes.hpp"
 
@@ -239,6 +240,48 @@ void FaceContact<D>::findStiffness(const State<D>& state)
         stiffness(c).normal = std::min(stiffness(c).normal, factor * e.constrainedModulus);
         stiffness(c).tangential = std::min(stiffness(c).tangential, factor * e.shear);
       }
+  Kokkos::deep_copy(stiffness_, stiffness);
+}
+
+template <int D>
+void FaceContact<D>::keep(Archive& archive)
+{
+  {
+    const Archive::Group group(archive, "points");
+    points_.keep(archive);
+  }
+  archive("gap", gap_);
+  archive("slip", slip_);
+  archive("pressure", pressure_);
+  archive("shear", shear_);
+  archive("heat", heat_);
+  archive("closed", closed_);
+  archive("peak", peak_);
+  archive("thickness", thickness_);
+  archive("stored", stored_);
+  archive("dissipated", dissipated_);
+  keepCracks(archive);
+}
+
+template <int D>
+void FaceContact<D>::keepCracks(Archive& archive)
+{
+  int cracks = static_cast<int>(cracks_.size());
+  archive("cracks", cracks);
+  cracks_.resize(cracks);
+  if (static_cast<int>(stiffness_.extent(0)) != cracks)
+    stiffness_ = View<Stiffness*>("rhegma::contactStiffness", cracks);
+  const auto stiffness = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, stiffness_);
+  for (int c = 0; c < cracks; ++c)
+  {
+    const Archive::Group group(archive, "crack " + std::to_string(c));
+    archive("stiffness_normal", stiffness(c).normal);
+    archive("stiffness_tangential", stiffness(c).tangential);
+    archive("closed_points", cracks_[c].closedPoints);
+    archive("touches", cracks_[c].touches);
+    archive("first_touch", cracks_[c].firstTouch);
+    archive("largest_pressure", cracks_[c].largestPressure);
+  }
   Kokkos::deep_copy(stiffness_, stiffness);
 }
 

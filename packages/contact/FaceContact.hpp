@@ -62,6 +62,9 @@ public:
   template <class Velocity>
   void advance(const State<D>& state, const Velocity& velocity);
 
+  /// Saves or loads the points with all that they remember.
+  void keep(Archive& archive);
+
   const FacePoints<D>& points() const { return points_; }
   const View<double*>& gap() const { return gap_; }
   const View<double* [D - 1]>& slip() const { return slip_; }
@@ -81,6 +84,7 @@ public:
 
 private:
   void findStiffness(const State<D>& state);
+  void keepCracks(Archive& archive);
   void keepHistory(const View<double*>& size);
   void note(const State<D>& state);
 

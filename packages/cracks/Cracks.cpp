@@ -1,5 +1,7 @@
 #include "cracks/Cracks.hpp"
 
+#include "checkpoint/Archive.hpp"
+#include "cracks/CrackFrames.hpp"
 #include "cracks/CrackMotion.hpp"
 #include "cracks/CrackSetup.hpp"
 #include "cracks/FrontTies.hpp"
@@ -113,9 +115,23 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     state.editor.edit = [=](const State<D>& s, const ObservedPoints<D>& points, const StencilTable<D>& table)
     { editStencils(s, formulation, *ghosts, points, table); };
   };
+  const auto ties = std::make_shared<FrontTies<D>>();
+  effect.memory = [=](State<D>& state, Archive& archive)
+  {
+    archive("steps", surroundings->stamp);
+    archive("vertex", state.cracks.vertex);
+    archive("face", state.cracks.face);
+    if (archive.loads())
+    {
+      updateNormals(state.cracks);
+      updateFronts(state.cracks);
+    }
+    const Archive::Group group(archive, "ties");
+    if (tied)
+      ties->keep(state, surroundings->stamp, archive);
+  };
   if (tied)
   {
-    const auto ties = std::make_shared<FrontTies<D>>();
     // USF stretches ties before forces are summed.
     effect.call({Stage::Scatter,
                  "stiffness of ties behind crack fronts",

@@ -1,5 +1,7 @@
 #include "cracks/FrontTies.hpp"
 
+#include "checkpoint/Archive.hpp"
+#include "checkpoint/NodeNames.hpp"
 #include "material/MaterialTable.hpp"
 #include "state/FewItems.hpp"
 
@@ -243,6 +245,39 @@ void FrontTies<D>::advance(State<D>& state) const
           sum += 0.5 * tie(own, D) * jump(own, d) * jump(own, d);
         }
       });
+}
+
+template <int D>
+void FrontTies<D>::keep(State<D>& state, int step, Archive& archive)
+{
+  makeRoom(state);
+  const NodeNames<D> names(state);
+  const auto jump = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, jump_);
+  const auto last = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, step_);
+  std::vector<int> nodes;
+  std::vector<double> jumps;
+  for (int n = 0; n < state.nodes.numLattice && !archive.loads(); ++n)
+    if (step > 0 && last(n) == step)
+    {
+      names.append(n, nodes);
+      for (int d = 0; d < D; ++d)
+        jumps.push_back(jump(n, d));
+    }
+  archive("nodes", nodes, D);
+  archive("jumps", jumps, D);
+  if (!archive.loads())
+    return;
+  for (std::size_t k = 0; k < std::min(nodes.size(), jumps.size()); k += D)
+  {
+    const int n = names.find(nodes, k);
+    if (n < 0)
+      throw std::invalid_argument("\"nodes\" of ties names a node that is not there");
+    last(n) = step;
+    for (int d = 0; d < D; ++d)
+      jump(n, d) = jumps[k + d];
+  }
+  Kokkos::deep_copy(jump_, jump);
+  Kokkos::deep_copy(step_, last);
 }
 
 template class FrontTies<2>;

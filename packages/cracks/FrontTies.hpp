@@ -4,6 +4,11 @@
 #include "cracks/Sides.hpp"
 #include "state/State.hpp"
 
+namespace Rhegma
+{
+class Archive;
+}
+
 namespace Rhegma::cracks
 {
 
@@ -39,6 +44,10 @@ public:
 
   /// Stretches the ties over the step.
   void advance(State<D>& state) const;
+
+  /// Saves or loads the jumps of the nodes that had two fields in the last step. \param step its number, from
+  /// 1
+  void keep(State<D>& state, int step, Archive& archive);
 
 private:
   void makeRoom(State<D>& state);

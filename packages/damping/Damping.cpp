@@ -87,20 +87,24 @@ Section section()
       .meaning("Adds the stress 2 eta D to every material, D the rate of strain.");
   s.real("Bulk Viscosity").unit("Pa s").notNegative().byDefault(0.0).meaning("Adds the stress zeta tr(D).");
   s.boolean("Stop When Settled")
+      .mayChange()
       .byDefault(false)
       .meaning(
           "End the run as soon as it has settled; Time > Final Time is then the longest that it may take.");
   s.real("Settled Energy Ratio")
+      .mayChange()
       .above(0.0)
       .byDefault(1e-4)
       .meaning("Settled: kinetic over strain energy is below this, over the last samples.");
   s.real("Settled Drift")
+      .mayChange()
       .above(0.0)
       .byDefault(1e-4)
       .meaning("Settled: every energy release rate, or the strain energy where there is none, changed by "
                "less than this share "
                "over the last samples.");
   s.integer("Settled Samples")
+      .mayChange()
       .atLeast(2)
       .byDefault(5)
       .meaning("Samples of the history over which both must hold.");
@@ -144,6 +148,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.call({Stage::Observe, "settling", {"energies", "energy release"}, {}, {}, [settling](State<D>& s) {
                  s.settled = settling->sample(s.energy.kinetic, s.energy.strain, s.row);
                }});
+  effect.memory = [settling](State<D>&, Archive& archive) { settling->keep(archive); };
   return effect;
 }
 

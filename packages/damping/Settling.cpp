@@ -1,5 +1,7 @@
 #include "damping/Settling.hpp"
 
+#include "checkpoint/Archive.hpp"
+
 #include <cmath>
 #include <limits>
 
@@ -15,6 +17,25 @@ bool endsWith(const std::string& text, const std::string& end)
 }
 
 } // namespace
+
+void Settling::keep(Archive& archive)
+{
+  std::vector<double> ratios, watched;
+  std::vector<int> counts;
+  for (const Sample& sample : last_)
+  {
+    ratios.push_back(sample.ratio);
+    counts.push_back(static_cast<int>(sample.watched.size()));
+    watched.insert(watched.end(), sample.watched.begin(), sample.watched.end());
+  }
+  archive("ratios", ratios);
+  archive("counts", counts);
+  archive("watched", watched);
+  last_.clear();
+  auto next = watched.begin();
+  for (std::size_t k = 0; k < ratios.size(); next += counts[k++])
+    last_.push_back({ratios[k], {next, next + counts[k]}});
+}
 
 bool Settling::sample(double kinetic, double strain, const HistoryRow& row)
 {

@@ -5,6 +5,11 @@
 
 #include <deque>
 
+namespace Rhegma
+{
+class Archive;
+}
+
 namespace Rhegma::damping
 {
 
@@ -20,6 +25,9 @@ public:
   /// samples, and every energy release rate (the strain energy where a row has none) within the drift of its
   /// latest value
   bool sample(double kinetic, double strain, const HistoryRow& row);
+
+  /// Saves or loads the last samples.
+  void keep(Archive& archive);
 
 private:
   struct Sample

@@ -1,5 +1,6 @@
 #include "energy_release/EnergyRelease.hpp"
 
+#include "checkpoint/Archive.hpp"
 #include "energy_release/Contour.hpp"
 #include "energy_release/CrackClosure.hpp"
 #include "energy_release/CrackTipFields.hpp"
@@ -383,6 +384,53 @@ void report(const State<2>& state, const Options& options, const Samples& sample
   }
 }
 
+void keepFront(CrackFront<2>& front, Archive& archive)
+{
+  archive("crack", front.crack);
+  archive("number", front.number);
+  archive("vertex", front.vertex);
+  archive("first_facet", front.firstFacet);
+  archive("facets", front.numFacets);
+  archive("position", front.position);
+  archive("direction", front.direction);
+  archive("normal", front.normal);
+  archive("length", front.length);
+  archive("speed", front.speed);
+}
+
+void keepSample(Sample& s, Archive& archive)
+{
+  keepFront(s.front, archive);
+  archive("inner_radius", s.radii.inner);
+  archive("outer_radius", s.radii.outer);
+  archive("closed", s.closed);
+  archive("J", s.integral.J);
+  archive("K_I", s.integral.modeI);
+  archive("K_II", s.integral.modeII);
+  archive("tip_offset", s.integral.tipOffset);
+  archive("closure", s.closure.chosen);
+  archive("closure_lumped", s.closure.lumped);
+}
+
+/// Saves or loads the last sample and which fronts were warned of.
+void keep(Samples& samples, Archive& archive)
+{
+  int count = static_cast<int>(samples.last.size());
+  archive("fronts", count);
+  samples.last.resize(count);
+  for (int k = 0; k < count; ++k)
+  {
+    const Archive::Group group(archive, "front " + std::to_string(k));
+    keepSample(samples.last[k], archive);
+  }
+  std::vector<int> warned;
+  for (const auto& [crack, number] : samples.warned)
+    warned.insert(warned.end(), {crack, number});
+  archive("warned", warned, 2);
+  for (std::size_t k = 0; k + 1 < warned.size(); k += 2)
+    samples.warned.insert({warned[k], warned[k + 1]});
+}
+
 Effect<2> make2(const Teuchos::ParameterList& scene)
 {
   const Options options = readOptions(scene);
@@ -417,6 +465,7 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
                  if (state.observing)
                    sample(state, options, *samples);
                }});
+  effect.memory = [=](State<2>&, Archive& archive) { keep(*samples, archive); };
   effect.report = [=](const State<2>& state, nlohmann::json& summary)
   { report(state, options, *samples, summary); };
   return effect;

@@ -1,5 +1,6 @@
 #include "face_pressure/FacePressure.hpp"
 
+#include "checkpoint/Archive.hpp"
 #include "scene/ReadList.hpp"
 #include "state/MeanVelocity.hpp"
 #include "transfer/PushNodes.hpp"
@@ -38,6 +39,8 @@ void publish(CrackSet<D>& cracks, int crack, double pressure)
 }
 
 } // namespace
+
+void FacePressure::keep(Archive& archive) { archive("pressure", now_); }
 
 template <int D>
 void FacePressure::apply(State<D>& state, const FacePoints<D>& points)
@@ -188,6 +191,16 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                    s.row.emplace_back(s.cracks.cracks[pressure.crack()].name + ".pressure",
                                       pressure.pressure());
                }});
+  effect.memory = [account](State<D>&, Archive& archive)
+  {
+    for (FacePressure& pressure : account->pressures)
+    {
+      const Archive::Group group(archive, std::to_string(pressure.crack()));
+      pressure.keep(archive);
+    }
+    const Archive::Group group(archive, "points");
+    account->points.keep(archive);
+  };
   effect.report = [account](const State<D>&, nlohmann::json& summary)
   {
     for (const FacePressure& pressure : account->pressures)

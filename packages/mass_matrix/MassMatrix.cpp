@@ -1,5 +1,6 @@
 #include "mass_matrix/MassMatrix.hpp"
 
+#include "checkpoint/Archive.hpp"
 #include "mass_matrix/AngularMomentum.hpp"
 #include "mass_matrix/MassRows.hpp"
 #include "mass_matrix/MatrixMemory.hpp"
@@ -275,6 +276,15 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       state.picFraction = 1.0;
   };
   effect.report = [work](const State<D>& state, nlohmann::json& summary) { work->report(state, summary); };
+  if (options.coupled())
+    effect.memory = [work](State<D>&, Archive& archive)
+    {
+      archive("rows", work->coupled.room);
+      archive("list_room", work->coupled.listRoom);
+      archive("hashed", work->coupled.hashed);
+      archive("coupled_nodes", work->coupled.numCoupled);
+      work->solve.keep(archive);
+    };
   if (!options.coupled() && !options.series() && !options.filtered())
     return effect;
   // A coupled matrix is lighter in waves of two cells than its row sums: with a tenth of lumped mass blended

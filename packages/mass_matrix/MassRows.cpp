@@ -88,9 +88,11 @@ template <int D>
 void reserveRows(MassSystem<D>& system)
 {
   const int rows = system.last + system.reach;
-  if (system.room >= rows && system.room <= 2 * rows + 64)
+  // Sums over vectors of another length may have other last digits, so a length that was restored stays.
+  const bool lasts = system.room >= rows && system.room <= 2 * rows + 64;
+  if (lasts && static_cast<int>(system.lumped.extent(0)) == system.room)
     return;
-  const int room = rows + rows / 16 + 8;
+  const int room = lasts ? system.room : rows + rows / 16 + 8;
   system.room = room;
   system.lumped = View<double*>("rhegma::massLumped", room);
   system.band = View<double*>("rhegma::massBand", static_cast<std::size_t>(room) * system.stride);

@@ -1,5 +1,6 @@
 #include "mass_matrix/NodalSolve.hpp"
 
+#include "checkpoint/Archive.hpp"
 #include "mass_matrix/FirstGuess.hpp"
 #include "state/FewItems.hpp"
 #include "state/UnstableStep.hpp"
@@ -83,6 +84,20 @@ void NodalSolve<D>::reserve(const State<D>& state, const MassSystem<D>& system)
     lastVelocity_ = View<double* [D]>("rhegma::massLastVelocity", state.nodes.sums.extent(0));
     lastAcceleration_ = View<double* [D]>("rhegma::massLastAcceleration", state.nodes.sums.extent(0));
   }
+}
+
+template <int D>
+void NodalSolve<D>::keep(Archive& archive)
+{
+  archive("solves", count_.solves);
+  archive("iterations", count_.iterations);
+  archive("most_iterations", count_.mostIterations);
+  archive("worst_residual", count_.worstResidual);
+  if (!archive.sameOrder())
+    return;
+  archive("generation", generation_);
+  archive("last_velocity", lastVelocity_);
+  archive("last_acceleration", lastAcceleration_);
 }
 
 template <int D>

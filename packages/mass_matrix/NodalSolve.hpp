@@ -7,6 +7,11 @@
 
 #include <string>
 
+namespace Rhegma
+{
+class Archive;
+}
+
 namespace Rhegma::mass_matrix
 {
 
@@ -49,6 +54,9 @@ public:
   void solveProjection(State<D>& state, const MassSystem<D>& system);
 
   const SolveCount& count() const { return count_; }
+
+  /// Saves or loads the count and where the next solves start.
+  void keep(Archive& archive);
 
   // Parts of the above; public because compilers for devices want kernels in public functions.
 

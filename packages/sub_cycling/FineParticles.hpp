@@ -6,6 +6,11 @@
 
 #include <string>
 
+namespace Rhegma
+{
+class Archive;
+}
+
 namespace Rhegma::sub_cycling
 {
 
@@ -77,6 +82,9 @@ public:
   void correctProjection(const State<D>& state, const Values& displacement, double duration,
                          const Values& velocity) const;
 
+  /// Saves or loads the means.
+  void keep(const State<D>& state, Archive& archive);
+
   // What follows is public because compilers for devices want kernels in public functions.
 
   /// A running mean on every node and then on every node's second field.
@@ -110,6 +118,8 @@ public:
   }
 
 private:
+  void keepMean(const State<D>& state, Mean& mean, Archive& archive);
+
   int first_ = 0;
   int numCandidates_ = 0;
   int numListed_ = 0; ///< with neighbours

@@ -1,5 +1,7 @@
 #include "sub_cycling/LocalSteps.hpp"
 
+#include "checkpoint/Archive.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -231,6 +233,13 @@ void LocalSteps<D>::correctProjection(State<D>& state) const
 {
   if (active_)
     fine_.correctProjection(state, displacement_, state.dt, velocity_);
+}
+
+template <int D>
+void LocalSteps<D>::keep(const State<D>& state, Archive& archive)
+{
+  archive("extra_steps", extraSteps_);
+  fine_.keep(state, archive);
 }
 
 template class LocalSteps<2>;

@@ -47,6 +47,9 @@ public:
   /// Steps of particles beyond the long ones' so far.
   double extraSteps() const { return extraSteps_; }
 
+  /// Saves or loads what they remember.
+  void keep(const State<D>& state, Archive& archive);
+
   // What follows is public because compilers for devices want kernels in public functions.
 
   using Values = View<double* [D]>;

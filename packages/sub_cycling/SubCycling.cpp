@@ -79,6 +79,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.call({Stage::AfterProjection, "motion of short steps", {}, {}, {"projection"}, [=](State<D>& state) {
                  steps->correctProjection(state);
                }});
+  effect.memory = [=](State<D>& state, Archive& archive) { steps->keep(state, archive); };
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {
     summary["subcycling"] = {{"levels", std::min(levels, state.tree.deepest)},

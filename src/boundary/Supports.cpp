@@ -1,6 +1,7 @@
 #include "boundary/Supports.hpp"
 
 #include "boundary/Boundaries.hpp"
+#include "checkpoint/Archive.hpp"
 #include "scene/Numbers.hpp"
 #include "scene/ReadList.hpp"
 
@@ -204,6 +205,16 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
                        state.row.emplace_back(timed.name + columns[d], timed.force[d]);
                  }
                }});
+  effect.memory = [constraints, last](State<D>&, Archive& archive)
+  {
+    archive("last_sample", *last);
+    for (std::size_t c = 0; c < constraints->size(); ++c)
+    {
+      const Archive::Group group(archive, std::to_string(c));
+      archive("impulse", (*constraints)[c].impulse);
+      archive("force", (*constraints)[c].force);
+    }
+  };
   effect.report = [constraints](const State<D>&, nlohmann::json& summary)
   {
     nlohmann::json& boundaries = summary["boundaries"];

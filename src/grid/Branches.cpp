@@ -1,6 +1,7 @@
 #include "grid/Branches.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace Rhegma
 {
@@ -104,6 +105,36 @@ std::vector<typename Branches<D>::Cell> Branches<D>::cells(int level) const
   return all;
 }
 
+template <int D>
+std::vector<LeafName<D>> leafNames(const Grid<D>& grid, const Tree<D>& tree)
+{
+  const auto level = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, tree.leafLevel);
+  const auto corner = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, tree.leafCorner);
+  std::vector<LeafName<D>> leaves;
+  for (std::size_t l = 0; l < level.extent(0); ++l)
+  {
+    LeafName<D> leaf;
+    leaf.level = level(l);
+    for (int d = 0; d < D; ++d)
+      leaf.cell[d] = static_cast<int>(std::lround(std::ldexp(grid.inCells(corner(l, d), d), leaf.level)));
+    leaves.push_back(leaf);
+  }
+  return leaves;
+}
+
+template <int D>
+Branches<D> branchesOf(const Grid<D>& grid, const std::vector<LeafName<D>>& leaves)
+{
+  Branches<D> branches(grid);
+  for (const LeafName<D>& leaf : leaves)
+    branches.refine(leaf.level - 1, halved<D>(leaf.cell));
+  return branches;
+}
+
+template std::vector<LeafName<2>> leafNames(const Grid<2>&, const Tree<2>&);
+template std::vector<LeafName<3>> leafNames(const Grid<3>&, const Tree<3>&);
+template Branches<2> branchesOf(const Grid<2>&, const std::vector<LeafName<2>>&);
+template Branches<3> branchesOf(const Grid<3>&, const std::vector<LeafName<3>>&);
 template class Branches<2>;
 template class Branches<3>;
 

@@ -52,6 +52,28 @@ private:
   std::vector<std::unordered_set<std::uint64_t>> levels_;
 };
 
+/// A leaf of a tree: its level and place, counted in cells of the level from node 0.
+template <int D>
+struct LeafName
+{
+  int level;
+  typename Branches<D>::Cell cell;
+};
+
+/// The leaves of the refined cells.
+template <int D>
+std::vector<LeafName<D>> leafNames(const Grid<D>& grid, const Tree<D>& tree);
+
+/// The refined cells that have these leaves.
+template <int D>
+Branches<D> branchesOf(const Grid<D>& grid, const std::vector<LeafName<D>>& leaves);
+
+template <int D>
+Branches<D> branchesOf(const Grid<D>& grid, const Tree<D>& tree)
+{
+  return branchesOf(grid, leafNames(grid, tree));
+}
+
 /// Makes the tree of balanced branches. The generation counts on; views of another size are made anew.
 template <int D>
 void buildTree(const Branches<D>& branches, Tree<D>& tree);

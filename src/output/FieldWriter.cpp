@@ -1,5 +1,7 @@
 #include "output/FieldWriter.hpp"
 
+#include "checkpoint/Archive.hpp"
+#include "checkpoint/CheckpointFile.hpp"
 #include "output/Hdf5.hpp"
 #include "output/OutputError.hpp"
 #include "output/TextFile.hpp"
@@ -23,10 +25,29 @@ public:
     createHdf5(data_);
   }
 
+  Files(const std::string& folder, Archive& archive)
+      : data_(folder + "/fields.h5"), guide_(folder + "/fields.xdmf")
+  {
+    keep(archive);
+    keepSnapshots(data_, written_);
+    replaceFile(guide_, document_.text());
+  }
+
+  void keep(Archive& archive)
+  {
+    archive("written", written_);
+    document_.keep(archive);
+  }
+
+  void sync() const
+  {
+    if (written_ > 0)
+      syncFile(data_);
+  }
+
   void write(const Snapshot& snapshot)
   {
-    char group[32];
-    std::snprintf(group, sizeof group, "t%05zu", written_);
+    const std::string group = snapshotName(written_);
     appendSnapshot(data_, group, snapshot);
     document_.add(snapshot, group);
     replaceFile(guide_, document_.text());
@@ -37,13 +58,33 @@ private:
   std::string data_;
   std::string guide_;
   XdmfDocument document_{"fields.h5"};
-  std::size_t written_ = 0;
+  int written_ = 0;
 };
 
 template <int D>
 FieldWriter<D>::FieldWriter(const std::string& folder, const Ranks& ranks)
 {
   onFirstRank<OutputError>(ranks, [&] { files_ = std::make_unique<Files>(folder); });
+}
+
+template <int D>
+FieldWriter<D>::FieldWriter(const std::string& folder, Archive& archive)
+    : files_(std::make_unique<Files>(folder, archive))
+{
+  archive("last_time", lastTime_);
+}
+
+template <int D>
+void FieldWriter<D>::keep(Archive& archive)
+{
+  files_->keep(archive);
+  archive("last_time", lastTime_);
+}
+
+template <int D>
+void FieldWriter<D>::sync() const
+{
+  files_->sync();
 }
 
 template <int D>

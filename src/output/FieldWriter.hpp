@@ -9,6 +9,8 @@
 namespace Rhegma
 {
 
+class Archive;
+
 /// Writes the fields of a run, a group of fields.h5 per time: /t00000, /t00001, ..., with attribute `time`
 /// [s].
 ///
@@ -31,12 +33,21 @@ public:
   /// run; the first of them writes, and all calls are collective
   /// Throws OutputError when the files can't be made or written, here and later.
   explicit FieldWriter(const std::string& folder, const Ranks& ranks = {});
+  /// Goes on with the files of a run whose checkpoint the archive loads; times that they have beyond it are
+  /// removed. Throws OutputError when they are not those of the run.
+  FieldWriter(const std::string& folder, Archive& archive);
   ~FieldWriter();
   FieldWriter(FieldWriter&&) noexcept;
   FieldWriter& operator=(FieldWriter&&) noexcept;
 
   /// Adds the fields as they are now. A time that was just written is not written again.
   void write(const State<D>& state);
+
+  /// Saves which times the files have.
+  void keep(Archive& archive);
+
+  /// Brings what was written to the disk.
+  void sync() const;
 
 private:
   class Files;

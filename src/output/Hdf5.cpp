@@ -1,80 +1,14 @@
 #include "output/Hdf5.hpp"
 
-#include "output/OutputError.hpp"
+#include "output/Hdf5Handle.hpp"
 
 #include <cstdio>
-#include <hdf5.h>
 
 namespace Rhegma
 {
 
 namespace
 {
-
-/// HDF5 prints its errors unless told not to; here they become exceptions.
-class Silence
-{
-public:
-  Silence()
-  {
-    H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  }
-  ~Silence() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
-
-private:
-  H5E_auto2_t function_ = nullptr;
-  void* data_ = nullptr;
-};
-
-/// An identifier of HDF5 that closes itself.
-class Handle
-{
-public:
-  using Close = herr_t (*)(hid_t);
-
-  Handle(hid_t id, Close closer, const std::string& path) : id_(id), close_(closer), path_(path)
-  {
-    if (id_ < 0)
-      fail();
-  }
-  ~Handle()
-  {
-    if (id_ >= 0)
-      close_(id_);
-  }
-  Handle(const Handle&) = delete;
-  Handle& operator=(const Handle&) = delete;
-
-  operator hid_t() const { return id_; }
-
-  /// Throws when HDF5 says that something went wrong.
-  void require(herr_t status) const
-  {
-    if (status < 0)
-      fail();
-  }
-
-  /// Closes, which is when the last of the data goes out.
-  void close()
-  {
-    const herr_t status = close_(id_);
-    id_ = -1;
-    require(status);
-  }
-
-private:
-  [[noreturn]] void fail() const
-  {
-    throw OutputError(path_ + " can't be written; is the disk full or the file open elsewhere?");
-  }
-
-  hid_t id_;
-  Close close_;
-  std::string path_;
-};
 
 void writeTime(hid_t group, double time, const std::string& path)
 {
@@ -110,6 +44,25 @@ void createHdf5(const std::string& path)
   const Silence silence;
   std::remove(path.c_str());
   Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, path);
+  file.close();
+}
+
+std::string snapshotName(int number)
+{
+  char name[32];
+  std::snprintf(name, sizeof name, "t%05d", number);
+  return name;
+}
+
+void keepSnapshots(const std::string& path, int count)
+{
+  const Silence silence;
+  Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, path);
+  for (int k = 0; k < count; ++k)
+    if (H5Lexists(file, snapshotName(k).c_str(), H5P_DEFAULT) <= 0)
+      throw OutputError(path + " has no snapshot " + snapshotName(k));
+  for (int k = count; H5Lexists(file, snapshotName(k).c_str(), H5P_DEFAULT) > 0; ++k)
+    file.require(H5Ldelete(file, snapshotName(k).c_str(), H5P_DEFAULT));
   file.close();
 }
 

@@ -12,6 +12,13 @@ namespace Rhegma
 /// Throws OutputError when it can't, as does the next.
 void createHdf5(const std::string& path);
 
+/// Name of the group of a snapshot, counted from 0.
+std::string snapshotName(int number);
+
+/// Removes all snapshots of a file but the first `count`. Throws OutputError where the file can't be read or
+/// has not so many.
+void keepSnapshots(const std::string& path, int count);
+
 /// Adds a group with the attribute `time` and a group per mesh inside, and closes the file.
 void appendSnapshot(const std::string& path, const std::string& group, const Snapshot& snapshot);
 

@@ -2,11 +2,14 @@
 
 #include "output/OutputError.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <set>
 #include <stdexcept>
 #include <unistd.h>
+#include <vector>
+#include <zlib.h>
 
 namespace Rhegma
 {
@@ -36,7 +39,51 @@ std::string quoted(const std::string& name)
   return text + "\"";
 }
 
+unsigned long checksum(unsigned long before, const char* text, std::size_t length)
+{
+  return crc32(before, reinterpret_cast<const Bytef*>(text), static_cast<uInt>(length));
+}
+
 } // namespace
+
+bool beginsWith(const std::string& path, const HistorySoFar& soFar)
+{
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), std::fclose);
+  unsigned long crc = 0;
+  long long left = soFar.bytes;
+  std::vector<char> piece(1 << 16);
+  while (file && left > 0)
+  {
+    const std::size_t most = static_cast<std::size_t>(std::min<long long>(left, piece.size()));
+    const std::size_t got = std::fread(piece.data(), 1, most, file.get());
+    crc = checksum(crc, piece.data(), got);
+    left -= static_cast<long long>(got);
+    if (got < most)
+      break;
+  }
+  return file && left == 0 && crc == soFar.crc;
+}
+
+History::History(const std::string& path, const HistorySoFar& soFar)
+    : path_(path),
+      file_(std::fopen(path.c_str(), "r+b")),
+      crc_(soFar.crc),
+      written_(soFar.bytes),
+      begun_(soFar.bytes > 0),
+      lastTime_(soFar.lastTime),
+      lastFlush_(std::chrono::steady_clock::now())
+{
+  if (!file_ || ftruncate(fileno(file_.get()), soFar.bytes) != 0)
+    throw OutputError(path + " can't be written: " + std::strerror(errno));
+  for (int c = std::fgetc(file_.get()); c != EOF; c = std::fgetc(file_.get()))
+  {
+    header_ += static_cast<char>(c);
+    if (c == '\n')
+      break;
+  }
+  std::fseek(file_.get(), 0, SEEK_END);
+  std::setvbuf(file_.get(), nullptr, _IONBF, 0);
+}
 
 History::History(const std::string& path)
     : path_(path), file_(std::fopen(path.c_str(), "wb")), lastFlush_(std::chrono::steady_clock::now())
@@ -65,15 +112,25 @@ History& History::operator=(History&&) noexcept = default;
 void History::setColumns(const Row& row)
 {
   std::set<std::string> seen{"time"};
-  held_ += "time";
+  std::string header = "time";
   for (const auto& column : row)
   {
     if (!seen.insert(column.first).second)
       throw std::logic_error("the history has two columns \"" + column.first + "\"");
     columns_.push_back(column.first);
-    held_ += "," + quoted(column.first);
+    header += "," + quoted(column.first);
   }
-  held_ += "\n";
+  header += "\n";
+  if (header_.empty())
+    hold(header);
+  else if (header != header_)
+    throw std::logic_error("the history goes on with other columns than it has: " + header_ + header);
+}
+
+void History::hold(const std::string& text)
+{
+  crc_ = checksum(crc_, text.data(), text.size());
+  held_ += text;
 }
 
 void History::checkColumns(const Row& row) const
@@ -93,15 +150,15 @@ void History::write(double time, const Row& row)
     throw std::logic_error("a row for a history that is closed");
   if (begun_ && time == lastTime_)
     return;
-  if (!begun_)
+  if (columns_.empty())
     setColumns(row);
   checkColumns(row);
   begun_ = true;
   lastTime_ = time;
-  held_ += digits(time);
+  std::string text = digits(time);
   for (const auto& column : row)
-    held_ += "," + digits(column.second);
-  held_ += "\n";
+    text += "," + digits(column.second);
+  hold(text + "\n");
   ++heldRows_;
   if (heldRows_ >= mostHeldRows || std::chrono::steady_clock::now() - lastFlush_ >= longestHeld)
     flush();
@@ -118,10 +175,28 @@ void History::flush()
   lastFlush_ = std::chrono::steady_clock::now();
   if (good)
     return;
+  lost_ = true;
   // A full disk takes what still fits; the half row goes again.
   if (ftruncate(fileno(file_.get()), written_) != 0)
     throw OutputError(path_ + " can't be written and ends in half a row: " + std::strerror(reason));
   throw OutputError(path_ + " can't be written: " + std::strerror(reason));
+}
+
+HistorySoFar History::soFar() const
+{
+  return {written_ + static_cast<long long>(held_.size()), crc_, lastTime_};
+}
+
+void History::sync()
+{
+  if (!file_)
+    return;
+  if (!held_.empty())
+    flush();
+  if (lost_)
+    throw OutputError(path_ + " can't be written: rows of it are missing");
+  if (fsync(fileno(file_.get())) != 0 && errno != EINVAL)
+    throw OutputError(path_ + " can't be written: " + std::strerror(errno));
 }
 
 void History::close()

@@ -55,14 +55,31 @@ std::string makeOutputFolder(const std::string& folder)
   return folder;
 }
 
+namespace
+{
+
+const char* const results[] = {"summary.json", "history.csv", "fields.xdmf", "fields.h5", "checkpoint.h5"};
+
+void removeFrom(const std::string& folder, const std::string& name)
+{
+  std::error_code ignored; // what can't be removed can't be written either, and that is told
+  std::filesystem::remove(std::filesystem::path(folder) / name, ignored);
+}
+
+} // namespace
+
+void removeOldSummary(const std::string& folder)
+{
+  removeFrom(folder, "summary.json");
+  for (const char* name : results)
+    removeFrom(folder, std::string(name) + ".part");
+}
+
 void removeOldResults(const std::string& folder)
 {
-  for (const char* name : {"summary.json", "history.csv", "fields.xdmf", "fields.h5"})
-    for (const char* ending : {"", ".part"})
-    {
-      std::error_code ignored; // what can't be removed can't be written either, and that is told
-      std::filesystem::remove(std::filesystem::path(folder) / (std::string(name) + ending), ignored);
-    }
+  removeOldSummary(folder);
+  for (const char* name : results)
+    removeFrom(folder, name);
 }
 
 } // namespace Rhegma

@@ -14,6 +14,9 @@ std::string defaultOutputFolder(const std::string& scene);
 /// Throws std::invalid_argument with one sentence when it can't be made or written.
 std::string makeOutputFolder(const std::string& folder);
 
+/// Removes the summary of a run that goes on, and files that a kill left half written.
+void removeOldSummary(const std::string& folder);
+
 /// Removes what an older run left in the folder, so that a run that is killed leaves no file of another.
 void removeOldResults(const std::string& folder);
 

@@ -1,5 +1,7 @@
 #include "output/Xdmf.hpp"
 
+#include "checkpoint/Archive.hpp"
+
 #include <algorithm>
 #include <cstdio>
 
@@ -95,6 +97,21 @@ void XdmfDocument::add(const Snapshot& snapshot, const std::string& group)
       collection = collections_.insert(collection, {mesh.name, ""});
     collection->grids += grid(mesh, snapshot.time, file_ + ":/" + group + "/" + mesh.name);
   }
+}
+
+void XdmfDocument::keep(Archive& archive)
+{
+  std::vector<std::string> names, grids;
+  for (const Collection& collection : collections_)
+  {
+    names.push_back(collection.name);
+    grids.push_back(collection.grids);
+  }
+  archive("collections", names);
+  archive("grids", grids);
+  collections_.clear();
+  for (std::size_t k = 0; k < std::min(names.size(), grids.size()); ++k)
+    collections_.push_back({names[k], grids[k]});
 }
 
 std::string XdmfDocument::text() const

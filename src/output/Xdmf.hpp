@@ -10,6 +10,8 @@
 namespace Rhegma
 {
 
+class Archive;
+
 /// Grows by a time after another. Each kind of mesh is a temporal collection of its own: readers give
 /// repeated names inside one collection a number that changes with time, and blocks chosen by name would be
 /// lost.
@@ -23,6 +25,8 @@ public:
   void add(const Snapshot& snapshot, const std::string& group);
 
   std::string text() const;
+
+  void keep(Archive& archive);
 
 private:
   struct Collection

@@ -64,8 +64,11 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
     else if (a == "--help" || a == "-h")
       options.action = Options::Action::Help;
     else if (a == "--restart")
-      throw UsageError(
-          "--restart is not in this version: it writes no checkpoints; run the scene from its start");
+    {
+      options.restart = valueOf(k);
+      if (options.restart.empty())
+        throw UsageError("the checkpoint after --restart has no name; name one, or leave --restart out");
+    }
     else if (startsWith(a, "-"))
       throw UsageError("there is no option " + a + "; see rhegma --help");
     else if (options.scene.empty())
@@ -83,9 +86,11 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
 
 std::string usage()
 {
-  return "rhegma SCENE.xml [--output DIR] [--set 'Section:Sub:Parameter=value']... [--quiet]\n"
+  return "rhegma SCENE.xml [--output DIR] [--set 'Section:Sub:Parameter=value']... [--restart FILE] "
+         "[--quiet]\n"
          "                        run a scene; results go to DIR (default: the scene's name beside it, "
-         ".out)\n"
+         ".out);\n"
+         "                        --restart: go on from a checkpoint.h5 that a run of the scene left\n"
          "rhegma SCENE.xml --check        every error of a scene, then stop\n"
          "rhegma SCENE.xml --print-plan   the effects, fields and stages that the scene would run\n"
          "rhegma --describe [Section]     every parameter: type, unit, default, allowed values, meaning\n"

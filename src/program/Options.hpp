@@ -37,6 +37,7 @@ struct Options
   std::string scene;
   std::string output;  ///< folder; empty: beside the scene
   std::string section; ///< of --describe
+  std::string restart; ///< checkpoint to go on from; empty: the scene's start
   std::vector<std::string> overrides;
   bool quiet = false;
 };

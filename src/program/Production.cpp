@@ -7,6 +7,7 @@
 #include "step/Run.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <new>
 #include <unistd.h>
 
@@ -16,16 +17,20 @@ namespace Rhegma::program
 namespace
 {
 
-/// \return the history's file; on all ranks but the first one that holds nothing
-std::string emptyOutputFolder(const std::string& folder, const Ranks& ranks)
+/// Prepares the folder and opens the history in it; on all ranks but the first one that holds nothing.
+History beginHistory(const std::string& folder, const EarlierPart& earlier, const Ranks& ranks)
 {
   onFirstRank<std::invalid_argument>(ranks,
                                      [&]
                                      {
                                        makeOutputFolder(folder);
-                                       removeOldResults(folder);
+                                       if (!earlier.exists())
+                                         removeOldResults(folder);
+                                       else
+                                         earlier.bring();
                                      });
-  return ranks.rank() == 0 ? folder + "/history.csv" : "/dev/null";
+  const std::string path = ranks.rank() == 0 ? folder + "/history.csv" : "/dev/null";
+  return earlier.history().bytes > 0 ? History(path, earlier.history()) : History(path);
 }
 
 double historyInterval(const Teuchos::ParameterList& scene)
@@ -38,16 +43,35 @@ double historyInterval(const Teuchos::ParameterList& scene)
 } // namespace
 
 Production::Production(const Options& options, const Teuchos::ParameterList& scene, Simulation& simulation,
-                       std::ostream& out, const Ranks& ranks)
+                       const EarlierPart& earlier, std::ostream& out, const Ranks& ranks)
     : ranks_(ranks),
       folder_(options.output.empty() ? defaultOutputFolder(options.scene) : options.output),
       scene_(scene),
       simulation_(simulation),
       finalTime_(scene.sublist("Time").get<double>("Final Time")),
-      history_(emptyOutputFolder(folder_, ranks)),
-      progress_(options.quiet ? nullptr : &out, finalTime_, isatty(STDOUT_FILENO) != 0)
+      history_(beginHistory(folder_, earlier, ranks)),
+      progress_(options.quiet ? nullptr : &out, finalTime_, isatty(STDOUT_FILENO) != 0),
+      checkpoints_(scene.sublist("Output"), folder_, simulation, history_, ranks),
+      goesOn_(earlier.exists()),
+      warnings_(earlier.warnings())
 {
   observe();
+  if (goesOn_)
+    takeUpFields();
+}
+
+void Production::takeUpFields()
+{
+  const std::string data = folder_ + "/fields.h5", aside = folder_ + "/fields.unread.h5";
+  if (!scene_.sublist("Output").get<bool>("Fields") || simulation_.continueFields(folder_))
+    return;
+  // A kill while a snapshot is written can leave a file that HDF5 does not open.
+  std::error_code none;
+  if (!std::filesystem::exists(data, none))
+    return;
+  std::filesystem::rename(data, aside, none);
+  warnings_.push_back(data + " has not the fields that the checkpoint goes on from; it is " + aside +
+                      " now, and the fields begin anew");
 }
 
 void Production::observe()
@@ -64,11 +88,14 @@ void Production::observe()
                               unwritten_ = error.what();
                             }
                             progress_.sample(row);
+                            checkpoints_.afterSample();
                           });
   simulation_.onStep(
       [this](double time, long step)
       {
         progress_.step(time, step);
+        if (signal_.name().empty())
+          checkpoints_.afterStep();
         stopIfAsked(time, step);
       });
 }
@@ -78,21 +105,24 @@ std::string Production::toTheEnd()
   std::string trouble;
   try
   {
+    checkpoints_.afterSample();
     advanceFromFieldToField();
+    checkpoints_.atEnd();
   }
   catch (const RunError& error)
   {
-    trouble = error.what();
+    trouble = error.what() + (signal_.name().empty() ? checkpoints_.atTrouble() : std::string());
   }
   catch (const OutputError& error)
   {
-    trouble = stoppedBy(error.what());
+    trouble = stoppedBy(error.what()) + checkpoints_.atTrouble();
   }
   catch (const std::bad_alloc&)
   {
     if (ranks_.many())
       throw;
-    trouble = stoppedBy("there is no memory left; take larger cells (Domain > Cell Size)");
+    trouble = stoppedBy("there is no memory left; take larger cells (Domain > Cell Size)") +
+              checkpoints_.atTrouble();
   }
   try
   {
@@ -119,12 +149,18 @@ void Production::advanceFromFieldToField()
   const bool fields = output.get<bool>("Fields");
   const double interval =
       output.isParameter("Field Interval") ? output.get<double>("Field Interval") : finalTime_;
-  if (fields && output.isParameter("Field Interval"))
+  if (fields && output.isParameter("Field Interval") && simulation_.time() == 0.0)
     simulation_.writeFields(folder_);
+  // A run that goes on may have stopped between a step and its fields; what is there is not written again.
+  bool pending = goesOn_;
+  long k = std::max(1L, static_cast<long>(simulation_.time() / interval) - 1);
+  while (static_cast<double>(k) * interval < simulation_.time())
+    ++k;
   try
   {
-    for (long k = 1; simulation_.time() < finalTime_ && !simulation_.ended(); ++k)
+    for (; pending || (simulation_.time() < finalTime_ && !simulation_.ended()); ++k)
     {
+      pending = false;
       simulation_.advance(std::min(static_cast<double>(k) * interval, finalTime_));
       if (fields)
         simulation_.writeFields(folder_);
@@ -139,7 +175,7 @@ void Production::advanceFromFieldToField()
   }
 }
 
-void Production::stopIfAsked(double time, long step) const
+void Production::stopIfAsked(double time, long step)
 {
   const std::string unwritten = ranks_.firstText(unwritten_);
   if (!unwritten.empty())
@@ -147,7 +183,7 @@ void Production::stopIfAsked(double time, long step) const
   const std::string signal = ranks_.firstText(signal_.name());
   if (!signal.empty())
     throw RunError("the run was stopped by " + signal + " at time " + formatReal(time) + " s, step " +
-                   std::to_string(step));
+                   std::to_string(step) + checkpoints_.atStop());
 }
 
 std::string Production::stoppedBy(const std::string& reason) const

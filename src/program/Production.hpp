@@ -5,6 +5,8 @@
 #include "output/History.hpp"
 #include "output/Progress.hpp"
 #include "parallel/Ranks.hpp"
+#include "program/Checkpoints.hpp"
+#include "program/EarlierPart.hpp"
 #include "program/Options.hpp"
 #include "program/StopSignal.hpp"
 
@@ -17,13 +19,14 @@ namespace Rhegma::program
 class Production
 {
 public:
-  /// Makes the output folder and removes what an older run left there.
-  /// Throws std::invalid_argument when the folder can't be used.
-  /// \param scene validated; must outlive this
-  /// \param out   for the progress line
-  /// \param ranks that share the run; the first of them writes the files
+  /// Makes the output folder and removes what an older run left there; of a run that goes on, what it did
+  /// after the checkpoint. Throws std::invalid_argument when the folder can't be used.
+  /// \param scene   validated; must outlive this
+  /// \param earlier what the run left before its checkpoint
+  /// \param out     for the progress line
+  /// \param ranks   that share the run; the first of them writes the files
   Production(const Options& options, const Teuchos::ParameterList& scene, Simulation& simulation,
-             std::ostream& out, const Ranks& ranks);
+             const EarlierPart& earlier, std::ostream& out, const Ranks& ranks);
 
   /// The output folder.
   const std::string& folder() const { return folder_; }
@@ -33,14 +36,20 @@ public:
   /// \return why the run could not go on, in one sentence; empty if it could
   std::string toTheEnd();
 
+  const Checkpoints::Cost& costOfCheckpoints() const { return checkpoints_.cost(); }
+
+  /// What the user should know of the beginning, in sentences.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
   /// Whether the run ended because it had taken Time > Maximum Steps.
   bool outOfSteps() const;
 
 private:
   void observe();
+  void takeUpFields();
   void advanceFromFieldToField();
   /// Throws where a signal or a file that can't be written, on any rank, ends the run.
-  void stopIfAsked(double time, long step) const;
+  void stopIfAsked(double time, long step);
   std::string stoppedBy(const std::string& reason) const;
 
   Ranks ranks_;
@@ -52,6 +61,9 @@ private:
   Progress progress_;
   StopSignal signal_;
   std::string unwritten_; ///< why the history could not be written
+  Checkpoints checkpoints_;
+  bool goesOn_;
+  std::vector<std::string> warnings_;
 };
 
 } // namespace Rhegma::program

@@ -2,9 +2,11 @@
 
 #include "Simulation.hpp"
 #include "output/OutputError.hpp"
+#include "output/OutputFolder.hpp"
 #include "output/References.hpp"
 #include "output/Summary.hpp"
 #include "program/Production.hpp"
+#include "scene/Numbers.hpp"
 #include "scene/Scene.hpp"
 #include "step/EffectSchema.hpp"
 
@@ -50,8 +52,7 @@ Teuchos::RCP<Teuchos::ParameterList> validScene(const Options& options, std::ost
   return Teuchos::null;
 }
 
-SummaryFacts facts(const Options& options, const Simulation& simulation, double wallSeconds,
-                   const std::string& status)
+SummaryFacts facts(const Options& options, const Simulation& simulation, const std::string& status)
 {
   SummaryFacts f;
   f.scene = options.scene;
@@ -61,7 +62,7 @@ SummaryFacts facts(const Options& options, const Simulation& simulation, double 
   f.effects = simulation.effects();
   f.steps = simulation.steps();
   f.time = simulation.time();
-  f.wallSeconds = wallSeconds;
+  f.wallSeconds = simulation.wallSeconds();
   f.particles = simulation.particles();
   f.particleSteps = simulation.particleSteps();
   f.stages = simulation.stageSeconds();
@@ -89,12 +90,36 @@ Teuchos::ParameterList references(const Teuchos::ParameterList& scene)
   return scene.isSublist("Reference") ? scene.sublist("Reference") : Teuchos::ParameterList();
 }
 
-/// Makes the bodies and all else, and finds the mistakes that only they can show.
-void initialize(Simulation& simulation, const Teuchos::ParameterList& scene, const Options& options)
+/// Throws std::invalid_argument where a run on several ranks is to write or read checkpoints.
+void refuseCheckpointsOnRanks(const Teuchos::ParameterList& scene, const Options& options)
 {
-  simulation.initialize();
+  const bool asked = scene.sublist("Output").isParameter("Checkpoint Interval");
+  if (world()->getSize() > 1 && (asked || !options.restart.empty()))
+    throw std::invalid_argument(
+        std::string(asked ? "Output > Checkpoint Interval" : "--restart") +
+        ": this version writes and reads checkpoints on one rank; leave it out, or start "
+        "without mpirun");
+}
+
+/// Makes the bodies and all else, and finds the mistakes that only they can show.
+/// \return what the run left before its checkpoint, if it goes on from one
+EarlierPart initialize(Simulation& simulation, const Teuchos::ParameterList& scene, const Options& options)
+{
+  EarlierPart earlier;
+  refuseCheckpointsOnRanks(scene, options);
+  if (options.restart.empty())
+    simulation.initialize();
+  else
+  {
+    const std::string folder = options.output.empty() ? defaultOutputFolder(options.scene) : options.output;
+    earlier = EarlierPart(options.restart, folder, readNotes(simulation.restore(options.restart)));
+    if (simulation.time() > scene.sublist("Time").get<double>("Final Time"))
+      throw std::invalid_argument("Time > Final Time: the checkpoint " + options.restart + " is of time " +
+                                  formatReal(simulation.time()) + " s already; write a later time");
+  }
   refuseUnknownQuantities(references(scene),
-                          makeSummary(facts(options, simulation, 0.0, ""), simulation.report()));
+                          makeSummary(facts(options, simulation, ""), simulation.report()));
+  return earlier;
 }
 
 /// Whether the scene asks for a body at rest.
@@ -106,22 +131,24 @@ bool waitsForRest(const Teuchos::ParameterList& scene)
 int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>& scene, std::ostream& out,
              std::ostream& err)
 {
-  Kokkos::Timer timer;
   Simulation simulation(world(), scene);
-  initialize(simulation, *scene, options);
+  const EarlierPart earlier = initialize(simulation, *scene, options);
   if (options.action == Options::Action::PrintPlan)
   {
     out << simulation.plan();
     return exitFinished;
   }
   const Ranks ranks(world());
-  Production production(options, *scene, simulation, out, ranks);
+  Production production(options, *scene, simulation, earlier, out, ranks);
   std::string trouble = production.toTheEnd();
   const std::string status = !trouble.empty()          ? trouble
                              : production.outOfSteps() ? "finished at Time > Maximum Steps"
                                                        : "finished";
-  nlohmann::json summary =
-      makeSummary(facts(options, simulation, timer.seconds(), status), simulation.report());
+  nlohmann::json summary = makeSummary(facts(options, simulation, status), simulation.report());
+  const Checkpoints::Cost& cost = production.costOfCheckpoints();
+  summary["checkpoints"] = {{"written", cost.written}, {"copies", cost.copies}, {"seconds", cost.seconds}};
+  for (const std::string& warning : production.warnings())
+    summary["warnings"].push_back(warning);
   if (trouble.empty() && waitsForRest(*scene) && !simulation.settled())
     summary["warnings"].push_back(
         "the run ended before it had settled (Damping > Stop When Settled): its values are "
@@ -179,7 +206,8 @@ int run(const Options& options, std::ostream& out, std::ostream& err)
       {
         Simulation simulation(world(), scene);
         initialize(simulation, *scene, options);
-        out << options.scene << " is a valid scene\n";
+        out << options.scene << " is a valid scene"
+            << (options.restart.empty() ? "" : ", and " + options.restart + " a checkpoint of it") << "\n";
         return exitFinished;
       }
       return runScene(options, scene, out, err);

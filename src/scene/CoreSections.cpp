@@ -36,11 +36,12 @@ Section time()
 {
   Section s("Time", "How long and how finely the run steps.");
   s.require();
-  s.real("Final Time").unit("s").positive().meaning("The run ends here.");
-  s.real("CFL").above(0.0).atMost(1.0).byDefault(0.4).meaning(
+  s.real("Final Time").unit("s").positive().mayChange().meaning("The run ends here.");
+  s.real("CFL").above(0.0).atMost(1.0).byDefault(0.4).mayChange().meaning(
       "Share of a cell that a wave may cross in one step.");
   s.integer("Maximum Steps")
       .atLeast(1)
+      .mayChange()
       .byDefault(2000000000)
       .meaning("The run ends after so many steps, if not before.");
   s.choice("Update Scheme", {"MUSL", "USF", "USL"})
@@ -132,7 +133,7 @@ Section materials()
 Section output()
 {
   Section s("Output", "What the run writes, and how often.");
-  s.fill();
+  s.fill().mayChange();
   s.real("History Interval")
       .unit("s")
       .positive()
@@ -144,6 +145,22 @@ Section output()
       .optional("only the last fields")
       .meaning("Time between the fields of particles.");
   s.boolean("Fields").byDefault(true).meaning("Whether fields.h5 and fields.xdmf are written at all.");
+  s.boolean("Checkpoints")
+      .byDefault(true)
+      .meaning(
+          "Whether checkpoint.h5 is written, from which --restart goes on: at the intervals below, and where "
+          "a signal or trouble stops the run.");
+  s.real("Checkpoint Interval")
+      .unit("s")
+      .positive()
+      .optional("by the clock alone")
+      .meaning("Simulated time between checkpoints; the end of the run gets one too.");
+  s.real("Checkpoint Minutes")
+      .unit("min")
+      .notNegative()
+      .byDefault(15.0)
+      .meaning(
+          "Minutes by the clock after which a checkpoint is written, if none was; 0: none by the clock.");
   return s;
 }
 
@@ -160,6 +177,7 @@ Section reference()
   entry.text("Source").notEmpty().meaning("Where the value comes from.");
 
   Section s("Reference", "Values with which the run is compared at its end, so that a scene tests itself.");
+  s.mayChange();
   s.namedByUser(entry);
   return s;
 }

@@ -317,6 +317,10 @@ private:
       report("Output > Field Interval",
              "asks for more than a hundred thousand times of output; write at least " +
                  formatReal(*end * 1e-5) + " s.");
+    const auto checkpoints = real(output, "Checkpoint Interval");
+    if (end && checkpoints && *end / *checkpoints > 1e7)
+      report("Output > Checkpoint Interval",
+             "asks for more than ten million checkpoints; write at least " + formatReal(*end * 1e-7) + " s.");
   }
 
   const ParameterList& m_scene;

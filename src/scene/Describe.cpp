@@ -90,6 +90,8 @@ std::string allowedInWords(const Parameter& parameter)
     add("not empty");
   if (parameter.onlyDimension != 0)
     add(std::to_string(parameter.onlyDimension) + "D only");
+  if (parameter.changeable)
+    add("may change on restart");
   return inWords(parts, "; ");
 }
 
@@ -140,6 +142,8 @@ private:
       table(section.parameters);
     for (const auto& rule : section.together)
       sentence(ruleInWords(rule));
+    if (section.changeable)
+      sentence("All in this section may change on restart.");
     for (const auto& variant : section.variants)
     {
       const std::string dimension =

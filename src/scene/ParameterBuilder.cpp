@@ -157,4 +157,10 @@ ParameterBuilder& ParameterBuilder::onlyIn(int dimension)
   return *this;
 }
 
+ParameterBuilder& ParameterBuilder::mayChange()
+{
+  p->changeable = true;
+  return *this;
+}
+
 } // namespace Rhegma

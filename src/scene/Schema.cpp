@@ -165,6 +165,12 @@ Section& Section::onlyIn(int dimension)
   return *this;
 }
 
+Section& Section::mayChange()
+{
+  changeable = true;
+  return *this;
+}
+
 Section& Section::exactlyOneOf(std::vector<std::string> names)
 {
   together.push_back({Together::Rule::ExactlyOne, std::move(names)});

@@ -80,7 +80,8 @@ struct Parameter
   std::vector<std::string> choices;
   bool mayBeEmpty = true; ///< Text
   ArrayLength length;
-  int onlyDimension = 0; ///< 2 or 3: only scenes of this dimension have it; 0: all
+  int onlyDimension = 0;   ///< 2 or 3: only scenes of this dimension have it; 0: all
+  bool changeable = false; ///< a run that goes on from a checkpoint may have another value
 
   /// The default in a scene of this dimension; none if there is none.
   const ParameterValue* defaultIn(int dimension) const;
@@ -132,6 +133,8 @@ public:
   ParameterBuilder& perPoint(int fewestPoints = 1); ///< points one after another, D values each
   ParameterBuilder& perRotationAxis();              ///< 1 value in 2D, 3 in 3D
   ParameterBuilder& onlyIn(int dimension);
+  /// A run that goes on from a checkpoint may have another value than the one that wrote it.
+  ParameterBuilder& mayChange();
 
 private:
   Parameter* p;
@@ -164,7 +167,8 @@ struct Section
   std::vector<Parameter> parameters;
   std::vector<Section> sections; ///< subsections with fixed names
   Presence presence = Presence::Optional;
-  int onlyDimension = 0; ///< 2 or 3: only scenes of this dimension may have or choose it; 0: all
+  int onlyDimension = 0;   ///< 2 or 3: only scenes of this dimension may have or choose it; 0: all
+  bool changeable = false; ///< all in it may be different when a run goes on from a checkpoint
   std::vector<Together> together;
 
   /// The parameter that chooses one of `variants` by name; empty: there are none. The variant's parameters
@@ -203,6 +207,8 @@ struct Section
   /// Made with its defaults where a scene leaves it out.
   Section& fill();
   Section& onlyIn(int dimension);
+  /// A run that goes on from a checkpoint may have another such section, or none.
+  Section& mayChange();
   Section& exactlyOneOf(std::vector<std::string> names);
   Section& atMostOneOf(std::vector<std::string> names);
   Section& allOrNoneOf(std::vector<std::string> names);

@@ -14,6 +14,8 @@
 namespace Rhegma
 {
 
+class Archive;
+
 /// Stages of a step, in the order of MUSL. USF runs OnParticles right after Scatter.
 enum class Stage
 {
@@ -54,6 +56,11 @@ struct Effect
   std::function<void(const State<D>&, nlohmann::json&)> report; ///< adds to summary.json
 
   std::function<double(const State<D>&)> timeStepLimit; ///< [s]; none if empty
+
+  /// Saves or loads what it keeps from one step to the next beside the fields of the particles
+  /// (checkpoint/Archive.hpp); empty if nothing. Loading comes after atStart and after the core's own, and
+  /// leaves all as it was when it was saved.
+  std::function<void(State<D>&, Archive&)> memory;
 
   void call(Call<D> c) { calls.push_back(std::move(c)); }
 };

@@ -1,6 +1,7 @@
 #pragma once
 /// Notices a run that makes energy out of nothing, or loses it.
 
+#include "checkpoint/Archive.hpp"
 #include "scene/Numbers.hpp"
 #include "state/Energy.hpp"
 #include "state/UnstableStep.hpp"
@@ -25,6 +26,19 @@ public:
     largest_ = std::max(largest_, residual_);
     bursts_ = residual_ > burst * given_ ? bursts_ + 1 : 0;
     now_ = energy.kinetic + energy.strain;
+  }
+
+  /// Whether the run, up to the last sample, has made no more energy than it was given: a state worth
+  /// keeping.
+  bool sound() const { return std::isfinite(residual_) && residual_ <= given_; }
+
+  void keep(Archive& archive)
+  {
+    archive("given", given_);
+    archive("residual", residual_);
+    archive("largest", largest_);
+    archive("now", now_);
+    archive("bursts", bursts_);
   }
 
   /// \param subcycledLevels of the state

@@ -1,6 +1,7 @@
 #include "step/Run.hpp"
 
 #include "boundary/Boundaries.hpp"
+#include "checkpoint/StateArchive.hpp"
 #include "output/CoreRow.hpp"
 #include "parallel/Subdomain.hpp"
 #include "scene/Attempts.hpp"
@@ -174,6 +175,26 @@ void Run<D>::step(double until, bool sample)
     if (!state_.trouble.empty())
       stop(state_);
   }
+}
+
+template <int D>
+void Run<D>::keep(Archive& archive)
+{
+  archiveState(state_, archive);
+  {
+    const Archive::Group group(archive, "run");
+    archive("stage_seconds", plan_.seconds);
+  }
+  {
+    const Archive::Group group(archive, "run/energy watch");
+    energyWatch_.keep(archive);
+  }
+  for (const Effect<D>& effect : plan_.effects)
+    if (effect.memory)
+    {
+      const Archive::Group group(archive, "effects/" + effect.name);
+      effect.memory(state_, archive);
+    }
 }
 
 template <int D>

@@ -32,6 +32,9 @@ public:
   /// Throws RunError when the run can't go on.
   void step(double until, bool sample);
 
+  /// Saves or loads all that the run keeps from step to step. Load after initialize().
+  void keep(Archive& archive);
+
   State<D>& state() { return state_; }
   const State<D>& state() const { return state_; }
   const Plan<D>& plan() const { return plan_; }

@@ -1,5 +1,6 @@
 #include "transfer/FacePoints.hpp"
 
+#include "checkpoint/Archive.hpp"
 #include "geometry/Cross.hpp"
 #include "transfer/Stencils.hpp"
 
@@ -159,26 +160,8 @@ void FacePoints<D>::place(const CrackSet<D>& cracks, double spacing)
   }
   // A point and its place in pieces of another size are no more than half the longer piece apart.
   const double reach = longestPiece * std::max(spacing, spacing_);
-  count_ = static_cast<int>(all.size());
-  crack = View<int*>("rhegma::facePointCrack", count_);
-  size = View<double*>("rhegma::facePointSize", count_);
-  currentSize = View<double*>("rhegma::facePointCurrentSize", count_);
-  position = View<double* [D]>("rhegma::facePointPosition", count_);
-  normal = View<double* [D]>("rhegma::facePointNormal", count_);
-  edge = View<double* [D]>("rhegma::facePointEdge", count_);
-  separation = View<double*>("rhegma::facePointSeparation", count_);
-  before = View<int*>("rhegma::facePointBefore", count_);
+  makeRoom(static_cast<int>(all.size()));
   after = View<int*>("rhegma::facePointAfter", old.size());
-  simplex_ = View<int*>("rhegma::facePointSimplex", count_);
-  weight_ = View<double* [D]>("rhegma::facePointWeight", count_);
-  share_ = View<double*>("rhegma::facePointShare", count_);
-  for (ObservedPoints<D>* face : {&lower_, &upper_})
-  {
-    face->count = count_;
-    face->position = View<double* [D]>("rhegma::facePosition", count_);
-    face->half = View<double* [D]>("rhegma::faceHalf", count_);
-    face->side = View<int*>("rhegma::faceSide", count_);
-  }
   const auto hostCrack = Kokkos::create_mirror_view(crack);
   const auto hostSize = Kokkos::create_mirror_view(size);
   const auto hostBefore = Kokkos::create_mirror_view(before);
@@ -205,6 +188,48 @@ void FacePoints<D>::place(const CrackSet<D>& cracks, double spacing)
   Kokkos::deep_copy(simplex_, hostSimplex);
   Kokkos::deep_copy(weight_, hostWeight);
   Kokkos::deep_copy(share_, hostShare);
+}
+
+template <int D>
+void FacePoints<D>::makeRoom(int number)
+{
+  count_ = number;
+  crack = View<int*>("rhegma::facePointCrack", count_);
+  size = View<double*>("rhegma::facePointSize", count_);
+  currentSize = View<double*>("rhegma::facePointCurrentSize", count_);
+  position = View<double* [D]>("rhegma::facePointPosition", count_);
+  normal = View<double* [D]>("rhegma::facePointNormal", count_);
+  edge = View<double* [D]>("rhegma::facePointEdge", count_);
+  separation = View<double*>("rhegma::facePointSeparation", count_);
+  before = View<int*>("rhegma::facePointBefore", count_);
+  simplex_ = View<int*>("rhegma::facePointSimplex", count_);
+  weight_ = View<double* [D]>("rhegma::facePointWeight", count_);
+  share_ = View<double*>("rhegma::facePointShare", count_);
+  for (ObservedPoints<D>* face : {&lower_, &upper_})
+  {
+    face->count = count_;
+    face->position = View<double* [D]>("rhegma::facePosition", count_);
+    face->half = View<double* [D]>("rhegma::faceHalf", count_);
+    face->side = View<int*>("rhegma::faceSide", count_);
+  }
+}
+
+template <int D>
+void FacePoints<D>::keep(Archive& archive)
+{
+  int number = count_;
+  archive("count", number);
+  if (archive.loads())
+    makeRoom(number);
+  archive("crack", crack);
+  archive("size", size);
+  archive("position", position);
+  archive("before", before);
+  archive("simplex", simplex_);
+  archive("weight", weight_);
+  archive("share", share_);
+  archive("simplices", simplices_);
+  archive("spacing", spacing_);
 }
 
 template <int D>

@@ -6,6 +6,8 @@
 namespace Rhegma
 {
 
+class Archive;
+
 /// Points on the segments (2D) or triangles (3D) of all cracks, about half a cell apart, with a stencil on
 /// each face: the middles of equal pieces, so that sums over them are midpoint rules.
 ///
@@ -25,6 +27,9 @@ public:
 
   int count() const { return count_; }
 
+  /// Saves or loads the points; stencils are made by the next update.
+  void keep(Archive& archive);
+
   /// Part of `update`; public because compilers for devices want kernels in public functions.
   void follow(const CrackSet<D>& cracks);
 
@@ -42,6 +47,7 @@ public:
 
 private:
   void place(const CrackSet<D>& cracks, double spacing);
+  void makeRoom(int count);
 
   View<int*> simplex_;
   View<double* [D]> weight_; ///< of the simplex's vertices at the point

@@ -40,8 +40,14 @@ class WrongArguments(ProgramTest):
     def test_output_without_folder(self):
         self.refuse("scene.xml", "--output", words=["--output", "needs a value"])
 
-    def test_restart(self):
-        self.refuse("scene.xml", "--restart", "checkpoint.h5", words=["--restart", "not in this version"])
+    def test_restart_without_file(self):
+        self.refuse("scene.xml", "--restart", words=["--restart", "needs a value"])
+
+    def test_restart_from_no_name(self):
+        self.refuse("scene.xml", "--restart", "", words=["--restart", "has no name"])
+
+    def test_restart_from_a_file_that_is_not_there(self):
+        self.refuse("scene.xml", "--restart", "checkpoint.h5", words=["checkpoint.h5", "No such file"])
 
     def test_set_without_value(self):
         self.refuse("scene.xml", "--set", words=["--set", "needs a value"])

@@ -157,6 +157,12 @@ TIME = [
     ("pic_fraction_above_one", plate().set("Time > PIC Fraction", 1.1), one("Time > PIC Fraction", "from 0 to 1")),
     ("history_without_end", plate().set("Output", {"History Interval": 1e-300}),
      one("Output > History Interval", "at least")),
+    ("checkpoints_without_end", plate().set("Output", {"Checkpoint Interval": 1e-300}),
+     one("Output > Checkpoint Interval", "at least")),
+    ("checkpoints_at_once", plate().set("Output", {"Checkpoint Interval": 0.0}),
+     one("Output > Checkpoint Interval", "above 0")),
+    ("checkpoints_before_the_start", plate().set("Output", {"Checkpoint Minutes": -1.0}),
+     one("Output > Checkpoint Minutes", "at least 0", "min")),
     ("fields_without_end", plate().set("Output", {"Field Interval": 1e-300}),
      one("Output > Field Interval", "at least")),
 ]

@@ -1,0 +1,142 @@
+#include "program/Checkpoints.hpp"
+
+#include "output/OutputError.hpp"
+#include "scene/Numbers.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace Rhegma::program
+{
+
+namespace
+{
+
+/// A copy in memory is taken when this many times as long has passed as the last took.
+constexpr int shareOfCopies = 50;
+
+double orZero(const Teuchos::ParameterList& list, const char* name)
+{
+  return list.isParameter(name) ? list.get<double>(name) : 0.0;
+}
+
+} // namespace
+
+Checkpoints::Checkpoints(const Teuchos::ParameterList& output, const std::string& folder,
+                         Simulation& simulation, History& history, const Ranks& ranks)
+    : wanted_(output.get<bool>("Checkpoints") && !ranks.many()),
+      interval_(orZero(output, "Checkpoint Interval")),
+      minutes_(orZero(output, "Checkpoint Minutes")),
+      path_(folder + "/checkpoint.h5"),
+      simulation_(simulation),
+      history_(history),
+      next_(interval_ > 0.0 ? interval_ * (std::floor(simulation.time() / interval_) + 1.0) : 0.0),
+      lastWrite_(Clock::now()),
+      nextHold_(lastWrite_)
+{
+}
+
+void Checkpoints::afterSample()
+{
+  const Clock::time_point begin = Clock::now();
+  if (!wanted_ || begin < nextHold_ || !simulation_.sound())
+    return;
+  simulation_.hold(notesOf(history_.soFar()));
+  const Clock::time_point end = Clock::now();
+  nextHold_ = end + shareOfCopies * (end - begin);
+  ++cost_.copies;
+  cost_.seconds += std::chrono::duration<double>(end - begin).count();
+}
+
+void Checkpoints::afterStep()
+{
+  const bool byTime = interval_ > 0.0 && simulation_.time() >= next_;
+  const bool byClock =
+      minutes_ > 0.0 && Clock::now() - lastWrite_ >= std::chrono::duration<double>(60.0 * minutes_);
+  if (!wanted_ || !(byTime || byClock))
+    return;
+  while (interval_ > 0.0 && next_ <= simulation_.time())
+    next_ += interval_;
+  lastWrite_ = Clock::now();
+  if (simulation_.sound())
+    write();
+}
+
+void Checkpoints::atEnd()
+{
+  if (wanted_ && interval_ > 0.0 && written_ != simulation_.time() && simulation_.sound())
+    write();
+}
+
+void Checkpoints::write()
+{
+  const Clock::time_point begin = Clock::now();
+  // First what the state goes on from: a checkpoint without its history would be of less use.
+  history_.sync();
+  simulation_.checkpoint(path_, notesOf(history_.soFar()));
+  written_ = simulation_.time();
+  lastWrite_ = Clock::now();
+  ++cost_.written;
+  cost_.seconds += std::chrono::duration<double>(lastWrite_ - begin).count();
+}
+
+std::string Checkpoints::atStop()
+{
+  if (!wanted_ || !simulation_.sound())
+    return atTrouble();
+  try
+  {
+    write();
+  }
+  catch (const OutputError& error)
+  {
+    return whereToGoOn() + "; its state could not be kept: " + error.what();
+  }
+  return whereToGoOn();
+}
+
+std::string Checkpoints::atTrouble()
+{
+  if (!wanted_)
+    return {};
+  try
+  {
+    if (simulation_.holds() && simulation_.heldTime() > written_)
+    {
+      history_.sync();
+      simulation_.checkpointHeld(path_);
+      written_ = simulation_.heldTime();
+    }
+  }
+  catch (const std::exception&) // no room on the disk or in memory: the older one, if any, is there
+  {
+  }
+  return whereToGoOn();
+}
+
+std::string Checkpoints::whereToGoOn() const
+{
+  if (written_ < 0.0)
+    return {};
+  return "; --restart " + path_ + " goes on from time " + formatReal(written_) + " s";
+}
+
+Simulation::Notes notesOf(const HistorySoFar& soFar)
+{
+  return {{"history_bytes", std::to_string(soFar.bytes)},
+          {"history_crc", std::to_string(soFar.crc)},
+          {"history_last_time", formatExactly(soFar.lastTime)}};
+}
+
+HistorySoFar readNotes(const Simulation::Notes& notes)
+{
+  HistorySoFar soFar;
+  if (notes.count("history_bytes") == 0) // an application of its own wrote it
+    return soFar;
+  soFar.bytes = std::stoll(notes.at("history_bytes"));
+  soFar.crc = std::stoul(notes.at("history_crc"));
+  soFar.lastTime = std::stod(notes.at("history_last_time"));
+  return soFar;
+}
+
+} // namespace Rhegma::program

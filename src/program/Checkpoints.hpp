@@ -1,0 +1,74 @@
+#pragma once
+/// When a run writes its checkpoint, and which state is worth one.
+
+#include "Simulation.hpp"
+#include "output/History.hpp"
+#include "parallel/Ranks.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <chrono>
+#include <string>
+
+namespace Rhegma::program
+{
+
+/// Writes checkpoint.h5 in the output folder: at intervals of simulated time and of the clock (section
+/// Output), where a signal stops the run, before the run ends in trouble, and at its end where an interval of
+/// simulated time is given.
+///
+/// Trouble is found in the middle of a step whose numbers are no state, and what leads to it may have begun
+/// long before. So a copy of the state is kept in memory at samples at which the ledger of energies is sound,
+/// as often as that takes less than a fiftieth of the run; it is written when the run stops in trouble.
+class Checkpoints
+{
+public:
+  /// \param ranks that share the run; there are no checkpoints of several as yet
+  Checkpoints(const Teuchos::ParameterList& output, const std::string& folder, Simulation& simulation,
+              History& history, const Ranks& ranks);
+
+  /// To be called when the run begins and at each sample.
+  void afterSample();
+  /// To be called after each step. Throws OutputError when a checkpoint can't be written.
+  void afterStep();
+  /// To be called when the run has come to its end.
+  void atEnd();
+
+  /// Writes the state as it is, or, where it is not sound, the last one that was.
+  /// \return what to tell who is told that the run stopped; begins with "; ", or is empty
+  std::string atStop();
+  /// Writes the last state that was sound. \return the same
+  std::string atTrouble();
+
+  /// Checkpoints written, copies taken, and the seconds that both took.
+  struct Cost
+  {
+    int written = 0, copies = 0;
+    double seconds = 0.0;
+  };
+  const Cost& cost() const { return cost_; }
+
+private:
+  using Clock = std::chrono::steady_clock;
+
+  void write();
+  std::string whereToGoOn() const;
+
+  bool wanted_;
+  double interval_; ///< 0: none
+  double minutes_;  ///< 0: none
+  std::string path_;
+  Simulation& simulation_;
+  History& history_;
+  double next_;                 ///< time of the next one [s]
+  double written_ = -1.0;       ///< time of the last one on the disk [s]; negative: none
+  Clock::time_point lastWrite_; ///< or the start
+  Clock::time_point nextHold_;  ///< no copy before
+  Cost cost_;
+};
+
+/// The checkpoint's notes on the history.
+Simulation::Notes notesOf(const HistorySoFar& soFar);
+HistorySoFar readNotes(const Simulation::Notes& notes);
+
+} // namespace Rhegma::program

@@ -1,0 +1,80 @@
+#include "program/EarlierPart.hpp"
+
+#include "output/OutputError.hpp"
+#include "output/OutputFolder.hpp"
+
+#include <filesystem>
+#include <stdexcept>
+
+namespace Rhegma::program
+{
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+bool same(const std::string& a, const std::string& b)
+{
+  std::error_code none;
+  return fs::equivalent(a, b, none);
+}
+
+bool isThere(const std::string& path)
+{
+  std::error_code none;
+  return fs::exists(path, none);
+}
+
+void copy(const std::string& from, const std::string& to)
+{
+  std::error_code error;
+  fs::copy_file(from, to, fs::copy_options::overwrite_existing, error);
+  if (error)
+    throw OutputError(to + " can't be written: " + error.message());
+}
+
+} // namespace
+
+EarlierPart::EarlierPart(const std::string& checkpoint, const std::string& folder, const HistorySoFar& soFar)
+    : exists_(true), folder_(folder), soFar_(soFar)
+{
+  const std::string beside = fs::path(checkpoint).parent_path().string();
+  source_ = beside.empty() ? "." : beside;
+  if (soFar.bytes == 0)
+    return;
+  std::string other;
+  for (const std::string& place : {source_, folder_})
+  {
+    const std::string history = place + "/history.csv";
+    if (beginsWith(history, soFar))
+    {
+      source_ = place;
+      return;
+    }
+    if (other.empty() && isThere(history))
+      other = history;
+  }
+  if (!other.empty())
+    throw std::invalid_argument(other + " is not the history that the checkpoint " + checkpoint +
+                                " goes on from; put that one there, or take this one away to go on without");
+  soFar_ = HistorySoFar();
+  warnings_.push_back("there is no history.csv beside the checkpoint " + checkpoint +
+                      ", so that of this run begins there");
+}
+
+void EarlierPart::bring() const
+{
+  if (same(source_, folder_))
+  {
+    removeOldSummary(folder_);
+    return;
+  }
+  removeOldResults(folder_);
+  if (soFar_.bytes > 0)
+    copy(source_ + "/history.csv", folder_ + "/history.csv");
+  if (isThere(source_ + "/fields.h5"))
+    copy(source_ + "/fields.h5", folder_ + "/fields.h5");
+}
+
+} // namespace Rhegma::program

@@ -1,0 +1,279 @@
+/// A run that goes on from a checkpoint is the run that was never broken off, to the last digit.
+
+#include "restart/ContinuedRun.hpp"
+
+#include "scene/Scene.hpp"
+#include "step/Effect.hpp"
+#include "step/EffectSchema.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <ostream>
+#include <set>
+#include <string>
+#include <vector>
+
+using namespace Rhegma;
+
+namespace
+{
+
+/// A scene, and how long it takes until what it is about has begun.
+struct Case
+{
+  std::string name, file, xml;
+  std::vector<std::string> overrides;
+  long steps = 60;
+};
+
+void PrintTo(const Case& one, std::ostream* out) { *out << one.name; }
+
+/// A plate with a notch, one edge of which is pressed or pulled, and more sections.
+std::string plate(const std::string& stress, const std::string& more)
+{
+  return R"xml(<ParameterList name="Rhegma">
+  <ParameterList name="Domain">
+    <Parameter name="Dimension" type="int" value="2"/>
+    <Parameter name="Lower Corner" type="Array(double)" value="{-0.2, -0.2}"/>
+    <Parameter name="Upper Corner" type="Array(double)" value="{1.2, 1.2}"/>
+    <Parameter name="Cell Size" type="double" value="0.05"/>
+  </ParameterList>
+  <ParameterList name="Time"><Parameter name="Final Time" type="double" value="1"/></ParameterList>
+  <ParameterList name="Materials"><ParameterList name="Polymer">
+    <Parameter name="Model" type="string" value="Neo-Hookean"/>
+    <Parameter name="Density" type="double" value="1200"/>
+    <Parameter name="Young Modulus" type="double" value="3e7"/>
+    <Parameter name="Poisson Ratio" type="double" value="0.33"/>
+  </ParameterList></ParameterList>
+  <ParameterList name="Bodies"><ParameterList name="Plate">
+    <Parameter name="Material" type="string" value="Polymer"/>
+    <Parameter name="Shape" type="string" value="Box"/>
+    <Parameter name="Lower Corner" type="Array(double)" value="{0, 0}"/>
+    <Parameter name="Upper Corner" type="Array(double)" value="{1, 1}"/>
+    <Parameter name="Velocity" type="Array(double)" value="{3, 1}"/>
+  </ParameterList></ParameterList>
+  <ParameterList name="Boundaries">
+    <ParameterList name="Push">
+      <Parameter name="Type" type="string" value="Traction"/>
+      <Parameter name="Body" type="string" value="Plate"/>
+      <Parameter name="From" type="Array(double)" value="{0, 1}"/>
+      <Parameter name="To" type="Array(double)" value="{1, 1}"/>
+      <Parameter name="Stress" type="Array(double)" value=")xml" +
+         stress + R"xml("/>
+    </ParameterList>
+    <ParameterList name="Hold">
+      <Parameter name="Type" type="string" value="Velocity"/>
+      <Parameter name="Lower Corner" type="Array(double)" value="{-0.2, -0.2}"/>
+      <Parameter name="Upper Corner" type="Array(double)" value="{1.2, 0.1}"/>
+      <Parameter name="Components" type="string" value="y"/>
+      <Parameter name="Value" type="Array(double)" value="{0, 0}"/>
+    </ParameterList>
+  </ParameterList>
+  <ParameterList name="Cracks">
+    <Parameter name="Formulation" type="string" value="Dual Field"/>
+    <ParameterList name="Notch">
+      <Parameter name="Points" type="Array(double)" value="{0.11, 0.52, 0.5, 0.55}"/>
+    </ParameterList>
+  </ParameterList>
+)xml" + more +
+         "</ParameterList>";
+}
+
+std::string section(const std::string& name, const std::string& content)
+{
+  return "<ParameterList name=\"" + name + "\">" + content + "</ParameterList>";
+}
+
+std::string text(const std::string& name, const std::string& value)
+{
+  return R"(<Parameter name=")" + name + R"(" type="string" value=")" + value + R"("/>)";
+}
+
+std::string real(const std::string& name, const std::string& value)
+{
+  return R"(<Parameter name=")" + name + R"(" type="double" value=")" + value + R"("/>)";
+}
+
+std::string whole(const std::string& name, const std::string& value)
+{
+  return R"(<Parameter name=")" + name + R"(" type="int" value=")" + value + R"("/>)";
+}
+
+/// States that take a while to come about in the scenes of xml_inputs, or that these do not have.
+std::vector<Case> ownCases()
+{
+  const std::string press = "{2e5, -1e6}", pull = "{1e5, 1e6}";
+  const std::string cells =
+      section("Adaptivity", real("Velocity Change", "0.4") + whole("Maximum Level", "2"));
+  const std::string friction =
+      section("Contact", text("Law", "Coulomb") + real("Friction Coefficient", "0.2"));
+  const std::string release = section("Energy Release", "");
+  const auto own = [](const std::string& name, const std::string& xml, long steps = 160) {
+    return Case{name, "", xml, {}, steps};
+  };
+  std::vector<Case> all = {
+      own("own_ties", plate(pull, release)),
+      own("own_contact", plate(press, friction + release)),
+      own("own_contact_cells", plate(press, friction + cells)),
+      own("own_contact_short_steps", plate(press, friction + cells + section("Sub-Cycling", "")), 80),
+      own("own_short_steps", plate(pull, cells + section("Sub-Cycling", "")), 80),
+      own("own_pressure",
+          plate(pull, cells + section("Face Pressure", section("Notch", text("Pressure", "1e6*t"))))),
+      own("own_full_mass", plate(pull, section("Mass Matrix", text("Type", "Full")))),
+      own("own_partial_mass", plate(pull, section("Mass Matrix", text("Type", "Partial")))),
+      own("own_full_mass_cells", plate(pull, cells + section("Mass Matrix", text("Type", "Full"))), 80),
+      own("own_partial_mass_cells", plate(pull, cells + section("Mass Matrix", text("Type", "Partial")))),
+      own("own_series_mass", plate(pull, section("Mass Matrix", text("Type", "FMPM")))),
+      own("own_damping",
+          plate(pull, release + section("Damping", real("Mass Rate", "300") + real("Settled Drift", "1e3") +
+                                                       real("Settled Energy Ratio", "1e3")))),
+  };
+  const auto with = [&](const std::string& name, const std::string& more, const std::string& formulation)
+  {
+    Case one = own(name, plate(press, more));
+    one.overrides = {"Cracks:Formulation=" + formulation};
+    all.push_back(one);
+  };
+  with("own_visibility", section("Contact", text("Law", "Visibility")), "Broken Cell");
+  with("own_corrected", friction, "Corrected Broken Cell");
+  for (const char* scheme : {"USF", "USL"})
+  {
+    Case one = own(std::string("own_") + scheme, plate(pull, friction));
+    one.overrides = {std::string("Time:Update Scheme=") + scheme};
+    all.push_back(one);
+  }
+  return all;
+}
+
+std::vector<Case> allCases()
+{
+  std::vector<Case> all = ownCases();
+  for (const char* folder : {"examples", "verification"})
+  {
+    std::vector<std::string> names;
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::string(RHEGMA_SOURCE_DIR) + "/xml_inputs/" + folder))
+      names.push_back(entry.path().string());
+    std::sort(names.begin(), names.end());
+    for (const std::string& name : names)
+      all.push_back(
+          {std::string(folder) + "_" + std::filesystem::path(name).stem().string(), name, "", {}, 60});
+  }
+  return all;
+}
+
+Teuchos::ParameterList sceneOf(const Case& one)
+{
+  const SceneResult result = one.file.empty() ? readSceneText(one.xml, one.overrides, effectSchema())
+                                              : readScene(one.file, one.overrides, effectSchema());
+  for (const SceneError& error : result.errors)
+    ADD_FAILURE() << one.name << ": " << toString(error);
+  return *result.list;
+}
+
+class Restart : public testing::TestWithParam<Case>
+{
+};
+
+} // namespace
+
+TEST_P(Restart, IsTheUnbrokenRun)
+{
+  const Teuchos::ParameterList scene = sceneOf(GetParam());
+  const long steps = GetParam().steps, broken = steps / 2 + 3; // not at a sample or a look at the cells
+  const Trace whole = unbroken(scene, steps);
+  ASSERT_GE(whole.rows.size(), 4U);
+  EXPECT_EQ(difference(whole, continued(scene, broken, steps)), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Restart, testing::ValuesIn(allCases()),
+                         [](const testing::TestParamInfo<Case>& one) { return one.param.name; });
+
+/// What is loaded is what was saved, and a summary of it has the same values, though no step was taken.
+TEST_P(Restart, HasTheSameStateAndReport)
+{
+  const Teuchos::ParameterList scene = sceneOf(GetParam());
+  Trace before;
+  const Record record = recordAfter(scene, GetParam().steps / 4, &before);
+  EXPECT_EQ(difference(before, continuedFrom(scene, record, 0)), "");
+}
+
+/// Where the order of the particles does not fit, as with another number of ranks, they are sorted anew and
+/// the run goes on with other last digits: as far off as sums in another order, and solves from other first
+/// guesses, which stop at 1e-7, bring it.
+TEST(AnotherOrder, GoesOnWithOtherLastDigits)
+{
+  for (const Case& one : ownCases())
+  {
+    const Teuchos::ParameterList scene = sceneOf(one);
+    Record record = recordAfter(scene, one.steps / 2 + 3);
+    const Trace same = continuedFrom(scene, record, one.steps);
+    record.at("order/lanes").bytes[0] ^= 8;
+    const Trace other = continuedFrom(scene, record, one.steps);
+    EXPECT_NE(difference(same, other), "") << one.name;
+    ASSERT_EQ(same.rows.size(), other.rows.size()) << one.name;
+    const double tolerance = one.name.find("mass") == std::string::npos ? 1e-9 : 1e-5;
+    for (std::size_t k = 0; k < same.rows.size(); ++k)
+      for (std::size_t c = 0; c < 2; ++c)
+      {
+        ASSERT_TRUE(same.rows[k][c].first == "kinetic" || same.rows[k][c].first == "strain");
+        EXPECT_NEAR(other.rows[k][c].second, same.rows[k][c].second, tolerance * same.rows[k][c].second)
+            << one.name << " " << same.rows[k][c].first;
+      }
+  }
+}
+
+/// The comparison above finds an effect that forgets: without its numbers a run goes on otherwise.
+TEST(ForgetfulEffect, IsFound)
+{
+  std::set<std::string> all, found;
+  for (const Case& one : ownCases())
+  {
+    const Teuchos::ParameterList scene = sceneOf(one);
+    const Record record = recordAfter(scene, one.steps / 2 + 3);
+    const Trace right = continuedFrom(scene, record, one.steps);
+    std::set<std::string> groups;
+    for (const auto& [path, table] : record)
+      if (path.rfind("effects/", 0) == 0)
+        groups.insert(path.substr(0, path.find('/', 8) + 1));
+    for (const std::string& group : groups)
+    {
+      all.insert(group);
+      if (found.count(group) != 0)
+        continue;
+      Record forgetful = record;
+      for (auto& [path, table] : forgetful)
+      {
+        const bool number = table.type == RecordTable::Type::Real || table.type == RecordTable::Type::Long;
+        if (path.rfind(group, 0) == 0 && number && path.find("spacing") == std::string::npos)
+          std::fill(table.bytes.begin(), table.bytes.end(), '\0');
+      }
+      if (!difference(right, continuedFrom(scene, forgetful, one.steps)).empty())
+        found.insert(group);
+    }
+  }
+  // What these two remember has long been replaced by the time of the next sample: the summary needs it where
+  // a run goes on at its very end, which the test before this one looks at.
+  for (const char* last : {"effects/Damping/", "effects/Energy Release/"})
+    found.insert(last);
+  EXPECT_EQ(found, all);
+  EXPECT_GE(all.size(), 8U);
+}
+
+/// A new effect needs a scene above, or one of its own among the verified.
+TEST(RestartedScenes, HaveEveryEffect)
+{
+  std::set<std::string> had;
+  for (const Case& one : allCases())
+  {
+    const Teuchos::ParameterList scene = sceneOf(one);
+    for (const EffectEntry& entry : knownEffects())
+      if (scene.isSublist(entry.section.name))
+        had.insert(entry.section.name);
+  }
+  for (const EffectEntry& entry : knownEffects())
+    EXPECT_EQ(had.count(entry.section.name), 1U) << entry.section.name;
+}

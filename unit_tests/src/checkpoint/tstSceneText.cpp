@@ -1,0 +1,58 @@
+/// What tells two scenes apart, and what may be different when a run goes on.
+
+#include "checkpoint/SceneText.hpp"
+#include "scene/Scene.hpp"
+#include "step/EffectSchema.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+using namespace Rhegma;
+
+namespace
+{
+
+using Lines = std::vector<std::string>;
+
+Lines linesOf(const std::vector<std::string>& overrides)
+{
+  const SceneResult result =
+      readScene(std::string(RHEGMA_SOURCE_DIR) + "/xml_inputs/examples/dcb.xml", overrides, effectSchema());
+  for (const SceneError& error : result.errors)
+    ADD_FAILURE() << toString(error);
+  return sceneLines(*result.list, effectSchema());
+}
+
+} // namespace
+
+TEST(SceneText, LeavesOutWhatMayChange)
+{
+  const Lines lines = linesOf({});
+  EXPECT_EQ(lines,
+            linesOf({"Time:Final Time=1", "Time:CFL=0.1", "Time:Maximum Steps=3", "Output:Fields=false",
+                     "Output:Checkpoint Interval=0.01", "Damping:Stop When Settled=false",
+                     "Damping:Settled Drift=0.5", "Damping:Settled Samples=9"}));
+  EXPECT_EQ(hashOfScene(lines), hashOfScene(linesOf({})));
+}
+
+TEST(SceneText, HasDefaultsToTheLastDigit)
+{
+  const Lines lines = linesOf({});
+  EXPECT_EQ(std::count(lines.begin(), lines.end(), "Time > PIC Fraction = 0"), 1);
+  EXPECT_NE(hashOfScene(lines), hashOfScene(linesOf({"Damping:Bulk Viscosity=1e-300"})));
+}
+
+TEST(SceneText, NamesTheFirstDifference)
+{
+  EXPECT_EQ(differenceOfScenes({"A", "A > x = 1"}, {"A", "A > x = 1"}), "");
+  EXPECT_EQ(differenceOfScenes({"A", "A > x = 1"}, {"A", "A > x = 2"}),
+            "A > x is \"1\" in the scene and \"2\" in the checkpoint");
+  EXPECT_EQ(differenceOfScenes({"A", "B"}, {"A"}), "B is in the scene and not in the checkpoint");
+  EXPECT_EQ(differenceOfScenes({"A"}, {"A", "B"}), "B is in the checkpoint and not in the scene");
+  EXPECT_EQ(differenceOfScenes({"A", "C"}, {"A", "B", "C"}), "B is in the checkpoint and not in the scene");
+  EXPECT_EQ(differenceOfScenes({"A", "B"}, {"B", "A"}),
+            "A has another place among its neighbours in the scene than in the checkpoint");
+}
