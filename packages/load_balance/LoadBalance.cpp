@@ -1,5 +1,6 @@
 #include "load_balance/LoadBalance.hpp"
 
+#include "checkpoint/Archive.hpp"
 #include "parallel/Subdomain.hpp"
 
 #include <Kokkos_Timer.hpp>
@@ -80,6 +81,14 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  if (state.step % interval == 0)
                    look(state, threshold, *account);
                }});
+  effect.memory = [account](State<D>&, Archive& archive)
+  {
+    archive("looks", account->looks);
+    archive("divisions", account->divisions);
+    archive("worst", account->worst);
+    archive("last", account->last);
+    archive("seconds", account->seconds);
+  };
   effect.report = [account](const State<D>& state, nlohmann::json& summary)
   {
     summary["load_balance"] = {{"imbalance", account->last},

@@ -29,6 +29,7 @@ Record stateOf(Simulation& simulation)
   std::remove(path.c_str());
   record.erase("wall_seconds");
   record.erase("run/stage_seconds");
+  record.erase("effects/Load Balance/seconds");
   return record;
 }
 
@@ -51,6 +52,7 @@ namespace
 void finish(Simulation& simulation, Trace& trace)
 {
   trace.report = simulation.report();
+  trace.report.erase("load_balance"); // has seconds
   trace.state = stateOf(simulation);
 }
 

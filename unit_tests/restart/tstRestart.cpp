@@ -127,6 +127,7 @@ std::vector<Case> ownCases()
       own("own_full_mass_cells", plate(pull, cells + section("Mass Matrix", text("Type", "Full"))), 80),
       own("own_partial_mass_cells", plate(pull, cells + section("Mass Matrix", text("Type", "Partial")))),
       own("own_series_mass", plate(pull, section("Mass Matrix", text("Type", "FMPM")))),
+      own("own_load_balance", plate(pull, section("Damping", "") + section("Load Balance", ""))),
       own("own_damping",
           plate(pull, release + section("Damping", real("Mass Rate", "300") + real("Settled Drift", "1e3") +
                                                        real("Settled Energy Ratio", "1e3")))),
