@@ -34,6 +34,14 @@ int firstOfShortSteps(const State<D>& state)
   return state.tree.deepest - std::min(state.subcycledLevels, state.tree.deepest) + 1;
 }
 
+/// Force of a tie on its node's own field along an axis [N]. \param sign of the node's side
+template <int D>
+KOKKOS_INLINE_FUNCTION double pullOf(const View<double * [D + 1]>& tie, const View<double* [D]>& jump,
+                                     int own, int axis, double sign)
+{
+  return -sign * tie(own, D) * jump(own, axis);
+}
+
 } // namespace
 
 template <int D>
@@ -171,7 +179,7 @@ void FrontTies<D>::addForces(State<D>& state) const
         const int own = nodes.parent(i), other = nodes.numLattice + i;
         for (int d = 0; d < D; ++d)
         {
-          tie(own, d) = -signOf(side(own)) * tie(own, D) * jump(own, d);
+          tie(own, d) = pullOf<D>(tie, jump, own, d, signOf(side(own)));
           nodes.sums(own, Nodes<D>::forceAt + d) += tie(own, d);
           nodes.sums(other, Nodes<D>::forceAt + d) -= tie(own, d);
         }
@@ -241,7 +249,7 @@ void FrontTies<D>::advance(State<D>& state) const
           const double moved = byMotion ? nodes.motion(own, d) - nodes.motion(other, d)
                                         : nodes.projection(own, d) - nodes.projection(other, d);
           jump(own, d) = both ? jump(own, d) + sign * dt * moved : 0.0;
-          tie(own, d) = -sign * tie(own, D) * jump(own, d);
+          tie(own, d) = pullOf<D>(tie, jump, own, d, sign);
           sum += 0.5 * tie(own, D) * jump(own, d) * jump(own, d);
         }
       });

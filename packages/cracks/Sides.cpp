@@ -1,5 +1,7 @@
 #include "cracks/Sides.hpp"
 
+#include "cracks/Nearest.hpp"
+
 #include <algorithm>
 #include <vector>
 
@@ -8,16 +10,6 @@ namespace Rhegma::cracks
 
 namespace
 {
-
-/// Square of a distance in parts of the band, above the number of a simplex, in one integer, so that the
-/// smallest is the nearest whatever the order of threads.
-constexpr std::uint64_t noSimplex = ~std::uint64_t(0);
-constexpr double parts = 1073741824.0; // 2^30
-
-KOKKOS_INLINE_FUNCTION std::uint64_t pack(double square, int simplex)
-{
-  return (static_cast<std::uint64_t>(square * parts) << 32) | static_cast<std::uint64_t>(simplex);
-}
 
 /// The box of a crack beyond which it does not matter to nodes.
 template <int D>
@@ -83,91 +75,6 @@ void clearNodeSides(const State<D>& state, const Surroundings& around)
         side(n) = 0;
         second(n) = -1;
         nearest(n) = noSimplex;
-      });
-}
-
-/// What a simplex tells a node: that it is that near, unless another is nearer.
-template <int D>
-struct TellNode
-{
-  View<std::uint64_t*> nearest;
-  Vector<D> corner[D], middle;
-  double radius, band, scale;
-  int simplex;
-
-  KOKKOS_INLINE_FUNCTION void operator()(int n, const Vector<D>& x) const
-  {
-    // No nearer than the sphere round the simplex.
-    const double apart = norm(x - middle) - radius;
-    if (apart > band || (apart > 0.0 && nearest(n) < pack(apart * apart * scale, 0)))
-      return;
-    const Vector<D> away = x - placeOf<D>(corner, footOn(corner, x));
-    const double square = dot(away, away) * scale;
-    if (square <= 1.0)
-      Kokkos::atomic_fetch_min(&nearest(n), pack(square, simplex));
-  }
-};
-
-/// Tells the nodes round each simplex of it; a node keeps the nearest.
-template <int D>
-void findNearest(const State<D>& state, const Surroundings& around)
-{
-  using Policy = Kokkos::TeamPolicy<ExecSpace>;
-  const Grid<D> grid = state.grid;
-  const CrackSight<D> sight(state.cracks, grid.spacing);
-  const View<std::uint64_t*> nearest = around.nearest;
-  const NodePlaces<D> places = nodePlaces(state);
-  const bool refined = state.tree.refined();
-  const View<int*> root = state.tree.root, fineBegin = state.tree.fineBegin, fineIn = state.tree.fineIn;
-  const double band = bandWidth * grid.spacing;
-  Kokkos::parallel_for(
-      "rhegma::cracks::findNearest", Policy(static_cast<int>(sight.simplex.extent(0)), Kokkos::AUTO),
-      KOKKOS_LAMBDA(const typename Policy::member_type& team) {
-        TellNode<D> tell;
-        tell.nearest = nearest;
-        tell.simplex = team.league_rank();
-        tell.band = band;
-        tell.scale = 1.0 / (band * band);
-        tell.radius = 0.0;
-        sight.corners(tell.simplex, tell.corner);
-        int first[D], count[D], all = 1;
-        for (int d = 0; d < D; ++d)
-        {
-          double low = tell.corner[0][d], high = tell.corner[0][d];
-          for (int i = 1; i < D; ++i)
-          {
-            low = tell.corner[i][d] < low ? tell.corner[i][d] : low;
-            high = tell.corner[i][d] > high ? tell.corner[i][d] : high;
-          }
-          tell.middle[d] = 0.5 * (low + high);
-          tell.radius += 0.25 * (high - low) * (high - low);
-          // The cell below the first node has nodes of its own in the band.
-          int last = static_cast<int>(grid.inCells(high, d) + bandWidth);
-          first[d] = static_cast<int>(grid.inCells(low, d) - bandWidth);
-          first[d] = first[d] < 0 ? 0 : first[d];
-          last = last > grid.cells[d] ? grid.cells[d] : last;
-          count[d] = last < first[d] ? 0 : last - first[d] + 1;
-          all *= count[d];
-        }
-        tell.radius = std::sqrt(tell.radius);
-        Kokkos::parallel_for(Kokkos::TeamThreadRange(team, all),
-                             [&](const int k)
-                             {
-                               int at[D], rest = k;
-                               Vector<D> x;
-                               for (int d = 0; d < D; ++d)
-                               {
-                                 at[d] = first[d] + rest % count[d];
-                                 rest /= count[d];
-                                 x[d] = grid.origin[d] + at[d] * grid.spacing;
-                               }
-                               const int n = grid.nodeIndex(at);
-                               tell(n, x);
-                               const int branch = refined ? root(n) : -1;
-                               for (int i = branch < 0 ? 0 : fineBegin(branch);
-                                    branch >= 0 && i < fineBegin(branch + 1); ++i)
-                                 tell(fineIn(i), places(fineIn(i)));
-                             });
       });
 }
 

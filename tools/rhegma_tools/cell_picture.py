@@ -94,7 +94,7 @@ def draw_cells(fields, title, path, stress="principal"):
     particles = draw_particles(close, [outline * close_factor for outline in outlines], values[drawn] * stress_factor,
                                colour_map, norm)
     loops = [ratio * np.vstack([rectangle, rectangle[:1]]) for rectangle in rectangles[near]]
-    close.add_collection(LineCollection(loops, colors=style.INK, linewidths=0.5))
+    close.add_collection(LineCollection(loops, colors=style.INK, linewidths=0.8))
     draw_crack(close, [ratio * face for face in segments], [], 1.5)
     close.set_xlim(corner[0] * close_factor, opposite[0] * close_factor)
     close.set_ylim(corner[1] * close_factor, opposite[1] * close_factor)

@@ -82,14 +82,16 @@ double unevenness(int level, int steps)
 
 } // namespace
 
-/// Places and boxes are those before the pull, so what is off is of the order of the strain, 1e-6.
+/// Places and boxes are those before the pull, so that forces are out of balance by the share of the strain,
+/// 1e-6 along each axis, and a sudden load is answered by twice the stress that balances it. Ends, sides and
+/// the step at which a wave from one meets that from another each add such a share: ten are many.
 TEST(LoadedFace, isInBalanceWithAUniformStressIn2D)
 {
   for (const int level : {1, 2, 3, 4})
-    EXPECT_LT(unevenness<2>(level, 40), 1e-4);
+    EXPECT_LT(unevenness<2>(level, 40), 10.0 * pull);
 }
 
-TEST(LoadedFace, isInBalanceWithAUniformStressIn3D) { EXPECT_LT(unevenness<3>(3, 10), 1e-4); }
+TEST(LoadedFace, isInBalanceWithAUniformStressIn3D) { EXPECT_LT(unevenness<3>(3, 10), 10.0 * pull); }
 
 } // namespace Test
 } // namespace Rhegma

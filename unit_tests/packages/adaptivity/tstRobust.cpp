@@ -39,21 +39,34 @@ void addRegion(Teuchos::ParameterList& scene, const Vector<D>& lower, const Vect
   box.set("Level", level);
 }
 
-/// Adds a smooth motion of its own, of 1 cm/s.
+/// Adds a smooth motion of its own, of 1 cm/s and waves of 8 m. \return its energy, as a share of all
 template <int D>
-void stir(State<D>& state)
+double stir(State<D>& state)
 {
+  measureEnergy(state);
+  const double before = state.energy.kinetic;
   const HostParticles<D> particles(state);
   for (int p = 0; p < particles.size; ++p)
     for (int d = 0; d < D; ++d)
       particles.velocity(p, d) +=
           0.01 * std::cos(0.25 * 3.14159265358979 * particles.position(p, (d + 1) % D));
   particles.store(state);
+  measureEnergy(state);
+  return (state.energy.kinetic - before) / state.energy.kinetic;
+}
+
+/// Share by which the energy of that motion wavers: kinetic and strain energy belong to times half a step
+/// apart, and no wave is faster than a dilatational one. \param dt longest step
+double wavering(double dt)
+{
+  const double wave = std::sqrt(0.7 / (1.3 * 0.4)), frequency = 0.25 * 3.14159265358979 * wave;
+  return 0.5 * frequency * dt;
 }
 
 struct Kept
 {
   double energy = 0.0, momentum = 0.0; ///< largest changes, as shares
+  double dt = 0.0;                     ///< longest step [s]
   int fewest = 0, most = 0;
 };
 
@@ -75,6 +88,7 @@ Kept keep(Run<D>& run, int steps, const Between& between)
     measureEnergy(state);
     const double now =
         state.energy.kinetic + state.energy.strain + state.energy.merged + merged - state.energy.externalWork;
+    kept.dt = std::max(kept.dt, state.dt);
     kept.energy = std::max(kept.energy, std::fabs(now / energy - 1.0));
     kept.momentum = std::max(kept.momentum, norm(state.momentum - momentum) / norm(momentum));
     kept.fewest = std::min(kept.fewest, state.particles.size());
@@ -97,11 +111,12 @@ void checkCorner(int level, int steps)
   run.initialize();
   EXPECT_EQ(run.state().tree.deepest, level);
   const int before = run.state().particles.size();
-  stir(run.state());
+  const double stirred = stir(run.state());
   const Kept kept = keep(run, steps, nothing);
-  std::printf("%d levels at a corner in %dD: %d particles, %d to %d; energy by %.1e, momentum by %.1e\n",
-              level, D, before, kept.fewest, kept.most, kept.energy, kept.momentum);
-  EXPECT_LT(kept.energy, 1e-3);
+  std::printf(
+      "%d levels at a corner in %dD: %d particles, %d to %d; energy by %.1e of %.1e, momentum by %.1e\n",
+      level, D, before, kept.fewest, kept.most, kept.energy, stirred * wavering(kept.dt), kept.momentum);
+  EXPECT_LT(kept.energy, stirred * wavering(kept.dt));
   EXPECT_LT(kept.momentum, 1e-12);
 }
 
@@ -110,7 +125,8 @@ void checkCorner(int level, int steps)
 TEST(Robust, sixLevelsAtACornerIn2D) { checkCorner<2>(6, 300); }
 TEST(Robust, fourLevelsAtACornerIn3D) { checkCorner<3>(4, 40); }
 
-/// The block slides along a wall, in part refined, and vibrates.
+/// The block slides along a wall, in part refined, and vibrates. The wall stops what its nodes, half a cell
+/// of the block's four, do towards it, and the energy wavers.
 TEST(Robust, refinedAtABoundary)
 {
   Teuchos::ParameterList scene = flyingBlock<2>(-0.2);
@@ -124,15 +140,15 @@ TEST(Robust, refinedAtABoundary)
   Rhegma::Run<2> run(validated(scene));
   run.initialize();
   State<2>& state = run.state();
-  stir(state);
-  measureEnergy(state);
+  const double stirred = stir(state);
   const double energy = state.energy.kinetic + state.energy.strain, along = state.momentum[0];
-  double off = 0.0, drift = 0.0, lowest = 1.0;
+  double off = 0.0, drift = 0.0, lowest = 1.0, dt = 0.0;
   int most = 0, fewest = state.particles.size();
   while (state.time < 15.0)
   {
     run.step(1e30, false);
     measureEnergy(state);
+    dt = std::max(dt, state.dt);
     const double now = state.energy.kinetic + state.energy.strain + state.energy.merged;
     off = std::max(off, std::fabs((now - state.energy.externalWork) / energy - 1.0));
     drift = std::max(drift, std::fabs(state.momentum[0] / along - 1.0));
@@ -146,13 +162,13 @@ TEST(Robust, refinedAtABoundary)
       "at a wall: energy by %.1e, momentum along it by %.1e, lowest particle at %.4f m, %d to %d particles\n",
       off, drift, lowest, fewest, most);
   EXPECT_GT(most, fewest);
-  EXPECT_LT(off, 0.01);
+  EXPECT_LT(off, stirred * (wavering(dt) + 0.5 / 4.0));
   EXPECT_LT(drift, 1e-12);
   EXPECT_GT(lowest, 0.0);
 }
 
 /// Two cracks in line whose fronts are as close as cracks may be, 3 large cells, and a little more: what is
-/// refined around them overlaps.
+/// refined around them overlaps. Energies are known to half a step, and so to half of what loads give in one.
 TEST(Robust, aroundTwoFrontsCloseTogether)
 {
   for (const double apart : {3.05, 3.6})
@@ -179,14 +195,19 @@ TEST(Robust, aroundTwoFrontsCloseTogether)
     run.initialize();
     State<2>& state = run.state();
     EXPECT_EQ(state.tree.deepest, 3);
+    double most = 0.0; // work in a step
     for (int k = 0; k < 400; ++k)
+    {
+      const double before = state.energy.externalWork;
       run.step(1e30, false);
+      most = std::max(most, std::fabs(state.energy.externalWork - before));
+    }
     measureEnergy(state);
     const double energy = state.energy.kinetic + state.energy.strain;
-    std::printf("fronts %.2f m apart: energy %.3e J, %.3e J from loads\n", apart, energy,
-                state.energy.externalWork);
+    std::printf("fronts %.2f m apart: energy %.4e J, %.4e J from loads, no more than %.1e J in a step\n",
+                apart, energy, state.energy.externalWork, most);
     EXPECT_GT(energy, 0.0);
-    EXPECT_NEAR(energy, state.energy.externalWork, 0.02 * state.energy.externalWork);
+    EXPECT_NEAR(energy, state.energy.externalWork, 0.5 * most);
   }
 }
 
@@ -225,7 +246,8 @@ Kept toggled(bool on)
 
 } // namespace
 
-/// Energy swings as it does in large cells that stay.
+/// Energy swings with the length of the steps, of which every second one is shorter where cells come and go:
+/// less than in large cells that stay.
 TEST(Robust, onAndOffEveryStep)
 {
   const Kept plain = toggled(false), kept = toggled(true);
@@ -233,7 +255,7 @@ TEST(Robust, onAndOffEveryStep)
   EXPECT_EQ(kept.fewest, plain.fewest);
   EXPECT_GT(kept.most, plain.most);
   EXPECT_LT(kept.momentum, 1e-12);
-  EXPECT_LT(kept.energy, 1.1 * plain.energy);
+  EXPECT_LT(kept.energy, plain.energy);
 }
 
 /// Refined, large, and refined again in the same places: the numbers of nodes are those of before.

@@ -1,0 +1,17 @@
+#pragma once
+/// The part of a crack that is nearest to a node.
+
+#include "cracks/Sides.hpp"
+
+namespace Rhegma::cracks
+{
+
+/// In Surroundings::nearest, where no simplex is near.
+constexpr std::uint64_t noSimplex = ~std::uint64_t(0);
+
+/// Tells the nodes round each simplex of it; a node keeps the nearest, whatever the order of threads.
+/// Surroundings::nearest must hold noSimplex before.
+template <int D>
+void findNearest(const State<D>& state, const Surroundings& around);
+
+} // namespace Rhegma::cracks

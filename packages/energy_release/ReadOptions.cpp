@@ -1,0 +1,163 @@
+#include "energy_release/ReadOptions.hpp"
+
+#include "scene/Numbers.hpp"
+#include "scene/ReadList.hpp"
+
+#include <algorithm>
+
+namespace Rhegma::energy_release
+{
+
+Section energyReleaseSection()
+{
+  Section s("Energy Release",
+            "Energy release rate and stress intensities of every crack front, at every sample.");
+  s.real("Inner Radius")
+      .unit("m")
+      .positive()
+      .optional("3 cells, or half of Outer Radius where that is less")
+      .meaning("The weight of the domain integrals is 1 up to this distance from the front. Take 5 cells "
+               "round a front "
+               "that runs: a closer contour cuts its cohesive zone.");
+  s.real("Outer Radius")
+      .unit("m")
+      .positive()
+      .optional("6 cells or twice a given Inner Radius, less where that leaves the body or reaches another "
+                "front or crack")
+      .meaning(
+          "The weight falls to 0 at this distance. One that is given must be inside the body and clear of "
+          "other fronts.");
+  s.boolean("Contour Integral")
+      .byDefault(true)
+      .meaning(
+          "Find J and the stress intensities by domain integrals. Without them crack closure works on cells "
+          "that are too large for a contour inside the body.");
+  s.boolean("Crack Closure")
+      .byDefault(true)
+      .meaning(
+          "Also find the energy release rate from the forces ahead of the front and the opening behind it, "
+          "where a front starts along a direction of the grid and Cracks > Formulation is not Broken Cell.");
+  s.boolean("Lumped Closure")
+      .byDefault(false)
+      .meaning("Also report crack closure with the opening of a lumped projection, which is 7 to 25 % low "
+               "whatever the "
+               "cells.");
+  s.integer("Closure Cells").range(1, 2).byDefault(1).meaning("Columns of cells that crack closure closes.");
+  s.choice("Closure Recovery", {"Consistent", "Lumped", "Mass Matrix"})
+      .byDefault("Consistent")
+      .meaning("The matrix that crack closure recovers the displacement of nodes with: the consistent mass, "
+               "its row "
+               "sums, or what the section Mass Matrix says (row sums where there is none).");
+  return s;
+}
+
+void checkEnergyRelease(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
+{
+  if (!scene.isSublist("Energy Release"))
+    return;
+  if (!scene.isSublist("Cracks"))
+    errors.push_back({"Energy Release",
+                      "there is no crack whose energy release could be found; add a section Cracks or "
+                      "take this section out"});
+  const Teuchos::ParameterList& list = scene.sublist("Energy Release");
+  const auto refused = [&](const char* name) { return list.isType<bool>(name) && !list.get<bool>(name); };
+  const bool contour = !refused("Contour Integral");
+  const auto formulation = [&] // the opening of Broken Cell is not known
+  {
+    const bool given =
+        scene.isSublist("Cracks") && scene.sublist("Cracks").isType<std::string>("Formulation");
+    return given ? scene.sublist("Cracks").get<std::string>("Formulation") : std::string();
+  };
+  if (!contour && (refused("Crack Closure") || formulation() == "Broken Cell"))
+    errors.push_back({"Energy Release > Contour Integral",
+                      "nothing is left to find without crack closure; set this to true or take the "
+                      "section Energy Release out"});
+  if (!scene.isSublist("Domain"))
+    return;
+  const Teuchos::ParameterList& domain = scene.sublist("Domain");
+  if (domain.isType<int>("Dimension") && domain.get<int>("Dimension") == 3)
+    errors.push_back({"Energy Release", "it is for 2D scenes as yet; take this section out"});
+  if (!contour || !domain.isType<double>("Cell Size"))
+    return;
+  for (const SceneError& error : errors)
+    if (error.where == "Domain > Cell Size") // what follows from a wrong cell says nothing
+      return;
+  const double cell = domain.get<double>("Cell Size");
+  GivenRadii given;
+  if (list.isType<double>("Inner Radius"))
+    given.inner = list.get<double>("Inner Radius");
+  if (list.isType<double>("Outer Radius"))
+    given.outer = list.get<double>("Outer Radius");
+  const auto [inner, outer] = usualRadii(given, cell);
+  if (outer < inner + cell)
+    errors.push_back({"Energy Release > Outer Radius",
+                      "the weight must fall over at least one cell of " + formatReal(cell) +
+                          " m; write at least " + formatReal(inner + cell) + ", or a smaller Inner Radius"});
+}
+
+namespace
+{
+
+/// What the section Mass Matrix says.
+RecoveryMatrix matrixOfTheMotion(const Teuchos::ParameterList& scene)
+{
+  if (!scene.isSublist("Mass Matrix"))
+    return lumpedMatrix();
+  const Teuchos::ParameterList& list = scene.sublist("Mass Matrix");
+  const auto type = list.get<std::string>("Type");
+  if (type == "Lumped")
+    return lumpedMatrix();
+  RecoveryMatrix matrix = consistentMatrix();
+  if (type == "FMPM")
+  {
+    matrix.terms = list.get<int>("Order");
+    return matrix;
+  }
+  matrix.lumpedShare = std::max(matrix.lumpedShare, list.get<double>("Lumped Share"));
+  matrix.smallestNode = list.get<double>("Smallest Node");
+  if (type == "Partial")
+  {
+    const auto length = [&](const char* name)
+    { return list.isParameter(name) ? list.get<double>(name) : 0.0; };
+    matrix.radius = length("Radius");
+    matrix.edge = length("Edge Width");
+    // As Mass Matrix has them where they are not given.
+    matrix.radiusCells = list.isParameter("Radius") ? 0.0 : 3.0;
+    matrix.edgeCells = list.isParameter("Edge Width") ? 0.0 : 1.0;
+  }
+  return matrix;
+}
+
+RecoveryMatrix readRecovery(const Teuchos::ParameterList& scene)
+{
+  const auto choice = scene.sublist("Energy Release").get<std::string>("Closure Recovery");
+  if (choice == "Mass Matrix")
+    return matrixOfTheMotion(scene);
+  return choice == "Lumped" ? lumpedMatrix() : consistentMatrix();
+}
+
+} // namespace
+
+Options readOptions(const Teuchos::ParameterList& scene)
+{
+  const Teuchos::ParameterList& list = scene.sublist("Energy Release");
+  const Teuchos::ParameterList& cracks = scene.sublist("Cracks");
+  Options options;
+  if (cracks.isParameter("Formulation"))
+    options.openingKnown = cracks.get<std::string>("Formulation") != "Broken Cell";
+  if (list.isParameter("Inner Radius"))
+    options.radii.inner = list.get<double>("Inner Radius");
+  if (list.isParameter("Outer Radius"))
+    options.radii.outer = list.get<double>("Outer Radius");
+  options.contour = list.get<bool>("Contour Integral");
+  options.closure = list.get<bool>("Crack Closure");
+  if (scene.isSublist("Face Pressure"))
+    for (const std::string& name : sublistNames(scene.sublist("Face Pressure")))
+      options.pushed.insert(name);
+  options.lumped = list.get<bool>("Lumped Closure");
+  options.columns = list.get<int>("Closure Cells");
+  options.recovery = readRecovery(scene);
+  return options;
+}
+
+} // namespace Rhegma::energy_release

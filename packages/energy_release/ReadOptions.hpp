@@ -1,0 +1,35 @@
+#pragma once
+/// What a scene asks of energy release rates.
+
+#include "energy_release/Contour.hpp"
+#include "energy_release/CrackClosure.hpp"
+#include "step/Effect.hpp"
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace Rhegma::energy_release
+{
+
+struct Options
+{
+  GivenRadii radii;
+  bool contour = true; ///< domain integrals are wanted
+  bool closure = true;
+  std::set<std::string> pushed; ///< cracks with Face Pressure, of which closure would leave out the pressure
+  bool lumped = false;
+  bool openingKnown = true; ///< shape functions without linear completeness give no opening to close
+  int columns = 1;
+  RecoveryMatrix recovery = consistentMatrix();
+};
+
+/// The section `Energy Release`.
+Section energyReleaseSection();
+
+/// What of it does not go with the rest of the scene.
+void checkEnergyRelease(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors);
+
+Options readOptions(const Teuchos::ParameterList& scene);
+
+} // namespace Rhegma::energy_release
