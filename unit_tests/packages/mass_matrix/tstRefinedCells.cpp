@@ -274,7 +274,7 @@ TEST(MassOnRefinedCells, StretchesEvenlyWhereAllIsHeld)
 /// The step is that of the smallest cells, at a CFL number of 0.4 or less.
 TEST(MassOnRefinedCells, LimitsTheStepByItsSmallestCells)
 {
-  double step[2];
+  double step[2] = {};
   for (const bool full : {false, true})
   {
     Teuchos::ParameterList scene = squareScene("MUSL", "GIMP", 17.0);
