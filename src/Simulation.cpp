@@ -102,8 +102,18 @@ public:
         if (observer)
           observer(state.time, state.row);
       }
-      if (afterStep)
-        afterStep(state.time, state.step);
+      try
+      {
+        if (afterStep)
+          afterStep(state.time, state.step);
+      }
+      catch (...)
+      {
+        // Who stops the run, on all ranks at once, reads the books as they are now.
+        measureEnergy(state);
+        shareBooks(state);
+        throw;
+      }
     }
   }
 

@@ -19,8 +19,12 @@ struct Account
 {
   long looks = 0, divisions = 0;
   double worst = 1.0, last = 1.0; ///< largest over mean cost of a rank, as found
+  double left = 1.0;              ///< the same after the last division
   double seconds = 0.0;
 };
+
+/// So many times what a division has left is worth another one.
+constexpr double grown = 1.02;
 
 Section section()
 {
@@ -53,11 +57,13 @@ void look(State<D>& state, double threshold, Account& account)
   account.last = imbalance(state);
   account.worst = std::max(account.worst, account.last);
   ++account.looks;
-  if (state.ranks.many() && account.last > threshold)
+  // Cells may be too large for the threshold: what a division has left is divided again only when it has
+  // grown.
+  if (state.ranks.many() && account.last > threshold && account.last > grown * account.left)
   {
     redivideState(state);
     ++account.divisions;
-    account.last = imbalance(state);
+    account.left = account.last = imbalance(state);
   }
   account.seconds += timer.seconds();
 }

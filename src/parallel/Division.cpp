@@ -31,6 +31,32 @@ CellBox<D> wholeDomain(const Grid<D>& lattice)
   return all;
 }
 
+/// Fewer cells than these along an axis are not worth a cut: a column of cells is cut across.
+constexpr double leastCells = 8.0;
+
+/// The axes worth cutting, the one first along which the places of all ranks reach furthest.
+template <int D>
+std::vector<int> axesToCut(const Ranks& ranks, const std::vector<double> (&x)[D])
+{
+  double ends[2 * D]; // -lowest, highest
+  std::fill(ends, ends + 2 * D, -1e300);
+  for (int d = 0; d < D; ++d)
+    for (const double cell : x[d])
+    {
+      ends[2 * d] = std::max(ends[2 * d], -cell);
+      ends[2 * d + 1] = std::max(ends[2 * d + 1], cell);
+    }
+  ranks.max(ends, 2 * D);
+  std::vector<int> axes(D);
+  std::iota(axes.begin(), axes.end(), 0);
+  const auto length = [&](int d) { return ends[2 * d] + ends[2 * d + 1] + 1.0; };
+  std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) { return length(a) > length(b); });
+  while (axes.size() > 1 &&
+         (length(axes.back()) < leastCells || length(axes.back()) * ranks.size() < length(axes.front())))
+    axes.pop_back();
+  return axes;
+}
+
 } // namespace
 
 template <int D>
@@ -73,13 +99,15 @@ Division<D> divide(const Ranks& ranks, const Grid<D>& lattice, const std::vector
     return division;
   // In cells, so that a cut at a whole number is a face between cells.
   const int count = static_cast<int>(places.size());
-  std::vector<double> x[3];
-  for (int d = 0; d < 3; ++d)
+  std::vector<double> x[D];
+  for (int d = 0; d < D; ++d)
     for (int k = 0; k < count; ++k)
-      x[d].push_back(d < D ? std::floor(lattice.inCells(places[k][d], d)) + 0.5 : 0.0);
+      x[d].push_back(std::floor(lattice.inCells(places[k][d], d)) + 0.5);
+  const std::vector<int> axes = axesToCut<D>(ranks, x);
+  const auto along = [&](std::size_t k) { return k < axes.size() ? x[axes[k]].data() : nullptr; };
   std::vector<long long> ids(count);
   std::iota(ids.begin(), ids.end(), static_cast<long long>(ranks.rank()) << 32);
-  const Adapter adapter(count, ids.data(), x[0].data(), x[1].data(), D == 3 ? x[2].data() : nullptr);
+  const Adapter adapter(count, ids.data(), along(0), along(1), along(2));
   Teuchos::ParameterList settings;
   settings.set("algorithm", "multijagged");
   settings.set("num_global_parts", ranks.size());
@@ -90,27 +118,23 @@ Division<D> divide(const Ranks& ranks, const Grid<D>& lattice, const std::vector
   problem.solve();
   const auto& parts = problem.getSolution().getPartBoxesView();
   const CellBox<D> all = wholeDomain(lattice);
-  double first[3], last[3];
-  for (int d = 0; d < D; ++d)
+  for (std::size_t k = 0; k < axes.size(); ++k)
   {
-    first[d] = 1e300;
-    last[d] = -1e300;
+    const int d = axes[k];
+    double first = 1e300, last = -1e300;
     for (const auto& part : parts)
     {
-      first[d] = std::min(first[d], part.getlmins()[d]);
-      last[d] = std::max(last[d], part.getlmaxs()[d]);
+      first = std::min(first, part.getlmins()[k]);
+      last = std::max(last, part.getlmaxs()[k]);
     }
-  }
-  for (const auto& part : parts)
-  {
-    CellBox<D>& box = division.boxes[part.getpId()];
-    for (int d = 0; d < D; ++d)
+    for (const auto& part : parts)
     {
       // The outermost boxes end at the last places; the domain reaches further.
       const auto face = [&](double cut)
       { return std::clamp(static_cast<int>(std::ceil(cut - 0.5)), all.low[d], all.high[d]); };
-      box.low[d] = part.getlmins()[d] <= first[d] ? all.low[d] : face(part.getlmins()[d]);
-      box.high[d] = part.getlmaxs()[d] >= last[d] ? all.high[d] : face(part.getlmaxs()[d]);
+      CellBox<D>& box = division.boxes[part.getpId()];
+      box.low[d] = part.getlmins()[k] <= first ? all.low[d] : face(part.getlmins()[k]);
+      box.high[d] = part.getlmaxs()[k] >= last ? all.high[d] : face(part.getlmaxs()[k]);
     }
   }
   return division;

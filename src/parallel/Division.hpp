@@ -24,7 +24,8 @@ struct CellBox
   }
 };
 
-/// A box of cells for each rank; together they are the cells of the domain, each once.
+/// A box of cells for each rank; together they are the cells of the domain. Where cuts fall on the first or
+/// last places boxes overlap: a cell belongs to the first that holds it.
 template <int D>
 struct Division
 {

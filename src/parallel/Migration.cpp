@@ -103,8 +103,7 @@ std::vector<int> ownersOf(const State<D>& state, const Division<D>& division)
       x[d] = position(p, d);
     int cell[D];
     division.cellAt(x, cell);
-    // Most are at home.
-    owner[p] = division.boxes[state.ranks.rank()].holds(cell) ? state.ranks.rank() : division.ownerOf(cell);
+    owner[p] = division.ownerOf(cell);
   }
   return owner;
 }

@@ -39,6 +39,13 @@ struct Ranks::Holder
 Ranks::Ranks(const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
     : holder_(std::make_shared<Holder>(Holder{comm})), rank_(comm->getRank()), size_(comm->getSize())
 {
+  if (!many())
+    return;
+  MPI_Comm machine;
+  MPI_Comm_split_type(*dynamic_cast<const Teuchos::MpiComm<int>&>(*comm).getRawMpiComm(),
+                      MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &machine);
+  MPI_Comm_size(machine, &onThisMachine_);
+  MPI_Comm_free(&machine);
 }
 
 const Teuchos::RCP<const Teuchos::Comm<int>>& Ranks::comm() const

@@ -27,6 +27,8 @@ public:
   int rank() const { return rank_; }
   int size() const { return size_; }
   bool many() const { return size_ > 1; }
+  /// How many of them share this one's memory.
+  int onThisMachine() const { return onThisMachine_; }
 
   /// Replaces each value by its sum over the ranks.
   void sum(double* values, int count) const;
@@ -47,7 +49,7 @@ public:
 private:
   struct Holder;
   std::shared_ptr<const Holder> holder_;
-  int rank_ = 0, size_ = 1;
+  int rank_ = 0, size_ = 1, onThisMachine_ = 1;
 };
 
 } // namespace Rhegma

@@ -2,6 +2,7 @@
 
 #include "parallel/Migration.hpp"
 
+#include <stdexcept>
 #include <vector>
 
 namespace Rhegma
@@ -32,6 +33,14 @@ std::vector<Vector<D>> placesOf(const State<D>& state, long begin, long end)
   return places;
 }
 
+/// Throws std::logic_error, on all ranks, where particles were lost or are on two of them.
+template <int D>
+void demandAllParticles(const State<D>& state)
+{
+  if (state.ranks.sum(state.particles.size()) != state.particlesOfAllRanks)
+    throw std::logic_error("the ranks together do not hold every particle once");
+}
+
 /// Takes this rank's part of the lattice, without anything on its nodes.
 template <int D>
 void settle(State<D>& state, const Division<D>& division)
@@ -43,6 +52,7 @@ void settle(State<D>& state, const Division<D>& division)
   state.nodes.foreign = state.subdomain->halo.foreign();
   ++state.tree.generation; // who keeps values by node makes them anew
   state.sorted = false;
+  demandAllParticles(state);
 }
 
 } // namespace

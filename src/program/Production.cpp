@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <new>
+#include <optional>
 #include <unistd.h>
 
 namespace Rhegma::program
@@ -20,6 +21,7 @@ namespace
 /// Prepares the folder and opens the history in it; on all ranks but the first one that holds nothing.
 History beginHistory(const std::string& folder, const EarlierPart& earlier, const Ranks& ranks)
 {
+  std::optional<History> history;
   onFirstRank<std::invalid_argument>(ranks,
                                      [&]
                                      {
@@ -28,9 +30,13 @@ History beginHistory(const std::string& folder, const EarlierPart& earlier, cons
                                          removeOldResults(folder);
                                        else
                                          earlier.bring();
+                                       const std::string path = folder + "/history.csv";
+                                       if (earlier.history().bytes > 0)
+                                         history.emplace(path, earlier.history());
+                                       else
+                                         history.emplace(path);
                                      });
-  const std::string path = ranks.rank() == 0 ? folder + "/history.csv" : "/dev/null";
-  return earlier.history().bytes > 0 ? History(path, earlier.history()) : History(path);
+  return history ? std::move(*history) : History("/dev/null");
 }
 
 double historyInterval(const Teuchos::ParameterList& scene)
@@ -177,12 +183,15 @@ void Production::advanceFromFieldToField()
 
 void Production::stopIfAsked(double time, long step)
 {
-  const std::string unwritten = ranks_.firstText(unwritten_);
-  if (!unwritten.empty())
-    throw OutputError(unwritten);
-  const std::string signal = ranks_.firstText(signal_.name());
-  if (!signal.empty())
-    throw RunError("the run was stopped by " + signal + " at time " + formatReal(time) + " s, step " +
+  // One look for both; the first letter tells them apart.
+  const std::string signal = signal_.name();
+  const std::string why = ranks_.firstText(!unwritten_.empty() ? "W" + unwritten_
+                                           : !signal.empty()   ? "S" + signal
+                                                               : std::string());
+  if (!why.empty() && why[0] == 'W')
+    throw OutputError(why.substr(1));
+  if (!why.empty())
+    throw RunError("the run was stopped by " + why.substr(1) + " at time " + formatReal(time) + " s, step " +
                    std::to_string(step) + checkpoints_.atStop());
 }
 

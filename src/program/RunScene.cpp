@@ -46,9 +46,13 @@ void printErrors(const std::vector<SceneError>& errors, std::ostream& err)
 Teuchos::RCP<Teuchos::ParameterList> validScene(const Options& options, std::ostream& err)
 {
   const SceneResult result = readScene(options.scene, options.overrides, effectSchema());
-  if (result.errors.empty())
+  // A file may be there for some ranks only.
+  std::ostringstream own;
+  printErrors(result.errors, own);
+  const std::string errors = Ranks(world()).firstText(own.str());
+  if (errors.empty())
     return result.list;
-  printErrors(result.errors, err);
+  err << errors;
   return Teuchos::null;
 }
 

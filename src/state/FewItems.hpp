@@ -20,6 +20,19 @@ using OneThread = std::conditional_t<onHost, Kokkos::Serial, ExecSpace>;
 #else
 using OneThread = ExecSpace;
 #endif
+
+/// Calls call(space) with the execution space that is through sooner with `count` items.
+template <int limit, class Call>
+void whereSooner([[maybe_unused]] int count, const Call& call)
+{
+  if constexpr (!std::is_same_v<OneThread, ExecSpace>)
+    if (count <= limit)
+    {
+      call(OneThread());
+      return;
+    }
+  call(ExecSpace());
+}
 } // namespace detail
 
 /// Runs work(k) for k = begin .. end - 1, on a host by one thread where they are few. A device takes all at
@@ -27,10 +40,9 @@ using OneThread = ExecSpace;
 template <int limit = fewItems, class Work>
 void forFew(const char* label, int begin, int end, const Work& work)
 {
-  if (end - begin <= limit)
-    Kokkos::parallel_for(label, Kokkos::RangePolicy<detail::OneThread>(begin, end), work);
-  else
-    Kokkos::parallel_for(label, Kokkos::RangePolicy<ExecSpace>(begin, end), work);
+  detail::whereSooner<limit>(
+      end - begin, [&](auto space)
+      { Kokkos::parallel_for(label, Kokkos::RangePolicy<decltype(space)>(begin, end), work); });
 }
 
 template <class Work>
@@ -44,10 +56,9 @@ void forFew(const char* label, int count, const Work& work)
 template <class Work, class... Sums>
 void sumFew(const char* label, int begin, int end, const Work& work, Sums&&... sums)
 {
-  if (end - begin <= fewItems)
-    Kokkos::parallel_reduce(label, Kokkos::RangePolicy<detail::OneThread>(begin, end), work, sums...);
-  else
-    Kokkos::parallel_reduce(label, Kokkos::RangePolicy<ExecSpace>(begin, end), work, sums...);
+  detail::whereSooner<fewItems>(
+      end - begin, [&](auto space)
+      { Kokkos::parallel_reduce(label, Kokkos::RangePolicy<decltype(space)>(begin, end), work, sums...); });
 }
 
 template <class Value, class Work>
@@ -62,10 +73,9 @@ Value sumFew(const char* label, int count, const Work& work)
 template <class Work>
 void scanFew(const char* label, int begin, int end, const Work& work, int& count)
 {
-  if (end - begin <= fewItems)
-    Kokkos::parallel_scan(label, Kokkos::RangePolicy<detail::OneThread>(begin, end), work, count);
-  else
-    Kokkos::parallel_scan(label, Kokkos::RangePolicy<ExecSpace>(begin, end), work, count);
+  detail::whereSooner<fewItems>(
+      end - begin, [&](auto space)
+      { Kokkos::parallel_scan(label, Kokkos::RangePolicy<decltype(space)>(begin, end), work, count); });
 }
 
 } // namespace Rhegma

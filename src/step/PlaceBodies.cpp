@@ -49,7 +49,8 @@ void refuseTooMuch(const std::vector<PlacedBody<D>>& bodies, const State<D>& sta
   const double perNode =
       (Nodes<D>::sumWidth + Nodes<D>::motionWidth + Nodes<D>::projectionWidth) * sizeof(double) +
       2.0 * sizeof(int);
-  refuseWithoutMemory(state.grid.numNodes, perNode, particles, perParticle, freeMemoryBytes());
+  refuseWithoutMemory(state.grid.numNodes, perNode, particles, perParticle,
+                      freeMemoryBytes() / state.ranks.onThisMachine());
 }
 
 template <int D>

@@ -52,6 +52,27 @@ Run<D>::Run(const Teuchos::ParameterList& scene, std::vector<Effect<D>> own, con
 template <int D>
 void Run<D>::initialize()
 {
+  if (!state_.ranks.many())
+    return makeAll();
+  // A rank may refuse alone, say for want of memory: none goes on without it.
+  std::string wrong;
+  try
+  {
+    makeAll();
+  }
+  catch (const std::invalid_argument& error)
+  {
+    wrong = error.what();
+  }
+  wrong = state_.ranks.firstText(wrong);
+  if (!wrong.empty())
+    throw std::invalid_argument(wrong);
+  divideState(state_);
+}
+
+template <int D>
+void Run<D>::makeAll()
+{
   std::vector<Effect<D>> effects;
   std::vector<Field> extra;
   for (const EffectEntry& entry : knownEffects())
@@ -83,7 +104,6 @@ void Run<D>::initialize()
   state_.fastest = fastestSpeed(state_);
   attempts.attempt([&] { refuseEndless(); });
   attempts.complain();
-  divideState(state_);
 }
 
 template <int D>

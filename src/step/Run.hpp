@@ -47,6 +47,7 @@ public:
   std::vector<std::string> effectNames() const;
 
 private:
+  void makeAll();
   void refuseEndless() const;
   /// Makes what ranks must know of each other before the next step the same on all: the fastest speed,
   /// whether somebody must sort, and why the run can't go on. Throws RunError where it can't.

@@ -116,6 +116,8 @@ class Ranks(unittest.TestCase):
             self.assertEqual(other["ranks"], count)
             self.assertEqual((other["steps"], other["particles"]), (summary["steps"], summary["particles"]))
             self.assertEqual(list(others), list(history))
+            for body, counted in zip(summary["bodies"], other["bodies"]):
+                self.assertAlmostEqual(counted["mass"] / body["mass"], 1.0, 12, body["name"])
             for name, values in history.items():
                 scale = scales.get(name.split("_")[0] if name.startswith("momentum") else name, scales.get(""))
                 worst = numpy.max(numpy.abs(others[name] - values)) / scale
@@ -152,6 +154,36 @@ class Ranks(unittest.TestCase):
         self.assertGreater(balanced["load_balance"]["divisions"], 1)
         self.assertLess(balanced["load_balance"]["imbalance"], 1.1)
         self.assertLess(balanced["load_balance"]["largest_imbalance"], 1.2)
+
+    def test_columns_and_rows_of_cells(self):
+        """Cuts on the first or last cells of a body; each particle is on one rank all the same."""
+        for wide, ranks in ((0.05, (2, 3)), (0.1, (3, 5)), (0.2, (5, 8))):
+            for size in ([wide, 1.0], [1.0, wide]):
+                scene = whole_plate().remove("Boundaries").set("Bodies > Plate > Upper Corner", size)
+                scene.set("Bodies > Plate > Angular Velocity", [50.0])
+                self.agree(self.write(scene), "--set", "Time:Maximum Steps=10", ranks=ranks)
+
+    def test_velocities_that_jump_at_a_place(self):
+        """A node on two ranks is on one side of the jump."""
+        scene = whole_plate().remove("Boundaries")
+        jump = {"Type": "Velocity", "Field": "x < 0.65 ? 0.5 : 0, 0", "Components": "x"}
+        corners = {"Lower Corner": [0.0, 0.0], "Upper Corner": [1.0, 0.2]}
+        self.agree(self.write(scene.set("Boundaries", {"Jump": {**jump, **corners}})), ranks=(2, 3, 4))
+
+    def test_a_history_that_can_not_be_made(self):
+        out = os.path.join(self.folder, "out")
+        os.makedirs(os.path.join(out, "history.csv", "in the way"))
+        scene = self.write(whole_plate())
+        answer = rhegma(scene, "--output", out, launcher=(*LAUNCHER, "-np", "3"), **ROOT)
+        self.assertEqual(answer.status, 1, answer)
+        self.assertEqual(answer.complaint.count("rhegma:"), 1, answer)
+
+    def test_a_scene_that_one_rank_can_not_read(self):
+        scene = self.write(whole_plate())
+        launcher = (*LAUNCHER, "-np", "1", PROGRAM, scene, ":", "-np", "1")
+        answer = rhegma(os.path.join(self.folder, "missing.xml"), launcher=launcher, **ROOT)
+        self.assertEqual(answer.status, 1, answer)
+        self.assertIn("does not exist", answer.complaint)
 
     def test_more_ranks_than_cells_along_the_body(self):
         self.agree(self.write(whole_plate()), "--set", "Time:Maximum Steps=20", ranks=(12,))
