@@ -16,7 +16,8 @@ Section energyReleaseSection()
       .unit("m")
       .positive()
       .optional("3 cells, or half of Outer Radius where that is less")
-      .meaning("The weight of the domain integrals is 1 up to this distance from the front. Below two cells G and K can be off by 10 % and more.");
+      .meaning("The weight of the domain integrals is 1 up to this distance from the front. Below two cells "
+               "G and K can be off by 10 % and more.");
   s.real("Outer Radius")
       .unit("m")
       .positive()
