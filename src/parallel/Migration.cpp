@@ -122,6 +122,7 @@ void sendParticles(State<D>& state, const std::vector<int>& owner)
     (owner[p] == state.ranks.rank() ? stay : leave).push_back(static_cast<int>(p));
   std::stable_sort(leave.begin(), leave.end(), [&](int a, int b) { return owner[a] < owner[b]; });
   std::vector<int> to;
+  to.reserve(leave.size());
   for (const int p : leave)
     to.push_back(owner[p]);
 
