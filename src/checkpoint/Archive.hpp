@@ -111,9 +111,9 @@ public:
     if constexpr (free == 0)
       if (view.data() == nullptr)
         view = AnyView(name);
-    std::vector<std::size_t> extent;
+    std::vector<std::size_t> extent(rank);
     for (int r = 0; r < rank; ++r)
-      extent.push_back(view.extent(r));
+      extent[r] = view.extent(r);
     const RecordTable* from = begin(name, typeOf<T>(), extent);
     if (from == nullptr)
     {
