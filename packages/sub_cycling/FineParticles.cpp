@@ -1,5 +1,6 @@
 #include "sub_cycling/FineParticles.hpp"
 
+#include "grid/BlockCells.hpp"
 #include "transfer/ParticleViews.hpp"
 
 namespace Rhegma::sub_cycling
@@ -30,38 +31,6 @@ View<char*> widen(const Grid<D>& grid, const View<char*>& given, int axis)
             wide(n) = 1;
       });
   return wide;
-}
-
-/// Whether a particle of block b can be in a marked cell: until the next sort it is no more than a cell
-/// outside of its block.
-template <int D>
-KOKKOS_INLINE_FUNCTION bool anyNear(const Grid<D>& grid, const View<char*>& near,
-                                    const View<int * [Blocks<D>::axes]>& corner, int b)
-{
-  int low[D], count[D], all = 1;
-  for (int k = 0; k < D; ++k)
-  {
-    const int axis = grid.axisOrder[k], cells = grid.cells[axis];
-    const bool cut = k < Blocks<D>::axes;
-    const int begin = cut && corner(b, k) > 0 ? corner(b, k) - 1 : 0;
-    const int end =
-        cut && corner(b, k) + Blocks<D>::edge + 1 < cells ? corner(b, k) + Blocks<D>::edge + 1 : cells;
-    low[axis] = begin;
-    count[axis] = end - begin;
-    all *= count[axis];
-  }
-  for (int k = 0; k < all; ++k)
-  {
-    int at[D], rest = k;
-    for (int d = 0; d < D; ++d)
-    {
-      at[d] = low[d] + rest % count[d];
-      rest /= count[d];
-    }
-    if (near(grid.nodeIndex(at)) != 0)
-      return true;
-  }
-  return false;
 }
 
 // Kernels over particles and the nodes that they touch; functions of their own, as compilers for devices want
@@ -192,7 +161,8 @@ void FineParticles<D>::listNearBlocks(const State<D>& state)
   Kokkos::parallel_scan(
       "rhegma::subcycling::listNearBlocks", Range(0, state.blocks.numBlocks),
       KOKKOS_LAMBDA(const int b, int& at, const bool final) {
-        if (!anyNear(grid, near, corner, b))
+        // Until the next sort particles are no more than a cell outside of their block.
+        if (!anyCellMarked(grid, near, corner, b, 1))
           return;
         for (int p = first(b); final && p < first(b + 1); ++p)
           inBlocks(at + p - first(b)) = p;

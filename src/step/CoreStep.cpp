@@ -1,5 +1,6 @@
 #include "step/CoreStep.hpp"
 
+#include "grid/BlockCells.hpp"
 #include "material/Materials.hpp"
 #include "parallel/Subdomain.hpp"
 #include "state/UnstableStep.hpp"
@@ -150,30 +151,8 @@ void markBlocks(State<D>& state)
   const View<char*> refined = blocks.refined, near = state.tree.nearRefined;
   const View<int * [Blocks<D>::axes]> corner = blocks.corner;
   Kokkos::parallel_for(
-      "rhegma::markBlocks", Kokkos::RangePolicy<ExecSpace>(0, blocks.numBlocks), KOKKOS_LAMBDA(const int b) {
-        int low[D], count[D], all = 1;
-        for (int k = 0; k < D; ++k)
-        {
-          const int axis = grid.axisOrder[k], cells = grid.cells[axis];
-          const bool cut = k < Blocks<D>::axes;
-          const int begin = cut ? corner(b, k) - beyond : 0;
-          const int end = cut ? corner(b, k) + Blocks<D>::edge + beyond : cells;
-          low[axis] = begin > 0 ? begin : 0;
-          count[axis] = (end < cells ? end : cells) - low[axis];
-          all *= count[axis];
-        }
-        for (int k = 0; k < all; ++k)
-        {
-          int at[D], rest = k;
-          for (int d = 0; d < D; ++d)
-          {
-            at[d] = low[d] + rest % count[d];
-            rest /= count[d];
-          }
-          if (near(grid.nodeIndex(at)) != 0)
-            refined(b) = 1;
-        }
-      });
+      "rhegma::markBlocks", Kokkos::RangePolicy<ExecSpace>(0, blocks.numBlocks),
+      KOKKOS_LAMBDA(const int b) { refined(b) = anyCellMarked(grid, near, corner, b, beyond) ? 1 : 0; });
 }
 
 } // namespace
