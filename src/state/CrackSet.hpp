@@ -9,6 +9,20 @@
 namespace Rhegma
 {
 
+/// What drives a front on, as last measured.
+struct DrivingForce
+{
+  double release = 0.0;             ///< energy release rate [J/m2]
+  double modeI = 0.0, modeII = 0.0; ///< stress intensities [Pa m^0.5]
+};
+
+/// Weights of the domain integrals that measure driving forces, in cells as they are at the front.
+struct DrivingContours
+{
+  double releaseInner = 5.0, releaseOuter = 10.0;
+  double intensityInner = 3.0, intensityOuter = 6.0;
+};
+
 /// An end of a crack inside the body: a vertex of a polyline (2D), a line of edges along the border of a
 /// surface (3D).
 template <int D>
@@ -24,6 +38,11 @@ struct CrackFront
   Vector<D> normal;    ///< unit normal of the crack at the front, from side -1 to side +1
   double length = 0.0; ///< length of the crack that ends here (2D) or of the front itself (3D) [m]
   double speed = 0.0;  ///< [m/s]
+
+  DrivingForce driving; ///< what drives it on, where CrackSet::driven asks for it
+  bool grown = false;   ///< it has advanced since the start
+  bool ended = false;   ///< it has met the surface of its body or a crack; no facet is left of it
+  double unspent = 0.0; ///< energy of new faces that nothing resists with as yet [J]
 };
 
 /// One crack: a polyline (2D) or a triangulated surface (3D), a run of vertices and simplices in the set's
@@ -34,6 +53,16 @@ struct Crack
   std::string name;
   int firstVertex = 0, numVertices = 0;
   int firstSimplex = 0, numSimplices = 0;
+};
+
+/// What a front is asked to do between two steps.
+template <int D>
+struct FrontAdvance
+{
+  int front = 0;          ///< index in CrackSet::fronts
+  Vector<D> direction;    ///< unit vector
+  double length = 0.0;    ///< [m]
+  double toughness = 0.0; ///< energy that the new faces take [J/m2]
 };
 
 /// What lies beyond a facet of a simplex: another simplex, or nothing.
@@ -79,9 +108,12 @@ struct CrackSet
   View<int*> nodeSide;    ///< of each node: its side where the node lies behind a front, else 0
   View<int*> second;      ///< second field of each node, or -1 (dual field only)
   View<double*> pressure; ///< that pushes the faces of each segment apart [Pa]; empty where nothing does
-  /// Ties just behind fronts, of each lattice node: force on its own field, opposite on its second [N], and
-  /// stiffness [N/m]. Holds for nodes with a second field; empty without ties.
+  /// Ties and cohesive forces behind fronts, of each lattice node: force on its own field, opposite on its
+  /// second [N], and stiffness [N/m]. Holds for nodes with a second field; empty without ties.
   View<double * [D + 1]> tie;
+  std::vector<FrontAdvance<D>> advances; ///< that fronts are to make before the next step
+  bool driven = false;                   ///< whether the driving forces of fronts are wanted in every step
+  DrivingContours drivingContours;
   bool dualField = true;
   bool tied = false; ///< springs tie the two fields of nodes just behind fronts
 

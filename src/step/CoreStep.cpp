@@ -39,7 +39,7 @@ Effect<D> makeCore(const State<D>& state)
   core.name = "Material Point Method";
   core.call({Stage::BetweenSteps,
              "sort particles",
-             {"cells", "owners of cells"},
+             {"cells", "owners of cells", "crack geometry"},
              {"order"},
              {},
              [](State<D>& s)
