@@ -6,6 +6,7 @@
 #include "mass_matrix/MatrixMemory.hpp"
 #include "mass_matrix/NodalSolve.hpp"
 #include "mass_matrix/Series.hpp"
+#include "mass_matrix/SlotSolve.hpp"
 #include "step/MemoryNeed.hpp"
 
 #include <algorithm>
@@ -44,8 +45,16 @@ struct Options
 
 constexpr double radiusCells = 3.0, edgeCells = 1.0;
 
-/// Largest CFL number of a coupled matrix.
-constexpr double largestCoupledCfl = 0.4;
+/// Largest CFL number of a coupled matrix. In short steps the impulses of larger cells feed motions of the
+/// coupled nodes at 0.4: a bar with a crack gained 8 % in 6,000 long steps of three levels, at 0.3 nothing.
+constexpr double largestCoupledCfl = 0.4, largestInShortSteps = 0.3;
+
+template <int D>
+double coupledTimeStep(const State<D>& state)
+{
+  const double largest = state.subcycledLevels > 0 ? largestInShortSteps : largestCoupledCfl;
+  return std::min(state.cfl, largest) * state.stepSpacing() / state.fastest;
+}
 
 void addSolverParameters(Section& s)
 {
@@ -172,6 +181,7 @@ struct Work
   explicit Work(const Options& o)
       : options(o),
         solve(o.tolerance, o.iterations, o.unlumping.lumpedShare),
+        slots(o.unlumping.lumpedShare, o.tolerance),
         series(o.order),
         filter(o.updateOrder)
   {
@@ -239,9 +249,27 @@ struct Work
   Options options;
   MassSystem<D> coupled;
   NodalSolve<D> solve;
+  SlotSolve<D> slots;
   Series<D> series, filter;
   Vector<3> start{{0.0, 0.0, 0.0}};
 };
+
+/// For those who move nodes in short steps.
+template <int D>
+void offerSlots(State<D>& state, const std::shared_ptr<Work<D>>& work)
+{
+  const auto none = [work] { return work->coupled.numCoupled == 0; };
+  state.coupledSlots.begin = [=](const State<D>&, const NodeSlots& slots, const View<int* [D]>& held)
+  {
+    if (!none())
+      work->slots.begin(work->coupled, slots, held);
+  };
+  state.coupledSlots.solve = [=](const View<double* [D]>& right, const View<double* [D]>& x, bool supports)
+  {
+    if (!none())
+      work->slots.solve(right, x, supports);
+  };
+}
 
 std::string nameOf(const Options& o)
 {
@@ -274,6 +302,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     }
     if (work->options.update != VelocityUpdate::Flip)
       state.picFraction = 1.0;
+    if (work->options.coupled())
+      offerSlots(state, work);
   };
   effect.report = [work](const State<D>& state, nlohmann::json& summary) { work->report(state, summary); };
   if (options.coupled())
@@ -290,8 +320,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   // A coupled matrix is lighter in waves of two cells than its row sums: with a tenth of lumped mass blended
   // in, prototypes on cut grids were stable to CFL numbers of 0.44 and more, without it of far less.
   if (options.coupled())
-    effect.timeStepLimit = [](const State<D>& state)
-    { return std::min(state.cfl, largestCoupledCfl) * state.smallestSpacing() / state.fastest; };
+    effect.timeStepLimit = coupledTimeStep<D>;
   if (options.coupled())
     effect.call({Stage::Scatter,
                  "assemble the mass matrix",

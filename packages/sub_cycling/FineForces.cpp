@@ -94,19 +94,34 @@ void FineParticles<D>::store(const State<D>& state, const Values& force, double 
 }
 
 template <int D>
-void FineParticles<D>::startVelocity(const State<D>& state, const Values& velocity) const
+void FineParticles<D>::startVelocity(const State<D>& state, const Values& velocity)
 {
+  fit(before_, "rhegma::subcycling::before", numSlots_);
+  fit(carried_, "rhegma::subcycling::carried", numSlots_);
   const auto sums = state.nodes.sums;
   const View<int*> nodeOf = nodeOf_;
   const View<double*> mass = mass_;
   const View<int* [D]> held = held_;
   const View<double* [D]> heldVelocity = heldVelocity_;
+  const Values before = before_, momentum = carried_;
   forFew<fewSlots>(
       "rhegma::subcycling::startVelocity", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         const double inverse = mass(i) > 0.0 ? 1.0 / mass(i) : 0.0;
         for (int d = 0; d < D; ++d)
-          velocity(i, d) =
-              held(i, d) != 0 ? heldVelocity(i, d) : inverse * sums(nodeOf(i), Nodes<D>::momentumAt + d);
+        {
+          momentum(i, d) = sums(nodeOf(i), Nodes<D>::momentumAt + d);
+          before(i, d) = inverse * momentum(i, d);
+        }
+      });
+  if (state.coupledSlots.begin)
+  {
+    state.coupledSlots.begin(state, slots(), held_);
+    state.coupledSlots.solve(momentum, before, false);
+  }
+  forFew<fewSlots>(
+      "rhegma::subcycling::heldVelocity", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
+        for (int d = 0; d < D; ++d)
+          velocity(i, d) = held(i, d) != 0 ? heldVelocity(i, d) : before(i, d);
       });
 }
 
@@ -205,18 +220,18 @@ template <int D>
 void FineParticles<D>::accelerate(const State<D>& state, int level, double duration, const Values& force,
                                   const Values& velocity, bool supports)
 {
-  if (static_cast<int>(acceleration_.extent(0)) < numSlots_)
-    acceleration_ = Values("rhegma::subcycling::acceleration", numSlots_ + numSlots_ / 4);
-  const Values acceleration = acceleration_;
+  fit(acceleration_, "rhegma::subcycling::acceleration", numSlots_);
+  const Values acceleration = acceleration_, before = before_, carried = carried_;
   const View<int*> count = count_, reach = reach_, particle = particle_;
   const View<int**> slot = slot_;
   const View<double**> weight = weight_;
   const View<int* [D]> held = held_;
   const View<double*> nodal = mass_;
   const View<double* [D]> heldVelocity = heldVelocity_;
-  const View<int*> nodeOf = nodeOf_;
-  const auto sums = state.nodes.sums;
   const auto mass = state.particles.scalar(fields::mass);
+  const bool coupled = static_cast<bool>(state.coupledSlots.solve);
+  // A coupled mass moves nodes without a force too.
+  const int lowest = coupled ? 0 : level;
   forFew<fewSlots>(
       "rhegma::subcycling::accelerate", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         const double inverse = nodal(i) > 0.0 ? 1.0 / nodal(i) : 0.0;
@@ -224,14 +239,13 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
           if (held(i, d) == 0)
             acceleration(i, d) = inverse * force(i, d);
           else
-            acceleration(i, d) =
-                supports
-                    ? (heldVelocity(i, d) - inverse * sums(nodeOf(i), Nodes<D>::momentumAt + d)) / duration
-                    : 0.0;
+            acceleration(i, d) = supports ? (heldVelocity(i, d) - before(i, d)) / duration : 0.0;
       });
+  if (coupled)
+    state.coupledSlots.solve(force, acceleration, true);
   sumInParts(
       "rhegma::subcycling::roundTrip", 0, numListed_, KOKKOS_LAMBDA(const int i, double* to) {
-        if (reach(i) < level)
+        if (reach(i) < lowest)
           return;
         double own[D] = {};
         for (int k = 0; k < count(i); ++k)
@@ -245,15 +259,23 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
   const View<double** [D]> parts = parts_;
   const int number = numParts_;
   forFew<fewSlots>(
-      "rhegma::subcycling::kick", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
+      "rhegma::subcycling::carry", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         const double inverse = nodal(i) > 0.0 ? 1.0 / nodal(i) : 0.0;
         for (int d = 0; d < D; ++d)
         {
           double sum = 0.0;
           for (int part = 0; part < number; ++part)
             sum += parts(part, i, d);
-          velocity(i, d) += held(i, d) != 0 ? 0.0 : duration * inverse * sum;
+          carried(i, d) = sum;
+          acceleration(i, d) = held(i, d) != 0 ? 0.0 : inverse * sum;
         }
+      });
+  if (coupled)
+    state.coupledSlots.solve(carried, acceleration, true);
+  forFew<fewSlots>(
+      "rhegma::subcycling::kick", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
+        for (int d = 0; d < D; ++d)
+          velocity(i, d) += duration * acceleration(i, d);
       });
 }
 
@@ -289,7 +311,7 @@ void FineParticles<D>::correctProjection(const State<D>& state, const Values& di
 
 template void FineParticles<2>::load(const State<2>&, const FineParticles<2>::Values&) const;
 template void FineParticles<2>::store(const State<2>&, const FineParticles<2>::Values&, double) const;
-template void FineParticles<2>::startVelocity(const State<2>&, const FineParticles<2>::Values&) const;
+template void FineParticles<2>::startVelocity(const State<2>&, const FineParticles<2>::Values&);
 template void FineParticles<2>::force(const State<2>&, int, const FineParticles<2>::Values&,
                                       const FineParticles<2>::Values&);
 template void FineParticles<2>::smooth(const State<2>&, int, const FineParticles<2>::Values&,
@@ -302,7 +324,7 @@ template void FineParticles<2>::correctProjection(const State<2>&, const FinePar
                                                   const FineParticles<2>::Values&) const;
 template void FineParticles<3>::load(const State<3>&, const FineParticles<3>::Values&) const;
 template void FineParticles<3>::store(const State<3>&, const FineParticles<3>::Values&, double) const;
-template void FineParticles<3>::startVelocity(const State<3>&, const FineParticles<3>::Values&) const;
+template void FineParticles<3>::startVelocity(const State<3>&, const FineParticles<3>::Values&);
 template void FineParticles<3>::force(const State<3>&, int, const FineParticles<3>::Values&,
                                       const FineParticles<3>::Values&);
 template void FineParticles<3>::smooth(const State<3>&, int, const FineParticles<3>::Values&,

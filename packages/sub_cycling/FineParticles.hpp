@@ -45,8 +45,9 @@ public:
   /// Gives inner nodes in `state` this many times a force.
   void store(const State<D>& state, const Values& force, double factor) const;
 
-  /// Velocity of the nodes at the start of the long step, that of supports where they hold [m/s].
-  void startVelocity(const State<D>& state, const Values& velocity) const;
+  /// Velocity of the nodes at the start of the long step, that of supports where they hold [m/s]. To be
+  /// called before impulses change it or their work is asked for.
+  void startVelocity(const State<D>& state, const Values& velocity);
 
   /// Internal force of the particles of one class after the nodes moved by `displacement` [m] since the start
   /// of the step: -V0 tau (1 + grad u)^-T grad N, tau by the particle's law at (1 + grad u) F, which for an
@@ -59,7 +60,7 @@ public:
     double free = 0.0; ///< where nothing holds: times the velocity at the start of the long step [J]
     double held = 0.0; ///< at supports: times half the change of velocity that they force upon the node [J]
   };
-  ImpulseWork workOf(const State<D>& state, const Values& impulse) const;
+  ImpulseWork workOf(const Values& impulse) const;
 
   NodeSlots slots() const { return {slotOf_, numInner_}; }
 
@@ -69,8 +70,9 @@ public:
 
   /// velocity += duration B force, of a force on nodes of particles of class `level` and deeper. B is what a
   /// step of MUSL makes of a force: to accelerations of nodes, to the particles, and back to the nodes by
-  /// their masses. Nothing moves where supports hold, but where `supports` is set they first take nodes to
-  /// their velocity, as they do once a step, and particles feel it.
+  /// their masses, which may couple them (CoupledSlots). Nothing moves where supports hold, but where
+  /// `supports` is set they first take nodes to their velocity, as they do once a step, and particles feel
+  /// it.
   void accelerate(const State<D>& state, int level, double duration, const Values& force,
                   const Values& velocity, bool supports = false);
 
@@ -145,7 +147,8 @@ private:
   View<int* [D]> held_;
   View<double* [D]> heldVelocity_;
   Mean means_[deepestLevel + 1];
-  Values acceleration_;
+  Values before_; ///< velocity at the start of the long step before supports hold [m/s]
+  Values acceleration_, carried_;
   View<double** [D]> parts_;
 };
 

@@ -4,22 +4,18 @@ namespace Rhegma::sub_cycling
 {
 
 template <int D>
-typename FineParticles<D>::ImpulseWork FineParticles<D>::workOf(const State<D>& state,
-                                                                const Values& impulse) const
+typename FineParticles<D>::ImpulseWork FineParticles<D>::workOf(const Values& impulse) const
 {
-  const auto sums = state.nodes.sums;
-  const View<int*> nodeOf = nodeOf_;
-  const View<double*> mass = mass_;
+  const Values velocity = before_;
   const View<int* [D]> held = held_;
   const View<double* [D]> heldVelocity = heldVelocity_;
   ImpulseWork work;
   Kokkos::parallel_reduce(
       "rhegma::subcycling::workOfImpulses", Kokkos::RangePolicy<ExecSpace>(0, numInner_),
       KOKKOS_LAMBDA(const int i, double& free, double& atSupports) {
-        const double inverse = mass(i) > 0.0 ? 1.0 / mass(i) : 0.0;
         for (int d = 0; d < D; ++d)
         {
-          const double before = inverse * sums(nodeOf(i), Nodes<D>::momentumAt + d);
+          const double before = velocity(i, d);
           if (held(i, d) == 0)
             free += before * impulse(i, d);
           else
@@ -30,7 +26,7 @@ typename FineParticles<D>::ImpulseWork FineParticles<D>::workOf(const State<D>& 
   return work;
 }
 
-template FineParticles<2>::ImpulseWork FineParticles<2>::workOf(const State<2>&, const Values&) const;
-template FineParticles<3>::ImpulseWork FineParticles<3>::workOf(const State<3>&, const Values&) const;
+template FineParticles<2>::ImpulseWork FineParticles<2>::workOf(const Values&) const;
+template FineParticles<3>::ImpulseWork FineParticles<3>::workOf(const Values&) const;
 
 } // namespace Rhegma::sub_cycling

@@ -109,7 +109,7 @@ void LocalSteps<D>::evolve(State<D>& state)
   fine_.startVelocity(state, velocity_);
   startWork_ = {};
   if (reckonsWork(state))
-    addStartWork(state, loads_, state.shortSteps.length);
+    addStartWork(loads_, state.shortSteps.length);
   Kokkos::deep_copy(force_, 0.0);
   fine_.accelerate(state, 0, 1.0, loads_, force_);
   Kokkos::deep_copy(loads_, force_);
@@ -125,9 +125,9 @@ void LocalSteps<D>::evolve(State<D>& state)
 }
 
 template <int D>
-void LocalSteps<D>::addStartWork(const State<D>& state, const Values& force, double duration)
+void LocalSteps<D>::addStartWork(const Values& force, double duration)
 {
-  const auto work = fine_.workOf(state, force);
+  const auto work = fine_.workOf(force);
   startWork_.free += duration * work.free;
   startWork_.held += duration * work.held;
 }
@@ -138,7 +138,7 @@ void LocalSteps<D>::addStartWork(const State<D>& state, const Values& force, dou
 template <int D>
 void LocalSteps<D>::bookWork(State<D>& state)
 {
-  const auto all = fine_.workOf(state, impulse_);
+  const auto all = fine_.workOf(impulse_);
   state.energy.externalWork -= all.held - startWork_.held;
   state.shortSteps.lateWork = all.free - startWork_.free;
 }
@@ -200,7 +200,7 @@ void LocalSteps<D>::kick(const State<D>& state)
 {
   fine_.accelerate(state, waitingFrom_, 1.0, waiting_, velocity_, atFirst_);
   if (atFirst_ && reckonsWork(state))
-    addStartWork(state, waiting_, 1.0);
+    addStartWork(waiting_, 1.0);
   atFirst_ = false;
   add<D>(impulse_, 1.0, waiting_, fine_.numSlots());
   Kokkos::deep_copy(waiting_, 0.0);

@@ -65,7 +65,7 @@ public:
   /// Whether anybody asks for the work of impulses.
   static bool reckonsWork(const State<D>& state) { return state.observing || !state.constraints.empty(); }
   /// Adds the work of a force at the start of the long step. \param duration that it acts by then [s]
-  void addStartWork(const State<D>& state, const Values& force, double duration);
+  void addStartWork(const Values& force, double duration);
   /// Books what supports give in short steps, and leaves the rest with the state.
   void bookWork(State<D>& state);
   /// Moves the mean of a force of one class to the loads.

@@ -31,12 +31,17 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
   if (scene.isSublist("Mass Matrix"))
   {
     const Teuchos::ParameterList& mass = scene.sublist("Mass Matrix");
-    const auto other = [&](const char* name, const char* usual)
-    { return mass.isType<std::string>(name) && mass.get<std::string>(name) != usual; };
-    if (other("Type", "Lumped") || other("Velocity Update", "FLIP"))
+    const auto text = [&](const char* name, const char* usual)
+    { return mass.isType<std::string>(name) ? mass.get<std::string>(name) : std::string(usual); };
+    const std::string type = text("Type", "Lumped");
+    if ((type != "Lumped" && type != "Partial") || text("Velocity Update", "FLIP") != "FLIP")
       errors.push_back({"Sub-Cycling",
-                        "short steps are those of Mass Matrix > Type = Lumped with Velocity Update = "
-                        "FLIP; write these, or take one of the two sections out"});
+                        "short steps are those of Mass Matrix > Type = Lumped or Partial with Velocity "
+                        "Update = FLIP; write these, or take one of the two sections out"});
+    // The degree of the polynomial that stands for the inverse grows without bound towards 0.
+    if (type == "Partial" && mass.isType<double>("Lumped Share") && mass.get<double>("Lumped Share") < 0.05)
+      errors.push_back({"Mass Matrix > Lumped Share",
+                        "short steps (Sub-Cycling) need at least 0.05; write 0.1 or take Sub-Cycling out"});
   }
   if (!scene.isSublist("Adaptivity"))
     errors.push_back(

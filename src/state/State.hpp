@@ -94,6 +94,20 @@ struct FollowingForce
       change;
 };
 
+/// The mass of nodes that move in short steps where it couples them, for those who move them. Values have a
+/// row a slot [N, m].
+template <int D>
+struct CoupledSlots
+{
+  using Values = View<double* [D]>;
+  /// Once a long step, when nodes have their masses. \param held not 0 where a support holds a slot along an
+  /// axis
+  std::function<void(const State<D>&, const NodeSlots&, const View<int* [D]>& held)> begin;
+  /// Solves M x = right for coupled nodes that move in short steps. \param x on entry given on all other
+  /// slots and, where `supports` is set, where these hold
+  std::function<void(const Values& right, const Values& x, bool supports)> solve;
+};
+
 /// One body of the scene as particles made it.
 template <int D>
 struct BodyInfo
@@ -144,6 +158,7 @@ struct State
   View<int*> coupledRow;         ///< of each node, -1 where its mass is lumped; empty where all masses are
 
   std::vector<FollowingForce<D>> followingForces; ///< of effects that have any
+  CoupledSlots<D> coupledSlots;                   ///< empty where all masses are lumped
 
   ShortSteps shortSteps; ///< of this step
 

@@ -5,6 +5,7 @@
 
 #include "output/CoreRow.hpp"
 
+#include <functional>
 #include <random>
 
 namespace Rhegma
@@ -34,8 +35,12 @@ struct Outcome
   double mode = 0.0; ///< share of the first mode in the end
 };
 
+/// What a test adds to a scene.
+using Addition = std::function<void(Teuchos::ParameterList&)>;
+
 template <int D>
-Rhegma::Run<D> bar(int levels, bool subCycled, double cfl, double travel = 0.0, const char* shape = "GIMP")
+Rhegma::Run<D> bar(int levels, bool subCycled, double cfl, double travel = 0.0, const char* shape = "GIMP",
+                   const Addition& addition = {})
 {
   Vector<D> lower = all<D>(-2.0), upper = all<D>(4.0), end = all<D>(2.0);
   upper[0] = length + travel + 2.0;
@@ -56,6 +61,8 @@ Rhegma::Run<D> bar(int levels, bool subCycled, double cfl, double travel = 0.0, 
   box.set("Level", levels);
   if (subCycled)
     scene.sublist("Sub-Cycling").set("Levels", levels);
+  if (addition)
+    addition(scene);
   Rhegma::Run<D> run(validated(scene));
   run.initialize();
   return run;
@@ -92,9 +99,10 @@ void start(State<D>& state, Start kind)
 }
 
 template <int D>
-Outcome vibrate(int levels, bool subCycled, Start kind, double cfl, int periods, const char* shape = "GIMP")
+Outcome vibrate(int levels, bool subCycled, Start kind, double cfl, int periods, const char* shape = "GIMP",
+                const Addition& addition = {})
 {
-  Rhegma::Run<D> run = bar<D>(levels, subCycled, cfl, 0.0, shape);
+  Rhegma::Run<D> run = bar<D>(levels, subCycled, cfl, 0.0, shape, addition);
   State<D>& state = run.state();
   start(state, kind);
   const std::vector<double> mode = modeOf(state);
@@ -128,6 +136,8 @@ Outcome vibrate(int levels, bool subCycled, Start kind, double cfl, int periods,
   outcome.most *= weight[0] / energy[0];
   outcome.steps = state.step;
   const HostParticles<D> last(state);
+  if (addition)
+    return outcome; // cells may have changed
   EXPECT_EQ(last.size, first.size);
   const auto id =
       Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(fields::id));
@@ -186,6 +196,28 @@ TEST_P(Levels, moveAsInShortStepsOnly)
               all.mode, sub.most, all.most, sub.kept, sub.steps, all.steps);
   EXPECT_NEAR(sub.mode, all.mode, 0.002);
   EXPECT_GT(all.steps, ((1 << GetParam()) - 1) * sub.steps);
+}
+
+/// A crack along the left half of the bar, and the matrix that couples the nodes round its front. (Without
+/// the lower CFL number that the matrix asks for in short steps three levels gain 8 % in 100 periods.)
+void addCrackAndPartialMass(Teuchos::ParameterList& scene)
+{
+  scene.sublist("Mass Matrix").set("Type", "Partial");
+  scene.sublist("Cracks").sublist("Split").set(
+      "Points", Teuchos::Array<double>(Teuchos::tuple(0.0, 1.0, 0.5 * length, 1.0)));
+}
+
+TEST_P(Levels, keepEnergyWithAMatrixRoundACrackFront)
+{
+  for (const Start kind : {Start::Smooth, Start::Random})
+  {
+    const Outcome o = vibrate<2>(GetParam(), true, kind, 0.4, 10, "GIMP", addCrackAndPartialMass);
+    std::printf("%d levels, partial mass, %s: energy kept %.6f, most %.6f, momentum %.1e\n", GetParam(),
+                kind == Start::Smooth ? "smooth" : "random", o.kept, o.most, o.momentum);
+    EXPECT_NEAR(o.kept, 1.0, kind == Start::Smooth ? 1e-3 : 0.03);
+    EXPECT_LT(o.most, 1.06);
+    EXPECT_LT(o.momentum, 1e-12);
+  }
 }
 
 /// The bar vibrates as it flies through cells that stay small where they are: its particles split before
