@@ -1,8 +1,10 @@
 /// Nanoseconds per particle and step of the program's own step, beside the memory bandwidth of the machine.
 ///
-///     throughput [--json] [--particles N] [--steps N] [--rounds N] [--triad N] [--threads N]
+///     throughput [--json] [--particles N] [--flow N] [--steps N] [--rounds N] [--triad N] [--threads N]
 ///
-/// Measures with 1 and 2 threads where the back end has threads, or with --threads N only.
+/// With --flow bodies fly and turn fast for N steps before they are timed, so that their particles lie
+/// anywhere in their cells. Measures with 1 and 2 threads where the back end has threads, or with --threads N
+/// only.
 
 #include "common/CommandLine.hpp"
 #include "common/Program.hpp"
@@ -40,6 +42,7 @@ Options readOptions(std::vector<std::string> arguments)
   CommandLine()
       .flag("--json", options.json)
       .number("--particles", particles)
+      .number("--flow", options.effort.flow)
       .number("--steps", options.effort.steps)
       .number("--rounds", options.effort.rounds)
       .number("--triad", options.effort.triad)

@@ -53,6 +53,14 @@ TEST(Throughput, printsTheBoundAndTheRatioOfTheCrackElsewhere)
   EXPECT_NE(output.text.find("of 2d-gimp\n"), std::string::npos) << output.text;
 }
 
+TEST(Throughput, timesBodiesThatHaveFlown)
+{
+  const Output output = throughput("--particles 2000 --flow 300 --threads 1 --json");
+  ASSERT_EQ(output.status, 0) << output.text;
+  for (const nlohmann::json& entry : nlohmann::json::parse(output.text).at("cases"))
+    EXPECT_GT(entry.at("ns_per_particle_step").get<double>(), 0.0);
+}
+
 TEST(Throughput, refusesWhatItDoesNotKnow)
 {
   for (const char* wrong : {"--particle 10", "--particles ten", "--particles 0", "--particles"})

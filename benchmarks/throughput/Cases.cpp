@@ -13,7 +13,9 @@ namespace
 
 using Numbers = Teuchos::Array<double>;
 
-constexpr double cell = 1e-3; // [m]
+constexpr double cell = 1e-3;                     // [m]
+constexpr double step = 0.4 * cell / 1924.6;      // of the material below, in plane strain [s]
+constexpr double speed = 0.5, angularSpeed = 1.0; // [m/s], [1/s]
 
 /// Cells along each axis: 5 : 4 in 2D with four particles each, 10 : 6 : 5 in 3D with eight.
 std::vector<int> cellsOfBody(int dimension, int particles)
@@ -44,19 +46,25 @@ const std::vector<Case>& allCases()
   return cases;
 }
 
-Teuchos::RCP<Teuchos::ParameterList> makeScene(const Case& which, int particles)
+Teuchos::RCP<Teuchos::ParameterList> makeScene(const Case& which, int particles, int flow)
 {
   const int dimension = which.dimension;
   const std::vector<int> cells = cellsOfBody(dimension, particles);
   const Numbers origin(dimension, 0.0);
   Numbers corner, domainLower, domainUpper, velocity(dimension, 0.0);
+  const double factor = flow > 0 ? 100.0 : 1.0;
+  double size = 0.0;
+  for (const int n : cells)
+    size += n * cell;
+  const double turned = flow * step * factor * angularSpeed * size, flown = flow * step * factor * speed;
   for (const int n : cells)
   {
     corner.push_back(n * cell);
-    domainLower.push_back(-4 * cell);
-    domainUpper.push_back((n + 4) * cell);
+    domainLower.push_back(-4 * cell - std::ceil(turned / cell) * cell);
+    domainUpper.push_back((n + 4) * cell + std::ceil(turned / cell) * cell);
   }
-  velocity[0] = 0.5;
+  velocity[0] = factor * speed;
+  domainUpper[0] += std::ceil(flown / cell) * cell;
 
   const auto scene = Teuchos::rcp(new Teuchos::ParameterList("Rhegma"));
   Teuchos::ParameterList& domain = scene->sublist("Domain");
@@ -77,7 +85,7 @@ Teuchos::RCP<Teuchos::ParameterList> makeScene(const Case& which, int particles)
   body.set("Lower Corner", origin);
   body.set("Upper Corner", corner);
   body.set("Velocity", velocity);
-  body.set("Angular Velocity", Numbers(dimension == 2 ? 1 : 3, 1.0));
+  body.set("Angular Velocity", Numbers(dimension == 2 ? 1 : 3, factor * angularSpeed));
   if (which.crack)
   {
     // A quarter of the way into the body from its corner, four cells long.

@@ -25,9 +25,10 @@ struct Runner
   std::map<std::string, double> stages;
 
   Runner(const Case& c, const Effort& effort)
-      : which(c), run(c.name, makeScene(c, c.dimension == 2 ? effort.particles2 : effort.particles3))
+      : which(c),
+        run(c.name, makeScene(c, c.dimension == 2 ? effort.particles2 : effort.particles3, effort.flow))
   {
-    run.advance(2); // sorts the particles and touches all memory
+    run.advance(2 + effort.flow); // sorts the particles and touches all memory
     stages = run.simulation->stageSeconds();
   }
 };

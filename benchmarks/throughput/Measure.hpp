@@ -11,6 +11,7 @@ struct Effort
 {
   int particles2 = 200000;
   int particles3 = 300000;
+  int flow = 0;        ///< steps that bodies fly fast before they are timed
   int steps = 10;      ///< of each body in a round
   int rounds = 7;      ///< batches of each body, of which the best counts
   int triad = 1 << 25; ///< numbers in each array of the triad
