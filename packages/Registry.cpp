@@ -6,6 +6,7 @@
 #include "face_pressure/FacePressure.hpp"
 #include "load_balance/LoadBalance.hpp"
 #include "mass_matrix/MassMatrix.hpp"
+#include "propagation/Propagation.hpp"
 #include "step/Effect.hpp"
 #include "sub_cycling/SubCycling.hpp"
 
@@ -24,6 +25,7 @@ const std::vector<EffectEntry>& knownEffects()
       face_pressure::facePressureEntry(),
       load_balance::loadBalanceEntry(),
       mass_matrix::massMatrixEntry(),
+      propagation::propagationEntry(),
       sub_cycling::subCyclingEntry(),
   };
   return effects;
@@ -32,7 +34,7 @@ const std::vector<EffectEntry>& knownEffects()
 /// A scene that asks for one of these is told so. A new effect takes its name out.
 const std::vector<std::string>& effectsToCome()
 {
-  static const std::vector<std::string> names = {"Propagation", "Thermal", "Combustion"};
+  static const std::vector<std::string> names = {"Thermal", "Combustion"};
   return names;
 }
 

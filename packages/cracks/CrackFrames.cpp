@@ -98,12 +98,6 @@ void updateFronts(CrackSet<D>& cracks)
   const auto edge = [&](int s, int i) { return at(simplex(s, (i + 2) % D)) - at(simplex(s, (i + 1) % D)); };
   for (CrackFront<D>& front : cracks.fronts)
   {
-    const int middle = front.firstFacet + front.numFacets / 2;
-    const int s = frontFacet(middle, 0), opposite = frontFacet(middle, 1);
-    Vector<D> corner[D];
-    for (int i = 0; i < D; ++i)
-      corner[i] = at(simplex(s, i));
-    Vector<D> out = corner[(opposite + 1) % D] - corner[opposite];
     front.length = 0.0;
     if constexpr (D == 2)
     {
@@ -111,14 +105,22 @@ void updateFronts(CrackSet<D>& cracks)
       for (int k = 0; k < crack.numSimplices; ++k)
         front.length += norm(at(simplex(crack.firstSimplex + k, 1)) - at(simplex(crack.firstSimplex + k, 0)));
     }
-    else
+    front.position = at(front.vertex);
+    if (front.ended)
+      continue;
+    const int middle = front.firstFacet + front.numFacets / 2;
+    const int s = frontFacet(middle, 0), opposite = frontFacet(middle, 1);
+    Vector<D> corner[D];
+    for (int i = 0; i < D; ++i)
+      corner[i] = at(simplex(s, i));
+    Vector<D> out = corner[(opposite + 1) % D] - corner[opposite];
+    if constexpr (D == 3)
     {
       const Vector<D> along = edge(s, opposite);
       out = out - (dot(out, along) / dot(along, along)) * along;
       for (int f = front.firstFacet; f < front.firstFacet + front.numFacets; ++f)
         front.length += norm(edge(frontFacet(f, 0), frontFacet(f, 1)));
     }
-    front.position = at(front.vertex);
     front.direction = unit(out);
     front.normal = normalOf(corner);
   }

@@ -5,6 +5,7 @@
 #include "cracks/CrackMotion.hpp"
 #include "cracks/CrackSetup.hpp"
 #include "cracks/FrontTies.hpp"
+#include "cracks/Growth.hpp"
 #include "cracks/HeldFaces.hpp"
 #include "cracks/IdleCracks.hpp"
 #include "cracks/Normals.hpp"
@@ -115,17 +116,12 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     state.editor.edit = [=](const State<D>& s, const ObservedPoints<D>& points, const StencilTable<D>& table)
     { editStencils(s, formulation, *ghosts, points, table); };
   };
-  const auto ties = std::make_shared<FrontTies<D>>();
+  const bool grows = D == 2 && scene.isSublist("Propagation");
+  const auto ties = std::make_shared<FrontTies<D>>(grows);
   effect.memory = [=](State<D>& state, Archive& archive)
   {
     archive("steps", surroundings->stamp);
-    archive("vertex", state.cracks.vertex);
-    archive("face", state.cracks.face);
-    if (archive.loads())
-    {
-      updateNormals(state.cracks);
-      updateFronts(state.cracks);
-    }
+    keepCracks(state, archive);
     const Archive::Group group(archive, "ties");
     if (tied)
       ties->keep(state, surroundings->stamp, archive);
@@ -145,6 +141,10 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  {},
                  {"nodal force"},
                  [ties](State<D>& s) { ties->addForces(s); }});
+    if (grows)
+      effect.call({Stage::Solve, "cohesion of new crack faces", {}, {}, {"nodal force"}, [=](State<D>& s) {
+                     ties->release(s, *surroundings);
+                   }});
     effect.call({Stage::AfterProjection,
                  "stretch of ties behind crack fronts",
                  {"projection"},
@@ -152,6 +152,14 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  {},
                  [ties](State<D>& s) { ties->advance(s); }});
   }
+  if constexpr (D == 2)
+    if (grows)
+      effect.call({Stage::BetweenSteps,
+                   "cracks grow",
+                   {"advances of fronts"},
+                   {"crack geometry"},
+                   {},
+                   [](State<2>& s) { growCracks(s); }});
   effect.call({Stage::Gather,
                "cracks move",
                {"nodal motion"},
@@ -179,7 +187,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       effect.timeStepLimit = [](const State<D>& state)
       { return largestCfl(state.cracks) * state.grid.spacing / state.fastest; };
   const bool touching = scene.isSublist("Contact");
-  effect.report = [touching](const State<D>& state, nlohmann::json& summary)
+  effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {
     for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
     {
@@ -194,6 +202,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       summary["cracks"][c][D == 2 ? "opening_area" : "opening_volume"] = opening.volume;
       summary["cracks"][c][D == 2 ? "length" : "area"] = opening.size;
     }
+    if (grows)
+      summary["energy_in_flight"] = ties->energyInFlight(state);
     for (const CrackFront<D>& front : state.cracks.fronts)
     {
       nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];

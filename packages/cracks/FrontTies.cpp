@@ -4,6 +4,7 @@
 #include "checkpoint/NodeNames.hpp"
 #include "material/MaterialTable.hpp"
 #include "state/FewItems.hpp"
+#include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>
 #include <array>
@@ -34,12 +35,89 @@ int firstOfShortSteps(const State<D>& state)
   return state.tree.deepest - std::min(state.subcycledLevels, state.tree.deepest) + 1;
 }
 
-/// Force of a tie on its node's own field along an axis [N]. \param sign of the node's side
+/// Force of a tie on its node's own field along an axis [N]. \param cohesive rows of cohesion, or none
+/// \param sign of the node's side
 template <int D>
 KOKKOS_INLINE_FUNCTION double pullOf(const View<double * [D + 1]>& tie, const View<double* [D]>& jump,
-                                     int own, int axis, double sign)
+                                     const View<double * [D + 4]>& cohesive, int own, int axis, double sign)
 {
-  return -sign * tie(own, D) * jump(own, axis);
+  const bool shifted = cohesive.extent(0) > 0 && cohesive(own, cohesion::peak) > 0.0;
+  const double from = shifted ? cohesive(own, cohesion::shift + axis) : 0.0;
+  return -sign * tie(own, D) * (jump(own, axis) + from);
+}
+
+/// The force with which side +1 would be held to side -1 [N], so that both fields of the i-th node with two
+/// get one acceleration; without what pushes the faces apart.
+template <int D>
+struct HoldingForce
+{
+  Nodes<D> nodes;
+  View<int*> side;
+  View<double* [D]> normal;
+  View<std::uint64_t*> nearest;
+
+  KOKKOS_INLINE_FUNCTION Vector<D> operator()(int i) const
+  {
+    const int own = nodes.parent(i), other = nodes.numLattice + i;
+    const double a = nodes.sums(own, Nodes<D>::massAt), b = nodes.sums(other, Nodes<D>::massAt);
+    const int s = simplexOf(nearest(own));
+    Vector<D> force, n;
+    for (int d = 0; d < D; ++d)
+    {
+      const double f = nodes.sums(own, Nodes<D>::forceAt + d), g = nodes.sums(other, Nodes<D>::forceAt + d);
+      force[d] = signOf(side(own)) * (f * b - g * a) / (a + b);
+      n[d] = normal(s, d);
+    }
+    const double across = dot(force, n);
+    return across < 0.0 ? force - across * n : force;
+  }
+};
+
+/// The front of a crack that is nearest to a place, or -1 if that has not grown.
+template <int D>
+struct NearestFront
+{
+  View<double * [D + 1]> fronts;
+
+  KOKKOS_INLINE_FUNCTION int operator()(const Vector<D>& x, int crack) const
+  {
+    int found = -1;
+    double least = 1e300;
+    for (int f = 0; f < static_cast<int>(fronts.extent(0)); ++f)
+    {
+      if (std::fabs(fronts(f, D)) != 1.0 + crack)
+        continue;
+      double square = 0.0;
+      for (int d = 0; d < D; ++d)
+        square += (x[d] - fronts(f, d)) * (x[d] - fronts(f, d));
+      if (square < least)
+      {
+        least = square;
+        found = f;
+      }
+    }
+    return found >= 0 && fronts(found, D) > 0.0 ? found : -1;
+  }
+};
+
+/// Makes a cohesive force of a stretched tie: from its force at its stretch j it falls to zero over another
+/// |j|. \return the energy that it holds, which no longer is elastic energy of ties [J]
+template <int D>
+KOKKOS_INLINE_FUNCTION double softenTie(const View<double * [D + 4]>& cohesive, const View<double* [D]>& jump,
+                                        int own, double stiffness)
+{
+  double square = 0.0;
+  for (int d = 0; d < D; ++d)
+    square += jump(own, d) * jump(own, d);
+  if (!(square > 0.0))
+    return 0.0;
+  const double size = std::sqrt(square);
+  cohesive(own, cohesion::peak) = stiffness * size;
+  cohesive(own, cohesion::range) = size;
+  cohesive(own, cohesion::start) = cohesive(own, cohesion::reached) = size;
+  for (int d = 0; d < D; ++d)
+    cohesive(own, cohesion::shift + d) = 0.0;
+  return 0.5 * stiffness * square;
 }
 
 } // namespace
@@ -52,6 +130,9 @@ void FrontTies<D>::makeRoom(State<D>& state)
   {
     Kokkos::resize(jump_, rows);
     Kokkos::resize(step_, rows);
+    Kokkos::resize(stiffness_, rows);
+    if (grows_)
+      Kokkos::resize(cohesion_, rows);
     state.cracks.tie = View<double * [D + 1]>("rhegma::ties", rows);
   }
   if (generation_ != state.tree.generation)
@@ -74,6 +155,8 @@ void FrontTies<D>::carryOver(const State<D>& state)
   const int lattice = state.grid.numNodes;
   const auto jump = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, jump_);
   const auto step = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, step_);
+  const auto stiffness = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, stiffness_);
+  const auto cohesion = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cohesion_);
   const auto keyOf = [&](const auto& place, int k)
   {
     Key key;
@@ -85,6 +168,8 @@ void FrontTies<D>::carryOver(const State<D>& state)
   {
     Vector<D> jump;
     int step;
+    double stiffness;
+    double cohesion[D + 4];
   };
   std::map<Key, Tie> ties;
   const auto before = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, finePlace_);
@@ -95,6 +180,9 @@ void FrontTies<D>::carryOver(const State<D>& state)
       continue;
     Tie& tie = ties[keyOf(before, k)];
     tie.step = step(n);
+    tie.stiffness = stiffness(n);
+    for (int i = 0; grows_ && i < D + 4; ++i)
+      tie.cohesion[i] = cohesion(n, i);
     for (int d = 0; d < D; ++d)
       tie.jump[d] = jump(n, d);
   }
@@ -107,17 +195,41 @@ void FrontTies<D>::carryOver(const State<D>& state)
   for (int n = lattice; n < static_cast<int>(step.extent(0)); ++n)
   {
     step(n) = 0;
+    stiffness(n) = 0.0;
+    if (grows_)
+      cohesion(n, cohesion::peak) = 0.0;
     if (n - lattice >= fine)
       continue;
     const auto found = ties.find(keyOf(after, n - lattice));
     if (found == ties.end())
       continue;
     step(n) = found->second.step;
+    stiffness(n) = found->second.stiffness;
+    for (int i = 0; grows_ && i < D + 4; ++i)
+      cohesion(n, i) = found->second.cohesion[i];
     for (int d = 0; d < D; ++d)
       jump(n, d) = found->second.jump[d];
   }
   Kokkos::deep_copy(jump_, jump);
   Kokkos::deep_copy(step_, step);
+  Kokkos::deep_copy(stiffness_, stiffness);
+  Kokkos::deep_copy(cohesion_, cohesion);
+}
+
+template <int D>
+void FrontTies<D>::placeFronts(const State<D>& state)
+{
+  const std::vector<CrackFront<D>>& fronts = state.cracks.fronts;
+  if (fronts_.extent(0) != fronts.size())
+    fronts_ = View<double * [D + 1]>("rhegma::cracks::fronts", fronts.size());
+  const auto host = Kokkos::create_mirror_view(fronts_);
+  for (std::size_t f = 0; f < fronts.size(); ++f)
+  {
+    for (int d = 0; d < D; ++d)
+      host(f, d) = fronts[f].position[d];
+    host(f, D) = (fronts[f].grown ? 1.0 : -1.0) * (1.0 + fronts[f].crack);
+  }
+  Kokkos::deep_copy(fronts_, host);
 }
 
 template <int D>
@@ -138,15 +250,55 @@ void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
   const double modulus = factor * modulus_, thickness = state.thickness;
   const double limit = stable / (state.dt * state.dt);
   const int step = surroundings.stamp;
-  forFew(
-      "rhegma::cracks::findTies", nodes.numSecond, KOKKOS_LAMBDA(const int i) {
+  const View<double*> stiffness = stiffness_;
+  const bool grows = grows_;
+  const View<double * [D + 4]> cohesive = cohesion_;
+  if (grows)
+    placeFronts(state);
+  const NearestFront<D> frontOf{fronts_};
+  double converted = 0.0;
+  sumFew(
+      "rhegma::cracks::findTies", 0, nodes.numSecond,
+      KOKKOS_LAMBDA(const int i, int& waiting, double& spent) {
         const int own = nodes.parent(i), other = nodes.numLattice + i;
-        if (last(own) != step - 1)
+        const bool fresh = last(own) != step - 1;
+        if (fresh)
+        {
+          stiffness(own) = 0.0;
           for (int d = 0; d < D; ++d)
             jump(own, d) = 0.0;
+          if (grows)
+            cohesive(own, cohesion::peak) = 0.0;
+        }
         last(own) = step;
         tie(own, D) = 0.0;
         const int s = simplexOf(nearest(own));
+        const double a = nodes.sums(own, Nodes<D>::massAt), b = nodes.sums(other, Nodes<D>::massAt);
+        const int halvings = refined && level(own) >= firstShort ? level(own) - firstShort + 1 : 0;
+        const double most = a > 0.0 && b > 0.0 ? std::ldexp(limit, 2 * halvings) * a * b / (a + b) : 0.0;
+        if (grows)
+        {
+          if (cohesive(own, cohesion::peak) > 0.0)
+          {
+            const double now = cohesion::secant(cohesive, own);
+            tie(own, D) = now < most ? now : most;
+            return;
+          }
+          const int f = frontOf(places(own), sight.crackOf(s));
+          if (f >= 0)
+          {
+            if (fresh && most > 0.0)
+            {
+              cohesive(own, cohesion::peak) = -1.0 - f;
+              ++waiting;
+            }
+            else if (stiffness(own) > 0.0)
+              spent += softenTie<D>(cohesive, jump, own, stiffness(own));
+            tie(own, D) = stiffness(own) < most ? stiffness(own) : most;
+            stiffness(own) = 0.0;
+            return;
+          }
+        }
         if (sight.nearFront(s) == 0)
           return;
         const Sight seen = sight.look(s, places(own));
@@ -156,15 +308,15 @@ void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
           steepest = std::fmax(steepest, std::fabs(sight.normal(s, d)));
         const double xi = seen.behind / cell * std::sqrt(steepest) + offset;
         const double away = std::fabs(seen.distance) / (cell * steepest);
-        const double a = nodes.sums(own, Nodes<D>::massAt), b = nodes.sums(other, Nodes<D>::massAt);
-        if (xi < 1.0 && away < 1.0 && a > 0.0 && b > 0.0)
+        stiffness(own) = 0.0;
+        if (xi < 1.0 && away < 1.0 && most > 0.0)
         {
-          const int halvings = refined && level(own) >= firstShort ? level(own) - firstShort + 1 : 0;
-          const double wanted = modulus * (D == 2 ? thickness : cell) * (1.0 - xi) / xi * (1.0 - away),
-                       most = std::ldexp(limit, 2 * halvings) * a * b / (a + b);
-          tie(own, D) = wanted < most ? wanted : most;
+          const double wanted = modulus * (D == 2 ? thickness : cell) * (1.0 - xi) / xi * (1.0 - away);
+          tie(own, D) = stiffness(own) = wanted < most ? wanted : most;
         }
-      });
+      },
+      waiting_, converted);
+  state.energy.fracture += converted;
 }
 
 template <int D>
@@ -174,12 +326,13 @@ void FrontTies<D>::addForces(State<D>& state) const
   const View<int*> side = state.cracks.nodeSide;
   const View<double* [D]> jump = jump_;
   const View<double * [D + 1]> tie = state.cracks.tie;
+  const View<double * [D + 4]> cohesive = cohesion_;
   forFew(
       "rhegma::cracks::tie", nodes.numSecond, KOKKOS_LAMBDA(const int i) {
         const int own = nodes.parent(i), other = nodes.numLattice + i;
         for (int d = 0; d < D; ++d)
         {
-          tie(own, d) = pullOf<D>(tie, jump, own, d, signOf(side(own)));
+          tie(own, d) = pullOf<D>(tie, jump, cohesive, own, d, signOf(side(own)));
           nodes.sums(own, Nodes<D>::forceAt + d) += tie(own, d);
           nodes.sums(other, Nodes<D>::forceAt + d) -= tie(own, d);
         }
@@ -229,30 +382,148 @@ FollowingForce<D> FrontTies<D>::following()
 }
 
 template <int D>
-void FrontTies<D>::advance(State<D>& state) const
+void FrontTies<D>::release(State<D>& state, const Surroundings& surroundings)
+{
+  if (waiting_ == 0)
+    return;
+  const Nodes<D> nodes = state.nodes;
+  const View<int*> side = state.cracks.nodeSide;
+  const View<double*[D]> jump = jump_, normal = state.cracks.normal;
+  const View<std::uint64_t*> nearest = surroundings.nearest;
+  const View<double * [D + 1]> tie = state.cracks.tie;
+  const View<double * [D + 4]> cohesive = cohesion_;
+  const HoldingForce<D> holding{nodes, side, normal, nearest};
+  const bool refined = state.tree.refined();
+  const View<int*> level = state.tree.nodeLevel;
+  const int firstShort = firstOfShortSteps(state);
+  const double limit = stable / (state.dt * state.dt);
+  for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
+  {
+    CrackFront<D>& front = state.cracks.fronts[f];
+    const double name = -1.0 - static_cast<double>(f);
+    const auto sum = sumFew<double>(
+        "rhegma::cracks::sumHoldingForces", nodes.numSecond, KOKKOS_LAMBDA(const int i, double& all) {
+          if (cohesive(nodes.parent(i), cohesion::peak) == name)
+            all += norm(holding(i));
+        });
+    // A node that the front passes by drifting through the cells takes what a cell of new face would.
+    const double energy = front.unspent > 0.0 ? front.unspent
+                                              : std::max(0.0, front.driving.release) * state.thickness *
+                                                    spacingAt(state, front.position);
+    const double range = sum > 0.0 ? 2.0 * energy / (cohesion::strengthAtFirst * sum) : 0.0;
+    if (range > 0.0)
+      front.unspent = 0.0;
+    forFew(
+        "rhegma::cracks::release", nodes.numSecond, KOKKOS_LAMBDA(const int i) {
+          const int own = nodes.parent(i), other = nodes.numLattice + i;
+          if (cohesive(own, cohesion::peak) != name)
+            return;
+          const Vector<D> force = cohesion::strengthAtFirst * holding(i);
+          const double size = norm(force);
+          const double a = nodes.sums(own, Nodes<D>::massAt), b = nodes.sums(other, Nodes<D>::massAt);
+          const int halvings = refined && level(own) >= firstShort ? level(own) - firstShort + 1 : 0;
+          const double stiffness = std::ldexp(limit, 2 * halvings) * a * b / (a + b);
+          cohesive(own, cohesion::peak) = 0.0;
+          if (!(size > 0.0) || !(range > 0.0))
+            return;
+          cohesive(own, cohesion::peak) = size;
+          cohesive(own, cohesion::range) = range;
+          cohesive(own, cohesion::start) = cohesive(own, cohesion::reached) = size / stiffness;
+          tie(own, D) = stiffness;
+          for (int d = 0; d < D; ++d)
+          {
+            cohesive(own, cohesion::shift + d) = force[d] / stiffness - jump(own, d);
+            tie(own, d) = -signOf(side(own)) * force[d];
+            nodes.sums(own, Nodes<D>::forceAt + d) += tie(own, d);
+            nodes.sums(other, Nodes<D>::forceAt + d) -= tie(own, d);
+          }
+        });
+  }
+  waiting_ = 0;
+}
+
+template <int D>
+void FrontTies<D>::advance(State<D>& state)
 {
   const Nodes<D> nodes = state.nodes;
   const View<int*> side = state.cracks.nodeSide;
   const View<double* [D]> jump = jump_;
   const View<double * [D + 1]> tie = state.cracks.tie;
+  const View<double * [D + 4]> cohesive = cohesion_;
+  const bool grows = grows_;
   const double dt = state.dt;
   const bool byMotion = state.scheme == UpdateScheme::Usl;
-  state.energy.ties = sumFew<double>(
-      "rhegma::cracks::stretchTies", nodes.numSecond, KOKKOS_LAMBDA(const int i, double& sum) {
+  double elastic = 0.0, spent = 0.0;
+  sumFew(
+      "rhegma::cracks::stretchTies", 0, nodes.numSecond,
+      KOKKOS_LAMBDA(const int i, double& sum, double& work) {
         const int own = nodes.parent(i), other = nodes.numLattice + i;
         const double sign = signOf(side(own));
         // A field without mass moves nowhere: beside it the other's flight is no stretch.
         const bool both =
             nodes.sums(own, Nodes<D>::massAt) > 0.0 && nodes.sums(other, Nodes<D>::massAt) > 0.0;
+        const bool resists = grows && cohesive(own, cohesion::peak) > 0.0;
+        double square = 0.0, more[D];
         for (int d = 0; d < D; ++d)
         {
           const double moved = byMotion ? nodes.motion(own, d) - nodes.motion(other, d)
                                         : nodes.projection(own, d) - nodes.projection(other, d);
-          jump(own, d) = both ? jump(own, d) + sign * dt * moved : 0.0;
-          tie(own, d) = pullOf<D>(tie, jump, own, d, sign);
-          sum += 0.5 * tie(own, D) * jump(own, d) * jump(own, d);
+          more[d] = both ? sign * dt * moved : -jump(own, d);
+          jump(own, d) += more[d];
+          if (resists)
+          {
+            const double from = jump(own, d) + cohesive(own, cohesion::shift + d);
+            square += from * from;
+          }
+          else
+            sum += 0.5 * tie(own, D) * jump(own, d) * jump(own, d);
         }
+        if (resists && square > cohesive(own, cohesion::reached) * cohesive(own, cohesion::reached))
+        {
+          cohesive(own, cohesion::reached) = std::sqrt(square);
+          const double now = cohesion::secant(cohesive, own);
+          tie(own, D) = now < tie(own, D) ? now : tie(own, D);
+        }
+        for (int d = 0; d < D; ++d)
+        {
+          const double before = tie(own, d);
+          tie(own, d) = pullOf<D>(tie, jump, cohesive, own, d, sign);
+          if (resists && both)
+            work -= 0.5 * sign * (before + tie(own, d)) * more[d];
+        }
+      },
+      elastic, spent);
+  state.energy.ties = elastic;
+  state.energy.fracture += spent;
+}
+
+template <int D>
+double FrontTies<D>::energyInFlight(const State<D>& state) const
+{
+  const Nodes<D> nodes = state.nodes;
+  const View<double* [D]> jump = jump_;
+  const View<double * [D + 4]> cohesive = cohesion_;
+  if (!grows_ || cohesive.extent(0) == 0)
+    return 0.0;
+  double sum = sumFew<double>(
+      "rhegma::cracks::energyInFlight", nodes.numSecond, KOKKOS_LAMBDA(const int i, double& all) {
+        const int own = nodes.parent(i);
+        if (!(cohesive(own, cohesion::peak) > 0.0))
+          return;
+        const double r = cohesive(own, cohesion::reached), force = cohesion::strength(cohesive, own);
+        double square = 0.0;
+        for (int d = 0; d < D; ++d)
+        {
+          const double from = jump(own, d) + cohesive(own, cohesion::shift + d);
+          square += from * from;
+        }
+        const double end = cohesive(own, cohesion::start) + cohesive(own, cohesion::range);
+        if (force > 0.0)
+          all += 0.5 * force * (end - r) + 0.5 * force / r * (r * r - square);
       });
+  for (const CrackFront<D>& front : state.cracks.fronts)
+    sum += front.unspent;
+  return sum;
 }
 
 template <int D>
@@ -262,17 +533,25 @@ void FrontTies<D>::keep(State<D>& state, int step, Archive& archive)
   const NodeNames<D> names(state);
   const auto jump = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, jump_);
   const auto last = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, step_);
+  const auto stiffness = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, stiffness_);
+  const auto cohesion = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cohesion_);
   std::vector<int> nodes;
-  std::vector<double> jumps;
+  std::vector<double> jumps, stiffnesses, cohesions;
   for (int n = 0; n < state.nodes.numLattice && !archive.loads(); ++n)
     if (step > 0 && last(n) == step)
     {
       names.append(n, nodes);
       for (int d = 0; d < D; ++d)
         jumps.push_back(jump(n, d));
+      stiffnesses.push_back(stiffness(n));
+      for (int k = 0; grows_ && k < D + 4; ++k)
+        cohesions.push_back(cohesion(n, k));
     }
   archive("nodes", nodes, D);
   archive("jumps", jumps, D);
+  archive("stiffnesses", stiffnesses);
+  if (grows_)
+    archive("cohesions", cohesions, D + 4);
   if (!archive.loads())
     return;
   for (std::size_t k = 0; k < std::min(nodes.size(), jumps.size()); k += D)
@@ -283,7 +562,12 @@ void FrontTies<D>::keep(State<D>& state, int step, Archive& archive)
     last(n) = step;
     for (int d = 0; d < D; ++d)
       jump(n, d) = jumps[k + d];
+    stiffness(n) = k / D < stiffnesses.size() ? stiffnesses[k / D] : 0.0;
+    for (std::size_t i = 0; grows_ && i < D + 4 && (k / D + 1) * (D + 4) <= cohesions.size(); ++i)
+      cohesion(n, i) = cohesions[k / D * (D + 4) + i];
   }
+  Kokkos::deep_copy(stiffness_, stiffness);
+  Kokkos::deep_copy(cohesion_, cohesion);
   Kokkos::deep_copy(jump_, jump);
   Kokkos::deep_copy(step_, last);
 }

@@ -1,6 +1,7 @@
 #pragma once
-/// Springs between the two fields of nodes just behind a front.
+/// Springs and cohesive forces between the two fields of nodes behind a front.
 
+#include "cracks/Cohesion.hpp"
 #include "cracks/Sides.hpp"
 #include "state/State.hpp"
 
@@ -29,21 +30,34 @@ namespace Rhegma::cracks
 /// A spring follows the jump of the velocity that strains the particles, from the step in which its node gets
 /// two fields; it is unstretched then, as a node that a front has just passed is closed. Where refined cells
 /// change, a spring stays at its place if there is still a node. Its elastic energy counts as strain energy.
+///
+/// Where fronts grow, a node that a front passes gets a cohesive force instead (Cohesion.hpp), and springs of
+/// a front that has set out become such forces.
 template <int D>
 class FrontTies
 {
 public:
+  /// \param grows whether fronts may grow
+  explicit FrontTies(bool grows) : grows_(grows) {}
+
   /// Finds the ties of this step, once nodes have masses, and leaves their stiffness in state.cracks.tie.
   void prepare(State<D>& state, const Surroundings& surroundings);
 
   /// Adds the forces of the ties to both fields of their nodes and leaves them in state.cracks.tie.
   void addForces(State<D>& state) const;
 
+  /// Gives nodes that have got two fields behind a front that grows the force that held them together, once
+  /// all other forces on nodes are known, and the energy that it will take.
+  void release(State<D>& state, const Surroundings& surroundings);
+
+  /// What is still to be spent on opening faces whose forces have not come to an end [J].
+  double energyInFlight(const State<D>& state) const;
+
   /// How the forces follow nodes that move in short steps.
   static FollowingForce<D> following();
 
   /// Stretches the ties over the step.
-  void advance(State<D>& state) const;
+  void advance(State<D>& state);
 
   /// Saves or loads the jumps of the nodes that had two fields in the last step. \param step its number, from
   /// 1
@@ -51,14 +65,20 @@ public:
 
 private:
   void makeRoom(State<D>& state);
-  /// Moves jumps to the numbers that the nodes of refined cells have now.
+  /// Moves what nodes of refined cells have to the numbers that they have now.
   void carryOver(const State<D>& state);
+  void placeFronts(const State<D>& state);
 
-  int generation_ = 0;          ///< of the refined cells
-  double modulus_ = 0.0;        ///< the smallest E' of the scene [Pa]
-  View<double* [D]> jump_;      ///< of each lattice node, from the field of side -1 to that of +1 [m]
-  View<int*> step_;             ///< number, from 1, of the last step in which a node had two fields
-  View<double* [D]> finePlace_; ///< of the nodes of refined cells to which these belong [m]
+  bool grows_;
+  int waiting_ = 0;                 ///< nodes that wait for `release`
+  View<double * [D + 4]> cohesion_; ///< of each lattice node (Cohesion.hpp); empty unless fronts may grow
+  View<double * [D + 1]> fronts_;   ///< place of each front, and 1 + its crack if it has grown, else 0
+  int generation_ = 0;              ///< of the refined cells
+  double modulus_ = 0.0;            ///< the smallest E' of the scene [Pa]
+  View<double* [D]> jump_;          ///< of each lattice node, from the field of side -1 to that of +1 [m]
+  View<double*> stiffness_;         ///< of each lattice node's tie in its last step [N/m]
+  View<int*> step_;                 ///< number, from 1, of the last step in which a node had two fields
+  View<double* [D]> finePlace_;     ///< of the nodes of refined cells to which these belong [m]
 };
 
 } // namespace Rhegma::cracks

@@ -71,7 +71,7 @@ double largestContour(const State<D>& state, const CrackFront<D>& front, double 
 {
   double clear = clearRadius(state, front.position, radius);
   for (const CrackFront<D>& other : state.cracks.fronts)
-    if (other.crack != front.crack || other.number != front.number)
+    if (!other.ended && (other.crack != front.crack || other.number != front.number))
       clear = std::min(clear, norm(other.position - front.position));
   return clear;
 }
@@ -99,15 +99,15 @@ double distanceToOtherCracks(const CrackSet<2>& cracks, const CrackFront<2>& fro
 namespace
 {
 
-constexpr double innerCells = 3.0, outerCells = 6.0, smallestOuterCells = 2.0, wantedInnerCells = 2.0;
+constexpr double smallestOuterCells = 2.0, wantedInnerCells = 2.0;
 
 } // namespace
 
 ContourRadii usualRadii(const GivenRadii& given, double cell)
 {
   ContourRadii radii;
-  radii.outer = given.outer > 0.0 ? given.outer : std::max(outerCells * cell, 2.0 * given.inner);
-  radii.inner = given.inner > 0.0 ? given.inner : std::min(innerCells * cell, 0.5 * radii.outer);
+  radii.outer = given.outer > 0.0 ? given.outer : std::max(given.outerCells * cell, 2.0 * given.inner);
+  radii.inner = given.inner > 0.0 ? given.inner : std::min(given.innerCells * cell, 0.5 * radii.outer);
   return radii;
 }
 

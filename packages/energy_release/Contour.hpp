@@ -49,9 +49,10 @@ double distanceToOtherCracks(const CrackSet<2>& cracks, const CrackFront<2>& fro
 struct GivenRadii
 {
   double inner = 0.0, outer = 0.0;
+  double innerCells = 3.0, outerCells = 6.0; ///< what the program takes [cells]
 };
 
-/// Radii where there is room: 3 and 6 cells, or so that a given one fits.
+/// Radii where there is room: 3 and 6 cells (more round cracks that run), or so that a given one fits.
 ContourRadii usualRadii(const GivenRadii& given, double cell);
 
 /// Radii of a front. An outer radius that the scene does not give is drawn in to what stays inside the body

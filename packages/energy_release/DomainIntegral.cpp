@@ -162,6 +162,7 @@ struct Integrand
   Vector<D> direction, normal;
   int positive, negative; ///< names of the crack's sides
   bool sides, moving;
+  bool intensities; ///< false: only J is wanted
 
   KOKKOS_INLINE_FUNCTION void operator()(int p, double& J, double& modeI, double& modeII, double& reciprocalI,
                                          double& reciprocalII) const
@@ -216,6 +217,8 @@ struct Integrand
     const double* own = history.extent(1) > 0 ? &history(p, 0) : nullptr;
     const double energy = storedEnergy<D>(materials(material(p)), F, own) + 0.5 * density * dot(v, v);
     J += volume(p) * (dot(flux, du) - energy * dot(dq, image) + density * (dot(a, du) - dot(v, dv1)) * q);
+    if (!intensities)
+      return;
     const Pair sum = interaction(p, q, dq, flux, du, density, a);
     modeI += sum.interaction[0];
     modeII += sum.interaction[1];
@@ -323,6 +326,8 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
                             Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()), work, J, modeI, modeII,
                             reciprocalI, reciprocalII);
     sum.J = J / state.thickness;
+    if (!work.intensities)
+      return sum;
     sum.modeI = scale * modeI;
     sum.modeII = scale * modeII;
     const double square = modeI * modeI + modeII * modeII;
@@ -339,7 +344,8 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
 
 template <ShapeKind S, bool Stored>
 DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, const ContourRadii& radii,
-                         const View<double* [D]>& acceleration, const Connectivity<D, S, Stored>& broken)
+                         const View<double* [D]>& acceleration, bool intensities,
+                         const Connectivity<D, S, Stored>& broken)
 {
   Integrand<S, Stored> work;
   work.broken = broken;
@@ -367,7 +373,11 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
   work.positive = front.crack + 1;
   work.negative = -front.crack - 1;
   work.moving = state.step > 0 && state.nodes.motion.extent(0) > 0; // nodes are empty before the first step
+  // What pressure behind the front adds to J is known by its intensity.
+  work.intensities = intensities || state.cracks.pressure.extent(0) > 0;
   DomainIntegral sum = integrateAboutTip(state, front, work);
+  if (!work.intensities)
+    return sum;
   const double lost = intensityLostAtFront(state, front, sum.tipOffset);
   sum.J += lost * (2.0 * sum.modeI + lost) / work.disk.effectiveModulus;
   sum.modeI += lost;
@@ -381,16 +391,29 @@ DomainIntegral integrateDomain(const State<2>& state, const CrackFront<2>& front
 {
   DomainIntegral result;
   withConnectivity(state, [&](const auto& broken)
-                   { result = integrate(state, front, radii, acceleration, broken); });
+                   { result = integrate(state, front, radii, acceleration, true, broken); });
   return result;
+}
+
+double integrateRelease(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
+                        const View<double* [2]>& acceleration)
+{
+  double J = 0.0;
+  withConnectivity(state, [&](const auto& broken)
+                   { J = integrate(state, front, radii, acceleration, false, broken).J; });
+  return J;
+}
+
+/// Particles in the integrals reach 3 cells beyond the disk, and nodes that they touch are touched by others.
+double accelerationReach(const State<2>& state, const ContourRadii& radii)
+{
+  return radii.outer + 6.0 * state.grid.spacing;
 }
 
 DomainIntegral integrateDomain(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii)
 {
-  // Particles in the integrals reach 3 cells beyond the disk, and nodes that they touch are touched by
-  // others.
-  const double reach = radii.outer + 6.0 * state.grid.spacing;
-  return integrateDomain(state, front, radii, internalAcceleration(state, front.position, reach));
+  return integrateDomain(state, front, radii,
+                         internalAcceleration(state, front.position, accelerationReach(state, radii)));
 }
 
 } // namespace Rhegma::energy_release

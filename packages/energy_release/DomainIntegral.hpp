@@ -55,6 +55,13 @@ struct DomainIntegral
 DomainIntegral integrateDomain(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
                                const View<double* [2]>& acceleration);
 
+/// J alone [J/m2], for less.
+double integrateRelease(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
+                        const View<double* [2]>& acceleration);
+
+/// Radius round a front in which nodes must have their acceleration [m].
+double accelerationReach(const State<2>& state, const ContourRadii& radii);
+
 /// The same with the acceleration by internal forces.
 DomainIntegral integrateDomain(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii);
 

@@ -5,6 +5,7 @@
 #include "energy_release/CrackClosure.hpp"
 #include "energy_release/CrackTipFields.hpp"
 #include "energy_release/DomainIntegral.hpp"
+#include "energy_release/DrivingForces.hpp"
 #include "energy_release/ReadOptions.hpp"
 #include "scene/Attempts.hpp"
 #include "scene/Numbers.hpp"
@@ -159,7 +160,7 @@ void sample(State<2>& state, const Options& options, Samples& samples)
   {
     Sample s;
     s.front = front;
-    if (options.contour)
+    if (options.contour && !front.ended)
     {
       s.radii = fittingRadii(state, front, options.radii);
       warnOfContour(state, front, s.radii, options, samples);
@@ -167,7 +168,9 @@ void sample(State<2>& state, const Options& options, Samples& samples)
     }
     const bool closure = wantsClosure(state, options, samples, front);
     s.closed = closure;
-    if (closure)
+    if (closure && front.ended)
+      s.closure = {0.0, 0.0};
+    else if (closure)
       s.closure = tryToClose(state, front, options);
     samples.last.push_back(s);
 
@@ -307,7 +310,28 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
                  if (state.observing)
                    sample(state, options, *samples);
                }});
-  effect.memory = [=](State<2>&, Archive& archive) { keep(*samples, archive); };
+  const auto driving = std::make_shared<DrivingForces>();
+  if (scene.isSublist("Propagation"))
+  {
+    effect.call({Stage::BetweenSteps,
+                 "driving forces of crack fronts",
+                 {},
+                 {"driving forces"},
+                 {},
+                 [driving](State<2>& state) { driving->measureRelease(state); }});
+    effect.call({Stage::BetweenSteps,
+                 "intensities at fronts that advance",
+                 {"fronts that advance"},
+                 {"intensities of fronts"},
+                 {},
+                 [driving](State<2>& state) { driving->measureIntensities(state); }});
+  }
+  effect.memory = [=](State<2>&, Archive& archive)
+  {
+    keep(*samples, archive);
+    const Archive::Group group(archive, "driving forces");
+    driving->keep(archive);
+  };
   effect.report = [=](const State<2>& state, nlohmann::json& summary)
   { report(state, options, *samples, summary); };
   return effect;

@@ -73,9 +73,20 @@ void divideByMass(const Nodes<D>& nodes, const View<double* [D]>& force)
 
 View<double* [D]> internalAcceleration(const State<D>& state, const Vector<D>& centre, double radius)
 {
-  View<double* [D]> force("rhegma::internalForce", state.nodes.sums.extent(0));
+  View<double* [D]> acceleration;
+  internalAcceleration(state, centre, radius, acceleration);
+  return acceleration;
+}
+
+void internalAcceleration(const State<D>& state, const Vector<D>& centre, double radius,
+                          View<double* [D]>& force)
+{
+  if (force.extent(0) != state.nodes.sums.extent(0))
+    force = View<double* [D]>("rhegma::internalForce", state.nodes.sums.extent(0));
+  else
+    Kokkos::deep_copy(force, 0.0);
   if (state.step == 0 || force.extent(0) == 0) // nodes have no mass before the first step
-    return force;
+    return;
   withConnectivity(state,
                    [&](const auto& connect)
                    {
@@ -91,7 +102,6 @@ View<double* [D]> internalAcceleration(const State<D>& state, const Vector<D>& c
                    });
   addTies(state, force);
   divideByMass(state.nodes, force);
-  return force;
 }
 
 } // namespace Rhegma::energy_release

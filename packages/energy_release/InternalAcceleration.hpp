@@ -12,4 +12,8 @@ namespace Rhegma::energy_release
 /// do: used as `a` in the domain integrals it takes their work into account, whoever applies them.
 View<double* [2]> internalAcceleration(const State<2>& state, const Vector<2>& centre, double radius);
 
+/// The same in rows that are used again and again; they grow where they must.
+void internalAcceleration(const State<2>& state, const Vector<2>& centre, double radius,
+                          View<double* [2]>& acceleration);
+
 } // namespace Rhegma::energy_release

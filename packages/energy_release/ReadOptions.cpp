@@ -50,6 +50,32 @@ Section energyReleaseSection()
   return s;
 }
 
+namespace
+{
+
+/// Round cracks that run the usual radii are those by which they run.
+GivenRadii readRadii(const Teuchos::ParameterList& scene)
+{
+  const Teuchos::ParameterList& list = scene.sublist("Energy Release");
+  GivenRadii given;
+  if (list.isType<double>("Inner Radius"))
+    given.inner = list.get<double>("Inner Radius");
+  if (list.isType<double>("Outer Radius"))
+    given.outer = list.get<double>("Outer Radius");
+  using Cells = Teuchos::Array<double>;
+  const char* const name = "Release Contour";
+  if (!scene.isSublist("Propagation") || !scene.sublist("Propagation").isType<Cells>(name))
+    return given;
+  const auto cells = scene.sublist("Propagation").get<Cells>(name);
+  if (cells.size() != 2)
+    return given;
+  given.innerCells = cells[0];
+  given.outerCells = cells[1];
+  return given;
+}
+
+} // namespace
+
 void checkEnergyRelease(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
   if (!scene.isSublist("Energy Release"))
@@ -82,11 +108,7 @@ void checkEnergyRelease(const Teuchos::ParameterList& scene, std::vector<SceneEr
     if (error.where == "Domain > Cell Size") // what follows from a wrong cell says nothing
       return;
   const double cell = domain.get<double>("Cell Size");
-  GivenRadii given;
-  if (list.isType<double>("Inner Radius"))
-    given.inner = list.get<double>("Inner Radius");
-  if (list.isType<double>("Outer Radius"))
-    given.outer = list.get<double>("Outer Radius");
+  const GivenRadii given = readRadii(scene);
   const auto [inner, outer] = usualRadii(given, cell);
   if (outer < inner + cell)
     errors.push_back({"Energy Release > Outer Radius",
@@ -144,10 +166,7 @@ Options readOptions(const Teuchos::ParameterList& scene)
   Options options;
   if (cracks.isParameter("Formulation"))
     options.openingKnown = cracks.get<std::string>("Formulation") != "Broken Cell";
-  if (list.isParameter("Inner Radius"))
-    options.radii.inner = list.get<double>("Inner Radius");
-  if (list.isParameter("Outer Radius"))
-    options.radii.outer = list.get<double>("Outer Radius");
+  options.radii = readRadii(scene);
   options.contour = list.get<bool>("Contour Integral");
   options.closure = list.get<bool>("Crack Closure");
   if (scene.isSublist("Face Pressure"))

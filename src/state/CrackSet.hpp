@@ -14,6 +14,7 @@ struct DrivingForce
 {
   double release = 0.0;             ///< energy release rate [J/m2]
   double modeI = 0.0, modeII = 0.0; ///< stress intensities [Pa m^0.5]
+  double hoopAngle = 0.0; ///< from its direction towards its normal, where the hoop stress is largest [rad]
 };
 
 /// Weights of the domain integrals that measure driving forces, in cells as they are at the front.
@@ -39,10 +40,13 @@ struct CrackFront
   double length = 0.0; ///< length of the crack that ends here (2D) or of the front itself (3D) [m]
   double speed = 0.0;  ///< [m/s]
 
-  DrivingForce driving; ///< what drives it on, where CrackSet::driven asks for it
-  bool grown = false;   ///< it has advanced since the start
-  bool ended = false;   ///< it has met the surface of its body or a crack; no facet is left of it
-  double unspent = 0.0; ///< energy of new faces that nothing resists with as yet [J]
+  DrivingForce driving;  ///< what drives it on, where CrackSet::driven asks for it
+  bool advances = false; ///< it is about to advance: its stress intensities are wanted
+  bool grown = false;    ///< it has advanced since the start
+  bool halted = false;   ///< it does not go on, though it is a front: another crack is too near
+  bool ended = false;    ///< it has met the surface of its body; no facet is left of it
+  double taken = 0.0;    ///< energy that its new faces take, all of them together [J]
+  double unspent = 0.0;  ///< the part of it that nothing resists with as yet [J]
 };
 
 /// One crack: a polyline (2D) or a triangulated surface (3D), a run of vertices and simplices in the set's

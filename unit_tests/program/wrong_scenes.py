@@ -272,7 +272,7 @@ MASS = [
 NOT_YET = [
     (f"not_yet_{name.lower().replace(' ', '_').replace('-', '_')}", plate().set(name, {}),
     one(name, "not in this version", "leave the section out"))
-    for name in ("Propagation", "Thermal", "Combustion")
+    for name in ("Thermal", "Combustion")
 ]
 
 BOX = {"Lower Corner": [0.0, 0.0], "Upper Corner": [0.02, 0.02], "Level": 1}

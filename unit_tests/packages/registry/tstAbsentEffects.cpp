@@ -76,6 +76,8 @@ const std::map<std::string, std::string> sectionsOf = {
        <Parameter name="Level" type="int" value="1"/></ParameterList></ParameterList>
        <ParameterList name="Sub-Cycling"/>)xml"},
     {"Contact", cracks + "<ParameterList name=\"Contact\"/>"},
+    {"Propagation", cracks + R"xml(<ParameterList name="Energy Release"/>
+       <ParameterList name="Propagation"><Parameter name="Toughness" type="string" value="100"/></ParameterList>)xml"},
     {"Damping", R"xml(<ParameterList name="Damping"><Parameter name="Mass Rate" type="double" value="10"/>
        <Parameter name="Shear Viscosity" type="double" value="1"/></ParameterList>)xml"},
     {"Energy Release", cracks + R"xml(<ParameterList name="Energy Release">

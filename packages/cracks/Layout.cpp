@@ -1,0 +1,186 @@
+#include "cracks/Layout.hpp"
+
+#include "cracks/CrackFrames.hpp"
+#include "cracks/CrackGeometry.hpp"
+#include "cracks/FrontPieces.hpp"
+
+#include <algorithm>
+
+namespace Rhegma::cracks
+{
+
+namespace
+{
+
+template <int D>
+void allocate(CrackSet<D>& set, int vertices, int simplices, int facets)
+{
+  set.vertex = View<double* [D]>("rhegma::crackVertex", vertices);
+  set.face = View<double* [2][D]>("rhegma::crackFace", vertices);
+  set.kind = View<int*>("rhegma::crackVertexKind", vertices);
+  set.vertexNormal = View<double* [D]>("rhegma::crackVertexNormal", vertices);
+  set.simplex = View<int* [D]>("rhegma::crackSimplex", simplices);
+  set.crackOf = View<int*>("rhegma::crackOf", simplices);
+  set.neighbour = View<int* [D]>("rhegma::crackNeighbour", simplices);
+  set.normal = View<double* [D]>("rhegma::crackNormal", simplices);
+  set.nearFront = View<int*>("rhegma::crackNearFront", simplices);
+  set.frontFacet = View<int* [2]>("rhegma::crackFrontFacet", facets);
+}
+
+template <int D>
+void fill(CrackSet<D>& set, const std::vector<CrackMesh<D>>& meshes, const std::vector<Piece>& pieces)
+{
+  const auto vertex = Kokkos::create_mirror_view(set.vertex);
+  const auto face = Kokkos::create_mirror_view(set.face);
+  const auto kind = Kokkos::create_mirror_view(set.kind);
+  const auto simplex = Kokkos::create_mirror_view(set.simplex);
+  const auto crackOf = Kokkos::create_mirror_view(set.crackOf);
+  const auto neighbour = Kokkos::create_mirror_view(set.neighbour);
+  const auto frontFacet = Kokkos::create_mirror_view(set.frontFacet);
+  for (std::size_t c = 0; c < meshes.size(); ++c)
+  {
+    const CrackMesh<D>& mesh = meshes[c];
+    const int v0 = set.cracks[c].firstVertex, s0 = set.cracks[c].firstSimplex;
+    for (int v = 0; v < set.cracks[c].numVertices; ++v)
+      for (int d = 0; d < D; ++d)
+        vertex(v0 + v, d) = face(v0 + v, 0, d) = face(v0 + v, 1, d) = mesh.vertices[v][d];
+    for (int s = 0; s < set.cracks[c].numSimplices; ++s)
+    {
+      crackOf(s0 + s) = static_cast<int>(c);
+      for (int i = 0; i < D; ++i)
+      {
+        simplex(s0 + s, i) = v0 + mesh.simplices[s][i];
+        const int beyond = mesh.beyond[s][i];
+        neighbour(s0 + s, i) = beyond < 0 ? beyond : s0 + beyond;
+        if (beyond < 0)
+          for (int k = 1; k < D; ++k)
+            kind(v0 + mesh.simplices[s][(i + k) % D]) |=
+                beyond == facet::front ? vertexKind::front : vertexKind::mouth;
+      }
+    }
+  }
+  for (std::size_t f = 0; f < pieces.size(); ++f)
+  {
+    frontFacet(f, 0) = pieces[f].simplex;
+    frontFacet(f, 1) = pieces[f].facet;
+  }
+  Kokkos::deep_copy(set.vertex, vertex);
+  Kokkos::deep_copy(set.face, face);
+  Kokkos::deep_copy(set.kind, kind);
+  Kokkos::deep_copy(set.simplex, simplex);
+  Kokkos::deep_copy(set.crackOf, crackOf);
+  Kokkos::deep_copy(set.neighbour, neighbour);
+  Kokkos::deep_copy(set.frontFacet, frontFacet);
+}
+
+/// Marks the simplices from which a front may have to be looked at.
+template <int D>
+void markNearFront(CrackSet<D>& set, double spacing)
+{
+  const double reach = (bandWidth + 1.0) * spacing;
+  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.vertex);
+  const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.simplex);
+  const auto crackOf = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.crackOf);
+  const auto frontFacet = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.frontFacet);
+  const auto nearFront = Kokkos::create_mirror_view(set.nearFront);
+  const auto at = [&](int v)
+  {
+    Vector<D> x;
+    for (int d = 0; d < D; ++d)
+      x[d] = vertex(v, d);
+    return x;
+  };
+  for (std::size_t f = 0; f < frontFacet.extent(0); ++f)
+  {
+    const Vector<D> front = at(simplex(frontFacet(f, 0), (frontFacet(f, 1) + 1) % D));
+    for (std::size_t s = 0; s < simplex.extent(0); ++s)
+      if (crackOf(s) == crackOf(frontFacet(f, 0)))
+      {
+        Vector<D> corner[D];
+        for (int i = 0; i < D; ++i)
+          corner[i] = at(simplex(s, i));
+        if (norm(front - placeOf<D>(corner, footOn(corner, front))) < reach)
+          nearFront(s) = 1;
+      }
+  }
+  Kokkos::deep_copy(set.nearFront, nearFront);
+}
+
+/// Where each vertex finds its simplices.
+template <int D>
+void listStars(CrackSet<D>& set)
+{
+  const int vertices = static_cast<int>(set.vertex.extent(0)),
+            simplices = static_cast<int>(set.simplex.extent(0));
+  const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.simplex);
+  std::vector<std::vector<int>> stars(vertices);
+  for (int s = 0; s < simplices; ++s)
+    for (int i = 0; i < D; ++i)
+      stars[simplex(s, i)].push_back(s);
+  set.starBegin = View<int*>("rhegma::crackStarBegin", vertices + 1);
+  set.star = View<int*>("rhegma::crackStar", D * simplices);
+  const auto begin = Kokkos::create_mirror_view(set.starBegin);
+  const auto star = Kokkos::create_mirror_view(set.star);
+  for (int v = 0; v < vertices; ++v)
+  {
+    begin(v + 1) = begin(v) + static_cast<int>(stars[v].size());
+    std::copy(stars[v].begin(), stars[v].end(), star.data() + begin(v));
+  }
+  Kokkos::deep_copy(set.starBegin, begin);
+  Kokkos::deep_copy(set.star, star);
+}
+
+/// Gives the fronts of a crack their pieces. \return the pieces, in the set's numbering
+template <int D>
+std::vector<Piece> placeFronts(CrackSet<D>& set, const std::vector<CrackMesh<D>>& meshes)
+{
+  std::vector<Piece> pieces;
+  std::vector<std::vector<std::vector<Piece>>> fronts;
+  for (const CrackMesh<D>& mesh : meshes)
+    fronts.push_back(frontsOf(mesh));
+  std::vector<std::size_t> next(meshes.size(), 0);
+  for (CrackFront<D>& front : set.fronts)
+  {
+    front.firstFacet = static_cast<int>(pieces.size());
+    front.numFacets = 0;
+    if (front.ended)
+      continue;
+    const std::vector<Piece>& along = fronts[front.crack][next[front.crack]++];
+    const Crack<D>& crack = set.cracks[front.crack];
+    front.vertex = crack.firstVertex + middleVertex(meshes[front.crack], along);
+    front.numFacets = static_cast<int>(along.size());
+    for (const Piece& piece : along)
+      pieces.push_back({crack.firstSimplex + piece.simplex, piece.facet});
+  }
+  return pieces;
+}
+
+} // namespace
+
+template <int D>
+void layOut(CrackSet<D>& set, const std::vector<CrackMesh<D>>& meshes, double spacing)
+{
+  int vertices = 0, simplices = 0;
+  for (std::size_t c = 0; c < meshes.size(); ++c)
+  {
+    Crack<D>& crack = set.cracks[c];
+    crack.firstVertex = vertices;
+    crack.numVertices = static_cast<int>(meshes[c].vertices.size());
+    crack.firstSimplex = simplices;
+    crack.numSimplices = static_cast<int>(meshes[c].simplices.size());
+    vertices += crack.numVertices;
+    simplices += crack.numSimplices;
+  }
+  const std::vector<Piece> pieces = placeFronts(set, meshes);
+  allocate(set, vertices, simplices, static_cast<int>(pieces.size()));
+  fill(set, meshes, pieces);
+  listStars(set);
+  markNearFront(set, spacing);
+  updateNormals(set);
+  updateFronts(set);
+}
+
+template void layOut(CrackSet<2>&, const std::vector<CrackMesh<2>>&, double);
+template void layOut(CrackSet<3>&, const std::vector<CrackMesh<3>>&, double);
+
+} // namespace Rhegma::cracks

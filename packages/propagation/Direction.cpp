@@ -1,0 +1,83 @@
+#include "propagation/Direction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Rhegma::propagation
+{
+
+namespace
+{
+
+const double pi = 4.0 * std::atan(1.0);
+
+/// k_I^2 + k_II^2 of a short kink.
+double kinkedRelease(double angle, double modeI, double modeII)
+{
+  const double m = angle / pi, m2 = m * m, p2 = pi * pi;
+  const auto series = [&](std::initializer_list<double> terms)
+  {
+    double sum = 0.0, power = 1.0;
+    for (const double term : terms)
+    {
+      sum += term * power;
+      power *= m2;
+    }
+    return sum;
+  };
+  const double p4 = p2 * p2, p6 = p4 * p2;
+  const double F11 =
+      series({1.0, -3.0 * p2 / 8.0, p2 - 5.0 * p4 / 128.0, p2 / 9.0 - 11.0 * p4 / 72.0 + 119.0 * p6 / 15360.0,
+              5.07790, -2.88312, -0.0925, 2.996, -4.059, 1.63, 4.1});
+  const double F12 = m * series({-1.5 * pi, 10.0 * pi / 3.0 + pi * p2 / 16.0,
+                                 -2.0 * pi - 133.0 * pi * p2 / 180.0 + 59.0 * pi * p4 / 1280.0, 12.313906,
+                                 -7.32433, 1.5793, 4.0216, -6.915, 4.21, 4.56});
+  const double F21 = m * series({0.5 * pi, -4.0 * pi / 3.0 - pi * p2 / 48.0,
+                                 -2.0 * pi / 3.0 + 13.0 * pi * p2 / 30.0 - 59.0 * pi * p4 / 3840.0, -6.176023,
+                                 4.44112, -1.5340, -2.0700, 4.684, -3.95, -1.32});
+  const double F22 = series({1.0, -(4.0 + 3.0 * p2 / 8.0), 8.0 / 3.0 + 29.0 * p2 / 18.0 - 5.0 * p4 / 128.0,
+                             -32.0 / 15.0 - 4.0 * p2 / 9.0 - 1159.0 * p4 / 7200.0 + 119.0 * p6 / 15360.0,
+                             10.58254, -4.78511, -1.8804, 7.280, -7.591, 0.25, 12.5});
+  const double kI = F11 * modeI + F12 * modeII, kII = F21 * modeI + F22 * modeII;
+  return kI * kI + kII * kII;
+}
+
+} // namespace
+
+double energyReleaseAngle(double modeI, double modeII)
+{
+  const double most = 80.0 * pi / 180.0, coarse = pi / 180.0, tolerance = 1e-9;
+  // The kink turns to the side where sliding opens it.
+  const double sign = modeII > 0.0 ? -1.0 : 1.0;
+  double best = 0.0, value = kinkedRelease(0.0, modeI, modeII);
+  for (double angle = coarse; angle <= most; angle += coarse)
+    if (const double now = kinkedRelease(sign * angle, modeI, modeII); now > value)
+    {
+      best = angle;
+      value = now;
+    }
+  double low = std::max(best - coarse, 0.0), high = std::min(best + coarse, most);
+  while (high - low > tolerance)
+  {
+    const double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
+    if (kinkedRelease(sign * a, modeI, modeII) < kinkedRelease(sign * b, modeI, modeII))
+      low = a;
+    else
+      high = b;
+  }
+  return sign * 0.5 * (low + high);
+}
+
+Vector<2> nextDirection(const CrackFront<2>& front, DirectionRule rule)
+{
+  const DrivingForce& driving = front.driving;
+  double angle = 0.0;
+  if (rule == DirectionRule::HoopStress)
+    angle = driving.hoopAngle;
+  else if (rule == DirectionRule::EnergyRelease)
+    angle = energyReleaseAngle(std::max(driving.modeI, 0.0), driving.modeII);
+  const Vector<2> direction = std::cos(angle) * front.direction + std::sin(angle) * front.normal;
+  return (1.0 / norm(direction)) * direction;
+}
+
+} // namespace Rhegma::propagation

@@ -1,0 +1,129 @@
+#include "propagation/FrontHistory.hpp"
+
+#include "checkpoint/Archive.hpp"
+
+#include <algorithm>
+
+namespace Rhegma::propagation
+{
+
+namespace
+{
+
+/// A front that is slower than this share of the fastest speed may come to rest.
+constexpr double almostStopped = 0.02;
+
+/// More increments than a crack makes in a step.
+constexpr int mostIncrements = 16;
+
+} // namespace
+
+Advance FrontHistory::advance(const AdvanceRule& rule, double time, double release, double increment,
+                              double fastest)
+{
+  const double begin = timeBefore_, releaseAtBegin = releaseBefore_;
+  timeBefore_ = time;
+  releaseBefore_ = release;
+  impulse_ += 0.5 * (time - begin) * (release + releaseAtBegin);
+  Advance made;
+  if (time < rule.startTime)
+    return made;
+  const auto releaseAt = [&](double t)
+  { return time > begin ? release + (time - t) / (time - begin) * (releaseAtBegin - release) : release; };
+  if (!running_)
+  {
+    if (release < rule.initiation)
+      return made;
+    const double rise = release - releaseAtBegin;
+    const double share = rise > 0.0 ? std::min(1.0, (release - rule.initiation) / rise) : 0.0;
+    last_ = std::max(time - share * (time - begin), rule.startTime);
+    lastSpeed_ = 0.0;
+    running_ = true;
+    note(last_, increment);
+    made = {1, rule.initiation};
+  }
+  while (made.increments < mostIncrements)
+  {
+    const double least = increment / fastest;
+    const double from = std::max(begin, last_ + least);
+    if (from > time)
+      break;
+    const auto excess = [&](double t) { return releaseAt(t) - rule.toughness(increment / (t - last_)); };
+    double at = from;
+    if (excess(from) < 0.0)
+    {
+      if (excess(time) < 0.0)
+        break;
+      double low = from, high = time;
+      for (int i = 0; i < 40; ++i)
+      {
+        const double middle = 0.5 * (low + high);
+        (excess(middle) < 0.0 ? low : high) = middle;
+      }
+      at = high;
+    }
+    const double speed = increment / (at - last_), toughness = rule.toughness(speed);
+    made.toughness = (made.toughness * made.increments + toughness) / (made.increments + 1);
+    ++made.increments;
+    last_ = at;
+    lastSpeed_ = speed;
+    note(at, increment);
+  }
+  increment_ = increment;
+  if (made.increments == 0 && release < rule.arrest && increment / (time - last_) < almostStopped * fastest)
+  {
+    running_ = false;
+    lastSpeed_ = 0.0;
+  }
+  return made;
+}
+
+void FrontHistory::note(double time, double increment)
+{
+  // Increments lie within the step that has just ended.
+  times_.push_back(time);
+  lengths_.push_back(increment);
+  impulses_.push_back(impulse_ - (timeBefore_ - time) * releaseBefore_);
+}
+
+double FrontHistory::speed(double time) const
+{
+  if (!running_)
+    return 0.0;
+  return time > last_ ? std::min(lastSpeed_, increment_ / (time - last_)) : lastSpeed_;
+}
+
+double FrontHistory::settledSpeed() const
+{
+  const std::size_t half = times_.size() / 2;
+  if (times_.size() < 4)
+    return 0.0;
+  double length = 0.0;
+  for (std::size_t k = half + 1; k < times_.size(); ++k)
+    length += lengths_[k];
+  return length / (times_.back() - times_[half]);
+}
+
+double FrontHistory::settledRelease() const
+{
+  const std::size_t half = times_.size() / 2;
+  if (times_.size() < 4)
+    return 0.0;
+  return (impulses_.back() - impulses_[half]) / (times_.back() - times_[half]);
+}
+
+void FrontHistory::keep(Archive& archive)
+{
+  archive("running", running_);
+  archive("last", last_);
+  archive("last_speed", lastSpeed_);
+  archive("increment", increment_);
+  archive("time_before", timeBefore_);
+  archive("release_before", releaseBefore_);
+  archive("impulse", impulse_);
+  archive("times", times_);
+  archive("lengths", lengths_);
+  archive("impulses", impulses_);
+}
+
+} // namespace Rhegma::propagation

@@ -1,0 +1,74 @@
+#pragma once
+/// When a front advanced, and when it advances next.
+
+#include "propagation/Toughness.hpp"
+
+#include <string>
+#include <vector>
+
+namespace Rhegma
+{
+class Archive;
+}
+
+namespace Rhegma::propagation
+{
+
+/// What decides when fronts advance.
+struct AdvanceRule
+{
+  Toughness toughness;
+  double initiation = 0.0; ///< energy release rate at which a front at rest sets out [J/m2]
+  double arrest = 0.0;     ///< and below which one that has almost stopped comes to rest [J/m2]
+  double startTime = 0.0;  ///< before which no front advances [s]
+};
+
+/// What a front does in a step.
+struct Advance
+{
+  int increments = 0;
+  double toughness = 0.0; ///< mean of the increments' [J/m2]
+};
+
+/// A front in time. Its speed is what comes out: the front advances by da at the time at which
+///
+///     G(t) = Gc(da / (t - t_last)),
+///
+/// so that the speed of which Gc is a function is that of the very increment. A mean over earlier increments
+/// would hold a crack for ever that a wave has stopped once. The time is interpolated in the step, so that
+/// speeds are not multiples of da / dt. No increment takes less than da / fastest.
+class FrontHistory
+{
+public:
+  /// Decides what the front does in the step that ended at `time`.
+  /// \param release energy release rate now [J/m2] \param increment da [m] \param fastest speed [m/s]
+  Advance advance(const AdvanceRule& rule, double time, double release, double increment, double fastest);
+
+  /// Speed now: that of the last increment, or less when the next is late [m/s].
+  double speed(double time) const;
+
+  bool running() const { return running_; }
+  long increments() const { return static_cast<long>(times_.size()); }
+  double firstTime() const { return times_.empty() ? 0.0 : times_.front(); }
+  double lastTime() const { return last_; }
+
+  /// Mean speed over the second half of its path [m/s].
+  double settledSpeed() const;
+  /// Mean over time of the energy release rate over the second half of its path [J/m2].
+  double settledRelease() const;
+
+  void keep(Archive& archive);
+
+private:
+  void note(double time, double increment);
+
+  bool running_ = false;
+  double last_ = 0.0;                              ///< time of the last increment [s]
+  double lastSpeed_ = 0.0;                         ///< of the last increment [m/s]
+  double increment_ = 0.0;                         ///< its length [m]
+  double timeBefore_ = 0.0, releaseBefore_ = 0.0;  ///< at the end of the step before
+  double impulse_ = 0.0;                           ///< energy release rate over time, all of it [J s/m2]
+  std::vector<double> times_, lengths_, impulses_; ///< of each increment; impulses_ up to it
+};
+
+} // namespace Rhegma::propagation

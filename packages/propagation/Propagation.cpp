@@ -1,0 +1,330 @@
+#include "propagation/Propagation.hpp"
+
+#include "checkpoint/Archive.hpp"
+#include "propagation/Direction.hpp"
+#include "propagation/FrontHistory.hpp"
+#include "propagation/RayleighSpeed.hpp"
+#include "scene/Numbers.hpp"
+#include "scene/ReadList.hpp"
+#include "transfer/LocalSpacing.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+namespace Rhegma::propagation
+{
+
+namespace
+{
+
+struct Options
+{
+  AdvanceRule rule;
+  DirectionRule direction;
+  double cells;      ///< an increment has [cells]
+  double speedLimit; ///< [m/s]; 0: that of Rayleigh waves
+  DrivingContours contours;
+};
+
+struct Fronts
+{
+  std::vector<FrontHistory> histories;
+  std::vector<Advance> next;     ///< what fronts are about to do
+  std::vector<double> fastest;   ///< speed of each front [m/s]
+  std::vector<double> increment; ///< of each front [m]
+};
+
+Section section()
+{
+  Section s("Propagation", "Lets crack fronts advance where the energy release rate reaches the toughness.");
+  s.text("Toughness")
+      .unit("J/m2")
+      .notEmpty()
+      .meaning(
+          "Energy that new faces take per area, as a function of the speed v of the front [m/s]: a number, "
+          "an expression such as \"100*(1 + v/500)\", or a table of speed:energy such as \"0:100, "
+          "500:200\".");
+  s.real("Initiation Toughness")
+      .unit("J/m2")
+      .positive()
+      .optional("Toughness at v = 0")
+      .meaning("Energy release rate at which a front at rest sets out.");
+  s.real("Arrest Toughness")
+      .unit("J/m2")
+      .positive()
+      .optional("Toughness at v = 0")
+      .meaning(
+          "Energy release rate below which a front that has almost stopped comes to rest, to set out again "
+          "at Initiation Toughness.");
+  s.choice("Direction", {"Maximum Hoop Stress", "Maximum Energy Release", "Straight"})
+      .byDefault("Maximum Hoop Stress")
+      .meaning(
+          "Where a front goes on: across the largest hoop stress, where a short kink would release most, or "
+          "straight.");
+  s.real("Increment")
+      .range(0.5, 4.0)
+      .byDefault(1.0)
+      .meaning("Length of one advance, in cells as they are at the front.");
+  s.real("Start Time").unit("s").notNegative().byDefault(0.0).meaning("Before it no front advances.");
+  s.real("Speed Limit")
+      .unit("m/s")
+      .positive()
+      .optional("speed of Rayleigh waves")
+      .meaning("No increment is made faster.");
+  s.realArray("Release Contour")
+      .length(2)
+      .byDefault(std::vector<double>{5.0, 10.0})
+      .meaning(
+          "Inner and outer radius, in cells as they are at the front, of the contour for the energy release "
+          "rate. Closer than 5 cells it cuts the zone that is opening.");
+  s.realArray("Direction Contour")
+      .length(2)
+      .byDefault(std::vector<double>{3.0, 6.0})
+      .meaning("The same for the stress intensities that turn a front.");
+  return s;
+}
+
+void refuseContour(const Teuchos::ParameterList& list, const std::string& name,
+                   std::vector<SceneError>& errors)
+{
+  if (!list.isType<Teuchos::Array<double>>(name))
+    return;
+  const auto radii = list.get<Teuchos::Array<double>>(name);
+  if (radii.size() == 2 && !(radii[0] >= 1.0 && radii[1] >= radii[0] + 1.0))
+    errors.push_back(
+        {"Propagation > " + name,
+         "the radii must be at least 1 and a cell apart, the inner one first; write such as {5, 10}"});
+}
+
+void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
+{
+  if (!scene.isSublist("Propagation"))
+    return;
+  const Teuchos::ParameterList& list = scene.sublist("Propagation");
+  const auto refuse = [&](const std::string& why) { errors.push_back({"Propagation", why}); };
+  if (!scene.isSublist("Cracks"))
+    refuse("there are no cracks that could run; add a section Cracks or leave this one out");
+  else
+  {
+    const Teuchos::ParameterList& cracks = scene.sublist("Cracks");
+    if (cracks.isType<std::string>("Formulation") && cracks.get<std::string>("Formulation") != "Dual Field")
+      refuse("it goes with Cracks > Formulation = Dual Field alone, whose nodes can carry a cohesive force");
+    if (cracks.isType<bool>("Front Ties") && !cracks.get<bool>("Front Ties"))
+      refuse("it needs Cracks > Front Ties; leave that at true");
+  }
+  for (const char* const other : {"Sub-Cycling", "Mass Matrix"})
+    if (scene.isSublist(other))
+      refuse(std::string("it does not go with ") + other + " as yet; take one of the two out");
+  if (!scene.isSublist("Energy Release"))
+    refuse("nothing measures what drives the fronts; add a section Energy Release, which may be empty");
+  if (scene.isSublist("Domain") && scene.sublist("Domain").isType<int>("Dimension") &&
+      scene.sublist("Domain").get<int>("Dimension") == 3)
+    refuse("cracks of 3D scenes do not run as yet; take this section out");
+  refuseContour(list, "Release Contour", errors);
+  refuseContour(list, "Direction Contour", errors);
+  if (list.isType<std::string>("Toughness"))
+    try
+    {
+      Toughness::parse(list.get<std::string>("Toughness"));
+    }
+    catch (const std::invalid_argument& error)
+    {
+      errors.push_back({"Propagation > Toughness", error.what()});
+    }
+}
+
+DirectionRule readDirection(const Teuchos::ParameterList& list)
+{
+  const auto name = list.get<std::string>("Direction");
+  return name == "Straight"                 ? DirectionRule::Straight
+         : name == "Maximum Energy Release" ? DirectionRule::EnergyRelease
+                                            : DirectionRule::HoopStress;
+}
+
+Options readOptions(const Teuchos::ParameterList& list)
+{
+  const Toughness toughness = Toughness::parse(list.get<std::string>("Toughness"));
+  const auto orAtRest = [&](const char* name)
+  { return list.isParameter(name) ? list.get<double>(name) : toughness(0.0); };
+  Options options{{toughness, orAtRest("Initiation Toughness"), orAtRest("Arrest Toughness"),
+                   list.get<double>("Start Time")},
+                  readDirection(list),
+                  list.get<double>("Increment"),
+                  list.isParameter("Speed Limit") ? list.get<double>("Speed Limit") : 0.0,
+                  {}};
+  const auto release = list.get<Teuchos::Array<double>>("Release Contour");
+  const auto intensity = list.get<Teuchos::Array<double>>("Direction Contour");
+  options.contours = {release[0], release[1], intensity[0], intensity[1]};
+  return options;
+}
+
+/// Material of the particle nearest to a place.
+int materialAt(const State<2>& state, const Vector<2>& place)
+{
+  using Reducer = Kokkos::MinLoc<double, int>;
+  const auto position = state.particles.real<2>(fields::position);
+  Reducer::value_type nearest;
+  Kokkos::parallel_reduce(
+      "rhegma::propagation::nearestParticle", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, Reducer::value_type& best) {
+        const double x = position(p, 0) - place[0], y = position(p, 1) - place[1];
+        if (x * x + y * y < best.val)
+        {
+          best.val = x * x + y * y;
+          best.loc = p;
+        }
+      },
+      Reducer(nearest));
+  int material = 0;
+  Kokkos::deep_copy(material, Kokkos::subview(state.particles.integer(fields::material), nearest.loc));
+  return material;
+}
+
+double fastestAt(const State<2>& state, const Vector<2>& place, const Options& options)
+{
+  return options.speedLimit > 0.0 ? options.speedLimit
+                                  : rayleighSpeed(state.materialList[materialAt(state, place)]);
+}
+
+/// Decides which fronts advance after the step that has just ended.
+void decide(State<2>& state, const Options& options, Fronts& fronts)
+{
+  for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
+  {
+    CrackFront<2>& front = state.cracks.fronts[f];
+    front.advances = false;
+    if (front.ended || front.halted || state.step == 0)
+      continue;
+    if (fronts.fastest[f] == 0.0)
+      fronts.fastest[f] = fastestAt(state, front.position, options);
+    if (fronts.increment[f] == 0.0)
+      fronts.increment[f] = options.cells * spacingAt(state, front.position);
+    FrontHistory& history = fronts.histories[f];
+    fronts.next[f] = history.advance(options.rule, state.time, front.driving.release, fronts.increment[f],
+                                     fronts.fastest[f]);
+    front.advances = fronts.next[f].increments > 0;
+    front.speed = history.speed(state.time);
+  }
+}
+
+/// Asks them to.
+void ask(State<2>& state, const Options& options, Fronts& fronts)
+{
+  for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
+  {
+    CrackFront<2>& front = state.cracks.fronts[f];
+    if (!front.advances)
+      continue;
+    front.advances = false;
+    state.cracks.advances.push_back({static_cast<int>(f), nextDirection(front, options.direction),
+                                     fronts.next[f].increments * fronts.increment[f],
+                                     fronts.next[f].toughness});
+    // Cells and material may be others where it is going.
+    fronts.increment[f] = 0.0;
+    if (state.materialList.size() > 1)
+      fronts.fastest[f] = 0.0;
+  }
+}
+
+void start(State<2>& state, const Options& options, Fronts& fronts)
+{
+  state.cracks.driven = true;
+  state.cracks.drivingContours = options.contours;
+  const std::size_t count = state.cracks.fronts.size();
+  fronts.histories.resize(count);
+  fronts.next.resize(count);
+  fronts.fastest.assign(count, 0.0);
+  fronts.increment.assign(count, 0.0);
+  double fastest = options.speedLimit;
+  for (const Properties& material : state.materialList)
+    fastest = std::max(fastest, rayleighSpeed(material));
+  try
+  {
+    options.rule.toughness.refuseWeak(fastest);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw std::invalid_argument(std::string("Propagation > Toughness: ") + error.what());
+  }
+}
+
+void report(const State<2>& state, const Fronts& fronts, nlohmann::json& summary)
+{
+  double taken = 0.0;
+  for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
+  {
+    const CrackFront<2>& front = state.cracks.fronts[f];
+    const FrontHistory& history = fronts.histories[f];
+    taken += front.taken;
+    nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
+    entry["increments"] = history.increments();
+    entry["running"] = history.running() && !front.ended && !front.halted;
+    entry["ended"] = front.ended;
+    entry["halted"] = front.halted;
+    if (history.increments() > 0)
+    {
+      entry["set_out"] = history.firstTime();
+      entry["last_advance"] = history.lastTime();
+    }
+    entry["settled_speed"] = history.settledSpeed();
+    entry["settled_release"] = history.settledRelease();
+    entry["speed_limit"] = fronts.fastest[f];
+    entry["energy_of_new_faces"] = front.taken;
+  }
+  // What the body has been given, and how much of it the ledger knows of now.
+  const double given = state.energy.start + state.energy.externalWork;
+  const double inFlight = summary.value("energy_in_flight", 0.0);
+  summary["propagation"] = {
+      {"energy_of_new_faces", taken},
+      {"in_flight", inFlight},
+      {"dissipated", state.energy.fracture},
+      {"accounted_for", given > 0.0 ? 1.0 - state.energy.residual() / given : 1.0},
+      {"dissipated_share", taken > inFlight ? state.energy.fracture / (taken - inFlight) : 1.0}};
+}
+
+Effect<2> make2(const Teuchos::ParameterList& scene)
+{
+  const auto options = std::make_shared<Options>(readOptions(scene.sublist("Propagation")));
+  const auto fronts = std::make_shared<Fronts>();
+  Effect<2> effect;
+  effect.name = "Propagation";
+  effect.atStart = [=](State<2>& state) { start(state, *options, *fronts); };
+  effect.call({Stage::BetweenSteps,
+               "fronts that advance",
+               {"driving forces"},
+               {"fronts that advance"},
+               {},
+               [=](State<2>& state) { decide(state, *options, *fronts); }});
+  effect.call({Stage::BetweenSteps,
+               "where fronts go",
+               {"intensities of fronts", "fronts that advance"},
+               {"advances of fronts"},
+               {},
+               [=](State<2>& state) { ask(state, *options, *fronts); }});
+  effect.memory = [=](State<2>&, Archive& archive)
+  {
+    for (std::size_t f = 0; f < fronts->histories.size(); ++f)
+    {
+      const Archive::Group group(archive, "front " + std::to_string(f));
+      fronts->histories[f].keep(archive);
+      archive("fastest", fronts->fastest[f]);
+      archive("next_increment", fronts->increment[f]);
+    }
+  };
+  effect.report = [=](const State<2>& state, nlohmann::json& summary) { report(state, *fronts, summary); };
+  return effect;
+}
+
+Effect<3> make3(const Teuchos::ParameterList&)
+{
+  throw std::invalid_argument("Propagation: cracks of 3D scenes do not run as yet; take this section out");
+}
+
+} // namespace
+
+EffectEntry propagationEntry() { return {section(), check, make2, make3}; }
+
+} // namespace Rhegma::propagation

@@ -1,0 +1,18 @@
+#pragma once
+/// The speed of Rayleigh waves.
+
+#include "material/Law.hpp"
+
+namespace Rhegma::propagation
+{
+
+/// Speed of waves along a free surface at small strain [m/s], which no crack under tension passes: the root
+/// of
+///
+///     4 sqrt(1 - v^2/c_d^2) sqrt(1 - v^2/c_s^2) = (2 - v^2/c_s^2)^2
+///
+/// with the speeds c_d and c_s of dilatational and shear waves; in plane stress c_d is that of the plate.
+/// Source: Freund, Dynamic Fracture Mechanics, Cambridge 1990, section 2.4.
+double rayleighSpeed(const Properties& material);
+
+} // namespace Rhegma::propagation

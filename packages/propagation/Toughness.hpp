@@ -1,0 +1,31 @@
+#pragma once
+/// What new crack faces cost.
+
+#include <memory>
+#include <string>
+
+namespace Rhegma::propagation
+{
+
+/// Energy that a running crack takes per area of new face [J/m2], as a function of its speed v [m/s]: a
+/// number, an expression such as "100*(1 + v/500)", or a table "0:100, 500:200" of speed:energy pairs with
+/// straight lines between them, held constant outside of them. Expressions are muParser's.
+class Toughness
+{
+public:
+  /// \throws std::invalid_argument with one sentence on what is wrong with the text
+  static Toughness parse(const std::string& text);
+
+  double operator()(double speed) const;
+
+  /// Throws std::invalid_argument, in one sentence, where it is not positive and finite at a speed from 0 to
+  /// `fastest`.
+  void refuseWeak(double fastest) const;
+
+private:
+  struct Form;
+  explicit Toughness(std::shared_ptr<const Form> form);
+  std::shared_ptr<const Form> form_;
+};
+
+} // namespace Rhegma::propagation

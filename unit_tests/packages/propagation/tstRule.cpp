@@ -1,0 +1,125 @@
+/// When and where fronts advance, without a body.
+
+#include "material/MaterialTable.hpp"
+#include "propagation/Direction.hpp"
+#include "propagation/FrontHistory.hpp"
+#include "propagation/RayleighSpeed.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace Rhegma;
+using namespace Rhegma::propagation;
+
+namespace
+{
+
+const double pi = 4.0 * std::atan(1.0), degree = pi / 180.0;
+
+double speedOf(Plane plane, double poisson)
+{
+  Teuchos::ParameterList list;
+  list.set("Model", "Linear Elastic");
+  list.set("Density", 1200.0);
+  list.set("Young Modulus", 3e9);
+  list.set("Poisson Ratio", poisson);
+  return rayleighSpeed(makeProperties(list, "Polymer", plane));
+}
+
+AdvanceRule ruleOf(const std::string& toughness, double atRest)
+{
+  return {Toughness::parse(toughness), atRest, atRest, 0.0};
+}
+
+/// Lets a front run under a constant energy release rate. \return its mean speed after 50 increments
+double runAt(double release, const AdvanceRule& rule, double dt, double fastest)
+{
+  const double increment = 1e-3;
+  FrontHistory history;
+  double time = 0.0;
+  while (history.increments() < 100)
+  {
+    time += dt;
+    history.advance(rule, time, release, increment, fastest);
+  }
+  return history.settledSpeed();
+}
+
+} // namespace
+
+/// Roots of the Rayleigh equation found by Brent's method elsewhere.
+TEST(RayleighSpeed, AgreesWithIndependentRoots)
+{
+  EXPECT_NEAR(speedOf(Plane::Stress, 0.33), 891.0, 0.05);
+  EXPECT_NEAR(speedOf(Plane::Strain, 0.33), 903.6, 0.05);
+}
+
+/// With Gc = G0 (1 + v / v0) the speed is v0 (G / G0 - 1), whatever the step: releases lie between steps.
+TEST(FrontHistory, SpeedIsWhereToughnessIsTheRelease)
+{
+  const AdvanceRule rule = ruleOf("100*(1 + v/500)", 100.0);
+  for (const double dt : {1e-7, 4.3e-7, 1e-6})
+    EXPECT_NEAR(runAt(180.0, rule, dt, 1000.0), 400.0, 1e-6 * 400.0) << dt;
+}
+
+TEST(FrontHistory, NeverPassesTheFastestSpeed)
+{
+  EXPECT_NEAR(runAt(180.0, ruleOf("100", 100.0), 3e-7, 900.0), 900.0, 1e-6 * 900.0);
+}
+
+TEST(FrontHistory, SetsOutAtInitiationAndArrestsWhereItHasAlmostStopped)
+{
+  const AdvanceRule rule{Toughness::parse("159.9*(1 + v/500)"), 150.0, 90.0, 1e-5};
+  FrontHistory history;
+  const double increment = 1e-3, fastest = 900.0;
+  EXPECT_EQ(history.advance(rule, 5e-6, 200.0, increment, fastest).increments, 0) << "before Start Time";
+  EXPECT_EQ(history.advance(rule, 2e-5, 140.0, increment, fastest).increments, 0) << "below initiation";
+  EXPECT_EQ(history.advance(rule, 3e-5, 160.0, increment, fastest).increments, 1);
+  // Half way between the two: where 150 is passed.
+  EXPECT_NEAR(history.lastTime(), 2.5e-5, 1e-12);
+  EXPECT_TRUE(history.running());
+  // 1 mm at no less than 2 % of the fastest speed takes 56 us.
+  history.advance(rule, 5e-5, 80.0, increment, fastest);
+  EXPECT_TRUE(history.running());
+  history.advance(rule, 9e-5, 80.0, increment, fastest);
+  EXPECT_FALSE(history.running());
+  EXPECT_EQ(history.advance(rule, 1e-4, 140.0, increment, fastest).increments, 0) << "below initiation again";
+  EXPECT_EQ(history.increments(), 1);
+}
+
+/// Long steps hold several increments.
+TEST(FrontHistory, AdvancesSeveralTimesInALongStep)
+{
+  const AdvanceRule rule = ruleOf("100*(1 + v/500)", 100.0);
+  FrontHistory history;
+  history.advance(rule, 1e-6, 180.0, 1e-3, 900.0);
+  history.advance(rule, 2e-6, 180.0, 1e-3, 900.0);
+  const Advance made = history.advance(rule, 1.2e-5, 180.0, 1e-3, 900.0);
+  EXPECT_EQ(made.increments, 4); // at 400 m/s one takes 2.5 us
+  EXPECT_NEAR(made.toughness, 180.0, 1e-6);
+}
+
+/// Pure sliding: the kink of largest energy release is at 75.6 degrees (Hussain, Pu and Underwood 1974
+/// have 75.2 to 75.6 from other solutions), and no mode II is no kink.
+TEST(Direction, LargestEnergyReleaseOfAKink)
+{
+  EXPECT_NEAR(energyReleaseAngle(0.0, 1.0), -75.6 * degree, 0.3 * degree);
+  EXPECT_NEAR(energyReleaseAngle(0.0, -1.0), 75.6 * degree, 0.3 * degree);
+  EXPECT_NEAR(energyReleaseAngle(1.0, 0.0), 0.0, 1e-6);
+  // For small sliding every criterion has the angle -2 K_II / K_I.
+  EXPECT_NEAR(energyReleaseAngle(1.0, 0.01), -0.02, 2e-4);
+}
+
+TEST(Direction, TurnsInTheFrameOfTheFront)
+{
+  CrackFront<2> front;
+  front.direction = {{0.0, 1.0}};
+  front.normal = {{-1.0, 0.0}};
+  front.driving.hoopAngle = -30.0 * degree;
+  const Vector<2> turned = nextDirection(front, DirectionRule::HoopStress);
+  EXPECT_NEAR(turned[0], 0.5, 1e-12);
+  EXPECT_NEAR(turned[1], std::cos(30.0 * degree), 1e-12);
+  const Vector<2> straight = nextDirection(front, DirectionRule::Straight);
+  EXPECT_NEAR(straight[1], 1.0, 1e-12);
+}
