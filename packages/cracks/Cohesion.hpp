@@ -28,6 +28,8 @@ namespace cohesion
 {
 constexpr double strengthAtFirst = 0.95; ///< share of the holding force
 
+constexpr double repayment = 0.25; ///< most of the energy of new faces that goes to softened ties
+
 constexpr int peak = 0;  ///< |T| [N]; 0: no cohesion; -1 - f: the node waits for its force, front f passed it
 constexpr int range = 1; ///< w [m]
 constexpr int start = 2; ///< |T| / k [m]

@@ -282,6 +282,7 @@ void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
           {
             const double now = cohesion::secant(cohesive, own);
             tie(own, D) = now < most ? now : most;
+            stiffness(own) = 0.0;
             return;
           }
           const int f = frontOf(places(own), sight.crackOf(s));
@@ -294,8 +295,9 @@ void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
             }
             else if (stiffness(own) > 0.0)
               spent += softenTie<D>(cohesive, jump, own, stiffness(own));
+            const bool softened = cohesive(own, cohesion::peak) > 0.0;
             tie(own, D) = stiffness(own) < most ? stiffness(own) : most;
-            stiffness(own) = 0.0;
+            stiffness(own) = softened ? -1.0 : 0.0; // seen by the sum below, once
             return;
           }
         }
@@ -317,6 +319,18 @@ void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
       },
       waiting_, converted);
   state.energy.fracture += converted;
+  if (!(converted > 0.0))
+    return;
+  // What these ties held and will take is part of the energy of new faces.
+  debt_.resize(state.cracks.fronts.size(), 0.0);
+  for (std::size_t f = 0; f < debt_.size(); ++f)
+    debt_[f] += sumFew<double>(
+        "rhegma::cracks::energyOfTies", nodes.numSecond, KOKKOS_LAMBDA(const int i, double& sum) {
+          const int own = nodes.parent(i);
+          if (stiffness(own) < 0.0 &&
+              frontOf(places(own), sight.crackOf(simplexOf(nearest(own)))) == static_cast<int>(f))
+            sum += cohesive(own, cohesion::peak) * cohesive(own, cohesion::range);
+        });
 }
 
 template <int D>
@@ -410,9 +424,12 @@ void FrontTies<D>::release(State<D>& state, const Surroundings& surroundings)
     const double energy = front.unspent > 0.0 ? front.unspent
                                               : std::max(0.0, front.driving.release) * state.thickness *
                                                     spacingAt(state, front.position);
-    const double range = sum > 0.0 ? 2.0 * energy / (cohesion::strengthAtFirst * sum) : 0.0;
+    const double owed = f < debt_.size() ? std::min(debt_[f], cohesion::repayment * energy) : 0.0;
+    const double range = sum > 0.0 ? 2.0 * (energy - owed) / (cohesion::strengthAtFirst * sum) : 0.0;
     if (range > 0.0)
       front.unspent = 0.0;
+    if (range > 0.0 && owed > 0.0)
+      debt_[f] -= owed;
     forFew(
         "rhegma::cracks::release", nodes.numSecond, KOKKOS_LAMBDA(const int i) {
           const int own = nodes.parent(i), other = nodes.numLattice + i;
@@ -550,6 +567,7 @@ void FrontTies<D>::keep(State<D>& state, int step, Archive& archive)
   archive("nodes", nodes, D);
   archive("jumps", jumps, D);
   archive("stiffnesses", stiffnesses);
+  archive("debts", debt_);
   if (grows_)
     archive("cohesions", cohesions, D + 4);
   if (!archive.loads())

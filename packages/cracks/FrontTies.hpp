@@ -70,7 +70,8 @@ private:
   void placeFronts(const State<D>& state);
 
   bool grows_;
-  int waiting_ = 0;                 ///< nodes that wait for `release`
+  std::vector<double> debt_; ///< energy that softened ties of each front take instead of its new faces [J]
+  int waiting_ = 0;          ///< nodes that wait for `release`
   View<double * [D + 4]> cohesion_; ///< of each lattice node (Cohesion.hpp); empty unless fronts may grow
   View<double * [D + 1]> fronts_;   ///< place of each front, and 1 + its crack if it has grown, else 0
   int generation_ = 0;              ///< of the refined cells

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 namespace Rhegma::damping
@@ -86,6 +87,11 @@ Section section()
       .byDefault(0.0)
       .meaning("Adds the stress 2 eta D to every material, D the rate of strain.");
   s.real("Bulk Viscosity").unit("Pa s").notNegative().byDefault(0.0).meaning("Adds the stress zeta tr(D).");
+  s.real("End Time")
+      .unit("s")
+      .positive()
+      .optional("never")
+      .meaning("From it on nothing is damped, for a body that comes to rest before something happens to it.");
   s.boolean("Stop When Settled")
       .mayChange()
       .byDefault(false)
@@ -118,17 +124,33 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   const double rate = list.get<double>("Mass Rate");
   const double shear = list.get<double>("Shear Viscosity");
   const double bulk = list.get<double>("Bulk Viscosity");
+  const double end =
+      list.isParameter("End Time") ? list.get<double>("End Time") : std::numeric_limits<double>::infinity();
   Effect<D> effect;
   effect.name = "Damping";
   if (rate > 0.0)
-    effect.call({Stage::Scatter, "mass damping", {}, {"particle velocity"}, {}, [rate](State<D>& s) {
-                   s.energy.damped += dampVelocity(s, rate);
+    effect.call({Stage::Scatter,
+                 "mass damping",
+                 {},
+                 {"particle velocity"},
+                 {},
+                 [=](State<D>& s)
+                 {
+                   if (s.time < end)
+                     s.energy.damped += dampVelocity(s, rate);
                  }});
   if (shear > 0.0 || bulk > 0.0)
   {
     effect.adds.push_back({fields::rate, D * D, "1/s", "velocity gradient, row by row"});
-    effect.call({Stage::OnParticles, "viscous stress", {"particle stress"}, {}, {}, [=](State<D>& s) {
-                   s.energy.damped += addViscousStress(s, shear, bulk);
+    effect.call({Stage::OnParticles,
+                 "viscous stress",
+                 {"particle stress"},
+                 {},
+                 {},
+                 [=](State<D>& s)
+                 {
+                   if (s.time < end)
+                     s.energy.damped += addViscousStress(s, shear, bulk);
                  }});
     // An explicit step resolves diffusion of momentum only below h^2 / (2 D nu); the largest viscosity is
     // that of dilatation.

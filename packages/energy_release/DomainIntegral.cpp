@@ -140,6 +140,40 @@ struct Pair
   double reciprocal[2] = {0.0, 0.0};
 };
 
+/// In which direction a node's share of the disk is shifted: along the crack at the part of it that is
+/// nearest to the node, so that no shift has a component across a face; in the front's own direction ahead of
+/// it.
+struct Way
+{
+  View<double* [D]> vertex;
+  View<int* [D]> simplex;
+  int first = 0, count = 0; ///< simplices of the crack in the disk; count 0: it is straight there
+  bool forwards = true;     ///< the front is at the last of them
+  Vector<D> tip, direction;
+
+  KOKKOS_INLINE_FUNCTION Vector<D> operator()(const Vector<D>& x) const
+  {
+    // A place whose nearest point is the front itself moves as the front does.
+    double least = 1e300;
+    Vector<D> found = direction;
+    for (int k = 0; k < count; ++k)
+    {
+      const int s = first + k, from = simplex(s, forwards ? 0 : 1), to = simplex(s, forwards ? 1 : 0);
+      const Vector<D> a{{vertex(from, 0), vertex(from, 1)}};
+      const Vector<D> along{{vertex(to, 0) - a[0], vertex(to, 1) - a[1]}};
+      const double square = dot(along, along), at = dot(x - a, along) / square;
+      const Vector<D> away = x - a - (at < 0.0 ? 0.0 : (at > 1.0 ? 1.0 : at)) * along;
+      const double distance = dot(away, away);
+      if (distance < least)
+      {
+        least = distance;
+        found = (1.0 / std::sqrt(square)) * along;
+      }
+    }
+    return found;
+  }
+};
+
 /// Sums the integrands of one particle.
 template <ShapeKind S, bool Stored>
 struct Integrand
@@ -163,6 +197,7 @@ struct Integrand
   int positive, negative; ///< names of the crack's sides
   bool sides, moving;
   bool intensities; ///< false: only J is wanted
+  Way way;
 
   KOKKOS_INLINE_FUNCTION void operator()(int p, double& J, double& modeI, double& modeII, double& reciprocalI,
                                          double& reciprocalII) const
@@ -216,7 +251,10 @@ struct Integrand
     const double density = mass(p) / volume(p);
     const double* own = history.extent(1) > 0 ? &history(p, 0) : nullptr;
     const double energy = storedEnergy<D>(materials(material(p)), F, own) + 0.5 * density * dot(v, v);
-    J += volume(p) * (dot(flux, du) - energy * dot(dq, image) + density * (dot(a, du) - dot(v, dv1)) * q);
+    if (way.count == 0)
+      J += volume(p) * (dot(flux, du) - energy * dot(dq, image) + density * (dot(a, du) - dot(v, dv1)) * q);
+    else
+      J += volume(p) * alongTheWay(p, F, tau, energy, density, v, a, dv);
     if (!intensities)
       return;
     const Pair sum = interaction(p, q, dq, flux, du, density, a);
@@ -224,6 +262,46 @@ struct Integrand
     modeII += sum.interaction[1];
     reciprocalI += sum.reciprocal[0];
     reciprocalII += sum.reciprocal[1];
+  }
+
+  /// The same with a weight that is a vector along the crack: the sum over both axes of the integrand in the
+  /// direction of the axis with the weight's component.
+  KOKKOS_INLINE_FUNCTION double alongTheWay(int p, const double* F, const double* tau, double energy,
+                                            double density, const Vector<D>& v, const Vector<D>& a,
+                                            const double (&dv)[D][D]) const
+  {
+    double Q[D] = {}, dQ[D][D] = {};
+    broken.visit(p,
+                 [&](int node, double share, const double* slope)
+                 {
+                   const int own = node < numFirst ? node : parent(node - numFirst);
+                   const double at = weight(own);
+                   if (at == 0.0)
+                     return;
+                   const Vector<D> shift = at * way(weight.places(own));
+                   for (int k = 0; k < D; ++k)
+                   {
+                     Q[k] += share * shift[k];
+                     for (int d = 0; d < D; ++d)
+                       dQ[k][d] += slope[d] * shift[k];
+                   }
+                 });
+    double sum = 0.0;
+    for (int k = 0; k < D; ++k)
+    {
+      // The axis in the undeformed disk, its image, and u,k relative to the turned disk.
+      const Vector<D> axis{{k == 0 ? 1.0 : 0.0, k == 0 ? 0.0 : 1.0}};
+      const Vector<D> before{
+          {disk.cosine * axis[0] + disk.sine * axis[1], -disk.sine * axis[0] + disk.cosine * axis[1]}};
+      const Vector<D> image{{F[0] * before[0] + F[1] * before[1], F[2] * before[0] + F[3] * before[1]}};
+      const Vector<D> du = image - axis;
+      const Vector<D> dvk{
+          {dv[0][0] * image[0] + dv[0][1] * image[1], dv[1][0] * image[0] + dv[1][1] * image[1]}};
+      const Vector<D> slope{{dQ[k][0], dQ[k][1]}};
+      const Vector<D> flux{{tau[0] * slope[0] + tau[2] * slope[1], tau[2] * slope[0] + tau[1] * slope[1]}};
+      sum += dot(flux, du) - energy * dot(slope, image) + density * (dot(a, du) - dot(v, dvk)) * Q[k];
+    }
+    return sum;
   }
 
   /// Displacement relative to the disk's mean motion and turn, as `du` is.
@@ -342,6 +420,44 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
   }
 }
 
+/// Cosine of the turn, six degrees, from which on a crack is not straight: less is the noise of its
+/// direction.
+constexpr double straight = 0.9945;
+
+/// The way along the crack inside of a disk round its front.
+Way wayOf(const State<D>& state, const CrackFront<D>& front, double radius)
+{
+  const CrackSet<D>& set = state.cracks;
+  const Crack<D>& crack = set.cracks[front.crack];
+  Way way;
+  if (crack.numSimplices == 0)
+    return way;
+  way.vertex = set.vertex;
+  way.simplex = set.simplex;
+  way.tip = front.position;
+  way.direction = front.direction;
+  way.forwards = front.vertex != crack.firstVertex;
+  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.vertex);
+  const auto at = [&](int v) { return Vector<D>{{vertex(v, 0), vertex(v, 1)}}; };
+  bool turns = false;
+  int count = 0;
+  double behind = 0.0; // vertices of a crack follow each other
+  while (count < crack.numSimplices && behind < 1.5 * radius)
+  {
+    const int from = way.forwards ? front.vertex - count : front.vertex + count;
+    const Vector<D> along = at(from) - at(way.forwards ? from - 1 : from + 1);
+    const double length = norm(along);
+    turns = turns || dot(along, front.direction) < straight * length;
+    behind += length;
+    ++count;
+  }
+  if (!turns)
+    return way;
+  way.count = count;
+  way.first = way.forwards ? crack.firstSimplex + crack.numSimplices - count : crack.firstSimplex;
+  return way;
+}
+
 template <ShapeKind S, bool Stored>
 DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, const ContourRadii& radii,
                          const View<double* [D]>& acceleration, bool intensities,
@@ -368,6 +484,7 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
     work.side = state.particles.integer(fields::side);
   work.materials = state.materials;
   work.disk = describeDisk(state, front, radii);
+  work.way = wayOf(state, front, radii.outer);
   work.direction = front.direction;
   work.normal = front.normal;
   work.positive = front.crack + 1;

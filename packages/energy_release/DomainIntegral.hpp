@@ -25,6 +25,9 @@ struct DomainIntegral
 /// Without T, or with one of the two terms of inertia, J depends on the radii as soon as anything moves: a
 /// plane wave has P_11 u_1,1 = W + T.
 ///
+/// Where the crack turns inside the disk, J is that of a shift of the disk along the crack (q a vector along
+/// it, in the front's direction ahead of it), as faces across the shift would add to it.
+///
 /// Loads inside the disk, such as pressure on the faces, are in the integrals when `a` is the acceleration by
 /// internal forces alone (InternalAcceleration.hpp).
 ///

@@ -22,9 +22,7 @@ Advance FrontHistory::advance(const AdvanceRule& rule, double time, double relea
                               double fastest)
 {
   const double begin = timeBefore_, releaseAtBegin = releaseBefore_;
-  timeBefore_ = time;
-  releaseBefore_ = release;
-  impulse_ += 0.5 * (time - begin) * (release + releaseAtBegin);
+  wait(time, release);
   Advance made;
   if (time < rule.startTime)
     return made;
@@ -76,6 +74,13 @@ Advance FrontHistory::advance(const AdvanceRule& rule, double time, double relea
     lastSpeed_ = 0.0;
   }
   return made;
+}
+
+void FrontHistory::wait(double time, double release)
+{
+  impulse_ += 0.5 * (time - timeBefore_) * (release + releaseBefore_);
+  timeBefore_ = time;
+  releaseBefore_ = release;
 }
 
 void FrontHistory::note(double time, double increment)

@@ -44,6 +44,9 @@ public:
   /// \param release energy release rate now [J/m2] \param increment da [m] \param fastest speed [m/s]
   Advance advance(const AdvanceRule& rule, double time, double release, double increment, double fastest);
 
+  /// What a front at rest does that does not set out.
+  void wait(double time, double release);
+
   /// Speed now: that of the last increment, or less when the next is late [m/s].
   double speed(double time) const;
 

@@ -9,6 +9,7 @@
 #include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <stdexcept>
@@ -20,6 +21,8 @@ namespace Rhegma::propagation
 namespace
 {
 
+constexpr double notYet = std::numeric_limits<double>::quiet_NaN(); ///< null in the summary
+
 struct Options
 {
   AdvanceRule rule;
@@ -29,12 +32,22 @@ struct Options
   DrivingContours contours;
 };
 
+/// Where a front set out, and in which directions.
+struct Origin
+{
+  Vector<2> place{{0.0, 0.0}};  ///< [m]
+  Vector<2> before{{0.0, 0.0}}; ///< direction of the crack that was there
+  Vector<2> first{{0.0, 0.0}};  ///< of the first advance
+};
+
 struct Fronts
 {
   std::vector<FrontHistory> histories;
   std::vector<Advance> next;     ///< what fronts are about to do
   std::vector<double> fastest;   ///< speed of each front [m/s]
   std::vector<double> increment; ///< of each front [m]
+  std::vector<Origin> origins;
+  std::vector<double> straightFor; ///< length for which each front goes straight on [m]
 };
 
 Section section()
@@ -203,12 +216,33 @@ void decide(State<2>& state, const Options& options, Fronts& fronts)
     if (fronts.increment[f] == 0.0)
       fronts.increment[f] = options.cells * spacingAt(state, front.position);
     FrontHistory& history = fronts.histories[f];
-    fronts.next[f] = history.advance(options.rule, state.time, front.driving.release, fronts.increment[f],
-                                     fronts.fastest[f]);
-    front.advances = fronts.next[f].increments > 0;
+    const double release = front.driving.release;
+    if (history.running())
+    {
+      fronts.next[f] =
+          history.advance(options.rule, state.time, release, fronts.increment[f], fronts.fastest[f]);
+      front.advances = fronts.next[f].increments > 0;
+    }
+    else if (release >= options.rule.initiation && state.time >= options.rule.startTime)
+      front.advances = true; // if what drives it does not close it
+    else
+      history.wait(state.time, release);
     front.speed = history.speed(state.time);
   }
 }
+
+/// The energy release rate without what closes the crack: a front that is pressed together does not break,
+/// though J is positive.
+double openingRelease(const DrivingForce& driving)
+{
+  const double opening = std::max(driving.modeI, 0.0) * std::max(driving.modeI, 0.0);
+  const double closing = driving.modeI * driving.modeI - opening, sliding = driving.modeII * driving.modeII;
+  return closing > 0.0 ? driving.release * sliding / (closing + sliding) : driving.release;
+}
+
+/// Cosine of a sharp turn, 15 degrees, and the cells that a front goes straight on behind one: the fields
+/// round a shorter kink are those of the crack before it.
+constexpr double sharp = 0.966, straightCells = 3.0;
 
 /// Asks them to.
 void ask(State<2>& state, const Options& options, Fronts& fronts)
@@ -219,9 +253,24 @@ void ask(State<2>& state, const Options& options, Fronts& fronts)
     if (!front.advances)
       continue;
     front.advances = false;
-    state.cracks.advances.push_back({static_cast<int>(f), nextDirection(front, options.direction),
-                                     fronts.next[f].increments * fronts.increment[f],
-                                     fronts.next[f].toughness});
+    FrontHistory& history = fronts.histories[f];
+    if (!history.running())
+    {
+      fronts.next[f] = history.advance(options.rule, state.time, openingRelease(front.driving),
+                                       fronts.increment[f], fronts.fastest[f]);
+      front.speed = history.speed(state.time);
+      if (fronts.next[f].increments == 0)
+        continue;
+    }
+    const double length = fronts.next[f].increments * fronts.increment[f];
+    const bool held = fronts.straightFor[f] > 0.0;
+    const Vector<2> direction = held ? front.direction : nextDirection(front, options.direction);
+    fronts.straightFor[f] -= length;
+    if (dot(direction, front.direction) < sharp)
+      fronts.straightFor[f] = straightCells * fronts.increment[f] / options.cells - length;
+    if (!front.grown)
+      fronts.origins[f] = {front.position, front.direction, direction};
+    state.cracks.advances.push_back({static_cast<int>(f), direction, length, fronts.next[f].toughness});
     // Cells and material may be others where it is going.
     fronts.increment[f] = 0.0;
     if (state.materialList.size() > 1)
@@ -238,6 +287,8 @@ void start(State<2>& state, const Options& options, Fronts& fronts)
   fronts.next.resize(count);
   fronts.fastest.assign(count, 0.0);
   fronts.increment.assign(count, 0.0);
+  fronts.origins.resize(count);
+  fronts.straightFor.assign(count, 0.0);
   double fastest = options.speedLimit;
   for (const Properties& material : state.materialList)
     fastest = std::max(fastest, rayleighSpeed(material));
@@ -249,6 +300,12 @@ void start(State<2>& state, const Options& options, Fronts& fronts)
   {
     throw std::invalid_argument(std::string("Propagation > Toughness: ") + error.what());
   }
+}
+
+/// Angle from a to b, counter-clockwise [degrees].
+double turn(const Vector<2>& a, const Vector<2>& b)
+{
+  return std::atan2(a[0] * b[1] - a[1] * b[0], dot(a, b)) * 45.0 / std::atan(1.0);
 }
 
 void report(const State<2>& state, const Fronts& fronts, nlohmann::json& summary)
@@ -264,11 +321,12 @@ void report(const State<2>& state, const Fronts& fronts, nlohmann::json& summary
     entry["running"] = history.running() && !front.ended && !front.halted;
     entry["ended"] = front.ended;
     entry["halted"] = front.halted;
-    if (history.increments() > 0)
-    {
-      entry["set_out"] = history.firstTime();
-      entry["last_advance"] = history.lastTime();
-    }
+    const Origin& origin = fronts.origins[f];
+    const bool moved = history.increments() > 0;
+    entry["set_out"] = moved ? history.firstTime() : notYet;
+    entry["last_advance"] = moved ? history.lastTime() : notYet;
+    entry["first_turn"] = moved ? turn(origin.before, origin.first) : notYet;
+    entry["turn"] = moved ? turn(origin.before, front.position - origin.place) : notYet;
     entry["settled_speed"] = history.settledSpeed();
     entry["settled_release"] = history.settledRelease();
     entry["speed_limit"] = fronts.fastest[f];
@@ -312,6 +370,10 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
       fronts->histories[f].keep(archive);
       archive("fastest", fronts->fastest[f]);
       archive("next_increment", fronts->increment[f]);
+      archive("straight_for", fronts->straightFor[f]);
+      archive("origin", fronts->origins[f].place);
+      archive("before", fronts->origins[f].before);
+      archive("first", fronts->origins[f].first);
     }
   };
   effect.report = [=](const State<2>& state, nlohmann::json& summary) { report(state, *fronts, summary); };
