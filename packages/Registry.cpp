@@ -1,4 +1,5 @@
 #include "adaptivity/Adaptivity.hpp"
+#include "combustion/Combustion.hpp"
 #include "contact/Contact.hpp"
 #include "cracks/Cracks.hpp"
 #include "damping/Damping.hpp"
@@ -19,6 +20,7 @@ const std::vector<EffectEntry>& knownEffects()
   static const std::vector<EffectEntry> effects = {
       cracks::cracksEntry(),
       adaptivity::adaptivityEntry(),
+      combustion::combustionEntry(),
       contact::contactEntry(),
       damping::dampingEntry(),
       energy_release::energyReleaseEntry(),
@@ -34,7 +36,7 @@ const std::vector<EffectEntry>& knownEffects()
 /// A scene that asks for one of these is told so. A new effect takes its name out.
 const std::vector<std::string>& effectsToCome()
 {
-  static const std::vector<std::string> names = {"Thermal", "Combustion"};
+  static const std::vector<std::string> names = {"Thermal"};
   return names;
 }
 

@@ -14,7 +14,8 @@ struct Opening
   double size;     ///< length or area of the crack now [m, m2]
 };
 
-/// Adds up the opening of a crack that is linear between its vertices.
+/// Adds up the opening of a crack that is linear between its vertices, and in 2D grows as the root of the
+/// distance from a front.
 template <int D>
 Opening measureOpening(const CrackSet<D>& cracks, int crack);
 

@@ -77,6 +77,9 @@ Points readPoints(const Teuchos::ParameterList& list, const std::string& where, 
   return points;
 }
 
+/// Cells: the crack follows the faces, and the opening between its vertices is a straight line.
+constexpr double longestSegment = 1.0;
+
 /// Equal pieces no longer than `longest`.
 Points refine(const Points& points, double longest)
 {
@@ -153,7 +156,7 @@ CrackMesh<2> readPolyline(const Teuchos::ParameterList& list, const std::string&
   if (inside.empty())
     throw std::invalid_argument(where +
                                 ": the crack lies outside of all bodies; give points inside one of them");
-  const Points points = refine(inside, 4.0 * spacing);
+  const Points points = refine(inside, longestSegment * spacing);
   const std::string fronts = list.get<std::string>("Fronts");
   const bool firstGiven = norm(points.front() - given.front()) < 1e-9 * spacing;
   const bool lastGiven = norm(points.back() - given.back()) < 1e-9 * spacing;

@@ -2,43 +2,12 @@
 
 #include "checkpoint/Archive.hpp"
 #include "scene/ReadList.hpp"
-#include "state/MeanVelocity.hpp"
-#include "transfer/PushNodes.hpp"
+#include "transfer/FacePush.hpp"
 
 #include <memory>
-#include <stdexcept>
 
 namespace Rhegma::face_pressure
 {
-
-namespace
-{
-
-/// Force on the face of side +1 at point k [N].
-template <int D>
-KOKKOS_INLINE_FUNCTION Vector<D> faceForce(const FacePoints<D>& points, int k, double pressure,
-                                           double thickness)
-{
-  Vector<D> force;
-  for (int d = 0; d < D; ++d)
-    force[d] = pressure * points.currentSize(k) * thickness * points.normal(k, d);
-  return force;
-}
-
-/// Lets others know of the pressure.
-template <int D>
-void publish(CrackSet<D>& cracks, int crack, double pressure)
-{
-  if (cracks.pressure.extent(0) != cracks.simplex.extent(0))
-    cracks.pressure = View<double*>("rhegma::crackPressure", cracks.simplex.extent(0));
-  const View<double*> of = cracks.pressure;
-  const int first = cracks.cracks[crack].firstSimplex;
-  Kokkos::parallel_for(
-      "rhegma::face_pressure::publish", Kokkos::RangePolicy<ExecSpace>(0, cracks.cracks[crack].numSimplices),
-      KOKKOS_LAMBDA(const int s) { of(first + s) = pressure; });
-}
-
-} // namespace
 
 void FacePressure::keep(Archive& archive) { archive("pressure", now_); }
 
@@ -46,37 +15,14 @@ template <int D>
 void FacePressure::apply(State<D>& state, const FacePoints<D>& points)
 {
   now_ = history_(state.time + 0.5 * state.dt);
-  publish(state.cracks, crack_, now_);
-  const FacePoints<D> p = points;
-  const Nodes<D> nodes = state.nodes;
-  const double pressure = now_, thickness = state.thickness;
-  const int crack = crack_;
-  forEachPushing(
-      "rhegma::face_pressure::apply", points.count(), KOKKOS_LAMBDA(const int k) {
-        if (p.crack(k) != crack)
-          return;
-        const Vector<D> force = faceForce(p, k, pressure, thickness);
-        addFaceForce(nodes, p.above, k, force);
-        addFaceForce(nodes, p.below, k, -1.0 * force);
-      });
+  publishPressure(state.cracks, crack_, now_);
+  pushFaces(state, points, crack_, now_);
 }
 
 template <int D>
 double FacePressure::work(const State<D>& state, const FacePoints<D>& points) const
 {
-  const FacePoints<D> p = points;
-  const MeanVelocity<D> mean(state);
-  const double pressure = now_, thickness = state.thickness, dt = state.dt;
-  const int crack = crack_;
-  double work = 0.0;
-  Kokkos::parallel_reduce(
-      "rhegma::face_pressure::work", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
-      KOKKOS_LAMBDA(const int k, double& sum) {
-        if (p.crack(k) == crack)
-          sum += dt * dot(faceForce(p, k, pressure, thickness), jumpAt<D>(p.below, p.above, k, mean));
-      },
-      work);
-  return work;
+  return workOnFaces(state, points, crack_, now_);
 }
 
 namespace
@@ -135,15 +81,6 @@ struct Account
   FacePoints<D> points;
   std::vector<FacePressure> pressures;
 };
-
-template <int D>
-int findCrack(const CrackSet<D>& cracks, const std::string& name)
-{
-  for (std::size_t c = 0; c < cracks.cracks.size(); ++c)
-    if (cracks.cracks[c].name == name)
-      return static_cast<int>(c);
-  throw std::invalid_argument("Face Pressure > " + name + ": there is no crack of this name");
-}
 
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)

@@ -272,7 +272,7 @@ MASS = [
 NOT_YET = [
     (f"not_yet_{name.lower().replace(' ', '_').replace('-', '_')}", plate().set(name, {}),
     one(name, "not in this version", "leave the section out"))
-    for name in ("Thermal", "Combustion")
+    for name in ("Thermal",)
 ]
 
 BOX = {"Lower Corner": [0.0, 0.0], "Upper Corner": [0.02, 0.02], "Level": 1}
@@ -387,4 +387,34 @@ SEVERAL = [
 ]
 
 TABLE = NAMES + MISSING + TYPES + MATERIALS + BODIES + DOMAIN + TIME + LOADS + CRACKS
-TABLE += NOT_IN_3D + MASS + ADAPTIVITY + NOT_YET + REFERENCES + SEVERAL
+BURNING = {"Burn Law": "Vieille", "Burn Coefficient": 1e-8, "Burn Exponent": 0.9, "Gas Constant": 320.0,
+           "Flame Temperature": 2500.0, "Initial Gap": 1e-5}
+
+
+def burning(**changes):
+    """A plate with a crack that reaches its surface and burns."""
+    values = {**BURNING, **{name.replace("_", " "): value for name, value in changes.items()}}
+    return plate().set("Cracks > Notch > Points", [0.0, 0.01, 0.05, 0.01]).set(
+        "Combustion", {"Notch": {name: value for name, value in values.items() if value is not None}})
+
+
+COMBUSTION = [
+    ("combustion_without_cracks", plate().remove("Cracks").set("Combustion", {"Notch": BURNING}),
+     one("Combustion", "no crack faces")),
+    ("combustion_of_a_crack_that_is_not_there", burning().set("Combustion > Nutch", BURNING),
+     one("Combustion > Nutch", "no crack of this name", "Notch")),
+    ("combustion_without_room", burning(Initial_Gap=None),
+     one("Combustion > Notch", "no room for gas", "Initial Gap")),
+    ("combustion_with_a_cold_flame", burning(Flame_Temperature=200.0),
+     one("Combustion > Notch > Flame Temperature", "below Initial Temperature")),
+    ("combustion_with_a_table_that_is_none", burning(Burn_Law="Table", Burn_Coefficient=None, Burn_Exponent=None,
+                                                    Burn_Table="1e5 1e-3"),
+     one("Combustion > Notch > Burn Table", "pressure:rate")),
+    ("combustion_and_a_given_pressure", burning().set("Face Pressure", {"Notch": {"Pressure": "1e5"}}),
+     one("Combustion > Notch", "Face Pressure")),
+    ("combustion_that_spreads_from_nowhere", burning(Flame_Speed=10.0),
+     one("Combustion > Notch", "Ignition Point")),
+    ("combustion_without_a_gas", burning(Gas_Constant=None),
+     one("Combustion > Notch > Gas Constant", "required")),
+]
+TABLE += COMBUSTION + NOT_IN_3D + MASS + ADAPTIVITY + NOT_YET + REFERENCES + SEVERAL

@@ -75,6 +75,13 @@ const std::map<std::string, std::string> sectionsOf = {
        <Parameter name="Upper Corner" type="Array(double)" value="{0.3, 0.3}"/>
        <Parameter name="Level" type="int" value="1"/></ParameterList></ParameterList>
        <ParameterList name="Sub-Cycling"/>)xml"},
+    {"Combustion", cracks + R"xml(<ParameterList name="Combustion"><ParameterList name="Notch">
+       <Parameter name="Burn Law" type="string" value="Vieille"/>
+       <Parameter name="Burn Coefficient" type="double" value="1e-8"/>
+       <Parameter name="Burn Exponent" type="double" value="0.9"/>
+       <Parameter name="Gas Constant" type="double" value="320"/>
+       <Parameter name="Flame Temperature" type="double" value="2500"/>
+       <Parameter name="Initial Gap" type="double" value="1e-3"/></ParameterList></ParameterList>)xml"},
     {"Contact", cracks + "<ParameterList name=\"Contact\"/>"},
     {"Propagation", cracks + R"xml(<ParameterList name="Energy Release"/>
        <ParameterList name="Propagation"><Parameter name="Toughness" type="string" value="100"/></ParameterList>)xml"},

@@ -1,0 +1,18 @@
+#pragma once
+/// Cracks whose faces burn.
+
+#include "step/Effect.hpp"
+
+namespace Rhegma::combustion
+{
+
+/// The effect `Combustion`: faces that burn at a rate that depends on the pressure, gas between them with a
+/// mass and an energy of its own and one pressure in each crack, and that pressure on the faces
+/// (docs/combustion.md).
+EffectEntry combustionEntry();
+
+/// Its section, and what no single parameter can show wrong.
+Section combustionSection();
+void checkCombustion(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors);
+
+} // namespace Rhegma::combustion

@@ -1,0 +1,158 @@
+#include "combustion/BurnRate.hpp"
+#include "combustion/Combustion.hpp"
+#include "scene/ReadList.hpp"
+
+#include <stdexcept>
+
+namespace Rhegma::combustion
+{
+
+Section combustionSection()
+{
+  Section s("Combustion", "Burns the faces of cracks: gas in the crack, and its pressure on the faces.");
+  Section crack("crack", "The burning of the crack of this name.");
+  crack.chosenBy("Burn Law").meaning("How fast a burning face recedes.");
+  Section vieille("Vieille", "r = a p^n.");
+  vieille.real("Burn Coefficient").unit("m/s/Pa^n").notNegative().meaning("a.");
+  vieille.real("Burn Exponent").notNegative().meaning("n. Above 1 a closed crack runs away.");
+  crack.variant(vieille);
+  Section table("Table", "Straight lines between points.");
+  table.text("Burn Table")
+      .unit("Pa:m/s")
+      .notEmpty()
+      .meaning("Pressures and rates, such as \"1e5:1e-3, 1e6:5e-3\"; constant beyond the ends.");
+  crack.variant(table);
+  crack.real("Solid Density")
+      .unit("kg/m3")
+      .positive()
+      .optional("that of the scene's only material")
+      .meaning("Of what burns.");
+  crack.real("Gas Constant").unit("J/(kg K)").positive().meaning("R of the gas, per kilogram.");
+  crack.real("Heat Capacity Ratio").above(1.0).atMost(2.0).byDefault(1.25).meaning("gamma of the gas.");
+  crack.real("Covolume")
+      .unit("m3/kg")
+      .notNegative()
+      .byDefault(0.0)
+      .meaning("b of p (V - b m) = m R T (Noble and Abel); 0 is the ideal gas.");
+  crack.real("Flame Temperature").unit("K").positive().meaning("Of solid that burns in a rigid cavity.");
+  crack.choice("Gas Temperature", {"Energy Balance", "Constant"})
+      .byDefault("Energy Balance")
+      .meaning(
+          "Energy Balance: work on the faces and venting cool the gas. Constant: the walls keep it at the "
+          "flame temperature.");
+  crack.real("Initial Temperature")
+      .unit("K")
+      .positive()
+      .byDefault(293.0)
+      .meaning("Of the gas in the crack at the start.");
+  crack.real("Initial Pressure")
+      .unit("Pa")
+      .positive()
+      .optional("Outside Pressure")
+      .meaning("Of the gas in the crack at the start.");
+  crack.real("Outside Pressure")
+      .unit("Pa")
+      .notNegative()
+      .byDefault(101325.0)
+      .meaning("What the faces feel is the pressure of the gas less this one, which acts on the body from "
+               "all sides.");
+  crack.real("Initial Gap")
+      .unit("m")
+      .notNegative()
+      .byDefault(0.0)
+      .meaning("Room between the faces where they touch: their roughness.");
+  crack.real("Cavity Volume")
+      .unit("m3")
+      .notNegative()
+      .byDefault(0.0)
+      .meaning("Room for gas beside that between the faces; in 2D for the whole thickness.");
+  crack.real("Ignition Time").unit("s").notNegative().byDefault(0.0).meaning("Nothing burns before it.");
+  crack.realArray("Ignition Point")
+      .unit("m")
+      .perAxis()
+      .optional("all faces at once")
+      .meaning("Where the flame sets out from.");
+  crack.real("Flame Speed")
+      .unit("m/s")
+      .positive()
+      .optional("all faces at once")
+      .meaning("How fast burning spreads from the ignition point, in a straight line.");
+  crack.allOrNoneOf({"Ignition Point", "Flame Speed"});
+  crack.boolean("Venting").byDefault(false).meaning(
+      "Gas flows out where the crack opens at the surface of its body.");
+  crack.real("Discharge Coefficient")
+      .above(0.0)
+      .atMost(1.0)
+      .byDefault(0.85)
+      .meaning("Share of the opening at the surface that the flow has.");
+  s.namedByUser(crack);
+  return s;
+}
+
+namespace
+{
+
+std::string joined(const std::vector<std::string>& names)
+{
+  std::string all;
+  for (const std::string& name : names)
+    all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
+
+void checkCrack(const Teuchos::ParameterList& scene, const std::string& name, std::vector<SceneError>& errors)
+{
+  const Teuchos::ParameterList& list = scene.sublist("Combustion").sublist(name);
+  const std::string path = "Combustion > " + name;
+  const auto real = [&](const char* parameter, double other)
+  { return list.isType<double>(parameter) ? list.get<double>(parameter) : other; };
+  if (!scene.sublist("Cracks").isSublist(name))
+    errors.push_back({path, "there is no crack of this name; Cracks has " +
+                                joined(sublistNames(scene.sublist("Cracks")))});
+  if (scene.isSublist("Face Pressure") && scene.sublist("Face Pressure").isSublist(name))
+    errors.push_back({path, "Face Pressure gives this crack a pressure too; take one of the two out"});
+  if (!(real("Initial Gap", 0.0) > 0.0) && !(real("Cavity Volume", 0.0) > 0.0))
+    errors.push_back({path, "a closed crack has no room for gas; give an Initial Gap (the roughness of the "
+                            "faces) or a Cavity Volume"});
+  if (real("Flame Temperature", 1e300) < real("Initial Temperature", 293.0))
+    errors.push_back(
+        {path + " > Flame Temperature", "is below Initial Temperature; burning would cool the gas"});
+  if (list.isType<std::string>("Burn Table"))
+    try
+    {
+      BurnRate::table(list.get<std::string>("Burn Table"));
+    }
+    catch (const std::invalid_argument& problem)
+    {
+      errors.push_back({path + " > Burn Table", problem.what()});
+    }
+  if (!list.isParameter("Solid Density") && scene.isSublist("Materials") &&
+      sublistNames(scene.sublist("Materials")).size() > 1)
+    errors.push_back(
+        {path + " > Solid Density", "there are several materials; write the density of what burns"});
+}
+
+} // namespace
+
+void checkCombustion(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
+{
+  if (!scene.isSublist("Combustion"))
+    return;
+  if (!scene.isSublist("Cracks"))
+  {
+    errors.push_back({"Combustion", "there are no crack faces that could burn; add a section Cracks or leave "
+                                    "Combustion out"});
+    return;
+  }
+  if (sublistNames(scene.sublist("Combustion")).empty())
+    errors.push_back({"Combustion", "the section names no crack; write one as <ParameterList name=\"" +
+                                        joined(sublistNames(scene.sublist("Cracks"))) + "\">"});
+  if (scene.isSublist("Thermal"))
+    errors.push_back({"Combustion",
+                      "burning and heat in the bodies do not go together in this version; leave "
+                      "Combustion or Thermal out"});
+  for (const std::string& name : sublistNames(scene.sublist("Combustion")))
+    checkCrack(scene, name, errors);
+}
+
+} // namespace Rhegma::combustion

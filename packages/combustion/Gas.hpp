@@ -1,0 +1,78 @@
+#pragma once
+/// The gas in a crack.
+
+#include <string>
+
+namespace Rhegma
+{
+class Archive;
+}
+
+namespace Rhegma::combustion
+{
+
+/// What the gas is: p (V - b m) = m R T (Noble and Abel; ideal where b = 0), c_v = R / (gamma - 1).
+struct GasLaw
+{
+  double constant = 0.0;            ///< R [J/(kg K)]
+  double heatRatio = 1.4;           ///< gamma [-]
+  double covolume = 0.0;            ///< b [m3/kg]
+  double flameTemperature = 0.0;    ///< of what burns at constant volume [K]
+  bool constantTemperature = false; ///< the walls keep the gas at the flame temperature
+
+  double heatCapacity() const { return constant / (heatRatio - 1.0); } ///< c_v [J/(kg K)]
+};
+
+/// Mass and energy of the gas in one crack, and where they came from and went to.
+///
+/// Solid that burns brings the internal energy c_v T_f, so that gas that burns in a rigid cavity has the
+/// temperature T_f. Work on the faces is taken from the internal energy; what flows out takes its enthalpy.
+/// The balance is
+///
+///     U = U_start + c_v T_f burnt - work - vented enthalpy - heat to the walls.
+class Gas
+{
+public:
+  Gas() = default;
+  explicit Gas(const GasLaw& law) : law_(law) {}
+
+  /// Fills a volume [m3] at the start.
+  void fill(double pressure, double temperature, double volume);
+
+  void burn(double mass);                ///< [kg]
+  void work(double energy);              ///< that the gas did [J]
+  void vent(double mass, double volume); ///< [kg]
+  /// Where the temperature is constant, the walls give or take what it needs.
+  void settle();
+
+  double mass() const { return mass_; }     ///< [kg]
+  double burnt() const { return burnt_; }   ///< [kg]
+  double vented() const { return vented_; } ///< [kg]
+  double energy() const { return energy_; } ///< internal [J]
+  double temperature() const;               ///< [K]
+  double pressure(double volume) const;     ///< [Pa]
+  /// What the volume must be larger than [m3].
+  double leastVolume() const { return law_.covolume * mass_; }
+  const GasLaw& law() const { return law_; }
+
+  double startMass() const { return startMass_; }
+  double startEnergy() const { return startEnergy_; }
+  double workDone() const { return work_; }             ///< [J]
+  double ventedEnergy() const { return ventedEnergy_; } ///< [J]
+  double wallHeat() const { return wallHeat_; }         ///< to the walls [J]
+
+  /// Mass that flows through an opening in a second [kg/s]: choked below the critical ratio of pressures,
+  /// else isentropic; nothing flows in. Source: Shapiro, The Dynamics and Thermodynamics of Compressible
+  /// Fluid Flow, 1953, section 4.5. \param area times the coefficient of discharge [m2]
+  double outflow(double area, double volume, double outside) const;
+
+  void keep(Archive& archive);
+
+private:
+  GasLaw law_;
+  double mass_ = 0.0, energy_ = 0.0;
+  double startMass_ = 0.0, startEnergy_ = 0.0;
+  double burnt_ = 0.0, vented_ = 0.0, work_ = 0.0, ventedEnergy_ = 0.0, wallHeat_ = 0.0;
+};
+
+} // namespace Rhegma::combustion

@@ -1,0 +1,135 @@
+#include "combustion/Regression.hpp"
+
+#include "output/ParticleEnergy.hpp"
+#include "transfer/PushNodes.hpp"
+
+namespace Rhegma::combustion
+{
+
+template <int D>
+void Regression<D>::take(const State<D>& state, const FacePoints<D>& points, int crack, const Flame<D>& flame,
+                         double depth)
+{
+  const std::size_t nodes = state.nodes.sums.extent(0), rows = state.numStored;
+  if (demand_.extent(0) < nodes)
+  {
+    demand_ = View<double*>("rhegma::combustion::demand", nodes);
+    present_ = View<double*>("rhegma::combustion::present", nodes);
+  }
+  if (loss_.extent(0) < rows)
+    loss_ = View<double*>("rhegma::combustion::loss", rows + rows / 4);
+  clear(state, points);
+  demand(state, points, crack, flame, depth);
+  weighNodes(state);
+  share(state);
+}
+
+template <int D>
+void Regression<D>::clear(const State<D>& state, const FacePoints<D>& points)
+{
+  const FacePoints<D> p = points;
+  const StencilTable<D> table = state.stored;
+  const View<double*> demand = demand_, present = present_;
+  Kokkos::parallel_for(
+      "rhegma::combustion::clearFaces", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
+      KOKKOS_LAMBDA(const int k) {
+        for (int e = 0; e < p.above.count(k); ++e)
+          demand(p.above.node(k, e)) = present(p.above.node(k, e)) = 0.0;
+        for (int e = 0; e < p.below.count(k); ++e)
+          demand(p.below.node(k, e)) = present(p.below.node(k, e)) = 0.0;
+      });
+  Kokkos::parallel_for(
+      "rhegma::combustion::clearParticles", Kokkos::RangePolicy<ExecSpace>(0, state.numStored),
+      KOKKOS_LAMBDA(const int r) {
+        for (int e = 0; e < table.count(r); ++e)
+          demand(table.node(r, e)) = present(table.node(r, e)) = 0.0;
+      });
+}
+
+template <int D>
+void Regression<D>::demand(const State<D>& state, const FacePoints<D>& points, int crack,
+                           const Flame<D>& flame, double depth)
+{
+  const FacePoints<D> p = points;
+  const Flame<D> f = flame;
+  const View<double*> demand = demand_;
+  const double thickness = state.thickness;
+  forEachPushing(
+      "rhegma::combustion::demand", points.count(), KOKKOS_LAMBDA(const int k) {
+        if (p.crack(k) != crack || !f.reaches(p, k))
+          return;
+        const double mass = depth * p.currentSize(k) * thickness;
+        for (int e = 0; e < p.above.count(k); ++e)
+          Kokkos::atomic_add(&demand(p.above.node(k, e)), mass * p.above.weight(k, e));
+        for (int e = 0; e < p.below.count(k); ++e)
+          Kokkos::atomic_add(&demand(p.below.node(k, e)), mass * p.below.weight(k, e));
+      });
+}
+
+template <int D>
+void Regression<D>::weighNodes(const State<D>& state)
+{
+  const StencilTable<D> table = state.stored;
+  const View<int*> particle = state.storedParticle;
+  const View<double*> present = present_;
+  const auto mass = state.particles.scalar(fields::mass);
+  forEachPushing(
+      "rhegma::combustion::weighNodes", state.numStored, KOKKOS_LAMBDA(const int r) {
+        const double m = mass(particle(r));
+        for (int e = 0; e < table.count(r); ++e)
+          Kokkos::atomic_add(&present(table.node(r, e)), m * table.weight(r, e));
+      });
+}
+
+template <int D>
+void Regression<D>::share(const State<D>& state)
+{
+  const StencilTable<D> table = state.stored;
+  const View<int*> particle = state.storedParticle;
+  const View<double*> present = present_, demand = demand_, loss = loss_;
+  const auto burnt = state.particles.scalar(burntShare);
+  Kokkos::parallel_for(
+      "rhegma::combustion::share", Kokkos::RangePolicy<ExecSpace>(0, state.numStored),
+      KOKKOS_LAMBDA(const int r) {
+        const int p = particle(r);
+        double wanted = 0.0;
+        for (int e = 0; e < table.count(r); ++e)
+        {
+          const int n = table.node(r, e);
+          wanted += present(n) > 0.0 ? table.weight(r, e) * demand(n) / present(n) : 0.0;
+        }
+        // Of the mass that is left.
+        const double most = burnt(p) < mostBurnt ? 1.0 - (1.0 - mostBurnt) / (1.0 - burnt(p)) : 0.0;
+        loss(r) = wanted < 0.0 ? 0.0 : wanted < most ? wanted : most;
+      });
+}
+
+template <int D>
+typename Regression<D>::Loss Regression<D>::apply(State<D>& state)
+{
+  Loss lost;
+  const View<int*> particle = state.storedParticle;
+  const View<double*> loss = loss_;
+  const auto burnt = state.particles.scalar(burntShare);
+  const ParticleEnergy<D> energy(state);
+  Kokkos::parallel_reduce(
+      "rhegma::combustion::regress", Kokkos::RangePolicy<ExecSpace>(0, state.numStored),
+      KOKKOS_LAMBDA(const int r, double& mass, double& with) {
+        const int p = particle(r);
+        const double part = loss(r);
+        if (part == 0.0)
+          return;
+        mass += part * energy.mass(p);
+        with += part * (energy.kinetic(p) + energy.strain(p) + energy.dissipated(p));
+        energy.mass(p) *= 1.0 - part;
+        energy.volume(p) *= 1.0 - part;
+        burnt(p) = 1.0 - (1.0 - burnt(p)) * (1.0 - part);
+      },
+      lost.mass, lost.energy);
+  return lost;
+}
+
+template class Regression<2>;
+template class Regression<3>;
+
+} // namespace Rhegma::combustion

@@ -1,0 +1,53 @@
+#pragma once
+/// Solid that turns into gas.
+
+#include "combustion/Cavity.hpp"
+
+namespace Rhegma::combustion
+{
+
+/// Share of its mass that a particle has lost to gas.
+inline const std::string burntShare = "burnt share";
+
+/// No particle burns beyond this share: what is left of it keeps its nodes apart from empty space.
+constexpr double mostBurnt = 0.9;
+
+/// What burning faces take from the particles beside them.
+///
+/// A face that recedes by r dt takes rho r dt A from its nodes, which take it from the particles with a
+/// stored stencil on them as these give their mass: the mass of the gas is that of the particles to
+/// round-off. A particle loses undeformed volume as it loses mass, and keeps its velocity, deformation and
+/// stress.
+template <int D>
+class Regression
+{
+public:
+  /// What was lost: mass [kg], and kinetic, strain and plastic energy with it [J].
+  struct Loss
+  {
+    double mass = 0.0;
+    double energy = 0.0;
+  };
+
+  /// Finds what each particle gives in this step. To be called while stencils and nodal masses are those of
+  /// the step. \param depth density times the depth that burns [kg/m2]
+  void take(const State<D>& state, const FacePoints<D>& points, int crack, const Flame<D>& flame,
+            double depth);
+
+  /// Takes it from the particles. To be called in the same step, once for each call of `take`.
+  Loss apply(State<D>& state);
+
+  // Public because compilers for devices want kernels in public functions.
+  void clear(const State<D>& state, const FacePoints<D>& points);
+  void demand(const State<D>& state, const FacePoints<D>& points, int crack, const Flame<D>& flame,
+              double depth);
+  void weighNodes(const State<D>& state);
+  void share(const State<D>& state);
+
+private:
+  View<double*> demand_;  ///< of each node [kg]
+  View<double*> present_; ///< mass that particles with stored stencils give each node [kg]
+  View<double*> loss_;    ///< of each particle with a stored stencil, as a share of its mass
+};
+
+} // namespace Rhegma::combustion

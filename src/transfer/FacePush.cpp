@@ -1,0 +1,77 @@
+#include "transfer/FacePush.hpp"
+
+#include "state/MeanVelocity.hpp"
+#include "transfer/PushNodes.hpp"
+
+namespace Rhegma
+{
+
+namespace
+{
+
+/// Force on the face of side +1 at point k [N].
+template <int D>
+KOKKOS_INLINE_FUNCTION Vector<D> faceForce(const FacePoints<D>& points, int k, double pressure,
+                                           double thickness)
+{
+  Vector<D> force;
+  for (int d = 0; d < D; ++d)
+    force[d] = pressure * points.currentSize(k) * thickness * points.normal(k, d);
+  return force;
+}
+
+} // namespace
+
+template <int D>
+void pushFaces(const State<D>& state, const FacePoints<D>& points, int crack, double pressure)
+{
+  const FacePoints<D> p = points;
+  const Nodes<D> nodes = state.nodes;
+  const double thickness = state.thickness;
+  forEachPushing(
+      "rhegma::pushFaces", points.count(), KOKKOS_LAMBDA(const int k) {
+        if (p.crack(k) != crack)
+          return;
+        const Vector<D> force = faceForce(p, k, pressure, thickness);
+        addFaceForce(nodes, p.above, k, force);
+        addFaceForce(nodes, p.below, k, -1.0 * force);
+      });
+}
+
+template <int D>
+double workOnFaces(const State<D>& state, const FacePoints<D>& points, int crack, double pressure)
+{
+  const FacePoints<D> p = points;
+  const MeanVelocity<D> mean(state);
+  const double thickness = state.thickness, dt = state.dt;
+  double work = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::workOnFaces", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
+      KOKKOS_LAMBDA(const int k, double& sum) {
+        if (p.crack(k) == crack)
+          sum += dt * dot(faceForce(p, k, pressure, thickness), jumpAt<D>(p.below, p.above, k, mean));
+      },
+      work);
+  return work;
+}
+
+template <int D>
+void publishPressure(CrackSet<D>& cracks, int crack, double pressure)
+{
+  if (cracks.pressure.extent(0) != cracks.simplex.extent(0))
+    cracks.pressure = View<double*>("rhegma::crackPressure", cracks.simplex.extent(0));
+  const View<double*> of = cracks.pressure;
+  const int first = cracks.cracks[crack].firstSimplex;
+  Kokkos::parallel_for(
+      "rhegma::publishPressure", Kokkos::RangePolicy<ExecSpace>(0, cracks.cracks[crack].numSimplices),
+      KOKKOS_LAMBDA(const int s) { of(first + s) = pressure; });
+}
+
+template void pushFaces(const State<2>&, const FacePoints<2>&, int, double);
+template void pushFaces(const State<3>&, const FacePoints<3>&, int, double);
+template double workOnFaces(const State<2>&, const FacePoints<2>&, int, double);
+template double workOnFaces(const State<3>&, const FacePoints<3>&, int, double);
+template void publishPressure(CrackSet<2>&, int, double);
+template void publishPressure(CrackSet<3>&, int, double);
+
+} // namespace Rhegma

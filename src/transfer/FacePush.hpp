@@ -1,0 +1,32 @@
+#pragma once
+/// A pressure between the faces of a crack, as forces on nodes.
+
+#include "transfer/FacePoints.hpp"
+
+namespace Rhegma
+{
+
+/// Adds p A n and its opposite to the nodes of the two faces at every face point of a crack, A the current
+/// area and n the current normal: the sum over all nodes is zero to round-off. \param pressure [Pa]
+template <int D>
+void pushFaces(const State<D>& state, const FacePoints<D>& points, int crack, double pressure);
+
+/// Work [J] that these forces do in this step, by the mean of the nodes' velocities before and after.
+template <int D>
+double workOnFaces(const State<D>& state, const FacePoints<D>& points, int crack, double pressure);
+
+/// Lets others know of the pressure in a crack (CrackSet::pressure).
+template <int D>
+void publishPressure(CrackSet<D>& cracks, int crack, double pressure);
+
+/// Index of a crack by name, or -1.
+template <int D>
+int findCrack(const CrackSet<D>& cracks, const std::string& name)
+{
+  for (std::size_t c = 0; c < cracks.cracks.size(); ++c)
+    if (cracks.cracks[c].name == name)
+      return static_cast<int>(c);
+  return -1;
+}
+
+} // namespace Rhegma

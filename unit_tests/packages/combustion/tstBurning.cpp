@@ -1,0 +1,153 @@
+/// Burning cracks in bodies: what is conserved, how the flame spreads, how it ends.
+
+#include "../../src/step/Bodies.hpp"
+
+#include "scene/SceneError.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace Rhegma
+{
+namespace Test
+{
+namespace
+{
+
+/// A block with a crack in its middle, which ends in the middle of cells.
+template <int D>
+Teuchos::ParameterList burningBlock(bool toTheSurface)
+{
+  Teuchos::ParameterList scene = emptyScene<D>(all<D>(-2.0), all<D>(10.0), 1.0, "MUSL", "GIMP");
+  addMaterial(scene, "Linear Elastic", 0.3);
+  addBox<D>(scene, "Block", all<D>(0.0), all<D>(8.0));
+  const double from = toTheSurface ? 0.0 : 2.5;
+  Teuchos::Array<double> points;
+  if (D == 2)
+    points = Teuchos::tuple(from, 4.0, 5.5, 4.0);
+  else
+    points = Teuchos::Array<double>(
+        std::vector<double>{from, 2.5, 4.0, 5.5, 2.5, 4.0, 5.5, 5.5, 4.0, from, 5.5, 4.0});
+  scene.sublist("Cracks").sublist("Slit").set("Points", points);
+  Teuchos::ParameterList& burning = scene.sublist("Combustion").sublist("Slit");
+  burning.set("Burn Law", "Vieille");
+  burning.set("Burn Coefficient", 1e-3);
+  burning.set("Burn Exponent", 1.0);
+  burning.set("Gas Constant", 1.0);
+  burning.set("Flame Temperature", 1e-3);
+  burning.set("Initial Temperature", 1e-3);
+  burning.set("Initial Pressure", 1e-4);
+  burning.set("Outside Pressure", 1e-5);
+  burning.set("Initial Gap", 1e-2);
+  return scene;
+}
+
+nlohmann::json summaryOf(const Rhegma::Run<2>& run) { return run.report(); }
+nlohmann::json summaryOf(const Rhegma::Run<3>& run) { return run.report(); }
+
+template <int D>
+void keepsMassMomentumAndEnergy()
+{
+  Rhegma::Run<D> run(validated(burningBlock<D>(false)));
+  run.initialize();
+  State<D>& state = run.state();
+  measureEnergy(state);
+  const Vector<D> before = state.momentum;
+  const double startEnergy = state.energy.kinetic + state.energy.strain;
+  double largest = 0.0;
+  for (int k = 0; k < 200; ++k)
+    run.step(1e9, k == 199);
+  measureEnergy(state);
+  const nlohmann::json summary = summaryOf(run);
+  const nlohmann::json& crack = summary.at("cracks").at(0);
+  EXPECT_GT(crack.at("burnt_mass").get<double>(), 0.0);
+  EXPECT_GT(crack.at("pressure").get<double>(), 1e-4);
+  EXPECT_NEAR(summary.at("combustion").at("mass_kept").get<double>(), 1.0, 1e-12);
+  EXPECT_NEAR(crack.at("gas").at("energy_kept").get<double>(), 1.0, 1e-10);
+  // The impulse that each face got.
+  const double impulse = 1e-4 * 3.0 * state.time;
+  for (int d = 0; d < D; ++d)
+    EXPECT_NEAR(state.momentum[d], before[d], 1e-12 * impulse);
+  largest = state.energy.kinetic + state.energy.strain - startEnergy;
+  EXPECT_GT(largest, 0.0);
+  EXPECT_LT(std::fabs(state.energy.residual()), 0.02 * largest);
+}
+
+} // namespace
+
+TEST(Burning, KeepsMassMomentumAndTheEnergyOfTheGasIn2D) { keepsMassMomentumAndEnergy<2>(); }
+TEST(Burning, KeepsMassMomentumAndTheEnergyOfTheGasIn3D) { keepsMassMomentumAndEnergy<3>(); }
+
+/// From one end of the crack, 3 m long: the area of both faces that burn is twice what the flame has passed,
+/// to a face point of half a cell.
+TEST(Burning, SpreadsWithTheFlame)
+{
+  Teuchos::ParameterList scene = burningBlock<2>(false);
+  Teuchos::ParameterList& burning = scene.sublist("Combustion").sublist("Slit");
+  burning.set("Ignition Point", Teuchos::Array<double>(Teuchos::tuple(2.5, 4.0)));
+  burning.set("Flame Speed", 0.5);
+  burning.set("Ignition Time", 1.0);
+  Rhegma::Run<2> run(validated(scene));
+  run.initialize();
+  while (run.state().time < 0.9)
+    run.step(1e9, false);
+  EXPECT_EQ(summaryOf(run).at("cracks").at(0).at("gas").at("burning_area").get<double>(), 0.0);
+  while (run.state().time < 4.0)
+    run.step(1e9, false);
+  EXPECT_NEAR(summaryOf(run).at("cracks").at(0).at("gas").at("burning_area").get<double>(), 2.0 * 1.5, 1.0);
+}
+
+TEST(Burning, VentsWhereTheCrackOpensAtTheSurface)
+{
+  Teuchos::ParameterList scene = burningBlock<2>(true);
+  scene.sublist("Combustion").sublist("Slit").set("Venting", true);
+  Rhegma::Run<2> run(validated(scene));
+  run.initialize();
+  for (int k = 0; k < 200; ++k)
+    run.step(1e9, k == 199);
+  const nlohmann::json summary = summaryOf(run);
+  EXPECT_GT(summary.at("cracks").at(0).at("gas").at("vented_mass").get<double>(), 0.0);
+  EXPECT_NEAR(summary.at("combustion").at("mass_kept").get<double>(), 1.0, 1e-12);
+  EXPECT_NEAR(summary.at("cracks").at(0).at("gas").at("energy_kept").get<double>(), 1.0, 1e-10);
+}
+
+TEST(Burning, RefusesToVentAClosedCrack)
+{
+  Teuchos::ParameterList scene = burningBlock<2>(false);
+  scene.sublist("Combustion").sublist("Slit").set("Venting", true);
+  Rhegma::Run<2> run(validated(scene));
+  EXPECT_THROW(run.initialize(), std::invalid_argument);
+}
+
+/// Faces that burn very fast use up what lies beside them; then they stop, and nothing is negative or no
+/// number.
+TEST(Burning, EndsWithTheFuel)
+{
+  Teuchos::ParameterList scene = burningBlock<2>(false);
+  Teuchos::ParameterList& burning = scene.sublist("Combustion").sublist("Slit");
+  burning.set("Burn Exponent", 0.0);
+  burning.set("Burn Coefficient", 0.5);
+  burning.set("Gas Constant", 1e-3);
+  Rhegma::Run<2> run(validated(scene));
+  run.initialize();
+  State<2>& state = run.state();
+  while (state.time < 10.0 && state.trouble.empty())
+    run.step(1e9, false);
+  ASSERT_EQ(state.trouble, "");
+  bool told = false;
+  for (const std::string& warning : state.warnings)
+    told = told || warning.find("burnt away") != std::string::npos;
+  EXPECT_TRUE(told);
+  const HostParticles<2> particles(state);
+  for (int p = 0; p < particles.size; ++p)
+  {
+    EXPECT_GT(particles.mass(p), 0.0);
+    EXPECT_TRUE(std::isfinite(particles.velocity(p, 0)));
+  }
+  const nlohmann::json summary = summaryOf(run);
+  EXPECT_NEAR(summary.at("combustion").at("mass_kept").get<double>(), 1.0, 1e-12);
+  EXPECT_EQ(summary.at("cracks").at(0).at("gas").at("burning_area").get<double>(), 0.0);
+}
+
+} // namespace Test
+} // namespace Rhegma

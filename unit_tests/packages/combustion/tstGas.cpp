@@ -1,0 +1,120 @@
+/// The gas alone: its state, its flow, and the law of burning.
+
+#include "combustion/BurnRate.hpp"
+#include "combustion/Gas.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace Rhegma::combustion
+{
+namespace
+{
+
+GasLaw law()
+{
+  GasLaw l;
+  l.constant = 320.0;
+  l.heatRatio = 1.25;
+  l.flameTemperature = 2500.0;
+  return l;
+}
+
+TEST(Gas, FillsAVolumeByTheLawOfNobleAndAbel)
+{
+  GasLaw l = law();
+  l.covolume = 1e-3;
+  Gas gas(l);
+  gas.fill(1e8, 1000.0, 1e-6);
+  // p (V - b m) = m R T
+  EXPECT_NEAR(1e8 * (1e-6 - 1e-3 * gas.mass()), gas.mass() * 320.0 * 1000.0, 1e-12 * 1e8 * 1e-6);
+  EXPECT_NEAR(gas.pressure(1e-6), 1e8, 1e-12 * 1e8);
+  EXPECT_NEAR(gas.temperature(), 1000.0, 1e-12 * 1000.0);
+}
+
+/// Work p dV and nothing else keeps p V^gamma; the error of 2 n steps is half that of n.
+TEST(Gas, ExpandsByTheAdiabat)
+{
+  const auto endPressure = [](int steps)
+  {
+    Gas gas(law());
+    gas.fill(1e6, 2500.0, 1e-6);
+    for (int k = 0; k < steps; ++k)
+    {
+      const double now = 1e-6 * (1.0 + double(k) / steps), next = 1e-6 * (1.0 + double(k + 1) / steps);
+      gas.work(gas.pressure(now) * (next - now));
+    }
+    return gas.pressure(2e-6);
+  };
+  const double exact = 1e6 * std::pow(2.0, -1.25);
+  const double coarse = endPressure(1000) - exact, fine = endPressure(2000) - exact;
+  EXPECT_LT(std::fabs(fine), 1e-3 * exact);
+  EXPECT_NEAR(fine / coarse, 0.5, 0.01);
+}
+
+TEST(Gas, BurnsToTheFlameTemperatureInARigidCavity)
+{
+  Gas gas(law());
+  gas.fill(1e5, 2500.0, 1e-6);
+  const double before = gas.mass();
+  gas.burn(3.0 * before);
+  EXPECT_NEAR(gas.temperature(), 2500.0, 1e-10);
+  EXPECT_NEAR(gas.pressure(1e-6), 4e5, 1e-9 * 4e5);
+}
+
+TEST(Gas, FlowsOutChokedOrAsAnIncompressibleFluid)
+{
+  Gas gas(law());
+  gas.fill(1e6, 2500.0, 1e-6);
+  const double k = 1.25, critical = std::sqrt(k) * std::pow(2.0 / (k + 1.0), 0.5 * (k + 1.0) / (k - 1.0));
+  const double choked = 1e-6 * 1e6 / std::sqrt(320.0 * 2500.0) * critical;
+  EXPECT_NEAR(gas.outflow(1e-6, 1e-6, 0.0), choked, 1e-12 * choked);
+  EXPECT_NEAR(gas.outflow(1e-6, 1e-6, 4e5), choked, 1e-12 * choked);
+  // A small difference of pressure: A sqrt(2 rho dp), to first order in dp / p.
+  const double density = 1e6 / (320.0 * 2500.0), slow = 1e-6 * std::sqrt(2.0 * density * 1e3);
+  EXPECT_NEAR(gas.outflow(1e-6, 1e-6, 1e6 - 1e3), slow, 1e-3 * slow);
+  EXPECT_EQ(gas.outflow(1e-6, 1e-6, 2e6), 0.0);
+  EXPECT_EQ(gas.outflow(0.0, 1e-6, 0.0), 0.0);
+}
+
+/// What flows out takes c_p T: a cavity that empties adiabatically keeps p / rho^gamma.
+TEST(Gas, CoolsAsItEmpties)
+{
+  Gas gas(law());
+  gas.fill(1e6, 2500.0, 1e-6);
+  const double before = gas.mass();
+  while (gas.mass() > 0.5 * before)
+    gas.vent(1e-4 * before, 1e-6);
+  const double exact = 1e6 * std::pow(gas.mass() / before, 1.25);
+  EXPECT_NEAR(gas.pressure(1e-6), exact, 1e-4 * exact);
+}
+
+TEST(Gas, KeepsItsTemperatureWhereTheWallsDo)
+{
+  GasLaw l = law();
+  l.constantTemperature = true;
+  Gas gas(l);
+  gas.fill(1e6, 2500.0, 1e-6);
+  gas.work(0.1 * gas.energy());
+  gas.settle();
+  EXPECT_NEAR(gas.temperature(), 2500.0, 1e-10);
+  EXPECT_NEAR(gas.energy() + gas.workDone() + gas.wallHeat(), gas.startEnergy(), 1e-12 * gas.startEnergy());
+  EXPECT_LT(gas.wallHeat(), 0.0);
+}
+
+TEST(BurnRate, IsVieillesOrATable)
+{
+  EXPECT_NEAR(BurnRate::vieille(1e-8, 0.9)(1e6), 1e-8 * std::pow(1e6, 0.9), 1e-16);
+  EXPECT_EQ(BurnRate::vieille(2e-3, 0.0)(0.0), 2e-3);
+  const BurnRate table = BurnRate::table("1e5:1e-3, 1e6:1e-2, 2e6:1e-2");
+  EXPECT_EQ(table(0.0), 1e-3);
+  EXPECT_NEAR(table(5.5e5), 5.5e-3, 1e-15);
+  EXPECT_EQ(table(3e6), 1e-2);
+  for (const char* wrong : {"", "1e5", "1e5:1e-3, 1e5:2e-3", "1e5:-1", "1e5:1e-3 2", "a:b"})
+    EXPECT_THROW(BurnRate::table(wrong), std::invalid_argument) << wrong;
+}
+
+} // namespace
+} // namespace Rhegma::combustion
