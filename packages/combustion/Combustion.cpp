@@ -166,8 +166,8 @@ void push(State<D>& state, const FacePoints<D>& points, Burning<D>& b)
     return;
   b.slope = b.filled && state.dt > 0.0 ? (b.pressure - before) / state.dt : 0.0;
   b.filled = true;
-  publishPressure(state.cracks, b.crack, b.pressure - b.outside);
-  pushFaces(state, points, b.crack, b.pressure - b.outside);
+  publishPressure("rhegma::combustion::publish", state.cracks, b.crack, b.pressure - b.outside);
+  pushFaces("rhegma::combustion::push", state, points, b.crack, b.pressure - b.outside);
 }
 
 /// What the gas did on the faces; the atmosphere takes the part that it presses against. The room between the
@@ -175,7 +175,8 @@ void push(State<D>& state, const FacePoints<D>& points, Burning<D>& b)
 template <int D>
 void bookWork(State<D>& state, const FacePoints<D>& points, Burning<D>& b)
 {
-  const double swept = workOnFaces(state, points, b.crack, 1.0); // a pressure of 1 Pa: the volume [m3]
+  const double swept = workOnFaces("rhegma::combustion::work", state, points, b.crack,
+                                   1.0); // a pressure of 1 Pa: the volume [m3]
   state.energy.combustion += (b.pressure - b.outside) * swept;
   b.gas.work(b.pressure * swept);
   b.swept += swept;

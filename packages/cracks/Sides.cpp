@@ -176,6 +176,10 @@ void listParents(State<D>& state, int count)
       });
 }
 
+/// Cells: a place nearer to the crack than this lies on side +1. Rounding would else strew a row of particles
+/// on a crack over both sides, and nodes that few of them reach would fly.
+constexpr double onCrack = 1e-6;
+
 /// The side of a place in a cell: that of the simplex, of those nearest to the cell's nodes, which is nearest
 /// to the place. 0 where no crack is near.
 template <int D>
@@ -206,7 +210,7 @@ struct SideOfPlace
     if (found < 0)
       return 0;
     const int name = sight.crackOf(found) + 1;
-    return sight.look(found, x).distance >= 0.0 ? name : -name;
+    return sight.look(found, x).distance >= -onCrack * grid.spacing ? name : -name;
   }
 };
 

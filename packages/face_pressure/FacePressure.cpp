@@ -15,14 +15,14 @@ template <int D>
 void FacePressure::apply(State<D>& state, const FacePoints<D>& points)
 {
   now_ = history_(state.time + 0.5 * state.dt);
-  publishPressure(state.cracks, crack_, now_);
-  pushFaces(state, points, crack_, now_);
+  publishPressure("rhegma::face_pressure::publish", state.cracks, crack_, now_);
+  pushFaces("rhegma::face_pressure::push", state, points, crack_, now_);
 }
 
 template <int D>
 double FacePressure::work(const State<D>& state, const FacePoints<D>& points) const
 {
-  return workOnFaces(state, points, crack_, now_);
+  return workOnFaces("rhegma::face_pressure::work", state, points, crack_, now_);
 }
 
 namespace

@@ -23,13 +23,14 @@ KOKKOS_INLINE_FUNCTION Vector<D> faceForce(const FacePoints<D>& points, int k, d
 } // namespace
 
 template <int D>
-void pushFaces(const State<D>& state, const FacePoints<D>& points, int crack, double pressure)
+void pushFaces(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
+               double pressure)
 {
   const FacePoints<D> p = points;
   const Nodes<D> nodes = state.nodes;
   const double thickness = state.thickness;
   forEachPushing(
-      "rhegma::pushFaces", points.count(), KOKKOS_LAMBDA(const int k) {
+      label, points.count(), KOKKOS_LAMBDA(const int k) {
         if (p.crack(k) != crack)
           return;
         const Vector<D> force = faceForce(p, k, pressure, thickness);
@@ -39,14 +40,15 @@ void pushFaces(const State<D>& state, const FacePoints<D>& points, int crack, do
 }
 
 template <int D>
-double workOnFaces(const State<D>& state, const FacePoints<D>& points, int crack, double pressure)
+double workOnFaces(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
+                   double pressure)
 {
   const FacePoints<D> p = points;
   const MeanVelocity<D> mean(state);
   const double thickness = state.thickness, dt = state.dt;
   double work = 0.0;
   Kokkos::parallel_reduce(
-      "rhegma::workOnFaces", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
+      label, Kokkos::RangePolicy<ExecSpace>(0, points.count()),
       KOKKOS_LAMBDA(const int k, double& sum) {
         if (p.crack(k) == crack)
           sum += dt * dot(faceForce(p, k, pressure, thickness), jumpAt<D>(p.below, p.above, k, mean));
@@ -56,22 +58,22 @@ double workOnFaces(const State<D>& state, const FacePoints<D>& points, int crack
 }
 
 template <int D>
-void publishPressure(CrackSet<D>& cracks, int crack, double pressure)
+void publishPressure(const char* label, CrackSet<D>& cracks, int crack, double pressure)
 {
   if (cracks.pressure.extent(0) != cracks.simplex.extent(0))
     cracks.pressure = View<double*>("rhegma::crackPressure", cracks.simplex.extent(0));
   const View<double*> of = cracks.pressure;
   const int first = cracks.cracks[crack].firstSimplex;
   Kokkos::parallel_for(
-      "rhegma::publishPressure", Kokkos::RangePolicy<ExecSpace>(0, cracks.cracks[crack].numSimplices),
+      label, Kokkos::RangePolicy<ExecSpace>(0, cracks.cracks[crack].numSimplices),
       KOKKOS_LAMBDA(const int s) { of(first + s) = pressure; });
 }
 
-template void pushFaces(const State<2>&, const FacePoints<2>&, int, double);
-template void pushFaces(const State<3>&, const FacePoints<3>&, int, double);
-template double workOnFaces(const State<2>&, const FacePoints<2>&, int, double);
-template double workOnFaces(const State<3>&, const FacePoints<3>&, int, double);
-template void publishPressure(CrackSet<2>&, int, double);
-template void publishPressure(CrackSet<3>&, int, double);
+template void pushFaces(const char*, const State<2>&, const FacePoints<2>&, int, double);
+template void pushFaces(const char*, const State<3>&, const FacePoints<3>&, int, double);
+template double workOnFaces(const char*, const State<2>&, const FacePoints<2>&, int, double);
+template double workOnFaces(const char*, const State<3>&, const FacePoints<3>&, int, double);
+template void publishPressure(const char*, CrackSet<2>&, int, double);
+template void publishPressure(const char*, CrackSet<3>&, int, double);
 
 } // namespace Rhegma

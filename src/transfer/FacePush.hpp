@@ -7,17 +7,20 @@ namespace Rhegma
 {
 
 /// Adds p A n and its opposite to the nodes of the two faces at every face point of a crack, A the current
-/// area and n the current normal: the sum over all nodes is zero to round-off. \param pressure [Pa]
+/// area and n the current normal: the sum over all nodes is zero to round-off. \param pressure [Pa] \param
+/// label of the kernel
 template <int D>
-void pushFaces(const State<D>& state, const FacePoints<D>& points, int crack, double pressure);
+void pushFaces(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
+               double pressure);
 
 /// Work [J] that these forces do in this step, by the mean of the nodes' velocities before and after.
 template <int D>
-double workOnFaces(const State<D>& state, const FacePoints<D>& points, int crack, double pressure);
+double workOnFaces(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
+                   double pressure);
 
 /// Lets others know of the pressure in a crack (CrackSet::pressure).
 template <int D>
-void publishPressure(CrackSet<D>& cracks, int crack, double pressure);
+void publishPressure(const char* label, CrackSet<D>& cracks, int crack, double pressure);
 
 /// Index of a crack by name, or -1.
 template <int D>

@@ -399,7 +399,7 @@ def burning(**changes):
 
 
 COMBUSTION = [
-    ("combustion_without_cracks", plate().remove("Cracks").set("Combustion", {"Notch": BURNING}),
+    ("combustion_without_cracks", plate().remove("Cracks").remove("Energy Release").set("Combustion", {"Notch": BURNING}),
      one("Combustion", "no crack faces")),
     ("combustion_of_a_crack_that_is_not_there", burning().set("Combustion > Nutch", BURNING),
      one("Combustion > Nutch", "no crack of this name", "Notch")),
@@ -415,6 +415,6 @@ COMBUSTION = [
     ("combustion_that_spreads_from_nowhere", burning(Flame_Speed=10.0),
      one("Combustion > Notch", "Ignition Point")),
     ("combustion_without_a_gas", burning(Gas_Constant=None),
-     one("Combustion > Notch > Gas Constant", "required")),
+     one("Combustion > Notch > Gas Constant", "is missing")),
 ]
 TABLE += COMBUSTION + NOT_IN_3D + MASS + ADAPTIVITY + NOT_YET + REFERENCES + SEVERAL

@@ -2,7 +2,7 @@
 
 #include "../../src/step/Bodies.hpp"
 
-#include "scene/SceneError.hpp"
+#include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <stdexcept>
@@ -31,7 +31,7 @@ Teuchos::ParameterList burningBlock(bool toTheSurface)
   scene.sublist("Cracks").sublist("Slit").set("Points", points);
   Teuchos::ParameterList& burning = scene.sublist("Combustion").sublist("Slit");
   burning.set("Burn Law", "Vieille");
-  burning.set("Burn Coefficient", 1e-3);
+  burning.set("Burn Coefficient", 1e-2);
   burning.set("Burn Exponent", 1.0);
   burning.set("Gas Constant", 1.0);
   burning.set("Flame Temperature", 1e-3);
@@ -42,8 +42,16 @@ Teuchos::ParameterList burningBlock(bool toTheSurface)
   return scene;
 }
 
-nlohmann::json summaryOf(const Rhegma::Run<2>& run) { return run.report(); }
-nlohmann::json summaryOf(const Rhegma::Run<3>& run) { return run.report(); }
+/// What the effects would add to summary.json.
+template <int D>
+nlohmann::json summaryOf(const Rhegma::Run<D>& run)
+{
+  nlohmann::json summary = nlohmann::json::object();
+  for (const Effect<D>& effect : run.plan().effects)
+    if (effect.report)
+      effect.report(run.state(), summary);
+  return summary;
+}
 
 template <int D>
 void keepsMassMomentumAndEnergy()
@@ -54,7 +62,6 @@ void keepsMassMomentumAndEnergy()
   measureEnergy(state);
   const Vector<D> before = state.momentum;
   const double startEnergy = state.energy.kinetic + state.energy.strain;
-  double largest = 0.0;
   for (int k = 0; k < 200; ++k)
     run.step(1e9, k == 199);
   measureEnergy(state);
@@ -65,12 +72,13 @@ void keepsMassMomentumAndEnergy()
   EXPECT_NEAR(summary.at("combustion").at("mass_kept").get<double>(), 1.0, 1e-12);
   EXPECT_NEAR(crack.at("gas").at("energy_kept").get<double>(), 1.0, 1e-10);
   // The impulse that each face got.
-  const double impulse = 1e-4 * 3.0 * state.time;
+  const double impulse = 1e-4 * (D == 2 ? 3.0 : 9.0) * state.time;
   for (int d = 0; d < D; ++d)
     EXPECT_NEAR(state.momentum[d], before[d], 1e-12 * impulse);
-  largest = state.energy.kinetic + state.energy.strain - startEnergy;
-  EXPECT_GT(largest, 0.0);
-  EXPECT_LT(std::fabs(state.energy.residual()), 0.02 * largest);
+  const double given = state.energy.kinetic + state.energy.strain - startEnergy;
+  EXPECT_GT(given, 0.0);
+  // Books of MUSL, of a load that comes at once.
+  EXPECT_LT(std::fabs(state.energy.residual()), 0.01 * given);
 }
 
 } // namespace
