@@ -262,7 +262,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     work->startMass = massOfParticles(state);
   };
   effect.call({Stage::BeforeSolve,
-               "gas pressure on crack faces",
+               "push of gas",
                {"nodal mass"},
                {},
                {"nodal force"},
