@@ -203,7 +203,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       summary["cracks"][c][D == 2 ? "length" : "area"] = opening.size;
     }
     if (grows)
-      summary["energy_in_flight"] = ties->energyInFlight(state);
+      summary["energy_in_flight"] = ties->energyInFlight(state, surroundings->stamp);
     for (const CrackFront<D>& front : state.cracks.fronts)
     {
       nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];

@@ -515,26 +515,24 @@ void FrontTies<D>::advance(State<D>& state)
 }
 
 template <int D>
-double FrontTies<D>::energyInFlight(const State<D>& state) const
+double FrontTies<D>::energyInFlight(const State<D>& state, int step) const
 {
-  const Nodes<D> nodes = state.nodes;
   const View<double* [D]> jump = jump_;
+  const View<int*> last = step_;
   const View<double * [D + 4]> cohesive = cohesion_;
-  if (!grows_ || cohesive.extent(0) == 0)
-    return 0.0;
   double sum = sumFew<double>(
-      "rhegma::cracks::energyInFlight", nodes.numSecond, KOKKOS_LAMBDA(const int i, double& all) {
-        const int own = nodes.parent(i);
-        if (!(cohesive(own, cohesion::peak) > 0.0))
+      "rhegma::cracks::energyInFlight", static_cast<int>(cohesive.extent(0)),
+      KOKKOS_LAMBDA(const int n, double& all) {
+        if (last(n) != step || step == 0 || !(cohesive(n, cohesion::peak) > 0.0))
           return;
-        const double r = cohesive(own, cohesion::reached), force = cohesion::strength(cohesive, own);
+        const double r = cohesive(n, cohesion::reached), force = cohesion::strength(cohesive, n);
         double square = 0.0;
         for (int d = 0; d < D; ++d)
         {
-          const double from = jump(own, d) + cohesive(own, cohesion::shift + d);
+          const double from = jump(n, d) + cohesive(n, cohesion::shift + d);
           square += from * from;
         }
-        const double end = cohesive(own, cohesion::start) + cohesive(own, cohesion::range);
+        const double end = cohesive(n, cohesion::start) + cohesive(n, cohesion::range);
         if (force > 0.0)
           all += 0.5 * force * (end - r) + 0.5 * force / r * (r * r - square);
       });

@@ -50,8 +50,9 @@ public:
   /// all other forces on nodes are known, and the energy that it will take.
   void release(State<D>& state, const Surroundings& surroundings);
 
-  /// What is still to be spent on opening faces whose forces have not come to an end [J].
-  double energyInFlight(const State<D>& state) const;
+  /// What is still to be spent on opening faces whose forces have not come to an end [J]. \param step as in
+  /// keep
+  double energyInFlight(const State<D>& state, int step) const;
 
   /// How the forces follow nodes that move in short steps.
   static FollowingForce<D> following();

@@ -283,10 +283,14 @@ void keepFronts(CrackSet<2>& set, Archive& archive)
     CrackFront<2>& front = set.fronts[f];
     const Archive::Group group(archive, "front " + std::to_string(f));
     archive("vertex", front.vertex);
+    archive("direction", front.direction); // those of a front that has ended are found no more
+    archive("normal", front.normal);
     archive("speed", front.speed);
     archive("release", front.driving.release);
     archive("K_I", front.driving.modeI);
     archive("K_II", front.driving.modeII);
+    archive("hoop_angle", front.driving.hoopAngle);
+    archive("advances", front.advances);
     archive("grown", front.grown);
     archive("halted", front.halted);
     archive("ended", front.ended);

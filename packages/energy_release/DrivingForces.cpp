@@ -51,8 +51,6 @@ const DrivingForces::Contours& DrivingForces::contoursOf(const State<2>& state, 
 
 void DrivingForces::measureRelease(State<2>& state)
 {
-  if (state.step == 0) // nothing has moved, and no stencil is stored yet
-    return;
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     CrackFront<2>& front = state.cracks.fronts[f];

@@ -10,6 +10,7 @@
 #include "scene/Attempts.hpp"
 #include "scene/Numbers.hpp"
 #include "scene/ReadList.hpp"
+#include "step/LastStage.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ constexpr double notYet = std::numeric_limits<double>::quiet_NaN(); ///< null in
 struct Sample
 {
   CrackFront<2> front;
-  ContourRadii radii;
+  ContourRadii radii{0.0, 0.0}; ///< none round a front that has ended
   bool closed = false; ///< whether crack closure is wanted and can be found
   DomainIntegral integral;
   CrackClosure closure{notYet, notYet};
@@ -313,13 +314,13 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
   const auto driving = std::make_shared<DrivingForces>();
   if (scene.isSublist("Propagation"))
   {
-    effect.call({Stage::BetweenSteps,
+    effect.call({lastStage(scene),
                  "driving forces of crack fronts",
-                 {},
+                 {"particle stress", "particle velocity", "crack geometry"},
                  {"driving forces"},
                  {},
                  [driving](State<2>& state) { driving->measureRelease(state); }});
-    effect.call({Stage::BetweenSteps,
+    effect.call({lastStage(scene),
                  "intensities at fronts that advance",
                  {"fronts that advance"},
                  {"intensities of fronts"},

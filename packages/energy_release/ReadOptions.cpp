@@ -35,7 +35,9 @@ Section energyReleaseSection()
       .byDefault(true)
       .meaning(
           "Also find the energy release rate from the forces ahead of the front and the opening behind it, "
-          "where a front starts along a direction of the grid and Cracks > Formulation is not Broken Cell.");
+          "where a front starts along a direction of the grid, Cracks > Formulation is not Broken Cell and "
+          "there "
+          "is no section Propagation.");
   s.boolean("Lumped Closure")
       .byDefault(false)
       .meaning("Also report crack closure with the opening of a lumped projection, which is 7 to 25 % low "
@@ -168,7 +170,8 @@ Options readOptions(const Teuchos::ParameterList& scene)
     options.openingKnown = cracks.get<std::string>("Formulation") != "Broken Cell";
   options.radii = readRadii(scene);
   options.contour = list.get<bool>("Contour Integral");
-  options.closure = list.get<bool>("Crack Closure");
+  // The opening behind a front that runs is that of its cohesive zone.
+  options.closure = list.get<bool>("Crack Closure") && !scene.isSublist("Propagation");
   if (scene.isSublist("Face Pressure"))
     for (const std::string& name : sublistNames(scene.sublist("Face Pressure")))
       options.pushed.insert(name);

@@ -6,6 +6,7 @@
 #include "propagation/RayleighSpeed.hpp"
 #include "scene/Numbers.hpp"
 #include "scene/ReadList.hpp"
+#include "step/LastStage.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>
@@ -202,14 +203,15 @@ double fastestAt(const State<2>& state, const Vector<2>& place, const Options& o
                                   : rayleighSpeed(state.materialList[materialAt(state, place)]);
 }
 
-/// Decides which fronts advance after the step that has just ended.
+/// Decides which fronts advance after the step that ends.
 void decide(State<2>& state, const Options& options, Fronts& fronts)
 {
+  const double now = state.time + state.dt;
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     CrackFront<2>& front = state.cracks.fronts[f];
     front.advances = false;
-    if (front.ended || front.halted || state.step == 0)
+    if (front.ended || front.halted)
       continue;
     if (fronts.fastest[f] == 0.0)
       fronts.fastest[f] = fastestAt(state, front.position, options);
@@ -219,15 +221,14 @@ void decide(State<2>& state, const Options& options, Fronts& fronts)
     const double release = front.driving.release;
     if (history.running())
     {
-      fronts.next[f] =
-          history.advance(options.rule, state.time, release, fronts.increment[f], fronts.fastest[f]);
+      fronts.next[f] = history.advance(options.rule, now, release, fronts.increment[f], fronts.fastest[f]);
       front.advances = fronts.next[f].increments > 0;
     }
-    else if (release >= options.rule.initiation && state.time >= options.rule.startTime)
+    else if (release >= options.rule.initiation && now >= options.rule.startTime)
       front.advances = true; // if what drives it does not close it
     else
-      history.wait(state.time, release);
-    front.speed = history.speed(state.time);
+      history.wait(now, release);
+    front.speed = history.speed(now);
   }
 }
 
@@ -350,18 +351,15 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
   Effect<2> effect;
   effect.name = "Propagation";
   effect.atStart = [=](State<2>& state) { start(state, *options, *fronts); };
-  effect.call({Stage::BetweenSteps,
+  effect.call({lastStage(scene),
                "fronts that advance",
                {"driving forces"},
                {"fronts that advance"},
                {},
                [=](State<2>& state) { decide(state, *options, *fronts); }});
-  effect.call({Stage::BetweenSteps,
-               "where fronts go",
-               {"intensities of fronts", "fronts that advance"},
-               {"advances of fronts"},
-               {},
-               [=](State<2>& state) { ask(state, *options, *fronts); }});
+  effect.call({Stage::BetweenSteps, "where fronts go", {}, {"advances of fronts"}, {}, [=](State<2>& state) {
+                 ask(state, *options, *fronts);
+               }});
   effect.memory = [=](State<2>&, Archive& archive)
   {
     for (std::size_t f = 0; f < fronts->histories.size(); ++f)
@@ -370,6 +368,8 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
       fronts->histories[f].keep(archive);
       archive("fastest", fronts->fastest[f]);
       archive("next_increment", fronts->increment[f]);
+      archive("next", fronts->next[f].increments);
+      archive("next_toughness", fronts->next[f].toughness);
       archive("straight_for", fronts->straightFor[f]);
       archive("origin", fronts->origins[f].place);
       archive("before", fronts->origins[f].before);

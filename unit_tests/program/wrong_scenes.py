@@ -269,6 +269,40 @@ MASS = [
     ("mass_matrix_of_no_type", plate().set("Mass Matrix", {}), one("Mass Matrix > Type", "missing", "Full")),
 ]
 
+RUNNING = "Propagation > Toughness"
+
+
+def running(toughness="100", **more):
+    """The plate with a crack that may run."""
+    return plate().set("Energy Release", {}).set("Propagation", dict({"Toughness": toughness}, **more))
+
+
+PROPAGATION = [
+    ("toughness_of_zero", running("0"), one(RUNNING, "is 0 J/m2 at v = 0", "positive")),
+    ("toughness_below_zero", running("-3"), one(RUNNING, "is -3 J/m2", "positive")),
+    ("toughness_that_falls_to_zero", running("0:100, 500:0"), one(RUNNING, "is 0 J/m2 at v = 50", "positive")),
+    ("toughness_of_an_unknown_name", running("100*(1 + speed)"), one(RUNNING, '"speed"', "expression of the speed v")),
+    ("toughness_of_temperature", running("100*(1 - T/900)"), one(RUNNING, "temperature T", "without T")),
+    ("toughness_that_is_no_expression", running("100*("), one(RUNNING, "no toughness", "a number")),
+    ("toughness_that_is_missing", running().remove(RUNNING), one(RUNNING, "missing")),
+    ("table_of_toughness_that_goes_back", running("0:100, 300:120, 200:130"), one(RUNNING, "must increase")),
+    ("cracks_that_run_nowhere", running().remove("Cracks").remove("Energy Release"),
+     [("Propagation", ["no cracks", "Cracks"]), ("Propagation", ["Energy Release"])]),
+    ("cracks_that_run_without_a_measure", running().remove("Energy Release"),
+     one("Propagation", "what drives the fronts", "Energy Release")),
+    ("broken_cells_that_run", running().set("Cracks > Formulation", "Broken Cell"),
+     one("Propagation", "Dual Field alone")),
+    ("cracks_that_run_without_ties", running().set("Cracks > Front Ties", False),
+     one("Propagation", "Front Ties")),
+    ("contour_the_wrong_way_round", running(**{"Release Contour": [10.0, 5.0]}),
+     one("Propagation > Release Contour", "the inner one first")),
+    ("front_that_is_none", running().set(NOTCH, [0.0, 0.5, 1.0, 0.5]), one("Energy Release", "front", "Fronts")),
+    ("running_cracks_in_short_steps", running().set("Adaptivity", {}).set("Sub-Cycling", {}),
+     one("Propagation", "Sub-Cycling", "take one of the two out")),
+    ("running_cracks_with_a_mass_matrix", running().set("Mass Matrix", {"Type": "Full"}),
+     one("Propagation", "Mass Matrix", "take one of the two out")),
+]
+
 NOT_YET = [
     (f"not_yet_{name.lower().replace(' ', '_').replace('-', '_')}", plate().set(name, {}),
     one(name, "not in this version", "leave the section out"))
@@ -417,4 +451,4 @@ COMBUSTION = [
     ("combustion_without_a_gas", burning(Gas_Constant=None),
      one("Combustion > Notch > Gas Constant", "is missing")),
 ]
-TABLE += COMBUSTION + NOT_IN_3D + MASS + ADAPTIVITY + NOT_YET + REFERENCES + SEVERAL
+TABLE += COMBUSTION + NOT_IN_3D + MASS + ADAPTIVITY + PROPAGATION + NOT_YET + REFERENCES + SEVERAL

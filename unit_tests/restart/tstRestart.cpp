@@ -111,11 +111,14 @@ std::vector<Case> ownCases()
   const std::string friction =
       section("Contact", text("Law", "Coulomb") + real("Friction Coefficient", "0.2"));
   const std::string release = section("Energy Release", "");
+  const std::string running = release + section("Propagation", text("Toughness", "2000*(1 + v/50)"));
   const auto own = [](const std::string& name, const std::string& xml, long steps = 160) {
     return Case{name, "", xml, {}, steps};
   };
   std::vector<Case> all = {
       own("own_ties", plate(pull, release)),
+      own("own_running", plate(pull, running), 100),
+      own("own_running_cells", plate(pull, running + cells + friction), 100),
       own("own_contact", plate(press, friction + release)),
       own("own_contact_cells", plate(press, friction + cells)),
       own("own_contact_short_steps", plate(press, friction + cells + section("Sub-Cycling", "")), 80),

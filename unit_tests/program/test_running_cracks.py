@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+"""Cracks that run into something: each ends with a clear word, and nothing of the body is lost."""
+
+import csv
+import json
+import math
+import os
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+sys.dont_write_bytecode = True
+
+from program import ProgramTest, rhegma  # noqa: E402
+from scenes import plate  # noqa: E402
+
+
+def torn(points, toughness="1*(1 + v/300)", time=4e-3):
+    """The plate, of 20 x 20 cells, torn apart across the crack by two of its edges."""
+    scene = plate().set("Energy Release", {}).set("Cracks > Notch > Points", points).set("Time > Final Time", time)
+    scene.set("Propagation", {"Toughness": toughness}).remove("Boundaries > Pull")
+    for name, y, sign in (("Top", 1.0, 1.0), ("Bottom", 0.0, -1.0)):
+        scene.set("Boundaries > " + name, {"Type": "Traction", "Body": "Plate", "From": [0.0, y], "To": [1.0, y],
+                                          "Stress": [0.0, sign * 2e5], "History": "0:0, 1e-3:1"})
+    return scene
+
+
+class RunningCracks(ProgramTest):
+    def run_to_the_end(self, scene):
+        """Finishes with finite numbers and all of the mass. Returns the summary and the lines of warning."""
+        answer = rhegma(self.write("scene.xml", scene.text()), "--quiet")
+        self.assertEqual(answer.status, 0, answer)
+        with open(self.path("scene.out", "history.csv"), newline="") as file:
+            rows = [[float(value) for value in row] for row in list(csv.reader(file))[1:]]
+        self.assertGreater(len(rows), 10)
+        self.assertTrue(all(math.isfinite(value) for row in rows for value in row))
+        with open(self.path("scene.out", "summary.json")) as file:
+            summary = json.load(file)
+        self.assertAlmostEqual(summary["bodies"][0]["mass"], 1200.0, delta=1e-9 * 1200.0)
+        # Ties that a front leaves behind are paid for by the first of its new faces: 5 % where there are few.
+        self.assertAlmostEqual(summary["propagation"]["dissipated_share"], 1.0, delta=0.05)
+        return summary, answer.complaint
+
+    def test_crack_that_cuts_the_body_in_two(self):
+        summary, said = self.run_to_the_end(torn([0.0, 0.52, 0.4, 0.52]))
+        front = summary["cracks"][0]["fronts"][0]
+        self.assertTrue(front["ended"])
+        self.assertFalse(front["running"])
+        self.assertAlmostEqual(front["position"][0], 1.0, delta=0.05)
+        self.assertAlmostEqual(summary["cracks"][0]["length"], 1.0, delta=0.06)
+        self.assertIn("reached the surface of its body", said)
+        # The halves fly apart: the faces open everywhere.
+        self.assertGreater(summary["cracks"][0]["opening"], 0.0)
+        self.assertAlmostEqual(front["G_J"], 0.0)
+
+    def test_crack_that_grazes_the_surface(self):
+        """Straight on, a crack at 10 degrees to an edge reaches it."""
+        scene = torn([0.0, 0.25, 0.5, 0.16], toughness="0.1*(1 + v/300)")
+        scene.set("Propagation > Direction", "Straight")
+        summary, said = self.run_to_the_end(scene)
+        front = summary["cracks"][0]["fronts"][0]
+        self.assertTrue(front["ended"], summary["cracks"])
+        self.assertIn("reached the surface of its body", said)
+
+    def test_fronts_that_meet_another_crack(self):
+        """Two cracks in one line run towards each other and halt three cells apart."""
+        scene = torn([0.0, 0.52, 0.3, 0.52]).set("Cracks > Other", {"Points": [0.7, 0.52, 1.0, 0.52]})
+        summary, said = self.run_to_the_end(scene)
+        halted = [front for crack in summary["cracks"] for front in crack["fronts"] if front["halted"]]
+        self.assertGreaterEqual(len(halted), 1, summary["cracks"])
+        self.assertIn("halted", said)
+        near = [crack["fronts"][0]["position"][0] for crack in summary["cracks"]]
+        self.assertGreater(near[1] - near[0], 2.9 * 0.05)
+        self.assertLess(near[1] - near[0], 6.0 * 0.05)
+
+    def test_front_that_has_too_little_to_run(self):
+        summary, said = self.run_to_the_end(torn([0.0, 0.52, 0.4, 0.52], toughness="1e9"))
+        front = summary["cracks"][0]["fronts"][0]
+        self.assertEqual(front["increments"], 0)
+        self.assertIsNone(front["set_out"])
+        self.assertEqual(summary["energy"]["fracture"], 0.0)
+
+    def test_contact_behind_a_front_that_runs(self):
+        """Faces that opened are pressed together again: contact knows the new ones."""
+        scene = torn([0.0, 0.52, 0.4, 0.52], toughness="10").set("Contact", {"Law": "Frictionless"})
+        for name in ("Top", "Bottom"):
+            scene.set("Boundaries > " + name + " > History", "0:0, 1e-3:1, 1.5e-3:1, 2e-3:-3")
+        summary, said = self.run_to_the_end(scene)
+        self.assertGreater(summary["cracks"][0]["fronts"][0]["increments"], 3)
+        self.assertGreater(summary["cracks"][0]["contact"]["largest_pressure"], 0.0)
+
+
+if __name__ == "__main__":
+    unittest.main()
