@@ -1,4 +1,4 @@
-"""Draws a history: energy release rates, energies and, where cracks grow, their growth."""
+"""Draws a history: energy release rates, energies and, where cracks grow, their growth and speed."""
 
 import re
 
@@ -145,6 +145,27 @@ def draw_growth(axes, moved, time):
     legend(axes)
 
 
+def speed_limits(summary):
+    """The speeds [m/s] that no front passes, as the summary has them."""
+    fronts = [front for crack in (summary or {}).get("cracks", []) for front in crack.get("fronts", [])]
+    limits = {round(front["speed_limit"], 3) for front in fronts if isinstance(front.get("speed_limit"), (int, float))}
+    return sorted(limit for limit in limits if limit > 0.0)
+
+
+def draw_speed(axes, history, moved, summary, time):
+    for i, (front, _) in enumerate(moved[: len(style.COLOURS)]):
+        speed = history.of_front(front, "speed")
+        if speed is not None:
+            axes.plot(time, speed, color=style.COLOURS[i], lw=1.2, label=f"{front[0]}, front {front[1]}")
+    for limit in speed_limits(summary):
+        axes.axhline(limit, color=style.INK, lw=1.0, ls=":", label=f"largest speed, {limit:.0f} m/s")
+    axes.set_title("Crack speed")
+    axes.set_ylabel("speed [m/s]")
+    axes.margins(x=0)
+    axes.set_ylim(bottom=0.0)
+    legend(axes)
+
+
 def draw_history(history, summary, title, path):
     """Writes the picture of a history."""
     moved = growth(history)
@@ -157,6 +178,8 @@ def draw_history(history, summary, title, path):
         panels.append(lambda axes: draw_energies(axes, history, time))
     if moved:
         panels.append(lambda axes: draw_growth(axes, moved, time))
+        if any(history.of_front(front, "speed") is not None for front, _ in moved):
+            panels.append(lambda axes: draw_speed(axes, history, moved, summary, time))
     if not panels:
         raise Problem("the history holds neither energies nor energy release rates; there is nothing to draw.")
     figure, axes = plt.subplots(len(panels), 1, sharex=True, squeeze=False, figsize=(7.2, 2.7 * len(panels) + 0.4),
