@@ -78,8 +78,11 @@ def draw_cells(fields, title, path, stress="principal"):
     edge_factor, edge_unit = style.scale(max(edges.values()), "m")
     patches = [Patch(facecolor=SHADES[min(l, len(SHADES) - 1)], edgecolor=style.QUIET,
                      label=f"level {l}: {edge * edge_factor:.4g} {edge_unit}") for l, edge in sorted(edges.items())]
-    whole.legend(handles=patches, loc="lower right", bbox_to_anchor=(1.0, 1.02), ncols=len(patches),
-                 borderaxespad=0.0)
+    if extent[1] > extent[0]:  # a tall body leaves room beside it, and none above it
+        whole.legend(handles=patches, loc="upper left", bbox_to_anchor=(1.03, 1.0), borderaxespad=0.0)
+    else:
+        whole.legend(handles=patches, loc="lower right", bbox_to_anchor=(1.0, 1.02), ncols=len(patches),
+                     borderaxespad=0.0)
     time_factor, time_unit = style.scale(fields.time, "s")
     heading = [f"cells at t = {fields.time * time_factor:.4g} {time_unit}"]
     if view.normal is not None:
