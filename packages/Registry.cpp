@@ -10,6 +10,7 @@
 #include "propagation/Propagation.hpp"
 #include "step/Effect.hpp"
 #include "sub_cycling/SubCycling.hpp"
+#include "thermal/Thermal.hpp"
 
 namespace Rhegma
 {
@@ -19,6 +20,7 @@ const std::vector<EffectEntry>& knownEffects()
 {
   static const std::vector<EffectEntry> effects = {
       cracks::cracksEntry(),
+      thermal::thermalEntry(),
       adaptivity::adaptivityEntry(),
       combustion::combustionEntry(),
       contact::contactEntry(),
@@ -36,7 +38,7 @@ const std::vector<EffectEntry>& knownEffects()
 /// A scene that asks for one of these is told so. A new effect takes its name out.
 const std::vector<std::string>& effectsToCome()
 {
-  static const std::vector<std::string> names = {"Thermal"};
+  static const std::vector<std::string> names = {};
   return names;
 }
 

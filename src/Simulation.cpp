@@ -275,6 +275,8 @@ private:
     State<D>& state = run.state();
     coreRow(state, effects_);
     state.energy.start = state.energy.kinetic + state.energy.strain;
+    state.energy.thermalStart = state.energy.thermal;
+    state.energy.thermal = 0.0;
     state.row.clear();
   }
 

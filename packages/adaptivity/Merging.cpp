@@ -120,7 +120,7 @@ struct MergeFamilies
     const int to = family(i, 0);
     accepted(i) = 0;
     double F[gradientSize<D>] = {}, v[D] = {}, x[D] = {}, X[D] = {}, m = 0.0, V = 0.0, now = 0.0,
-           energy = 0.0;
+           energy = 0.0, motion = 0.0;
     const Properties& law = before.materials(before.material(to));
     for (int k = 0; k < parts<D>; ++k)
     {
@@ -129,7 +129,7 @@ struct MergeFamilies
         return;
       for (int d = 0; d < D; ++d)
       {
-        v[d] += share * velocity(p, d);
+        v[d] += before.mechanics ? share * velocity(p, d) : 0.0;
         x[d] += share * position(p, d);
         X[d] += share * reference(p, d);
       }
@@ -139,6 +139,7 @@ struct MergeFamilies
       V += volume(p);
       now += share * determinant<D>(&deformation(p, 0));
       energy += before.kinetic(p) + before.strain(p);
+      motion += before.kinetic(p);
     }
     // The volume that the parts have now.
     const double stretch = D == 2 ? std::sqrt(now / determinant<D>(F)) : std::cbrt(now / determinant<D>(F));
@@ -156,8 +157,8 @@ struct MergeFamilies
     double square = 0.0;
     for (int d = 0; d < D; ++d)
       square += v[d] * v[d];
-    const double after =
-        0.5 * m * square + V * storedEnergy<D>(law, F, before.history.extent(1) > 0 ? memory : nullptr);
+    const double after = 0.5 * m * square + V * stored(law, before.material(to), i, F,
+                                                       before.history.extent(1) > 0 ? memory : nullptr);
     const double enough = energy > m * meanEnergy ? energy : m * meanEnergy;
     // What flows does not average: a mean strain with a mean plastic one can hold more than the parts did.
     if (std::fabs(energy - after) > tolerance * enough)
@@ -166,10 +167,12 @@ struct MergeFamilies
       return;
     }
     accepted(i) = 1;
-    lost += energy - after;
+    // Where particles carry internal energy, what strain loses becomes heat.
+    lost += before.thermo.empty() ? energy - after : motion - 0.5 * m * square;
     for (int d = 0; d < D; ++d)
     {
-      velocity(to, d) = v[d];
+      if (before.mechanics)
+        velocity(to, d) = v[d];
       position(to, d) = x[d];
       reference(to, d) = X[d];
       edge(to, d) = edges[d];
@@ -182,6 +185,20 @@ struct MergeFamilies
     volume(to) = V;
     level(to) = depth;
     lineage(to) = lineage(to) >> D;
+  }
+
+  /// Elastic energy of the family as one [J/m3], at its mean temperature where particles have one.
+  KOKKOS_INLINE_FUNCTION double stored(const Properties& law, int material, int i, const double* F,
+                                       const double* memory) const
+  {
+    if (!before.mechanics)
+      return 0.0;
+    if (before.thermo.empty())
+      return storedEnergy<D>(law, F, memory);
+    double T = 0.0;
+    for (int k = 0; k < parts<D>; ++k)
+      T += before.temperature(family(i, k)) / parts<D>;
+    return withLaw<D>(law.kind, law.plane, ThermoEnergy{ThermoPoint(before.thermo, material, T), F, memory});
   }
 
   KOKKOS_INLINE_FUNCTION void meanHistory(int i, double (&memory)[historyRoom]) const
@@ -267,7 +284,8 @@ MergeFamilies<D> mergerOf(State<D>& state, double tolerance)
   merge.axes = state.bodyAxes;
   merge.position = table.real<D>(fields::position);
   merge.reference = table.real<D>(fields::reference);
-  merge.velocity = table.real<D>(fields::velocity);
+  if (state.mechanics)
+    merge.velocity = table.real<D>(fields::velocity);
   merge.edge = table.real<D>(fields::edge);
   merge.mass = table.scalar(fields::mass);
   merge.volume = table.scalar(fields::volume);

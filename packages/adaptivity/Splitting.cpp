@@ -172,6 +172,8 @@ int splitParticles(State<D>& state)
     const int first = state.particles.size();
     copyParticles(state, list);
     makeParts(state, list, first);
+    for (const auto& follow : state.afterSplit)
+      follow(state, {list, first});
   }
   const int added = state.particles.size() - before;
   if (added > 0)

@@ -14,6 +14,12 @@ namespace Rhegma
 namespace
 {
 
+/// What an effect that carries heat takes care of.
+bool isOfHeat(const std::string& type)
+{
+  return type == "Temperature" || type == "Heat Flux" || type == "Convection";
+}
+
 template <int D>
 void addGravity(Effect<D>& effect, const Teuchos::ParameterList& list)
 {
@@ -45,6 +51,8 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
   {
     const Teuchos::ParameterList& list = section.sublist(name);
     const std::string type = list.get<std::string>("Type");
+    if (isOfHeat(type))
+      continue;
     if (type == "Gravity")
       addGravity(effect, list);
     else if (type == "Velocity" || type == "Symmetry")

@@ -175,6 +175,13 @@ template <int D>
 void Load<D>::apply(State<D>& state)
 {
   now_ = history_(state.time + 0.5 * state.dt);
+  place(state);
+  addToNodes(state.nodes, stencils_, here_, points_.count, now_ * force_);
+}
+
+template <int D>
+void Load<D>::place(State<D>& state)
+{
   followLevels(state);
   followParticles(state, id_, start_, share_, here_, points_);
   // A light node at the rim carries its share of the stress beside it, so it must get its share of the load
@@ -182,7 +189,6 @@ void Load<D>::apply(State<D>& state)
   placeStencils(state, points_, followed_);
   keepMassedNodes(state, points_.count, followed_, stencils_, 0.0);
   keepMassedNodes(state, points_.count, followed_, followed_);
-  addToNodes(state.nodes, stencils_, here_, points_.count, now_ * force_);
   const double lost = lostShare(stencils_, here_, points_.count);
   if (std::abs(lost) > 1e-10 && state.trouble.empty())
     state.trouble = "the load Boundaries > " + name_ +

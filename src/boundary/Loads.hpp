@@ -27,6 +27,13 @@ public:
   /// points whose nodes all lack mass would lose theirs.
   void apply(State<D>& state);
 
+  /// Brings the points to where their particles are now, and finds the nodes around them.
+  void place(State<D>& state);
+  int points() const { return points_.count; }
+  /// Nodes around each point, after `place`; and its share, zero where another rank has its particle.
+  const StencilTable<D>& nodesAround() const { return stencils_; }
+  const View<double*>& shares() const { return here_; }
+
   /// Work [J] of the load over the step, from the mean of old and new nodal velocity.
   double work(const State<D>& state) const;
 

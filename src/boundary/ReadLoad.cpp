@@ -103,13 +103,13 @@ Seeds<D> seedsOf(const State<D>& state, int body, std::vector<int>& ids)
 
 } // namespace
 
-template <int D>
-Load<D> readLoad(const Teuchos::ParameterList& list, const State<D>& state, const std::string& name)
+namespace
 {
-  std::vector<int> ids;
-  const Seeds<D> seeds = seedsOf(state, findBody(state, list.get<std::string>("Body")), ids);
-  const PlacedLoad<D> placed =
-      placeLoad<D>(list, list.get<std::string>("Type"), seeds, state.thickness, "Boundaries > " + name);
+
+template <int D>
+Load<D> onParticles(const PlacedLoad<D>& placed, const Seeds<D>& seeds, const std::vector<int>& ids,
+                    const std::string& name, const std::string& history)
+{
   std::vector<int> carriers;
   std::vector<Vector<D>> starts;
   for (const LoadPoint<D>& point : placed.points)
@@ -117,11 +117,35 @@ Load<D> readLoad(const Teuchos::ParameterList& list, const State<D>& state, cons
     carriers.push_back(ids[point.particle]);
     starts.push_back(seeds.position[point.particle]);
   }
-  return {name,   placed.points, carriers,
-          starts, placed.force,  TimeFunction::parse(list.get<std::string>("History"))};
+  return {name, placed.points, carriers, starts, placed.force, TimeFunction::parse(history)};
+}
+
+} // namespace
+
+template <int D>
+Load<D> readLoad(const Teuchos::ParameterList& list, const State<D>& state, const std::string& name)
+{
+  std::vector<int> ids;
+  const Seeds<D> seeds = seedsOf(state, findBody(state, list.get<std::string>("Body")), ids);
+  const PlacedLoad<D> placed =
+      placeLoad<D>(list, list.get<std::string>("Type"), seeds, state.thickness, "Boundaries > " + name);
+  return onParticles(placed, seeds, ids, name, list.get<std::string>("History"));
+}
+
+template <int D>
+Surface<D> readSurface(const Teuchos::ParameterList& list, const State<D>& state, const std::string& name)
+{
+  std::vector<int> ids;
+  const Seeds<D> seeds = seedsOf(state, findBody(state, list.get<std::string>("Body")), ids);
+  Teuchos::ParameterList unit(list);
+  unit.set("Pressure", 1.0);
+  const PlacedLoad<D> placed = placeTraction(unit, seeds, state.thickness, "Boundaries > " + name);
+  return {onParticles(placed, seeds, ids, name, "1"), norm(placed.force)};
 }
 
 template Load<2> readLoad(const Teuchos::ParameterList&, const State<2>&, const std::string&);
 template Load<3> readLoad(const Teuchos::ParameterList&, const State<3>&, const std::string&);
+template Surface<2> readSurface(const Teuchos::ParameterList&, const State<2>&, const std::string&);
+template Surface<3> readSurface(const Teuchos::ParameterList&, const State<3>&, const std::string&);
 
 } // namespace Rhegma

@@ -18,6 +18,9 @@ void archiveEnergies(EnergyLedger& energy, Archive& archive)
   archive("strain", energy.strain);
   archive("start", energy.start);
   archive("thermal", energy.thermal);
+  archive("thermal_start", energy.thermalStart);
+  archive("heat", energy.heat);
+  archive("round_off", energy.roundOff);
   archive("external_work", energy.externalWork);
   archive("ties", energy.ties);
   archive("damped", energy.damped);

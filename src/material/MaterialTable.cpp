@@ -146,6 +146,8 @@ Properties makeProperties(const Teuchos::ParameterList& material, const std::str
     readHooke(reader, -1.0, m);
     readPlastic(reader, m);
   }
+  else if (model == "Rigid")
+    return m;
   else
     reader.refuse("Model",
                   "is \"" + model + "\"; write Linear Elastic, Neo-Hookean, Mooney-Rivlin or J2 Plastic.");

@@ -29,6 +29,7 @@ struct BodySums
   BorrowedView<double*[D]> position, velocity;
   BorrowedView<double * [gradientSize<D>]> deformation;
   BorrowedView<double * [symmetricSize<D>]> stress;
+  bool mechanics;
 
   BodySums(const State<D>& state, int number)
       : which(number),
@@ -36,10 +37,13 @@ struct BodySums
         mass(state.particles.scalar(fields::mass)),
         volume(state.particles.scalar(fields::volume)),
         position(state.particles.template real<D>(fields::position)),
-        velocity(state.particles.template real<D>(fields::velocity)),
         deformation(state.particles.template real<gradientSize<D>>(fields::deformation)),
-        stress(state.particles.template real<symmetricSize<D>>(fields::stress))
+        mechanics(state.mechanics)
   {
+    if (!mechanics)
+      return;
+    velocity = state.particles.template real<D>(fields::velocity);
+    stress = state.particles.template real<symmetricSize<D>>(fields::stress);
   }
 
   KOKKOS_INLINE_FUNCTION void operator()(const int p, double* sum) const
@@ -52,11 +56,11 @@ struct BodySums
     for (int d = 0; d < D; ++d)
     {
       sum[placeAt + d] += mass(p) * position(p, d);
-      sum[velocityAt + d] += mass(p) * velocity(p, d);
+      sum[velocityAt + d] += mechanics ? mass(p) * velocity(p, d) : 0.0;
     }
     for (int k = 0; k < gradientSize<D>; ++k)
       sum[deformationAt + k] += volume(p) * deformation(p, k);
-    for (int k = 0; k < symmetricSize<D>; ++k)
+    for (int k = 0; k < symmetricSize<D> && mechanics; ++k)
       sum[stressAt + k] += volume(p) * stress(p, k);
   }
 };
@@ -101,8 +105,10 @@ void bodyReport(const State<D>& state, nlohmann::json& summary)
     body["name"] = state.bodies[b].name;
     body["mass"] = sum[0];
     body["centre"] = listed(sum + Sums::placeAt, D, 1.0 / sum[0]);
-    body["velocity"] = listed(sum + Sums::velocityAt, D, 1.0 / sum[0]);
-    body["stress"] = named(symmetric, sum + Sums::stressAt, 1.0 / sum[2]);
+    if (state.mechanics)
+      body["velocity"] = listed(sum + Sums::velocityAt, D, 1.0 / sum[0]);
+    if (state.mechanics)
+      body["stress"] = named(symmetric, sum + Sums::stressAt, 1.0 / sum[2]);
     body["deformation"] = named(gradient, sum + Sums::deformationAt, 1.0 / sum[1]);
     bodies.push_back(body);
   }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 
 namespace Rhegma
 {
@@ -12,8 +13,8 @@ namespace Rhegma
 namespace
 {
 
-/// Sums of all particles: kinetic, strain, plastic, momentum. An array reduction, so that one pass over the
-/// particles gives all.
+/// Sums of all particles: kinetic, strain, plastic, internal energy, its size, momentum. An array reduction,
+/// so that one pass over the particles gives all.
 template <int D>
 struct ParticleSums
 {
@@ -21,19 +22,30 @@ struct ParticleSums
   using size_type = int;
   using execution_space = ExecSpace;
 
-  int value_count = 3 + D;
+  static constexpr int momentumAt = 5, size = momentumAt + D;
+  int value_count = size;
   ParticleEnergy<D> energy;
+  BorrowedView<double*> internal; ///< where somebody carries heat
 
   KOKKOS_INLINE_FUNCTION void operator()(const int p, double* sum) const
   {
     sum[0] += energy.kinetic(p);
     sum[1] += energy.strain(p);
     sum[2] += energy.dissipated(p);
+    if (internal.extent(0) > 0)
+    {
+      sum[3] += energy.volume(p) * internal(p);
+      sum[4] += energy.volume(p) * std::fabs(internal(p));
+    }
     for (int d = 0; d < D; ++d)
-      sum[3 + d] += energy.mass(p) * energy.velocity(p, d);
+      sum[momentumAt + d] += energy.mechanics ? energy.mass(p) * energy.velocity(p, d) : 0.0;
   }
 
-  explicit ParticleSums(const State<D>& state) : energy(state) {}
+  explicit ParticleSums(const State<D>& state) : energy(state)
+  {
+    if (!state.thermo.empty())
+      internal = state.particles.scalar(fields::internalEnergy);
+  }
 };
 
 bool canFlow(const std::vector<Properties>& materials)
@@ -54,6 +66,7 @@ std::vector<Entry> entries(const EnergyLedger& energy)
   return {{"kinetic", energy.kinetic, ""},
           {"strain", energy.strain, ""},
           {"thermal", energy.thermal, "Thermal"},
+          {"heat", energy.heat, "Thermal"},
           {"external_work", energy.externalWork, ""},
           {"damped", energy.damped, "Damping"},
           {"contact", energy.contact, "Contact"},
@@ -68,23 +81,30 @@ std::vector<Entry> entries(const EnergyLedger& energy)
 template <int D>
 void measureEnergy(State<D>& state)
 {
-  double sum[3 + D] = {};
+  using Sums = ParticleSums<D>;
+  double sum[Sums::size] = {};
   Kokkos::parallel_reduce("rhegma::measureEnergy", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-                          ParticleSums<D>(state), sum);
-  state.ranks.sum(sum, 3 + D);
+                          Sums(state), sum);
+  state.ranks.sum(sum, Sums::size);
   state.energy.kinetic = sum[0];
   state.energy.strain = sum[1] + state.energy.ties;
   state.energy.plastic = sum[2];
+  if (!state.thermo.empty())
+  {
+    state.energy.thermal = sum[3] - sum[1] - sum[2] - state.energy.thermalStart;
+    // Of sums over many particles.
+    state.energy.roundOff = 1e-10 * sum[4];
+  }
   for (int d = 0; d < D; ++d)
-    state.momentum[d] = sum[3 + d];
+    state.momentum[d] = sum[Sums::momentumAt + d];
 }
 
 template <int D>
 void shareBooks(State<D>& state)
 {
-  constexpr double EnergyLedger::*booked[] = {&EnergyLedger::externalWork, &EnergyLedger::damped,
-                                              &EnergyLedger::contact,      &EnergyLedger::fracture,
-                                              &EnergyLedger::merged,       &EnergyLedger::combustion};
+  constexpr double EnergyLedger::*booked[] = {
+      &EnergyLedger::externalWork, &EnergyLedger::damped,     &EnergyLedger::contact, &EnergyLedger::fracture,
+      &EnergyLedger::merged,       &EnergyLedger::combustion, &EnergyLedger::heat};
   constexpr int count = sizeof(booked) / sizeof(*booked);
   if (!state.ranks.many())
     return;

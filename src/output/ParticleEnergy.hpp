@@ -1,7 +1,7 @@
 #pragma once
 /// Energies of a single particle.
 
-#include "material/Materials.hpp"
+#include "material/ThermoLaw.hpp"
 #include "state/State.hpp"
 
 namespace Rhegma
@@ -18,15 +18,23 @@ struct ParticleEnergy
   BorrowedView<int*> material;
   BorrowedView<double**> history; ///< empty where no law has a memory
   View<Properties*> materials;
+  ThermoTables thermo; ///< empty where nobody carries heat
+  BorrowedView<double*> temperature;
+  bool mechanics;
 
   explicit ParticleEnergy(const State<D>& state)
-      : velocity(state.particles.template real<D>(fields::velocity)),
-        mass(state.particles.scalar(fields::mass)),
+      : mass(state.particles.scalar(fields::mass)),
         volume(state.particles.scalar(fields::volume)),
         deformation(state.particles.template real<gradientSize<D>>(fields::deformation)),
         material(state.particles.integer(fields::material)),
-        materials(state.materials)
+        materials(state.materials),
+        thermo(state.thermo),
+        mechanics(state.mechanics)
   {
+    if (mechanics)
+      velocity = state.particles.template real<D>(fields::velocity);
+    if (!thermo.empty())
+      temperature = state.particles.scalar(fields::temperature);
     if (state.particles.has(fields::history))
       history = state.particles.table(fields::history);
   }
@@ -35,7 +43,7 @@ struct ParticleEnergy
   KOKKOS_INLINE_FUNCTION double kinetic(int p) const
   {
     double square = 0.0;
-    for (int d = 0; d < D; ++d)
+    for (int d = 0; d < D && mechanics; ++d)
       square += velocity(p, d) * velocity(p, d);
     return 0.5 * mass(p) * square;
   }
@@ -43,13 +51,23 @@ struct ParticleEnergy
   /// V0 W [J]
   KOKKOS_INLINE_FUNCTION double strain(int p) const
   {
-    return volume(p) * storedEnergy<D>(materials(material(p)), &deformation(p, 0), memory(p));
+    if (!mechanics)
+      return 0.0;
+    const Properties& law = materials(material(p));
+    if (thermo.empty())
+      return volume(p) * storedEnergy<D>(law, &deformation(p, 0), memory(p));
+    return volume(p) * withLaw<D>(law.kind, law.plane,
+                                  ThermoEnergy{ThermoPoint(thermo, material(p), temperature(p)),
+                                               &deformation(p, 0), memory(p)});
   }
 
-  /// Plastic work per undeformed volume so far, times V0 [J].
+  /// Plastic work per undeformed volume so far, less what became heat, times V0 [J].
   KOKKOS_INLINE_FUNCTION double dissipated(int p) const
   {
-    return volume(p) * dissipatedEnergy<D>(materials(material(p)), memory(p));
+    if (!mechanics)
+      return 0.0;
+    const double kept = thermo.empty() ? 1.0 : 1.0 - thermo.material(material(p)).plasticHeat;
+    return kept * volume(p) * dissipatedEnergy<D>(materials(material(p)), memory(p));
   }
 
   KOKKOS_INLINE_FUNCTION const double* memory(int p) const

@@ -167,8 +167,11 @@ Mesh particleMesh(const State<D>& state)
     cells.whole.push_back(static_cast<int>(p));
   }
   mesh.data.push_back(std::move(cells));
-  mesh.data.push_back(padded<D>("velocity", Role::OnPoints, onHost(particles.real<D>(fields::velocity)), n));
-  addStress(cauchyStress<D>(particles), mesh);
+  if (state.mechanics)
+    mesh.data.push_back(
+        padded<D>("velocity", Role::OnPoints, onHost(particles.real<D>(fields::velocity)), n));
+  if (state.mechanics)
+    addStress(cauchyStress<D>(particles), mesh);
   mesh.data.push_back(table("mass", onHost(particles.table(fields::mass))));
   mesh.data.push_back(std::move(firstEdge));
   mesh.data.push_back(deformationGradients<D>(particles));

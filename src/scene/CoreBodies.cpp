@@ -89,6 +89,17 @@ Section bodies()
   shapes(body);
   rotation(body);
   body.integer("Particles Per Cell").range(1, 8).byDefault(2).meaning("Particles along each axis of a cell.");
+  body.real("Temperature")
+      .unit("K")
+      .positive()
+      .optional("Thermal > Initial Temperature")
+      .meaning("With Thermal: at the start.");
+  body.text("Temperature Field")
+      .unit("K")
+      .notEmpty()
+      .optional()
+      .meaning(
+          "With Thermal: at the start, as an expression of the place x, y, z, such as \"300 + 1e4 * x\".");
   body.realArray("Velocity")
       .unit("m/s")
       .perAxis()
@@ -99,6 +110,7 @@ Section bodies()
       .perRotationAxis()
       .byDefaultZeros()
       .meaning("About the centre of mass at the start.");
+  body.atMostOneOf({"Temperature", "Temperature Field"});
   body.subsection(operations());
 
   Section s("Bodies", "The solids.");

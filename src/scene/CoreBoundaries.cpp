@@ -103,6 +103,54 @@ Section traction()
   return s;
 }
 
+/// A line (2D) or a parallelogram (3D) on a body.
+void surface(Section& s)
+{
+  s.text("Body").notEmpty().meaning("The name of the body.");
+  s.realArray("From").unit("m").onlyIn(2).length(2).meaning("One end of a line on its surface at the start.");
+  s.realArray("To").unit("m").onlyIn(2).length(2).meaning("The line's other end.");
+  s.realArray("Corner").unit("m").onlyIn(3).length(3).meaning(
+      "One corner of a parallelogram on its surface at the start.");
+  s.realArray("Edge 1").unit("m").onlyIn(3).length(3).meaning("Its first edge from there.");
+  s.realArray("Edge 2").unit("m").onlyIn(3).length(3).meaning("Its second edge from there.");
+}
+
+Section temperature()
+{
+  Section s("Temperature", "Prescribes the temperature of all nodes in a box; needs Thermal.");
+  s.realArray("Lower Corner")
+      .unit("m")
+      .perAxis()
+      .meaning("The corner of the box with the smallest coordinates.");
+  s.realArray("Upper Corner")
+      .unit("m")
+      .perAxis()
+      .meaning("The corner of the box with the largest coordinates.");
+  s.real("Temperature").unit("K").positive().meaning("The temperature.");
+  history(s);
+  return s;
+}
+
+Section heatFlux()
+{
+  Section s("Heat Flux", "Heat that flows into a part of a body's surface; needs Thermal.");
+  surface(s);
+  s.real("Flux").unit("W/m2").meaning("Into the body, per undeformed area.");
+  history(s);
+  return s;
+}
+
+Section convection()
+{
+  Section s("Convection",
+            "Heat exchange of a part of a body's surface with its surroundings; needs Thermal.");
+  surface(s);
+  s.real("Coefficient").unit("W/(m2 K)").positive().meaning("Flux per difference of temperatures.");
+  s.real("Ambient Temperature").unit("K").positive().meaning("Temperature of the surroundings.");
+  history(s);
+  return s;
+}
+
 Section gravity()
 {
   Section s("Gravity", "A force on all mass.");
@@ -123,6 +171,9 @@ Section boundaries()
   boundary.variant(lineLoad());
   boundary.variant(traction());
   boundary.variant(gravity());
+  boundary.variant(temperature());
+  boundary.variant(heatFlux());
+  boundary.variant(convection());
 
   Section s("Boundaries", "Loads and supports.");
   s.namedByUser(boundary);

@@ -59,8 +59,12 @@ Section time()
 void elasticConstants(Section& s)
 {
   s.real("Density").unit("kg/m3").positive().meaning("Of the undeformed material.");
-  s.real("Young Modulus").unit("Pa").positive().meaning("Stiffness in tension at small strain.");
-  s.real("Poisson Ratio").above(-1.0).below(0.5).meaning("Contraction over stretch at small strain.");
+  s.real("Young Modulus").orTable().unit("Pa").positive().meaning("Stiffness in tension at small strain.");
+  s.real("Poisson Ratio")
+      .orTable()
+      .above(-1.0)
+      .below(0.5)
+      .meaning("Contraction over stretch at small strain.");
 }
 
 Section linearElastic()
@@ -70,10 +74,60 @@ Section linearElastic()
   return s;
 }
 
+void entropic(Section& s)
+{
+  s.boolean("Entropic")
+      .byDefault(false)
+      .meaning("With Thermal: the shear modulus goes with the absolute temperature, as that of ideal rubber, "
+               "which "
+               "warms when it is stretched.");
+}
+
+Section rigid()
+{
+  Section s("Rigid", "No stress at all: for scenes of heat alone (Thermal > Mechanics = false).");
+  s.real("Density").unit("kg/m3").positive().meaning("Of the undeformed material.");
+  return s;
+}
+
+/// What Thermal wants to know of every material.
+void heat(Section& s)
+{
+  s.real("Specific Heat")
+      .orTable()
+      .unit("J/(kg K)")
+      .positive()
+      .optional()
+      .meaning("Heat capacity at constant strain; Thermal needs it.");
+  s.real("Conductivity")
+      .orTable()
+      .unit("W/(m K)")
+      .notNegative()
+      .optional("no heat flows")
+      .meaning("Of heat.");
+  s.realArray("Conductivity Ratios")
+      .perAxis()
+      .optional("all 1")
+      .meaning("Factors of Conductivity along the axes of the body, which turn with it.");
+  s.real("Thermal Expansion")
+      .orTable()
+      .unit("1/K")
+      .above(-0.01)
+      .below(0.01)
+      .optional("none")
+      .meaning("Linear expansion per kelvin.");
+  s.real("Reference Temperature")
+      .unit("K")
+      .positive()
+      .optional("Thermal > Initial Temperature")
+      .meaning("Temperature of no thermal strain.");
+}
+
 Section neoHookean()
 {
   Section s("Neo-Hookean", "Compressible rubber-like solid for large strain.");
   elasticConstants(s);
+  entropic(s);
   return s;
 }
 
@@ -82,10 +136,11 @@ Section mooneyRivlin()
   Section s("Mooney-Rivlin",
             "Rubber with two shear constants; nearly incompressible if the bulk modulus is large.");
   s.real("Density").unit("kg/m3").positive().meaning("Of the undeformed material.");
-  s.real("C10").unit("Pa").notNegative().meaning(
+  s.real("C10").orTable().unit("Pa").notNegative().meaning(
       "Constant of the first invariant; C10 and C01 are not both zero.");
-  s.real("C01").unit("Pa").notNegative().meaning("Constant of the second invariant.");
-  s.real("Bulk Modulus").unit("Pa").positive().meaning("Stiffness against a change of volume.");
+  s.real("C01").orTable().unit("Pa").notNegative().meaning("Constant of the second invariant.");
+  s.real("Bulk Modulus").orTable().unit("Pa").positive().meaning("Stiffness against a change of volume.");
+  entropic(s);
   return s;
 }
 
@@ -93,25 +148,36 @@ Section j2Plastic()
 {
   Section s("J2 Plastic", "Metal: elastic up to the yield stress of von Mises, then hardening plastic flow.");
   elasticConstants(s);
-  s.real("Yield Stress").unit("Pa").positive().meaning("Stress in tension at which plastic flow begins.");
+  s.real("Yield Stress")
+      .orTable()
+      .unit("Pa")
+      .positive()
+      .meaning("Stress in tension at which plastic flow begins.");
   s.real("Hardening Modulus")
+      .orTable()
       .unit("Pa")
       .notNegative()
       .byDefault(0.0)
       .meaning("Rise of the yield stress per plastic strain.");
   s.real("Saturation Stress")
+      .orTable()
       .unit("Pa")
       .positive()
       .optional()
       .meaning(
           "Yield stress that Voce hardening ends at; Hardening Modulus comes on top. At least Yield Stress.");
   s.real("Saturation Rate")
+      .orTable()
       .positive()
       .optional()
       .meaning("How fast: the yield stress is Yield Stress + (Saturation Stress - Yield Stress) (1 - "
                "exp(-Saturation Rate x "
                "plastic strain)) + Hardening Modulus x plastic strain.");
   s.allOrNoneOf({"Saturation Stress", "Saturation Rate"});
+  s.real("Plastic Heat Fraction")
+      .range(0.0, 1.0)
+      .byDefault(0.9)
+      .meaning("With Thermal: share of the plastic work that becomes heat (Taylor and Quinney).");
   return s;
 }
 
@@ -119,10 +185,12 @@ Section materials()
 {
   Section material("material", "One material.");
   material.chosenBy("Model").meaning("The constitutive law.");
+  heat(material);
   material.variant(linearElastic());
   material.variant(neoHookean());
   material.variant(mooneyRivlin());
   material.variant(j2Plastic());
+  material.variant(rigid());
 
   Section s("Materials", "What the bodies are made of.");
   s.require();

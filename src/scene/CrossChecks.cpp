@@ -2,6 +2,7 @@
 
 #include "geometry/Shape.hpp"
 #include "material/MaterialTable.hpp"
+#include "material/ThermoMaterials.hpp"
 #include "scene/NearestName.hpp"
 #include "scene/Numbers.hpp"
 #include "scene/PlaceFunction.hpp"
@@ -168,10 +169,14 @@ private:
     const std::string name = where.substr(std::string("Materials > ").size());
     try
     {
-      makeProperties(material, name,
-                     m_dimension == 3    ? Plane::Solid
-                     : plane == "Stress" ? Plane::Stress
-                                         : Plane::Strain);
+      std::vector<double> temperatures = tableTemperatures(material);
+      if (temperatures.empty())
+        temperatures = {1.0};
+      for (const double T : temperatures)
+        makeProperties(materialAt(material, T), name,
+                       m_dimension == 3    ? Plane::Solid
+                       : plane == "Stress" ? Plane::Stress
+                                           : Plane::Strain);
     }
     catch (const std::invalid_argument& error)
     {
@@ -234,9 +239,11 @@ private:
     }
     else if (type == "Symmetry" && m_dimension == 2 && text(boundary, "Axis") == "z")
       report(scenePath(where, "Axis"), "is z in a 2D scene; write x or y.");
+    else if (type == "Temperature")
+      corners(boundary, where, true);
     else if (type == "Line Load")
       different(boundary, "From", "To", where);
-    else if (type == "Traction")
+    else if (type == "Traction" || type == "Heat Flux" || type == "Convection")
     {
       different(boundary, "From", "To", where);
       parallelogram(boundary, where);

@@ -86,6 +86,8 @@ std::string allowedInWords(const Parameter& parameter)
     add(parameter.length.inWords(0));
   if (parameter.type == ParameterType::TimeFunction)
     add("an expression of t or a table of time:value");
+  if (parameter.mayBeTable)
+    add("or a table of temperature:value");
   if (!parameter.mayBeEmpty)
     add("not empty");
   if (parameter.onlyDimension != 0)

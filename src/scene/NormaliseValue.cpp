@@ -2,6 +2,7 @@
 
 #include "scene/NearestName.hpp"
 #include "scene/Numbers.hpp"
+#include "scene/TemperatureTable.hpp"
 #include "scene/TimeFunction.hpp"
 #include "scene/Validators.hpp"
 
@@ -154,6 +155,25 @@ std::string howToWrite(ParameterType type)
   }
 }
 
+/// What is wrong with a table of temperature, or nothing.
+std::optional<std::string> wrongTable(const Parameter& parameter, const std::string& given)
+{
+  try
+  {
+    for (const double value : TemperatureTable::parse(given).value)
+      if (value < parameter.lower || value > parameter.upper ||
+          (parameter.lowerOpen && value == parameter.lower) ||
+          (parameter.upperOpen && value == parameter.upper))
+        return "has the value " + formatReal(value) + (parameter.unit.empty() ? "" : " " + parameter.unit) +
+               " in its table; all must be " + parameter.rangeInWords() + ".";
+  }
+  catch (const std::invalid_argument& error)
+  {
+    return error.what();
+  }
+  return {};
+}
+
 bool finite(const ParameterValue& value)
 {
   if (const auto* real = std::get_if<double>(&value))
@@ -251,6 +271,8 @@ std::optional<std::string> normaliseValue(Teuchos::ParameterList& list, const Pa
                                           int dimension)
 {
   const ParameterEntry entry = list.getEntry(parameter.name);
+  if (const auto table = text(entry); parameter.mayBeTable && table && !parseReal(*table))
+    return wrongTable(parameter, *table);
   const auto value = convert(entry, parameter.type);
   const std::string given = found(entry);
   if (!value)
@@ -282,6 +304,8 @@ std::optional<ParameterValue> valueFromText(const Parameter& parameter, const st
   switch (parameter.type)
   {
   case ParameterType::Real:
+    if (parameter.mayBeTable && !parseReal(given))
+      return ParameterValue(given);
     return pack(parseReal(given));
   case ParameterType::Integer:
     return pack(parseInteger(given));

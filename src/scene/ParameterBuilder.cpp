@@ -157,6 +157,12 @@ ParameterBuilder& ParameterBuilder::onlyIn(int dimension)
   return *this;
 }
 
+ParameterBuilder& ParameterBuilder::orTable()
+{
+  p->mayBeTable = true;
+  return *this;
+}
+
 ParameterBuilder& ParameterBuilder::mayChange()
 {
   p->changeable = true;

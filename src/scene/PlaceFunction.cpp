@@ -112,9 +112,9 @@ PlaceFunction PlaceFunction::parse(const std::string& text, int axes)
   return PlaceFunction(form);
 }
 
-void PlaceFunction::evaluate(const double* place, int axes, double* value) const
+void PlaceFunction::evaluate(const double* place, int dimension, int axes, double* value) const
 {
-  for (int d = 0; d < axes; ++d)
+  for (int d = 0; d < dimension; ++d)
     m_form->place[d] = place[d];
   for (std::size_t i = 0; i + 1 < m_form->pieces.size(); ++i)
     m_form->pieces[i].value = m_form->pieces[i].parser.Eval();

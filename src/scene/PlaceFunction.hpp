@@ -25,14 +25,23 @@ public:
   Vector<D> operator()(const Vector<D>& place) const
   {
     Vector<D> value;
-    evaluate(&place[0], D, &value[0]);
+    evaluate(&place[0], D, D, &value[0]);
+    return value;
+  }
+
+  /// The value of a function with one expression.
+  template <int D>
+  double scalar(const Vector<D>& place) const
+  {
+    double value = 0.0;
+    evaluate(&place[0], D, 1, &value);
     return value;
   }
 
 private:
   struct Form;
   explicit PlaceFunction(std::shared_ptr<const Form> form);
-  void evaluate(const double* place, int axes, double* value) const;
+  void evaluate(const double* place, int dimension, int axes, double* value) const;
   std::shared_ptr<const Form> m_form;
 };
 

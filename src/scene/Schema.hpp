@@ -82,6 +82,8 @@ struct Parameter
   ArrayLength length;
   int onlyDimension = 0;   ///< 2 or 3: only scenes of this dimension have it; 0: all
   bool changeable = false; ///< a run that goes on from a checkpoint may have another value
+  bool mayBeTable =
+      false; ///< Real: a text may give it as a table of temperature (scene/TemperatureTable.hpp)
 
   /// The default in a scene of this dimension; none if there is none.
   const ParameterValue* defaultIn(int dimension) const;
@@ -135,6 +137,8 @@ public:
   ParameterBuilder& onlyIn(int dimension);
   /// A run that goes on from a checkpoint may have another value than the one that wrote it.
   ParameterBuilder& mayChange();
+  /// A table of temperature may stand in place of the number.
+  ParameterBuilder& orTable();
 
 private:
   Parameter* p;

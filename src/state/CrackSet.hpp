@@ -40,13 +40,14 @@ struct CrackFront
   double length = 0.0; ///< length of the crack that ends here (2D) or of the front itself (3D) [m]
   double speed = 0.0;  ///< [m/s]
 
-  DrivingForce driving;  ///< what drives it on, where CrackSet::driven asks for it
-  bool advances = false; ///< it is about to advance: its stress intensities are wanted
-  bool grown = false;    ///< it has advanced since the start
-  bool halted = false;   ///< it does not go on, though it is a front: another crack is too near
-  bool ended = false;    ///< it has met the surface of its body; no facet is left of it
-  double taken = 0.0;    ///< energy that its new faces take, all of them together [J]
-  double unspent = 0.0;  ///< the part of it that nothing resists with as yet [J]
+  DrivingForce driving;     ///< what drives it on, where CrackSet::driven asks for it
+  bool advances = false;    ///< it is about to advance: its stress intensities are wanted
+  bool grown = false;       ///< it has advanced since the start
+  bool halted = false;      ///< it does not go on, though it is a front: another crack is too near
+  bool ended = false;       ///< it has met the surface of its body; no facet is left of it
+  double taken = 0.0;       ///< energy that its new faces take, all of them together [J]
+  double unspent = 0.0;     ///< the part of it that nothing resists with as yet [J]
+  double temperature = 0.0; ///< where an effect knows it [K]
 };
 
 /// One crack: a polyline (2D) or a triangulated surface (3D), a run of vertices and simplices in the set's

@@ -5,18 +5,21 @@ namespace Rhegma
 {
 
 /// Energies of a run [J]. What the books cannot account for is the residual:
-/// (kinetic + strain) now - at the start - external work + damped + plastic + contact + fracture + merged -
-/// combustion.
+/// (kinetic + strain) now - at the start + thermal - external work - heat + damped + plastic + contact +
+/// fracture + merged - combustion.
 struct EnergyLedger
 {
   double kinetic = 0.0;
   double strain = 0.0;
-  double start = 0.0; ///< kinetic + strain when the run began
-  double thermal = 0.0;
+  double start = 0.0;        ///< kinetic + strain when the run began
+  double thermal = 0.0;      ///< heat in the bodies, less that at the start
+  double thermalStart = 0.0; ///< heat in the bodies when the run began
+  double heat = 0.0;         ///< that came through the surface or from sources
+  double roundOff = 0.0;     ///< what rounding may make of the largest energies in the books
   double externalWork = 0.0;
   double ties = 0.0;    ///< elastic, of ties just behind crack fronts; a part of `strain`
   double damped = 0.0;  ///< by the damping effect
-  double plastic = 0.0; ///< spent in plastic flow
+  double plastic = 0.0; ///< spent in plastic flow, less what became heat
   double contact = 0.0;
   double fracture = 0.0;
   double merged = 0.0;
@@ -24,8 +27,8 @@ struct EnergyLedger
 
   double residual() const
   {
-    return kinetic + strain - start - externalWork + damped + plastic + contact + fracture + merged -
-           combustion;
+    return kinetic + strain - start + thermal - externalWork - heat + damped + plastic + contact + fracture +
+           merged - combustion;
   }
 };
 

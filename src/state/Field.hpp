@@ -39,6 +39,10 @@ inline const std::string rate = "velocity gradient";
 inline const std::string side = "side";
 /// How often a particle was split; only where an effect splits them.
 inline const std::string level = "level";
+/// Only where an effect carries heat; the last is per undeformed volume.
+inline const std::string temperature = "temperature";
+inline const std::string temperatureGradient = "temperature gradient";
+inline const std::string internalEnergy = "internal energy";
 } // namespace fields
 
 } // namespace Rhegma

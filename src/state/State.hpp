@@ -6,7 +6,7 @@
 #include "grid/Nodes.hpp"
 #include "grid/ShapeFunctions.hpp"
 #include "grid/Tree.hpp"
-#include "material/Law.hpp"
+#include "material/ThermoTables.hpp"
 #include "parallel/Ranks.hpp"
 #include "state/CrackSet.hpp"
 #include "state/Energy.hpp"
@@ -108,6 +108,14 @@ struct CoupledSlots
   std::function<void(const Values& right, const Values& x, bool supports)> solve;
 };
 
+/// Particles that were just split: whole(i) is now one part, of which the others are in the rows from
+/// first + i (2^D - 1) on.
+struct SplitParts
+{
+  View<int*> whole;
+  int first = 0;
+};
+
 /// One body of the scene as particles made it.
 template <int D>
 struct BodyInfo
@@ -130,6 +138,7 @@ struct State
   UpdateScheme scheme = UpdateScheme::Musl;
   double picFraction = 0.0;
   double cfl = 0.4;
+  bool mechanics = true; ///< false: nothing moves, and there is neither velocity nor stress
 
   Ranks ranks;                                   ///< that share the run
   std::shared_ptr<const Subdomain<D>> subdomain; ///< this rank's; none where there is one rank
@@ -144,6 +153,7 @@ struct State
   std::vector<std::string> materialNames;
   std::vector<Properties> materialList;
   View<Properties*> materials;
+  ThermoTables thermo; ///< how temperature acts on the materials; empty where nobody carries heat
 
   CrackSet<D> cracks;
   StencilEditor<D> editor;        ///< empty unless an effect cuts the body
@@ -159,6 +169,8 @@ struct State
 
   std::vector<FollowingForce<D>> followingForces; ///< of effects that have any
   CoupledSlots<D> coupledSlots;                   ///< empty where all masses are lumped
+  /// Called when particles were split, their parts being copies but for place and size.
+  std::vector<std::function<void(State<D>&, const SplitParts&)>> afterSplit;
 
   ShortSteps shortSteps; ///< of this step
 

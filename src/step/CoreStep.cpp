@@ -29,6 +29,23 @@ void strain(State<D>& state, StrainVelocity velocity, bool alsoMove)
                     unstableStep(state.subcycledLevels) + ", smaller cells or a gentler load)";
 }
 
+template <int D>
+Call<D> sortCall()
+{
+  return {Stage::BetweenSteps,
+          "sort particles",
+          {"cells", "owners of cells"},
+          {"order"},
+          {},
+          [](State<D>& s)
+          {
+            if (s.sorted)
+              return;
+            migrateParticles(s);
+            sortState(s);
+          }};
+}
+
 } // namespace
 
 template <int D>
@@ -37,18 +54,14 @@ Effect<D> makeCore(const State<D>& state)
   const UpdateScheme scheme = state.scheme;
   Effect<D> core;
   core.name = "Material Point Method";
-  core.call({Stage::BetweenSteps,
-             "sort particles",
-             {"cells", "owners of cells", "crack geometry"},
-             {"order"},
-             {},
-             [](State<D>& s)
-             {
-               if (s.sorted)
-                 return;
-               migrateParticles(s);
-               sortState(s);
-             }});
+  if (!state.mechanics)
+  {
+    core.name = "Material Points at Rest";
+    core.call(sortCall<D>());
+    core.call({Stage::Scatter, "stencils", {}, {"stencils"}, {}, [](State<D>& s) { storeStencils(s); }});
+    return core;
+  }
+  core.call(sortCall<D>());
   core.call({Stage::Scatter,
              scheme == UpdateScheme::Usf ? "mass and momentum to nodes" : "mass, momentum and force to nodes",
              {"particle velocity"},

@@ -73,6 +73,8 @@ struct EffectEntry
   std::function<Effect<2>(const Teuchos::ParameterList& scene)> make2;
   std::function<Effect<3>(const Teuchos::ParameterList& scene)> make3;
   bool onRanks = false; ///< whether it works on more than one rank
+  /// Whether a scene that has it leaves the motion out (State::mechanics); empty: never.
+  std::function<bool(const Teuchos::ParameterList& scene)> withoutMechanics{};
 };
 
 /// Every effect that the program knows (packages/Registry.cpp).

@@ -78,6 +78,8 @@ void Run<D>::makeAll()
   for (const EffectEntry& entry : knownEffects())
     if (scene_.isSublist(entry.section.name))
     {
+      if (entry.withoutMechanics && entry.withoutMechanics(scene_))
+        state_.mechanics = false;
       effects.push_back(makeEffect<D>(entry, scene_));
       extra.insert(extra.end(), effects.back().adds.begin(), effects.back().adds.end());
     }
@@ -101,7 +103,8 @@ void Run<D>::makeAll()
   for (const Effect<D>& effect : plan_.effects)
     if (effect.atStart && on)
       on = attempts.attempt([&] { effect.atStart(state_); }) || effect.name == boundariesName;
-  state_.fastest = fastestSpeed(state_);
+  if (state_.mechanics)
+    state_.fastest = fastestSpeed(state_);
   attempts.attempt([&] { refuseEndless(); });
   attempts.complain();
 }
@@ -109,7 +112,7 @@ void Run<D>::makeAll()
 template <int D>
 void Run<D>::refuseEndless() const
 {
-  if (!std::isfinite(state_.fastest) || !(state_.fastest > 0.0))
+  if (state_.mechanics && (!std::isfinite(state_.fastest) || !(state_.fastest > 0.0)))
     throw std::invalid_argument("Materials: the speed of waves and particles is not a finite positive "
                                 "number; write stiffness, density "
                                 "and the velocity of bodies in SI units");
@@ -127,7 +130,8 @@ void Run<D>::refuseEndless() const
 template <int D>
 double Run<D>::stableTimeStep() const
 {
-  double dt = state_.cfl * state_.stepSpacing() / state_.fastest;
+  double dt = state_.mechanics ? state_.cfl * state_.stepSpacing() / state_.fastest
+                               : std::numeric_limits<double>::infinity();
   for (const Effect<D>& effect : plan_.effects)
     if (effect.timeStepLimit)
       dt = std::min(dt, effect.timeStepLimit(state_));

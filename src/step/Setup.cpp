@@ -1,6 +1,7 @@
 #include "step/Setup.hpp"
 
 #include "material/MaterialTable.hpp"
+#include "material/ThermoMaterials.hpp"
 #include "scene/ReadList.hpp"
 #include "step/PlaceBodies.hpp"
 #include "transfer/Box.hpp"
@@ -47,7 +48,10 @@ void readMaterials(const Teuchos::ParameterList& scene, State<D>& state)
   for (const std::string& name : sublistNames(section))
   {
     state.materialNames.push_back(name);
-    state.materialList.push_back(makeProperties(section.sublist(name), name, state.plane));
+    // Where tables are, an effect takes them in place of these.
+    const std::vector<double> tables = tableTemperatures(section.sublist(name));
+    state.materialList.push_back(makeProperties(
+        materialAt(section.sublist(name), tables.empty() ? 1.0 : tables.front()), name, state.plane));
   }
   state.materials = View<Properties*>("rhegma::materials", state.materialList.size());
   const auto host = Kokkos::create_mirror_view(state.materials);
@@ -61,18 +65,20 @@ void addFields(State<D>& state, const std::vector<Field>& extra)
   FieldTable& table = state.particles;
   table.add({fields::position, D, "m", "where the particle is"});
   table.add({fields::reference, D, "m", "where it was at the start"});
-  table.add({fields::velocity, D, "m/s", "its velocity"});
+  if (state.mechanics)
+    table.add({fields::velocity, D, "m/s", "its velocity"});
   table.add({fields::mass, 1, "kg", "its mass"});
   table.add({fields::volume, 1, "m3", "its undeformed volume"});
   table.add({fields::deformation, gradientSize<D>, "", "deformation gradient"});
-  table.add({fields::stress, symmetricSize<D>, "Pa", "Kirchhoff stress"});
+  if (state.mechanics)
+    table.add({fields::stress, symmetricSize<D>, "Pa", "Kirchhoff stress"});
   table.add({fields::edge, D, "m", "undeformed edge lengths along its body's axes"});
   if (state.shape == ShapeKind::Gimp)
     table.add({fields::box, D, "m", "half widths of the box that shape functions are averaged over"});
   int history = 0;
   for (const Properties& properties : state.materialList)
     history = std::max(history, historySize(properties.kind, D));
-  if (history > 0)
+  if (history > 0 && state.mechanics)
     table.add({fields::history, history, "", "what the constitutive law remembers"});
   table.add({fields::material, 1, "", "number of its material", true});
   table.add({fields::body, 1, "", "number of its body", true});
@@ -127,8 +133,10 @@ void addBody(const PlacedBody<D>& body, State<D>& state)
   table.resize(first + count);
   const auto position =
       Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.real<D>(fields::position));
-  const auto start =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.real<D>(fields::velocity));
+  Kokkos::View<double* [D], Kokkos::LayoutRight, Kokkos::HostSpace> start("rhegma::startVelocity",
+                                                                          first + count);
+  if (state.mechanics)
+    Kokkos::deep_copy(start, table.real<D>(fields::velocity));
   const auto mass = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.scalar(fields::mass));
   const auto volumes = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.scalar(fields::volume));
   const auto F = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{},
@@ -159,7 +167,8 @@ void addBody(const PlacedBody<D>& body, State<D>& state)
   }
   Kokkos::deep_copy(table.real<D>(fields::position), position);
   Kokkos::deep_copy(table.real<D>(fields::reference), position);
-  Kokkos::deep_copy(table.real<D>(fields::velocity), start);
+  if (state.mechanics)
+    Kokkos::deep_copy(table.real<D>(fields::velocity), start);
   Kokkos::deep_copy(table.scalar(fields::mass), mass);
   Kokkos::deep_copy(table.scalar(fields::volume), volumes);
   Kokkos::deep_copy(table.real<gradientSize<D>>(fields::deformation), F);

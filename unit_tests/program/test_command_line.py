@@ -16,7 +16,7 @@ from scenes import plate  # noqa: E402
 
 SECTIONS = ("Domain", "Time", "Materials", "Bodies", "Boundaries", "Output", "Reference")
 EFFECTS = ("Cracks", "Contact", "Energy Release", "Damping", "Face Pressure", "Mass Matrix",
-           "Adaptivity", "Sub-Cycling", "Load Balance", "Propagation", "Combustion")
+           "Adaptivity", "Sub-Cycling", "Load Balance", "Propagation", "Combustion", "Thermal")
 
 
 class WrongArguments(ProgramTest):

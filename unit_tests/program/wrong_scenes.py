@@ -303,10 +303,45 @@ PROPAGATION = [
      one("Propagation", "Mass Matrix", "take one of the two out")),
 ]
 
-NOT_YET = [
-    (f"not_yet_{name.lower().replace(' ', '_').replace('-', '_')}", plate().set(name, {}),
-    one(name, "not in this version", "leave the section out"))
-    for name in ("Thermal",)
+POLYMER = "Materials > Polymer > "
+
+
+def warm(**thermal):
+    """The plate with heat, and without what this version does not have beside it."""
+    return (plate().set("Thermal", dict({"Initial Temperature": 300.0}, **thermal))
+            .set(POLYMER + "Specific Heat", 1400.0).set(POLYMER + "Conductivity", 0.2))
+
+
+HEAT = [
+    ("heat_without_a_capacity", warm().remove(POLYMER + "Specific Heat"), one(POLYMER + "Specific Heat", "needs it")),
+    ("temperature_of_zero", warm().set("Thermal > Initial Temperature", 0.0),
+     one("Thermal > Initial Temperature", "above 0")),
+    ("body_below_absolute_zero", warm().set("Bodies > Plate > Temperature", -10.0),
+     one("Bodies > Plate > Temperature", "above 0")),
+    ("field_below_absolute_zero", warm().set("Bodies > Plate > Temperature Field", "x - 10"),
+     one("Bodies > Plate > Temperature Field", "absolute")),
+    ("table_that_is_not_monotone", warm().set(POLYMER + "Conductivity", "300:0.2, 300:0.3"),
+     one(POLYMER + "Conductivity", "must increase")),
+    ("table_below_absolute_zero", warm().set(POLYMER + "Conductivity", "-3:0.2, 300:0.3"),
+     one(POLYMER + "Conductivity", "absolute")),
+    ("table_of_a_wrong_value", warm().set(MODULUS, "300:3e9, 400:-1").remove("Energy Release"),
+     one(MODULUS, "above 0")),
+    ("table_that_is_none", warm().set(MODULUS, "300;3e9").remove("Energy Release"), one(MODULUS, "293:3e9")),
+    ("table_without_heat", plate().set(MODULUS, "300:3e9, 400:2e9"),
+     one("Materials > Polymer", "table of temperature", "Thermal")),
+    ("heat_alone_with_a_load", warm(Mechanics=False).remove("Energy Release"),
+     one("Boundaries > Pull", "nothing moves")),
+    ("rigid_with_motion", warm().remove("Energy Release").set("Materials > Stone", {"Model": "Rigid",
+     "Density": 1.0, "Specific Heat": 1.0}), one("Materials > Stone > Model", "heat alone")),
+    ("expansion_and_energy_release", warm().set(POLYMER + "Thermal Expansion", 7e-5),
+     one("Materials > Polymer", "Energy Release")),
+    ("heat_and_mass_matrix", warm().set("Mass Matrix", {"Type": "Full"}), one("Mass Matrix", "Thermal")),
+    ("heat_and_viscosity", warm().set("Damping", {"Shear Viscosity": 1.0}),
+     one("Damping > Shear Viscosity", "Mass Rate")),
+    ("front_heat_of_cracks_that_rest", warm(**{"Front Heat Fraction": 1.0, "Front Radius": 1e-3}),
+     one("Thermal > Front Heat Fraction", "no crack grows")),
+    ("boundary_of_heat_without_it", plate().set("Boundaries > Hot", {"Type": "Temperature", "Temperature": 400.0,
+     "Lower Corner": [0.0, 0.0], "Upper Corner": [0.1, 0.1]}), one("Boundaries > Hot", "boundary of heat")),
 ]
 
 BOX = {"Lower Corner": [0.0, 0.0], "Upper Corner": [0.02, 0.02], "Level": 1}
@@ -389,7 +424,7 @@ SEVERAL = [
             ("Time > Final Time", ["above 0"]),
             ("Bodies > Plate > Material", ["Polymer"]),
             ("Domain > Cell Sise", ['"Cell Size"']),
-            ("Thermal", ["not in this version"]),
+            ("Thermal > Initial Temperature", ["missing"]),
         ],
     ),
     (
@@ -451,4 +486,4 @@ COMBUSTION = [
     ("combustion_without_a_gas", burning(Gas_Constant=None),
      one("Combustion > Notch > Gas Constant", "is missing")),
 ]
-TABLE += COMBUSTION + NOT_IN_3D + MASS + ADAPTIVITY + PROPAGATION + NOT_YET + REFERENCES + SEVERAL
+TABLE += COMBUSTION + HEAT + NOT_IN_3D + MASS + ADAPTIVITY + PROPAGATION + REFERENCES + SEVERAL

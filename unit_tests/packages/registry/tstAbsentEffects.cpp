@@ -43,6 +43,7 @@ const char* const bare = R"xml(
       <Parameter name="Density" type="double" value="1200"/>
       <Parameter name="Young Modulus" type="double" value="3e9"/>
       <Parameter name="Poisson Ratio" type="double" value="0.33"/>
+      <Parameter name="Specific Heat" type="double" value="1400"/>
     </ParameterList>
   </ParameterList>
   <ParameterList name="Bodies">
@@ -92,6 +93,13 @@ const std::map<std::string, std::string> sectionsOf = {
        <Parameter name="Outer Radius" type="double" value="0.4"/></ParameterList>)xml"},
     {"Face Pressure", cracks + R"xml(<ParameterList name="Face Pressure"><ParameterList name="Notch">
        <Parameter name="Pressure" type="string" value="1e5"/></ParameterList></ParameterList>)xml"},
+    {"Thermal", R"xml(<ParameterList name="Thermal">
+       <Parameter name="Initial Temperature" type="double" value="300"/>
+       <ParameterList name="Sources"><ParameterList name="Spot">
+       <Parameter name="Type" type="string" value="Ball"/>
+       <Parameter name="Centre" type="Array(double)" value="{0.5, 0.5}"/>
+       <Parameter name="Radius" type="double" value="0.3"/>
+       <Parameter name="Power" type="double" value="1"/></ParameterList></ParameterList></ParameterList>)xml"},
     {"Load Balance", "<ParameterList name=\"Load Balance\"/>"},
     {"Mass Matrix", R"xml(<ParameterList name="Mass Matrix">
        <Parameter name="Type" type="string" value="Full"/></ParameterList>)xml"},

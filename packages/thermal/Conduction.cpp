@@ -1,0 +1,157 @@
+#include "thermal/Conduction.hpp"
+
+#include "parallel/Subdomain.hpp"
+#include "scene/Numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Rhegma::thermal
+{
+
+namespace
+{
+
+/// Substeps in one step of the run beyond which somebody has mistaken a number.
+constexpr double mostSubsteps = 10000.0;
+
+/// Conduction waits while the time that it has not done is below this share of its own step.
+constexpr double waitingShare = 0.25;
+
+} // namespace
+
+template <int D>
+void Conduction<D>::measure(const State<D>& state)
+{
+  const auto materials = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.thermo.material);
+  const auto knots = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.thermo.knot);
+  diffusivity = 0.0;
+  leastCapacity = std::numeric_limits<double>::infinity();
+  for (std::size_t m = 0; m < materials.extent(0); ++m)
+  {
+    double ratio = 0.0;
+    for (int d = 0; d < D; ++d)
+      ratio = std::max(ratio, materials(m).ratio[d]);
+    for (int k = materials(m).first; k < materials(m).first + materials(m).count; ++k)
+    {
+      diffusivity = std::max(diffusivity, ratio * knots(k).conductivity / knots(k).capacity);
+      leastCapacity = std::min(leastCapacity, knots(k).capacity);
+    }
+  }
+}
+
+template <int D>
+double Conduction<D>::stepLimit(const State<D>& state) const
+{
+  const double h = state.smallestSpacing();
+  double limit = boundaries.stepLimit(leastCapacity, h);
+  if (diffusivity > 0.0)
+    limit = std::min(limit, diffusionNumber * h * h / diffusivity);
+  return limit;
+}
+
+template <int D>
+double Conduction<D>::sourceLimit(const State<D>& state) const
+{
+  double limit = std::numeric_limits<double>::infinity();
+  for (const Source<D>& source : sources)
+    if (const double speed = std::sqrt(dot(source.velocity, source.velocity)); source.ball && speed > 0.0)
+      limit = std::min(limit, 0.5 * state.smallestSpacing() / speed);
+  return limit;
+}
+
+/// \return the power of the sources that this rank books
+template <int D>
+double Conduction<D>::supplyAll(State<D>& state, double dt, double time)
+{
+  const bool fronts = frontFraction > 0.0 && !state.cracks.fronts.empty();
+  if (sources.empty() && !fronts)
+    return 0.0;
+  if (static_cast<int>(supply.extent(0)) < state.particles.size())
+    supply = View<double*>("rhegma::thermal::supply", state.particles.size());
+  Kokkos::deep_copy(supply, 0.0);
+  const bool books = state.ranks.rank() == 0;
+  double power = 0.0;
+  for (const Source<D>& source : sources)
+    power += books ? addSource(state, source, time, supply) : (addSource(state, source, time, supply), 0.0);
+  for (CrackFront<D>& front : state.cracks.fronts)
+  {
+    if (!fronts || front.spent == 0.0)
+      continue;
+    const double heat = frontFraction * front.spent;
+    const double added =
+        addBall<D>(state, front.position, std::max(frontRadius, smallestRadius(state)), heat / dt, supply);
+    // The books have it under fracture; what becomes heat is there no longer.
+    if (books)
+      state.energy.fracture -= added * dt;
+    front.spent = 0.0;
+  }
+  return power;
+}
+
+template <int D>
+void Conduction<D>::once(State<D>& state, double dt, double time, const View<double*>& supplied)
+{
+  nodes.clear(state);
+  heatToNodes(state, nodes);
+  if (state.subdomain)
+    state.subdomain->halo.sum(nodes.sums.data(), HeatNodes<D>::sumWidth, 0, HeatNodes<D>::momentAt + D);
+  findTemperature(state, nodes);
+  boundaries.hold(state, nodes, time + dt);
+  double heat = dt * boundaries.addFlux(state, nodes, time + 0.5 * dt);
+  fluxToNodes(state, nodes, supplied);
+  if (state.subdomain)
+    state.subdomain->halo.sum(nodes.rate.data(), 2, 0, 1);
+  heat += changeTemperature(state, nodes, dt);
+  changeToParticles(state, nodes);
+  state.energy.heat += heat;
+}
+
+template <int D>
+void Conduction<D>::step(State<D>& state)
+{
+  pending += state.dt;
+  ++waited;
+  const double limit = stepLimit(state);
+  if (state.mechanics && waited < longestWait && pending + state.dt <= waitingShare * limit)
+    return;
+  if (!warned)
+  {
+    warned = true;
+    for (const Source<D>& source : sources)
+      if (const std::string word =
+              unresolved(state, "Thermal > Sources > " + source.name + " > Radius", source.radius);
+          source.ball && !word.empty())
+        state.warnings.push_back(word);
+    if (const std::string word = unresolved(state, "Thermal > Front Radius", frontRadius);
+        frontFraction > 0.0 && !word.empty())
+      state.warnings.push_back(word);
+  }
+  const double substeps = std::max(1.0, std::ceil(pending / limit * (1.0 - 1e-12)));
+  if (!(substeps <= mostSubsteps))
+  {
+    state.trouble =
+        "conduction would need " + formatReal(substeps) + " steps of " + formatReal(limit) +
+        " s in one step of the run; look at Conductivity and Specific Heat, or leave the motion out "
+        "(Thermal > Mechanics = false)";
+    return;
+  }
+  const int count = static_cast<int>(substeps);
+  const double dt = pending / count, begin = state.time + state.dt - pending;
+  const View<double*> none;
+  for (int k = 0; k < count; ++k)
+  {
+    const double time = begin + k * dt;
+    const double power = supplyAll(state, dt, time + 0.5 * dt);
+    state.energy.heat += dt * power;
+    once(state, dt, time, supply.extent(0) > 0 ? supply : none);
+  }
+  pending = 0.0;
+  waited = 0;
+}
+
+template struct Conduction<2>;
+template struct Conduction<3>;
+
+} // namespace Rhegma::thermal

@@ -1,0 +1,46 @@
+#pragma once
+/// Steps of conduction.
+
+#include "thermal/HeatBoundaries.hpp"
+#include "thermal/Sources.hpp"
+
+namespace Rhegma::thermal
+{
+
+/// What conduction keeps from step to step.
+template <int D>
+struct Conduction
+{
+  double diffusionNumber = 0.35;
+  double frontFraction = 0.0, frontRadius = 0.0;
+  std::vector<Source<D>> sources;
+  HeatBoundaries<D> boundaries;
+  HeatNodes<D> nodes;
+  View<double*> supply;       ///< of each particle [W]
+  double pending = 0.0;       ///< time since the last step of conduction [s]
+  int waited = 0;             ///< steps since then
+  double diffusivity = 0.0;   ///< largest of the materials [m2/s]
+  double leastCapacity = 0.0; ///< least of the materials [J/(m3 K)]
+  bool warned = false;
+
+  /// Finds the largest diffusivity. To be called when the state's tables are there.
+  void measure(const State<D>& state);
+
+  /// The longest step that conduction and surfaces allow [s].
+  double stepLimit(const State<D>& state) const;
+
+  /// Longest step in which sources stay where they are, to half a cell [s].
+  double sourceLimit(const State<D>& state) const;
+
+  /// One step of the run. Conduction takes substeps where the run's step is longer than its own; where it is
+  /// much shorter, conduction waits up to `longestWait` steps and then takes them in one.
+  void step(State<D>& state);
+
+  static constexpr int longestWait = 4;
+
+private:
+  void once(State<D>& state, double dt, double time, const View<double*>& supplied);
+  double supplyAll(State<D>& state, double dt, double time);
+};
+
+} // namespace Rhegma::thermal

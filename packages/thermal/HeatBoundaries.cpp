@@ -1,0 +1,152 @@
+#include "thermal/HeatBoundaries.hpp"
+
+#include "scene/Attempts.hpp"
+#include "scene/ReadList.hpp"
+#include "transfer/PushNodes.hpp"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace Rhegma::thermal
+{
+
+namespace
+{
+
+template <int D>
+bool holdsNode(const Grid<D>& grid, const HeldTemperature<D>& box)
+{
+  for (int d = 0; d < D; ++d)
+  {
+    const double from = std::max(box.lower[d], grid.lower[d]), to = std::min(box.upper[d], grid.upper[d]);
+    if (!(std::ceil(grid.inCells(from, d) - 1e-9) <= grid.inCells(to, d) + 1e-9))
+      return false;
+  }
+  return true;
+}
+
+template <int D>
+HeldTemperature<D> readHeld(const Teuchos::ParameterList& list, const State<D>& state,
+                            const std::string& where)
+{
+  HeldTemperature<D> held{readVector<D>(list, "Lower Corner"), readVector<D>(list, "Upper Corner"),
+                          list.get<double>("Temperature"),
+                          TimeFunction::parse(list.get<std::string>("History"))};
+  // Nodes on the rim count whatever the rounding.
+  for (int d = 0; d < D; ++d)
+  {
+    held.lower[d] -= 1e-9 * state.grid.spacing;
+    held.upper[d] += 1e-9 * state.grid.spacing;
+  }
+  if (!holdsNode(state.grid, held))
+    throw std::invalid_argument(where +
+                                ": the box holds no node of the cells inside the domain, so nothing is "
+                                "prescribed; make it a cell thick or move it");
+  return held;
+}
+
+template <int D>
+HeatedSurface<D> readHeated(const Teuchos::ParameterList& list, const State<D>& state,
+                            const std::string& name)
+{
+  HeatedSurface<D> heated{readSurface<D>(list, state, name), 0.0, 0.0, 0.0,
+                          TimeFunction::parse(list.get<std::string>("History"))};
+  if (list.get<std::string>("Type") == "Heat Flux")
+    heated.flux = list.get<double>("Flux");
+  else
+  {
+    heated.coefficient = list.get<double>("Coefficient");
+    heated.ambient = list.get<double>("Ambient Temperature");
+  }
+  return heated;
+}
+
+} // namespace
+
+template <int D>
+void HeatBoundaries<D>::read(const Teuchos::ParameterList& section, const State<D>& state)
+{
+  Attempts attempts;
+  for (const std::string& name : sublistNames(section))
+  {
+    const Teuchos::ParameterList& list = section.sublist(name);
+    const std::string type = list.get<std::string>("Type");
+    if (type == "Temperature")
+      attempts.attempt([&] { held_.push_back(readHeld<D>(list, state, "Boundaries > " + name)); });
+    else if (type == "Heat Flux" || type == "Convection")
+      attempts.attempt([&] { surfaces_.push_back(readHeated<D>(list, state, name)); });
+  }
+  attempts.complain();
+}
+
+template <int D>
+void HeatBoundaries<D>::hold(const State<D>& state, const HeatNodes<D>& heat, double time) const
+{
+  const Nodes<D> nodes = state.nodes;
+  const NodePlaces<D> places = nodePlaces(state);
+  for (const HeldTemperature<D>& held : held_)
+  {
+    const Vector<D> lower = held.lower, upper = held.upper;
+    const double temperature = held.temperature * held.history(time);
+    Kokkos::parallel_for(
+        "rhegma::thermal::holdTemperature", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+        KOKKOS_LAMBDA(const int i) {
+          const int n = activeNode(nodes, i);
+          const Vector<D> x = places(latticeNode(nodes, n));
+          for (int d = 0; d < D; ++d)
+            if (x[d] < lower[d] || x[d] > upper[d])
+              return;
+          if (heat.held(n) != 0 || !(heat.sums(n, HeatNodes<D>::capacityAt) > 0.0))
+            return;
+          heat.held(n) = 1;
+          heat.value(n, 1) = temperature - heat.value(n, 0);
+          heat.value(n, 0) = temperature;
+        });
+  }
+}
+
+template <int D>
+double HeatBoundaries<D>::addFlux(State<D>& state, const HeatNodes<D>& heat, double time)
+{
+  double power = 0.0;
+  for (HeatedSurface<D>& heated : surfaces_)
+  {
+    Load<D>& points = heated.surface.points;
+    points.place(state);
+    const StencilTable<D> stencils = points.nodesAround();
+    const View<double*> share = points.shares();
+    const double area = heated.surface.area, now = heated.history(time);
+    const double flux = now * heated.flux, coefficient = heated.coefficient, ambient = now * heated.ambient;
+    const View<double> sum("rhegma::thermal::powerOfSurface");
+    forEachPushing(
+        "rhegma::thermal::addFlux", points.points(), KOKKOS_LAMBDA(const int k) {
+          double T = 0.0;
+          for (int e = 0; e < stencils.count(k); ++e)
+            T += stencils.weight(k, e) * heat.value(stencils.node(k, e), 0);
+          const double inflow = share(k) * area * (coefficient > 0.0 ? coefficient * (ambient - T) : flux);
+          Kokkos::atomic_add(&sum(), inflow);
+          for (int e = 0; e < stencils.count(k); ++e)
+            Kokkos::atomic_add(&heat.rate(stencils.node(k, e), 0), stencils.weight(k, e) * inflow);
+        });
+    double added = 0.0;
+    Kokkos::deep_copy(added, sum);
+    power += added;
+  }
+  return power;
+}
+
+template <int D>
+double HeatBoundaries<D>::stepLimit(double capacity, double spacing) const
+{
+  double limit = std::numeric_limits<double>::infinity();
+  for (const HeatedSurface<D>& heated : surfaces_)
+    if (heated.coefficient > 0.0)
+      limit = std::min(limit, 0.25 * capacity * spacing / heated.coefficient);
+  return limit;
+}
+
+template class HeatBoundaries<2>;
+template class HeatBoundaries<3>;
+
+} // namespace Rhegma::thermal

@@ -1,0 +1,59 @@
+#pragma once
+/// Temperature, flux and convection at the surface.
+
+#include "boundary/ReadLoad.hpp"
+#include "thermal/HeatNodes.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <string>
+#include <vector>
+
+namespace Rhegma::thermal
+{
+
+/// A box whose nodes have a prescribed temperature.
+template <int D>
+struct HeldTemperature
+{
+  Vector<D> lower, upper; ///< [m]
+  double temperature;     ///< [K]
+  TimeFunction history;
+};
+
+/// A surface through which heat comes in: a flux, or by the difference to a temperature outside.
+template <int D>
+struct HeatedSurface
+{
+  Surface<D> surface;
+  double flux = 0.0;        ///< [W/m2]
+  double coefficient = 0.0; ///< [W/(m2 K)]; 0: a given flux
+  double ambient = 0.0;     ///< [K]
+  TimeFunction history;
+};
+
+/// The boundaries of a scene that heat sees.
+template <int D>
+class HeatBoundaries
+{
+public:
+  /// Reads them from the section Boundaries. Throws std::invalid_argument, with the path, for one that holds
+  /// no node or meets no particle.
+  void read(const Teuchos::ParameterList& section, const State<D>& state);
+
+  /// Prescribes the temperature of nodes: as it is at the end of the step, and its change.
+  void hold(const State<D>& state, const HeatNodes<D>& nodes, double time) const;
+
+  /// Adds the heat that comes through surfaces over a step to the nodes' rate, of this rank. \param time
+  /// middle of the step \return the power [W]
+  double addFlux(State<D>& state, const HeatNodes<D>& nodes, double time);
+
+  /// Longest step that convection allows [s], for the capacity of a layer of cells.
+  double stepLimit(double capacity, double spacing) const;
+
+private:
+  std::vector<HeldTemperature<D>> held_;
+  std::vector<HeatedSurface<D>> surfaces_;
+};
+
+} // namespace Rhegma::thermal

@@ -1,0 +1,111 @@
+#include "thermal/Observations.hpp"
+
+namespace Rhegma::thermal
+{
+
+namespace
+{
+
+/// The value of a vector on the one rank that has it, on all.
+template <int D>
+Vector<D> shared(const Ranks& ranks, const Vector<D>& own, bool here)
+{
+  Vector<D> value = own;
+  if (!ranks.many())
+    return value;
+  // The first of those that have it.
+  const double first = -ranks.max(here ? -ranks.rank() : -1e9);
+  for (int d = 0; d < D; ++d)
+    value[d] = here && first == ranks.rank() ? own[d] : 0.0;
+  ranks.sum(&value[0], D);
+  return value;
+}
+
+} // namespace
+
+template <int D>
+Extremes<D> extremes(const State<D>& state)
+{
+  const auto T = state.particles.scalar(fields::temperature);
+  const auto x = state.particles.template real<D>(fields::position);
+  using Most = Kokkos::MaxLoc<double, int>;
+  Most::value_type most;
+  double least = 0.0;
+  const Kokkos::RangePolicy<ExecSpace> all(0, state.particles.size());
+  Kokkos::parallel_reduce(
+      "rhegma::thermal::highest", all,
+      KOKKOS_LAMBDA(const int p, Most::value_type& top) {
+        if (T(p) > top.val)
+        {
+          top.val = T(p);
+          top.loc = p;
+        }
+      },
+      Most(most));
+  Kokkos::parallel_reduce(
+      "rhegma::thermal::lowest", all,
+      KOKKOS_LAMBDA(const int p, double& bottom) { bottom = T(p) < bottom ? T(p) : bottom; },
+      Kokkos::Min<double>(least));
+  Extremes<D> found;
+  found.highest = state.ranks.max(most.val);
+  found.lowest = -state.ranks.max(-least);
+  Vector<D> where{};
+  const bool here = state.particles.size() > 0 && most.val == found.highest;
+  if (here)
+  {
+    const auto host = Kokkos::create_mirror_view_and_copy(
+        Kokkos::HostSpace{}, Kokkos::subview(x, std::make_pair(most.loc, most.loc + 1), Kokkos::ALL));
+    for (int d = 0; d < D; ++d)
+      where[d] = host(0, d);
+  }
+  found.where = shared<D>(state.ranks, where, here);
+  return found;
+}
+
+template <int D>
+double temperatureAt(const State<D>& state, const Vector<D>& place)
+{
+  const auto T = state.particles.scalar(fields::temperature);
+  const auto g = state.particles.template real<D>(fields::temperatureGradient);
+  const auto x = state.particles.template real<D>(fields::position);
+  using Nearest = Kokkos::MinLoc<double, int>;
+  Nearest::value_type nearest;
+  Kokkos::parallel_reduce(
+      "rhegma::thermal::nearest", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, Nearest::value_type& best) {
+        double square = 0.0;
+        for (int d = 0; d < D; ++d)
+          square += (x(p, d) - place[d]) * (x(p, d) - place[d]);
+        if (square < best.val)
+        {
+          best.val = square;
+          best.loc = p;
+        }
+      },
+      Nearest(nearest));
+  Vector<1> value{};
+  const bool any = state.particles.size() > 0;
+  if (any)
+  {
+    const int at = nearest.loc;
+    double found = 0.0;
+    Kokkos::parallel_reduce(
+        "rhegma::thermal::probe", Kokkos::RangePolicy<ExecSpace>(at, at + 1),
+        KOKKOS_LAMBDA(const int p, double& sum) {
+          sum += T(p);
+          for (int d = 0; d < D; ++d)
+            sum += g(p, d) * (place[d] - x(p, d));
+        },
+        found);
+    value[0] = found;
+  }
+  const double least = -state.ranks.max(any ? -nearest.val : -1e300);
+  return shared<1>(state.ranks, value, any && nearest.val == least)[0];
+}
+
+template Extremes<2> extremes(const State<2>&);
+template Extremes<3> extremes(const State<3>&);
+template double temperatureAt(const State<2>&, const Vector<2>&);
+template double temperatureAt(const State<3>&, const Vector<3>&);
+
+} // namespace Rhegma::thermal

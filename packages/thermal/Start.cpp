@@ -1,0 +1,121 @@
+#include "thermal/Start.hpp"
+
+#include "material/HistoryRoom.hpp"
+#include "material/ThermoLaw.hpp"
+#include "scene/Numbers.hpp"
+#include "scene/PlaceFunction.hpp"
+
+#include <stdexcept>
+
+namespace Rhegma::thermal
+{
+
+template <int D>
+void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, double initial)
+{
+  const auto host = [](const auto& view)
+  { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
+  const auto body = host(state.particles.integer(fields::body));
+  const auto place = host(state.particles.template real<D>(fields::position));
+  const auto T = host(state.particles.scalar(fields::temperature));
+  for (std::size_t b = 0; b < state.bodies.size(); ++b)
+  {
+    const std::string& name = state.bodies[b].name;
+    const Teuchos::ParameterList& list = bodies.sublist(name);
+    const double own = list.isParameter("Temperature") ? list.get<double>("Temperature") : initial;
+    const bool varies = list.isParameter("Temperature Field");
+    const PlaceFunction function =
+        PlaceFunction::parse(varies ? list.get<std::string>("Temperature Field") : "0", 1);
+    for (int p = 0; p < state.particles.size(); ++p)
+    {
+      if (body(p) != static_cast<int>(b))
+        continue;
+      T(p) = own;
+      if (varies)
+      {
+        Vector<D> x;
+        for (int d = 0; d < D; ++d)
+          x[d] = place(p, d);
+        T(p) = function.scalar(x);
+      }
+      if (!(T(p) > 0.0) || !std::isfinite(T(p)))
+        throw std::invalid_argument(
+            "Bodies > " + name + " > Temperature Field: it is " + formatReal(T(p)) +
+            " K at a particle; temperatures are absolute, write one that is above zero");
+    }
+  }
+  Kokkos::deep_copy(state.particles.scalar(fields::temperature), T);
+}
+
+template <int D>
+void startEnergy(State<D>& state)
+{
+  const ThermoTables tables = state.thermo;
+  const auto T = state.particles.scalar(fields::temperature);
+  const auto internal = state.particles.scalar(fields::internalEnergy);
+  const auto material = state.particles.integer(fields::material);
+  if (!state.mechanics)
+  {
+    Kokkos::parallel_for(
+        "rhegma::thermal::startHeat", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+        KOKKOS_LAMBDA(const int p) { internal(p) = ThermoPoint(tables, material(p), T(p)).heat(); });
+    return;
+  }
+  const View<Properties*> materials = state.materials;
+  const auto F = state.particles.template real<gradientSize<D>>(fields::deformation);
+  const auto stress = state.particles.template real<symmetricSize<D>>(fields::stress);
+  BorrowedView<double**> history;
+  if (state.particles.has(fields::history))
+    history = state.particles.table(fields::history);
+  Kokkos::parallel_for(
+      "rhegma::thermal::startStress", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p) {
+        double wave = 0.0;
+        const Properties& law = materials(material(p));
+        withLaw<D>(law.kind, law.plane,
+                   ThermoStress{ThermoPoint(tables, material(p), T(p)), T(p), &F(p, 0), &stress(p, 0),
+                                history.extent(1) > 0 ? &history(p, 0) : nullptr, internal(p), wave});
+      });
+}
+
+template <int D>
+void followGradient(State<D>& state, const SplitParts& parts)
+{
+  constexpr int number = 1 << D;
+  const View<int*> whole = parts.whole;
+  const int first = parts.first;
+  const ThermoTables tables = state.thermo;
+  const auto T = state.particles.scalar(fields::temperature);
+  const auto internal = state.particles.scalar(fields::internalEnergy);
+  const auto material = state.particles.integer(fields::material);
+  const auto x = state.particles.template real<D>(fields::position);
+  const auto g = state.particles.template real<D>(fields::temperatureGradient);
+  Kokkos::parallel_for(
+      "rhegma::thermal::followGradient", Kokkos::RangePolicy<ExecSpace>(0, whole.extent(0)),
+      KOKKOS_LAMBDA(const int i) {
+        const int w = whole(i);
+        const double capacity = ThermoPoint(tables, material(w), T(w)).capacity();
+        double middle[D] = {};
+        for (int k = 0; k < number; ++k)
+          for (int d = 0; d < D; ++d)
+            middle[d] += x(k == 0 ? w : first + i * (number - 1) + k - 1, d) / number;
+        for (int k = 0; k < number; ++k)
+        {
+          const int p = k == 0 ? w : first + i * (number - 1) + k - 1;
+          double rise = 0.0;
+          for (int d = 0; d < D; ++d)
+            rise += g(p, d) * (x(p, d) - middle[d]);
+          T(p) += rise;
+          internal(p) += capacity * rise;
+        }
+      });
+}
+
+template void startTemperature(State<2>&, const Teuchos::ParameterList&, double);
+template void startTemperature(State<3>&, const Teuchos::ParameterList&, double);
+template void startEnergy(State<2>&);
+template void startEnergy(State<3>&);
+template void followGradient(State<2>&, const SplitParts&);
+template void followGradient(State<3>&, const SplitParts&);
+
+} // namespace Rhegma::thermal

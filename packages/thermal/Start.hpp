@@ -1,0 +1,26 @@
+#pragma once
+/// What particles hold at the start.
+
+#include "state/State.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+
+namespace Rhegma::thermal
+{
+
+/// Gives every particle the temperature of its body. Throws std::invalid_argument, with the path, for one
+/// that is not above zero. \param bodies the section Bodies \param initial temperature of bodies that do not
+/// say another [K]
+template <int D>
+void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, double initial);
+
+/// Finds the particles' internal energy from their temperature and, where there is mechanics, their stress.
+template <int D>
+void startEnergy(State<D>& state);
+
+/// Gives parts of a split particle the temperatures that its gradient lets expect at their places; their heat
+/// in all stays.
+template <int D>
+void followGradient(State<D>& state, const SplitParts& parts);
+
+} // namespace Rhegma::thermal

@@ -1,0 +1,213 @@
+#include "scene/ReadList.hpp"
+#include "thermal/Thermal.hpp"
+
+#include "material/ThermoMaterials.hpp"
+
+#include <algorithm>
+
+namespace Rhegma::thermal
+{
+
+namespace
+{
+
+Section sources()
+{
+  Section source("source", "One source; its own name is up to you.");
+  source.chosenBy("Type").meaning("Where it releases heat.");
+  Section box("Box", "Evenly in a box at rest.");
+  box.realArray("Lower Corner").unit("m").perAxis().meaning("The corner with the smallest coordinates.");
+  box.realArray("Upper Corner").unit("m").perAxis().meaning("The corner with the largest coordinates.");
+  box.real("Power Density").unit("W/m3").meaning("Per undeformed volume of material in the box.");
+  Section ball("Ball", "Evenly in a disk (2D) or ball (3D) that may move.");
+  ball.realArray("Centre").unit("m").perAxis().meaning("Its middle at time 0.");
+  ball.realArray("Velocity").unit("m/s").perAxis().byDefaultZeros().meaning("Of its middle.");
+  ball.real("Radius").unit("m").positive().meaning("Its radius.");
+  ball.real("Power").unit("W").meaning(
+      "In all, for what of it lies in material; in 2D for Domain > Thickness.");
+  for (Section* kind : {&box, &ball})
+    kind->timeFunction("History").byDefault("1").meaning(
+        "Factor over time: an expression of t or a table \"0:0, 1e-3:5\".");
+  source.variant(box);
+  source.variant(ball);
+  Section s("Sources", "Heat that is released in the bodies.");
+  s.namedByUser(source);
+  return s;
+}
+
+Section probes()
+{
+  Section probe("probe", "One place; its own name is up to you.");
+  probe.realArray("Point").unit("m").perAxis().meaning("Where; a fixed place that material may pass.");
+  Section s("Probes", "Places whose temperature is in the history, as NAME.temperature, and in the summary.");
+  s.namedByUser(probe);
+  return s;
+}
+
+bool hasSection(const Teuchos::ParameterList& scene, const std::string& name)
+{
+  return scene.isSublist(name);
+}
+
+std::string text(const Teuchos::ParameterList& list, const std::string& name)
+{
+  return list.isType<std::string>(name) ? list.get<std::string>(name) : std::string();
+}
+
+/// Calls work(list, path) for every sublist of a section.
+template <class Work>
+void forEach(const Teuchos::ParameterList& scene, const std::string& section, const Work& work)
+{
+  if (!scene.isSublist(section))
+    return;
+  const Teuchos::ParameterList& list = scene.sublist(section);
+  for (const std::string& name : sublistNames(list))
+    work(list.sublist(name), section + " > " + name);
+}
+
+bool isOfHeat(const std::string& type)
+{
+  return type == "Temperature" || type == "Heat Flux" || type == "Convection";
+}
+
+/// What a scene without the section must not have, for nobody would look at it.
+void checkWithout(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
+{
+  const std::string add = "; add the section Thermal or leave it out";
+  forEach(
+      scene, "Materials",
+      [&](const Teuchos::ParameterList& list, const std::string& where)
+      {
+        if (!tableTemperatures(list).empty())
+          errors.push_back({where, "a property is a table of temperature, and the scene has no heat" + add});
+        if (text(list, "Model") == "Rigid")
+          errors.push_back({where + " > Model",
+                            "Rigid is for scenes of heat alone; choose a law with stress, or "
+                            "add Thermal with Mechanics = false"});
+      });
+  forEach(scene, "Boundaries",
+          [&](const Teuchos::ParameterList& list, const std::string& where)
+          {
+            if (isOfHeat(text(list, "Type")))
+              errors.push_back({where, "it is a boundary of heat, and the scene has none" + add});
+          });
+  forEach(scene, "Bodies",
+          [&](const Teuchos::ParameterList& list, const std::string& where)
+          {
+            for (const char* name : {"Temperature", "Temperature Field"})
+              if (list.isParameter(name))
+                errors.push_back({where + " > " + name, "the scene has no heat" + add});
+          });
+}
+
+void checkAlone(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
+{
+  for (const char* name :
+       {"Contact", "Damping", "Energy Release", "Face Pressure", "Mass Matrix", "Propagation", "Sub-Cycling"})
+    if (hasSection(scene, name))
+      errors.push_back({name, "nothing moves, for Thermal > Mechanics is false; leave one of the two out"});
+  forEach(scene, "Boundaries",
+          [&](const Teuchos::ParameterList& list, const std::string& where)
+          {
+            if (!isOfHeat(text(list, "Type")))
+              errors.push_back(
+                  {where, "nothing moves, for Thermal > Mechanics is false; leave one of the two out"});
+          });
+  forEach(scene, "Bodies",
+          [&](const Teuchos::ParameterList& list, const std::string& where)
+          {
+            for (const char* name : {"Velocity", "Angular Velocity"})
+              if (list.isType<Teuchos::Array<double>>(name))
+              {
+                const auto& values = list.get<Teuchos::Array<double>>(name);
+                if (std::any_of(values.begin(), values.end(), [](double v) { return v != 0.0; }))
+                  errors.push_back(
+                      {where + " > " + name,
+                       "nothing moves, for Thermal > Mechanics is false; leave one of the two out"});
+              }
+          });
+}
+
+bool strainsByHeat(const Teuchos::ParameterList& material)
+{
+  static const std::vector<std::string> moduli = {"Young Modulus", "Poisson Ratio", "C10", "C01",
+                                                  "Bulk Modulus"};
+  const bool table = std::any_of(moduli.begin(), moduli.end(),
+                                 [&](const std::string& m) { return material.isType<std::string>(m); });
+  return table || material.isParameter("Thermal Expansion") ||
+         (material.isType<bool>("Entropic") && material.get<bool>("Entropic"));
+}
+
+void checkCoupled(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
+{
+  for (const char* name : {"Mass Matrix", "Sub-Cycling"})
+    if (hasSection(scene, name))
+      errors.push_back(
+          {name, "this version does not have it together with Thermal; leave one of the two out"});
+  if (hasSection(scene, "Damping"))
+    for (const char* name : {"Shear Viscosity", "Bulk Viscosity"})
+      if (scene.sublist("Damping").isType<double>(name) && scene.sublist("Damping").get<double>(name) > 0.0)
+        errors.push_back(
+            {std::string("Damping > ") + name,
+             "this version can't turn its work into heat, and the scene has Thermal; use Mass Rate"});
+  forEach(scene, "Materials",
+          [&](const Teuchos::ParameterList& list, const std::string& where)
+          {
+            if (text(list, "Model") == "Rigid")
+              errors.push_back(
+                  {where + " > Model",
+                   "Rigid is for heat alone; choose a law with stress, or write Thermal > Mechanics = "
+                   "false"});
+            if (hasSection(scene, "Energy Release") && strainsByHeat(list))
+              errors.push_back(
+                  {where, "its stress depends on temperature, which Energy Release does not count in this "
+                          "version; leave that section out, or Thermal Expansion and tables of moduli"});
+          });
+}
+
+} // namespace
+
+Section thermalSection()
+{
+  Section s("Thermal", "Heat: conduction, sources and surfaces, thermal strain, and the heat of straining.");
+  s.real("Initial Temperature").unit("K").positive().meaning("Of all bodies that do not say another.");
+  s.boolean("Mechanics")
+      .byDefault(true)
+      .meaning(
+          "false: heat alone; nothing moves, there is no stress, and the steps are those of conduction.");
+  s.real("Diffusion Number")
+      .above(0.0)
+      .atMost(0.5)
+      .byDefault(0.35)
+      .meaning("Largest step of conduction, times k / (rho c) over the squared edge of the smallest cells.");
+  s.real("Front Heat Fraction")
+      .range(0.0, 1.0)
+      .byDefault(0.0)
+      .meaning("Share of the energy that growing cracks take which becomes heat around their fronts.");
+  s.real("Front Radius").unit("m").positive().optional().meaning("Of the disk or ball of that heat.");
+  s.subsection(sources());
+  s.subsection(probes());
+  return s;
+}
+
+void checkThermal(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
+{
+  if (!scene.isSublist("Thermal"))
+    return checkWithout(scene, errors);
+  const Teuchos::ParameterList& list = scene.sublist("Thermal");
+  if (list.isType<bool>("Mechanics") && !list.get<bool>("Mechanics"))
+    checkAlone(scene, errors);
+  else
+    checkCoupled(scene, errors);
+  if (list.isType<double>("Front Heat Fraction") && list.get<double>("Front Heat Fraction") > 0.0)
+  {
+    if (!list.isParameter("Front Radius"))
+      errors.push_back(
+          {"Thermal > Front Radius", "Front Heat Fraction is above 0, so a radius is needed; write one"});
+    if (!scene.isSublist("Propagation"))
+      errors.push_back(
+          {"Thermal > Front Heat Fraction", "no crack grows in this scene; add Propagation or leave it out"});
+  }
+}
+
+} // namespace Rhegma::thermal

@@ -1,0 +1,78 @@
+#pragma once
+/// Stress and internal energy of every constitutive law at a temperature.
+///
+/// The free energy per undeformed volume is psi(F, T) = W(F / theta; T) + psi_T(T): the law's own energy W,
+/// with its moduli at T, of what of F is not thermal strain, theta = 1 + integral of alpha (a multiplicative,
+/// isotropic split: Holzapfel, Nonlinear Solid Mechanics, section 7.8). With dW/dT at fixed F,
+///
+///     W_T = -alpha / theta tr tau + W(F / theta; d moduli / dT),
+///
+/// the internal energy is e = W - T W_T + h, and psi_T is chosen so that the capacity at constant strain is
+/// the given rho c in the undeformed state: h = integral of rho c + 9 K alpha^2 (T^2 - T0^2) / 2. From this
+/// the first law yields all that heats a strained body: the thermoelastic term -T (C alpha) : deps, entropic
+/// heating where moduli rise with T, and, since W alone is stored, the share of plastic work that is not kept
+/// as cold work.
+
+#include "material/Materials.hpp"
+#include "material/ThermoTables.hpp"
+
+namespace Rhegma
+{
+
+/// Stress and energies of one particle, F and history as the law's own `stress` has them.
+struct ThermoStress
+{
+  const ThermoPoint& at;
+  double temperature;
+  double* F;
+  double* tau;
+  double* history;
+  double& internal; ///< out: internal energy e [J/m3]
+  double& wave;     ///< out: wave speed of the law, with what adiabatic straining stiffens it [m/s]
+
+  template <class Law, int D, Plane P>
+  KOKKOS_INLINE_FUNCTION bool run() const
+  {
+    const double theta = at.stretch(), inverse = 1.0 / theta;
+    const Properties law = at.properties();
+    double own[gradientSize<D>]; // F without thermal strain
+    for (int k = 0; k < gradientSize<D>; ++k)
+      own[k] = inverse * F[k];
+    const bool good = Law::template stress<D, P>(law, own, tau, history);
+    if constexpr (P == Plane::Stress)
+      F[4] = theta * own[4];
+    const double stored = Law::template energy<D, P>(law, own, history);
+    double slope = -at.expansion() * inverse * trace<D>(tau);
+    if (at.varies())
+      slope += Law::template energy<D, P>(at.slope(), own, history);
+    const double T0 = at.material.reference;
+    internal = stored - temperature * slope + at.heat() +
+               0.5 * at.material.coupling * (temperature - T0) * (temperature + T0) +
+               (1.0 - at.material.plasticHeat) * dissipatedEnergy<D>(law, history);
+    const double speed = Law::template waveSpeed<D, P>(law, own, history);
+    // Adiabatic bulk modulus: K + T (3 K alpha)^2 / (rho c).
+    const double push = 3.0 * law.bulk * at.expansion();
+    wave = std::sqrt(speed * speed + temperature * push * push / (at.capacity() * law.density));
+    return good;
+  }
+};
+
+/// Elastic energy stored at a temperature [J/m3].
+struct ThermoEnergy
+{
+  const ThermoPoint& at;
+  const double* F;
+  const double* history;
+
+  template <class Law, int D, Plane P>
+  KOKKOS_INLINE_FUNCTION double run() const
+  {
+    const double inverse = 1.0 / at.stretch();
+    double own[gradientSize<D>];
+    for (int k = 0; k < gradientSize<D>; ++k)
+      own[k] = inverse * F[k];
+    return Law::template energy<D, P>(at.properties(), own, history);
+  }
+};
+
+} // namespace Rhegma
