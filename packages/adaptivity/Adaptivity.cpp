@@ -53,16 +53,23 @@ Section section()
       .optional("the velocity does not matter")
       .meaning("A cell over which the velocity changes by more than this is refined: its edge times the "
                "mean velocity gradient of the particles in it.");
+  s.real("Temperature Change")
+      .unit("K")
+      .positive()
+      .optional("the temperature does not matter")
+      .meaning("With Thermal: a cell over which the temperature changes by more than this is refined: its "
+               "edge times "
+               "the mean temperature gradient of the particles in it.");
   s.real("Coarsening")
       .above(0.0)
       .below(1.0)
       .byDefault(0.5)
       .meaning("Cells become larger where the change over the larger cell is below this share of Velocity "
-               "Change; near 1 cells switch back and forth.");
+               "Change or Temperature Change; near 1 cells switch back and forth.");
   s.integer("Buffer Cells")
       .range(0, 16)
       .byDefault(1)
-      .meaning("Rings of cells that are refined around those over which the velocity changes.");
+      .meaning("Rings of cells that are refined around those over which velocity or temperature changes.");
   s.integer("Interval")
       .atLeast(1)
       .byDefault(10)
@@ -104,13 +111,16 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
             {"Adaptivity > " + name + " > Level", "it is deeper than Maximum Level, which is " +
                                                       std::to_string(list.get<int>("Maximum Level")) +
                                                       "; write one of the two anew"});
+  if (list.isParameter("Temperature Change") && !scene.isSublist("Thermal"))
+    errors.push_back({"Adaptivity > Temperature Change",
+                      "the scene has no temperatures; add the section Thermal or leave it out"});
   const bool fronts = scene.isSublist("Cracks") &&
                       !(list.isType<double>("Front Cells") && list.get<double>("Front Cells") == 0.0);
-  if (!fronts && !list.isParameter("Velocity Change") && sublistNames(list).empty())
-    errors.push_back(
-        {"Adaptivity",
-         "nothing tells where cells should be refined; write Velocity Change, add a box, or have "
-         "Cracks with Front Cells above 0"});
+  if (!fronts && !list.isParameter("Velocity Change") && !list.isParameter("Temperature Change") &&
+      sublistNames(list).empty())
+    errors.push_back({"Adaptivity", "nothing tells where cells should be refined; write Velocity Change or "
+                                    "Temperature Change, add a box, or have "
+                                    "Cracks with Front Cells above 0"});
 }
 
 /// How many levels take steps shorter than the run's.
@@ -129,6 +139,8 @@ Options<D> readOptions(const Teuchos::ParameterList& list)
   criteria.frontCells = list.get<double>("Front Cells");
   if (list.isParameter("Velocity Change"))
     criteria.velocityChange = list.get<double>("Velocity Change");
+  if (list.isParameter("Temperature Change"))
+    criteria.temperatureChange = list.get<double>("Temperature Change");
   criteria.coarsening = list.get<double>("Coarsening");
   criteria.buffer = list.get<int>("Buffer Cells");
   options.interval = list.get<int>("Interval");

@@ -148,16 +148,19 @@ void refineFronts(const State<D>& state, const Criteria<D>& criteria, const Bran
     }
 }
 
-/// Refines cells over which the velocity changes much, and rings of cells of their size around them.
+/// Refines cells over which the quantity of a gradient changes much, and rings of cells of their size around
+/// them.
 template <int D>
-void refineByVelocity(const State<D>& state, const Criteria<D>& criteria, Branches<D>& branches)
+void refineByChange(const State<D>& state, const Criteria<D>& criteria, double threshold,
+                    const std::string& gradient, Branches<D>& branches)
 {
-  if (!(criteria.velocityChange > 0.0) || state.step == 0)
+  // Before the first step nobody knows a gradient.
+  if (!(threshold > 0.0) || state.step == 0)
     return;
   const Grid<D>& grid = branches.grid();
-  const double keeping = criteria.coarsening * criteria.velocityChange;
+  const double keeping = criteria.coarsening * threshold;
   for (const LevelCell<D>& cell :
-       cellsOfFastChange(state, criteria.velocityChange, keeping, criteria.maximumLevel))
+       cellsOfFastChange(state, threshold, keeping, criteria.maximumLevel, gradient))
   {
     const CellRange<D> domain = cellsIn(grid, cell.level, grid.lower, grid.upper);
     CellRange<D> range;
@@ -178,7 +181,8 @@ Branches<D> wantedBranches(const State<D>& state, const Criteria<D>& criteria, c
   Branches<D> branches(state.grid);
   refineRegions(criteria, branches);
   refineFronts(state, criteria, now, branches);
-  refineByVelocity(state, criteria, branches);
+  refineByChange(state, criteria, criteria.velocityChange, fields::rate, branches);
+  refineByChange(state, criteria, criteria.temperatureChange, fields::temperatureGradient, branches);
   branches.balance();
   return branches;
 }

@@ -9,7 +9,7 @@ namespace Rhegma::adaptivity
 namespace
 {
 
-/// Volume and integral of the velocity gradient.
+/// Volume and integral of the gradient, of which some components may not be in use.
 template <int D>
 struct GradientSum
 {
@@ -55,19 +55,20 @@ using LevelSums = std::map<std::array<int, D>, GradientSum<D>>;
 /// Sums of all leaves that hold particles, by level. Added on the host in the order of the particles, so that
 /// what is refined does not depend on the number of threads.
 template <int D>
-std::vector<LevelSums<D>> sumOverLeaves(const State<D>& state)
+std::vector<LevelSums<D>> sumOverLeaves(const State<D>& state, const std::string& gradient)
 {
   const auto host = [](const auto& view)
   { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
   const auto leafOf = host(leavesOf(state));
   const auto volume = host(state.particles.scalar(fields::volume));
-  const auto rate = host(state.particles.table(fields::rate));
+  const auto rate = host(state.particles.table(gradient));
+  const int components = static_cast<int>(rate.extent(1));
   std::vector<GradientSum<D>> lattice(state.grid.numNodes), leaves(state.tree.leafLevel.extent(0));
   for (int p = 0; p < state.particles.size(); ++p)
   {
     GradientSum<D>& sum = leafOf(p) < 0 ? lattice[-1 - leafOf(p)] : leaves[leafOf(p)];
     sum.volume += volume(p);
-    for (int k = 0; k < D * D; ++k)
+    for (int k = 0; k < components; ++k)
       sum.gradient[k] += volume(p) * rate(p, k);
   }
   std::vector<LevelSums<D>> sums(state.tree.deepest + 1);
@@ -97,9 +98,9 @@ std::vector<LevelSums<D>> sumOverLeaves(const State<D>& state)
 
 template <int D>
 std::vector<LevelCell<D>> cellsOfFastChange(const State<D>& state, double threshold, double keeping,
-                                            int deepest)
+                                            int deepest, const std::string& gradient)
 {
-  std::vector<LevelSums<D>> leaves = sumOverLeaves(state);
+  std::vector<LevelSums<D>> leaves = sumOverLeaves(state, gradient);
   std::vector<LevelCell<D>> wanted;
   LevelSums<D> refined; // of the level that is looked at
   for (int level = state.tree.deepest; level >= 0; --level)
@@ -125,7 +126,9 @@ std::vector<LevelCell<D>> cellsOfFastChange(const State<D>& state, double thresh
   return wanted;
 }
 
-template std::vector<LevelCell<2>> cellsOfFastChange(const State<2>&, double, double, int);
-template std::vector<LevelCell<3>> cellsOfFastChange(const State<3>&, double, double, int);
+template std::vector<LevelCell<2>> cellsOfFastChange(const State<2>&, double, double, int,
+                                                     const std::string&);
+template std::vector<LevelCell<3>> cellsOfFastChange(const State<3>&, double, double, int,
+                                                     const std::string&);
 
 } // namespace Rhegma::adaptivity

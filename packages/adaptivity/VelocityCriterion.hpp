@@ -1,10 +1,11 @@
 #pragma once
-/// Which cells the velocity wants to be refined.
+/// Which cells the velocity, or the temperature, wants to be refined.
 
 #include "grid/Branches.hpp"
 #include "state/State.hpp"
 
 #include <array>
+#include <string>
 #include <vector>
 
 namespace Rhegma::adaptivity
@@ -18,17 +19,17 @@ struct LevelCell
   std::array<int, D> at;
 };
 
-/// Cells over which the velocity changes too much: their edge times the Frobenius norm of the velocity
-/// gradient, averaged over the volume of the particles in the cell. The mean is what the cell's own nodes
-/// could show; gradients that alternate from particle to particle cancel in it.
+/// Cells over which a quantity changes too much: their edge times the Frobenius norm of its gradient,
+/// averaged over the volume of the particles in the cell. The mean is what the cell's own nodes could show;
+/// gradients that alternate from particle to particle cancel in it.
 ///
-/// \param state its particles carry fields::rate
-/// \param threshold of a leaf [m/s]
-/// \param keeping of a cell that is refined already: the mean is that over all of it [m/s]
+/// \param threshold of a leaf, in the unit of the quantity
+/// \param keeping of a cell that is refined already: the mean is that over all of it
 /// \param deepest leaves of this level and deeper are left as they are
+/// \param gradient field of the particles that holds it
 /// \return leaves above `threshold` and refined cells above `keeping`, by level and place
 template <int D>
 std::vector<LevelCell<D>> cellsOfFastChange(const State<D>& state, double threshold, double keeping,
-                                            int deepest);
+                                            int deepest, const std::string& gradient = fields::rate);
 
 } // namespace Rhegma::adaptivity

@@ -2,6 +2,7 @@
 
 #include "parallel/Subdomain.hpp"
 #include "scene/Numbers.hpp"
+#include "transfer/Stencils.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -27,15 +28,19 @@ void Conduction<D>::measure(const State<D>& state)
   const auto materials = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.thermo.material);
   const auto knots = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.thermo.knot);
   diffusivity = 0.0;
-  leastCapacity = std::numeric_limits<double>::infinity();
+  leastCapacity = leastDiffusivity = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < materials.extent(0); ++m)
   {
-    double ratio = 0.0;
+    double ratio = 0.0, least = 1e300;
     for (int d = 0; d < D; ++d)
+    {
       ratio = std::max(ratio, materials(m).ratio[d]);
+      least = std::min(least, materials(m).ratio[d]);
+    }
     for (int k = materials(m).first; k < materials(m).first + materials(m).count; ++k)
     {
       diffusivity = std::max(diffusivity, ratio * knots(k).conductivity / knots(k).capacity);
+      leastDiffusivity = std::min(leastDiffusivity, least * knots(k).conductivity / knots(k).capacity);
       leastCapacity = std::min(leastCapacity, knots(k).capacity);
     }
   }
@@ -65,8 +70,8 @@ double Conduction<D>::sourceLimit(const State<D>& state) const
 template <int D>
 double Conduction<D>::supplyAll(State<D>& state, double dt, double time)
 {
-  const bool fronts = frontFraction > 0.0 && !state.cracks.fronts.empty();
-  if (sources.empty() && !fronts)
+  const bool heated = frontFraction > 0.0 && !state.cracks.fronts.empty();
+  if (sources.empty() && !heated)
     return 0.0;
   if (static_cast<int>(supply.extent(0)) < state.particles.size())
     supply = View<double*>("rhegma::thermal::supply", state.particles.size());
@@ -77,7 +82,7 @@ double Conduction<D>::supplyAll(State<D>& state, double dt, double time)
     power += books ? addSource(state, source, time, supply) : (addSource(state, source, time, supply), 0.0);
   for (CrackFront<D>& front : state.cracks.fronts)
   {
-    if (!fronts || front.spent == 0.0)
+    if (!heated || front.spent == 0.0)
       continue;
     const double heat = frontFraction * front.spent;
     const double added =
@@ -104,8 +109,46 @@ void Conduction<D>::once(State<D>& state, double dt, double time, const View<dou
   if (state.subdomain)
     state.subdomain->halo.sum(nodes.rate.data(), 2, 0, 1);
   heat += changeTemperature(state, nodes, dt);
-  changeToParticles(state, nodes);
+  // What nodes can't see fades in the time that heat takes through a cell: ten times slower than waves of its
+  // length would. By the least of the diffusivities, since particles of several materials share it.
+  const double h = state.smallestSpacing();
+  changeToParticles(state, nodes, -std::expm1(-leastDiffusivity * dt / (h * h)));
   state.energy.heat += heat;
+}
+
+/// Gives fronts the temperature of the nodes around them.
+template <int D>
+void Conduction<D>::tellFronts(State<D>& state)
+{
+  const int count = static_cast<int>(state.cracks.fronts.size());
+  if (count == 0)
+    return;
+  if (static_cast<int>(fronts.side.extent(0)) < count)
+  {
+    fronts.position = View<double* [D]>("rhegma::thermal::fronts", count);
+    fronts.half = View<double* [D]>("rhegma::thermal::frontHalf", count);
+    fronts.side = View<int*>("rhegma::thermal::frontSide", count);
+  }
+  fronts.count = count;
+  const auto place = Kokkos::create_mirror_view(fronts.position);
+  for (int f = 0; f < count; ++f)
+    for (int d = 0; d < D; ++d)
+      place(f, d) = state.cracks.fronts[f].position[d];
+  Kokkos::deep_copy(fronts.position, place);
+  pointStencils(state, fronts, frontStencils, true);
+  const auto number = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, frontStencils.count);
+  const auto node = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, frontStencils.node);
+  const auto weight = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, frontStencils.weight);
+  const auto value = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, nodes.value);
+  const auto held = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, nodes.held);
+  for (int f = 0; f < count; ++f)
+  {
+    double T = 0.0;
+    for (int k = 0; k < number(f); ++k)
+      T += weight(f, k) * (value(node(f, k), 0) + (held(node(f, k)) == 0 ? value(node(f, k), 1) : 0.0));
+    if (number(f) > 0)
+      state.cracks.fronts[f].temperature = T;
+  }
 }
 
 template <int D>
@@ -116,7 +159,8 @@ void Conduction<D>::step(State<D>& state)
   const double limit = stepLimit(state);
   if (state.mechanics && waited < longestWait && pending + state.dt <= waitingShare * limit)
     return;
-  if (!warned)
+  // Cells that adapt have had a look at the sources by then.
+  if (!warned && state.step >= 32)
   {
     warned = true;
     for (const Source<D>& source : sources)
@@ -147,6 +191,7 @@ void Conduction<D>::step(State<D>& state)
     state.energy.heat += dt * power;
     once(state, dt, time, supply.extent(0) > 0 ? supply : none);
   }
+  tellFronts(state);
   pending = 0.0;
   waited = 0;
 }

@@ -16,12 +16,15 @@ struct Conduction
   std::vector<Source<D>> sources;
   HeatBoundaries<D> boundaries;
   HeatNodes<D> nodes;
-  View<double*> supply;       ///< of each particle [W]
-  double pending = 0.0;       ///< time since the last step of conduction [s]
-  int waited = 0;             ///< steps since then
-  double diffusivity = 0.0;   ///< largest of the materials [m2/s]
-  double leastCapacity = 0.0; ///< least of the materials [J/(m3 K)]
+  View<double*> supply;          ///< of each particle [W]
+  double pending = 0.0;          ///< time since the last step of conduction [s]
+  int waited = 0;                ///< steps since then
+  double diffusivity = 0.0;      ///< largest of the materials [m2/s]
+  double leastDiffusivity = 0.0; ///< least of the materials [m2/s]
+  double leastCapacity = 0.0;    ///< least of the materials [J/(m3 K)]
   bool warned = false;
+  ObservedPoints<D> fronts; ///< of cracks
+  StencilTable<D> frontStencils;
 
   /// Finds the largest diffusivity. To be called when the state's tables are there.
   void measure(const State<D>& state);
@@ -40,6 +43,7 @@ struct Conduction
 
 private:
   void once(State<D>& state, double dt, double time, const View<double*>& supplied);
+  void tellFronts(State<D>& state);
   double supplyAll(State<D>& state, double dt, double time);
 };
 

@@ -55,7 +55,8 @@ template <int D, class Connect>
 struct FluxBlock
 {
   Connect connect;
-  View<double*[2]> value, rate;
+  View<double* [4]> value;
+  View<double* [2]> rate;
   ThermoTables tables;
   View<double* [D][D]> axes;
   BorrowedView<double* [D]> gradient;
@@ -72,7 +73,7 @@ struct FluxBlock
                             [&](int p, const auto& stencil)
                             {
                               Pack<2> slope[D];
-                              stencil.template valueAndGradient<2>(rows, slope);
+                              stencil.template valueAndGradient<4>(rows, slope);
                               double g[D], flow[D];
                               for (int d = 0; d < D; ++d)
                                 gradient(p, d) = g[d] = slope[d][0];
@@ -117,10 +118,11 @@ template <int D, class Connect>
 struct ChangeBlock
 {
   Connect connect;
-  View<double* [2]> value;
+  View<double* [4]> value;
   ThermoTables tables;
   BorrowedView<double*> temperature, internal;
   BorrowedView<int*> material;
+  double share;
   bool mechanics;
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
@@ -129,7 +131,8 @@ struct ChangeBlock
     connect.forEachParticle(begin, end,
                             [&](int p, const auto& stencil)
                             {
-                              const double change = stencil.template value<2, 2>(rows)[1];
+                              const Pack<4> seen = stencil.template value<4, 4>(rows);
+                              const double change = seen[1] + share * (seen[2] - temperature(p));
                               const ThermoPoint at(tables, material(p), temperature(p));
                               internal(p) += at.capacity() * change;
                               // What moves finds its temperature with its stress, from what it holds.
@@ -150,7 +153,7 @@ void HeatNodes<D>::clear(const State<D>& state)
   {
     sums = View<double* [sumWidth]>("rhegma::thermal::sums", rows);
     rate = View<double* [2]>("rhegma::thermal::rate", rows);
-    value = View<double* [2]>("rhegma::thermal::value", rows);
+    value = View<double* [4]>("rhegma::thermal::value", rows);
     held = View<char*>("rhegma::thermal::held", rows);
   }
   const Nodes<D> nodes = state.nodes;
@@ -205,6 +208,7 @@ void findTemperature(State<D>& state, const HeatNodes<D>& heat)
           sum += x[d] * heat.sums(n, HeatNodes<D>::momentAt + d);
         heat.value(n, 0) = capacity > 0.0 ? sum / capacity : 0.0;
         heat.value(n, 1) = 0.0;
+        heat.value(n, 2) = heat.value(n, 0);
         // Points on surfaces look for nodes with mass, by ratios alone.
         if (!mechanics)
           nodes.sums(n, Nodes<D>::massAt) = capacity;
@@ -255,7 +259,7 @@ double changeTemperature(const State<D>& state, const HeatNodes<D>& heat, double
 }
 
 template <int D>
-void changeToParticles(State<D>& state, const HeatNodes<D>& nodes)
+void changeToParticles(State<D>& state, const HeatNodes<D>& nodes, double share)
 {
   withConnectivity(state,
                    [&](const auto& connect)
@@ -268,6 +272,7 @@ void changeToParticles(State<D>& state, const HeatNodes<D>& nodes)
                                                          table.scalar(fields::temperature),
                                                          table.scalar(fields::internalEnergy),
                                                          table.integer(fields::material),
+                                                         share,
                                                          state.mechanics};
                      forEachBlock("rhegma::thermal::changeToParticles", state.blocks, block);
                    });
@@ -283,7 +288,7 @@ template void fluxToNodes(const State<2>&, const HeatNodes<2>&, const View<doubl
 template void fluxToNodes(const State<3>&, const HeatNodes<3>&, const View<double*>&);
 template double changeTemperature(const State<2>&, const HeatNodes<2>&, double);
 template double changeTemperature(const State<3>&, const HeatNodes<3>&, double);
-template void changeToParticles(State<2>&, const HeatNodes<2>&);
-template void changeToParticles(State<3>&, const HeatNodes<3>&);
+template void changeToParticles(State<2>&, const HeatNodes<2>&, double);
+template void changeToParticles(State<3>&, const HeatNodes<3>&, double);
 
 } // namespace Rhegma::thermal

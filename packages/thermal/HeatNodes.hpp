@@ -17,9 +17,11 @@ struct HeatNodes
   /// Heat capacity C [J/K]; sum N c (T - g.x) [J] and sum N c g [J/m], x from the origin of the lattice, c
   /// the capacity of a particle, T its temperature and g its temperature gradient.
   View<double* [sumWidth]> sums;
-  View<double* [2]> rate;  ///< heat that flows in [W]; the second column is not used
-  View<double* [2]> value; ///< temperature [K], and its change over the step [K]
-  View<char*> held;        ///< not 0 where the temperature is prescribed
+  View<double* [2]> rate; ///< heat that flows in [W]; the second column is not used
+  /// Temperature [K], prescribed where it is held; its change over the step [K]; the temperature as projected
+  /// [K].
+  View<double* [4]> value;
+  View<char*> held; ///< not 0 where the temperature is prescribed
 
   /// Makes room for the nodes of the state and clears those in use.
   void clear(const State<D>& state);
@@ -46,7 +48,11 @@ double changeTemperature(const State<D>& state, const HeatNodes<D>& nodes, doubl
 
 /// Gives the particles the change of the nodes' temperature: their heat changes by just as much as that of
 /// the nodes.
+///
+/// Of what the nodes can't see, differences between the particles of a cell, a share is taken away: T +=
+/// share (sum N_i T_i - T) with the projected T_i, which leaves linear fields and the heat of all particles
+/// as they are.
 template <int D>
-void changeToParticles(State<D>& state, const HeatNodes<D>& nodes);
+void changeToParticles(State<D>& state, const HeatNodes<D>& nodes, double share);
 
 } // namespace Rhegma::thermal

@@ -22,7 +22,6 @@ struct Probe
 {
   std::string name;
   Vector<D> place;
-  double temperature = 0.0; ///< as last observed [K]
 };
 
 /// What a run has of heat beside its particles.
@@ -32,7 +31,6 @@ struct Run
   Conduction<D> conduction;
   std::vector<Probe<D>> probes;
   double initial = 0.0, finalTime = 0.0;
-  Extremes<D> last;
 };
 
 template <int D>
@@ -54,46 +52,61 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
     run.conduction.boundaries.read(scene.sublist("Boundaries"), state);
   startTemperature(state, scene.sublist("Bodies"), run.initial);
   startEnergy(state);
+  for (CrackFront<D>& front : state.cracks.fronts)
+    front.temperature = run.initial;
   state.afterSplit.push_back([](State<D>& s, const SplitParts& parts) { followGradient(s, parts); });
-  run.last = extremes(state);
 }
 
 template <int D>
-void observe(State<D>& state, Run<D>& run)
+void observe(State<D>& state, const Run<D>& run)
 {
-  run.last = extremes(state);
-  state.row.emplace_back("temperature_highest", run.last.highest);
-  state.row.emplace_back("temperature_lowest", run.last.lowest);
-  for (Probe<D>& probe : run.probes)
-  {
-    probe.temperature = temperatureAt(state, probe.place);
-    state.row.emplace_back(probe.name + ".temperature", probe.temperature);
-  }
+  const Extremes<D> now = extremes(state);
+  state.row.emplace_back("temperature_highest", now.highest);
+  state.row.emplace_back("temperature_lowest", now.lowest);
+  for (const Probe<D>& probe : run.probes)
+    state.row.emplace_back(probe.name + ".temperature", temperatureAt(state, probe.place));
   for (const CrackFront<D>& front : state.cracks.fronts)
     state.row.emplace_back(state.cracks.cracks[front.crack].name + "." + std::to_string(front.number) +
                                ".temperature",
                            front.temperature);
-  if (!(run.last.lowest > 0.0) && state.trouble.empty())
-    state.trouble = "a particle is at " + formatReal(run.last.lowest) +
+  if (!(now.lowest > 0.0) && state.trouble.empty())
+    state.trouble = "a particle is at " + formatReal(now.lowest) +
                     " K, and temperatures are absolute; look at the sources and at what flows out";
 }
 
 template <int D>
 void report(const State<D>& state, const Run<D>& run, nlohmann::json& summary)
 {
+  const Extremes<D> now = extremes(state);
   nlohmann::json where = nlohmann::json::array();
   for (int d = 0; d < D; ++d)
-    where.push_back(run.last.where[d]);
+    where.push_back(now.where[d]);
   nlohmann::json& temperature = summary["temperature"];
-  temperature = {{"peak", run.last.highest},
-                 {"peak_rise", run.last.highest - run.initial},
+  temperature = {{"peak", now.highest},
+                 {"peak_rise", now.highest - run.initial},
                  {"where", where},
-                 {"lowest", run.last.lowest},
+                 {"lowest", now.lowest},
                  {"probes", nlohmann::json::object()}};
   for (const Probe<D>& probe : run.probes)
-    temperature["probes"][probe.name] = {{"temperature", probe.temperature},
-                                         {"rise", probe.temperature - run.initial}};
-  static_cast<void>(state);
+  {
+    const double here = temperatureAt(state, probe.place);
+    temperature["probes"][probe.name] = {{"temperature", here}, {"rise", here - run.initial}};
+  }
+}
+
+/// Adds the fronts' temperatures to the cracks of the summary, where their effect has written them.
+template <int D>
+void reportFronts(const State<D>& state, nlohmann::json& summary)
+{
+  for (const CrackFront<D>& front : state.cracks.fronts)
+  {
+    nlohmann::json& cracks = summary["cracks"];
+    if (front.crack >= static_cast<int>(cracks.size()) || !cracks[front.crack].contains("fronts"))
+      continue;
+    nlohmann::json& fronts = cracks[front.crack]["fronts"];
+    if (front.number < static_cast<int>(fronts.size()))
+      fronts[front.number]["temperature"] = front.temperature;
+  }
 }
 
 template <int D>
@@ -112,7 +125,11 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  run->conduction.step(state);
                }});
   effect.call({Stage::Observe, "temperatures", {}, {}, {}, [run](State<D>& state) { observe(state, *run); }});
-  effect.report = [run](const State<D>& state, nlohmann::json& summary) { report(state, *run, summary); };
+  effect.report = [run](const State<D>& state, nlohmann::json& summary)
+  {
+    report(state, *run, summary);
+    reportFronts(state, summary);
+  };
   effect.timeStepLimit = [run](const State<D>& state)
   {
     const double sources = run->conduction.sourceLimit(state);
@@ -121,8 +138,20 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     // Heat that goes nowhere still has sources that change with time.
     return std::min({run->conduction.stepLimit(state), sources, run->finalTime / 100.0});
   };
-  effect.memory = [run](State<D>&, Archive& archive)
+  effect.memory = [run](State<D>& state, Archive& archive)
   {
+    std::vector<double> ofFronts;
+    for (const CrackFront<D>& front : state.cracks.fronts)
+    {
+      ofFronts.push_back(front.temperature);
+      ofFronts.push_back(front.spent);
+    }
+    archive("fronts", ofFronts, 2);
+    for (std::size_t f = 0; f < std::min(state.cracks.fronts.size(), ofFronts.size() / 2); ++f)
+    {
+      state.cracks.fronts[f].temperature = ofFronts[2 * f];
+      state.cracks.fronts[f].spent = ofFronts[2 * f + 1];
+    }
     archive("pending", run->conduction.pending);
     archive("waited", run->conduction.waited);
     archive("warned", run->conduction.warned);

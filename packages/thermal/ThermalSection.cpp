@@ -102,6 +102,9 @@ void checkWithout(const Teuchos::ParameterList& scene, std::vector<SceneError>& 
 
 void checkAlone(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
+  if (hasSection(scene, "Adaptivity") && scene.sublist("Adaptivity").isParameter("Velocity Change"))
+    errors.push_back({"Adaptivity > Velocity Change",
+                      "nothing moves, for Thermal > Mechanics is false; write Temperature Change"});
   for (const char* name :
        {"Contact", "Damping", "Energy Release", "Face Pressure", "Mass Matrix", "Propagation", "Sub-Cycling"})
     if (hasSection(scene, name))

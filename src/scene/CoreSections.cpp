@@ -104,7 +104,7 @@ void heat(Section& s)
       .unit("W/(m K)")
       .notNegative()
       .optional("no heat flows")
-      .meaning("Of heat.");
+      .meaning("How well it conducts heat.");
   s.realArray("Conductivity Ratios")
       .perAxis()
       .optional("all 1")

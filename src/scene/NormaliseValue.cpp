@@ -271,7 +271,7 @@ std::optional<std::string> normaliseValue(Teuchos::ParameterList& list, const Pa
                                           int dimension)
 {
   const ParameterEntry entry = list.getEntry(parameter.name);
-  if (const auto table = text(entry); parameter.mayBeTable && table && !parseReal(*table))
+  if (const auto table = text(entry); parameter.mayBeTable && table && table->find(':') != std::string::npos)
     return wrongTable(parameter, *table);
   const auto value = convert(entry, parameter.type);
   const std::string given = found(entry);
@@ -304,7 +304,7 @@ std::optional<ParameterValue> valueFromText(const Parameter& parameter, const st
   switch (parameter.type)
   {
   case ParameterType::Real:
-    if (parameter.mayBeTable && !parseReal(given))
+    if (parameter.mayBeTable && given.find(':') != std::string::npos)
       return ParameterValue(given);
     return pack(parseReal(given));
   case ParameterType::Integer:

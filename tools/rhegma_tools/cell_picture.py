@@ -6,7 +6,8 @@ from matplotlib.patches import Patch
 
 from . import style
 from .deformation import magnified_faces
-from .field_picture import STRESSES, choose_view, colour_scale, crack_segments, draw_crack, draw_particles, particle_outlines
+from .field_picture import (QUANTITIES, choose_view, colour_scale, crack_segments, draw_crack, draw_particles,
+                            heat_scale, particle_outlines, quantity_shown, unit_of)
 from .style import plt
 
 SHADES = ["#F2F2F2", "#CFE3F2", "#8FC1E3", "#4492C6", "#1B669E", "#0B4271", "#062746"]  # of levels 0, 1, ...
@@ -44,15 +45,16 @@ def draw_cells(fields, title, path, stress="principal"):
     that are drawn larger."""
     view = choose_view(fields)
     low, high, level = leaf_rectangles(fields.leaves, view)
-    values = fields.largest_principal_stress() if stress == "principal" else fields.von_mises
+    stress = quantity_shown(fields, stress)
+    values = fields.values(stress)
     outlines, drawn = particle_outlines(fields, view, 1.0)
     body = low.min(axis=0), high.max(axis=0)
     length_factor, length_unit = style.scale(float(np.max(body[1] - body[0])), "m")
     corner, opposite = close_up(low, high, level)
     place = view.flat(fields.position[drawn])
     seen = values[drawn][np.all((place >= corner) & (place <= opposite), axis=1)]
-    stress_factor, stress_unit = style.scale(float(np.percentile(np.abs(seen), 99.5)), "Pa")
-    colour_map, norm = colour_scale(seen * stress_factor)
+    stress_factor, stress_unit = unit_of(stress, seen)
+    colour_map, norm = (heat_scale if stress == "temperature" else colour_scale)(seen * stress_factor)
     rectangles = rectangle_outlines(low, high) * length_factor
     segments = []
     if fields.crack is not None:
@@ -110,7 +112,7 @@ def draw_cells(fields, title, path, stress="principal"):
         axes.set_ylabel(f"{names[1]} [{unit}]")
         axes.set_xlabel(f"{names[0]} [{unit}]")
     bar = figure.colorbar(particles, ax=close, extend="both", shrink=0.95, aspect=22, pad=0.02)
-    bar.set_label(f"{STRESSES[stress]} [{stress_unit}]")
+    bar.set_label(f"{QUANTITIES[stress]} [{stress_unit}]")
     bar.outline.set_linewidth(0.6)
     style.save(figure, path)
     return len(fields.leaves.level)

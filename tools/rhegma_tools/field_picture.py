@@ -9,7 +9,19 @@ from .deformation import automatic_magnification, crack_normals, curved_at_front
 from .style import plt
 
 MOST = 250_000  # particles drawn; of more, every second, third, ... is drawn larger
-STRESSES = {"principal": "largest principal stress", "mises": "von Mises stress"}
+QUANTITIES = {"principal": "largest principal stress", "mises": "von Mises stress", "temperature": "temperature"}
+
+
+def quantity_shown(fields, quantity):
+    """The quantity itself, or temperature where the run had no stress."""
+    return "temperature" if fields.stress is None else quantity
+
+
+def unit_of(quantity, values):
+    """Factor and unit of the values: kelvins as they are, pascals with a prefix."""
+    if quantity == "temperature":
+        return 1.0, "K"
+    return style.scale(float(np.percentile(np.abs(values), 99.5)), "Pa")
 
 
 class View:
@@ -69,6 +81,12 @@ def colour_scale(values):
     if low >= 0.0 or -low <= 0.1 * high:
         return "viridis", Normalize(min(low, 0.0) if low < 0.25 * high else low, high)
     return "viridis", Normalize(low, high)
+
+
+def heat_scale(values):
+    """Map and limits of temperatures: from the lowest to the highest, for the peak is what one looks for."""
+    low, high = float(values.min()), float(values.max())
+    return "inferno", Normalize(low, high if high > low else low + 1.0)
 
 
 def particle_outlines(fields, view, magnification):
@@ -163,16 +181,17 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
     if magnification is None:
         magnification = automatic_magnification(fields.position, fields.displacement)
     view = choose_view(fields)
-    values = fields.largest_principal_stress() if stress == "principal" else fields.von_mises
+    stress = quantity_shown(fields, stress)
+    values = fields.values(stress)
     outlines, drawn = particle_outlines(fields, view, magnification)
     low = np.min([outline.min(axis=0) for outline in outlines], axis=0)
     high = np.max([outline.max(axis=0) for outline in outlines], axis=0)
     length_factor, length_unit = style.scale(float(np.max(high - low)), "m")
     low, high = low * length_factor, high * length_factor
     outlines = [outline * length_factor for outline in outlines]
-    stress_factor, stress_unit = style.scale(float(np.percentile(np.abs(values[drawn]), 99.5)), "Pa")
+    stress_factor, stress_unit = unit_of(stress, values[drawn])
     values = values[drawn] * stress_factor
-    colour_map, norm = colour_scale(values)
+    colour_map, norm = heat_scale(values) if stress == "temperature" else colour_scale(values)
 
     segments, places = [], []
     if fields.crack is not None:
@@ -223,7 +242,7 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
         (bool(values.min() < norm.vmin), bool(values.max() > norm.vmax))
     ]
     bar = figure.colorbar(particles, ax=list(axes.flat), extend=extend, shrink=0.9, aspect=28, pad=0.02)
-    bar.set_label(f"{STRESSES[stress]} [{stress_unit}]")
+    bar.set_label(f"{QUANTITIES[stress]} [{stress_unit}]")
     bar.outline.set_linewidth(0.6)
     style.save(figure, path)
     return magnification

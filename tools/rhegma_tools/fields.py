@@ -41,8 +41,10 @@ class Fields:
         self.time = time
         self.position = particles["position"]
         self.displacement = particles["displacement"]
-        self.stress = particles["stress"]
-        self.von_mises = particles["von_mises"]
+        self.stress = particles.get("stress")  # None where the run had heat alone
+        self.von_mises = particles.get("von_mises")
+        temperature = particles.get("temperature")
+        self.temperature = None if temperature is None else temperature.reshape(len(temperature))
         self.deformation = particles["deformation"].reshape(-1, 3, 3)
         self.edges = particles["edges"].reshape(-1, 3, 3)
         self.crack = crack
@@ -62,6 +64,12 @@ class Fields:
         """Edge vectors (n, 3, 3) of boxes as they are now, with displacements magnified: (1 + m (F - 1)) E."""
         change = self.deformation[chosen] - np.eye(3)
         return self.edges[chosen] + magnification * np.einsum("nij,nej->nei", change, self.edges[chosen])
+
+    def values(self, quantity):
+        """What to colour particles by: "principal" or "mises" [Pa], "temperature" [K]; the last where nothing else is."""
+        if quantity == "temperature" or self.stress is None:
+            return self.temperature
+        return self.largest_principal_stress() if quantity == "principal" else self.von_mises
 
     def largest_principal_stress(self):
         """Largest eigenvalue of every particle's stress [Pa]."""
@@ -101,7 +109,9 @@ def read_fields(folder, time=None):
                 name = min(times, key=lambda n: abs(float(file[n].attrs["time"]) - time))
             chosen = file[name]
             group = chosen["particles"]
-            names = ["position", "displacement", "stress", "von_mises", "deformation", "edges"]
+            names = ["position", "displacement", "deformation", "edges"]
+            names += ["stress", "von_mises"] if "stress" in group or "temperature" not in group else []
+            names += ["temperature"] if "temperature" in group else []
             particles = {name: np.asarray(group[name], dtype=float) for name in names}
             fields = Fields(float(chosen.attrs["time"]), particles, read_crack(chosen.get("cracks")),
                             read_leaves(chosen.get("leaves")))
@@ -109,6 +119,6 @@ def read_fields(folder, time=None):
         raise Problem(f"{path} can't be read; it is truncated, still being written or not a file of fields ({error}).")
     if fields.position.shape[0] == 0:
         raise Problem(f"{path} holds no particle at {fields.time:g} s.")
-    if not (np.isfinite(fields.position).all() and np.isfinite(fields.stress).all()):
+    if not all(np.isfinite(v).all() for v in (fields.position, fields.stress, fields.temperature) if v is not None):
         raise Problem(f"{path} holds numbers that are not finite at {fields.time:g} s; the run was unstable.")
     return fields

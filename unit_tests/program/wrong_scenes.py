@@ -326,7 +326,7 @@ HEAT = [
      one(POLYMER + "Conductivity", "absolute")),
     ("table_of_a_wrong_value", warm().set(MODULUS, "300:3e9, 400:-1").remove("Energy Release"),
      one(MODULUS, "above 0")),
-    ("table_that_is_none", warm().set(MODULUS, "300;3e9").remove("Energy Release"), one(MODULUS, "293:3e9")),
+    ("table_that_is_none", warm().set(MODULUS, "300:3e9; 400:2e9").remove("Energy Release"), one(MODULUS, "293:3e9")),
     ("table_without_heat", plate().set(MODULUS, "300:3e9, 400:2e9"),
      one("Materials > Polymer", "table of temperature", "Thermal")),
     ("heat_alone_with_a_load", warm(Mechanics=False).remove("Energy Release"),
