@@ -66,6 +66,30 @@ double Conduction<D>::sourceLimit(const State<D>& state) const
   return limit;
 }
 
+/// Adds the heat of what growth has taken since it was last looked at [J], shared out among the fronts by
+/// what new faces of each were to take and have not yet given.
+template <int D>
+double Conduction<D>::heatOfFronts(State<D>& state, double dt)
+{
+  const std::vector<CrackFront<D>>& all = state.cracks.fronts;
+  const double since = state.energy.fracture - fractureSeen;
+  fractureSeen = state.energy.fracture;
+  frontHeat.resize(all.size(), 0.0);
+  double owed = 0.0;
+  for (std::size_t f = 0; f < all.size(); ++f)
+    owed += std::max(0.0, all[f].taken - frontHeat[f]);
+  double added = 0.0;
+  for (std::size_t f = 0; f < all.size() && since > 0.0 && owed > 0.0; ++f)
+  {
+    const double energy = since * std::max(0.0, all[f].taken - frontHeat[f]) / owed;
+    frontHeat[f] += energy;
+    if (energy > 0.0)
+      added += dt * addBall<D>(state, all[f].position, std::max(frontRadius, smallestRadius(state)),
+                               frontFraction * energy / dt, supply);
+  }
+  return added;
+}
+
 /// \return the power of the sources that this rank books
 template <int D>
 double Conduction<D>::supplyAll(State<D>& state, double dt, double time)
@@ -80,18 +104,8 @@ double Conduction<D>::supplyAll(State<D>& state, double dt, double time)
   double power = 0.0;
   for (const Source<D>& source : sources)
     power += books ? addSource(state, source, time, supply) : (addSource(state, source, time, supply), 0.0);
-  for (CrackFront<D>& front : state.cracks.fronts)
-  {
-    if (!heated || front.spent == 0.0)
-      continue;
-    const double heat = frontFraction * front.spent;
-    const double added =
-        addBall<D>(state, front.position, std::max(frontRadius, smallestRadius(state)), heat / dt, supply);
-    // The books have it under fracture; what becomes heat is there no longer.
-    if (books)
-      state.energy.fracture -= added * dt;
-    front.spent = 0.0;
-  }
+  if (heated)
+    power += heatOfFronts(state, dt) / dt;
   return power;
 }
 

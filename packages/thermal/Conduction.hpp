@@ -22,6 +22,8 @@ struct Conduction
   double diffusivity = 0.0;      ///< largest of the materials [m2/s]
   double leastDiffusivity = 0.0; ///< least of the materials [m2/s]
   double leastCapacity = 0.0;    ///< least of the materials [J/(m3 K)]
+  double fractureSeen = 0.0;     ///< energy of the ledger's fracture that fronts have had their heat of [J]
+  std::vector<double> frontHeat; ///< the part of it of each front [J]
   bool warned = false;
   ObservedPoints<D> fronts; ///< of cracks
   StencilTable<D> frontStencils;
@@ -44,6 +46,7 @@ struct Conduction
 private:
   void once(State<D>& state, double dt, double time, const View<double*>& supplied);
   void tellFronts(State<D>& state);
+  double heatOfFronts(State<D>& state, double dt);
   double supplyAll(State<D>& state, double dt, double time);
 };
 

@@ -142,16 +142,12 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   {
     std::vector<double> ofFronts;
     for (const CrackFront<D>& front : state.cracks.fronts)
-    {
       ofFronts.push_back(front.temperature);
-      ofFronts.push_back(front.spent);
-    }
-    archive("fronts", ofFronts, 2);
-    for (std::size_t f = 0; f < std::min(state.cracks.fronts.size(), ofFronts.size() / 2); ++f)
-    {
-      state.cracks.fronts[f].temperature = ofFronts[2 * f];
-      state.cracks.fronts[f].spent = ofFronts[2 * f + 1];
-    }
+    archive("front temperatures", ofFronts);
+    for (std::size_t f = 0; f < std::min(state.cracks.fronts.size(), ofFronts.size()); ++f)
+      state.cracks.fronts[f].temperature = ofFronts[f];
+    archive("fracture seen", run->conduction.fractureSeen);
+    archive("front heat", run->conduction.frontHeat);
     archive("pending", run->conduction.pending);
     archive("waited", run->conduction.waited);
     archive("warned", run->conduction.warned);

@@ -161,10 +161,12 @@ void checkCoupled(const Teuchos::ParameterList& scene, std::vector<SceneError>& 
                   {where + " > Model",
                    "Rigid is for heat alone; choose a law with stress, or write Thermal > Mechanics = "
                    "false"});
-            if (hasSection(scene, "Energy Release") && strainsByHeat(list))
-              errors.push_back(
-                  {where, "its stress depends on temperature, which Energy Release does not count in this "
-                          "version; leave that section out, or Thermal Expansion and tables of moduli"});
+            for (const char* name : {"Energy Release", "Propagation"})
+              if (hasSection(scene, name) && strainsByHeat(list))
+                errors.push_back(
+                    {where, std::string("its stress depends on temperature, which ") + name +
+                                " does not count in this version; leave that section out, or Thermal "
+                                "Expansion and tables of moduli"});
           });
 }
 

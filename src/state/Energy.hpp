@@ -14,7 +14,7 @@ struct EnergyLedger
   double start = 0.0;        ///< kinetic + strain when the run began
   double thermal = 0.0;      ///< heat in the bodies, less that at the start
   double thermalStart = 0.0; ///< heat in the bodies when the run began
-  double heat = 0.0;         ///< that came through the surface or from sources
+  double heat = 0.0;         ///< that came through the surface, from sources or from fronts of cracks
   double roundOff = 0.0;     ///< what rounding may make of the largest energies in the books
   double externalWork = 0.0;
   double ties = 0.0;    ///< elastic, of ties just behind crack fronts; a part of `strain`

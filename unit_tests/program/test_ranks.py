@@ -108,6 +108,10 @@ class Ranks(unittest.TestCase):
         scales = {"momentum": (2.0 * mass * energy) ** 0.5, "time": history["time"][-1]}
         for name in ("kinetic", "strain", "external_work", "residual", "damped"):
             scales[name] = energy
+        thermal = max((numpy.max(numpy.abs(history[name])) for name in ("thermal", "heat") if name in history), default=0.0)
+        if thermal > 0.0:
+            scales.update(thermal=thermal, heat=thermal, residual=max(energy, thermal))
+            scales.update({name: 300.0 for name in history if "temperature" in name})
         forces = [numpy.max(numpy.abs(history[name])) for name in history if ".force_" in name]
         if forces:
             scales[""] = max(forces)
@@ -191,6 +195,18 @@ class Ranks(unittest.TestCase):
     def test_three_dimensions(self):
         scene = ball().set("Bodies > Ball > Velocity", [40.0, 10.0, -20.0])
         scene.set("Bodies > Ball > Angular Velocity", [0.0, 300.0, 100.0])
+        self.agree(self.write(scene))
+
+    def test_heat(self):
+        """Conduction, a source that moves, a surface and thermal strain, in a plate that flies from rank to rank."""
+        scene = flying_plate()
+        for name, value in (("Specific Heat", 1400.0), ("Conductivity", 2e5), ("Thermal Expansion", 7e-5)):
+            scene.set("Materials > Polymer > " + name, value)
+        scene.set("Boundaries", {"Air": {"Type": "Convection", "Body": "Plate", "From": [1.0, 0.0], "To": [1.0, 1.0],
+                                         "Coefficient": 1e6, "Ambient Temperature": 250.0}})
+        spot = {"Type": "Ball", "Centre": [0.5, 0.5], "Velocity": [250.0, 0.0], "Radius": 0.2, "Power": 1e9}
+        scene.set("Thermal", {"Initial Temperature": 300.0, "Sources": {"Spot": spot},
+                              "Probes": {"Ahead": {"Point": [1.6, 0.5]}}})
         self.agree(self.write(scene))
 
     def test_rubber(self):

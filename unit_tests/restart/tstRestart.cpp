@@ -47,6 +47,8 @@ std::string plate(const std::string& stress, const std::string& more)
     <Parameter name="Density" type="double" value="1200"/>
     <Parameter name="Young Modulus" type="double" value="3e7"/>
     <Parameter name="Poisson Ratio" type="double" value="0.33"/>
+    <Parameter name="Specific Heat" type="double" value="1400"/>
+    <Parameter name="Conductivity" type="double" value="0.2"/>
   </ParameterList></ParameterList>
   <ParameterList name="Bodies"><ParameterList name="Plate">
     <Parameter name="Material" type="string" value="Polymer"/>
@@ -92,6 +94,11 @@ std::string text(const std::string& name, const std::string& value)
   return R"(<Parameter name=")" + name + R"(" type="string" value=")" + value + R"("/>)";
 }
 
+std::string reals(const std::string& name, const std::string& values)
+{
+  return R"(<Parameter name=")" + name + R"(" type="Array(double)" value=")" + values + R"("/>)";
+}
+
 std::string real(const std::string& name, const std::string& value)
 {
   return R"(<Parameter name=")" + name + R"(" type="double" value=")" + value + R"("/>)";
@@ -130,6 +137,13 @@ std::vector<Case> ownCases()
       own("own_full_mass_cells", plate(pull, cells + section("Mass Matrix", text("Type", "Full"))), 80),
       own("own_partial_mass_cells", plate(pull, cells + section("Mass Matrix", text("Type", "Partial")))),
       own("own_series_mass", plate(pull, section("Mass Matrix", text("Type", "FMPM")))),
+      own("own_heat",
+          plate(pull,
+                section("Thermal",
+                        real("Initial Temperature", "300") +
+                            section("Sources",
+                                    section("Spot", text("Type", "Ball") + reals("Centre", "{0.7, 0.3}") +
+                                                        real("Radius", "0.2") + real("Power", "1e6")))))),
       own("own_load_balance", plate(pull, section("Damping", "") + section("Load Balance", ""))),
       own("own_damping",
           plate(pull, release + section("Damping", real("Mass Rate", "300") + real("Settled Drift", "1e3") +

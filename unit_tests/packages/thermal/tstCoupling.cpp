@@ -1,0 +1,201 @@
+/// Motion and heat together: the books of both close, and waves run at the adiabatic speed.
+
+#include "src/step/Bodies.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace Rhegma
+{
+namespace Test
+{
+
+namespace
+{
+
+constexpr double pi = 3.14159265358979323846, start = 300.0, length = 16.0;
+
+/// A bar of 16 x 2 m, E = rho = 1, in smooth motion v = speed cos(pi x / L); across it is held.
+Rhegma::Run<2> movingBar(const std::string& model, double expansion, double capacity, double speed,
+                         bool heat = true)
+{
+  Teuchos::ParameterList scene =
+      emptyScene<2>(Vector<2>{{-4.0, -4.0}}, Vector<2>{{20.0, 6.0}}, 1.0, "MUSL", "GIMP");
+  addMaterial(scene, model, 0.0);
+  Teuchos::ParameterList& material = scene.sublist("Materials").sublist("Solid");
+  material.set("Specific Heat", capacity);
+  if (expansion > 0.0)
+    material.set("Thermal Expansion", expansion);
+  addBox<2>(scene, "Bar", Vector<2>{{0.0, 0.0}}, Vector<2>{{length, 2.0}});
+  for (const double side : {0.0, 2.0})
+  {
+    Teuchos::ParameterList& wall = scene.sublist("Boundaries").sublist(side > 0.0 ? "Upper" : "Lower");
+    wall.set("Type", "Symmetry");
+    wall.set("Axis", "y");
+    wall.set("Position", side);
+  }
+  if (heat)
+    scene.sublist("Thermal").set("Initial Temperature", start);
+  Rhegma::Run<2> run(validated(scene));
+  run.initialize();
+  const HostParticles<2> particles(run.state());
+  for (int p = 0; p < particles.size; ++p)
+    particles.velocity(p, 0) = speed * std::cos(pi / length * particles.position(p, 0));
+  particles.store(run.state());
+  return run;
+}
+
+/// Half a period of the bar's first mode: the time between two changes of sign of its amplitude.
+double halfPeriod(Rhegma::Run<2>& run)
+{
+  double crossings[2] = {}, before = 0.0, last = 0.0;
+  for (int found = 0; found < 2;)
+  {
+    run.step(1e30, false);
+    const HostParticles<2> particles(run.state());
+    double amplitude = 0.0;
+    for (int p = 0; p < particles.size; ++p)
+      amplitude += particles.velocity(p, 0) * std::cos(pi / length * particles.position(p, 0));
+    const double time = run.state().time;
+    if (last * amplitude < 0.0)
+      crossings[found++] = before + (time - before) * last / (last - amplitude);
+    before = time;
+    last = amplitude;
+  }
+  return crossings[1] - crossings[0];
+}
+
+/// Kinetic, strain and thermal energy less what they were, over the kinetic energy of the start.
+template <class AnyRun>
+double residualAfter(AnyRun& run, int steps)
+{
+  measureEnergy(run.state());
+  EnergyLedger& energy = run.state().energy;
+  energy.start = energy.kinetic + energy.strain;
+  energy.thermalStart += energy.thermal;
+  const double given = energy.kinetic;
+  for (int s = 0; s < steps; ++s)
+    run.step(1e30, false);
+  measureEnergy(run.state());
+  return energy.residual() / given;
+}
+
+} // namespace
+
+/// c^2 of waves without heat flow over that at constant temperature is 1 + T (E alpha)^2 / (rho c E) where
+/// the bar is held across and nu = 0: here 1.2.
+TEST(Coupling, WavesRunAtTheAdiabaticSpeed)
+{
+  Rhegma::Run<2> isothermal = movingBar("Linear Elastic", 0.0, 0.15, 1e-4);
+  Rhegma::Run<2> adiabatic = movingBar("Linear Elastic", 0.01, 0.15, 1e-4);
+  const double slow = halfPeriod(isothermal), fast = halfPeriod(adiabatic);
+  // Period 2 L / c; a wave of 32 cells is 0.2 % slow on the cells.
+  EXPECT_NEAR(slow, length, 5e-3 * length);
+  EXPECT_NEAR(slow * slow / (fast * fast), 1.2, 5e-3);
+}
+
+/// What the coupling takes from motion it gives to heat: the books of a vibrating bar close as well as
+/// without heat, in every law.
+TEST(Coupling, TheLedgerClosesAsWithoutHeat)
+{
+  for (const std::string model : {"Linear Elastic", "Neo-Hookean", "J2 Plastic"})
+  {
+    Rhegma::Run<2> without = movingBar(model, 0.0, 0.15, 1e-3, false),
+                   with = movingBar(model, 0.01, 0.15, 1e-3);
+    const double mechanical = std::fabs(residualAfter(without, 300)),
+                 both = std::fabs(residualAfter(with, 300));
+    EXPECT_LT(mechanical, 5e-3) << model;
+    EXPECT_LT(both, std::max(1.5 * mechanical, 1e-3)) << model;
+    // The bar's temperature has come and gone: without the coupling it would still be that of the start.
+    double most = 0.0;
+    const auto T = with.state().particles.scalar(fields::temperature);
+    const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, T);
+    for (int p = 0; p < with.state().particles.size(); ++p)
+      most = std::max(most, std::fabs(host(p) - start));
+    EXPECT_GT(most, 1e-3) << model;
+  }
+}
+
+namespace
+{
+
+/// Loss of amplitude in a period of a free beam of 64 x 8 m in its first mode of bending, over pi: the
+/// inverse quality. \param expansion of its material [1/K] \param conductivity [W/(m K)] \param frequency
+/// out: angular, as it was [1/s]
+double inverseQuality(double expansion, double conductivity, double& frequency)
+{
+  const double beam = 64.0, depth = 8.0, k = 4.730041 / beam, sigma = 0.982502;
+  Teuchos::ParameterList scene =
+      emptyScene<2>(Vector<2>{{-4.0, -8.0}}, Vector<2>{{68.0, 16.0}}, 1.0, "MUSL", "GIMP", "Stress");
+  addMaterial(scene, "Linear Elastic", 0.0);
+  Teuchos::ParameterList& material = scene.sublist("Materials").sublist("Solid");
+  material.set("Specific Heat", 0.85);
+  material.set("Conductivity", conductivity);
+  material.set("Thermal Expansion", expansion);
+  addBox<2>(scene, "Beam", Vector<2>{{0.0, 0.0}}, Vector<2>{{beam, depth}});
+  scene.sublist("Thermal").set("Initial Temperature", start);
+  Rhegma::Run<2> run(validated(scene));
+  run.initialize();
+  const auto mode = [&](double x)
+  { return std::cosh(k * x) + std::cos(k * x) - sigma * (std::sinh(k * x) + std::sin(k * x)); };
+  const HostParticles<2> particles(run.state());
+  for (int p = 0; p < particles.size; ++p)
+    particles.velocity(p, 1) = 1e-4 * mode(particles.position(p, 0));
+  particles.store(run.state());
+  // Largest amplitude around the beginning of the second and the third period.
+  std::vector<double> peaks, crossings;
+  double last = 0.0, largest = 0.0, before = 0.0;
+  while (crossings.size() < 6)
+  {
+    run.step(1e30, false);
+    const HostParticles<2> now(run.state());
+    double amplitude = 0.0;
+    for (int p = 0; p < now.size; ++p)
+      amplitude += now.velocity(p, 1) * mode(now.position(p, 0));
+    const double time = run.state().time;
+    if (last * amplitude < 0.0)
+    {
+      crossings.push_back(before + (time - before) * last / (last - amplitude));
+      peaks.push_back(largest);
+      largest = 0.0;
+    }
+    largest = std::max(largest, std::fabs(amplitude));
+    last = amplitude;
+    before = time;
+  }
+  frequency = 2.0 * pi / (crossings[5] - crossings[3]);
+  // Peaks 1 and 5 are two periods apart.
+  return std::log(peaks[1] / peaks[5]) / (2.0 * pi);
+}
+
+} // namespace
+
+/// A bent beam warms where it is compressed, and heat that crosses it takes energy: Zener's 1/Q = Delta w tau
+/// / (1 + (w tau)^2), Delta = E alpha^2 T / (rho c_p), tau = depth^2 rho c_p / (pi^2 k) (Phys. Rev. 52 (1937)
+/// 230); here close to its largest, Delta / 2.
+TEST(Coupling, ABeamIsDampedAsZenerSays)
+{
+  const double delta = 0.05, capacity = 1.0; // at constant stress: 0.85 + 3 E alpha^2 T for nu = 0
+  const double expansion = std::sqrt(delta / start), conductivity = 0.08;
+  double frequency = 0.0, without = 0.0;
+  const double own = inverseQuality(0.0, conductivity, without);
+  const double damped = inverseQuality(expansion, conductivity, frequency) - own;
+  const double tau = 64.0 * capacity / (pi * pi * conductivity), product = frequency * tau;
+  const double zener = delta * product / (1.0 + product * product);
+  std::printf("1/Q %.5f, of it own %.5f; Zener %.5f at w tau = %.3f\n", damped, own, zener, product);
+  EXPECT_LT(std::fabs(own), 0.1 * zener);
+  EXPECT_NEAR(damped, zener, 0.1 * zener);
+}
+
+/// Without heat in the scene particles carry none of its fields.
+TEST(Coupling, AbsentHeatLeavesNoField)
+{
+  Rhegma::Run<2> run = movingBar("Linear Elastic", 0.0, 0.15, 1e-3, false);
+  for (const std::string& name : {fields::temperature, fields::temperatureGradient, fields::internalEnergy})
+    EXPECT_FALSE(run.state().particles.has(name)) << name;
+  EXPECT_TRUE(run.state().thermo.empty());
+}
+
+} // namespace Test
+} // namespace Rhegma
