@@ -14,9 +14,6 @@ namespace Rhegma::thermal
 namespace
 {
 
-/// Substeps in one step of the run beyond which somebody has mistaken a number.
-constexpr double mostSubsteps = 10000.0;
-
 /// Conduction waits while the time that it has not done is below this share of its own step.
 constexpr double waitingShare = 0.25;
 
@@ -64,6 +61,21 @@ double Conduction<D>::sourceLimit(const State<D>& state) const
     if (const double speed = std::sqrt(dot(source.velocity, source.velocity)); source.ball && speed > 0.0)
       limit = std::min(limit, 0.5 * state.smallestSpacing() / speed);
   return limit;
+}
+
+template <int D>
+double Conduction<D>::substeps(const State<D>& state, double dt) const
+{
+  return std::max(1.0, std::ceil(dt / stepLimit(state) * (1.0 - 1e-12)));
+}
+
+template <int D>
+std::string Conduction<D>::tooMany(const State<D>& state, double count) const
+{
+  return "conduction would need " + formatReal(count) + " steps of " + formatReal(stepLimit(state)) +
+         " s in one step of the run; look at Conductivity and Specific Heat, or leave the motion out "
+         "(Thermal > Mechanics "
+         "= false)";
 }
 
 /// Adds the heat of what growth has taken since it was last looked at [J], shared out among the fronts by
@@ -186,16 +198,13 @@ void Conduction<D>::step(State<D>& state)
         frontFraction > 0.0 && !word.empty())
       state.warnings.push_back(word);
   }
-  const double substeps = std::max(1.0, std::ceil(pending / limit * (1.0 - 1e-12)));
-  if (!(substeps <= mostSubsteps))
+  const double steps = substeps(state, pending);
+  if (!(steps <= mostSubsteps))
   {
-    state.trouble =
-        "conduction would need " + formatReal(substeps) + " steps of " + formatReal(limit) +
-        " s in one step of the run; look at Conductivity and Specific Heat, or leave the motion out "
-        "(Thermal > Mechanics = false)";
+    state.trouble = tooMany(state, steps);
     return;
   }
-  const int count = static_cast<int>(substeps);
+  const int count = static_cast<int>(steps);
   const double dt = pending / count, begin = state.time + state.dt - pending;
   const View<double*> none;
   for (int k = 0; k < count; ++k)

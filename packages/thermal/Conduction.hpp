@@ -43,6 +43,11 @@ struct Conduction
 
   static constexpr int longestWait = 4;
 
+  /// Steps of conduction in a step of the run, and how many are so many that somebody has mistaken a number.
+  double substeps(const State<D>& state, double dt) const;
+  static constexpr double mostSubsteps = 10000.0;
+  std::string tooMany(const State<D>& state, double count) const;
+
 private:
   void once(State<D>& state, double dt, double time, const View<double*>& supplied);
   void tellFronts(State<D>& state);

@@ -4,12 +4,14 @@
 #include "material/ThermoMaterials.hpp"
 #include "scene/Numbers.hpp"
 #include "scene/ReadList.hpp"
+#include "step/CoreStep.hpp"
 #include "thermal/Conduction.hpp"
 #include "thermal/Observations.hpp"
 #include "thermal/Start.hpp"
 
 #include <algorithm>
 #include <memory>
+#include <stdexcept>
 
 namespace Rhegma::thermal
 {
@@ -50,6 +52,13 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
       run.probes.push_back({name, readVector<D>(list.sublist("Probes").sublist(name), "Point")});
   if (scene.isSublist("Boundaries"))
     run.conduction.boundaries.read(scene.sublist("Boundaries"), state);
+  if (state.mechanics)
+  {
+    const double steps =
+        run.conduction.substeps(state, state.cfl * state.stepSpacing() / fastestSpeed(state));
+    if (!(steps <= Conduction<D>::mostSubsteps))
+      throw std::invalid_argument("Thermal: " + run.conduction.tooMany(state, steps));
+  }
   startTemperature(state, scene.sublist("Bodies"), run.initial);
   startEnergy(state);
   for (CrackFront<D>& front : state.cracks.fronts)

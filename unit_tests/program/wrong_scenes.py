@@ -340,6 +340,8 @@ HEAT = [
      one("Damping > Shear Viscosity", "Mass Rate")),
     ("front_heat_of_cracks_that_rest", warm(**{"Front Heat Fraction": 1.0, "Front Radius": 1e-3}),
      one("Thermal > Front Heat Fraction", "no crack grows")),
+    ("conduction_in_far_too_short_steps", warm().set(POLYMER + "Conductivity", 1e14),
+     one("Thermal", "conduction would need", "Conductivity")),
     ("boundary_of_heat_without_it", plate().set("Boundaries > Hot", {"Type": "Temperature", "Temperature": 400.0,
      "Lower Corner": [0.0, 0.0], "Upper Corner": [0.1, 0.1]}), one("Boundaries > Hot", "boundary of heat")),
 ]
