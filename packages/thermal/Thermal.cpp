@@ -1,6 +1,7 @@
 #include "thermal/Thermal.hpp"
 
 #include "checkpoint/Archive.hpp"
+#include "material/MaterialTable.hpp"
 #include "material/ThermoMaterials.hpp"
 #include "scene/Numbers.hpp"
 #include "scene/ReadList.hpp"
@@ -35,11 +36,29 @@ struct Run
   double initial = 0.0, finalTime = 0.0;
 };
 
+/// Has all who ask for the numbers of a material find those at its reference temperature.
+template <int D>
+void useReferenceProperties(State<D>& state, const Teuchos::ParameterList& materials, double initial)
+{
+  const auto host = Kokkos::create_mirror_view(state.materials);
+  for (std::size_t m = 0; m < state.materialList.size(); ++m)
+  {
+    const std::string& name = state.materialNames[m];
+    const Teuchos::ParameterList& list = materials.sublist(name);
+    const double reference =
+        list.isParameter("Reference Temperature") ? list.get<double>("Reference Temperature") : initial;
+    state.materialList[m] = makeProperties(materialAt(list, reference), name, state.plane);
+    host(m) = state.materialList[m];
+  }
+  Kokkos::deep_copy(state.materials, host);
+}
+
 template <int D>
 void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
 {
   const Teuchos::ParameterList& list = scene.sublist("Thermal");
   state.thermo = makeThermoTables(scene.sublist("Materials"), state.plane, run.initial, state.mechanics);
+  useReferenceProperties(state, scene.sublist("Materials"), run.initial);
   run.conduction.measure(state);
   run.conduction.diffusionNumber = list.get<double>("Diffusion Number");
   run.conduction.frontFraction = list.get<double>("Front Heat Fraction");
