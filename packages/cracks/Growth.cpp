@@ -64,6 +64,7 @@ std::vector<Chain> readChains(const CrackSet<2>& set)
 CrackMesh<2> meshOf(const Chain& chain)
 {
   CrackMesh<2> mesh;
+  mesh.vertices.reserve(chain.links.size());
   for (const Link& link : chain.links)
     mesh.vertices.push_back(link.vertex);
   const int segments = static_cast<int>(chain.links.size()) - 1;

@@ -136,6 +136,7 @@ std::vector<Piece> placeFronts(CrackSet<D>& set, const std::vector<CrackMesh<D>>
 {
   std::vector<Piece> pieces;
   std::vector<std::vector<std::vector<Piece>>> fronts;
+  fronts.reserve(meshes.size());
   for (const CrackMesh<D>& mesh : meshes)
     fronts.push_back(frontsOf(mesh));
   std::vector<std::size_t> next(meshes.size(), 0);

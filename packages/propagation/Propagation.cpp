@@ -106,7 +106,7 @@ void refuseContour(const Teuchos::ParameterList& list, const std::string& name,
 {
   if (!list.isType<Teuchos::Array<double>>(name))
     return;
-  const auto radii = list.get<Teuchos::Array<double>>(name);
+  const auto& radii = list.get<Teuchos::Array<double>>(name);
   if (radii.size() == 2 && !(radii[0] >= 1.0 && radii[1] >= radii[0] + 1.0))
     errors.push_back(
         {"Propagation > " + name,
