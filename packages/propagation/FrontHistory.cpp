@@ -46,7 +46,8 @@ Advance FrontHistory::advance(const AdvanceRule& rule, double time, double relea
     const double from = std::max(begin, last_ + least);
     if (from > time)
       break;
-    const auto excess = [&](double t) { return releaseAt(t) - rule.toughness(increment / (t - last_)); };
+    const auto excess = [&](double t)
+    { return releaseAt(t) - rule.toughness(increment / (t - last_), rule.temperature); };
     double at = from;
     if (excess(from) < 0.0)
     {
@@ -60,7 +61,7 @@ Advance FrontHistory::advance(const AdvanceRule& rule, double time, double relea
       }
       at = high;
     }
-    const double speed = increment / (at - last_), toughness = rule.toughness(speed);
+    const double speed = increment / (at - last_), toughness = rule.toughness(speed, rule.temperature);
     made.toughness = (made.toughness * made.increments + toughness) / (made.increments + 1);
     ++made.increments;
     last_ = at;

@@ -18,9 +18,10 @@ namespace Rhegma::propagation
 struct AdvanceRule
 {
   Toughness toughness;
-  double initiation = 0.0; ///< energy release rate at which a front at rest sets out [J/m2]
-  double arrest = 0.0;     ///< and below which one that has almost stopped comes to rest [J/m2]
-  double startTime = 0.0;  ///< before which no front advances [s]
+  double initiation = 0.0;  ///< energy release rate at which a front at rest sets out [J/m2]
+  double arrest = 0.0;      ///< and below which one that has almost stopped comes to rest [J/m2]
+  double startTime = 0.0;   ///< before which no front advances [s]
+  double temperature = 0.0; ///< of the front [K]
 };
 
 /// What a front does in a step.

@@ -28,8 +28,9 @@ struct Options
 {
   AdvanceRule rule;
   DirectionRule direction;
-  double cells;      ///< an increment has [cells]
-  double speedLimit; ///< [m/s]; 0: that of Rayleigh waves
+  double cells;       ///< an increment has [cells]
+  double speedLimit;  ///< [m/s]; 0: that of Rayleigh waves
+  double temperature; ///< at the start [K]
   DrivingContours contours;
 };
 
@@ -142,7 +143,7 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
   if (list.isType<std::string>("Toughness"))
     try
     {
-      Toughness::parse(list.get<std::string>("Toughness"));
+      Toughness::parse(list.get<std::string>("Toughness"), scene.isSublist("Thermal"));
     }
     catch (const std::invalid_argument& error)
     {
@@ -158,16 +159,19 @@ DirectionRule readDirection(const Teuchos::ParameterList& list)
                                             : DirectionRule::HoopStress;
 }
 
-Options readOptions(const Teuchos::ParameterList& list)
+Options readOptions(const Teuchos::ParameterList& scene)
 {
-  const Toughness toughness = Toughness::parse(list.get<std::string>("Toughness"));
+  const Teuchos::ParameterList& list = scene.sublist("Propagation");
+  const bool heated = scene.isSublist("Thermal");
+  const Toughness toughness = Toughness::parse(list.get<std::string>("Toughness"), heated);
   const auto orAtRest = [&](const char* name)
-  { return list.isParameter(name) ? list.get<double>(name) : toughness(0.0); };
+  { return list.isParameter(name) ? list.get<double>(name) : 0.0; };
   Options options{{toughness, orAtRest("Initiation Toughness"), orAtRest("Arrest Toughness"),
                    list.get<double>("Start Time")},
                   readDirection(list),
                   list.get<double>("Increment"),
                   list.isParameter("Speed Limit") ? list.get<double>("Speed Limit") : 0.0,
+                  heated ? scene.sublist("Thermal").get<double>("Initial Temperature") : 0.0,
                   {}};
   const auto release = list.get<Teuchos::Array<double>>("Release Contour");
   const auto intensity = list.get<Teuchos::Array<double>>("Direction Contour");
@@ -203,6 +207,17 @@ double fastestAt(const State<2>& state, const Vector<2>& place, const Options& o
                                   : rayleighSpeed(state.materialList[materialAt(state, place)]);
 }
 
+/// The rule at a front, whose toughness depends on how warm it is.
+AdvanceRule ruleAt(const CrackFront<2>& front, const Options& options)
+{
+  AdvanceRule rule = options.rule;
+  rule.temperature = front.temperature;
+  const double atRest = rule.toughness(0.0, front.temperature);
+  rule.initiation = rule.initiation > 0.0 ? rule.initiation : atRest;
+  rule.arrest = rule.arrest > 0.0 ? rule.arrest : atRest;
+  return rule;
+}
+
 /// Decides which fronts advance after the step that ends.
 void decide(State<2>& state, const Options& options, Fronts& fronts)
 {
@@ -219,12 +234,20 @@ void decide(State<2>& state, const Options& options, Fronts& fronts)
       fronts.increment[f] = options.cells * spacingAt(state, front.position);
     FrontHistory& history = fronts.histories[f];
     const double release = front.driving.release;
+    const AdvanceRule rule = ruleAt(front, options);
+    for (const double speed : {0.0, fronts.fastest[f]})
+      if (!(rule.toughness(speed, front.temperature) > 0.0))
+      {
+        state.trouble = "the toughness is no longer positive at the temperature of a crack front, " +
+                        formatReal(front.temperature) + " K (Propagation > Toughness)";
+        return;
+      }
     if (history.running())
     {
-      fronts.next[f] = history.advance(options.rule, now, release, fronts.increment[f], fronts.fastest[f]);
+      fronts.next[f] = history.advance(rule, now, release, fronts.increment[f], fronts.fastest[f]);
       front.advances = fronts.next[f].increments > 0;
     }
-    else if (release >= options.rule.initiation && now >= options.rule.startTime)
+    else if (release >= rule.initiation && now >= rule.startTime)
       front.advances = true; // if what drives it does not close it
     else
       history.wait(now, release);
@@ -257,7 +280,7 @@ void ask(State<2>& state, const Options& options, Fronts& fronts)
     FrontHistory& history = fronts.histories[f];
     if (!history.running())
     {
-      fronts.next[f] = history.advance(options.rule, state.time, openingRelease(front.driving),
+      fronts.next[f] = history.advance(ruleAt(front, options), state.time, openingRelease(front.driving),
                                        fronts.increment[f], fronts.fastest[f]);
       front.speed = history.speed(state.time);
       if (fronts.next[f].increments == 0)
@@ -295,7 +318,7 @@ void start(State<2>& state, const Options& options, Fronts& fronts)
     fastest = std::max(fastest, rayleighSpeed(material));
   try
   {
-    options.rule.toughness.refuseWeak(fastest);
+    options.rule.toughness.refuseWeak(fastest, options.temperature);
   }
   catch (const std::invalid_argument& error)
   {
@@ -346,7 +369,7 @@ void report(const State<2>& state, const Fronts& fronts, nlohmann::json& summary
 
 Effect<2> make2(const Teuchos::ParameterList& scene)
 {
-  const auto options = std::make_shared<Options>(readOptions(scene.sublist("Propagation")));
+  const auto options = std::make_shared<Options>(readOptions(scene));
   const auto fronts = std::make_shared<Fronts>();
   Effect<2> effect;
   effect.name = "Propagation";

@@ -17,7 +17,7 @@ struct Toughness::Form
   std::string text;
   std::vector<double> speeds, values; ///< of a table; empty for an expression
   mu::Parser parser;
-  mutable double speed = 0.0; ///< whose address the parser holds
+  mutable double speed = 0.0, temperature = 0.0; ///< whose addresses the parser holds
 };
 
 namespace
@@ -47,13 +47,15 @@ void readTable(const std::string& text, std::vector<double>& speeds, std::vector
   }
 }
 
-void refuseOtherNames(mu::Parser& parser, const std::string& text)
+void refuseOtherNames(mu::Parser& parser, const std::string& text, bool heated)
 {
   for (const auto& used : parser.GetUsedVar())
-    if (used.first == "T")
+    if (used.first == "T" && heated)
+      continue;
+    else if (used.first == "T")
       throw std::invalid_argument("\"" + text +
-                                  "\" names the temperature T, and this version lets toughness depend on the "
-                                  "speed v alone; write it without T");
+                                  "\" names the temperature T, and there is no heat in this scene; add a "
+                                  "section Thermal or write it without T");
     else if (used.first != "v")
       throw std::invalid_argument("\"" + text + "\" names \"" + used.first + "\", which nothing defines" +
                                   advice);
@@ -63,7 +65,7 @@ void refuseOtherNames(mu::Parser& parser, const std::string& text)
 
 Toughness::Toughness(std::shared_ptr<const Form> form) : form_(std::move(form)) {}
 
-Toughness Toughness::parse(const std::string& text)
+Toughness Toughness::parse(const std::string& text, bool heated)
 {
   const auto form = std::make_shared<Form>();
   form->text = trimmed(text);
@@ -78,8 +80,10 @@ Toughness Toughness::parse(const std::string& text)
   {
     form->parser.DefineConst("pi", 3.14159265358979323846);
     form->parser.DefineVar("v", &form->speed);
+    if (heated)
+      form->parser.DefineVar("T", &form->temperature);
     form->parser.SetExpr(form->text);
-    refuseOtherNames(form->parser, form->text);
+    refuseOtherNames(form->parser, form->text, heated);
     int results = 0;
     form->parser.Eval(results);
     if (results != 1)
@@ -93,17 +97,18 @@ Toughness Toughness::parse(const std::string& text)
       reason.pop_back();
     throw std::invalid_argument("\"" + form->text + "\" is no toughness: " + reason + advice);
   }
-  if (form->speed != 0.0)
+  if (form->speed != 0.0 || form->temperature != 0.0)
     throw std::invalid_argument("\"" + form->text + "\" assigns with \"=\"; write \"==\" to compare");
   return Toughness(form);
 }
 
-double Toughness::operator()(double speed) const
+double Toughness::operator()(double speed, double temperature) const
 {
   const Form& form = *form_;
   if (form.speeds.empty())
   {
     form.speed = speed;
+    form.temperature = temperature;
     return form.parser.Eval();
   }
   const auto after = std::upper_bound(form.speeds.begin(), form.speeds.end(), speed);
@@ -116,12 +121,12 @@ double Toughness::operator()(double speed) const
   return form.values[i - 1] + share * (form.values[i] - form.values[i - 1]);
 }
 
-void Toughness::refuseWeak(double fastest) const
+void Toughness::refuseWeak(double fastest, double temperature) const
 {
   constexpr int samples = 200;
   for (int i = 0; i <= samples; ++i)
   {
-    const double speed = fastest * i / samples, value = (*this)(speed);
+    const double speed = fastest * i / samples, value = (*this)(speed, temperature);
     if (!(value > 0.0) || !std::isfinite(value))
       throw std::invalid_argument("\"" + form_->text + "\" is " + formatReal(value) +
                                   " J/m2 at v = " + formatReal(speed) +

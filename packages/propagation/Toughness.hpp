@@ -13,14 +13,15 @@ namespace Rhegma::propagation
 class Toughness
 {
 public:
+  /// \param heated whether there is a temperature that it may name
   /// \throws std::invalid_argument with one sentence on what is wrong with the text
-  static Toughness parse(const std::string& text);
+  static Toughness parse(const std::string& text, bool heated = false);
 
-  double operator()(double speed) const;
+  double operator()(double speed, double temperature = 0.0) const;
 
   /// Throws std::invalid_argument, in one sentence, where it is not positive and finite at a speed from 0 to
   /// `fastest`.
-  void refuseWeak(double fastest) const;
+  void refuseWeak(double fastest, double temperature = 0.0) const;
 
 private:
   struct Form;

@@ -40,6 +40,14 @@ TEST(Toughness, IsANumberATableOrAnExpression)
   EXPECT_DOUBLE_EQ(Toughness::parse("v < 100 ? 50 : 80")(500.0), 80.0);
 }
 
+TEST(Toughness, KnowsTheTemperatureWhereThereIsHeat)
+{
+  const Toughness toughness = Toughness::parse("100*(1 + v/500)*(1 - T/1000)", true);
+  EXPECT_DOUBLE_EQ(toughness(250.0, 400.0), 90.0);
+  EXPECT_NO_THROW(toughness.refuseWeak(1000.0, 300.0));
+  EXPECT_THROW(toughness.refuseWeak(1000.0, 1000.0), std::invalid_argument);
+}
+
 TEST(Toughness, RefusesWhatIsNotPositive)
 {
   EXPECT_TRUE(says("0", "is 0 J/m2 at v = 0"));
