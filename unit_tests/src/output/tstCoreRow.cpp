@@ -63,8 +63,8 @@ TEST(CoreRow, HasOnlyColumnsThatTheEffectsGive)
   State<3> solid = smallState<3>(1);
   coreRow(solid, {"Thermal", "Damping", "Contact", "Propagation", "Adaptivity", "Combustion"});
   EXPECT_EQ(names(solid.row),
-            (std::vector<std::string>{"kinetic", "strain", "thermal", "external_work", "damped", "contact",
-                                      "fracture", "merged", "combustion", "residual", "momentum_x",
+            (std::vector<std::string>{"kinetic", "strain", "thermal", "heat", "external_work", "damped",
+                                      "contact", "fracture", "merged", "combustion", "residual", "momentum_x",
                                       "momentum_y", "momentum_z"}));
 }
 
