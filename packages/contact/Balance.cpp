@@ -2,6 +2,7 @@
 
 #include "checkpoint/Archive.hpp"
 #include "contact/SideEnergy.hpp"
+#include "parallel/Subdomain.hpp"
 
 #include <algorithm>
 
@@ -20,7 +21,7 @@ double power(const Nodes<D>& nodes)
       "rhegma::contact::power", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i, double& sum) {
         const int n = activeNode(nodes, i);
-        for (int d = 0; d < D; ++d)
+        for (int d = 0; d < D && countsHere(nodes, n); ++d)
           sum += nodes.sums(n, Nodes<D>::momentumAt + d) * nodes.motion(n, Nodes<D>::accelerationAt + d);
       },
       total);
@@ -33,13 +34,20 @@ template <int D>
 void Balance<D>::begin(const State<D>& state)
 {
   workBefore_ = state.energy.externalWork;
+  if (!state.subdomain || !state.observing)
+    return;
+  // What was booked since the last sample is the ranks' own.
+  const double before = state.sampledEnergy.externalWork;
+  workBefore_ = before + state.ranks.sum(workBefore_ - before);
 }
 
 template <int D>
 void Balance<D>::measure(const State<D>& state, double stored)
 {
-  const double soon = state.dt * power(state.nodes) - state.shortSteps.lateWork;
-  found_ = totalEnergy(state) + 0.5 * soon + stored;
+  double parts[2] = {power(state.nodes), totalEnergy(state)};
+  sumParts(state, parts, 2);
+  const double soon = state.dt * parts[0] - state.shortSteps.lateWork;
+  found_ = parts[1] + 0.5 * soon + stored;
 }
 
 template <int D>

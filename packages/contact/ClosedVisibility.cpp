@@ -1,6 +1,7 @@
 #include "contact/ClosedVisibility.hpp"
 
 #include "checkpoint/Archive.hpp"
+#include "parallel/Subdomain.hpp"
 #include "transfer/Stencils.hpp"
 
 #include <cmath>
@@ -92,9 +93,11 @@ void ClosedVisibility::prepare(const State<2>& state)
 
 void ClosedVisibility::makeRoom()
 {
+  seen_ = View<double*>("rhegma::seenOfFaces", 4 * points_.count());
   for (ObservedPoints<2>* side : {&behind_, &ahead_})
   {
     side->count = points_.count();
+    side->onAllRanks = true;
     side->position = View<double* [2]>("rhegma::aroundFacePosition", points_.count());
     side->half = View<double* [2]>("rhegma::aroundFaceHalf", points_.count());
     side->side = View<int*>("rhegma::aroundFaceSide", points_.count());
@@ -132,15 +135,26 @@ void ClosedVisibility::advance(const State<2>& state, const Velocity& velocity)
 {
   const FacePoints<2> points = points_;
   const StencilTable<2> below = below_, above = above_;
-  const View<double*> separation = separation_;
+  const View<double*> separation = separation_, seen = seen_;
   const double dt = state.dt;
+  // What the two sides see lies on different ranks where a face between ranks runs along the crack.
+  Kokkos::parallel_for(
+      "rhegma::contact::seeFaces", Kokkos::RangePolicy<ExecSpace>(0, points_.count()),
+      KOKKOS_LAMBDA(const int k) {
+        const Vector<2> jump = jumpAt<2>(below, above, k, velocity);
+        for (int d = 0; d < 2; ++d)
+          seen(4 * k + d) = jump[d];
+        seen(4 * k + 2) = below.count(k) > 0 ? 1.0 : 0.0;
+        seen(4 * k + 3) = above.count(k) > 0 ? 1.0 : 0.0;
+      });
+  sumParts(state, seen_);
   Kokkos::parallel_for(
       "rhegma::contact::advanceSeparation", Kokkos::RangePolicy<ExecSpace>(0, points_.count()),
       KOKKOS_LAMBDA(const int k) {
-        if (below.count(k) == 0 || above.count(k) == 0)
+        if (seen(4 * k + 2) == 0.0 || seen(4 * k + 3) == 0.0)
           return;
-        const Vector<2> n{points.normal(k, 0), points.normal(k, 1)};
-        separation(k) += dt * dot(jumpAt<2>(below, above, k, velocity), n);
+        const Vector<2> n{points.normal(k, 0), points.normal(k, 1)}, jump{seen(4 * k), seen(4 * k + 1)};
+        separation(k) += dt * dot(jump, n);
       });
 }
 

@@ -47,6 +47,7 @@ private:
   ObservedPoints<2> behind_, ahead_; ///< half a cell away from each face point, on both sides of it
   StencilTable<2> below_, above_;    ///< unbroken
   StencilTable<2> kept_;             ///< rows as they were before the cut
+  View<double*> seen_;               ///< four numbers a point: jump of the velocity, which faces have nodes
   View<double*> separation_;         ///< since the undeformed state [m]
   bool whole_ = false;               ///< no cuts: the unmodified interpolation is asked for
 };

@@ -86,11 +86,19 @@ struct Account
   Balance<D> balance;
 };
 
+/// Whether this rank books what all know.
+template <int D>
+bool booksForAll(const State<D>& state)
+{
+  return state.ranks.rank() == 0;
+}
+
 template <int D>
 void book(State<D>& state, Account<D>& account)
 {
   const double now = account.contact.stored() + account.contact.dissipated();
-  state.energy.contact += now - account.booked;
+  if (booksForAll(state))
+    state.energy.contact += now - account.booked;
   account.booked = now;
 }
 
@@ -203,8 +211,11 @@ void prepare(State<D>& state, Account<D>& account)
     }
   // What points that are placed anew keep of the energy of the layer differs; no force worked.
   const double change = account.contact.prepare(state);
-  state.energy.merged -= change;
-  state.energy.contact += change;
+  if (booksForAll(state))
+  {
+    state.energy.merged -= change;
+    state.energy.contact += change;
+  }
   account.booked += change;
 }
 
@@ -316,6 +327,6 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 
 } // namespace
 
-EffectEntry contactEntry() { return {section(), check, make<2>, make<3>}; }
+EffectEntry contactEntry() { return {section(), check, make<2>, make<3>, true}; }
 
 } // namespace Rhegma::contact

@@ -2,6 +2,7 @@
 
 #include "checkpoint/Archive.hpp"
 #include "material/MaterialTable.hpp"
+#include "parallel/Subdomain.hpp"
 #include "transfer/PushNodes.hpp"
 
 #include <algorithm>
@@ -231,6 +232,12 @@ void FaceContact<D>::findStiffness(const State<D>& state)
       s.normal = std::min(s.normal, factor * e.constrainedModulus);
       s.tangential = std::min(s.tangential, factor * e.shear);
     }
+  std::vector<double> softest; // negative, so that the largest is looked for
+  for (int c = 0; c < cracks; ++c)
+    softest.insert(softest.end(), {-stiffness(c).normal, -stiffness(c).tangential});
+  maxParts(state, softest.data(), 2 * cracks);
+  for (int c = 0; c < cracks; ++c)
+    stiffness(c) = {-softest[2 * c], -softest[2 * c + 1]};
   // A crack shorter than a cell may have no particle beside it yet; later it may meet any of the materials.
   for (int c = 0; c < cracks; ++c)
     if (stiffness(c).normal == infinity)
@@ -351,8 +358,28 @@ void FaceContact<D>::addChange(const State<D>&, const NodeSlots& slots, const Vi
 
 template <int D>
 template <class Velocity>
+void FaceContact<D>::findJumps(const State<D>& state, const Velocity& velocity)
+{
+  if (static_cast<int>(jump_.extent(0)) != D * points_.count())
+    jump_ = View<double*>("rhegma::contactJump", D * points_.count());
+  const FacePoints<D> points = points_;
+  const View<double*> jumps = jump_;
+  Kokkos::parallel_for(
+      "rhegma::contact::findJumps", Kokkos::RangePolicy<ExecSpace>(0, points_.count()),
+      KOKKOS_LAMBDA(const int k) {
+        const Vector<D> jump = jumpAt<D>(points.below, points.above, k, velocity);
+        for (int d = 0; d < D; ++d)
+          jumps(D * k + d) = jump[d];
+      });
+  sumParts(state, jump_);
+}
+
+template <int D>
+template <class Velocity>
 void FaceContact<D>::advance(const State<D>& state, const Velocity& velocity)
 {
+  findJumps(state, velocity);
+  const View<double*> jumps = jump_;
   const FacePoints<D> points = points_;
   const View<double*> gap = gap_, pressure = pressure_, heat = heat_;
   const View<double * [D - 1]> slip = slip_, shear = shear_;
@@ -369,12 +396,14 @@ void FaceContact<D>::advance(const State<D>& state, const Velocity& velocity)
       KOKKOS_LAMBDA(const int k, double& energy, double& loss) {
         const int c = points.crack(k);
         const double area = points.size(k) * thickness;
-        if (points.above.count(k) > 0)
+        if (points.acts(k) != 0)
         {
-          Vector<D> n;
+          Vector<D> n, jump;
           for (int d = 0; d < D; ++d)
+          {
             n[d] = points.normal(k, d);
-          const Vector<D> jump = jumpAt<D>(points.below, points.above, k, velocity);
+            jump[d] = jumps(D * k + d);
+          }
           const bool wasClosed = gap(k) < 0.0;
           gap(k) += dt * dot(jump, n);
           Vector<D - 1> moved, before, elastic;

@@ -29,7 +29,7 @@ struct CrackContact
   double largestPressure = 0.0; ///< ever, at a point [Pa]
 };
 
-/// Contact at the face points of all cracks.
+/// Contact at the face points of all cracks, which all ranks have and move on alike.
 ///
 /// The gap of a point, zero in the undeformed state, follows the normal jump of the velocity that strains the
 /// particles, and so does its elastic slip the tangential jump: contact is an elastic layer in series with
@@ -82,6 +82,10 @@ public:
 
   const std::vector<CrackContact>& cracks() const { return cracks_; }
 
+  /// Part of `advance`; public because compilers for devices want kernels in public functions.
+  template <class Velocity>
+  void findJumps(const State<D>& state, const Velocity& velocity);
+
 private:
   void findStiffness(const State<D>& state);
   void keepCracks(Archive& archive);
@@ -96,6 +100,7 @@ private:
   View<double * [D - 1]> slip_;  ///< elastic slip, side +1 against side -1 along the tangents [m]
   View<double*> pressure_;       ///< [Pa]
   View<double * [D - 1]> shear_; ///< traction that holds back side +1, along the tangents [Pa]
+  View<double*> jump_;           ///< of each point, of the velocity from side -1 to side +1, D numbers [m/s]
   View<double*> heat_;           ///< dissipated at each point so far, by its undeformed size [J/m2]
   View<int*> closed_;            ///< points of each crack that press
   View<double*> peak_;           ///< largest pressure of each crack [Pa]

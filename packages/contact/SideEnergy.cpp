@@ -1,6 +1,7 @@
 #include "contact/SideEnergy.hpp"
 
 #include "output/ParticleEnergy.hpp"
+#include "parallel/Subdomain.hpp"
 
 #include <cmath>
 
@@ -92,7 +93,7 @@ SideEnergy measureSides(const State<D>& state, const WatchedCrack<D>& crack)
   const Vector<D> normal = crack.normal;
   const double middle = 0.5 * crack.length;
   const double reach = crack.part < 1.0 ? crack.part * middle : 1e300;
-  SideEnergy sum;
+  double sums[4] = {};
   Kokkos::parallel_reduce(
       "rhegma::contact::measureSides", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p, double& below, double& above, double& alongBelow, double& alongAbove) {
@@ -109,7 +110,13 @@ SideEnergy measureSides(const State<D>& state, const WatchedCrack<D>& crack)
         (foot.above ? above : below) += energy.kinetic(p) + energy.strain(p);
         (foot.above ? alongAbove : alongBelow) += 0.5 * energy.mass(p) * dot(v, v);
       },
-      sum.below, sum.above, sum.alongBelow, sum.alongAbove);
+      sums[0], sums[1], sums[2], sums[3]);
+  sumParts(state, sums, 4);
+  SideEnergy sum;
+  sum.below = sums[0];
+  sum.above = sums[1];
+  sum.alongBelow = sums[2];
+  sum.alongAbove = sums[3];
   return sum;
 }
 

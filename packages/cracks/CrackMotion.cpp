@@ -1,6 +1,7 @@
 #include "cracks/CrackMotion.hpp"
 
 #include "cracks/CrackFrames.hpp"
+#include "parallel/Subdomain.hpp"
 #include "state/FewItems.hpp"
 #include "state/UnstableStep.hpp"
 #include "transfer/Stencils.hpp"
@@ -25,10 +26,28 @@ void placePoints(const CrackSet<D>& cracks, const ObservedPoints<D>& points)
       });
 }
 
-/// Moves the faces with their nodes. \return how many vertices lie beyond all cells now
+/// How far each point's nodes take it, D numbers, and whether it has nodes.
 template <int D>
-int moveFaces(const CrackSet<D>& cracks, const Grid<D>& grid, const Nodes<D>& nodes,
-              const StencilTable<D>& stencils, double dt)
+void findShifts(const Nodes<D>& nodes, const StencilTable<D>& stencils, int count, double dt,
+                const View<double*>& shift)
+{
+  forFew(
+      "rhegma::cracks::findShifts", count, KOKKOS_LAMBDA(const int k) {
+        const int entries = stencils.count(k);
+        for (int d = 0; d < D; ++d)
+        {
+          double sum = 0.0;
+          for (int e = 0; e < entries; ++e)
+            sum += dt * stencils.weight(k, e) * nodes.motion(stencils.node(k, e), d);
+          shift(k * (D + 1) + d) = sum;
+        }
+        shift(k * (D + 1) + D) = entries > 0 ? 1.0 : 0.0;
+      });
+}
+
+/// Moves the faces. \return how many vertices lie beyond all cells now
+template <int D>
+int moveFaces(const CrackSet<D>& cracks, const Grid<D>& grid, const View<double*>& shifts)
 {
   const View<double* [2][D]> face = cracks.face;
   const View<double* [D]> vertex = cracks.vertex;
@@ -38,18 +57,16 @@ int moveFaces(const CrackSet<D>& cracks, const Grid<D>& grid, const Nodes<D>& no
         bool in = true;
         for (int d = 0; d < D; ++d)
         {
-          double shift[2] = {0.0, 0.0};
+          double shift[2];
           for (int side = 0; side < 2; ++side)
-            for (int e = 0; e < stencils.count(2 * v + side); ++e)
-              shift[side] +=
-                  dt * stencils.weight(2 * v + side, e) * nodes.motion(stencils.node(2 * v + side, e), d);
+            shift[side] = shifts((2 * v + side) * (D + 1) + d);
           if ((kind(v) & vertexKind::front) != 0)
             shift[0] = shift[1] = 0.5 * (shift[0] + shift[1]);
           for (int side = 0; side < 2; ++side)
           {
             face(v, side, d) += shift[side];
             const double cell = grid.inCells(face(v, side, d), d);
-            in = in && (stencils.count(2 * v + side) == 0 || (cell >= 0.0 && cell < grid.cells[d]));
+            in = in && (shifts((2 * v + side) * (D + 1) + D) == 0.0 || (cell >= 0.0 && cell < grid.cells[d]));
           }
           vertex(v, d) = 0.5 * (face(v, 0, d) + face(v, 1, d));
         }
@@ -70,10 +87,14 @@ void CrackMotion<D>::move(State<D>& state)
     points_.position = View<double* [D]>("rhegma::crackFacePosition", 2 * vertices);
     points_.half = View<double* [D]>("rhegma::crackFaceHalf", 2 * vertices);
     points_.side = View<int*>("rhegma::crackFaceSide", 2 * vertices);
+    points_.onAllRanks = true;
+    shift_ = View<double*>("rhegma::crackFaceShift", 2 * vertices * (D + 1));
   }
   placePoints(cracks, points_);
   pointStencils(state, points_, stencils_, true);
-  const int lost = moveFaces(cracks, state.grid, state.nodes, stencils_, state.dt);
+  findShifts(state.nodes, stencils_, points_.count, state.dt, shift_);
+  sumParts(state, shift_);
+  const int lost = moveFaces(cracks, wholeLattice(state), shift_);
   if (lost > 0 && state.trouble.empty())
     state.trouble = "a crack left the domain (" + unstableStep(state.subcycledLevels) +
                     "; or make the Domain larger or stop the run before)";

@@ -17,6 +17,7 @@ public:
 private:
   ObservedPoints<D> points_; ///< side -1 and +1 of each vertex, in this order
   StencilTable<D> stencils_;
+  View<double*> shift_; ///< of each point, D numbers, and whether it has nodes
 };
 
 } // namespace Rhegma::cracks

@@ -217,6 +217,6 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 
 } // namespace
 
-EffectEntry cracksEntry() { return {section(), check, make<2>, make<3>}; }
+EffectEntry cracksEntry() { return {section(), check, make<2>, make<3>, true}; }
 
 } // namespace Rhegma::cracks

@@ -3,6 +3,7 @@
 #include "checkpoint/Archive.hpp"
 #include "checkpoint/NodeNames.hpp"
 #include "material/MaterialTable.hpp"
+#include "parallel/Subdomain.hpp"
 #include "state/FewItems.hpp"
 #include "transfer/LocalSpacing.hpp"
 
@@ -55,6 +56,7 @@ struct HoldingForce
   View<int*> side;
   View<double* [D]> normal;
   View<std::uint64_t*> nearest;
+  View<double* [D]> whole; ///< forces of all ranks on nodes; empty where there is one rank
 
   KOKKOS_INLINE_FUNCTION Vector<D> operator()(int i) const
   {
@@ -64,7 +66,9 @@ struct HoldingForce
     Vector<D> force, n;
     for (int d = 0; d < D; ++d)
     {
-      const double f = nodes.sums(own, Nodes<D>::forceAt + d), g = nodes.sums(other, Nodes<D>::forceAt + d);
+      const bool ranks = whole.extent(0) > 0;
+      const double f = ranks ? whole(own, d) : nodes.sums(own, Nodes<D>::forceAt + d),
+                   g = ranks ? whole(other, d) : nodes.sums(other, Nodes<D>::forceAt + d);
       force[d] = signOf(side(own)) * (f * b - g * a) / (a + b);
       n[d] = normal(s, d);
     }
@@ -100,6 +104,25 @@ struct NearestFront
   }
 };
 
+/// The forces on nodes and second fields, before the solve adds up those of shared nodes; nothing where there
+/// is one rank. Collective.
+template <int D>
+View<double* [D]> forcesOfAllRanks(const State<D>& state)
+{
+  if (!state.subdomain)
+    return {};
+  const View<double* [D]> whole("rhegma::cracks::forcesOfAllRanks", state.nodes.sums.extent(0));
+  const auto sums = state.nodes.sums;
+  Kokkos::parallel_for(
+      "rhegma::cracks::forcesOfAllRanks", Kokkos::RangePolicy<ExecSpace>(0, whole.extent(0)),
+      KOKKOS_LAMBDA(const int n) {
+        for (int d = 0; d < D; ++d)
+          whole(n, d) = sums(n, Nodes<D>::forceAt + d);
+      });
+  sumOverRanks(state, whole.data(), D, 0, D);
+  return whole;
+}
+
 /// Makes a cohesive force of a stretched tie: from its force at its stretch j it falls to zero over another
 /// |j|. \return the energy that it holds, which no longer is elastic energy of ties [J]
 template <int D>
@@ -126,6 +149,11 @@ template <int D>
 void FrontTies<D>::makeRoom(State<D>& state)
 {
   const int rows = state.nodes.numLattice;
+  if (state.subdomain && (generation_ != state.tree.generation || grid_.numNodes == 0))
+  {
+    moveToNewNodes(state);
+    generation_ = state.tree.generation;
+  }
   if (static_cast<int>(jump_.extent(0)) < rows)
   {
     Kokkos::resize(jump_, rows);
@@ -145,6 +173,76 @@ void FrontTies<D>::makeRoom(State<D>& state)
   modulus_ = std::numeric_limits<double>::infinity();
   for (const Properties& material : state.materialList)
     modulus_ = std::min(modulus_, elasticity(material).effectiveModulus);
+}
+
+template <int D>
+void FrontTies<D>::moveToNewNodes(State<D>& state)
+{
+  const Grid<D>& lattice = wholeLattice(state);
+  const int nodes = state.grid.numNodes, width = 3 + D + (grows_ ? D + 4 : 0);
+  std::vector<double> ties; // node of the whole lattice, step, stiffness, jump, cohesion; one after another
+  {
+    const auto host = [](const auto& view)
+    { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
+    const auto jump = host(jump_);
+    const auto step = host(step_);
+    const auto stiffness = host(stiffness_);
+    const auto cohesive = host(cohesion_);
+    double latest = 0.0;
+    for (int n = 0; n < grid_.numNodes; ++n)
+      latest = std::max(latest, static_cast<double>(step(n)));
+    state.ranks.max(&latest, 1);
+    for (int n = 0; n < grid_.numNodes; ++n)
+    {
+      if (step(n) == 0 || step(n) < latest)
+        continue;
+      int at[D];
+      grid_.nodeCoordinates(n, at);
+      for (int d = 0; d < D; ++d)
+        at[d] += grid_.before[d];
+      ties.insert(ties.end(), {double(lattice.nodeIndex(at)), double(step(n)), stiffness(n)});
+      for (int d = 0; d < D; ++d)
+        ties.push_back(jump(n, d));
+      for (int i = 0; grows_ && i < D + 4; ++i)
+        ties.push_back(cohesive(n, i));
+    }
+  }
+  ties = state.ranks.gatherOnAll(ties);
+  jump_ = View<double* [D]>("rhegma::tieJump", nodes);
+  step_ = View<int*>("rhegma::tieStep", nodes);
+  stiffness_ = View<double*>("rhegma::tieStiffness", nodes);
+  if (grows_)
+    cohesion_ = View<double * [D + 4]>("rhegma::tieCohesion", nodes);
+  state.cracks.tie = View<double * [D + 1]>("rhegma::ties", nodes);
+  const auto jump = Kokkos::create_mirror_view(jump_);
+  const auto step = Kokkos::create_mirror_view(step_);
+  const auto stiffness = Kokkos::create_mirror_view(stiffness_);
+  const auto cohesive = Kokkos::create_mirror_view(cohesion_);
+  for (std::size_t k = 0; k < ties.size(); k += width)
+  {
+    int at[D];
+    lattice.nodeCoordinates(static_cast<int>(ties[k]), at);
+    bool here = true;
+    for (int d = 0; d < D; ++d)
+    {
+      at[d] -= state.grid.before[d];
+      here = here && at[d] >= 0 && at[d] <= state.grid.cells[d];
+    }
+    if (!here)
+      continue;
+    const int n = state.grid.nodeIndex(at);
+    step(n) = static_cast<int>(ties[k + 1]);
+    stiffness(n) = ties[k + 2];
+    for (int d = 0; d < D; ++d)
+      jump(n, d) = ties[k + 3 + d];
+    for (int i = 0; grows_ && i < D + 4; ++i)
+      cohesive(n, i) = ties[k + 3 + D + i];
+  }
+  Kokkos::deep_copy(jump_, jump);
+  Kokkos::deep_copy(step_, step);
+  Kokkos::deep_copy(stiffness_, stiffness);
+  Kokkos::deep_copy(cohesion_, cohesive);
+  grid_ = state.grid;
 }
 
 template <int D>
@@ -294,7 +392,10 @@ void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
               ++waiting;
             }
             else if (stiffness(own) > 0.0)
-              spent += softenTie<D>(cohesive, jump, own, stiffness(own));
+            {
+              const double held = softenTie<D>(cohesive, jump, own, stiffness(own));
+              spent += countsHere(nodes, own) ? held : 0.0;
+            }
             const bool softened = cohesive(own, cohesion::peak) > 0.0;
             tie(own, D) = stiffness(own) < most ? stiffness(own) : most;
             stiffness(own) = softened ? -1.0 : 0.0; // seen by the sum below, once
@@ -319,18 +420,25 @@ void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
       },
       waiting_, converted);
   state.energy.fracture += converted;
+  if (!grows)
+    return;
+  sumParts(state, &converted, 1);
   if (!(converted > 0.0))
     return;
   // What these ties held and will take is part of the energy of new faces.
   debt_.resize(state.cracks.fronts.size(), 0.0);
   for (std::size_t f = 0; f < debt_.size(); ++f)
-    debt_[f] += sumFew<double>(
+  {
+    auto owed = sumFew<double>(
         "rhegma::cracks::energyOfTies", nodes.numSecond, KOKKOS_LAMBDA(const int i, double& sum) {
           const int own = nodes.parent(i);
-          if (stiffness(own) < 0.0 &&
+          if (stiffness(own) < 0.0 && countsHere(nodes, own) &&
               frontOf(places(own), sight.crackOf(simplexOf(nearest(own)))) == static_cast<int>(f))
             sum += cohesive(own, cohesion::peak) * cohesive(own, cohesion::range);
         });
+    sumParts(state, &owed, 1);
+    debt_[f] += owed;
+  }
 }
 
 template <int D>
@@ -347,6 +455,8 @@ void FrontTies<D>::addForces(State<D>& state) const
         for (int d = 0; d < D; ++d)
         {
           tie(own, d) = pullOf<D>(tie, jump, cohesive, own, d, signOf(side(own)));
+          if (!countsHere(nodes, own))
+            continue;
           nodes.sums(own, Nodes<D>::forceAt + d) += tie(own, d);
           nodes.sums(other, Nodes<D>::forceAt + d) -= tie(own, d);
         }
@@ -398,15 +508,18 @@ FollowingForce<D> FrontTies<D>::following()
 template <int D>
 void FrontTies<D>::release(State<D>& state, const Surroundings& surroundings)
 {
-  if (waiting_ == 0)
+  double waiting = waiting_;
+  maxParts(state, &waiting, 1);
+  if (waiting == 0.0)
     return;
   const Nodes<D> nodes = state.nodes;
+  const View<double* [D]> whole = forcesOfAllRanks(state);
   const View<int*> side = state.cracks.nodeSide;
   const View<double*[D]> jump = jump_, normal = state.cracks.normal;
   const View<std::uint64_t*> nearest = surroundings.nearest;
   const View<double * [D + 1]> tie = state.cracks.tie;
   const View<double * [D + 4]> cohesive = cohesion_;
-  const HoldingForce<D> holding{nodes, side, normal, nearest};
+  const HoldingForce<D> holding{nodes, side, normal, nearest, whole};
   const bool refined = state.tree.refined();
   const View<int*> level = state.tree.nodeLevel;
   const int firstShort = firstOfShortSteps(state);
@@ -415,11 +528,13 @@ void FrontTies<D>::release(State<D>& state, const Surroundings& surroundings)
   {
     CrackFront<D>& front = state.cracks.fronts[f];
     const double name = -1.0 - static_cast<double>(f);
-    const auto sum = sumFew<double>(
+    auto sum = sumFew<double>(
         "rhegma::cracks::sumHoldingForces", nodes.numSecond, KOKKOS_LAMBDA(const int i, double& all) {
-          if (cohesive(nodes.parent(i), cohesion::peak) == name)
+          const int own = nodes.parent(i);
+          if (cohesive(own, cohesion::peak) == name && countsHere(nodes, own))
             all += norm(holding(i));
         });
+    sumParts(state, &sum, 1);
     // A node that the front passes by drifting through the cells takes what a cell of new face would.
     const double energy = front.unspent > 0.0 ? front.unspent
                                               : std::max(0.0, front.driving.release) * state.thickness *
@@ -451,6 +566,8 @@ void FrontTies<D>::release(State<D>& state, const Surroundings& surroundings)
           {
             cohesive(own, cohesion::shift + d) = force[d] / stiffness - jump(own, d);
             tie(own, d) = -signOf(side(own)) * force[d];
+            if (!countsHere(nodes, own))
+              continue;
             nodes.sums(own, Nodes<D>::forceAt + d) += tie(own, d);
             nodes.sums(other, Nodes<D>::forceAt + d) -= tie(own, d);
           }
@@ -492,7 +609,7 @@ void FrontTies<D>::advance(State<D>& state)
             const double from = jump(own, d) + cohesive(own, cohesion::shift + d);
             square += from * from;
           }
-          else
+          else if (countsHere(nodes, own))
             sum += 0.5 * tie(own, D) * jump(own, d) * jump(own, d);
         }
         if (resists && square > cohesive(own, cohesion::reached) * cohesive(own, cohesion::reached))
@@ -505,7 +622,7 @@ void FrontTies<D>::advance(State<D>& state)
         {
           const double before = tie(own, d);
           tie(own, d) = pullOf<D>(tie, jump, cohesive, own, d, sign);
-          if (resists && both)
+          if (resists && both && countsHere(nodes, own))
             work -= 0.5 * sign * (before + tie(own, d)) * more[d];
         }
       },
@@ -517,13 +634,14 @@ void FrontTies<D>::advance(State<D>& state)
 template <int D>
 double FrontTies<D>::energyInFlight(const State<D>& state, int step) const
 {
+  const Nodes<D> nodes = state.nodes;
   const View<double* [D]> jump = jump_;
   const View<int*> last = step_;
   const View<double * [D + 4]> cohesive = cohesion_;
   double sum = sumFew<double>(
       "rhegma::cracks::energyInFlight", static_cast<int>(cohesive.extent(0)),
       KOKKOS_LAMBDA(const int n, double& all) {
-        if (last(n) != step || step == 0 || !(cohesive(n, cohesion::peak) > 0.0))
+        if (last(n) != step || step == 0 || !(cohesive(n, cohesion::peak) > 0.0) || !countsHere(nodes, n))
           return;
         const double r = cohesive(n, cohesion::reached), force = cohesion::strength(cohesive, n);
         double square = 0.0;
@@ -536,6 +654,7 @@ double FrontTies<D>::energyInFlight(const State<D>& state, int step) const
         if (force > 0.0)
           all += 0.5 * force * (end - r) + 0.5 * force / r * (r * r - square);
       });
+  sumParts(state, &sum, 1);
   for (const CrackFront<D>& front : state.cracks.fronts)
     sum += front.unspent;
   return sum;

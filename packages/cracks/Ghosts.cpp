@@ -1,5 +1,6 @@
 #include "cracks/Ghosts.hpp"
 
+#include "parallel/Subdomain.hpp"
 #include "transfer/ParticleViews.hpp"
 
 namespace Rhegma::cracks
@@ -167,6 +168,73 @@ void limitShares(const State<2>& state, const Ghosts& ghosts)
       });
 }
 
+/// Gives nodes that ranks share what their owners, which see far enough around them, have found.
+void shareStandIns(const State<2>& state, const Ghosts& ghosts)
+{
+  constexpr int width = Ghosts::toldWidth;
+  const Nodes<2> nodes = state.nodes;
+  const Grid<2> grid = state.grid;
+  const View<double*> told = ghosts.told;
+  Kokkos::parallel_for(
+      "rhegma::cracks::tellStandIns", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
+      KOKKOS_LAMBDA(const int i) {
+        const int n = nodes.active(i), step = ghosts.step(n);
+        const bool tells = countsHere(nodes, n) && step != 0;
+        // Nodes are numbered otherwise on other ranks: 1 and 2 are the axes.
+        const double axis = step == grid.stride[0] || step == -grid.stride[0] ? 1.0 : 2.0;
+        told(width * n) = tells ? (step > 0 ? axis : -axis) : 0.0;
+        told(width * n + 1) = tells ? ghosts.distance(n) : 0.0;
+        told(width * n + 2) = tells ? ghosts.share(n) : 0.0;
+      });
+  sumOverRanks(state, told.data(), width, 0, width);
+  Kokkos::parallel_for(
+      "rhegma::cracks::hearStandIns", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
+      KOKKOS_LAMBDA(const int i) {
+        const int n = nodes.active(i), axis = static_cast<int>(std::fabs(told(width * n)));
+        ghosts.step(n) = axis == 0 ? 0 : (told(width * n) > 0.0 ? 1 : -1) * grid.stride[axis - 1];
+        ghosts.distance(n) = static_cast<int>(told(width * n + 1));
+        ghosts.share(n) = told(width * n + 2);
+      });
+}
+
+/// Part of the extrapolation to all of its ghosts that a node bears.
+KOKKOS_INLINE_FUNCTION double borneBy(const Grid<2>& grid, const Ghosts& ghosts, int far)
+{
+  const double taken = takenFrom(grid, ghosts, far), allowed = takenAtMost * ghosts.seen(far);
+  return taken > allowed ? allowed / taken : 1.0;
+}
+
+/// What limitShares does, where the far node of a ghost may be another rank's.
+void limitSharesOnRanks(const State<2>& state, const Ghosts& ghosts)
+{
+  const Nodes<2> nodes = state.nodes;
+  const Grid<2> grid = state.grid;
+  const View<double*> borne = ghosts.told;
+  Kokkos::parallel_for(
+      "rhegma::cracks::findBorne", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
+      KOKKOS_LAMBDA(const int i) {
+        const int n = nodes.active(i);
+        borne(n) = countsHere(nodes, n) ? borneBy(grid, ghosts, n) : 0.0;
+      });
+  sumOverRanks(state, borne.data(), 1, 0, 1);
+  Kokkos::parallel_for(
+      "rhegma::cracks::limitSharesOnRanks", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
+      KOKKOS_LAMBDA(const int i) {
+        const int n = nodes.active(i), step = ghosts.step(n);
+        if (step == 0)
+          return;
+        int at[2];
+        grid.nodeCoordinates(n, at);
+        const int axis = step == grid.stride[0] || step == -grid.stride[0] ? 0 : 1;
+        at[axis] += (step > 0 ? 1 : -1) * (ghosts.distance(n) + 1);
+        // No particle of this rank sees a ghost whose stand-ins are so far away.
+        if (at[axis] < 0 || at[axis] > grid.cells[axis])
+          ghosts.step(n) = 0;
+        else
+          ghosts.share(n) *= borne(grid.nodeIndex(at));
+      });
+}
+
 } // namespace
 
 double largestCfl(const CrackSet<2>& cracks)
@@ -194,14 +262,22 @@ void findGhosts(const State<2>& state, const View<int*>& row, Ghosts& ghosts)
     ghosts.share = View<double*>("rhegma::cracks::ghostShare", n);
     ghosts.seen = View<double*>("rhegma::cracks::massSeen", n);
     ghosts.unseen = View<double*>("rhegma::cracks::massUnseen", n);
+    if (state.subdomain)
+      ghosts.told = View<double*>("rhegma::cracks::toldOfGhosts", Ghosts::toldWidth * n);
   }
   Kokkos::deep_copy(ghosts.step, 0); // also at nodes that particles have left
   findStandIns(state, ghosts);
+  if (state.subdomain)
+    shareStandIns(state, ghosts);
   if (state.shape == ShapeKind::Linear)
     addMass<ShapeKind::Linear>(state, row, ghosts);
   else
     addMass<ShapeKind::Gimp>(state, row, ghosts);
-  limitShares(state, ghosts);
+  if (!state.subdomain)
+    return limitShares(state, ghosts);
+  sumOverRanks(state, ghosts.seen);
+  sumOverRanks(state, ghosts.unseen);
+  limitSharesOnRanks(state, ghosts);
 }
 
 } // namespace Rhegma::cracks

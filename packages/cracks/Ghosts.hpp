@@ -16,6 +16,8 @@ struct Ghosts
   View<double*> share;  ///< 1: linear extrapolation; 0: the near node's value
   View<double*> seen;   ///< mass around the node, by unbroken functions, of particles that see it [kg]
   View<double*> unseen; ///< the same of particles on the other side of the crack [kg]
+  static constexpr int toldWidth = 3;
+  View<double*> told; ///< what ranks tell each other of a node; empty where there is one
 };
 
 /// Nodes over which the nearest visible one is looked for.
@@ -45,7 +47,7 @@ constexpr double diagonalSlope = 0.7;
 /// Largest CFL number with extrapolated weights beside these cracks, as they lie now.
 double largestCfl(const CrackSet<2>& cracks);
 
-/// Finds what stands in for each node that lies behind a front. Call after findSides.
+/// Finds what stands in for each node that lies behind a front. Call after findSides. Collective.
 /// \param row 0 for particles near cracks, as findSides marks them
 void findGhosts(const State<2>& state, const View<int*>& row, Ghosts& ghosts);
 

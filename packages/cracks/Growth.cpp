@@ -4,6 +4,7 @@
 #include "cracks/CrackFrames.hpp"
 #include "cracks/CrackGeometry.hpp"
 #include "cracks/Layout.hpp"
+#include "parallel/Subdomain.hpp"
 #include "scene/Numbers.hpp"
 #include "transfer/LocalSpacing.hpp"
 
@@ -124,6 +125,14 @@ std::uint64_t filledPlaces(const State<2>& state, const Vector<2>& x, const Vect
             bits |= std::uint64_t(1) << k;
       },
       Kokkos::BOr<std::uint64_t>(filled));
+  if (!state.subdomain)
+    return filled;
+  double found[places + 1];
+  for (int k = 0; k <= places; ++k)
+    found[k] = (filled >> k & 1) != 0 ? 1.0 : 0.0;
+  maxParts(state, found, places + 1);
+  for (int k = 0; k <= places; ++k)
+    filled |= found[k] > 0.0 ? std::uint64_t(1) << k : 0;
   return filled;
 }
 

@@ -1,6 +1,8 @@
 #include "cracks/HeldFaces.hpp"
 
-#include <set>
+#include "parallel/Subdomain.hpp"
+
+#include <vector>
 
 namespace Rhegma::cracks
 {
@@ -20,10 +22,10 @@ void warnOfHeldFaces(State<D>& state, const Surroundings& surroundings)
   const NodePlaces<D> places = nodePlaces(state);
   const CrackSight<D> sight(state.cracks, state.grid.spacing);
   const View<std::uint64_t*> nearest = surroundings.nearest;
-  std::set<int> cracks;
+  std::vector<double> held(state.cracks.cracks.size(), 0.0); // whether each is
   for (const NodeConstraint<D>& constraint : state.constraints)
   {
-    int held = -1;
+    int found = -1;
     Kokkos::parallel_reduce(
         "rhegma::cracks::heldFaces", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
         KOKKOS_LAMBDA(const int i, int& last) {
@@ -45,16 +47,18 @@ void warnOfHeldFaces(State<D>& state, const Surroundings& surroundings)
           if (along && !constraint.appliesAt(across) && crack > last)
             last = crack;
         },
-        Kokkos::Max<int>(held));
-    if (held >= 0)
-      cracks.insert(held);
+        Kokkos::Max<int>(found));
+    if (found >= 0)
+      held[found] = 1.0;
   }
-  for (const int c : cracks)
-    state.warnings.push_back(
-        "Cracks > " + state.cracks.cracks[c].name +
-        ": it runs along a support less than a cell away, which so holds both of its faces "
-        "and lets it open less than it should; keep a cell between them, or take smaller "
-        "cells (Domain > Cell Size)");
+  maxParts(state, held.data(), static_cast<int>(held.size()));
+  for (std::size_t c = 0; c < held.size(); ++c)
+    if (held[c] != 0.0)
+      state.warnings.push_back(
+          "Cracks > " + state.cracks.cracks[c].name +
+          ": it runs along a support less than a cell away, which so holds both of its faces "
+          "and lets it open less than it should; keep a cell between them, or take smaller "
+          "cells (Domain > Cell Size)");
 }
 
 template void warnOfHeldFaces(State<2>&, const Surroundings&);

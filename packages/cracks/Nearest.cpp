@@ -84,14 +84,13 @@ void findNearest(const State<D>& state, const Surroundings& around)
                              [&](const int k)
                              {
                                int at[D], rest = k;
-                               Vector<D> x;
                                for (int d = 0; d < D; ++d)
                                {
                                  at[d] = first[d] + rest % count[d];
                                  rest /= count[d];
-                                 x[d] = grid.origin[d] + at[d] * grid.spacing;
                                }
                                const int n = grid.nodeIndex(at);
+                               const Vector<D> x = grid.placeOf(at);
                                tell(n, x);
                                const int branch = refined ? root(n) : -1;
                                for (int i = branch < 0 ? 0 : fineBegin(branch);

@@ -1,6 +1,7 @@
 #include "cracks/Overlap.hpp"
 
 #include "cracks/Opening.hpp"
+#include "parallel/Subdomain.hpp"
 #include "scene/Numbers.hpp"
 
 #include <cmath>
@@ -18,11 +19,10 @@ double strainBeside(const State<D>& state, int crack)
   const auto side = state.particles.integer(fields::side);
   const auto F = state.particles.template real<gradientSize<D>>(fields::deformation);
   const int name = crack + 1;
-  double squares = 0.0;
-  int count = 0;
+  double found[2] = {0.0, 0.0}; // sum of squares, number of particles
   Kokkos::parallel_reduce(
       "rhegma::cracks::strainBeside", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-      KOKKOS_LAMBDA(const int p, double& sum, int& number) {
+      KOKKOS_LAMBDA(const int p, double& sum, double& number) {
         if (side(p) != name && side(p) != -name)
           return;
         for (int i = 0; i < D; ++i)
@@ -33,10 +33,11 @@ double strainBeside(const State<D>& state, int crack)
               strain += 0.5 * F(p, k * D + i) * F(p, k * D + j);
             sum += strain * strain;
           }
-        ++number;
+        number += 1.0;
       },
-      squares, count);
-  return count > 0 ? std::sqrt(squares / count) : 0.0;
+      found[0], found[1]);
+  sumParts(state, found, 2);
+  return found[1] > 0.0 ? std::sqrt(found[0] / found[1]) : 0.0;
 }
 
 } // namespace

@@ -302,9 +302,16 @@ void markParticles(const State<D>& state, const Surroundings& around, const Reac
 template <int D>
 void makeRoom(State<D>& state, Surroundings& around)
 {
+  const int nodes = state.nodes.numLattice, room = nodes + nodes / 4;
+  // Where the domain was divided anew, values would be other nodes'.
+  if (state.subdomain && around.generation != state.tree.generation)
+  {
+    around.nearest = View<std::uint64_t*>();
+    state.cracks.nodeSide = state.cracks.second = around.cellMark = View<int*>();
+    around.generation = state.tree.generation;
+  }
   if (static_cast<int>(around.cellMark.extent(0)) != state.grid.numNodes)
     around.cellMark = View<int*>("rhegma::cracks::cellMark", state.grid.numNodes);
-  const int nodes = state.nodes.numLattice, room = nodes + nodes / 4;
   if (static_cast<int>(around.nearest.extent(0)) < nodes)
   {
     around.nearest = View<std::uint64_t*>("rhegma::cracks::nearest", room);

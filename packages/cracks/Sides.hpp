@@ -30,6 +30,7 @@ struct Surroundings
   View<int*> cellMark;          ///< stamp of the last step in which a cell was near a crack
   View<std::uint64_t*> nearest; ///< of each active node: square distance and number of the nearest simplex
   int stamp = 0;
+  int generation = 0; ///< of the nodes
 };
 
 /// The simplex in an entry of Surroundings::nearest.

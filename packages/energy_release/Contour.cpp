@@ -1,5 +1,6 @@
 #include "energy_release/Contour.hpp"
 
+#include "parallel/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>
@@ -48,6 +49,7 @@ double clearRadius(const State<D>& state, const Vector<D>& centre, double radius
   const int nodes = grid.numNodes + state.tree.numFine;
   const View<double*> volume("rhegma::contourVolume", nodes);
   sumVolume(state, centre, radius + 3.0 * grid.spacing, volume);
+  sumOverRanks(state, volume);
   double cell = D == 2 ? state.thickness : 1.0;
   for (int d = 0; d < D; ++d)
     cell *= grid.spacing;
@@ -63,7 +65,9 @@ double clearRadius(const State<D>& state, const Vector<D>& centre, double radius
         smallest = r < smallest ? r : smallest;
       },
       Kokkos::Min<double>(nearest));
-  return std::min(nearest, radius);
+  double closeness = -nearest;
+  maxParts(state, &closeness, 1);
+  return std::min(-closeness, radius);
 }
 
 template <int D>

@@ -1,5 +1,6 @@
 #include "energy_release/CrackClosure.hpp"
 
+#include "parallel/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>
@@ -15,6 +16,9 @@ namespace
 /// Radius of the patch in cells: what a node of the consistent projection takes from others falls to a
 /// quarter from node to node, so that the rim of the patch is not felt at its middle.
 constexpr double patchRadius = 8.0;
+
+/// Cells over which nodes of particles may lie beyond them.
+constexpr double patchStencil = 3.0;
 
 /// Force of each side on a node that both may touch.
 struct SideForces
@@ -58,7 +62,7 @@ public:
   Columns(const State<2>& state, const CrackFront<2>& front, double cell,
           const std::map<int, SideForces>& forces)
       : places_(state),
-        origin_(state.grid.origin),
+        origin_(state.grid.whole),
         cell_(cell),
         axis_(std::fabs(front.direction[0]) >= std::fabs(front.direction[1]) ? 0 : 1),
         sign_(front.direction[axis_] > 0.0 ? 1 : -1)
@@ -108,7 +112,9 @@ std::map<int, int> firstClosed(const std::map<int, SideForces>& forces, const Sp
 class TieForces
 {
 public:
-  explicit TieForces(const State<2>& state) : known_(state.cracks.tie.extent(0) > 0)
+  /// Collective. \param radius around the front of the nodes that will be asked for [m]
+  TieForces(const State<2>& state, const CrackFront<2>& front, double radius)
+      : known_(state.cracks.tie.extent(0) > 0), many_(static_cast<bool>(state.subdomain))
   {
     if (!known_)
       return;
@@ -117,8 +123,19 @@ public:
     force_ = host(state.cracks.tie);
     side_ = host(state.cracks.nodeSide);
     second_ = host(state.cracks.second);
+    if (many_)
+      gather(state, front, radius);
   }
   Vector<2> operator()(int node) const
+  {
+    if (!many_)
+      return forceHere(node);
+    const auto found = all_.find(node);
+    return found == all_.end() ? Vector<2>{{0.0, 0.0}} : found->second;
+  }
+
+private:
+  Vector<2> forceHere(int node) const
   {
     if (!known_ || second_(node) < 0)
       return {{0.0, 0.0}};
@@ -126,8 +143,22 @@ public:
     return {{sign * force_(node, 0), sign * force_(node, 1)}};
   }
 
-private:
-  bool known_;
+  void gather(const State<2>& state, const CrackFront<2>& front, double radius)
+  {
+    std::vector<double> own; // node, force; one after another
+    for (const int n : ownNodesAround(state, front.position, radius))
+    {
+      const Vector<2> force = forceHere(n);
+      if (force[0] != 0.0 || force[1] != 0.0)
+        own.insert(own.end(), {double(numberInWhole(state, n)), force[0], force[1]});
+    }
+    const std::vector<double> all = state.ranks.gatherOnAll(own);
+    for (std::size_t k = 0; k < all.size(); k += 3)
+      all_[static_cast<int>(all[k])] = {{all[k + 1], all[k + 2]}};
+  }
+
+  bool known_, many_;
+  std::map<int, Vector<2>> all_; ///< where there are several ranks
   View<double* [3]>::HostMirror force_;
   View<int*>::HostMirror side_, second_;
 };
@@ -181,10 +212,11 @@ CrackClosure closeCrack(const State<2>& state, const CrackFront<2>& front, int n
   if (!runsAlongGrid(front))
     return {none, none};
   const double cell = spacingAt(state, front.position);
-  const std::vector<PatchParticle> particles = particlesAround(state, front, patchRadius * cell);
-  const SplitNodes split(state, front);
+  const double radius = patchRadius * cell, beyond = radius + patchStencil * state.grid.spacing;
+  const std::vector<PatchParticle> particles = particlesAround(state, front, radius);
+  const SplitNodes split(state, front, beyond);
   const std::map<int, SideForces> forces = nodeForces(particles);
-  const TieForces ties(state);
+  const TieForces ties(state, front, beyond);
   const Columns columns(state, front, cell, forces);
   const std::map<int, int> first = firstClosed(forces, split, columns);
   const auto release = [&](RecoveryMatrix matrix)

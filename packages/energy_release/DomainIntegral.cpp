@@ -5,7 +5,9 @@
 #include "energy_release/InternalAcceleration.hpp"
 #include "material/MaterialTable.hpp"
 #include "material/Materials.hpp"
+#include "parallel/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
+#include "transfer/NearestMaterial.hpp"
 #include "transfer/ParticleViews.hpp"
 
 namespace Rhegma::energy_release
@@ -34,49 +36,31 @@ KOKKOS_INLINE_FUNCTION double distance(const BorrowedView<double* [D]>& position
   return std::sqrt(x * x + y * y);
 }
 
-int nearestParticle(const State<D>& state, const Vector<D>& place)
-{
-  using Reducer = Kokkos::MinLoc<double, int>;
-  const auto position = state.particles.real<D>(fields::position);
-  typename Reducer::value_type nearest;
-  Kokkos::parallel_reduce(
-      "rhegma::nearestParticle", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-      KOKKOS_LAMBDA(const int p, typename Reducer::value_type& best) {
-        const double r = distance(position, p, place);
-        if (r < best.val)
-        {
-          best.val = r;
-          best.loc = p;
-        }
-      },
-      Reducer(nearest));
-  return nearest.loc;
-}
-
 /// Mean places of the particles in a disk, now and before deformation.
 void addMeanPlaces(const State<D>& state, const Vector<D>& centre, double reach, Disk& disk)
 {
   const auto position = state.particles.real<D>(fields::position);
   const auto reference = state.particles.real<D>(fields::reference);
-  double x = 0.0, y = 0.0, fromX = 0.0, fromY = 0.0;
-  int count = 0;
+  double sums[5] = {}; // of places, of places before deformation, number
   Kokkos::parallel_reduce(
       "rhegma::meanPlace", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p, double& sumX, double& sumY, double& sumFromX, double& sumFromY,
-                    int& number) {
+                    double& number) {
         if (distance(position, p, centre) > reach)
           return;
         sumX += position(p, 0);
         sumY += position(p, 1);
         sumFromX += reference(p, 0);
         sumFromY += reference(p, 1);
-        ++number;
+        number += 1.0;
       },
-      x, y, fromX, fromY, count);
-  if (count == 0)
+      sums[0], sums[1], sums[2], sums[3], sums[4]);
+  sumParts(state, sums, 5);
+  const double count = sums[4];
+  if (count == 0.0)
     return;
-  disk.place = {{x / count, y / count}};
-  disk.reference = {{fromX / count, fromY / count}};
+  disk.place = {{sums[0] / count, sums[1] / count}};
+  disk.reference = {{sums[2] / count, sums[3] / count}};
 }
 
 Disk describeDisk(const State<D>& state, const CrackFront<D>& front, const ContourRadii& radii)
@@ -86,33 +70,31 @@ Disk describeDisk(const State<D>& state, const CrackFront<D>& front, const Conto
   const auto F = state.particles.real<gradientSize<D>>(fields::deformation);
   const Vector<D> centre = front.position;
   const double reach = radii.outer;
-  double along = 0.0, across = 0.0, vx = 0.0, vy = 0.0;
-  int count = 0;
+  double sums[5] = {}; // of the gradient's trace and skew part, of velocity, number
   Kokkos::parallel_reduce(
       "rhegma::meanMotion", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-      KOKKOS_LAMBDA(const int p, double& trace, double& skew, double& x, double& y, int& number) {
+      KOKKOS_LAMBDA(const int p, double& trace, double& skew, double& x, double& y, double& number) {
         if (distance(position, p, centre) > reach)
           return;
         trace += F(p, 0) + F(p, 3);
         skew += F(p, 2) - F(p, 1);
         x += velocity(p, 0);
         y += velocity(p, 1);
-        ++number;
+        number += 1.0;
       },
-      along, across, vx, vy, count);
+      sums[0], sums[1], sums[2], sums[3], sums[4]);
+  sumParts(state, sums, 5);
   Disk disk;
-  if (count > 0)
+  const double along = sums[0], across = sums[1], count = sums[4];
+  if (count > 0.0)
   {
     const double size = std::sqrt(along * along + across * across);
     disk.cosine = along / size;
     disk.sine = across / size;
-    disk.velocity = {{vx / count, vy / count}};
+    disk.velocity = {{sums[2] / count, sums[3] / count}};
   }
   addMeanPlaces(state, centre, reach, disk);
-  const auto material = state.particles.integer(fields::material);
-  int index = 0;
-  Kokkos::deep_copy(index, Kokkos::subview(material, nearestParticle(state, centre)));
-  const Elasticity e = elasticity(state.materialList[index]);
+  const Elasticity e = elasticity(state.materialList[materialAt(state, centre)]);
   disk.moduli.shear = e.shear;
   disk.moduli.kolosov =
       state.plane == Plane::Stress ? (3.0 - e.poisson) / (1.0 + e.poisson) : 3.0 - 4.0 * e.poisson;
@@ -372,7 +354,7 @@ double offsetAside(const State<D>& state, const CrackFront<D>& front, const Cont
   const Vector<D> tip = front.position, direction = front.direction, normal = front.normal;
   const double cell = spacingAt(state, front.position), from = radii.inner, to = radii.outer + cell;
   const int name = front.crack + 1;
-  double above = 0.0, below = 0.0;
+  double sums[2] = {}; // of volume above and below
   Kokkos::parallel_reduce(
       "rhegma::offsetAside", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p, double& up, double& down) {
@@ -382,7 +364,9 @@ double offsetAside(const State<D>& state, const CrackFront<D>& front, const Cont
           return;
         (side(p) == name ? up : down) += volume(p) * (1.0 - z / cell);
       },
-      above, below);
+      sums[0], sums[1]);
+  sumParts(state, sums, 2);
+  const double above = sums[0], below = sums[1];
   return above + below > 0.0 ? 0.5 * cell * (below - above) / (above + below) : 0.0;
 }
 
@@ -399,11 +383,13 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
   for (int turn = 1;; ++turn)
   {
     work.tip = middle + sum.tipOffset * front.direction;
-    double J = 0.0, modeI = 0.0, modeII = 0.0, reciprocalI = 0.0, reciprocalII = 0.0;
+    double sums[5] = {}; // J, both intensities, both reciprocal integrals
     Kokkos::parallel_reduce("rhegma::domainIntegral",
-                            Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()), work, J, modeI, modeII,
-                            reciprocalI, reciprocalII);
-    sum.J = J / state.thickness;
+                            Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()), work, sums[0], sums[1],
+                            sums[2], sums[3], sums[4]);
+    sumParts(state, sums, 5);
+    const double modeI = sums[1], modeII = sums[2], reciprocalI = sums[3], reciprocalII = sums[4];
+    sum.J = sums[0] / state.thickness;
     if (!work.intensities)
       return sum;
     sum.modeI = scale * modeI;

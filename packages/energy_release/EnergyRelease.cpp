@@ -33,7 +33,7 @@ struct Sample
 {
   CrackFront<2> front;
   ContourRadii radii{0.0, 0.0}; ///< none round a front that has ended
-  bool closed = false; ///< whether crack closure is wanted and can be found
+  bool closed = false;          ///< whether crack closure is wanted and can be found
   DomainIntegral integral;
   CrackClosure closure{notYet, notYet};
 };
@@ -345,6 +345,6 @@ Effect<3> make3(const Teuchos::ParameterList&)
 
 } // namespace
 
-EffectEntry energyReleaseEntry() { return {energyReleaseSection(), checkEnergyRelease, make2, make3}; }
+EffectEntry energyReleaseEntry() { return {energyReleaseSection(), checkEnergyRelease, make2, make3, true}; }
 
 } // namespace Rhegma::energy_release

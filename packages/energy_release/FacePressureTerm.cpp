@@ -1,5 +1,6 @@
 #include "energy_release/FacePressureTerm.hpp"
 
+#include "parallel/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/Stencils.hpp"
 
@@ -78,6 +79,7 @@ double intensityLostAtFront(const State<2>& state, const CrackFront<2>& front, d
     places.push_back(place);
 
   ObservedPoints<2> points;
+  points.onAllRanks = true;
   points.count = static_cast<int>(places.size());
   points.position = View<double* [2]>("rhegma::nearFrontPosition", points.count);
   points.half = View<double* [2]>("rhegma::nearFrontHalf", points.count);
@@ -98,15 +100,15 @@ double intensityLostAtFront(const State<2>& state, const CrackFront<2>& front, d
   // int s^-1/2 ds over a piece of the way back, s the distance from the tip that the cells have.
   const auto weighed = [tipOffset](double from, double to)
   { return 2.0 * (std::sqrt(std::max(to + tipOffset, 0.0)) - std::sqrt(std::max(from + tipOffset, 0.0))); };
-  double intensity = places.empty() ? 0.0 : places[0].pressure * weighed(-std::fabs(tipOffset), 0.0);
+  std::vector<double> shared(points.count, 0.0); // share of each point's nodes that the faces share
   for (int k = 0; k < points.count; ++k)
-  {
-    double shared = 0.0;
     for (int e = 0; e < count(k); ++e)
       if (node(k, e) < state.nodes.numLattice && nodeSide(node(k, e)) == 0)
-        shared += weight(k, e);
-    intensity += shared * places[k].pressure * weighed(k * piece, (k + 1) * piece);
-  }
+        shared[k] += weight(k, e);
+  sumParts(state, shared.data(), points.count);
+  double intensity = places.empty() ? 0.0 : places[0].pressure * weighed(-std::fabs(tipOffset), 0.0);
+  for (int k = 0; k < points.count; ++k)
+    intensity += shared[k] * places[k].pressure * weighed(k * piece, (k + 1) * piece);
   return intensity * std::sqrt(2.0 / std::acos(-1.0));
 }
 

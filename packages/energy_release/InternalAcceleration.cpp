@@ -1,5 +1,6 @@
 #include "energy_release/InternalAcceleration.hpp"
 
+#include "parallel/Subdomain.hpp"
 #include "transfer/ParticleViews.hpp"
 
 namespace Rhegma::energy_release
@@ -100,6 +101,7 @@ void internalAcceleration(const State<D>& state, const Vector<D>& centre, double
                                                      radius};
                      forEachBlock("rhegma::internalForce", state.blocks, block);
                    });
+  sumOverRanks(state, force.data(), D, 0, D);
   addTies(state, force);
   divideByMass(state.nodes, force);
 }

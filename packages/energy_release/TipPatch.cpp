@@ -1,6 +1,7 @@
 #include "energy_release/TipPatch.hpp"
 
 #include "energy_release/CrackLine.hpp"
+#include "parallel/Subdomain.hpp"
 #include "transfer/TreeStencil.hpp"
 
 #include <Teuchos_SerialDenseMatrix.hpp>
@@ -9,6 +10,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <stdexcept>
 
@@ -109,7 +112,70 @@ std::vector<int> namedSides(const State<2>& state, const View<int*>& list)
   return named;
 }
 
+/// Numbers of a particle as ranks tell them to each other.
+constexpr int toldWidth = 13 + 4 * PatchParticle::capacity;
+
+void tell(const PatchParticle& p, std::vector<double>& numbers)
+{
+  numbers.insert(numbers.end(), {p.place[0], p.place[1], p.displacement[0], p.displacement[1], p.mass,
+                                 p.density, p.fromFront, p.force[0][0], p.force[0][1], p.force[1][0],
+                                 p.force[1][1], double(p.side), double(p.count)});
+  for (int k = 0; k < PatchParticle::capacity; ++k)
+  {
+    const bool has = k < p.count;
+    numbers.insert(numbers.end(), {has ? double(p.node[k]) : 0.0, has ? p.weight[k] : 0.0,
+                                   has ? p.slope[k][0] : 0.0, has ? p.slope[k][1] : 0.0});
+  }
+}
+
+PatchParticle hear(const double* at)
+{
+  PatchParticle p;
+  p.place = {{at[0], at[1]}};
+  p.displacement = {{at[2], at[3]}};
+  p.mass = at[4];
+  p.density = at[5];
+  p.fromFront = at[6];
+  for (int k = 0; k < 4; ++k)
+    p.force[k / 2][k % 2] = at[7 + k];
+  p.side = static_cast<int>(at[11]);
+  p.count = static_cast<int>(at[12]);
+  for (int k = 0; k < p.count; ++k)
+  {
+    const double* const of = at + 13 + 4 * k;
+    p.node[k] = static_cast<int>(of[0]);
+    p.weight[k] = of[1];
+    p.slope[k] = {{of[2], of[3]}};
+  }
+  return p;
+}
+
+/// The particles of all ranks, on every rank.
+std::vector<PatchParticle> ofAllRanks(const Ranks& ranks, const std::vector<PatchParticle>& own)
+{
+  std::vector<double> numbers;
+  numbers.reserve(own.size() * toldWidth);
+  for (const PatchParticle& p : own)
+    tell(p, numbers);
+  numbers = ranks.gatherOnAll(numbers);
+  std::vector<PatchParticle> all;
+  for (std::size_t at = 0; at < numbers.size(); at += toldWidth)
+    all.push_back(hear(&numbers[at]));
+  return all;
+}
+
 } // namespace
+
+int numberInWhole(const State<2>& state, int node)
+{
+  if (!state.subdomain)
+    return node;
+  int at[2];
+  state.grid.nodeCoordinates(node, at);
+  for (int d = 0; d < 2; ++d)
+    at[d] += state.grid.before[d];
+  return wholeLattice(state).nodeIndex(at);
+}
 
 std::vector<PatchParticle> particlesAround(const State<2>& state, const CrackFront<2>& front, double radius)
 {
@@ -151,16 +217,38 @@ std::vector<PatchParticle> particlesAround(const State<2>& state, const CrackFro
     for (int k = 0; k < count(i); ++k)
       if (weight(i, k) > 0.0)
       {
-        p.node[p.count] = node(i, k);
+        p.node[p.count] = numberInWhole(state, node(i, k));
         p.weight[p.count] = weight(i, k);
         p.slope[p.count++] = {{slope(i, k, 0), slope(i, k, 1)}};
       }
   }
-  return particles;
+  return state.subdomain ? ofAllRanks(state.ranks, particles) : particles;
+}
+
+std::vector<int> ownNodesAround(const State<2>& state, const Vector<2>& centre, double radius)
+{
+  const Grid<2>& grid = state.grid;
+  const auto foreign = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.foreign);
+  int first[2], last[2];
+  for (int d = 0; d < 2; ++d)
+  {
+    first[d] = std::max(0, static_cast<int>(std::floor(grid.inCells(centre[d] - radius, d))));
+    last[d] = std::min(grid.cells[d], static_cast<int>(std::ceil(grid.inCells(centre[d] + radius, d))));
+  }
+  std::vector<int> nodes;
+  for (int i = first[0]; i <= last[0]; ++i)
+    for (int j = first[1]; j <= last[1]; ++j)
+    {
+      const int at[2] = {i, j}, n = grid.nodeIndex(at);
+      if (foreign(n) == 0)
+        nodes.push_back(n);
+    }
+  return nodes;
 }
 
 HostPlaces::HostPlaces(const State<2>& state)
-    : grid_(state.grid), fine_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.tree.finePlace))
+    : grid_(wholeLattice(state)),
+      fine_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.tree.finePlace))
 {
 }
 
@@ -171,15 +259,26 @@ Vector<2> HostPlaces::operator()(int node) const
   return {{fine_(node - grid_.numNodes, 0), fine_(node - grid_.numNodes, 1)}};
 }
 
-SplitNodes::SplitNodes(const State<2>& state, const CrackFront<2>& front)
+SplitNodes::SplitNodes(const State<2>& state, const CrackFront<2>& front, double radius)
     : side_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide)),
+      many_(static_cast<bool>(state.subdomain)),
       places_(state),
       front_(front)
 {
+  if (!many_ || side_.extent(0) == 0)
+    return;
+  std::vector<double> nodes;
+  for (const int n : ownNodesAround(state, front.position, radius))
+    if (std::abs(side_(n)) == front.crack + 1)
+      nodes.push_back(numberInWhole(state, n));
+  for (const double n : state.ranks.gatherOnAll(nodes))
+    split_.insert(static_cast<int>(n));
 }
 
 bool SplitNodes::operator()(int node) const
 {
+  if (many_ && side_.extent(0) > 0)
+    return split_.count(node) > 0;
   if (node < static_cast<int>(side_.extent(0)))
     return side_(node) == front_.crack + 1 || side_(node) == -front_.crack - 1;
   return dot(places_(node) - front_.position, front_.direction) < 0.0;

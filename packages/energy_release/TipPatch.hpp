@@ -5,6 +5,7 @@
 #include "state/State.hpp"
 
 #include <map>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -28,10 +29,11 @@ struct PatchParticle
   Vector<2> slope[capacity];
 };
 
-/// Particles within `radius` of a front, on the host.
+/// Particles within `radius` of a front, on the host: on every rank those of all. Their nodes have the
+/// numbers of the whole lattice. Collective.
 std::vector<PatchParticle> particlesAround(const State<2>& state, const CrackFront<2>& front, double radius);
 
-/// Places of nodes, on the host.
+/// Places of nodes of the whole lattice, on the host.
 class HostPlaces
 {
 public:
@@ -43,18 +45,28 @@ private:
   View<double* [2]>::HostMirror fine_;
 };
 
-/// Whether a node lies behind a front, so that each side of the crack has its own value there.
+/// Whether a node of the whole lattice lies behind a front, so that each side of the crack has its own value
+/// there.
 class SplitNodes
 {
 public:
-  SplitNodes(const State<2>& state, const CrackFront<2>& front);
+  /// Collective. \param radius around the front of the nodes that will be asked for [m]
+  SplitNodes(const State<2>& state, const CrackFront<2>& front, double radius);
   bool operator()(int node) const;
 
 private:
   View<int*>::HostMirror side_;
+  std::set<int> split_; ///< where there are several ranks
+  bool many_;
   HostPlaces places_;
   CrackFront<2> front_;
 };
+
+/// This rank's own nodes within `radius` of a place along each axis, where there are several ranks.
+std::vector<int> ownNodesAround(const State<2>& state, const Vector<2>& centre, double radius);
+
+/// Number in the whole lattice of a node here.
+int numberInWhole(const State<2>& state, int node);
 
 /// Displacement of nodes: of a node behind the front one for each side (-1, +1), of all others one (side 0).
 using NodeDisplacement = std::map<std::pair<int, int>, Vector<2>>;

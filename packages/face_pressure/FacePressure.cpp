@@ -148,7 +148,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 
 } // namespace
 
-EffectEntry facePressureEntry() { return {section(), check, make<2>, make<3>}; }
+EffectEntry facePressureEntry() { return {section(), check, make<2>, make<3>, true}; }
 
 template void FacePressure::apply(State<2>&, const FacePoints<2>&);
 template void FacePressure::apply(State<3>&, const FacePoints<3>&);

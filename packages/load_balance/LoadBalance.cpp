@@ -79,7 +79,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.name = "Load Balance";
   effect.call({Stage::BetweenSteps,
                "balance of ranks",
-               {"cells"},
+               {"cells", "crack geometry"}, // fronts are measured by the nodes of the last step
                {"owners of cells"},
                {},
                [=](State<D>& state)

@@ -1,5 +1,7 @@
 #include "mass_matrix/AngularMomentum.hpp"
 
+#include "parallel/Subdomain.hpp"
+
 namespace Rhegma::mass_matrix
 {
 
@@ -22,6 +24,7 @@ Vector<3> angularMomentum(const State<D>& state)
         aboutZ += m * (position(p, 0) * velocity(p, 1) - position(p, 1) * velocity(p, 0));
       },
       total[0], total[1], total[2]);
+  sumParts(state, total.c, 3);
   return total;
 }
 

@@ -1,4 +1,6 @@
 #include "mass_matrix/Chebyshev.hpp"
+
+#include "parallel/Subdomain.hpp"
 #include "state/FewItems.hpp"
 
 #include <algorithm>
@@ -33,6 +35,18 @@ void advance(const MassSystem<D>& system, const View<double*>& inverse, const do
             });
 }
 
+/// The same with a product that is there.
+template <int D>
+void advance(const MassSystem<D>& system, const View<double*>& inverse, const double* r, const double* z,
+             const View<double*>& image, double* last, double momentum, double gain)
+{
+  constexpr int W = MassSystem<D>::width;
+  forFew(
+      "rhegma::mass::chebyshevOnRanks", W * system.first, W * system.last, KOKKOS_LAMBDA(const int i) {
+        last[i] = z[i] + momentum * (z[i] - last[i]) + gain * inverse(i) * (r[i] - image(i));
+      });
+}
+
 } // namespace
 
 template <int D>
@@ -41,13 +55,17 @@ Chebyshev<D>::Chebyshev(double least, int products) : least_(std::max(least, 0.0
 }
 
 template <int D>
-void Chebyshev<D>::apply(const MassSystem<D>& system, const View<double*>& inverse, const double* r,
-                         double* z, double enough)
+void Chebyshev<D>::apply(const State<D>* state, const MassSystem<D>& system, const View<double*>& inverse,
+                         const double* r, double* z, double enough)
 {
+  const bool onRanks = state != nullptr && state->subdomain;
   const int n = system.room * MassSystem<D>::width;
   if (static_cast<int>(other_.extent(0)) < n)
     other_ = View<double*>("rhegma::massChebyshev", n);
+  if (onRanks && static_cast<int>(image_.extent(0)) < n)
+    image_ = View<double*>("rhegma::massChebyshevImage", n);
   const double middle = 0.5 * (1.0 + least_), half = 0.5 * (1.0 - least_), sigma = middle / half;
+  const MassSystem<D> s = system;
   double *now = z, *before = other_.data();
   const double* const weight = inverse.data();
   double square = 0.0;
@@ -56,16 +74,24 @@ void Chebyshev<D>::apply(const MassSystem<D>& system, const View<double*>& inver
       KOKKOS_LAMBDA(const int i, double& sum) {
         now[i] = weight[i] * r[i] / middle;
         before[i] = 0.0;
-        sum += r[i] * r[i];
+        sum += s.shareOf(i / MassSystem<D>::width) * r[i] * r[i];
       },
       square);
+  if (onRanks)
+    sumParts(*state, &square, 1);
   if (square <= enough * enough)
     return;
   double rho = 1.0 / sigma;
   for (int k = 0; k < products_; ++k)
   {
     const double next = 1.0 / (2.0 * sigma - rho);
-    advance(system, inverse, r, now, before, rho * next, 2.0 * next / half);
+    if (!onRanks)
+      advance(system, inverse, r, now, before, rho * next, 2.0 * next / half);
+    else
+    {
+      multiplyWhole(*state, system, now, image_.data());
+      advance(system, inverse, r, now, image_, before, rho * next, 2.0 * next / half);
+    }
     rho = next;
     std::swap(now, before);
   }

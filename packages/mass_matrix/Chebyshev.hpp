@@ -21,15 +21,17 @@ public:
   /// that the last iterate lies in z
   Chebyshev(double least, int products);
 
-  /// \param r, z room * width numbers \param inverse 1/D, or 0 where an unknown is given: z is 0 there
-  /// \param enough where the 2-norm of r is not above this, only D^-1 r is formed
-  void apply(const MassSystem<D>& system, const View<double*>& inverse, const double* r, double* z,
-             double enough);
+  /// \param state null where the system is this rank's alone; else collective \param r, z room * width
+  /// numbers \param inverse 1/D, or 0 where an unknown is given: z is 0 there \param enough where the 2-norm
+  /// of r is not above this, only D^-1 r is formed
+  void apply(const State<D>* state, const MassSystem<D>& system, const View<double*>& inverse,
+             const double* r, double* z, double enough);
 
 private:
   double least_;
   int products_;
   View<double*> other_; ///< the iterates lie here and in z by turns
+  View<double*> image_; ///< products, where there are several ranks
 };
 
 } // namespace Rhegma::mass_matrix

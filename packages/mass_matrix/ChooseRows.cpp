@@ -1,5 +1,6 @@
 #include "mass_matrix/ChooseRows.hpp"
 
+#include "parallel/Subdomain.hpp"
 #include "state/FewItems.hpp"
 
 #include <algorithm>
@@ -28,7 +29,7 @@ struct AroundFronts
         zone(zones),
         beyond(std::sqrt(double(D)) * 0.5 * (reachOf(state.shape) + 1) * grid.spacing),
         half(std::min(
-            *std::max_element(grid.cells, grid.cells + D),
+            *std::max_element(wholeLattice(state).cells, wholeLattice(state).cells + D),
             static_cast<int>(std::ceil((unlumping.radius + unlumping.edge + beyond) * grid.inverse)))),
         side(2 * half + 1),
         all(D == 2 ? side * side : side * side * side),
@@ -41,16 +42,17 @@ struct AroundFronts
   {
     const int f = i / all;
     int rest = i % all, at[D];
-    double square = 0.0;
     bool in = true;
     for (int d = 0; d < D; ++d)
     {
-      at[d] = static_cast<int>(grid.inCells(front(f, d), d)) + rest % side - half;
+      at[d] = static_cast<int>(std::floor(grid.inCells(front(f, d), d))) + rest % side - half;
       rest /= side;
       in = in && at[d] >= 0 && at[d] <= grid.cells[d];
-      const double apart = grid.origin[d] + at[d] * grid.spacing - front(f, d);
-      square += apart * apart;
     }
+    const Vector<D> x = grid.placeOf(at);
+    double square = 0.0;
+    for (int d = 0; d < D; ++d)
+      square += (x[d] - front(f, d)) * (x[d] - front(f, d));
     return in && square <= furthest(f) * furthest(f) ? grid.nodeIndex(at) : -1;
   }
 

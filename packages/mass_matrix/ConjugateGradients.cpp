@@ -39,6 +39,14 @@ BorrowedView<double*> overwrite(MultiVector& to)
   return BorrowedView<double*>(column.data(), column.extent(0));
 }
 
+RCP<const Map> makeMap(int n, const Ranks& ranks)
+{
+  if (!ranks.many())
+    return rcp(new Map(static_cast<Tpetra::global_size_t>(n), 0, rcp(new Teuchos::SerialComm<int>())));
+  return rcp(new Map(Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid(), static_cast<std::size_t>(n), 0,
+                     ranks.comm()));
+}
+
 /// y = f(x) for vectors of one column, f set anew for each solve; y = 0 while there is none.
 class FunctionOperator : public Operator
 {
@@ -68,9 +76,9 @@ private:
 class ConjugateGradients::Work
 {
 public:
-  Work(int n, double tolerance, int maximumIterations)
+  Work(int n, const Ranks& ranks, double tolerance, int maximumIterations)
       : size(n),
-        map(rcp(new Map(static_cast<Tpetra::global_size_t>(n), 0, rcp(new Teuchos::SerialComm<int>())))),
+        map(makeMap(n, ranks)),
         left(rcp(new MultiVector(map, 1))),
         right(rcp(new MultiVector(map, 1))),
         matrix(rcp(new FunctionOperator(map))),
@@ -107,10 +115,10 @@ ConjugateGradients::ConjugateGradients(double tolerance, int maximumIterations)
 
 ConjugateGradients::~ConjugateGradients() = default;
 
-void ConjugateGradients::resize(int n)
+void ConjugateGradients::resize(int n, const Ranks& ranks)
 {
-  if (!work_ || work_->size != n)
-    work_ = std::make_unique<Work>(n, tolerance_, maximumIterations_);
+  if (ranks.max(!work_ || work_->size != n ? 1.0 : 0.0) > 0.0)
+    work_ = std::make_unique<Work>(n, ranks, tolerance_, maximumIterations_);
 }
 
 BorrowedView<double*> ConjugateGradients::right() { return overwrite(*work_->right); }

@@ -2,6 +2,7 @@
 /// Belos' conjugate gradients on vectors of Tpetra, behind a wall: only one source file pays for their
 /// headers.
 
+#include "parallel/Ranks.hpp"
 #include "state/Types.hpp"
 
 #include <functional>
@@ -35,8 +36,9 @@ public:
 
   double tolerance() const { return tolerance_; }
 
-  /// Makes room for problems of n unknowns, if there is none for just as many.
-  void resize(int n);
+  /// Makes room for problems of n unknowns on this rank, if there is none for just as many on some rank;
+  /// their dot products are sums over the ranks. Collective.
+  void resize(int n, const Ranks& ranks = {});
 
   /// The right side, to be filled before solve().
   BorrowedView<double*> right();

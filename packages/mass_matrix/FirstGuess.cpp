@@ -1,4 +1,6 @@
 #include "mass_matrix/FirstGuess.hpp"
+
+#include "parallel/Subdomain.hpp"
 #include "state/FewItems.hpp"
 
 namespace Rhegma::mass_matrix
@@ -13,41 +15,55 @@ struct LookAtGuess
 {
   using value_type = double[];
   using size_type = int;
+  static constexpr int width = MassSystem<D>::width;
 
   int value_count = GuessSums<D>::size;
   MassSystem<D> system;
   View<double*> right, x, inverse, image;
+  bool formed; ///< whether the image is there already
 
   KOKKOS_INLINE_FUNCTION void operator()(const int row, double* sum) const
   {
-    const Pack<MassSystem<D>::width> product = rowTimes<D, Reach>(system, row, x.data());
+    if (formed)
+      return addSums(row, system.share(row), Pack<width>::load(image.data() + width * row), sum);
+    const Pack<width> product = rowTimes<D, Reach>(system, row, x.data());
+    for (int d = 0; d < D; ++d)
+      image(width * row + d) = product[d];
+    addSums(row, 1.0, product, sum);
+  }
+
+  KOKKOS_FORCEINLINE_FUNCTION void addSums(int row, double share, const Pack<width>& product,
+                                           double* sum) const
+  {
     for (int d = 0; d < D; ++d)
     {
-      const int i = MassSystem<D>::width * row + d;
-      image(i) = product[d];
+      const int i = width * row + d;
       if (inverse(i) == 0.0)
         continue;
-      const double b = right(i), y = product[d];
-      sum[0] += b * b;
-      sum[1] += (b - y) * (b - y);
+      const double b = share * right(i), y = product[d];
+      sum[0] += b * right(i);
+      sum[1] += share * (right(i) - y) * (right(i) - y);
       sum[2] += x(i) * b;
-      sum[3] += x(i) * y;
+      sum[3] += share * x(i) * y;
       sum[4 + d] += b;
-      sum[4 + D + d] += y;
+      sum[4 + D + d] += share * y;
       sum[4 + 2 * D + d] += system.lumped(row) * b;
     }
     if (system.coupled(row))
-      sum[4 + 3 * D] += system.lumped(row) * system.lumped(row);
+      sum[4 + 3 * D] += share * system.lumped(row) * system.lumped(row);
   }
 };
 
 } // namespace
 
 template <int D>
-GuessSums<D> lookAtGuess(const MassSystem<D>& system, const View<double*>& right, const View<double*>& x,
-                         const View<double*>& inverse, const View<double*>& image)
+GuessSums<D> lookAtGuess(const State<D>& state, const MassSystem<D>& system, const View<double*>& right,
+                         const View<double*>& x, const View<double*>& inverse, const View<double*>& image)
 {
   double sum[GuessSums<D>::size] = {};
+  const bool formed = static_cast<bool>(state.subdomain);
+  if (formed)
+    multiplyWhole(state, system, x.data(), image.data());
   withReach(system,
             [&](auto reach)
             {
@@ -57,8 +73,10 @@ GuessSums<D> lookAtGuess(const MassSystem<D>& system, const View<double*>& right
               work.x = x;
               work.inverse = inverse;
               work.image = image;
+              work.formed = formed;
               sumFew("rhegma::mass::guess", system.first, system.last, work, sum);
             });
+  sumParts(state, sum, GuessSums<D>::size);
   GuessSums<D> sums;
   sums.rightSquare = sum[0];
   sums.residualSquare = sum[1];
@@ -74,9 +92,9 @@ GuessSums<D> lookAtGuess(const MassSystem<D>& system, const View<double*>& right
   return sums;
 }
 
-template GuessSums<2> lookAtGuess(const MassSystem<2>&, const View<double*>&, const View<double*>&,
-                                  const View<double*>&, const View<double*>&);
-template GuessSums<3> lookAtGuess(const MassSystem<3>&, const View<double*>&, const View<double*>&,
-                                  const View<double*>&, const View<double*>&);
+template GuessSums<2> lookAtGuess(const State<2>&, const MassSystem<2>&, const View<double*>&,
+                                  const View<double*>&, const View<double*>&, const View<double*>&);
+template GuessSums<3> lookAtGuess(const State<3>&, const MassSystem<3>&, const View<double*>&,
+                                  const View<double*>&, const View<double*>&, const View<double*>&);
 
 } // namespace Rhegma::mass_matrix

@@ -346,6 +346,6 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 
 } // namespace
 
-EffectEntry massMatrixEntry() { return {section(), check, make<2>, make<3>}; }
+EffectEntry massMatrixEntry() { return {section(), check, make<2>, make<3>, true}; }
 
 } // namespace Rhegma::mass_matrix

@@ -2,15 +2,38 @@
 
 #include "mass_matrix/ChooseRows.hpp"
 #include "mass_matrix/HashedLists.hpp"
+#include "parallel/Subdomain.hpp"
 #include "state/FewItems.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace Rhegma::mass_matrix
 {
 
 namespace
 {
+
+/// How far apart the nodes of a row and of its slots are in the numbering, which changes where the domain is
+/// divided anew.
+template <int D>
+void findSteps(const Grid<D>& grid, MassSystem<D>& system)
+{
+  const int span = 2 * system.reach + 1;
+  const auto host = Kokkos::create_mirror_view(system.step);
+  for (int s = 0; s < system.slots; ++s)
+  {
+    int rest = s, step = 0;
+    for (int d = D - 1; d >= 0; --d)
+    {
+      step += (rest % span - system.reach) * grid.stride[d];
+      rest /= span;
+    }
+    host(s) = step;
+  }
+  Kokkos::deep_copy(system.step, host);
+  std::copy_n(grid.stride, D, system.strideOfNodes);
+}
 
 template <int D>
 void reserveNodes(const State<D>& state, MassSystem<D>& system)
@@ -22,27 +45,19 @@ void reserveNodes(const State<D>& state, MassSystem<D>& system)
     Kokkos::deep_copy(system.rowOf, -1);
     system.last = system.first;
   }
-  if (system.slots > 0)
-    return;
-  system.reach = reachOf(state.shape);
-  const int span = 2 * system.reach + 1;
-  system.lines = D == 2 ? span : span * span;
-  system.slots = system.lines * span;
-  system.stride = system.slots + (system.reach == 1 ? 0 : 1); // four numbers are added where a line has three
-  system.first = system.last = system.reach;
-  system.step = View<int*>("rhegma::massStep", system.slots);
-  const auto host = Kokkos::create_mirror_view(system.step);
-  for (int s = 0; s < system.slots; ++s)
+  if (system.slots == 0)
   {
-    int rest = s, step = 0;
-    for (int d = D - 1; d >= 0; --d)
-    {
-      step += (rest % span - system.reach) * state.grid.stride[d];
-      rest /= span;
-    }
-    host(s) = step;
+    system.reach = reachOf(state.shape);
+    const int span = 2 * system.reach + 1;
+    system.lines = D == 2 ? span : span * span;
+    system.slots = system.lines * span;
+    // Four numbers are added where a line has three.
+    system.stride = system.slots + (system.reach == 1 ? 0 : 1);
+    system.first = system.last = system.reach;
+    system.step = View<int*>("rhegma::massStep", system.slots);
   }
-  Kokkos::deep_copy(system.step, host);
+  if (!std::equal(system.strideOfNodes, system.strideOfNodes + D, state.grid.stride))
+    findSteps(state.grid, system);
 }
 
 /// Forgets the rows of the last step.
@@ -98,6 +113,7 @@ void reserveRows(MassSystem<D>& system)
   system.band = View<double*>("rhegma::massBand", static_cast<std::size_t>(room) * system.stride);
   system.lineStart = View<int*>("rhegma::massLineStart", static_cast<std::size_t>(room) * system.lines);
   system.extraOf = View<int*>("rhegma::massExtraOf", room);
+  system.beside = View<double*>("rhegma::massBeside", room);
   system.coupled = View<char*>("rhegma::massCoupled", room);
 }
 
@@ -162,7 +178,9 @@ void startRows(const State<D>& state, MassSystem<D>& system)
             to += (line / span - s.reach) * grid.stride[grid.axisOrder[0]] +
                   (line % span - s.reach) * grid.stride[grid.axisOrder[1]];
           // The band of a second field holds its diagonal alone: who touches it has a stored stencil.
-          const int middle = to == lattice ? row : s.rowOf(to);
+          // At the rim of what a rank has of the lattice a line may lie beyond it: nothing here reaches it.
+          const bool exists = to >= 0 && to < grid.numNodes;
+          const int middle = to == lattice ? row : (exists ? s.rowOf(to) : -1);
           // A line whose middle has no mass holds nothing: no particle touches both.
           s.lineStart(row * s.lines + line) = middle < 0 ? 0 : middle - s.reach;
         }
@@ -249,6 +267,23 @@ void chooseLists(bool refined, MassSystem<D>& system)
     system.overflow = View<int>("rhegma::massOverflow");
 }
 
+/// Adds up what the rows of all ranks have beside their diagonals, and finds how many ranks have each.
+template <int D>
+void shareRows(const State<D>& state, MassSystem<D>& system)
+{
+  if (!state.subdomain)
+    return;
+  if (static_cast<int>(system.share.extent(0)) != system.room)
+    system.share = View<double*>("rhegma::massShare", system.room);
+  Kokkos::deep_copy(system.share, 1.0);
+  sumOverRanks(state, system.beside.data(), 1, 0, 1, system.rowOf);
+  sumOverRanks(state, system.share.data(), 1, 0, 1, system.rowOf);
+  const View<double*> share = system.share;
+  forFew(
+      "rhegma::mass::shareRows", system.first, system.last,
+      KOKKOS_LAMBDA(const int row) { share(row) = 1.0 / share(row); });
+}
+
 } // namespace
 
 template <int D>
@@ -274,11 +309,8 @@ void finishRows(const State<D>& state, MassSystem<D>& system)
   const MassSystem<D> s = system;
   const Nodes<D> nodes = state.nodes;
   const View<int*> second = state.cracks.second;
-  double mass = 0.0;
-  int coupled = 0;
-  sumFew(
-      "rhegma::mass::finishRows", s.first, s.last,
-      KOKKOS_LAMBDA(const int row, double& sum, int& count) {
+  forFew(
+      "rhegma::mass::finishRows", s.first, s.last, KOKKOS_LAMBDA(const int row) {
         const int centre = s.slots / 2;
         double* const values = s.band.data() + static_cast<std::size_t>(row) * s.stride;
         double others = 0.0;
@@ -309,19 +341,28 @@ void finishRows(const State<D>& state, MassSystem<D>& system)
           }
           s.extraCount(list) = kept;
         }
-        values[centre] = s.lumped(row) - others;
-        s.coupled(row) = others > 0.0;
-        if (s.coupled(row))
+        values[centre] = (countsHere(nodes, s.nodeOf(row)) ? s.lumped(row) : 0.0) - others;
+        s.beside(row) = others;
+      });
+  shareRows(state, system);
+  const MassSystem<D> shared = system;
+  double found[2] = {0.0, 0.0}; // lumped mass and number of coupled rows
+  sumFew(
+      "rhegma::mass::coupledRows", s.first, s.last,
+      KOKKOS_LAMBDA(const int row, double& sum, double& count) {
+        shared.coupled(row) = shared.beside(row) > 0.0;
+        if (shared.coupled(row))
         {
-          sum += s.lumped(row);
-          ++count;
+          sum += shared.shareOf(row) * shared.lumped(row);
+          count += shared.shareOf(row);
         }
         else
-          s.rowOf(s.nodeOf(row)) = -1;
+          shared.rowOf(shared.nodeOf(row)) = -1;
       },
-      mass, coupled);
-  system.coupledMass = mass;
-  system.numCoupled = coupled;
+      found[0], found[1]);
+  sumParts(state, found, 2);
+  system.coupledMass = found[0];
+  system.numCoupled = static_cast<int>(std::lround(found[1]));
   if (system.hashed && fullestListOf(system) > fullestList * system.listRoom)
     system.listRoom *= 2; // from the next step on
 }

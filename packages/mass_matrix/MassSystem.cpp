@@ -2,6 +2,7 @@
 
 #include "mass_matrix/MassRows.hpp"
 #include "mass_matrix/ParticleMass.hpp"
+#include "parallel/Subdomain.hpp"
 #include "state/FewItems.hpp"
 
 namespace Rhegma::mass_matrix
@@ -80,6 +81,24 @@ void multiply(const MassSystem<D>& system, const double* x, double* y, const dou
 }
 
 template <int D>
+void multiplyWhole(const State<D>& state, const MassSystem<D>& system, const double* x, double* y,
+                   const double* weight)
+{
+  if (!state.subdomain)
+    return multiply(system, x, y, weight);
+  constexpr int W = MassSystem<D>::width;
+  multiply(system, x, y);
+  sumOverRanks(state, y, W, 0, D, system.rowOf);
+  if (weight == nullptr)
+    return;
+  forFew(
+      "rhegma::mass::mask", system.first * W, system.last * W, KOKKOS_LAMBDA(const int i) {
+        if (weight[i] == 0.0)
+          y[i] = 0.0;
+      });
+}
+
+template <int D>
 double bytesPerRow(ShapeKind shape, bool list, bool refined)
 {
   const int span = shape == ShapeKind::Linear ? 3 : 5;
@@ -94,6 +113,8 @@ template void assemble(const State<2>&, const Unlumping&, MassSystem<2>&);
 template void assemble(const State<3>&, const Unlumping&, MassSystem<3>&);
 template void multiply(const MassSystem<2>&, const double*, double*, const double*);
 template void multiply(const MassSystem<3>&, const double*, double*, const double*);
+template void multiplyWhole(const State<2>&, const MassSystem<2>&, const double*, double*, const double*);
+template void multiplyWhole(const State<3>&, const MassSystem<3>&, const double*, double*, const double*);
 template double bytesPerRow<2>(ShapeKind, bool, bool);
 template double bytesPerRow<3>(ShapeKind, bool, bool);
 

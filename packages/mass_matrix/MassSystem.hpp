@@ -30,6 +30,10 @@ struct Unlumping
 /// several sizes of cells meet, by hashing. Rows that only such particles touch there are bare: they have a
 /// diagonal and a list.
 ///
+/// Where there are several ranks, each has what its own particles give, and the lumped mass on the diagonal
+/// of the nodes that it owns: sums of the products of all ranks are those of the whole matrix. Vectors have
+/// the same numbers on all ranks that share a row.
+///
 /// Vectors have `width` numbers a row and `room` rows; rows outside of first .. last - 1 are zero in them,
 /// and the first lines of a band may read them.
 template <int D>
@@ -47,7 +51,7 @@ struct MassSystem
   int numExtra = 0;       ///< rows that have a list
   int listRoom = 0;       ///< entries that a list can have; a power of two where hashed
   bool hashed = false;    ///< whether lists find their columns by hashing: cells are refined
-  int numCoupled = 0;     ///< rows with entries beside their diagonal
+  int numCoupled = 0;     ///< rows with entries beside their diagonal, of all ranks
   double coupledMass = 0; ///< sum of L over them [kg]
 
   View<int*> rowOf;        ///< row of each node (second fields included), or -1 where it is coupled to none
@@ -55,18 +59,24 @@ struct MassSystem
   View<double*> lumped;    ///< L [kg]
   View<double*> band;      ///< M, `stride` numbers a row [kg]
   View<int*> lineStart;    ///< first row of each line of a row's band; -1 at the first where the row is bare
+  View<double*> beside;    ///< sum of a row's entries beside its diagonal, of all ranks [kg]
   View<char*> coupled;     ///< whether a row has entries beside its diagonal
+  View<double*> share;     ///< 1 / number of ranks that have the row; empty where there is one rank
   View<int*> extraOf;      ///< list of each row, or -1
   View<int*> extraCount;   ///< entries of each list
   View<double**> extra;    ///< M beyond the band [kg]
   View<int**> extraColumn; ///< row of each entry
 
   // For making the lists.
-  View<int*> step;         ///< distance of a slot's node from the row's, slots by axes in their order
-  View<double* [D]> front; ///< places around which Partial unlumps [m]
-  View<double* [2]> zone;  ///< radius and edge of each of them [m]
-  View<int> overflow;      ///< not 0 where a hashed list was full
+  View<int*> step;           ///< distance of a slot's node from the row's, slots by axes in their order
+  int strideOfNodes[D] = {}; ///< with which these were found
+  View<double* [D]> front;   ///< places around which Partial unlumps [m]
+  View<double* [2]> zone;    ///< radius and edge of each of them [m]
+  View<int> overflow;        ///< not 0 where a hashed list was full
   int numFronts = 0;
+
+  /// Weight of a row in sums over the rows of all ranks.
+  KOKKOS_INLINE_FUNCTION double shareOf(int row) const { return share.extent(0) > 0 ? share(row) : 1.0; }
 };
 
 /// Makes the rows and fills the matrix for the particles as they lie now. Needs the nodal mass.
@@ -119,8 +129,14 @@ void withReach(const MassSystem<D>& system, const Work& work)
     work(std::integral_constant<int, 2>{});
 }
 
-/// y = M x, of room * width numbers each. \param weight null, or where a number of it is zero so is y's
+/// y = M x, of room * width numbers each, M what this rank has. \param weight null, or where a number of it
+/// is zero so is y's
 template <int D>
 void multiply(const MassSystem<D>& system, const double* x, double* y, const double* weight = nullptr);
+
+/// The same with the whole matrix. Collective.
+template <int D>
+void multiplyWhole(const State<D>& state, const MassSystem<D>& system, const double* x, double* y,
+                   const double* weight = nullptr);
 
 } // namespace Rhegma::mass_matrix

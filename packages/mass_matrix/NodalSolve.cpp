@@ -2,6 +2,7 @@
 
 #include "checkpoint/Archive.hpp"
 #include "mass_matrix/FirstGuess.hpp"
+#include "parallel/Subdomain.hpp"
 #include "state/FewItems.hpp"
 #include "state/UnstableStep.hpp"
 
@@ -24,16 +25,48 @@ constexpr double leastResidual = 1e-13;
 template <int D>
 constexpr int width = MassSystem<D>::width;
 
-/// x += scale correction, in the rows.
+/// x += scale correction, in the rows; the correction as `toWeighed` makes it.
 template <int D>
 void addScaled(const MassSystem<D>& system, double scale, const BorrowedView<const double*>& correction,
                const View<double*>& x)
 {
+  const MassSystem<D> s = system;
   forFew(
       "rhegma::mass::correct", system.first, system.last, KOKKOS_LAMBDA(const int row) {
+        const double weight = scale / std::sqrt(s.shareOf(row));
         for (int i = width<D> * row; i < width<D> * (row + 1); ++i)
-          x(i) += scale * correction(i);
+          x(i) += weight * correction(i);
       });
+}
+
+/// Where ranks share rows, dot products are right for vectors that have each number divided by the root of
+/// how many ranks have it.
+template <int D>
+void toWeighed(const MassSystem<D>& system, const BorrowedView<double*>& x)
+{
+  const MassSystem<D> s = system;
+  forFew(
+      "rhegma::mass::toWeighed", width<D> * s.first, width<D> * s.last,
+      KOKKOS_LAMBDA(const int i) { x(i) *= std::sqrt(s.shareOf(i / width<D>)); });
+}
+
+template <int D>
+void fromWeighed(const MassSystem<D>& system, const BorrowedView<const double*>& from, const View<double*>& x)
+{
+  const MassSystem<D> s = system;
+  forFew(
+      "rhegma::mass::fromWeighed", 0, width<D> * s.room, KOKKOS_LAMBDA(const int i) {
+        const int row = i / width<D>;
+        x(i) = row >= s.first && row < s.last ? from(i) / std::sqrt(s.shareOf(row)) : 0.0;
+      });
+}
+
+/// Where what a node or a second field has is remembered: second fields by their nodes, as their own numbers
+/// are others after every sort, and on every rank.
+template <int D>
+KOKKOS_INLINE_FUNCTION int memoryOf(const Nodes<D>& nodes, int node)
+{
+  return node < nodes.numLattice ? node : nodes.numLattice + latticeNode(nodes, node);
 }
 
 /// Velocity before the forces, and acceleration, of the lumped mass.
@@ -42,14 +75,15 @@ void guessFromRowSums(const State<D>& state, const MassSystem<D>& system, const 
                       const View<double* [D]>& acceleration)
 {
   const MassSystem<D> s = system;
+  const Nodes<D> nodes = state.nodes;
   const auto sums = state.nodes.sums;
   forFew(
       "rhegma::mass::guessFromRowSums", system.first, system.last, KOKKOS_LAMBDA(const int row) {
-        const int n = s.nodeOf(row);
+        const int n = s.nodeOf(row), m = memoryOf(nodes, n);
         for (int d = 0; d < D; ++d)
         {
-          velocity(n, d) = sums(n, Nodes<D>::momentumAt + d) / s.lumped(row);
-          acceleration(n, d) = sums(n, Nodes<D>::forceAt + d) / s.lumped(row);
+          velocity(m, d) = sums(n, Nodes<D>::momentumAt + d) / s.lumped(row);
+          acceleration(m, d) = sums(n, Nodes<D>::forceAt + d) / s.lumped(row);
         }
       });
 }
@@ -77,12 +111,16 @@ void NodalSolve<D>::reserve(const State<D>& state, const MassSystem<D>& system)
     image_ = make("rhegma::massImage");
     velocity_ = make("rhegma::massVelocity");
     acceleration_ = make("rhegma::massAcceleration");
-    gradients_.resize(static_cast<int>(n));
+    if (state.subdomain)
+      plain_ = make("rhegma::massPlain");
   }
-  if (lastAcceleration_.extent(0) < state.nodes.sums.extent(0))
+  gradients_.resize(static_cast<int>(n), state.subdomain ? state.ranks : Ranks());
+  const bool seconds = state.cracks.dualField && !state.cracks.empty();
+  const std::size_t remembered = std::size_t(state.nodes.numLattice) * (seconds ? 2 : 1);
+  if (lastAcceleration_.extent(0) < remembered)
   {
-    lastVelocity_ = View<double* [D]>("rhegma::massLastVelocity", state.nodes.sums.extent(0));
-    lastAcceleration_ = View<double* [D]>("rhegma::massLastAcceleration", state.nodes.sums.extent(0));
+    lastVelocity_ = View<double* [D]>("rhegma::massLastVelocity", remembered);
+    lastAcceleration_ = View<double* [D]>("rhegma::massLastAcceleration", remembered);
   }
 }
 
@@ -104,7 +142,8 @@ template <int D>
 void NodalSolve<D>::begin(const State<D>& state, const MassSystem<D>& system)
 {
   reserve(state, system);
-  renewed_ = generation_ != state.tree.generation;
+  // In the first step there is nothing to remember.
+  renewed_ = generation_ != state.tree.generation && (generation_ >= 0 || state.step > 0);
   generation_ = state.tree.generation;
   holdRows(state, system);
 }
@@ -187,7 +226,7 @@ void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool hel
             if (inverse(i) == 0.0 && s.coupled(row))
               x(i) = prescribed(i);
         });
-  const GuessSums<D> guess = lookAtGuess(system, right_, x, inverse, image);
+  const GuessSums<D> guess = lookAtGuess(state, system, right_, x, inverse, image);
   const auto freeAxis = [&](int d) { return !masked || !heldAxis_[d]; };
   // The residual is measured beside b - L c, c the mean of the solution: were it beside b, a body that flies
   // past would be solved less well than one at rest, and its vibration fed by what is left.
@@ -228,26 +267,43 @@ void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool hel
           x(i) = multiple * x(i) + shift[d];
           if (inverse(i) != 0.0)
             right(i) = (asked(i) - multiple * image(i) - shift[d] * s.lumped(row)) * inverseScale;
+          right(i) *= std::sqrt(s.shareOf(row));
           sum += right(i) * right(i);
         }
       },
       remains);
+  sumParts(state, &remains, 1);
   const double norm = std::sqrt(remains);
   if (norm <= gradients_.tolerance() || !std::isfinite(norm))
     return record(state, {norm <= gradients_.tolerance(), false, 0, norm}, scale, what);
 
+  const bool weighed = static_cast<bool>(state.subdomain);
+  const auto precondition = [&](const BorrowedView<const double*>& from, const BorrowedView<double*>& to)
+  {
+    if (weighed)
+      fromWeighed(system, from, plain_);
+    chebyshev_.apply(&state, system, inverse, weighed ? plain_.data() : from.data(), to.data(),
+                     gradients_.tolerance());
+    if (weighed)
+      toWeighed(system, to);
+  };
   if (accuracy == Accuracy::Near)
   {
-    chebyshev_.apply(system, inverse, right.data(), image.data(), gradients_.tolerance());
+    precondition(BorrowedView<const double*>(right.data(), right.extent(0)),
+                 BorrowedView<double*>(image.data(), image.extent(0)));
     addScaled(system, scale, BorrowedView<const double*>(image.data(), image.extent(0)), x);
     return;
   }
   const double* const mask = masked ? inverse.data() : nullptr;
-  const SolveResult result = gradients_.solve(
-      [&system, mask](const BorrowedView<const double*>& from, const BorrowedView<double*>& to)
-      { multiply<D>(system, from.data(), to.data(), mask); },
-      [this, &system, inverse](const BorrowedView<const double*>& from, const BorrowedView<double*>& to)
-      { chebyshev_.apply(system, inverse, from.data(), to.data(), gradients_.tolerance()); });
+  const auto apply = [&](const BorrowedView<const double*>& from, const BorrowedView<double*>& to)
+  {
+    if (weighed)
+      fromWeighed(system, from, plain_);
+    multiplyWhole<D>(state, system, weighed ? plain_.data() : from.data(), to.data(), mask);
+    if (weighed)
+      toWeighed(system, to);
+  };
+  const SolveResult result = gradients_.solve(apply, precondition);
   addScaled(system, scale, gradients_.solution(), x);
   record(state, result, scale, what);
 }
@@ -269,7 +325,14 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
   // ride on nodes: the last step's, brought nearer by the polynomial alone, leaves 1e-4 of it or less.
   // Where cells have changed there is no such guess.
   const Accuracy accuracy = masked || renewed_ || state.picFraction > 0.0 ? Accuracy::Solved : Accuracy::Near;
-  if (renewed_)
+  if (renewed_ && state.subdomain)
+  {
+    // Where the lattice was divided anew, what nodes have is others'; a node that is barely touched would
+    // keep it, as solves don't feel it.
+    Kokkos::deep_copy(lastVelocity, 0.0);
+    Kokkos::deep_copy(last, 0.0);
+  }
+  else if (renewed_)
     guessFromRowSums(state, system, lastVelocity, last);
   forFew(
       "rhegma::mass::momentum", system.first, system.last, KOKKOS_LAMBDA(const int row) {
@@ -277,7 +340,7 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
         for (int d = 0; d < D; ++d)
         {
           right(row * width<D> + d) = nodes.sums(n, Nodes<D>::momentumAt + d);
-          velocity(row * width<D> + d) = lastVelocity(n, d);
+          velocity(row * width<D> + d) = lastVelocity(memoryOf(nodes, n), d);
         }
       });
   solve(state, system, false, velocity, "velocity of the nodes", accuracy);
@@ -289,7 +352,7 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
         {
           const int i = row * width<D> + d;
           right(i) = nodes.sums(n, Nodes<D>::forceAt + d);
-          acceleration(i) = last(n, d);
+          acceleration(i) = last(memoryOf(nodes, n), d);
           if (masked && free(i) == 0.0)
             prescribed(i) = (heldVelocity(i) - velocity(i)) / dt;
         }
@@ -303,7 +366,7 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
     if (state.coupledReaction.extent(0) < unknowns)
       state.coupledReaction = View<double*>("rhegma::massReaction", unknowns);
     const View<double*> reaction = state.coupledReaction;
-    multiply<D>(system, acceleration.data(), image.data());
+    multiplyWhole<D>(state, system, acceleration.data(), image.data());
     forFew(
         "rhegma::mass::reaction", system.first, system.last, KOKKOS_LAMBDA(const int row) {
           for (int d = 0; d < D; ++d)
@@ -321,8 +384,8 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
           const int i = row * width<D> + d;
           nodes.motion(n, d) = velocity(i) + dt * acceleration(i);
           nodes.motion(n, Nodes<D>::accelerationAt + d) = acceleration(i);
-          lastVelocity(n, d) = velocity(i);
-          last(n, d) = acceleration(i);
+          lastVelocity(memoryOf(nodes, n), d) = velocity(i);
+          last(memoryOf(nodes, n), d) = acceleration(i);
         }
       });
 }
@@ -344,7 +407,7 @@ void NodalSolve<D>::solveProjection(State<D>& state, const MassSystem<D>& system
         {
           const int i = row * width<D> + d;
           right(i) = s.lumped(row) * nodes.projection(n, d);
-          velocity(i) = afterSolve ? nodes.motion(n, d) : lastVelocity(n, d);
+          velocity(i) = afterSolve ? nodes.motion(n, d) : lastVelocity(memoryOf(nodes, n), d);
           if (masked)
             prescribed(i) = heldVelocity(i);
         }
@@ -354,7 +417,8 @@ void NodalSolve<D>::solveProjection(State<D>& state, const MassSystem<D>& system
   forFew(
       "rhegma::mass::projection", system.first, system.last, KOKKOS_LAMBDA(const int row) {
         for (int d = 0; d < D && s.coupled(row); ++d)
-          nodes.projection(s.nodeOf(row), d) = lastVelocity(s.nodeOf(row), d) = velocity(row * width<D> + d);
+          nodes.projection(s.nodeOf(row), d) = lastVelocity(memoryOf(nodes, s.nodeOf(row)), d) =
+              velocity(row * width<D> + d);
       });
 }
 

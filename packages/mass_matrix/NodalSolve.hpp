@@ -75,7 +75,7 @@ private:
   ConjugateGradients gradients_;
   Chebyshev<D> chebyshev_;
   SolveCount count_;
-  int generation_ = 0;     ///< of the cells at the last step
+  int generation_ = -1;    ///< of the nodes at the last step; negative: there was none
   bool renewed_ = false;   ///< whether nodes are others than at the last step
   bool masked_ = false;    ///< whether any boundary holds a motion
   bool heldAxis_[D] = {};  ///< whether any boundary holds motion along the axis
@@ -84,7 +84,8 @@ private:
   View<double*> heldVelocity_;
   View<double*> right_, prescribed_, image_;
   View<double*> velocity_, acceleration_;
-  // Of every node: where the next solves start.
+  View<double*> plain_; ///< a vector of the solver as the matrix takes it, where there are several ranks
+  // Of every node, and then of their second fields: where the next solves start.
   View<double*[D]> lastVelocity_, lastAcceleration_;
 };
 

@@ -1,5 +1,6 @@
 #include "mass_matrix/Series.hpp"
 
+#include "parallel/Subdomain.hpp"
 #include "transfer/ParticleViews.hpp"
 
 namespace Rhegma::mass_matrix
@@ -61,6 +62,7 @@ void addTerms(const State<D>& state, int order, const View<double* [Width]>& sum
     const View<double* [Width]> now = k == 1 ? sum : term;
     const bool more = k + 1 < order;
     addMassTimes<D, Width>(state, now, image);
+    sumOverRanks(state, image.data(), Width, 0, Width);
     Kokkos::parallel_for(
         "rhegma::mass::nextTerm", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
         KOKKOS_LAMBDA(const int i) {

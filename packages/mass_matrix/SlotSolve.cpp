@@ -103,7 +103,7 @@ void SlotSolve<D>::solve(const Values& right, const Values& x, bool supports)
               inverse(i) == 0.0 ? 0.0 : right(slots.of(s.nodeOf(row)), d) - (moved ? image(i) : 0.0);
         }
       });
-  chebyshev_.apply(s, inverse, residual.data(), solution.data(), 0.0);
+  chebyshev_.apply(nullptr, s, inverse, residual.data(), solution.data(), 0.0);
   forFew(
       "rhegma::mass::slotSolution", s.first, s.last, KOKKOS_LAMBDA(const int row) {
         for (int d = 0; d < D; ++d)

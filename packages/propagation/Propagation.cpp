@@ -8,6 +8,7 @@
 #include "scene/ReadList.hpp"
 #include "step/LastStage.hpp"
 #include "transfer/LocalSpacing.hpp"
+#include "transfer/NearestMaterial.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -177,28 +178,6 @@ Options readOptions(const Teuchos::ParameterList& scene)
   const auto intensity = list.get<Teuchos::Array<double>>("Direction Contour");
   options.contours = {release[0], release[1], intensity[0], intensity[1]};
   return options;
-}
-
-/// Material of the particle nearest to a place.
-int materialAt(const State<2>& state, const Vector<2>& place)
-{
-  using Reducer = Kokkos::MinLoc<double, int>;
-  const auto position = state.particles.real<2>(fields::position);
-  Reducer::value_type nearest;
-  Kokkos::parallel_reduce(
-      "rhegma::propagation::nearestParticle", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-      KOKKOS_LAMBDA(const int p, Reducer::value_type& best) {
-        const double x = position(p, 0) - place[0], y = position(p, 1) - place[1];
-        if (x * x + y * y < best.val)
-        {
-          best.val = x * x + y * y;
-          best.loc = p;
-        }
-      },
-      Reducer(nearest));
-  int material = 0;
-  Kokkos::deep_copy(material, Kokkos::subview(state.particles.integer(fields::material), nearest.loc));
-  return material;
 }
 
 double fastestAt(const State<2>& state, const Vector<2>& place, const Options& options)
@@ -410,6 +389,6 @@ Effect<3> make3(const Teuchos::ParameterList&)
 
 } // namespace
 
-EffectEntry propagationEntry() { return {section(), check, make2, make3}; }
+EffectEntry propagationEntry() { return {section(), check, make2, make3, true}; }
 
 } // namespace Rhegma::propagation

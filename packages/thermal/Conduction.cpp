@@ -84,8 +84,11 @@ template <int D>
 double Conduction<D>::heatOfFronts(State<D>& state, double dt)
 {
   const std::vector<CrackFront<D>>& all = state.cracks.fronts;
-  const double since = state.energy.fracture - fractureSeen;
-  fractureSeen = state.energy.fracture;
+  // What was booked since the last sample is the ranks' own.
+  const double before = state.ranks.many() ? state.sampledEnergy.fracture : 0.0;
+  const double spent = before + state.ranks.sum(state.energy.fracture - before);
+  const double since = spent - fractureSeen;
+  fractureSeen = spent;
   frontHeat.resize(all.size(), 0.0);
   double owed = 0.0;
   for (std::size_t f = 0; f < all.size(); ++f)
@@ -117,7 +120,10 @@ double Conduction<D>::supplyAll(State<D>& state, double dt, double time)
   for (const Source<D>& source : sources)
     power += books ? addSource(state, source, time, supply) : (addSource(state, source, time, supply), 0.0);
   if (heated)
-    power += heatOfFronts(state, dt) / dt;
+  {
+    const double ofFronts = heatOfFronts(state, dt) / dt;
+    power += books ? ofFronts : 0.0;
+  }
   return power;
 }
 
@@ -126,14 +132,12 @@ void Conduction<D>::once(State<D>& state, double dt, double time, const View<dou
 {
   nodes.clear(state);
   heatToNodes(state, nodes);
-  if (state.subdomain)
-    state.subdomain->halo.sum(nodes.sums.data(), HeatNodes<D>::sumWidth, 0, HeatNodes<D>::momentAt + D);
+  sumOverRanks(state, nodes.sums.data(), HeatNodes<D>::sumWidth, 0, HeatNodes<D>::momentAt + D);
   findTemperature(state, nodes);
   boundaries.hold(state, nodes, time + dt);
   double heat = dt * boundaries.addFlux(state, nodes, time + 0.5 * dt);
   fluxToNodes(state, nodes, supplied);
-  if (state.subdomain)
-    state.subdomain->halo.sum(nodes.rate.data(), 2, 0, 1);
+  sumOverRanks(state, nodes.rate.data(), 2, 0, 1);
   heat += changeTemperature(state, nodes, dt);
   // What nodes can't see fades in the time that heat takes through a cell: ten times slower than waves of its
   // length would. By the least of the diffusivities, since particles of several materials share it.
@@ -156,6 +160,7 @@ void Conduction<D>::tellFronts(State<D>& state)
     fronts.side = View<int*>("rhegma::thermal::frontSide", count);
   }
   fronts.count = count;
+  fronts.onAllRanks = true;
   const auto place = Kokkos::create_mirror_view(fronts.position);
   for (int f = 0; f < count; ++f)
     for (int d = 0; d < D; ++d)
@@ -167,14 +172,18 @@ void Conduction<D>::tellFronts(State<D>& state)
   const auto weight = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, frontStencils.weight);
   const auto value = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, nodes.value);
   const auto held = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, nodes.held);
+  std::vector<double> found(2 * count, 0.0); // temperature of each, and whether it has nodes
   for (int f = 0; f < count; ++f)
   {
-    double T = 0.0;
     for (int k = 0; k < number(f); ++k)
-      T += weight(f, k) * (value(node(f, k), 0) + (held(node(f, k)) == 0 ? value(node(f, k), 1) : 0.0));
-    if (number(f) > 0)
-      state.cracks.fronts[f].temperature = T;
+      found[2 * f] +=
+          weight(f, k) * (value(node(f, k), 0) + (held(node(f, k)) == 0 ? value(node(f, k), 1) : 0.0));
+    found[2 * f + 1] = number(f) > 0 ? 1.0 : 0.0;
   }
+  sumParts(state, found.data(), 2 * count);
+  for (int f = 0; f < count; ++f)
+    if (found[2 * f + 1] > 0.0)
+      state.cracks.fronts[f].temperature = found[2 * f];
 }
 
 template <int D>

@@ -37,8 +37,11 @@ struct HoldNodes
         const double mean = nodes.motion(n, d) - 0.5 * dt * nodes.motion(n, Nodes<D>::accelerationAt + d);
         const double impulse = coupledReaction(row * D + d);
         coupledReaction(row * D + d) = 0.0;
-        sum[0] += impulse * mean;
-        sum[1 + d] += impulse;
+        if (countsHere(nodes, n))
+        {
+          sum[0] += impulse * mean;
+          sum[1 + d] += impulse;
+        }
       }
       else if (constraint.holds[d])
       {

@@ -39,20 +39,6 @@ std::string inWords(const Vector<D>& place)
   return text;
 }
 
-/// Where a node of the lattice is, to the last digit the same on all ranks that have it.
-template <int D>
-Vector<D> placeOfNode(const State<D>& state, int node)
-{
-  if (!state.subdomain)
-    return state.grid.nodePosition(node);
-  const Division<D>& division = state.subdomain->division;
-  int at[D];
-  state.grid.nodeCoordinates(node, at);
-  for (int d = 0; d < D; ++d)
-    at[d] += division.boxes[state.ranks.rank()].low[d] - gridMargin;
-  return division.lattice.nodePosition(division.lattice.nodeIndex(at));
-}
-
 /// The scene's function of place at the nodes that the constraint holds, those of refined cells included.
 /// Throws std::invalid_argument where it is not finite.
 template <int D>
@@ -67,7 +53,7 @@ View<double* [D]> fieldAtNodes(const PlaceFunction& function, const NodeConstrai
   {
     Vector<D> place;
     if (n < state.grid.numNodes)
-      place = placeOfNode(state, n);
+      place = state.grid.nodePosition(n);
     else
       for (int d = 0; d < D; ++d)
         place[d] = fine(n - state.grid.numNodes, d);

@@ -44,7 +44,8 @@ Grid<D> makeGrid(const Vector<D>& lower, const Vector<D>& upper, double spacing)
   double nodes = 1.0;
   for (int d = 0; d < D; ++d)
   {
-    grid.origin[d] = lower[d] - gridMargin * spacing;
+    grid.origin[d] = grid.whole[d] = lower[d] - gridMargin * spacing;
+    grid.before[d] = 0;
     // A length that is whole cells but for round-off gets no extra cell.
     const double cells = std::ceil((upper[d] - lower[d]) / spacing - 1e-9) + 2 * gridMargin;
     nodes *= cells + 1.0;

@@ -9,8 +9,9 @@ namespace Rhegma
 /// Layers of cells added around the domain, so that no stencil of a particle inside it leaves the lattice.
 constexpr int gridMargin = 4;
 
-/// A box of equal cells. Nodes are numbered with the longest axis slowest, so that blocks of cells along it
-/// are contiguous.
+/// A box of equal cells: a whole lattice, or a part of one whose nodes are where they are in the whole, to
+/// the last digit. Nodes are numbered with the longest axis slowest, so that blocks of cells along it are
+/// contiguous.
 template <int D>
 struct Grid
 {
@@ -23,6 +24,8 @@ struct Grid
   int stride[D];    ///< distance in the numbering between neighbours along each axis
   int axisOrder[D]; ///< axes from slowest to fastest
   int numNodes;
+  Vector<D> whole; ///< place of node 0 of the whole lattice [m]
+  int before[D]{}; ///< nodes of the whole lattice along each axis before node 0
 
   /// Coordinates of a place in cells from node 0.
   KOKKOS_INLINE_FUNCTION double inCells(double x, int axis) const { return (x - origin[axis]) * inverse; }
@@ -49,9 +52,15 @@ struct Grid
   {
     int at[D];
     nodeCoordinates(node, at);
+    return placeOf(at);
+  }
+
+  /// Where the node with these coordinates is.
+  KOKKOS_INLINE_FUNCTION Vector<D> placeOf(const int (&at)[D]) const
+  {
     Vector<D> x;
     for (int d = 0; d < D; ++d)
-      x[d] = origin[d] + at[d] * spacing;
+      x[d] = whole[d] + (before[d] + at[d]) * spacing;
     return x;
   }
 

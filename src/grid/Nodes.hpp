@@ -27,7 +27,7 @@ struct Nodes
       projection; ///< momentum, then velocity, that strains the particles (MUSL) [m/s]
 
   View<int*> active;   ///< nodes that particles can reach until the next sort
-  View<char*> foreign; ///< not 0 for nodes that another rank owns; empty where there is one rank
+  View<char*> foreign; ///< not 0 for nodes of the lattice that another rank owns; empty where there is one
   View<int*> parent;   ///< node at whose place each second field is
   int numLattice = 0;  ///< nodes of the lattice and of refined cells
   int numSecond = 0;   ///< second fields in use
@@ -47,13 +47,6 @@ struct Nodes
   }
 };
 
-/// Whether sums over nodes count a node here, and not on another rank that has it too.
-template <int D>
-KOKKOS_INLINE_FUNCTION bool countsHere(const Nodes<D>& nodes, int node)
-{
-  return nodes.foreign.extent(0) == 0 || nodes.foreign(node) == 0;
-}
-
 /// The i-th node in use, a second field included.
 template <int D>
 KOKKOS_INLINE_FUNCTION int activeNode(const Nodes<D>& nodes, int i)
@@ -67,6 +60,13 @@ template <int D>
 KOKKOS_INLINE_FUNCTION int latticeNode(const Nodes<D>& nodes, int node)
 {
   return node < nodes.numLattice ? node : nodes.parent(node - nodes.numLattice);
+}
+
+/// Whether sums over nodes count a node here, and not on another rank that has it too.
+template <int D>
+KOKKOS_INLINE_FUNCTION bool countsHere(const Nodes<D>& nodes, int node)
+{
+  return nodes.foreign.extent(0) == 0 || nodes.foreign(latticeNode(nodes, node)) == 0;
 }
 
 } // namespace Rhegma

@@ -28,6 +28,8 @@ Snapshot gatherSnapshot(const Ranks& ranks, Snapshot own)
     return own;
   for (Mesh& mesh : own.meshes)
   {
+    if (mesh.onAllRanks)
+      continue;
     const int before = pointsBefore(ranks, mesh);
     for (DataSet& set : mesh.data)
     {

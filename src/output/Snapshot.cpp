@@ -199,6 +199,7 @@ Mesh crackMesh(const CrackSet<D>& set)
   const auto simplex = onHost(set.simplex);
   const auto crackOf = onHost(set.crackOf);
   Mesh mesh{"cracks", D == 2 ? "Polyline" : "Triangle", {}};
+  mesh.onAllRanks = true;
   mesh.data.push_back(padded<D>("points", Role::Points, onHost(set.vertex), vertices));
   DataSet opening{"opening", Role::OnPoints, 3, false, std::vector<double>(3 * vertices, 0.0), {}};
   for (std::size_t v = 0; v < vertices; ++v)

@@ -36,6 +36,7 @@ struct Mesh
   std::string name;
   std::string topology; ///< XDMF's name for the kind of cell
   std::vector<DataSet> data;
+  bool onAllRanks = false; ///< each rank has all of it
 };
 
 struct Snapshot

@@ -4,6 +4,9 @@
 
 #include <sys/resource.h>
 
+#include <cmath>
+#include <numeric>
+
 namespace Rhegma
 {
 
@@ -36,7 +39,13 @@ nlohmann::json makeSummary(const SummaryFacts& facts, const nlohmann::json& repo
   summary["ns_per_particle_step"] = facts.particleSteps > 0.0
                                         ? nlohmann::json(1.0e9 * facts.wallSeconds / facts.particleSteps)
                                         : nlohmann::json();
-  summary["peak_memory_bytes"] = static_cast<long long>(peakMemoryBytes());
+  const double memory = std::accumulate(facts.peakMemory.begin(), facts.peakMemory.end(), 0.0);
+  summary["peak_memory_bytes"] = static_cast<long long>(memory);
+  summary["peak_memory_bytes_of_ranks"] = nlohmann::json::array();
+  for (const double bytes : facts.peakMemory)
+    summary["peak_memory_bytes_of_ranks"].push_back(static_cast<long long>(bytes));
+  summary["bytes_per_particle"] =
+      facts.particles > 0 ? nlohmann::json(std::round(memory / facts.particles)) : nlohmann::json();
   summary["stages"] = facts.stages;
   summary["cracks"] = nlohmann::json::array();
   summary["settled"] = facts.settled;

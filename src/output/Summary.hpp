@@ -25,6 +25,7 @@ struct SummaryFacts
   int particles = 0;
   double particleSteps = 0.0;           ///< particles moved, added up over the steps
   std::map<std::string, double> stages; ///< name -> seconds
+  std::vector<double> peakMemory;       ///< of each rank [bytes]
   bool settled = false;
   std::string status; ///< "finished", or why it could not go on
 };

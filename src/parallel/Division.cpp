@@ -84,6 +84,7 @@ Grid<D> Division<D>::window(int rank) const
   for (int d = 0; d < D; ++d)
   {
     const int first = boxes[rank].low[d] - gridMargin;
+    window.before[d] = first;
     window.origin[d] = lattice.origin[d] + first * lattice.spacing;
     window.cells[d] = boxes[rank].high[d] - boxes[rank].low[d] + 2 * gridMargin;
   }

@@ -57,16 +57,22 @@ public:
   {
   }
 
-  void sum(const View<int*>& nodes, double* rows, int width, int first, int count)
+  void sum(const View<int*>& nodes, const SharedRows& rows, double* values, int width, int first, int count)
   {
-    Vectors& vectors = vectorsOf(count);
+    const int fields = rows.second.extent(0) > 0 ? 2 : 1, columns = fields * count;
+    Vectors& vectors = vectorsOf(columns);
     {
-      const auto values = vectors.shared->getLocalViewDevice(Tpetra::Access::OverwriteAll);
+      const auto shares = vectors.shared->getLocalViewDevice(Tpetra::Access::OverwriteAll);
       Kokkos::parallel_for(
           "rhegma::parallel::pack", Kokkos::RangePolicy<ExecSpace>(0, nodes.extent(0)),
           KOKKOS_LAMBDA(const int i) {
-            for (int c = 0; c < count; ++c)
-              values(i, c) = rows[static_cast<std::size_t>(nodes(i)) * width + first + c];
+            for (int f = 0; f < fields; ++f)
+            {
+              const int row = rows(nodes(i), f);
+              for (int c = 0; c < count; ++c)
+                shares(i, f * count + c) =
+                    row < 0 ? 0.0 : values[static_cast<std::size_t>(row) * width + first + c];
+            }
           });
     }
     vectors.own->putScalar(0.0);
@@ -76,8 +82,12 @@ public:
     Kokkos::parallel_for(
         "rhegma::parallel::unpack", Kokkos::RangePolicy<ExecSpace>(0, nodes.extent(0)),
         KOKKOS_LAMBDA(const int i) {
-          for (int c = 0; c < count; ++c)
-            rows[static_cast<std::size_t>(nodes(i)) * width + first + c] = sums(i, c);
+          for (int f = 0; f < fields; ++f)
+          {
+            const int row = rows(nodes(i), f);
+            for (int c = 0; row >= 0 && c < count; ++c)
+              values[static_cast<std::size_t>(row) * width + first + c] = sums(i, f * count + c);
+          }
         });
   }
 
@@ -164,9 +174,9 @@ template <int D>
 Halo<D>::~Halo() = default;
 
 template <int D>
-void Halo<D>::sum(double* rows, int width, int first, int count) const
+void Halo<D>::sum(const SharedRows& rows, double* values, int width, int first, int count) const
 {
-  plan_->sum(nodes_, rows, width, first, count);
+  plan_->sum(nodes_, rows, values, width, first, count);
 }
 
 template class Halo<2>;

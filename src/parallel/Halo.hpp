@@ -9,6 +9,20 @@
 namespace Rhegma
 {
 
+/// Which rows of an array belong to a node: those of its number and of its second field's, or where an array
+/// has rows of its own, those that it gives to them.
+struct SharedRows
+{
+  View<int*> second; ///< number of each node's second field, or -1; empty where there are none
+  View<int*> rowOf;  ///< row of each node and second field, or -1; empty where it is its number
+
+  KOKKOS_INLINE_FUNCTION int operator()(int node, int field) const
+  {
+    const int number = field == 0 ? node : second(node);
+    return number < 0 || rowOf.extent(0) == 0 ? number : rowOf(number);
+  }
+};
+
 /// The nodes of a rank's window that lie in windows of other ranks too.
 ///
 /// Shares of such a node go to its owner, which adds them and sends the sum to all that have the node (Tpetra
@@ -22,8 +36,9 @@ public:
   ~Halo();
 
   /// Replaces columns first .. first + count - 1 of shared nodes by their sums over the ranks. Collective.
-  /// \param rows `width` numbers for each node of the window
-  void sum(double* rows, int width, int first, int count) const;
+  /// Whether there are second fields, and which shared nodes have rows, is the same on all ranks.
+  /// \param values `width` numbers a row
+  void sum(const SharedRows& rows, double* values, int width, int first, int count) const;
 
   /// The shared nodes, by their numbers in the window, ascending.
   const View<int*>& nodes() const { return nodes_; }

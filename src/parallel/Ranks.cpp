@@ -93,6 +93,18 @@ std::vector<int> Ranks::gather(const std::vector<int>& own) const
   return many() ? gathered(*holder_->comm, MPI_INT, own) : own;
 }
 
+std::vector<double> Ranks::gatherOnAll(const std::vector<double>& own) const
+{
+  if (!many())
+    return own;
+  std::vector<double> all = gather(own);
+  int count = static_cast<int>(all.size());
+  Teuchos::broadcast(*holder_->comm, 0, 1, &count);
+  all.resize(count);
+  Teuchos::broadcast(*holder_->comm, 0, count, all.data());
+  return all;
+}
+
 std::string Ranks::firstText(const std::string& text) const
 {
   if (!many())

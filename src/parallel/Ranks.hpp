@@ -42,6 +42,8 @@ public:
   /// The numbers of all ranks one after another on rank 0; nothing on others.
   std::vector<double> gather(const std::vector<double>& own) const;
   std::vector<int> gather(const std::vector<int>& own) const;
+  /// The same on all ranks.
+  std::vector<double> gatherOnAll(const std::vector<double>& own) const;
 
   /// Only where there are many.
   const Teuchos::RCP<const Teuchos::Comm<int>>& comm() const;

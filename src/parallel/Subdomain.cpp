@@ -58,6 +58,22 @@ void settle(State<D>& state, const Division<D>& division)
 } // namespace
 
 template <int D>
+Subdomain<D>::Subdomain(const Ranks& ranks, const Division<D>& cells) : division(cells), halo(ranks, cells)
+{
+  own.lattice = cells.lattice;
+  own.rank = ranks.rank();
+  own.boxes = View<int* [2][D]>("rhegma::parallel::boxes", own.rank + 1);
+  const auto boxes = Kokkos::create_mirror_view(own.boxes);
+  for (int r = 0; r <= own.rank; ++r)
+    for (int d = 0; d < D; ++d)
+    {
+      boxes(r, 0, d) = cells.boxes[r].low[d];
+      boxes(r, 1, d) = cells.boxes[r].high[d];
+    }
+  Kokkos::deep_copy(own.boxes, boxes);
+}
+
+template <int D>
 void divideState(State<D>& state)
 {
   if (!state.ranks.many())
@@ -113,14 +129,63 @@ void sumOverRanks(const State<D>& state, SharedSums what)
 {
   if (!state.subdomain)
     return;
-  const Halo<D>& halo = state.subdomain->halo;
   const Nodes<D>& nodes = state.nodes;
   if (what == SharedSums::MassAndMomentum)
-    halo.sum(nodes.sums.data(), Nodes<D>::sumWidth, Nodes<D>::massAt, 1 + D);
+    sumOverRanks(state, nodes.sums.data(), Nodes<D>::sumWidth, Nodes<D>::massAt, 1 + D);
   else if (what == SharedSums::Force)
-    halo.sum(nodes.sums.data(), Nodes<D>::sumWidth, Nodes<D>::forceAt, D);
+    sumOverRanks(state, nodes.sums.data(), Nodes<D>::sumWidth, Nodes<D>::forceAt, D);
   else
-    halo.sum(nodes.projection.data(), Nodes<D>::projectionWidth, 0, D);
+    sumOverRanks(state, nodes.projection.data(), Nodes<D>::projectionWidth, 0, D);
+}
+
+template <int D>
+void sumOverRanks(const State<D>& state, double* values, int width, int first, int count,
+                  const View<int*>& rowOf)
+{
+  if (!state.subdomain)
+    return;
+  SharedRows rows;
+  if (state.cracks.dualField && !state.cracks.empty())
+    rows.second = state.cracks.second;
+  rows.rowOf = rowOf;
+  state.subdomain->halo.sum(rows, values, width, first, count);
+}
+
+template <int D>
+void sumOverRanks(const State<D>& state, const View<double*>& ofNodes)
+{
+  if (state.subdomain)
+    state.subdomain->halo.sum({}, ofNodes.data(), 1, 0, 1);
+}
+
+template <int D>
+void sumParts(const State<D>& state, double* values, int count)
+{
+  if (state.subdomain)
+    state.ranks.sum(values, count);
+}
+
+template <int D>
+void sumParts(const State<D>& state, const View<double*>& values)
+{
+  if (!state.subdomain)
+    return;
+  const auto host = onHost(values);
+  state.ranks.sum(host.data(), static_cast<int>(host.extent(0)));
+  Kokkos::deep_copy(values, host);
+}
+
+template <int D>
+void maxParts(const State<D>& state, double* values, int count)
+{
+  if (state.subdomain)
+    state.ranks.max(values, count);
+}
+
+template <int D>
+const Grid<D>& wholeLattice(const State<D>& state)
+{
+  return state.subdomain ? state.subdomain->division.lattice : state.grid;
 }
 
 template void divideState(State<2>&);
@@ -131,5 +196,19 @@ template void useSharedNodes(State<2>&);
 template void useSharedNodes(State<3>&);
 template void sumOverRanks(const State<2>&, SharedSums);
 template void sumOverRanks(const State<3>&, SharedSums);
+template void sumOverRanks(const State<2>&, double*, int, int, int, const View<int*>&);
+template void sumOverRanks(const State<3>&, double*, int, int, int, const View<int*>&);
+template void sumOverRanks(const State<2>&, const View<double*>&);
+template void sumOverRanks(const State<3>&, const View<double*>&);
+template void sumParts(const State<2>&, double*, int);
+template void sumParts(const State<3>&, double*, int);
+template void sumParts(const State<2>&, const View<double*>&);
+template void sumParts(const State<3>&, const View<double*>&);
+template void maxParts(const State<2>&, double*, int);
+template void maxParts(const State<3>&, double*, int);
+template const Grid<2>& wholeLattice(const State<2>&);
+template const Grid<3>& wholeLattice(const State<3>&);
+template struct Subdomain<2>;
+template struct Subdomain<3>;
 
 } // namespace Rhegma

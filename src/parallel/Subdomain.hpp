@@ -3,6 +3,7 @@
 
 #include "parallel/Division.hpp"
 #include "parallel/Halo.hpp"
+#include "parallel/OwnCells.hpp"
 #include "state/State.hpp"
 
 namespace Rhegma
@@ -14,8 +15,9 @@ struct Subdomain
 {
   Division<D> division;
   Halo<D> halo;
+  OwnCells<D> own;
 
-  Subdomain(const Ranks& ranks, const Division<D>& cells) : division(cells), halo(ranks, cells) {}
+  Subdomain(const Ranks& ranks, const Division<D>& cells);
 };
 
 /// Leaves each rank the particles in its cells, of all that every rank holds, and the part of the lattice
@@ -48,5 +50,31 @@ enum class SharedSums
 /// rank. Collective.
 template <int D>
 void sumOverRanks(const State<D>& state, SharedSums what);
+
+/// The same for columns first .. first + count - 1 of an array with a row of `width` numbers for each node
+/// and second field. \param rowOf where given, its row of each of them, or -1; the same nodes have one on all
+/// ranks
+template <int D>
+void sumOverRanks(const State<D>& state, double* values, int width, int first, int count,
+                  const View<int*>& rowOf = {});
+
+/// The same for one number of each node of the lattice.
+template <int D>
+void sumOverRanks(const State<D>& state, const View<double*>& ofNodes);
+
+/// Replaces values that each rank found of its own particles and nodes by their sums over the ranks; until
+/// these are divided, every rank has all of them. Collective.
+template <int D>
+void sumParts(const State<D>& state, double* values, int count);
+template <int D>
+void sumParts(const State<D>& state, const View<double*>& values);
+
+/// The same for the largest value.
+template <int D>
+void maxParts(const State<D>& state, double* values, int count);
+
+/// The lattice of the whole domain.
+template <int D>
+const Grid<D>& wholeLattice(const State<D>& state);
 
 } // namespace Rhegma

@@ -70,6 +70,7 @@ SummaryFacts facts(const Options& options, const Simulation& simulation, const s
   f.particles = simulation.particles();
   f.particleSteps = simulation.particleSteps();
   f.stages = simulation.stageSeconds();
+  f.peakMemory = Ranks(world()).gatherOnAll({peakMemoryBytes()});
   f.settled = simulation.settled();
   f.status = status;
   return f;

@@ -46,6 +46,8 @@ struct ObservedPoints
   View<double* [D]> half;
   View<int*> side;
   int count = 0;
+  /// All ranks list the same points: each has a stencil on the rank that owns its place, and none elsewhere.
+  bool onAllRanks = false;
 };
 
 /// What cuts the body: decides which particles need stored stencils and edits stencils so that they end at

@@ -2,6 +2,7 @@
 
 #include "checkpoint/Archive.hpp"
 #include "geometry/Cross.hpp"
+#include "parallel/Subdomain.hpp"
 #include "transfer/Stencils.hpp"
 
 #include <algorithm>
@@ -112,13 +113,28 @@ int nearest(const std::vector<Place<D>>& all, const Place<D>& to, double reach)
   return found;
 }
 
-/// Leaves a point out on both faces where one of them has no node to act on.
+/// Which faces meet nodes on this rank.
 template <int D>
-void leaveOutLonely(const StencilTable<D>& below, const StencilTable<D>& above, int count)
+void findMeetings(const StencilTable<D>& below, const StencilTable<D>& above, int count,
+                  const View<double*>& meets)
 {
   Kokkos::parallel_for(
-      "rhegma::leaveOutLonelyFaces", Kokkos::RangePolicy<ExecSpace>(0, count), KOKKOS_LAMBDA(const int k) {
-        if (below.count(k) == 0 || above.count(k) == 0)
+      "rhegma::findMeetings", Kokkos::RangePolicy<ExecSpace>(0, count), KOKKOS_LAMBDA(const int k) {
+        meets(2 * k) = below.count(k) > 0 ? 1.0 : 0.0;
+        meets(2 * k + 1) = above.count(k) > 0 ? 1.0 : 0.0;
+      });
+}
+
+/// Leaves a point out on both faces where one of them has no node to act on.
+template <int D>
+void leaveOutLonely(const View<double*>& meets, const StencilTable<D>& below, const StencilTable<D>& above,
+                    const View<int*>& acts)
+{
+  Kokkos::parallel_for(
+      "rhegma::leaveOutLonelyFaces", Kokkos::RangePolicy<ExecSpace>(0, acts.extent(0)),
+      KOKKOS_LAMBDA(const int k) {
+        acts(k) = meets(2 * k) > 0.0 && meets(2 * k + 1) > 0.0 ? 1 : 0;
+        if (acts(k) == 0)
           below.count(k) = above.count(k) = 0;
       });
 }
@@ -138,7 +154,9 @@ bool FacePoints<D>::update(const State<D>& state)
   follow(state.cracks);
   pointStencils(state, lower_, below, true);
   pointStencils(state, upper_, above, true);
-  leaveOutLonely(below, above, count_);
+  findMeetings(below, above, count_, meets_);
+  sumParts(state, meets_);
+  leaveOutLonely(meets_, below, above, acts);
   return anew;
 }
 
@@ -205,9 +223,12 @@ void FacePoints<D>::makeRoom(int number)
   simplex_ = View<int*>("rhegma::facePointSimplex", count_);
   weight_ = View<double* [D]>("rhegma::facePointWeight", count_);
   share_ = View<double*>("rhegma::facePointShare", count_);
+  acts = View<int*>("rhegma::facePointActs", count_);
+  meets_ = View<double*>("rhegma::facePointMeets", 2 * count_);
   for (ObservedPoints<D>* face : {&lower_, &upper_})
   {
     face->count = count_;
+    face->onAllRanks = true;
     face->position = View<double* [D]>("rhegma::facePosition", count_);
     face->half = View<double* [D]>("rhegma::faceHalf", count_);
     face->side = View<int*>("rhegma::faceSide", count_);

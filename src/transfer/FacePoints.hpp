@@ -15,12 +15,15 @@ class Archive;
 /// separation of the faces away on either side, so that opposite forces on them have no moment, however far
 /// the faces have slid. Points whose face meets no node with mass (at a mouth) have no stencil on either
 /// side: what acts between faces stays in balance.
+///
+/// All ranks have all points. The stencil of a face is on the rank that owns its place: sums over stencils
+/// are parts of the ranks.
 template <int D>
 class FacePoints
 {
 public:
   /// Follows the cracks and makes the stencils for this step; needs the masses of the nodes. Where the pieces
-  /// of a crack have changed, its points are placed anew.
+  /// of a crack have changed, its points are placed anew. Collective.
   /// \return true when they were; `before` then tells from which earlier point each may inherit, `after` to
   /// which one each earlier point may leave what it has
   bool update(const State<D>& state);
@@ -40,8 +43,9 @@ public:
   View<double* [D]> normal;   ///< unit normal from side -1 to side +1, now
   View<double* [D]> edge;     ///< unit vector along the first edge of the simplex, now
   View<double*> separation;   ///< of the faces along the normal, negative where they overlap [m]
-  StencilTable<D> below;      ///< on side -1; no entries where a point is left out
+  StencilTable<D> below;      ///< on side -1; no entries where a point is left out or another rank's
   StencilTable<D> above;      ///< on side +1
+  View<int*> acts;            ///< 0 where a point is left out
   View<int*> before;          ///< earlier point in the same place, or -1
   View<int*> after;           ///< of each earlier point the one now in the same place, or -1
 
@@ -52,6 +56,7 @@ private:
   View<int*> simplex_;
   View<double* [D]> weight_; ///< of the simplex's vertices at the point
   View<double*> share_;      ///< of the simplex's size
+  View<double*> meets_;      ///< of each point, below and above, whether the face meets a node
   ObservedPoints<D> lower_, upper_;
   int count_ = 0;
   int simplices_ = -1;

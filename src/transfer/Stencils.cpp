@@ -1,5 +1,6 @@
 #include "transfer/Stencils.hpp"
 
+#include "parallel/Subdomain.hpp"
 #include "state/FewItems.hpp"
 #include "transfer/TreeStencil.hpp"
 
@@ -27,8 +28,12 @@ int writeTreeStencils(const State<D>& state, const ObservedPoints<D>& points, co
 }
 
 template <int D, ShapeKind S>
-void writeStencils(const Grid<D>& grid, const ObservedPoints<D>& points, const StencilTable<D>& table)
+void writeStencils(const State<D>& state, const ObservedPoints<D>& points, const StencilTable<D>& table)
 {
+  const Grid<D> grid = state.grid;
+  OwnCells<D> own;
+  if (points.onAllRanks && state.subdomain)
+    own = state.subdomain->own;
   forFew(
       "rhegma::writeStencils", points.count, KOKKOS_LAMBDA(const int r) {
         Vector<D> x, half;
@@ -37,7 +42,10 @@ void writeStencils(const Grid<D>& grid, const ObservedPoints<D>& points, const S
           x[d] = points.position(r, d);
           half[d] = points.half(r, d);
         }
-        writeStencil<D, S>(grid, table, r, x, half);
+        if (own.hold(x))
+          writeStencil<D, S>(grid, table, r, x, half);
+        else
+          table.count(r) = 0;
       });
 }
 
@@ -51,9 +59,9 @@ int writeUnbroken(const State<D>& state, ShapeKind shape, const ObservedPoints<D
     return shape == ShapeKind::Linear ? writeTreeStencils<D, ShapeKind::Linear>(state, points, table)
                                       : writeTreeStencils<D, ShapeKind::Gimp>(state, points, table);
   if (shape == ShapeKind::Linear)
-    writeStencils<D, ShapeKind::Linear>(state.grid, points, table);
+    writeStencils<D, ShapeKind::Linear>(state, points, table);
   else
-    writeStencils<D, ShapeKind::Gimp>(state.grid, points, table);
+    writeStencils<D, ShapeKind::Gimp>(state, points, table);
   return 0;
 }
 

@@ -17,7 +17,7 @@ template <int D>
 void storeStencils(State<D>& state);
 
 /// Makes stencils of points (loads, crack faces) in rows 0 .. points.count - 1 of a table, of all nodes
-/// around them on their side.
+/// around them on their side; none of points that all ranks list and another one owns.
 template <int D>
 void placeStencils(const State<D>& state, const ObservedPoints<D>& points, StencilTable<D>& table);
 

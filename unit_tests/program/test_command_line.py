@@ -195,13 +195,14 @@ class Ranks(ProgramTest):
         self.assertEqual((answer.status, answer.output, answer.complaint), (0, "", ""), answer)
 
     def test_effects_of_one_rank_are_refused_once(self):
-        self.write("scene.xml", plate().text())
+        scene = plate().set("Adaptivity", {"Velocity Change": 1.0}).set("Sub-Cycling", {"Levels": 1})
+        self.write("scene.xml", scene.text())
         answer = self.start(3, "scene.xml")
         self.assertEqual(answer.status, 1, answer)
         self.assertEqual(answer.output, "")
         ours = [line for line in answer.complaint.splitlines() if "rhegma:" in line]
         self.assertEqual(len(ours), 1, answer)
-        self.assertRegex(ours[0], r"\Arhegma: Cracks, Energy Release: this version runs such scenes on one rank")
+        self.assertRegex(ours[0], r"\Arhegma: Adaptivity, Sub-Cycling: this version runs such scenes on one rank")
         self.assertIn("mpirun", ours[0])
         for noise in NOISE:
             self.assertNotIn(noise, answer.complaint)

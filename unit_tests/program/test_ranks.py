@@ -1,31 +1,21 @@
 #!/usr/bin/env python3
 """A run on several ranks gives what one rank gives, up to round-off that has grown."""
 
-import csv
 import json
 import os
-import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
-import h5py  # noqa: E402
 import numpy  # noqa: E402
 from program import PROGRAM, SOURCE, environment, rhegma  # noqa: E402
+from ranks import LAUNCHER, ROOT, OnRanks  # noqa: E402
 from scenes import ball, plate  # noqa: E402
-
-LAUNCHER = ("mpirun", "--oversubscribe")
-ROOT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
-
-# Sums in another order differ in their last digits, about 1e-16 a step; the motion of these bodies is stable, so that
-# some hundred steps add up to less than this share of the largest value.
-ROUND_OFF = 1e-10
 
 
 def whole_plate():
@@ -64,75 +54,7 @@ def flying_plate():
     return scene
 
 
-@unittest.skipUnless(shutil.which("mpirun"), "without mpirun")
-class Ranks(unittest.TestCase):
-    def setUp(self):
-        self.temporary = tempfile.TemporaryDirectory()
-        self.folder = self.temporary.name
-        self.addCleanup(self.temporary.cleanup)
-
-    def write(self, scene):
-        with open(os.path.join(self.folder, "scene.xml"), "w", encoding="utf-8") as file:
-            file.write(scene.text())
-        return os.path.join(self.folder, "scene.xml")
-
-    def run_on(self, ranks, scene, *arguments):
-        """Summary, columns of the history and the particles' last fields, ordered by where they started."""
-        out = os.path.join(self.folder, f"on{ranks}")
-        launcher = (*LAUNCHER, "-np", str(ranks)) if ranks > 1 else ()
-        answer = rhegma(
-            scene,
-            *("--output", out, "--quiet", "--set", "Output:Fields=true"),
-            *arguments,
-            launcher=launcher,
-            timeout=600,
-            **ROOT,
-        )
-        self.assertIn(answer.status, (0, 4), answer)  # 4: too few steps for the scene's reference
-        with open(os.path.join(out, "summary.json"), encoding="utf-8") as file:
-            summary = json.load(file)
-        with open(os.path.join(out, "history.csv"), encoding="utf-8") as file:
-            rows = list(csv.DictReader(file))
-        history = {name: numpy.array([float(row[name]) for row in rows]) for name in rows[0]}
-        with h5py.File(os.path.join(out, "fields.h5"), "r") as file:
-            last = file[sorted(file)[-1]]["particles"]
-            fields = {name: last[name][()] for name in last if name != "cells"}
-        start = numpy.round(fields["position"] - fields["displacement"], 9)
-        order = numpy.lexsort(start.T)
-        return summary, history, {name: values[order] for name, values in fields.items()}
-
-    def agree(self, scene, *arguments, ranks=(2, 3, 4)):
-        summary, history, fields = self.run_on(1, scene, *arguments)
-        energy = max(numpy.max(numpy.abs(history[name])) for name in ("kinetic", "strain"))
-        mass = sum(body["mass"] for body in summary["bodies"])
-        scales = {"momentum": (2.0 * mass * energy) ** 0.5, "time": history["time"][-1]}
-        for name in ("kinetic", "strain", "external_work", "residual", "damped"):
-            scales[name] = energy
-        thermal = max((numpy.max(numpy.abs(history[name])) for name in ("thermal", "heat") if name in history), default=0.0)
-        if thermal > 0.0:
-            scales.update(thermal=thermal, heat=thermal, residual=max(energy, thermal))
-            scales.update({name: 300.0 for name in history if "temperature" in name})
-        forces = [numpy.max(numpy.abs(history[name])) for name in history if ".force_" in name]
-        if forces:
-            scales[""] = max(forces)
-        for count in ranks:
-            other, others, theirs = self.run_on(count, scene, *arguments)
-            self.assertEqual(other["ranks"], count)
-            self.assertEqual((other["steps"], other["particles"]), (summary["steps"], summary["particles"]))
-            self.assertEqual(list(others), list(history))
-            for body, counted in zip(summary["bodies"], other["bodies"]):
-                self.assertAlmostEqual(counted["mass"] / body["mass"], 1.0, 12, body["name"])
-            for name, values in history.items():
-                scale = scales.get(name.split("_")[0] if name.startswith("momentum") else name, scales.get(""))
-                worst = numpy.max(numpy.abs(others[name] - values)) / scale
-                self.assertLess(worst, ROUND_OFF, f"{name} on {count} ranks")
-            for name, values in fields.items():
-                scale = numpy.max(numpy.abs(values)) or 1.0
-                self.assertEqual(theirs[name].shape, values.shape, name)
-                worst = numpy.max(numpy.abs(theirs[name] - values)) / scale
-                self.assertLess(worst, ROUND_OFF, f"{name} on {count} ranks")
-        return fields
-
+class Ranks(OnRanks):
     def test_loads_supports_and_damping(self):
         self.agree(self.write(held_plate()))
 

@@ -186,7 +186,7 @@ TEST(TipPatch, RecoversLinearDisplacement)
          [](const Vector<2>& x) {
            return Displacement{{{1e-6 + 1e-4 * x[1], -2e-4 * x[0]}}, {0.0, 1e-4, -2e-4, 0.0}};
          });
-  const SplitNodes split(state, front);
+  const SplitNodes split(state, front, 1e300);
   const NodeDisplacement found =
       recoverDisplacement(particlesAround(state, front, 8.0 * cell), split, consistentMatrix(), fullCell);
   EXPECT_GT(found.size(), 200u);

@@ -51,19 +51,40 @@ TEST(Summary, HasTheKeysThatScriptsRead)
   facts.particles = 100;
   facts.particleSteps = 1000.0;
   facts.wallSeconds = 2.0e-3;
+  facts.peakMemory = {3.0e6, 2.0e6};
   facts.stages = {{"Scatter", 1.0e-3}};
   facts.status = "finished";
   const json summary =
       makeSummary(facts, {{"energy", {{"kinetic", 1.0}}}, {"cracks", {{{"name", "Notch"}}}}});
-  for (const char* key :
-       {"scene", "version", "backend", "ranks", "threads", "effects", "steps", "time", "wall_seconds",
-        "particles", "particle_steps", "ns_per_particle_step", "peak_memory_bytes", "stages", "energy",
-        "cracks", "settled", "references", "status"})
+  for (const char* key : {"scene",
+                          "version",
+                          "backend",
+                          "ranks",
+                          "threads",
+                          "effects",
+                          "steps",
+                          "time",
+                          "wall_seconds",
+                          "particles",
+                          "particle_steps",
+                          "ns_per_particle_step",
+                          "peak_memory_bytes",
+                          "peak_memory_bytes_of_ranks",
+                          "bytes_per_particle",
+                          "stages",
+                          "energy",
+                          "cracks",
+                          "settled",
+                          "references",
+                          "status"})
     EXPECT_TRUE(summary.contains(key)) << key;
   EXPECT_DOUBLE_EQ(summary["ns_per_particle_step"].get<double>(), 2000.0);
   EXPECT_EQ(summary["cracks"][0]["name"], "Notch");
   EXPECT_DOUBLE_EQ(summary["stages"]["Scatter"].get<double>(), 1.0e-3);
-  EXPECT_GT(summary["peak_memory_bytes"].get<double>(), 1.0e6);
+  EXPECT_EQ(summary["peak_memory_bytes"], 5000000);
+  EXPECT_EQ(summary["peak_memory_bytes_of_ranks"], json::parse("[3000000, 2000000]"));
+  EXPECT_EQ(summary["bytes_per_particle"], 50000.0);
+  EXPECT_GT(peakMemoryBytes(), 1.0e6);
 }
 
 TEST(Summary, OfARunWithoutStepsHasNoCostPerStep)

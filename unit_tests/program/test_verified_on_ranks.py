@@ -1,0 +1,63 @@
+#!/usr/bin/env python3
+"""Verified scenes give the same energy release rates on several ranks as on one."""
+
+import os
+import sys
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+sys.dont_write_bytecode = True
+
+from program import SOURCE, rhegma  # noqa: E402
+from ranks import LAUNCHER, ROOT, OnRanks  # noqa: E402
+
+FOLDER = os.path.join(SOURCE, "xml_inputs", "verification")
+
+# The number that is asked for.
+SAME = 1e-9
+
+# Steps that are taken of each: enough for a wave to run through the cells around a front.
+STEPS = 60
+
+# Where the grips are far from the front: before anything reaches it, G is that of noise.
+LONGER = {"dcb_arrest.xml": 1000}
+
+ON_ONE_RANK = {"Adaptivity", "Sub-Cycling", "Combustion"}
+
+
+def sections(path):
+    return {child.get("name") for child in ElementTree.parse(path).getroot()}
+
+
+class Verified(OnRanks):
+    def scenes(self):
+        """Path of each scene, and which of its sections work on one rank only."""
+        for name in sorted(os.listdir(FOLDER)):
+            if name.endswith(".xml"):
+                path = os.path.join(FOLDER, name)
+                yield path, sections(path) & ON_ONE_RANK
+
+    def test_the_same_on_two_three_and_four_ranks(self):
+        tried = 0
+        for path, alone in self.scenes():
+            if alone:
+                continue
+            with self.subTest(os.path.basename(path)):
+                steps = LONGER.get(os.path.basename(path), STEPS)
+                self.agree(path, "--set", f"Time:Maximum Steps={steps}", within=SAME, closure=1.0)
+                tried += 1
+        self.assertGreater(tried, 15)
+
+    def test_what_does_not_work_yet_is_refused_by_name(self):
+        for path, alone in self.scenes():
+            if alone:
+                with self.subTest(os.path.basename(path)):
+                    answer = rhegma(path, "--check", launcher=(*LAUNCHER, "-np", "2"), **ROOT)
+                    self.assertEqual(answer.status, 1, answer)
+                    for name in alone:
+                        self.assertIn(name, answer.complaint)
+
+
+if __name__ == "__main__":
+    unittest.main()
