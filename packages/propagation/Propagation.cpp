@@ -131,9 +131,8 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
     if (cracks.isType<bool>("Front Ties") && !cracks.get<bool>("Front Ties"))
       refuse("it needs Cracks > Front Ties; leave that at true");
   }
-  for (const char* const other : {"Sub-Cycling", "Mass Matrix"})
-    if (scene.isSublist(other))
-      refuse(std::string("it does not go with ") + other + " as yet; take one of the two out");
+  if (scene.isSublist("Mass Matrix"))
+    refuse("it does not go with Mass Matrix as yet; take one of the two out");
   if (!scene.isSublist("Energy Release"))
     refuse("nothing measures what drives the fronts; add a section Energy Release, which may be empty");
   if (scene.isSublist("Domain") && scene.sublist("Domain").isType<int>("Dimension") &&

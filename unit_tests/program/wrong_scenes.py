@@ -297,8 +297,6 @@ PROPAGATION = [
     ("contour_the_wrong_way_round", running(**{"Release Contour": [10.0, 5.0]}),
      one("Propagation > Release Contour", "the inner one first")),
     ("front_that_is_none", running().set(NOTCH, [0.0, 0.5, 1.0, 0.5]), one("Energy Release", "front", "Fronts")),
-    ("running_cracks_in_short_steps", running().set("Adaptivity", {}).set("Sub-Cycling", {}),
-     one("Propagation", "Sub-Cycling", "take one of the two out")),
     ("running_cracks_with_a_mass_matrix", running().set("Mass Matrix", {"Type": "Full"}),
      one("Propagation", "Mass Matrix", "take one of the two out")),
 ]

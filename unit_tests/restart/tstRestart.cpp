@@ -126,6 +126,7 @@ std::vector<Case> ownCases()
       own("own_ties", plate(pull, release)),
       own("own_running", plate(pull, running), 100),
       own("own_running_cells", plate(pull, running + cells + friction), 100),
+      own("own_running_short_steps", plate(pull, running + cells + section("Sub-Cycling", "")), 50),
       own("own_contact", plate(press, friction + release)),
       own("own_contact_cells", plate(press, friction + cells)),
       own("own_contact_short_steps", plate(press, friction + cells + section("Sub-Cycling", "")), 80),
