@@ -62,7 +62,7 @@ void forEach(const Teuchos::ParameterList& scene, const std::string& section, co
     return;
   const Teuchos::ParameterList& list = scene.sublist(section);
   for (const std::string& name : sublistNames(list))
-    work(list.sublist(name), section + " > " + name);
+    work(list.sublist(name), std::string(section).append(" > ").append(name));
 }
 
 bool isOfHeat(const std::string& type)

@@ -176,7 +176,7 @@ MaterialTables tablesOf(const Teuchos::ParameterList& list, const std::string& n
 template <class T>
 View<T*> onDevice(const std::string& label, const std::vector<T>& values)
 {
-  const View<T*> view(label, values.size());
+  View<T*> view(label, values.size());
   const auto host = Kokkos::create_mirror_view(view);
   std::copy(values.begin(), values.end(), host.data());
   Kokkos::deep_copy(view, host);
