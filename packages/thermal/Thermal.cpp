@@ -57,10 +57,6 @@ template <int D>
 void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
 {
   const Teuchos::ParameterList& list = scene.sublist("Thermal");
-  if (state.ranks.many() && scene.isSublist("Cracks"))
-    throw std::invalid_argument(
-        "Thermal: with Cracks it runs on one rank in this version; leave one of the two "
-        "out, or start without mpirun");
   state.thermo = makeThermoTables(scene.sublist("Materials"), state.plane, run.initial, state.mechanics);
   useReferenceProperties(state, scene.sublist("Materials"), run.initial);
   run.conduction.measure(state);
