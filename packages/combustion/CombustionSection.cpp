@@ -13,8 +13,10 @@ Section combustionSection()
   Section crack("crack", "The burning of the crack of this name.");
   crack.chosenBy("Burn Law").meaning("How fast a burning face recedes.");
   Section vieille("Vieille", "r = a p^n.");
-  vieille.real("Burn Coefficient").unit("m/s/Pa^n").notNegative().meaning("a.");
-  vieille.real("Burn Exponent").notNegative().meaning("n. Above 1 a closed crack runs away.");
+  vieille.real("Burn Coefficient").unit("m/s/Pa^n").notNegative().meaning("The factor a of the law.");
+  vieille.real("Burn Exponent")
+      .notNegative()
+      .meaning("The exponent n of the law. Above 1 a closed crack runs away.");
   crack.variant(vieille);
   Section table("Table", "Straight lines between points.");
   table.text("Burn Table")
@@ -26,9 +28,9 @@ Section combustionSection()
       .unit("kg/m3")
       .positive()
       .optional("that of the scene's only material")
-      .meaning("Of what burns.");
-  crack.real("Gas Constant").unit("J/(kg K)").positive().meaning("R of the gas, per kilogram.");
-  crack.real("Heat Capacity Ratio").above(1.0).atMost(2.0).byDefault(1.25).meaning("gamma of the gas.");
+      .meaning("Density of what burns.");
+  crack.real("Gas Constant").unit("J/(kg K)").positive().meaning("R of the gas for a kilogram of it.");
+  crack.real("Heat Capacity Ratio").above(1.0).atMost(2.0).byDefault(1.25).meaning("c_p / c_v of the gas.");
   crack.real("Covolume")
       .unit("m3/kg")
       .notNegative()
