@@ -84,7 +84,7 @@ TEST(Summary, HasTheKeysThatScriptsRead)
   EXPECT_EQ(summary["peak_memory_bytes"], 5000000);
   EXPECT_EQ(summary["peak_memory_bytes_of_ranks"], json::parse("[3000000, 2000000]"));
   EXPECT_EQ(summary["bytes_per_particle"], 50000.0);
-  EXPECT_GT(peakMemoryBytes(), 1.0e6);
+  EXPECT_GT(Rhegma::peakMemoryBytes(), 1.0e6);
 }
 
 TEST(Summary, OfARunWithoutStepsHasNoCostPerStep)
