@@ -116,7 +116,6 @@ struct MergeFamilies
 
   KOKKOS_INLINE_FUNCTION void operator()(int i, double& lost) const
   {
-    constexpr double share = 1.0 / parts<D>;
     const int to = family(i, 0);
     accepted(i) = 0;
     double F[gradientSize<D>] = {}, v[D] = {}, x[D] = {}, X[D] = {}, m = 0.0, V = 0.0, now = 0.0,
@@ -124,19 +123,24 @@ struct MergeFamilies
     const Properties& law = before.materials(before.material(to));
     for (int k = 0; k < parts<D>; ++k)
     {
+      m += mass(family(i, k));
+      V += volume(family(i, k));
+    }
+    for (int k = 0; k < parts<D>; ++k)
+    {
       const int p = family(i, k);
       if (sides && side(p) != side(to))
         return;
+      // Parts may have burnt by different shares.
+      const double heavy = mass(p) / m, share = volume(p) / V;
       for (int d = 0; d < D; ++d)
       {
-        v[d] += before.mechanics ? share * velocity(p, d) : 0.0;
-        x[d] += share * position(p, d);
-        X[d] += share * reference(p, d);
+        v[d] += before.mechanics ? heavy * velocity(p, d) : 0.0;
+        x[d] += heavy * position(p, d);
+        X[d] += heavy * reference(p, d);
       }
       for (int c = 0; c < gradientSize<D>; ++c)
         F[c] += share * deformation(p, c);
-      m += mass(p);
-      V += volume(p);
       now += share * determinant<D>(&deformation(p, 0));
       energy += before.kinetic(p) + before.strain(p);
       motion += before.kinetic(p);

@@ -20,7 +20,7 @@ namespace Rhegma::combustion
 namespace
 {
 
-/// Share of the gas that may come or go in a step.
+/// Share of the gas that may come or go in a step, and of its room.
 constexpr double largestChange = 0.1;
 
 /// Of what a face should burn, what the particles must have for it to go on.
@@ -43,8 +43,9 @@ struct Burning
   bool filled = false, spent = false, felt = false;
   double swept = 0.0;                               ///< volume that the faces have opened [m3]
   double volume = 0.0, pressure = 0.0, slope = 0.0; ///< [m3], [Pa], [Pa/s]
-  double burningArea = 0.0;                         ///< [m2]
-  double massRate = 0.0;                            ///< in and out [kg/s]
+  double burningArea = 0.0, faces = 0.0;            ///< of faces that burn, of all [m2]
+  double massRate = 0.0;                            ///< in and out, as it was or may be next [kg/s]
+  double volumeRate = 0.0;                          ///< that the faces sweep [m3/s]
 
   Flame<D> flame(double time) const
   {
@@ -68,6 +69,7 @@ struct Burning
     archive("slope", slope);
     archive("burning_area", burningArea);
     archive("mass_rate", massRate);
+    archive("volume_rate", volumeRate);
   }
 };
 
@@ -150,15 +152,18 @@ void push(State<D>& state, const FacePoints<D>& points, Burning<D>& b)
   const Cavity room = measureCavity(state, points, b.crack, b.flame(state.time));
   const std::string& name = state.cracks.cracks[b.crack].name;
   b.burningArea = room.burning;
+  b.faces = 2.0 * room.felt;
   b.felt = b.felt || room.felt > 0.0;
   if (!b.felt)
     state.trouble = "Combustion > " + name + ": no face of this crack lies in a body, so nothing can burn";
-  b.volume = b.cavity + b.gap * room.area + std::max(b.swept, 0.0) + b.gas.burnt() / b.density;
+  b.volume = b.cavity + b.gap * room.area + b.swept + b.gas.burnt() / b.density;
   const double before = b.pressure;
   if (!b.filled)
     b.gas.fill(b.startPressure, b.startTemperature, b.volume);
   if (!(b.volume > b.gas.leastVolume()))
-    state.trouble = "Combustion > " + name + ": the gas does not fit in the crack at its covolume";
+    state.trouble = "Combustion > " + name +
+                    ": there is no room left for the gas, as the faces have come too near to each other "
+                    "(a larger Initial Gap or Cavity Volume, or a section Contact)";
   b.pressure = b.gas.pressure(b.volume);
   if (!std::isfinite(b.pressure))
     state.trouble = "Combustion > " + name + ": the pressure is no longer a number";
@@ -180,6 +185,10 @@ void bookWork(State<D>& state, const FacePoints<D>& points, Burning<D>& b)
   state.energy.combustion += (b.pressure - b.outside) * swept;
   b.gas.work(b.pressure * swept);
   b.swept += swept;
+  b.volumeRate = state.dt > 0.0 ? swept / state.dt : 0.0;
+  if (!(b.gas.energy() > 0.0))
+    state.trouble = "Combustion > " + state.cracks.cracks[b.crack].name +
+                    ": the gas has done more work than it has energy (smaller Time > CFL)";
 }
 
 template <int D>
@@ -211,7 +220,11 @@ void burn(State<D>& state, Work<D>& work, Burning<D>& b)
     b.gas.vent(gone, b.volume);
   }
   b.gas.settle();
-  b.massRate = state.dt > 0.0 ? (come + gone) / state.dt : 0.0;
+  const double last = state.dt > 0.0 ? (come + gone) / state.dt : 0.0;
+  // All faces may catch fire in the next step.
+  const bool lit = !b.spent && state.time + 3.0 * state.dt >= b.ignition;
+  const double most = lit ? b.density * b.rate(b.pressure) * (b.allAtOnce ? b.faces : b.burningArea) : 0.0;
+  b.massRate = std::max(last, most);
 }
 
 template <int D>
@@ -311,8 +324,12 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   {
     double limit = std::numeric_limits<double>::max();
     for (const Burning<D>& b : work->cracks)
+    {
       if (b.massRate > 0.0)
         limit = std::min(limit, largestChange * b.gas.mass() / b.massRate);
+      if (b.volumeRate != 0.0)
+        limit = std::min(limit, largestChange * b.volume / std::fabs(b.volumeRate));
+    }
     return limit;
   };
   effect.memory = [work](State<D>&, Archive& archive)

@@ -18,32 +18,20 @@ void Regression<D>::take(const State<D>& state, const FacePoints<D>& points, int
   }
   if (loss_.extent(0) < rows)
     loss_ = View<double*>("rhegma::combustion::loss", rows + rows / 4);
-  clear(state, points);
+  clear(state);
   demand(state, points, crack, flame, depth);
   weighNodes(state);
   share(state);
 }
 
 template <int D>
-void Regression<D>::clear(const State<D>& state, const FacePoints<D>& points)
+void Regression<D>::clear(const State<D>& state)
 {
-  const FacePoints<D> p = points;
-  const StencilTable<D> table = state.stored;
+  const Nodes<D> nodes = state.nodes;
   const View<double*> demand = demand_, present = present_;
   Kokkos::parallel_for(
-      "rhegma::combustion::clearFaces", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
-      KOKKOS_LAMBDA(const int k) {
-        for (int e = 0; e < p.above.count(k); ++e)
-          demand(p.above.node(k, e)) = present(p.above.node(k, e)) = 0.0;
-        for (int e = 0; e < p.below.count(k); ++e)
-          demand(p.below.node(k, e)) = present(p.below.node(k, e)) = 0.0;
-      });
-  Kokkos::parallel_for(
-      "rhegma::combustion::clearParticles", Kokkos::RangePolicy<ExecSpace>(0, state.numStored),
-      KOKKOS_LAMBDA(const int r) {
-        for (int e = 0; e < table.count(r); ++e)
-          demand(table.node(r, e)) = present(table.node(r, e)) = 0.0;
-      });
+      "rhegma::combustion::clear", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+      KOKKOS_LAMBDA(const int i) { demand(activeNode(nodes, i)) = present(activeNode(nodes, i)) = 0.0; });
 }
 
 template <int D>

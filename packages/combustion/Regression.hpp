@@ -38,7 +38,7 @@ public:
   Loss apply(State<D>& state);
 
   // Public because compilers for devices want kernels in public functions.
-  void clear(const State<D>& state, const FacePoints<D>& points);
+  void clear(const State<D>& state);
   void demand(const State<D>& state, const FacePoints<D>& points, int crack, const Flame<D>& flame,
               double depth);
   void weighNodes(const State<D>& state);

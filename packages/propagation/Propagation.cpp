@@ -15,6 +15,7 @@
 #include <limits>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace Rhegma::propagation
@@ -196,7 +197,8 @@ AdvanceRule ruleAt(const CrackFront<2>& front, const Options& options)
   return rule;
 }
 
-/// Decides which fronts advance after the step that ends.
+/// Decides which fronts may advance after the step that ends: those that do if nothing closes them, which
+/// only their stress intensities tell.
 void decide(State<2>& state, const Options& options, Fronts& fronts)
 {
   const double now = state.time + state.dt;
@@ -222,11 +224,14 @@ void decide(State<2>& state, const Options& options, Fronts& fronts)
       }
     if (history.running())
     {
-      fronts.next[f] = history.advance(rule, now, release, fronts.increment[f], fronts.fastest[f]);
-      front.advances = fronts.next[f].increments > 0;
+      FrontHistory asItWouldBe = history;
+      front.advances =
+          asItWouldBe.advance(rule, now, release, fronts.increment[f], fronts.fastest[f]).increments > 0;
+      if (!front.advances)
+        history = std::move(asItWouldBe);
     }
     else if (release >= rule.initiation && now >= rule.startTime)
-      front.advances = true; // if what drives it does not close it
+      front.advances = true;
     else
       history.wait(now, release);
     front.speed = history.speed(now);
@@ -256,14 +261,11 @@ void ask(State<2>& state, const Options& options, Fronts& fronts)
       continue;
     front.advances = false;
     FrontHistory& history = fronts.histories[f];
-    if (!history.running())
-    {
-      fronts.next[f] = history.advance(ruleAt(front, options), state.time, openingRelease(front.driving),
-                                       fronts.increment[f], fronts.fastest[f]);
-      front.speed = history.speed(state.time);
-      if (fronts.next[f].increments == 0)
-        continue;
-    }
+    fronts.next[f] = history.advance(ruleAt(front, options), state.time, openingRelease(front.driving),
+                                     fronts.increment[f], fronts.fastest[f]);
+    front.speed = history.speed(state.time);
+    if (fronts.next[f].increments == 0)
+      continue;
     const double length = fronts.next[f].increments * fronts.increment[f];
     const bool held = fronts.straightFor[f] > 0.0;
     const Vector<2> direction = held ? front.direction : nextDirection(front, options.direction);
@@ -335,14 +337,16 @@ void report(const State<2>& state, const Fronts& fronts, nlohmann::json& summary
     entry["energy_of_new_faces"] = front.taken;
   }
   // What the body has been given, and how much of it the ledger knows of now.
-  const double given = state.energy.start + state.energy.externalWork;
+  const EnergyLedger& energy = state.energy;
+  const double given =
+      energy.start + std::fabs(energy.externalWork) + std::fabs(energy.combustion) + std::fabs(energy.heat);
   const double inFlight = summary.value("energy_in_flight", 0.0);
   summary["propagation"] = {
       {"energy_of_new_faces", taken},
       {"in_flight", inFlight},
-      {"dissipated", state.energy.fracture},
-      {"accounted_for", given > 0.0 ? 1.0 - state.energy.residual() / given : 1.0},
-      {"dissipated_share", taken > inFlight ? state.energy.fracture / (taken - inFlight) : 1.0}};
+      {"dissipated", energy.fracture},
+      {"accounted_for", given > 0.0 ? 1.0 - energy.residual() / given : notYet},
+      {"dissipated_share", taken > inFlight ? energy.fracture / (taken - inFlight) : notYet}};
 }
 
 Effect<2> make2(const Teuchos::ParameterList& scene)

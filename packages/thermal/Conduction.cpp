@@ -88,19 +88,27 @@ double Conduction<D>::heatOfFronts(State<D>& state, double dt)
   const double before = state.ranks.many() ? state.sampledEnergy.fracture : 0.0;
   const double spent = before + state.ranks.sum(state.energy.fracture - before);
   const double since = spent - fractureSeen;
-  fractureSeen = spent;
   frontHeat.resize(all.size(), 0.0);
   double owed = 0.0;
   for (std::size_t f = 0; f < all.size(); ++f)
     owed += std::max(0.0, all[f].taken - frontHeat[f]);
+  // Faces that close give back what they took; the next that open take it again.
+  if (!(since > 0.0) || !(owed > 0.0))
+    return 0.0;
   double added = 0.0;
-  for (std::size_t f = 0; f < all.size() && since > 0.0 && owed > 0.0; ++f)
+  for (std::size_t f = 0; f < all.size(); ++f)
   {
     const double energy = since * std::max(0.0, all[f].taken - frontHeat[f]) / owed;
-    frontHeat[f] += energy;
-    if (energy > 0.0)
-      added += dt * addBall<D>(state, all[f].position, std::max(frontRadius, smallestRadius(state)),
-                               frontFraction * energy / dt, supply);
+    if (!(energy > 0.0))
+      continue;
+    const double given = dt * addBall<D>(state, all[f].position, std::max(frontRadius, smallestRadius(state)),
+                                         frontFraction * energy / dt, supply);
+    added += given;
+    if (given > 0.0)
+    {
+      frontHeat[f] += energy;
+      fractureSeen += energy;
+    }
   }
   return added;
 }
