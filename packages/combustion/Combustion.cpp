@@ -198,7 +198,9 @@ void burn(State<D>& state, Work<D>& work, Burning<D>& b)
   if (b.burningArea > 0.0)
   {
     const double middle = std::max(b.pressure + 0.5 * state.dt * b.slope, 0.0);
-    const double depth = b.density * b.rate(middle) * state.dt;
+    // A first step, or a flame that comes upon many faces, was not foreseen by the limit of the step.
+    const double most = 2.0 * largestChange * b.gas.mass() / b.burningArea;
+    const double depth = std::min(b.density * b.rate(middle) * state.dt, most);
     work.regression.take(state, work.points, b.crack, b.flame(state.time), depth);
     const auto lost = work.regression.apply(state);
     b.gas.burn(lost.mass);

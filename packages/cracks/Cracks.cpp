@@ -13,8 +13,10 @@
 #include "cracks/Overlap.hpp"
 #include "cracks/Sides.hpp"
 #include "cracks/Visibility.hpp"
+#include "scene/Numbers.hpp"
 #include "scene/ReadList.hpp"
 
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -77,6 +79,28 @@ Formulation readFormulation(const Teuchos::ParameterList& section)
                                            : Formulation::DualField;
 }
 
+/// Cells over which a front may be carried before its ties can no longer be trusted.
+constexpr double farForTies = 0.5;
+
+/// What to say of fronts that a moving body has carried through the cells: the stretch of ties is kept by
+/// nodes, and a node whose distance behind the front changes stiffens or slackens with the stretch that it
+/// had.
+template <int D>
+void warnOfCarriedTies(const State<D>& state, const std::vector<Vector<D>>& start, nlohmann::json& summary)
+{
+  for (std::size_t f = 0; f < start.size() && f < state.cracks.fronts.size(); ++f)
+  {
+    const CrackFront<D>& front = state.cracks.fronts[f];
+    const double carried = norm(front.position - start[f]) / state.smallestSpacing();
+    if (carried > farForTies)
+      summary["warnings"].push_back(
+          "Cracks > " + state.cracks.cracks[front.crack].name + ": its body carried the front " +
+          std::to_string(front.number) + " through " + formatReal(std::round(10.0 * carried) / 10.0) +
+          " cells, and ties behind fronts that move so make energy and spoil G; write Cracks > Front Ties = "
+          "false");
+  }
+}
+
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)
 {
@@ -86,6 +110,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   const auto surroundings = std::make_shared<Surroundings>();
   const auto ghosts = std::make_shared<Ghosts>();
   const auto motion = std::make_shared<CrackMotion<D>>();
+  const auto start = std::make_shared<std::vector<Vector<D>>>();
+  const bool carries = tied && !scene.isSublist("Propagation");
   Effect<D> effect;
   effect.name = "Cracks";
   effect.adds.push_back(
@@ -100,6 +126,9 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     if (tied)
       state.followingForces.push_back(FrontTies<D>::following());
     readCracks(section, state);
+    if (carries)
+      for (const CrackFront<D>& front : state.cracks.fronts)
+        start->push_back(front.position);
     state.editor.prepare = [=](State<D>& s, const View<int*>& row)
     {
       findSides(s, *surroundings, row);
@@ -189,6 +218,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   const bool touching = scene.isSublist("Contact");
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {
+    warnOfCarriedTies(state, *start, summary);
     for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
     {
       summary["cracks"][c]["name"] = state.cracks.cracks[c].name;

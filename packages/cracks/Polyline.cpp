@@ -77,8 +77,9 @@ Points readPoints(const Teuchos::ParameterList& list, const std::string& where, 
   return points;
 }
 
-/// Cells: the crack follows the faces, and the opening between its vertices is a straight line.
-constexpr double longestSegment = 1.0;
+/// Cells: the crack follows the faces, and the opening between its vertices is a straight line. Shorter
+/// pieces show what single nodes do: a diagonal crack that is pulled open seems to overlap in places.
+constexpr double longestSegment = 4.0;
 
 /// Equal pieces no longer than `longest`.
 Points refine(const Points& points, double longest)

@@ -50,7 +50,8 @@ Extremes<D> extremes(const State<D>& state)
   found.highest = state.ranks.max(most.val);
   found.lowest = -state.ranks.max(-least);
   Vector<D> where{};
-  const bool here = state.particles.size() > 0 && most.val == found.highest;
+  // Where no temperature is a number none is the highest.
+  const bool here = most.loc >= 0 && most.loc < state.particles.size() && most.val == found.highest;
   if (here)
   {
     const auto host = Kokkos::create_mirror_view_and_copy(

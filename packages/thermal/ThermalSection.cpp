@@ -1,4 +1,5 @@
 #include "scene/ReadList.hpp"
+#include "scene/TimeFunction.hpp"
 #include "thermal/Thermal.hpp"
 
 #include "material/ThermoMaterials.hpp"
@@ -195,11 +196,35 @@ Section thermalSection()
   return s;
 }
 
+namespace
+{
+
+/// Sources must have a power at any time of the run.
+void checkHistories(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
+{
+  const Teuchos::ParameterList& list = scene.sublist("Thermal");
+  if (!list.isSublist("Sources") || !scene.isSublist("Time") ||
+      !scene.sublist("Time").isType<double>("Final Time"))
+    return;
+  for (const std::string& name : sublistNames(list.sublist("Sources")))
+  {
+    const Teuchos::ParameterList& source = list.sublist("Sources").sublist(name);
+    if (!source.isType<std::string>("History"))
+      continue;
+    if (const auto complaint = complaintIfNotFinite(source.get<std::string>("History"),
+                                                    scene.sublist("Time").get<double>("Final Time")))
+      errors.push_back({"Thermal > Sources > " + name + " > History", *complaint});
+  }
+}
+
+} // namespace
+
 void checkThermal(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
   if (!scene.isSublist("Thermal"))
     return checkWithout(scene, errors);
   const Teuchos::ParameterList& list = scene.sublist("Thermal");
+  checkHistories(scene, errors);
   if (list.isType<bool>("Mechanics") && !list.get<bool>("Mechanics"))
     checkAlone(scene, errors);
   else
