@@ -20,8 +20,14 @@ SAME = 1e-9
 # Steps that are taken of each: enough for a wave to run through the cells around a front.
 STEPS = 60
 
+
+def is_compared(column):
+    """What drives cracks, and the energies of the motion: other columns may be sums that cancel, or noise as yet."""
+    return "G_" in column or ".K_" in column or column in ("kinetic", "strain")
+
+
 # Where the grips are far from the front: before anything reaches it, G is that of noise.
-LONGER = {"dcb_arrest.xml": 1000}
+LONGER = {"dcb_arrest.xml": 1000, "running_start.xml": 600}
 
 ON_ONE_RANK = {"Adaptivity", "Sub-Cycling", "Combustion"}
 
@@ -45,7 +51,8 @@ class Verified(OnRanks):
                 continue
             with self.subTest(os.path.basename(path)):
                 steps = LONGER.get(os.path.basename(path), STEPS)
-                self.agree(path, "--set", f"Time:Maximum Steps={steps}", within=SAME, closure=1.0)
+                self.agree(path, "--set", f"Time:Maximum Steps={steps}", within=SAME, closure=1.0,
+                           columns=is_compared)
                 tried += 1
         self.assertGreater(tried, 15)
 
