@@ -4,6 +4,7 @@
 #include "state/FewItems.hpp"
 
 #include <cmath>
+#include <vector>
 
 namespace Rhegma::cracks
 {
@@ -80,6 +81,115 @@ void updateNormals(const CrackSet<D>& cracks)
       });
 }
 
+namespace
+{
+
+template <class V>
+typename V::HostMirror host(const V& view)
+{
+  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
+}
+
+/// Shares, places and directions of the stations of 3D fronts.
+class StationFrames
+{
+public:
+  explicit StationFrames(const CrackSet<3>& cracks)
+      : vertex_(host(cracks.vertex)),
+        simplex_(host(cracks.simplex)),
+        neighbour_(host(cracks.neighbour)),
+        frontFacet_(host(cracks.frontFacet)),
+        starBegin_(host(cracks.starBegin)),
+        star_(host(cracks.star))
+  {
+  }
+
+  void update(CrackFront<3>& front) const
+  {
+    const Vector<3> none{0.0, 0.0, 0.0};
+    std::vector<FrontStation<3>>& stations = front.stations;
+    for (FrontStation<3>& station : stations)
+    {
+      station.position = at(station.vertex);
+      station.share = 0.0;
+      station.direction = station.normal = none;
+    }
+    std::vector<bool> ends(stations.size(), true);
+    int before = -1;
+    for (std::size_t k = 0; k < stations.size(); ++k)
+    {
+      if (before >= 0)
+      {
+        add(stations[before].facet, stations[k]);
+        ends[k] = false;
+      }
+      before = stations[k].facet >= 0 ? static_cast<int>(k) : -1;
+      if (stations[k].facet >= 0)
+        add(stations[k].facet, stations[k]);
+      else
+        ends[k] = true;
+    }
+    if (before >= 0) // the line is closed
+    {
+      add(stations[before].facet, stations[0]);
+      ends[0] = false;
+    }
+    for (std::size_t k = 0; k < stations.size(); ++k)
+    {
+      FrontStation<3>& station = stations[k];
+      station.normal = unit(station.normal);
+      station.direction = across(station.direction, station.normal);
+      if (ends[k])
+        station.direction = alongMouth(station);
+    }
+  }
+
+private:
+  Vector<3> at(int v) const { return {vertex_(v, 0), vertex_(v, 1), vertex_(v, 2)}; }
+
+  static Vector<3> across(const Vector<3>& a, const Vector<3>& n) { return unit(a - dot(a, n) * n); }
+
+  /// Adds a piece's half length, and its direction and normal by that length.
+  void add(int facet, FrontStation<3>& station) const
+  {
+    const int s = frontFacet_(facet, 0), opposite = frontFacet_(facet, 1);
+    const Vector<3> a = at(simplex_(s, (opposite + 1) % 3)), b = at(simplex_(s, (opposite + 2) % 3)),
+                    c = at(simplex_(s, opposite));
+    const Vector<3> along = b - a, n = unit(cross(along, c - a));
+    station.share += 0.5 * norm(along);
+    station.normal = station.normal + norm(along) * n;
+    station.direction = station.direction + cross(along, n);
+  }
+
+  /// The direction in which the mouth goes on at the end of a front; that across the front if the two are
+  /// almost one line.
+  Vector<3> alongMouth(const FrontStation<3>& station) const
+  {
+    constexpr double grazing = 0.25;
+    for (int k = starBegin_(station.vertex); k < starBegin_(station.vertex + 1); ++k)
+    {
+      const int s = star_(k);
+      for (int i = 0; i < 3; ++i)
+      {
+        const int a = simplex_(s, (i + 1) % 3), b = simplex_(s, (i + 2) % 3);
+        if (neighbour_(s, i) != facet::mouth || (a != station.vertex && b != station.vertex))
+          continue;
+        const Vector<3> out = across(station.position - at(a == station.vertex ? b : a), station.normal);
+        if (dot(out, station.direction) > grazing)
+          return out;
+      }
+    }
+    return station.direction;
+  }
+
+  typename View<double* [3]>::HostMirror vertex_;
+  typename View<int*[3]>::HostMirror simplex_, neighbour_;
+  typename View<int* [2]>::HostMirror frontFacet_;
+  typename View<int*>::HostMirror starBegin_, star_;
+};
+
+} // namespace
+
 template <int D>
 void updateFronts(CrackSet<D>& cracks)
 {
@@ -123,6 +233,13 @@ void updateFronts(CrackSet<D>& cracks)
     }
     front.direction = unit(out);
     front.normal = normalOf(corner);
+  }
+  if constexpr (D == 3)
+  {
+    const StationFrames frames(cracks);
+    for (CrackFront<3>& front : cracks.fronts)
+      if (!front.ended)
+        frames.update(front);
   }
 }
 

@@ -130,6 +130,26 @@ void listStars(CrackSet<D>& set)
   Kokkos::deep_copy(set.star, star);
 }
 
+/// Gives a front its stations where it has none yet, in the order of its pieces.
+void placeStations(CrackFront<3>& front, int firstVertex, const CrackMesh<3>& mesh,
+                   const std::vector<Piece>& along)
+{
+  const auto station = [&](const Piece& piece, int end, int facet)
+  {
+    FrontStation<3> added;
+    added.vertex = firstVertex + mesh.simplices[piece.simplex][(piece.facet + end) % 3];
+    added.name = static_cast<int>(front.stations.size());
+    added.facet = facet;
+    front.stations.push_back(added);
+  };
+  front.stations.clear();
+  for (std::size_t k = 0; k < along.size(); ++k)
+    station(along[k], 1, front.firstFacet + static_cast<int>(k));
+  station(along.back(), 2, -1);
+  if (front.stations.back().vertex == front.stations.front().vertex)
+    front.stations.pop_back();
+}
+
 /// Gives the fronts of a crack their pieces. \return the pieces, in the set's numbering
 template <int D>
 std::vector<Piece> placeFronts(CrackSet<D>& set, const std::vector<CrackMesh<D>>& meshes)
@@ -150,6 +170,8 @@ std::vector<Piece> placeFronts(CrackSet<D>& set, const std::vector<CrackMesh<D>>
     const Crack<D>& crack = set.cracks[front.crack];
     front.vertex = crack.firstVertex + middleVertex(meshes[front.crack], along);
     front.numFacets = static_cast<int>(along.size());
+    if constexpr (D == 3)
+      placeStations(front, crack.firstVertex, meshes[front.crack], along);
     for (const Piece& piece : along)
       pieces.push_back({crack.firstSimplex + piece.simplex, piece.facet});
   }

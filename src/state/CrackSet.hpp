@@ -14,6 +14,7 @@ struct DrivingForce
 {
   double release = 0.0;             ///< energy release rate [J/m2]
   double modeI = 0.0, modeII = 0.0; ///< stress intensities [Pa m^0.5]
+  double modeIII = 0.0;             ///< the same, 3D only
   double hoopAngle = 0.0; ///< from its direction towards its normal, where the hoop stress is largest [rad]
 };
 
@@ -24,21 +25,47 @@ struct DrivingContours
   double intensityInner = 3.0, intensityOuter = 6.0;
 };
 
+/// A vertex of a 3D front. direction x normal runs along the front, against the order of its stations.
+template <int D>
+struct FrontStation
+{
+  int vertex = 0;       ///< in CrackSet's numbering
+  int name = 0;         ///< a number that it keeps while the front grows, counted from 0 in its front
+  int from = -1;        ///< the station, by name, that it came from when the front grew; -1: it was there
+  int facet = -1;       ///< the piece of front from it to the next station, an index in CrackSet::frontFacet;
+                        ///< -1: none, its line ends here; the last of a closed line runs to the line's first
+  double share = 0.0;   ///< half the length of the pieces at it: the front that is its own [m]
+  Vector<D> position{}; ///< [m]
+  Vector<D> direction{}; ///< unit vector in which the crack would run straight on: across the front; at a
+                         ///< mouth along it
+  Vector<D> normal{}; ///< unit normal of the crack, from side -1 to side +1, normal to direction
+
+  DrivingForce driving;     ///< what drives it on, where CrackSet::driven asks for it
+  bool advances = false;    ///< it is about to advance: its stress intensities are wanted
+  bool halted = false;      ///< it does not go on
+  double speed = 0.0;       ///< [m/s]
+  double temperature = 0.0; ///< where an effect knows it [K]
+};
+
 /// An end of a crack inside the body: a vertex of a polyline (2D), a line of edges along the border of a
 /// surface (3D).
 template <int D>
 struct CrackFront
 {
-  int crack = 0;       ///< index of its crack
-  int number = 0;      ///< counts the fronts of its crack from 0
-  int vertex = 0;      ///< the vertex that it is, in CrackSet's numbering; in 3D the one midway along it
-  int firstFacet = 0;  ///< its facets, in order along it, are firstFacet .. firstFacet + numFacets - 1
-  int numFacets = 1;   ///< in CrackSet::frontFacet
-  Vector<D> position;  ///< of the vertex [m]
-  Vector<D> direction; ///< unit vector in which the crack would run straight on
-  Vector<D> normal;    ///< unit normal of the crack at the front, from side -1 to side +1
-  double length = 0.0; ///< length of the crack that ends here (2D) or of the front itself (3D) [m]
-  double speed = 0.0;  ///< [m/s]
+  int crack = 0;         ///< index of its crack
+  int number = 0;        ///< counts the fronts of its crack from 0
+  int vertex = 0;        ///< the vertex that it is, in CrackSet's numbering; in 3D the one midway along it
+  int firstFacet = 0;    ///< its facets, in order along it, are firstFacet .. firstFacet + numFacets - 1
+  int numFacets = 1;     ///< in CrackSet::frontFacet
+  Vector<D> position{};  ///< of the vertex [m]
+  Vector<D> direction{}; ///< unit vector in which the crack would run straight on
+  Vector<D> normal{};    ///< unit normal of the crack at the front, from side -1 to side +1
+  double length = 0.0;   ///< length of the crack that ends here (2D) or of the front itself (3D) [m]
+  double speed = 0.0;    ///< [m/s]; in 3D the fastest of its stations'
+
+  /// 3D: its vertices in order along it. It is one line, closed or not, until the surface of the body divides
+  /// it into several. Empty in 2D, where the front itself is the only one.
+  std::vector<FrontStation<D>> stations;
 
   DrivingForce driving;     ///< what drives it on, where CrackSet::driven asks for it
   bool advances = false;    ///< it is about to advance: its stress intensities are wanted
@@ -60,14 +87,24 @@ struct Crack
   int firstSimplex = 0, numSimplices = 0;
 };
 
-/// What a front is asked to do between two steps.
+/// What a station of a 3D front is asked to do between two steps.
+template <int D>
+struct StationAdvance
+{
+  Vector<D> direction{};  ///< unit vector
+  double length = 0.0;    ///< [m]; 0: it stays
+  double toughness = 0.0; ///< energy that the new faces take [J/m2]
+};
+
+/// What a front is asked to do between two steps: all of it (2D), or each of its stations (3D).
 template <int D>
 struct FrontAdvance
 {
   int front = 0;          ///< index in CrackSet::fronts
-  Vector<D> direction;    ///< unit vector
+  Vector<D> direction{};  ///< unit vector
   double length = 0.0;    ///< [m]
   double toughness = 0.0; ///< energy that the new faces take [J/m2]
+  std::vector<StationAdvance<D>> stations = {};
 };
 
 /// What lies beyond a facet of a simplex: another simplex, or nothing.
