@@ -89,6 +89,14 @@ KOKKOS_INLINE_FUNCTION Vector<D> placeOf(const Vector<D> (&corner)[D], const Foo
   return x;
 }
 
+/// What CrackSet::nearFront says of a simplex.
+namespace nearFront
+{
+constexpr int away = 0;
+constexpr int tied = 1;  ///< its crack may have ties
+constexpr int loose = 2; ///< near a front as well, but its crack goes on without ties (CarriedFronts.hpp)
+} // namespace nearFront
+
 /// What kernels need to look at cracks.
 template <int D>
 struct CrackSight

@@ -1,6 +1,7 @@
 #include "cracks/Cracks.hpp"
 
 #include "checkpoint/Archive.hpp"
+#include "cracks/CarriedFronts.hpp"
 #include "cracks/CrackFrames.hpp"
 #include "cracks/CrackMotion.hpp"
 #include "cracks/CrackSetup.hpp"
@@ -13,10 +14,8 @@
 #include "cracks/Overlap.hpp"
 #include "cracks/Sides.hpp"
 #include "cracks/Visibility.hpp"
-#include "scene/Numbers.hpp"
 #include "scene/ReadList.hpp"
 
-#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -79,28 +78,6 @@ Formulation readFormulation(const Teuchos::ParameterList& section)
                                            : Formulation::DualField;
 }
 
-/// Cells over which a front may be carried before its ties can no longer be trusted.
-constexpr double farForTies = 0.5;
-
-/// What to say of fronts that a moving body has carried through the cells: the stretch of ties is kept by
-/// nodes, and a node whose distance behind the front changes stiffens or slackens with the stretch that it
-/// had.
-template <int D>
-void warnOfCarriedTies(const State<D>& state, const std::vector<Vector<D>>& start, nlohmann::json& summary)
-{
-  for (std::size_t f = 0; f < start.size() && f < state.cracks.fronts.size(); ++f)
-  {
-    const CrackFront<D>& front = state.cracks.fronts[f];
-    const double carried = norm(front.position - start[f]) / state.smallestSpacing();
-    if (carried > farForTies)
-      summary["warnings"].push_back(
-          "Cracks > " + state.cracks.cracks[front.crack].name + ": its body carried the front " +
-          std::to_string(front.number) + " through " + formatReal(std::round(10.0 * carried) / 10.0) +
-          " cells, and ties behind fronts that move so make energy and spoil G; write Cracks > Front Ties = "
-          "false");
-  }
-}
-
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)
 {
@@ -110,8 +87,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   const auto surroundings = std::make_shared<Surroundings>();
   const auto ghosts = std::make_shared<Ghosts>();
   const auto motion = std::make_shared<CrackMotion<D>>();
-  const auto start = std::make_shared<std::vector<Vector<D>>>();
-  const bool carries = tied && !scene.isSublist("Propagation");
+  const auto carried = std::make_shared<CarriedFronts<D>>();
   Effect<D> effect;
   effect.name = "Cracks";
   effect.adds.push_back(
@@ -126,9 +102,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     if (tied)
       state.followingForces.push_back(FrontTies<D>::following());
     readCracks(section, state);
-    if (carries)
-      for (const CrackFront<D>& front : state.cracks.fronts)
-        start->push_back(front.position);
+    if (tied)
+      carried->start(state);
     state.editor.prepare = [=](State<D>& s, const View<int*>& row)
     {
       findSides(s, *surroundings, row);
@@ -194,11 +169,13 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                {"nodal motion"},
                {"crack geometry"},
                {},
-               [motion, surroundings](State<D>& s)
+               [=](State<D>& s)
                {
                  if (s.step == 0 && s.cracks.dualField)
                    warnOfHeldFaces(s, *surroundings);
                  motion->move(s);
+                 if (tied)
+                   carried->update(s);
                }});
   effect.call({Stage::Observe,
                "opening of cracks",
@@ -218,7 +195,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   const bool touching = scene.isSublist("Contact");
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {
-    warnOfCarriedTies(state, *start, summary);
+    if (tied)
+      carried->report(state, summary);
     for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
     {
       summary["cracks"][c]["name"] = state.cracks.cracks[c].name;

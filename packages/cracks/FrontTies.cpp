@@ -123,6 +123,25 @@ View<double* [D]> forcesOfAllRanks(const State<D>& state)
   return whole;
 }
 
+/// The stiffness of a tie that its place wants stiffer [N/m]. A stretched spring that stiffens makes energy,
+/// so it stays as it is, but on new cells, where it is shortened so that its energy stays. \param had its
+/// stiffness in the last step
+template <int D>
+KOKKOS_INLINE_FUNCTION
+    double stiffen(const View<double* [D]>& jump, int own, double had, double wanted, bool newCells)
+{
+  bool stretched = false;
+  for (int d = 0; d < D; ++d)
+    stretched = stretched || jump(own, d) != 0.0;
+  if (!stretched)
+    return wanted;
+  if (!newCells)
+    return had;
+  for (int d = 0; d < D; ++d)
+    jump(own, d) *= std::sqrt(had / wanted);
+  return wanted;
+}
+
 /// Makes a cohesive force of a stretched tie: from its force at its stretch j it falls to zero over another
 /// |j|. \return the energy that it holds, which no longer is elastic energy of ties [J]
 template <int D>
@@ -333,6 +352,7 @@ void FrontTies<D>::placeFronts(const State<D>& state)
 template <int D>
 void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
 {
+  const bool remeshed = generation_ != state.tree.generation;
   makeRoom(state);
   const Nodes<D> nodes = state.nodes;
   const double spacing = state.grid.spacing;
@@ -402,8 +422,11 @@ void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
             return;
           }
         }
-        if (sight.nearFront(s) == 0)
+        if (sight.nearFront(s) != nearFront::tied)
+        {
+          stiffness(own) = 0.0;
           return;
+        }
         const Sight seen = sight.look(s, places(own));
         const double cell = refined ? spacing / (1 << level(own)) : spacing;
         double steepest = 0.0;
@@ -411,12 +434,13 @@ void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
           steepest = std::fmax(steepest, std::fabs(sight.normal(s, d)));
         const double xi = seen.behind / cell * std::sqrt(steepest) + offset;
         const double away = std::fabs(seen.distance) / (cell * steepest);
-        stiffness(own) = 0.0;
-        if (xi < 1.0 && away < 1.0 && most > 0.0)
-        {
-          const double wanted = modulus * (D == 2 ? thickness : cell) * (1.0 - xi) / xi * (1.0 - away);
-          tie(own, D) = stiffness(own) = wanted < most ? wanted : most;
-        }
+        double wanted = 0.0;
+        if (xi < 1.0 && away < 1.0)
+          wanted = modulus * (D == 2 ? thickness : cell) * (1.0 - xi) / xi * (1.0 - away);
+        wanted = wanted < most ? wanted : most;
+        if (wanted > stiffness(own))
+          wanted = stiffen<D>(jump, own, stiffness(own), wanted, remeshed);
+        tie(own, D) = stiffness(own) = wanted;
       },
       waiting_, converted);
   state.energy.fracture += converted;

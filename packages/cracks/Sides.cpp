@@ -111,7 +111,8 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
         const Vector<D> x = places(n);
         const double cell = refined ? grid.spacing / (1 << level(n)) : grid.spacing;
         const Sight seen = sight.look(s, x);
-        if (seen.behind <= (tied ? tiedTolerance<D>(sight, s) : frontTolerance) * cell)
+        const bool ties = tied && sight.nearFront(s) != nearFront::loose;
+        if (seen.behind <= (ties ? tiedTolerance<D>(sight, s) : frontTolerance) * cell)
           return;
         const int name = sight.crackOf(s) + 1;
         side(n) = seen.distance > -tieTolerance * cell ? name : -name;

@@ -1,0 +1,42 @@
+#pragma once
+/// Fronts that a moving body carries through the cells.
+
+#include "state/State.hpp"
+
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+namespace Rhegma::cracks
+{
+
+/// Sees to it that a crack whose front has been carried through half a cell goes on without ties.
+///
+/// Ties make up for nodes that open a little too early, as long as a front stays among its nodes. A node that
+/// comes to lie behind a front because its body moves has a tie that is not stretched like the material
+/// there, and one that the front leaves has one that no longer belongs to it. Such a crack opens its nodes by
+/// the rule without ties from then on (Sides.hpp), which is right in the mean over places, and up to half a
+/// cell off at one place.
+template <int D>
+class CarriedFronts
+{
+public:
+  /// Notes where the fronts are. Belongs at the start of a run, with the places of the scene also where a
+  /// checkpoint follows.
+  void start(const State<D>& state);
+
+  /// Marks the cracks whose ties end (CrackSet::nearFront). Belongs after the cracks have moved.
+  void update(State<D>& state);
+
+  /// Adds a warning for each front whose ties have ended.
+  void report(const State<D>& state, nlohmann::json& summary) const;
+
+private:
+  void findMarks(const State<D>& state);
+  double carried(const State<D>& state, std::size_t front) const;
+
+  std::vector<Vector<D>> start_;
+  std::vector<bool> loose_;     ///< of each crack
+  const int* marked_ = nullptr; ///< the views that have the marks; growth makes new ones
+};
+
+} // namespace Rhegma::cracks
