@@ -6,6 +6,7 @@
 #include "output/CoreRow.hpp"
 #include "output/FieldWriter.hpp"
 #include "output/OutputError.hpp"
+#include "parallel/FirstRank.hpp"
 #include "scene/Scene.hpp"
 #include "step/EffectSchema.hpp"
 #include "step/Run.hpp"
@@ -33,7 +34,9 @@ public:
 class Simulation::Engine
 {
 public:
+  explicit Engine(const Ranks& ranks) : ranks_(ranks) {}
   virtual ~Engine() = default;
+  const Ranks& ranks() const { return ranks_; }
   virtual void initialize() = 0;
   virtual double stableTimeStep() const = 0;
   virtual void advance(double until) = 0;
@@ -66,6 +69,9 @@ public:
   Row last;
   Record held;
   double heldTime = -1.0; ///< negative: nothing is held
+
+private:
+  Ranks ranks_;
 };
 
 template <int D>
@@ -73,7 +79,7 @@ class Simulation::EngineOf : public Simulation::Engine
 {
 public:
   EngineOf(const Teuchos::ParameterList& scene, const Ranks& ranks)
-      : scene_(scene), ranks_(ranks), lines_(sceneLines(scene, effectSchema()))
+      : Engine(ranks), scene_(scene), lines_(sceneLines(scene, effectSchema()))
   {
     makeRun(run_);
     const std::vector<std::string> names = run_->effectNames();
@@ -158,7 +164,7 @@ public:
   {
     if (fieldsBefore_.empty())
       return true;
-    Archive archive = Archive::loading(fieldsBefore_);
+    Archive archive = Archive::loading(fieldsBefore_, ranks());
     const Archive::Group group(archive, "fields");
     try
     {
@@ -191,9 +197,8 @@ public:
 
   Record save(const Notes& notes) override
   {
-    refuseOnRanks();
     Record record;
-    Archive archive = Archive::saving(record);
+    Archive archive = Archive::saving(record, ranks());
     std::string version = RHEGMA_VERSION, scene = text(lines_);
     long hash = hashOfScene(lines_);
     archive("version", version);
@@ -216,8 +221,7 @@ public:
 
   Notes load(const Record& record) override
   {
-    refuseOnRanks();
-    Archive archive = Archive::loading(record);
+    Archive archive = Archive::loading(record, ranks());
     std::string scene;
     try
     {
@@ -265,7 +269,7 @@ public:
 private:
   void makeRun(std::unique_ptr<Run<D>>& run)
   {
-    run = std::make_unique<Run<D>>(scene_, std::vector<Effect<D>>{}, ranks_);
+    run = std::make_unique<Run<D>>(scene_, std::vector<Effect<D>>{}, ranks());
     run->beforeObserve = [this](State<D>& state) { coreRow(state, effects_); };
   }
 
@@ -331,17 +335,7 @@ private:
     return lines;
   }
 
-  /// Throws where several ranks share the run.
-  void refuseOnRanks() const
-  {
-    if (ranks_.many())
-      throw std::invalid_argument(
-          "checkpoints: this version writes and reads them on one rank; start it without "
-          "mpirun, or with mpirun -np 1");
-  }
-
   Teuchos::ParameterList scene_;
-  Ranks ranks_;
   std::vector<std::string> lines_; ///< of the scene
   std::unique_ptr<Run<D>> run_;
   std::set<std::string> effects_;
@@ -398,13 +392,20 @@ void Simulation::initialize() { engine_->initialize(); }
 
 void Simulation::checkpoint(const std::string& path, const Notes& notes)
 {
-  engine_->syncFields();
-  writeCheckpoint(path, engine_->save(notes));
+  const Record record = engine_->save(notes);
+  onFirstRank<OutputError>(engine_->ranks(),
+                           [&]
+                           {
+                             engine_->syncFields();
+                             writeCheckpoint(path, record);
+                           });
 }
 
 Simulation::Notes Simulation::restore(const std::string& path)
 {
-  const Record record = readCheckpoint(path);
+  // All ranks read it: what one can't read, none goes on from.
+  Record record;
+  onEachRank(engine_->ranks(), [&] { record = readCheckpoint(path); });
   try
   {
     return engine_->load(record);
@@ -418,12 +419,17 @@ Simulation::Notes Simulation::restore(const std::string& path)
 void Simulation::hold(const Notes& notes)
 {
   engine_->held = engine_->save(notes);
+  if (engine_->ranks().rank() > 0)
+    engine_->held.clear(); // the first rank has all
   engine_->heldTime = time();
 }
 
 bool Simulation::holds() const { return engine_->heldTime >= 0.0; }
 double Simulation::heldTime() const { return engine_->heldTime; }
-void Simulation::checkpointHeld(const std::string& path) const { writeCheckpoint(path, engine_->held); }
+void Simulation::checkpointHeld(const std::string& path) const
+{
+  onFirstRank<OutputError>(engine_->ranks(), [&] { writeCheckpoint(path, engine_->held); });
+}
 bool Simulation::sound() const { return engine_->sound(); }
 double Simulation::wallSeconds() const { return engine_->wallSeconds(); }
 bool Simulation::continueFields(const std::string& folder) { return engine_->continueFields(folder); }

@@ -693,10 +693,12 @@ void FrontTies<D>::keep(State<D>& state, int step, Archive& archive)
   const auto last = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, step_);
   const auto stiffness = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, stiffness_);
   const auto cohesion = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cohesion_);
+  const auto foreign = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.foreign);
+  const auto isOwn = [&](int n) { return foreign.extent(0) == 0 || foreign(n) == 0; };
   std::vector<int> nodes;
   std::vector<double> jumps, stiffnesses, cohesions;
   for (int n = 0; n < state.nodes.numLattice && !archive.loads(); ++n)
-    if (step > 0 && last(n) == step)
+    if (step > 0 && last(n) == step && isOwn(n))
     {
       names.append(n, nodes);
       for (int d = 0; d < D; ++d)
@@ -705,17 +707,19 @@ void FrontTies<D>::keep(State<D>& state, int step, Archive& archive)
       for (int k = 0; grows_ && k < D + 4; ++k)
         cohesions.push_back(cohesion(n, k));
     }
-  archive("nodes", nodes, D);
-  archive("jumps", jumps, D);
-  archive("stiffnesses", stiffnesses);
+  archive.together("nodes", nodes, D);
+  archive.together("jumps", jumps, D);
+  archive.together("stiffnesses", stiffnesses);
   archive("debts", debt_);
   if (grows_)
-    archive("cohesions", cohesions, D + 4);
+    archive.together("cohesions", cohesions, D + 4);
   if (!archive.loads())
     return;
   for (std::size_t k = 0; k < std::min(nodes.size(), jumps.size()); k += D)
   {
     const int n = names.find(nodes, k);
+    if (n < 0 && state.ranks.many())
+      continue; // another rank's
     if (n < 0)
       throw std::invalid_argument("\"nodes\" of ties names a node that is not there");
     last(n) = step;

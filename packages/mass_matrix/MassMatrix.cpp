@@ -307,13 +307,16 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   };
   effect.report = [work](const State<D>& state, nlohmann::json& summary) { work->report(state, summary); };
   if (options.coupled())
-    effect.memory = [work](State<D>&, Archive& archive)
+    effect.memory = [work](State<D>& state, Archive& archive)
     {
-      archive("rows", work->coupled.room);
-      archive("list_room", work->coupled.listRoom);
-      archive("hashed", work->coupled.hashed);
+      if (archive.sameOrder())
+      {
+        archive("rows", work->coupled.room);
+        archive("list_room", work->coupled.listRoom);
+        archive("hashed", work->coupled.hashed);
+      }
       archive("coupled_nodes", work->coupled.numCoupled);
-      work->solve.keep(archive);
+      work->solve.keep(state, archive);
     };
   if (!options.coupled() && !options.series() && !options.filtered())
     return effect;

@@ -1,6 +1,5 @@
 #include "mass_matrix/NodalSolve.hpp"
 
-#include "checkpoint/Archive.hpp"
 #include "mass_matrix/FirstGuess.hpp"
 #include "parallel/Subdomain.hpp"
 #include "state/FewItems.hpp"
@@ -115,6 +114,12 @@ void NodalSolve<D>::reserve(const State<D>& state, const MassSystem<D>& system)
       plain_ = make("rhegma::massPlain");
   }
   gradients_.resize(static_cast<int>(n), state.subdomain ? state.ranks : Ranks());
+  reserveGuesses(state);
+}
+
+template <int D>
+void NodalSolve<D>::reserveGuesses(const State<D>& state)
+{
   const bool seconds = state.cracks.dualField && !state.cracks.empty();
   const std::size_t remembered = std::size_t(state.nodes.numLattice) * (seconds ? 2 : 1);
   if (lastAcceleration_.extent(0) < remembered)
@@ -122,20 +127,6 @@ void NodalSolve<D>::reserve(const State<D>& state, const MassSystem<D>& system)
     lastVelocity_ = View<double* [D]>("rhegma::massLastVelocity", remembered);
     lastAcceleration_ = View<double* [D]>("rhegma::massLastAcceleration", remembered);
   }
-}
-
-template <int D>
-void NodalSolve<D>::keep(Archive& archive)
-{
-  archive("solves", count_.solves);
-  archive("iterations", count_.iterations);
-  archive("most_iterations", count_.mostIterations);
-  archive("worst_residual", count_.worstResidual);
-  if (!archive.sameOrder())
-    return;
-  archive("generation", generation_);
-  archive("last_velocity", lastVelocity_);
-  archive("last_acceleration", lastAcceleration_);
 }
 
 template <int D>

@@ -56,7 +56,7 @@ public:
   const SolveCount& count() const { return count_; }
 
   /// Saves or loads the count and where the next solves start.
-  void keep(Archive& archive);
+  void keep(const State<D>& state, Archive& archive);
 
   // Parts of the above; public because compilers for devices want kernels in public functions.
 
@@ -70,6 +70,8 @@ public:
 
 private:
   void reserve(const State<D>& state, const MassSystem<D>& system);
+  void reserveGuesses(const State<D>& state);
+  void keepByName(const State<D>& state, Archive& archive);
   void record(State<D>& state, const SolveResult& result, double scale, const std::string& what);
 
   ConjugateGradients gradients_;

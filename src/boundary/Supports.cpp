@@ -212,7 +212,7 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
     for (std::size_t c = 0; c < constraints->size(); ++c)
     {
       const Archive::Group group(archive, std::to_string(c));
-      archive("impulse", (*constraints)[c].impulse);
+      archive.parts("impulse", (*constraints)[c].impulse);
       archive("force", (*constraints)[c].force);
     }
   };

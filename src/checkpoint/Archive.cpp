@@ -3,18 +3,32 @@
 namespace Rhegma
 {
 
-Archive Archive::saving(Record& to)
+Archive Archive::saving(Record& to, const Ranks& ranks)
 {
   Archive archive;
   archive.to_ = &to;
+  archive.ranks_ = ranks;
   return archive;
 }
 
-Archive Archive::loading(const Record& from)
+Archive Archive::loading(const Record& from, const Ranks& ranks)
 {
   Archive archive;
   archive.from_ = &from;
+  archive.ranks_ = ranks;
   return archive;
+}
+
+void Archive::parts(const std::string& name, double& value)
+{
+  const double own = value;
+  if (!loads())
+    value = ranks_.sum(value);
+  (*this)(name, value);
+  if (!loads())
+    value = own;
+  else if (ranks_.rank() > 0)
+    value = 0.0;
 }
 
 void Archive::operator()(const std::string& name, bool& value)

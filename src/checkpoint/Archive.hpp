@@ -2,6 +2,7 @@
 /// Saves and loads what a run keeps from step to step, by one description of it.
 
 #include "checkpoint/Record.hpp"
+#include "parallel/Ranks.hpp"
 #include "state/Types.hpp"
 
 #include <array>
@@ -26,15 +27,46 @@ namespace Rhegma
 /// so that what is saved and what is loaded can't differ. Lists and views get the size that was saved. Names
 /// are free text within a group; loading throws std::invalid_argument, in one sentence, where a name is
 /// missing or has another type or shape.
+///
+/// Where many ranks share the run all of them save and load at once, and the record of the first rank counts:
+/// what all ranks know is named as above, what each has a share of by `parts` or `together`.
 class Archive
 {
 public:
   /// Saves to a record; tables of it that are not named again stay.
-  static Archive saving(Record& to);
-  /// Loads from a record, which must outlive this.
-  static Archive loading(const Record& from);
+  static Archive saving(Record& to, const Ranks& ranks = {});
+  /// Loads from a record, which must outlive this and be the same on all ranks.
+  static Archive loading(const Record& from, const Ranks& ranks = {});
 
   bool loads() const { return from_ != nullptr; }
+  const Ranks& ranks() const { return ranks_; }
+
+  /// Numbers of which each rank has a part: their sums are saved, and the first rank gets these back, all
+  /// others zero. Collective.
+  void parts(const std::string& name, double& value);
+  template <int D>
+  void parts(const std::string& name, Vector<D>& vector)
+  {
+    const Vector<D> own = vector;
+    if (!loads())
+      ranks_.sum(vector.c, D);
+    (*this)(name, vector);
+    if (!loads())
+      vector = own;
+    else if (ranks_.rank() > 0)
+      vector = Vector<D>{};
+  }
+
+  /// A list to which each rank brings its rows: they are saved one after another, and every rank gets all of
+  /// them back. Collective. \param columns numbers of a row
+  template <class T>
+  void together(const std::string& name, std::vector<T>& list, std::size_t columns = 1)
+  {
+    if (loads())
+      return (*this)(name, list, columns);
+    std::vector<T> all = ranks_.gather(list);
+    (*this)(name, all, columns);
+  }
 
   /// Whether particles and nodes have the order that they had when they were saved, so that caches of one
   /// place an entry fit. Else they are left out: they only save work.
@@ -196,6 +228,7 @@ private:
 
   Record* to_ = nullptr;
   const Record* from_ = nullptr;
+  Ranks ranks_;
   std::string path_;
   bool sameOrder_ = true;
 };

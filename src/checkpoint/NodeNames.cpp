@@ -14,7 +14,7 @@ NodeNames<D>::NodeNames(const State<D>& state) : grid_(state.grid)
   {
     Name name;
     for (int d = 0; d < D; ++d)
-      name[d] = static_cast<int>(std::lround((place(k, d) - grid_.origin[d]) / unit));
+      name[d] = static_cast<int>(std::lround((place(k, d) - grid_.whole[d]) / unit));
     fine_.push_back(name);
     numbers_[name] = grid_.numNodes + k;
   }
@@ -29,7 +29,7 @@ typename NodeNames<D>::Name NodeNames<D>::of(int node) const
   grid_.nodeCoordinates(node, at);
   Name name;
   for (int d = 0; d < D; ++d)
-    name[d] = at[d] << deepestLevel;
+    name[d] = (grid_.before[d] + at[d]) << deepestLevel;
   return name;
 }
 
@@ -49,8 +49,9 @@ int NodeNames<D>::find(const std::vector<int>& list, std::size_t begin) const
   for (int d = 0; d < D; ++d)
   {
     name[d] = list[begin + d];
-    at[d] = name[d] >> deepestLevel;
-    ofLattice = ofLattice && at[d] << deepestLevel == name[d];
+    const int whole = name[d] >> deepestLevel;
+    ofLattice = ofLattice && whole << deepestLevel == name[d];
+    at[d] = whole - grid_.before[d];
     if (at[d] < 0 || at[d] > grid_.cells[d])
       return -1;
   }

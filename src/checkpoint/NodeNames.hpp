@@ -10,8 +10,8 @@
 namespace Rhegma
 {
 
-/// Names a node by its place on the lattice of the smallest cells that there can be, counted from node 0, so
-/// that what a node keeps can be saved whatever rank or row it has, and found again.
+/// Names a node by its place on the lattice of the smallest cells that there can be, counted from node 0 of
+/// the whole lattice, so that what a node keeps can be saved whatever rank or row it has, and found again.
 template <int D>
 class NodeNames
 {
@@ -26,7 +26,8 @@ public:
   /// Appends the name to a list.
   void append(int node, std::vector<int>& list) const;
 
-  /// The node whose name begins at an entry of a list, or -1 where there is no such node.
+  /// The node whose name begins at an entry of a list, or -1 where there is no such node on this
+  /// rank.
   int find(const std::vector<int>& list, std::size_t begin) const;
 
 private:

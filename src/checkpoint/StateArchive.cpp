@@ -1,6 +1,8 @@
 #include "checkpoint/StateArchive.hpp"
 
 #include "grid/Branches.hpp"
+#include "output/CoreRow.hpp"
+#include "parallel/Subdomain.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -11,7 +13,7 @@ namespace Rhegma
 namespace
 {
 
-void archiveEnergies(EnergyLedger& energy, Archive& archive)
+void archiveLedger(EnergyLedger& energy, Archive& archive)
 {
   const Archive::Group group(archive, "energy");
   archive("kinetic", energy.kinetic);
@@ -22,13 +24,22 @@ void archiveEnergies(EnergyLedger& energy, Archive& archive)
   archive("heat", energy.heat);
   archive("round_off", energy.roundOff);
   archive("external_work", energy.externalWork);
-  archive("ties", energy.ties);
+  archive.parts("ties", energy.ties);
   archive("damped", energy.damped);
   archive("plastic", energy.plastic);
   archive("contact", energy.contact);
   archive("fracture", energy.fracture);
   archive("merged", energy.merged);
   archive("combustion", energy.combustion);
+}
+
+template <int D>
+void archiveEnergies(State<D>& state, Archive& archive)
+{
+  EnergyLedger energy = archive.loads() ? EnergyLedger() : booksOfAll(state);
+  archiveLedger(energy, archive);
+  if (archive.loads())
+    state.energy = state.sampledEnergy = energy;
 }
 
 template <int D>
@@ -76,13 +87,14 @@ void archiveTree(State<D>& state, Archive& archive)
   tree.generation = generation;
 }
 
-/// Rows of the particles in the order of their ids.
-std::vector<int> orderOfIds(const FieldTable& particles)
+/// Rows of the particles of all ranks, one rank after another, in the order of their ids; on the first rank.
+std::vector<int> orderOfIds(const FieldTable& particles, const Ranks& ranks)
 {
-  const auto id = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.integer(fields::id));
-  std::vector<int> order(particles.size());
+  const auto own = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.integer(fields::id));
+  const std::vector<int> id = ranks.gather(std::vector<int>(own.data(), own.data() + particles.size()));
+  std::vector<int> order(ranks.rank() == 0 ? id.size() : 0);
   std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(), [&](int a, int b) { return id(a) < id(b); });
+  std::sort(order.begin(), order.end(), [&](int a, int b) { return id[a] < id[b]; });
   return order;
 }
 
@@ -93,12 +105,17 @@ void archiveField(const std::string& name, const AnyView& field, int columns, co
 {
   const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, field);
   T* const values = host.data();
-  table.resize(order.size() * columns);
-  for (std::size_t k = 0; k < order.size() && !archive.loads(); ++k)
-    std::copy_n(values + static_cast<std::size_t>(order[k]) * columns, columns, table.data() + k * columns);
-  archive(name, table, columns);
   if (!archive.loads())
-    return;
+  {
+    const std::size_t own = static_cast<std::size_t>(host.extent(0)) * columns;
+    const std::vector<T> all = archive.ranks().gather(std::vector<T>(values, values + own));
+    table.resize(order.size() * columns);
+    for (std::size_t k = 0; k < order.size(); ++k)
+      std::copy_n(all.data() + static_cast<std::size_t>(order[k]) * columns, columns,
+                  table.data() + k * columns);
+    return archive(name, table, columns);
+  }
+  archive(name, table, columns);
   if (table.size() != order.size() * columns)
     throw std::invalid_argument("\"particles/" + name +
                                 "\" has another number of rows than there are particles");
@@ -113,21 +130,25 @@ template <int D>
 std::vector<int> archiveOrder(State<D>& state, Archive& archive)
 {
   const Archive::Group group(archive, "order");
-  int ranks = 1, width = lanes, count = state.particles.size();
+  int ranks = archive.ranks().size(), width = lanes, count = allParticles(state);
   archive("ranks", ranks);
   archive("lanes", width);
   archive("particles", count);
-  archive.setSameOrder(ranks == 1 && width == lanes);
+  archive.setSameOrder(ranks == 1 && width == lanes && !archive.ranks().many());
   std::vector<int> order;
   if (!archive.loads())
-    order = orderOfIds(state.particles);
+    order = orderOfIds(state.particles, archive.ranks());
   else
     state.particles.resize(count);
-  archive("row", order);
-  if (static_cast<int>(order.size()) != count)
+  if (archive.sameOrder())
+    archive("row", order);
+  if (archive.sameOrder() && static_cast<int>(order.size()) != count)
     throw std::invalid_argument("\"order/row\" has another number of rows than there are particles");
-  if (!archive.sameOrder())
+  if (archive.loads() && !archive.sameOrder())
+  {
+    order.resize(count);
     std::iota(order.begin(), order.end(), 0);
+  }
   return order;
 }
 
@@ -182,11 +203,16 @@ template <int D>
 void archiveState(State<D>& state, Archive& archive)
 {
   archiveProgress(state, archive);
-  archiveEnergies(state.energy, archive);
+  archiveEnergies(state, archive);
+  if (archive.loads())
+    gatherLattice(state);
   archiveTree(state, archive);
   archiveParticles(state, archive);
   if (archive.loads())
+  {
     state.nodes.reserve(state.grid.numNodes + state.tree.numFine, 0);
+    divideState(state);
+  }
   archiveBlocks(state, archive);
 }
 

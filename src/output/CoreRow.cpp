@@ -100,21 +100,29 @@ void measureEnergy(State<D>& state)
 }
 
 template <int D>
-void shareBooks(State<D>& state)
+EnergyLedger booksOfAll(const State<D>& state)
 {
   constexpr double EnergyLedger::*booked[] = {
       &EnergyLedger::externalWork, &EnergyLedger::damped,     &EnergyLedger::contact, &EnergyLedger::fracture,
       &EnergyLedger::merged,       &EnergyLedger::combustion, &EnergyLedger::heat};
   constexpr int count = sizeof(booked) / sizeof(*booked);
+  EnergyLedger all = state.energy;
   if (!state.ranks.many())
-    return;
+    return all;
   double since[count];
   for (int k = 0; k < count; ++k)
     since[k] = state.energy.*booked[k] - state.sampledEnergy.*booked[k];
   state.ranks.sum(since, count);
   for (int k = 0; k < count; ++k)
-    state.energy.*booked[k] = state.sampledEnergy.*booked[k] + since[k];
-  state.sampledEnergy = state.energy;
+    all.*booked[k] = state.sampledEnergy.*booked[k] + since[k];
+  return all;
+}
+
+template <int D>
+void shareBooks(State<D>& state)
+{
+  if (state.ranks.many())
+    state.sampledEnergy = state.energy = booksOfAll(state);
 }
 
 template <int D>
@@ -150,6 +158,8 @@ void coreReport(const State<D>& state, nlohmann::json& summary)
 
 template void measureEnergy(State<2>&);
 template void measureEnergy(State<3>&);
+template EnergyLedger booksOfAll(const State<2>&);
+template EnergyLedger booksOfAll(const State<3>&);
 template void shareBooks(State<2>&);
 template void shareBooks(State<3>&);
 template void coreRow(State<2>&, const std::set<std::string>&);

@@ -18,6 +18,10 @@ namespace Rhegma
 template <int D>
 void measureEnergy(State<D>& state);
 
+/// The ledger with the books of all ranks; this rank's own stay as they are. Collective.
+template <int D>
+EnergyLedger booksOfAll(const State<D>& state);
+
 /// Makes the books those of all ranks, in every rank's ledger. Collective; `coreRow` does so too.
 template <int D>
 void shareBooks(State<D>& state);

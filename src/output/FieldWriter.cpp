@@ -69,22 +69,24 @@ FieldWriter<D>::FieldWriter(const std::string& folder, const Ranks& ranks)
 
 template <int D>
 FieldWriter<D>::FieldWriter(const std::string& folder, Archive& archive)
-    : files_(std::make_unique<Files>(folder, archive))
 {
+  onFirstRank<OutputError>(archive.ranks(), [&] { files_ = std::make_unique<Files>(folder, archive); });
   archive("last_time", lastTime_);
 }
 
 template <int D>
 void FieldWriter<D>::keep(Archive& archive)
 {
-  files_->keep(archive);
+  if (files_)
+    files_->keep(archive);
   archive("last_time", lastTime_);
 }
 
 template <int D>
 void FieldWriter<D>::sync() const
 {
-  files_->sync();
+  if (files_)
+    files_->sync();
 }
 
 template <int D>

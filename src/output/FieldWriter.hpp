@@ -34,7 +34,7 @@ public:
   /// Throws OutputError when the files can't be made or written, here and later.
   explicit FieldWriter(const std::string& folder, const Ranks& ranks = {});
   /// Goes on with the files of a run whose checkpoint the archive loads; times that they have beyond it are
-  /// removed. Throws OutputError when they are not those of the run.
+  /// removed. Throws OutputError when they are not those of the run. Collective.
   FieldWriter(const std::string& folder, Archive& archive);
   ~FieldWriter();
   FieldWriter(FieldWriter&&) noexcept;
@@ -43,7 +43,7 @@ public:
   /// Adds the fields as they are now. A time that was just written is not written again.
   void write(const State<D>& state);
 
-  /// Saves which times the files have.
+  /// Saves which times the files have, on the first rank.
   void keep(Archive& archive);
 
   /// Brings what was written to the disk.

@@ -33,4 +33,31 @@ void onFirstRank(const Ranks& ranks, const Work& work)
     throw Error(words);
 }
 
+/// What the first rank thinks, on all ranks. Collective.
+inline bool asFirstRank(const Ranks& ranks, bool own)
+{
+  return ranks.max(ranks.rank() == 0 && own ? 1.0 : 0.0) > 0.0;
+}
+
+/// Runs work() on all ranks; where it throws std::invalid_argument on some, all throw it, with the words of
+/// the lowest of them. Collective.
+template <class Work>
+void onEachRank(const Ranks& ranks, const Work& work)
+{
+  if (!ranks.many())
+    return work();
+  std::string words;
+  try
+  {
+    work();
+  }
+  catch (const std::invalid_argument& error)
+  {
+    words = error.what();
+  }
+  words = ranks.firstText(words);
+  if (!words.empty())
+    throw std::invalid_argument(words);
+}
+
 } // namespace Rhegma

@@ -93,6 +93,16 @@ void divideState(State<D>& state)
 }
 
 template <int D>
+void gatherLattice(State<D>& state)
+{
+  if (!state.subdomain)
+    return;
+  state.grid = wholeLattice(state);
+  state.subdomain.reset();
+  state.nodes = Nodes<D>();
+}
+
+template <int D>
 void redivideState(State<D>& state)
 {
   if (!state.subdomain)
@@ -190,6 +200,8 @@ const Grid<D>& wholeLattice(const State<D>& state)
 
 template void divideState(State<2>&);
 template void divideState(State<3>&);
+template void gatherLattice(State<2>&);
+template void gatherLattice(State<3>&);
 template void redivideState(State<2>&);
 template void redivideState(State<3>&);
 template void useSharedNodes(State<2>&);

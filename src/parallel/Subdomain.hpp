@@ -25,6 +25,11 @@ struct Subdomain
 template <int D>
 void divideState(State<D>& state);
 
+/// Gives each rank the whole lattice back, without anything on its nodes, so that what every rank then holds
+/// can be divided. Nothing where there is one rank.
+template <int D>
+void gatherLattice(State<D>& state);
+
 /// Divides the cells anew by the particles as they lie now, and sends these to their owners. Nothing where
 /// there is one rank. Collective.
 template <int D>

@@ -1,6 +1,7 @@
 #include "program/Checkpoints.hpp"
 
 #include "output/OutputError.hpp"
+#include "parallel/FirstRank.hpp"
 #include "scene/Numbers.hpp"
 
 #include <cmath>
@@ -24,12 +25,13 @@ double orZero(const Teuchos::ParameterList& list, const char* name)
 
 Checkpoints::Checkpoints(const Teuchos::ParameterList& output, const std::string& folder,
                          Simulation& simulation, History& history, const Ranks& ranks)
-    : wanted_(output.get<bool>("Checkpoints") && !ranks.many()),
+    : wanted_(output.get<bool>("Checkpoints")),
       interval_(orZero(output, "Checkpoint Interval")),
       minutes_(orZero(output, "Checkpoint Minutes")),
       path_(folder + "/checkpoint.h5"),
       simulation_(simulation),
       history_(history),
+      ranks_(ranks),
       next_(interval_ > 0.0 ? interval_ * (std::floor(simulation.time() / interval_) + 1.0) : 0.0),
       lastWrite_(Clock::now()),
       nextHold_(lastWrite_)
@@ -39,7 +41,7 @@ Checkpoints::Checkpoints(const Teuchos::ParameterList& output, const std::string
 void Checkpoints::afterSample()
 {
   const Clock::time_point begin = Clock::now();
-  if (!wanted_ || begin < nextHold_ || !simulation_.sound())
+  if (!wanted_ || !asFirstRank(ranks_, begin >= nextHold_ && simulation_.sound()))
     return;
   simulation_.hold(notesOf(history_.soFar()));
   const Clock::time_point end = Clock::now();
@@ -48,23 +50,29 @@ void Checkpoints::afterSample()
   cost_.seconds += std::chrono::duration<double>(end - begin).count();
 }
 
-void Checkpoints::afterStep()
+bool Checkpoints::isTime() const
+{
+  return wanted_ && minutes_ > 0.0 &&
+         Clock::now() - lastWrite_ >= std::chrono::duration<double>(60.0 * minutes_);
+}
+
+void Checkpoints::afterStep(bool byClock)
 {
   const bool byTime = interval_ > 0.0 && simulation_.time() >= next_;
-  const bool byClock =
-      minutes_ > 0.0 && Clock::now() - lastWrite_ >= std::chrono::duration<double>(60.0 * minutes_);
   if (!wanted_ || !(byTime || byClock))
     return;
   while (interval_ > 0.0 && next_ <= simulation_.time())
     next_ += interval_;
   lastWrite_ = Clock::now();
-  if (simulation_.sound())
+  if (sound())
     write();
 }
 
+bool Checkpoints::sound() const { return asFirstRank(ranks_, simulation_.sound()); }
+
 void Checkpoints::atEnd()
 {
-  if (wanted_ && interval_ > 0.0 && written_ != simulation_.time() && simulation_.sound())
+  if (wanted_ && interval_ > 0.0 && written_ != simulation_.time() && sound())
     write();
 }
 
@@ -72,7 +80,7 @@ void Checkpoints::write()
 {
   const Clock::time_point begin = Clock::now();
   // First what the state goes on from: a checkpoint without its history would be of less use.
-  history_.sync();
+  onFirstRank<OutputError>(ranks_, [&] { history_.sync(); });
   simulation_.checkpoint(path_, notesOf(history_.soFar()));
   written_ = simulation_.time();
   lastWrite_ = Clock::now();
@@ -82,7 +90,7 @@ void Checkpoints::write()
 
 std::string Checkpoints::atStop()
 {
-  if (!wanted_ || !simulation_.sound())
+  if (!wanted_ || !sound())
     return atTrouble();
   try
   {
@@ -103,7 +111,7 @@ std::string Checkpoints::atTrouble()
   {
     if (simulation_.holds() && simulation_.heldTime() > written_)
     {
-      history_.sync();
+      onFirstRank<OutputError>(ranks_, [&] { history_.sync(); });
       simulation_.checkpointHeld(path_);
       written_ = simulation_.heldTime();
     }

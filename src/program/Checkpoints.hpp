@@ -23,14 +23,17 @@ namespace Rhegma::program
 class Checkpoints
 {
 public:
-  /// \param ranks that share the run; there are no checkpoints of several as yet
+  /// \param ranks that share the run: every call is collective, the first rank looks at the clock and writes
   Checkpoints(const Teuchos::ParameterList& output, const std::string& folder, Simulation& simulation,
               History& history, const Ranks& ranks);
 
   /// To be called when the run begins and at each sample.
   void afterSample();
-  /// To be called after each step. Throws OutputError when a checkpoint can't be written.
-  void afterStep();
+  /// Whether the clock says that one is due.
+  bool isTime() const;
+  /// To be called after each step. \param byClock whether one is due by the clock, the same on all ranks
+  /// Throws OutputError when a checkpoint can't be written.
+  void afterStep(bool byClock);
   /// To be called when the run has come to its end.
   void atEnd();
 
@@ -51,6 +54,8 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
+  /// Simulation::sound, the same on all ranks.
+  bool sound() const;
   void write();
   std::string whereToGoOn() const;
 
@@ -60,6 +65,7 @@ private:
   std::string path_;
   Simulation& simulation_;
   History& history_;
+  Ranks ranks_;
   double next_;                 ///< time of the next one [s]
   double written_ = -1.0;       ///< time of the last one on the disk [s]; negative: none
   Clock::time_point lastWrite_; ///< or the start

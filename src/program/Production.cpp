@@ -73,9 +73,10 @@ void Production::takeUpFields()
     return;
   // A kill while a snapshot is written can leave a file that HDF5 does not open.
   std::error_code none;
-  if (!std::filesystem::exists(data, none))
+  if (!asFirstRank(ranks_, std::filesystem::exists(data, none)))
     return;
-  std::filesystem::rename(data, aside, none);
+  if (ranks_.rank() == 0)
+    std::filesystem::rename(data, aside, none);
   warnings_.push_back(data + " has not the fields that the checkpoint goes on from; it is " + aside +
                       " now, and the fields begin anew");
 }
@@ -100,9 +101,8 @@ void Production::observe()
       [this](double time, long step)
       {
         progress_.step(time, step);
-        if (signal_.name().empty())
-          checkpoints_.afterStep();
-        stopIfAsked(time, step);
+        const bool byClock = stopIfAsked(time, step);
+        checkpoints_.afterStep(byClock);
       });
 }
 
@@ -117,7 +117,7 @@ std::string Production::toTheEnd()
   }
   catch (const RunError& error)
   {
-    trouble = error.what() + (signal_.name().empty() ? checkpoints_.atTrouble() : std::string());
+    trouble = error.what() + (asked_ ? std::string() : checkpoints_.atTrouble());
   }
   catch (const OutputError& error)
   {
@@ -175,24 +175,27 @@ void Production::advanceFromFieldToField()
   catch (const RunError&)
   {
     // Who stops a run wants to see how far it came; what an unstable step left is no result.
-    if (fields && !ranks_.firstText(signal_.name()).empty())
+    if (fields && asked_)
       simulation_.writeFields(folder_);
     throw;
   }
 }
 
-void Production::stopIfAsked(double time, long step)
+bool Production::stopIfAsked(double time, long step)
 {
-  // One look for both; the first letter tells them apart.
+  // One look for all; the first letter tells them apart.
   const std::string signal = signal_.name();
-  const std::string why = ranks_.firstText(!unwritten_.empty() ? "W" + unwritten_
-                                           : !signal.empty()   ? "S" + signal
-                                                               : std::string());
+  const std::string why = ranks_.firstText(!unwritten_.empty()                           ? "W" + unwritten_
+                                           : !signal.empty()                             ? "S" + signal
+                                           : ranks_.rank() == 0 && checkpoints_.isTime() ? "C"
+                                                                                         : "");
   if (!why.empty() && why[0] == 'W')
     throw OutputError(why.substr(1));
-  if (!why.empty())
+  asked_ = !why.empty() && why[0] == 'S';
+  if (asked_)
     throw RunError("the run was stopped by " + why.substr(1) + " at time " + formatReal(time) + " s, step " +
                    std::to_string(step) + checkpoints_.atStop());
+  return !why.empty();
 }
 
 std::string Production::stoppedBy(const std::string& reason) const

@@ -49,7 +49,8 @@ private:
   void takeUpFields();
   void advanceFromFieldToField();
   /// Throws where a signal or a file that can't be written, on any rank, ends the run.
-  void stopIfAsked(double time, long step);
+  /// \return whether a checkpoint is due by the clock
+  bool stopIfAsked(double time, long step);
   std::string stoppedBy(const std::string& reason) const;
 
   Ranks ranks_;
@@ -61,6 +62,7 @@ private:
   Progress progress_;
   StopSignal signal_;
   std::string unwritten_; ///< why the history could not be written
+  bool asked_ = false;    ///< a signal, to some rank, has ended the run
   Checkpoints checkpoints_;
   bool goesOn_;
   std::vector<std::string> warnings_;

@@ -5,6 +5,7 @@
 #include "output/OutputFolder.hpp"
 #include "output/References.hpp"
 #include "output/Summary.hpp"
+#include "parallel/FirstRank.hpp"
 #include "program/Production.hpp"
 #include "scene/Numbers.hpp"
 #include "scene/Scene.hpp"
@@ -95,29 +96,18 @@ Teuchos::ParameterList references(const Teuchos::ParameterList& scene)
   return scene.isSublist("Reference") ? scene.sublist("Reference") : Teuchos::ParameterList();
 }
 
-/// Throws std::invalid_argument where a run on several ranks is to write or read checkpoints.
-void refuseCheckpointsOnRanks(const Teuchos::ParameterList& scene, const Options& options)
-{
-  const bool asked = scene.sublist("Output").isParameter("Checkpoint Interval");
-  if (world()->getSize() > 1 && (asked || !options.restart.empty()))
-    throw std::invalid_argument(
-        std::string(asked ? "Output > Checkpoint Interval" : "--restart") +
-        ": this version writes and reads checkpoints on one rank; leave it out, or start "
-        "without mpirun");
-}
-
 /// Makes the bodies and all else, and finds the mistakes that only they can show.
 /// \return what the run left before its checkpoint, if it goes on from one
 EarlierPart initialize(Simulation& simulation, const Teuchos::ParameterList& scene, const Options& options)
 {
   EarlierPart earlier;
-  refuseCheckpointsOnRanks(scene, options);
   if (options.restart.empty())
     simulation.initialize();
   else
   {
     const std::string folder = options.output.empty() ? defaultOutputFolder(options.scene) : options.output;
-    earlier = EarlierPart(options.restart, folder, readNotes(simulation.restore(options.restart)));
+    const HistorySoFar soFar = readNotes(simulation.restore(options.restart));
+    onEachRank(Ranks(world()), [&] { earlier = EarlierPart(options.restart, folder, soFar); });
     if (simulation.time() > scene.sublist("Time").get<double>("Final Time"))
       throw std::invalid_argument("Time > Final Time: the checkpoint " + options.restart + " is of time " +
                                   formatReal(simulation.time()) + " s already; write a later time");

@@ -3,6 +3,7 @@
 #include "boundary/Boundaries.hpp"
 #include "checkpoint/StateArchive.hpp"
 #include "output/CoreRow.hpp"
+#include "parallel/FirstRank.hpp"
 #include "parallel/Subdomain.hpp"
 #include "scene/Attempts.hpp"
 #include "scene/Numbers.hpp"
@@ -52,21 +53,8 @@ Run<D>::Run(const Teuchos::ParameterList& scene, std::vector<Effect<D>> own, con
 template <int D>
 void Run<D>::initialize()
 {
-  if (!state_.ranks.many())
-    return makeAll();
   // A rank may refuse alone, say for want of memory: none goes on without it.
-  std::string wrong;
-  try
-  {
-    makeAll();
-  }
-  catch (const std::invalid_argument& error)
-  {
-    wrong = error.what();
-  }
-  wrong = state_.ranks.firstText(wrong);
-  if (!wrong.empty())
-    throw std::invalid_argument(wrong);
+  onEachRank(state_.ranks, [&] { makeAll(); });
   divideState(state_);
 }
 

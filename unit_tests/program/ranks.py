@@ -62,9 +62,9 @@ class OnRanks(unittest.TestCase):
             file.write(scene.text())
         return os.path.join(self.folder, "scene.xml")
 
-    def run_on(self, ranks, scene, *arguments):
+    def run_on(self, ranks, scene, *arguments, into=None):
         """Summary, columns of the history and the particles' last fields, ordered by where they started."""
-        out = os.path.join(self.folder, f"on{ranks}")
+        out = os.path.join(self.folder, into or f"on{ranks}")
         launcher = (*LAUNCHER, "-np", str(ranks)) if ranks > 1 else ()
         answer = rhegma(
             scene,
@@ -104,36 +104,41 @@ class OnRanks(unittest.TestCase):
 
     def agree(self, scene, *arguments, ranks=(2, 3, 4), within=ROUND_OFF, closure=CLOSURE, columns=None):
         """Columns: which of the history are compared, by name, and no fields then; all of both by default."""
-        summary, history, fields = self.run_on(1, scene, *arguments)
-        scales = self.scales_of(summary, history)
+        one = self.run_on(1, scene, *arguments)
         for count in ranks:
-            other, others, theirs = self.run_on(count, scene, *arguments)
-            self.assertEqual(other["ranks"], count)
-            self.assertEqual((other["steps"], other["particles"]), (summary["steps"], summary["particles"]))
-            self.assertEqual(*([without_numbers(w) for w in s["warnings"]] for s in (other, summary)))
-            self.assertEqual(list(others), list(history))
-            for body, counted in zip(summary["bodies"], other["bodies"]):
-                # A sum of n numbers is right to n units in the last place.
-                rounding = 2.3e-16 * max(summary["particles"], 2000)
-                self.assertLess(abs(counted["mass"] / body["mass"] - 1.0), rounding, body["name"])
-            for name, values in history.items():
-                if columns is not None and not columns(name):
-                    continue
-                differs = numpy.abs(others[name] - values) / (scales[name] or 1.0)
-                release = history.get(name.rpartition(".")[0] + ".G_J")
-                if kind_of(name) == "K" and release is not None:
-                    # Without a field round the front yet, noise has no intensities.
-                    differs[numpy.abs(release) < within * numpy.max(numpy.abs(release))] = 0.0
-                worst = numpy.max(differs)
-                most = within * closure if "G_closure" in name else within
-                self.assertLess(worst, most, f"{name} on {count} ranks")
-            for name, values in fields.items() if columns is None else ():
-                self.assertEqual(theirs[name].shape, values.shape, name)
-                scale = numpy.max(numpy.abs(values)) or 1.0
-                differs = numpy.abs(theirs[name] - values) / scale
-                if name in ("side", "crack_normal"):
-                    # Whether a particle is near enough to a crack to have them may hang on the last digit.
-                    differs[(values == 0) | (theirs[name] == 0)] = 0.0
-                worst = numpy.max(differs)
-                self.assertLess(worst, within, f"{name} on {count} ranks")
-        return fields
+            other = self.run_on(count, scene, *arguments)
+            self.assertEqual(other[0]["ranks"], count)
+            self.compare(one, other, within, closure, columns)
+        return one[2]
+
+    def compare(self, one, other, within=ROUND_OFF, closure=CLOSURE, columns=None):
+        """What run_on gave for the same scene twice."""
+        (summary, history, fields), (other, others, theirs) = one, other
+        scales, count = self.scales_of(summary, history), other["ranks"]
+        self.assertEqual((other["steps"], other["particles"]), (summary["steps"], summary["particles"]))
+        self.assertEqual(*([without_numbers(w) for w in s["warnings"]] for s in (other, summary)))
+        self.assertEqual(list(others), list(history))
+        for body, counted in zip(summary["bodies"], other["bodies"]):
+            # A sum of n numbers is right to n units in the last place.
+            rounding = 2.3e-16 * max(summary["particles"], 2000)
+            self.assertLess(abs(counted["mass"] / body["mass"] - 1.0), rounding, body["name"])
+        for name, values in history.items():
+            if columns is not None and not columns(name):
+                continue
+            differs = numpy.abs(others[name] - values) / (scales[name] or 1.0)
+            release = history.get(name.rpartition(".")[0] + ".G_J")
+            if kind_of(name) == "K" and release is not None:
+                # Without a field round the front yet, noise has no intensities.
+                differs[numpy.abs(release) < within * numpy.max(numpy.abs(release))] = 0.0
+            worst = numpy.max(differs)
+            most = within * closure if "G_closure" in name else within
+            self.assertLess(worst, most, f"{name} on {count} ranks")
+        for name, values in fields.items() if columns is None else ():
+            self.assertEqual(theirs[name].shape, values.shape, name)
+            scale = numpy.max(numpy.abs(values)) or 1.0
+            differs = numpy.abs(theirs[name] - values) / scale
+            if name in ("side", "crack_normal"):
+                # Whether a particle is near enough to a crack to have them may hang on the last digit.
+                differs[(values == 0) | (theirs[name] == 0)] = 0.0
+            worst = numpy.max(differs)
+            self.assertLess(worst, within, f"{name} on {count} ranks")
