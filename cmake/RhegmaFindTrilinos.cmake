@@ -13,9 +13,14 @@ endif()
 find_package(MPI REQUIRED COMPONENTS C CXX)
 
 # Kokkos of Trilinos 13.2 warns that it turns off compiler extensions, which are off here anyway.
+set(standard ${CMAKE_CXX_STANDARD})
 set(CMAKE_CXX_STANDARD 17)
 find_package(Trilinos REQUIRED COMPONENTS ${RHEGMA_TRILINOS_PACKAGES})
-unset(CMAKE_CXX_STANDARD)
+if(standard)
+  set(CMAKE_CXX_STANDARD ${standard}) # of an application that looks for Rhegma
+else()
+  unset(CMAKE_CXX_STANDARD)
+endif()
 
 add_library(Rhegma::Trilinos INTERFACE IMPORTED)
 foreach(package ${RHEGMA_TRILINOS_PACKAGES})

@@ -3,6 +3,9 @@
 
 file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}
   ${PROJECT_SOURCE_DIR}/src/*.hpp ${PROJECT_SOURCE_DIR}/packages/*.hpp)
+foreach(folder ${RHEGMA_FOLDERS_LEFT_OUT})
+  list(FILTER headers EXCLUDE REGEX "^packages/${folder}/")
+endforeach()
 
 set(sources)
 foreach(header ${headers})

@@ -27,7 +27,7 @@ if(TARGET rhegma_program)
   add_custom_target(reference
     COMMAND ${CMAKE_COMMAND} ${arguments} -P ${CMAKE_CURRENT_LIST_FILE}
     DEPENDS rhegma_program VERBATIM)
-  if(RHEGMA_TESTS)
+  if(RHEGMA_TESTS AND NOT RHEGMA_FOLDERS_LEFT_OUT)
     add_test(NAME docs.reference COMMAND ${CMAKE_COMMAND} ${arguments} -DCHECK=ON -P ${CMAKE_CURRENT_LIST_FILE})
     rhegma_set_test(docs.reference unit 60)
   endif()

@@ -9,6 +9,7 @@
 #include "parallel/FirstRank.hpp"
 #include "scene/Scene.hpp"
 #include "step/EffectSchema.hpp"
+#include "step/GiveHeat.hpp"
 #include "step/Run.hpp"
 
 #include <algorithm>
@@ -49,6 +50,8 @@ public:
   virtual void syncFields() const = 0;
   virtual bool sound() const = 0;
   virtual double wallSeconds() const = 0;
+  virtual const FieldTable& particles() const = 0;
+  virtual void giveHeat(const std::vector<double>& joules) = 0;
   virtual Record save(const Notes& notes) = 0;
   virtual Notes load(const Record& record) = 0;
 
@@ -194,6 +197,10 @@ public:
   bool sound() const override { return run_->energyWatch().sound(); }
 
   double wallSeconds() const override { return earlierSeconds_ + timer_.seconds(); }
+
+  const FieldTable& particles() const override { return run_->state().particles; }
+
+  void giveHeat(const std::vector<double>& joules) override { Rhegma::giveHeat(run_->state(), joules); }
 
   Record save(const Notes& notes) override
   {
@@ -447,6 +454,21 @@ void Simulation::onStep(std::function<void(double, long)> progress)
   engine_->afterStep = std::move(progress);
 }
 const Simulation::Row& Simulation::observe() const { return engine_->last; }
+
+std::vector<std::string> Simulation::particleFields() const
+{
+  std::vector<std::string> names;
+  for (const Field& field : engine_->particles().fields())
+    names.push_back(field.name);
+  return names;
+}
+
+ParticleCopy Simulation::particleField(const std::string& name) const
+{
+  return copyField(engine_->particles(), name);
+}
+
+void Simulation::giveHeat(const std::vector<double>& joules) { engine_->giveHeat(joules); }
 double Simulation::time() const { return engine_->progress().time; }
 long Simulation::steps() const { return engine_->progress().steps; }
 bool Simulation::settled() const { return engine_->progress().settled; }

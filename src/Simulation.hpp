@@ -2,6 +2,7 @@
 /// Rhegma inside an application.
 
 #include "RunError.hpp"
+#include "state/ParticleCopy.hpp"
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>
@@ -26,13 +27,17 @@ namespace Rhegma
 class Simulation
 {
 public:
+  /// A sample: names and values, as a row of history.csv.
   using Row = std::vector<std::pair<std::string, double>>;
 
   /// \param comm  ranks that take part; every call below is then collective
   /// \param scene the list `Rhegma` of a scene; validated and completed with defaults here
   Simulation(Teuchos::RCP<const Teuchos::Comm<int>> comm, const Teuchos::RCP<Teuchos::ParameterList>& scene);
+  /// Frees all; what advance() has done is lost unless it was written.
   ~Simulation();
+  /// The one moved from can only be destroyed or assigned to.
   Simulation(Simulation&&) noexcept;
+  /// The same by assignment.
   Simulation& operator=(Simulation&&) noexcept;
 
   /// Makes the particles and the plan. Call once, before all that follows.
@@ -57,8 +62,9 @@ public:
 
   /// Keeps a copy of the state as it is now in memory, in place of an earlier one.
   void hold(const Notes& notes = {});
-  /// Whether there is a copy, and its time [s].
+  /// Whether there is a copy.
   bool holds() const;
+  /// Its time [s]; negative where there is none.
   double heldTime() const;
   /// Writes the copy as checkpoint() would have written the state.
   void checkpointHeld(const std::string& path) const;
@@ -83,15 +89,38 @@ public:
   /// The last sample.
   const Row& observe() const;
 
+  /// Names of the fields that the particles of this scene have.
+  std::vector<std::string> particleFields() const;
+
+  /// A copy of a field of the particles that this rank has now; what all fields have in one row belongs to
+  /// one particle. Order and number may change with every step. No other rank need call it.
+  ///
+  /// Throws std::invalid_argument, naming those that there are, where no field has the name.
+  ParticleCopy particleField(const std::string& name) const;
+
+  /// Gives heat to the particles that this rank has now, between steps: at constant strain, and booked in the
+  /// ledger's `heat`. The particles then hold just as much more; their temperatures rise by heat over
+  /// capacity.
+  ///
+  /// \param joules of each particle, in the order of particleField() [J]; negative: taken away
+  /// Throws std::invalid_argument, and gives nothing, where the scene has no section Thermal, where there are
+  /// more or fewer numbers than particles, or where one is not finite. No other rank need call it.
+  void giveHeat(const std::vector<double>& joules);
+
+  /// Time that has been simulated [s].
   double time() const;
+  /// Steps that have been taken, of all parts of the run.
   long steps() const;
   /// Whether the run is at rest, by Damping > Settled Energy Ratio and Settled Drift.
   bool settled() const;
   /// Whether the scene has the run end here, whatever time it is: at rest with Damping > Stop When Settled,
   /// or after Time > Maximum Steps. advance() then does nothing.
   bool ended() const;
+  /// How many particles there are now, of all ranks.
   int particles() const;
+  /// Particles times steps, summed over the steps that have been taken.
   double particleSteps() const;
+  /// Names of the effects that the scene asks for.
   std::vector<std::string> effects() const;
   /// Effects, fields and stages, for a person to read.
   std::string plan() const;

@@ -1,3 +1,4 @@
+#include "scene/HeatWords.hpp"
 #include "scene/ReadList.hpp"
 #include "scene/TimeFunction.hpp"
 #include "thermal/Thermal.hpp"
@@ -66,41 +67,6 @@ void forEach(const Teuchos::ParameterList& scene, const std::string& section, co
     work(list.sublist(name), std::string(section).append(" > ").append(name));
 }
 
-bool isOfHeat(const std::string& type)
-{
-  return type == "Temperature" || type == "Heat Flux" || type == "Convection";
-}
-
-/// What a scene without the section must not have, for nobody would look at it.
-void checkWithout(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
-{
-  const std::string add = "; add the section Thermal or leave it out";
-  forEach(
-      scene, "Materials",
-      [&](const Teuchos::ParameterList& list, const std::string& where)
-      {
-        if (!tableTemperatures(list).empty())
-          errors.push_back({where, "a property is a table of temperature, and the scene has no heat" + add});
-        if (text(list, "Model") == "Rigid")
-          errors.push_back({where + " > Model",
-                            "Rigid is for scenes of heat alone; choose a law with stress, or "
-                            "add Thermal with Mechanics = false"});
-      });
-  forEach(scene, "Boundaries",
-          [&](const Teuchos::ParameterList& list, const std::string& where)
-          {
-            if (isOfHeat(text(list, "Type")))
-              errors.push_back({where, "it is a boundary of heat, and the scene has none" + add});
-          });
-  forEach(scene, "Bodies",
-          [&](const Teuchos::ParameterList& list, const std::string& where)
-          {
-            for (const char* name : {"Temperature", "Temperature Field"})
-              if (list.isParameter(name))
-                errors.push_back({where + " > " + name, "the scene has no heat" + add});
-          });
-}
-
 void checkAlone(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
   if (hasSection(scene, "Adaptivity") && scene.sublist("Adaptivity").isParameter("Velocity Change"))
@@ -113,7 +79,7 @@ void checkAlone(const Teuchos::ParameterList& scene, std::vector<SceneError>& er
   forEach(scene, "Boundaries",
           [&](const Teuchos::ParameterList& list, const std::string& where)
           {
-            if (!isOfHeat(text(list, "Type")))
+            if (!isHeatBoundary(text(list, "Type")))
               errors.push_back(
                   {where, "nothing moves, for Thermal > Mechanics is false; leave one of the two out"});
           });
@@ -222,7 +188,7 @@ void checkHistories(const Teuchos::ParameterList& scene, std::vector<SceneError>
 void checkThermal(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
   if (!scene.isSublist("Thermal"))
-    return checkWithout(scene, errors);
+    return; // scene/HeatWords.hpp
   const Teuchos::ParameterList& list = scene.sublist("Thermal");
   checkHistories(scene, errors);
   if (list.isType<bool>("Mechanics") && !list.get<bool>("Mechanics"))

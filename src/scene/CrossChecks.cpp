@@ -3,6 +3,7 @@
 #include "geometry/Shape.hpp"
 #include "material/MaterialTable.hpp"
 #include "material/ThermoMaterials.hpp"
+#include "scene/HeatWords.hpp"
 #include "scene/NearestName.hpp"
 #include "scene/Numbers.hpp"
 #include "scene/PlaceFunction.hpp"
@@ -70,6 +71,7 @@ public:
             { this->boundary(boundary, where); });
     if (m_scene.isSublist("Output") && m_scene.isSublist("Time"))
       output(m_scene.sublist("Output"), m_scene.sublist("Time"));
+    refuseHeatWords(m_scene, m_errors);
   }
 
 private:

@@ -150,7 +150,9 @@ void Validation::checkEntry(Teuchos::ParameterList& list, const std::string& nam
     if (parameter)
       report(where, "is a parameter, not a section; write <Parameter name=\"" + name + "\" ...>.");
     else if (std::find(section.toCome.begin(), section.toCome.end(), name) != section.toCome.end())
-      report(where, "is not in this version; leave the section out.");
+      report(where,
+             "is not in this program: it was switched off when it was built, or is for a later version; "
+             "leave the section out.");
     else if (active.variantKnown)
     {
       const auto sectionNames = active.sectionNames();

@@ -1,6 +1,8 @@
 #include "step/EffectSchema.hpp"
 
-#include "step/Effect.hpp"
+#include "step/KnownEffects.hpp"
+
+#include <map>
 
 namespace Rhegma
 {
@@ -14,7 +16,9 @@ SceneSchema makeSchema()
   for (const EffectEntry& entry : knownEffects())
     sections.push_back(entry.section);
   SceneSchema schema(sections);
-  schema.setSectionsToCome(effectsToCome());
+  std::vector<std::string> missing = effectsToCome();
+  missing.insert(missing.end(), effectsLeftOut().begin(), effectsLeftOut().end());
+  schema.setSectionsToCome(missing);
   for (const EffectEntry& entry : knownEffects())
     if (entry.check)
       schema.addCheck(entry.check);
@@ -25,8 +29,13 @@ SceneSchema makeSchema()
 
 const SceneSchema& effectSchema()
 {
-  static const SceneSchema schema = makeSchema();
-  return schema;
+  // Effects that an application adds make another schema; who has the one before keeps it.
+  static std::map<std::size_t, SceneSchema> schemas;
+  const std::size_t count = knownEffects().size();
+  auto found = schemas.find(count);
+  if (found == schemas.end())
+    found = schemas.emplace(count, makeSchema()).first;
+  return found->second;
 }
 
 } // namespace Rhegma

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -84,4 +85,81 @@ TEST(Simulation, RestsUnderALoadOnAFaceThatMovesIntoEmptyCells)
   EXPECT_TRUE(simulation.settled());
   const auto energy = simulation.report()["energy"];
   EXPECT_LT(std::abs(energy["residual"].get<double>()), 0.01 * energy["external_work"].get<double>());
+}
+
+namespace
+{
+
+/// Sum over the particles of a field per undeformed volume.
+double overVolume(const Simulation& simulation, const std::string& field)
+{
+  const std::vector<double> values = simulation.particleField(field).values;
+  const std::vector<double> volumes = simulation.particleField(fields::volume).values;
+  double sum = 0.0;
+  for (std::size_t p = 0; p < volumes.size(); ++p)
+    sum += values[p] * volumes[p];
+  return sum;
+}
+
+double sampled(const Simulation& simulation, const std::string& name)
+{
+  for (const auto& [key, value] : simulation.observe())
+    if (key == name)
+      return value;
+  ADD_FAILURE() << "no column " << name;
+  return 0.0;
+}
+
+} // namespace
+
+TEST(Simulation, CopiesFieldsOfItsParticles)
+{
+  Simulation simulation = example("dcb.xml", {});
+  const ParticleCopy position = simulation.particleField(fields::position);
+  EXPECT_EQ(position.field.components, 2);
+  EXPECT_EQ(position.field.unit, "m");
+  ASSERT_EQ(position.particles, simulation.particles());
+  ASSERT_EQ(static_cast<int>(position.values.size()), 2 * simulation.particles());
+  // Nothing has moved yet; each particle has a number of its own.
+  EXPECT_EQ(position.values, simulation.particleField(fields::reference).values);
+  std::vector<double> ids = simulation.particleField(fields::id).values;
+  std::sort(ids.begin(), ids.end());
+  for (std::size_t p = 0; p < ids.size(); ++p)
+    ASSERT_EQ(ids[p], p);
+  EXPECT_THROW(simulation.particleField("colour"), std::invalid_argument);
+  for (const std::string& name : simulation.particleFields())
+    EXPECT_EQ(simulation.particleField(name).particles, simulation.particles()) << name;
+}
+
+/// A hot spot that conducts only: what is given is what they hold more, and what the ledger has, to
+/// round-off.
+TEST(Simulation, GivesHeatToItsParticles)
+{
+  Simulation simulation = example("hot_spot.xml", {"Thermal:Sources:Torch:Power=0"});
+  simulation.sampleEvery(1.0, [](double, const Simulation::Row&) {});
+  std::vector<double> joules(simulation.particles());
+  double given = 0.0, turnover = 0.0;
+  for (std::size_t p = 0; p < joules.size(); ++p)
+  {
+    joules[p] = 1e-9 * (p % 7) - 1e-9 * (p % 5);
+    given += joules[p];
+    turnover += std::abs(joules[p]);
+  }
+  const double before = overVolume(simulation, fields::internalEnergy);
+  const std::vector<double> cold = simulation.particleField(fields::temperature).values;
+  simulation.giveHeat(joules);
+  const double roundOff = 1e-12 * (turnover + std::abs(before));
+  EXPECT_NEAR(overVolume(simulation, fields::internalEnergy) - before, given, roundOff);
+  const std::vector<double> warm = simulation.particleField(fields::temperature).values;
+  for (std::size_t p = 0; p < joules.size(); ++p)
+    ASSERT_EQ(warm[p] > cold[p], joules[p] > 0.0);
+  simulation.advance(simulation.stableTimeStep());
+  EXPECT_NEAR(sampled(simulation, "heat"), given, roundOff);
+
+  joules.pop_back();
+  EXPECT_THROW(simulation.giveHeat(joules), std::invalid_argument);
+  joules.push_back(std::nan(""));
+  EXPECT_THROW(simulation.giveHeat(joules), std::invalid_argument);
+  Simulation without = example("dcb.xml", {});
+  EXPECT_THROW(without.giveHeat(std::vector<double>(without.particles())), std::invalid_argument);
 }

@@ -1,0 +1,20 @@
+#pragma once
+/// What a scene says of heat outside of the section Thermal.
+
+#include "scene/SceneError.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <string>
+#include <vector>
+
+namespace Rhegma
+{
+
+/// Whether a type of boundary is one of heat alone.
+bool isHeatBoundary(const std::string& type);
+
+/// Adds an error for all that a scene without Thermal must not have, for nobody would look at it.
+void refuseHeatWords(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors);
+
+} // namespace Rhegma

@@ -1,0 +1,67 @@
+#include "step/GiveHeat.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+template <int D>
+void refuse(const State<D>& state, const std::vector<double>& joules)
+{
+  if (state.thermo.empty())
+    throw std::invalid_argument("heat can't be given: the scene has no section Thermal");
+  if (static_cast<int>(joules.size()) != state.particles.size())
+    throw std::invalid_argument("heat can't be given: there are " + std::to_string(joules.size()) +
+                                " numbers for " + std::to_string(state.particles.size()) + " particles");
+  if (!std::all_of(joules.begin(), joules.end(), [](double heat) { return std::isfinite(heat); }))
+    throw std::invalid_argument("heat can't be given: that of a particle is not a finite number");
+}
+
+/// \return the heat that the particles got [J]
+template <int D>
+double giveToParticles(State<D>& state, const View<double*>& heat)
+{
+  const ThermoTables tables = state.thermo;
+  const bool mechanics = state.mechanics;
+  const auto volume = state.particles.scalar(fields::volume);
+  const auto temperature = state.particles.scalar(fields::temperature);
+  const auto internal = state.particles.scalar(fields::internalEnergy);
+  const auto material = state.particles.integer(fields::material);
+  double given = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::giveHeat", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, double& sum) {
+        const double density = heat(p) / volume(p);
+        internal(p) += density;
+        // What moves finds its temperature with its stress, from what it holds.
+        temperature(p) =
+            mechanics ? temperature(p) + density / ThermoPoint(tables, material(p), temperature(p)).capacity()
+                      : temperatureOfHeat(tables, material(p), internal(p));
+        sum += heat(p);
+      },
+      given);
+  return given;
+}
+
+} // namespace
+
+template <int D>
+void giveHeat(State<D>& state, const std::vector<double>& joules)
+{
+  refuse(state, joules);
+  const View<double*> heat("rhegma::givenHeat", joules.size());
+  const auto host = Kokkos::create_mirror_view(heat);
+  std::copy(joules.begin(), joules.end(), host.data());
+  Kokkos::deep_copy(heat, host);
+  state.energy.heat += giveToParticles(state, heat);
+}
+
+template void giveHeat(State<2>&, const std::vector<double>&);
+template void giveHeat(State<3>&, const std::vector<double>&);
+
+} // namespace Rhegma
