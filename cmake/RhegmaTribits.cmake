@@ -1,0 +1,23 @@
+# Rhegma as a package of Trilinos (docs/embedding/trilinos.md): the library and the program, without tests.
+
+tribits_package(Rhegma)
+
+set(RHEGMA_VERSION 0.1.0)
+list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
+include(RhegmaDefaults)
+include(RhegmaFindLibraries)
+include(RhegmaSources)
+
+tribits_include_directories(${RHEGMA_ROOT}/src ${RHEGMA_ROOT}/packages)
+tribits_add_library(rhegma SOURCES ${RHEGMA_SOURCES} NOINSTALLHEADERS
+  IMPORTEDLIBS hdf5::hdf5 ZLIB::ZLIB nlohmann_json::nlohmann_json muparser::muparser)
+tribits_add_executable(rhegma_program NOEXEPREFIX NOEXESUFFIX SOURCES ${RHEGMA_ROOT}/src/main.cpp INSTALLABLE)
+if(TARGET rhegma_program) # Trilinos leaves it out where it is told to make no executables
+  set_target_properties(rhegma_program PROPERTIES OUTPUT_NAME rhegma)
+  rhegma_compile_options(rhegma_program)
+  target_compile_definitions(rhegma_program PRIVATE RHEGMA_VERSION="${RHEGMA_VERSION}")
+endif()
+rhegma_compile_options(rhegma)
+target_compile_definitions(rhegma PRIVATE RHEGMA_VERSION="${RHEGMA_VERSION}")
+
+tribits_package_postprocess()
