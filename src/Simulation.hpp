@@ -80,7 +80,8 @@ public:
   void advance(double time);
 
   /// Has advance() sample, in the step that ends an interval and at its end, and call `observer` with the
-  /// row. \param interval time between samples [s]; none are taken before this is called
+  /// row. \param interval time between samples [s]; none are taken before this is called \param observer gets
+  /// the time [s] and the row
   void sampleEvery(double interval, std::function<void(double time, const Row&)> observer);
 
   /// Has advance() call `progress` after each step. \param progress gets the time [s] and the number of steps

@@ -38,7 +38,7 @@ struct FrontStation
   Vector<D> position{}; ///< [m]
   Vector<D> direction{}; ///< unit vector in which the crack would run straight on: across the front; at a
                          ///< mouth along it
-  Vector<D> normal{}; ///< unit normal of the crack, from side -1 to side +1, normal to direction
+  Vector<D> normal{};    ///< unit normal of the crack, from side -1 to side +1, normal to direction
 
   DrivingForce driving;     ///< what drives it on, where CrackSet::driven asks for it
   bool advances = false;    ///< it is about to advance: its stress intensities are wanted
@@ -82,7 +82,7 @@ struct CrackFront
 template <int D>
 struct Crack
 {
-  std::string name;
+  std::string name; ///< as in the scene
   int firstVertex = 0, numVertices = 0;
   int firstSimplex = 0, numSimplices = 0;
 };
@@ -100,11 +100,11 @@ struct StationAdvance
 template <int D>
 struct FrontAdvance
 {
-  int front = 0;          ///< index in CrackSet::fronts
-  Vector<D> direction{};  ///< unit vector
-  double length = 0.0;    ///< [m]
-  double toughness = 0.0; ///< energy that the new faces take [J/m2]
-  std::vector<StationAdvance<D>> stations = {};
+  int front = 0;                                ///< index in CrackSet::fronts
+  Vector<D> direction{};                        ///< unit vector
+  double length = 0.0;                          ///< [m]
+  double toughness = 0.0;                       ///< energy that the new faces take [J/m2]
+  std::vector<StationAdvance<D>> stations = {}; ///< what each station of it is to do (3D)
 };
 
 /// What lies beyond a facet of a simplex: another simplex, or nothing.
@@ -117,9 +117,9 @@ constexpr int front = -2; ///< whole material
 /// What a vertex of a crack lies on; both at a front's end at a mouth.
 namespace vertexKind
 {
-constexpr int inner = 0;
-constexpr int mouth = 1;
-constexpr int front = 2;
+constexpr int inner = 0; ///< whole material all around
+constexpr int mouth = 1; ///< the surface of the body
+constexpr int front = 2; ///< a front
 } // namespace vertexKind
 
 /// All cracks. A side is named +(c + 1) or -(c + 1), c the index of the crack; 0 is away from cracks. Each
@@ -130,7 +130,7 @@ constexpr int front = 2;
 template <int D>
 struct CrackSet
 {
-  std::vector<Crack<D>> cracks;
+  std::vector<Crack<D>> cracks;      ///< one for each of the scene
   std::vector<CrackFront<D>> fronts; ///< current; renewed after every step
 
   View<double* [D]> vertex;  ///< midway between the faces [m]
@@ -139,8 +139,8 @@ struct CrackSet
   View<int*> crackOf;        ///< crack of each simplex
   View<int* [D]> neighbour;  ///< simplex beyond each facet of a simplex, or facet::mouth or front
   View<int*> starBegin; ///< the simplices at vertex v are star(starBegin(v)) .. star(starBegin(v + 1) - 1)
-  View<int*> star;
-  View<int*> kind;           ///< of each vertex: what it lies on (vertexKind, added)
+  View<int*> star;      ///< see starBegin
+  View<int*> kind;      ///< of each vertex: what it lies on (vertexKind, added)
   View<int* [2]> frontFacet; ///< simplex and facet of each piece of front
   View<int*> nearFront;      ///< whether each simplex lies within a stencil or two of a front
 
@@ -155,11 +155,11 @@ struct CrackSet
   View<double * [D + 1]> tie;
   std::vector<FrontAdvance<D>> advances; ///< that fronts are to make before the next step
   bool driven = false;                   ///< whether the driving forces of fronts are wanted in every step
-  DrivingContours drivingContours;
-  bool dualField = true;
-  bool tied = false; ///< springs tie the two fields of nodes just behind fronts
+  DrivingContours drivingContours;       ///< of the integrals that measure driving forces
+  bool dualField = true;                 ///< whether nodes behind fronts have a second field
+  bool tied = false;                     ///< springs tie the two fields of nodes just behind fronts
 
-  bool empty() const { return cracks.empty(); }
+  bool empty() const { return cracks.empty(); } ///< whether there is none
 };
 
 } // namespace Rhegma

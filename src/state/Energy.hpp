@@ -9,21 +9,21 @@ namespace Rhegma
 /// fracture + merged - combustion.
 struct EnergyLedger
 {
-  double kinetic = 0.0;
-  double strain = 0.0;
+  double kinetic = 0.0;      ///< of the motion, now
+  double strain = 0.0;       ///< stored elastically, now
   double start = 0.0;        ///< kinetic + strain when the run began
   double thermal = 0.0;      ///< heat in the bodies, less that at the start
   double thermalStart = 0.0; ///< heat in the bodies when the run began
   double heat = 0.0;         ///< that came through the surface, from sources or from fronts of cracks
   double roundOff = 0.0;     ///< what rounding may make of the largest energies in the books
-  double externalWork = 0.0;
-  double ties = 0.0;    ///< elastic, of ties just behind crack fronts; a part of `strain`
-  double damped = 0.0;  ///< by the damping effect
-  double plastic = 0.0; ///< spent in plastic flow, less what became heat
-  double contact = 0.0;
-  double fracture = 0.0;
-  double merged = 0.0;
-  double combustion = 0.0;
+  double externalWork = 0.0; ///< done by loads, supports and body forces
+  double ties = 0.0;         ///< elastic, of ties just behind crack fronts; a part of `strain`
+  double damped = 0.0;       ///< by the damping effect
+  double plastic = 0.0;      ///< spent in plastic flow, less what became heat
+  double contact = 0.0;      ///< lost by friction and impact of faces
+  double fracture = 0.0;     ///< taken by new crack faces
+  double merged = 0.0;       ///< lost where particles merged
+  double combustion = 0.0;   ///< given to the body by burnt gas
 
   double residual() const
   {

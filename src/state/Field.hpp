@@ -10,29 +10,29 @@ namespace Rhegma
 /// A quantity that every particle carries.
 struct Field
 {
-  std::string name;
-  int components = 1;
-  std::string unit;
-  std::string meaning;
-  bool integer = false;
+  std::string name;     ///< free text; by it the field is found
+  int components = 1;   ///< numbers of a particle
+  std::string unit;     ///< SI; empty: a pure number
+  std::string meaning;  ///< for a person to read
+  bool integer = false; ///< whole numbers
 };
 
 /// The fields that the method itself needs, whatever the effects.
 namespace fields
 {
-inline const std::string position = "position";
-inline const std::string reference = "reference position";
-inline const std::string velocity = "velocity";
-inline const std::string mass = "mass";
-inline const std::string volume = "initial volume";
-inline const std::string deformation = "deformation gradient";
-inline const std::string stress = "Kirchhoff stress";
-inline const std::string edge = "edge";
-inline const std::string box = "box";
-inline const std::string history = "history";
-inline const std::string material = "material";
-inline const std::string body = "body";
-inline const std::string id = "id";
+inline const std::string position = "position";                ///< [m]
+inline const std::string reference = "reference position";     ///< at the start [m]
+inline const std::string velocity = "velocity";                ///< [m/s]
+inline const std::string mass = "mass";                        ///< [kg]
+inline const std::string volume = "initial volume";            ///< undeformed [m3]
+inline const std::string deformation = "deformation gradient"; ///< see gradientSize
+inline const std::string stress = "Kirchhoff stress";          ///< see symmetricSize [Pa]
+inline const std::string edge = "edge";                        ///< undeformed edges [m]
+inline const std::string box = "box";                          ///< half widths that GIMP averages over [m]
+inline const std::string history = "history";                  ///< of the material's law
+inline const std::string material = "material";                ///< its number
+inline const std::string body = "body";                        ///< its number
+inline const std::string id = "id";                            ///< the particle's own number
 /// Velocity gradient, row by row; only where an effect asks for it.
 inline const std::string rate = "velocity gradient";
 /// Which side of a crack a particle lies on (CrackSet); only where an effect cuts the body.
@@ -41,8 +41,8 @@ inline const std::string side = "side";
 inline const std::string level = "level";
 /// Only where an effect carries heat; the last is per undeformed volume.
 inline const std::string temperature = "temperature";
-inline const std::string temperatureGradient = "temperature gradient";
-inline const std::string internalEnergy = "internal energy";
+inline const std::string temperatureGradient = "temperature gradient"; ///< [K/m]
+inline const std::string internalEnergy = "internal energy";           ///< [J/m3]
 } // namespace fields
 
 } // namespace Rhegma

@@ -18,9 +18,9 @@ public:
   /// Adds a field of zeros. Throws std::logic_error when the name is taken.
   void add(const Field& field);
 
-  bool has(const std::string& name) const;
-  int size() const { return size_; }
-  std::vector<Field> fields() const;
+  bool has(const std::string& name) const; ///< whether there is a field of this name
+  int size() const { return size_; }       ///< how many particles there are
+  std::vector<Field> fields() const;       ///< all of them, in the order of adding
 
   /// A field of C numbers a particle, shape (particles, C).
   template <int C>

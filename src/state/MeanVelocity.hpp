@@ -11,8 +11,8 @@ namespace Rhegma
 template <int D>
 struct MeanVelocity
 {
-  Nodes<D> nodes;
-  NodeSlots brief;
+  Nodes<D> nodes;         ///< of the state
+  NodeSlots brief;        ///< nodes that move in short steps
   double half, briefHalf; ///< of the step and of the shortest steps [s]
 
   explicit MeanVelocity(const State<D>& state)

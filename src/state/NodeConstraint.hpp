@@ -15,7 +15,7 @@ struct NodeConstraint
   bool holds[D];           ///< axes that are prescribed
   Vector<D> value;         ///< velocity along them now [m/s]
   View<double* [D]> field; ///< velocity of each lattice node, to be multiplied by `factor`; empty: `value`
-  double factor = 1.0;
+  double factor = 1.0;     ///< of `field`, now
 
   KOKKOS_INLINE_FUNCTION bool appliesAt(const Vector<D>& x) const
   {

@@ -55,7 +55,7 @@ KOKKOS_FORCEINLINE_FUNCTION Pack<4> pack(double a, double b, double c, double d)
 template <int W>
 struct Pack
 {
-  double c[W];
+  double c[W]; ///< the numbers
 
   KOKKOS_FORCEINLINE_FUNCTION double operator[](int k) const { return c[k]; }
   KOKKOS_FORCEINLINE_FUNCTION static Pack zero() { return {}; }

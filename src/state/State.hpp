@@ -32,9 +32,9 @@ struct Subdomain;
 
 enum class UpdateScheme
 {
-  Musl,
-  Usf,
-  Usl
+  Musl, ///< last, from velocities projected anew
+  Usf,  ///< first
+  Usl   ///< last
 };
 
 /// Points that need stencils: where they are, the half widths of their boxes (zero for points), and the side
@@ -42,10 +42,10 @@ enum class UpdateScheme
 template <int D>
 struct ObservedPoints
 {
-  View<double* [D]> position;
-  View<double* [D]> half;
-  View<int*> side;
-  int count = 0;
+  View<double* [D]> position; ///< [m]
+  View<double* [D]> half;     ///< [m]
+  View<int*> side;            ///< of a crack
+  int count = 0;              ///< how many there are; views may be longer
   /// All ranks list the same points: each has a stencil on the rank that owns its place, and none elsewhere.
   bool onAllRanks = false;
 };
@@ -66,15 +66,15 @@ struct StencilEditor
 /// of nodes that move in short steps are the first `inner`.
 struct NodeSlots
 {
-  View<int*> of;
-  int inner = 0;
+  View<int*> of; ///< of each node, or -1
+  int inner = 0; ///< how many move in short steps
   KOKKOS_INLINE_FUNCTION bool moves(int node) const { return inner > 0 && of(node) >= 0 && of(node) < inner; }
 };
 
 /// What short steps within the step did, for those who reckon work; without effect where there are none.
 struct ShortSteps
 {
-  NodeSlots nodes;
+  NodeSlots nodes;     ///< that move in them or beside them
   double length = 0.0; ///< of the shortest ones [s]
   /// Impulses on nodes that move in short steps but for those at the start of the step, times the velocity
   /// that the nodes had before it [J]. Nodes that supports hold don't count.
@@ -87,7 +87,7 @@ struct ShortSteps
 template <int D>
 struct FollowingForce
 {
-  using Values = View<double* [D]>;
+  using Values = View<double* [D]>; ///< a row a slot
   /// Adds the part, as at the start of the step, that does not follow: it acts on a node that does not move
   /// in short steps.
   std::function<void(const State<D>&, const NodeSlots&, const Values& force)> frozen;
@@ -101,7 +101,7 @@ struct FollowingForce
 template <int D>
 struct CoupledSlots
 {
-  using Values = View<double* [D]>;
+  using Values = View<double* [D]>; ///< a row a slot
   /// Once a long step, when nodes have their masses. \param held not 0 where a support holds a slot along an
   /// axis
   std::function<void(const State<D>&, const NodeSlots&, const View<int* [D]>& held)> begin;
@@ -114,16 +114,16 @@ struct CoupledSlots
 /// first + i (2^D - 1) on.
 struct SplitParts
 {
-  View<int*> whole;
-  int first = 0;
+  View<int*> whole; ///< rows of the first parts
+  int first = 0;    ///< row of the others
 };
 
 /// One body of the scene as particles made it.
 template <int D>
 struct BodyInfo
 {
-  std::string name;
-  int material = 0;
+  std::string name;  ///< as in the scene
+  int material = 0;  ///< its number
   double axes[D][D]; ///< undeformed edge directions of its particles, one a row
 };
 
@@ -134,36 +134,36 @@ using HistoryRow = std::vector<std::pair<std::string, double>>;
 template <int D>
 struct State
 {
-  Plane plane = Plane::Solid;
-  double thickness = 1.0;
-  ShapeKind shape = ShapeKind::Gimp;
-  UpdateScheme scheme = UpdateScheme::Musl;
-  double picFraction = 0.0;
-  double cfl = 0.4;
+  Plane plane = Plane::Solid;               ///< how 2D treats the third direction
+  double thickness = 1.0;                   ///< of 2D scenes [m]
+  ShapeKind shape = ShapeKind::Gimp;        ///< shape functions
+  UpdateScheme scheme = UpdateScheme::Musl; ///< when stress follows
+  double picFraction = 0.0;                 ///< share of PIC in the velocity update
+  double cfl = 0.4;                         ///< share of the stable step that is used
   bool mechanics = true; ///< false: nothing moves, and there is neither velocity nor stress
 
   Ranks ranks;                                   ///< that share the run
   std::shared_ptr<const Subdomain<D>> subdomain; ///< this rank's; none where there is one rank
-  Grid<D> grid; ///< what this rank's particles can reach; the whole lattice where there is one rank
-  Tree<D> tree; ///< refined cells; empty where none is
-  Nodes<D> nodes;
-  Blocks<D> blocks;
-  FieldTable particles;        ///< of this rank
-  int particlesOfAllRanks = 0; ///< where there are many
-  std::vector<BodyInfo<D>> bodies;
-  View<double* [D][D]> bodyAxes;
-  std::vector<std::string> materialNames;
-  std::vector<Properties> materialList;
-  View<Properties*> materials;
+  Grid<D> grid;         ///< what this rank's particles can reach; the whole lattice where there is one rank
+  Tree<D> tree;         ///< refined cells; empty where none is
+  Nodes<D> nodes;       ///< mass, momentum and force
+  Blocks<D> blocks;     ///< particles by blocks of cells
+  FieldTable particles; ///< of this rank
+  int particlesOfAllRanks = 0;            ///< where there are many
+  std::vector<BodyInfo<D>> bodies;        ///< in the order of the scene
+  View<double* [D][D]> bodyAxes;          ///< axes of the bodies, on the device
+  std::vector<std::string> materialNames; ///< in the order of their numbers
+  std::vector<Properties> materialList;   ///< on the host
+  View<Properties*> materials;            ///< the same on the device
   ThermoTables thermo; ///< how temperature acts on the materials; empty where nobody carries heat
 
-  CrackSet<D> cracks;
+  CrackSet<D> cracks;             ///< empty unless an effect cuts the body
   StencilEditor<D> editor;        ///< empty unless an effect cuts the body
   View<int*> storedRow;           ///< row of each particle in `stored`, or -1; empty without an editor
   View<int*> storedParticle;      ///< particle of each row
   ObservedPoints<D> storedPoints; ///< the particles of the rows as points
-  StencilTable<D> stored;
-  int numStored = 0;
+  StencilTable<D> stored;         ///< stencils of flagged particles
+  int numStored = 0;              ///< how many have one
 
   std::vector<NodeConstraint<D>> constraints; ///< prescribed motion at the end of this step
   View<double*> coupledReaction; ///< impulse that holds each unknown (row, axis) of coupled nodes [N s]
@@ -176,23 +176,23 @@ struct State
 
   ShortSteps shortSteps; ///< of this step
 
-  double time = 0.0;
-  double dt = 0.0;
-  long step = 0;
+  double time = 0.0;                                    ///< at the start of the step [s]
+  double dt = 0.0;                                      ///< length of the step [s]
+  long step = 0;                                        ///< steps taken
   long maximumSteps = std::numeric_limits<long>::max(); ///< the run ends after them, if not before
   double fastest = 0.0;                                 ///< largest wave speed plus particle speed [m/s]
   bool observing = false;                               ///< a sample is taken at the end of this step
   bool sorted = false;                                  ///< false: sort before the next step
   View<int*>
       indexOf; ///< index of the particle with each id, -1 where another rank has it; renewed by every sort
-  double particleSteps = 0.0;
+  double particleSteps = 0.0; ///< particles times steps, summed
 
-  EnergyLedger energy;        ///< of all ranks when a sample is taken; what is booked later is this rank's
-  EnergyLedger sampledEnergy; ///< the same as it was at the last sample
-  Vector<D> momentum;
-  HistoryRow row; ///< filled by the Observe stage
-  bool settled = false;
-  bool stopWhenSettled = false;
+  EnergyLedger energy;          ///< of all ranks when a sample is taken; what is booked later is this rank's
+  EnergyLedger sampledEnergy;   ///< the same as it was at the last sample
+  Vector<D> momentum;           ///< of all particles at the last sample [N s]
+  HistoryRow row;               ///< filled by the Observe stage
+  bool settled = false;         ///< at rest
+  bool stopWhenSettled = false; ///< the scene has the run end there
   /// Edge of the smallest cells [m].
   double smallestSpacing() const { return std::ldexp(grid.spacing, -tree.deepest); }
   int subcycledLevels = 0; ///< how many of the deepest levels take short steps of their own
@@ -204,8 +204,8 @@ struct State
   }
   /// Whether the scene has the run end here, before its final time.
   bool ended() const { return (settled && stopWhenSettled) || step >= maximumSteps; }
-  std::string trouble; ///< why the run can't go on; empty while it can
-  std::vector<std::string> warnings;
+  std::string trouble;               ///< why the run can't go on; empty while it can
+  std::vector<std::string> warnings; ///< sentences for the summary
 };
 
 /// Where the nodes of a state are, those of refined cells included.

@@ -8,8 +8,8 @@
 namespace Rhegma
 {
 
-using ExecSpace = Kokkos::DefaultExecutionSpace;
-using MemorySpace = ExecSpace::memory_space;
+using ExecSpace = Kokkos::DefaultExecutionSpace; ///< where kernels run
+using MemorySpace = ExecSpace::memory_space;     ///< where fields lie
 
 /// A view in the memory of the execution space. Rows (particles, nodes) are contiguous on every back end, so
 /// that one row is one vector load.
@@ -25,7 +25,7 @@ using BorrowedView =
 template <int D>
 struct Vector
 {
-  double c[D];
+  double c[D]; ///< the numbers
   KOKKOS_INLINE_FUNCTION double& operator[](int i) { return c[i]; }
   KOKKOS_INLINE_FUNCTION const double& operator[](int i) const { return c[i]; }
 };

@@ -19,15 +19,15 @@ class Archive;
 /// Stages of a step, in the order of MUSL. USF runs OnParticles right after Scatter.
 enum class Stage
 {
-  BetweenSteps,
-  Scatter,
-  BeforeSolve,
-  Solve,
-  AfterSolve,
-  Gather,
-  AfterProjection,
-  OnParticles,
-  Observe
+  BetweenSteps,    ///< before the length of the step is known
+  Scatter,         ///< particles to nodes
+  BeforeSolve,     ///< nodes have mass, momentum and force
+  Solve,           ///< nodes get their new velocity
+  AfterSolve,      ///< it may be changed
+  Gather,          ///< nodes to particles
+  AfterProjection, ///< nodes have the velocity that strains
+  OnParticles,     ///< strain, stress and what follows
+  Observe          ///< only in steps that end with a sample
 };
 
 /// Something that runs in a stage. Calls of one stage are ordered so that who writes a quantity runs before
@@ -36,22 +36,22 @@ enum class Stage
 template <int D>
 struct Call
 {
-  Stage stage;
-  std::string label;
-  std::vector<std::string> reads;
-  std::vector<std::string> writes;
-  std::vector<std::string> addsTo;
-  std::function<void(State<D>&)> run;
+  Stage stage;                        ///< when it runs
+  std::string label;                  ///< for plan and timings
+  std::vector<std::string> reads;     ///< quantities
+  std::vector<std::string> writes;    ///< quantities
+  std::vector<std::string> addsTo;    ///< quantities
+  std::function<void(State<D>&)> run; ///< what it does
 };
 
 /// An effect of a scene, or a part of the core.
 template <int D>
 struct Effect
 {
-  std::string name;
-  std::vector<Field> adds;        ///< particle fields that it brings
-  std::vector<std::string> needs; ///< particle fields that somebody else must bring
-  std::vector<Call<D>> calls;
+  std::string name;                       ///< its section's
+  std::vector<Field> adds;                ///< particle fields that it brings
+  std::vector<std::string> needs;         ///< particle fields that somebody else must bring
+  std::vector<Call<D>> calls;             ///< of all stages
   std::function<void(State<D>&)> atStart; ///< once, when all fields exist and particles are seeded
   std::function<void(const State<D>&, nlohmann::json&)> report; ///< adds to summary.json
 
@@ -62,7 +62,7 @@ struct Effect
   /// leaves all as it was when it was saved.
   std::function<void(State<D>&, Archive&)> memory;
 
-  void call(Call<D> c) { calls.push_back(std::move(c)); }
+  void call(Call<D> c) { calls.push_back(std::move(c)); } ///< adds to `calls`
 };
 
 /// What the registry knows of an effect: its section, and how to make it for each dimension.
@@ -70,8 +70,8 @@ struct EffectEntry
 {
   Section section;  ///< its schema; the section's name is the effect's name
   CrossCheck check; ///< what no single parameter can show wrong; may be empty
-  std::function<Effect<2>(const Teuchos::ParameterList& scene)> make2;
-  std::function<Effect<3>(const Teuchos::ParameterList& scene)> make3;
+  std::function<Effect<2>(const Teuchos::ParameterList& scene)> make2; ///< 2D
+  std::function<Effect<3>(const Teuchos::ParameterList& scene)> make3; ///< 3D
   bool onRanks = false; ///< whether it works on more than one rank
   /// Whether a scene that has it leaves the motion out (State::mechanics); empty: never.
   std::function<bool(const Teuchos::ParameterList& scene)> withoutMechanics{};
