@@ -40,4 +40,14 @@ CrackMesh<2> readPolyline(const Teuchos::ParameterList& list, const std::string&
 CrackMesh<3> readPolygon(const Teuchos::ParameterList& list, const std::string& where,
                          const MaterialPlaces<3>& material, double spacing);
 
+/// The same for a disk or an ellipse by its centre, normal and radii. Its rim is a polygon with edges of
+/// about a cell and the area of the ellipse.
+CrackMesh<3> readDisk(const Teuchos::ParameterList& list, const std::string& where,
+                      const MaterialPlaces<3>& material, double spacing);
+
+/// The same for a surface from a file (SurfaceFile.hpp), which may be curved: points closer than a thousandth
+/// of a cell are made one, triangles get one orientation and edges of about a cell.
+CrackMesh<3> readSurface(const Teuchos::ParameterList& list, const std::string& where,
+                         const MaterialPlaces<3>& material, double spacing);
+
 } // namespace Rhegma::cracks

@@ -23,6 +23,10 @@ CrackMesh<D> readCrack(const Teuchos::ParameterList& list, const std::string& na
 {
   if constexpr (D == 2)
     return readPolyline(list, "Cracks > " + name + " > Points", material, spacing);
+  else if (list.isParameter("Surface File"))
+    return readSurface(list, "Cracks > " + name, material, spacing);
+  else if (list.isParameter("Radius"))
+    return readDisk(list, "Cracks > " + name, material, spacing);
   else
     return readPolygon(list, "Cracks > " + name, material, spacing);
 }

@@ -6,7 +6,8 @@
 namespace Rhegma::cracks
 {
 
-/// Reads the cracks of a scene into state.cracks: polylines in 2D, planar polygons in 3D (CrackMesh.hpp).
+/// Reads the cracks of a scene into state.cracks: polylines in 2D, polygons, disks and surfaces from
+/// files in 3D (CrackMesh.hpp).
 ///
 /// Throws std::invalid_argument, with the section's path, for a crack that is wrong in itself or comes closer
 /// than three cells to another.

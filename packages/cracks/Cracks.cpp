@@ -13,6 +13,7 @@
 #include "cracks/Opening.hpp"
 #include "cracks/Overlap.hpp"
 #include "cracks/Sides.hpp"
+#include "cracks/SurfaceGrowth.hpp"
 #include "cracks/Visibility.hpp"
 #include "scene/ReadList.hpp"
 
@@ -38,9 +39,42 @@ Section section()
       .meaning("Dual Field only: springs between the two fields of nodes less than a cell behind a front, so "
                "that the crack of the cells ends where its front is, and not at the next column of nodes.");
   Section crack("crack", "One crack; its own name is up to you.");
-  crack.realArray("Points").unit("m").perPoint(2).meaning(
-      "In 2D the crack as a polyline, point after point; in 3D the corners of a flat polygon, convex or not, "
-      "in order around it, at least three. What lies outside of the body is cut off.");
+  crack.realArray("Points")
+      .unit("m")
+      .perPoint(2)
+      .optional("in 3D Radius or Surface File")
+      .meaning(
+          "In 2D the crack as a polyline, point after point; in 3D the corners of a flat polygon, convex or "
+          "not, in order around it, at least three. What lies outside of the body is cut off.");
+  crack.realArray("Centre").unit("m").perAxis().optional().onlyIn(3).meaning(
+      "Middle of a crack that is a disk or an ellipse.");
+  crack.realArray("Normal").perAxis().optional().onlyIn(3).meaning(
+      "Direction normal to the disk, of any length, from its side -1 to its side +1.");
+  crack.real("Radius")
+      .unit("m")
+      .positive()
+      .optional("Points or Surface File")
+      .onlyIn(3)
+      .meaning("Radius of the disk, or one of the two of an ellipse.");
+  crack.real("Second Radius")
+      .unit("m")
+      .positive()
+      .optional("Radius")
+      .onlyIn(3)
+      .meaning("The other radius of an ellipse, normal to Radius Direction.");
+  crack.realArray("Radius Direction")
+      .perAxis()
+      .optional("the axis that Normal is furthest from")
+      .onlyIn(3)
+      .meaning("Direction of Radius; what is normal to the plane of the crack is left out.");
+  crack.text("Surface File")
+      .notEmpty()
+      .optional("Points or Radius")
+      .onlyIn(3)
+      .meaning(
+          "An STL (ascii or binary) or OBJ file with the crack as a surface of triangles, curved or not, in "
+          "metres; its path is relative to the scene. Its border is its front where there is material "
+          "ahead.");
   crack.choice("Fronts", {"Automatic", "First", "Last", "Both", "None"})
       .byDefault("Automatic")
       .onlyIn(2)
@@ -55,12 +89,56 @@ Section section()
   return s;
 }
 
+/// A crack has one shape, and all that belongs to it.
+void checkShape(const Teuchos::ParameterList& crack, const std::string& where, bool flat,
+                std::vector<SceneError>& errors)
+{
+  const auto has = [&](const char* name) { return crack.isParameter(name); };
+  const int shapes = (has("Points") ? 1 : 0) + (has("Radius") ? 1 : 0) + (has("Surface File") ? 1 : 0);
+  if (shapes == 0 && flat)
+    errors.push_back({where + " > Points", "is missing; write the crack as a polyline, point after point"});
+  else if (shapes == 0)
+    errors.push_back({where + " > Points",
+                      "is missing; write the corners of a polygon, or Centre, Normal and Radius of a disk, "
+                      "or a Surface File"});
+  else if (shapes > 1)
+    errors.push_back({where, "it has more than one shape; keep one of Points, Radius and Surface File"});
+  if (shapes == 0)
+    return;
+  for (const char* name : {"Centre", "Normal"})
+    if (has("Radius") && !has(name))
+      errors.push_back({where + " > " + name, "is missing; a disk has Centre, Normal and Radius"});
+  for (const char* name : {"Centre", "Normal", "Second Radius", "Radius Direction"})
+    if (!has("Radius") && has(name))
+      errors.push_back({where + " > " + name, "belongs to a disk; write its Radius too, or leave this out"});
+  if (has("Front Edges") && !has("Points"))
+    errors.push_back({where + " > Front Edges", "is for polygons, which have Points; leave it out"});
+}
+
+void checkShapes(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
+{
+  if (!scene.isSublist("Cracks") || !scene.isSublist("Domain") ||
+      !scene.sublist("Domain").isType<int>("Dimension"))
+    return;
+  const bool flat = scene.sublist("Domain").get<int>("Dimension") == 2;
+  for (const std::string& name : sublistNames(scene.sublist("Cracks")))
+  {
+    const std::string where = "Cracks > " + name;
+    bool wrong = false; // then what follows from it says nothing
+    for (const SceneError& error : errors)
+      wrong = wrong || error.where.rfind(where + " > ", 0) == 0;
+    if (!wrong)
+      checkShape(scene.sublist("Cracks").sublist(name), where, flat, errors);
+  }
+}
+
 void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
   if (scene.isSublist("Cracks") && sublistNames(scene.sublist("Cracks")).empty())
     errors.push_back({"Cracks",
                       "the section holds no crack; write one as <ParameterList name=\"...\"> or leave "
                       "the section out"});
+  checkShapes(scene, errors);
   if (!scene.isSublist("Cracks") || !scene.isSublist("Domain") ||
       !scene.sublist("Domain").isType<int>("Dimension") || scene.sublist("Domain").get<int>("Dimension") != 3)
     return;
@@ -120,11 +198,16 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     state.editor.edit = [=](const State<D>& s, const ObservedPoints<D>& points, const StencilTable<D>& table)
     { editStencils(s, formulation, *ghosts, points, table); };
   };
-  const bool grows = D == 2 && scene.isSublist("Propagation");
+  const bool grows = scene.isSublist("Propagation");
   const auto ties = std::make_shared<FrontTies<D>>(grows);
+  const auto surface = std::make_shared<SurfaceGrowth>();
+  ties->follow(surface);
   effect.memory = [=](State<D>& state, Archive& archive)
   {
     archive("steps", surroundings->stamp);
+    if constexpr (D == 3)
+      if (grows)
+        surface->keep(state, archive);
     keepCracks(state, archive);
     const Archive::Group group(archive, "ties");
     if (tied)
@@ -156,14 +239,19 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  {},
                  [ties](State<D>& s) { ties->advance(s); }});
   }
-  if constexpr (D == 2)
-    if (grows)
-      effect.call({Stage::BetweenSteps,
-                   "cracks grow",
-                   {"advances of fronts"},
-                   {"crack geometry"},
-                   {},
-                   [](State<2>& s) { growCracks(s); }});
+  if (grows)
+    effect.call({Stage::BetweenSteps,
+                 "cracks grow",
+                 {"advances of fronts"},
+                 {"crack geometry"},
+                 {},
+                 [surface](State<D>& s)
+                 {
+                   if constexpr (D == 2)
+                     growCracks(s);
+                   else
+                     surface->grow(s);
+                 }});
   effect.call({Stage::Gather,
                "cracks move",
                {"nodal motion"},

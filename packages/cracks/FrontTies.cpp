@@ -2,6 +2,8 @@
 
 #include "checkpoint/Archive.hpp"
 #include "checkpoint/NodeNames.hpp"
+#include "cracks/HoldingForce.hpp"
+#include "cracks/SurfaceRelease.hpp"
 #include "material/MaterialTable.hpp"
 #include "parallel/Subdomain.hpp"
 #include "state/FewItems.hpp"
@@ -22,20 +24,6 @@ namespace
 constexpr double factor = 0.1;  ///< of E'
 constexpr double offset = 0.05; ///< [cells]
 
-/// Share of mass / dt^2 that the stiffness may have: an explicit step of two masses on a spring is stable up
-/// to 4, of which the material needs its part.
-constexpr double stable = 1.0;
-
-/// Sign of a node's own field.
-KOKKOS_INLINE_FUNCTION double signOf(int side) { return side > 0 ? 1.0 : -1.0; }
-
-/// The first level of cells whose nodes take steps of their own.
-template <int D>
-int firstOfShortSteps(const State<D>& state)
-{
-  return state.tree.deepest - std::min(state.subcycledLevels, state.tree.deepest) + 1;
-}
-
 /// Force of a tie on its node's own field along an axis [N]. \param cohesive rows of cohesion, or none
 /// \param sign of the node's side
 template <int D>
@@ -46,36 +34,6 @@ KOKKOS_INLINE_FUNCTION double pullOf(const View<double * [D + 1]>& tie, const Vi
   const double from = shifted ? cohesive(own, cohesion::shift + axis) : 0.0;
   return -sign * tie(own, D) * (jump(own, axis) + from);
 }
-
-/// The force with which side +1 would be held to side -1 [N], so that both fields of the i-th node with two
-/// get one acceleration; without what pushes the faces apart.
-template <int D>
-struct HoldingForce
-{
-  Nodes<D> nodes;
-  View<int*> side;
-  View<double* [D]> normal;
-  View<std::uint64_t*> nearest;
-  View<double* [D]> whole; ///< forces of all ranks on nodes; empty where there is one rank
-
-  KOKKOS_INLINE_FUNCTION Vector<D> operator()(int i) const
-  {
-    const int own = nodes.parent(i), other = nodes.numLattice + i;
-    const double a = nodes.sums(own, Nodes<D>::massAt), b = nodes.sums(other, Nodes<D>::massAt);
-    const int s = simplexOf(nearest(own));
-    Vector<D> force, n;
-    for (int d = 0; d < D; ++d)
-    {
-      const bool ranks = whole.extent(0) > 0;
-      const double f = ranks ? whole(own, d) : nodes.sums(own, Nodes<D>::forceAt + d),
-                   g = ranks ? whole(other, d) : nodes.sums(other, Nodes<D>::forceAt + d);
-      force[d] = signOf(side(own)) * (f * b - g * a) / (a + b);
-      n[d] = normal(s, d);
-    }
-    const double across = dot(force, n);
-    return across < 0.0 ? force - across * n : force;
-  }
-};
 
 /// The front of a crack that is nearest to a place, or -1 if that has not grown.
 template <int D>
@@ -461,7 +419,10 @@ void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
             sum += cohesive(own, cohesion::peak) * cohesive(own, cohesion::range);
         });
     sumParts(state, &owed, 1);
-    debt_[f] += owed;
+    if constexpr (D == 2)
+      debt_[f] += owed;
+    else
+      state.cracks.fronts[f].unspent -= owed;
   }
 }
 
@@ -536,8 +497,14 @@ void FrontTies<D>::release(State<D>& state, const Surroundings& surroundings)
   maxParts(state, &waiting, 1);
   if (waiting == 0.0)
     return;
-  const Nodes<D> nodes = state.nodes;
   const View<double* [D]> whole = forcesOfAllRanks(state);
+  if constexpr (D == 3)
+  {
+    releaseBehind(*surface_, state, surroundings, whole, jump_, cohesion_);
+    waiting_ = 0;
+    return;
+  }
+  const Nodes<D> nodes = state.nodes;
   const View<int*> side = state.cracks.nodeSide;
   const View<double*[D]> jump = jump_, normal = state.cracks.normal;
   const View<std::uint64_t*> nearest = surroundings.nearest;

@@ -5,6 +5,10 @@
 #include "cracks/Sides.hpp"
 #include "state/State.hpp"
 
+#include <memory>
+#include <utility>
+#include <vector>
+
 namespace Rhegma
 {
 class Archive;
@@ -12,6 +16,8 @@ class Archive;
 
 namespace Rhegma::cracks
 {
+
+class SurfaceGrowth;
 
 /// Ties of the dual field.
 ///
@@ -43,6 +49,9 @@ class FrontTies
 public:
   /// \param grows whether fronts may grow
   explicit FrontTies(bool grows) : grows_(grows) {}
+
+  /// Tells what 3D fronts do; needed before `release` where they grow.
+  void follow(std::shared_ptr<const SurfaceGrowth> surface) { surface_ = std::move(surface); }
 
   /// Finds the ties of this step, once nodes have masses, and leaves their stiffness in state.cracks.tie.
   void prepare(State<D>& state, const Surroundings& surroundings);
@@ -77,6 +86,7 @@ private:
   void moveToNewNodes(State<D>& state);
 
   bool grows_;
+  std::shared_ptr<const SurfaceGrowth> surface_;
   std::vector<double> debt_; ///< energy that softened ties of each front take instead of its new faces [J]
   int waiting_ = 0;          ///< nodes that wait for `release`
   View<double * [D + 4]> cohesion_; ///< of each lattice node (Cohesion.hpp); empty unless fronts may grow

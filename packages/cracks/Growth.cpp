@@ -286,11 +286,12 @@ void growCracks(State<2>& state)
 namespace
 {
 
-void keepFronts(CrackSet<2>& set, Archive& archive)
+template <int D>
+void keepFronts(CrackSet<D>& set, Archive& archive)
 {
   for (std::size_t f = 0; f < set.fronts.size(); ++f)
   {
-    CrackFront<2>& front = set.fronts[f];
+    CrackFront<D>& front = set.fronts[f];
     const Archive::Group group(archive, "front " + std::to_string(f));
     archive("vertex", front.vertex);
     archive("direction", front.direction); // those of a front that has ended are found no more
@@ -347,6 +348,8 @@ void keepCracks(State<D>& state, Archive& archive)
 {
   if constexpr (D == 2)
     keepChains(state, archive);
+  else
+    keepFronts(state.cracks, archive);
   archive("vertex", state.cracks.vertex);
   archive("face", state.cracks.face);
   archive("near_front", state.cracks.nearFront);

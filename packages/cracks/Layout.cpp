@@ -5,6 +5,8 @@
 #include "cracks/FrontPieces.hpp"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 namespace Rhegma::cracks
 {
@@ -130,24 +132,53 @@ void listStars(CrackSet<D>& set)
   Kokkos::deep_copy(set.star, star);
 }
 
-/// Gives a front its stations where it has none yet, in the order of its pieces.
-void placeStations(CrackFront<3>& front, int firstVertex, const CrackMesh<3>& mesh,
-                   const std::vector<Piece>& along)
+/// The pieces of a front whose stations are given, by vertices of its crack.
+std::vector<Piece> piecesOf(const CrackFront<3>& front, const CrackMesh<3>& mesh)
 {
-  const auto station = [&](const Piece& piece, int end, int facet)
+  std::map<std::pair<int, int>, Piece> border;
+  for (std::size_t s = 0; s < mesh.simplices.size(); ++s)
+    for (int i = 0; i < 3; ++i)
+      if (mesh.beyond[s][i] == facet::front)
+        border[{mesh.simplices[s][(i + 1) % 3], mesh.simplices[s][(i + 2) % 3]}] = {static_cast<int>(s), i};
+  std::vector<Piece> pieces;
+  for (std::size_t k = 0; k < front.stations.size(); ++k)
   {
-    FrontStation<3> added;
-    added.vertex = firstVertex + mesh.simplices[piece.simplex][(piece.facet + end) % 3];
-    added.name = static_cast<int>(front.stations.size());
-    added.facet = facet;
-    front.stations.push_back(added);
+    const FrontStation<3>& next = front.stations[k + 1 < front.stations.size() ? k + 1 : 0];
+    if (front.stations[k].facet >= 0)
+      pieces.push_back(border.at({front.stations[k].vertex, next.vertex}));
+  }
+  return pieces;
+}
+
+/// The stations of a front from its pieces, which are one line, by vertices of its crack.
+std::vector<FrontStation<3>> stationsOf(const CrackMesh<3>& mesh, const std::vector<Piece>& pieces)
+{
+  std::vector<FrontStation<3>> stations;
+  const auto add = [&](const Piece& piece, int end, int facet)
+  {
+    FrontStation<3> station;
+    station.vertex = mesh.simplices[piece.simplex][(piece.facet + end) % 3];
+    station.name = static_cast<int>(stations.size());
+    station.facet = facet;
+    stations.push_back(station);
   };
-  front.stations.clear();
-  for (std::size_t k = 0; k < along.size(); ++k)
-    station(along[k], 1, front.firstFacet + static_cast<int>(k));
-  station(along.back(), 2, -1);
-  if (front.stations.back().vertex == front.stations.front().vertex)
-    front.stations.pop_back();
+  for (const Piece& piece : pieces)
+    add(piece, 1, 0);
+  add(pieces.back(), 2, -1);
+  if (stations.back().vertex == stations.front().vertex)
+    stations.pop_back();
+  return stations;
+}
+
+/// Gives the stations of a front their numbers in the set.
+void numberStations(CrackFront<3>& front, int firstVertex)
+{
+  int facet = front.firstFacet;
+  for (FrontStation<3>& station : front.stations)
+  {
+    station.vertex += firstVertex;
+    station.facet = station.facet >= 0 ? facet++ : -1;
+  }
 }
 
 /// Gives the fronts of a crack their pieces. \return the pieces, in the set's numbering
@@ -166,12 +197,19 @@ std::vector<Piece> placeFronts(CrackSet<D>& set, const std::vector<CrackMesh<D>>
     front.numFacets = 0;
     if (front.ended)
       continue;
-    const std::vector<Piece>& along = fronts[front.crack][next[front.crack]++];
+    std::vector<Piece> along;
+    if (D == 2 || front.stations.empty())
+      along = fronts[front.crack][next[front.crack]++];
     const Crack<D>& crack = set.cracks[front.crack];
+    if constexpr (D == 3)
+    {
+      if (front.stations.empty())
+        front.stations = stationsOf(meshes[front.crack], along);
+      along = piecesOf(front, meshes[front.crack]);
+      numberStations(front, crack.firstVertex);
+    }
     front.vertex = crack.firstVertex + middleVertex(meshes[front.crack], along);
     front.numFacets = static_cast<int>(along.size());
-    if constexpr (D == 3)
-      placeStations(front, crack.firstVertex, meshes[front.crack], along);
     for (const Piece& piece : along)
       pieces.push_back({crack.firstSimplex + piece.simplex, piece.facet});
   }

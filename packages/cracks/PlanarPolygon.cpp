@@ -1,3 +1,4 @@
+#include "cracks/Border.hpp"
 #include "cracks/CrackMesh.hpp"
 #include "cracks/Triangulation.hpp"
 #include "geometry/Cross.hpp"
@@ -53,6 +54,16 @@ std::vector<Vector<3>> readCorners(const Teuchos::ParameterList& list, const std
   return points;
 }
 
+/// What lies outside of the bodies is cut off later; a unit or an exponent that is wrong would make too many
+/// triangles.
+void refuseLarge(double area, const std::string& where, double spacing)
+{
+  const double cells = area / (spacing * spacing);
+  if (!(cells <= mostCells))
+    throw std::invalid_argument(where + ": the crack covers " + formatReal(cells) +
+                                " cells; write its points in metres, not far outside of the body");
+}
+
 /// The plane of the polygon; its normal is that from which the points go round anticlockwise (Newell's sum).
 OwnPlane planeOf(const std::vector<Vector<3>>& points, const std::string& where, double spacing)
 {
@@ -66,12 +77,7 @@ OwnPlane planeOf(const std::vector<Vector<3>>& points, const std::string& where,
   }
   if (norm(area) < 1e-6 * longest * longest)
     throw std::invalid_argument(where + ": the polygon has no area; give points that go round one");
-  // What lies outside of the bodies is cut off later; a unit or an exponent that is wrong would make too many
-  // triangles.
-  const double cells = norm(area) / (spacing * spacing);
-  if (!(cells <= mostCells))
-    throw std::invalid_argument(where + ": the polygon covers " + formatReal(cells) +
-                                " cells; write its points in metres, not far outside of the body");
+  refuseLarge(norm(area), where, spacing);
   OwnPlane plane;
   plane.origin = middle;
   plane.normal = (1.0 / norm(area)) * area;
@@ -122,6 +128,23 @@ std::vector<bool> readFrontEdges(const Teuchos::ParameterList& list, const std::
   return chosen;
 }
 
+/// Triangles over an outline in a plane, cut to the bodies.
+CrackMesh<3> meshPlane(const OwnPlane& plane, const std::vector<Vector<2>>& outline, const std::string& where,
+                       const KindOfBorder& kindOf, const MaterialPlaces<3>& material, double spacing)
+{
+  const Triangulation flat = cutToRegion(triangulate(outline, spacing),
+                                         [&](const Vector<2>& x) { return material.fills(plane.space(x)); });
+  if (flat.triangles.empty())
+    throw std::invalid_argument(where +
+                                ": the crack lies outside of all bodies; give points inside one of them");
+  CrackMesh<3> mesh;
+  for (const Vector<2>& x : flat.points)
+    mesh.vertices.push_back(plane.space(x));
+  mesh.simplices = flat.triangles;
+  markBorder(mesh, kindOf, material, spacing);
+  return mesh;
+}
+
 } // namespace
 
 CrackMesh<3> readPolygon(const Teuchos::ParameterList& list, const std::string& where,
@@ -139,33 +162,65 @@ CrackMesh<3> readPolygon(const Teuchos::ParameterList& list, const std::string& 
                                 " and " + number(crossing[1]) +
                                 " cross or touch; list the points in order around the polygon");
   const std::vector<bool> chosen = readFrontEdges(list, where + " > Front Edges", corners.size());
-  const Triangulation flat = cutToRegion(triangulate(outline, spacing),
-                                         [&](const Vector<2>& x) { return material.fills(plane.space(x)); });
-  if (flat.triangles.empty())
-    throw std::invalid_argument(
-        where + " > Points: the crack lies outside of all bodies; give points inside one of them");
-  CrackMesh<3> mesh;
-  for (const Vector<2>& x : flat.points)
-    mesh.vertices.push_back(plane.space(x));
-  mesh.simplices = flat.triangles;
-  mesh.beyond = findNeighbours(flat.triangles);
-  for (std::size_t t = 0; t < flat.triangles.size(); ++t)
-    for (int i = 0; i < 3; ++i)
-      if (mesh.beyond[t][i] < 0)
-      {
-        const Vector<2>& a = flat.points[flat.triangles[t][(i + 1) % 3]];
-        const Vector<2>& b = flat.points[flat.triangles[t][(i + 2) % 3]];
-        const Vector<2> middle = 0.5 * (a + b);
-        const Vector<2> outwards = (1.0 / norm(b - a)) * Vector<2>{b[1] - a[1], a[0] - b[0]};
-        const int edge = edgeAt(outline, middle, 1e-6 * spacing);
-        bool front = edge >= 0 && (chosen.empty() || chosen[edge]);
-        // As in 2D: a front has a cell of material ahead of it.
-        if (chosen.empty())
-          for (const double step : {0.25, 0.5, 0.75, 1.0})
-            front = front && material.fills(plane.space(middle + (step * spacing) * outwards));
-        mesh.beyond[t][i] = front ? facet::front : facet::mouth;
-      }
-  return mesh;
+  const auto kindOf = [&](const Vector<3>& middle)
+  {
+    const int edge = edgeAt(outline, plane.own(middle), 1e-6 * spacing);
+    if (edge < 0 || (!chosen.empty() && !chosen[edge]))
+      return BorderKind::Mouth;
+    return chosen.empty() ? BorderKind::FrontIfMaterialAhead : BorderKind::Front;
+  };
+  return meshPlane(plane, outline, where + " > Points", kindOf, material, spacing);
+}
+
+CrackMesh<3> readDisk(const Teuchos::ParameterList& list, const std::string& where,
+                      const MaterialPlaces<3>& material, double spacing)
+{
+  const auto vector = [&](const char* name)
+  {
+    const auto values = list.get<Teuchos::Array<double>>(name);
+    return Vector<3>{values[0], values[1], values[2]};
+  };
+  OwnPlane plane;
+  plane.origin = vector("Centre");
+  plane.normal = vector("Normal");
+  if (!(norm(plane.normal) > 0.0))
+    throw std::invalid_argument(where + " > Normal: it has no length; write a direction such as {0, 0, 1}");
+  plane.normal = (1.0 / norm(plane.normal)) * plane.normal;
+  const double radius = list.get<double>("Radius");
+  const double other = list.isParameter("Second Radius") ? list.get<double>("Second Radius") : radius;
+  Vector<3> along{0.0, 0.0, 0.0};
+  if (list.isParameter("Radius Direction"))
+    along = vector("Radius Direction");
+  else
+  {
+    int steepest = 0; // the axis that the normal is furthest from being along
+    for (int d = 1; d < 3; ++d)
+      steepest = std::abs(plane.normal[d]) < std::abs(plane.normal[steepest]) - 1e-9 ? d : steepest;
+    along[steepest] = 1.0;
+  }
+  along = along - dot(along, plane.normal) * plane.normal;
+  if (!(norm(along) > 1e-6))
+    throw std::invalid_argument(where + " > Radius Direction: it runs along Normal; write a direction in the "
+                                        "plane of the crack");
+  plane.a = (1.0 / norm(along)) * along;
+  plane.b = cross(plane.normal, plane.a);
+  const double pi = std::acos(-1.0), perimeter = pi * (radius + other);
+  refuseLarge(pi * radius * other, where + " > Radius", spacing);
+  const int corners = std::max(12, static_cast<int>(std::ceil(perimeter / spacing)));
+  // As large as the ellipse.
+  const double stretch = std::sqrt(2.0 * pi / corners / std::sin(2.0 * pi / corners));
+  std::vector<Vector<2>> outline;
+  for (int k = 0; k < corners; ++k)
+  {
+    const double angle = 2.0 * pi * k / corners;
+    outline.push_back({stretch * radius * std::cos(angle), stretch * other * std::sin(angle)});
+  }
+  const auto kindOf = [&](const Vector<3>& middle)
+  {
+    return edgeAt(outline, plane.own(middle), 1e-6 * spacing) >= 0 ? BorderKind::FrontIfMaterialAhead
+                                                                   : BorderKind::Mouth;
+  };
+  return meshPlane(plane, outline, where, kindOf, material, spacing);
 }
 
 } // namespace Rhegma::cracks

@@ -1,5 +1,7 @@
 #include "cracks/Triangulation.hpp"
 
+#include "cracks/CutTriangles.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -244,97 +246,10 @@ Triangulation triangulate(const std::vector<Vector<2>>& outline, double spacing)
 
 Triangulation cutToRegion(const Triangulation& whole, const std::function<bool(const Vector<2>&)>& isIn)
 {
-  enum Place
-  {
-    Outside,
-    OnBorder,
-    Inside
-  };
-  constexpr double near = 0.3; // part of an edge within which its end moves onto the border
-  Triangulation cut;
-  cut.points = whole.points;
-  std::vector<Place> place;
-  for (const Vector<2>& x : whole.points)
-    place.push_back(isIn(x) ? Inside : Outside);
-  const std::vector<Place> before = place;
-  const auto crossing = [&](int in, int out)
-  {
-    Vector<2> a = whole.points[in], b = whole.points[out];
-    for (int halving = 0; halving < 10; ++halving)
-    {
-      const Vector<2> middle = 0.5 * (a + b);
-      (isIn(middle) ? a : b) = middle;
-    }
-    return a;
-  };
-  std::map<std::pair<int, int>, Vector<2>> crossings; // of edges (inner end, outer end)
-  std::vector<double> moved(place.size(), 1e300);
-  for (const Triangle& t : whole.triangles)
-    for (int i = 0; i < 3; ++i)
-      for (const auto& [in, out] :
-           {std::make_pair(t[i], t[(i + 1) % 3]), std::make_pair(t[(i + 1) % 3], t[i])})
-        if (before[in] == Inside && before[out] == Outside && crossings.count({in, out}) == 0)
-        {
-          const Vector<2> x = crossing(in, out);
-          crossings[{in, out}] = x;
-          const double length = norm(whole.points[out] - whole.points[in]);
-          for (const int end : {in, out})
-          {
-            const double way = norm(x - whole.points[end]);
-            if (way < near * length && way < moved[end])
-            {
-              moved[end] = way;
-              cut.points[end] = x;
-              place[end] = OnBorder;
-            }
-          }
-        }
-  std::map<std::pair<int, int>, int> added;
-  const auto between = [&](int in, int out)
-  {
-    const auto [entry, isNew] = added.insert({{in, out}, static_cast<int>(cut.points.size())});
-    if (isNew)
-      cut.points.push_back(crossings.at({in, out}));
-    return entry->second;
-  };
-  for (const Triangle& t : whole.triangles)
-  {
-    // The polygon that is left of the triangle, corner by corner.
-    std::vector<int> left;
-    bool inside = false;
-    for (int i = 0; i < 3; ++i)
-    {
-      const int a = t[i], b = t[(i + 1) % 3];
-      inside = inside || place[a] == Inside;
-      if (place[a] != Outside)
-        left.push_back(a);
-      if (place[a] == Inside && place[b] == Outside)
-        left.push_back(between(a, b));
-      if (place[a] == Outside && place[b] == Inside)
-        left.push_back(between(b, a));
-    }
-    if (!inside && left.size() == 3)
-      inside = isIn((1.0 / 3.0) * (whole.points[t[0]] + whole.points[t[1]] + whole.points[t[2]]));
-    for (std::size_t k = 2; inside && k < left.size(); ++k)
-      if (doubleArea(cut.points[left[0]], cut.points[left[k - 1]], cut.points[left[k]]) > 0.0)
-        cut.triangles.push_back({left[0], left[k - 1], left[k]});
-  }
+  Triangulation cut = whole;
+  cutTriangles<2>(cut.points, cut.triangles, isIn);
   for (int round = 0; round < 3; ++round)
     fillCorners(cut, whole, isIn);
-  // Points that no triangle uses any more.
-  std::vector<int> number(cut.points.size(), -1);
-  Points used;
-  for (Triangle& t : cut.triangles)
-    for (int& v : t)
-    {
-      if (number[v] < 0)
-      {
-        number[v] = static_cast<int>(used.size());
-        used.push_back(cut.points[v]);
-      }
-      v = number[v];
-    }
-  cut.points = used;
   return cut;
 }
 

@@ -68,16 +68,13 @@ double energyReleaseAngle(double modeI, double modeII)
   return sign * 0.5 * (low + high);
 }
 
-Vector<2> nextDirection(const CrackFront<2>& front, DirectionRule rule)
+double turningAngle(const DrivingForce& driving, DirectionRule rule)
 {
-  const DrivingForce& driving = front.driving;
-  double angle = 0.0;
   if (rule == DirectionRule::HoopStress)
-    angle = driving.hoopAngle;
-  else if (rule == DirectionRule::EnergyRelease)
-    angle = energyReleaseAngle(std::max(driving.modeI, 0.0), driving.modeII);
-  const Vector<2> direction = std::cos(angle) * front.direction + std::sin(angle) * front.normal;
-  return (1.0 / norm(direction)) * direction;
+    return driving.hoopAngle;
+  if (rule == DirectionRule::EnergyRelease)
+    return energyReleaseAngle(std::max(driving.modeI, 0.0), driving.modeII);
+  return 0.0;
 }
 
 } // namespace Rhegma::propagation

@@ -3,6 +3,8 @@
 
 #include "state/CrackSet.hpp"
 
+#include <cmath>
+
 namespace Rhegma::propagation
 {
 
@@ -22,7 +24,24 @@ enum class DirectionRule
 /// degrees.
 double energyReleaseAngle(double modeI, double modeII);
 
-/// Unit vector in which a front advances.
-Vector<2> nextDirection(const CrackFront<2>& front, DirectionRule rule);
+/// Angle by which a front turns, from its direction towards its normal [rad]. Of the three modes the third
+/// turns nothing: it would twist a front, which no smooth surface can follow.
+double turningAngle(const DrivingForce& driving, DirectionRule rule);
+
+/// The unit vector at an angle from a direction towards a normal.
+template <int D>
+Vector<D> turned(const Vector<D>& direction, const Vector<D>& normal, double angle)
+{
+  const Vector<D> to = std::cos(angle) * direction + std::sin(angle) * normal;
+  return (1.0 / norm(to)) * to;
+}
+
+/// Unit vector in which a front advances that has this direction and normal.
+template <int D>
+Vector<D> nextDirection(const DrivingForce& driving, const Vector<D>& direction, const Vector<D>& normal,
+                        DirectionRule rule)
+{
+  return turned(direction, normal, turningAngle(driving, rule));
+}
 
 } // namespace Rhegma::propagation

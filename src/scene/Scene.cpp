@@ -6,6 +6,8 @@
 #include "scene/Validation.hpp"
 
 #include <exception>
+#include <filesystem>
+#include <string>
 
 namespace Rhegma
 {
@@ -30,6 +32,21 @@ void validateInPlace(Teuchos::ParameterList& list, const SceneSchema& schema, st
       if (errors.empty()) // else it missed an entry that is reported as wrong
         throw;
     }
+}
+
+/// A text whose name ends in File is a path relative to the folder of the scene.
+void placeFiles(Teuchos::ParameterList& list, const std::filesystem::path& folder)
+{
+  const std::string mark = " File";
+  for (auto entry = list.begin(); entry != list.end(); ++entry)
+  {
+    const std::string name = list.name(entry);
+    if (list.isSublist(name))
+      placeFiles(list.sublist(name), folder);
+    else if (list.isType<std::string>(name) && name.size() > mark.size() &&
+             name.compare(name.size() - mark.size(), mark.size(), mark) == 0)
+      list.set(name, (folder / list.get<std::string>(name)).string());
+  }
 }
 
 } // namespace
@@ -61,7 +78,12 @@ SceneResult readScene(const std::string& file, const std::vector<std::string>& o
 {
   SceneResult result;
   const std::string xml = readText(file, result.errors);
-  return result.errors.empty() ? readSceneText(xml, overrides, schema) : result;
+  if (!result.errors.empty())
+    return result;
+  result = readSceneText(xml, overrides, schema);
+  if (!result.list.is_null())
+    placeFiles(*result.list, std::filesystem::path(file).parent_path());
+  return result;
 }
 
 } // namespace Rhegma

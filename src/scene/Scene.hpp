@@ -22,7 +22,8 @@ struct SceneResult
 };
 
 /// Reads and validates a scene; collects every mistake instead of stopping at the first, and never throws for
-/// one.
+/// one. A text whose name ends in " File" is a path relative to the scene's folder, and is made one that
+/// holds where the program runs.
 ///
 /// \param overrides  "Section:Sub:Parameter=value", applied in order before the scene is validated
 SceneResult readScene(const std::string& file, const std::vector<std::string>& overrides,

@@ -1,0 +1,397 @@
+#include "cracks/SurfaceGrowth.hpp"
+
+#include "cracks/CrackFrames.hpp"
+#include "cracks/CrackGeometry.hpp"
+#include "cracks/Layout.hpp"
+#include "cracks/RoomAhead.hpp"
+#include "scene/Numbers.hpp"
+#include "transfer/LocalSpacing.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace Rhegma::cracks
+{
+
+namespace
+{
+
+/// Lengths in cells.
+constexpr double leastLigament = 0.5; ///< a station that has less ahead of it runs on to the surface
+constexpr double longestPiece = 1.5, shortestPiece = 0.5;
+constexpr double rowHeight = 1.0;
+/// Share of a ripple that a step takes away.
+constexpr double smoothing = 0.25;
+constexpr double turned = 1.0 - 1e-6; ///< cosine of a turn that is none
+
+std::string nameOf(const State<3>& state, const CrackFront<3>& front)
+{
+  return state.cracks.cracks[front.crack].name + "." + std::to_string(front.number);
+}
+
+std::string inWords(const Vector<3>& x)
+{
+  return formatReal(x[0]) + ", " + formatReal(x[1]) + ", " + formatReal(x[2]) + " m";
+}
+
+/// How far a point of a front lies ahead of its neighbours' middle, by its own direction [m]; 0 at an end.
+double bulge(const GrowingSurface& surface, const FrontLines& lines, std::size_t k)
+{
+  const int last = before(lines, k);
+  if (last < 0 || !lines[k].joined)
+    return 0.0;
+  const Vector<3>&a = surface.vertices[lines[last].vertex], &x = surface.vertices[lines[k].vertex],
+        &b = surface.vertices[lines[GrowingSurface::next(lines, k)].vertex];
+  const double u = norm(x - a), w = norm(b - x);
+  const Vector<3> middle = (w / (u + w)) * a + (u / (u + w)) * b;
+  // By the curvature that it stands for, so that unequal pieces of a circle bulge alike.
+  return dot(x - middle, lines[k].station.direction) / (u * w);
+}
+
+/// Lets what bulges more than its neighbours give of what it is to advance to those that bulge less. The area
+/// that the front passes stays the same, and so does a circle.
+void smooth(const GrowingSurface& surface, const FrontLines& lines, std::vector<double>& lengths)
+{
+  const std::size_t count = lines.size();
+  std::vector<double> curved(count), move(count, 0.0);
+  for (std::size_t k = 0; k < count; ++k)
+    curved[k] = bulge(surface, lines, k);
+  double gives = 0.0, takes = 0.0;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    const int last = before(lines, k);
+    if (last < 0 || !lines[k].joined || lengths[k] <= 0.0)
+      continue;
+    const std::size_t next = GrowingSurface::next(lines, k);
+    if (before(lines, last) < 0 || !lines[next].joined) // an end has no curvature to compare with
+      continue;
+    const double share = lines[k].station.share;
+    move[k] = smoothing * share * share * (0.5 * (curved[last] + curved[next]) - curved[k]);
+    move[k] = std::max(move[k], -0.5 * lengths[k]);
+    (move[k] < 0.0 ? gives : takes) += std::fabs(move[k]) * share;
+  }
+  const double given = std::min(gives, takes);
+  if (!(given > 0.0))
+    return;
+  for (std::size_t k = 0; k < count; ++k)
+    lengths[k] += move[k] * given / (move[k] < 0.0 ? gives : takes);
+}
+
+/// Distance to the nearest other crack [m], and which it is.
+std::pair<double, int> nearestOther(const CrackSet<3>& set, int own, const Vector<3>& x)
+{
+  if (set.cracks.size() == 1)
+    return {1e300, -1};
+  const CrackSight<3> sight(set, 1.0);
+  using Nearest = Kokkos::MinLoc<double, int>;
+  Nearest::value_type nearest{};
+  Kokkos::parallel_reduce(
+      "rhegma::cracks::nearestOther", Kokkos::RangePolicy<ExecSpace>(0, sight.simplex.extent(0)),
+      KOKKOS_LAMBDA(const int s, Nearest::value_type& best) {
+        const double square = sight.crackOf(s) != own ? sight.square(s, x) : 1e300;
+        if (square < best.val)
+        {
+          best.val = square;
+          best.loc = sight.crackOf(s);
+        }
+      },
+      Nearest(nearest));
+  return {std::sqrt(nearest.val), nearest.loc};
+}
+
+/// Forgets the sides of particles that are ahead of the station nearest to them: they lie beside the crack
+/// that will be there.
+void forgetSidesAhead(const State<3>& state, const CrackFront<3>& front, double reach)
+{
+  const int count = static_cast<int>(front.stations.size());
+  const View<double* [6]> stations("rhegma::cracks::stations", count);
+  const auto host = Kokkos::create_mirror_view(stations);
+  for (int k = 0; k < count; ++k)
+    for (int d = 0; d < 3; ++d)
+    {
+      host(k, d) = front.stations[k].position[d];
+      host(k, 3 + d) = front.stations[k].direction[d];
+    }
+  Kokkos::deep_copy(stations, host);
+  const auto position = state.particles.real<3>(fields::position);
+  const auto side = state.particles.integer(fields::side);
+  const int name = front.crack + 1;
+  Kokkos::parallel_for(
+      "rhegma::cracks::forgetSidesAhead", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p) {
+        if (side(p) != name && side(p) != -name)
+          return;
+        double least = reach * reach, ahead = 0.0;
+        for (int k = 0; k < count; ++k)
+        {
+          double square = 0.0, along = 0.0;
+          for (int d = 0; d < 3; ++d)
+          {
+            const double from = position(p, d) - stations(k, d);
+            square += from * from;
+            along += from * stations(k, 3 + d);
+          }
+          if (square < least)
+          {
+            least = square;
+            ahead = along;
+          }
+        }
+        if (ahead > 0.0)
+          side(p) = 0;
+      });
+}
+
+/// Cuts pieces between points that have reached the surface out of the lines; what has no piece left goes.
+void cutLanded(FrontLines& lines)
+{
+  bool cut = false;
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    if (lines[k].joined && lines[k].landed && lines[GrowingSurface::next(lines, k)].landed)
+    {
+      lines[k].joined = false;
+      cut = true;
+    }
+  if (!cut)
+    return;
+  // A line that was closed begins behind a cut now.
+  if (lines.back().joined)
+  {
+    const auto open = std::find_if(lines.begin(), lines.end(), [](const LinePoint& p) { return !p.joined; });
+    std::rotate(lines.begin(), open + 1, lines.end());
+  }
+  FrontLines rest;
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    if (lines[k].joined || before(lines, k) >= 0)
+      rest.push_back(lines[k]);
+  lines = rest;
+}
+
+} // namespace
+
+double SurfaceGrowth::toughnessAt(int front, int station) const
+{
+  return has(front) && station < static_cast<int>(marks_[front].size()) ? marks_[front][station].toughness
+                                                                        : 0.0;
+}
+
+bool SurfaceGrowth::has(int front) const
+{
+  return front < static_cast<int>(marks_.size()) && !marks_[front].empty();
+}
+
+std::vector<SurfaceGrowth::Crack> SurfaceGrowth::read(const CrackSet<3>& set)
+{
+  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.vertex);
+  const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.face);
+  const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.simplex);
+  std::vector<Crack> cracks(set.cracks.size());
+  for (std::size_t c = 0; c < cracks.size(); ++c)
+  {
+    GrowingSurface& surface = cracks[c].surface;
+    const int v0 = set.cracks[c].firstVertex, s0 = set.cracks[c].firstSimplex;
+    for (int v = v0; v < v0 + set.cracks[c].numVertices; ++v)
+    {
+      surface.vertices.push_back({vertex(v, 0), vertex(v, 1), vertex(v, 2)});
+      surface.faces.push_back({Vector<3>{face(v, 0, 0), face(v, 0, 1), face(v, 0, 2)},
+                               {face(v, 1, 0), face(v, 1, 1), face(v, 1, 2)}});
+    }
+    for (int s = s0; s < s0 + set.cracks[c].numSimplices; ++s)
+      surface.triangles.push_back({simplex(s, 0) - v0, simplex(s, 1) - v0, simplex(s, 2) - v0});
+    surface.prepare();
+  }
+  marks_.resize(set.fronts.size());
+  told_.resize(set.fronts.size(), false);
+  for (std::size_t f = 0; f < set.fronts.size(); ++f)
+  {
+    const CrackFront<3>& front = set.fronts[f];
+    marks_[f].resize(front.stations.size());
+    FrontLines lines;
+    for (std::size_t k = 0; k < front.stations.size() && !front.ended; ++k)
+    {
+      LinePoint point{};
+      point.station = front.stations[k];
+      point.vertex = front.stations[k].vertex - set.cracks[front.crack].firstVertex;
+      point.name = front.stations[k].name;
+      point.from = -1;
+      point.joined = front.stations[k].facet >= 0;
+      point.landed = marks_[f][k].landed;
+      point.toughness = marks_[f][k].toughness;
+      lines.push_back(point);
+    }
+    cracks[front.crack].fronts.push_back(lines);
+    cracks[front.crack].numbers.push_back(static_cast<int>(f));
+  }
+  return cracks;
+}
+
+void SurfaceGrowth::write(CrackSet<3>& set, std::vector<Crack>& cracks, double spacing)
+{
+  std::vector<CrackMesh<3>> meshes;
+  std::vector<int> last(set.fronts.size(), 0);
+  for (Crack& crack : cracks)
+  {
+    std::vector<FrontLines*> lines;
+    for (FrontLines& front : crack.fronts)
+      lines.push_back(&front);
+    crack.surface.tidy(lines);
+    meshes.push_back(crack.surface.mesh({lines.begin(), lines.end()}));
+    for (std::size_t i = 0; i < lines.size(); ++i)
+    {
+      const int f = crack.numbers[i];
+      CrackFront<3>& front = set.fronts[f];
+      last[f] = front.vertex - set.cracks[front.crack].firstVertex; // of one that ends
+      front.ended = lines[i]->empty();
+      front.stations.clear();
+      marks_[f].clear();
+      for (const LinePoint& point : *lines[i])
+      {
+        FrontStation<3> station = point.station;
+        station.vertex = point.vertex;
+        station.name = point.name;
+        station.from = point.from;
+        station.facet = point.joined ? 0 : -1;
+        station.halted = station.halted || point.landed;
+        front.stations.push_back(station);
+        marks_[f].push_back({point.toughness, point.landed});
+      }
+    }
+  }
+  layOut(set, meshes, spacing);
+  const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.face);
+  for (std::size_t c = 0; c < cracks.size(); ++c)
+    for (std::size_t v = 0; v < cracks[c].surface.faces.size(); ++v)
+      for (int side = 0; side < 2; ++side)
+        for (int d = 0; d < 3; ++d)
+          face(set.cracks[c].firstVertex + v, side, d) = cracks[c].surface.faces[v][side][d];
+  Kokkos::deep_copy(set.face, face);
+  bool ended = false;
+  for (std::size_t f = 0; f < set.fronts.size(); ++f)
+    if (set.fronts[f].ended)
+    {
+      const Rhegma::Crack<3>& crack = set.cracks[set.fronts[f].crack];
+      set.fronts[f].vertex = crack.firstVertex + std::clamp(last[f], 0, crack.numVertices - 1);
+      ended = true;
+    }
+  if (ended)
+    updateFronts(set);
+}
+
+void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const FrontAdvance<3>& advance)
+{
+  CrackFront<3>& front = state.cracks.fronts[advance.front];
+  Crack& crack = cracks[front.crack];
+  const std::size_t place =
+      std::find(crack.numbers.begin(), crack.numbers.end(), advance.front) - crack.numbers.begin();
+  FrontLines& lines = crack.fronts[place];
+  GrowingSurface& surface = crack.surface;
+  const std::size_t count = lines.size();
+
+  std::vector<double> lengths(count, 0.0), cells(count, 0.0);
+  bool turns = false;
+  double longest = 0.0;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    cells[k] = spacingAt(state, lines[k].station.position);
+    if (lines[k].landed || lines[k].station.halted)
+      continue;
+    lengths[k] = advance.stations[k].length;
+    longest = std::max(longest, lengths[k]);
+    turns = turns ||
+            (lengths[k] > 0.0 && dot(advance.stations[k].direction, lines[k].station.direction) < turned);
+  }
+  smooth(surface, lines, lengths);
+  if (turns)
+    forgetSidesAhead(state, front, (bandWidth + 4.0) * state.grid.spacing + longest);
+
+  std::vector<Way> ways;
+  std::vector<std::size_t> moving;
+  for (std::size_t k = 0; k < count; ++k)
+    if (lengths[k] > 0.0)
+    {
+      ways.push_back(
+          {lines[k].station.position, advance.stations[k].direction, lengths[k] + leastLigament * cells[k]});
+      moving.push_back(k);
+    }
+  const std::vector<double> room = roomAhead(state, ways);
+  double energy = 0.0;
+  std::size_t landed = count;
+  for (std::size_t i = 0; i < moving.size(); ++i)
+  {
+    const std::size_t k = moving[i];
+    LinePoint& point = lines[k];
+    const bool lands = room[i] < ways[i].length * (1.0 - 1e-9);
+    const double length = lands ? room[i] : lengths[k];
+    const Vector<3> x = ways[i].from + length * ways[i].direction;
+    const auto [distance, other] = nearestOther(state.cracks, front.crack, x);
+    if (distance < bandWidth * state.grid.spacing)
+    {
+      point.station.halted = true;
+      point.station.speed = 0.0;
+      if (!front.halted)
+        state.warnings.push_back(
+            "the front " + nameOf(state, front) + " halted at time " + formatReal(state.time) + " s at " +
+            inWords(point.station.position) + ": the crack " + state.cracks.cracks[other].name +
+            " is less than three cells ahead, and cells can't tell cracks apart that are closer; smaller "
+            "cells (Domain > Cell Size) let it come nearer");
+      front.halted = true;
+      continue;
+    }
+    point.toughness = advance.stations[k].toughness;
+    // A piece too short to have a direction is left out.
+    if (length > 1e-3 * lengths[k])
+      energy += point.toughness * surface.advance(lines, k, x, rowHeight * cells[k]);
+    point.landed = lands;
+    landed = lands ? k : landed;
+  }
+  // A front goes on where a part of it does.
+  front.halted = std::all_of(lines.begin(), lines.end(),
+                             [](const LinePoint& p) { return p.landed || p.station.halted; });
+  front.grown = front.grown || !moving.empty();
+  if (landed < count && !told_[advance.front])
+  {
+    told_[advance.front] = true;
+    state.warnings.push_back("the front " + nameOf(state, front) +
+                             " reached the surface of its body at time " + formatReal(state.time) + " s at " +
+                             inWords(surface.vertices[lines[landed].vertex]));
+  }
+
+  cutLanded(lines);
+  int names = 0;
+  for (const LinePoint& point : lines)
+    names = std::max(names, point.name + 1);
+  const double cell = *std::min_element(cells.begin(), cells.end());
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    if (lines[k].joined && surface.pieceAt(lines, k) > longestPiece * cell)
+      surface.split(lines, k, names++);
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    if (lines[k].joined && surface.pieceAt(lines, k) < shortestPiece * cell)
+    {
+      const double toughness = lines[k].toughness;
+      double added = 0.0;
+      if (surface.collapse(lines, k, added))
+        energy += toughness * added;
+    }
+  front.taken += energy;
+  front.unspent += energy;
+  if (!lines.empty())
+    return;
+  front.ended = true;
+  front.speed = 0.0;
+  front.driving = {};
+}
+
+void SurfaceGrowth::grow(State<3>& state)
+{
+  CrackSet<3>& set = state.cracks;
+  if (set.advances.empty())
+    return;
+  std::vector<Crack> cracks = read(set);
+  for (const FrontAdvance<3>& advance : set.advances)
+    growFront(state, cracks, advance);
+  set.advances.clear();
+  write(set, cracks, state.grid.spacing);
+}
+
+} // namespace Rhegma::cracks

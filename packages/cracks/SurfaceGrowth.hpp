@@ -1,0 +1,62 @@
+#pragma once
+/// Crack surfaces that become larger.
+
+#include "cracks/GrowingSurface.hpp"
+#include "state/State.hpp"
+
+#include <vector>
+
+namespace Rhegma
+{
+class Archive;
+}
+
+namespace Rhegma::cracks
+{
+
+/// Makes the advances that were asked of the stations of 3D fronts (CrackSet::advances).
+///
+/// A station moves on by its own length in its own direction: the triangles behind it stretch until a row of
+/// them is as high as a cell, then a new row begins. Pieces of front longer than 1.5 cells are split, those
+/// shorter than half a cell taken away. Ripples of the front are smoothed by giving of what a station is to
+/// advance to its neighbours; no station goes back for that. Whatever happens to the front, the area that the
+/// crack gains times the toughness is what is booked in CrackFront::taken and unspent, to the last digit.
+///
+/// A station that comes within half a cell of the surface of its body runs on to it and stays there; pieces
+/// between two such stations become mouths. An end of a front that lies on the surface slides along it. A
+/// station that would come closer than three cells to another crack halts. Belongs between steps.
+class SurfaceGrowth
+{
+public:
+  void grow(State<3>& state);
+
+  /// Energy per area of the last face that a station made [J/m2].
+  double toughnessAt(int front, int station) const;
+  /// Whether anything has grown.
+  bool has(int front) const;
+
+  /// Saves or loads the surfaces, their fronts and what they have done.
+  void keep(State<3>& state, Archive& archive);
+
+private:
+  struct Mark
+  {
+    double toughness = 0.0;
+    bool landed = false;
+  };
+  struct Crack
+  {
+    GrowingSurface surface;
+    std::vector<FrontLines> fronts; ///< in the order of the set's
+    std::vector<int> numbers;       ///< of these fronts in the set
+  };
+
+  std::vector<Crack> read(const CrackSet<3>& set);
+  void write(CrackSet<3>& set, std::vector<Crack>& cracks, double spacing);
+  void growFront(State<3>& state, std::vector<Crack>& cracks, const FrontAdvance<3>& advance);
+
+  std::vector<std::vector<Mark>> marks_; ///< of the stations of each front
+  std::vector<bool> told_;               ///< fronts of which it was said that they reached the surface
+};
+
+} // namespace Rhegma::cracks

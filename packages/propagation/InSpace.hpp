@@ -1,0 +1,12 @@
+#pragma once
+/// Cracks of 3D scenes that run.
+
+#include "step/Effect.hpp"
+
+namespace Rhegma::propagation
+{
+
+/// As in 2D, with every station of a front for itself (PropagationInSpace.cpp).
+Effect<3> propagationInSpace(const Teuchos::ParameterList& scene);
+
+} // namespace Rhegma::propagation

@@ -1,0 +1,236 @@
+#include "propagation/Options.hpp"
+
+#include "propagation/RayleighSpeed.hpp"
+#include "scene/Numbers.hpp"
+#include "transfer/NearestMaterial.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace Rhegma::propagation
+{
+
+Section propagationSection()
+{
+  Section s("Propagation", "Lets crack fronts advance where the energy release rate reaches the toughness.");
+  s.text("Toughness")
+      .unit("J/m2")
+      .notEmpty()
+      .meaning(
+          "Energy that new faces take per area, as a function of the speed v of the front [m/s]: a number, "
+          "an expression such as \"100*(1 + v/500)\", or a table of speed:energy such as \"0:100, "
+          "500:200\".");
+  s.real("Initiation Toughness")
+      .unit("J/m2")
+      .positive()
+      .optional("Toughness at v = 0")
+      .meaning("Energy release rate at which a front at rest sets out.");
+  s.real("Arrest Toughness")
+      .unit("J/m2")
+      .positive()
+      .optional("Toughness at v = 0")
+      .meaning(
+          "Energy release rate below which a front that has almost stopped comes to rest, to set out again "
+          "at Initiation Toughness.");
+  s.choice("Direction", {"Maximum Hoop Stress", "Maximum Energy Release", "Straight"})
+      .byDefault("Maximum Hoop Stress")
+      .meaning(
+          "Where a front goes on: across the largest hoop stress, where a short kink would release most, or "
+          "straight.");
+  s.real("Increment")
+      .range(0.5, 4.0)
+      .byDefault(1.0)
+      .meaning("Length of one advance, in cells as they are at the front.");
+  s.real("Start Time").unit("s").notNegative().byDefault(0.0).meaning("Before it no front advances.");
+  s.real("Speed Limit")
+      .unit("m/s")
+      .positive()
+      .optional("speed of Rayleigh waves")
+      .meaning("No increment is made faster.");
+  s.realArray("Release Contour")
+      .length(2)
+      .byDefault(std::vector<double>{5.0, 10.0})
+      .meaning(
+          "Inner and outer radius, in cells as they are at the front, of the contour for the energy release "
+          "rate. Closer than 5 cells it cuts the zone that is opening.");
+  s.realArray("Direction Contour")
+      .length(2)
+      .byDefault(std::vector<double>{3.0, 6.0})
+      .meaning("The same for the stress intensities that turn a front.");
+  return s;
+}
+
+namespace
+{
+
+void refuseContour(const Teuchos::ParameterList& list, const std::string& name,
+                   std::vector<SceneError>& errors)
+{
+  if (!list.isType<Teuchos::Array<double>>(name))
+    return;
+  const auto& radii = list.get<Teuchos::Array<double>>(name);
+  if (radii.size() == 2 && !(radii[0] >= 1.0 && radii[1] >= radii[0] + 1.0))
+    errors.push_back(
+        {"Propagation > " + name,
+         "the radii must be at least 1 and a cell apart, the inner one first; write such as {5, 10}"});
+}
+
+/// What cracks of 3D scenes can't run with as yet.
+void refuseInSpace(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
+{
+  for (const char* name : {"Adaptivity", "Combustion", "Contact", "Face Pressure", "Sub-Cycling", "Thermal"})
+    if (scene.isSublist(name))
+      errors.push_back({"Propagation", "in 3D it does not go with " + std::string(name) +
+                                           " as yet; take one of the two out"});
+}
+
+} // namespace
+
+void checkPropagation(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
+{
+  if (!scene.isSublist("Propagation"))
+    return;
+  const Teuchos::ParameterList& list = scene.sublist("Propagation");
+  const auto refuse = [&](const std::string& why) { errors.push_back({"Propagation", why}); };
+  if (!scene.isSublist("Cracks"))
+    refuse("there are no cracks that could run; add a section Cracks or leave this one out");
+  else
+  {
+    const Teuchos::ParameterList& cracks = scene.sublist("Cracks");
+    if (cracks.isType<std::string>("Formulation") && cracks.get<std::string>("Formulation") != "Dual Field")
+      refuse("it goes with Cracks > Formulation = Dual Field alone, whose nodes can carry a cohesive force");
+    if (cracks.isType<bool>("Front Ties") && !cracks.get<bool>("Front Ties"))
+      refuse("it needs Cracks > Front Ties; leave that at true");
+  }
+  if (scene.isSublist("Mass Matrix"))
+    refuse("it does not go with Mass Matrix as yet; take one of the two out");
+  if (!scene.isSublist("Energy Release"))
+    refuse("nothing measures what drives the fronts; add a section Energy Release, which may be empty");
+  if (scene.isSublist("Domain") && scene.sublist("Domain").isType<int>("Dimension") &&
+      scene.sublist("Domain").get<int>("Dimension") == 3)
+    refuseInSpace(scene, errors);
+  refuseContour(list, "Release Contour", errors);
+  refuseContour(list, "Direction Contour", errors);
+  if (list.isType<std::string>("Toughness"))
+    try
+    {
+      Toughness::parse(list.get<std::string>("Toughness"), scene.isSublist("Thermal"));
+    }
+    catch (const std::invalid_argument& error)
+    {
+      errors.push_back({"Propagation > Toughness", error.what()});
+    }
+}
+
+namespace
+{
+
+DirectionRule readDirection(const Teuchos::ParameterList& list)
+{
+  const auto name = list.get<std::string>("Direction");
+  return name == "Straight"                 ? DirectionRule::Straight
+         : name == "Maximum Energy Release" ? DirectionRule::EnergyRelease
+                                            : DirectionRule::HoopStress;
+}
+
+} // namespace
+
+Options readOptions(const Teuchos::ParameterList& scene)
+{
+  const Teuchos::ParameterList& list = scene.sublist("Propagation");
+  const bool heated = scene.isSublist("Thermal");
+  const Toughness toughness = Toughness::parse(list.get<std::string>("Toughness"), heated);
+  const auto orAtRest = [&](const char* name)
+  { return list.isParameter(name) ? list.get<double>(name) : 0.0; };
+  Options options{{toughness, orAtRest("Initiation Toughness"), orAtRest("Arrest Toughness"),
+                   list.get<double>("Start Time")},
+                  readDirection(list),
+                  list.get<double>("Increment"),
+                  list.isParameter("Speed Limit") ? list.get<double>("Speed Limit") : 0.0,
+                  heated ? scene.sublist("Thermal").get<double>("Initial Temperature") : 0.0,
+                  {}};
+  const auto release = list.get<Teuchos::Array<double>>("Release Contour");
+  const auto intensity = list.get<Teuchos::Array<double>>("Direction Contour");
+  options.contours = {release[0], release[1], intensity[0], intensity[1]};
+  return options;
+}
+
+template <int D>
+double fastestAt(const State<D>& state, const Vector<D>& place, const Options& options)
+{
+  return options.speedLimit > 0.0 ? options.speedLimit
+                                  : rayleighSpeed(state.materialList[materialAt(state, place)]);
+}
+
+AdvanceRule ruleAt(double temperature, const Options& options)
+{
+  AdvanceRule rule = options.rule;
+  rule.temperature = temperature;
+  const double atRest = rule.toughness(0.0, temperature);
+  rule.initiation = rule.initiation > 0.0 ? rule.initiation : atRest;
+  rule.arrest = rule.arrest > 0.0 ? rule.arrest : atRest;
+  return rule;
+}
+
+bool isWeak(const AdvanceRule& rule, double fastest)
+{
+  return !(rule.toughness(0.0, rule.temperature) > 0.0 && rule.toughness(fastest, rule.temperature) > 0.0);
+}
+
+std::string complaintOfWeak(double temperature)
+{
+  return "the toughness is no longer positive at the temperature of a crack front, " +
+         formatReal(temperature) + " K (Propagation > Toughness)";
+}
+
+template <int D>
+void refuseWeak(const State<D>& state, const Options& options)
+{
+  double fastest = options.speedLimit;
+  for (const Properties& material : state.materialList)
+    fastest = std::max(fastest, rayleighSpeed(material));
+  try
+  {
+    options.rule.toughness.refuseWeak(fastest, options.temperature);
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw std::invalid_argument(std::string("Propagation > Toughness: ") + error.what());
+  }
+}
+
+double openingRelease(const DrivingForce& driving)
+{
+  const double opening = std::max(driving.modeI, 0.0) * std::max(driving.modeI, 0.0);
+  const double closing = driving.modeI * driving.modeI - opening, sliding = driving.modeII * driving.modeII;
+  return closing > 0.0 ? driving.release * sliding / (closing + sliding) : driving.release;
+}
+
+template <int D>
+void reportEnergy(const State<D>& state, double taken, nlohmann::json& summary)
+{
+  constexpr double notYet = std::numeric_limits<double>::quiet_NaN(); // null in the summary
+  // What the body has been given, and how much of it the ledger knows of now.
+  const EnergyLedger& energy = state.energy;
+  const double given =
+      energy.start + std::fabs(energy.externalWork) + std::fabs(energy.combustion) + std::fabs(energy.heat);
+  const double inFlight = summary.value("energy_in_flight", 0.0);
+  summary["propagation"] = {
+      {"energy_of_new_faces", taken},
+      {"in_flight", inFlight},
+      {"dissipated", energy.fracture},
+      {"accounted_for", given > 0.0 ? 1.0 - energy.residual() / given : notYet},
+      {"dissipated_share", taken > inFlight ? energy.fracture / (taken - inFlight) : notYet}};
+}
+
+template void reportEnergy(const State<2>&, double, nlohmann::json&);
+template void reportEnergy(const State<3>&, double, nlohmann::json&);
+template double fastestAt(const State<2>&, const Vector<2>&, const Options&);
+template double fastestAt(const State<3>&, const Vector<3>&, const Options&);
+template void refuseWeak(const State<2>&, const Options&);
+template void refuseWeak(const State<3>&, const Options&);
+
+} // namespace Rhegma::propagation

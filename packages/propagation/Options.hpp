@@ -1,0 +1,54 @@
+#pragma once
+/// What a scene says of cracks that run.
+
+#include "propagation/Direction.hpp"
+#include "propagation/FrontHistory.hpp"
+#include "step/Effect.hpp"
+
+#include <string>
+#include <vector>
+
+namespace Rhegma::propagation
+{
+
+struct Options
+{
+  AdvanceRule rule;
+  DirectionRule direction;
+  double cells;       ///< an increment has [cells]
+  double speedLimit;  ///< [m/s]; 0: that of Rayleigh waves
+  double temperature; ///< at the start [K]
+  DrivingContours contours;
+};
+
+Section propagationSection();
+void checkPropagation(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors);
+
+/// \param scene validated
+Options readOptions(const Teuchos::ParameterList& scene);
+
+/// No front is faster at a place than this [m/s].
+template <int D>
+double fastestAt(const State<D>& state, const Vector<D>& place, const Options& options);
+
+/// The rule at a front, whose toughness depends on how warm it is [K].
+AdvanceRule ruleAt(double temperature, const Options& options);
+
+/// Whether the toughness of a rule is not positive, and what to say of it.
+bool isWeak(const AdvanceRule& rule, double fastest);
+std::string complaintOfWeak(double temperature);
+
+/// Refuses a toughness that is not positive at the start, up to the largest speed of the scene.
+/// \throws std::invalid_argument, with the parameter's path
+template <int D>
+void refuseWeak(const State<D>& state, const Options& options);
+
+/// The energy release rate without what closes the crack: a front that is pressed together does not break,
+/// though J is positive.
+double openingRelease(const DrivingForce& driving);
+
+/// What became of the energy of new faces. \param taken by all fronts [J]
+template <int D>
+void reportEnergy(const State<D>& state, double taken, nlohmann::json& summary);
+
+} // namespace Rhegma::propagation

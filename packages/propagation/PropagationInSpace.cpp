@@ -1,0 +1,302 @@
+#include "checkpoint/Archive.hpp"
+#include "propagation/FrontShape.hpp"
+#include "propagation/InSpace.hpp"
+#include "propagation/Options.hpp"
+#include "step/LastStage.hpp"
+#include "transfer/LocalSpacing.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <memory>
+#include <utility>
+
+namespace Rhegma::propagation
+{
+
+namespace
+{
+
+constexpr double notYet = std::numeric_limits<double>::quiet_NaN(); ///< null in the summary
+
+/// Stations advance by this share of the increment at a time, so that neighbours, which do so at different
+/// times, stay in line.
+constexpr double shareOfIncrement = 0.25;
+
+/// Cosine of a sharp turn, 15 degrees, and the cells that a station goes straight on behind one.
+constexpr double sharp = 0.966, straightCells = 3.0;
+
+/// What is known of a station from step to step.
+struct Memory
+{
+  FrontHistory history;
+  double fastest = 0.0;     ///< its largest speed [m/s]; 0: not known yet
+  double increment = 0.0;   ///< its next one [m]; 0: not known yet
+  double straightFor = 0.0; ///< length for which it goes straight on [m]
+};
+
+/// Of each front, by the names of its stations.
+using Memories = std::vector<std::map<int, Memory>>;
+
+using Circles = std::vector<Circle>; ///< that the fronts were at the start
+
+/// Stations that are new have the past of those that they came from; those that are no more are forgotten.
+void follow(const State<3>& state, Memories& memories)
+{
+  for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
+  {
+    std::map<int, Memory>& known = memories[f];
+    std::map<int, Memory> now;
+    for (const FrontStation<3>& station : state.cracks.fronts[f].stations)
+    {
+      auto past = known.find(station.name);
+      if (past == known.end())
+        past = known.find(station.from);
+      if (past == known.end())
+        now[station.name] = {};
+      else
+        now[station.name] = past->second;
+    }
+    known = std::move(now);
+  }
+}
+
+bool isNew(const CrackFront<3>& front, const std::map<int, Memory>& known)
+{
+  return front.stations.size() != known.size() ||
+         std::any_of(front.stations.begin(), front.stations.end(),
+                     [&](const FrontStation<3>& s) { return known.count(s.name) == 0; });
+}
+
+/// Decides whether a station may advance after the step that ends, as Propagation.cpp does in 2D.
+/// \return what is wrong; empty if nothing
+std::string decideAt(const State<3>& state, FrontStation<3>& station, const Options& options, Memory& memory)
+{
+  const double now = state.time + state.dt, release = station.driving.release;
+  if (memory.fastest == 0.0)
+    memory.fastest = fastestAt(state, station.position, options);
+  if (memory.increment == 0.0)
+    memory.increment = shareOfIncrement * options.cells * spacingAt(state, station.position);
+  const AdvanceRule rule = ruleAt(station.temperature, options);
+  if (isWeak(rule, memory.fastest))
+    return complaintOfWeak(station.temperature);
+  FrontHistory& history = memory.history;
+  if (history.running())
+  {
+    FrontHistory asItWouldBe = history;
+    station.advances =
+        asItWouldBe.advance(rule, now, release, memory.increment, memory.fastest).increments > 0;
+    if (!station.advances)
+      history = std::move(asItWouldBe);
+  }
+  else if (release >= rule.initiation && now >= rule.startTime)
+    station.advances = true;
+  else
+    history.wait(now, release);
+  station.speed = history.speed(now);
+  return "";
+}
+
+void decide(State<3>& state, const Options& options, Memories& memories)
+{
+  for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
+  {
+    CrackFront<3>& front = state.cracks.fronts[f];
+    front.advances = false;
+    front.speed = 0.0;
+    if (front.ended)
+      continue;
+    if (isNew(front, memories[f]))
+      follow(state, memories);
+    for (FrontStation<3>& station : front.stations)
+    {
+      station.advances = false;
+      if (station.halted)
+        continue;
+      const std::string wrong = decideAt(state, station, options, memories[f].at(station.name));
+      if (!wrong.empty())
+      {
+        state.trouble = wrong;
+        return;
+      }
+      front.advances = front.advances || station.advances;
+      front.speed = std::max(front.speed, station.speed);
+    }
+  }
+}
+
+/// Turns, smoothed along the front over those stations that go on with it: a hat two stations wide, twice.
+std::vector<double> turns(const CrackFront<3>& front, const Options& options,
+                          const std::map<int, Memory>& memories)
+{
+  const std::size_t count = front.stations.size();
+  std::vector<double> angle(count, 0.0);
+  for (std::size_t k = 0; k < count; ++k)
+    if (front.stations[k].advances && !(memories.at(front.stations[k].name).straightFor > 0.0))
+      angle[k] = turningAngle(front.stations[k].driving, options.direction);
+  for (int round = 0; round < 2; ++round)
+  {
+    std::vector<double> mean = angle;
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      double sum = 2.0 * angle[k], weight = 2.0;
+      const std::size_t last = k > 0 ? k - 1 : count - 1, next = k + 1 < count ? k + 1 : 0;
+      if (front.stations[last].facet >= 0 && front.stations[last].advances)
+      {
+        sum += angle[last];
+        weight += 1.0;
+      }
+      if (front.stations[k].facet >= 0 && front.stations[next].advances)
+      {
+        sum += angle[next];
+        weight += 1.0;
+      }
+      mean[k] = sum / weight;
+    }
+    angle = mean;
+  }
+  return angle;
+}
+
+void ask(State<3>& state, const Options& options, Memories& memories)
+{
+  for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
+  {
+    CrackFront<3>& front = state.cracks.fronts[f];
+    if (!front.advances)
+      continue;
+    front.advances = false;
+    const std::vector<double> angle = turns(front, options, memories[f]);
+    FrontAdvance<3> asked;
+    asked.front = static_cast<int>(f);
+    asked.stations.resize(front.stations.size());
+    bool any = false;
+    for (std::size_t k = 0; k < front.stations.size(); ++k)
+    {
+      FrontStation<3>& station = front.stations[k];
+      StationAdvance<3>& to = asked.stations[k];
+      to.direction = station.direction;
+      if (!station.advances)
+        continue;
+      station.advances = false;
+      Memory& memory = memories[f].at(station.name);
+      const Advance made =
+          memory.history.advance(ruleAt(station.temperature, options), state.time,
+                                 openingRelease(station.driving), memory.increment, memory.fastest);
+      station.speed = memory.history.speed(state.time);
+      if (made.increments == 0)
+        continue;
+      any = true;
+      to.length = made.increments * memory.increment;
+      to.toughness = made.toughness;
+      const bool held = memory.straightFor > 0.0;
+      if (!held)
+        to.direction = turned(station.direction, station.normal, angle[k]);
+      memory.straightFor -= to.length;
+      if (dot(to.direction, station.direction) < sharp)
+        memory.straightFor =
+            straightCells * memory.increment / (shareOfIncrement * options.cells) - to.length;
+      // Cells and material may be others where it is going.
+      memory.increment = 0.0;
+      if (state.materialList.size() > 1)
+        memory.fastest = 0.0;
+    }
+    if (any)
+      state.cracks.advances.push_back(asked);
+  }
+}
+
+void reportShape(const CrackFront<3>& front, const Circle& circle, nlohmann::json& entry)
+{
+  if (circle.radius == 0.0 || front.ended)
+    return;
+  const Shape shape = shapeOf(front, circle);
+  entry["radius"] = shape.radius;
+  entry["roundness"] = shape.roundness;
+  entry["flatness"] = shape.flatness;
+}
+
+void report(const State<3>& state, const Memories& memories, const Circles& circles, nlohmann::json& summary)
+{
+  double taken = 0.0;
+  for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
+  {
+    const CrackFront<3>& front = state.cracks.fronts[f];
+    taken += front.taken;
+    nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
+    double first = notYet, last = notYet, speed = 0.0;
+    long increments = 0;
+    bool running = false;
+    for (const auto& [name, memory] : memories[f])
+    {
+      const FrontHistory& history = memory.history;
+      increments += history.increments();
+      running = running || history.running();
+      speed += history.settledSpeed() / double(memories[f].size());
+      if (history.increments() == 0)
+        continue;
+      first = first < history.firstTime() ? first : history.firstTime(); // true of what is no number
+      last = last > history.lastTime() ? last : history.lastTime();
+    }
+    entry["increments"] = increments;
+    entry["running"] = running && !front.ended && !front.halted;
+    entry["ended"] = front.ended;
+    entry["halted"] = front.halted;
+    entry["set_out"] = first;
+    entry["last_advance"] = last;
+    entry["settled_speed"] = speed;
+    entry["energy_of_new_faces"] = front.taken;
+    reportShape(front, circles[f], entry);
+  }
+  reportEnergy(state, taken, summary);
+}
+
+} // namespace
+
+Effect<3> propagationInSpace(const Teuchos::ParameterList& scene)
+{
+  const auto options = std::make_shared<Options>(readOptions(scene));
+  const auto memories = std::make_shared<Memories>();
+  const auto circles = std::make_shared<Circles>();
+  Effect<3> effect;
+  effect.name = "Propagation";
+  effect.atStart = [=](State<3>& state)
+  {
+    state.cracks.driven = true;
+    state.cracks.drivingContours = options->contours;
+    memories->assign(state.cracks.fronts.size(), {});
+    refuseWeak(state, *options);
+    follow(state, *memories);
+    for (const CrackFront<3>& front : state.cracks.fronts)
+      circles->push_back(circleOf(front));
+  };
+  effect.call({lastStage(scene),
+               "fronts that advance",
+               {"driving forces"},
+               {"fronts that advance"},
+               {},
+               [=](State<3>& state) { decide(state, *options, *memories); }});
+  effect.call({Stage::BetweenSteps, "where fronts go", {}, {"advances of fronts"}, {}, [=](State<3>& state) {
+                 ask(state, *options, *memories);
+               }});
+  effect.memory = [=](State<3>& state, Archive& archive)
+  {
+    if (archive.loads()) // the stations are known already
+      follow(state, *memories);
+    for (std::size_t f = 0; f < memories->size(); ++f)
+      for (auto& [name, memory] : (*memories)[f])
+      {
+        const Archive::Group front(archive, "front " + std::to_string(f));
+        const Archive::Group group(archive, "station " + std::to_string(name));
+        memory.history.keep(archive);
+        archive("fastest", memory.fastest);
+        archive("next_increment", memory.increment);
+        archive("straight_for", memory.straightFor);
+      }
+  };
+  effect.report = [=](const State<3>& state, nlohmann::json& summary)
+  { report(state, *memories, *circles, summary); };
+  return effect;
+}
+
+} // namespace Rhegma::propagation

@@ -1,0 +1,184 @@
+#include "CubeScene.hpp"
+
+#include "cracks/Opening.hpp"
+#include "cracks/SurfaceGrowth.hpp"
+
+#include <algorithm>
+#include <functional>
+
+using namespace Rhegma;
+using namespace Rhegma::cracks;
+using namespace Rhegma::cracks::test;
+
+namespace
+{
+
+const double pi = std::acos(-1.0);
+constexpr double toughness = 100.0;
+
+/// A block with a disk, and nothing that moves.
+Teuchos::ParameterList disk(const Vector<3>& centre, double radius, double size)
+{
+  Teuchos::ParameterList scene = blockScene({size, size, size});
+  Teuchos::ParameterList& crack = scene.sublist("Cracks").sublist("Cut");
+  crack.set("Centre", numbers({centre[0], centre[1], centre[2]}));
+  crack.set("Normal", numbers({0.0, 0.0, 1.0}));
+  crack.set("Radius", radius);
+  return scene;
+}
+
+/// What a station is to do: a direction and a length.
+using Step = std::function<StationAdvance<3>(const FrontStation<3>&)>;
+
+void advance(State<3>& state, SurfaceGrowth& growth, const Step& step)
+{
+  for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
+  {
+    FrontAdvance<3> asked;
+    asked.front = static_cast<int>(f);
+    for (const FrontStation<3>& station : state.cracks.fronts[f].stations)
+      asked.stations.push_back(step(station));
+    if (!asked.stations.empty())
+      state.cracks.advances.push_back(asked);
+  }
+  growth.grow(state);
+}
+
+Step straightBy(double length)
+{
+  return [=](const FrontStation<3>& s) { return StationAdvance<3>{s.direction, length, toughness}; };
+}
+
+double radiusOf(const FrontStation<3>& s, const Vector<3>& centre)
+{
+  return std::hypot(s.position[0] - centre[0], s.position[1] - centre[1]);
+}
+
+} // namespace
+
+/// A disk that grows evenly by a fifth of a cell at a time from 3 to 8 cells stays flat to rounding and
+/// round: between stations a polygon of pieces of up to 1.5 cells lies up to 1.5^2 / (8 r) cells inside of
+/// its circle, 0.1 here, and a station that comes between two others begins there. What it books is its new
+/// area to rounding, pieces keep within 0.5 and 1.5 cells, and each inner edge has a triangle on both sides.
+TEST(SurfaceGrowth, KeepsADiskRoundAndBooksItsArea)
+{
+  const Vector<3> centre{10e-3, 10e-3, 10.3e-3};
+  const auto run = start<3>(disk(centre, 3e-3, 20e-3));
+  State<3>& state = run->state();
+  SurfaceGrowth growth;
+  const double before = measureOpening(state.cracks, 0).size;
+  for (int k = 0; k < 25; ++k)
+    advance(state, growth, straightBy(0.2 * cell));
+  const CrackFront<3>& front = state.cracks.fronts[0];
+  const double area = measureOpening(state.cracks, 0).size;
+  EXPECT_NEAR(front.taken, toughness * (area - before), 1e-10 * toughness * area);
+  EXPECT_NEAR(front.unspent, front.taken, 1e-12);
+  // The polygon's area is less than the circle's by a share of up to (1.5 / 8)^2 / 6.
+  EXPECT_NEAR(area, pi * 64e-6, 0.02 * pi * 64e-6);
+  ASSERT_GE(front.stations.size(), 34u); // the rim has 50 cells
+  ASSERT_LE(front.stations.size(), 100u);
+  double mean = 0.0;
+  for (const FrontStation<3>& s : front.stations)
+    mean += radiusOf(s, centre) / double(front.stations.size());
+  EXPECT_NEAR(mean, 8e-3, 0.1 * cell);
+  for (std::size_t k = 0; k < front.stations.size(); ++k)
+  {
+    const FrontStation<3>&s = front.stations[k], &next = front.stations[(k + 1) % front.stations.size()];
+    EXPECT_NEAR(radiusOf(s, centre), mean, 0.12 * cell) << k;
+    EXPECT_NEAR(s.position[2], centre[2], 1e-12);
+    EXPECT_GE(s.facet, 0);
+    const double piece = norm(next.position - s.position);
+    EXPECT_GT(piece, 0.45 * cell);
+    EXPECT_LT(piece, 1.55 * cell);
+  }
+  const auto neighbour = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.neighbour);
+  int open = 0;
+  for (std::size_t s = 0; s < neighbour.extent(0); ++s)
+    for (int i = 0; i < 3; ++i)
+      open += neighbour(s, i) < 0 ? 1 : 0;
+  EXPECT_EQ(open, front.numFacets);
+}
+
+/// Stations that are left behind are caught up with: a front that was asked for a ripple of a fifth of a cell
+/// in every advance, at every other station, has less of it than one that would not smooth, 10 x 0.2 cells,
+/// and books what it gains all the same.
+TEST(SurfaceGrowth, SmoothsRipplesWithoutLossOfArea)
+{
+  const Vector<3> centre{10e-3, 10e-3, 10.3e-3};
+  const auto run = start<3>(disk(centre, 5e-3, 20e-3));
+  State<3>& state = run->state();
+  SurfaceGrowth growth;
+  const double before = measureOpening(state.cracks, 0).size;
+  for (int k = 0; k < 10; ++k)
+    advance(state, growth,
+            [&](const FrontStation<3>& s)
+            {
+              const double around = std::atan2(s.position[1] - centre[1], s.position[0] - centre[0]);
+              return StationAdvance<3>{s.direction, (0.2 + 0.1 * std::sin(12.0 * around)) * cell, toughness};
+            });
+  const CrackFront<3>& front = state.cracks.fronts[0];
+  const double area = measureOpening(state.cracks, 0).size;
+  EXPECT_NEAR(front.taken, toughness * (area - before), 1e-10 * toughness * area);
+  double least = 1e300, largest = 0.0;
+  for (const FrontStation<3>& s : front.stations)
+  {
+    least = std::min(least, radiusOf(s, centre));
+    largest = std::max(largest, radiusOf(s, centre));
+  }
+  EXPECT_LT(largest - least, 0.9 * 2.0 * cell);
+}
+
+/// A front that turns by 30 degrees makes a cone behind a sharp edge: its new faces lie at that angle.
+TEST(SurfaceGrowth, Kinks)
+{
+  const Vector<3> centre{10e-3, 10e-3, 10.3e-3};
+  const double radius = 4e-3, angle = pi / 6.0;
+  const auto run = start<3>(disk(centre, radius, 20e-3));
+  State<3>& state = run->state();
+  SurfaceGrowth growth;
+  for (int k = 0; k < 8; ++k)
+    advance(state, growth,
+            [&](const FrontStation<3>& s)
+            {
+              const Vector<3> out{s.position[0] - centre[0], s.position[1] - centre[1], 0.0};
+              const Vector<3> to = (std::cos(angle) / norm(out)) * out + std::sin(angle) * Vector<3>{0, 0, 1};
+              return StationAdvance<3>{to, 0.25 * cell, toughness};
+            });
+  for (const FrontStation<3>& s : state.cracks.fronts[0].stations)
+  {
+    const double rise = s.position[2] - centre[2], out = radiusOf(s, centre) - radius;
+    EXPECT_NEAR(rise, 2.0 * cell * std::sin(angle), 0.15 * cell);
+    EXPECT_NEAR(out, 2.0 * cell * std::cos(angle), 0.25 * cell);
+    EXPECT_NEAR(s.direction[2], std::sin(angle), 0.05);
+  }
+}
+
+/// A quarter of a disk slides along the two faces of its block, reaches the others piece by piece, and ends
+/// there as a square that cuts the block: pi / 4 r^2 of the square's area at first, all of it but for what a
+/// half cell at the corner makes up in the end.
+TEST(SurfaceGrowth, EndsAtTheSurface)
+{
+  const double size = 8e-3;
+  const auto run = start<3>(disk({0.0, 0.0, 4.3e-3}, 4e-3, size));
+  State<3>& state = run->state();
+  SurfaceGrowth growth;
+  bool parted = false;
+  int steps = 0;
+  while (!state.cracks.fronts[0].ended && steps < 80)
+  {
+    advance(state, growth, straightBy(0.25 * cell));
+    for (const FrontStation<3>& s : state.cracks.fronts[0].stations)
+    {
+      EXPECT_LT(s.position[0], size + 0.5 * cell);
+      EXPECT_LT(s.position[1], size + 0.5 * cell);
+      parted = parted || s.halted;
+    }
+    ++steps;
+  }
+  EXPECT_TRUE(parted);
+  EXPECT_TRUE(state.cracks.fronts[0].ended);
+  EXPECT_NEAR(measureOpening(state.cracks, 0).size, size * size, 0.06 * size * size);
+  EXPECT_EQ(state.cracks.frontFacet.extent(0), 0u);
+  ASSERT_FALSE(state.warnings.empty());
+  EXPECT_NE(state.warnings.back().find("reached the surface"), std::string::npos);
+}
