@@ -23,6 +23,7 @@ struct Options
   Criteria<D> criteria;
   int interval = 10;
   double mergeLoss = 0.1;
+  double startTime = 0.0;
 };
 
 /// What a run has done so far.
@@ -74,6 +75,12 @@ Section section()
       .atLeast(1)
       .byDefault(10)
       .meaning("Steps of the smallest cells between two looks at the cells.");
+  s.real("Start Time")
+      .unit("s")
+      .notNegative()
+      .byDefault(0.0)
+      .meaning(
+          "Until then cells stay as large as they are, as for a body that is loaded before its crack runs.");
   s.real("Merge Loss")
       .above(0.0)
       .atMost(1.0)
@@ -145,6 +152,7 @@ Options<D> readOptions(const Teuchos::ParameterList& list)
   criteria.buffer = list.get<int>("Buffer Cells");
   options.interval = list.get<int>("Interval");
   options.mergeLoss = list.get<double>("Merge Loss");
+  options.startTime = list.get<double>("Start Time");
   for (const std::string& name : sublistNames(list))
   {
     const Teuchos::ParameterList& box = list.sublist(name);
@@ -213,7 +221,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     checkRegions<D>(list, state.grid);
     *progress = std::make_shared<Progress<D>>(Progress<D>{Branches<D>(state.grid)});
     Kokkos::deep_copy(state.particles.integer(ancestor), state.particles.integer(fields::id));
-    adapt(state, options, **progress);
+    if (options.startTime == 0.0)
+      adapt(state, options, **progress);
   };
   effect.call({Stage::BetweenSteps,
                "cells and particles adapt",
@@ -224,6 +233,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                {
                  // Steps of the smallest cells, so that no particle runs far into them unsplit.
                  const int interval = std::max(options.interval >> ownLevels(state), 1);
+                 if (state.time < options.startTime)
+                   return;
                  if (state.step % interval == (state.step < interval ? 1 % interval : 0))
                    adapt(state, options, **progress);
                }});

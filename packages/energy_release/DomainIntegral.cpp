@@ -3,6 +3,7 @@
 #include "energy_release/CrackTipFields.hpp"
 #include "energy_release/FacePressureTerm.hpp"
 #include "energy_release/InternalAcceleration.hpp"
+#include "energy_release/ParticleHeat.hpp"
 #include "material/MaterialTable.hpp"
 #include "material/Materials.hpp"
 #include "parallel/Subdomain.hpp"
@@ -27,6 +28,7 @@ struct Disk
   Vector<D> reference{{0.0, 0.0}}; ///< mean before deformation [m]
   TipModuli moduli;
   double effectiveModulus; ///< [Pa]
+  double traceFactor;      ///< trace of Williams' stress over that of its part in the plane
 };
 
 KOKKOS_INLINE_FUNCTION double distance(const BorrowedView<double* [D]>& position, int p,
@@ -63,6 +65,33 @@ void addMeanPlaces(const State<D>& state, const Vector<D>& centre, double reach,
   disk.reference = {{sums[2] / count, sums[3] / count}};
 }
 
+/// Moduli of the material at the front, as warm as it is.
+Properties lawAtFront(const State<D>& state, const CrackFront<D>& front)
+{
+  const int number = materialAt(state, front.position);
+  Properties law = state.materialList[number];
+  if (state.thermo.empty() || !(front.temperature > 0.0))
+    return law;
+  const ThermoTables tables = state.thermo;
+  const double temperature = front.temperature;
+  double moduli[4] = {}; // from the device
+  Kokkos::parallel_reduce(
+      "rhegma::lawAtFront", Kokkos::RangePolicy<ExecSpace>(0, 1),
+      KOKKOS_LAMBDA(const int, double& mu, double& bulk, double& lambda, double& planeLambda) {
+        const Properties now = ThermoPoint(tables, number, temperature).properties();
+        mu += now.mu;
+        bulk += now.bulk;
+        lambda += now.lambda;
+        planeLambda += now.planeLambda;
+      },
+      moduli[0], moduli[1], moduli[2], moduli[3]);
+  law.mu = moduli[0];
+  law.bulk = moduli[1];
+  law.lambda = moduli[2];
+  law.planeLambda = moduli[3];
+  return law;
+}
+
 Disk describeDisk(const State<D>& state, const CrackFront<D>& front, const ContourRadii& radii)
 {
   const auto position = state.particles.real<D>(fields::position);
@@ -94,11 +123,12 @@ Disk describeDisk(const State<D>& state, const CrackFront<D>& front, const Conto
     disk.velocity = {{sums[2] / count, sums[3] / count}};
   }
   addMeanPlaces(state, centre, reach, disk);
-  const Elasticity e = elasticity(state.materialList[materialAt(state, centre)]);
+  const Elasticity e = elasticity(lawAtFront(state, front));
   disk.moduli.shear = e.shear;
   disk.moduli.kolosov =
       state.plane == Plane::Stress ? (3.0 - e.poisson) / (1.0 + e.poisson) : 3.0 - 4.0 * e.poisson;
   disk.effectiveModulus = e.effectiveModulus;
+  disk.traceFactor = state.plane == Plane::Stress ? 1.0 : 1.0 + e.poisson;
   return disk;
 }
 
@@ -173,6 +203,7 @@ struct Integrand
   BorrowedView<double**> history;
   BorrowedView<int*> material, side;
   View<Properties*> materials;
+  ParticleHeat heat;
   Disk disk;
   Vector<D> tip; ///< of Williams' field
   Vector<D> direction, normal;
@@ -232,14 +263,18 @@ struct Integrand
     const Vector<D> flux{{tau[0] * dq[0] + tau[2] * dq[1], tau[2] * dq[0] + tau[1] * dq[1]}};
     const double density = mass(p) / volume(p);
     const double* own = history.extent(1) > 0 ? &history(p, 0) : nullptr;
-    const double energy = storedEnergy<D>(materials(material(p)), F, own) + 0.5 * density * dot(v, v);
+    const Properties& law = materials(material(p));
+    const double energy = heat.energy(p, material(p), law, F, own) + 0.5 * density * dot(v, v);
     if (way.count == 0)
-      J += volume(p) * (dot(flux, du) - energy * dot(dq, image) + density * (dot(a, du) - dot(v, dv1)) * q);
+      J += volume(p) * (dot(flux, du) - energy * dot(dq, image) +
+                        (density * (dot(a, du) - dot(v, dv1)) -
+                         heat.energyAlong(p, material(p), law, F, tau, own, image)) *
+                            q);
     else
       J += volume(p) * alongTheWay(p, F, tau, energy, density, v, a, dv);
     if (!intensities)
       return;
-    const Pair sum = interaction(p, q, dq, flux, du, density, a);
+    const Pair sum = interaction(p, q, dq, flux, du, density, a, image);
     modeI += sum.interaction[0];
     modeII += sum.interaction[1];
     reciprocalI += sum.reciprocal[0];
@@ -281,7 +316,11 @@ struct Integrand
           {dv[0][0] * image[0] + dv[0][1] * image[1], dv[1][0] * image[0] + dv[1][1] * image[1]}};
       const Vector<D> slope{{dQ[k][0], dQ[k][1]}};
       const Vector<D> flux{{tau[0] * slope[0] + tau[2] * slope[1], tau[2] * slope[0] + tau[1] * slope[1]}};
-      sum += dot(flux, du) - energy * dot(slope, image) + density * (dot(a, du) - dot(v, dvk)) * Q[k];
+      const double* own = history.extent(1) > 0 ? &history(p, 0) : nullptr;
+      sum += dot(flux, du) - energy * dot(slope, image) +
+             (density * (dot(a, du) - dot(v, dvk)) -
+              heat.energyAlong(p, material(p), materials(material(p)), F, tau, own, image)) *
+                 Q[k];
     }
     return sum;
   }
@@ -295,7 +334,8 @@ struct Integrand
   }
 
   KOKKOS_INLINE_FUNCTION Pair interaction(int p, double q, const Vector<D>& dq, const Vector<D>& flux,
-                                          const Vector<D>& du, double density, const Vector<D>& a) const
+                                          const Vector<D>& du, double density, const Vector<D>& a,
+                                          const Vector<D>& image) const
   {
     Pair sum;
     const Vector<D> from{{position(p, 0) - tip[0], position(p, 1) - tip[1]}};
@@ -316,6 +356,9 @@ struct Integrand
         {tau[0] * direction[0] + tau[2] * direction[1], tau[2] * direction[0] + tau[1] * direction[1]}};
     const Vector<D> lift{{tau[0] * normal[0] + tau[2] * normal[1], tau[2] * normal[0] + tau[1] * normal[1]}};
     const double s11 = dot(pull, direction), s12 = dot(pull, normal), s22 = dot(lift, normal);
+    const bool warm = heat.strains(material(p));
+    const double expanded = warm ? heat.strain(p, material(p)) : 0.0;
+    const double expansionAlong = warm ? heat.expansion(p, material(p)) * heat.alongImage(p, image) : 0.0;
     for (int mode = 0; mode < 2; ++mode)
     {
       const TipField w = williamsField(mode, r, theta, disk.moduli);
@@ -333,6 +376,9 @@ struct Integrand
           reciprocal -= w.stress[i][j] * uIn[i] * slopeIn[j];
         }
       }
+      const double traced = disk.traceFactor * (w.stress[0][0] + w.stress[1][1]) * q;
+      m += expansionAlong * traced;
+      reciprocal -= expanded * traced;
       sum.interaction[mode] = volume(p) * m;
       sum.reciprocal[mode] = volume(p) * reciprocal;
     }
@@ -469,6 +515,7 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
   if (work.sides)
     work.side = state.particles.integer(fields::side);
   work.materials = state.materials;
+  work.heat = ParticleHeat(state);
   work.disk = describeDisk(state, front, radii);
   work.way = wayOf(state, front, radii.outer);
   work.direction = front.direction;

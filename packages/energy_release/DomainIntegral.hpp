@@ -22,6 +22,15 @@ struct DomainIntegral
 ///
 /// with the kinetic energy density T and Williams' field of unit intensity w, z, e.
 ///
+/// Where temperature (here t) strains the body or changes its moduli, W is the energy of what of the strain
+/// is not thermal, and J and M are less and more by what a shift of the disk does to it at fixed strain:
+///
+///     J  -= int dW/dt t,1 q  dV0 / thickness,     dW/dt = -alpha tr s + W(d moduli / dt)
+///     M  += int alpha t,1 tr z q  dV / thickness
+///
+/// M takes moduli
+/// as they are at the front's temperature to be the same all round it.
+///
 /// Without T, or with one of the two terms of inertia, J depends on the radii as soon as anything moves: a
 /// plane wave has P_11 u_1,1 = W + T.
 ///
@@ -42,7 +51,7 @@ struct DomainIntegral
 /// arms, K is off by c over a quarter of the arm's height (4 % with 8 cells an arm), though J is not. The
 /// offset follows from reciprocity, and w is taken about front + c:
 ///
-///     R   = int (s_ij w_i - z_ij u_i) q,j + rho a_i w_i q  dV / thickness = 2 K c / E'
+///     R   = int (s_ij w_i - z_ij u_i) q,j + (rho a_i w_i - (theta - 1) tr z) q  dV / thickness = 2 K c / E'
 ///     c   = E' (R_I K_I + R_II K_II) / (2 (K_I^2 + K_II^2))
 ///
 /// Aside of the crack w is taken about the cut that the particles have where q falls: a crack along the cells
@@ -52,9 +61,10 @@ struct DomainIntegral
 /// So K, like J, belongs to the crack that the cells have, and K_I^2 + K_II^2 = E' J but for quadrature.
 ///
 /// \param acceleration of the nodes, a row a node [m/s2]
-/// Source: Nishioka and Atluri, Eng. Fract. Mech. 18 (1983) 1; Li, Shih and Needleman, Eng. Fract. Mech. 21
-/// (1985) 405; Yau, Wang and Corten, J. Appl. Mech. 47 (1980) 335; for R Bueckner, ZAMM 50 (1970) 529, and
-/// Stern, Becker and Dunham, Int. J. Fract. 12 (1976) 359.
+/// Source: Nishioka and Atluri, Eng. Fract. Mech. 18 (1983) 1; for heat Wilson and Yu, Int. J. Fract. 15
+/// (1979) 377, and Shih, Moran and Nakamura, Int. J. Fract. 30 (1986) 79; Li, Shih and Needleman, Eng. Fract.
+/// Mech. 21 (1985) 405; Yau, Wang and Corten, J. Appl. Mech. 47 (1980) 335; for R Bueckner, ZAMM 50 (1970)
+/// 529, and Stern, Becker and Dunham, Int. J. Fract. 12 (1976) 359.
 DomainIntegral integrateDomain(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
                                const View<double* [2]>& acceleration);
 

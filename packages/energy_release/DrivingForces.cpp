@@ -15,7 +15,7 @@ namespace Rhegma::energy_release
 namespace
 {
 
-/// Cells by which a front may move before its radii are found anew.
+/// Cells by which a front may move before its radii are found anew, unless its cells change.
 constexpr double lookAgain = 1.0;
 /// Smallest radii [cells].
 constexpr double leastOuter = 2.0, leastInner = 1.0;
@@ -37,10 +37,11 @@ const DrivingForces::Contours& DrivingForces::contoursOf(const State<2>& state, 
   contours_.resize(state.cracks.fronts.size());
   Contours& own = contours_[f];
   const CrackFront<2>& front = state.cracks.fronts[f];
-  if (own.cell > 0.0 && norm(front.position - own.at) < lookAgain * own.cell)
+  const double cell = spacingAt(state, front.position);
+  if (own.cell == cell && norm(front.position - own.at) < lookAgain * own.cell)
     return own;
   own.at = front.position;
-  own.cell = spacingAt(state, front.position);
+  own.cell = cell;
   const DrivingContours& wanted = state.cracks.drivingContours;
   const double room =
       roomAround(state, front, std::max(wanted.releaseOuter, wanted.intensityOuter) * own.cell);

@@ -54,9 +54,10 @@ void decide(State<2>& state, const Options& options, Fronts& fronts)
       continue;
     if (fronts.fastest[f] == 0.0)
       fronts.fastest[f] = fastestAt(state, front.position, options);
-    if (fronts.increment[f] == 0.0)
-      fronts.increment[f] = options.cells * spacingAt(state, front.position);
     FrontHistory& history = fronts.histories[f];
+    // Cells may become smaller round a front at rest.
+    if (fronts.increment[f] == 0.0 || !history.running())
+      fronts.increment[f] = options.cells * spacingAt(state, front.position);
     const double release = front.driving.release;
     const AdvanceRule rule = ruleAt(front.temperature, options);
     if (isWeak(rule, fronts.fastest[f]))

@@ -106,6 +106,10 @@ double Conduction<D>::heatOfFronts(State<D>& state, double dt)
     added += given;
     if (given > 0.0)
     {
+      // Cells are by then as small as a running front wants them.
+      if (const std::string word = unresolved(state, "Thermal > Front Radius", frontRadius);
+          fractureSeen == 0.0 && !word.empty())
+        state.warnings.push_back(word);
       frontHeat[f] += energy;
       fractureSeen += energy;
     }
@@ -211,9 +215,6 @@ void Conduction<D>::step(State<D>& state)
               unresolved(state, "Thermal > Sources > " + source.name + " > Radius", source.radius);
           source.ball && !word.empty())
         state.warnings.push_back(word);
-    if (const std::string word = unresolved(state, "Thermal > Front Radius", frontRadius);
-        frontFraction > 0.0 && !word.empty())
-      state.warnings.push_back(word);
   }
   const double steps = substeps(state, pending);
   if (!(steps <= mostSubsteps))

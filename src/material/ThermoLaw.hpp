@@ -19,6 +19,17 @@
 namespace Rhegma
 {
 
+/// dW/dT at fixed F [J/(m3 K)]. \param own F without thermal strain \param tau the stress of it
+template <class Law, int D, Plane P>
+KOKKOS_INLINE_FUNCTION double energySlope(const ThermoPoint& at, const double* own, const double* tau,
+                                          const double* history)
+{
+  double slope = -at.expansion() / at.stretch() * trace<D>(tau);
+  if (at.varies())
+    slope += Law::template energy<D, P>(at.slope(), own, history);
+  return slope;
+}
+
 /// Stress and energies of one particle, F and history as the law's own `stress` has them.
 struct ThermoStress
 {
@@ -42,9 +53,7 @@ struct ThermoStress
     if constexpr (P == Plane::Stress)
       F[4] = theta * own[4];
     const double stored = Law::template energy<D, P>(law, own, history);
-    double slope = -at.expansion() * inverse * trace<D>(tau);
-    if (at.varies())
-      slope += Law::template energy<D, P>(at.slope(), own, history);
+    const double slope = energySlope<Law, D, P>(at, own, tau, history);
     const double T0 = at.material.reference;
     internal = stored - temperature * slope + at.heat() +
                0.5 * at.material.coupling * (temperature - T0) * (temperature + T0) +
@@ -72,6 +81,25 @@ struct ThermoEnergy
     for (int k = 0; k < gradientSize<D>; ++k)
       own[k] = inverse * F[k];
     return Law::template energy<D, P>(at.properties(), own, history);
+  }
+};
+
+/// dW/dT at fixed F of a particle whose stress is known [J/(m3 K)].
+struct ThermoSlope
+{
+  const ThermoPoint& at;
+  const double* F;
+  const double* tau;
+  const double* history;
+
+  template <class Law, int D, Plane P>
+  KOKKOS_INLINE_FUNCTION double run() const
+  {
+    const double inverse = 1.0 / at.stretch();
+    double own[gradientSize<D>];
+    for (int k = 0; k < gradientSize<D>; ++k)
+      own[k] = inverse * F[k];
+    return energySlope<Law, D, P>(at, own, tau, history);
   }
 };
 

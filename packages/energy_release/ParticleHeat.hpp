@@ -1,0 +1,74 @@
+#pragma once
+/// What temperature adds to the integrals round a front.
+
+#include "energy_release/CrackTipFields.hpp"
+#include "material/ThermoLaw.hpp"
+#include "state/State.hpp"
+#include "transfer/ParticleViews.hpp"
+
+namespace Rhegma::energy_release
+{
+
+/// Elastic energy of particles, and what it has of their temperature.
+struct ParticleHeat
+{
+  ThermoTables tables; ///< empty where nobody carries heat
+  BorrowedView<double*> temperature;
+  BorrowedView<double* [2]> gradient;
+
+  ParticleHeat() = default;
+  explicit ParticleHeat(const State<2>& state) : tables(state.thermo)
+  {
+    if (tables.empty())
+      return;
+    temperature = state.particles.scalar(fields::temperature);
+    gradient = state.particles.real<2>(fields::temperatureGradient);
+  }
+
+  /// Whether the stress of a material knows the temperature.
+  KOKKOS_INLINE_FUNCTION bool strains(int material) const
+  {
+    return !tables.empty() && tables.material(material).coupled;
+  }
+
+  /// W of what of F is not thermal strain [J/m3].
+  KOKKOS_INLINE_FUNCTION double energy(int p, int material, const Properties& law, const double* F,
+                                       const double* history) const
+  {
+    if (!strains(material))
+      return storedEnergy<2>(law, F, history);
+    return withLaw<2>(law.kind, law.plane,
+                      ThermoEnergy{ThermoPoint(tables, material, temperature(p)), F, history});
+  }
+
+  /// Change of W along a direction at fixed strain, dW/dT T,1 [J/m4]: thermal strain and moduli together.
+  /// \param image of the direction in the deformed body
+  KOKKOS_INLINE_FUNCTION double energyAlong(int p, int material, const Properties& law, const double* F,
+                                            const double* tau, const double* history,
+                                            const Vector<2>& image) const
+  {
+    if (!strains(material))
+      return 0.0;
+    return alongImage(p, image) *
+           withLaw<2>(law.kind, law.plane,
+                      ThermoSlope{ThermoPoint(tables, material, temperature(p)), F, tau, history});
+  }
+
+  /// Temperature's change along a direction of the undeformed body [K/m].
+  KOKKOS_INLINE_FUNCTION double alongImage(int p, const Vector<2>& image) const
+  {
+    return gradient(p, 0) * image[0] + gradient(p, 1) * image[1];
+  }
+
+  /// Thermal strain, and alpha [1/K].
+  KOKKOS_INLINE_FUNCTION double strain(int p, int material) const
+  {
+    return strains(material) ? ThermoPoint(tables, material, temperature(p)).stretch() - 1.0 : 0.0;
+  }
+  KOKKOS_INLINE_FUNCTION double expansion(int p, int material) const
+  {
+    return strains(material) ? ThermoPoint(tables, material, temperature(p)).expansion() : 0.0;
+  }
+};
+
+} // namespace Rhegma::energy_release
