@@ -8,6 +8,7 @@
 #include "grid/Branches.hpp"
 #include "scene/ReadList.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -23,7 +24,7 @@ struct Options
   Criteria<D> criteria;
   int interval = 10;
   double mergeLoss = 0.1;
-  double startTime = 0.0;
+  double startTime = 0.0, levelTime = 0.0;
 };
 
 /// What a run has done so far.
@@ -81,6 +82,13 @@ Section section()
       .byDefault(0.0)
       .meaning(
           "Until then cells stay as large as they are, as for a body that is loaded before its crack runs.");
+  s.real("Level Time")
+      .unit("s")
+      .notNegative()
+      .byDefault(0.0)
+      .meaning(
+          "Time from one level to the next after Start Time: each new level sends small waves out, which may "
+          "fade in large steps.");
   s.real("Merge Loss")
       .above(0.0)
       .atMost(1.0)
@@ -153,6 +161,7 @@ Options<D> readOptions(const Teuchos::ParameterList& list)
   options.interval = list.get<int>("Interval");
   options.mergeLoss = list.get<double>("Merge Loss");
   options.startTime = list.get<double>("Start Time");
+  options.levelTime = list.get<double>("Level Time");
   for (const std::string& name : sublistNames(list))
   {
     const Teuchos::ParameterList& box = list.sublist(name);
@@ -182,11 +191,24 @@ void checkRegions(const Teuchos::ParameterList& list, const Grid<D>& grid)
   }
 }
 
+/// The criteria with the levels that there may be by now.
+template <int D>
+Criteria<D> criteriaNow(const State<D>& state, const Options<D>& options)
+{
+  Criteria<D> now = options.criteria;
+  const double since = state.time - options.startTime;
+  if (since < options.levelTime * (now.maximumLevel - 1))
+    now.maximumLevel = 1 + static_cast<int>(since / options.levelTime);
+  for (auto& region : now.regions)
+    region.level = std::min(region.level, now.maximumLevel);
+  return now;
+}
+
 /// Brings cells and particles to what the criteria want now.
 template <int D>
 void adapt(State<D>& state, const Options<D>& options, Progress<D>& progress)
 {
-  Branches<D> wanted = wantedBranches(state, options.criteria, progress.branches);
+  Branches<D> wanted = wantedBranches(state, criteriaNow(state, options), progress.branches);
   if (!(wanted == progress.branches))
   {
     progress.branches = std::move(wanted);

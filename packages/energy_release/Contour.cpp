@@ -39,10 +39,57 @@ void sumVolume(const State<D>& state, const Vector<D>& centre, double radius, co
       });
 }
 
-} // namespace
-
+/// The room between the faces of a crack, which is no surface that a contour has to keep clear of.
 template <int D>
-double clearRadius(const State<D>& state, const Vector<D>& centre, double radius)
+struct Gap
+{
+  View<double* [2][D]> face;
+  View<int* [D]> simplex;
+  int first = 0, end = 0; ///< simplices
+  double margin = 0.0;    ///< how far beyond the faces nodes lack material because of it [m]
+
+  KOKKOS_INLINE_FUNCTION bool holds(const Vector<D>& x) const
+  {
+    for (int s = first; s < end; ++s)
+    {
+      const int v = simplex(s, 0), w = simplex(s, D - 1);
+      Vector<D> a, along, halfAtA, halfAtB;
+      for (int d = 0; d < D; ++d)
+      {
+        a[d] = 0.5 * (face(v, 0, d) + face(v, 1, d));
+        along[d] = 0.5 * (face(w, 0, d) + face(w, 1, d)) - a[d];
+        halfAtA[d] = 0.5 * (face(v, 1, d) - face(v, 0, d));
+        halfAtB[d] = 0.5 * (face(w, 1, d) - face(w, 0, d));
+      }
+      const double square = dot(along, along);
+      double at = square > 0.0 ? dot(x - a, along) / square : 0.0;
+      at = at < 0.0 ? 0.0 : (at > 1.0 ? 1.0 : at);
+      if (norm(x - a - at * along) < (1.0 - at) * norm(halfAtA) + at * norm(halfAtB) + margin)
+        return true;
+    }
+    return false;
+  }
+};
+
+/// The gap of a front's crack. Nodes reach 1.5 cells.
+template <int D>
+Gap<D> gapOf(const State<D>& state, const CrackFront<D>& front)
+{
+  Gap<D> gap;
+  if (D == 3 || state.cracks.face.extent(0) == 0)
+    return gap;
+  const Crack<D>& crack = state.cracks.cracks[front.crack];
+  gap.face = state.cracks.face;
+  gap.simplex = state.cracks.simplex;
+  gap.first = crack.firstSimplex;
+  gap.end = crack.firstSimplex + crack.numSimplices;
+  gap.margin = 1.5 * spacingAt(state, front.position);
+  return gap;
+}
+
+/// clearRadius without the nodes in a gap.
+template <int D>
+double clearBeside(const State<D>& state, const Vector<D>& centre, double radius, const Gap<D>& gap)
 {
   const Grid<D> grid = state.grid;
   const NodePlaces<D> places = nodePlaces(state);
@@ -62,7 +109,8 @@ double clearRadius(const State<D>& state, const Vector<D>& centre, double radius
         if (volume(n) > 0.6 * cell * (refined ? share(n) : 1.0))
           return;
         const double r = norm(places(n) - centre);
-        smallest = r < smallest ? r : smallest;
+        if (r < smallest && !gap.holds(places(n)))
+          smallest = r;
       },
       Kokkos::Min<double>(nearest));
   double closeness = -nearest;
@@ -70,10 +118,18 @@ double clearRadius(const State<D>& state, const Vector<D>& centre, double radius
   return std::min(-closeness, radius);
 }
 
+} // namespace
+
+template <int D>
+double clearRadius(const State<D>& state, const Vector<D>& centre, double radius)
+{
+  return clearBeside(state, centre, radius, Gap<D>{});
+}
+
 template <int D>
 double largestContour(const State<D>& state, const CrackFront<D>& front, double radius)
 {
-  double clear = clearRadius(state, front.position, radius);
+  double clear = clearBeside(state, front.position, radius, gapOf(state, front));
   for (const CrackFront<D>& other : state.cracks.fronts)
     if (!other.ended && (other.crack != front.crack || other.number != front.number))
       clear = std::min(clear, norm(other.position - front.position));

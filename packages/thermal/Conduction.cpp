@@ -106,10 +106,7 @@ double Conduction<D>::heatOfFronts(State<D>& state, double dt)
     added += given;
     if (given > 0.0)
     {
-      // Cells are by then as small as a running front wants them.
-      if (const std::string word = unresolved(state, "Thermal > Front Radius", frontRadius);
-          fractureSeen == 0.0 && !word.empty())
-        state.warnings.push_back(word);
+      finestHeated = std::min(finestHeated, state.smallestSpacing());
       frontHeat[f] += energy;
       fractureSeen += energy;
     }
@@ -211,8 +208,8 @@ void Conduction<D>::step(State<D>& state)
   {
     warned = true;
     for (const Source<D>& source : sources)
-      if (const std::string word =
-              unresolved(state, "Thermal > Sources > " + source.name + " > Radius", source.radius);
+      if (const std::string word = unresolved("Thermal > Sources > " + source.name + " > Radius",
+                                              source.radius, state.smallestSpacing());
           source.ball && !word.empty())
         state.warnings.push_back(word);
   }

@@ -4,6 +4,8 @@
 #include "thermal/HeatBoundaries.hpp"
 #include "thermal/Sources.hpp"
 
+#include <limits>
+
 namespace Rhegma::thermal
 {
 
@@ -24,6 +26,7 @@ struct Conduction
   double leastCapacity = 0.0;    ///< least of the materials [J/(m3 K)]
   double fractureSeen = 0.0;     ///< energy of the ledger's fracture that fronts have had their heat of [J]
   std::vector<double> frontHeat; ///< the part of it of each front [J]
+  double finestHeated = std::numeric_limits<double>::infinity(); ///< finest cells when fronts were heated [m]
   bool warned = false;
   ObservedPoints<D> fronts; ///< of cracks
   StencilTable<D> frontStencils;

@@ -112,14 +112,13 @@ double addSource(const State<D>& state, const Source<D>& source, double time, co
                     std::max(source.radius, smallestRadius(state)), now * source.power, supply);
 }
 
-template <int D>
-std::string unresolved(const State<D>& state, const std::string& what, double radius)
+std::string unresolved(const std::string& what, double radius, double edge)
 {
-  if (!(radius < state.smallestSpacing()))
+  if (!(radius < edge))
     return {};
-  return what + ": the radius " + formatReal(radius) + " m is below the finest cells, " +
-         formatReal(state.smallestSpacing()) + " m, over which the heat is spread instead; cells of " +
-         formatReal(0.5 * radius) + " m would resolve it";
+  return what + ": the radius " + formatReal(radius) + " m is below the finest cells, " + formatReal(edge) +
+         " m, over which the heat is spread instead; cells of " + formatReal(0.5 * radius) +
+         " m would resolve it";
 }
 
 template struct Source<2>;
@@ -130,7 +129,5 @@ template double addBall(const State<2>&, const Vector<2>&, double, double, const
 template double addBall(const State<3>&, const Vector<3>&, double, double, const View<double*>&);
 template double addSource(const State<2>&, const Source<2>&, double, const View<double*>&);
 template double addSource(const State<3>&, const Source<3>&, double, const View<double*>&);
-template std::string unresolved(const State<2>&, const std::string&, double);
-template std::string unresolved(const State<3>&, const std::string&, double);
 
 } // namespace Rhegma::thermal

@@ -51,8 +51,7 @@ double smallestRadius(const State<D>& state)
   return state.smallestSpacing();
 }
 
-/// What to tell of a radius that the cells do not resolve; empty where they do.
-template <int D>
-std::string unresolved(const State<D>& state, const std::string& what, double radius);
+/// What to tell of a radius that cells of an edge do not resolve; empty where they do.
+std::string unresolved(const std::string& what, double radius, double edge);
 
 } // namespace Rhegma::thermal

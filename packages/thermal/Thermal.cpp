@@ -11,6 +11,7 @@
 #include "thermal/Start.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 
@@ -88,6 +89,13 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
 template <int D>
 void observe(State<D>& state, const Run<D>& run)
 {
+  // At the end, for cells may become as small as a running front wants them after it has set out.
+  const Conduction<D>& conduction = run.conduction;
+  if (state.time >= run.finalTime * (1.0 - 1e-12) && std::isfinite(conduction.finestHeated))
+    if (const std::string word =
+            unresolved("Thermal > Front Radius", conduction.frontRadius, conduction.finestHeated);
+        !word.empty())
+      state.warnings.push_back(word);
   const Extremes<D> now = extremes(state);
   state.row.emplace_back("temperature_highest", now.highest);
   state.row.emplace_back("temperature_lowest", now.lowest);
@@ -179,6 +187,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     archive("pending", run->conduction.pending);
     archive("waited", run->conduction.waited);
     archive("warned", run->conduction.warned);
+    archive("finest heated", run->conduction.finestHeated);
   };
   return effect;
 }

@@ -347,8 +347,8 @@ HEAT = [
      one("Boundaries > Pull", "nothing moves")),
     ("rigid_with_motion", warm().remove("Energy Release").set("Materials > Stone", {"Model": "Rigid",
      "Density": 1.0, "Specific Heat": 1.0}), one("Materials > Stone > Model", "heat alone")),
-    ("expansion_and_energy_release", warm().set(POLYMER + "Thermal Expansion", 7e-5),
-     one("Materials > Polymer", "Energy Release")),
+    ("expansion_and_crack_closure", warm().set(POLYMER + "Thermal Expansion", 7e-5).set(
+        "Energy Release > Crack Closure", True), one("Energy Release > Crack Closure", "set it to false")),
     ("heat_and_mass_matrix", warm().set("Mass Matrix", {"Type": "Full"}), one("Mass Matrix", "Thermal")),
     ("heat_and_viscosity", warm().set("Damping", {"Shear Viscosity": 1.0}),
      one("Damping > Shear Viscosity", "Mass Rate")),
@@ -365,6 +365,10 @@ BOX = {"Lower Corner": [0.0, 0.0], "Upper Corner": [0.02, 0.02], "Level": 1}
 ADAPTIVITY = [
     ("adaptivity_without_a_criterion", plate().set("Adaptivity", {"Front Cells": 0.0}),
      one("Adaptivity", "nothing tells where", "Velocity Change")),
+    ("adaptivity_that_starts_before_the_run", plate().set("Adaptivity", {"Start Time": -1.0}),
+     one("Adaptivity > Start Time", "0")),
+    ("levels_that_come_backwards", plate().set("Adaptivity", {"Level Time": -1.0}),
+     one("Adaptivity > Level Time", "0")),
     ("adaptivity_of_level_0", plate().set("Adaptivity", {"Maximum Level": 0}),
      one("Adaptivity > Maximum Level", "1")),
     ("adaptivity_that_never_coarsens", plate().set("Adaptivity", {"Velocity Change": 1.0, "Coarsening": 1.0}),
