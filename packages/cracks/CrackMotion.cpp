@@ -26,9 +26,10 @@ void placePoints(const CrackSet<D>& cracks, const ObservedPoints<D>& points)
       });
 }
 
-/// How far each point's nodes take it, D numbers, and whether it has nodes.
+/// How far each point's nodes take it, D numbers, and whether it has nodes. \param byMotion by their motion,
+/// not by the projection
 template <int D>
-void findShifts(const Nodes<D>& nodes, const StencilTable<D>& stencils, int count, double dt,
+void findShifts(const Nodes<D>& nodes, const StencilTable<D>& stencils, int count, double dt, bool byMotion,
                 const View<double*>& shift)
 {
   forFew(
@@ -38,7 +39,10 @@ void findShifts(const Nodes<D>& nodes, const StencilTable<D>& stencils, int coun
         {
           double sum = 0.0;
           for (int e = 0; e < entries; ++e)
-            sum += dt * stencils.weight(k, e) * nodes.motion(stencils.node(k, e), d);
+          {
+            const int n = stencils.node(k, e);
+            sum += dt * stencils.weight(k, e) * (byMotion ? nodes.motion(n, d) : nodes.projection(n, d));
+          }
           shift(k * (D + 1) + d) = sum;
         }
         shift(k * (D + 1) + D) = entries > 0 ? 1.0 : 0.0;
@@ -92,7 +96,7 @@ void CrackMotion<D>::move(State<D>& state)
   }
   placePoints(cracks, points_);
   pointStencils(state, points_, stencils_, true);
-  findShifts(state.nodes, stencils_, points_.count, state.dt, shift_);
+  findShifts(state.nodes, stencils_, points_.count, state.dt, state.scheme == UpdateScheme::Usl, shift_);
   sumParts(state, shift_);
   const int lost = moveFaces(cracks, wholeLattice(state), shift_);
   if (lost > 0 && state.trouble.empty())

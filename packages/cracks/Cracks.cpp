@@ -156,6 +156,13 @@ Formulation readFormulation(const Teuchos::ParameterList& section)
                                            : Formulation::DualField;
 }
 
+/// Whether the velocity that moves particles is known only after the gather (MUSL).
+bool projectsLast(const Teuchos::ParameterList& scene)
+{
+  const Teuchos::ParameterList& time = scene.sublist("Time");
+  return !time.isType<std::string>("Update Scheme") || time.get<std::string>("Update Scheme") == "MUSL";
+}
+
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)
 {
@@ -252,9 +259,9 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                    else
                      surface->grow(s);
                  }});
-  effect.call({Stage::Gather,
+  effect.call({projectsLast(scene) ? Stage::AfterProjection : Stage::Gather,
                "cracks move",
-               {"nodal motion"},
+               {projectsLast(scene) ? "projection" : "nodal motion"},
                {"crack geometry"},
                {},
                [=](State<D>& s)

@@ -149,7 +149,10 @@ void FrontTies<D>::makeRoom(State<D>& state)
     return;
   modulus_ = std::numeric_limits<double>::infinity();
   for (const Properties& material : state.materialList)
+  {
     modulus_ = std::min(modulus_, elasticity(material).effectiveModulus);
+    density_ = std::max(density_, material.density);
+  }
 }
 
 template <int D>
@@ -324,6 +327,7 @@ void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
   const View<double* [D]> jump = jump_;
   const View<double * [D + 1]> tie = state.cracks.tie;
   const double modulus = factor * modulus_, thickness = state.thickness;
+  [[maybe_unused]] const double density = density_;
   const double limit = stable / (state.dt * state.dt);
   const int step = surroundings.stamp;
   const View<double*> stiffness = stiffness_;
@@ -392,9 +396,11 @@ void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
           steepest = std::fmax(steepest, std::fabs(sight.normal(s, d)));
         const double xi = seen.behind / cell * std::sqrt(steepest) + offset;
         const double away = std::fabs(seen.distance) / (cell * steepest);
-        double wanted = 0.0;
+        double wanted = 0.0, width = thickness;
+        if constexpr (D == 3) // less at the surface, by what of the node's cells is filled
+          width = cell * std::fmin(1.0, (a + b) / (density * cell * cell * cell));
         if (xi < 1.0 && away < 1.0)
-          wanted = modulus * (D == 2 ? thickness : cell) * (1.0 - xi) / xi * (1.0 - away);
+          wanted = modulus * width * (1.0 - xi) / xi * (1.0 - away);
         wanted = wanted < most ? wanted : most;
         if (wanted > stiffness(own))
           wanted = stiffen<D>(jump, own, stiffness(own), wanted, remeshed);

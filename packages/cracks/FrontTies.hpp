@@ -28,10 +28,11 @@ class SurfaceGrowth;
 ///     k = 0.1 E' b (1 - xi) / xi (1 - z),   xi = sqrt(c) behind / dx + 0.05,
 ///
 /// c the larger component of the normal, as springs reach a little further across the cells, E' of fracture
-/// mechanics, b the thickness (2D) or dx (3D), z the node's distance from the crack along the axis nearest to
-/// its normal, in cells, so that the nodes above and below share one spring. The 0.05 keeps the springs
-/// finite; for the same reason none is stiffer than its two masses allow in the step that their node takes
-/// (with Sub-Cycling the short one). Two opposite forces: momentum is exact. Measured: test InclinedCracks.
+/// mechanics, b the thickness (2D) or dx times the filled share of the node's cells (3D), z the node's
+/// distance from the crack along the axis nearest to its normal, in cells, so that the nodes above and below
+/// share one spring. The 0.05 keeps the springs finite; for the same reason none is stiffer than its two
+/// masses allow in the step that their node takes (with Sub-Cycling the short one). Two opposite forces:
+/// momentum is exact. Measured: test InclinedCracks.
 ///
 /// A spring follows the jump of the velocity that strains the particles, from the step in which its node gets
 /// two fields; it is unstretched then, as a node that a front has just passed is closed. Where refined cells
@@ -94,6 +95,7 @@ private:
   int generation_ = 0;              ///< of the refined cells and of this rank's nodes
   Grid<D> grid_{};              ///< this rank's nodes to which these belong; empty where there is one rank
   double modulus_ = 0.0;        ///< the smallest E' of the scene [Pa]
+  double density_ = 0.0;        ///< the largest of the scene [kg/m3]
   View<double* [D]> jump_;      ///< of each lattice node, from the field of side -1 to that of +1 [m]
   View<double*> stiffness_;     ///< of each lattice node's tie in its last step [N/m]
   View<int*> step_;             ///< number, from 1, of the last step in which a node had two fields

@@ -91,22 +91,13 @@ Gap<D> gapOf(const State<D>& state, const CrackFront<D>& front)
 template <int D>
 double clearBeside(const State<D>& state, const Vector<D>& centre, double radius, const Gap<D>& gap)
 {
-  const Grid<D> grid = state.grid;
   const NodePlaces<D> places = nodePlaces(state);
-  const int nodes = grid.numNodes + state.tree.numFine;
-  const View<double*> volume("rhegma::contourVolume", nodes);
-  sumVolume(state, centre, radius + 3.0 * grid.spacing, volume);
-  sumOverRanks(state, volume);
-  double cell = D == 2 ? state.thickness : 1.0;
-  for (int d = 0; d < D; ++d)
-    cell *= grid.spacing;
-  const bool refined = state.tree.refined();
-  const View<double*> share = state.tree.share;
+  const View<double*> cover = coverOfNodes(state, centre, radius);
   double nearest = radius;
   Kokkos::parallel_reduce(
-      "rhegma::clearRadius", Kokkos::RangePolicy<ExecSpace>(0, nodes),
+      "rhegma::clearRadius", Kokkos::RangePolicy<ExecSpace>(0, cover.extent(0)),
       KOKKOS_LAMBDA(const int n, double& smallest) {
-        if (volume(n) > 0.6 * cell * (refined ? share(n) : 1.0))
+        if (cover(n) > surrounded)
           return;
         const double r = norm(places(n) - centre);
         if (r < smallest && !gap.holds(places(n)))
@@ -119,6 +110,23 @@ double clearBeside(const State<D>& state, const Vector<D>& centre, double radius
 }
 
 } // namespace
+
+template <int D>
+View<double*> coverOfNodes(const State<D>& state, const Vector<D>& centre, double radius)
+{
+  const View<double*> cover("rhegma::coverOfNodes", state.grid.numNodes + state.tree.numFine);
+  sumVolume(state, centre, radius + 3.0 * state.grid.spacing, cover);
+  sumOverRanks(state, cover);
+  double cell = D == 2 ? state.thickness : 1.0;
+  for (int d = 0; d < D; ++d)
+    cell *= state.grid.spacing;
+  const bool refined = state.tree.refined();
+  const View<double*> share = state.tree.share;
+  Kokkos::parallel_for(
+      "rhegma::coverOfNodes", Kokkos::RangePolicy<ExecSpace>(0, cover.extent(0)),
+      KOKKOS_LAMBDA(const int n) { cover(n) /= cell * (refined ? share(n) : 1.0); });
+  return cover;
+}
 
 template <int D>
 double clearRadius(const State<D>& state, const Vector<D>& centre, double radius)
@@ -194,6 +202,8 @@ ContourRadii fittingRadii(const State<2>& state, const CrackFront<2>& front, con
   return radii;
 }
 
+template View<double*> coverOfNodes(const State<2>&, const Vector<2>&, double);
+template View<double*> coverOfNodes(const State<3>&, const Vector<3>&, double);
 template double clearRadius(const State<2>&, const Vector<2>&, double);
 template double clearRadius(const State<3>&, const Vector<3>&, double);
 template double largestContour(const State<2>&, const CrackFront<2>&, double);

@@ -31,9 +31,16 @@ struct NodalWeight
   }
 };
 
-/// Radius [m] up to which every node around `centre` is surrounded by material, at most `radius`. A node
-/// counts as surrounded when its share of the particles' volume is above 0.6 cells: half a cell is what a
-/// node on a straight surface has.
+/// A node counts as surrounded by material when it is covered by more: half is what a node on a straight
+/// surface has.
+constexpr double surrounded = 0.6;
+
+/// Share of each node's cells that particles cover, on the lattice and in refined cells, for nodes within
+/// `radius` [m] of a place. Collective.
+template <int D>
+View<double*> coverOfNodes(const State<D>& state, const Vector<D>& centre, double radius);
+
+/// Radius [m] up to which every node around `centre` is surrounded by material, at most `radius`.
 template <int D>
 double clearRadius(const State<D>& state, const Vector<D>& centre, double radius);
 

@@ -6,6 +6,7 @@
 #include "energy_release/CrackTipFields.hpp"
 #include "energy_release/DomainIntegral.hpp"
 #include "energy_release/DrivingForces.hpp"
+#include "energy_release/FrontsInSpace.hpp"
 #include "energy_release/ReadOptions.hpp"
 #include "scene/Attempts.hpp"
 #include "scene/Numbers.hpp"
@@ -338,13 +339,11 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
   return effect;
 }
 
-Effect<3> make3(const Teuchos::ParameterList&)
-{
-  throw std::invalid_argument("Energy Release: it is for 2D scenes as yet; take this section out");
-}
-
 } // namespace
 
-EffectEntry energyReleaseEntry() { return {energyReleaseSection(), checkEnergyRelease, make2, make3, true}; }
+EffectEntry energyReleaseEntry()
+{
+  return {energyReleaseSection(), checkEnergyRelease, make2, fronts3, true};
+}
 
 } // namespace Rhegma::energy_release

@@ -9,26 +9,35 @@ namespace Rhegma::energy_release
 namespace
 {
 
-constexpr int D = 2;
+struct Disk
+{
+  Vector<2> centre;
+  double radius;
+  KOKKOS_INLINE_FUNCTION bool holds(const Vector<2>& x) const
+  {
+    return dot(x - centre, x - centre) <= radius * radius;
+  }
+};
 
 /// Adds the forces of a block of particles to the nodes.
-template <class Connect>
+template <int D, class Place, class Connect>
 struct ForceBlock
 {
   Connect connect;
+  Place place;
   View<double* [D]> force;
   BorrowedView<double* [D]> position;
   BorrowedView<double*> volume;
   BorrowedView<double * [symmetricSize<D>]> stress;
-  Vector<D> centre;
-  double radius;
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
   {
     for (int p = begin; p < end; ++p)
     {
-      const double x = position(p, 0) - centre[0], y = position(p, 1) - centre[1];
-      if (x * x + y * y > radius * radius)
+      Vector<D> x;
+      for (int d = 0; d < D; ++d)
+        x[d] = position(p, d);
+      if (!place.holds(x))
         continue;
       connect.visit(p,
                     [&](int node, double, const double* slope)
@@ -42,6 +51,7 @@ struct ForceBlock
 };
 
 /// Ties hold the front together, as the material does.
+template <int D>
 void addTies(const State<D>& state, const View<double* [D]>& force)
 {
   const View<double * [D + 1]> tie = state.cracks.tie;
@@ -59,6 +69,7 @@ void addTies(const State<D>& state, const View<double* [D]>& force)
       });
 }
 
+template <int D>
 void divideByMass(const Nodes<D>& nodes, const View<double* [D]>& force)
 {
   Kokkos::parallel_for(
@@ -70,17 +81,8 @@ void divideByMass(const Nodes<D>& nodes, const View<double* [D]>& force)
       });
 }
 
-} // namespace
-
-View<double* [D]> internalAcceleration(const State<D>& state, const Vector<D>& centre, double radius)
-{
-  View<double* [D]> acceleration;
-  internalAcceleration(state, centre, radius, acceleration);
-  return acceleration;
-}
-
-void internalAcceleration(const State<D>& state, const Vector<D>& centre, double radius,
-                          View<double* [D]>& force)
+template <int D, class Place>
+void accelerate(const State<D>& state, const Place& place, View<double* [D]>& force)
 {
   if (force.extent(0) != state.nodes.sums.extent(0))
     force = View<double* [D]>("rhegma::internalForce", state.nodes.sums.extent(0));
@@ -92,18 +94,38 @@ void internalAcceleration(const State<D>& state, const Vector<D>& centre, double
                    [&](const auto& connect)
                    {
                      using Connect = std::decay_t<decltype(connect)>;
-                     const ForceBlock<Connect> block{connect,
-                                                     force,
-                                                     state.particles.real<D>(fields::position),
-                                                     state.particles.scalar(fields::volume),
-                                                     state.particles.real<symmetricSize<D>>(fields::stress),
-                                                     centre,
-                                                     radius};
+                     const ForceBlock<D, Place, Connect> block{
+                         connect,
+                         place,
+                         force,
+                         state.particles.template real<D>(fields::position),
+                         state.particles.scalar(fields::volume),
+                         state.particles.template real<symmetricSize<D>>(fields::stress)};
                      forEachBlock("rhegma::internalForce", state.blocks, block);
                    });
   sumOverRanks(state, force.data(), D, 0, D);
   addTies(state, force);
   divideByMass(state.nodes, force);
+}
+
+} // namespace
+
+View<double* [2]> internalAcceleration(const State<2>& state, const Vector<2>& centre, double radius)
+{
+  View<double* [2]> acceleration;
+  internalAcceleration(state, centre, radius, acceleration);
+  return acceleration;
+}
+
+void internalAcceleration(const State<2>& state, const Vector<2>& centre, double radius,
+                          View<double* [2]>& force)
+{
+  accelerate(state, Disk{centre, radius}, force);
+}
+
+void internalAcceleration(const State<3>& state, const Region<3>& box, View<double* [3]>& force)
+{
+  accelerate(state, box, force);
 }
 
 } // namespace Rhegma::energy_release

@@ -16,4 +16,22 @@ View<double* [2]> internalAcceleration(const State<2>& state, const Vector<2>& c
 void internalAcceleration(const State<2>& state, const Vector<2>& centre, double radius,
                           View<double* [2]>& acceleration);
 
+/// A box with its faces along the axes.
+template <int D>
+struct Region
+{
+  Vector<D> lower, upper;
+
+  KOKKOS_INLINE_FUNCTION bool holds(const Vector<D>& x) const
+  {
+    bool in = true;
+    for (int d = 0; d < D; ++d)
+      in = in && x[d] >= lower[d] && x[d] <= upper[d];
+    return in;
+  }
+};
+
+/// The same in 3D, from the particles in a box.
+void internalAcceleration(const State<3>& state, const Region<3>& box, View<double* [3]>& acceleration);
+
 } // namespace Rhegma::energy_release

@@ -1,5 +1,6 @@
 #include "energy_release/ReadOptions.hpp"
 
+#include "energy_release/FrontTube.hpp"
 #include "scene/Numbers.hpp"
 #include "scene/ReadList.hpp"
 
@@ -15,23 +16,26 @@ Section energyReleaseSection()
   s.real("Inner Radius")
       .unit("m")
       .positive()
-      .optional("3 cells, or half of Outer Radius where that is less")
+      .optional("3 cells in 2D and 1 in 3D, or half of Outer Radius where that is less")
       .meaning("The weight of the domain integrals is 1 up to this distance from the front. Below two cells "
-               "G and K can be off by 10 % and more.");
+               "in 2D G and K can be off by 10 % and more.");
   s.real("Outer Radius")
       .unit("m")
       .positive()
-      .optional("6 cells or twice a given Inner Radius, less where that leaves the body or reaches another "
-                "front or crack")
+      .optional(
+          "6 cells in 2D and 3 in 3D, or twice a given Inner Radius, less where that leaves the body or "
+          "reaches another front or crack or, in 3D, the front's centre of curvature")
       .meaning(
           "The weight falls to 0 at this distance. One that is given must be inside the body and clear of "
           "other fronts.");
   s.boolean("Contour Integral")
+      .onlyIn(2)
       .byDefault(true)
       .meaning(
           "Find J and the stress intensities by domain integrals. Without them crack closure works on cells "
           "that are too large for a contour inside the body.");
   s.boolean("Crack Closure")
+      .onlyIn(2)
       .byDefault(true)
       .meaning(
           "Also find the energy release rate from the forces ahead of the front and the opening behind it, "
@@ -39,12 +43,18 @@ Section energyReleaseSection()
           "there "
           "is no section Propagation.");
   s.boolean("Lumped Closure")
+      .onlyIn(2)
       .byDefault(false)
       .meaning("Also report crack closure with the opening of a lumped projection, which is 7 to 25 % low "
                "whatever the "
                "cells.");
-  s.integer("Closure Cells").range(1, 2).byDefault(1).meaning("Columns of cells that crack closure closes.");
+  s.integer("Closure Cells")
+      .onlyIn(2)
+      .range(1, 2)
+      .byDefault(1)
+      .meaning("Columns of cells that crack closure closes.");
   s.choice("Closure Recovery", {"Consistent", "Lumped", "Mass Matrix"})
+      .onlyIn(2)
       .byDefault("Consistent")
       .meaning("The matrix that crack closure recovers the displacement of nodes with: the consistent mass, "
                "its row "
@@ -55,18 +65,26 @@ Section energyReleaseSection()
 namespace
 {
 
+bool inSpace(const Teuchos::ParameterList& scene)
+{
+  if (!scene.isSublist("Domain"))
+    return false;
+  const Teuchos::ParameterList& domain = scene.sublist("Domain");
+  return domain.isType<int>("Dimension") && domain.get<int>("Dimension") == 3;
+}
+
 /// Round cracks that run the usual radii are those by which they run.
 GivenRadii readRadii(const Teuchos::ParameterList& scene)
 {
   const Teuchos::ParameterList& list = scene.sublist("Energy Release");
-  GivenRadii given;
+  GivenRadii given = inSpace(scene) ? radiiInSpace() : GivenRadii();
   if (list.isType<double>("Inner Radius"))
     given.inner = list.get<double>("Inner Radius");
   if (list.isType<double>("Outer Radius"))
     given.outer = list.get<double>("Outer Radius");
   using Cells = Teuchos::Array<double>;
   const char* const name = "Release Contour";
-  if (!scene.isSublist("Propagation") || !scene.sublist("Propagation").isType<Cells>(name))
+  if (inSpace(scene) || !scene.isSublist("Propagation") || !scene.sublist("Propagation").isType<Cells>(name))
     return given;
   const auto cells = scene.sublist("Propagation").get<Cells>(name);
   if (cells.size() != 2)
@@ -102,8 +120,6 @@ void checkEnergyRelease(const Teuchos::ParameterList& scene, std::vector<SceneEr
   if (!scene.isSublist("Domain"))
     return;
   const Teuchos::ParameterList& domain = scene.sublist("Domain");
-  if (domain.isType<int>("Dimension") && domain.get<int>("Dimension") == 3)
-    errors.push_back({"Energy Release", "it is for 2D scenes as yet; take this section out"});
   if (!contour || !domain.isType<double>("Cell Size"))
     return;
   for (const SceneError& error : errors)
@@ -169,6 +185,8 @@ Options readOptions(const Teuchos::ParameterList& scene)
   if (cracks.isParameter("Formulation"))
     options.openingKnown = cracks.get<std::string>("Formulation") != "Broken Cell";
   options.radii = readRadii(scene);
+  if (inSpace(scene)) // there is no crack closure
+    return options;
   options.contour = list.get<bool>("Contour Integral");
   // The opening behind a front that runs is that of its cohesive zone.
   options.closure = list.get<bool>("Crack Closure") && !scene.isSublist("Propagation");

@@ -241,7 +241,23 @@ CRACKS = [
      one("Contact > Law", "Broken Cell")),
 ]
 
+PENNY = {"Penny": {"Points": [-0.02, -0.02, 0.003, 0.02, -0.02, 0.003, 0.02, 0.02, 0.003, -0.02, 0.02, 0.003]}}
+THROUGH = {"Cut": {"Points": [-0.1, -0.1, 0.003, 0.1, -0.1, 0.003, 0.1, 0.1, 0.003, -0.1, 0.1, 0.003]}}
+
 NOT_IN_3D = [
+    ("crack_closure_in_3d", ball().set("Cracks", PENNY).set("Energy Release", {"Crack Closure": True}),
+     one("Energy Release > Crack Closure", "2D", "leave it out")),
+    ("tube_outside_of_the_body", ball().set("Cracks", PENNY).set("Energy Release", {"Outer Radius": 0.06}),
+     one("Energy Release > Outer Radius", "tube", "Penny.0", "at most")),
+    ("tube_of_no_width",
+     ball().set("Cracks", PENNY).set("Energy Release", {"Inner Radius": 0.02, "Outer Radius": 0.03}),
+     one("Energy Release > Outer Radius", "one cell", "at least 0.04")),
+    ("energy_release_of_a_warm_body_in_3d",
+     ball().set("Cracks", PENNY).set("Energy Release", {}).set("Thermal", {"Initial Temperature": 300.0})
+     .set("Materials > Rubber > Specific Heat", 1400.0).set("Materials > Rubber > Conductivity", 0.2)
+     .set("Materials > Rubber > Thermal Expansion", 1e-4), one("Energy Release", "3D", "temperature")),
+    ("energy_release_without_a_front_in_3d", ball().set("Cracks", THROUGH).set("Energy Release", {}),
+     one("Energy Release", "front", "Front Edges")),
     ("crack_of_two_points_in_3d", ball().set("Cracks", {"Penny": {"Points": [0.0, 0.0, 0.0, 0.05, 0.0, 0.0]}}),
      one("Cracks > Penny > Points", "polygon", "at least three points")),
     ("crack_without_a_shape", ball().set("Cracks", {"Penny": {}}),

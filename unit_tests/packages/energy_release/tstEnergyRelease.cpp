@@ -103,8 +103,7 @@ TEST(EnergyRelease, RefusesSectionsThatDoNotFit)
   EXPECT_TRUE(wrong(scene).empty());
   scene = sceneWith(3e-3);
   scene.sublist("Domain").set("Dimension", 3);
-  EXPECT_EQ(wrong(scene), std::vector<std::string>{"Energy Release"});
-  EXPECT_THROW(entry.make3(scene), std::invalid_argument);
+  EXPECT_TRUE(wrong(scene).empty());
 }
 
 TEST(EnergyRelease, GivesColumnsAndASummary)

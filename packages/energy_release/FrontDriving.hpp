@@ -1,0 +1,43 @@
+#pragma once
+/// What drives the stations of 3D fronts on, in every step, for who lets them grow.
+
+#include "energy_release/FrontTube.hpp"
+
+#include <vector>
+
+namespace Rhegma
+{
+class Archive;
+}
+
+namespace Rhegma::energy_release
+{
+
+/// Measures FrontStation::driving: J by FrontIntegral.hpp, intensities by FrontOpening.hpp.
+/// CrackFront::driving gets the mean of J and the intensities of the station that J is largest at. Tubes are
+/// fitted anew when a front has moved on by a cell or has other stations.
+class FrontDriving
+{
+public:
+  /// J at every station of the fronts that are fronts still.
+  void measureRelease(State<3>& state);
+
+  /// Stress intensities at the stations of fronts of which any is about to advance.
+  void measureIntensities(State<3>& state);
+
+  /// Saves or loads where the tubes were fitted.
+  void keep(Archive& archive);
+
+private:
+  struct Fitted
+  {
+    std::vector<double> at; ///< places of the stations then, one after the other [m]
+    FrontTube tube{{0.0, 0.0}, 0.0};
+  };
+  const FrontTube& tubeOf(const State<3>& state, std::size_t front, const FrontLine& line);
+
+  std::vector<Fitted> fitted_;
+  View<double* [3]> acceleration_;
+};
+
+} // namespace Rhegma::energy_release

@@ -1,0 +1,36 @@
+#pragma once
+/// The energy release rate along a front in 3D by domain integrals.
+
+#include "energy_release/FrontTube.hpp"
+
+#include <vector>
+
+namespace Rhegma::energy_release
+{
+
+/// Dynamic J [J/m2] at every station of a front.
+///
+///     J_s = sum_n q_s(n) e(n) . G_n / int q_s ds
+///     G_n = sum_p V0 [(F^T tau - (W + T) F^T) grad N_n + rho0 (F^T a - (grad v F)^T v) N_n] less the part of
+///           1 in F^T that is no displacement
+///
+/// G_n are the nodes' configurational forces (Mueller and Maugin, Comput. Mech. 29 (2002) 52), e(n) is the
+/// direction of the front at the point of it that is nearest to the node, so that a virtual advance follows a
+/// curved front, and q_s = ramp(r) hat(s) with the ramp of ContourRadii and a hat of half width `halfWidth`
+/// in arc length about the station. q_s is interpolated by the functions of the motion, cuts included. The
+/// denominator is the integral along the front of q_s e as the cells interpolate it: with the hat's own area
+/// J would be low by as much as the ramp falls between the nodes next to the front.
+///
+/// Turn, motion and loads are treated as in DomainIntegral.hpp. Collective.
+///
+/// \param acceleration of nodes by internal forces, which is found here: rows that are used again and again
+/// Source: Li, Shih and Needleman, Eng. Fract. Mech. 21 (1985) 405; Nikishkov and Atluri, Int. J. Numer.
+/// Methods Eng. 24 (1987) 1801.
+std::vector<double> integrateAlongFront(const State<3>& state, const FrontLine& line, const FrontTube& tube,
+                                        View<double* [3]>& acceleration);
+
+/// The same with a given acceleration of nodes.
+std::vector<double> integrateWithAcceleration(const State<3>& state, const FrontLine& line,
+                                              const FrontTube& tube, const View<double* [3]>& acceleration);
+
+} // namespace Rhegma::energy_release

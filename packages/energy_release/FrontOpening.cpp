@@ -1,0 +1,171 @@
+#include "energy_release/FrontOpening.hpp"
+
+#include "geometry/Cross.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace Rhegma::energy_release
+{
+
+namespace
+{
+
+/// Between which distances behind the front openings are taken [cells].
+constexpr double nearest = 1.0, furthest = 3.0;
+
+/// Pieces into which an edge of a triangle is cut.
+constexpr int pieces = 4;
+
+/// A part of a crack's faces behind a front.
+struct Part
+{
+  double area;       ///< [m2]
+  double behind;     ///< distance from the front [m]
+  int line;          ///< of the front's nearest point
+  double arc;        ///< of that point [m]
+  double opening[3]; ///< along the front's direction, normal and third axis there [m]
+};
+
+/// A crack's vertices and faces on the host.
+class Faces
+{
+public:
+  explicit Faces(const CrackSet<3>& cracks)
+      : vertex_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex)),
+        face_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.face)),
+        simplex_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex))
+  {
+  }
+  Vector<3> corner(int s, int i) const
+  {
+    const int v = simplex_(s, i);
+    return {vertex_(v, 0), vertex_(v, 1), vertex_(v, 2)};
+  }
+  Vector<3> opening(int s, int i) const
+  {
+    const int v = simplex_(s, i);
+    return {face_(v, 1, 0) - face_(v, 0, 0), face_(v, 1, 1) - face_(v, 0, 1),
+            face_(v, 1, 2) - face_(v, 0, 2)};
+  }
+
+private:
+  View<double* [3]>::HostMirror vertex_;
+  View<double* [2][3]>::HostMirror face_;
+  View<int* [3]>::HostMirror simplex_;
+};
+
+/// Middles of the equal triangles into which a triangle is cut, by weights of its corners.
+std::vector<Vector<3>> middlesOfPieces()
+{
+  std::vector<Vector<3>> middles;
+  const auto add = [&](double i, double j) {
+    middles.push_back({i / pieces, j / pieces, 1.0 - (i + j) / pieces});
+  };
+  for (int i = 0; i < pieces; ++i)
+    for (int j = 0; i + j < pieces; ++j)
+    {
+      add(i + 1.0 / 3.0, j + 1.0 / 3.0);
+      if (i + j + 1 < pieces)
+        add(i + 2.0 / 3.0, j + 2.0 / 3.0);
+    }
+  return middles;
+}
+
+/// What is looked at of a crack.
+struct Patch
+{
+  Vector<3> x[3], opening[3];
+};
+
+std::vector<Patch> patchesBehind(const CrackSet<3>& cracks, const CrackFront<3>& front,
+                                 const FrontSight& sight, double reach)
+{
+  const Faces faces(cracks);
+  const Crack<3>& crack = cracks.cracks[front.crack];
+  std::vector<Patch> patches;
+  for (int s = crack.firstSimplex; s < crack.firstSimplex + crack.numSimplices; ++s)
+  {
+    Patch patch;
+    bool near = false;
+    for (int i = 0; i < 3; ++i)
+    {
+      patch.x[i] = faces.corner(s, i);
+      patch.opening[i] = faces.opening(s, i);
+      near = near || sight.look(patch.x[i]).distance < reach;
+    }
+    if (near)
+      patches.push_back(patch);
+  }
+  return patches;
+}
+
+} // namespace
+
+double releaseOf(const Intensities& K, const Elasticity& e)
+{
+  return (K.modeI * K.modeI + K.modeII * K.modeII) / e.effectiveModulus +
+         K.modeIII * K.modeIII / (2.0 * e.shear);
+}
+
+std::vector<Intensities> openingsBehind(const CrackSet<3>& cracks, const CrackFront<3>& front,
+                                        const FrontLine& line, const Elasticity& e, double cell,
+                                        double halfWidth)
+{
+  const FrontSight sight(line, 0.0);
+  const std::vector<Vector<3>> middles = middlesOfPieces();
+  std::vector<Part> parts;
+  for (const Patch& patch : patchesBehind(cracks, front, sight, furthest * cell))
+  {
+    const double area = 0.5 * norm(cross(patch.x[1] - patch.x[0], patch.x[2] - patch.x[0])) /
+                        static_cast<double>(middles.size());
+    for (const Vector<3>& w : middles)
+    {
+      const FrontFoot foot = sight.look(w[0] * patch.x[0] + w[1] * patch.x[1] + w[2] * patch.x[2]);
+      const Vector<3> opening = w[0] * patch.opening[0] + w[1] * patch.opening[1] + w[2] * patch.opening[2];
+      parts.push_back({area,
+                       foot.distance,
+                       foot.line,
+                       foot.arc,
+                       {dot(opening, foot.direction), dot(opening, foot.normal),
+                        dot(opening, cross(foot.direction, foot.normal))}});
+    }
+  }
+  // Behind a front that has not that much crack, all that there is.
+  const double deepest = std::accumulate(parts.begin(), parts.end(), 0.0,
+                                         [](double most, const Part& p) { return std::max(most, p.behind); });
+  const double from = std::min(nearest * cell, 0.5 * deepest);
+  std::vector<Intensities> all;
+  for (int station = 0; station < static_cast<int>(line.stations.size()); ++station)
+  {
+    double sums[3] = {}, squares = 0.0;
+    for (const Part& p : parts)
+    {
+      const double hat = hatOf(sight, p.line, p.arc, station, halfWidth);
+      if (hat <= 0.0 || p.behind < from || p.behind > furthest * cell)
+        continue;
+      const double shape = std::sqrt(p.behind / (2.0 * std::acos(-1.0))), weight = p.area * hat * shape;
+      squares += weight * shape;
+      for (int i = 0; i < 3; ++i)
+        sums[i] += weight * p.opening[i];
+    }
+    Intensities K;
+    if (squares > 0.0)
+      K = {e.effectiveModulus / 8.0 * sums[1] / squares, e.effectiveModulus / 8.0 * sums[0] / squares,
+           e.shear / 4.0 * sums[2] / squares};
+    all.push_back(K);
+  }
+  return all;
+}
+
+Intensities scaleTo(const Intensities& K, double J, const Elasticity& e)
+{
+  const double release = releaseOf(K, e);
+  if (!(J > 0.0) || !(release > 0.0))
+    return {};
+  const double factor = std::sqrt(J / release);
+  return {factor * K.modeI, factor * K.modeII, factor * K.modeIII};
+}
+
+} // namespace Rhegma::energy_release

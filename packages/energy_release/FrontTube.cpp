@@ -1,0 +1,121 @@
+#include "energy_release/FrontTube.hpp"
+
+#include "parallel/Subdomain.hpp"
+#include "transfer/LocalSpacing.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace Rhegma::energy_release
+{
+
+namespace
+{
+
+constexpr double halfWidthCells = 2.0;
+
+/// Distance from a front within which all nodes are surrounded by material; at the ends of an open one, where
+/// the surface is, a cell's length is left out.
+double clearOfSurfaces(const State<3>& state, const FrontLine& line, double radius)
+{
+  Vector<3> middle{{0.0, 0.0, 0.0}};
+  for (const FrontStation<3>& s : line.stations)
+    middle = middle + (1.0 / static_cast<double>(line.stations.size())) * s.position;
+  double extent = 0.0;
+  for (const FrontStation<3>& s : line.stations)
+    extent = std::max(extent, norm(s.position - middle));
+  const View<double*> cover = coverOfNodes(state, middle, extent + radius);
+  const NodePlaces<3> places = nodePlaces(state);
+  const FrontSight sight(line, radius);
+  const double cell = state.grid.spacing;
+  double nearest = radius;
+  Kokkos::parallel_reduce(
+      "rhegma::clearOfSurfaces", Kokkos::RangePolicy<ExecSpace>(0, cover.extent(0)),
+      KOKKOS_LAMBDA(const int n, double& smallest) {
+        if (cover(n) > surrounded || norm(places(n) - middle) > extent + radius)
+          return;
+        const FrontFoot foot = sight.look(places(n));
+        if (foot.inside >= cell && foot.distance < smallest)
+          smallest = foot.distance;
+      },
+      Kokkos::Min<double>(nearest));
+  double closeness = -nearest;
+  maxParts(state, &closeness, 1);
+  return std::min(-closeness, radius);
+}
+
+/// Distance to the other fronts and the vertices of other cracks.
+double clearOfOthers(const State<3>& state, const CrackFront<3>& front, const FrontLine& line, double radius)
+{
+  const CrackSet<3>& cracks = state.cracks;
+  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
+  std::vector<Vector<3>> others;
+  for (const CrackFront<3>& other : cracks.fronts)
+    if (other.crack == front.crack && other.number != front.number)
+      for (const FrontStation<3>& s : other.stations)
+        others.push_back(s.position);
+  for (int c = 0; c < static_cast<int>(cracks.cracks.size()); ++c)
+    for (int k = 0; c != front.crack && k < cracks.cracks[c].numVertices; ++k)
+    {
+      const int v = cracks.cracks[c].firstVertex + k;
+      others.push_back({vertex(v, 0), vertex(v, 1), vertex(v, 2)});
+    }
+  double nearest = radius;
+  for (const FrontStation<3>& s : line.stations)
+    for (const Vector<3>& x : others)
+      nearest = std::min(nearest, norm(x - s.position));
+  return nearest;
+}
+
+/// Cells between places of a front that tell its curvature: nearer ones tell the corners of its pieces.
+constexpr double curvatureFrom = 2.0;
+
+} // namespace
+
+double radiusOfCurvature(const FrontLine& line, double least)
+{
+  double smallest = std::numeric_limits<double>::infinity();
+  for (const FrontStation<3>& s : line.stations)
+    for (const FrontStation<3>& t : line.stations)
+    {
+      const Vector<3> chord = t.position - s.position;
+      const double square = dot(chord, chord), sagitta = std::fabs(dot(chord, s.direction));
+      if (square > least * least && sagitta > 0.0)
+        smallest = std::min(smallest, 0.5 * square / sagitta);
+    }
+  return smallest;
+}
+
+double roomAround(const State<3>& state, const CrackFront<3>& front, const FrontLine& line, double radius)
+{
+  const double cell = spacingAt(state, front.position);
+  radius = std::min(radius, radiusOfCurvature(line, curvatureFrom * cell));
+  radius = clearOfOthers(state, front, line, radius);
+  return clearOfSurfaces(state, line, radius);
+}
+
+GivenRadii radiiInSpace()
+{
+  GivenRadii radii;
+  radii.innerCells = 2.5;
+  radii.outerCells = 5.0;
+  return radii;
+}
+
+FrontTube fittingTube(const State<3>& state, const CrackFront<3>& front, const FrontLine& line,
+                      const GivenRadii& given)
+{
+  const double cell = spacingAt(state, front.position);
+  FrontTube tube{usualRadii(given, cell), 0.0};
+  tube.halfWidth =
+      std::min(halfWidthCells * cell, std::max(0.5 * radiusOfCurvature(line, curvatureFrom * cell), cell));
+  if (given.outer > 0.0)
+    return tube;
+  const double usual = tube.radii.outer;
+  tube.radii.outer = std::max(roomAround(state, front, line, usual), smallestOuter(given, cell));
+  if (given.inner == 0.0)
+    tube.radii.inner = std::min(tube.radii.inner, 0.5 * tube.radii.outer);
+  return tube;
+}
+
+} // namespace Rhegma::energy_release

@@ -1,0 +1,34 @@
+#pragma once
+/// How wide a tube around a front in 3D may be.
+
+#include "energy_release/Contour.hpp"
+#include "energy_release/FrontLine.hpp"
+
+namespace Rhegma::energy_release
+{
+
+/// The tube around a front over which it is integrated.
+struct FrontTube
+{
+  ContourRadii radii;
+  double halfWidth; ///< of the hat along the front by which a station weighs [m]
+};
+
+/// Largest outer radius of a tube that stays inside the body, clear of other fronts and cracks and, where the
+/// front is curved, of its centre of curvature, at most `radius` [m]. Where an open front ends at the
+/// surface, so does the tube. Collective.
+double roomAround(const State<3>& state, const CrackFront<3>& front, const FrontLine& line, double radius);
+
+/// Radius of the largest ball that touches a front from behind or ahead and holds no other part of it; parts
+/// nearer than `least` [m] are not looked at. Infinite for a straight front.
+double radiusOfCurvature(const FrontLine& line, double least);
+
+/// Radii that a 3D scene leaves to the program: 1 and 3 cells.
+GivenRadii radiiInSpace();
+
+/// Radii and half width: 1, 3 and 2 cells, less where there is no room, but no less than smallestOuter; the
+/// half width no more than half of the radius of curvature.
+FrontTube fittingTube(const State<3>& state, const CrackFront<3>& front, const FrontLine& line,
+                      const GivenRadii& given);
+
+} // namespace Rhegma::energy_release

@@ -1,0 +1,315 @@
+#include "energy_release/FrontsInSpace.hpp"
+
+#include "checkpoint/Archive.hpp"
+#include "energy_release/FacePressureTerm.hpp"
+#include "energy_release/FrontDriving.hpp"
+#include "energy_release/FrontIntegral.hpp"
+#include "energy_release/FrontOpening.hpp"
+#include "energy_release/ReadOptions.hpp"
+#include "scene/Attempts.hpp"
+#include "scene/Numbers.hpp"
+#include "step/LastStage.hpp"
+#include "transfer/LocalSpacing.hpp"
+#include "transfer/NearestMaterial.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <set>
+#include <stdexcept>
+
+namespace Rhegma::energy_release
+{
+
+namespace
+{
+
+constexpr double notYet = std::numeric_limits<double>::quiet_NaN(); ///< null in the summary
+
+/// A quantity at the stations of a front.
+using Along = std::vector<double>;
+
+/// The last sample of a front.
+struct Sample
+{
+  CrackFront<3> front;
+  FrontLine line;
+  FrontTube tube{{0.0, 0.0}, 0.0};
+  Along J, modeI, modeII, modeIII;
+};
+
+struct Samples
+{
+  std::vector<Sample> last;
+  std::set<std::pair<int, int>> warned; ///< fronts whose tube has left the body during the run
+};
+
+/// The names of what is found along a front.
+template <class S>
+std::vector<std::pair<const char*, decltype(&std::declval<S&>().J)>> quantitiesOf(S& s)
+{
+  return {{"G_J", &s.J}, {"K_I", &s.modeI}, {"K_II", &s.modeII}, {"K_III", &s.modeIII}};
+}
+
+std::string frontName(const State<3>& state, const CrackFront<3>& front)
+{
+  return state.cracks.cracks[front.crack].name + "." + std::to_string(front.number);
+}
+
+/// Mean along the front: of the straight lines between stations.
+double meanOf(const FrontLine& line, const Along& values)
+{
+  double sum = 0.0;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    sum += line.stations[k].share * values[k];
+  return line.length > 0.0 ? sum / line.length : 0.0;
+}
+
+double least(const Along& values)
+{
+  return values.empty() ? 0.0 : *std::min_element(values.begin(), values.end());
+}
+double most(const Along& values)
+{
+  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+}
+
+Sample unmeasured(const State<3>& state, const CrackFront<3>& front, const Options& options)
+{
+  Sample s;
+  s.front = front;
+  s.line = lineOf(front);
+  if (!s.line.empty())
+    s.tube = fittingTube(state, front, s.line, options.radii);
+  s.J = s.modeI = s.modeII = s.modeIII = Along(s.line.stations.size(), notYet);
+  return s;
+}
+
+void measure(const State<3>& state, Sample& s)
+{
+  View<double* [3]> acceleration;
+  s.J = integrateAlongFront(state, s.line, s.tube, acceleration);
+  const Elasticity e = elasticity(state.materialList[materialAt(state, s.front.position)]);
+  const std::vector<Intensities> openings =
+      openingsBehind(state.cracks, s.front, s.line, e, spacingAt(state, s.front.position), s.tube.halfWidth);
+  for (std::size_t k = 0; k < s.J.size(); ++k)
+  {
+    const Intensities K = scaleTo(openings[k], s.J[k], e);
+    s.modeI[k] = K.modeI;
+    s.modeII[k] = K.modeII;
+    s.modeIII[k] = K.modeIII;
+  }
+  const std::vector<double> lost = intensitiesLostAlongFront(state, s.front, s.tube.radii.outer);
+  for (std::size_t k = 0; k < lost.size(); ++k)
+  {
+    s.J[k] += lost[k] * (2.0 * s.modeI[k] + lost[k]) / e.effectiveModulus;
+    s.modeI[k] += lost[k];
+  }
+}
+
+/// A node may come to lie this share of a cell inside of the tube as the body moves.
+constexpr double slack = 1e-6;
+
+/// Refuses an outer radius that the scene gives and for which there is no room.
+void checkTube(const State<3>& state, const CrackFront<3>& front, const Options& options)
+{
+  const FrontLine line = lineOf(front);
+  if (options.radii.outer == 0.0 || line.empty())
+    return;
+  const double room = roomAround(state, front, line, options.radii.outer);
+  if (room < options.radii.outer - slack * spacingAt(state, front.position))
+    throw std::invalid_argument(
+        "Energy Release > Outer Radius: the tube of " + formatReal(options.radii.outer) +
+        " m round the front " + frontName(state, front) +
+        " leaves the body, reaches another front or crack or is wider than the front is "
+        "curved; write at most " +
+        formatReal(room) + ", or take smaller cells (Domain > Cell Size)");
+}
+
+void checkTubes(const State<3>& state, const Options& options)
+{
+  if (state.cracks.fronts.empty())
+    throw std::invalid_argument(
+        "Energy Release: no crack has a front inside a body; end a crack in material, choose "
+        "its front with Cracks > NAME > Front Edges, or take this section out");
+  Attempts attempts;
+  for (const CrackFront<3>& front : state.cracks.fronts)
+    attempts.attempt([&] { checkTube(state, front, options); });
+  attempts.complain();
+}
+
+/// Says once of each front that its surroundings have become too narrow for its tube.
+void warnOfTube(State<3>& state, const Sample& s, const Options& options, Samples& samples)
+{
+  const double cell = spacingAt(state, s.front.position), outer = s.tube.radii.outer;
+  if (samples.warned.count({s.front.crack, s.front.number}) != 0 ||
+      (options.radii.outer == 0.0 && outer > smallestOuter(options.radii, cell)) ||
+      roomAround(state, s.front, s.line, outer) > outer - cell)
+    return;
+  samples.warned.insert({s.front.crack, s.front.number});
+  state.warnings.push_back("from time " + formatReal(state.time) +
+                           " s on the tube of Energy Release round the front " + frontName(state, s.front) +
+                           " leaves the body or reaches another front: G_J and K are less accurate");
+}
+
+void sample(State<3>& state, const Options& options, Samples& samples)
+{
+  samples.last.clear();
+  for (const CrackFront<3>& front : state.cracks.fronts)
+  {
+    Sample s = unmeasured(state, front, options);
+    if (!s.line.empty())
+    {
+      warnOfTube(state, s, options, samples);
+      measure(state, s);
+    }
+    samples.last.push_back(s);
+    const std::string name = frontName(state, front) + ".";
+    for (const auto& [quantity, values] : quantitiesOf(s))
+    {
+      state.row.emplace_back(name + quantity, meanOf(s.line, *values));
+      state.row.emplace_back(name + quantity + "_min", least(*values));
+      state.row.emplace_back(name + quantity + "_max", most(*values));
+    }
+    state.row.emplace_back(name + "length", front.length);
+    state.row.emplace_back(name + "speed", front.speed);
+    state.row.emplace_back(name + "x", front.position[0]);
+    state.row.emplace_back(name + "y", front.position[1]);
+    state.row.emplace_back(name + "z", front.position[2]);
+  }
+}
+
+nlohmann::json numbers(const Vector<3>& x) { return {x[0], x[1], x[2]}; }
+
+void report(const State<3>& state, const Samples& samples, nlohmann::json& summary)
+{
+  for (const Sample& s : samples.last)
+  {
+    nlohmann::json& crack = summary["cracks"][s.front.crack];
+    crack["name"] = state.cracks.cracks[s.front.crack].name;
+    nlohmann::json& entry = crack["fronts"][s.front.number];
+    nlohmann::json& stations = entry["stations"];
+    for (const auto& [quantity, values] : quantitiesOf(s))
+    {
+      entry[quantity] = meanOf(s.line, *values);
+      entry[std::string(quantity) + "_min"] = least(*values);
+      entry[std::string(quantity) + "_max"] = most(*values);
+      stations[quantity] = *values;
+    }
+    for (const char* name : {"position", "direction", "normal", "arc_length"})
+      stations[name] = nlohmann::json::array();
+    for (const FrontStation<3>& station : s.line.stations)
+    {
+      stations["position"].push_back(numbers(station.position));
+      stations["direction"].push_back(numbers(station.direction));
+      stations["normal"].push_back(numbers(station.normal));
+    }
+    stations["arc_length"] = s.line.arc;
+    stations["line"] = s.line.line;
+    entry["inner_radius"] = s.tube.radii.inner;
+    entry["outer_radius"] = s.tube.radii.outer;
+    entry["half_width"] = s.tube.halfWidth;
+  }
+}
+
+/// Saves or loads the last sample and which fronts were warned of.
+void keep(Samples& samples, Archive& archive)
+{
+  int count = static_cast<int>(samples.last.size());
+  archive("fronts", count);
+  samples.last.resize(count);
+  for (int k = 0; k < count; ++k)
+  {
+    const Archive::Group group(archive, "front " + std::to_string(k));
+    Sample& s = samples.last[k];
+    archive("crack", s.front.crack);
+    archive("number", s.front.number);
+    archive("inner_radius", s.tube.radii.inner);
+    archive("outer_radius", s.tube.radii.outer);
+    archive("half_width", s.tube.halfWidth);
+    archive("length", s.line.length);
+    archive("arc", s.line.arc);
+    archive("line", s.line.line);
+    for (const auto& [quantity, values] : quantitiesOf(s))
+      archive(quantity, *values);
+    std::vector<double> frames; // share, place, direction and normal of each station
+    for (const FrontStation<3>& station : s.line.stations)
+    {
+      frames.push_back(station.share);
+      for (const Vector<3>* v : {&station.position, &station.direction, &station.normal})
+        frames.insert(frames.end(), v->c, v->c + 3);
+    }
+    archive("frames", frames, 10);
+    s.line.stations.resize(frames.size() / 10);
+    for (std::size_t i = 0; i < s.line.stations.size(); ++i)
+    {
+      FrontStation<3>& station = s.line.stations[i];
+      const double* frame = &frames[10 * i];
+      station.share = frame[0];
+      for (int d = 0; d < 3; ++d)
+      {
+        station.position[d] = frame[1 + d];
+        station.direction[d] = frame[4 + d];
+        station.normal[d] = frame[7 + d];
+      }
+    }
+  }
+  std::vector<int> warned;
+  for (const auto& [crack, number] : samples.warned)
+    warned.insert(warned.end(), {crack, number});
+  archive("warned", warned, 2);
+  for (std::size_t k = 0; k + 1 < warned.size(); k += 2)
+    samples.warned.insert({warned[k], warned[k + 1]});
+}
+
+} // namespace
+
+Effect<3> fronts3(const Teuchos::ParameterList& scene)
+{
+  const Options options = readOptions(scene);
+  const auto samples = std::make_shared<Samples>();
+  const auto driving = std::make_shared<FrontDriving>();
+  Effect<3> effect;
+  effect.name = "Energy Release";
+  effect.atStart = [=](State<3>& state)
+  {
+    checkTubes(state, options);
+    for (const CrackFront<3>& front : state.cracks.fronts)
+      samples->last.push_back(unmeasured(state, front, options));
+  };
+  effect.call({Stage::Observe,
+               "energy release of crack fronts",
+               {"crack geometry", "particle stress"},
+               {},
+               {"energy release"},
+               [=](State<3>& state)
+               {
+                 if (state.observing)
+                   sample(state, options, *samples);
+               }});
+  if (scene.isSublist("Propagation"))
+  {
+    effect.call({lastStage(scene),
+                 "driving forces of crack fronts",
+                 {"particle stress", "particle velocity", "crack geometry"},
+                 {"driving forces"},
+                 {},
+                 [driving](State<3>& state) { driving->measureRelease(state); }});
+    effect.call({lastStage(scene),
+                 "intensities at fronts that advance",
+                 {"fronts that advance"},
+                 {"intensities of fronts"},
+                 {},
+                 [driving](State<3>& state) { driving->measureIntensities(state); }});
+  }
+  effect.memory = [=](State<3>&, Archive& archive)
+  {
+    keep(*samples, archive);
+    const Archive::Group group(archive, "driving forces");
+    driving->keep(archive);
+  };
+  effect.report = [=](const State<3>& state, nlohmann::json& summary) { report(state, *samples, summary); };
+  return effect;
+}
+
+} // namespace Rhegma::energy_release
