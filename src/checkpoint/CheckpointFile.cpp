@@ -221,6 +221,21 @@ std::vector<unsigned char> hdf5Image(const std::string& path, const Record& reco
   return image;
 }
 
+[[noreturn]] void refuse(const std::string& path, const std::string& why)
+{
+  throw std::invalid_argument("the checkpoint " + path + " " + why);
+}
+
+/// A file that is being read.
+struct Source
+{
+  std::string path;
+  std::uint64_t length; ///< bytes: no table of it can have more
+};
+
+/// Groups in groups; more than any checkpoint has.
+constexpr int mostGroups = 16;
+
 RecordTable::Type typeOf(hid_t type)
 {
   const bool real = H5Tget_class(type) == H5T_FLOAT;
@@ -232,64 +247,69 @@ RecordTable::Type typeOf(hid_t type)
 }
 
 /// Sets type and extents of a table and makes room.
-void shape(RecordTable& table, hid_t type, hid_t space)
+void shape(RecordTable& table, hid_t type, hid_t space, const Source& from)
 {
   table.type = typeOf(type);
   std::vector<hsize_t> extent(std::max(H5Sget_simple_extent_ndims(space), 0));
   H5Sget_simple_extent_dims(space, extent.data(), nullptr);
   table.extent.assign(extent.begin(), extent.end());
+  std::uint64_t numbers = 1;
+  for (const hsize_t count : extent)
+  {
+    if (count > 0 && numbers > from.length / count)
+      refuse(from.path, "is damaged: a table in it is larger than the file; take an older one");
+    numbers *= count;
+  }
   table.bytes.resize(table.size());
 }
 
 /// Reads the attributes of a group.
-void readNumbers(hid_t group, const std::string& prefix, const std::string& path, Record& record)
+void readNumbers(hid_t group, const std::string& prefix, const Source& from, Record& record)
 {
   for (hsize_t k = 0;; ++k)
   {
     const hid_t id = H5Aopen_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, k, H5P_DEFAULT, H5P_DEFAULT);
     if (id < 0)
       return;
-    const Handle attribute(id, H5Aclose, path);
+    const Handle attribute(id, H5Aclose, from.path);
     char name[256];
     H5Aget_name(attribute, sizeof name, name);
-    const Handle type(H5Aget_type(attribute), H5Tclose, path), space(H5Aget_space(attribute), H5Sclose, path);
+    const Handle type(H5Aget_type(attribute), H5Tclose, from.path),
+        space(H5Aget_space(attribute), H5Sclose, from.path);
     RecordTable& table = record[prefix + name];
-    shape(table, type, space);
+    shape(table, type, space, from);
     attribute.require(H5Aread(attribute, typeInMemory(table.type), table.bytes.data()));
   }
 }
 
-void readSet(hid_t set, RecordTable& table, const std::string& path)
+void readSet(hid_t set, RecordTable& table, const Source& from)
 {
-  const Handle type(H5Dget_type(set), H5Tclose, path), space(H5Dget_space(set), H5Sclose, path);
-  shape(table, type, space);
+  const Handle type(H5Dget_type(set), H5Tclose, from.path), space(H5Dget_space(set), H5Sclose, from.path);
+  shape(table, type, space, from);
   if (!table.bytes.empty() &&
       H5Dread(set, typeInMemory(table.type), H5S_ALL, H5S_ALL, H5P_DEFAULT, table.bytes.data()) < 0)
-    throw OutputError(path);
+    throw OutputError(from.path);
 }
 
-void readGroup(hid_t group, const std::string& prefix, const std::string& path, Record& record)
+void readGroup(hid_t group, const std::string& prefix, const Source& from, Record& record, int depth = 0)
 {
-  readNumbers(group, prefix, path, record);
+  if (depth > mostGroups) // a group may be made to hold itself
+    throw OutputError(from.path);
+  readNumbers(group, prefix, from, record);
   H5G_info_t info;
   if (H5Gget_info(group, &info) < 0)
-    throw OutputError(path);
+    throw OutputError(from.path);
   for (hsize_t k = 0; k < info.nlinks; ++k)
   {
     char name[256];
     if (H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, k, name, sizeof name, H5P_DEFAULT) < 0)
-      throw OutputError(path);
-    const Handle item(H5Oopen(group, name, H5P_DEFAULT), H5Oclose, path);
+      throw OutputError(from.path);
+    const Handle item(H5Oopen(group, name, H5P_DEFAULT), H5Oclose, from.path);
     if (H5Iget_type(item) == H5I_GROUP)
-      readGroup(item, prefix + name + "/", path, record);
+      readGroup(item, prefix + name + "/", from, record, depth + 1);
     else
-      readSet(item, record[prefix + name], path);
+      readSet(item, record[prefix + name], from);
   }
-}
-
-[[noreturn]] void refuse(const std::string& path, const std::string& why)
-{
-  throw std::invalid_argument("the checkpoint " + path + " " + why);
 }
 
 /// Throws where the file is not what writeCheckpoint left.
@@ -355,7 +375,7 @@ Record readCheckpoint(const std::string& path)
   {
     const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, path);
     const Handle top(H5Gopen2(file, "/", H5P_DEFAULT), H5Gclose, path);
-    readGroup(top, "", path, record);
+    readGroup(top, "", {path, std::filesystem::file_size(path)}, record);
   }
   catch (const OutputError&)
   {

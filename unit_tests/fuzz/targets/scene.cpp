@@ -1,5 +1,4 @@
 #include "../Entries.hpp"
-#include "Start.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size)
 {
