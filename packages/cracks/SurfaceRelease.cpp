@@ -34,7 +34,7 @@ struct Waiting
 using Rows = View<double* [6]>;
 
 Rows look(const State<3>& state, const Surroundings& surroundings, const View<double* [3]>& whole,
-          const View<double* [7]>& cohesive)
+          const View<double* [7]>& cohesive, double density)
 {
   const Nodes<3> nodes = state.nodes;
   const Rows rows("rhegma::cracks::waitingNodes", nodes.numSecond);
@@ -62,7 +62,10 @@ Rows look(const State<3>& state, const Surroundings& surroundings, const View<do
         const double away = std::fabs(sight.look(s, x).distance) / (cell * steepest);
         rows(i, 0) = -cohesive(own, cohesion::peak);
         rows(i, 1) = norm(holding(i));
-        rows(i, 2) = away < 1.0 ? cell * cell / steepest * (1.0 - away) : 0.0;
+        const double mass =
+            nodes.sums(own, Nodes<3>::massAt) + nodes.sums(nodes.numLattice + i, Nodes<3>::massAt);
+        const double filled = std::fmin(1.0, mass / (density * cell * cell * cell));
+        rows(i, 2) = away < 1.0 ? filled * cell * cell / steepest * (1.0 - away) : 0.0;
       });
   return rows;
 }
@@ -125,7 +128,10 @@ void releaseBehind(const SurfaceGrowth& growth, State<3>& state, const Surroundi
                    const View<double* [7]>& cohesive)
 {
   std::vector<CrackFront<3>>& fronts = state.cracks.fronts;
-  const std::vector<Waiting> waiting = list(state, look(state, surroundings, whole, cohesive));
+  double density = 0.0; // bodies of several materials have nodes between them that look less than full
+  for (const Properties& material : state.materialList)
+    density = density > 0.0 ? std::min(density, material.density) : material.density;
+  const std::vector<Waiting> waiting = list(state, look(state, surroundings, whole, cohesive, density));
   // Force and area of the nodes at each station, of all fronts one after another.
   std::vector<std::size_t> first{0};
   for (const CrackFront<3>& front : fronts)

@@ -1,0 +1,148 @@
+/// A penny crack that grows, driven by what is prescribed.
+
+#include "cracks/Opening.hpp"
+#include "output/CoreRow.hpp"
+#include "scene/Scene.hpp"
+#include "step/EffectSchema.hpp"
+#include "step/Run.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace Rhegma;
+
+namespace
+{
+
+using Reals = Teuchos::Array<double>;
+
+Reals reals(const std::vector<double>& values) { return Reals(values.begin(), values.end()); }
+
+const double pi = std::acos(-1.0);
+constexpr double cell = 1e-3, radius = 3e-3, young = 3e9, poisson = 0.3, density = 1200.0;
+constexpr double half = 8e-3, stress = 2e6;
+
+/// A quarter of a penny crack in a block that is stretched across it from the start, and held.
+Teuchos::ParameterList quarter(const std::string& toughness)
+{
+  Teuchos::ParameterList scene("Rhegma");
+  Teuchos::ParameterList& domain = scene.sublist("Domain");
+  domain.set("Dimension", 3);
+  domain.set("Lower Corner", reals({-2.0 * cell, -2.0 * cell, -6.0 * cell}));
+  domain.set("Upper Corner", reals({half + 2.0 * cell, half + 2.0 * cell, 6.0 * cell}));
+  domain.set("Cell Size", cell);
+  scene.sublist("Time").set("Final Time", 1.0);
+  Teuchos::ParameterList& material = scene.sublist("Materials").sublist("Polymer");
+  material.set("Model", std::string("Linear Elastic"));
+  material.set("Density", density);
+  material.set("Young Modulus", young);
+  material.set("Poisson Ratio", poisson);
+  Teuchos::ParameterList& body = scene.sublist("Bodies").sublist("Block");
+  body.set("Material", std::string("Polymer"));
+  body.set("Shape", std::string("Box"));
+  body.set("Lower Corner", reals({0.0, 0.0, -4.0 * cell}));
+  body.set("Upper Corner", reals({half, half, 4.0 * cell}));
+  for (const char* axis : {"x", "y"})
+  {
+    Teuchos::ParameterList& mirror = scene.sublist("Boundaries").sublist(axis);
+    mirror.set("Type", std::string("Symmetry"));
+    mirror.set("Axis", std::string(axis));
+    mirror.set("Position", 0.0);
+  }
+  Teuchos::ParameterList& crack = scene.sublist("Cracks").sublist("Penny");
+  crack.set("Centre", reals({0.0, 0.0, 0.3 * cell}));
+  crack.set("Normal", reals({0.0, 0.0, 1.0}));
+  crack.set("Radius", radius);
+  std::vector<SceneError> errors;
+  validateList(scene, effectSchema(), errors);
+  for (const SceneError& error : errors)
+    ADD_FAILURE() << toString(error);
+  // Nothing measures what drives the front: the test says it.
+  Teuchos::ParameterList& propagation = scene.sublist("Propagation");
+  propagation.set("Toughness", toughness);
+  propagation.set("Direction", std::string("Straight"));
+  propagation.set("Increment", 1.0);
+  propagation.set("Start Time", 0.0);
+  propagation.set("Release Contour", reals({1.0, 3.0}));
+  propagation.set("Direction Contour", reals({1.0, 3.0}));
+  return scene;
+}
+
+/// Pulls the particles apart evenly.
+void stretch(State<3>& state, double rate)
+{
+  const auto x =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.real<3>(fields::position));
+  const auto v = state.particles.real<3>(fields::velocity);
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, v);
+  for (int p = 0; p < state.particles.size(); ++p)
+    host(p, 2) = rate * x(p, 2);
+  Kokkos::deep_copy(v, host);
+}
+
+/// Drives the front so that it runs at `speed` by a toughness of 100 (1 + v / 100) J/m2 until it has a
+/// radius.
+void drive(State<3>& state, double speed, double until)
+{
+  for (FrontStation<3>& station : state.cracks.fronts[0].stations)
+  {
+    const double at = std::hypot(station.position[0], station.position[1]);
+    station.driving.release = at < until ? 100.0 * (1.0 + speed / 100.0) : 0.0;
+  }
+}
+
+} // namespace
+
+/// A front whose driving force is prescribed runs at the speed at which the toughness is as large; it stays
+/// round and flat, and the nodes that it has passed take the energy of its new faces: what their forces have
+/// spent and what these still hold is what was booked, which is area times toughness.
+TEST(PennyGrowth, RunsAsItsToughnessSaysAndPaysForItsArea)
+{
+  const double speed = 400.0, until = 6e-3;
+  Rhegma::Run<3> run(quarter("100*(1 + v/100)"));
+  run.initialize();
+  State<3>& state = run.state();
+  ASSERT_EQ(state.cracks.fronts.size(), 1u);
+  const double before = cracks::measureOpening(state.cracks, 0).size;
+  stretch(state, 1e3);
+  measureEnergy(state);
+  double begin = -1.0, end = -1.0;
+  for (int k = 0; k < 150; ++k)
+  {
+    drive(state, speed, until);
+    run.step(1.0, false);
+    const FrontStation<3>& middle =
+        state.cracks.fronts[0].stations[state.cracks.fronts[0].stations.size() / 2];
+    const double at = std::hypot(middle.position[0], middle.position[1]);
+    if (begin < 0.0 && at > radius + 0.5 * cell)
+      begin = state.time;
+    if (end < 0.0 && at > until - 0.5 * cell)
+      end = state.time;
+  }
+  ASSERT_GT(end, begin);
+  // Increments are a quarter of a cell, so begin and end are late by up to one and the way is 2 cells.
+  EXPECT_NEAR((until - radius - cell) / (end - begin), speed, 0.13 * speed);
+  const CrackFront<3>& front = state.cracks.fronts[0];
+  const double area = cracks::measureOpening(state.cracks, 0).size - before;
+  EXPECT_NEAR(area, 0.25 * pi * (until * until - radius * radius), 0.1 * area);
+  // The first increment of each station is that of a front at rest.
+  const double first = 0.25 * pi * (std::pow(radius + 0.25 * cell, 2) - radius * radius);
+  EXPECT_NEAR(front.taken, 100.0 * ((1.0 + speed / 100.0) * area - speed / 100.0 * first),
+              0.02 * front.taken);
+  for (const FrontStation<3>& s : front.stations)
+  {
+    EXPECT_NEAR(s.position[2], 0.3 * cell, 0.1 * cell);
+    EXPECT_NEAR(std::hypot(s.position[0], s.position[1]), until, 0.05 * until + 0.25 * cell);
+  }
+  nlohmann::json summary;
+  for (const Effect<3>& effect : run.plan().effects)
+    if (effect.report)
+      effect.report(state, summary);
+  const double inFlight = summary["energy_in_flight"];
+  EXPECT_GT(state.energy.fracture, 0.0);
+  EXPECT_NEAR(state.energy.fracture + inFlight, front.taken, 0.01 * front.taken);
+}
