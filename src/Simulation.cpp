@@ -54,6 +54,7 @@ public:
   virtual void giveHeat(const std::vector<double>& joules) = 0;
   virtual Record save(const Notes& notes) = 0;
   virtual Notes load(const Record& record) = 0;
+  virtual Notes goBack() = 0;
 
   struct Progress
   {
@@ -273,6 +274,14 @@ public:
     return notes;
   }
 
+  Notes goBack() override
+  {
+    const double share = 0.5 * run_->stepShare();
+    Notes notes = load(held);
+    run_->takeShareOfStep(share);
+    return notes;
+  }
+
 private:
   void makeRun(std::unique_ptr<Run<D>>& run)
   {
@@ -437,6 +446,7 @@ void Simulation::checkpointHeld(const std::string& path) const
 {
   onFirstRank<OutputError>(engine_->ranks(), [&] { writeCheckpoint(path, engine_->held); });
 }
+Simulation::Notes Simulation::goBack() { return engine_->goBack(); }
 bool Simulation::sound() const { return engine_->sound(); }
 double Simulation::wallSeconds() const { return engine_->wallSeconds(); }
 bool Simulation::continueFields(const std::string& folder) { return engine_->continueFields(folder); }

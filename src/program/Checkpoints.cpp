@@ -88,6 +88,15 @@ void Checkpoints::write()
   cost_.seconds += std::chrono::duration<double>(lastWrite_ - begin).count();
 }
 
+void Checkpoints::afterGoingBack()
+{
+  const double time = simulation_.time();
+  if (interval_ > 0.0)
+    next_ = interval_ * (std::floor(time / interval_) + 1.0);
+  if (written_ > time) // of a way that the run has left
+    write();
+}
+
 std::string Checkpoints::atStop()
 {
   if (!wanted_ || !sound())

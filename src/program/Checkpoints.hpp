@@ -37,6 +37,10 @@ public:
   /// To be called when the run has come to its end.
   void atEnd();
 
+  /// To be called when the run has gone back to the copy in memory. Throws OutputError when a checkpoint
+  /// can't be written.
+  void afterGoingBack();
+
   /// Writes the state as it is, or, where it is not sound, the last one that was.
   /// \return what to tell who is told that the run stopped; begins with "; ", or is empty
   std::string atStop();

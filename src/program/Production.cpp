@@ -58,6 +58,7 @@ Production::Production(const Options& options, const Teuchos::ParameterList& sce
       history_(beginHistory(folder_, earlier, ranks)),
       progress_(options.quiet ? nullptr : &out, finalTime_, isatty(STDOUT_FILENO) != 0),
       checkpoints_(scene.sublist("Output"), folder_, simulation, history_, ranks),
+      retries_(scene.sublist("Time").get<int>("Retries")),
       goesOn_(earlier.exists()),
       warnings_(earlier.warnings())
 {
@@ -112,12 +113,22 @@ std::string Production::toTheEnd()
   try
   {
     checkpoints_.afterSample();
-    advanceFromFieldToField();
+    for (bool done = false; !done;)
+      try
+      {
+        advanceFromFieldToField();
+        done = true;
+      }
+      catch (const RunError& error)
+      {
+        if (!retry(error))
+          throw;
+      }
     checkpoints_.atEnd();
   }
   catch (const RunError& error)
   {
-    trouble = error.what() + (asked_ ? std::string() : checkpoints_.atTrouble());
+    trouble = error.what() + (asked_ ? std::string() : retries_.inVain() + checkpoints_.atTrouble());
   }
   catch (const OutputError& error)
   {
@@ -141,6 +152,20 @@ std::string Production::toTheEnd()
   }
   progress_.finish();
   return ranks_.firstText(trouble);
+}
+
+bool Production::retry(const RunError& trouble)
+{
+  if (asked_ || ranks_.many() || !simulation_.holds() ||
+      !retries_.mayHelp(trouble.what(), simulation_.heldTime(), simulation_.time()))
+    return false;
+  history_.sync();
+  history_ = History(folder_ + "/history.csv", readNotes(simulation_.goBack()));
+  checkpoints_.afterGoingBack();
+  goesOn_ = true;
+  takeUpFields();
+  warnings_.push_back(retries_.inWords());
+  return true;
 }
 
 bool Production::outOfSteps() const

@@ -8,6 +8,7 @@
 #include "program/Checkpoints.hpp"
 #include "program/EarlierPart.hpp"
 #include "program/Options.hpp"
+#include "program/Retries.hpp"
 #include "program/StopSignal.hpp"
 
 #include <iosfwd>
@@ -48,6 +49,8 @@ private:
   void observe();
   void takeUpFields();
   void advanceFromFieldToField();
+  /// Goes on after trouble with shorter steps. \return whether that may help
+  bool retry(const RunError& trouble);
   /// Throws where a signal or a file that can't be written, on any rank, ends the run.
   /// \return whether a checkpoint is due by the clock
   bool stopIfAsked(double time, long step);
@@ -64,6 +67,7 @@ private:
   std::string unwritten_; ///< why the history could not be written
   bool asked_ = false;    ///< a signal, to some rank, has ended the run
   Checkpoints checkpoints_;
+  Retries retries_;
   bool goesOn_;
   std::vector<std::string> warnings_;
 };

@@ -123,7 +123,7 @@ double Run<D>::stableTimeStep() const
   for (const Effect<D>& effect : plan_.effects)
     if (effect.timeStepLimit)
       dt = std::min(dt, effect.timeStepLimit(state_));
-  return dt;
+  return stepShare_ * dt;
 }
 
 template <int D>
@@ -196,6 +196,7 @@ void Run<D>::keep(Archive& archive)
   {
     const Archive::Group group(archive, "run");
     archive("stage_seconds", plan_.seconds);
+    archive("step_share", stepShare_);
   }
   {
     const Archive::Group group(archive, "run/energy watch");

@@ -28,6 +28,10 @@ public:
   /// The step that would be taken now [s].
   double stableTimeStep() const;
 
+  /// Share of the stable step that is taken, 1 at the start; kept with the state.
+  double stepShare() const { return stepShare_; }
+  void takeShareOfStep(double share) { stepShare_ = share; }
+
   /// One step, not beyond `until`. The step ends with a sample when `sample` is set.
   /// Throws RunError when the run can't go on.
   void step(double until, bool sample);
@@ -61,6 +65,7 @@ private:
   Plan<D> plan_;
   std::vector<Stage> order_;
   EnergyWatch energyWatch_;
+  double stepShare_ = 1.0;
 };
 
 } // namespace Rhegma

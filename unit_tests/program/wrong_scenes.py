@@ -154,6 +154,7 @@ TIME = [
     ("cfl_zero", plate().set("Time > CFL", 0.0), one("Time > CFL", "above 0")),
     ("cfl_above_one", plate().set("Time > CFL", 1.5), one("Time > CFL", "at most 1")),
     ("no_step_at_all", plate().set("Time > Maximum Steps", 0), one("Time > Maximum Steps", "at least 1")),
+    ("retries_below_zero", plate().set("Time > Retries", -1), one("Time > Retries", "at least 0")),
     ("pic_fraction_above_one", plate().set("Time > PIC Fraction", 1.1), one("Time > PIC Fraction", "from 0 to 1")),
     ("history_without_end", plate().set("Output", {"History Interval": 1e-300}),
      one("Output > History Interval", "at least")),

@@ -1,0 +1,44 @@
+#include "program/Retries.hpp"
+
+#include "scene/Numbers.hpp"
+
+#include <cmath>
+
+namespace Rhegma::program
+{
+
+namespace
+{
+
+/// Share of the way from the state in memory to the trouble within which trouble is at the same time.
+constexpr double sameTime = 0.01;
+
+} // namespace
+
+bool Retries::mayHelp(const std::string& trouble, double from, double at)
+{
+  const bool again = at_ >= 0.0 && std::fabs(at - at_) <= sameTime * (at_ - from_);
+  unchanged_ = again ? unchanged_ + 1 : 0;
+  if (taken_ >= most_ || unchanged_ >= 2)
+    return false;
+  ++taken_;
+  trouble_ = trouble;
+  from_ = from;
+  at_ = at;
+  return true;
+}
+
+std::string Retries::inWords() const
+{
+  return trouble_ + "; it went back to time " + formatReal(from_) + " s, and on with steps of " +
+         formatReal(std::ldexp(1.0, -taken_)) + " of their length";
+}
+
+std::string Retries::inVain() const
+{
+  return taken_ == 0 ? std::string()
+                     : "; steps of " + formatReal(std::ldexp(1.0, -taken_)) + " of their length from time " +
+                           formatReal(from_) + " s did not help";
+}
+
+} // namespace Rhegma::program

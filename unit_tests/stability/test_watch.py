@@ -1,0 +1,50 @@
+#!/usr/bin/env python3
+"""The watch in the step: trouble is found, a state before it is taken up again, and shorter steps help or not."""
+
+import os
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+sys.dont_write_bytecode = True
+
+from hard_case import HardCase, rhegma  # noqa: E402
+from scenes import plate  # noqa: E402
+from test_bodies import flying  # noqa: E402
+
+
+def too_long_a_step():
+    """Stresses updated last, in steps at the limit, in a cut grid: a burst. Steps of a quarter last longer."""
+    scene = plate().remove("Cracks").remove("Energy Release").remove("Boundaries")
+    scene.set("Domain > Shape Functions", "Linear").set("Time > CFL", 1.0).set("Time > Update Scheme", "USL")
+    scene.set("Bodies > Plate > Lower Corner", [0.02, 0.02]).set("Bodies > Plate > Rotation", 20.0)
+    scene.set("Bodies > Plate > Velocity", [5.0, 3.0]).set("Bodies > Plate > Angular Velocity", [40.0])
+    scene.set("Domain > Upper Corner", [1.6, 1.6]).set("Domain > Lower Corner", [-0.6, -0.6])
+    return scene.set("Time > Final Time", 1e-3).set("Output", {"History Interval": 1e-5, "Field Interval": 1e-4})
+
+
+class Watch(HardCase):
+    def test_shorter_steps_help(self):
+        outcome = self.survives(too_long_a_step(), energy=1.0)
+        said = [warning for warning in outcome.summary["warnings"] if "it went back to time" in warning]
+        self.assertGreaterEqual(len(said), 1, outcome.summary["warnings"])
+        times = outcome.history["time"]
+        self.assertTrue((times[1:] > times[:-1]).all())
+        self.assertEqual(outcome.summary["status"], "finished")
+
+    def test_without_retries_the_run_stops(self):
+        path = self.write("scene.xml", too_long_a_step().set("Time > Retries", 0).text())
+        answer = rhegma(path, "--quiet", timeout=600)
+        self.assertEqual(answer.status, 2, answer)
+        self.assertNotIn("went back", answer.complaint)
+
+    def test_body_that_leaves_the_domain_stops_after_two_attempts(self):
+        scene = flying([0.0, 0.0], [0.4, 0.4], velocity=(1.0, 0.0), time=2.0).set("Domain > Upper Corner", [1.0, 2.0])
+        path = self.write("scene.xml", scene.text())
+        answer = rhegma(path, "--quiet", timeout=600)
+        self.assertEqual(answer.status, 2, answer)
+        self.assertIn("did not help", answer.complaint)
+
+
+if __name__ == "__main__":
+    unittest.main()
