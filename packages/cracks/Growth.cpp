@@ -107,13 +107,17 @@ std::uint64_t filledPlaces(const State<2>& state, const Vector<2>& x, const Vect
 {
   const auto position = state.particles.real<2>(fields::position);
   const auto edge = state.particles.real<2>(fields::edge);
+  const auto F = state.particles.real<gradientSize<2>>(fields::deformation);
   const double length = norm(step);
   std::uint64_t filled = 0;
   Kokkos::parallel_reduce(
       "rhegma::cracks::filledPlaces", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p, std::uint64_t& bits) {
-        const double stretch = 1.1; // bodies deform a little
-        const double reach = 0.5 * stretch * std::sqrt(edge(p, 0) * edge(p, 0) + edge(p, 1) * edge(p, 1));
+        // Half the diagonal of the deformed particle and a little more. (Edges are along the body's axes.)
+        const double stretch =
+            std::fmax(F(p, 0) * F(p, 0) + F(p, 2) * F(p, 2), 1.0) * edge(p, 0) * edge(p, 0) +
+            std::fmax(F(p, 1) * F(p, 1) + F(p, 3) * F(p, 3), 1.0) * edge(p, 1) * edge(p, 1);
+        const double reach = 0.55 * std::sqrt(stretch);
         const Vector<2> from{{position(p, 0) - x[0], position(p, 1) - x[1]}};
         const double along = dot(from, step) / length;
         const double aside = dot(from, from) - along * along;

@@ -38,7 +38,8 @@ struct Fronts
   std::vector<double> fastest;   ///< speed of each front [m/s]
   std::vector<double> increment; ///< of each front [m]
   std::vector<Origin> origins;
-  std::vector<double> straightFor; ///< length for which each front goes straight on [m]
+  std::vector<double> straightFor;        ///< length for which each front goes straight on [m]
+  std::vector<std::vector<double>> paths; ///< time, x and y of each advance of each front
 };
 
 /// Decides which fronts may advance after the step that ends: those that do if nothing closes them, which
@@ -111,6 +112,8 @@ void ask(State<2>& state, const Options& options, Fronts& fronts)
     if (!front.grown)
       fronts.origins[f] = {front.position, front.direction, direction};
     state.cracks.advances.push_back({static_cast<int>(f), direction, length, fronts.next[f].toughness});
+    const Vector<2> place = front.position + length * direction;
+    fronts.paths[f].insert(fronts.paths[f].end(), {history.lastTime(), place[0], place[1]});
     // Cells and material may be others where it is going.
     fronts.increment[f] = 0.0;
     if (state.materialList.size() > 1)
@@ -129,7 +132,20 @@ void start(State<2>& state, const Options& options, Fronts& fronts)
   fronts.increment.assign(count, 0.0);
   fronts.origins.resize(count);
   fronts.straightFor.assign(count, 0.0);
+  fronts.paths.resize(count);
   refuseWeak(state, options);
+}
+
+/// Mean of one of time, x and y over the advances of the second half of a path.
+double settledMean(const std::vector<double>& path, std::size_t which)
+{
+  const std::size_t advances = path.size() / 3, half = advances / 2;
+  if (advances < 4)
+    return notYet;
+  double sum = 0.0;
+  for (std::size_t k = half; k < advances; ++k)
+    sum += path[3 * k + which];
+  return sum / static_cast<double>(advances - half);
 }
 
 /// Angle from a to b, counter-clockwise [degrees].
@@ -159,6 +175,8 @@ void report(const State<2>& state, const Fronts& fronts, nlohmann::json& summary
     entry["turn"] = moved ? turn(origin.before, front.position - origin.place) : notYet;
     entry["settled_speed"] = history.settledSpeed();
     entry["settled_release"] = history.settledRelease();
+    entry["settled_time"] = settledMean(fronts.paths[f], 0);
+    entry["settled_position"] = {settledMean(fronts.paths[f], 1), settledMean(fronts.paths[f], 2)};
     entry["speed_limit"] = fronts.fastest[f];
     entry["energy_of_new_faces"] = front.taken;
   }
@@ -192,6 +210,7 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
       archive("next", fronts->next[f].increments);
       archive("next_toughness", fronts->next[f].toughness);
       archive("straight_for", fronts->straightFor[f]);
+      archive("path", fronts->paths[f]);
       archive("origin", fronts->origins[f].place);
       archive("before", fronts->origins[f].before);
       archive("first", fronts->origins[f].first);
