@@ -218,10 +218,11 @@ Outcome findRoom(const State<2>& state, const CrackFront<2>& front, const FrontA
   const double cell = spacingAt(state, front.position);
   const double step = (advance.length + leastLigament * cell) / places;
   const std::uint64_t filled = filledPlaces(state, front.position, step * advance.direction);
-  for (int k = 1; k <= places; ++k)
-    if ((filled >> k & 1) == 0)
-      return {(k - 1) * step, true};
-  return {advance.length, false};
+  // What lacks right at the front may be the opening of the crack that the cells have.
+  int last = places;
+  while (last > 0 && (filled >> last & 1) == 0)
+    --last;
+  return last == places ? Outcome{advance.length, false} : Outcome{last * step, true};
 }
 
 void grow(State<2>& state, std::vector<Chain>& chains, const FrontAdvance<2>& advance)
