@@ -201,7 +201,8 @@ void Conduction<D>::step(State<D>& state)
   pending += state.dt;
   ++waited;
   const double limit = stepLimit(state);
-  if (state.mechanics && waited < longestWait && pending + state.dt <= waitingShare * limit)
+  const bool last = state.time + state.dt >= finalTime * (1.0 - 1e-12); // which leaves nothing undone
+  if (!last && state.mechanics && waited < longestWait && pending + state.dt <= waitingShare * limit)
     return;
   // Cells that adapt have had a look at the sources by then.
   if (!warned && state.step >= 32)

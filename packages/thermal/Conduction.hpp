@@ -14,6 +14,7 @@ template <int D>
 struct Conduction
 {
   double diffusionNumber = 0.35;
+  double finalTime = std::numeric_limits<double>::infinity(); ///< of the run [s]
   double frontFraction = 0.0, frontRadius = 0.0;
   std::vector<Source<D>> sources;
   HeatBoundaries<D> boundaries;

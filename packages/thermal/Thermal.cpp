@@ -61,6 +61,7 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
   state.thermo = makeThermoTables(scene.sublist("Materials"), state.plane, run.initial, state.mechanics);
   useReferenceProperties(state, scene.sublist("Materials"), run.initial);
   run.conduction.measure(state);
+  run.conduction.finalTime = run.finalTime;
   run.conduction.diffusionNumber = list.get<double>("Diffusion Number");
   run.conduction.frontFraction = list.get<double>("Front Heat Fraction");
   if (list.isParameter("Front Radius"))

@@ -1,4 +1,5 @@
 #include "scene/HeatWords.hpp"
+#include "scene/Numbers.hpp"
 #include "scene/ReadList.hpp"
 #include "scene/TimeFunction.hpp"
 #include "thermal/Thermal.hpp"
@@ -6,6 +7,7 @@
 #include "material/ThermoMaterials.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace Rhegma::thermal
 {
@@ -204,6 +206,40 @@ void checkHistories(const Teuchos::ParameterList& scene, std::vector<SceneError>
   }
 }
 
+/// Surfaces must not be asked for a temperature at or below absolute zero: the first of 200 times of the run.
+void checkSurfaces(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
+{
+  if (!scene.isSublist("Time") || !scene.sublist("Time").isType<double>("Final Time"))
+    return;
+  const double end = scene.sublist("Time").get<double>("Final Time");
+  forEach(scene, "Boundaries",
+          [&](const Teuchos::ParameterList& list, const std::string& where)
+          {
+            const std::string name =
+                text(list, "Type") == "Convection" ? "Ambient Temperature" : "Temperature";
+            const bool held = text(list, "Type") == "Temperature" || text(list, "Type") == "Convection";
+            if (!held || !list.isType<double>(name) || !list.isType<std::string>("History"))
+              return;
+            try
+            {
+              const TimeFunction history = TimeFunction::parse(list.get<std::string>("History"));
+              for (int k = 0; k <= 200; ++k)
+                if (const double T = list.get<double>(name) * history(end * k / 200); !(T > 0.0))
+                {
+                  errors.push_back({where + " > History",
+                                    "times " + name + " it is " + formatReal(T) + " K at " +
+                                        formatReal(end * k / 200) +
+                                        " s; temperatures are absolute, write what stays above zero"});
+                  return;
+                }
+            }
+            catch (const std::invalid_argument&)
+            {
+              // What is no function is told elsewhere.
+            }
+          });
+}
+
 } // namespace
 
 void checkThermal(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
@@ -212,6 +248,7 @@ void checkThermal(const Teuchos::ParameterList& scene, std::vector<SceneError>& 
     return; // scene/HeatWords.hpp
   const Teuchos::ParameterList& list = scene.sublist("Thermal");
   checkHistories(scene, errors);
+  checkSurfaces(scene, errors);
   if (list.isType<bool>("Mechanics") && !list.get<bool>("Mechanics"))
     checkAlone(scene, errors);
   else

@@ -20,6 +20,8 @@ A study is a Teuchos parameter list named Study:
     <Parameter name="Curve Of" type="string" value="Notch.0.G_J"/>                optional: a column of history.csv,
     <Parameter name="Curve Divided By" type="double" value="0.1"/>                drawn over time in curves.png,
     <Parameter name="Curve Label" type="string" value="G / G of beam theory"/>    its axis
+    <Parameter name="Value Label" type="string" value="toughness [J/m2]"/>        optional: axes of values.png
+    <Parameter name="At Label" type="string" value="speed [m/s]"/>
     <ParameterList name="Sweep">
       <ParameterList name="GIMP">                                                 a family: a line in study.png
         <Parameter name="Combine" type="string" value="Zip"/>                     or Product; default Zip
@@ -34,13 +36,16 @@ A study is a Teuchos parameter list named Study:
 A parameter of a family is the path of a parameter of the scene, its parts joined by colons. Zip runs the first values
 of all arrays together, then the second ones, so the arrays have one length; Product runs every combination. A family
 may have a Scene of its own, and it may change the quantity (Error Of), its Reference Value, for example where the
-quantity is in other units, and the column Curve Of. Values that are arrays themselves are written in braces:
+quantity is in other units, and the column Curve Of. A family with a Value, an expression of its runs' numbers At (an
+array, one for each run; "at" in the expression), of [paths] in their summary.json and of [[paths]] in that of the run of
+the same place in the family Beside, is drawn in values.png over At, beside True, an expression of "at". Values that are arrays themselves are written in braces:
 {{0, 0}, {1, 0}}.
 """
 
 STUDY_NAMES = ["Scene", "Title", "Error Of", "Reference Value", "Source", "Curve Of", "Curve Divided By", "Curve Label",
-               "Sweep"]
-FAMILY_NAMES = ["Combine", "Group", "Scene", "Error Of", "Reference Value", "Curve Of"]
+               "Value Label", "At Label", "Sweep"]
+FAMILY_NAMES = ["Combine", "Group", "Scene", "Error Of", "Reference Value", "Curve Of", "Value", "At", "Beside",
+                "True"]
 
 
 class Curve:
@@ -62,6 +67,7 @@ class Run:
         self.settings = settings
         self.quantity = quantity
         self.reference = reference
+        self.value = self.at = self.beside = self.true = None  # of values.png
 
 
 class Study:
@@ -69,6 +75,7 @@ class Study:
     where none is drawn; source: of the reference values, or None."""
 
     def __init__(self, path, title, runs, swept, curve=None, source=None):
+        self.value_label = self.at_label = None
         self.curve = curve
         self.source = source
         self.path = path
@@ -190,7 +197,25 @@ def read_family(element, study, study_path):
     group = read_text(own, "Group", where) if "Group" in own else None
     rows = combine(values, own.get("Combine", "Zip"), where)
     runs = [Run(element.get("name"), scene, row, quantity, reference, group, column) for row in rows]
+    read_values(own, runs, where)
     return runs, [path for path, value in values.items() if isinstance(value, list)]
+
+
+def read_values(own, runs, where):
+    """What values.png has of a family."""
+    if "Value" not in own:
+        for name in ("At", "Beside", "True"):
+            if name in own:
+                raise Problem(f"{where} > {name}: there is no Value that it could go with; add one.")
+        return
+    at = own.get("At")
+    if not isinstance(at, list) or len(at) != len(runs):
+        raise Problem(f"{where} > At: must be an array of a number for each of the {len(runs)} runs.")
+    for run, text in zip(runs, at):
+        run.value = read_text(own, "Value", where)
+        run.at = read_number({"At": text}, "At", where)
+        run.beside = read_text(own, "Beside", where) if "Beside" in own else None
+        run.true = read_text(own, "True", where) if "True" in own else None
 
 
 def read_curve(values, runs):
@@ -244,8 +269,11 @@ def read_study(path):
         runs += more
         swept += [p for p in paths if p not in swept]
     texts = {name: read_text(values, name, "Study") for name in ("Title", "Source") if name in values}
+    labels = [read_text(values, name, "Study") if name in values else None for name in ("Value Label", "At Label")]
     title = texts.get("Title") or os.path.splitext(os.path.basename(path))[0]
-    return Study(path, title, runs, swept, read_curve(values, runs), texts.get("Source"))
+    study = Study(path, title, runs, swept, read_curve(values, runs), texts.get("Source"))
+    study.value_label, study.at_label = labels
+    return study
 
 
 def choose_families(study, names):

@@ -377,6 +377,9 @@ HEAT = [
      one("Thermal > Front Heat Fraction", "no crack grows")),
     ("conduction_in_far_too_short_steps", warm().set(POLYMER + "Conductivity", 1e14),
      one("Thermal", "conduction would need", "Conductivity")),
+    ("surface_that_falls_below_absolute_zero", warm().set("Boundaries > Cold", {"Type": "Temperature",
+     "Temperature": 300.0, "History": "1 - t/1e-9", "Lower Corner": [0.0, 0.0], "Upper Corner": [0.1, 0.1]}),
+     one("Boundaries > Cold > History", "temperatures are absolute")),
     ("boundary_of_heat_without_it", plate().set("Boundaries > Hot", {"Type": "Temperature", "Temperature": 400.0,
      "Lower Corner": [0.0, 0.0], "Upper Corner": [0.1, 0.1]}), one("Boundaries > Hot", "boundary of heat")),
 ]

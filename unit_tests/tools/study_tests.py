@@ -29,6 +29,16 @@ GIMP = """    <ParameterList name="GIMP, both">
 """
 
 
+VALUES = """    <ParameterList name="warm">
+      <Parameter name="At" type="Array(string)" value="{10, 20, 40}"/>
+      <Parameter name="Value" type="string" value="at*[cracks.Notch.fronts.0.G_J]/[[cracks.Notch.fronts.0.G_J]]"/>
+      <Parameter name="Beside" type="string" value="cold"/>
+      <Parameter name="True" type="string" value="at"/>
+      <Parameter name="Domain:Cell Size" type="Array(string)" value="{5e-3, 2.5e-3, 1.25e-3}"/>
+      <Parameter name="Domain:Shape Functions" type="string" value="GIMP"/>
+    </ParameterList>
+"""
+
 CURVE = """  <Parameter name="Curve Of" type="string" value="Notch.0.G_J"/>
   <Parameter name="Curve Divided By" type="double" value="0.1"/>
   <Parameter name="Curve Label" type="string" value="G / G of beam theory"/>
@@ -166,6 +176,29 @@ class Study(ToolTest):
         self.assertEqual((status, complaint), (0, ""))
         self.assertIn(f"Wrote {self.path('study.out', 'curves.png')}: 5 curves.", output)
         self.assertGreater(picture_size(self.path("study.out", "curves.png"))[0], 900)
+
+    def test_draws_values_beside_what_is_true(self):
+        self.study(LINEAR.replace("linear", "cold") + VALUES)
+        status, output, complaint = self.start()
+        self.assertEqual((status, complaint), (0, ""))
+        self.assertGreater(picture_size(self.path("study.out", "values.png"))[0], 900)
+        with open(self.path("study.out", "values.csv"), newline="") as file:
+            rows = list(csv.DictReader(file))
+        # G of GIMP over that of linear cells times the coordinate: (1 + c^2) / (1 + c), c = cell / 10 mm.
+        for row, at, cell in zip(rows, (10.0, 20.0, 40.0), (0.5, 0.25, 0.125)):
+            self.assertEqual((row["family"], float(row["at"]), float(row["true"])), ("warm", at, at))
+            self.assertAlmostEqual(float(row["value"]), at * (1 + cell**2) / (1 + cell), 12)
+        # The mean of (1 + c^2) / (1 + c) - 1 is that of -1/6, -3/20 and -7/72.
+        self.assertIn("warm: -13.80 %", output)
+
+    def test_a_value_that_can_not_be_found_is_told(self):
+        for wrong, words in ((("[[cracks", "[[crack"), "crack"), (("at*[", "to*["), "has what is no number"),
+                             (("at*[", "at*(["), "is no expression"), (("{10, 20, 40}", "{10, 20}"), "for each of the 3 runs"),
+                             (('value="cold"', 'value="ice"'), "there is no family ice")):
+            self.study(LINEAR.replace("linear", "cold") + VALUES.replace(*wrong))
+            status, _, complaint = self.start()
+            self.assertEqual(status, 1, wrong)
+            self.assertIn(words, complaint)
 
     def test_without_a_column_there_are_no_curves(self):
         self.study(LINEAR)

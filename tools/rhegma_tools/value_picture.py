@@ -1,0 +1,125 @@
+"""Draws what runs gave against a number of theirs, beside what is true."""
+
+import ast
+import csv
+import math
+import re
+
+from . import style
+from .interpreter import Problem
+from .study_picture import group_style
+from .style import plt
+from .summary import look_up, read_summary
+
+FUNCTIONS = {"exp": math.exp, "sqrt": math.sqrt, "tanh": math.tanh, "log": math.log}
+OPERATIONS = {ast.Add: lambda a, b: a + b, ast.Sub: lambda a, b: a - b, ast.Mult: lambda a, b: a * b,
+              ast.Div: lambda a, b: a / b, ast.Pow: lambda a, b: a**b}
+PATH = re.compile(r"\[\[([^\[\]]+)\]\]|\[([^\[\]]+)\]")
+
+
+def calculate(text, where, names):
+    """The value of an expression of numbers, names, + - * / **, brackets and FUNCTIONS."""
+
+    def value(node):
+        if isinstance(node, ast.Expression):
+            return value(node.body)
+        if isinstance(node, ast.Constant) and type(node.value) in (int, float):
+            return float(node.value)
+        if isinstance(node, ast.Name) and node.id in names:
+            return names[node.id]
+        if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
+            return -value(node.operand)
+        if isinstance(node, ast.BinOp) and type(node.op) in OPERATIONS:
+            return OPERATIONS[type(node.op)](value(node.left), value(node.right))
+        if (isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in FUNCTIONS
+                and len(node.args) == 1 and not node.keywords):
+            return FUNCTIONS[node.func.id](value(node.args[0]))
+        raise Problem(f"{where}: {text} has what is no number, at, [path], [[path]] or one of {', '.join(FUNCTIONS)}.")
+
+    try:
+        return value(ast.parse(text.strip(), mode="eval"))
+    except SyntaxError:
+        raise Problem(f"{where}: {text} is no expression.")
+    except (ArithmeticError, ValueError) as error:
+        raise Problem(f"{where}: {text} has no value ({error}).")
+
+
+def value_of(outcome, beside):
+    """The Value of a run. [path] is of its summary, [[path]] of that of the run beside it."""
+    run = outcome.run
+    where = f"Sweep > {run.family} > Value"
+    names = {"at": run.at}
+
+    def name(match):
+        twin = match.group(1) is not None
+        if twin and beside is None:
+            raise Problem(f"{where}: [[{match.group(1)}]] needs a family Beside, whose run finished.")
+        key = f"_{len(names)}"
+        names[key] = look_up(read_summary((beside if twin else outcome).folder), (match.group(1) or match.group(2)).strip())
+        return key
+
+    return calculate(PATH.sub(name, run.value), where, names)
+
+
+def collect(outcomes):
+    """[(outcome, value, true value or None)] of the runs that finished and have a Value."""
+    numbers, rows = {}, []
+    for outcome in outcomes:
+        own = numbers.setdefault(outcome.run.family, [])
+        own.append(outcome)
+    for outcome in outcomes:
+        run = outcome.run
+        if not (outcome.good and run.value):
+            continue
+        place = numbers[run.family].index(outcome)
+        twin = None
+        if run.beside is not None:
+            if run.beside not in numbers:
+                raise Problem(f"Sweep > {run.family} > Beside: there is no family {run.beside} among those that run.")
+            twins = numbers[run.beside]
+            if place >= len(twins):
+                raise Problem(f"Sweep > {run.family} > Beside: {run.beside} has fewer runs.")
+            twin = twins[place] if twins[place].good else None
+            if twin is None:
+                continue
+        true = calculate(run.true, f"Sweep > {run.family} > True", {"at": run.at}) if run.true else None
+        rows.append((outcome, value_of(outcome, twin), true))
+    return rows
+
+
+def draw_values(study, outcomes, table, path):
+    """Writes values.csv and values.png. Returns a line for each family: by how much it is off what is true."""
+    rows = collect(outcomes)
+    if not rows:
+        return []
+    with open(table, "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(["family", "at", "value", "true"])
+        for outcome, value, true in rows:
+            writer.writerow([outcome.run.family, outcome.run.at, repr(value), "" if true is None else repr(true)])
+    styles = group_style([outcome.run for outcome, _, _ in rows])
+    figure, axes = plt.subplots(figsize=(7.2, 4.6), layout="constrained")
+    lines = []
+    for family in dict.fromkeys(outcome.run.family for outcome, _, _ in rows):
+        own = sorted(((o.run.at, value, true) for o, value, true in rows if o.run.family == family))
+        colour, _, marker = styles[family]
+        axes.plot([at for at, _, _ in own], [value for _, value, _ in own], color=colour, marker=marker, ms=6, ls="none",
+                  label=family)
+        text = next(o.run.true for o, _, _ in rows if o.run.family == family)
+        if text:
+            low, high = own[0][0], own[-1][0]
+            fine = [low + (high - low) * k / 200.0 for k in range(201)]
+            axes.plot(fine, [calculate(text, f"Sweep > {family} > True", {"at": at}) for at in fine], color=colour, lw=1.2,
+                      label=f"{family}, true")
+            ratios = [value / true - 1.0 for _, value, true in own]
+            mean = sum(ratios) / len(ratios)
+            spread = math.sqrt(sum((r - mean) ** 2 for r in ratios) / max(len(ratios) - 1, 1))
+            lines.append(f"{family}: {100.0 * mean:+.2f} % off what is true, standard deviation {100.0 * spread:.2f} %, "
+                         f"{len(ratios)} runs")
+    axes.set_ylim(bottom=0.0)
+    axes.set_xlabel(study.at_label or "at")
+    axes.set_ylabel(study.value_label or "value")
+    axes.set_title(study.title, fontsize=12)
+    axes.legend(loc="best")
+    style.save(figure, path)
+    return lines
