@@ -18,10 +18,9 @@ namespace
 constexpr int cells = 3, pieces = 16;
 
 /// A place on the crack at a distance behind the front.
-template <int D>
 struct Place
 {
-  Vector<D> at;
+  Vector<2> at;
   double pressure;
 };
 
@@ -44,7 +43,7 @@ public:
   }
 
   /// \param back length of crack from the front [m] \return false beyond the crack's other end
-  bool find(double back, Place<2>& place) const
+  bool find(double back, Place& place) const
   {
     for (std::size_t s = 0; s + 1 < vertices_.size(); ++s)
     {
@@ -65,96 +64,52 @@ private:
   std::vector<double> pressures_;
 };
 
-/// For each place the share of its nodes that the faces share. Collective.
-template <int D>
-std::vector<double> sharesOfFaces(const State<D>& state, int crack, const std::vector<Place<D>>& places)
+} // namespace
+
+double intensityLostAtFront(const State<2>& state, const CrackFront<2>& front, double tipOffset)
 {
-  ObservedPoints<D> points;
+  const CrackSet<2>& cracks = state.cracks;
+  if (cracks.pressure.extent(0) != cracks.simplex.extent(0) || state.step == 0)
+    return 0.0;
+  const WayBack way(cracks, front);
+  const double piece = spacingAt(state, front.position) / pieces;
+  std::vector<Place> places;
+  Place place;
+  while (static_cast<int>(places.size()) < cells * pieces && way.find((places.size() + 0.5) * piece, place))
+    places.push_back(place);
+
+  ObservedPoints<2> points;
   points.onAllRanks = true;
   points.count = static_cast<int>(places.size());
-  points.position = View<double* [D]>("rhegma::nearFrontPosition", points.count);
-  points.half = View<double* [D]>("rhegma::nearFrontHalf", points.count);
+  points.position = View<double* [2]>("rhegma::nearFrontPosition", points.count);
+  points.half = View<double* [2]>("rhegma::nearFrontHalf", points.count);
   points.side = View<int*>("rhegma::nearFrontSide", points.count);
   const auto position = Kokkos::create_mirror_view(points.position);
   for (int k = 0; k < points.count; ++k)
-    for (int d = 0; d < D; ++d)
+    for (int d = 0; d < 2; ++d)
       position(k, d) = places[k].at[d];
   Kokkos::deep_copy(points.position, position);
-  Kokkos::deep_copy(points.side, crack + 1);
-  StencilTable<D> stencils;
+  Kokkos::deep_copy(points.side, front.crack + 1);
+  StencilTable<2> stencils;
   pointStencils(state, points, stencils, true);
   const auto count = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, stencils.count);
   const auto node = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, stencils.node);
   const auto weight = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, stencils.weight);
-  const auto nodeSide = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide);
-  std::vector<double> shared(points.count, 0.0);
+  const auto nodeSide = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.nodeSide);
+
+  // int s^-1/2 ds over a piece of the way back, s the distance from the tip that the cells have.
+  const auto weighed = [tipOffset](double from, double to)
+  { return 2.0 * (std::sqrt(std::max(to + tipOffset, 0.0)) - std::sqrt(std::max(from + tipOffset, 0.0))); };
+  std::vector<double> shared(points.count, 0.0); // share of each point's nodes that the faces share
   for (int k = 0; k < points.count; ++k)
     for (int e = 0; e < count(k); ++e)
       if (node(k, e) < state.nodes.numLattice && nodeSide(node(k, e)) == 0)
         shared[k] += weight(k, e);
   sumParts(state, shared.data(), points.count);
-  return shared;
-}
-
-/// int lost p r^-1/2 dr sqrt(2 / pi) over places a piece apart, of which the first is half of one behind the
-/// front. \param tipOffset how far ahead of the front the tip lies that the cells have [m]
-template <int D>
-double intensityOf(const Place<D>* places, const double* shared, int count, double piece, double tipOffset)
-{
-  // int s^-1/2 ds over a piece of the way back, s the distance from the tip that the cells have.
-  const auto weighed = [tipOffset](double from, double to)
-  { return 2.0 * (std::sqrt(std::max(to + tipOffset, 0.0)) - std::sqrt(std::max(from + tipOffset, 0.0))); };
-  double intensity = count == 0 ? 0.0 : places[0].pressure * weighed(-std::fabs(tipOffset), 0.0);
-  for (int k = 0; k < count; ++k)
+  double intensity = places.empty() ? 0.0 : places[0].pressure * weighed(-std::fabs(tipOffset), 0.0);
+  for (int k = 0; k < points.count; ++k)
     intensity += shared[k] * places[k].pressure * weighed(k * piece, (k + 1) * piece);
   return intensity * std::sqrt(2.0 / std::acos(-1.0));
-}
-
-/// Whether anything pushes the faces, and nodes are there to feel it.
-template <int D>
-bool isPushed(const State<D>& state)
-{
-  return state.cracks.pressure.extent(0) == state.cracks.simplex.extent(0) && state.step > 0;
-}
-
-} // namespace
-
-double intensityLostAtFront(const State<2>& state, const CrackFront<2>& front, double tipOffset)
-{
-  if (!isPushed(state))
-    return 0.0;
-  const WayBack way(state.cracks, front);
-  const double piece = spacingAt(state, front.position) / pieces;
-  std::vector<Place<2>> places;
-  Place<2> place;
-  while (static_cast<int>(places.size()) < cells * pieces && way.find((places.size() + 0.5) * piece, place))
-    places.push_back(place);
-  const std::vector<double> shared = sharesOfFaces(state, front.crack, places);
-  return intensityOf(places.data(), shared.data(), static_cast<int>(places.size()), piece, tipOffset);
-}
-
-std::vector<double> intensitiesLostAlongFront(const State<3>& state, const CrackFront<3>& front, double reach)
-{
-  if (!isPushed(state))
-    return {};
-  const auto pressure = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.pressure);
-  const auto facet = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.frontFacet);
-  const double cell = spacingAt(state, front.position), piece = cell / pieces;
-  const int each = std::max(1, static_cast<int>(std::min(cells * cell, reach) / piece));
-  std::vector<Place<3>> places;
-  int triangle = 0;
-  for (const FrontStation<3>& station : front.stations)
-  {
-    if (station.facet >= 0) // the last of an open line is at the end of the piece before
-      triangle = facet(station.facet, 0);
-    for (int k = 0; k < each; ++k)
-      places.push_back({station.position - ((k + 0.5) * piece) * station.direction, pressure(triangle)});
-  }
-  const std::vector<double> shared = sharesOfFaces(state, front.crack, places);
-  std::vector<double> lost;
-  for (std::size_t s = 0; s < front.stations.size(); ++s)
-    lost.push_back(intensityOf(&places[s * each], &shared[s * each], each, piece, 0.0));
-  return lost;
 }
 
 } // namespace Rhegma::energy_release

@@ -3,8 +3,6 @@
 
 #include "state/State.hpp"
 
-#include <vector>
-
 namespace Rhegma::energy_release
 {
 
@@ -21,10 +19,5 @@ namespace Rhegma::energy_release
 /// \param tipOffset how far ahead of the front the tip lies that the cells have [m]: r counts from there, and
 /// ahead of the front no pressure is felt at all
 double intensityLostAtFront(const State<2>& state, const CrackFront<2>& front, double tipOffset);
-
-/// The same at every station of a 3D front; empty without a pressure. \param reach how far straight back from
-/// the front there is crack [m]
-std::vector<double> intensitiesLostAlongFront(const State<3>& state, const CrackFront<3>& front,
-                                              double reach);
 
 } // namespace Rhegma::energy_release

@@ -1,7 +1,6 @@
 #include "energy_release/FrontsInSpace.hpp"
 
 #include "checkpoint/Archive.hpp"
-#include "energy_release/FacePressureTerm.hpp"
 #include "energy_release/FrontDriving.hpp"
 #include "energy_release/FrontIntegral.hpp"
 #include "energy_release/FrontOpening.hpp"
@@ -98,12 +97,6 @@ void measure(const State<3>& state, Sample& s)
     s.modeI[k] = K.modeI;
     s.modeII[k] = K.modeII;
     s.modeIII[k] = K.modeIII;
-  }
-  const std::vector<double> lost = intensitiesLostAlongFront(state, s.front, s.tube.radii.outer);
-  for (std::size_t k = 0; k < lost.size(); ++k)
-  {
-    s.J[k] += lost[k] * (2.0 * s.modeI[k] + lost[k]) / e.effectiveModulus;
-    s.modeI[k] += lost[k];
   }
 }
 
