@@ -1,4 +1,4 @@
-# The reference of the interface, where doxygen is: the target `api` writes BUILD/api/html, and the test docs.api fails
+# The reference of the interface, where doxygen is: the target `api` writes BUILD/api, and the test docs.api fails
 # where a public name has no words.
 
 find_program(RHEGMA_DOXYGEN doxygen)
@@ -6,7 +6,7 @@ if(NOT RHEGMA_DOXYGEN)
   return()
 endif()
 file(WRITE ${PROJECT_BINARY_DIR}/Doxyfile
-  "@INCLUDE = ${PROJECT_SOURCE_DIR}/docs/Doxyfile\nOUTPUT_DIRECTORY = ${PROJECT_BINARY_DIR}/api\n")
+  "@INCLUDE = ${PROJECT_SOURCE_DIR}/docs/Doxyfile\nOUTPUT_DIRECTORY = ${PROJECT_BINARY_DIR}\n")
 add_custom_target(api COMMAND ${RHEGMA_DOXYGEN} ${PROJECT_BINARY_DIR}/Doxyfile WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 if(RHEGMA_TESTS)
   add_test(NAME docs.api COMMAND ${RHEGMA_DOXYGEN} ${PROJECT_BINARY_DIR}/Doxyfile WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
