@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 
@@ -35,6 +36,8 @@ struct Run
   Conduction<D> conduction;
   std::vector<Probe<D>> probes;
   double initial = 0.0, finalTime = 0.0;
+  double settledPeaks = 0.0; ///< sum of the highest temperatures at the samples of the last twentieth [K]
+  int settledSamples = 0;
 };
 
 /// Has all who ask for the numbers of a material find those at its reference temperature.
@@ -88,7 +91,7 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
 }
 
 template <int D>
-void observe(State<D>& state, const Run<D>& run)
+void observe(State<D>& state, Run<D>& run)
 {
   // At the end, for cells may become as small as a running front wants them after it has set out.
   const Conduction<D>& conduction = run.conduction;
@@ -98,6 +101,11 @@ void observe(State<D>& state, const Run<D>& run)
         !word.empty())
       state.warnings.push_back(word);
   const Extremes<D> now = extremes(state);
+  if (state.time >= 0.95 * run.finalTime)
+  {
+    run.settledPeaks += now.highest;
+    ++run.settledSamples;
+  }
   state.row.emplace_back("temperature_highest", now.highest);
   state.row.emplace_back("temperature_lowest", now.lowest);
   for (const Probe<D>& probe : run.probes)
@@ -122,6 +130,9 @@ void report(const State<D>& state, const Run<D>& run, nlohmann::json& summary)
   temperature = {{"peak", now.highest},
                  {"peak_rise", now.highest - run.initial},
                  {"where", where},
+                 {"settled_peak_rise", run.settledSamples > 0
+                                           ? run.settledPeaks / run.settledSamples - run.initial
+                                           : std::numeric_limits<double>::quiet_NaN()},
                  {"lowest", now.lowest},
                  {"probes", nlohmann::json::object()}};
   for (const Probe<D>& probe : run.probes)
@@ -185,6 +196,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       state.cracks.fronts[f].temperature = ofFronts[f];
     archive("fracture seen", run->conduction.fractureSeen);
     archive("front heat", run->conduction.frontHeat);
+    archive("settled peaks", run->settledPeaks);
+    archive("settled samples", run->settledSamples);
     archive("pending", run->conduction.pending);
     archive("waited", run->conduction.waited);
     archive("warned", run->conduction.warned);
