@@ -24,7 +24,7 @@ std::string readAll(const std::string& path)
     throw std::invalid_argument(path +
                                 ": the file has more than 500 MB; give a surface with fewer triangles");
   std::ifstream file(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+  std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   if (!file)
     throw std::invalid_argument(path + ": the file can't be read");
   if (bytes.empty())
