@@ -5,7 +5,8 @@
 #include "adaptivity/Merging.hpp"
 #include "adaptivity/Splitting.hpp"
 #include "checkpoint/Archive.hpp"
-#include "grid/Branches.hpp"
+#include "grid/LeafList.hpp"
+#include "parallel/Subdomain.hpp"
 #include "scene/ReadList.hpp"
 
 #include <algorithm>
@@ -212,9 +213,7 @@ void adapt(State<D>& state, const Options<D>& options, Progress<D>& progress)
   if (!(wanted == progress.branches))
   {
     progress.branches = std::move(wanted);
-    buildTree(progress.branches, state.tree);
-    state.nodes.reserve(state.grid.numNodes + state.tree.numFine, state.nodes.numSecond);
-    state.sorted = false;
+    refineCells(state, progress.branches);
     ++progress.changes;
   }
   const Merged merged = mergeParticles(state, options.mergeLoss);
@@ -222,7 +221,9 @@ void adapt(State<D>& state, const Options<D>& options, Progress<D>& progress)
   progress.merged += merged.families;
   progress.kept = merged.kept;
   progress.split += splitParticles(state);
-  progress.most = std::max(progress.most, state.particles.size());
+  if (state.subdomain)
+    state.particlesOfAllRanks = static_cast<int>(state.ranks.sum(state.particles.size()));
+  progress.most = std::max(progress.most, state.subdomain ? allParticles(state) : state.particles.size());
 }
 
 template <int D>
@@ -269,13 +270,13 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     archive("most", done.most);
     archive("kept", done.kept);
     if (archive.loads())
-      done.branches = branchesOf(state.grid, state.tree);
+      done.branches = refinedCells(state);
   };
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {
     const Progress<D>& done = **progress;
     summary["adaptivity"] = {
-        {"deepest_level", state.tree.deepest}, {"leaves", state.tree.leafLevel.extent(0)},
+        {"deepest_level", state.tree.deepest}, {"leaves", LeafList<D>(done.branches).size()},
         {"changes_of_cells", done.changes},    {"particles_added", done.split},
         {"families_merged", done.merged},      {"families_kept", done.kept},
         {"most_particles", done.most}};
@@ -285,6 +286,6 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 
 } // namespace
 
-EffectEntry adaptivityEntry() { return {section(), check, make<2>, make<3>}; }
+EffectEntry adaptivityEntry() { return {section(), check, make<2>, make<3>, true}; }
 
 } // namespace Rhegma::adaptivity

@@ -1,6 +1,7 @@
 #include "adaptivity/Criteria.hpp"
 
 #include "adaptivity/VelocityCriterion.hpp"
+#include "parallel/Subdomain.hpp"
 
 #include <algorithm>
 #include <array>
@@ -178,7 +179,7 @@ void refineByChange(const State<D>& state, const Criteria<D>& criteria, double t
 template <int D>
 Branches<D> wantedBranches(const State<D>& state, const Criteria<D>& criteria, const Branches<D>& now)
 {
-  Branches<D> branches(state.grid);
+  Branches<D> branches(wholeLattice(state));
   refineRegions(criteria, branches);
   refineFronts(state, criteria, now, branches);
   refineByChange(state, criteria, criteria.velocityChange, fields::rate, branches);

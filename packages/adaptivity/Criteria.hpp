@@ -29,7 +29,8 @@ struct Criteria
   std::vector<Region<D>> regions;
 };
 
-/// The cells that the criteria want to be refined now, and what balance needs on top.
+/// The cells of the whole lattice that the criteria want to be refined now, and what balance needs on top;
+/// the same on all ranks. Collective.
 ///
 /// Fronts: a cell of any level that is nearer to a crack front than `frontCells` of its own edges is refined
 /// (half a cell more where it is refined already, so that a front that sways does not switch cells on and

@@ -6,7 +6,8 @@
 namespace Rhegma::adaptivity
 {
 
-/// Gives particles whose id is -1 the smallest ids that are free, in the order of the particles.
+/// Gives particles whose id is -1 the smallest ids that are free, in the order of the particles, rank by
+/// rank. Collective.
 template <int D>
 void nameParticles(State<D>& state);
 

@@ -1,10 +1,12 @@
 #include "adaptivity/Merging.hpp"
 
 #include "adaptivity/Lineage.hpp"
+#include "adaptivity/TogetherAgain.hpp"
 #include "material/HistoryRoom.hpp"
 #include "material/Materials.hpp"
 #include "material/Tensors.hpp"
 #include "output/ParticleEnergy.hpp"
+#include "parallel/Subdomain.hpp"
 #include "transfer/Box.hpp"
 
 #include <algorithm>
@@ -229,7 +231,7 @@ struct MergeFamilies
   }
 };
 
-/// Kinetic and strain energy of all particles over their mass [J/kg].
+/// Kinetic and strain energy of all particles over their mass [J/kg]. Collective.
 template <int D>
 double meanEnergy(const State<D>& state)
 {
@@ -242,7 +244,9 @@ double meanEnergy(const State<D>& state)
         m += of.mass(p);
       },
       energy, all);
-  return all > 0.0 ? energy / all : 0.0;
+  double sums[2] = {energy, all};
+  sumParts(state, sums, 2);
+  return sums[1] > 0.0 ? sums[0] / sums[1] : 0.0;
 }
 
 /// Fields that merging itself finds; of all others the merged particle has the mean.
@@ -280,7 +284,7 @@ void averageOthers(State<D>& state, const View<int * [parts<D>]>& family, const 
 }
 
 template <int D>
-MergeFamilies<D> mergerOf(State<D>& state, double tolerance)
+MergeFamilies<D> mergerOf(State<D>& state, double tolerance, double mean)
 {
   FieldTable& table = state.particles;
   MergeFamilies<D> merge(state);
@@ -305,13 +309,13 @@ MergeFamilies<D> mergerOf(State<D>& state, double tolerance)
     merge.box = table.real<D>(fields::box);
   merge.largestBox = 0.5 * state.grid.spacing;
   merge.tolerance = tolerance;
-  merge.meanEnergy = meanEnergy(state);
+  merge.meanEnergy = mean;
   return merge;
 }
 
-/// Merges the families that may be. \return what was done
+/// Merges the families that may be. \param mean energy per mass of all particles \return what was done here
 template <int D>
-Merged mergeOnce(State<D>& state, const std::vector<Family<D>>& families, double tolerance)
+Merged mergeOnce(State<D>& state, const std::vector<Family<D>>& families, double tolerance, double mean)
 {
   const int count = static_cast<int>(families.size());
   const View<int * [parts<D>]> family("rhegma::family", count);
@@ -321,7 +325,7 @@ Merged mergeOnce(State<D>& state, const std::vector<Family<D>>& families, double
       hostFamily(i, k) = families[i][k];
   Kokkos::deep_copy(family, hostFamily);
   const View<int*> accepted("rhegma::accepted", count);
-  MergeFamilies<D> merge = mergerOf(state, tolerance);
+  MergeFamilies<D> merge = mergerOf(state, tolerance, mean);
   merge.family = family;
   merge.accepted = accepted;
   Merged merged;
@@ -358,19 +362,20 @@ template <int D>
 Merged mergeParticles(State<D>& state, double tolerance)
 {
   Merged all;
+  const Ranks ranks = ranksOf(state);
   for (;;)
   {
-    const View<int*> list = tooSmall(state);
-    if (static_cast<int>(list.extent(0)) < parts<D>)
+    bringTogether(state, tooSmall(state));
+    const std::vector<Family<D>> families = wholeFamilies<D>(state, tooSmall(state));
+    if (ranks.sum(static_cast<double>(families.size())) == 0.0)
       break;
-    const std::vector<Family<D>> families = wholeFamilies<D>(state, list);
-    if (families.empty())
-      break;
-    const Merged some = mergeOnce(state, families, tolerance);
+    const Merged some = mergeOnce(state, families, tolerance, meanEnergy(state));
+    double done[2] = {double(some.families), double(some.kept)};
+    ranks.sum(done, 2);
     all.lost += some.lost;
-    all.families += some.families;
-    all.kept = some.kept;
-    if (some.families == 0)
+    all.families += static_cast<int>(done[0]);
+    all.kept = static_cast<int>(done[1]);
+    if (done[0] == 0.0)
       break;
     state.sorted = false;
   }

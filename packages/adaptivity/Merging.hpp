@@ -9,15 +9,16 @@ namespace Rhegma::adaptivity
 /// What merging did.
 struct Merged
 {
-  int families = 0;
-  int kept = 0;      ///< families that would have lost more energy than is allowed
-  double lost = 0.0; ///< kinetic and strain energy [J]
+  int families = 0;  ///< of all ranks
+  int kept = 0;      ///< families that would have lost more energy than is allowed, of all ranks
+  double lost = 0.0; ///< kinetic and strain energy of those of this rank [J]
 };
 
 /// Merges whole families (the 2^D parts of one particle) whose particle would touch no leaf of a deeper level
 /// than its own, as long as one is found; families on two sides of a crack stay. Mass, volume now and before
 /// deformation and momentum are kept to round-off; stress and all that effects add becomes the mean. Kinetic
-/// and strain energy fall: the loss is returned, for the ledger. Leaves the particles unsorted.
+/// and strain energy fall: the loss is returned, for the ledger. Leaves the particles unsorted. Families
+/// whose parts are on several ranks come together on that of the first part before. Collective.
 ///
 /// \param tolerance largest loss, or gain by rounding of a law with memory, as a share of what the family
 /// holds or, where that is more, of what its mass would hold at the mean of all particles

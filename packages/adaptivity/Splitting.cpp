@@ -2,6 +2,7 @@
 
 #include "adaptivity/Ids.hpp"
 #include "adaptivity/Lineage.hpp"
+#include "parallel/Subdomain.hpp"
 #include "transfer/Box.hpp"
 
 namespace Rhegma::adaptivity
@@ -175,7 +176,7 @@ int splitParticles(State<D>& state)
     for (const auto& follow : state.afterSplit)
       follow(state, {list, first});
   }
-  const int added = state.particles.size() - before;
+  const int added = static_cast<int>(ranksOf(state).sum(state.particles.size() - before));
   if (added > 0)
   {
     nameParticles(state);

@@ -12,7 +12,7 @@ namespace Rhegma::adaptivity
 /// The parts take equal shares of mass and volume and copy velocity, deformation gradient, stress and all
 /// that effects add: mass, momentum, angular momentum and energy are kept to round-off, and the boxes tile
 /// what the box of the whole covered (where its edges lie along the axes). The first part keeps the
-/// particle's id. Leaves the particles unsorted. \return how many particles were added
+/// particle's id. Leaves the particles unsorted. Collective. \return how many particles all ranks have added
 template <int D>
 int splitParticles(State<D>& state);
 

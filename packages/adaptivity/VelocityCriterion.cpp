@@ -1,5 +1,8 @@
 #include "adaptivity/VelocityCriterion.hpp"
 
+#include "parallel/Subdomain.hpp"
+
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -94,13 +97,45 @@ std::vector<LevelSums<D>> sumOverLeaves(const State<D>& state, const std::string
   return sums;
 }
 
+/// The sums of all ranks, on each of them.
+template <int D>
+std::vector<LevelSums<D>> ofAllRanks(const State<D>& state, const std::vector<LevelSums<D>>& own)
+{
+  if (!state.subdomain)
+    return own;
+  constexpr int width = 1 + D + 1 + D * D; // level, cell, volume, gradient
+  std::vector<double> rows;
+  for (std::size_t level = 0; level < own.size(); ++level)
+    for (const auto& [cell, sum] : own[level])
+    {
+      rows.push_back(static_cast<double>(level));
+      for (int d = 0; d < D; ++d)
+        rows.push_back(cell[d] + std::ldexp(state.grid.before[d], static_cast<int>(level)));
+      rows.push_back(sum.volume);
+      rows.insert(rows.end(), sum.gradient, sum.gradient + D * D);
+    }
+  rows = state.ranks.gatherOnAll(rows);
+  std::vector<LevelSums<D>> all(own.size());
+  for (auto row = rows.begin(); row != rows.end(); row += width)
+  {
+    std::array<int, D> cell;
+    for (int d = 0; d < D; ++d)
+      cell[d] = static_cast<int>(row[1 + d]);
+    GradientSum<D> sum;
+    sum.volume = row[1 + D];
+    std::copy(row + 2 + D, row + width, sum.gradient);
+    all[static_cast<int>(row[0])][cell].add(sum);
+  }
+  return all;
+}
+
 } // namespace
 
 template <int D>
 std::vector<LevelCell<D>> cellsOfFastChange(const State<D>& state, double threshold, double keeping,
                                             int deepest, const std::string& gradient)
 {
-  std::vector<LevelSums<D>> leaves = sumOverLeaves(state, gradient);
+  const std::vector<LevelSums<D>> leaves = ofAllRanks<D>(state, sumOverLeaves(state, gradient));
   std::vector<LevelCell<D>> wanted;
   LevelSums<D> refined; // of the level that is looked at
   for (int level = state.tree.deepest; level >= 0; --level)

@@ -11,7 +11,7 @@
 namespace Rhegma::adaptivity
 {
 
-/// A cell of any level: coordinates count cells of the level from node 0 of the lattice.
+/// A cell of any level: coordinates count cells of the level from node 0 of the whole lattice.
 template <int D>
 struct LevelCell
 {
@@ -21,7 +21,7 @@ struct LevelCell
 
 /// Cells over which a quantity changes too much: their edge times the Frobenius norm of its gradient,
 /// averaged over the volume of the particles in the cell. The mean is what the cell's own nodes could show;
-/// gradients that alternate from particle to particle cancel in it.
+/// gradients that alternate from particle to particle cancel in it. Collective: all ranks get all cells.
 ///
 /// \param threshold of a leaf, in the unit of the quantity
 /// \param keeping of a cell that is refined already: the mean is that over all of it

@@ -158,9 +158,8 @@ void FrontTies<D>::makeRoom(State<D>& state)
 template <int D>
 void FrontTies<D>::moveToNewNodes(State<D>& state)
 {
-  const Grid<D>& lattice = wholeLattice(state);
-  const int nodes = state.grid.numNodes, width = 3 + D + (grows_ ? D + 4 : 0);
-  std::vector<double> ties; // node of the whole lattice, step, stiffness, jump, cohesion; one after another
+  const int width = D + 2 + D + (grows_ ? D + 4 : 0);
+  std::vector<double> ties; // name of the node, step, stiffness, jump, cohesion; one after another
   {
     const auto host = [](const auto& view)
     { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
@@ -168,19 +167,19 @@ void FrontTies<D>::moveToNewNodes(State<D>& state)
     const auto step = host(step_);
     const auto stiffness = host(stiffness_);
     const auto cohesive = host(cohesion_);
+    const auto foreign = host(foreign_);
+    const NodeNames<D> names(grid_, finePlace_);
     double latest = 0.0;
-    for (int n = 0; n < grid_.numNodes; ++n)
+    for (int n = 0; n < names.size(); ++n)
       latest = std::max(latest, static_cast<double>(step(n)));
     state.ranks.max(&latest, 1);
-    for (int n = 0; n < grid_.numNodes; ++n)
+    for (int n = 0; n < names.size(); ++n)
     {
-      if (step(n) == 0 || step(n) < latest)
+      if (step(n) == 0 || step(n) < latest || foreign(n) != 0)
         continue;
-      int at[D];
-      grid_.nodeCoordinates(n, at);
-      for (int d = 0; d < D; ++d)
-        at[d] += grid_.before[d];
-      ties.insert(ties.end(), {double(lattice.nodeIndex(at)), double(step(n)), stiffness(n)});
+      for (const int place : names.of(n))
+        ties.push_back(place);
+      ties.insert(ties.end(), {double(step(n)), stiffness(n)});
       for (int d = 0; d < D; ++d)
         ties.push_back(jump(n, d));
       for (int i = 0; grows_ && i < D + 4; ++i)
@@ -188,41 +187,43 @@ void FrontTies<D>::moveToNewNodes(State<D>& state)
     }
   }
   ties = state.ranks.gatherOnAll(ties);
-  jump_ = View<double* [D]>("rhegma::tieJump", nodes);
-  step_ = View<int*>("rhegma::tieStep", nodes);
-  stiffness_ = View<double*>("rhegma::tieStiffness", nodes);
+  const int rows = state.nodes.numLattice;
+  jump_ = View<double* [D]>("rhegma::tieJump", rows);
+  step_ = View<int*>("rhegma::tieStep", rows);
+  stiffness_ = View<double*>("rhegma::tieStiffness", rows);
   if (grows_)
-    cohesion_ = View<double * [D + 4]>("rhegma::tieCohesion", nodes);
-  state.cracks.tie = View<double * [D + 1]>("rhegma::ties", nodes);
+    cohesion_ = View<double * [D + 4]>("rhegma::tieCohesion", rows);
+  state.cracks.tie = View<double * [D + 1]>("rhegma::ties", rows);
   const auto jump = Kokkos::create_mirror_view(jump_);
   const auto step = Kokkos::create_mirror_view(step_);
   const auto stiffness = Kokkos::create_mirror_view(stiffness_);
   const auto cohesive = Kokkos::create_mirror_view(cohesion_);
+  const NodeNames<D> names(state);
+  std::vector<int> name(D);
   for (std::size_t k = 0; k < ties.size(); k += width)
   {
-    int at[D];
-    lattice.nodeCoordinates(static_cast<int>(ties[k]), at);
-    bool here = true;
-    for (int d = 0; d < D; ++d)
-    {
-      at[d] -= state.grid.before[d];
-      here = here && at[d] >= 0 && at[d] <= state.grid.cells[d];
-    }
-    if (!here)
+    std::copy_n(ties.begin() + k, D, name.begin());
+    const int n = names.find(name, 0);
+    if (n < 0)
       continue;
-    const int n = state.grid.nodeIndex(at);
-    step(n) = static_cast<int>(ties[k + 1]);
-    stiffness(n) = ties[k + 2];
+    const double* const tie = &ties[k + D];
+    step(n) = static_cast<int>(tie[0]);
+    stiffness(n) = tie[1];
     for (int d = 0; d < D; ++d)
-      jump(n, d) = ties[k + 3 + d];
+      jump(n, d) = tie[2 + d];
     for (int i = 0; grows_ && i < D + 4; ++i)
-      cohesive(n, i) = ties[k + 3 + D + i];
+      cohesive(n, i) = tie[2 + D + i];
   }
   Kokkos::deep_copy(jump_, jump);
   Kokkos::deep_copy(step_, step);
   Kokkos::deep_copy(stiffness_, stiffness);
   Kokkos::deep_copy(cohesion_, cohesive);
   grid_ = state.grid;
+  foreign_ = state.nodes.foreign;
+  finePlace_ = View<double* [D]>("rhegma::placesOfTies", state.tree.numFine);
+  if (state.tree.numFine > 0)
+    Kokkos::deep_copy(finePlace_, Kokkos::subview(state.tree.finePlace, std::make_pair(0, state.tree.numFine),
+                                                  Kokkos::ALL));
 }
 
 template <int D>
@@ -466,7 +467,7 @@ FollowingForce<D> FrontTies<D>::following()
         "rhegma::cracks::frozenTies", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
         KOKKOS_LAMBDA(const int i) {
           const int own = nodes.parent(i), other = nodes.numLattice + i;
-          if (slots.moves(own) == slots.moves(other))
+          if (slots.moves(own) == slots.moves(other) || !countsHere(nodes, own))
             return;
           const int at = slots.of(slots.moves(own) ? own : other);
           for (int d = 0; d < D; ++d)
@@ -482,7 +483,7 @@ FollowingForce<D> FrontTies<D>::following()
         "rhegma::cracks::followTies", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
         KOKKOS_LAMBDA(const int i) {
           const int own = nodes.parent(i), other = nodes.numLattice + i;
-          if (tie(own, D) == 0.0 || !slots.moves(own) || !slots.moves(other))
+          if (tie(own, D) == 0.0 || !slots.moves(own) || !slots.moves(other) || !countsHere(nodes, own))
             return;
           const int a = slots.of(own), b = slots.of(other);
           for (int d = 0; d < D; ++d)

@@ -94,6 +94,7 @@ private:
   View<double * [D + 1]> fronts_;   ///< place of each front, and 1 + its crack if it has grown, else 0
   int generation_ = 0;              ///< of the refined cells and of this rank's nodes
   Grid<D> grid_{};              ///< this rank's nodes to which these belong; empty where there is one rank
+  View<char*> foreign_;         ///< which of them are other ranks' too
   double modulus_ = 0.0;        ///< the smallest E' of the scene [Pa]
   double density_ = 0.0;        ///< the largest of the scene [kg/m3]
   View<double* [D]> jump_;      ///< of each lattice node, from the field of side -1 to that of +1 [m]

@@ -76,6 +76,8 @@ void breakCells(const State<2>& state, const ObservedPoints<2>& points, const St
       KOKKOS_LAMBDA(const int r) {
         const int side = points.side(r);
         const int count = table.count(r);
+        if (count == 0) // another rank's
+          return;
         const CellAround cell(sight, {points.position(r, 0), points.position(r, 1)});
         int corners = 0, others = 0;
         double hidden = 0.0, hiddenSlope[2] = {0.0, 0.0};

@@ -93,11 +93,13 @@ double clearBeside(const State<D>& state, const Vector<D>& centre, double radius
 {
   const NodePlaces<D> places = nodePlaces(state);
   const View<double*> cover = coverOfNodes(state, centre, radius);
+  const Nodes<D> numbers = state.nodes;
   double nearest = radius;
   Kokkos::parallel_reduce(
       "rhegma::clearRadius", Kokkos::RangePolicy<ExecSpace>(0, cover.extent(0)),
       KOKKOS_LAMBDA(const int n, double& smallest) {
-        if (cover(n) > surrounded)
+        // At the rim of what a rank has of the lattice it does not know the cells around a node.
+        if (!countsHere(numbers, n) || cover(n) > surrounded)
           return;
         const double r = norm(places(n) - centre);
         if (r < smallest && !gap.holds(places(n)))

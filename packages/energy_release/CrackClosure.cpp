@@ -82,10 +82,10 @@ public:
 private:
   int count(int node, int axis) const
   {
-    return static_cast<int>(std::lround((places_(node)[axis] - origin_[axis]) / cell_));
+    return static_cast<int>(std::lround((places_.placeOf(node)[axis] - origin_[axis]) / cell_));
   }
 
-  HostPlaces places_;
+  WholeNodes places_;
   Vector<2> origin_;
   double cell_;
   int axis_, sign_;
@@ -145,12 +145,13 @@ private:
 
   void gather(const State<2>& state, const CrackFront<2>& front, double radius)
   {
+    const WholeNodes whole(state);
     std::vector<double> own; // node, force; one after another
     for (const int n : ownNodesAround(state, front.position, radius))
     {
       const Vector<2> force = forceHere(n);
       if (force[0] != 0.0 || force[1] != 0.0)
-        own.insert(own.end(), {double(numberInWhole(state, n)), force[0], force[1]});
+        own.insert(own.end(), {double(whole(n)), force[0], force[1]});
     }
     const std::vector<double> all = state.ranks.gatherOnAll(own);
     for (std::size_t k = 0; k < all.size(); k += 3)

@@ -166,17 +166,6 @@ std::vector<PatchParticle> ofAllRanks(const Ranks& ranks, const std::vector<Patc
 
 } // namespace
 
-int numberInWhole(const State<2>& state, int node)
-{
-  if (!state.subdomain)
-    return node;
-  int at[2];
-  state.grid.nodeCoordinates(node, at);
-  for (int d = 0; d < 2; ++d)
-    at[d] += state.grid.before[d];
-  return wholeLattice(state).nodeIndex(at);
-}
-
 std::vector<PatchParticle> particlesAround(const State<2>& state, const CrackFront<2>& front, double radius)
 {
   const View<int*> list = listParticles(state, front.position, radius);
@@ -190,6 +179,7 @@ std::vector<PatchParticle> particlesAround(const State<2>& state, const CrackFro
   const auto slope = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.slope);
   const std::vector<int> named = namedSides(state, list);
   const CrackLine line(state.cracks, front);
+  const WholeNodes whole(state);
 
   std::vector<PatchParticle> particles(list.extent(0));
   for (std::size_t i = 0; i < particles.size(); ++i)
@@ -217,7 +207,7 @@ std::vector<PatchParticle> particlesAround(const State<2>& state, const CrackFro
     for (int k = 0; k < count(i); ++k)
       if (weight(i, k) > 0.0)
       {
-        p.node[p.count] = numberInWhole(state, node(i, k));
+        p.node[p.count] = whole(node(i, k));
         p.weight[p.count] = weight(i, k);
         p.slope[p.count++] = {{slope(i, k, 0), slope(i, k, 1)}};
       }
@@ -243,20 +233,12 @@ std::vector<int> ownNodesAround(const State<2>& state, const Vector<2>& centre, 
       if (foreign(n) == 0)
         nodes.push_back(n);
     }
+  const auto place = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.tree.finePlace);
+  for (int k = 0; k < state.tree.numFine; ++k)
+    if (foreign(grid.numNodes + k) == 0 && std::fabs(place(k, 0) - centre[0]) <= radius &&
+        std::fabs(place(k, 1) - centre[1]) <= radius)
+      nodes.push_back(grid.numNodes + k);
   return nodes;
-}
-
-HostPlaces::HostPlaces(const State<2>& state)
-    : grid_(wholeLattice(state)),
-      fine_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.tree.finePlace))
-{
-}
-
-Vector<2> HostPlaces::operator()(int node) const
-{
-  if (node < grid_.numNodes)
-    return grid_.nodePosition(node);
-  return {{fine_(node - grid_.numNodes, 0), fine_(node - grid_.numNodes, 1)}};
 }
 
 SplitNodes::SplitNodes(const State<2>& state, const CrackFront<2>& front, double radius)
@@ -270,7 +252,7 @@ SplitNodes::SplitNodes(const State<2>& state, const CrackFront<2>& front, double
   std::vector<double> nodes;
   for (const int n : ownNodesAround(state, front.position, radius))
     if (std::abs(side_(n)) == front.crack + 1)
-      nodes.push_back(numberInWhole(state, n));
+      nodes.push_back(places_(n));
   for (const double n : state.ranks.gatherOnAll(nodes))
     split_.insert(static_cast<int>(n));
 }
@@ -281,7 +263,7 @@ bool SplitNodes::operator()(int node) const
     return split_.count(node) > 0;
   if (node < static_cast<int>(side_.extent(0)))
     return side_(node) == front_.crack + 1 || side_(node) == -front_.crack - 1;
-  return dot(places_(node) - front_.position, front_.direction) < 0.0;
+  return dot(places_.placeOf(node) - front_.position, front_.direction) < 0.0;
 }
 
 RecoveryMatrix consistentMatrix() { return {1.0e-3, 0.0, std::numeric_limits<double>::infinity(), 0.0, 0}; }

@@ -2,6 +2,7 @@
 /// Particles around a front with the sides on which they lie, and the displacement of nodes recovered from
 /// them.
 
+#include "energy_release/WholeNodes.hpp"
 #include "state/State.hpp"
 
 #include <map>
@@ -33,18 +34,6 @@ struct PatchParticle
 /// numbers of the whole lattice. Collective.
 std::vector<PatchParticle> particlesAround(const State<2>& state, const CrackFront<2>& front, double radius);
 
-/// Places of nodes of the whole lattice, on the host.
-class HostPlaces
-{
-public:
-  explicit HostPlaces(const State<2>& state);
-  Vector<2> operator()(int node) const;
-
-private:
-  Grid<2> grid_;
-  View<double* [2]>::HostMirror fine_;
-};
-
 /// Whether a node of the whole lattice lies behind a front, so that each side of the crack has its own value
 /// there.
 class SplitNodes
@@ -58,15 +47,12 @@ private:
   View<int*>::HostMirror side_;
   std::set<int> split_; ///< where there are several ranks
   bool many_;
-  HostPlaces places_;
+  WholeNodes places_;
   CrackFront<2> front_;
 };
 
 /// This rank's own nodes within `radius` of a place along each axis, where there are several ranks.
 std::vector<int> ownNodesAround(const State<2>& state, const Vector<2>& centre, double radius);
-
-/// Number in the whole lattice of a node here.
-int numberInWhole(const State<2>& state, int node);
 
 /// Displacement of nodes: of a node behind the front one for each side (-1, +1), of all others one (side 0).
 using NodeDisplacement = std::map<std::pair<int, int>, Vector<2>>;

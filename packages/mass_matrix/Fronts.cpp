@@ -1,7 +1,40 @@
 #include "mass_matrix/Fronts.hpp"
 
+#include "transfer/LocalSpacing.hpp"
+
 namespace Rhegma::mass_matrix
 {
+
+namespace
+{
+
+/// Edge of the cell at each vertex of a front, in cells of the lattice, where it may lie in another rank's;
+/// else empty.
+template <int D>
+View<double*> edgesOnRanks(const State<D>& state)
+{
+  if (!state.subdomain || !state.tree.refined())
+    return {};
+  const auto host = [](const auto& view)
+  { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
+  const auto kind = host(state.cracks.kind);
+  const auto vertex = host(state.cracks.vertex);
+  const View<double*> edges("rhegma::massFrontEdges", kind.extent(0));
+  const auto edge = Kokkos::create_mirror_view(edges);
+  for (std::size_t v = 0; v < kind.extent(0); ++v)
+  {
+    if ((kind(v) & vertexKind::front) == 0)
+      continue;
+    Vector<D> x;
+    for (int d = 0; d < D; ++d)
+      x[d] = vertex(v, d);
+    edge(v) = spacingAt(state, x) / state.grid.spacing;
+  }
+  Kokkos::deep_copy(edges, edge);
+  return edges;
+}
+
+} // namespace
 
 template <int D>
 void listFronts(const State<D>& state, const Unlumping& unlumping, View<double* [D]>& places,
@@ -18,6 +51,7 @@ void listFronts(const State<D>& state, const Unlumping& unlumping, View<double* 
   const View<double* [D]> list = places;
   const View<double* [2]> zone = zones;
   const TreeSight<D> sight(state.grid, state.tree);
+  const View<double*> edges = edgesOnRanks(state);
   const Unlumping u = unlumping;
   count = 0;
   Kokkos::parallel_scan(
@@ -30,7 +64,7 @@ void listFronts(const State<D>& state, const Unlumping& unlumping, View<double* 
           Vector<D> x;
           for (int d = 0; d < D; ++d)
             x[d] = list(at, d) = vertex(v, d);
-          const double shrunk = sight.refined ? sight.leafAt(x).edge : 1.0;
+          const double shrunk = edges.extent(0) > 0 ? edges(v) : sight.refined ? sight.leafAt(x).edge : 1.0;
           zone(at, 0) = u.radiusShrinks ? shrunk * u.radius : u.radius;
           zone(at, 1) = u.edgeShrinks ? shrunk * u.edge : u.edge;
         }

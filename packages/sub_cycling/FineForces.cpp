@@ -2,6 +2,7 @@
 
 #include "material/HistoryRoom.hpp"
 #include "material/Materials.hpp"
+#include "parallel/Subdomain.hpp"
 
 namespace Rhegma::sub_cycling
 {
@@ -70,6 +71,12 @@ void FineParticles<D>::sumInParts(const char* label, int begin, int end, const A
 }
 
 template <int D>
+void FineParticles<D>::sumSlots(const State<D>& state, const Values& values) const
+{
+  sumOverRanks(state, values.data(), D, 0, D, slotOf_);
+}
+
+template <int D>
 void FineParticles<D>::load(const State<D>& state, const Values& force) const
 {
   const auto sums = state.nodes.sums;
@@ -79,17 +86,21 @@ void FineParticles<D>::load(const State<D>& state, const Values& force) const
         for (int d = 0; d < D; ++d)
           force(i, d) = sums(nodeOf(i), Nodes<D>::forceAt + d);
       });
+  sumSlots(state, force);
 }
 
 template <int D>
 void FineParticles<D>::store(const State<D>& state, const Values& force, double factor) const
 {
+  const Nodes<D> nodes = state.nodes;
   const auto sums = state.nodes.sums;
   const View<int*> nodeOf = nodeOf_;
+  // What is stored will be summed over the ranks.
   forFew<fewSlots>(
       "rhegma::subcycling::store", 0, numInner_, KOKKOS_LAMBDA(const int i) {
+        const bool counts = countsHere(nodes, nodeOf(i));
         for (int d = 0; d < D; ++d)
-          sums(nodeOf(i), Nodes<D>::forceAt + d) = factor * force(i, d);
+          sums(nodeOf(i), Nodes<D>::forceAt + d) = counts ? factor * force(i, d) : 0.0;
       });
 }
 
@@ -184,6 +195,7 @@ void FineParticles<D>::force(const State<D>& state, int level, const Values& dis
           force(i, d) = sum;
         }
       });
+  sumSlots(state, force);
 }
 
 template <int D>
@@ -260,15 +272,20 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
   const int number = numParts_;
   forFew<fewSlots>(
       "rhegma::subcycling::carry", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
-        const double inverse = nodal(i) > 0.0 ? 1.0 / nodal(i) : 0.0;
         for (int d = 0; d < D; ++d)
         {
           double sum = 0.0;
           for (int part = 0; part < number; ++part)
             sum += parts(part, i, d);
           carried(i, d) = sum;
-          acceleration(i, d) = held(i, d) != 0 ? 0.0 : inverse * sum;
         }
+      });
+  sumSlots(state, carried);
+  forFew<fewSlots>(
+      "rhegma::subcycling::arrive", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
+        const double inverse = nodal(i) > 0.0 ? 1.0 / nodal(i) : 0.0;
+        for (int d = 0; d < D; ++d)
+          acceleration(i, d) = held(i, d) != 0 ? 0.0 : inverse * carried(i, d);
       });
   if (coupled)
     state.coupledSlots.solve(carried, acceleration, true);
@@ -309,6 +326,8 @@ void FineParticles<D>::correctProjection(const State<D>& state, const Values& di
       });
 }
 
+template void FineParticles<2>::sumSlots(const State<2>&, const FineParticles<2>::Values&) const;
+template void FineParticles<3>::sumSlots(const State<3>&, const FineParticles<3>::Values&) const;
 template void FineParticles<2>::load(const State<2>&, const FineParticles<2>::Values&) const;
 template void FineParticles<2>::store(const State<2>&, const FineParticles<2>::Values&, double) const;
 template void FineParticles<2>::startVelocity(const State<2>&, const FineParticles<2>::Values&);

@@ -1,7 +1,11 @@
 #include "sub_cycling/FineParticles.hpp"
 
 #include "grid/BlockCells.hpp"
+#include "parallel/Subdomain.hpp"
 #include "transfer/ParticleViews.hpp"
+
+#include <algorithm>
+#include <iterator>
 
 namespace Rhegma::sub_cycling
 {
@@ -31,6 +35,39 @@ View<char*> widen(const Grid<D>& grid, const View<char*>& given, int axis)
             wide(n) = 1;
       });
   return wide;
+}
+
+/// The same where refined cells of other ranks may be as near.
+template <int D>
+View<char*> nearRefinedOfAllRanks(const State<D>& state)
+{
+  const Branches<D>& refined = state.subdomain->refined;
+  const Grid<D>& grid = state.grid;
+  const View<char*> near("rhegma::subcycling::nearRefined", grid.numNodes);
+  const auto host = Kokkos::create_mirror_view(near);
+  constexpr int reach = farthest + 1;
+  for (const auto& cell : refined.depth() > 0 ? refined.cells(0) : std::vector<typename Branches<D>::Cell>())
+  {
+    int low[D], high[D], at[D], all = 1;
+    for (int d = 0; d < D; ++d)
+    {
+      low[d] = std::max(cell[d] - grid.before[d] - reach, 0);
+      high[d] = std::min(cell[d] - grid.before[d] + reach, grid.cells[d] - 1);
+      all *= std::max(high[d] - low[d] + 1, 0);
+    }
+    for (int k = 0; k < all; ++k)
+    {
+      int rest = k;
+      for (int d = 0; d < D; ++d)
+      {
+        at[d] = low[d] + rest % (high[d] - low[d] + 1);
+        rest /= high[d] - low[d] + 1;
+      }
+      host(grid.nodeIndex(at)) = 1;
+    }
+  }
+  Kokkos::deep_copy(near, host);
+  return near;
 }
 
 // Kernels over particles and the nodes that they touch; functions of their own, as compilers for devices want
@@ -124,14 +161,18 @@ void FineParticles<D>::list(const State<D>& state, int first)
   classifyNodes(state);
   listParticles(state);
   numInner_ = numSlots_ = numListed_ = 0;
-  if (numParticles() == 0)
+  std::copy(std::begin(particlesFrom_), std::end(particlesFrom_), std::begin(onAllRanks_));
+  sumParts(state, onAllRanks_, deepestLevel + 2);
+  if (numParticles() == 0.0)
     return;
   // Shallow classes first: where two meet the deeper one stays.
   for (int l = first; l <= state.tree.deepest; ++l)
     markNodes(state, particlesFrom_[l + 1], particlesFrom_[l], l, false);
+  shareClasses(state);
   numberSlots(state, 0);
   listNeighbours(state);
-  markNodes(state, numParticles(), numListed_, 0, true);
+  markNodes(state, particlesFrom_[first_], numListed_, 0, true);
+  shareClasses(state);
   numberSlots(state, numInner_);
   packStencils(state);
   holdNodes(state);
@@ -145,8 +186,8 @@ void FineParticles<D>::listNearBlocks(const State<D>& state)
   const bool changed = generation_ != state.tree.generation;
   if (changed)
   {
-    near_ = state.tree.nearRefined;
-    for (int axis = 0; axis < D; ++axis)
+    near_ = state.subdomain ? nearRefinedOfAllRanks(state) : state.tree.nearRefined;
+    for (int axis = 0; axis < D && !state.subdomain; ++axis)
       near_ = widen(grid, near_, axis);
     generation_ = state.tree.generation;
   }
@@ -234,6 +275,36 @@ void FineParticles<D>::classifyNodes(const State<D>& state)
           for (int k = 0; k < table.count(r); ++k)
             nodeClass(table.node(r, k)) = l;
         });
+  shareClasses(state);
+}
+
+template <int D>
+void FineParticles<D>::shareClasses(const State<D>& state)
+{
+  if (!state.subdomain)
+    return;
+  // A column a class, which ranks sum.
+  constexpr int classes = deepestLevel + 1;
+  const Nodes<D> nodes = state.nodes;
+  if (static_cast<int>(told_.extent(0)) < nodes.numLattice + nodes.numSecond)
+    told_ = View<double**>("rhegma::subcycling::classesOfRanks",
+                           nodes.numLattice + nodes.numSecond + nodes.numSecond / 4, classes);
+  const View<double**> told = told_;
+  const View<int*> nodeClass = nodeClass_;
+  Kokkos::parallel_for(
+      "rhegma::subcycling::tellClasses", Range(0, nodes.numActive()), KOKKOS_LAMBDA(const int i) {
+        const int n = activeNode(nodes, i);
+        for (int l = 0; l < classes; ++l)
+          told(n, l) = nodeClass(n) == l ? 1.0 : 0.0;
+      });
+  sumOverRanks(state, told.data(), classes, 0, state.tree.deepest + 1);
+  Kokkos::parallel_for(
+      "rhegma::subcycling::hearClasses", Range(0, nodes.numActive()), KOKKOS_LAMBDA(const int i) {
+        const int n = activeNode(nodes, i);
+        for (int l = 0; l < classes; ++l)
+          if (told(n, l) > 0.0 && nodeClass(n) < l)
+            nodeClass(n) = l;
+      });
 }
 
 template <int D>
@@ -300,7 +371,7 @@ void FineParticles<D>::listNeighbours(const State<D>& state)
 {
   withConnectivity(state, [&](const auto& connect)
                    { findNeighbours(connect, numCandidates_, first_, candidate_, slotOf_, class_); });
-  const int before = numParticles();
+  const int before = particlesFrom_[first_];
   const View<int*> particle = particle_, classOf = class_, candidate = candidate_;
   int more = 0;
   Kokkos::parallel_scan(

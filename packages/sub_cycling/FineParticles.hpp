@@ -24,21 +24,27 @@ constexpr int fewSlots = 1500;
 /// impulses of the next class act (LocalSteps.hpp). Nodes of the listed classes have slots
 /// 0 .. numInner - 1, other nodes of neighbours slots up to numSlots - 1; all nodal values here are kept in
 /// slots. Sums over particles are formed in a fixed number of parts, so that they do not depend on the number
-/// of threads. Weights, sides of cracks and supports are those at the start of the long step.
+/// of threads. Where ranks share nodes these have the same class and a slot on all of them, and values in
+/// their slots are those of all ranks. Weights, sides of cracks and supports are those at the start of the
+/// long step.
 template <int D>
 class FineParticles
 {
 public:
   using Values = View<double* [D]>;
 
+  /// Collective, as are `load`, `force` and `accelerate`.
   void list(const State<D>& state, int first);
 
-  /// Without neighbours.
-  int numParticles() const { return particlesFrom_[first_]; }
-  /// How many are of a class or deeper.
-  int particlesFrom(int level) const { return particlesFrom_[level]; }
+  /// Without neighbours, on all ranks.
+  double numParticles() const { return onAllRanks_[first_]; }
+  /// How many on all ranks are of a class or deeper.
+  double particlesFrom(int level) const { return onAllRanks_[level]; }
   int numSlots() const { return numSlots_; }
   int numInner() const { return numInner_; }
+
+  /// Completes values of slots to which each rank has added its part. Collective.
+  void sumSlots(const State<D>& state, const Values& values) const;
 
   /// Force that the nodes have in `state` [N].
   void load(const State<D>& state, const Values& force) const;
@@ -60,7 +66,8 @@ public:
     double free = 0.0; ///< where nothing holds: times the velocity at the start of the long step [J]
     double held = 0.0; ///< at supports: times half the change of velocity that they force upon the node [J]
   };
-  ImpulseWork workOf(const Values& impulse) const;
+  /// Of the nodes that count on this rank.
+  ImpulseWork workOf(const State<D>& state, const Values& impulse) const;
 
   NodeSlots slots() const { return {slotOf_, numInner_}; }
 
@@ -100,6 +107,8 @@ public:
   void listNearBlocks(const State<D>& state);
   void findCandidates(const State<D>& state);
   void classifyNodes(const State<D>& state);
+  /// Gives shared nodes the deepest class that any rank has given them. Collective.
+  void shareClasses(const State<D>& state);
   void listParticles(const State<D>& state);
   void markNodes(const State<D>& state, int begin, int end, int own, bool onlyNew);
   void numberSlots(const State<D>& state, int from);
@@ -127,6 +136,8 @@ private:
   int numListed_ = 0; ///< with neighbours
   int numSlots_ = 0, numInner_ = 0, numParts_ = 0;
   int particlesFrom_[deepestLevel + 2] = {};
+  double onAllRanks_[deepestLevel + 2] = {};
+  View<double**> told_; ///< by ranks of the classes of nodes
   int generation_ = -1; ///< of the tree, when
   View<char*> near_;    ///< not 0 for cells of the lattice that are not far from refined ones
   View<int*> sorted_;   ///< the first particles of blocks, when the list that follows was made

@@ -4,8 +4,11 @@ namespace Rhegma::sub_cycling
 {
 
 template <int D>
-typename FineParticles<D>::ImpulseWork FineParticles<D>::workOf(const Values& impulse) const
+typename FineParticles<D>::ImpulseWork FineParticles<D>::workOf(const State<D>& state,
+                                                                const Values& impulse) const
 {
+  const Nodes<D> nodes = state.nodes;
+  const View<int*> nodeOf = nodeOf_;
   const Values velocity = before_;
   const View<int* [D]> held = held_;
   const View<double* [D]> heldVelocity = heldVelocity_;
@@ -13,7 +16,7 @@ typename FineParticles<D>::ImpulseWork FineParticles<D>::workOf(const Values& im
   Kokkos::parallel_reduce(
       "rhegma::subcycling::workOfImpulses", Kokkos::RangePolicy<ExecSpace>(0, numInner_),
       KOKKOS_LAMBDA(const int i, double& free, double& atSupports) {
-        for (int d = 0; d < D; ++d)
+        for (int d = 0; d < D && countsHere(nodes, nodeOf(i)); ++d)
         {
           const double before = velocity(i, d);
           if (held(i, d) == 0)
@@ -26,7 +29,7 @@ typename FineParticles<D>::ImpulseWork FineParticles<D>::workOf(const Values& im
   return work;
 }
 
-template FineParticles<2>::ImpulseWork FineParticles<2>::workOf(const Values&) const;
-template FineParticles<3>::ImpulseWork FineParticles<3>::workOf(const Values&) const;
+template FineParticles<2>::ImpulseWork FineParticles<2>::workOf(const State<2>&, const Values&) const;
+template FineParticles<3>::ImpulseWork FineParticles<3>::workOf(const State<3>&, const Values&) const;
 
 } // namespace Rhegma::sub_cycling

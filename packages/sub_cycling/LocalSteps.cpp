@@ -1,6 +1,7 @@
 #include "sub_cycling/LocalSteps.hpp"
 
 #include "checkpoint/Archive.hpp"
+#include "parallel/Subdomain.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +35,8 @@ void LocalSteps<D>::makeRoom(int slots)
     if (static_cast<int>(values.extent(0)) < slots)
       values = Values("rhegma::subcycling::values", slots + slots / 4);
   };
-  for (Values* values : {&others_, &loads_, &force_, &impulse_, &waiting_, &velocity_, &displacement_})
+  for (Values* values :
+       {&others_, &loads_, &force_, &impulse_, &waiting_, &velocity_, &displacement_, &change_})
     fit(*values);
   for (int level = first_ - 1; level <= last_; ++level)
   {
@@ -53,7 +55,7 @@ void LocalSteps<D>::begin(State<D>& state, int first, int last)
   if (!active_)
     return;
   fine_.list(state, first);
-  active_ = fine_.numParticles() > 0;
+  active_ = fine_.numParticles() > 0.0;
   if (!active_)
     return;
   state.shortSteps.nodes = fine_.slots();
@@ -99,6 +101,7 @@ void LocalSteps<D>::evolve(State<D>& state)
   {
     Kokkos::deep_copy(force_, 0.0);
     following.frozen(state, fine_.slots(), force_);
+    fine_.sumSlots(state, force_);
     add<D>(loads_, -1.0, force_, fine_.numInner());
     add<D>(others_, 1.0, force_, fine_.numInner());
   }
@@ -109,7 +112,7 @@ void LocalSteps<D>::evolve(State<D>& state)
   fine_.startVelocity(state, velocity_);
   startWork_ = {};
   if (reckonsWork(state))
-    addStartWork(loads_, state.shortSteps.length);
+    addStartWork(state, loads_, state.shortSteps.length);
   Kokkos::deep_copy(force_, 0.0);
   fine_.accelerate(state, 0, 1.0, loads_, force_);
   Kokkos::deep_copy(loads_, force_);
@@ -125,9 +128,9 @@ void LocalSteps<D>::evolve(State<D>& state)
 }
 
 template <int D>
-void LocalSteps<D>::addStartWork(const Values& force, double duration)
+void LocalSteps<D>::addStartWork(const State<D>& state, const Values& force, double duration)
 {
-  const auto work = fine_.workOf(force);
+  const auto work = fine_.workOf(state, force);
   startWork_.free += duration * work.free;
   startWork_.held += duration * work.held;
 }
@@ -138,9 +141,11 @@ void LocalSteps<D>::addStartWork(const Values& force, double duration)
 template <int D>
 void LocalSteps<D>::bookWork(State<D>& state)
 {
-  const auto all = fine_.workOf(impulse_);
+  const auto all = fine_.workOf(state, impulse_);
   state.energy.externalWork -= all.held - startWork_.held;
-  state.shortSteps.lateWork = all.free - startWork_.free;
+  double late = all.free - startWork_.free;
+  sumParts(state, &late, 1);
+  state.shortSteps.lateWork = late;
 }
 
 template <int D>
@@ -174,11 +179,11 @@ void LocalSteps<D>::step(const State<D>& state, int level, double length)
 template <int D>
 void LocalSteps<D>::addImpulse(const State<D>& state, int level, double length)
 {
-  const int particles = fine_.particlesFrom(level) - fine_.particlesFrom(level + 1);
+  const double particles = fine_.particlesFrom(level) - fine_.particlesFrom(level + 1);
   const bool followed = level == last_ && !state.followingForces.empty(), first = atStart_[level];
   extraSteps_ += particles;
   atStart_[level] = false;
-  if (particles == 0 && !followed)
+  if (particles == 0.0 && !followed)
     return;
   const Values force = first ? start_[level] : force_;
   if (!first)
@@ -187,8 +192,7 @@ void LocalSteps<D>::addImpulse(const State<D>& state, int level, double length)
     if (level < last_)
       add<D>(force, -1.0, mean_[level], fine_.numSlots());
     else
-      for (const FollowingForce<D>& following : state.followingForces)
-        following.change(state, fine_.slots(), displacement_, force);
+      addFollowing(state, force);
   }
   add<D>(waiting_, length, force, fine_.numSlots());
   // Following forces may be on nodes of any class.
@@ -196,11 +200,27 @@ void LocalSteps<D>::addImpulse(const State<D>& state, int level, double length)
 }
 
 template <int D>
+void LocalSteps<D>::addFollowing(const State<D>& state, const Values& force)
+{
+  if (!state.subdomain)
+  {
+    for (const FollowingForce<D>& following : state.followingForces)
+      following.change(state, fine_.slots(), displacement_, force);
+    return;
+  }
+  Kokkos::deep_copy(change_, 0.0);
+  for (const FollowingForce<D>& following : state.followingForces)
+    following.change(state, fine_.slots(), displacement_, change_);
+  fine_.sumSlots(state, change_);
+  add<D>(force, 1.0, change_, fine_.numSlots());
+}
+
+template <int D>
 void LocalSteps<D>::kick(const State<D>& state)
 {
   fine_.accelerate(state, waitingFrom_, 1.0, waiting_, velocity_, atFirst_);
   if (atFirst_ && reckonsWork(state))
-    addStartWork(waiting_, 1.0);
+    addStartWork(state, waiting_, 1.0);
   atFirst_ = false;
   add<D>(impulse_, 1.0, waiting_, fine_.numSlots());
   Kokkos::deep_copy(waiting_, 0.0);

@@ -57,6 +57,8 @@ public:
   void step(const State<D>& state, int level, double length);
   /// Adds the impulse of a class to those that wait.
   void addImpulse(const State<D>& state, int level, double length);
+  /// Adds the change of forces that follow the nodes.
+  void addFollowing(const State<D>& state, const Values& force);
   /// Gives the nodes what waits; impulses of several classes at a time come at once.
   void kick(const State<D>& state);
   void drift(double length);
@@ -65,7 +67,7 @@ public:
   /// Whether anybody asks for the work of impulses.
   static bool reckonsWork(const State<D>& state) { return state.observing || !state.constraints.empty(); }
   /// Adds the work of a force at the start of the long step. \param duration that it acts by then [s]
-  void addStartWork(const Values& force, double duration);
+  void addStartWork(const State<D>& state, const Values& force, double duration);
   /// Books what supports give in short steps, and leaves the rest with the state.
   void bookWork(State<D>& state);
   /// Moves the mean of a force of one class to the loads.
@@ -88,6 +90,7 @@ private:
   bool atFirst_ = false;                ///< whether these are the first of the long step
   Values impulse_;                      ///< so far [N s]
   Values velocity_, displacement_;      ///< so far
+  Values change_;                       ///< of forces that follow, this rank's part [N]
   typename FineParticles<D>::ImpulseWork startWork_; ///< of the impulses at the start of the long step
 };
 

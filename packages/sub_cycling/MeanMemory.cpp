@@ -29,8 +29,9 @@ void FineParticles<D>::keepMean(const State<D>& state, Mean& mean, Archive& arch
   {
     const auto value = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, mean.value);
     const auto renewed = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, mean.renewed);
+    const auto foreign = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.foreign);
     for (int row = 0; row < 2 * rows; ++row)
-      if (renewed(row) == last)
+      if (renewed(row) == last && (foreign.extent(0) == 0 || foreign(row % rows) == 0))
       {
         names.append(row % rows, nodes);
         second.push_back(row / rows);
@@ -38,9 +39,9 @@ void FineParticles<D>::keepMean(const State<D>& state, Mean& mean, Archive& arch
           values.push_back(value(row, d));
       }
   }
-  archive("nodes", nodes, D);
-  archive("second field", second);
-  archive("value", values, D);
+  archive.together("nodes", nodes, D);
+  archive.together("second field", second);
+  archive.together("value", values, D);
   if (!archive.loads() || second.empty())
     return;
   fit(mean.value, "rhegma::subcycling::meanForce", 2 * rows);
@@ -52,6 +53,8 @@ void FineParticles<D>::keepMean(const State<D>& state, Mean& mean, Archive& arch
   for (std::size_t k = 0; k < second.size(); ++k)
   {
     const int node = names.find(nodes, D * k);
+    if (node < 0 && state.ranks.many())
+      continue; // another rank's
     if (node < 0)
       throw std::invalid_argument("\"nodes\" of mean forces names a node that is not there");
     const int row = node + second[k] * rows;

@@ -6,11 +6,16 @@ namespace Rhegma
 {
 
 template <int D>
-NodeNames<D>::NodeNames(const State<D>& state) : grid_(state.grid)
+NodeNames<D>::NodeNames(const State<D>& state) : NodeNames(state.grid, state.tree.finePlace)
 {
-  const auto place = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.tree.finePlace);
+}
+
+template <int D>
+NodeNames<D>::NodeNames(const Grid<D>& grid, const View<double* [D]>& finePlace) : grid_(grid)
+{
+  const auto place = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, finePlace);
   const double unit = std::ldexp(grid_.spacing, -deepestLevel);
-  for (int k = 0; k < state.tree.numFine; ++k)
+  for (int k = 0; k < static_cast<int>(place.extent(0)); ++k)
   {
     Name name;
     for (int d = 0; d < D; ++d)

@@ -19,6 +19,11 @@ public:
   using Name = std::array<int, D>;
 
   explicit NodeNames(const State<D>& state);
+  /// \param finePlace places of the nodes of refined cells
+  NodeNames(const Grid<D>& grid, const View<double* [D]>& finePlace);
+
+  /// How many nodes there are.
+  int size() const { return grid_.numNodes + static_cast<int>(fine_.size()); }
 
   /// \param node no second field
   Name of(int node) const;

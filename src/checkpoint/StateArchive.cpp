@@ -1,6 +1,6 @@
 #include "checkpoint/StateArchive.hpp"
 
-#include "grid/Branches.hpp"
+#include "grid/LeafList.hpp"
 #include "output/CoreRow.hpp"
 #include "parallel/Subdomain.hpp"
 
@@ -63,11 +63,13 @@ void archiveTree(State<D>& state, Archive& archive)
   const Archive::Group group(archive, "leaves");
   Tree<D>& tree = state.tree;
   std::vector<int> level, cell;
-  std::vector<LeafName<D>> leaves = leafNames(state.grid, tree);
-  for (const LeafName<D>& leaf : leaves)
+  if (!archive.loads())
   {
-    level.push_back(leaf.level);
-    cell.insert(cell.end(), leaf.cell.begin(), leaf.cell.end());
+    const Branches<D> refined = refinedCells(state);
+    const LeafList<D> list(refined);
+    level = list.level;
+    for (const auto& at : list.cell)
+      cell.insert(cell.end(), at.begin(), at.end());
   }
   archive("level", level);
   archive("cell", cell, D);
@@ -77,7 +79,7 @@ void archiveTree(State<D>& state, Archive& archive)
     return;
   if (cell.size() != D * level.size())
     throw std::invalid_argument("\"leaves/cell\" has another number of rows than \"leaves/level\"");
-  leaves.resize(level.size());
+  std::vector<LeafName<D>> leaves(level.size());
   for (std::size_t l = 0; l < leaves.size(); ++l)
   {
     leaves[l].level = level[l];

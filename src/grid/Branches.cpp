@@ -106,6 +106,23 @@ std::vector<typename Branches<D>::Cell> Branches<D>::cells(int level) const
 }
 
 template <int D>
+Branches<D> Branches<D>::within(const Grid<D>& window) const
+{
+  Branches part(window);
+  part.levels_.resize(levels_.size());
+  for (int level = 0; level < depth(); ++level)
+    for (const std::uint64_t packed : levels_[level])
+    {
+      Cell cell = cellOf(packed);
+      for (int d = 0; d < D; ++d)
+        cell[d] -= (window.before[d] - grid_.before[d]) << level;
+      if (part.isInside(level, cell))
+        part.levels_[level].insert(part.key(cell));
+    }
+  return part;
+}
+
+template <int D>
 std::vector<LeafName<D>> leafNames(const Grid<D>& grid, const Tree<D>& tree)
 {
   const auto level = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, tree.leafLevel);

@@ -43,6 +43,10 @@ public:
   /// Whether a cell of a level lies on the lattice.
   bool isInside(int level, const Cell& cell) const;
 
+  /// Those in the cells of a window of the lattice, counted from its node 0. As deep, so that finest cells
+  /// stay as small.
+  Branches within(const Grid<D>& window) const;
+
   bool operator==(const Branches& other) const { return levels_ == other.levels_; }
 
 private:

@@ -105,7 +105,8 @@ std::array<double, D> LeafList<D>::position(const Cell& place) const
 {
   std::array<double, D> x;
   for (int d = 0; d < D; ++d)
-    x[d] = grid().origin[d] + std::ldexp(static_cast<double>(place[d]), -depth()) * grid().spacing;
+    x[d] = grid().whole[d] +
+           (grid().before[d] + std::ldexp(static_cast<double>(place[d]), -depth())) * grid().spacing;
   return x;
 }
 

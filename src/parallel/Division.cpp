@@ -93,7 +93,8 @@ Grid<D> Division<D>::window(int rank) const
 }
 
 template <int D>
-Division<D> divide(const Ranks& ranks, const Grid<D>& lattice, const std::vector<Vector<D>>& places)
+Division<D> divide(const Ranks& ranks, const Grid<D>& lattice, const std::vector<Vector<D>>& places,
+                   const std::vector<double>& costs)
 {
   Division<D> division{lattice, std::vector<CellBox<D>>(ranks.size(), wholeDomain(lattice))};
   if (!ranks.many())
@@ -108,7 +109,10 @@ Division<D> divide(const Ranks& ranks, const Grid<D>& lattice, const std::vector
   const auto along = [&](std::size_t k) { return k < axes.size() ? x[axes[k]].data() : nullptr; };
   std::vector<long long> ids(count);
   std::iota(ids.begin(), ids.end(), static_cast<long long>(ranks.rank()) << 32);
-  const Adapter adapter(count, ids.data(), along(0), along(1), along(2));
+  // Whether there are costs is the same on all ranks, also on one without places.
+  const bool weighed = ranks.max(costs.empty() ? 0.0 : 1.0) > 0.0;
+  const Adapter adapter(count, ids.data(), along(0), along(1), along(2), 1, 1, 1, weighed,
+                        weighed ? costs.data() : nullptr, 1);
   Teuchos::ParameterList settings;
   settings.set("algorithm", "multijagged");
   settings.set("num_global_parts", ranks.size());
@@ -143,7 +147,9 @@ Division<D> divide(const Ranks& ranks, const Grid<D>& lattice, const std::vector
 
 template struct Division<2>;
 template struct Division<3>;
-template Division<2> divide(const Ranks&, const Grid<2>&, const std::vector<Vector<2>>&);
-template Division<3> divide(const Ranks&, const Grid<3>&, const std::vector<Vector<3>>&);
+template Division<2> divide(const Ranks&, const Grid<2>&, const std::vector<Vector<2>>&,
+                            const std::vector<double>&);
+template Division<3> divide(const Ranks&, const Grid<3>&, const std::vector<Vector<3>>&,
+                            const std::vector<double>&);
 
 } // namespace Rhegma

@@ -40,10 +40,11 @@ struct Division
   Grid<D> window(int rank) const;
 };
 
-/// Divides a domain so that each rank gets about the same share of the places, by multijagged cuts (M.
+/// Divides a domain so that each rank gets about the same share of the cost, by multijagged cuts (M.
 /// Deveci, S. Rajamanickam, K. D. Devine, U. V. Catalyurek, IEEE Trans. Parallel Distrib. Syst. 27, 2016) as
-/// Zoltan2 makes them. Collective. \param places of this rank
+/// Zoltan2 makes them. Collective. \param places of this rank \param costs of them; the same where empty
 template <int D>
-Division<D> divide(const Ranks& ranks, const Grid<D>& lattice, const std::vector<Vector<D>>& places);
+Division<D> divide(const Ranks& ranks, const Grid<D>& lattice, const std::vector<Vector<D>>& places,
+                   const std::vector<double>& costs = {});
 
 } // namespace Rhegma

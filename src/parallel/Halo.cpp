@@ -5,6 +5,8 @@
 #include <Tpetra_MultiVector.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 #include <vector>
 
@@ -37,6 +39,52 @@ NodeBox<D> windowNodes(const Division<D>& division, int rank)
     box.high[d] = division.boxes[rank].high[d] + gridMargin;
   }
   return box;
+}
+
+/// Whether a place, in the smallest cells that there can be, is a cell or more inside the window of a rank.
+template <int D>
+bool isInside(const Division<D>& division, int rank, const std::array<GlobalId, D>& place)
+{
+  const NodeBox<D> box = windowNodes(division, rank);
+  bool in = true;
+  for (int d = 0; d < D; ++d)
+    in = in && place[d] >= GlobalId(box.low[d] + 1) << deepestLevel &&
+         place[d] <= GlobalId(box.high[d] - 1) << deepestLevel;
+  return in;
+}
+
+/// Whether a place is so for any rank but one.
+template <int D>
+bool isInsideAnother(const Division<D>& division, int rank, const std::array<GlobalId, D>& place)
+{
+  bool in = false;
+  for (int r = 0; r < static_cast<int>(division.boxes.size()) && !in; ++r)
+    in = r != rank && isInside<D>(division, r, place);
+  return in;
+}
+
+/// Nodes of refined cells by their places, counted in the smallest cells that there can be from node 0 of the
+/// whole lattice.
+template <int D>
+std::vector<std::array<GlobalId, D>> finePlaces(const Division<D>& division, const Tree<D>& tree)
+{
+  const auto place = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, tree.finePlace);
+  const double unit = std::ldexp(division.lattice.spacing, -deepestLevel);
+  std::vector<std::array<GlobalId, D>> all(tree.numFine);
+  for (int k = 0; k < tree.numFine; ++k)
+    for (int d = 0; d < D; ++d)
+      all[k][d] = std::lround((place(k, d) - division.lattice.whole[d]) / unit);
+  return all;
+}
+
+/// A number of such a place, past those of the lattice's nodes.
+template <int D>
+GlobalId idOf(const Grid<D>& lattice, const std::array<GlobalId, D>& place)
+{
+  GlobalId id = 0;
+  for (int d = 0; d < D; ++d)
+    id = id * ((GlobalId(lattice.cells[d]) << deepestLevel) + 1) + place[d];
+  return lattice.numNodes + id;
 }
 
 template <int D>
@@ -111,7 +159,7 @@ private:
 };
 
 template <int D>
-Halo<D>::Halo(const Ranks& ranks, const Division<D>& division)
+Halo<D>::Halo(const Ranks& ranks, const Division<D>& division, const Tree<D>& tree)
 {
   const Grid<D> window = division.window(ranks.rank());
   const NodeBox<D> mine = windowNodes(division, ranks.rank());
@@ -140,7 +188,7 @@ Halo<D>::Halo(const Ranks& ranks, const Division<D>& division)
   }
   std::vector<int> nodes;
   std::vector<GlobalId> ids, own;
-  std::vector<char> foreign(window.numNodes, 0);
+  std::vector<char> foreign(window.numNodes + tree.numFine, 0);
   for (int n = 0; n < window.numNodes; ++n)
   {
     if (!shared[n])
@@ -158,6 +206,24 @@ Halo<D>::Halo(const Ranks& ranks, const Division<D>& division)
       own.push_back(ids.back());
     else
       foreign[n] = 1;
+  }
+  int row = window.numNodes;
+  for (const std::array<GlobalId, D>& place : finePlaces(division, tree))
+  {
+    int cell[D];
+    for (int d = 0; d < D; ++d)
+      cell[d] = std::clamp(static_cast<int>(place[d] >> deepestLevel), gridMargin,
+                           division.lattice.cells[d] - gridMargin - 1);
+    const bool isOwn = division.ownerOf(cell) == ranks.rank();
+    foreign[row] = isOwn ? 0 : 1;
+    if (isInside<D>(division, ranks.rank(), place) && isInsideAnother<D>(division, ranks.rank(), place))
+    {
+      nodes.push_back(row);
+      ids.push_back(idOf<D>(division.lattice, place));
+      if (isOwn)
+        own.push_back(ids.back());
+    }
+    ++row;
   }
   nodes_ = View<int*>("rhegma::sharedNodes", nodes.size());
   foreign_ = View<char*>("rhegma::foreignNodes", foreign.size());

@@ -1,6 +1,7 @@
 #pragma once
 /// Nodes that particles of several ranks add to, and how their sums come about.
 
+#include "grid/Tree.hpp"
 #include "parallel/Division.hpp"
 #include "state/Types.hpp"
 
@@ -23,7 +24,9 @@ struct SharedRows
   }
 };
 
-/// The nodes of a rank's window that lie in windows of other ranks too.
+/// The nodes of a rank's window, those of refined cells included, that lie in windows of other ranks too.
+/// Nodes of refined cells count only where they are a cell or more inside both windows: a rank knows there
+/// which nodes hang, and its particles reach no others.
 ///
 /// Shares of such a node go to its owner, which adds them and sends the sum to all that have the node (Tpetra
 /// Export and Import), so that it is the same number everywhere to the last digit, and what ranks compute
@@ -32,7 +35,8 @@ template <int D>
 class Halo
 {
 public:
-  Halo(const Ranks& ranks, const Division<D>& division);
+  /// \param tree of the rank's window
+  Halo(const Ranks& ranks, const Division<D>& division, const Tree<D>& tree);
   ~Halo();
 
   /// Replaces columns first .. first + count - 1 of shared nodes by their sums over the ranks. Collective.
@@ -40,9 +44,10 @@ public:
   /// \param values `width` numbers a row
   void sum(const SharedRows& rows, double* values, int width, int first, int count) const;
 
-  /// The shared nodes, by their numbers in the window, ascending.
+  /// The shared nodes, by their rows, ascending.
   const View<int*>& nodes() const { return nodes_; }
-  /// By node of the window: not 0 where another rank owns it, so that sums over all nodes count it once.
+  /// By node of the window and of its refined cells: not 0 where another rank owns it, so that sums over all
+  /// nodes count it once.
   const View<char*>& foreign() const { return foreign_; }
 
 private:

@@ -2,6 +2,7 @@
 
 #include "parallel/Migration.hpp"
 
+#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -33,6 +34,20 @@ std::vector<Vector<D>> placesOf(const State<D>& state, long begin, long end)
   return places;
 }
 
+/// What particles begin .. end - 1 cost: as many short steps as their level may take. Empty where all cost
+/// the same.
+template <int D>
+std::vector<double> costsOf(const State<D>& state, long begin, long end)
+{
+  std::vector<double> costs;
+  if (!state.particles.has(fields::level))
+    return costs;
+  const auto level = onHost(state.particles.integer(fields::level));
+  for (long p = begin; p < end; ++p)
+    costs.push_back(std::ldexp(1.0, level(p)));
+  return costs;
+}
+
 /// Throws std::logic_error, on all ranks, where particles were lost or are on two of them.
 template <int D>
 void demandAllParticles(const State<D>& state)
@@ -43,14 +58,14 @@ void demandAllParticles(const State<D>& state)
 
 /// Takes this rank's part of the lattice, without anything on its nodes.
 template <int D>
-void settle(State<D>& state, const Division<D>& division)
+void settle(State<D>& state, const Division<D>& division, const Branches<D>& refined)
 {
-  state.subdomain = std::make_shared<const Subdomain<D>>(state.ranks, division);
   state.grid = division.window(state.ranks.rank());
+  buildTree(refined.within(state.grid), state.tree); // who keeps values by node makes them anew
+  state.subdomain = std::make_shared<const Subdomain<D>>(state.ranks, division, refined, state.tree);
   state.nodes = Nodes<D>();
-  state.nodes.reserve(state.grid.numNodes, 0);
+  state.nodes.reserve(state.grid.numNodes + state.tree.numFine, 0);
   state.nodes.foreign = state.subdomain->halo.foreign();
-  ++state.tree.generation; // who keeps values by node makes them anew
   state.sorted = false;
   demandAllParticles(state);
 }
@@ -58,7 +73,9 @@ void settle(State<D>& state, const Division<D>& division)
 } // namespace
 
 template <int D>
-Subdomain<D>::Subdomain(const Ranks& ranks, const Division<D>& cells) : division(cells), halo(ranks, cells)
+Subdomain<D>::Subdomain(const Ranks& ranks, const Division<D>& cells, const Branches<D>& branches,
+                        const Tree<D>& tree)
+    : division(cells), refined(branches), halo(ranks, cells, tree)
 {
   own.lattice = cells.lattice;
   own.rank = ranks.rank();
@@ -74,22 +91,46 @@ Subdomain<D>::Subdomain(const Ranks& ranks, const Division<D>& cells) : division
 }
 
 template <int D>
+void refineCells(State<D>& state, const Branches<D>& refined)
+{
+  if (!state.subdomain)
+    buildTree(refined, state.tree);
+  else
+  {
+    buildTree(refined.within(state.grid), state.tree);
+    state.subdomain =
+        std::make_shared<const Subdomain<D>>(state.ranks, state.subdomain->division, refined, state.tree);
+    state.nodes.foreign = state.subdomain->halo.foreign();
+  }
+  state.nodes.reserve(state.grid.numNodes + state.tree.numFine, state.nodes.numSecond);
+  state.sorted = false;
+}
+
+template <int D>
+Branches<D> refinedCells(const State<D>& state)
+{
+  return state.subdomain ? state.subdomain->refined : branchesOf(state.grid, state.tree);
+}
+
+template <int D>
 void divideState(State<D>& state)
 {
   if (!state.ranks.many())
     return;
+  const Branches<D> refined = refinedCells(state);
   state.particlesOfAllRanks = state.particles.size();
   // All ranks hold all particles; each answers for a part of them while they are divided.
   const long n = state.particles.size(), rank = state.ranks.rank(), size = state.ranks.size();
+  const long begin = n * rank / size, end = n * (rank + 1) / size;
   const Division<D> division =
-      divide(state.ranks, state.grid, placesOf(state, n * rank / size, n * (rank + 1) / size));
+      divide(state.ranks, state.grid, placesOf(state, begin, end), costsOf(state, begin, end));
   const std::vector<int> owner = ownersOf(state, division);
   std::vector<int> stay;
   for (std::size_t p = 0; p < owner.size(); ++p)
     if (owner[p] == state.ranks.rank())
       stay.push_back(static_cast<int>(p));
   keepParticles(state, stay);
-  settle(state, division);
+  settle(state, division, refined);
 }
 
 template <int D>
@@ -107,10 +148,11 @@ void redivideState(State<D>& state)
 {
   if (!state.subdomain)
     return;
-  const Division<D> division =
-      divide(state.ranks, state.subdomain->division.lattice, placesOf(state, 0, state.particles.size()));
+  const long count = state.particles.size();
+  const Division<D> division = divide(state.ranks, state.subdomain->division.lattice,
+                                      placesOf(state, 0, count), costsOf(state, 0, count));
   sendParticles(state, ownersOf(state, division));
-  settle(state, division);
+  settle(state, division, Branches<D>(state.subdomain->refined));
 }
 
 template <int D>
@@ -123,7 +165,8 @@ void useSharedNodes(State<D>& state)
   for (std::size_t i = 0; i < active.extent(0); ++i)
     used[active(i)] = 1;
   for (std::size_t i = 0; i < shared.extent(0); ++i)
-    used[shared(i)] = 1;
+    if (shared(i) < state.grid.numNodes) // all of refined cells are in use
+      used[shared(i)] = 1;
   std::vector<int> list;
   for (int n = 0; n < state.grid.numNodes; ++n)
     if (used[n])
@@ -198,6 +241,10 @@ const Grid<D>& wholeLattice(const State<D>& state)
   return state.subdomain ? state.subdomain->division.lattice : state.grid;
 }
 
+template void refineCells(State<2>&, const Branches<2>&);
+template void refineCells(State<3>&, const Branches<3>&);
+template Branches<2> refinedCells(const State<2>&);
+template Branches<3> refinedCells(const State<3>&);
 template void divideState(State<2>&);
 template void divideState(State<3>&);
 template void gatherLattice(State<2>&);

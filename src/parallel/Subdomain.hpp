@@ -1,6 +1,7 @@
 #pragma once
 /// The part of a run that a rank has.
 
+#include "grid/Branches.hpp"
 #include "parallel/Division.hpp"
 #include "parallel/Halo.hpp"
 #include "parallel/OwnCells.hpp"
@@ -14,11 +15,30 @@ template <int D>
 struct Subdomain
 {
   Division<D> division;
+  Branches<D> refined; ///< cells of the whole lattice
   Halo<D> halo;
   OwnCells<D> own;
 
-  Subdomain(const Ranks& ranks, const Division<D>& cells);
+  /// \param tree the part of the refined cells in this rank's window
+  Subdomain(const Ranks& ranks, const Division<D>& cells, const Branches<D>& refined, const Tree<D>& tree);
 };
+
+/// Makes these the refined cells, of the whole lattice, and sees to the nodes. Particles must be sorted anew.
+/// Collective.
+template <int D>
+void refineCells(State<D>& state, const Branches<D>& refined);
+
+/// The refined cells of the whole lattice.
+template <int D>
+Branches<D> refinedCells(const State<D>& state);
+
+/// Who takes part in what the ranks do together with their own particles: until these are divided every rank
+/// has all of them, and acts alone.
+template <int D>
+Ranks ranksOf(const State<D>& state)
+{
+  return state.subdomain ? state.ranks : Ranks();
+}
 
 /// Leaves each rank the particles in its cells, of all that every rank holds, and the part of the lattice
 /// that they can reach. Nothing where there is one rank. Collective.

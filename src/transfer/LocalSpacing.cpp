@@ -1,13 +1,37 @@
 #include "transfer/LocalSpacing.hpp"
 
+#include "parallel/Subdomain.hpp"
+
 namespace Rhegma
 {
+
+namespace
+{
+
+/// The same on all ranks, wherever the place lies.
+template <int D>
+double spacingOfAllRanks(const Branches<D>& refined, const Vector<D>& x)
+{
+  const Grid<D>& lattice = refined.grid();
+  for (int level = 0;; ++level)
+  {
+    typename Branches<D>::Cell cell;
+    for (int d = 0; d < D; ++d)
+      cell[d] = static_cast<int>(std::ldexp(lattice.inCells(x[d], d), level));
+    if (!refined.isRefined(level, cell))
+      return std::ldexp(lattice.spacing, -level);
+  }
+}
+
+} // namespace
 
 template <int D>
 double spacingAt(const State<D>& state, const Vector<D>& x)
 {
   if (!state.tree.refined())
     return state.grid.spacing;
+  if (state.subdomain)
+    return spacingOfAllRanks(state.subdomain->refined, x);
   const TreeSight<D> sight(state.grid, state.tree);
   double spacing = 0.0;
   Kokkos::parallel_reduce(

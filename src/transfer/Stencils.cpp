@@ -10,11 +10,19 @@ namespace Rhegma
 namespace
 {
 
+/// The cells in which points have stencils here.
+template <int D>
+OwnCells<D> cellsOfPoints(const State<D>& state, const ObservedPoints<D>& points)
+{
+  return points.onAllRanks && state.subdomain ? state.subdomain->own : OwnCells<D>();
+}
+
 /// Stencils where cells are refined. \return the number of points that touch more nodes than a row holds
 template <int D, ShapeKind S>
 int writeTreeStencils(const State<D>& state, const ObservedPoints<D>& points, const StencilTable<D>& table)
 {
   const TreeStencils<D, S> stencils(state.grid, state.tree, table);
+  const OwnCells<D> own = cellsOfPoints(state, points);
   return sumFew<int>(
       "rhegma::writeTreeStencils", points.count, KOKKOS_LAMBDA(const int r, int& number) {
         Vector<D> x, half;
@@ -22,6 +30,11 @@ int writeTreeStencils(const State<D>& state, const ObservedPoints<D>& points, co
         {
           x[d] = points.position(r, d);
           half[d] = S == ShapeKind::Gimp ? points.half(r, d) : 0.0;
+        }
+        if (!own.hold(x))
+        {
+          table.count(r) = 0;
+          return;
         }
         number += stencils.write(r, x, half) ? 0 : 1;
       });
@@ -31,9 +44,7 @@ template <int D, ShapeKind S>
 void writeStencils(const State<D>& state, const ObservedPoints<D>& points, const StencilTable<D>& table)
 {
   const Grid<D> grid = state.grid;
-  OwnCells<D> own;
-  if (points.onAllRanks && state.subdomain)
-    own = state.subdomain->own;
+  const OwnCells<D> own = cellsOfPoints(state, points);
   forFew(
       "rhegma::writeStencils", points.count, KOKKOS_LAMBDA(const int r) {
         Vector<D> x, half;

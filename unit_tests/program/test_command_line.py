@@ -11,7 +11,7 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
-from program import NOISE, PROGRAM, ProgramTest, environment, rhegma  # noqa: E402
+from program import NOISE, PROGRAM, SOURCE, ProgramTest, environment, rhegma  # noqa: E402
 from scenes import plate  # noqa: E402
 
 SECTIONS = ("Domain", "Time", "Materials", "Bodies", "Boundaries", "Output", "Reference")
@@ -195,14 +195,13 @@ class Ranks(ProgramTest):
         self.assertEqual((answer.status, answer.output, answer.complaint), (0, "", ""), answer)
 
     def test_effects_of_one_rank_are_refused_once(self):
-        scene = plate().set("Adaptivity", {"Velocity Change": 1.0}).set("Sub-Cycling", {"Levels": 1})
-        self.write("scene.xml", scene.text())
+        shutil.copy(os.path.join(SOURCE, "xml_inputs", "examples", "closed_bomb.xml"), self.path("scene.xml"))
         answer = self.start(3, "scene.xml")
         self.assertEqual(answer.status, 1, answer)
         self.assertEqual(answer.output, "")
         ours = [line for line in answer.complaint.splitlines() if "rhegma:" in line]
         self.assertEqual(len(ours), 1, answer)
-        self.assertRegex(ours[0], r"\Arhegma: Adaptivity, Sub-Cycling: this version runs such scenes on one rank")
+        self.assertRegex(ours[0], r"\Arhegma: Combustion: this version runs such scenes on one rank")
         self.assertIn("mpirun", ours[0])
         for noise in NOISE:
             self.assertNotIn(noise, answer.complaint)

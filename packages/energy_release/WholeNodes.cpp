@@ -1,0 +1,60 @@
+#include "energy_release/WholeNodes.hpp"
+
+#include "grid/FineNodes.hpp"
+#include "parallel/Subdomain.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Rhegma::energy_release
+{
+
+WholeNodes::WholeNodes(const State<2>& state) : here_(state.grid), whole_(wholeLattice(state))
+{
+  const auto place = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.tree.finePlace);
+  const int count = state.tree.numFine;
+  if (!state.subdomain)
+  {
+    for (int k = 0; k < count; ++k)
+    {
+      finePlace_.push_back({{place(k, 0), place(k, 1)}});
+      fine_.push_back(here_.numNodes + k);
+    }
+    return;
+  }
+  if (!state.tree.refined())
+    return;
+  const LeafList<2> leaves(state.subdomain->refined);
+  const std::vector<std::array<int, 2>> all = FineNodes<2>(leaves).places();
+  for (const std::array<int, 2>& at : all)
+    finePlace_.push_back({{leaves.position(at)[0], leaves.position(at)[1]}});
+  const double unit = std::ldexp(whole_.spacing, -leaves.depth());
+  for (int k = 0; k < count; ++k)
+  {
+    std::array<int, 2> at;
+    for (int d = 0; d < 2; ++d)
+      at[d] = static_cast<int>(std::lround((place(k, d) - whole_.whole[d]) / unit));
+    const auto found = std::lower_bound(all.begin(), all.end(), at);
+    // At the rim of what a rank has of the lattice a node may be there that hangs.
+    const bool exists = found != all.end() && *found == at;
+    fine_.push_back(exists ? whole_.numNodes + static_cast<int>(found - all.begin()) : -1);
+  }
+}
+
+int WholeNodes::operator()(int node) const
+{
+  if (node >= here_.numNodes)
+    return fine_[node - here_.numNodes];
+  int at[2];
+  here_.nodeCoordinates(node, at);
+  for (int d = 0; d < 2; ++d)
+    at[d] += here_.before[d] - whole_.before[d];
+  return whole_.nodeIndex(at);
+}
+
+Vector<2> WholeNodes::placeOf(int number) const
+{
+  return number < whole_.numNodes ? whole_.nodePosition(number) : finePlace_[number - whole_.numNodes];
+}
+
+} // namespace Rhegma::energy_release

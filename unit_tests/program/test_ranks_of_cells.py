@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+"""Cells that refine, and particles that split and merge, give on several ranks what they give on one."""
+
+import json
+import os
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+sys.dont_write_bytecode = True
+
+import numpy  # noqa: E402
+from program import SOURCE  # noqa: E402
+from ranks import OnRanks  # noqa: E402
+from scenes import plate  # noqa: E402
+from test_ranks_of_effects import block, turned_plate  # noqa: E402
+
+# What is asked for; a particle in small cells sees more sums than one in large ones.
+SAME = 1e-9
+
+BOX = {"Maximum Level": 2, "Middle": {"Lower Corner": [0.4, 0.1], "Upper Corner": [0.7, 0.5], "Level": 2}}
+
+
+def body():
+    """A plate without a crack that flies and turns through cells refined where ranks meet."""
+    scene = turned_plate().remove("Cracks")
+    scene.set("Domain > Upper Corner", [1.8, 1.4]).set("Domain > Lower Corner", [-0.4, -0.4])
+    return scene
+
+
+class Cells(OnRanks):
+    def adaptivity(self, name):
+        with open(os.path.join(self.folder, name, "summary.json"), encoding="utf-8") as file:
+            return json.load(file)["adaptivity"]
+
+    def same_cells(self, ranks):
+        one = self.adaptivity("on1")
+        for count in ranks:
+            self.assertEqual(self.adaptivity(f"on{count}"), one)
+        return one
+
+    def test_a_body_at_rest_in_cells_of_three_sizes(self):
+        scene = plate().remove("Cracks").remove("Energy Release").set("Adaptivity", BOX)
+        self.agree(self.write(scene), within=SAME)
+        self.assertGreater(self.same_cells((2, 3, 4))["particles_added"], 100)
+
+    def test_a_body_that_splits_and_merges_on_its_way(self):
+        """Its particles change their ranks and their sizes, families across ranks become one again."""
+        self.agree(self.write(body().set("Adaptivity", BOX)), within=SAME)
+        self.assertGreater(self.same_cells((2, 3, 4))["families_merged"], 20)
+
+    def test_cells_that_follow_what_moves(self):
+        """The same, divided anew whenever ranks have more to do than others."""
+        path = os.path.join(SOURCE, "xml_inputs", "examples", "hot_spot.xml")
+        self.agree(path, "--set", "Time:Final Time=3", "--set", "Domain:Cell Size=0.005", ranks=(3,), within=SAME)
+        one = self.same_cells((3,))
+        self.assertGreater(one["families_merged"], 50)
+        self.assertGreater(one["changes_of_cells"], 10)
+
+    def test_cells_of_ranks_that_change(self):
+        scene = body().set("Adaptivity", BOX).set("Load Balance", {"Threshold": 1.05, "Interval": 5})
+        self.agree(self.write(scene), ranks=(4,), within=SAME)
+        self.same_cells((4,))
+
+    def test_three_dimensions(self):
+        corners = {"Lower Corner": [0.4, 0.2, 0.0], "Upper Corner": [0.7, 0.6, 0.5], "Level": 1}
+        scene = block().remove("Cracks").set("Adaptivity", {"Maximum Level": 1, "Middle": corners})
+        self.agree(self.write(scene), ranks=(3,), within=SAME)
+        self.assertGreater(self.same_cells((3,))["particles_added"], 100)
+
+
+class CracksInThem(OnRanks):
+    def test_a_notch_in_smaller_cells(self):
+        scene = plate().set("Adaptivity", {"Maximum Level": 2})
+        scene.set("Energy Release > Crack Closure", True)
+        self.agree(self.write(scene), within=SAME)
+
+    def test_a_crack_that_moves_through_cells_and_ranks(self):
+        fields = self.agree(self.write(turned_plate().set("Adaptivity", {"Maximum Level": 1})), ranks=(3, 4), within=SAME)
+        self.assertTrue(numpy.any(fields["side"] > 0) and numpy.any(fields["side"] < 0))
+
+
+if __name__ == "__main__":
+    unittest.main()
