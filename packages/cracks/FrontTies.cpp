@@ -23,6 +23,7 @@ namespace
 
 constexpr double factor = 0.1;  ///< of E'
 constexpr double offset = 0.05; ///< [cells]
+constexpr double full = 0.9;    ///< share of a node's cells that counts as all: strain changes it by less
 
 /// Force of a tie on its node's own field along an axis [N]. \param cohesive rows of cohesion, or none
 /// \param sign of the node's side
@@ -399,7 +400,10 @@ void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
         const double away = std::fabs(seen.distance) / (cell * steepest);
         double wanted = 0.0, width = thickness;
         if constexpr (D == 3) // less at the surface, by what of the node's cells is filled
-          width = cell * std::fmin(1.0, (a + b) / (density * cell * cell * cell));
+        {
+          const double filled = (a + b) / (density * cell * cell * cell);
+          width = cell * (filled > full ? 1.0 : filled);
+        }
         if (xi < 1.0 && away < 1.0)
           wanted = modulus * width * (1.0 - xi) / xi * (1.0 - away);
         wanted = wanted < most ? wanted : most;
