@@ -40,6 +40,7 @@ public:
   const Ranks& ranks() const { return ranks_; }
   virtual void initialize() = 0;
   virtual double stableTimeStep() const = 0;
+  virtual double stepShare() const = 0;
   virtual void advance(double until) = 0;
   virtual nlohmann::json report() const = 0;
   virtual std::string plan() const = 0;
@@ -93,6 +94,7 @@ public:
   void initialize() override { initialize(*run_); }
 
   double stableTimeStep() const override { return run_->stableTimeStep(); }
+  double stepShare() const override { return run_->stepShare(); }
 
   void advance(double until) override
   {
@@ -450,6 +452,7 @@ Simulation::Notes Simulation::goBack() { return engine_->goBack(); }
 bool Simulation::sound() const { return engine_->sound(); }
 double Simulation::wallSeconds() const { return engine_->wallSeconds(); }
 bool Simulation::continueFields(const std::string& folder) { return engine_->continueFields(folder); }
+double Simulation::stepShare() const { return engine_->stepShare(); }
 double Simulation::stableTimeStep() const { return engine_->stableTimeStep(); }
 void Simulation::advance(double time) { engine_->advance(time); }
 

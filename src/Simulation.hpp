@@ -76,7 +76,10 @@ public:
   /// state worth keeping.
   bool sound() const;
 
-  /// The time step that the state allows now [s].
+  /// Share of the stable step that is taken: 1, or less after goBack().
+  double stepShare() const;
+
+  /// The time step that the state allows now, times that share [s].
   double stableTimeStep() const;
 
   /// Runs to a time [s] in stable steps, or to where the scene has the run end (`ended()`).
@@ -108,7 +111,8 @@ public:
   ///
   /// \param joules of each particle, in the order of particleField() [J]; negative: taken away
   /// Throws std::invalid_argument, and gives nothing, where the scene has no section Thermal, where there are
-  /// more or fewer numbers than particles, or where one is not finite. No other rank need call it.
+  /// more or fewer numbers than particles, or where one is not finite or would take its particle to zero
+  /// kelvin. No other rank need call it.
   void giveHeat(const std::vector<double>& joules);
 
   /// Time that has been simulated [s].

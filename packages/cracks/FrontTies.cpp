@@ -82,23 +82,18 @@ View<double* [D]> forcesOfAllRanks(const State<D>& state)
   return whole;
 }
 
-/// The stiffness of a tie that its place wants stiffer [N/m]. A stretched spring that stiffens makes energy,
-/// so it stays as it is, but on new cells, where it is shortened so that its energy stays. \param had its
-/// stiffness in the last step
+/// A tie with less stretch than this holds no energy to speak of and may stiffen [cells]. Beyond round-off,
+/// so that ties are the same on any number of ranks.
+constexpr double unstretched = 1e-9;
+
+/// Whether a tie is stretched by more than round-off, beside cells of this size.
 template <int D>
-KOKKOS_INLINE_FUNCTION
-    double stiffen(const View<double* [D]>& jump, int own, double had, double wanted, bool newCells)
+KOKKOS_INLINE_FUNCTION bool stretched(const View<double* [D]>& jump, int own, double cell)
 {
-  bool stretched = false;
+  double square = 0.0;
   for (int d = 0; d < D; ++d)
-    stretched = stretched || jump(own, d) != 0.0;
-  if (!stretched)
-    return wanted;
-  if (!newCells)
-    return had;
-  for (int d = 0; d < D; ++d)
-    jump(own, d) *= std::sqrt(had / wanted);
-  return wanted;
+    square += jump(own, d) * jump(own, d);
+  return square > unstretched * unstretched * cell * cell;
 }
 
 /// Makes a cohesive force of a stretched tie: from its force at its stretch j it falls to zero over another
@@ -315,7 +310,6 @@ void FrontTies<D>::placeFronts(const State<D>& state)
 template <int D>
 void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
 {
-  const bool remeshed = generation_ != state.tree.generation;
   makeRoom(state);
   const Nodes<D> nodes = state.nodes;
   const double spacing = state.grid.spacing;
@@ -407,8 +401,9 @@ void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
         if (xi < 1.0 && away < 1.0)
           wanted = modulus * width * (1.0 - xi) / xi * (1.0 - away);
         wanted = wanted < most ? wanted : most;
-        if (wanted > stiffness(own))
-          wanted = stiffen<D>(jump, own, stiffness(own), wanted, remeshed);
+        // A stretched spring that stiffens would make energy.
+        if (wanted > stiffness(own) && stretched<D>(jump, own, cell))
+          wanted = stiffness(own);
         tie(own, D) = stiffness(own) = wanted;
       },
       waiting_, converted);

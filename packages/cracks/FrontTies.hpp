@@ -38,9 +38,8 @@ class SurfaceGrowth;
 /// two fields; it is unstretched then, as a node that a front has just passed is closed. Where refined cells
 /// change, a spring stays at its place if there is still a node. Its elastic energy counts as strain energy.
 ///
-/// A stretched spring slackens where its place wants that, but never stiffens, as this would make energy; on
-/// new cells one that stiffens is shortened so that its energy stays. Cracks whose fronts a moving body
-/// carries through the cells go on without ties (CarriedFronts.hpp).
+/// A stretched spring slackens where its place wants that, but never stiffens, as this would make energy.
+/// Cracks whose fronts a moving body carries through the cells go on without ties (CarriedFronts.hpp).
 ///
 /// Where fronts grow, a node that a front passes gets a cohesive force instead (Cohesion.hpp), and springs of
 /// a front that has set out become such forces.

@@ -93,13 +93,6 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
 template <int D>
 void observe(State<D>& state, Run<D>& run)
 {
-  // At the end, for cells may become as small as a running front wants them after it has set out.
-  const Conduction<D>& conduction = run.conduction;
-  if (state.time >= run.finalTime * (1.0 - 1e-12) && std::isfinite(conduction.finestHeated))
-    if (const std::string word =
-            unresolved("Thermal > Front Radius", conduction.frontRadius, conduction.finestHeated);
-        !word.empty())
-      state.warnings.push_back(word);
   const Extremes<D> now = extremes(state);
   if (state.time >= 0.95 * run.finalTime)
   {
@@ -122,6 +115,12 @@ void observe(State<D>& state, Run<D>& run)
 template <int D>
 void report(const State<D>& state, const Run<D>& run, nlohmann::json& summary)
 {
+  // At the end, for cells may become as small as a running front wants them after it has set out.
+  if (std::isfinite(run.conduction.finestHeated))
+    if (const std::string word =
+            unresolved("Thermal > Front Radius", run.conduction.frontRadius, run.conduction.finestHeated);
+        !word.empty())
+      summary["warnings"].push_back(word);
   const Extremes<D> now = extremes(state);
   nlohmann::json where = nlohmann::json::array();
   for (int d = 0; d < D; ++d)

@@ -161,6 +161,7 @@ bool Production::retry(const RunError& trouble)
     return false;
   history_.sync();
   history_ = History(folder_ + "/history.csv", readNotes(simulation_.goBack()));
+  retries_.goesOnWith(simulation_.stepShare());
   checkpoints_.afterGoingBack();
   goesOn_ = true;
   takeUpFields();

@@ -31,13 +31,13 @@ bool Retries::mayHelp(const std::string& trouble, double from, double at)
 std::string Retries::inWords() const
 {
   return trouble_ + "; it went back to time " + formatReal(from_) + " s, and on with steps of " +
-         formatReal(std::ldexp(1.0, -taken_)) + " of their length";
+         formatReal(share_) + " of the stable length";
 }
 
 std::string Retries::inVain() const
 {
   return taken_ == 0 ? std::string()
-                     : "; steps of " + formatReal(std::ldexp(1.0, -taken_)) + " of their length from time " +
+                     : "; steps of " + formatReal(share_) + " of the stable length from time " +
                            formatReal(from_) + " s did not help";
 }
 

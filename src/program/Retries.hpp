@@ -20,6 +20,9 @@ public:
   /// \return whether to go back to it and halve the step; counts that as done
   bool mayHelp(const std::string& trouble, double from, double at);
 
+  /// Takes note of how long steps are from there on. \param share of the stable step
+  void goesOnWith(double share) { share_ = share; }
+
   /// The last attempt, for the warnings of the run.
   std::string inWords() const;
 
@@ -28,7 +31,7 @@ public:
 
 private:
   int most_, taken_ = 0, unchanged_ = 0;
-  double from_ = 0.0, at_ = -1.0;
+  double from_ = 0.0, at_ = -1.0, share_ = 1.0;
   std::string trouble_;
 };
 

@@ -22,6 +22,25 @@ void refuse(const State<D>& state, const std::vector<double>& joules)
     throw std::invalid_argument("heat can't be given: that of a particle is not a finite number");
 }
 
+/// Whether a particle would come to zero kelvin or below, by the capacity that it has now.
+template <int D>
+bool freezes(const State<D>& state, const View<double*>& heat)
+{
+  const ThermoTables tables = state.thermo;
+  const auto volume = state.particles.scalar(fields::volume);
+  const auto temperature = state.particles.scalar(fields::temperature);
+  const auto material = state.particles.integer(fields::material);
+  int cold = 0;
+  Kokkos::parallel_reduce(
+      "rhegma::lookForFrost", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, int& count) {
+        const double capacity = ThermoPoint(tables, material(p), temperature(p)).capacity();
+        count += temperature(p) + heat(p) / volume(p) / capacity > 0.0 ? 0 : 1;
+      },
+      cold);
+  return cold > 0;
+}
+
 /// \return the heat that the particles got [J]
 template <int D>
 double giveToParticles(State<D>& state, const View<double*>& heat)
@@ -58,6 +77,8 @@ void giveHeat(State<D>& state, const std::vector<double>& joules)
   const auto host = Kokkos::create_mirror_view(heat);
   std::copy(joules.begin(), joules.end(), host.data());
   Kokkos::deep_copy(heat, host);
+  if (freezes(state, heat))
+    throw std::invalid_argument("heat can't be given: it would take a particle to zero kelvin or below");
   state.energy.heat += giveToParticles(state, heat);
 }
 

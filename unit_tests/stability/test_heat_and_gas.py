@@ -115,7 +115,7 @@ class Gas(HardCase):
         self.survives(scene, energy=0.02)
 
     def test_runaway(self):
-        """An exponent above 1 in a closed crack: the run ends, or stops with its reason; numbers all the way."""
+        """An exponent above 1 in a closed crack: numbers to the end."""
         scene = burning(4e-5, **{"Burn Exponent": 1.3, "Burn Coefficient": 1e-10})
         self.survives(scene, energy=0.05)
 

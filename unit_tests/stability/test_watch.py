@@ -25,7 +25,7 @@ def too_long_a_step():
 
 class Watch(HardCase):
     def test_shorter_steps_help(self):
-        outcome = self.survives(too_long_a_step(), energy=1.0)
+        outcome = self.survives(too_long_a_step(), energy=0.2, gain=0.05)
         said = [warning for warning in outcome.summary["warnings"] if "it went back to time" in warning]
         self.assertGreaterEqual(len(said), 1, outcome.summary["warnings"])
         times = outcome.history["time"]
