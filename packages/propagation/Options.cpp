@@ -202,11 +202,14 @@ void refuseWeak(const State<D>& state, const Options& options)
   }
 }
 
-double openingRelease(const DrivingForce& driving)
+double openingRelease(const DrivingForce& driving, const Elasticity& e)
 {
-  const double opening = std::max(driving.modeI, 0.0) * std::max(driving.modeI, 0.0);
-  const double closing = driving.modeI * driving.modeI - opening, sliding = driving.modeII * driving.modeII;
-  return closing > 0.0 ? driving.release * sliding / (closing + sliding) : driving.release;
+  if (driving.modeI >= 0.0)
+    return driving.release;
+  const double closing = driving.modeI * driving.modeI / e.effectiveModulus;
+  const double sliding = driving.modeII * driving.modeII / e.effectiveModulus +
+                         driving.modeIII * driving.modeIII / (2.0 * e.shear);
+  return driving.release * sliding / (closing + sliding);
 }
 
 template <int D>

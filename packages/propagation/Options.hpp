@@ -1,6 +1,7 @@
 #pragma once
 /// What a scene says of cracks that run.
 
+#include "material/MaterialTable.hpp"
 #include "propagation/Direction.hpp"
 #include "propagation/FrontHistory.hpp"
 #include "step/Effect.hpp"
@@ -44,8 +45,9 @@ template <int D>
 void refuseWeak(const State<D>& state, const Options& options);
 
 /// The energy release rate without what closes the crack: a front that is pressed together does not break,
-/// though J is positive.
-double openingRelease(const DrivingForce& driving);
+/// though J is positive. Its share of J is that of sliding, K_II^2/E' + K_III^2/(2 mu), in what the
+/// intensities release (Irwin), K_I^2/E' being what closes. \param e of the material at the front
+double openingRelease(const DrivingForce& driving, const Elasticity& e);
 
 /// What became of the energy of new faces. \param taken by all fronts [J]
 template <int D>

@@ -7,6 +7,7 @@
 #include "propagation/Options.hpp"
 #include "step/LastStage.hpp"
 #include "transfer/LocalSpacing.hpp"
+#include "transfer/NearestMaterial.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -96,8 +97,10 @@ void ask(State<2>& state, const Options& options, Fronts& fronts)
       continue;
     front.advances = false;
     FrontHistory& history = fronts.histories[f];
-    fronts.next[f] = history.advance(ruleAt(front.temperature, options), state.time,
-                                     openingRelease(front.driving), fronts.increment[f], fronts.fastest[f]);
+    const Elasticity e = elasticity(state.materialList[materialAt(state, front.position)]);
+    fronts.next[f] =
+        history.advance(ruleAt(front.temperature, options), state.time, openingRelease(front.driving, e),
+                        fronts.increment[f], fronts.fastest[f]);
     front.speed = history.speed(state.time);
     if (fronts.next[f].increments == 0)
       continue;

@@ -4,6 +4,7 @@
 #include "propagation/Options.hpp"
 #include "step/LastStage.hpp"
 #include "transfer/LocalSpacing.hpp"
+#include "transfer/NearestMaterial.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -167,6 +168,8 @@ void ask(State<3>& state, const Options& options, Memories& memories)
       continue;
     front.advances = false;
     const std::vector<double> angle = turns(front, options, memories[f]);
+    // That by which the intensities were found.
+    const Elasticity e = elasticity(state.materialList[materialAt(state, front.position)]);
     FrontAdvance<3> asked;
     asked.front = static_cast<int>(f);
     asked.stations.resize(front.stations.size());
@@ -182,7 +185,7 @@ void ask(State<3>& state, const Options& options, Memories& memories)
       Memory& memory = memories[f].at(station.name);
       const Advance made =
           memory.history.advance(ruleAt(station.temperature, options), state.time,
-                                 openingRelease(station.driving), memory.increment, memory.fastest);
+                                 openingRelease(station.driving, e), memory.increment, memory.fastest);
       station.speed = memory.history.speed(state.time);
       if (made.increments == 0)
         continue;

@@ -3,6 +3,7 @@
 #include "material/MaterialTable.hpp"
 #include "propagation/Direction.hpp"
 #include "propagation/FrontHistory.hpp"
+#include "propagation/Options.hpp"
 #include "propagation/RayleighSpeed.hpp"
 
 #include <gtest/gtest.h>
@@ -124,4 +125,36 @@ TEST(Direction, TurnsInTheFrameOfTheFront)
   const Vector<2> straight =
       nextDirection(front.driving, front.direction, front.normal, DirectionRule::Straight);
   EXPECT_NEAR(straight[1], 1.0, 1e-12);
+}
+
+/// J of the three modes in plane strain is the sum of what each releases (Irwin); a mode I that closes is no
+/// part of what drives a front, and the others are all of it.
+TEST(OpeningRelease, IsWhatOpeningAndSlidingRelease)
+{
+  const double young = 3e9, poisson = 0.3;
+  Teuchos::ParameterList list;
+  list.set("Model", "Linear Elastic");
+  list.set("Density", 1200.0);
+  list.set("Young Modulus", young);
+  list.set("Poisson Ratio", poisson);
+  const Elasticity e = elasticity(makeProperties(list, "Polymer", Plane::Strain));
+  const double opens = 4e5, slides = 3e5, tears = 2e5;
+  const double I = opens * opens * (1.0 - poisson * poisson) / young;
+  const double II = slides * slides * (1.0 - poisson * poisson) / young;
+  const double III = tears * tears * (1.0 + poisson) / young;
+  const auto release = [&](double KI, double KII, double KIII, double J)
+  {
+    DrivingForce driving;
+    driving.release = J;
+    driving.modeI = KI;
+    driving.modeII = KII;
+    driving.modeIII = KIII;
+    return openingRelease(driving, e);
+  };
+  EXPECT_DOUBLE_EQ(release(opens, slides, tears, I + II + III), I + II + III);
+  EXPECT_NEAR(release(-opens, slides, tears, I + II + III), II + III, 1e-12 * (II + III));
+  EXPECT_NEAR(release(-opens, 0.0, tears, I + III), III, 1e-12 * III);
+  EXPECT_NEAR(release(-opens, slides, 0.0, I + II), II, 1e-12 * II);
+  EXPECT_EQ(release(-opens, 0.0, 0.0, I), 0.0);
+  EXPECT_EQ(release(0.0, 0.0, 0.0, I), I); // before intensities are known
 }
