@@ -51,12 +51,14 @@ Section propagationSection()
       .optional("speed of Rayleigh waves")
       .meaning("No increment is made faster.");
   s.realArray("Release Contour")
+      .onlyIn(2)
       .length(2)
       .byDefault(std::vector<double>{5.0, 10.0})
       .meaning(
           "Inner and outer radius, in cells as they are at the front, of the contour for the energy release "
           "rate. Closer than 5 cells it cuts the zone that is opening.");
   s.realArray("Direction Contour")
+      .onlyIn(2)
       .length(2)
       .byDefault(std::vector<double>{3.0, 6.0})
       .meaning("The same for the stress intensities that turn a front.");
@@ -152,6 +154,8 @@ Options readOptions(const Teuchos::ParameterList& scene)
                   list.isParameter("Speed Limit") ? list.get<double>("Speed Limit") : 0.0,
                   heated ? scene.sublist("Thermal").get<double>("Initial Temperature") : 0.0,
                   {}};
+  if (!list.isParameter("Release Contour")) // in 3D
+    return options;
   const auto release = list.get<Teuchos::Array<double>>("Release Contour");
   const auto intensity = list.get<Teuchos::Array<double>>("Direction Contour");
   options.contours = {release[0], release[1], intensity[0], intensity[1]};

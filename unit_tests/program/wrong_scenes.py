@@ -284,6 +284,11 @@ NOT_IN_3D = [
      ball().set("Cracks", {"Penny": {"Centre": [0.0, 0.0, 0.0], "Radius": 0.03, "Normal": [0.0, 0.0, 1.0]}}).set(
          "Energy Release", {}).set("Propagation", {"Toughness": "100"}).set("Contact", {}),
      one("Propagation", "in 3D", "Contact")),
+    ("contours_of_a_crack_that_runs_in_3d",
+     ball().set("Cracks", {"Penny": {"Centre": [0.0, 0.0, 0.0], "Radius": 0.03, "Normal": [0.0, 0.0, 1.0]}}).set(
+         "Energy Release", {}).set("Propagation", {
+             "Toughness": "100", "Release Contour": [5.0, 10.0], "Direction Contour": [3.0, 6.0]}),
+     [("Propagation > Release Contour", ["only a 2D scene"]), ("Propagation > Direction Contour", ["2D"])]),
     ("cylinder_in_2d",
      plate().set("Bodies > Bar", {"Material": "Polymer", "Shape": "Cylinder", "From": [0.0, 0.0, 0.0], "To": [0.0,
      0.0, 1.0], "Radius": 0.1}),

@@ -67,8 +67,6 @@ Teuchos::ParameterList quarter(const std::string& toughness)
   propagation.set("Direction", std::string("Straight"));
   propagation.set("Increment", 1.0);
   propagation.set("Start Time", 0.0);
-  propagation.set("Release Contour", reals({1.0, 3.0}));
-  propagation.set("Direction Contour", reals({1.0, 3.0}));
   return scene;
 }
 
