@@ -98,8 +98,7 @@ double clearBeside(const State<D>& state, const Vector<D>& centre, double radius
   Kokkos::parallel_reduce(
       "rhegma::clearRadius", Kokkos::RangePolicy<ExecSpace>(0, cover.extent(0)),
       KOKKOS_LAMBDA(const int n, double& smallest) {
-        // At the rim of what a rank has of the lattice it does not know the cells around a node.
-        if (!countsHere(numbers, n) || cover(n) > surrounded)
+        if (!isOpen(numbers, cover, n))
           return;
         const double r = norm(places(n) - centre);
         if (r < smallest && !gap.holds(places(n)))

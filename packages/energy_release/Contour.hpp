@@ -35,6 +35,14 @@ struct NodalWeight
 /// surface has.
 constexpr double surrounded = 0.6;
 
+/// Whether a node is known not to be surrounded. At the rim of what a rank has of the lattice it does not
+/// know the cells around a node.
+template <int D>
+KOKKOS_INLINE_FUNCTION bool isOpen(const Nodes<D>& nodes, const View<double*>& cover, int node)
+{
+  return countsHere(nodes, node) && cover(node) <= surrounded;
+}
+
 /// Share of each node's cells that particles cover, on the lattice and in refined cells, for nodes within
 /// `radius` [m] of a place. Collective.
 template <int D>

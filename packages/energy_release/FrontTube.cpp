@@ -26,13 +26,14 @@ double clearOfSurfaces(const State<3>& state, const FrontLine& line, double radi
     extent = std::max(extent, norm(s.position - middle));
   const View<double*> cover = coverOfNodes(state, middle, extent + radius);
   const NodePlaces<3> places = nodePlaces(state);
+  const Nodes<3> numbers = state.nodes;
   const FrontSight sight(line, radius);
   const double cell = state.grid.spacing;
   double nearest = radius;
   Kokkos::parallel_reduce(
       "rhegma::clearOfSurfaces", Kokkos::RangePolicy<ExecSpace>(0, cover.extent(0)),
       KOKKOS_LAMBDA(const int n, double& smallest) {
-        if (cover(n) > surrounded || norm(places(n) - middle) > extent + radius)
+        if (!isOpen(numbers, cover, n) || norm(places(n) - middle) > extent + radius)
           return;
         const FrontFoot foot = sight.look(places(n));
         if (foot.inside >= cell && foot.distance < smallest)
