@@ -75,12 +75,20 @@ constexpr double curvatureFrom = 2.0;
 
 double radiusOfCurvature(const FrontLine& line, double least)
 {
+  std::vector<char> atSurface(line.stations.size(), 0);
+  for (const FrontPiece& piece : line.pieces)
+  {
+    atSurface[piece.from] |= piece.begins;
+    atSurface[piece.to] |= piece.ends;
+  }
   double smallest = std::numeric_limits<double>::infinity();
-  for (const FrontStation<3>& s : line.stations)
-    for (const FrontStation<3>& t : line.stations)
+  for (std::size_t s = 0; s < line.stations.size(); ++s)
+    for (std::size_t t = 0; t < line.stations.size(); ++t)
     {
-      const Vector<3> chord = t.position - s.position;
-      const double square = dot(chord, chord), sagitta = std::fabs(dot(chord, s.direction));
+      if (atSurface[s] || atSurface[t])
+        continue;
+      const Vector<3> chord = line.stations[t].position - line.stations[s].position;
+      const double square = dot(chord, chord), sagitta = std::fabs(dot(chord, line.stations[s].direction));
       if (square > least * least && sagitta > 0.0)
         smallest = std::min(smallest, 0.5 * square / sagitta);
     }
