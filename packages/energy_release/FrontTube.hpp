@@ -20,14 +20,17 @@ struct FrontTube
 double roomAround(const State<3>& state, const CrackFront<3>& front, const FrontLine& line, double radius);
 
 /// Radius of the largest ball that touches a front from behind or ahead and holds no other part of it; parts
-/// nearer than `least` [m] are not looked at. Infinite for a straight front.
+/// nearer than `least` [m] are not looked at, nor the ends of an open front, where the surface cuts its
+/// pieces and a station points along the crack's mouth. Infinite for a straight front.
 double radiusOfCurvature(const FrontLine& line, double least);
 
-/// Radii that a 3D scene leaves to the program: 1 and 3 cells.
+/// Radii that a 3D scene leaves to the program: 2.5 and 5 cells. With 1 and 3 cells J of
+/// verification/thick_plate.xml is 2.5 % low.
 GivenRadii radiiInSpace();
 
-/// Radii and half width: 1, 3 and 2 cells, less where there is no room, but no less than smallestOuter; the
-/// half width no more than half of the radius of curvature.
+/// Radii and half width: 2.5, 5 and 2 cells. The radii are less where there is no room, but the outer one no
+/// less than smallestOuter; the half width is no more than half of the radius of curvature, but no less than
+/// a cell.
 FrontTube fittingTube(const State<3>& state, const CrackFront<3>& front, const FrontLine& line,
                       const GivenRadii& given);
 

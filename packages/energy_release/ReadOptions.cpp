@@ -16,14 +16,14 @@ Section energyReleaseSection()
   s.real("Inner Radius")
       .unit("m")
       .positive()
-      .optional("3 cells in 2D and 1 in 3D, or half of Outer Radius where that is less")
+      .optional("3 cells in 2D and 2.5 in 3D, or half of Outer Radius where that is less")
       .meaning("The weight of the domain integrals is 1 up to this distance from the front. Below two cells "
                "in 2D G and K can be off by 10 % and more.");
   s.real("Outer Radius")
       .unit("m")
       .positive()
       .optional(
-          "6 cells in 2D and 3 in 3D, or twice a given Inner Radius, less where that leaves the body or "
+          "6 cells in 2D and 5 in 3D, or twice a given Inner Radius, less where that leaves the body or "
           "reaches another front or crack or, in 3D, the front's centre of curvature")
       .meaning(
           "The weight falls to 0 at this distance. One that is given must be inside the body and clear of "

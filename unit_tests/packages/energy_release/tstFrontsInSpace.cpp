@@ -261,3 +261,37 @@ TEST(FrontsInSpace, KnowHowMuchTheyAreCurved)
     share += station.share;
   EXPECT_NEAR(share, depth, 1e-12);
 }
+
+/// A station where the surface cuts an arc points along the mouth, here half a radian off the arc's radius:
+/// with it the arc would seem four times as curved.
+TEST(FrontsInSpace, LeaveTheSurfaceOutOfTheirCurvature)
+{
+  Teuchos::ParameterList scene = blockScene({16e-3, 16e-3, 10e-3});
+  const double radius = 7e-3, least = 2.0 * cell;
+  setCrack(scene, regularPolygon({8.1e-3, -3.1e-3, 5.2e-3}, radius, 32));
+  const auto arc = start<3>(scene);
+  const FrontLine line = lineOf(arc->state().cracks.fronts.at(0));
+  ASSERT_EQ(line.loop, std::vector<double>{0.0});
+  ASSERT_GT(line.stations.size(), 6u);
+  // The station next to a cut piece points up to half a corner to the side, which adds that much of a chord
+  // to what the arc departs from it, c^2 / 2 R.
+  const double aside = pi / 32.0, found = radiusOfCurvature(line, least);
+  EXPECT_GT(found, radius / (1.0 + 2.0 * radius * aside / least));
+  EXPECT_LT(found, radius * (1.0 + 1e-9));
+}
+
+/// What docs/theory.md says of the tube.
+TEST(FrontsInSpace, HaveATubeOfTwoAndAHalfToFiveCells)
+{
+  const ContourRadii radii = usualRadii(radiiInSpace(), cell);
+  EXPECT_DOUBLE_EQ(radii.inner, 2.5 * cell);
+  EXPECT_DOUBLE_EQ(radii.outer, 5.0 * cell);
+  // The block is 12 cells wide and the front 6.3 and 6.2 cells off its corner, so that there is room for it,
+  // but not for much more.
+  const auto straight = straightFront();
+  const CrackFront<3>& front = straight->state().cracks.fronts.at(0);
+  const FrontTube fitting = fittingTube(straight->state(), front, lineOf(front), radiiInSpace());
+  EXPECT_DOUBLE_EQ(fitting.radii.outer, radii.outer);
+  EXPECT_DOUBLE_EQ(fitting.radii.inner, radii.inner);
+  EXPECT_DOUBLE_EQ(fitting.halfWidth, 2.0 * cell);
+}
