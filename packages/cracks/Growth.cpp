@@ -213,16 +213,41 @@ struct Outcome
 /// A front that has less than this left ahead of it runs on to the surface [cells].
 constexpr double leastLigament = 0.5;
 
-Outcome findRoom(const State<2>& state, const CrackFront<2>& front, const FrontAdvance<2>& advance)
+/// Opening of a crack one cell behind its front [m]. It grows as the root of the distance up to the first
+/// vertex behind.
+double openingBehind(const Chain& chain, bool first, double cell)
+{
+  const int count = static_cast<int>(chain.links.size());
+  double behind = 0.0, before = 0.0;
+  for (int k = 1; k < count; ++k)
+  {
+    const Link &from = chain.links[first ? k - 1 : count - k], &to = chain.links[first ? k : count - 1 - k];
+    const double length = norm(to.vertex - from.vertex), opening = norm(to.face[1] - to.face[0]);
+    if (behind + length >= cell)
+      return k == 1 ? opening * std::sqrt(cell / length)
+                    : before + (opening - before) * (cell - behind) / length;
+    behind += length;
+    before = opening;
+  }
+  return before;
+}
+
+Outcome findRoom(const State<2>& state, const Chain& chain, bool first, const CrackFront<2>& front,
+                 const FrontAdvance<2>& advance)
 {
   const double cell = spacingAt(state, front.position);
   const double step = (advance.length + leastLigament * cell) / places;
   const std::uint64_t filled = filledPlaces(state, front.position, step * advance.direction);
-  // What lacks right at the front may be the opening of the crack that the cells have.
-  int last = places;
-  while (last > 0 && (filled >> last & 1) == 0)
-    --last;
-  return last == places ? Outcome{advance.length, false} : Outcome{last * step, true};
+  // What lacks right at the front is the opening of the crack that the cells have, if it is no longer than
+  // that.
+  int whole = 0;
+  while (whole < places && (filled >> (whole + 1) & 1) == 0)
+    ++whole;
+  if (whole == places || whole * step > std::max(leastLigament * cell, openingBehind(chain, first, cell)))
+    return {0.0, true};
+  while (whole < places && (filled >> (whole + 1) & 1) != 0)
+    ++whole;
+  return whole == places ? Outcome{advance.length, false} : Outcome{whole * step, true};
 }
 
 void grow(State<2>& state, std::vector<Chain>& chains, const FrontAdvance<2>& advance)
@@ -231,7 +256,7 @@ void grow(State<2>& state, std::vector<Chain>& chains, const FrontAdvance<2>& ad
   const double spacing = state.grid.spacing;
   const bool first = atFirstEnd(state.cracks, front);
   Chain& chain = chains[front.crack];
-  const Outcome outcome = findRoom(state, front, advance);
+  const Outcome outcome = findRoom(state, chain, first, front, advance);
   const Vector<2> end = front.position + outcome.length * advance.direction;
   const Neighbour other = nearestNeighbour(chains, front.crack, first, end, (bandWidth + 3.0) * spacing);
   if (other.distance < bandWidth * spacing)
@@ -305,6 +330,7 @@ void keepFronts(CrackSet<D>& set, Archive& archive)
     archive("release", front.driving.release);
     archive("K_I", front.driving.modeI);
     archive("K_II", front.driving.modeII);
+    archive("K_III", front.driving.modeIII);
     archive("hoop_angle", front.driving.hoopAngle);
     archive("advances", front.advances);
     archive("grown", front.grown);

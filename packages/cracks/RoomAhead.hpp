@@ -16,8 +16,11 @@ struct Way
   double length;       ///< [m]
 };
 
-/// How far each way goes through material, to a forty-eighth of its length: as in 2D, as far as every place
-/// on it lies within half a particle's diagonal of the centre of a particle. Collective.
+/// How far each way goes through material, to a forty-eighth of its length: as far as every place on it, from
+/// the first on, lies within 0.55 of the diagonal of a particle of that particle's centre. Collective.
+///
+/// Particles count as they were at the start, a tenth larger. (Growth.cpp, in 2D, takes the deformed ones and
+/// passes over the opening of the crack that a front has right ahead of it.)
 std::vector<double> roomAhead(const State<3>& state, const std::vector<Way>& ways);
 
 } // namespace Rhegma::cracks
