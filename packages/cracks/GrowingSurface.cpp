@@ -21,10 +21,40 @@ bool has(const Triangle& t, int v) { return t[0] == v || t[1] == v || t[2] == v;
 
 } // namespace
 
+double meanToughness(const LinePoint& a, const LinePoint& b)
+{
+  return a.toughness > 0.0 && b.toughness > 0.0 ? 0.5 * (a.toughness + b.toughness)
+                                                : std::max(a.toughness, b.toughness);
+}
+
 int before(const FrontLines& lines, std::size_t k)
 {
   const std::size_t last = k > 0 ? k - 1 : lines.size() - 1;
   return lines[last].joined ? static_cast<int>(last) : -1;
+}
+
+void cutLanded(FrontLines& lines)
+{
+  bool cut = false;
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    if (lines[k].joined && lines[k].landed && lines[GrowingSurface::next(lines, k)].landed)
+    {
+      lines[k].joined = false;
+      cut = true;
+    }
+  if (!cut)
+    return;
+  // A line that was closed begins behind a cut now.
+  if (lines.back().joined)
+  {
+    const auto open = std::find_if(lines.begin(), lines.end(), [](const LinePoint& p) { return !p.joined; });
+    std::rotate(lines.begin(), open + 1, lines.end());
+  }
+  FrontLines rest;
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    if (lines[k].joined || before(lines, k) >= 0)
+      rest.push_back(lines[k]);
+  lines = rest;
 }
 
 void GrowingSurface::prepare()
@@ -131,7 +161,7 @@ void GrowingSurface::split(FrontLines& lines, std::size_t k, int name)
   point.from = point.name;
   point.vertex = m;
   point.name = name;
-  point.toughness = 0.5 * (lines[k].toughness + lines[to].toughness);
+  point.toughness = meanToughness(lines[k], lines[to]);
   point.landed = false;
   point.joined = true;
   lines.insert(lines.begin() + static_cast<std::ptrdiff_t>(k) + 1, point);

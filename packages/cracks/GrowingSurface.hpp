@@ -71,7 +71,13 @@ private:
   std::vector<std::vector<int>> stars_;
 };
 
+/// Mean of the toughness of two points, or that of the one that has made a face [J/m2].
+double meanToughness(const LinePoint& a, const LinePoint& b);
+
 /// The point before the k-th on its line, or -1.
 int before(const FrontLines& lines, std::size_t k);
+
+/// Cuts pieces between points that have reached the surface out of the lines; what has no piece left goes.
+void cutLanded(FrontLines& lines);
 
 } // namespace Rhegma::cracks

@@ -143,43 +143,7 @@ void forgetSidesAhead(const State<3>& state, const CrackFront<3>& front, double 
       });
 }
 
-/// Cuts pieces between points that have reached the surface out of the lines; what has no piece left goes.
-void cutLanded(FrontLines& lines)
-{
-  bool cut = false;
-  for (std::size_t k = 0; k < lines.size(); ++k)
-    if (lines[k].joined && lines[k].landed && lines[GrowingSurface::next(lines, k)].landed)
-    {
-      lines[k].joined = false;
-      cut = true;
-    }
-  if (!cut)
-    return;
-  // A line that was closed begins behind a cut now.
-  if (lines.back().joined)
-  {
-    const auto open = std::find_if(lines.begin(), lines.end(), [](const LinePoint& p) { return !p.joined; });
-    std::rotate(lines.begin(), open + 1, lines.end());
-  }
-  FrontLines rest;
-  for (std::size_t k = 0; k < lines.size(); ++k)
-    if (lines[k].joined || before(lines, k) >= 0)
-      rest.push_back(lines[k]);
-  lines = rest;
-}
-
 } // namespace
-
-double SurfaceGrowth::toughnessAt(int front, int station) const
-{
-  return has(front) && station < static_cast<int>(marks_[front].size()) ? marks_[front][station].toughness
-                                                                        : 0.0;
-}
-
-bool SurfaceGrowth::has(int front) const
-{
-  return front < static_cast<int>(marks_.size()) && !marks_[front].empty();
-}
 
 std::vector<SurfaceGrowth::Crack> SurfaceGrowth::read(const CrackSet<3>& set)
 {
@@ -202,7 +166,9 @@ std::vector<SurfaceGrowth::Crack> SurfaceGrowth::read(const CrackSet<3>& set)
     surface.prepare();
   }
   marks_.resize(set.fronts.size());
+  lastToughness_.resize(set.fronts.size(), 0.0);
   told_.resize(set.fronts.size(), false);
+  toldHalted_.resize(set.fronts.size(), false);
   for (std::size_t f = 0; f < set.fronts.size(); ++f)
   {
     const CrackFront<3>& front = set.fronts[f];
@@ -222,6 +188,9 @@ std::vector<SurfaceGrowth::Crack> SurfaceGrowth::read(const CrackSet<3>& set)
     }
     cracks[front.crack].fronts.push_back(lines);
     cracks[front.crack].numbers.push_back(static_cast<int>(f));
+    LinePoint end{};
+    end.vertex = front.vertex - set.cracks[front.crack].firstVertex;
+    cracks[front.crack].ends.push_back(end);
   }
   return cracks;
 }
@@ -235,13 +204,15 @@ void SurfaceGrowth::write(CrackSet<3>& set, std::vector<Crack>& cracks, double s
     std::vector<FrontLines*> lines;
     for (FrontLines& front : crack.fronts)
       lines.push_back(&front);
-    crack.surface.tidy(lines);
+    std::vector<FrontLines*> numbered = lines;
+    numbered.push_back(&crack.ends);
+    crack.surface.tidy(numbered);
     meshes.push_back(crack.surface.mesh({lines.begin(), lines.end()}));
     for (std::size_t i = 0; i < lines.size(); ++i)
     {
       const int f = crack.numbers[i];
       CrackFront<3>& front = set.fronts[f];
-      last[f] = front.vertex - set.cracks[front.crack].firstVertex; // of one that ends
+      last[f] = i < crack.ends.size() ? crack.ends[i].vertex : 0;
       front.ended = lines[i]->empty();
       front.stations.clear();
       marks_[f].clear();
@@ -315,7 +286,7 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
       moving.push_back(k);
     }
   const std::vector<double> room = roomAhead(state, ways);
-  double energy = 0.0;
+  double energy = 0.0, area = 0.0;
   std::size_t landed = count;
   for (std::size_t i = 0; i < moving.size(); ++i)
   {
@@ -329,22 +300,30 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
     {
       point.station.halted = true;
       point.station.speed = 0.0;
-      if (!front.halted)
+      if (!toldHalted_[advance.front])
         state.warnings.push_back(
             "the front " + nameOf(state, front) + " halted at time " + formatReal(state.time) + " s at " +
             inWords(point.station.position) + ": the crack " + state.cracks.cracks[other].name +
             " is less than three cells ahead, and cells can't tell cracks apart that are closer; smaller "
             "cells (Domain > Cell Size) let it come nearer");
-      front.halted = true;
+      toldHalted_[advance.front] = true;
       continue;
     }
     point.toughness = advance.stations[k].toughness;
     // A piece too short to have a direction is left out.
     if (length > 1e-3 * lengths[k])
-      energy += point.toughness * surface.advance(lines, k, x, rowHeight * cells[k]);
+    {
+      const double more = surface.advance(lines, k, x, rowHeight * cells[k]);
+      area += more;
+      energy += point.toughness * more;
+    }
     point.landed = lands;
     landed = lands ? k : landed;
   }
+  if (area > 0.0 && energy > 0.0)
+    lastToughness_[advance.front] = energy / area;
+  if (landed < count)
+    crack.ends[place].vertex = lines[landed].vertex;
   // A front goes on where a part of it does.
   front.halted = std::all_of(lines.begin(), lines.end(),
                              [](const LinePoint& p) { return p.landed || p.station.halted; });
@@ -357,10 +336,10 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
                              inWords(surface.vertices[lines[landed].vertex]));
   }
 
-  cutLanded(lines);
-  int names = 0;
+  int names = 0; // no new station has the name of one that goes now: its past is another's
   for (const LinePoint& point : lines)
     names = std::max(names, point.name + 1);
+  cutLanded(lines);
   const double cell = *std::min_element(cells.begin(), cells.end());
   for (std::size_t k = 0; k < lines.size(); ++k)
     if (lines[k].joined && surface.pieceAt(lines, k) > longestPiece * cell)
@@ -368,7 +347,7 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
   for (std::size_t k = 0; k < lines.size(); ++k)
     if (lines[k].joined && surface.pieceAt(lines, k) < shortestPiece * cell)
     {
-      const double toughness = lines[k].toughness;
+      const double toughness = meanToughness(lines[k], lines[GrowingSurface::next(lines, k)]);
       double added = 0.0;
       if (surface.collapse(lines, k, added))
         energy += toughness * added;

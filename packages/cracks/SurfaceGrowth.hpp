@@ -30,10 +30,10 @@ class SurfaceGrowth
 public:
   void grow(State<3>& state);
 
-  /// Energy per area of the last face that a station made [J/m2].
-  double toughnessAt(int front, int station) const;
-  /// Whether anything has grown.
-  bool has(int front) const;
+  /// Energy per area of the last face that each station of a front made; where one has made none, that of the
+  /// nearest station that has. Without stations, as of a front that has ended, one number: that of the last
+  /// faces of the front. Zero where nothing has grown [J/m2].
+  std::vector<double> toughnessAlong(const CrackSet<3>& set, int front) const;
 
   /// Saves or loads the surfaces, their fronts and what they have done.
   void keep(State<3>& state, Archive& archive);
@@ -49,6 +49,7 @@ private:
     GrowingSurface surface;
     std::vector<FrontLines> fronts; ///< in the order of the set's
     std::vector<int> numbers;       ///< of these fronts in the set
+    FrontLines ends;                ///< of each front the vertex where it is, or was when it ended
   };
 
   std::vector<Crack> read(const CrackSet<3>& set);
@@ -56,7 +57,8 @@ private:
   void growFront(State<3>& state, std::vector<Crack>& cracks, const FrontAdvance<3>& advance);
 
   std::vector<std::vector<Mark>> marks_; ///< of the stations of each front
-  std::vector<bool> told_;               ///< fronts of which it was said that they reached the surface
+  std::vector<double> lastToughness_;    ///< of each front, of what it made last [J/m2]
+  std::vector<bool> told_, toldHalted_; ///< fronts of which it was said that they reached the surface; halted
 };
 
 } // namespace Rhegma::cracks

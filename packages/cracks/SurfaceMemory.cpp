@@ -1,8 +1,40 @@
 #include "checkpoint/Archive.hpp"
 #include "cracks/SurfaceGrowth.hpp"
 
+#include <algorithm>
+
 namespace Rhegma::cracks
 {
+
+std::vector<double> SurfaceGrowth::toughnessAlong(const CrackSet<3>& set, int front) const
+{
+  const std::vector<FrontStation<3>>& stations = set.fronts[front].stations;
+  const std::size_t f = front;
+  const double last = f < lastToughness_.size() ? lastToughness_[f] : 0.0;
+  std::vector<double> along(std::max<std::size_t>(1, stations.size()), last);
+  if (f >= marks_.size())
+    return along;
+  const std::vector<Mark>& marks = marks_[f];
+  for (std::size_t k = 0; k < marks.size(); ++k)
+  {
+    if (marks[k].toughness > 0.0)
+    {
+      along[k] = marks[k].toughness;
+      continue;
+    }
+    double shortest = 1e300;
+    for (std::size_t other = 0; other < marks.size(); ++other)
+    {
+      const double distance = norm(stations[other].position - stations[k].position);
+      if (marks[other].toughness > 0.0 && distance < shortest)
+      {
+        shortest = distance;
+        along[k] = marks[other].toughness;
+      }
+    }
+  }
+  return along;
+}
 
 void SurfaceGrowth::keep(State<3>& state, Archive& archive)
 {
@@ -43,6 +75,7 @@ void SurfaceGrowth::keep(State<3>& state, Archive& archive)
   archive("counts", counts);
   archive("stations", stations, whole);
   archive("station_numbers", numbers, real);
+  archive("last_toughness", lastToughness_);
   if (!archive.loads())
     return;
   std::vector<Crack> cracks(set.cracks.size());
@@ -59,7 +92,9 @@ void SurfaceGrowth::keep(State<3>& state, Archive& archive)
     surface.prepare();
   }
   marks_.assign(set.fronts.size(), {});
+  lastToughness_.resize(set.fronts.size(), 0.0);
   told_.resize(set.fronts.size(), false);
+  toldHalted_.resize(set.fronts.size(), false);
   std::size_t row = 0;
   for (std::size_t f = 0; f < set.fronts.size(); ++f)
   {
@@ -81,6 +116,7 @@ void SurfaceGrowth::keep(State<3>& state, Archive& archive)
       point.station.driving = {value[2], value[3], value[4], value[5], value[6]};
       point.toughness = value[7];
       told_[f] = told_[f] || point.landed;
+      toldHalted_[f] = toldHalted_[f] || (point.station.halted && !point.landed);
       lines.push_back(point);
     }
     cracks[set.fronts[f].crack].fronts.push_back(lines);

@@ -105,10 +105,12 @@ std::vector<Waiting> list(const State<3>& state, const Rows& rows)
     for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
     {
       const CrackFront<3>& front = state.cracks.fronts[f];
-      if (front.crack != crack || front.stations.empty() || !front.grown)
+      if (front.crack != crack || !front.grown)
         continue;
+      // One that has ended is known by where it did.
       const int k = nearestStation(front, x);
-      const double distance = norm(x - front.stations[k].position);
+      const double distance =
+          norm(x - (front.stations.empty() ? front.position : front.stations[k].position));
       if (distance < shortest)
       {
         shortest = distance;
@@ -149,21 +151,22 @@ void releaseBehind(const SurfaceGrowth& growth, State<3>& state, const Surroundi
   for (std::size_t f = 0; f < fronts.size(); ++f)
   {
     CrackFront<3>& front = fronts[f];
+    const std::vector<double> toughness = growth.toughnessAlong(state.cracks, static_cast<int>(f));
     double wanted = 0.0;
     for (std::size_t at = first[f]; at < first[f + 1]; ++at)
-      wanted += growth.toughnessAt(static_cast<int>(f), static_cast<int>(at - first[f])) * sums[2 * at + 1];
+      wanted += toughness[at - first[f]] * sums[2 * at + 1];
     if (!(wanted > 0.0))
       continue;
     // A row of cells along the front is what it may be ahead or behind.
     double row = 0.0;
     for (std::size_t k = 0; k < front.stations.size(); ++k)
-      row += growth.toughnessAt(static_cast<int>(f), static_cast<int>(k)) * front.stations[k].share *
-             state.grid.spacing;
-    const double share = std::clamp(row > 0.0 ? 1.0 + (front.unspent - wanted) / row : 1.0, least, most);
+      row += toughness[k] * front.stations[k].share * state.grid.spacing;
+    // After a front has ended there is no row to come, and these nodes are the last to take what is left.
+    const double ahead = front.unspent - wanted;
+    const double share = std::clamp(1.0 + ahead / (row > 0.0 ? row : wanted), least, most);
     for (std::size_t at = first[f]; at < first[f + 1]; ++at)
     {
-      const double energy =
-          share * growth.toughnessAt(static_cast<int>(f), static_cast<int>(at - first[f])) * sums[2 * at + 1];
+      const double energy = share * toughness[at - first[f]] * sums[2 * at + 1];
       if (!(sums[2 * at] > 0.0) || !(energy > 0.0))
         continue;
       range[at] = 2.0 * energy / (cohesion::strengthAtFirst * sums[2 * at]);

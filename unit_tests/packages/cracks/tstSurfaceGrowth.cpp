@@ -179,6 +179,57 @@ TEST(SurfaceGrowth, EndsAtTheSurface)
   EXPECT_TRUE(state.cracks.fronts[0].ended);
   EXPECT_NEAR(measureOpening(state.cracks, 0).size, size * size, 0.06 * size * size);
   EXPECT_EQ(state.cracks.frontFacet.extent(0), 0u);
+  EXPECT_EQ(growth.toughnessAlong(state.cracks, 0).size(), 1u);
+  EXPECT_NEAR(growth.toughnessAlong(state.cracks, 0)[0], toughness, 1e-10 * toughness);
   ASSERT_FALSE(state.warnings.empty());
   EXPECT_NE(state.warnings.back().find("reached the surface"), std::string::npos);
+}
+
+/// Two disks that grow towards each other halt three cells apart, station by station; of each it is said
+/// once.
+TEST(SurfaceGrowth, SaysOnceThatAFrontHalts)
+{
+  Teuchos::ParameterList scene = disk({6e-3, 8e-3, 4.3e-3}, 3e-3, 22e-3);
+  scene.sublist("Bodies").sublist("Block").set("Upper Corner", numbers({22e-3, 16e-3, 8e-3}));
+  Teuchos::ParameterList& other = scene.sublist("Cracks").sublist("Other");
+  other = scene.sublist("Cracks").sublist("Cut");
+  other.set("Centre", numbers({16e-3, 8e-3, 4.3e-3}));
+  const auto run = start<3>(scene);
+  State<3>& state = run->state();
+  SurfaceGrowth growth;
+  for (int k = 0; k < 8; ++k)
+    advance(state, growth, straightBy(0.25 * cell));
+  int said = 0;
+  for (const std::string& warning : state.warnings)
+    said += warning.find("halted") != std::string::npos ? 1 : 0;
+  EXPECT_EQ(said, 2);
+  for (const CrackFront<3>& front : state.cracks.fronts)
+  {
+    EXPECT_FALSE(front.halted);
+    EXPECT_TRUE(std::any_of(front.stations.begin(), front.stations.end(),
+                            [](const FrontStation<3>& s) { return s.halted; }));
+  }
+}
+
+/// Where half of a front advances, nodes beside the other half are opened too, by the triangles between them:
+/// they take what the nearest station that has made a face takes.
+TEST(SurfaceGrowth, GivesStationsThatStayTheToughnessBesideThem)
+{
+  const Vector<3> centre{10e-3, 10e-3, 10.3e-3};
+  const auto run = start<3>(disk(centre, 4e-3, 20e-3));
+  State<3>& state = run->state();
+  SurfaceGrowth growth;
+  const auto isDriven = [&](const FrontStation<3>& s) { return s.position[1] > centre[1]; };
+  for (int k = 0; k < 12; ++k)
+    advance(state, growth,
+            [&](const FrontStation<3>& s) {
+              return StationAdvance<3>{s.direction, isDriven(s) ? 0.2 * cell : 0.0, toughness};
+            });
+  const std::vector<FrontStation<3>>& stations = state.cracks.fronts[0].stations;
+  EXPECT_TRUE(std::any_of(stations.begin(), stations.end(), isDriven));
+  EXPECT_FALSE(std::all_of(stations.begin(), stations.end(), isDriven));
+  const std::vector<double> along = growth.toughnessAlong(state.cracks, 0);
+  ASSERT_EQ(along.size(), stations.size());
+  for (const double here : along)
+    EXPECT_DOUBLE_EQ(here, toughness);
 }
