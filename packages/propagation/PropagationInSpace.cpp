@@ -36,17 +36,36 @@ struct Memory
   double straightFor = 0.0; ///< length for which it goes straight on [m]
 };
 
-/// Of each front, by the names of its stations.
-using Memories = std::vector<std::map<int, Memory>>;
+/// What is known of a front: of its stations, by their names, and of what all of them have done, those too
+/// that are no more.
+struct FrontMemory
+{
+  std::map<int, Memory> stations;
+  long increments = 0;      ///< of all stations together
+  double first = 0.0;       ///< time of the first of them [s]
+  double last = 0.0;        ///< and of the last [s]
+  double lastSettled = 0.0; ///< mean of the settled speeds of the stations that it had last [m/s]
+};
+
+using Memories = std::vector<FrontMemory>;
 
 using Circles = std::vector<Circle>; ///< that the fronts were at the start
+
+double settledSpeed(const FrontMemory& front)
+{
+  double sum = 0.0;
+  for (const auto& [name, memory] : front.stations)
+    sum += memory.history.settledSpeed();
+  return front.stations.empty() ? front.lastSettled : sum / double(front.stations.size());
+}
 
 /// Stations that are new have the past of those that they came from; those that are no more are forgotten.
 void follow(const State<3>& state, Memories& memories)
 {
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
-    std::map<int, Memory>& known = memories[f];
+    memories[f].lastSettled = settledSpeed(memories[f]);
+    std::map<int, Memory>& known = memories[f].stations;
     std::map<int, Memory> now;
     for (const FrontStation<3>& station : state.cracks.fronts[f].stations)
     {
@@ -107,14 +126,14 @@ void decide(State<3>& state, const Options& options, Memories& memories)
     front.speed = 0.0;
     if (front.ended)
       continue;
-    if (isNew(front, memories[f]))
+    if (isNew(front, memories[f].stations))
       follow(state, memories);
     for (FrontStation<3>& station : front.stations)
     {
       station.advances = false;
       if (station.halted)
         continue;
-      const std::string wrong = decideAt(state, station, options, memories[f].at(station.name));
+      const std::string wrong = decideAt(state, station, options, memories[f].stations.at(station.name));
       if (!wrong.empty())
       {
         state.trouble = wrong;
@@ -167,7 +186,7 @@ void ask(State<3>& state, const Options& options, Memories& memories)
     if (!front.advances)
       continue;
     front.advances = false;
-    const std::vector<double> angle = turns(front, options, memories[f]);
+    const std::vector<double> angle = turns(front, options, memories[f].stations);
     // That by which the intensities were found.
     const Elasticity e = elasticity(state.materialList[materialAt(state, front.position)]);
     FrontAdvance<3> asked;
@@ -182,13 +201,18 @@ void ask(State<3>& state, const Options& options, Memories& memories)
       if (!station.advances)
         continue;
       station.advances = false;
-      Memory& memory = memories[f].at(station.name);
+      Memory& memory = memories[f].stations.at(station.name);
       const Advance made =
           memory.history.advance(ruleAt(station.temperature, options), state.time,
                                  openingRelease(station.driving, e), memory.increment, memory.fastest);
       station.speed = memory.history.speed(state.time);
       if (made.increments == 0)
         continue;
+      FrontMemory& whole = memories[f];
+      if (whole.increments == 0 || memory.history.firstTime() < whole.first)
+        whole.first = memory.history.firstTime();
+      whole.last = std::max(whole.last, memory.history.lastTime());
+      whole.increments += made.increments;
       any = true;
       to.length = made.increments * memory.increment;
       to.toughness = made.toughness;
@@ -227,27 +251,16 @@ void report(const State<3>& state, const Memories& memories, const Circles& circ
     const CrackFront<3>& front = state.cracks.fronts[f];
     taken += front.taken;
     nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
-    double first = notYet, last = notYet, speed = 0.0;
-    long increments = 0;
-    bool running = false;
-    for (const auto& [name, memory] : memories[f])
-    {
-      const FrontHistory& history = memory.history;
-      increments += history.increments();
-      running = running || history.running();
-      speed += history.settledSpeed() / double(memories[f].size());
-      if (history.increments() == 0)
-        continue;
-      first = first < history.firstTime() ? first : history.firstTime(); // true of what is no number
-      last = last > history.lastTime() ? last : history.lastTime();
-    }
-    entry["increments"] = increments;
+    const FrontMemory& memory = memories[f];
+    const bool running = std::any_of(memory.stations.begin(), memory.stations.end(),
+                                     [](const auto& station) { return station.second.history.running(); });
+    entry["increments"] = memory.increments;
     entry["running"] = running && !front.ended && !front.halted;
     entry["ended"] = front.ended;
     entry["halted"] = front.halted;
-    entry["set_out"] = first;
-    entry["last_advance"] = last;
-    entry["settled_speed"] = speed;
+    entry["set_out"] = memory.increments > 0 ? memory.first : notYet;
+    entry["last_advance"] = memory.increments > 0 ? memory.last : notYet;
+    entry["settled_speed"] = settledSpeed(memory);
     entry["energy_of_new_faces"] = front.taken;
     reportShape(front, circles[f], entry);
   }
@@ -284,18 +297,24 @@ Effect<3> propagationInSpace(const Teuchos::ParameterList& scene)
                }});
   effect.memory = [=](State<3>& state, Archive& archive)
   {
-    if (archive.loads()) // the stations are known already
-      follow(state, *memories);
+    follow(state, *memories); // the stations are those that they are now, and when loaded these
     for (std::size_t f = 0; f < memories->size(); ++f)
-      for (auto& [name, memory] : (*memories)[f])
+    {
+      FrontMemory& whole = (*memories)[f];
+      const Archive::Group front(archive, "front " + std::to_string(f));
+      archive("increments", whole.increments);
+      archive("first", whole.first);
+      archive("last", whole.last);
+      archive("last_settled_speed", whole.lastSettled);
+      for (auto& [name, memory] : whole.stations)
       {
-        const Archive::Group front(archive, "front " + std::to_string(f));
         const Archive::Group group(archive, "station " + std::to_string(name));
         memory.history.keep(archive);
         archive("fastest", memory.fastest);
         archive("next_increment", memory.increment);
         archive("straight_for", memory.straightFor);
       }
+    }
   };
   effect.report = [=](const State<3>& state, nlohmann::json& summary)
   { report(state, *memories, *circles, summary); };

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iostream>
 #include <string>
 #include <vector>
 
@@ -84,13 +85,23 @@ void stretch(State<3>& state, double rate)
 
 /// Drives the front so that it runs at `speed` by a toughness of 100 (1 + v / 100) J/m2 until it has a
 /// radius.
-void drive(State<3>& state, double speed, double until)
+void drive(State<3>& state, double speed, double until, double fromAngle = -1.0)
 {
   for (FrontStation<3>& station : state.cracks.fronts[0].stations)
   {
     const double at = std::hypot(station.position[0], station.position[1]);
-    station.driving.release = at < until ? 100.0 * (1.0 + speed / 100.0) : 0.0;
+    const bool driven = at < until && std::atan2(station.position[1], station.position[0]) > fromAngle;
+    station.driving.release = driven ? 100.0 * (1.0 + speed / 100.0) : 0.0;
   }
+}
+
+nlohmann::json report(const Rhegma::Run<3>& run)
+{
+  nlohmann::json summary;
+  for (const Effect<3>& effect : run.plan().effects)
+    if (effect.report)
+      effect.report(run.state(), summary);
+  return summary;
 }
 
 } // namespace
@@ -136,11 +147,69 @@ TEST(PennyGrowth, RunsAsItsToughnessSaysAndPaysForItsArea)
     EXPECT_NEAR(s.position[2], 0.3 * cell, 0.1 * cell);
     EXPECT_NEAR(std::hypot(s.position[0], s.position[1]), until, 0.05 * until + 0.25 * cell);
   }
-  nlohmann::json summary;
-  for (const Effect<3>& effect : run.plan().effects)
-    if (effect.report)
-      effect.report(state, summary);
-  const double inFlight = summary["energy_in_flight"];
+  const double inFlight = report(run)["energy_in_flight"];
   EXPECT_GT(state.energy.fracture, 0.0);
   EXPECT_NEAR(state.energy.fracture + inFlight, front.taken, 0.01 * front.taken);
+}
+
+/// A front of which one half sets out and the other never does: nodes that it opens beside stations that have
+/// made no face resist as those beside the others do. What was booked is spent or in flight, and no more of
+/// it waits for nodes than a row of cells along the stretch that runs takes, which is what a front may be
+/// ahead.
+TEST(PennyGrowth, PaysForItsAreaWhereHalfOfItSetsOut)
+{
+  Rhegma::Run<3> run(quarter("100*(1 + v/100)"));
+  run.initialize();
+  State<3>& state = run.state();
+  stretch(state, 1e3);
+  measureEnergy(state);
+  for (int k = 0; k < 110; ++k)
+  {
+    drive(state, 400.0, 5e-3, 0.25 * pi);
+    run.step(1.0, false);
+  }
+  const CrackFront<3>& front = state.cracks.fronts[0];
+  EXPECT_FALSE(front.ended);
+  ASSERT_GT(front.taken, 0.0);
+  const double inFlight = report(run)["energy_in_flight"];
+  EXPECT_NEAR(state.energy.fracture + inFlight, front.taken, 0.01 * front.taken);
+  std::cout << "unspent " << front.unspent / front.taken << " of what was booked, all "
+            << (state.energy.fracture + inFlight) / front.taken << "\n";
+  const double row = 500.0 * cell * 0.25 * pi * 4e-3;
+  EXPECT_LT(std::fabs(front.unspent), row);
+}
+
+/// A front that runs to the surface and ends there: the nodes that its last faces open resist too, and take
+/// what was left to be spent, to the hundredth to which the energies agree.
+TEST(PennyGrowth, PaysForItsAreaToTheEnd)
+{
+  Rhegma::Run<3> run(quarter("100*(1 + v/100)"));
+  run.initialize();
+  State<3>& state = run.state();
+  stretch(state, 1e3);
+  measureEnergy(state);
+  const double before = cracks::measureOpening(state.cracks, 0).size;
+  for (int k = 0; k < 400 && !state.cracks.fronts[0].ended; ++k)
+  {
+    drive(state, 400.0, 1.0);
+    run.step(1.0, false);
+  }
+  ASSERT_TRUE(state.cracks.fronts[0].ended);
+  const nlohmann::json ended = report(run)["cracks"][0]["fronts"][0];
+  for (int k = 0; k < 5; ++k)
+    run.step(1.0, false);
+  const CrackFront<3>& front = state.cracks.fronts[0];
+  const nlohmann::json summary = report(run);
+  const double inFlight = summary["energy_in_flight"], area = half * half - before;
+  EXPECT_NEAR(front.taken, 500.0 * area, 0.1 * front.taken);
+  EXPECT_NEAR(state.energy.fracture + inFlight, front.taken, 0.01 * front.taken);
+  std::cout << "unspent " << front.unspent / front.taken << " of what was booked, all "
+            << (state.energy.fracture + inFlight) / front.taken << "\n";
+  EXPECT_LT(std::fabs(front.unspent), 0.01 * front.taken);
+  // What it has done is known after its stations are no more.
+  const nlohmann::json& entry = summary["cracks"][0]["fronts"][0];
+  EXPECT_GT(entry["increments"].get<long>(), 0);
+  EXPECT_GT(entry["last_advance"].get<double>(), entry["set_out"].get<double>());
+  for (const char* name : {"increments", "set_out", "last_advance", "settled_speed"})
+    EXPECT_EQ(entry[name], ended[name]) << name;
 }
