@@ -20,6 +20,26 @@ using Range = Kokkos::RangePolicy<ExecSpace>;
 /// reaches through two cells at most.
 constexpr int farthest = 7;
 
+/// Weight up to which a particle does not touch a node. Where the edge of its box lies on a node, as in
+/// bodies at their start, round-off says whether it reaches into the next cell, e cells deep for a weight
+/// that goes with e^2 and a slope that goes with e; what takes short steps must not hang on that.
+constexpr double noWeight = 1e-20;
+
+/// Extrapolated weights may be negative.
+KOKKOS_INLINE_FUNCTION bool isTouched(double weight) { return weight > noWeight || weight < -noWeight; }
+
+/// Calls visit(node, weight, slope) for each node that a particle touches.
+template <class Connect, class Visit>
+KOKKOS_INLINE_FUNCTION void visitTouched(const Connect& connect, int p, const Visit& visit)
+{
+  connect.visit(p,
+                [&](int node, double weight, const double* slope)
+                {
+                  if (isTouched(weight))
+                    visit(node, weight, slope);
+                });
+}
+
 /// Whether a cell beside a refined one is no farther than that along the axes up to `axis`, given the same
 /// for those before it.
 template <int D>
@@ -81,8 +101,9 @@ void classifyParticles(const Connect& connect, int count, const View<int*>& cand
   Kokkos::parallel_for(
       "rhegma::subcycling::classifyParticles", Range(0, count), KOKKOS_LAMBDA(const int i) {
         int deepest = 0;
-        connect.visit(candidate(i), [&](int node, double, const double*)
-                      { deepest = nodeClass(node) > deepest ? nodeClass(node) : deepest; });
+        visitTouched(connect, candidate(i),
+                     [&](int node, double, const double*)
+                     { deepest = nodeClass(node) > deepest ? nodeClass(node) : deepest; });
         classOf(i) = deepest;
       });
 }
@@ -94,12 +115,12 @@ void classifyNodesOf(const Connect& connect, int begin, int end, const View<int*
 {
   Kokkos::parallel_for(
       "rhegma::subcycling::markNodes", Range(begin, end), KOKKOS_LAMBDA(const int i) {
-        connect.visit(particle(i),
-                      [&](int node, double, const double*)
-                      {
-                        if (!onlyNew || nodeClass(node) < 0)
-                          nodeClass(node) = own;
-                      });
+        visitTouched(connect, particle(i),
+                     [&](int node, double, const double*)
+                     {
+                       if (!onlyNew || nodeClass(node) < 0)
+                         nodeClass(node) = own;
+                     });
       });
 }
 
@@ -113,8 +134,8 @@ void findNeighbours(const Connect& connect, int count, int first, const View<int
         if (classOf(i) >= first)
           return;
         bool touches = false;
-        connect.visit(candidate(i),
-                      [&](int node, double, const double*) { touches = touches || slotOf(node) >= 0; });
+        visitTouched(connect, candidate(i),
+                     [&](int node, double, const double*) { touches = touches || slotOf(node) >= 0; });
         classOf(i) = touches ? 0 : -1;
       });
 }
@@ -136,16 +157,16 @@ void pack(const Connect& connect, int number, const View<int*>& particle, const 
   Kokkos::parallel_for(
       "rhegma::subcycling::packStencils", Range(0, number), KOKKOS_LAMBDA(const int i) {
         int k = 0, deepest = 0;
-        connect.visit(particle(i),
-                      [&](int node, double w, const double* gradient)
-                      {
-                        to.slot(i, k) = slotOf(node);
-                        deepest = nodeClass(node) > deepest ? nodeClass(node) : deepest;
-                        to.weight(i, k) = w;
-                        for (int d = 0; d < D; ++d)
-                          to.slope(i, k, d) = gradient[d];
-                        ++k;
-                      });
+        visitTouched(connect, particle(i),
+                     [&](int node, double w, const double* gradient)
+                     {
+                       to.slot(i, k) = slotOf(node);
+                       deepest = nodeClass(node) > deepest ? nodeClass(node) : deepest;
+                       to.weight(i, k) = w;
+                       for (int d = 0; d < D; ++d)
+                         to.slope(i, k, d) = gradient[d];
+                       ++k;
+                     });
         to.count(i) = k;
         to.reach(i) = deepest;
       });
@@ -261,7 +282,7 @@ void FineParticles<D>::classifyNodes(const State<D>& state)
         for (int k = 0; r >= 0 && k < table.count(r); ++k)
         {
           const int of = nodeLevel(latticeNode(nodes, table.node(r, k)));
-          deepest = of > deepest ? of : deepest;
+          deepest = of > deepest && isTouched(table.weight(r, k)) ? of : deepest;
         }
         classOf(i) = deepest;
       });
@@ -273,7 +294,8 @@ void FineParticles<D>::classifyNodes(const State<D>& state)
             return;
           const int r = row(candidate(i));
           for (int k = 0; k < table.count(r); ++k)
-            nodeClass(table.node(r, k)) = l;
+            if (isTouched(table.weight(r, k)))
+              nodeClass(table.node(r, k)) = l;
         });
   shareClasses(state);
 }

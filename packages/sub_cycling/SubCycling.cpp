@@ -105,6 +105,6 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 
 } // namespace
 
-EffectEntry subCyclingEntry() { return {section(), check, make<2>, make<3>}; }
+EffectEntry subCyclingEntry() { return {section(), check, make<2>, make<3>, true}; }
 
 } // namespace Rhegma::sub_cycling
