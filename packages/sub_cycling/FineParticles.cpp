@@ -1,6 +1,5 @@
 #include "sub_cycling/FineParticles.hpp"
 
-#include "grid/BlockCells.hpp"
 #include "parallel/Subdomain.hpp"
 #include "transfer/ParticleViews.hpp"
 
@@ -14,11 +13,6 @@ namespace
 {
 
 using Range = Kokkos::RangePolicy<ExecSpace>;
-
-/// Cells of the lattice from refined ones within which all lie that `list` may ask for: a particle on a node
-/// of a cell beside a refined one, one that shares a node with it, and one that shares a node with that; each
-/// reaches through two cells at most.
-constexpr int farthest = 7;
 
 /// Weight up to which a particle does not touch a node. Where the edge of its box lies on a node, as in
 /// bodies at their start, round-off says whether it reaches into the next cell, e cells deep for a weight
@@ -38,56 +32,6 @@ KOKKOS_INLINE_FUNCTION void visitTouched(const Connect& connect, int p, const Vi
                   if (isTouched(weight))
                     visit(node, weight, slope);
                 });
-}
-
-/// Whether a cell beside a refined one is no farther than that along the axes up to `axis`, given the same
-/// for those before it.
-template <int D>
-View<char*> widen(const Grid<D>& grid, const View<char*>& given, int axis)
-{
-  View<char*> wide("rhegma::subcycling::nearRefined", grid.numNodes);
-  Kokkos::parallel_for(
-      "rhegma::subcycling::widen", Range(0, grid.numNodes), KOKKOS_LAMBDA(const int n) {
-        int at[D];
-        grid.nodeCoordinates(n, at);
-        for (int k = -farthest; k <= farthest; ++k)
-          if (at[axis] + k >= 0 && at[axis] + k < grid.cells[axis] && given(n + k * grid.stride[axis]) != 0)
-            wide(n) = 1;
-      });
-  return wide;
-}
-
-/// The same where refined cells of other ranks may be as near.
-template <int D>
-View<char*> nearRefinedOfAllRanks(const State<D>& state)
-{
-  const Branches<D>& refined = state.subdomain->refined;
-  const Grid<D>& grid = state.grid;
-  const View<char*> near("rhegma::subcycling::nearRefined", grid.numNodes);
-  const auto host = Kokkos::create_mirror_view(near);
-  constexpr int reach = farthest + 1;
-  for (const auto& cell : refined.depth() > 0 ? refined.cells(0) : std::vector<typename Branches<D>::Cell>())
-  {
-    int low[D], high[D], at[D], all = 1;
-    for (int d = 0; d < D; ++d)
-    {
-      low[d] = std::max(cell[d] - grid.before[d] - reach, 0);
-      high[d] = std::min(cell[d] - grid.before[d] + reach, grid.cells[d] - 1);
-      all *= std::max(high[d] - low[d] + 1, 0);
-    }
-    for (int k = 0; k < all; ++k)
-    {
-      int rest = k;
-      for (int d = 0; d < D; ++d)
-      {
-        at[d] = low[d] + rest % (high[d] - low[d] + 1);
-        rest /= high[d] - low[d] + 1;
-      }
-      host(grid.nodeIndex(at)) = 1;
-    }
-  }
-  Kokkos::deep_copy(near, host);
-  return near;
 }
 
 // Kernels over particles and the nodes that they touch; functions of their own, as compilers for devices want
@@ -178,6 +122,7 @@ template <int D>
 void FineParticles<D>::list(const State<D>& state, int first)
 {
   first_ = first;
+  followNodes(state);
   findCandidates(state);
   classifyNodes(state);
   listParticles(state);
@@ -198,64 +143,6 @@ void FineParticles<D>::list(const State<D>& state, int first)
   packStencils(state);
   holdNodes(state);
   weighNodes(state);
-}
-
-template <int D>
-void FineParticles<D>::listNearBlocks(const State<D>& state)
-{
-  const Grid<D> grid = state.grid;
-  const bool changed = generation_ != state.tree.generation;
-  if (changed)
-  {
-    near_ = state.subdomain ? nearRefinedOfAllRanks(state) : state.tree.nearRefined;
-    for (int axis = 0; axis < D && !state.subdomain; ++axis)
-      near_ = widen(grid, near_, axis);
-    generation_ = state.tree.generation;
-  }
-  const View<int*> first = state.blocks.first;
-  if (!changed && sorted_.data() == first.data())
-    return;
-  sorted_ = first;
-  fit(inBlocks_, "rhegma::subcycling::inBlocks", state.particles.size());
-  const View<char*> near = near_;
-  const View<int*> inBlocks = inBlocks_;
-  const View<int * [Blocks<D>::axes]> corner = state.blocks.corner;
-  Kokkos::parallel_scan(
-      "rhegma::subcycling::listNearBlocks", Range(0, state.blocks.numBlocks),
-      KOKKOS_LAMBDA(const int b, int& at, const bool final) {
-        // Until the next sort particles are no more than a cell outside of their block.
-        if (!anyCellMarked(grid, near, corner, b, 1))
-          return;
-        for (int p = first(b); final && p < first(b + 1); ++p)
-          inBlocks(at + p - first(b)) = p;
-        at += first(b + 1) - first(b);
-      },
-      numInBlocks_);
-}
-
-template <int D>
-void FineParticles<D>::findCandidates(const State<D>& state)
-{
-  listNearBlocks(state);
-  const Grid<D> grid = state.grid;
-  fit(candidate_, "rhegma::subcycling::candidate", state.particles.size());
-  const View<char*> near = near_;
-  const View<int*> candidate = candidate_, inBlocks = inBlocks_;
-  const auto position = state.particles.template real<D>(fields::position);
-  Kokkos::parallel_scan(
-      "rhegma::subcycling::findCandidates", Range(0, numInBlocks_),
-      KOKKOS_LAMBDA(const int i, int& at, const bool final) {
-        const int p = inBlocks(i);
-        int cell[D];
-        for (int d = 0; d < D; ++d)
-          cell[d] = static_cast<int>(grid.inCells(position(p, d), d));
-        if (near(grid.nodeIndex(cell)) == 0)
-          return;
-        if (final)
-          candidate(at) = p;
-        ++at;
-      },
-      numCandidates_);
 }
 
 template <int D>

@@ -4,7 +4,9 @@
 #include "state/FewItems.hpp"
 #include "state/State.hpp"
 
+#include <memory>
 #include <string>
+#include <vector>
 
 namespace Rhegma
 {
@@ -91,7 +93,7 @@ public:
   void correctProjection(const State<D>& state, const Values& displacement, double duration,
                          const Values& velocity) const;
 
-  /// Saves or loads the means.
+  /// Saves or loads the means. Collective.
   void keep(const State<D>& state, Archive& archive);
 
   // What follows is public because compilers for devices want kernels in public functions.
@@ -104,6 +106,9 @@ public:
     int generation = -1; ///< of the tree, then
   };
 
+  /// Takes the means along where ranks have divided the domain anew: with their nodes to all of these.
+  /// Collective.
+  void followNodes(const State<D>& state);
   void listNearBlocks(const State<D>& state);
   void findCandidates(const State<D>& state);
   void classifyNodes(const State<D>& state);
@@ -130,6 +135,10 @@ public:
 
 private:
   void keepMean(const State<D>& state, Mean& mean, Archive& archive);
+  /// Gives nodes of this rank what `nodes` names, as of the last step.
+  void placeMean(const State<D>& state, Mean& mean, const std::vector<int>& nodes,
+                 const std::vector<int>& second, const std::vector<double>& values);
+  void rememberNodes(const State<D>& state);
 
   int first_ = 0;
   int numCandidates_ = 0;
@@ -158,6 +167,9 @@ private:
   View<int* [D]> held_;
   View<double* [D]> heldVelocity_;
   Mean means_[deepestLevel + 1];
+  std::shared_ptr<const Subdomain<D>> subdomain_; ///< whose nodes the means have, and
+  int nodesGeneration_ = -1;                      ///< that of the tree, then, and
+  View<double* [D]> finePlace_;                   ///< the places of its nodes
   Values before_; ///< velocity at the start of the long step before supports hold [m/s]
   Values acceleration_, carried_;
   View<double** [D]> parts_;

@@ -80,5 +80,39 @@ class CracksInThem(OnRanks):
         self.assertTrue(numpy.any(fields["side"] > 0) and numpy.any(fields["side"] < 0))
 
 
+class ShortSteps(OnRanks):
+    """Whether a particle takes them must not hang on round-off, or the ranks' motions differ at once."""
+
+    def agree_in_steps(self, scene, **options):
+        self.agree(self.write(scene), within=SAME, **options)
+        taken = {}
+        for name in sorted(os.listdir(self.folder)):
+            if name.startswith("on"):
+                with open(os.path.join(self.folder, name, "summary.json"), encoding="utf-8") as file:
+                    taken[name] = json.load(file)["subcycling"]["extra_particle_steps"]
+        self.assertGreater(taken["on1"], 0)
+        self.assertEqual(set(taken.values()), {taken["on1"]})
+
+    def test_a_body_in_flight_and_rotation(self):
+        self.agree_in_steps(body().set("Adaptivity", BOX).set("Sub-Cycling", {"Levels": 2}))
+
+    def test_ranks_that_change(self):
+        """The means of forces go with the nodes to their new ranks."""
+        scene = body().set("Adaptivity", BOX).set("Sub-Cycling", {"Levels": 2})
+        self.agree_in_steps(scene.set("Load Balance", {"Threshold": 1.05, "Interval": 5}), ranks=(4,))
+
+    def test_a_notch_with_ties(self):
+        self.agree_in_steps(plate().set("Adaptivity", {"Maximum Level": 2}).set("Sub-Cycling", {"Levels": 2}))
+
+    def test_contact_that_follows_the_nodes(self):
+        path = os.path.join(SOURCE, "xml_inputs", "verification", "contact_slap_adaptive.xml")
+        self.agree(path, "--set", "Time:Maximum Steps=60", ranks=(2,), within=1e-8)
+
+    def test_three_dimensions(self):
+        corners = {"Lower Corner": [0.4, 0.2, 0.0], "Upper Corner": [0.7, 0.6, 0.5], "Level": 1}
+        scene = block().remove("Cracks").set("Adaptivity", {"Maximum Level": 1, "Middle": corners})
+        self.agree_in_steps(scene.set("Sub-Cycling", {"Levels": 1}), ranks=(3,))
+
+
 if __name__ == "__main__":
     unittest.main()

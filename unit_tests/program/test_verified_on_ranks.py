@@ -29,7 +29,7 @@ def is_compared(column):
 # Where the grips are far from the front: before anything reaches it, G is that of noise.
 LONGER = {"dcb_arrest.xml": 1000, "running_start.xml": 600}
 
-ON_ONE_RANK = {"Combustion", "Sub-Cycling"}
+ON_ONE_RANK = {"Combustion"}
 
 
 def sections(path):
