@@ -84,7 +84,7 @@ View<double* [D]> forcesOfAllRanks(const State<D>& state)
 
 /// A tie with less stretch than this holds no energy to speak of and may stiffen [cells]. Beyond round-off,
 /// so that ties are the same on any number of ranks.
-constexpr double unstretched = 1e-9;
+constexpr double unstretched = 1e-6;
 
 /// Whether a tie is stretched by more than round-off, beside cells of this size.
 template <int D>
