@@ -112,14 +112,40 @@ void chooseTouched(const State<D>& state, const ConsistentShare<D>& share, const
       });
 }
 
+/// Marks what any rank has marked: a row must be on all ranks that have its node, since the owner of the node
+/// alone has the lumped mass in it. Collective.
+template <int D>
+void chooseTogether(const State<D>& state, const MassSystem<D>& system)
+{
+  if (!state.subdomain)
+    return;
+  const Nodes<D> nodes = state.nodes;
+  const View<int*> rowOf = system.rowOf;
+  const View<double*> touched = system.touched;
+  forFew(
+      "rhegma::mass::tellChosen", 0, nodes.numActive(), KOKKOS_LAMBDA(const int i) {
+        const int n = activeNode(nodes, i);
+        touched(n) = rowOf(n) == -1 ? 0.0 : 1.0;
+      });
+  sumOverRanks(state, touched.data(), 1, 0, 1);
+  forFew(
+      "rhegma::mass::hearChosen", 0, nodes.numActive(), KOKKOS_LAMBDA(const int i) {
+        const int n = activeNode(nodes, i);
+        if (touched(n) > 0.0)
+          rowOf(n) = chosen;
+      });
+}
+
 } // namespace
 
 template <int D>
 void chooseAroundFronts(const State<D>& state, const Unlumping& unlumping, const MassSystem<D>& system)
 {
   chooseLattice(state, unlumping, system);
-  if (system.hashed)
-    chooseTouched(state, consistentShare(unlumping, system), system);
+  if (!system.hashed)
+    return;
+  chooseTouched(state, consistentShare(unlumping, system), system);
+  chooseTogether(state, system);
 }
 
 template <int D>

@@ -18,7 +18,8 @@ ConsistentShare<D> consistentShare(const Unlumping& unlumping, const MassSystem<
   return {system.front, system.zone, system.numFronts, unlumping.everywhere};
 }
 
-/// Marks the nodes that particles in the zones around fronts can touch, as the fronts were listed last.
+/// Marks the nodes that particles in the zones around fronts can touch, as the fronts were listed last;
+/// the same shared ones on all ranks. Collective.
 template <int D>
 void chooseAroundFronts(const State<D>& state, const Unlumping& unlumping, const MassSystem<D>& system);
 

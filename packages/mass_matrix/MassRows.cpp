@@ -45,6 +45,8 @@ void reserveNodes(const State<D>& state, MassSystem<D>& system)
     Kokkos::deep_copy(system.rowOf, -1);
     system.last = system.first;
   }
+  if (state.subdomain && state.tree.refined() && static_cast<int>(system.touched.extent(0)) < nodes)
+    system.touched = View<double*>("rhegma::massTouched", nodes);
   if (system.slots == 0)
   {
     system.reach = reachOf(state.shape);

@@ -72,6 +72,7 @@ struct MassSystem
   int strideOfNodes[D] = {}; ///< with which these were found
   View<double* [D]> front;   ///< places around which Partial unlumps [m]
   View<double* [2]> zone;    ///< radius and edge of each of them [m]
+  View<double*> touched;     ///< by ranks that choose a node, where there are several and cells are refined
   View<int> overflow;        ///< not 0 where a hashed list was full
   int numFronts = 0;
 

@@ -40,7 +40,7 @@ View<char*> nearRefinedOfAllRanks(const State<D>& state)
 {
   const Branches<D>& refined = state.subdomain->refined;
   const Grid<D>& grid = state.grid;
-  const View<char*> near("rhegma::subcycling::nearRefined", grid.numNodes);
+  View<char*> near("rhegma::subcycling::nearRefined", grid.numNodes);
   const auto host = Kokkos::create_mirror_view(near);
   constexpr int reach = farthest + 1;
   for (const auto& cell : refined.depth() > 0 ? refined.cells(0) : std::vector<typename Branches<D>::Cell>())

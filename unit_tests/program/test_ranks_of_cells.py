@@ -5,6 +5,7 @@ import json
 import os
 import sys
 import unittest
+import xml.etree.ElementTree as ElementTree
 
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
@@ -78,6 +79,13 @@ class CracksInThem(OnRanks):
     def test_a_crack_that_moves_through_cells_and_ranks(self):
         fields = self.agree(self.write(turned_plate().set("Adaptivity", {"Maximum Level": 1})), ranks=(3, 4), within=SAME)
         self.assertTrue(numpy.any(fields["side"] > 0) and numpy.any(fields["side"] < 0))
+
+    def test_a_mass_that_is_unlumped_where_ranks_meet(self):
+        """Of a node that particles of one rank alone couple, the lumped mass is its owner's."""
+        path = os.path.join(SOURCE, "xml_inputs", "verification", "dcb_adaptive_partial.xml")
+        scene = plate()
+        scene.root = ElementTree.parse(path).getroot()
+        self.agree(self.write(scene.remove("Sub-Cycling")), "--set", "Time:Maximum Steps=60", ranks=(4,), within=SAME)
 
 
 class ShortSteps(OnRanks):
