@@ -358,7 +358,7 @@ class Trouble(RestartTest):
             "Type": "Velocity", "Lower Corner": [-0.2, -0.2], "Upper Corner": [0.5, 1.2], "Components": "x",
             "Value": [1.0, 0.0], "History": "t > 1e-3 ? 1e5 : 0",
         })
-        late.set("Output", {"History Interval": 2e-5})
+        late.set("Output", {"History Interval": 2e-5}).set("Time > Retries", 0)
         path = self.write("late.xml", late.text())
         answer = rhegma(path, "--output", self.path("out"), "--quiet")
         self.assertEqual(answer.status, 2, answer)
