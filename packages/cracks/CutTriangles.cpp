@@ -40,6 +40,7 @@ void cutTriangles(std::vector<Vector<D>>& points, std::vector<std::array<int, 3>
   std::vector<Vector<D>> cutPoints = points;
   std::vector<std::array<int, 3>> kept;
   std::vector<Place> place;
+  place.reserve(points.size());
   for (const Vector<D>& x : points)
     place.push_back(isIn(x) ? Inside : Outside);
   const std::vector<Place> before = place;

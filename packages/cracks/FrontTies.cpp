@@ -70,7 +70,7 @@ View<double* [D]> forcesOfAllRanks(const State<D>& state)
 {
   if (!state.subdomain)
     return {};
-  const View<double* [D]> whole("rhegma::cracks::forcesOfAllRanks", state.nodes.sums.extent(0));
+  View<double* [D]> whole("rhegma::cracks::forcesOfAllRanks", state.nodes.sums.extent(0));
   const auto sums = state.nodes.sums;
   Kokkos::parallel_for(
       "rhegma::cracks::forcesOfAllRanks", Kokkos::RangePolicy<ExecSpace>(0, whole.extent(0)),
