@@ -4,6 +4,7 @@
 #include "energy_release/FacePressureTerm.hpp"
 #include "energy_release/InternalAcceleration.hpp"
 #include "energy_release/ParticleHeat.hpp"
+#include "energy_release/ParticleMotion.hpp"
 #include "material/MaterialTable.hpp"
 #include "material/Materials.hpp"
 #include "parallel/Subdomain.hpp"
@@ -234,20 +235,11 @@ struct Integrand
                  });
     if (q == 0.0 && dq[0] == 0.0 && dq[1] == 0.0)
       return;
-    Vector<D> v{{0.0, 0.0}}, a{{0.0, 0.0}};
-    double dv[D][D] = {};
+    ParticleMotion<D> is;
     if (moving)
-      broken.visit(p,
-                   [&](int node, double share, const double* slope)
-                   {
-                     for (int i = 0; i < D; ++i)
-                     {
-                       v[i] += share * (motion(node, i) - disk.velocity[i]);
-                       a[i] += share * acceleration(node, i);
-                       for (int j = 0; j < D; ++j)
-                         dv[i][j] += slope[j] * motion(node, i);
-                     }
-                   });
+      is = particleMotion(broken, p, motion, acceleration, disk.velocity);
+    const Vector<D>&v = is.v, &a = is.a;
+    const auto& dv = is.dv;
 
     const double* F = &deformation(p, 0);
     // The direction in the undeformed disk, its image, and u,1 relative to the turned disk.

@@ -1,6 +1,7 @@
 #include "energy_release/FrontIntegral.hpp"
 
 #include "energy_release/InternalAcceleration.hpp"
+#include "energy_release/ParticleMotion.hpp"
 #include "material/Materials.hpp"
 #include "parallel/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
@@ -128,20 +129,11 @@ struct ForceBlock
 
   KOKKOS_INLINE_FUNCTION void add(int p) const
   {
-    Vector<D> v{{0.0, 0.0, 0.0}}, a{{0.0, 0.0, 0.0}};
-    double dv[D][D] = {};
+    ParticleMotion<D> is;
     if (moving)
-      connect.visit(p,
-                    [&](int node, double share, const double* slope)
-                    {
-                      for (int i = 0; i < D; ++i)
-                      {
-                        v[i] += share * (motion(node, i) - mean.velocity[i]);
-                        a[i] += share * acceleration(node, i);
-                        for (int j = 0; j < D; ++j)
-                          dv[i][j] += slope[j] * motion(node, i);
-                      }
-                    });
+      is = particleMotion(connect, p, motion, acceleration, mean.velocity);
+    const Vector<D>&v = is.v, &a = is.a;
+    const auto& dv = is.dv;
     const double* F = &deformation(p, 0);
     const double* tau = &stress(p, 0);
     const double density = mass(p) / volume(p);
