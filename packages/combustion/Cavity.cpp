@@ -43,8 +43,8 @@ Cavity measureCavity(const State<D>& state, const FacePoints<D>& points, int cra
           return;
         const double own = p.currentSize(k) * thickness;
         area += own;
-        felt += p.above.count(k) > 0 ? own : 0.0;
-        burning += p.above.count(k) > 0 && f.reaches(p, k) ? 2.0 * own : 0.0;
+        felt += p.acts(k) != 0 ? own : 0.0;
+        burning += p.acts(k) != 0 && f.reaches(p, k) ? 2.0 * own : 0.0;
       },
       cavity.area, cavity.burning, cavity.felt);
   return cavity;

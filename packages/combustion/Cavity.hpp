@@ -33,6 +33,7 @@ struct Cavity
   double felt = 0.0;    ///< of one face that nodes feel [m2]
 };
 
+/// All ranks have all points and find the same.
 template <int D>
 Cavity measureCavity(const State<D>& state, const FacePoints<D>& points, int crack, const Flame<D>& flame);
 

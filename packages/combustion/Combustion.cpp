@@ -4,6 +4,7 @@
 #include "combustion/BurnRate.hpp"
 #include "combustion/Gas.hpp"
 #include "combustion/Regression.hpp"
+#include "parallel/Subdomain.hpp"
 #include "scene/Numbers.hpp"
 #include "scene/ReadList.hpp"
 #include "transfer/FacePush.hpp"
@@ -26,7 +27,8 @@ constexpr double largestChange = 0.1;
 /// Of what a face should burn, what the particles must have for it to go on.
 constexpr double leastFuel = 0.5;
 
-/// One crack that burns.
+/// One crack that burns. All ranks have the same gas in it: what their particles and nodes add to it is
+/// summed.
 template <int D>
 struct Burning
 {
@@ -82,6 +84,7 @@ struct Work
   double startMass = 0.0; ///< of the particles [kg]
 };
 
+/// Of all ranks [kg]. Collective.
 template <int D>
 double massOfParticles(const State<D>& state)
 {
@@ -90,6 +93,7 @@ double massOfParticles(const State<D>& state)
   Kokkos::parallel_reduce(
       "rhegma::combustion::massOfParticles", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p, double& all) { all += mass(p); }, sum);
+  sumParts(state, &sum, 1);
   return sum;
 }
 
@@ -180,9 +184,10 @@ void push(State<D>& state, const FacePoints<D>& points, Burning<D>& b)
 template <int D>
 void bookWork(State<D>& state, const FacePoints<D>& points, Burning<D>& b)
 {
-  const double swept = workOnFaces("rhegma::combustion::work", state, points, b.crack,
-                                   1.0); // a pressure of 1 Pa: the volume [m3]
-  state.energy.combustion += (b.pressure - b.outside) * swept;
+  double swept = workOnFaces("rhegma::combustion::work", state, points, b.crack,
+                             1.0);                             // a pressure of 1 Pa: the volume [m3]
+  state.energy.combustion += (b.pressure - b.outside) * swept; // each rank books its own part
+  sumParts(state, &swept, 1);
   b.gas.work(b.pressure * swept);
   b.swept += swept;
   b.volumeRate = state.dt > 0.0 ? swept / state.dt : 0.0;
@@ -203,9 +208,11 @@ void burn(State<D>& state, Work<D>& work, Burning<D>& b)
     const double depth = std::min(b.density * b.rate(middle) * state.dt, most);
     work.regression.take(state, work.points, b.crack, b.flame(state.time), depth);
     const auto lost = work.regression.apply(state);
-    b.gas.burn(lost.mass);
     state.energy.combustion -= lost.energy;
-    if (lost.mass < leastFuel * depth * b.burningArea)
+    double mass = lost.mass;
+    sumParts(state, &mass, 1);
+    b.gas.burn(mass);
+    if (mass < leastFuel * depth * b.burningArea)
     {
       b.spent = true;
       state.warnings.push_back("Combustion > " + state.cracks.cracks[b.crack].name +
@@ -351,6 +358,6 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 
 } // namespace
 
-EffectEntry combustionEntry() { return {combustionSection(), checkCombustion, make<2>, make<3>}; }
+EffectEntry combustionEntry() { return {combustionSection(), checkCombustion, make<2>, make<3>, true}; }
 
 } // namespace Rhegma::combustion

@@ -1,6 +1,7 @@
 #include "combustion/Regression.hpp"
 
 #include "output/ParticleEnergy.hpp"
+#include "parallel/Subdomain.hpp"
 #include "transfer/PushNodes.hpp"
 
 namespace Rhegma::combustion
@@ -21,6 +22,8 @@ void Regression<D>::take(const State<D>& state, const FacePoints<D>& points, int
   clear(state);
   demand(state, points, crack, flame, depth);
   weighNodes(state);
+  sumOverRanks(state, demand_.data(), 1, 0, 1);
+  sumOverRanks(state, present_.data(), 1, 0, 1);
   share(state);
 }
 

@@ -16,8 +16,8 @@ constexpr double mostBurnt = 0.9;
 ///
 /// A face that recedes by r dt takes rho r dt A from its nodes, which take it from the particles with a
 /// stored stencil on them as these give their mass: the mass of the gas is that of the particles to
-/// round-off. A particle loses undeformed volume as it loses mass, and keeps its velocity, deformation and
-/// stress.
+/// round-off. Nodes of several ranks sum over these what is asked of them and what they have. A particle
+/// loses undeformed volume as it loses mass, and keeps its velocity, deformation and stress.
 template <int D>
 class Regression
 {
@@ -30,11 +30,12 @@ public:
   };
 
   /// Finds what each particle gives in this step. To be called while stencils and nodal masses are those of
-  /// the step. \param depth density times the depth that burns [kg/m2]
+  /// the step. Collective. \param depth density times the depth that burns [kg/m2]
   void take(const State<D>& state, const FacePoints<D>& points, int crack, const Flame<D>& flame,
             double depth);
 
   /// Takes it from the particles. To be called in the same step, once for each call of `take`.
+  /// \return what the particles of this rank lost
   Loss apply(State<D>& state);
 
   // Public because compilers for devices want kernels in public functions.

@@ -259,10 +259,10 @@ template <int D>
 void offerSlots(State<D>& state, const std::shared_ptr<Work<D>>& work)
 {
   const auto none = [work] { return work->coupled.numCoupled == 0; };
-  state.coupledSlots.begin = [=](const State<D>&, const NodeSlots& slots, const View<int* [D]>& held)
+  state.coupledSlots.begin = [=](const State<D>& now, const NodeSlots& slots, const View<int* [D]>& held)
   {
     if (!none())
-      work->slots.begin(work->coupled, slots, held);
+      work->slots.begin(now, work->coupled, slots, held);
   };
   state.coupledSlots.solve = [=](const View<double* [D]>& right, const View<double* [D]>& x, bool supports)
   {

@@ -1,5 +1,6 @@
 #include "mass_matrix/SlotSolve.hpp"
 
+#include "parallel/Subdomain.hpp"
 #include "state/FewItems.hpp"
 
 #include <algorithm>
@@ -29,8 +30,10 @@ SlotSolve<D>::SlotSolve(double least, double tolerance)
 }
 
 template <int D>
-void SlotSolve<D>::begin(const MassSystem<D>& system, const NodeSlots& slots, const View<int* [D]>& held)
+void SlotSolve<D>::begin(const State<D>& state, const MassSystem<D>& system, const NodeSlots& slots,
+                         const View<int* [D]>& held)
 {
+  state_ = &state;
   system_ = &system;
   slots_ = slots;
   held_ = held;
@@ -91,9 +94,10 @@ void SlotSolve<D>::solve(const Values& right, const Values& x, bool supports)
         }
       },
       Kokkos::Max<double>(largest));
+  maxParts(*state_, &largest, 1);
   const bool moved = largest > 0.0;
   if (moved)
-    multiply<D>(s, given.data(), image.data());
+    multiplyWhole<D>(*state_, s, given.data(), image.data());
   forFew(
       "rhegma::mass::slotResidual", s.first, s.last, KOKKOS_LAMBDA(const int row) {
         for (int d = 0; d < D; ++d)
@@ -103,7 +107,7 @@ void SlotSolve<D>::solve(const Values& right, const Values& x, bool supports)
               inverse(i) == 0.0 ? 0.0 : right(slots.of(s.nodeOf(row)), d) - (moved ? image(i) : 0.0);
         }
       });
-  chebyshev_.apply(nullptr, s, inverse, residual.data(), solution.data(), 0.0);
+  chebyshev_.apply(state_, s, inverse, residual.data(), solution.data(), 0.0);
   forFew(
       "rhegma::mass::slotSolution", s.first, s.last, KOKKOS_LAMBDA(const int row) {
         for (int d = 0; d < D; ++d)

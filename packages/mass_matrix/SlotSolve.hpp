@@ -25,16 +25,19 @@ public:
   /// Smallest share of lumped mass for which the polynomial is good.
   static constexpr double leastShare = 0.05;
 
-  /// Takes the rows as they are now. `system` must stay where it is.
-  void begin(const MassSystem<D>& system, const NodeSlots& slots, const View<int* [D]>& held);
+  /// Takes the rows as they are now. `state` and `system` must stay where they are.
+  void begin(const State<D>& state, const MassSystem<D>& system, const NodeSlots& slots,
+             const View<int* [D]>& held);
 
-  /// Finds x of these nodes. \param x given on other slots, and where supports hold if `supports` is set
+  /// Finds x of these nodes. \param x given on other slots, and where supports hold if `supports` is set;
+  /// the same for slots of shared nodes on all ranks. Collective.
   void solve(const Values& right, const Values& x, bool supports);
 
   // Public because compilers for devices want kernels in public functions.
   void findFree();
 
 private:
+  const State<D>* state_ = nullptr;
   const MassSystem<D>* system_ = nullptr;
   Chebyshev<D> chebyshev_;
   NodeSlots slots_;

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <stdexcept>
 
 namespace Rhegma::sub_cycling
 {
@@ -57,16 +56,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   const auto steps = std::make_shared<LocalSteps<D>>();
   Effect<D> effect;
   effect.name = "Sub-Cycling";
-  const bool coupled =
-      scene.isSublist("Mass Matrix") && scene.sublist("Mass Matrix").get<std::string>("Type") != "Lumped";
-  effect.atStart = [=](State<D>& state)
-  {
-    if (coupled && state.ranks.many())
-      throw std::invalid_argument(
-          "Sub-Cycling: with Mass Matrix > Type = Partial this version runs on one rank; "
-          "start it without mpirun, or with mpirun -np 1");
-    state.subcycledLevels = levels;
-  };
+  effect.atStart = [=](State<D>& state) { state.subcycledLevels = levels; };
   effect.call({Stage::Scatter,
                "particles of small cells",
                {"nodal mass", "stiffness of ties", "prescribed values"},

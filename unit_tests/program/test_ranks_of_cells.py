@@ -112,6 +112,12 @@ class ShortSteps(OnRanks):
     def test_a_notch_with_ties(self):
         self.agree_in_steps(plate().set("Adaptivity", {"Maximum Level": 2}).set("Sub-Cycling", {"Levels": 2}))
 
+    def test_a_mass_that_is_partly_unlumped(self):
+        """J apart, which `CracksInThem` compares."""
+        scene = plate().set("Adaptivity", {"Maximum Level": 2}).set("Sub-Cycling", {"Levels": 2})
+        scene.remove("Energy Release").set("Mass Matrix", {"Type": "Partial", "Solver Tolerance": 1e-12})
+        self.agree_in_steps(scene.set("Time > Maximum Steps", 40), ranks=(3,))
+
     def test_contact_that_follows_the_nodes(self):
         path = os.path.join(SOURCE, "xml_inputs", "verification", "contact_slap_adaptive.xml")
         self.agree(path, "--set", "Time:Maximum Steps=60", ranks=(2,), within=1e-8)

@@ -38,6 +38,14 @@ def block():
     return scene
 
 
+def burning(scene, **ignition):
+    """A flame that spreads over the notch while gas flows out of its mouth."""
+    flame = {"Burn Law": "Vieille", "Burn Coefficient": 1e-5, "Burn Exponent": 0.7, "Gas Constant": 320.0,
+             "Flame Temperature": 2500.0, "Initial Temperature": 300.0, "Initial Pressure": 2e5, "Outside Pressure": 1e5,
+             "Initial Gap": 1e-3, "Flame Speed": 200.0, "Venting": True}
+    return scene.set("Combustion", {"Notch": {**flame, **ignition}})
+
+
 class Cracks(OnRanks):
     def test_a_notch_its_energy_release_and_its_closure(self):
         self.agree(self.write(plate().set("Energy Release > Crack Closure", True)))
@@ -98,6 +106,31 @@ class BetweenFaces(OnRanks):
         scene = block().set("Contact", {"Law": "Coulomb", "Friction Coefficient": 0.3})
         scene.set("Bodies > Plate > Angular Velocity", [0.0, 30.0, -100.0])
         self.agree(self.write(scene), ranks=(4,))
+
+
+class Burning(OnRanks):
+    """Faces on all ranks burn into one gas, which has what the particles of all ranks lose."""
+
+    def burns(self, scene, ranks):
+        fields = self.agree(self.write(scene), ranks=ranks)
+        self.assertGreater(numpy.max(fields["burnt_share"]), 1e-3)
+        for count in (1, *ranks):
+            with open(os.path.join(self.folder, f"on{count}", "summary.json"), encoding="utf-8") as file:
+                summary = json.load(file)
+            self.assertGreater(summary["cracks"][0]["gas"]["vented_mass"], 0.0)
+            # A sum of n numbers is right to n units in the last place.
+            rounding = 2.3e-16 * summary["particles"]
+            self.assertLess(abs(summary["combustion"]["mass_kept"] - 1.0), rounding, f"{count} ranks")
+
+    def test_a_flame_in_a_crack_that_crosses_ranks(self):
+        self.burns(burning(turned_plate(), **{"Ignition Point": [0.1, 0.43]}), (2, 3, 4))
+
+    def test_ranks_that_change(self):
+        scene = burning(turned_plate(), **{"Ignition Point": [0.1, 0.43]})
+        self.burns(scene.set("Load Balance", {"Threshold": 1.05, "Interval": 5}), (4,))
+
+    def test_three_dimensions(self):
+        self.burns(burning(block(), **{"Ignition Point": [0.1, 0.51, 0.3]}), (3,))
 
 
 class Propagation(OnRanks):

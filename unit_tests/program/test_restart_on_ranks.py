@@ -17,7 +17,7 @@ import numpy  # noqa: E402
 from program import PROGRAM, environment, rhegma  # noqa: E402
 from ranks import LAUNCHER, ROOT, OnRanks, kind_of  # noqa: E402
 from scenes import plate  # noqa: E402
-from test_ranks_of_effects import block, turned_plate  # noqa: E402
+from test_ranks_of_effects import block, burning, turned_plate  # noqa: E402
 
 # What is asked for: sums in another order differ by round-off, which some hundred steps make no more of.
 SAME = 1e-9
@@ -63,6 +63,9 @@ class GoesOnOnRanks(OnRanks):
         scene = plate().remove("Energy Release").set("Contact", {"Law": "Coulomb", "Friction Coefficient": 0.3})
         scene.set("Cracks > Notch > Points", [0.5, -0.1, 0.5, 0.7]).set("Boundaries > Pull > Stress", [-1e6, 3e5])
         self.broken_and_whole(scene, "--set", "Time:Final Time=1e-3", pairs=((4, 2),), within=1e-8)
+
+    def test_a_burning_crack(self):
+        self.broken_and_whole(burning(turned_plate(), **{"Ignition Point": [0.1, 0.43]}), pairs=((1, 3), (4, 2)))
 
     def test_full_mass(self):
         scene = plate().remove("Energy Release").set("Mass Matrix", {"Type": "Full", "Solver Tolerance": 1e-12})
