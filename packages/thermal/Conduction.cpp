@@ -143,11 +143,15 @@ void Conduction<D>::once(State<D>& state, double dt, double time, const View<dou
   heatToNodes(state, nodes);
   sumOverRanks(state, nodes.sums.data(), HeatNodes<D>::sumWidth, 0, HeatNodes<D>::momentAt + D);
   findTemperature(state, nodes);
+  if (!facesKnown)
+    faces.update(state);
+  facesKnown = true;
   boundaries.hold(state, nodes, time + dt);
   double heat = dt * boundaries.addFlux(state, nodes, time + 0.5 * dt);
   fluxToNodes(state, nodes, supplied);
   sumOverRanks(state, nodes.rate.data(), 2, 0, 1);
   heat += changeTemperature(state, nodes, dt);
+  heat += faces.exchange(state, nodes, dt);
   // What nodes can't see fades in the time that heat takes through a cell: ten times slower than waves of its
   // length would. By the least of the diffusivities, since particles of several materials share it.
   const double h = state.smallestSpacing();
@@ -223,6 +227,7 @@ void Conduction<D>::step(State<D>& state)
   const int count = static_cast<int>(steps);
   const double dt = pending / count, begin = state.time + state.dt - pending;
   const View<double*> none;
+  facesKnown = false;
   for (int k = 0; k < count; ++k)
   {
     const double time = begin + k * dt;

@@ -1,6 +1,7 @@
 #pragma once
 /// Steps of conduction.
 
+#include "thermal/CrackConduction.hpp"
 #include "thermal/HeatBoundaries.hpp"
 #include "thermal/Sources.hpp"
 
@@ -18,6 +19,7 @@ struct Conduction
   double frontFraction = 0.0, frontRadius = 0.0;
   std::vector<Source<D>> sources;
   HeatBoundaries<D> boundaries;
+  CrackConduction<D> faces;
   HeatNodes<D> nodes;
   View<double*> supply;          ///< of each particle [W]
   double pending = 0.0;          ///< time since the last step of conduction [s]
@@ -29,6 +31,7 @@ struct Conduction
   std::vector<double> frontHeat; ///< the part of it of each front [J]
   double finestHeated = std::numeric_limits<double>::infinity(); ///< finest cells when fronts were heated [m]
   bool warned = false;
+  bool facesKnown = false;  ///< whether the faces' conductance is that of this step of the run
   ObservedPoints<D> fronts; ///< of cracks
   StencilTable<D> frontStencils;
 

@@ -76,6 +76,8 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
       run.probes.push_back({name, readVector<D>(list.sublist("Probes").sublist(name), "Point")});
   if (scene.isSublist("Boundaries"))
     run.conduction.boundaries.read(scene.sublist("Boundaries"), state);
+  if (list.isSublist("Crack Faces"))
+    run.conduction.faces.read(list.sublist("Crack Faces"), state);
   if (state.mechanics)
   {
     const double steps =
@@ -201,6 +203,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     archive("waited", run->conduction.waited);
     archive("warned", run->conduction.warned);
     archive("finest heated", run->conduction.finestHeated);
+    const Archive::Group faces(archive, "crack faces");
+    run->conduction.faces.keep(archive);
   };
   return effect;
 }

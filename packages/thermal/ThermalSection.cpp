@@ -48,6 +48,22 @@ Section probes()
   return s;
 }
 
+Section crackFaces()
+{
+  Section faces("crack", "The faces of the crack of this name.");
+  faces.choice("Conduction", {"Insulating", "When Closed", "Always"})
+      .byDefault("Insulating")
+      .meaning("Whether heat passes from face to face: never; where they touch; however far they are apart.");
+  faces.real("Conductance")
+      .unit("W/(m2 K)")
+      .positive()
+      .optional("perfect contact")
+      .meaning("Heat flux over the jump of temperature from face to face.");
+  Section s("Crack Faces", "Cracks whose faces conduct; those that are not named insulate.");
+  s.namedByUser(faces);
+  return s;
+}
+
 bool hasSection(const Teuchos::ParameterList& scene, const std::string& name)
 {
   return scene.isSublist(name);
@@ -182,6 +198,7 @@ Section thermalSection()
   s.real("Front Radius").unit("m").positive().optional().meaning("Of the disk or ball of that heat.");
   s.subsection(sources());
   s.subsection(probes());
+  s.subsection(crackFaces());
   return s;
 }
 
@@ -203,6 +220,39 @@ void checkHistories(const Teuchos::ParameterList& scene, std::vector<SceneError>
     if (const auto complaint = complaintIfNotFinite(source.get<std::string>("History"),
                                                     scene.sublist("Time").get<double>("Final Time")))
       errors.push_back({"Thermal > Sources > " + name + " > History", *complaint});
+  }
+}
+
+/// Faces that conduct are those of a crack with two fields of nodes.
+void checkCrackFaces(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
+{
+  const Teuchos::ParameterList& list = scene.sublist("Thermal");
+  if (!list.isSublist("Crack Faces"))
+    return;
+  if (!hasSection(scene, "Cracks"))
+  {
+    errors.push_back({"Thermal > Crack Faces",
+                      "there are no crack faces that could conduct; add a section Cracks or leave it out"});
+    return;
+  }
+  const Teuchos::ParameterList& cracks = scene.sublist("Cracks");
+  std::string known;
+  for (const std::string& name : sublistNames(cracks))
+    known += (known.empty() ? "" : ", ") + name;
+  for (const std::string& name : sublistNames(list.sublist("Crack Faces")))
+  {
+    const std::string where = "Thermal > Crack Faces > " + name;
+    const Teuchos::ParameterList& faces = list.sublist("Crack Faces").sublist(name);
+    const bool conducts =
+        faces.isType<std::string>("Conduction") && faces.get<std::string>("Conduction") != "Insulating";
+    if (!cracks.isSublist(name))
+      errors.push_back({where, "there is no crack of this name; Cracks has " + known});
+    if (!conducts && faces.isParameter("Conductance"))
+      errors.push_back({where + " > Conductance",
+                        "the faces insulate; write Conduction = Always or When Closed, or leave it out"});
+    if (conducts && text(cracks, "Formulation") != "" && text(cracks, "Formulation") != "Dual Field")
+      errors.push_back({where + " > Conduction", "faces conduct with two fields of nodes only; write Cracks "
+                                                 "> Formulation = Dual Field, or let them insulate"});
   }
 }
 
@@ -249,6 +299,7 @@ void checkThermal(const Teuchos::ParameterList& scene, std::vector<SceneError>& 
   const Teuchos::ParameterList& list = scene.sublist("Thermal");
   checkHistories(scene, errors);
   checkSurfaces(scene, errors);
+  checkCrackFaces(scene, errors);
   if (list.isType<bool>("Mechanics") && !list.get<bool>("Mechanics"))
     checkAlone(scene, errors);
   else

@@ -178,6 +178,24 @@ class Propagation(OnRanks):
         self.agree(self.write(scene.set("Thermal", heat)), *self.strip[1:], within=1e-9, ranks=(3,))
 
 
+class Heat(OnRanks):
+    """Faces that conduct, also where ranks meet and where the plate turns through them."""
+
+    def heated(self, scene, faces):
+        for name, value in (("Specific Heat", 1400.0), ("Conductivity", 2e5)):
+            scene.set("Materials > Polymer > " + name, value)
+        scene.set("Bodies > Plate > Temperature Field", "300 + 50*x + 90*y")
+        return scene.set("Thermal", {"Initial Temperature": 300.0, "Crack Faces": {"Notch": faces}})
+
+    def test_faces_that_conduct(self):
+        for faces in ({"Conduction": "Always", "Conductance": 1e6}, {"Conduction": "When Closed"}):
+            fields = self.agree(self.write(self.heated(turned_plate(), faces)))
+            self.assertTrue(numpy.any(fields["side"] != 0))
+
+    def test_faces_that_conduct_in_space(self):
+        self.agree(self.write(self.heated(block(), {"Conduction": "Always", "Conductance": 1e6})), ranks=(3,))
+
+
 class MassMatrices(OnRanks):
     """Each solve ends at 1e-12 of its right side, two a step for a hundred steps."""
 

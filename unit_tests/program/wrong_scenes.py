@@ -388,6 +388,17 @@ HEAT = [
     ("surface_that_falls_below_absolute_zero", warm().set("Boundaries > Cold", {"Type": "Temperature",
      "Temperature": 300.0, "History": "1 - t/1e-9", "Lower Corner": [0.0, 0.0], "Upper Corner": [0.1, 0.1]}),
      one("Boundaries > Cold > History", "temperatures are absolute")),
+    ("faces_that_conduct_of_no_crack", warm(**{"Crack Faces": {"Slit": {"Conduction": "Always"}}}),
+     one("Thermal > Crack Faces > Slit", "no crack of this name", "Notch")),
+    ("faces_that_conduct_without_cracks", warm(**{"Crack Faces": {"Notch": {"Conduction": "Always"}}}).remove(
+        "Cracks").remove("Energy Release"), one("Thermal > Crack Faces", "no crack faces")),
+    ("conductance_of_insulating_faces", warm(**{"Crack Faces": {"Notch": {"Conductance": 5.0}}}),
+     one("Thermal > Crack Faces > Notch > Conductance", "insulate")),
+    ("conductance_below_zero", warm(**{"Crack Faces": {"Notch": {"Conduction": "Always", "Conductance": -5.0}}}),
+     one("Thermal > Crack Faces > Notch > Conductance", "above 0")),
+    ("conduction_through_broken_cells", warm(**{"Crack Faces": {"Notch": {"Conduction": "Always"}}}).set(
+        "Cracks > Formulation", "Broken Cell").remove("Energy Release"),
+     one("Thermal > Crack Faces > Notch > Conduction", "Dual Field")),
     ("boundary_of_heat_without_it", plate().set("Boundaries > Hot", {"Type": "Temperature", "Temperature": 400.0,
      "Lower Corner": [0.0, 0.0], "Upper Corner": [0.1, 0.1]}), one("Boundaries > Hot", "boundary of heat")),
 ]

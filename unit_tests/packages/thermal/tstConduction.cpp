@@ -2,14 +2,12 @@
 /// are, and the solutions of textbooks come out.
 
 #include "adaptivity/Splitting.hpp"
-#include "src/step/Bodies.hpp"
+#include "packages/thermal/HeatedBars.hpp"
 #include "step/CoreStep.hpp"
 #include "thermal/HeatNodes.hpp"
 #include "transfer/Stencils.hpp"
 
-#include <cmath>
 #include <functional>
-#include <random>
 
 namespace Rhegma
 {
@@ -18,105 +16,6 @@ namespace Test
 
 namespace
 {
-
-constexpr double start = 300.0;
-
-/// Heat alone in a box of 6 x 2 (x 2) m of capacity 2 J/(m3 K) and conductivity 2 W/(m K): a diffusivity of 1
-/// m2/s.
-template <int D>
-Teuchos::ParameterList bar(double cell = 1.0, const std::string& shape = "GIMP", double length = 6.0,
-                           double width = 2.0)
-{
-  Vector<D> upper = all<D>(width + 2.0), size = all<D>(width);
-  upper[0] = length + 2.0;
-  size[0] = length;
-  Teuchos::ParameterList scene = emptyScene<D>(all<D>(-2.0), upper, cell, "MUSL", shape);
-  Teuchos::ParameterList& material = scene.sublist("Materials").sublist("Solid");
-  material.set("Model", "Rigid");
-  material.set("Density", 1.0);
-  material.set("Specific Heat", 2.0);
-  material.set("Conductivity", 2.0);
-  addBox<D>(scene, "Bar", all<D>(0.0), size);
-  scene.sublist("Thermal").set("Initial Temperature", start);
-  scene.sublist("Thermal").set("Mechanics", false);
-  return scene;
-}
-
-template <int D>
-void hold(Teuchos::ParameterList& scene, const std::string& name, double from, double to, double temperature)
-{
-  Vector<D> lower = all<D>(-9.0), upper = all<D>(9.0);
-  lower[0] = from;
-  upper[0] = to;
-  Teuchos::ParameterList& list = scene.sublist("Boundaries").sublist(name);
-  list.set("Type", "Temperature");
-  list.set("Lower Corner", array(lower));
-  list.set("Upper Corner", array(upper));
-  list.set("Temperature", temperature);
-}
-
-Teuchos::Array<double> numbers(const std::vector<double>& values) { return Teuchos::Array<double>(values); }
-
-template <class AnyView>
-auto host(const AnyView& view)
-{
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
-}
-
-/// Calls work(place, temperature) for every particle.
-template <int D, class Work>
-void forEach(const State<D>& state, const Work& work)
-{
-  const auto x = host(state.particles.template real<D>(fields::position));
-  const auto T = host(state.particles.scalar(fields::temperature));
-  for (int p = 0; p < state.particles.size(); ++p)
-  {
-    Vector<D> place;
-    for (int d = 0; d < D; ++d)
-      place[d] = x(p, d);
-    work(place, T(p));
-  }
-}
-
-/// Gives all particles a temperature between 200 and 400 K at random, and their heat.
-template <int D>
-void randomTemperature(State<D>& state)
-{
-  std::mt19937 engine(5);
-  std::uniform_real_distribution<double> between(200.0, 400.0);
-  const auto T = state.particles.scalar(fields::temperature),
-             e = state.particles.scalar(fields::internalEnergy);
-  const auto hostT = host(T), hostE = host(e);
-  for (int p = 0; p < state.particles.size(); ++p)
-  {
-    hostT(p) = between(engine);
-    hostE(p) = ThermoPoint(state.thermo, 0, hostT(p)).heat();
-  }
-  Kokkos::deep_copy(T, hostT);
-  Kokkos::deep_copy(e, hostE);
-}
-
-/// Heat of all particles, and the sum of its sizes [J].
-template <int D>
-std::pair<double, double> heatOf(const State<D>& state)
-{
-  const auto V = host(state.particles.scalar(fields::volume));
-  const auto e = host(state.particles.scalar(fields::internalEnergy));
-  double sum = 0.0, size = 0.0;
-  for (int p = 0; p < state.particles.size(); ++p)
-  {
-    sum += V(p) * e(p);
-    size += std::fabs(V(p) * e(p));
-  }
-  return {sum, size};
-}
-
-template <int D>
-void steps(Run<D>& run, int count)
-{
-  for (int s = 0; s < count; ++s)
-    run.step(1e30, false);
-}
 
 template <int D>
 void checkThatHeatIsKept(const std::string& shape)
@@ -153,19 +52,6 @@ void checkThatRestStays()
     run.step(1e3, false);
   std::size_t p = 0;
   forEach<D>(run.state(), [&](const Vector<D>&, double T) { EXPECT_NEAR(T, before[p++], 1e-13 * T); });
-}
-
-template <int D>
-void refineMiddle(Teuchos::ParameterList& scene, int level)
-{
-  Teuchos::ParameterList& adaptivity = scene.sublist("Adaptivity");
-  adaptivity.set("Maximum Level", level);
-  Vector<D> lower = all<D>(0.0), upper = all<D>(1.0);
-  lower[0] = 2.0;
-  upper[0] = 4.0;
-  adaptivity.sublist("Middle").set("Lower Corner", array(lower));
-  adaptivity.sublist("Middle").set("Upper Corner", array(upper));
-  adaptivity.sublist("Middle").set("Level", level);
 }
 
 /// A steady field between two columns of nodes that are held.

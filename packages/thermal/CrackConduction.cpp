@@ -1,0 +1,232 @@
+#include "thermal/CrackConduction.hpp"
+
+#include "checkpoint/Archive.hpp"
+#include "material/Tensors.hpp"
+#include "parallel/Subdomain.hpp"
+#include "scene/ReadList.hpp"
+#include "transfer/PushNodes.hpp"
+#include "transfer/Stencils.hpp"
+
+#include <cmath>
+
+namespace Rhegma::thermal
+{
+
+namespace
+{
+
+/// Faces less than this share of a cell apart are closed: round-off does not part them.
+constexpr double closedGap = 1e-6;
+
+/// Adds volume times slope of the functions of second fields.
+template <int D>
+struct EndsBlock
+{
+  View<double * [D + 2]> faces;
+  View<int*> row;
+  StencilTable<D> table;
+  BorrowedView<double*> volume;
+  BorrowedView<double * [gradientSize<D>]> deformation;
+  int numLattice;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
+  {
+    for (int p = begin; p < end; ++p)
+    {
+      const int r = row(p);
+      if (r < 0)
+        continue;
+      const double now = determinant<D>(&deformation(p, 0)) * volume(p);
+      for (int k = 0; k < table.count(r); ++k)
+        if (table.node(r, k) >= numLattice)
+          for (int d = 0; d < D; ++d)
+            faces(table.node(r, k), 2 + d) += now * table.slope(r, k, d);
+    }
+  }
+};
+
+} // namespace
+
+template <int D>
+void CrackConduction<D>::read(const Teuchos::ParameterList& list, const State<D>& state)
+{
+  const std::size_t count = state.cracks.cracks.size();
+  laws_ = View<FaceLaw*>("rhegma::thermal::faceLaws", count);
+  const auto host = Kokkos::create_mirror_view(laws_);
+  for (std::size_t c = 0; c < count; ++c)
+  {
+    host(c) = FaceLaw{};
+    const std::string& name = state.cracks.cracks[c].name;
+    if (!list.isSublist(name))
+      continue;
+    const Teuchos::ParameterList& faces = list.sublist(name);
+    const std::string kind = faces.get<std::string>("Conduction");
+    if (kind == "Insulating")
+      continue;
+    host(c).conductance =
+        faces.isParameter("Conductance") ? faces.get<double>("Conductance") : double(perfect);
+    host(c).onlyWhereClosed = kind == "When Closed";
+    conducts_ = true;
+  }
+  Kokkos::deep_copy(laws_, host);
+}
+
+template <int D>
+void CrackConduction<D>::update(const State<D>& state)
+{
+  if (!conducts_ || state.cracks.simplex.extent(0) == 0 || state.cracks.second.extent(0) == 0)
+    return;
+  points_.update(state);
+  lookAround(state);
+  const std::size_t rows = state.nodes.sums.extent(0);
+  if (faces_.extent(0) < rows)
+  {
+    faces_ = View<double * [D + 2]>("rhegma::thermal::faces", rows);
+    conductance_ = View<double*>("rhegma::thermal::conductance", rows);
+  }
+  const Nodes<D> nodes = state.nodes;
+  const View<double * [D + 2]> faces = faces_;
+  Kokkos::parallel_for(
+      "rhegma::thermal::clearFaces", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+      KOKKOS_LAMBDA(const int i) {
+        for (int k = 0; k < D + 2; ++k)
+          faces(activeNode(nodes, i), k) = 0.0;
+      });
+  addFaces(state);
+  const FieldTable& table = state.particles;
+  const EndsBlock<D> block{faces_,
+                           state.storedRow,
+                           state.stored,
+                           table.scalar(fields::volume),
+                           table.real<gradientSize<D>>(fields::deformation),
+                           state.nodes.numLattice};
+  if (state.numStored > 0)
+    forEachBlock("rhegma::thermal::endsOfFields", state.blocks, block);
+  sumOverRanks(state, faces_.data(), D + 2, 0, D + 2);
+  findConductance(state);
+}
+
+/// Stencils at both sides of the face points.
+template <int D>
+void CrackConduction<D>::lookAround(const State<D>& state)
+{
+  const int count = points_.count();
+  if (around_.count != 2 * count)
+  {
+    around_.count = 2 * count;
+    around_.onAllRanks = true;
+    around_.position = View<double* [D]>("rhegma::thermal::aroundFace", 2 * count);
+    around_.half = View<double* [D]>("rhegma::thermal::aroundFaceHalf", 2 * count);
+    around_.side = View<int*>("rhegma::thermal::aroundFaceSide", 2 * count); // 0: as if there were no crack
+  }
+  const FacePoints<D> points = points_;
+  const View<double* [D]> position = around_.position;
+  const double reach = 0.5 * state.smallestSpacing();
+  Kokkos::parallel_for(
+      "rhegma::thermal::lookAroundFaces", Kokkos::RangePolicy<ExecSpace>(0, count),
+      KOKKOS_LAMBDA(const int k) {
+        for (int d = 0; d < D; ++d)
+        {
+          position(2 * k, d) = points.position(k, d) - reach * points.normal(k, d);
+          position(2 * k + 1, d) = points.position(k, d) + reach * points.normal(k, d);
+        }
+      });
+  pointStencils(state, around_, stencils_, false);
+}
+
+template <int D>
+void CrackConduction<D>::addFaces(const State<D>& state)
+{
+  const FacePoints<D> points = points_;
+  const StencilTable<D> stencils = stencils_;
+  const View<FaceLaw*> laws = laws_;
+  const View<double * [D + 2]> faces = faces_;
+  const double gap = closedGap * state.smallestSpacing();
+  forEachPushing(
+      "rhegma::thermal::facesAroundNodes", 2 * points_.count(), KOKKOS_LAMBDA(const int s) {
+        const int k = s / 2;
+        const FaceLaw law = laws(points.crack(k));
+        const bool passes = !law.onlyWhereClosed || points.separation(k) <= gap;
+        for (int e = 0; e < stencils.count(s); ++e)
+        {
+          const int n = stencils.node(s, e);
+          const double area = stencils.weight(s, e) * points.currentSize(k);
+          Kokkos::atomic_add(&faces(n, 0), passes ? area * law.conductance : 0.0);
+          Kokkos::atomic_add(&faces(n, 1), area);
+          for (int d = 0; d < D; ++d)
+            Kokkos::atomic_add(&faces(n, 2 + d), area * points.normal(k, d));
+        }
+      });
+}
+
+template <int D>
+void CrackConduction<D>::findConductance(const State<D>& state)
+{
+  const Nodes<D> nodes = state.nodes;
+  const View<int*> side = state.cracks.nodeSide;
+  const View<double * [D + 2]> faces = faces_;
+  const View<double*> conductance = conductance_;
+  Kokkos::parallel_for(
+      "rhegma::thermal::findConductance", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
+      KOKKOS_LAMBDA(const int i) {
+        const int two = nodes.numLattice + i, one = nodes.parent(i);
+        double along = 0.0, square = 0.0;
+        for (int d = 0; d < D; ++d)
+        {
+          along += faces(one, 2 + d) * faces(two, 2 + d);
+          square += faces(one, 2 + d) * faces(one, 2 + d);
+        }
+        // The second field of a node on side +1 has the material of side -1, which ends there along the
+        // normal.
+        const double area = (side(one) > 0 ? along : -along) / std::sqrt(square);
+        conductance(one) =
+            faces(one, 1) > 0.0 && square > 0.0 && area > 0.0 ? area * faces(one, 0) / faces(one, 1) : 0.0;
+      });
+}
+
+template <int D>
+double CrackConduction<D>::exchange(const State<D>& state, const HeatNodes<D>& heat, double dt) const
+{
+  if (!conducts_ || conductance_.extent(0) == 0 || state.cracks.second.extent(0) == 0)
+    return 0.0;
+  const Nodes<D> nodes = state.nodes;
+  const View<double*> conductance = conductance_;
+  double taken = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::thermal::exchangeBetweenFaces", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
+      KOKKOS_LAMBDA(const int i, double& sum) {
+        const int two = nodes.numLattice + i, one = nodes.parent(i);
+        const double C1 = heat.sums(one, HeatNodes<D>::capacityAt);
+        const double C2 = heat.sums(two, HeatNodes<D>::capacityAt);
+        if (!(conductance(one) > 0.0) || !(C1 > 0.0) || !(C2 > 0.0))
+          return;
+        const bool held1 = heat.held(one) != 0, held2 = heat.held(two) != 0;
+        // A held value is the temperature at the end already, and no heat changes it.
+        const double T1 = heat.value(one, 0) + (held1 ? 0.0 : heat.value(one, 1));
+        const double T2 = heat.value(two, 0) + (held2 ? 0.0 : heat.value(two, 1));
+        const double passed =
+            (T1 - T2) / (1.0 / (dt * conductance(one)) + (held1 ? 0.0 : 1.0 / C1) + (held2 ? 0.0 : 1.0 / C2));
+        const bool counts = countsHere(nodes, one);
+        if (!held1)
+          heat.value(one, 1) -= passed / C1;
+        else if (counts)
+          sum += passed;
+        if (!held2)
+          heat.value(two, 1) += passed / C2;
+        else if (counts)
+          sum -= passed;
+      },
+      taken);
+  return taken;
+}
+
+template <int D>
+void CrackConduction<D>::keep(Archive& archive)
+{
+  points_.keep(archive);
+}
+
+template class CrackConduction<2>;
+template class CrackConduction<3>;
+
+} // namespace Rhegma::thermal
