@@ -2,6 +2,7 @@
 
 #include "checkpoint/CheckpointFile.hpp"
 #include "checkpoint/SceneText.hpp"
+#include "checkpoint/ShareRecord.hpp"
 #include "output/BodyReport.hpp"
 #include "output/CoreRow.hpp"
 #include "output/FieldWriter.hpp"
@@ -74,6 +75,13 @@ public:
   Row last;
   Record held;
   double heldTime = -1.0; ///< negative: nothing is held
+
+  /// The first rank has all that is held; no other needs it until the run goes back.
+  void keepOnFirst()
+  {
+    if (ranks_.rank() > 0)
+      held.clear();
+  }
 
 private:
   Ranks ranks_;
@@ -279,7 +287,9 @@ public:
   Notes goBack() override
   {
     const double share = 0.5 * run_->stepShare();
+    shareRecord(ranks(), held);
     Notes notes = load(held);
+    keepOnFirst();
     run_->takeShareOfStep(share);
     return notes;
   }
@@ -437,8 +447,7 @@ Simulation::Notes Simulation::restore(const std::string& path)
 void Simulation::hold(const Notes& notes)
 {
   engine_->held = engine_->save(notes);
-  if (engine_->ranks().rank() > 0)
-    engine_->held.clear(); // the first rank has all
+  engine_->keepOnFirst();
   engine_->heldTime = time();
 }
 

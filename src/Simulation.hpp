@@ -67,7 +67,7 @@ public:
   /// Its time [s]; negative where there is none.
   double heldTime() const;
   /// Goes back to the copy, which stays, and on from there with steps of half the length that they have now.
-  /// Belongs where a step has thrown RunError, on one rank. \return the notes of the copy
+  /// Belongs where a step has thrown RunError. Collective. \return the notes of the copy
   Notes goBack();
   /// Writes the copy as checkpoint() would have written the state.
   void checkpointHeld(const std::string& path) const;

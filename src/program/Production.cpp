@@ -156,11 +156,16 @@ std::string Production::toTheEnd()
 
 bool Production::retry(const RunError& trouble)
 {
-  if (asked_ || ranks_.many() || !simulation_.holds() ||
+  if (asked_ || !simulation_.holds() ||
       !retries_.mayHelp(trouble.what(), simulation_.heldTime(), simulation_.time()))
     return false;
-  history_.sync();
-  history_ = History(folder_ + "/history.csv", readNotes(simulation_.goBack()));
+  const HistorySoFar soFar = readNotes(simulation_.goBack());
+  onFirstRank<OutputError>(ranks_,
+                           [&]
+                           {
+                             history_.sync();
+                             history_ = History(folder_ + "/history.csv", soFar);
+                           });
   retries_.goesOnWith(simulation_.stepShare());
   checkpoints_.afterGoingBack();
   goesOn_ = true;

@@ -46,7 +46,7 @@ Section time()
       .meaning("The run ends after so many steps, if not before.");
   s.integer("Retries").atLeast(0).mayChange().byDefault(3).meaning(
       "How often a run that can't go on goes back to the last state in memory with a balanced ledger, "
-      "and on from there with steps of half the length. On one rank, and with Output > Checkpoints.");
+      "and on from there with steps of half the length. With Output > Checkpoints.");
   s.choice("Update Scheme", {"MUSL", "USF", "USL"})
       .byDefault("MUSL")
       .meaning(

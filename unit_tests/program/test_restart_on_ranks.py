@@ -16,7 +16,7 @@ import h5py  # noqa: E402
 import numpy  # noqa: E402
 from program import PROGRAM, environment, rhegma  # noqa: E402
 from ranks import LAUNCHER, ROOT, OnRanks, kind_of  # noqa: E402
-from scenes import plate  # noqa: E402
+from scenes import plate, too_long_a_step  # noqa: E402
 from test_ranks_of_effects import block, burning, turned_plate  # noqa: E402
 
 # What is asked for: sums in another order differ by round-off, which some hundred steps make no more of.
@@ -134,7 +134,7 @@ class Stopped(OnRanks):
 
     def test_trouble(self):
         """The last sound state is on the disk when a run on ranks ends in trouble."""
-        late = plate().set("Output", {"History Interval": 2e-5})
+        late = plate().set("Output", {"History Interval": 2e-5}).set("Time > Retries", 0)
         late.set("Boundaries > Blow", {
             "Type": "Velocity", "Lower Corner": [-0.2, -0.2], "Upper Corner": [0.5, 1.2], "Components": "x",
             "Value": [1.0, 0.0], "History": "t > 5e-4 ? 1e5 : 0",
@@ -147,6 +147,17 @@ class Stopped(OnRanks):
             self.assertLess(float(file["run"].attrs["time"]), 6e-4)
             for name, table in file["particles"].items():
                 self.assertTrue(numpy.isfinite(table[()]).all(), name)
+
+    def test_trouble_that_shorter_steps_cure(self):
+        """The copy in memory is the first rank's; all go back to it. The body flies free of loads and supports."""
+        summary, history, _ = self.run_on(3, self.write(too_long_a_step()))
+        self.assertEqual(summary["status"], "finished")
+        self.assertTrue(any("it went back to time" in warning for warning in summary["warnings"]), summary["warnings"])
+        self.assertTrue((history["time"][1:] > history["time"][:-1]).all())
+        momentum, mass = history["momentum_x"], summary["bodies"][0]["mass"]
+        # The largest that the energy could be times a unit in the last place and step.
+        most = (2.0 * mass * numpy.max(history["kinetic"])) ** 0.5
+        self.assertLess(numpy.max(numpy.abs(momentum - 5.0 * mass)), 2.3e-16 * summary["steps"] * most)
 
     def test_a_damaged_one_is_refused_once(self):
         path = self.write(plate())
