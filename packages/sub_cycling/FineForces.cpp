@@ -1,8 +1,7 @@
 #include "sub_cycling/FineParticles.hpp"
 
-#include "material/HistoryRoom.hpp"
-#include "material/Materials.hpp"
 #include "parallel/Subdomain.hpp"
+#include "sub_cycling/TrialStress.hpp"
 
 namespace Rhegma::sub_cycling
 {
@@ -137,19 +136,14 @@ void FineParticles<D>::startVelocity(const State<D>& state, const Values& veloci
 }
 
 template <int D>
-void FineParticles<D>::force(const State<D>& state, int level, const Values& displacement,
-                             const Values& force)
+template <class Trial>
+void FineParticles<D>::sumForces(const State<D>& state, int level, const Values& displacement,
+                                 const Trial& trial)
 {
   const View<int*> count = count_, particle = particle_;
   const View<int**> slot = slot_;
   const View<double** [D]> slope = slope_;
-  const auto deformation = state.particles.template real<gradientSize<D>>(fields::deformation);
   const auto volume = state.particles.scalar(fields::volume);
-  const auto material = state.particles.integer(fields::material);
-  const auto materials = state.materials;
-  BorrowedView<double**> history;
-  if (state.particles.has(fields::history))
-    history = state.particles.table(fields::history);
   sumInParts(
       "rhegma::subcycling::force", particlesFrom_[level + 1], particlesFrom_[level],
       KOKKOS_LAMBDA(const int i, double* sums) {
@@ -159,16 +153,8 @@ void FineParticles<D>::force(const State<D>& state, int level, const Values& dis
           for (int a = 0; a < D; ++a)
             for (int b = 0; b < D; ++b)
               gradient[a][b] += slope(i, k, b) * displacement(slot(i, k), a);
-        double F[gradientSize<D>], tau[symmetricSize<D>], memory[historyRoom], back[D][D];
-        for (int k = 0; k < gradientSize<D>; ++k)
-          F[k] = deformation(p, k);
-        for (int a = 0; a < D; ++a)
-          for (int b = 0; b < D; ++b)
-            for (int c = 0; c < D; ++c)
-              F[a * D + b] += gradient[a][c] * deformation(p, c * D + b);
-        for (int k = 0; k < static_cast<int>(history.extent(1)); ++k)
-          memory[k] = history(p, k);
-        updateStress<D>(materials(material(p)), F, tau, memory);
+        double tau[symmetricSize<D>], back[D][D];
+        trial(p, gradient, tau);
         inverseOfMotion<D>(gradient, back);
         double flux[D][D];
         for (int a = 0; a < D; ++a)
@@ -183,6 +169,16 @@ void FineParticles<D>::force(const State<D>& state, int level, const Values& dis
             for (int c = 0; c < D; ++c)
               sums[slot(i, k) * D + a] += flux[a][c] * slope(i, k, c);
       });
+}
+
+template <int D>
+void FineParticles<D>::force(const State<D>& state, int level, const Values& displacement,
+                             const Values& force)
+{
+  if (state.thermo.empty())
+    sumForces(state, level, displacement, LawStress<D>(state));
+  else
+    sumForces(state, level, displacement, HeatedStress<D>(state));
   const View<double** [D]> parts = parts_;
   const int number = numParts_;
   Kokkos::parallel_for(

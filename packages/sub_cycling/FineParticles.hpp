@@ -58,8 +58,9 @@ public:
   void startVelocity(const State<D>& state, const Values& velocity);
 
   /// Internal force of the particles of one class after the nodes moved by `displacement` [m] since the start
-  /// of the step: -V0 tau (1 + grad u)^-T grad N, tau by the particle's law at (1 + grad u) F, which for an
-  /// elastic law is the gradient of its energy and has no resultant and no torque.
+  /// of the step: -V0 tau (1 + grad u)^-T grad N, tau by the particle's law at (1 + grad u) F, and the
+  /// temperature to which that brings it where there is heat, which for an elastic law is the gradient of its
+  /// energy and has no resultant and no torque.
   void force(const State<D>& state, int level, const Values& displacement, const Values& force);
 
   /// Impulses on inner nodes as they change the energy.
@@ -121,6 +122,9 @@ public:
   void packStencils(const State<D>& state);
   void holdNodes(const State<D>& state);
   void weighNodes(const State<D>& state);
+  /// Forces of one class in parts. \param trial tau of a particle after a displacement gradient
+  template <class Trial>
+  void sumForces(const State<D>& state, int level, const Values& displacement, const Trial& trial);
   /// Zeroes the parts and runs add(particle, sums of its part) for particles begin .. end - 1.
   template <class Add>
   void sumInParts(const char* label, int begin, int end, const Add& add);

@@ -155,10 +155,9 @@ void checkClosure(const Teuchos::ParameterList& scene, std::vector<SceneError>& 
 void checkCoupled(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
   checkClosure(scene, errors);
-  for (const char* name : {"Mass Matrix", "Sub-Cycling"})
-    if (hasSection(scene, name))
-      errors.push_back(
-          {name, "this version does not have it together with Thermal; leave one of the two out"});
+  if (hasSection(scene, "Mass Matrix"))
+    errors.push_back(
+        {"Mass Matrix", "this version does not have it together with Thermal; leave one of the two out"});
   if (hasSection(scene, "Damping"))
     for (const char* name : {"Shear Viscosity", "Bulk Viscosity"})
       if (scene.sublist("Damping").isType<double>(name) && scene.sublist("Damping").get<double>(name) > 0.0)

@@ -2,10 +2,9 @@
 /// Strain and move of particles, with and without heat: templates for Gather.cpp and HeatedGather.cpp, two
 /// files so that what one does can't change how the other is compiled.
 
-#include "material/HistoryRoom.hpp"
-#include "material/ThermoLaw.hpp"
 #include "transfer/Box.hpp"
 #include "transfer/Gather.hpp"
+#include "transfer/LaneStress.hpp"
 #include "transfer/ParticleViews.hpp"
 
 #include <limits>
@@ -15,156 +14,6 @@ namespace Rhegma
 
 namespace detail
 {
-
-/// What the lanes of a bundle hold; component by component, so that a loop over lanes reads and writes
-/// neighbours.
-template <int D>
-struct StrainLanes
-{
-  double gradient[D * D][lanes];    ///< of the straining velocity, row by row [1/s]
-  double shift[D][lanes];           ///< velocity of the particles' places [m/s]
-  double F[gradientSize<D>][lanes]; ///< old, then new
-  double tau[symmetricSize<D>][lanes];
-  double speed[lanes]; ///< of the particle, then with the wave speed on top [m/s]
-};
-
-/// F <- (I + dt L) F, stress and wave speed of the lanes from .. to - 1, all of one material.
-template <int D>
-struct StressOfLanes
-{
-  const Properties& properties;
-  StrainLanes<D>& at;
-  double* history; ///< of the first lane; null for laws without one
-  int historyWidth;
-  double dt;
-  int from, to;
-
-  template <class Law, int, Plane P>
-  KOKKOS_INLINE_FUNCTION void run() const
-  {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    for (int l = from; l < to; ++l)
-    {
-      double F[gradientSize<D>], tau[symmetricSize<D>];
-      for (int i = 0; i < D; ++i)
-        for (int j = 0; j < D; ++j)
-        {
-          double change = 0.0;
-          for (int k = 0; k < D; ++k)
-            change += at.gradient[i * D + k][l] * at.F[k * D + j][l];
-          F[i * D + j] = at.F[i * D + j][l] + dt * change;
-        }
-      if constexpr (D == 2)
-        F[4] = at.F[4][l];
-      // Finite only if every component is.
-      const bool finite = determinant<D>(F) < infinity;
-      double* const own = history == nullptr ? nullptr : history + l * historyWidth;
-      const bool good = Law::template stress<D, P>(properties, F, tau, own);
-      const double wave = Law::template waveSpeed<D, P>(properties, F, own);
-      at.speed[l] = good && finite ? at.speed[l] + wave : infinity;
-      for (int k = 0; k < gradientSize<D>; ++k)
-        at.F[k][l] = F[k];
-      for (int k = 0; k < symmetricSize<D>; ++k)
-        at.tau[k][l] = tau[k];
-    }
-  }
-};
-
-/// What the lanes of a bundle hold of heat.
-template <int D>
-struct HeatLanes
-{
-  double temperature[lanes]; ///< [K]
-  double internal[lanes];    ///< [J/m3]
-};
-
-/// F <- (I + dt L) F, stress, internal energy, temperature and wave speed of the lanes from .. to - 1, all of
-/// one material none of whose properties is a table.
-///
-/// The internal energy takes up the work of the mean of old and new stress, which is what the nodes' forces
-/// do, so that no energy is lost or made whatever the law; the temperature is what that energy leaves beside
-/// the elastic one (ThermoLaw.hpp). A stress that lags behind its temperature would excite short waves; so
-/// the stress is found at the temperature to which straining brings the material at small strain, and what
-/// the energy says beyond that, of higher order in strain or of plastic work, waits for the next step.
-template <int D>
-struct HeatOfLanes
-{
-  const Properties& properties;
-  const ThermoMaterial& material;
-  const ThermoKnot& knot;
-  StrainLanes<D>& at; ///< its stress is the old one on entry
-  HeatLanes<D>& heat;
-  double* history; ///< of the first lane; null for laws without one
-  int historyWidth;
-  double dt;
-  int from, to;
-
-  /// Work of a stress over the step [J/m3].
-  KOKKOS_FORCEINLINE_FUNCTION double work(const double* tau, int l) const
-  {
-    double power = 0.0;
-    for (int i = 0; i < D; ++i)
-      for (int j = 0; j < D; ++j)
-        power += tau[symmetricIndex<D>(i, j)] * at.gradient[i * D + j][l];
-    return dt * power;
-  }
-
-  template <class Law, int, Plane P>
-  KOKKOS_INLINE_FUNCTION void run() const
-  {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const double alpha = knot.expansion, T0 = material.reference, capacity = knot.capacity;
-    // Change of the trace of stress with that of strain: 3 K, in plane stress E / (1 - nu).
-    const double stiffness =
-        P == Plane::Stress ? 2.0 * (properties.planeLambda + properties.mu) : 3.0 * properties.bulk;
-    const double cooling = dt * alpha * stiffness / capacity, push = 3.0 * properties.bulk * alpha;
-    const double adiabatic = push * push / (capacity * properties.density);
-    for (int l = from; l < to; ++l)
-    {
-      double F[gradientSize<D>], own[gradientSize<D>], tau[symmetricSize<D>], stretching = 0.0;
-      for (int k = 0; k < symmetricSize<D>; ++k)
-        tau[k] = at.tau[k][l];
-      const double before = work(tau, l);
-      for (int i = 0; i < D; ++i)
-      {
-        stretching += at.gradient[i * D + i][l];
-        for (int j = 0; j < D; ++j)
-        {
-          double change = 0.0;
-          for (int k = 0; k < D; ++k)
-            change += at.gradient[i * D + k][l] * at.F[k * D + j][l];
-          F[i * D + j] = at.F[i * D + j][l] + dt * change;
-        }
-      }
-      if constexpr (D == 2)
-        F[4] = at.F[4][l];
-      const bool finite = determinant<D>(F) < infinity;
-      double T = heat.temperature[l] * (1.0 - cooling * stretching);
-      const double theta = 1.0 + alpha * (T - T0), inverse = 1.0 / theta;
-      for (int k = 0; k < gradientSize<D>; ++k)
-        own[k] = inverse * F[k];
-      double* const memory = history == nullptr ? nullptr : history + l * historyWidth;
-      const bool good = Law::template stress<D, P>(properties, own, tau, memory);
-      if constexpr (P == Plane::Stress)
-        F[4] = theta * own[4];
-      double has = Law::template energy<D, P>(properties, own, memory) + T * alpha * inverse * trace<D>(tau) +
-                   (T - T0) * (capacity + 0.5 * material.coupling * (T + T0));
-      if (historyWidth > 0)
-        has += (1.0 - material.plasticHeat) * dissipatedEnergy<D>(properties, memory);
-      const double energy = heat.internal[l] + 0.5 * (before + work(tau, l));
-      const double wave = Law::template waveSpeed<D, P>(properties, own, memory);
-      heat.internal[l] = energy;
-      const double after = T + (energy - has) / capacity;
-      heat.temperature[l] = after;
-      at.speed[l] =
-          good && finite && after > 0.0 ? at.speed[l] + std::sqrt(wave * wave + after * adiabatic) : infinity;
-      for (int k = 0; k < gradientSize<D>; ++k)
-        at.F[k][l] = F[k];
-      for (int k = 0; k < symmetricSize<D>; ++k)
-        at.tau[k][l] = tau[k];
-    }
-  }
-};
 
 /// Where nobody carries heat.
 struct NoHeat
@@ -332,16 +181,6 @@ struct StrainAndMove
     }
   }
 
-  /// Work of a stress over the step, per undeformed volume [J/m3].
-  KOKKOS_INLINE_FUNCTION double work(const double* tau, int l, const Lanes& at) const
-  {
-    double power = 0.0;
-    for (int i = 0; i < D; ++i)
-      for (int j = 0; j < D; ++j)
-        power += tau[symmetricIndex<D>(i, j)] * at.gradient[i * D + j][l];
-    return dt * power;
-  }
-
   KOKKOS_INLINE_FUNCTION void heatByLaw(int begin, int end, Lanes& at) const
   {
     if constexpr (Heat::on)
@@ -370,8 +209,8 @@ struct StrainAndMove
                      HeatOfLanes<D>{law, thermal, heat.tables.knot(thermal.first), at, own, memory,
                                     historyWidth, dt, p - begin, next - begin});
         else
-          for (int q = p; q < next; ++q)
-            heatAndStress(q, q - begin, at, own);
+          HeatByTables<D>{law, heat.tables, kind, at, own, memory, historyWidth, dt, p - begin, next - begin}
+              .run();
         p = next;
       }
       for (int p = begin; p < end; ++p)
@@ -379,54 +218,6 @@ struct StrainAndMove
         heat.temperature(p) = own.temperature[p - begin];
         heat.internal(p) = own.internal[p - begin];
       }
-    }
-  }
-
-  /// The same as HeatOfLanes for a particle whose properties are tables: with two looks at its law, the
-  /// stress that of the temperature in the end.
-  KOKKOS_INLINE_FUNCTION void heatAndStress(int p, int l, Lanes& at, HeatLanes<D>& own) const
-  {
-    if constexpr (Heat::on)
-    {
-      constexpr double infinity = std::numeric_limits<double>::infinity();
-      double F[gradientSize<D>], tau[symmetricSize<D>], wave = 0.0, has = 0.0;
-      for (int i = 0; i < D; ++i)
-        for (int j = 0; j < D; ++j)
-        {
-          double change = 0.0;
-          for (int k = 0; k < D; ++k)
-            change += at.gradient[i * D + k][l] * at.F[k * D + j][l];
-          F[i * D + j] = at.F[i * D + j][l] + dt * change;
-        }
-      if constexpr (D == 2)
-        F[4] = at.F[4][l];
-      const bool finite = determinant<D>(F) < infinity;
-      const int number = material(p), room = static_cast<int>(history.extent(1));
-      const Properties& law = materials(number);
-      double& T = own.temperature[l];
-      const double before = work(&stress(p, 0), l, at);
-      double trial[historyRoom];
-      for (int k = 0; k < room; ++k)
-        trial[k] = history(p, k);
-      const ThermoPoint start(heat.tables, number, T);
-      bool good = withLaw<D>(law.kind, law.plane, ThermoStress{start, T, F, tau, trial, has, wave});
-      const double energy = own.internal[l] + 0.5 * (before + work(tau, l, at));
-      T += (energy - has) / start.capacity();
-      if (start.material.coupled)
-      {
-        const ThermoPoint end(heat.tables, number, T);
-        for (int k = 0; k < room; ++k)
-          trial[k] = history(p, k);
-        good = good && withLaw<D>(law.kind, law.plane, ThermoStress{end, T, F, tau, trial, has, wave});
-      }
-      own.internal[l] += 0.5 * (before + work(tau, l, at));
-      for (int k = 0; k < room; ++k)
-        history(p, k) = trial[k];
-      at.speed[l] = good && finite && T > 0.0 ? at.speed[l] + wave : infinity;
-      for (int k = 0; k < gradientSize<D>; ++k)
-        at.F[k][l] = F[k];
-      for (int k = 0; k < symmetricSize<D>; ++k)
-        at.tau[k][l] = tau[k];
     }
   }
 

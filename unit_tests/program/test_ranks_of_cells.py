@@ -104,6 +104,12 @@ class ShortSteps(OnRanks):
     def test_a_body_in_flight_and_rotation(self):
         self.agree_in_steps(body().set("Adaptivity", BOX).set("Sub-Cycling", {"Levels": 2}))
 
+    def test_a_body_that_its_motion_warms(self):
+        scene = body().set("Adaptivity", BOX).set("Sub-Cycling", {"Levels": 2}).set("Thermal", {"Initial Temperature": 300.0})
+        for name, value in (("Specific Heat", 1400.0), ("Conductivity", 2e3), ("Thermal Expansion", 7e-5)):
+            scene.set(f"Materials > Polymer > {name}", value)
+        self.agree_in_steps(scene, ranks=(3,))
+
     def test_ranks_that_change(self):
         """The means of forces go with the nodes to their new ranks."""
         scene = body().set("Adaptivity", BOX).set("Sub-Cycling", {"Levels": 2})

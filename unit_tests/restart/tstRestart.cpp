@@ -119,6 +119,10 @@ std::vector<Case> ownCases()
       section("Contact", text("Law", "Coulomb") + real("Friction Coefficient", "0.2"));
   const std::string release = section("Energy Release", "");
   const std::string running = release + section("Propagation", text("Toughness", "2000*(1 + v/50)"));
+  const std::string spot =
+      text("Type", "Ball") + reals("Centre", "{0.7, 0.3}") + real("Radius", "0.2") + real("Power", "1e6");
+  const std::string heat =
+      section("Thermal", real("Initial Temperature", "300") + section("Sources", section("Spot", spot)));
   const auto own = [](const std::string& name, const std::string& xml, long steps = 160) {
     return Case{name, "", xml, {}, steps};
   };
@@ -138,13 +142,8 @@ std::vector<Case> ownCases()
       own("own_full_mass_cells", plate(pull, cells + section("Mass Matrix", text("Type", "Full"))), 80),
       own("own_partial_mass_cells", plate(pull, cells + section("Mass Matrix", text("Type", "Partial")))),
       own("own_series_mass", plate(pull, section("Mass Matrix", text("Type", "FMPM")))),
-      own("own_heat",
-          plate(pull,
-                section("Thermal",
-                        real("Initial Temperature", "300") +
-                            section("Sources",
-                                    section("Spot", text("Type", "Ball") + reals("Centre", "{0.7, 0.3}") +
-                                                        real("Radius", "0.2") + real("Power", "1e6")))))),
+      own("own_heat", plate(pull, heat)),
+      own("own_heat_short_steps", plate(pull, heat + cells + section("Sub-Cycling", "")), 80),
       own("own_heat_through_faces",
           plate(pull,
                 section("Thermal",

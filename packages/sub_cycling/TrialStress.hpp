@@ -1,0 +1,102 @@
+#pragma once
+/// Stress of particles that short steps have strained, while their fields are still those of the long step's
+/// start.
+
+#include "state/State.hpp"
+#include "transfer/LaneStress.hpp"
+#include "transfer/ParticleViews.hpp"
+
+namespace Rhegma::sub_cycling
+{
+
+/// By the law alone.
+template <int D>
+class LawStress
+{
+public:
+  explicit LawStress(const State<D>& state)
+      : materials_(state.materials),
+        deformation_(state.particles.template real<gradientSize<D>>(fields::deformation)),
+        material_(state.particles.integer(fields::material))
+  {
+    if (state.particles.has(fields::history))
+      history_ = state.particles.table(fields::history);
+  }
+
+  /// \param gradient of the displacement since the start, G: F becomes (1 + G) F
+  /// \param tau out: Kirchhoff's stress [Pa]
+  KOKKOS_INLINE_FUNCTION void operator()(int p, const double (&gradient)[D][D], double* tau) const
+  {
+    double F[gradientSize<D>], memory[historyRoom];
+    for (int k = 0; k < gradientSize<D>; ++k)
+      F[k] = deformation_(p, k);
+    for (int a = 0; a < D; ++a)
+      for (int b = 0; b < D; ++b)
+        for (int c = 0; c < D; ++c)
+          F[a * D + b] += gradient[a][c] * deformation_(p, c * D + b);
+    for (int k = 0; k < static_cast<int>(history_.extent(1)); ++k)
+      memory[k] = history_(p, k);
+    updateStress<D>(materials_(material_(p)), F, tau, memory);
+  }
+
+protected:
+  View<Properties*> materials_;
+  BorrowedView<double * [gradientSize<D>]> deformation_;
+  BorrowedView<int*> material_;
+  BorrowedView<double**> history_;
+};
+
+/// At the temperature to which straining brings the particle, as the long step will have it: a force by
+/// another stiffness, that at constant temperature, would let motions of small cells gain (k - k') / m times
+/// the square of a short step, in every long one.
+template <int D>
+class HeatedStress : private LawStress<D>
+{
+public:
+  explicit HeatedStress(const State<D>& state)
+      : LawStress<D>(state),
+        tables_(state.thermo),
+        temperature_(state.particles.scalar(fields::temperature)),
+        internal_(state.particles.scalar(fields::internalEnergy)),
+        stress_(state.particles.template real<symmetricSize<D>>(fields::stress))
+  {
+  }
+
+  KOKKOS_INLINE_FUNCTION void operator()(int p, const double (&gradient)[D][D], double* tau) const
+  {
+    detail::StrainLanes<D> at;
+    detail::HeatLanes<D> heat;
+    for (int a = 0; a < D; ++a)
+      for (int b = 0; b < D; ++b)
+        at.gradient[a * D + b][0] = gradient[a][b];
+    for (int k = 0; k < gradientSize<D>; ++k)
+      at.F[k][0] = this->deformation_(p, k);
+    for (int k = 0; k < symmetricSize<D>; ++k)
+      at.tau[k][0] = stress_(p, k);
+    at.speed[0] = 0.0;
+    heat.temperature[0] = temperature_(p);
+    heat.internal[0] = internal_(p);
+    double memory[historyRoom];
+    const int width = static_cast<int>(this->history_.extent(1));
+    for (int k = 0; k < width; ++k)
+      memory[k] = this->history_(p, k);
+    const int kind = this->material_(p);
+    const Properties& law = this->materials_(kind);
+    const ThermoMaterial& thermal = tables_.material(kind);
+    if (thermal.count == 1)
+      withLaw<D>(law.kind, law.plane,
+                 detail::HeatOfLanes<D>{law, thermal, tables_.knot(thermal.first), at, heat, memory, width,
+                                        1.0, 0, 1});
+    else
+      detail::HeatByTables<D>{law, tables_, kind, at, heat, memory, width, 1.0, 0, 1}.run();
+    for (int k = 0; k < symmetricSize<D>; ++k)
+      tau[k] = at.tau[k][0];
+  }
+
+private:
+  ThermoTables tables_;
+  BorrowedView<double*> temperature_, internal_;
+  BorrowedView<double * [symmetricSize<D>]> stress_;
+};
+
+} // namespace Rhegma::sub_cycling
