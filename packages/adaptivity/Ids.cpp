@@ -1,5 +1,6 @@
 #include "adaptivity/Ids.hpp"
 
+#include "parallel/SendRows.hpp"
 #include "parallel/Subdomain.hpp"
 
 #include <algorithm>
@@ -8,41 +9,97 @@
 namespace Rhegma::adaptivity
 {
 
+namespace
+{
+
+/// The ids from 0 to the largest in use, of which each rank keeps the list of an equal part.
+class FreeIds
+{
+public:
+  FreeIds(const Ranks& ranks, const std::vector<int>& taken) : ranks_(ranks), freeOf_(ranks.size(), 0.0)
+  {
+    const int largest = taken.empty() ? -1 : *std::max_element(taken.begin(), taken.end());
+    end_ = static_cast<int>(ranks.max(double(largest))) + 1;
+    part_ = std::max(1, (end_ + ranks.size() - 1) / ranks.size());
+    const int begin = std::min(end_, part_ * ranks.rank()), until = std::min(end_, begin + part_);
+    std::vector<char> used(until - begin, 0);
+    std::vector<int> keeper;
+    for (const int id : taken)
+      keeper.push_back(id / part_);
+    for (const double id : sendRows(ranks, keeper, std::vector<double>(taken.begin(), taken.end()), 1))
+      used[static_cast<int>(id) - begin] = 1;
+    for (int id = begin; id < until; ++id)
+      if (used[id - begin] == 0)
+        free_.push_back(id);
+    freeOf_[ranks.rank()] = static_cast<double>(free_.size());
+    ranks.sum(freeOf_.data(), ranks.size());
+  }
+
+  /// The smallest ids that are free, in the order of the ranks. \param wanted by each rank
+  /// \return this rank's
+  std::vector<int> take(const std::vector<double>& wanted) const
+  {
+    double before = 0.0; // free ids of ranks before
+    for (int r = 0; r < ranks_.rank(); ++r)
+      before += freeOf_[r];
+    // Number k of all free ids goes to the rank among whose k it is.
+    std::vector<int> to;
+    std::vector<double> rows; // k, id
+    double end = 0.0;
+    std::size_t i = 0;
+    for (int r = 0; r < ranks_.size(); ++r)
+    {
+      end += wanted[r];
+      for (; i < free_.size() && before + double(i) < end; ++i)
+      {
+        to.push_back(r);
+        rows.push_back(before + double(i));
+        rows.push_back(free_[i]);
+      }
+    }
+    double first = 0.0, all = 0.0;
+    for (int r = 0; r < ranks_.size(); ++r)
+    {
+      first += r < ranks_.rank() ? wanted[r] : 0.0;
+      all += freeOf_[r];
+    }
+    // Beyond those below the largest in use all are free.
+    std::vector<int> mine(static_cast<std::size_t>(wanted[ranks_.rank()]));
+    for (std::size_t k = 0; k < mine.size(); ++k)
+      mine[k] = end_ + static_cast<int>(first + double(k) - all);
+    const std::vector<double> told = sendRows(ranks_, to, rows, 2);
+    for (std::size_t row = 0; row < told.size(); row += 2)
+      mine[static_cast<std::size_t>(told[row] - first)] = static_cast<int>(told[row + 1]);
+    return mine;
+  }
+
+private:
+  const Ranks& ranks_;
+  std::vector<int> free_;      ///< of this rank's part
+  std::vector<double> freeOf_; ///< how many each rank has
+  int end_ = 0, part_ = 1;
+};
+
+} // namespace
+
 template <int D>
 void nameParticles(State<D>& state)
 {
   const auto id = state.particles.integer(fields::id);
   const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, id);
-  const int count = static_cast<int>(host.extent(0));
   const Ranks ranks = ranksOf(state);
-  std::vector<double> named;
-  std::vector<double> unnamed(ranks.size(), 0.0);
-  for (int p = 0; p < count; ++p)
+  std::vector<int> named, unnamed;
+  for (int p = 0; p < static_cast<int>(host.extent(0)); ++p)
     if (host(p) >= 0)
       named.push_back(host(p));
     else
-      ++unnamed[ranks.rank()];
-  named = ranks.gatherOnAll(named);
-  ranks.sum(unnamed.data(), ranks.size());
-  int largest = -1;
-  for (const double name : named)
-    largest = std::max(largest, static_cast<int>(name));
-  std::vector<char> taken(largest + 1, 0);
-  for (const double name : named)
-    taken[static_cast<int>(name)] = 1;
-  int next = 0;
-  const auto findNext = [&]
-  {
-    while (next <= largest && taken[next] != 0)
-      ++next;
-    return next++;
-  };
-  for (int r = 0; r < ranks.rank(); ++r)
-    for (int k = 0; k < static_cast<int>(unnamed[r]); ++k)
-      findNext();
-  for (int p = 0; p < count; ++p)
-    if (host(p) < 0)
-      host(p) = findNext();
+      unnamed.push_back(p);
+  std::vector<double> wanted(ranks.size(), 0.0);
+  wanted[ranks.rank()] = static_cast<double>(unnamed.size());
+  ranks.sum(wanted.data(), ranks.size());
+  const std::vector<int> found = FreeIds(ranks, named).take(wanted);
+  for (std::size_t k = 0; k < unnamed.size(); ++k)
+    host(unnamed[k]) = found[k];
   Kokkos::deep_copy(id, host);
 }
 

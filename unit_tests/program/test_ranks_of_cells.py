@@ -10,6 +10,7 @@ import xml.etree.ElementTree as ElementTree
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
+import h5py  # noqa: E402
 import numpy  # noqa: E402
 from program import SOURCE  # noqa: E402
 from ranks import OnRanks  # noqa: E402
@@ -47,8 +48,13 @@ class Cells(OnRanks):
 
     def test_a_body_that_splits_and_merges_on_its_way(self):
         """Its particles change their ranks and their sizes, families across ranks become one again."""
-        self.agree(self.write(body().set("Adaptivity", BOX)), within=SAME)
+        self.agree(self.write(body().set("Adaptivity", BOX)), "--set", "Output:Checkpoint Interval=1.0", within=SAME)
         self.assertGreater(self.same_cells((2, 3, 4))["families_merged"], 20)
+        for count in (1, 2, 3, 4):
+            # What splits takes ids that are free on all ranks.
+            with h5py.File(os.path.join(self.folder, f"on{count}", "checkpoint.h5"), "r") as file:
+                ids = file["particles"]["id"][()].ravel()
+            self.assertEqual(len(set(ids)), len(ids), f"{count} ranks")
 
     def test_cells_that_follow_what_moves(self):
         """The same, divided anew whenever ranks have more to do than others."""
