@@ -2,8 +2,8 @@
 /// Motion of the nodes with a mass matrix that couples them.
 
 #include "mass_matrix/Chebyshev.hpp"
-#include "mass_matrix/ConjugateGradients.hpp"
 #include "mass_matrix/MassSystem.hpp"
+#include "solver/ConjugateGradients.hpp"
 
 #include <string>
 

@@ -46,6 +46,13 @@ void Conduction<D>::measure(const State<D>& state)
 template <int D>
 double Conduction<D>::stepLimit(const State<D>& state) const
 {
+  const double ratio = longSteps.method == Method::Explicit ? 1.0 : longSteps.stepRatio;
+  return ratio * explicitLimit(state);
+}
+
+template <int D>
+double Conduction<D>::explicitLimit(const State<D>& state) const
+{
   const double h = state.smallestSpacing();
   double limit = boundaries.stepLimit(leastCapacity, h);
   if (diffusivity > 0.0)
@@ -150,8 +157,12 @@ void Conduction<D>::once(State<D>& state, double dt, double time, const View<dou
   double heat = dt * boundaries.addFlux(state, nodes, time + 0.5 * dt);
   fluxToNodes(state, nodes, supplied);
   sumOverRanks(state, nodes.rate.data(), 2, 0, 1);
+  if (longSteps.method != Method::Explicit)
+    heat += longSteps.findRate(state, nodes, boundaries, faces, dt, explicitLimit(state));
   heat += changeTemperature(state, nodes, dt);
-  heat += faces.exchange(state, nodes, dt);
+  if (longSteps.method == Method::Explicit)
+    heat += faces.exchange(state, nodes, dt);
+  ++stepsTaken;
   // What nodes can't see fades in the time that heat takes through a cell: ten times slower than waves of its
   // length would. By the least of the diffusivities, since particles of several materials share it.
   const double h = state.smallestSpacing();

@@ -1,8 +1,7 @@
 #pragma once
 /// Steps of conduction.
 
-#include "thermal/CrackConduction.hpp"
-#include "thermal/HeatBoundaries.hpp"
+#include "thermal/LongSteps.hpp"
 #include "thermal/Sources.hpp"
 
 #include <limits>
@@ -20,6 +19,7 @@ struct Conduction
   std::vector<Source<D>> sources;
   HeatBoundaries<D> boundaries;
   CrackConduction<D> faces;
+  LongSteps<D> longSteps;
   HeatNodes<D> nodes;
   View<double*> supply;          ///< of each particle [W]
   double pending = 0.0;          ///< time since the last step of conduction [s]
@@ -30,6 +30,7 @@ struct Conduction
   double fractureSeen = 0.0;     ///< energy of the ledger's fracture that fronts have had their heat of [J]
   std::vector<double> frontHeat; ///< the part of it of each front [J]
   double finestHeated = std::numeric_limits<double>::infinity(); ///< finest cells when fronts were heated [m]
+  long stepsTaken = 0;                                           ///< steps of conduction
   bool warned = false;
   bool facesKnown = false;  ///< whether the faces' conductance is that of this step of the run
   ObservedPoints<D> fronts; ///< of cracks
@@ -38,7 +39,10 @@ struct Conduction
   /// Finds the largest diffusivity. To be called when the state's tables are there.
   void measure(const State<D>& state);
 
-  /// The longest step that conduction and surfaces allow [s].
+  /// The longest explicit step that conduction and surfaces allow [s].
+  double explicitLimit(const State<D>& state) const;
+
+  /// The longest step as conduction steps here [s].
   double stepLimit(const State<D>& state) const;
 
   /// Longest step in which sources stay where they are, to half a cell [s].

@@ -187,7 +187,7 @@ void CrackConduction<D>::findConductance(const State<D>& state)
 template <int D>
 double CrackConduction<D>::exchange(const State<D>& state, const HeatNodes<D>& heat, double dt) const
 {
-  if (!conducts_ || conductance_.extent(0) == 0 || state.cracks.second.extent(0) == 0)
+  if (!active(state))
     return 0.0;
   const Nodes<D> nodes = state.nodes;
   const View<double*> conductance = conductance_;

@@ -47,7 +47,13 @@ public:
   /// \return heat [J] that held nodes take up from outside for it
   double exchange(const State<D>& state, const HeatNodes<D>& nodes, double dt) const;
 
-  /// Of each node of the lattice, between its two fields [W/K]; empty where nothing conducts.
+  /// Whether there are faces that conduct now.
+  bool active(const State<D>& state) const
+  {
+    return conducts_ && conductance_.extent(0) > 0 && state.cracks.second.extent(0) > 0;
+  }
+
+  /// Between the two fields of each node of the lattice that has two [W/K]; others have none.
   const View<double*>& conductance() const { return conductance_; }
 
   void keep(Archive& archive);

@@ -137,6 +137,54 @@ double HeatBoundaries<D>::addFlux(State<D>& state, const HeatNodes<D>& heat, dou
 }
 
 template <int D>
+double HeatBoundaries<D>::addResponse(const View<double* [2]>& change, const View<double* [2]>& flow) const
+{
+  double power = 0.0;
+  for (const HeatedSurface<D>& heated : surfaces_)
+  {
+    if (!(heated.coefficient > 0.0))
+      continue;
+    const Load<D>& points = heated.surface.points;
+    const StencilTable<D> stencils = points.nodesAround();
+    const View<double*> share = points.shares();
+    const double perKelvin = heated.surface.area * heated.coefficient;
+    const View<double> sum("rhegma::thermal::changeOfPower");
+    forEachPushing(
+        "rhegma::thermal::addResponse", points.points(), KOKKOS_LAMBDA(const int k) {
+          double T = 0.0;
+          for (int e = 0; e < stencils.count(k); ++e)
+            T += stencils.weight(k, e) * change(stencils.node(k, e), 0);
+          const double inflow = -share(k) * perKelvin * T;
+          Kokkos::atomic_add(&sum(), inflow);
+          for (int e = 0; e < stencils.count(k); ++e)
+            Kokkos::atomic_add(&flow(stencils.node(k, e), 0), stencils.weight(k, e) * inflow);
+        });
+    double added = 0.0;
+    Kokkos::deep_copy(added, sum);
+    power += added;
+  }
+  return power;
+}
+
+template <int D>
+void HeatBoundaries<D>::addDiagonal(const View<double*>& diagonal) const
+{
+  for (const HeatedSurface<D>& heated : surfaces_)
+  {
+    const Load<D>& points = heated.surface.points;
+    const StencilTable<D> stencils = points.nodesAround();
+    const View<double*> share = points.shares();
+    const double perKelvin = heated.surface.area * heated.coefficient;
+    forEachPushing(
+        "rhegma::thermal::addDiagonal", perKelvin > 0.0 ? points.points() : 0, KOKKOS_LAMBDA(const int k) {
+          // The sum over the row, which is more than its diagonal.
+          for (int e = 0; e < stencils.count(k); ++e)
+            Kokkos::atomic_add(&diagonal(stencils.node(k, e)), stencils.weight(k, e) * share(k) * perKelvin);
+        });
+  }
+}
+
+template <int D>
 double HeatBoundaries<D>::stepLimit(double capacity, double spacing) const
 {
   double limit = std::numeric_limits<double>::infinity();

@@ -48,6 +48,13 @@ public:
   /// middle of the step \return the power [W]
   double addFlux(State<D>& state, const HeatNodes<D>& nodes, double time);
 
+  /// What a change of the nodes' temperature (first column) changes of it, added to a flow (first column);
+  /// the places are those of the last addFlux. \return the change of the power [W]
+  double addResponse(const View<double* [2]>& change, const View<double* [2]>& flow) const;
+
+  /// Adds to each node's heat flow per own temperature that of convection [W/K], or more.
+  void addDiagonal(const View<double*>& diagonal) const;
+
   /// Longest step that convection allows [s], for the capacity of a layer of cells.
   double stepLimit(double capacity, double spacing) const;
 

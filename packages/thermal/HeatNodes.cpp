@@ -2,6 +2,7 @@
 
 #include "material/Tensors.hpp"
 #include "parallel/Subdomain.hpp"
+#include "thermal/ParticleFlux.hpp"
 #include "transfer/ParticleViews.hpp"
 
 namespace Rhegma::thermal
@@ -57,12 +58,8 @@ struct FluxBlock
   Connect connect;
   View<double* [4]> value;
   View<double* [2]> rate;
-  ThermoTables tables;
-  View<double* [D][D]> axes;
+  ParticleFlux<D> conducts;
   BorrowedView<double* [D]> gradient;
-  BorrowedView<double*> volume, temperature;
-  BorrowedView<double * [gradientSize<D>]> deformation;
-  BorrowedView<int*> material, body;
   View<double*> supply;
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
@@ -77,7 +74,7 @@ struct FluxBlock
                               double g[D], flow[D];
                               for (int d = 0; d < D; ++d)
                                 gradient(p, d) = g[d] = slope[d][0];
-                              flux(p, g, flow);
+                              conducts.flux(p, g, flow);
                               Pack<2> b[D];
                               for (int d = 0; d < D; ++d)
                                 b[d] = pack(flow[d], 0.0);
@@ -85,32 +82,6 @@ struct FluxBlock
                               if (supply.extent(0) > 0 && supply(p) != 0.0)
                                 stencil.template addValue<2>(to, pack(supply(p), 0.0));
                             });
-  }
-
-  /// Volume times -k grad T.
-  KOKKOS_INLINE_FUNCTION void flux(int p, const double (&g)[D], double (&flow)[D]) const
-  {
-    const double* const F = &deformation(p, 0);
-    const ThermoPoint at(tables, material(p), temperature(p));
-    const double k = -determinant<D>(F) * volume(p) * at.conductivity();
-    for (int d = 0; d < D; ++d)
-      flow[d] = at.material.orthotropic ? 0.0 : k * g[d];
-    if (!at.material.orthotropic)
-      return;
-    for (int e = 0; e < D; ++e)
-    {
-      double a[D], square = 0.0, along = 0.0;
-      for (int d = 0; d < D; ++d)
-      {
-        a[d] = 0.0;
-        for (int j = 0; j < D; ++j)
-          a[d] += F[d * D + j] * axes(body(p), e, j);
-        square += a[d] * a[d];
-        along += a[d] * g[d];
-      }
-      for (int d = 0; d < D; ++d)
-        flow[d] += k * at.material.ratio[e] * along / square * a[d];
-    }
   }
 };
 
@@ -218,25 +189,17 @@ void findTemperature(State<D>& state, const HeatNodes<D>& heat)
 template <int D>
 void fluxToNodes(const State<D>& state, const HeatNodes<D>& nodes, const View<double*>& supply)
 {
-  withConnectivity(state,
-                   [&](const auto& connect)
-                   {
-                     using Connect = std::decay_t<decltype(connect)>;
-                     const FieldTable& table = state.particles;
-                     const FluxBlock<D, Connect> block{connect,
-                                                       nodes.value,
-                                                       nodes.rate,
-                                                       state.thermo,
-                                                       state.bodyAxes,
-                                                       table.real<D>(fields::temperatureGradient),
-                                                       table.scalar(fields::volume),
-                                                       table.scalar(fields::temperature),
-                                                       table.real<gradientSize<D>>(fields::deformation),
-                                                       table.integer(fields::material),
-                                                       table.integer(fields::body),
-                                                       supply};
-                     forEachBlock("rhegma::thermal::fluxToNodes", state.blocks, block);
-                   });
+  withConnectivity(
+      state,
+      [&](const auto& connect)
+      {
+        using Connect = std::decay_t<decltype(connect)>;
+        const FieldTable& table = state.particles;
+        const FluxBlock<D, Connect> block{
+            connect, nodes.value, nodes.rate, particleFlux(state), table.real<D>(fields::temperatureGradient),
+            supply};
+        forEachBlock("rhegma::thermal::fluxToNodes", state.blocks, block);
+      });
 }
 
 template <int D>

@@ -66,6 +66,11 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
   run.conduction.measure(state);
   run.conduction.finalTime = run.finalTime;
   run.conduction.diffusionNumber = list.get<double>("Diffusion Number");
+  const std::string method = list.get<std::string>("Conduction");
+  run.conduction.longSteps.method = method == "Implicit"              ? Method::Implicit
+                                    : method == "Super Time Stepping" ? Method::SuperTimeStepping
+                                                                      : Method::Explicit;
+  run.conduction.longSteps.stepRatio = list.get<double>("Step Ratio");
   run.conduction.frontFraction = list.get<double>("Front Heat Fraction");
   if (list.isParameter("Front Radius"))
     run.conduction.frontRadius = list.get<double>("Front Radius");
@@ -127,6 +132,8 @@ void report(const State<D>& state, const Run<D>& run, nlohmann::json& summary)
   nlohmann::json where = nlohmann::json::array();
   for (int d = 0; d < D; ++d)
     where.push_back(now.where[d]);
+  summary["conduction"] = {{"steps", run.conduction.stepsTaken},
+                           {"passes", run.conduction.stepsTaken + run.conduction.longSteps.products}};
   nlohmann::json& temperature = summary["temperature"];
   temperature = {{"peak", now.highest},
                  {"peak_rise", now.highest - run.initial},
@@ -201,8 +208,13 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     archive("settled samples", run->settledSamples);
     archive("pending", run->conduction.pending);
     archive("waited", run->conduction.waited);
+    archive("steps taken", run->conduction.stepsTaken);
     archive("warned", run->conduction.warned);
     archive("finest heated", run->conduction.finestHeated);
+    {
+      const Archive::Group longSteps(archive, "long steps");
+      run->conduction.longSteps.keep(archive);
+    }
     const Archive::Group faces(archive, "crack faces");
     run->conduction.faces.keep(archive);
   };

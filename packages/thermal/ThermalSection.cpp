@@ -190,6 +190,14 @@ Section thermalSection()
       .atMost(0.5)
       .byDefault(0.35)
       .meaning("Largest step of conduction, times k / (rho c) over the squared edge of the smallest cells.");
+  s.choice("Conduction", {"Explicit", "Super Time Stepping", "Implicit"})
+      .byDefault("Explicit")
+      .meaning("How conduction steps: explicitly; by stages of RKL2, which make steps far longer stable; by "
+               "backward Euler, solved with conjugate gradients.");
+  s.real("Step Ratio")
+      .atLeast(1.0)
+      .byDefault(20.0)
+      .meaning("Super Time Stepping and Implicit: longest step over the longest explicit one.");
   s.real("Front Heat Fraction")
       .range(0.0, 1.0)
       .byDefault(0.0)
@@ -249,6 +257,9 @@ void checkCrackFaces(const Teuchos::ParameterList& scene, std::vector<SceneError
     if (!conducts && faces.isParameter("Conductance"))
       errors.push_back({where + " > Conductance",
                         "the faces insulate; write Conduction = Always or When Closed, or leave it out"});
+    if (conducts && text(list, "Conduction") == "Super Time Stepping")
+      errors.push_back({where + " > Conduction", "Super Time Stepping is for cracks that insulate; write "
+                                                 "Thermal > Conduction = Implicit or Explicit"});
     if (conducts && text(cracks, "Formulation") != "" && text(cracks, "Formulation") != "Dual Field")
       errors.push_back({where + " > Conduction", "faces conduct with two fields of nodes only; write Cracks "
                                                  "> Formulation = Dual Field, or let them insulate"});

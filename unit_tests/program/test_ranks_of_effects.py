@@ -192,6 +192,14 @@ class Heat(OnRanks):
             fields = self.agree(self.write(self.heated(turned_plate(), faces)))
             self.assertTrue(numpy.any(fields["side"] != 0))
 
+    def test_long_steps(self):
+        """Solves end at 1e-8 of their right side, and those of different ranks elsewhere below that."""
+        scene = self.heated(turned_plate(), {"Conduction": "Always", "Conductance": 1e6})
+        scene.set("Materials > Polymer > Conductivity", 2e7).set("Thermal > Conduction", "Implicit")
+        self.agree(self.write(scene), within=1e-6, ranks=(3,))
+        scene.set("Thermal > Crack Faces", {}).set("Thermal > Conduction", "Super Time Stepping")
+        self.agree(self.write(scene), ranks=(3,))
+
     def test_faces_that_conduct_in_space(self):
         self.agree(self.write(self.heated(block(), {"Conduction": "Always", "Conductance": 1e6})), ranks=(3,))
 

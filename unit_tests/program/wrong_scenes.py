@@ -399,6 +399,12 @@ HEAT = [
     ("conduction_through_broken_cells", warm(**{"Crack Faces": {"Notch": {"Conduction": "Always"}}}).set(
         "Cracks > Formulation", "Broken Cell").remove("Energy Release"),
      one("Thermal > Crack Faces > Notch > Conduction", "Dual Field")),
+    ("stages_with_faces_that_conduct", warm(**{"Conduction": "Super Time Stepping",
+     "Crack Faces": {"Notch": {"Conduction": "Always"}}}),
+     one("Thermal > Crack Faces > Notch > Conduction", "Implicit or Explicit")),
+    ("conduction_by_no_method", warm(Conduction="Crank-Nicolson"), one("Thermal > Conduction", "Implicit")),
+    ("steps_shorter_than_explicit_ones", warm(**{"Conduction": "Implicit", "Step Ratio": 0.5}),
+     one("Thermal > Step Ratio", "1")),
     ("boundary_of_heat_without_it", plate().set("Boundaries > Hot", {"Type": "Temperature", "Temperature": 400.0,
      "Lower Corner": [0.0, 0.0], "Upper Corner": [0.1, 0.1]}), one("Boundaries > Hot", "boundary of heat")),
 ]

@@ -153,6 +153,17 @@ std::vector<Case> ownCases()
                                                         real("Radius", "0.2") + real("Power", "1e6"))) +
                             section("Crack Faces", section("Notch", text("Conduction", "Always") +
                                                                         real("Conductance", "1e3")))))),
+      own("own_heat_implicit",
+          plate(pull, section("Thermal", real("Initial Temperature", "300") + text("Conduction", "Implicit") +
+                                             section("Crack Faces",
+                                                     section("Notch", text("Conduction", "When Closed")))))),
+      own("own_heat_stages",
+          plate(pull,
+                section("Thermal",
+                        real("Initial Temperature", "300") + text("Conduction", "Super Time Stepping") +
+                            section("Sources",
+                                    section("Spot", text("Type", "Ball") + reals("Centre", "{0.3, 0.7}") +
+                                                        real("Radius", "0.2") + real("Power", "1e6")))))),
       own("own_load_balance", plate(pull, section("Damping", "") + section("Load Balance", ""))),
       own("own_damping",
           plate(pull, release + section("Damping", real("Mass Rate", "300") + real("Settled Drift", "1e3") +

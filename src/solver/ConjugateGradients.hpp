@@ -8,14 +8,14 @@
 #include <functional>
 #include <memory>
 
-namespace Rhegma::mass_matrix
+namespace Rhegma
 {
 
 /// How a solve ended.
 struct SolveResult
 {
   bool converged = false;
-  bool singular = false; ///< p M p <= 0 for a direction p of the search
+  bool singular = false; ///< p A p <= 0 for a direction p of the search
   int iterations = 0;
   double residual = 0.0; ///< 2-norm of what is left of the right side
 };
@@ -57,4 +57,4 @@ private:
   std::unique_ptr<Work> work_;
 };
 
-} // namespace Rhegma::mass_matrix
+} // namespace Rhegma

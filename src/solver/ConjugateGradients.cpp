@@ -1,4 +1,4 @@
-#include "mass_matrix/ConjugateGradients.hpp"
+#include "solver/ConjugateGradients.hpp"
 
 #include <BelosBlockCGSolMgr.hpp>
 #include <BelosLinearProblem.hpp>
@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <utility>
 
-namespace Rhegma::mass_matrix
+namespace Rhegma
 {
 
 namespace
@@ -58,7 +58,7 @@ public:
   void apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp, double alpha, double beta) const override
   {
     if (alpha != 1.0 || beta != 0.0 || x.getNumVectors() != 1)
-      throw std::logic_error("the mass matrix is only ever applied to one vector, as y = M x");
+      throw std::logic_error("an operator is only ever applied to one vector, as y = A x");
     if (function_)
       function_(read(x), overwrite(y));
     else
@@ -151,4 +151,4 @@ SolveResult ConjugateGradients::solve(Apply apply, Apply precondition)
   return result;
 }
 
-} // namespace Rhegma::mass_matrix
+} // namespace Rhegma

@@ -1,0 +1,94 @@
+#pragma once
+/// Steps of conduction far longer than an explicit one may be.
+
+#include "solver/ConjugateGradients.hpp"
+#include "thermal/CrackConduction.hpp"
+#include "thermal/HeatBoundaries.hpp"
+
+namespace Rhegma
+{
+class Archive;
+} // namespace Rhegma
+
+namespace Rhegma::thermal
+{
+
+/// How conduction steps in time.
+enum class Method
+{
+  Explicit,
+  SuperTimeStepping,
+  Implicit
+};
+
+/// Finds the mean heat flow of a long step. Heat leaves and enters nodes only as flow from node to node or
+/// through surfaces, so that all of it is kept to round-off, whatever stages or solver do.
+///
+/// Both start from the flow Q at the beginning of the step and take conductivities at its temperatures; a
+/// change theta of the nodes' temperature changes the flow by -K theta.
+///
+/// Super time stepping: the s stages of RKL2 (Meyer, Balsara and Aslam, J. Comput. Phys. 257 (2014) 594,
+/// equations 16 to 18), second order, stable up to (s^2 + s - 2) / 4 explicit steps. Nodes that hold so
+/// little material that they would go unstable by themselves take part as if they held more; what flows into
+/// them goes to the particles whole.
+///
+/// Implicit: backward Euler, (C + dt K) theta = dt Q, by conjugate gradients; the flow is then Q - K theta.
+/// Where faces conduct, the unknowns of a node with two fields are the change of its mean temperature, by
+/// capacities, and its jump at the end: a conductance however large is then a large number on the diagonal.
+template <int D>
+class LongSteps
+{
+public:
+  /// Changes the nodes' rate from that at the beginning of the step to the mean over it, and renews the
+  /// particles' temperature gradient. Temperatures of held nodes are those at the end already. Collective.
+  /// \param explicitLimit longest explicit step [s] \return heat [J] that surfaces take in on top of dt times
+  /// their power at the beginning, of this rank
+  double findRate(State<D>& state, const HeatNodes<D>& nodes, const HeatBoundaries<D>& boundaries,
+                  const CrackConduction<D>& faces, double dt, double explicitLimit);
+
+  /// Stages of super time stepping for steps of dt.
+  static int stages(double dt, double explicitLimit);
+
+  Method method = Method::Explicit;
+  double stepRatio = 20.0; ///< longest step over the longest explicit one
+  long products = 0;       ///< how often the flow of all particles was found, on top of once a step
+
+  void keep(Archive& archive);
+
+  /// Parts of `findRate`; public because compilers for devices want kernels in public functions.
+  double superTimeStep(State<D>& state, const HeatNodes<D>& nodes, const HeatBoundaries<D>& boundaries,
+                       double dt, double explicitLimit);
+  double implicitStep(State<D>& state, const HeatNodes<D>& nodes, const HeatBoundaries<D>& boundaries,
+                      const CrackConduction<D>& faces, double dt);
+  double findFlow(const State<D>& state, const HeatBoundaries<D>& boundaries);
+  void addGradient(const State<D>& state);
+  void findDiagonal(const State<D>& state, const HeatBoundaries<D>& boundaries);
+  void numberUnknowns(const State<D>& state, const HeatNodes<D>& nodes);
+  void findPairs(const State<D>& state, const HeatNodes<D>& nodes, const CrackConduction<D>& faces,
+                 double dt);
+  void spread(const State<D>& state, double jump);
+  void residual(const State<D>& state, const HeatNodes<D>& nodes, double dt, const BorrowedView<double*>& to);
+  void passThroughFaces(const State<D>& state, const HeatNodes<D>& nodes, double dt);
+  void precondition(const State<D>& state, const HeatNodes<D>& nodes, double dt,
+                    const BorrowedView<const double*>& from, const BorrowedView<double*>& to);
+
+private:
+  void makeRoom(const State<D>& state);
+
+  /// Columns of pairs_: shares a and b of the jump that the two fields take, jump at the beginning [K], dt
+  /// times conductance [J/K], unknown jump [K]; a = b = 0 where nothing passes or both are held.
+  static constexpr int pairWidth = 5;
+
+  View<double* [2]> change_;        ///< theta [K]; the second column is not used
+  View<double* [2]> flow_;          ///< -K theta [W]; the second column is not used
+  View<double*> diagonal_;          ///< of K [W/K]
+  View<double* [4]> stage_;         ///< heat that has flowed in by three stages, and Q [J, W]
+  View<char*> held_;                ///< not 0 for nodes whose temperature is prescribed
+  View<char*> unknown_;             ///< not 0 for nodes of this rank whose temperature is to be found
+  View<double* [pairWidth]> pairs_; ///< of each second field
+  int numPairs_ = 0;                ///< second fields while faces conduct, else 0
+  ConjugateGradients gradients_{1e-8, 1000};
+  int room_ = 0; ///< unknowns that there is room for
+};
+
+} // namespace Rhegma::thermal
