@@ -2,7 +2,6 @@
 
 #include "energy_release/CrackTipFields.hpp"
 #include "energy_release/FacePressureTerm.hpp"
-#include "energy_release/InternalAcceleration.hpp"
 #include "energy_release/ParticleHeat.hpp"
 #include "energy_release/ParticleMotion.hpp"
 #include "material/MaterialTable.hpp"
@@ -195,8 +194,8 @@ struct Integrand
   View<int*> parent; ///< node of each second field
   int numFirst;      ///< nodes before them
   NodalWeight<D> weight;
-  View<double * [Nodes<D>::motionWidth]> motion;
-  View<double* [D]> acceleration;
+  NodalVelocity<D> motion;
+  NodalAcceleration<D> acceleration;
   BorrowedView<double*[D]> position, reference;
   BorrowedView<double*> mass, volume;
   BorrowedView<double * [gradientSize<D>]> deformation;
@@ -484,7 +483,7 @@ Way wayOf(const State<D>& state, const CrackFront<D>& front, double radius)
 
 template <ShapeKind S, bool Stored>
 DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, const ContourRadii& radii,
-                         const View<double* [D]>& acceleration, bool intensities,
+                         const NodalAcceleration<D>& acceleration, bool intensities,
                          const Connectivity<D, S, Stored>& broken)
 {
   Integrand<S, Stored> work;
@@ -492,7 +491,7 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
   work.parent = state.nodes.parent;
   work.numFirst = state.nodes.numLattice;
   work.weight = {nodePlaces(state), front.position, radii};
-  work.motion = state.nodes.motion;
+  work.motion = NodalVelocity<D>(state);
   work.acceleration = acceleration;
   work.position = state.particles.template real<D>(fields::position);
   work.reference = state.particles.template real<D>(fields::reference);
@@ -529,7 +528,7 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
 } // namespace
 
 DomainIntegral integrateDomain(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
-                               const View<double* [2]>& acceleration)
+                               const NodalAcceleration<2>& acceleration)
 {
   DomainIntegral result;
   withConnectivity(state, [&](const auto& broken)
@@ -538,7 +537,7 @@ DomainIntegral integrateDomain(const State<2>& state, const CrackFront<2>& front
 }
 
 double integrateRelease(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
-                        const View<double* [2]>& acceleration)
+                        const NodalAcceleration<2>& acceleration)
 {
   double J = 0.0;
   withConnectivity(state, [&](const auto& broken)

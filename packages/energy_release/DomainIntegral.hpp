@@ -2,6 +2,7 @@
 /// The energy release rate and the stress intensities of a front by integrals over a disk around it.
 
 #include "energy_release/Contour.hpp"
+#include "energy_release/InternalAcceleration.hpp"
 
 namespace Rhegma::energy_release
 {
@@ -66,11 +67,11 @@ struct DomainIntegral
 /// Mech. 21 (1985) 405; Yau, Wang and Corten, J. Appl. Mech. 47 (1980) 335; for R Bueckner, ZAMM 50 (1970)
 /// 529, and Stern, Becker and Dunham, Int. J. Fract. 12 (1976) 359.
 DomainIntegral integrateDomain(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
-                               const View<double* [2]>& acceleration);
+                               const NodalAcceleration<2>& acceleration);
 
 /// J alone [J/m2], for less.
 double integrateRelease(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
-                        const View<double* [2]>& acceleration);
+                        const NodalAcceleration<2>& acceleration);
 
 /// Radius round a front in which nodes must have their acceleration [m].
 double accelerationReach(const State<2>& state, const ContourRadii& radii);

@@ -3,7 +3,6 @@
 #include "checkpoint/Archive.hpp"
 #include "energy_release/CrackTipFields.hpp"
 #include "energy_release/DomainIntegral.hpp"
-#include "energy_release/InternalAcceleration.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>

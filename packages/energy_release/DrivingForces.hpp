@@ -2,6 +2,7 @@
 /// What drives crack fronts on, in every step, for who lets them grow.
 
 #include "energy_release/Contour.hpp"
+#include "energy_release/InternalAcceleration.hpp"
 
 #include <vector>
 
@@ -37,7 +38,7 @@ private:
   const Contours& contoursOf(const State<2>& state, std::size_t front);
 
   std::vector<Contours> contours_;
-  View<double* [2]> acceleration_;
+  NodalAcceleration<2> acceleration_;
 };
 
 } // namespace Rhegma::energy_release

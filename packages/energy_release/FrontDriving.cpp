@@ -16,8 +16,9 @@ namespace Rhegma::energy_release
 namespace
 {
 
-/// Cells by which a station may move before its tube is fitted anew.
-constexpr double lookAgain = 1.0;
+/// Cells by which a station may move before its tube is fitted anew: less than four advances of a quarter of
+/// a cell, of which last digits would tell whether they are more.
+constexpr double lookAgain = 0.9;
 
 bool hasMoved(const std::vector<double>& at, const FrontLine& line, double cell)
 {

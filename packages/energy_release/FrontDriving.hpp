@@ -2,6 +2,7 @@
 /// What drives the stations of 3D fronts on, in every step, for who lets them grow.
 
 #include "energy_release/FrontTube.hpp"
+#include "energy_release/InternalAcceleration.hpp"
 
 #include <vector>
 
@@ -37,7 +38,7 @@ private:
   const FrontTube& tubeOf(const State<3>& state, std::size_t front, const FrontLine& line);
 
   std::vector<Fitted> fitted_;
-  View<double* [3]> acceleration_;
+  NodalAcceleration<3> acceleration_;
 };
 
 } // namespace Rhegma::energy_release

@@ -1,6 +1,5 @@
 #include "energy_release/FrontIntegral.hpp"
 
-#include "energy_release/InternalAcceleration.hpp"
 #include "energy_release/ParticleMotion.hpp"
 #include "material/Materials.hpp"
 #include "parallel/Subdomain.hpp"
@@ -109,8 +108,8 @@ struct ForceBlock
   Region<D> box;
   MeanMotion mean;
   View<double* [D]> force;
-  View<double * [Nodes<D>::motionWidth]> motion;
-  View<double* [D]> acceleration;
+  NodalVelocity<D> motion;
+  NodalAcceleration<D> acceleration;
   BorrowedView<double* [D]> position;
   BorrowedView<double*> mass, volume;
   BorrowedView<double * [gradientSize<D>]> deformation;
@@ -177,7 +176,7 @@ struct ForceBlock
 };
 
 View<double* [D]> configurationalForces(const State<D>& state, const Region<D>& box,
-                                        const View<double* [D]>& acceleration)
+                                        const NodalAcceleration<D>& acceleration)
 {
   const View<double* [D]> force("rhegma::configurationalForce", state.nodes.sums.extent(0));
   const MeanMotion mean = meanMotion(state, box);
@@ -189,7 +188,7 @@ View<double* [D]> configurationalForces(const State<D>& state, const Region<D>& 
                                                box,
                                                mean,
                                                force,
-                                               state.nodes.motion,
+                                               NodalVelocity<D>(state),
                                                acceleration,
                                                state.particles.real<D>(fields::position),
                                                state.particles.scalar(fields::mass),
@@ -351,7 +350,7 @@ double reachOf(const State<D>& state, const FrontTube& tube)
 } // namespace
 
 std::vector<double> integrateWithAcceleration(const State<3>& state, const FrontLine& line,
-                                              const FrontTube& tube, const View<double* [3]>& acceleration)
+                                              const FrontTube& tube, const NodalAcceleration<3>& acceleration)
 {
   const std::size_t stations = line.stations.size();
   if (line.empty())
@@ -376,7 +375,7 @@ std::vector<double> integrateWithAcceleration(const State<3>& state, const Front
 }
 
 std::vector<double> integrateAlongFront(const State<3>& state, const FrontLine& line, const FrontTube& tube,
-                                        View<double* [3]>& acceleration)
+                                        NodalAcceleration<3>& acceleration)
 {
   // Nodes that particles in the tube touch are touched by others.
   internalAcceleration(state, regionAround(line, reachOf(state, tube) + 4.0 * state.grid.spacing),

@@ -2,6 +2,7 @@
 /// The energy release rate along a front in 3D by domain integrals.
 
 #include "energy_release/FrontTube.hpp"
+#include "energy_release/InternalAcceleration.hpp"
 
 #include <vector>
 
@@ -27,10 +28,11 @@ namespace Rhegma::energy_release
 /// Source: Li, Shih and Needleman, Eng. Fract. Mech. 21 (1985) 405; Nikishkov and Atluri, Int. J. Numer.
 /// Methods Eng. 24 (1987) 1801.
 std::vector<double> integrateAlongFront(const State<3>& state, const FrontLine& line, const FrontTube& tube,
-                                        View<double* [3]>& acceleration);
+                                        NodalAcceleration<3>& acceleration);
 
 /// The same with a given acceleration of nodes.
 std::vector<double> integrateWithAcceleration(const State<3>& state, const FrontLine& line,
-                                              const FrontTube& tube, const View<double* [3]>& acceleration);
+                                              const FrontTube& tube,
+                                              const NodalAcceleration<3>& acceleration);
 
 } // namespace Rhegma::energy_release

@@ -28,6 +28,7 @@ FrontLine lineOf(const CrackFront<3>& front)
     if (ends || closes)
     {
       all.loop.push_back(closes ? along : 0.0);
+      all.open.push_back(closes ? 0.0 : along);
       all.length += along;
       along = 0.0;
       first = k + 1;
@@ -46,6 +47,7 @@ FrontSight::FrontSight(const FrontLine& front, double extension)
       normal("rhegma::frontNormal", front.stations.size()),
       arc("rhegma::frontArc", front.stations.size()),
       loop("rhegma::frontLoop", front.loop.size()),
+      open("rhegma::frontOpen", front.open.size()),
       line("rhegma::frontLine", front.stations.size()),
       piece("rhegma::frontPiece", front.pieces.size()),
       pieceLength("rhegma::frontPieceLength", front.pieces.size()),
@@ -54,7 +56,7 @@ FrontSight::FrontSight(const FrontLine& front, double extension)
   const auto places = Kokkos::create_mirror_view(place), directions = Kokkos::create_mirror_view(direction),
              normals = Kokkos::create_mirror_view(normal);
   const auto arcs = Kokkos::create_mirror_view(arc), loops = Kokkos::create_mirror_view(loop),
-             lengths = Kokkos::create_mirror_view(pieceLength);
+             opens = Kokkos::create_mirror_view(open), lengths = Kokkos::create_mirror_view(pieceLength);
   const auto lines = Kokkos::create_mirror_view(line);
   const auto pieces = Kokkos::create_mirror_view(piece);
   for (std::size_t k = 0; k < front.stations.size(); ++k)
@@ -70,7 +72,10 @@ FrontSight::FrontSight(const FrontLine& front, double extension)
     lines(k) = front.line[k];
   }
   for (std::size_t k = 0; k < front.loop.size(); ++k)
+  {
     loops(k) = front.loop[k];
+    opens(k) = front.open[k];
+  }
   for (std::size_t k = 0; k < front.pieces.size(); ++k)
   {
     const FrontPiece& p = front.pieces[k];
@@ -85,6 +90,7 @@ FrontSight::FrontSight(const FrontLine& front, double extension)
   Kokkos::deep_copy(normal, normals);
   Kokkos::deep_copy(arc, arcs);
   Kokkos::deep_copy(loop, loops);
+  Kokkos::deep_copy(open, opens);
   Kokkos::deep_copy(line, lines);
   Kokkos::deep_copy(piece, pieces);
   Kokkos::deep_copy(pieceLength, lengths);

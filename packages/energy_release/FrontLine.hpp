@@ -23,6 +23,7 @@ struct FrontLine
   std::vector<double> arc;  ///< of each station: length of its line up to there [m]
   std::vector<int> line;    ///< of each station
   std::vector<double> loop; ///< of each line: its length if it is closed, else 0 [m]
+  std::vector<double> open; ///< of each line: its length if it is open, else 0 [m]
   std::vector<FrontPiece> pieces;
   double length = 0.0; ///< of all lines [m]
 
@@ -46,7 +47,7 @@ struct FrontFoot
 struct FrontSight
 {
   View<double*[3]> place, direction, normal; ///< of stations
-  View<double*> arc, loop;
+  View<double*> arc, loop, open;
   View<int*> line;
   View<int* [4]> piece; ///< as FrontPiece
   View<double*> pieceLength;
@@ -55,19 +56,16 @@ struct FrontSight
   FrontSight() = default;
   FrontSight(const FrontLine& front, double extension);
 
+  /// A place as far from two pieces that meet, inside of their corner, has its foot in the middle of the two.
   KOKKOS_INLINE_FUNCTION FrontFoot look(const Vector<3>& x) const
   {
+    const int count = static_cast<int>(piece.extent(0));
     double least = 1e300, part = 0.0;
     int found = 0;
-    for (int k = 0; k < static_cast<int>(piece.extent(0)); ++k)
+    for (int k = 0; k < count; ++k)
     {
-      const Vector<3> a = at(place, piece(k, 0)), along = at(place, piece(k, 1)) - a, from = x - a;
-      const double length = pieceLength(k), reach = beyond / length;
-      const double low = piece(k, 2) != 0 ? -reach : 0.0, high = piece(k, 3) != 0 ? 1.0 + reach : 1.0;
-      double t = dot(from, along) / (length * length);
-      t = t < low ? low : (t > high ? high : t);
-      const Vector<3> away = from - t * along;
-      const double square = dot(away, away);
+      double t = 0.0;
+      const double square = squareTo(k, x, t);
       if (square < least)
       {
         least = square;
@@ -75,22 +73,17 @@ struct FrontSight
         found = k;
       }
     }
-    const int a = piece(found, 0), b = piece(found, 1);
-    const double share = part < 0.0 ? 0.0 : (part > 1.0 ? 1.0 : part);
-    FrontFoot foot;
+    FrontFoot foot = footOn(found, part);
     foot.distance = std::sqrt(least);
-    foot.line = line(a);
-    foot.arc = arc(a) + part * pieceLength(found);
-    foot.inside = 1e300;
-    if (piece(found, 2) != 0)
-      foot.inside = part * pieceLength(found);
-    if (piece(found, 3) != 0)
+    for (int k = 0; k < count; ++k)
     {
-      const double rest = (1.0 - part) * pieceLength(found);
-      foot.inside = rest < foot.inside ? rest : foot.inside;
+      const bool after = piece(found, 1) == piece(k, 0), before = piece(k, 1) == piece(found, 0);
+      double t = 0.0;
+      if (k != found && (after || before) && squareTo(k, x, t) < least * (1.0 + asFar))
+        foot = middle(foot, footOn(k, t));
     }
-    foot.direction = mean(direction, a, b, share);
-    foot.normal = mean(normal, a, b, share);
+    const double all = open(foot.line), rest = all - foot.arc;
+    foot.inside = all > 0.0 ? (rest < foot.arc ? rest : foot.arc) : 1e300;
     return foot;
   }
 
@@ -104,6 +97,44 @@ struct FrontSight
   }
 
 private:
+  static constexpr double asFar = 1e-9; ///< beyond what last digits make of a square
+
+  /// Square of the distance from a piece [m2]. \param part of the piece at the nearest point
+  KOKKOS_INLINE_FUNCTION double squareTo(int k, const Vector<3>& x, double& part) const
+  {
+    const Vector<3> a = at(place, piece(k, 0)), along = at(place, piece(k, 1)) - a, from = x - a;
+    const double length = pieceLength(k), reach = beyond / length;
+    const double low = piece(k, 2) != 0 ? -reach : 0.0, high = piece(k, 3) != 0 ? 1.0 + reach : 1.0;
+    const double t = dot(from, along) / (length * length);
+    part = t < low ? low : (t > high ? high : t);
+    const Vector<3> away = from - part * along;
+    return dot(away, away);
+  }
+
+  KOKKOS_INLINE_FUNCTION FrontFoot footOn(int k, double part) const
+  {
+    const int a = piece(k, 0), b = piece(k, 1);
+    const double share = part < 0.0 ? 0.0 : (part > 1.0 ? 1.0 : part);
+    FrontFoot foot{};
+    foot.line = line(a);
+    foot.arc = arc(a) + part * pieceLength(k);
+    foot.direction = mean(direction, a, b, share);
+    foot.normal = mean(normal, a, b, share);
+    return foot;
+  }
+
+  KOKKOS_INLINE_FUNCTION FrontFoot middle(FrontFoot one, const FrontFoot& other) const
+  {
+    const double all = loop(one.line), half = 0.5 * (one.arc + other.arc);
+    // Where a closed line begins it is not in the middle of its length.
+    const bool over = all > 0.0 && std::fabs(one.arc - other.arc) > 0.5 * all;
+    one.arc = over ? (half < 0.5 * all ? half + 0.5 * all : half - 0.5 * all) : half;
+    const Vector<3> d = one.direction + other.direction, n = one.normal + other.normal;
+    one.direction = (1.0 / norm(d)) * d;
+    one.normal = (1.0 / norm(n)) * n;
+    return one;
+  }
+
   static KOKKOS_INLINE_FUNCTION Vector<3> at(const View<double* [3]>& rows, int k)
   {
     return {rows(k, 0), rows(k, 1), rows(k, 2)};

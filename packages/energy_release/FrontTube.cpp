@@ -14,8 +14,15 @@ namespace
 
 constexpr double halfWidthCells = 2.0;
 
-/// Distance from a front within which all nodes are surrounded by material; at the ends of an open one, where
-/// the surface is, a cell's length is left out.
+/// By how much a surface at which a front ends may lean towards it: a node of that surface has its foot on
+/// the front by this share of its distance, and a cell, from the end.
+constexpr double leans = 0.6;
+
+/// So much of an open front is left out at each end at most.
+constexpr double atAnEnd = 0.4;
+
+/// Distance from a front within which all nodes are surrounded by material; the ends of an open one, where
+/// the surface is, are left out.
 double clearOfSurfaces(const State<3>& state, const FrontLine& line, double radius)
 {
   Vector<3> middle{{0.0, 0.0, 0.0}};
@@ -29,6 +36,9 @@ double clearOfSurfaces(const State<3>& state, const FrontLine& line, double radi
   const Nodes<3> numbers = state.nodes;
   const FrontSight sight(line, radius);
   const double cell = state.grid.spacing;
+  double most = 1e300;
+  for (const double length : line.open)
+    most = length > 0.0 ? std::min(most, atAnEnd * length) : most;
   double nearest = radius;
   Kokkos::parallel_reduce(
       "rhegma::clearOfSurfaces", Kokkos::RangePolicy<ExecSpace>(0, cover.extent(0)),
@@ -36,7 +46,8 @@ double clearOfSurfaces(const State<3>& state, const FrontLine& line, double radi
         if (!isOpen(numbers, cover, n) || norm(places(n) - middle) > extent + radius)
           return;
         const FrontFoot foot = sight.look(places(n));
-        if (foot.inside >= cell && foot.distance < smallest)
+        const double end = std::fmin(cell + leans * foot.distance, std::fmax(cell, most));
+        if (foot.inside >= end && foot.distance < smallest)
           smallest = foot.distance;
       },
       Kokkos::Min<double>(nearest));
@@ -68,12 +79,14 @@ double clearOfOthers(const State<3>& state, const CrackFront<3>& front, const Fr
   return nearest;
 }
 
-/// Cells between places of a front that tell its curvature: nearer ones tell the corners of its pieces.
-constexpr double curvatureFrom = 2.0;
+/// Cells between places of a front that begin to tell its curvature, and that tell it fully: nearer ones tell
+/// the corners of its pieces. What a pair says grows in between, so that no tube jumps by what last digits
+/// make of a distance.
+constexpr double curvatureFrom = 1.5, curvatureFully = 3.0;
 
 } // namespace
 
-double radiusOfCurvature(const FrontLine& line, double least)
+double radiusOfCurvature(const FrontLine& line, double cell)
 {
   std::vector<char> atSurface(line.stations.size(), 0);
   for (const FrontPiece& piece : line.pieces)
@@ -81,24 +94,25 @@ double radiusOfCurvature(const FrontLine& line, double least)
     atSurface[piece.from] |= piece.begins;
     atSurface[piece.to] |= piece.ends;
   }
-  double smallest = std::numeric_limits<double>::infinity();
+  double largest = 0.0;
   for (std::size_t s = 0; s < line.stations.size(); ++s)
     for (std::size_t t = 0; t < line.stations.size(); ++t)
     {
       if (atSurface[s] || atSurface[t])
         continue;
       const Vector<3> chord = line.stations[t].position - line.stations[s].position;
-      const double square = dot(chord, chord), sagitta = std::fabs(dot(chord, line.stations[s].direction));
-      if (square > least * least && sagitta > 0.0)
-        smallest = std::min(smallest, 0.5 * square / sagitta);
+      const double length = norm(chord), sagitta = std::fabs(dot(chord, line.stations[s].direction));
+      const double says = (length / cell - curvatureFrom) / (curvatureFully - curvatureFrom);
+      if (says > 0.0)
+        largest = std::max(largest, std::min(says, 1.0) * 2.0 * sagitta / (length * length));
     }
-  return smallest;
+  return largest > 0.0 ? 1.0 / largest : std::numeric_limits<double>::infinity();
 }
 
 double roomAround(const State<3>& state, const CrackFront<3>& front, const FrontLine& line, double radius)
 {
   const double cell = spacingAt(state, front.position);
-  radius = std::min(radius, radiusOfCurvature(line, curvatureFrom * cell));
+  radius = std::min(radius, radiusOfCurvature(line, cell));
   radius = clearOfOthers(state, front, line, radius);
   return clearOfSurfaces(state, line, radius);
 }
@@ -116,8 +130,7 @@ FrontTube fittingTube(const State<3>& state, const CrackFront<3>& front, const F
 {
   const double cell = spacingAt(state, front.position);
   FrontTube tube{usualRadii(given, cell), 0.0};
-  tube.halfWidth =
-      std::min(halfWidthCells * cell, std::max(0.5 * radiusOfCurvature(line, curvatureFrom * cell), cell));
+  tube.halfWidth = std::min(halfWidthCells * cell, std::max(0.5 * radiusOfCurvature(line, cell), cell));
   if (given.outer > 0.0)
     return tube;
   const double usual = tube.radii.outer;

@@ -20,9 +20,10 @@ struct FrontTube
 double roomAround(const State<3>& state, const CrackFront<3>& front, const FrontLine& line, double radius);
 
 /// Radius of the largest ball that touches a front from behind or ahead and holds no other part of it; parts
-/// nearer than `least` [m] are not looked at, nor the ends of an open front, where the surface cuts its
-/// pieces and a station points along the crack's mouth. Infinite for a straight front.
-double radiusOfCurvature(const FrontLine& line, double least);
+/// nearer than 1.5 cells are not looked at, those nearer than 3 count less, and the ends of an open front not
+/// at all, where the surface cuts its pieces and a station points along the crack's mouth. Infinite for a
+/// straight front.
+double radiusOfCurvature(const FrontLine& line, double cell);
 
 /// Radii that a 3D scene leaves to the program: 2.5 and 5 cells. With 1 and 3 cells J of
 /// verification/thick_plate.xml is 2.5 % low.

@@ -86,7 +86,7 @@ Sample unmeasured(const State<3>& state, const CrackFront<3>& front, const Optio
 
 void measure(const State<3>& state, Sample& s)
 {
-  View<double* [3]> acceleration;
+  NodalAcceleration<3> acceleration;
   s.J = integrateAlongFront(state, s.line, s.tube, acceleration);
   const Elasticity e = elasticity(state.materialList[materialAt(state, s.front.position)]);
   const std::vector<Intensities> openings =

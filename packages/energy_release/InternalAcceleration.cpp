@@ -25,9 +25,9 @@ struct ForceBlock
 {
   Connect connect;
   Place place;
-  View<double* [D]> force;
+  NodalAcceleration<D> force;
   BorrowedView<double* [D]> position;
-  BorrowedView<double*> volume;
+  BorrowedView<double*> mass, volume;
   BorrowedView<double * [symmetricSize<D>]> stress;
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
@@ -40,8 +40,9 @@ struct ForceBlock
       if (!place.holds(x))
         continue;
       connect.visit(p,
-                    [&](int node, double, const double* slope)
+                    [&](int node, double share, const double* slope)
                     {
+                      force(node, D) += share * mass(p);
                       for (int i = 0; i < D; ++i)
                         for (int j = 0; j < D; ++j)
                           force(node, i) -= volume(p) * stress(p, symmetricIndex<D>(i, j)) * slope[j];
@@ -52,7 +53,7 @@ struct ForceBlock
 
 /// Ties hold the front together, as the material does.
 template <int D>
-void addTies(const State<D>& state, const View<double* [D]>& force)
+void addTies(const State<D>& state, const NodalAcceleration<D>& force)
 {
   const View<double * [D + 1]> tie = state.cracks.tie;
   if (tie.extent(0) == 0)
@@ -70,22 +71,22 @@ void addTies(const State<D>& state, const View<double* [D]>& force)
 }
 
 template <int D>
-void divideByMass(const Nodes<D>& nodes, const View<double* [D]>& force)
+void divideByMass(const NodalAcceleration<D>& force)
 {
   Kokkos::parallel_for(
       "rhegma::internalAcceleration", Kokkos::RangePolicy<ExecSpace>(0, force.extent(0)),
       KOKKOS_LAMBDA(const int n) {
-        const double mass = nodes.sums(n, Nodes<D>::massAt);
+        const double mass = force(n, D);
         for (int i = 0; i < D; ++i)
           force(n, i) = mass > 0.0 ? force(n, i) / mass : 0.0;
       });
 }
 
 template <int D, class Place>
-void accelerate(const State<D>& state, const Place& place, View<double* [D]>& force)
+void accelerate(const State<D>& state, const Place& place, NodalAcceleration<D>& force)
 {
   if (force.extent(0) != state.nodes.sums.extent(0))
-    force = View<double* [D]>("rhegma::internalForce", state.nodes.sums.extent(0));
+    force = NodalAcceleration<D>("rhegma::internalForce", state.nodes.sums.extent(0));
   else
     Kokkos::deep_copy(force, 0.0);
   if (state.step == 0 || force.extent(0) == 0) // nodes have no mass before the first step
@@ -99,31 +100,32 @@ void accelerate(const State<D>& state, const Place& place, View<double* [D]>& fo
                          place,
                          force,
                          state.particles.template real<D>(fields::position),
+                         state.particles.scalar(fields::mass),
                          state.particles.scalar(fields::volume),
                          state.particles.template real<symmetricSize<D>>(fields::stress)};
                      forEachBlock("rhegma::internalForce", state.blocks, block);
                    });
-  sumOverRanks(state, force.data(), D, 0, D);
+  sumOverRanks(state, force.data(), D + 1, 0, D + 1);
   addTies(state, force);
-  divideByMass(state.nodes, force);
+  divideByMass<D>(force);
 }
 
 } // namespace
 
-View<double* [2]> internalAcceleration(const State<2>& state, const Vector<2>& centre, double radius)
+NodalAcceleration<2> internalAcceleration(const State<2>& state, const Vector<2>& centre, double radius)
 {
-  View<double* [2]> acceleration;
+  NodalAcceleration<2> acceleration;
   internalAcceleration(state, centre, radius, acceleration);
   return acceleration;
 }
 
 void internalAcceleration(const State<2>& state, const Vector<2>& centre, double radius,
-                          View<double* [2]>& force)
+                          NodalAcceleration<2>& force)
 {
   accelerate(state, Disk{centre, radius}, force);
 }
 
-void internalAcceleration(const State<3>& state, const Region<3>& box, View<double* [3]>& force)
+void internalAcceleration(const State<3>& state, const Region<3>& box, NodalAcceleration<3>& force)
 {
   accelerate(state, box, force);
 }

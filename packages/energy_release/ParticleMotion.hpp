@@ -1,10 +1,34 @@
 #pragma once
 /// The motion that nodes give a particle in the integrals round a front.
 
-#include "state/Types.hpp"
+#include "state/State.hpp"
 
 namespace Rhegma::energy_release
 {
+
+/// The velocity of nodes that strains the particles [m/s]. With MUSL and USF that is a mean of the particles'
+/// own. What the solve gives a node that a box just reaches, with a mass of the square of that length and a
+/// force of its first power, is any velocity; its slope in a box that has moved since is any number too.
+template <int D>
+struct NodalVelocity
+{
+  View<double * [Nodes<D>::motionWidth]> motion;
+  View<double * [Nodes<D>::projectionWidth]> projection;
+  bool byMotion = true;
+
+  NodalVelocity() = default;
+  explicit NodalVelocity(const State<D>& state)
+      : motion(state.nodes.motion),
+        projection(state.nodes.projection),
+        byMotion(state.scheme == UpdateScheme::Usl)
+  {
+  }
+
+  KOKKOS_INLINE_FUNCTION double operator()(int node, int axis) const
+  {
+    return byMotion ? motion(node, axis) : projection(node, axis);
+  }
+};
 
 /// Velocity [m/s] beside that of the disk, acceleration [m/s2] and slopes of the velocity [1/s], dv[i][j] =
 /// v_i,j.
@@ -15,16 +39,15 @@ struct ParticleMotion
   double dv[D][D] = {};
 };
 
-/// A node that a particle's box reaches by its last digit has a mass of the square of that length and a force
-/// of its first power: its velocity is any number, and what its slope makes of it hangs on round-off. Such
-/// nodes are left out; what that changes of a slope is below 1e-10 of the neighbours' share.
+/// With USL a node that a box reaches by its last digit would have a say that hangs on round-off. Such nodes
+/// are left out; what that changes of a slope is below 1e-10 of the neighbours' share.
 constexpr double leastShare = 1e-20;
 
 /// \param mean velocity of the disk, taken off
-template <int D, class Connect, class Motion, class Acceleration>
-KOKKOS_INLINE_FUNCTION ParticleMotion<D> particleMotion(const Connect& connect, int p, const Motion& motion,
-                                                        const Acceleration& acceleration,
-                                                        const Vector<D>& mean)
+template <int D, class Connect, class Acceleration>
+KOKKOS_INLINE_FUNCTION ParticleMotion<D>
+particleMotion(const Connect& connect, int p, const NodalVelocity<D>& velocity,
+               const Acceleration& acceleration, const Vector<D>& mean)
 {
   ParticleMotion<D> is;
   connect.visit(p,
@@ -34,10 +57,10 @@ KOKKOS_INLINE_FUNCTION ParticleMotion<D> particleMotion(const Connect& connect, 
                     return;
                   for (int i = 0; i < D; ++i)
                   {
-                    is.v[i] += share * (motion(node, i) - mean[i]);
+                    is.v[i] += share * (velocity(node, i) - mean[i]);
                     is.a[i] += share * acceleration(node, i);
                     for (int j = 0; j < D; ++j)
-                      is.dv[i][j] += slope[j] * motion(node, i);
+                      is.dv[i][j] += slope[j] * velocity(node, i);
                   }
                 });
   return is;

@@ -3,7 +3,6 @@
 
 import json
 import os
-import re
 import sys
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -152,18 +151,13 @@ class Propagation(OnRanks):
     def test_a_penny_that_grows(self):
         """A front in three dimensions, which sets out long before the end of its loading."""
         scene = os.path.join(SOURCE, "xml_inputs", "examples", "penny_growth.xml")
-        penny = (scene, "--set", "Time:Maximum Steps=70", "--set", "Propagation:Start Time=0")
+        penny = (scene, "--set", "Time:Maximum Steps=110", "--set", "Propagation:Start Time=0")
         penny += ("--set", "Propagation:Toughness=0.05*(1 + v/200)")
         one = self.run_on(1, *penny)
         for count in (2, 3):
             other = self.run_on(count, *penny)
             self.assertEqual(other[0]["ranks"], count)
-            # Over 80 steps 2e-6 was measured in K at single stations, 2e-7 in J and 6e-9 in what faces took: more than
-            # round-off. The bounds leave room for that on other machines; a station that were to advance elsewhere on
-            # some ranks would be off by its increment, a quarter of a cell.
-            measured = re.compile(r"Penny\.0\.(G|K|speed)")
-            self.compare(one, other, within=1e-6, columns=lambda name: not measured.match(name))
-            self.compare(one, other, within=1e-4)
+            self.compare(one, other)
         with open(os.path.join(self.folder, "on3", "summary.json"), encoding="utf-8") as file:
             front = json.load(file)["cracks"][0]["fronts"][0]
         self.assertGreater(front["increments"], 10)

@@ -80,15 +80,15 @@ void setMotion(State<2>& state, const std::function<Motion(const Vector<2>&)>& m
     const Motion m = motion(state.grid.nodePosition(n));
     for (int d = 0; d < 2; ++d)
     {
-      state.nodes.motion(n, d) = m.velocity[d];
+      state.nodes.motion(n, d) = state.nodes.projection(n, d) = m.velocity[d];
       state.nodes.motion(n, Nodes<2>::accelerationAt + d) = m.acceleration[d];
     }
   }
 }
 
-View<double* [2]> nodalAcceleration(const State<2>& state)
+NodalAcceleration<2> nodalAcceleration(const State<2>& state)
 {
-  const View<double* [2]> acceleration("rhegma::acceleration", state.grid.numNodes);
+  const NodalAcceleration<2> acceleration("rhegma::acceleration", state.grid.numNodes);
   for (int n = 0; n < state.grid.numNodes; ++n)
     for (int d = 0; d < 2; ++d)
       acceleration(n, d) = state.nodes.motion(n, Nodes<2>::accelerationAt + d);

@@ -2,6 +2,7 @@
 /// A body of particles on a lattice with a displacement given in closed form.
 
 #include "energy_release/CrackTipFields.hpp"
+#include "energy_release/InternalAcceleration.hpp"
 #include "material/MaterialTable.hpp"
 #include "material/Materials.hpp"
 #include "state/State.hpp"
@@ -40,7 +41,7 @@ void deform(State<2>& state, const DisplacementField& field);
 void setMotion(State<2>& state, const std::function<Motion(const Vector<2>&)>& motion);
 
 /// Acceleration of the nodes as setMotion gave it.
-View<double* [2]> nodalAcceleration(const State<2>& state);
+NodalAcceleration<2> nodalAcceleration(const State<2>& state);
 
 /// Adds a crack with one front at `tip` in the direction of `angle`, side +1 on its left.
 CrackFront<2> addFront(State<2>& state, const Vector<2>& tip, double angle);

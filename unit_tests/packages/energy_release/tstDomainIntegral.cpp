@@ -264,7 +264,7 @@ TEST(DomainIntegral, KnowsOfLoadsInsideTheDisk)
     state.nodes.sums(n, Nodes<2>::massAt) = density * cell * cell * thickness;
 
   const CrackFront<2> front = addFront(state, {{1.0e-3, 0.0}}, 0.0);
-  const View<double* [2]> acceleration = internalAcceleration(state, front.position, half);
+  const NodalAcceleration<2> acceleration = internalAcceleration(state, front.position, half);
   int cells[2] = {static_cast<int>(state.grid.inCells(1e-3, 0)),
                   static_cast<int>(state.grid.inCells(0.0, 1))};
   const int middle = state.grid.nodeIndex(cells);
@@ -272,7 +272,7 @@ TEST(DomainIntegral, KnowsOfLoadsInsideTheDisk)
   EXPECT_NEAR(acceleration(middle, 0), slope / density, 1e-4 * slope / density);
   EXPECT_NEAR(acceleration(middle, 1), 0.0, 1e-4 * slope / density);
 
-  const View<double* [2]> none("rhegma::none", state.grid.numNodes);
+  const NodalAcceleration<2> none("rhegma::none", state.grid.numNodes);
   const double unaware = integrateDomain(state, front, radii, none).J;
   EXPECT_NEAR(integrateDomain(state, front, radii).J, 0.0, quadrature(cell) * std::fabs(unaware));
 }

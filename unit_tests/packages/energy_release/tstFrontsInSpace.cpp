@@ -96,14 +96,13 @@ void deform(State<3>& state, const Field& field)
   }
 }
 
-View<double* [3]> noAcceleration(const State<3>& state)
-{ return View<double* [3]>("rhegma::none", state.nodes.sums.extent(0)); }
+NodalAcceleration<3> noAcceleration(const State<3>& state)
+{
+  return NodalAcceleration<3>("rhegma::none", state.nodes.sums.extent(0));
+}
 
 /// The midpoint rule on particles of half a cell in an integrand that falls as 1 / r, where the ramp begins.
-double quadrature()
-{
-  return cell * cell / (24.0 * tube.radii.inner * tube.radii.inner);
-}
+double quadrature() { return cell * cell / (24.0 * tube.radii.inner * tube.radii.inner); }
 
 double exactRelease(const Intensities& K)
 {
@@ -162,8 +161,8 @@ TEST(FrontsInSpace, FindNothingInAWave)
            d.gradient[0][0] = amplitude * k * std::cos(k * x[0] - phase);
            return d;
          });
-  const auto motion = state.nodes.motion;
-  const View<double* [3]> acceleration = noAcceleration(state);
+  const auto motion = state.nodes.projection;
+  NodalAcceleration<3> acceleration = noAcceleration(state);
   for (int row = 0; row < state.nodes.numLattice + state.nodes.numSecond; ++row)
   {
     const double a = k * state.grid.nodePosition(latticeNode(state.nodes, row))[0] - phase;
@@ -248,18 +247,58 @@ TEST(FrontsInSpace, KnowHowMuchTheyAreCurved)
   const FrontLine line = lineOf(penny->state().cracks.fronts.at(0));
   ASSERT_EQ(line.loop.size(), 1u);
   EXPECT_NEAR(line.loop[0], 32 * 2.0 * radius * std::sin(pi / 32), 1e-12);
-  EXPECT_NEAR(radiusOfCurvature(line, 2.0 * cell), radius, 1e-9);
+  EXPECT_NEAR(radiusOfCurvature(line, cell), radius, 1e-9);
   // Room up to the surface: the nodes on it are less than half covered.
   EXPECT_GT(roomAround(penny->state(), penny->state().cracks.fronts.at(0), line, 6e-3), 2.2e-3);
   EXPECT_LE(roomAround(penny->state(), penny->state().cracks.fronts.at(0), line, 6e-3), 3.2e-3);
   const auto straight = straightFront();
   const FrontLine open = lineOf(straight->state().cracks.fronts.at(0));
   EXPECT_EQ(open.loop, std::vector<double>{0.0});
-  EXPECT_TRUE(std::isinf(radiusOfCurvature(open, 2.0 * cell)) || radiusOfCurvature(open, 2.0 * cell) > 1e3);
+  EXPECT_TRUE(std::isinf(radiusOfCurvature(open, cell)) || radiusOfCurvature(open, cell) > 1e3);
   double share = 0.0;
   for (const FrontStation<3>& station : open.stations)
     share += station.share;
   EXPECT_NEAR(share, depth, 1e-12);
+}
+
+/// Which of two pieces that meet is nearer to a place inside of their corner may hang on the last digit.
+TEST(FrontsInSpace, SeePlacesInsideOfACornerFromTheMiddleOfIt)
+{
+  Teuchos::ParameterList scene = blockScene({16e-3, 16e-3, 10e-3});
+  const Vector<3> middle{{8.1e-3, 7.8e-3, 5.2e-3}};
+  setCrack(scene, regularPolygon(middle, 5e-3, 32));
+  const auto penny = start<3>(scene);
+  const FrontLine line = lineOf(penny->state().cracks.fronts.at(0));
+  const FrontSight sight(line, 0.0);
+  for (int k : {0, 1, 7, 31}) // at the first the line begins
+  {
+    const Vector<3> in = middle - line.stations[k].position, x = line.stations[k].position + 0.5 * in;
+    const Vector<3> along = line.stations[(k + 1) % 32].position - line.stations[(k + 31) % 32].position;
+    for (const double off : {0.0, 1e-14, -1e-14})
+    {
+      const FrontFoot foot = sight.look(x + off * along);
+      EXPECT_NEAR(sight.apart(foot.line, foot.arc, k), 0.0, 1e-9 * line.length);
+      EXPECT_NEAR(dot(foot.direction, in) / norm(in), -1.0, 1e-9);
+    }
+    // Further aside than round-off the foot is on one of the two.
+    EXPECT_GT(sight.apart(0, sight.look(x + 1e-3 * along).arc, k), 1e-4 * line.length);
+  }
+}
+
+/// A surface at which a front ends leans towards it where the crack has grown there: it takes no room from
+/// the tube, as none does that is square to it.
+TEST(FrontsInSpace, EndAtSurfacesThatLean)
+{
+  Teuchos::ParameterList scene = blockScene({16e-3, 16e-3, 10e-3});
+  // The front from face to face of the block, turned by 20 degrees.
+  const double rise = 8e-3 * std::tan(20.0 * pi / 180.0);
+  setCrack(scene, {-1e-3, -1e-3, 5.2e-3, -1e-3, 17e-3, 5.2e-3, 8e-3 + 1.125 * rise, 17e-3, 5.2e-3,
+                   8e-3 - 1.125 * rise, -1e-3, 5.2e-3});
+  const auto leaning = start<3>(scene);
+  const CrackFront<3>& front = leaning->state().cracks.fronts.at(0);
+  const FrontLine line = lineOf(front);
+  ASSERT_EQ(line.loop, std::vector<double>{0.0});
+  EXPECT_GT(roomAround(leaning->state(), front, line, 4.5e-3), 4.4e-3);
 }
 
 /// A station where the surface cuts an arc points along the mouth, here half a radian off the arc's radius:
@@ -267,7 +306,7 @@ TEST(FrontsInSpace, KnowHowMuchTheyAreCurved)
 TEST(FrontsInSpace, LeaveTheSurfaceOutOfTheirCurvature)
 {
   Teuchos::ParameterList scene = blockScene({16e-3, 16e-3, 10e-3});
-  const double radius = 7e-3, least = 2.0 * cell;
+  const double radius = 7e-3, least = 3.0 * cell;
   setCrack(scene, regularPolygon({8.1e-3, -3.1e-3, 5.2e-3}, radius, 32));
   const auto arc = start<3>(scene);
   const FrontLine line = lineOf(arc->state().cracks.fronts.at(0));
@@ -275,7 +314,7 @@ TEST(FrontsInSpace, LeaveTheSurfaceOutOfTheirCurvature)
   ASSERT_GT(line.stations.size(), 6u);
   // The station next to a cut piece points up to half a corner to the side, which adds that much of a chord
   // to what the arc departs from it, c^2 / 2 R.
-  const double aside = pi / 32.0, found = radiusOfCurvature(line, least);
+  const double aside = pi / 32.0, found = radiusOfCurvature(line, cell);
   EXPECT_GT(found, radius / (1.0 + 2.0 * radius * aside / least));
   EXPECT_LT(found, radius * (1.0 + 1e-9));
 }
