@@ -18,19 +18,28 @@ template <int D>
 class FieldWriter<D>::Files
 {
 public:
-  explicit Files(const std::string& folder) : data_(folder + "/fields.h5"), guide_(folder + "/fields.xdmf")
+  Files(const std::string& folder, const Ranks& ranks)
+      : data_(folder + "/fields.h5"), guide_(folder + "/fields.xdmf")
   {
-    // A guide without its data would lead ParaView astray.
-    std::remove(guide_.c_str());
-    createHdf5(data_);
+    onFirstRank<OutputError>(ranks,
+                             [&]
+                             {
+                               // A guide without its data would lead ParaView astray.
+                               std::remove(guide_.c_str());
+                               createHdf5(data_);
+                             });
   }
 
   Files(const std::string& folder, Archive& archive)
       : data_(folder + "/fields.h5"), guide_(folder + "/fields.xdmf")
   {
     keep(archive);
-    keepSnapshots(data_, written_);
-    replaceFile(guide_, document_.text());
+    onFirstRank<OutputError>(archive.ranks(),
+                             [&]
+                             {
+                               keepSnapshots(data_, written_);
+                               replaceFile(guide_, document_.text());
+                             });
   }
 
   void keep(Archive& archive)
@@ -45,12 +54,12 @@ public:
       syncFile(data_);
   }
 
-  void write(const Snapshot& snapshot)
+  void write(const Snapshot& snapshot, const Ranks& ranks)
   {
     const std::string group = snapshotName(written_);
-    appendSnapshot(data_, group, snapshot);
+    appendSnapshot(data_, group, snapshot, ranks);
     document_.add(snapshot, group);
-    replaceFile(guide_, document_.text());
+    onFirstRank<OutputError>(ranks, [&] { replaceFile(guide_, document_.text()); });
     ++written_;
   }
 
@@ -63,30 +72,28 @@ private:
 
 template <int D>
 FieldWriter<D>::FieldWriter(const std::string& folder, const Ranks& ranks)
+    : files_(std::make_unique<Files>(folder, ranks))
 {
-  onFirstRank<OutputError>(ranks, [&] { files_ = std::make_unique<Files>(folder); });
 }
 
 template <int D>
 FieldWriter<D>::FieldWriter(const std::string& folder, Archive& archive)
+    : files_(std::make_unique<Files>(folder, archive))
 {
-  onFirstRank<OutputError>(archive.ranks(), [&] { files_ = std::make_unique<Files>(folder, archive); });
   archive("last_time", lastTime_);
 }
 
 template <int D>
 void FieldWriter<D>::keep(Archive& archive)
 {
-  if (files_)
-    files_->keep(archive);
+  files_->keep(archive);
   archive("last_time", lastTime_);
 }
 
 template <int D>
 void FieldWriter<D>::sync() const
 {
-  if (files_)
-    files_->sync();
+  files_->sync();
 }
 
 template <int D>
@@ -102,8 +109,7 @@ void FieldWriter<D>::write(const State<D>& state)
   if (state.time == lastTime_)
     return;
   lastTime_ = state.time;
-  const Snapshot snapshot = gatherSnapshot(state.ranks, makeSnapshot(state));
-  onFirstRank<OutputError>(state.ranks, [&] { files_->write(snapshot); });
+  files_->write(partOfAll(state.ranks, makeSnapshot(state)), state.ranks);
 }
 
 template class FieldWriter<2>;

@@ -30,7 +30,7 @@ class FieldWriter
 {
 public:
   /// Makes both files; older ones are replaced. \param folder is there already \param ranks that share the
-  /// run; the first of them writes, and all calls are collective
+  /// run; each of them writes what it has, and all calls are collective
   /// Throws OutputError when the files can't be made or written, here and later.
   explicit FieldWriter(const std::string& folder, const Ranks& ranks = {});
   /// Goes on with the files of a run whose checkpoint the archive loads; times that they have beyond it are
@@ -43,7 +43,7 @@ public:
   /// Adds the fields as they are now. A time that was just written is not written again.
   void write(const State<D>& state);
 
-  /// Saves which times the files have, on the first rank.
+  /// Saves which times the files have.
   void keep(Archive& archive);
 
   /// Brings what was written to the disk.
@@ -51,7 +51,7 @@ public:
 
 private:
   class Files;
-  std::unique_ptr<Files> files_; ///< of the first rank
+  std::unique_ptr<Files> files_;
   double lastTime_ = -1.0;
 };
 

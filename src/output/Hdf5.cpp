@@ -1,8 +1,11 @@
 #include "output/Hdf5.hpp"
 
 #include "output/Hdf5Handle.hpp"
+#include "output/WriteParts.hpp"
+#include "parallel/FirstRank.hpp"
 
 #include <cstdio>
+#include <memory>
 
 namespace Rhegma
 {
@@ -18,24 +21,69 @@ void writeTime(hid_t group, double time, const std::string& path)
   attribute.require(H5Awrite(attribute, H5T_NATIVE_DOUBLE, &time));
 }
 
-void writeTable(hid_t group, const DataSet& data, const std::string& path)
+/// A table of numbers that lie together in the file, without any yet.
+Handle makeTable(hid_t group, const DataSet& data, const std::string& path)
 {
-  const hsize_t extent[2] = {data.rows(), static_cast<hsize_t>(data.columns)};
-  const int rank = data.columns == 1 ? 1 : 2;
-  const Handle space(H5Screate_simple(rank, extent, nullptr), H5Sclose, path);
-  const Handle set(H5Dcreate2(group, data.name.c_str(), data.integer ? H5T_STD_I32LE : H5T_IEEE_F64LE, space,
-                              H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                   H5Dclose, path);
-  const void* values = data.integer ? static_cast<const void*>(data.whole.data()) : data.real.data();
-  if (data.rows() > 0)
-    set.require(H5Dwrite(set, data.integer ? H5T_NATIVE_INT : H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL,
-                         H5P_DEFAULT, values));
+  const hsize_t extent[2] = {data.rowsOfAll(), static_cast<hsize_t>(data.columns)};
+  const Handle space(H5Screate_simple(data.columns == 1 ? 1 : 2, extent, nullptr), H5Sclose, path);
+  const Handle now(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, path);
+  now.require(H5Pset_alloc_time(now, H5D_ALLOC_TIME_EARLY));
+  now.require(H5Pset_fill_time(now, H5D_FILL_TIME_NEVER));
+  return Handle(H5Dcreate2(group, data.name.c_str(), data.integer ? H5T_NATIVE_INT : H5T_NATIVE_DOUBLE, space,
+                           H5P_DEFAULT, now, H5P_DEFAULT),
+                H5Dclose, path);
 }
 
-Handle makeGroup(hid_t where, const std::string& name, const std::string& path)
+void writeTable(hid_t set, const DataSet& data, const std::string& path)
 {
-  return Handle(H5Gcreate2(where, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, path);
+  if (data.rows() > 0 && H5Dwrite(set, data.integer ? H5T_NATIVE_INT : H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL,
+                                  H5P_DEFAULT, valuesOf(data)) < 0)
+    throw OutputError(unwritable(path));
 }
+
+/// A snapshot that goes out before the file knows of it, so that a run that is killed meanwhile leaves a file
+/// that can be read.
+class Unlinked
+{
+public:
+  /// \param parts whether rows are written later; else they are now
+  Unlinked(const std::string& path, const Snapshot& snapshot, bool parts)
+      : file_(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, path),
+        top_(H5Gcreate_anon(file_, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, path)
+  {
+    writeTime(top_, snapshot.time, path);
+    for (const Mesh& mesh : snapshot.meshes)
+    {
+      const Handle inner(H5Gcreate2(top_, mesh.name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
+                         path);
+      for (const DataSet& data : mesh.data)
+      {
+        const Handle table = makeTable(inner, data, path);
+        if (!parts)
+          writeTable(table, data, path);
+        places_.push_back(data.rowsOfAll() > 0 ? static_cast<double>(H5Dget_offset(table)) : 0.0);
+      }
+    }
+    file_.require(H5Fflush(file_, H5F_SCOPE_GLOBAL));
+    if (parts)
+      reserve(path, snapshot, places_);
+  }
+
+  void link(const std::string& group)
+  {
+    file_.require(H5Olink(top_, file_, group.c_str(), H5P_DEFAULT, H5P_DEFAULT));
+    file_.require(H5Fflush(file_, H5F_SCOPE_GLOBAL));
+    top_.close();
+    file_.close();
+  }
+
+  /// Byte of the file at which each table begins, mesh after mesh; below 2^53, so that they are exact.
+  const std::vector<double>& places() const { return places_; }
+
+private:
+  Handle file_, top_;
+  std::vector<double> places_;
+};
 
 } // namespace
 
@@ -66,26 +114,26 @@ void keepSnapshots(const std::string& path, int count)
   file.close();
 }
 
-void appendSnapshot(const std::string& path, const std::string& group, const Snapshot& snapshot)
+void appendSnapshot(const std::string& path, const std::string& group, const Snapshot& snapshot,
+                    const Ranks& ranks)
 {
   const Silence silence;
-  Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, path);
+  std::unique_ptr<Unlinked> made;
+  std::vector<double> places;
+  for (const Mesh& mesh : snapshot.meshes)
+    places.resize(places.size() + mesh.data.size());
+  onFirstRank<OutputError>(ranks,
+                           [&]
+                           {
+                             made = std::make_unique<Unlinked>(path, snapshot, ranks.many());
+                             places = made->places();
+                           });
+  if (ranks.many())
   {
-    // All of the snapshot goes out before the file knows of it, so that a run that is killed meanwhile leaves
-    // a file that can be read.
-    const Handle top(H5Gcreate_anon(file, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, path);
-    writeTime(top, snapshot.time, path);
-    for (const Mesh& mesh : snapshot.meshes)
-    {
-      const Handle inner = makeGroup(top, mesh.name, path);
-      for (const DataSet& data : mesh.data)
-        writeTable(inner, data, path);
-    }
-    file.require(H5Fflush(file, H5F_SCOPE_GLOBAL));
-    file.require(H5Olink(top, file, group.c_str(), H5P_DEFAULT, H5P_DEFAULT));
-    file.require(H5Fflush(file, H5F_SCOPE_GLOBAL));
+    ranks.sum(places.data(), static_cast<int>(places.size())); // zeros on all but the first
+    writeParts(ranks, path, snapshot, places);
   }
-  file.close();
+  onFirstRank<OutputError>(ranks, [&] { made->link(group); });
 }
 
 } // namespace Rhegma

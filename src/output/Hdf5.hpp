@@ -20,6 +20,13 @@ std::string snapshotName(int number);
 void keepSnapshots(const std::string& path, int count);
 
 /// Adds a group with the attribute `time` and a group per mesh inside, and closes the file.
-void appendSnapshot(const std::string& path, const std::string& group, const Snapshot& snapshot);
+///
+/// Where there are many ranks each brings its part (partOfAll). The first makes groups and tables and has the
+/// file system reserve their room, so that a full disk shows before anything is written; then all write their
+/// rows where these lie, collectively through MPI, and the first lets the file know of the snapshot. HDF5
+/// itself never works for several ranks at once: a failure leaves it nothing that it could not bring to the
+/// disk. Collective; throws on all ranks or on none.
+void appendSnapshot(const std::string& path, const std::string& group, const Snapshot& snapshot,
+                    const Ranks& ranks = {});
 
 } // namespace Rhegma

@@ -27,6 +27,12 @@ private:
   void* data_ = nullptr;
 };
 
+/// What the user is told.
+inline std::string unwritable(const std::string& path)
+{
+  return path + " can't be written; is the disk full or the file open elsewhere?";
+}
+
 /// An identifier of HDF5 that closes itself.
 class Handle
 {
@@ -64,10 +70,7 @@ public:
   }
 
 private:
-  [[noreturn]] void fail() const
-  {
-    throw OutputError(path_ + " can't be written; is the disk full or the file open elsewhere?");
-  }
+  [[noreturn]] void fail() const { throw OutputError(unwritable(path_)); }
 
   hid_t id_;
   Close close_;

@@ -26,8 +26,13 @@ struct DataSet
   bool integer = false;
   std::vector<double> real;
   std::vector<int> whole;
+  std::size_t before = 0; ///< rows of ranks before this one
+  std::size_t others = 0; ///< rows of all other ranks
 
+  /// Rows here.
   std::size_t rows() const { return (integer ? whole.size() : real.size()) / columns; }
+  /// Rows of the table in the file.
+  std::size_t rowsOfAll() const { return rows() + others; }
 };
 
 /// Points, cells and what lies on them; each mesh has one table of points and one of cells.
@@ -49,8 +54,9 @@ struct Snapshot
 template <int D>
 Snapshot makeSnapshot(const State<D>& state);
 
-/// On rank 0 the meshes of all ranks as one, in the order of the ranks; cells where ranks meet and points of
-/// theirs may be there twice. Nothing on others. Collective.
-Snapshot gatherSnapshot(const Ranks& ranks, Snapshot own);
+/// The meshes of a rank as parts of those of all, in the order of the ranks: cells name points of the whole.
+/// Cells where ranks meet and points of theirs may be there twice. What all ranks have stays with the first.
+/// Collective.
+Snapshot partOfAll(const Ranks& ranks, Snapshot own);
 
 } // namespace Rhegma

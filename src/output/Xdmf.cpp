@@ -35,7 +35,7 @@ std::string escaped(const std::string& text)
 /// Where the numbers of a table are. \param place file and group of its mesh
 std::string dataItem(const DataSet& data, const std::string& place)
 {
-  std::string text = "<DataItem Format=\"HDF\" Dimensions=\"" + std::to_string(data.rows());
+  std::string text = "<DataItem Format=\"HDF\" Dimensions=\"" + std::to_string(data.rowsOfAll());
   if (data.columns > 1)
     text += " " + std::to_string(data.columns);
   text +=
@@ -64,8 +64,8 @@ std::string topology(const Mesh& mesh, const std::string& place)
   for (const DataSet& data : mesh.data)
     if (data.role == DataSet::Role::Cells)
       text = "        <Topology TopologyType=\"" + mesh.topology + "\" NumberOfElements=\"" +
-             std::to_string(data.rows()) + "\" NodesPerElement=\"" + std::to_string(data.columns) + "\">" +
-             dataItem(data, place) + "</Topology>\n";
+             std::to_string(data.rowsOfAll()) + "\" NodesPerElement=\"" + std::to_string(data.columns) +
+             "\">" + dataItem(data, place) + "</Topology>\n";
   return text;
 }
 

@@ -12,6 +12,7 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
+import h5py  # noqa: E402
 import numpy  # noqa: E402
 from program import PROGRAM, SOURCE, environment, rhegma  # noqa: E402
 from ranks import LAUNCHER, ROOT, OnRanks  # noqa: E402
@@ -161,10 +162,50 @@ class Ranks(OnRanks):
             self.assertIn("SIGTERM", json.load(file)["status"])
 
     def test_a_run_that_bursts_says_so_once(self):
-        scene = whole_plate().set("Boundaries > Pull > Stress", [1e13, 0.0])
+        scene = whole_plate().set("Boundaries > Pull > Stress", [1e13, 0.0]).set("Time > Retries", 0)
         answer = rhegma(self.write(scene), "--quiet", launcher=(*LAUNCHER, "-np", "3"), timeout=300, **ROOT)
         self.assertEqual(answer.status, 2, answer)
         self.assertEqual(answer.complaint.count("the run stopped at time"), 1, answer)
+
+
+class Fields(OnRanks):
+    """All ranks write into one file, of whose layout the first one sees."""
+
+    def scene(self):
+        scene = plate().set("Time > Final Time", 1e-2)
+        return self.write(scene.set("Output", {"History Interval": 1e-3, "Field Interval": 2e-4}))
+
+    def test_meshes_are_whole(self):
+        path, times = self.scene(), ("--set", "Time:Final Time=4e-4")
+        for count in (1, 3):
+            self.run_on(count, path, *times)
+            with h5py.File(os.path.join(self.folder, f"on{count}", "fields.h5"), "r") as file:
+                self.assertEqual(sorted(file), ["t00000", "t00001", "t00002"])
+                meshes = file["t00002"]
+                self.assertEqual(sorted(meshes), ["cracks", "leaves", "particles"])
+                particles, cells = meshes["particles"], meshes["leaves"]
+                self.assertEqual(len(particles["position"]), 1600)
+                self.assertEqual(sorted(particles["cells"][()].ravel()), list(range(1600)))
+                self.assertLess(numpy.max(cells["cells"][()]), len(cells["points"]))
+
+    def test_a_full_disk(self):
+        disk = os.path.join(self.folder, "disk")
+        os.mkdir(disk)
+        mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=1500k", "rhegma-test", disk], capture_output=True)
+        if mounted.returncode != 0:
+            self.skipTest("only root can mount a small disk here: " + mounted.stderr.decode().strip())
+        self.addCleanup(subprocess.run, ["umount", disk], check=True)
+        out = os.path.join(disk, "out")
+        answer = rhegma(self.scene(), "--output", out, "--quiet", launcher=(*LAUNCHER, "-np", "3"), timeout=120, **ROOT)
+        self.assertEqual(answer.status, 2, answer)
+        ours = [line for line in answer.complaint.splitlines() if line.startswith("rhegma:")]
+        self.assertEqual(len(ours), 1, answer)
+        self.assertIn(os.path.join(out, "fields.h5") + " can't be written; is the disk full", ours[0])
+        with h5py.File(os.path.join(out, "fields.h5"), "r") as file:
+            self.assertGreaterEqual(len(file), 1)
+            for snapshot in file.values():
+                self.assertEqual(len(snapshot["particles"]["position"]), 1600)
+                self.assertTrue(numpy.all(snapshot["particles"]["mass"][()] > 0.0))
 
 
 if __name__ == "__main__":
