@@ -49,6 +49,13 @@ double addViscousStress(State<D>& state, double shearViscosity, double bulkVisco
   const auto volume = state.particles.scalar(fields::volume);
   const double dt = state.dt;
   double loss = 0.0;
+  // With heat the work is no loss. The law takes up the work of the mean of the old stress, which has the
+  // viscous one of the step before, and its new one: what is missing is half of that of the new viscous
+  // stress.
+  const bool heats = state.particles.has(fields::internalEnergy);
+  BorrowedView<double*> internal;
+  if (heats)
+    internal = state.particles.scalar(fields::internalEnergy);
   Kokkos::parallel_reduce(
       "rhegma::viscousStress", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p, double& sum) {
@@ -64,7 +71,10 @@ double addViscousStress(State<D>& state, double shearViscosity, double bulkVisco
             stress(p, symmetricIndex<D>(i, j)) += viscous;
             power += (i == j ? 1.0 : 2.0) * viscous * strainRate;
           }
-        sum += dt * volume(p) * power;
+        if (heats)
+          internal(p) += 0.5 * dt * power;
+        else
+          sum += dt * volume(p) * power;
       },
       loss);
   return loss;

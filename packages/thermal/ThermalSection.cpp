@@ -155,15 +155,6 @@ void checkClosure(const Teuchos::ParameterList& scene, std::vector<SceneError>& 
 void checkCoupled(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
   checkClosure(scene, errors);
-  if (hasSection(scene, "Mass Matrix"))
-    errors.push_back(
-        {"Mass Matrix", "this version does not have it together with Thermal; leave one of the two out"});
-  if (hasSection(scene, "Damping"))
-    for (const char* name : {"Shear Viscosity", "Bulk Viscosity"})
-      if (scene.sublist("Damping").isType<double>(name) && scene.sublist("Damping").get<double>(name) > 0.0)
-        errors.push_back(
-            {std::string("Damping > ") + name,
-             "this version can't turn its work into heat, and the scene has Thermal; use Mass Rate"});
   forEach(scene, "Materials",
           [&](const Teuchos::ParameterList& list, const std::string& where)
           {

@@ -4,6 +4,7 @@
 #include "material/Materials.hpp"
 #include "parallel/Subdomain.hpp"
 #include "state/UnstableStep.hpp"
+#include "step/HeatTrouble.hpp"
 #include "transfer/Gather.hpp"
 #include "transfer/Motion.hpp"
 #include "transfer/Scatter.hpp"
@@ -24,9 +25,14 @@ void strain(State<D>& state, StrainVelocity velocity, bool alsoMove)
   state.fastest = strainAndMove(state, velocity, true, alsoMove);
   // No stable step takes anything across two cells: who left the domain so did not walk out of it.
   const bool flung = !state.trouble.empty() && state.fastest * state.dt > 2.0 * state.stepSpacing();
-  if (!std::isfinite(state.fastest) || flung)
-    state.trouble = "a particle is turned inside out or its velocity is no longer a number (" +
-                    unstableStep(state.subcycledLevels) + ", smaller cells or a gentler load)";
+  if (std::isfinite(state.fastest) && !flung)
+    return;
+  // Laws find no stress at temperatures that there are not.
+  const std::string heat = heatTrouble(state);
+  state.trouble = !heat.empty()
+                      ? heat
+                      : "a particle is turned inside out or its velocity is no longer a number (" +
+                            unstableStep(state.subcycledLevels) + ", smaller cells or a gentler load)";
 }
 
 template <int D>

@@ -378,9 +378,6 @@ HEAT = [
      "Density": 1.0, "Specific Heat": 1.0}), one("Materials > Stone > Model", "heat alone")),
     ("expansion_and_crack_closure", warm().set(POLYMER + "Thermal Expansion", 7e-5).set(
         "Energy Release > Crack Closure", True), one("Energy Release > Crack Closure", "set it to false")),
-    ("heat_and_mass_matrix", warm().set("Mass Matrix", {"Type": "Full"}), one("Mass Matrix", "Thermal")),
-    ("heat_and_viscosity", warm().set("Damping", {"Shear Viscosity": 1.0}),
-     one("Damping > Shear Viscosity", "Mass Rate")),
     ("front_heat_of_cracks_that_rest", warm(**{"Front Heat Fraction": 1.0, "Front Radius": 1e-3}),
      one("Thermal > Front Heat Fraction", "no crack grows")),
     ("conduction_in_far_too_short_steps", warm().set(POLYMER + "Conductivity", 1e14),

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <vector>
 
 namespace Rhegma
@@ -18,7 +19,7 @@ constexpr double pi = 3.14159265358979323846, start = 300.0, length = 16.0;
 
 /// A bar of 16 x 2 m, E = rho = 1, in smooth motion v = speed cos(pi x / L); across it is held.
 Rhegma::Run<2> movingBar(const std::string& model, double expansion, double capacity, double speed,
-                         bool heat = true)
+                         bool heat = true, const std::function<void(Teuchos::ParameterList&)>& more = {})
 {
   Teuchos::ParameterList scene =
       emptyScene<2>(Vector<2>{{-4.0, -4.0}}, Vector<2>{{20.0, 6.0}}, 1.0, "MUSL", "GIMP");
@@ -37,6 +38,8 @@ Rhegma::Run<2> movingBar(const std::string& model, double expansion, double capa
   }
   if (heat)
     scene.sublist("Thermal").set("Initial Temperature", start);
+  if (more)
+    more(scene);
   Rhegma::Run<2> run(validated(scene));
   run.initialize();
   const HostParticles<2> particles(run.state());
@@ -115,6 +118,56 @@ TEST(Coupling, TheLedgerClosesAsWithoutHeat)
     for (int p = 0; p < with.state().particles.size(); ++p)
       most = std::max(most, std::fabs(host(p) - start));
     EXPECT_GT(most, 1e-3) << model;
+  }
+}
+
+/// The same with every mass matrix and with each velocity update that loses motion, whose loss is none of
+/// heat's.
+TEST(Coupling, TheLedgerClosesWithEveryMassMatrix)
+{
+  for (const std::string type : {"Lumped", "Full", "FMPM"})
+    for (const std::string update : {"FLIP", "PIC"})
+    {
+      const auto matrix = [&](Teuchos::ParameterList& scene)
+      {
+        scene.sublist("Mass Matrix").set("Type", type);
+        scene.sublist("Mass Matrix").set("Velocity Update", update);
+        if (type == "Full")
+          scene.sublist("Mass Matrix").set("Solver Tolerance", 1e-12);
+      };
+      Rhegma::Run<2> without = movingBar("Linear Elastic", 0.0, 0.15, 1e-3, false, matrix),
+                     with = movingBar("Linear Elastic", 0.01, 0.15, 1e-3, true, matrix);
+      // Waves are faster by a tenth with heat: the same number of periods.
+      const double mechanical = std::fabs(residualAfter(without, 300)),
+                   both = std::fabs(residualAfter(with, 300));
+      std::printf("%s %s: %.2e without heat, %.2e with\n", type.c_str(), update.c_str(), mechanical, both);
+      EXPECT_LT(both, std::max(1.5 * mechanical, 1e-3)) << type << " " << update;
+      EXPECT_LT(mechanical, update == "FLIP" ? 2e-2 : 1.0) << type << " " << update;
+    }
+}
+
+/// What viscosity takes from motion is heat of the body.
+TEST(Coupling, ViscousWorkIsHeat)
+{
+  for (const std::string model : {"Linear Elastic", "Neo-Hookean"})
+  {
+    const auto viscous = [](Teuchos::ParameterList& scene)
+    {
+      scene.sublist("Damping").set("Shear Viscosity", 0.2);
+      scene.sublist("Damping").set("Bulk Viscosity", 0.1);
+    };
+    Rhegma::Run<2> without = movingBar(model, 0.0, 0.15, 1e-3, false, viscous),
+                   with = movingBar(model, 0.0, 0.15, 1e-3, true, viscous);
+    const double mechanical = std::fabs(residualAfter(without, 1000)),
+                 both = std::fabs(residualAfter(with, 1000));
+    const EnergyLedger &damped = without.state().energy, &warmed = with.state().energy;
+    std::printf("%s: residual %.2e without heat, %.2e with; %.6e J damped, %.6e J heat\n", model.c_str(),
+                mechanical, both, damped.damped, warmed.thermal);
+    EXPECT_GT(damped.damped, 1e-6); // of 8e-6 J
+    EXPECT_EQ(warmed.damped, 0.0);
+    // Without heat the books have the work of the new stress alone, and are off by as much.
+    EXPECT_NEAR(warmed.thermal, damped.damped, 4e-3 * damped.damped);
+    EXPECT_LT(both, std::max(1.5 * mechanical, 1e-3));
   }
 }
 

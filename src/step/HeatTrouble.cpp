@@ -1,0 +1,37 @@
+#include "step/HeatTrouble.hpp"
+
+#include "scene/Numbers.hpp"
+
+namespace Rhegma
+{
+
+template <int D>
+std::string heatTrouble(const State<D>& state)
+{
+  if (state.thermo.empty() || !state.particles.has(fields::temperature))
+    return {};
+  const auto temperature = state.particles.scalar(fields::temperature);
+  const auto material = state.particles.integer(fields::material);
+  const ThermoTables tables = state.thermo;
+  double coldest = 1e300, smallest = 1e300;
+  Kokkos::parallel_reduce(
+      "rhegma::findColdest", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, double& T, double& theta) {
+        T = temperature(p) < T ? temperature(p) : T;
+        const double here = ThermoPoint(tables, material(p), temperature(p)).stretch();
+        theta = here < theta ? here : theta;
+      },
+      Kokkos::Min<double>(coldest), Kokkos::Min<double>(smallest));
+  if (!(coldest > 0.0))
+    return "a particle is at " + formatReal(coldest) +
+           " K, and temperatures are absolute; look at the sources, at what flows out and at Specific Heat";
+  if (!(smallest > 0.0))
+    return "thermal strain leaves " + formatReal(smallest) +
+           " of the length of a particle; look at Thermal Expansion and at the temperatures";
+  return {};
+}
+
+template std::string heatTrouble(const State<2>&);
+template std::string heatTrouble(const State<3>&);
+
+} // namespace Rhegma
