@@ -1,0 +1,56 @@
+/// What heat costs beside the same motion without it, or, for a scene of heat alone, what each method of
+/// conduction costs, in one process and turn by turn.
+///
+///     heat SCENE.xml [--json] [--cell EDGE] [--steps N] [--rounds N] [--warm-up N]
+///
+/// Threads: OMP_NUM_THREADS.
+
+#include "common/CommandLine.hpp"
+#include "common/Program.hpp"
+#include "heat/Measure.hpp"
+
+#include <iomanip>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using namespace Rhegma::benchmarks;
+
+void printTable(const nlohmann::json& all)
+{
+  std::cout << all.at("particles") << " particles, " << all.at("threads") << " threads\n"
+            << (all.at("heat_alone").get<bool>() ? "  conduction           us/explicit step   of it\n"
+                                                 : "                       us/step            of it\n")
+            << std::fixed;
+  for (const nlohmann::json& entry : all.at("runs"))
+    std::cout << "  " << std::left << std::setw(20) << entry.at("name").get<std::string>() << std::right
+              << std::setprecision(0) << std::setw(14) << entry.at("us").get<double>() << std::setprecision(2)
+              << std::setw(12) << entry.at("ratio").get<double>() << "\n";
+}
+
+void run(const std::vector<std::string>& arguments)
+{
+  HeatEffort effort;
+  std::string scene;
+  bool json = false;
+  CommandLine()
+      .flag("--json", json)
+      .number("--cell", effort.cell)
+      .number("--steps", effort.steps)
+      .number("--rounds", effort.rounds)
+      .number("--warm-up", effort.warmUp)
+      .scene(scene, "xml_inputs/verification/thermoelastic_rise.xml")
+      .read(arguments);
+  placeThreads();
+  print(withKokkos([&] { return measureHeat(scene, effort); }), json, printTable);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  return statusOf("heat", [&] { run({argv, argv + argc}); });
+}
