@@ -1,6 +1,11 @@
 #include "combustion/Cavity.hpp"
 
+#include "scene/ReadList.hpp"
+
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
 
 namespace Rhegma::combustion
 {
@@ -8,10 +13,16 @@ namespace Rhegma::combustion
 namespace
 {
 
+/// Vertices this share of a cell from a mirror plane lie on it.
+constexpr double onPlane = 0.05;
+
 /// Calls mouth(vertices of the facet) for each facet of the crack at the surface of the body.
 template <int D, class Mouth>
-void forEachMouth(const CrackSet<D>& cracks, int crack, const Mouth& mouth)
+void forEachMouth(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors,
+                  const Mouth& mouth)
 {
+  const CrackSet<D>& cracks = state.cracks;
+  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
   const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
   const auto neighbour = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.neighbour);
   const Crack<D>& c = cracks.cracks[crack];
@@ -23,17 +34,28 @@ void forEachMouth(const CrackSet<D>& cracks, int crack, const Mouth& mouth)
       int corner[D - 1];
       for (int k = 0; k < D - 1; ++k)
         corner[k] = simplex(s, (i + 1 + k) % D);
-      mouth(corner);
+      const bool mirrored =
+          std::any_of(mirrors.begin(), mirrors.end(),
+                      [&](const MirrorPlane& plane)
+                      {
+                        return std::all_of(std::begin(corner), std::end(corner),
+                                           [&](int v) {
+                                             return std::fabs(vertex(v, plane.axis) - plane.position) <
+                                                    onPlane * state.smallestSpacing();
+                                           });
+                      });
+      if (!mirrored)
+        mouth(corner);
     }
 }
 
 } // namespace
 
 template <int D>
-Cavity measureCavity(const State<D>& state, const FacePoints<D>& points, int crack, const Flame<D>& flame)
+Cavity measureCavity(const State<D>& state, const FacePoints<D>& points, int crack, const View<int*>& lit)
 {
   const FacePoints<D> p = points;
-  const Flame<D> f = flame;
+  const View<int*> burns = lit;
   const double thickness = state.thickness;
   Cavity cavity;
   Kokkos::parallel_reduce(
@@ -44,21 +66,21 @@ Cavity measureCavity(const State<D>& state, const FacePoints<D>& points, int cra
         const double own = p.currentSize(k) * thickness;
         area += own;
         felt += p.acts(k) != 0 ? own : 0.0;
-        burning += p.acts(k) != 0 && f.reaches(p, k) ? 2.0 * own : 0.0;
+        burning += p.acts(k) != 0 && burns(k) != 0 ? 2.0 * own : 0.0;
       },
       cavity.area, cavity.burning, cavity.felt);
   return cavity;
 }
 
 template <int D>
-double mouthArea(const State<D>& state, int crack)
+double mouthArea(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors)
 {
   const CrackSet<D>& cracks = state.cracks;
   const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
   const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.face);
   const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertexNormal);
   double area = 0.0;
-  forEachMouth(cracks, crack,
+  forEachMouth(state, crack, mirrors,
                [&](const int(&corner)[D - 1])
                {
                  double opening = 0.0, square = 0.0;
@@ -74,18 +96,64 @@ double mouthArea(const State<D>& state, int crack)
 }
 
 template <int D>
-bool hasMouth(const CrackSet<D>& cracks, int crack)
+bool hasMouth(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors)
 {
   bool any = false;
-  forEachMouth(cracks, crack, [&](const int(&)[D - 1]) { any = true; });
+  forEachMouth(state, crack, mirrors, [&](const int(&)[D - 1]) { any = true; });
   return any;
 }
 
-template Cavity measureCavity(const State<2>&, const FacePoints<2>&, int, const Flame<2>&);
-template Cavity measureCavity(const State<3>&, const FacePoints<3>&, int, const Flame<3>&);
-template double mouthArea(const State<2>&, int);
-template double mouthArea(const State<3>&, int);
-template bool hasMouth(const CrackSet<2>&, int);
-template bool hasMouth(const CrackSet<3>&, int);
+std::vector<MirrorPlane> mirrorPlanes(const Teuchos::ParameterList& scene)
+{
+  std::vector<MirrorPlane> planes;
+  if (!scene.isSublist("Boundaries"))
+    return planes;
+  const Teuchos::ParameterList& all = scene.sublist("Boundaries");
+  for (const std::string& name : sublistNames(all))
+  {
+    const Teuchos::ParameterList& one = all.sublist(name);
+    if (one.get<std::string>("Type") == "Symmetry")
+      planes.push_back({one.get<std::string>("Axis")[0] - 'x', one.get<double>("Position")});
+  }
+  return planes;
+}
+
+template <int D>
+double distanceFromCrack(const CrackSet<D>& cracks, int crack, const Vector<D>& lower, const Vector<D>& upper)
+{
+  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
+  const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
+  const Crack<D>& c = cracks.cracks[crack];
+  double least = std::numeric_limits<double>::max();
+  // From enough places in each simplex: a tenth of its edges apart.
+  constexpr int cuts = 10;
+  for (int s = c.firstSimplex; s < c.firstSimplex + c.numSimplices; ++s)
+    for (int i = 0; i <= cuts; ++i)
+      for (int j = 0; j <= (D == 3 ? cuts - i : 0); ++j)
+      {
+        const double weight[3] = {double(i) / cuts, D == 3 ? double(j) / cuts : 1.0 - double(i) / cuts,
+                                  1.0 - double(i + j) / cuts};
+        double square = 0.0;
+        for (int d = 0; d < D; ++d)
+        {
+          double x = 0.0;
+          for (int k = 0; k < D; ++k)
+            x += weight[k] * vertex(simplex(s, k), d);
+          const double out = std::max({lower[d] - x, x - upper[d], 0.0});
+          square += out * out;
+        }
+        least = std::min(least, std::sqrt(square));
+      }
+  return least;
+}
+
+template Cavity measureCavity(const State<2>&, const FacePoints<2>&, int, const View<int*>&);
+template Cavity measureCavity(const State<3>&, const FacePoints<3>&, int, const View<int*>&);
+template double mouthArea(const State<2>&, int, const std::vector<MirrorPlane>&);
+template double mouthArea(const State<3>&, int, const std::vector<MirrorPlane>&);
+template bool hasMouth(const State<2>&, int, const std::vector<MirrorPlane>&);
+template bool hasMouth(const State<3>&, int, const std::vector<MirrorPlane>&);
+template double distanceFromCrack(const CrackSet<2>&, int, const Vector<2>&, const Vector<2>&);
+template double distanceFromCrack(const CrackSet<3>&, int, const Vector<3>&, const Vector<3>&);
 
 } // namespace Rhegma::combustion

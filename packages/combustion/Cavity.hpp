@@ -3,27 +3,12 @@
 
 #include "transfer/FacePoints.hpp"
 
+#include <Teuchos_ParameterList.hpp>
+
+#include <vector>
+
 namespace Rhegma::combustion
 {
-
-/// Where faces burn: within a radius around a place, which grows with the speed of the flame.
-template <int D>
-struct Flame
-{
-  Vector<D> centre{};
-  double radius = -1.0; ///< [m]; below 0: nothing burns
-  bool everywhere = false;
-
-  KOKKOS_INLINE_FUNCTION bool reaches(const FacePoints<D>& points, int k) const
-  {
-    if (everywhere)
-      return true;
-    double square = 0.0;
-    for (int d = 0; d < D; ++d)
-      square += (points.position(k, d) - centre[d]) * (points.position(k, d) - centre[d]);
-    return radius >= 0.0 && square <= radius * radius;
-  }
-};
 
 /// What the face points of one crack add up to. Areas in 2D are lengths times the thickness.
 struct Cavity
@@ -33,16 +18,32 @@ struct Cavity
   double felt = 0.0;    ///< of one face that nodes feel [m2]
 };
 
-/// All ranks have all points and find the same.
+/// All ranks have all points and find the same. \param lit not 0 where a point burns
 template <int D>
-Cavity measureCavity(const State<D>& state, const FacePoints<D>& points, int crack, const Flame<D>& flame);
+Cavity measureCavity(const State<D>& state, const FacePoints<D>& points, int crack, const View<int*>& lit);
 
-/// Area through which a crack opens at the surface of the body [m2]: the opening at its mouths.
-template <int D>
-double mouthArea(const State<D>& state, int crack);
+/// A plane at which the scene is its own mirror image: a crack that ends there goes on beyond it.
+struct MirrorPlane
+{
+  int axis = 0;
+  double position = 0.0; ///< [m]
+};
 
-/// Whether the crack has a mouth.
+/// Those of a scene.
+std::vector<MirrorPlane> mirrorPlanes(const Teuchos::ParameterList& scene);
+
+/// Area through which a crack opens at the surface of the body [m2]: the opening at its mouths, those on
+/// mirror planes left out.
 template <int D>
-bool hasMouth(const CrackSet<D>& cracks, int crack);
+double mouthArea(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors);
+
+/// Whether the crack has a mouth, those on mirror planes left out.
+template <int D>
+bool hasMouth(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors);
+
+/// Distance of a box from a crack [m]; 0 where it meets it.
+template <int D>
+double distanceFromCrack(const CrackSet<D>& cracks, int crack, const Vector<D>& lower,
+                         const Vector<D>& upper);
 
 } // namespace Rhegma::combustion

@@ -1,8 +1,8 @@
 #include "combustion/Combustion.hpp"
 
 #include "checkpoint/Archive.hpp"
-#include "combustion/BurnRate.hpp"
-#include "combustion/Gas.hpp"
+#include "combustion/Burning.hpp"
+#include "combustion/FaceHeat.hpp"
 #include "combustion/Regression.hpp"
 #include "parallel/Subdomain.hpp"
 #include "scene/Numbers.hpp"
@@ -27,61 +27,31 @@ constexpr double largestChange = 0.1;
 /// Of what a face should burn, what the particles must have for it to go on.
 constexpr double leastFuel = 0.5;
 
-/// One crack that burns. All ranks have the same gas in it: what their particles and nodes add to it is
-/// summed.
-template <int D>
-struct Burning
-{
-  int crack = 0;
-  BurnRate rate;
-  Gas gas;
-  double density = 0.0, gap = 0.0, cavity = 0.0;
-  double startPressure = 0.0, startTemperature = 0.0, outside = 0.0;
-  double ignition = 0.0, flameSpeed = 0.0;
-  Vector<D> flameCentre{};
-  bool allAtOnce = true;
-  double discharge = 0.0; ///< 0: no venting
-
-  bool filled = false, spent = false, felt = false;
-  double swept = 0.0;                               ///< volume that the faces have opened [m3]
-  double volume = 0.0, pressure = 0.0, slope = 0.0; ///< [m3], [Pa], [Pa/s]
-  double burningArea = 0.0, faces = 0.0;            ///< of faces that burn, of all [m2]
-  double massRate = 0.0;                            ///< in and out, as it was or may be next [kg/s]
-  double volumeRate = 0.0;                          ///< that the faces sweep [m3/s]
-
-  Flame<D> flame(double time) const
-  {
-    Flame<D> now;
-    now.centre = flameCentre;
-    const bool lit = time >= ignition && !spent;
-    now.everywhere = lit && allAtOnce;
-    now.radius = lit ? flameSpeed * (time - ignition) : -1.0;
-    return now;
-  }
-
-  void keep(Archive& archive)
-  {
-    gas.keep(archive);
-    archive("filled", filled);
-    archive("spent", spent);
-    archive("felt", felt);
-    archive("swept", swept);
-    archive("volume", volume);
-    archive("pressure", pressure);
-    archive("slope", slope);
-    archive("burning_area", burningArea);
-    archive("mass_rate", massRate);
-    archive("volume_rate", volumeRate);
-  }
-};
-
 template <int D>
 struct Work
 {
   std::vector<Burning<D>> cracks;
   FacePoints<D> points;
+  Fire<D> fire;
   Regression<D> regression;
+  FaceHeat<D> heat;
+  FaceHeating heating;    ///< at each face point
+  View<double*> depth;    ///< density times the depth that burns in a step, at each face point [kg/m2]
+  View<double*> taken;    ///< heat that the faces take there [J]
   double startMass = 0.0; ///< of the particles [kg]
+
+  /// Follows the faces; fields at points get the size that they must have.
+  void follow(const State<D>& state)
+  {
+    const bool anew = points.update(state);
+    fire.follow(points, anew);
+    const std::size_t count = points.count();
+    if (depth.extent(0) == count)
+      return;
+    for (View<double*>* field :
+         {&depth, &taken, &heating.given, &heating.conductance, &heating.gasTemperature})
+      *field = View<double*>("rhegma::combustion::atFacePoints", count);
+  }
 };
 
 /// Of all ranks [kg]. Collective.
@@ -98,47 +68,6 @@ double massOfParticles(const State<D>& state)
 }
 
 template <int D>
-Burning<D> read(const State<D>& state, const std::string& name, const Teuchos::ParameterList& list)
-{
-  Burning<D> b;
-  b.crack = findCrack(state.cracks, name);
-  b.rate = list.get<std::string>("Burn Law") == "Table"
-               ? BurnRate::table(list.get<std::string>("Burn Table"))
-               : BurnRate::vieille(list.get<double>("Burn Coefficient"), list.get<double>("Burn Exponent"));
-  GasLaw law;
-  law.constant = list.get<double>("Gas Constant");
-  law.heatRatio = list.get<double>("Heat Capacity Ratio");
-  law.covolume = list.get<double>("Covolume");
-  law.flameTemperature = list.get<double>("Flame Temperature");
-  law.constantTemperature = list.get<std::string>("Gas Temperature") == "Constant";
-  b.gas = Gas(law);
-  b.density = list.isParameter("Solid Density") ? list.get<double>("Solid Density")
-                                                : state.materialList.front().density;
-  b.gap = list.get<double>("Initial Gap");
-  b.cavity = list.get<double>("Cavity Volume");
-  b.outside = list.get<double>("Outside Pressure");
-  b.startPressure = list.isParameter("Initial Pressure") ? list.get<double>("Initial Pressure") : b.outside;
-  b.startTemperature =
-      law.constantTemperature ? law.flameTemperature : list.get<double>("Initial Temperature");
-  b.ignition = list.get<double>("Ignition Time");
-  if (list.isParameter("Flame Speed"))
-  {
-    b.allAtOnce = false;
-    b.flameSpeed = list.get<double>("Flame Speed");
-    b.flameCentre = readVector<D>(list, "Ignition Point");
-  }
-  if (list.get<bool>("Venting"))
-  {
-    b.discharge = list.get<double>("Discharge Coefficient");
-    if (!hasMouth(state.cracks, b.crack))
-      throw std::invalid_argument("Combustion > " + name +
-                                  " > Venting: the crack does not reach the surface of its body, so nothing "
-                                  "flows out; write false");
-  }
-  return b;
-}
-
-template <int D>
 void warnOfRunaway(State<D>& state, const std::string& name, const Teuchos::ParameterList& list)
 {
   if (list.get<std::string>("Burn Law") == "Vieille" && list.get<double>("Burn Exponent") > 1.0 &&
@@ -151,11 +80,11 @@ void warnOfRunaway(State<D>& state, const std::string& name, const Teuchos::Para
 
 /// Pressure of the gas, and its force on the faces.
 template <int D>
-void push(State<D>& state, const FacePoints<D>& points, Burning<D>& b)
+void push(State<D>& state, const Work<D>& work, Burning<D>& b)
 {
-  const Cavity room = measureCavity(state, points, b.crack, b.flame(state.time));
+  const FacePoints<D>& points = work.points;
+  const Cavity room = measureCavity(state, points, b.crack, work.fire.lit());
   const std::string& name = state.cracks.cracks[b.crack].name;
-  b.burningArea = room.burning;
   b.faces = 2.0 * room.felt;
   b.felt = b.felt || room.felt > 0.0;
   if (!b.felt)
@@ -196,22 +125,106 @@ void bookWork(State<D>& state, const FacePoints<D>& points, Burning<D>& b)
                     ": the gas has done more work than it has energy (smaller Time > CFL)";
 }
 
+/// The highest temperature of the faces of a crack [K].
+template <int D>
+double hottest(const FacePoints<D>& points, int crack, const View<double* [2]>& temperature)
+{
+  const View<int*> of = points.crack;
+  double highest = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::combustion::hottest", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
+      KOKKOS_LAMBDA(const int k, double& most) {
+        for (int side = 0; side < 2 && of(k) == crack; ++side)
+          most = temperature(k, side) > most ? temperature(k, side) : most;
+      },
+      Kokkos::Max<double>(highest));
+  return highest;
+}
+
+/// What each face is to lose in this step, and what heat it is to get beside that.
+template <int D>
+void prepareFaces(const State<D>& state, const Work<D>& work, const Burning<D>& b, double depth)
+{
+  const FacePoints<D> p = work.points;
+  const View<int*> lit = work.fire.lit();
+  const View<double*> depths = work.depth;
+  const FaceHeating heating = work.heating;
+  const int crack = b.crack;
+  const bool burns = !b.spent;
+  // Gas that is left alone with its walls comes to their temperature as exp(-h A t / (m c_v)).
+  const double capacity = b.gas.mass() * b.gas.law().heatCapacity();
+  const double exchange = state.dt * b.transfer * b.faces / capacity;
+  const double conductance = exchange > 0.0 ? -std::expm1(-exchange) * capacity / b.faces : 0.0;
+  const double temperature = b.gas.temperature();
+  Kokkos::parallel_for(
+      "rhegma::combustion::prepareFaces", Kokkos::RangePolicy<ExecSpace>(0, p.count()),
+      KOKKOS_LAMBDA(const int k) {
+        if (p.crack(k) != crack)
+          return;
+        depths(k) = burns && lit(k) != 0 ? depth : 0.0;
+        heating.given(k) = 0.0;
+        heating.conductance(k) = conductance;
+        heating.gasTemperature(k) = temperature;
+      });
+}
+
+/// Gives the faces their share of the heat of the mass that has burnt there, and what passes by the
+/// difference of temperatures.
+template <int D>
+void heatFaces(State<D>& state, Work<D>& work, Burning<D>& b, double mass)
+{
+  const FacePoints<D> p = work.points;
+  const View<double*> depths = work.depth, given = work.heating.given, taken = work.taken;
+  const double asked = b.burningArea > 0.0 ? mass / b.burningArea : 0.0; // of a face that burns [kg/m2]
+  const double heat = b.wallFraction * asked * b.gas.law().heatCapacity() * b.gas.law().flameTemperature;
+  const int crack = b.crack;
+  Kokkos::parallel_for(
+      "rhegma::combustion::givenHeat", Kokkos::RangePolicy<ExecSpace>(0, p.count()),
+      KOKKOS_LAMBDA(const int k) {
+        if (p.crack(k) == crack)
+          given(k) = depths(k) > 0.0 ? heat : 0.0;
+      });
+  work.heat.give(state, p, crack, work.heating, taken);
+  double all = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::combustion::heatTaken", Kokkos::RangePolicy<ExecSpace>(0, p.count()),
+      KOKKOS_LAMBDA(const int k, double& sum) { sum += taken(k); }, all);
+  b.gas.heatWalls(all);
+}
+
+/// The solid beside the faces turns into gas, gas heats the faces and flows out.
 template <int D>
 void burn(State<D>& state, Work<D>& work, Burning<D>& b)
 {
   const double gasBefore = b.gas.mass();
+  const bool heated = b.looksAtFaces();
+  if (heated)
+    work.heat.measure(state, work.points);
+  if (heated)
+    b.hottestFace = hottest(work.points, b.crack, work.heat.temperature());
+  work.fire.spread(state, work.points, b.crack, b.ignition, work.heat.temperature());
+  const Cavity room = measureCavity(state, work.points, b.crack, work.fire.lit());
+  b.burningArea = b.spent ? 0.0 : room.burning;
+  const double middle = std::max(b.pressure + 0.5 * state.dt * b.slope, 0.0);
+  // A first step, or a flame that comes upon many faces, was not foreseen by the limit of the step.
+  const double most = 2.0 * largestChange * b.gas.mass() / std::max(b.burningArea, 1e-300);
+  const double depth = std::min(b.density * b.rate(middle) * state.dt, most);
+  prepareFaces(state, work, b, depth);
+  double mass = 0.0;
   if (b.burningArea > 0.0)
   {
-    const double middle = std::max(b.pressure + 0.5 * state.dt * b.slope, 0.0);
-    // A first step, or a flame that comes upon many faces, was not foreseen by the limit of the step.
-    const double most = 2.0 * largestChange * b.gas.mass() / b.burningArea;
-    const double depth = std::min(b.density * b.rate(middle) * state.dt, most);
-    work.regression.take(state, work.points, b.crack, b.flame(state.time), depth);
-    const auto lost = work.regression.apply(state);
-    state.energy.combustion -= lost.energy;
-    double mass = lost.mass;
+    mass = work.regression.take(state, work.points, b.crack, work.depth);
     sumParts(state, &mass, 1);
-    b.gas.burn(mass);
+  }
+  if (b.heatsFaces())
+    heatFaces(state, work, b, mass);
+  if (b.burningArea > 0.0)
+  {
+    const auto lost = work.regression.apply(state, b.solidTemperature);
+    state.energy.combustion -= lost.energy;
+    double gained[] = {lost.mass, lost.heat};
+    sumParts(state, gained, 2);
+    b.gas.burn(gained[0], gained[1]);
     if (mass < leastFuel * depth * b.burningArea)
     {
       b.spent = true;
@@ -224,16 +237,17 @@ void burn(State<D>& state, Work<D>& work, Burning<D>& b)
   double gone = 0.0;
   if (b.discharge > 0.0)
   {
-    gone = state.dt * b.gas.outflow(b.discharge * mouthArea(state, b.crack), b.volume, b.outside);
+    gone = state.dt * b.gas.outflow(b.discharge * mouthArea(state, b.crack, b.mirrors), b.volume, b.outside);
     gone = std::min(gone, 0.5 * b.gas.mass());
     b.gas.vent(gone, b.volume);
   }
   b.gas.settle();
   const double last = state.dt > 0.0 ? (come + gone) / state.dt : 0.0;
   // All faces may catch fire in the next step.
-  const bool lit = !b.spent && state.time + 3.0 * state.dt >= b.ignition;
-  const double most = lit ? b.density * b.rate(b.pressure) * (b.allAtOnce ? b.faces : b.burningArea) : 0.0;
-  b.massRate = std::max(last, most);
+  const bool lit = !b.spent && state.time + 3.0 * state.dt >= b.ignition.time;
+  const double next =
+      lit ? b.density * b.rate(b.pressure) * (b.ignition.everywhere ? b.faces : b.burningArea) : 0.0;
+  b.massRate = std::max(last, next);
 }
 
 template <int D>
@@ -246,8 +260,8 @@ void report(const State<D>& state, const Work<D>& work, nlohmann::json& summary)
     nlohmann::json& entry = summary["cracks"][b.crack];
     entry["pressure"] = b.pressure;
     entry["burnt_mass"] = gas.burnt();
-    const double given =
-        gas.startEnergy() + gas.burnt() * gas.law().heatCapacity() * gas.law().flameTemperature;
+    const double released = gas.burnt() * gas.law().heatCapacity() * gas.law().flameTemperature;
+    const double given = gas.startEnergy() + released + gas.solidHeat();
     const double taken = gas.workDone() + gas.ventedEnergy() + gas.wallHeat();
     entry["gas"] = {{"mass", gas.mass()},
                     {"vented_mass", gas.vented()},
@@ -256,9 +270,13 @@ void report(const State<D>& state, const Work<D>& work, nlohmann::json& summary)
                     {"energy", gas.energy()},
                     {"work", gas.workDone()},
                     {"vented_energy", gas.ventedEnergy()},
+                    {"released", released},
                     {"wall_heat", gas.wallHeat()},
+                    {"solid_heat", gas.solidHeat()},
                     {"burning_area", b.burningArea},
                     {"energy_kept", given > 0.0 ? (gas.energy() + taken) / given : 1.0}};
+    if (b.looksAtFaces())
+      entry["gas"]["hottest_face"] = b.hottestFace;
     total += gas.startMass();
     now += gas.mass() + gas.vented();
   }
@@ -268,17 +286,17 @@ void report(const State<D>& state, const Work<D>& work, nlohmann::json& summary)
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)
 {
-  const Teuchos::ParameterList list = scene.sublist("Combustion");
   const auto work = std::make_shared<Work<D>>();
   Effect<D> effect;
   effect.name = "Combustion";
   effect.needs = {fields::side};
   effect.adds = {{burntShare, 1, "", "share of its mass that a particle has lost to gas"}};
-  effect.atStart = [work, list](State<D>& state)
+  effect.atStart = [work, all = Teuchos::ParameterList(scene)](State<D>& state)
   {
+    const Teuchos::ParameterList& list = all.sublist("Combustion");
     for (const std::string& name : sublistNames(list))
     {
-      work->cracks.push_back(read(state, name, list.sublist(name)));
+      work->cracks.push_back(readBurning(state, all, name));
       warnOfRunaway(state, name, list.sublist(name));
     }
     work->startMass = massOfParticles(state);
@@ -290,9 +308,9 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                {"nodal force"},
                [work](State<D>& s)
                {
-                 work->points.update(s);
+                 work->follow(s);
                  for (Burning<D>& b : work->cracks)
-                   push(s, work->points, b);
+                   push(s, *work, b);
                }});
   effect.call({Stage::AfterSolve,
                "work of gas",
@@ -327,6 +345,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                    s.row.emplace_back(name + ".pressure", b.pressure);
                    s.row.emplace_back(name + ".burnt_mass", b.gas.burnt());
                    s.row.emplace_back(name + ".gas_temperature", b.gas.temperature());
+                   if (b.looksAtFaces())
+                     s.row.emplace_back(name + ".face_temperature", b.hottestFace);
                  }
                }});
   effect.timeStepLimit = [work](const State<D>&)
@@ -349,8 +369,11 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       const Archive::Group group(archive, std::to_string(b.crack));
       b.keep(archive);
     }
-    const Archive::Group group(archive, "points");
-    work->points.keep(archive);
+    {
+      const Archive::Group group(archive, "points");
+      work->points.keep(archive);
+    }
+    work->fire.keep(archive);
   };
   effect.report = [work](const State<D>& state, nlohmann::json& summary) { report(state, *work, summary); };
   return effect;

@@ -1,7 +1,9 @@
 #include "combustion/BurnRate.hpp"
 #include "combustion/Combustion.hpp"
+#include "scene/Numbers.hpp"
 #include "scene/ReadList.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 namespace Rhegma::combustion
@@ -74,12 +76,37 @@ Section combustionSection()
       .perAxis()
       .optional("all faces at once")
       .meaning("Where the flame sets out from.");
+  crack.realArray("Ignition Lower Corner")
+      .unit("m")
+      .perAxis()
+      .optional("all faces at once")
+      .meaning("Of a box in which the faces catch fire.");
+  crack.realArray("Ignition Upper Corner")
+      .unit("m")
+      .perAxis()
+      .optional("all faces at once")
+      .meaning("Of the same box.");
+  crack.allOrNoneOf({"Ignition Lower Corner", "Ignition Upper Corner"});
+  crack.real("Ignition Temperature")
+      .unit("K")
+      .positive()
+      .optional("no face by its temperature")
+      .meaning("Of a face that catches fire by itself, with that opposite to it. Needs Thermal.");
   crack.real("Flame Speed")
       .unit("m/s")
       .positive()
-      .optional("all faces at once")
-      .meaning("How fast burning spreads from the ignition point, in a straight line.");
-  crack.allOrNoneOf({"Ignition Point", "Flame Speed"});
+      .optional("the flame stays")
+      .meaning("How fast burning spreads from the ignition point or box, in a straight line.");
+  crack.real("Wall Heat Fraction")
+      .notNegative()
+      .below(1.0)
+      .byDefault(0.0)
+      .meaning("Share of the heat of what burns that goes into the faces that burn. Needs Thermal.");
+  crack.real("Heat Transfer Coefficient")
+      .unit("W/(m2 K)")
+      .notNegative()
+      .byDefault(0.0)
+      .meaning("Between the gas and all faces of the crack. Needs Thermal.");
   crack.boolean("Venting").byDefault(false).meaning(
       "Gas flows out where the crack opens at the surface of its body.");
   crack.real("Discharge Coefficient")
@@ -102,12 +129,81 @@ std::string joined(const std::vector<std::string>& names)
   return all;
 }
 
+double realOf(const Teuchos::ParameterList& list, const char* name, double other)
+{
+  return list.isType<double>(name) ? list.get<double>(name) : other;
+}
+
+/// What burns is one of the materials of the scene.
+void checkDensity(const Teuchos::ParameterList& scene, const Teuchos::ParameterList& list,
+                  const std::string& path, std::vector<SceneError>& errors)
+{
+  if (!list.isType<double>("Solid Density") || !scene.isSublist("Materials"))
+    return;
+  const double density = list.get<double>("Solid Density");
+  std::vector<std::string> known;
+  for (const std::string& name : sublistNames(scene.sublist("Materials")))
+  {
+    const double other = realOf(scene.sublist("Materials").sublist(name), "Density", -1.0);
+    if (!(other > 0.0) || std::fabs(density - other) <= 1e-6 * other)
+      return;
+    known.push_back(name + " has " + formatReal(other) + " kg/m3");
+  }
+  if (!known.empty())
+    errors.push_back({path + " > Solid Density", "no material of the scene has it, and what burns is one of "
+                                                 "them; " +
+                                                     joined(known)});
+}
+
+void checkIgnition(const Teuchos::ParameterList& scene, const Teuchos::ParameterList& list,
+                   const std::string& path, std::vector<SceneError>& errors)
+{
+  const bool point = list.isParameter("Ignition Point"), box = list.isParameter("Ignition Lower Corner");
+  if (point && box)
+    errors.push_back(
+        {path, "has both an Ignition Point and a box (Ignition Lower Corner); take one of the two out"});
+  if (point && !list.isParameter("Flame Speed"))
+    errors.push_back({path, "an Ignition Point without a Flame Speed lights nothing; write one"});
+  if (!point && !box && list.isParameter("Flame Speed"))
+    errors.push_back({path, "a flame has a Flame Speed and nowhere to set out from; write an Ignition Point "
+                            "or a box (Ignition Lower Corner, Ignition Upper Corner)"});
+  if (!list.isParameter("Ignition Temperature"))
+    return;
+  if (!scene.isSublist("Thermal"))
+  {
+    errors.push_back({path + " > Ignition Temperature",
+                      "faces have no temperature without a section Thermal; add one or leave it out"});
+    return;
+  }
+  if (realOf(list, "Ignition Temperature", 1e300) <=
+      realOf(scene.sublist("Thermal"), "Initial Temperature", 0.0))
+    errors.push_back({path + " > Ignition Temperature",
+                      "is not above Thermal > Initial Temperature, so that all faces burn at once; leave "
+                      "it out for that"});
+}
+
+void checkHeat(const Teuchos::ParameterList& scene, const Teuchos::ParameterList& list,
+               const std::string& path, std::vector<SceneError>& errors)
+{
+  for (const char* name : {"Wall Heat Fraction", "Heat Transfer Coefficient"})
+  {
+    if (!(realOf(list, name, 0.0) > 0.0))
+      continue;
+    if (!scene.isSublist("Thermal"))
+      errors.push_back({path + " > " + name,
+                        "heat goes to the gas only without a section Thermal; add one or leave it out"});
+    if (list.isType<std::string>("Gas Temperature") && list.get<std::string>("Gas Temperature") == "Constant")
+      errors.push_back({path + " > " + name,
+                        "gas whose temperature is kept (Gas Temperature = Constant) loses no heat to the "
+                        "faces that is reckoned; write Energy Balance or leave it out"});
+  }
+}
+
 void checkCrack(const Teuchos::ParameterList& scene, const std::string& name, std::vector<SceneError>& errors)
 {
   const Teuchos::ParameterList& list = scene.sublist("Combustion").sublist(name);
   const std::string path = "Combustion > " + name;
-  const auto real = [&](const char* parameter, double other)
-  { return list.isType<double>(parameter) ? list.get<double>(parameter) : other; };
+  const auto real = [&](const char* parameter, double other) { return realOf(list, parameter, other); };
   if (!scene.sublist("Cracks").isSublist(name))
     errors.push_back({path, "there is no crack of this name; Cracks has " +
                                 joined(sublistNames(scene.sublist("Cracks")))});
@@ -128,6 +224,9 @@ void checkCrack(const Teuchos::ParameterList& scene, const std::string& name, st
     {
       errors.push_back({path + " > Burn Table", problem.what()});
     }
+  checkDensity(scene, list, path, errors);
+  checkIgnition(scene, list, path, errors);
+  checkHeat(scene, list, path, errors);
   if (!list.isParameter("Solid Density") && scene.isSublist("Materials") &&
       sublistNames(scene.sublist("Materials")).size() > 1)
     errors.push_back(
@@ -149,10 +248,10 @@ void checkCombustion(const Teuchos::ParameterList& scene, std::vector<SceneError
   if (sublistNames(scene.sublist("Combustion")).empty())
     errors.push_back({"Combustion", "the section names no crack; write one as <ParameterList name=\"" +
                                         joined(sublistNames(scene.sublist("Cracks"))) + "\">"});
-  if (scene.isSublist("Thermal"))
-    errors.push_back({"Combustion",
-                      "burning and heat in the bodies do not go together in this version; leave "
-                      "Combustion or Thermal out"});
+  if (scene.isSublist("Thermal") && scene.sublist("Thermal").isType<bool>("Mechanics") &&
+      !scene.sublist("Thermal").get<bool>("Mechanics"))
+    errors.push_back(
+        {"Combustion", "nothing moves, for Thermal > Mechanics is false; leave one of the two out"});
   for (const std::string& name : sublistNames(scene.sublist("Combustion")))
     checkCrack(scene, name, errors);
 }

@@ -16,11 +16,18 @@ void Gas::fill(double pressure, double temperature, double volume)
   startEnergy_ = energy_;
 }
 
-void Gas::burn(double mass)
+void Gas::burn(double mass, double heat)
 {
   mass_ += mass;
   burnt_ += mass;
-  energy_ += mass * law_.heatCapacity() * law_.flameTemperature;
+  energy_ += mass * law_.heatCapacity() * law_.flameTemperature + heat;
+  solidHeat_ += heat;
+}
+
+void Gas::heatWalls(double heat)
+{
+  energy_ -= heat;
+  wallHeat_ += heat;
 }
 
 void Gas::work(double energy)
@@ -80,6 +87,7 @@ void Gas::keep(Archive& archive)
   archive("work", work_);
   archive("vented_energy", ventedEnergy_);
   archive("wall_heat", wallHeat_);
+  archive("solid_heat", solidHeat_);
 }
 
 } // namespace Rhegma::combustion

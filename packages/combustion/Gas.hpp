@@ -29,7 +29,9 @@ struct GasLaw
 /// temperature T_f. Work on the faces is taken from the internal energy; what flows out takes its enthalpy.
 /// The balance is
 ///
-///     U = U_start + c_v T_f burnt - work - vented enthalpy - heat to the walls.
+///     U = U_start + c_v T_f burnt + heat of what burnt - work - vented enthalpy - heat to the walls,
+///
+/// the heat of what burnt being that of the solid above its temperature at the start.
 class Gas
 {
 public:
@@ -39,9 +41,10 @@ public:
   /// Fills a volume [m3] at the start.
   void fill(double pressure, double temperature, double volume);
 
-  void burn(double mass);                ///< [kg]
+  void burn(double mass, double heat);   ///< [kg], and the heat that it had as a solid [J]
   void work(double energy);              ///< that the gas did [J]
   void vent(double mass, double volume); ///< [kg]
+  void heatWalls(double heat);           ///< [J]
   /// Where the temperature is constant, the walls give or take what it needs.
   void settle();
 
@@ -60,6 +63,7 @@ public:
   double workDone() const { return work_; }             ///< [J]
   double ventedEnergy() const { return ventedEnergy_; } ///< [J]
   double wallHeat() const { return wallHeat_; }         ///< to the walls [J]
+  double solidHeat() const { return solidHeat_; }       ///< of what burnt [J]
 
   /// Mass that flows through an opening in a second [kg/s]: choked below the critical ratio of pressures,
   /// else isentropic; nothing flows in. Source: Shapiro, The Dynamics and Thermodynamics of Compressible
@@ -72,7 +76,7 @@ private:
   GasLaw law_;
   double mass_ = 0.0, energy_ = 0.0;
   double startMass_ = 0.0, startEnergy_ = 0.0;
-  double burnt_ = 0.0, vented_ = 0.0, work_ = 0.0, ventedEnergy_ = 0.0, wallHeat_ = 0.0;
+  double burnt_ = 0.0, vented_ = 0.0, work_ = 0.0, ventedEnergy_ = 0.0, wallHeat_ = 0.0, solidHeat_ = 0.0;
 };
 
 } // namespace Rhegma::combustion

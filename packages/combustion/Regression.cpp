@@ -8,8 +8,8 @@ namespace Rhegma::combustion
 {
 
 template <int D>
-void Regression<D>::take(const State<D>& state, const FacePoints<D>& points, int crack, const Flame<D>& flame,
-                         double depth)
+double Regression<D>::take(const State<D>& state, const FacePoints<D>& points, int crack,
+                           const View<double*>& depth)
 {
   const std::size_t nodes = state.nodes.sums.extent(0), rows = state.numStored;
   if (demand_.extent(0) < nodes)
@@ -20,11 +20,11 @@ void Regression<D>::take(const State<D>& state, const FacePoints<D>& points, int
   if (loss_.extent(0) < rows)
     loss_ = View<double*>("rhegma::combustion::loss", rows + rows / 4);
   clear(state);
-  demand(state, points, crack, flame, depth);
+  demand(state, points, crack, depth);
   weighNodes(state);
   sumOverRanks(state, demand_.data(), 1, 0, 1);
   sumOverRanks(state, present_.data(), 1, 0, 1);
-  share(state);
+  return share(state);
 }
 
 template <int D>
@@ -39,17 +39,17 @@ void Regression<D>::clear(const State<D>& state)
 
 template <int D>
 void Regression<D>::demand(const State<D>& state, const FacePoints<D>& points, int crack,
-                           const Flame<D>& flame, double depth)
+                           const View<double*>& depth)
 {
   const FacePoints<D> p = points;
-  const Flame<D> f = flame;
+  const View<double*> burns = depth;
   const View<double*> demand = demand_;
   const double thickness = state.thickness;
   forEachPushing(
       "rhegma::combustion::demand", points.count(), KOKKOS_LAMBDA(const int k) {
-        if (p.crack(k) != crack || !f.reaches(p, k))
+        if (p.crack(k) != crack || !(burns(k) > 0.0))
           return;
-        const double mass = depth * p.currentSize(k) * thickness;
+        const double mass = burns(k) * p.currentSize(k) * thickness;
         for (int e = 0; e < p.above.count(k); ++e)
           Kokkos::atomic_add(&demand(p.above.node(k, e)), mass * p.above.weight(k, e));
         for (int e = 0; e < p.below.count(k); ++e)
@@ -73,15 +73,17 @@ void Regression<D>::weighNodes(const State<D>& state)
 }
 
 template <int D>
-void Regression<D>::share(const State<D>& state)
+double Regression<D>::share(const State<D>& state)
 {
   const StencilTable<D> table = state.stored;
   const View<int*> particle = state.storedParticle;
   const View<double*> present = present_, demand = demand_, loss = loss_;
   const auto burnt = state.particles.scalar(burntShare);
-  Kokkos::parallel_for(
+  const auto mass = state.particles.scalar(fields::mass);
+  double given = 0.0;
+  Kokkos::parallel_reduce(
       "rhegma::combustion::share", Kokkos::RangePolicy<ExecSpace>(0, state.numStored),
-      KOKKOS_LAMBDA(const int r) {
+      KOKKOS_LAMBDA(const int r, double& sum) {
         const int p = particle(r);
         double wanted = 0.0;
         for (int e = 0; e < table.count(r); ++e)
@@ -92,31 +94,47 @@ void Regression<D>::share(const State<D>& state)
         // Of the mass that is left.
         const double most = burnt(p) < mostBurnt ? 1.0 - (1.0 - mostBurnt) / (1.0 - burnt(p)) : 0.0;
         loss(r) = wanted < 0.0 ? 0.0 : wanted < most ? wanted : most;
-      });
+        sum += loss(r) * mass(p);
+      },
+      given);
+  return given;
 }
 
 template <int D>
-typename Regression<D>::Loss Regression<D>::apply(State<D>& state)
+typename Regression<D>::Loss Regression<D>::apply(State<D>& state, double coldest)
 {
   Loss lost;
   const View<int*> particle = state.storedParticle;
   const View<double*> loss = loss_;
   const auto burnt = state.particles.scalar(burntShare);
   const ParticleEnergy<D> energy(state);
+  const bool heated = !state.thermo.empty();
+  BorrowedView<double*> internal;
+  if (heated)
+    internal = state.particles.scalar(fields::internalEnergy);
   Kokkos::parallel_reduce(
       "rhegma::combustion::regress", Kokkos::RangePolicy<ExecSpace>(0, state.numStored),
-      KOKKOS_LAMBDA(const int r, double& mass, double& with) {
+      KOKKOS_LAMBDA(const int r, double& mass, double& with, double& warmth) {
         const int p = particle(r);
         const double part = loss(r);
         if (part == 0.0)
           return;
         mass += part * energy.mass(p);
-        with += part * (energy.kinetic(p) + energy.strain(p) + energy.dissipated(p));
+        if (heated)
+        {
+          const int m = energy.material(p);
+          with += part * (energy.kinetic(p) + energy.volume(p) * internal(p));
+          warmth += part * energy.volume(p) *
+                    (ThermoPoint(energy.thermo, m, energy.temperature(p)).heat() -
+                     ThermoPoint(energy.thermo, m, coldest).heat());
+        }
+        else
+          with += part * (energy.kinetic(p) + energy.strain(p) + energy.dissipated(p));
         energy.mass(p) *= 1.0 - part;
         energy.volume(p) *= 1.0 - part;
         burnt(p) = 1.0 - (1.0 - burnt(p)) * (1.0 - part);
       },
-      lost.mass, lost.energy);
+      lost.mass, lost.energy, lost.heat);
   return lost;
 }
 

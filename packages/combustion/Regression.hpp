@@ -1,7 +1,9 @@
 #pragma once
 /// Solid that turns into gas.
 
-#include "combustion/Cavity.hpp"
+#include "transfer/FacePoints.hpp"
+
+#include <string>
 
 namespace Rhegma::combustion
 {
@@ -22,28 +24,29 @@ template <int D>
 class Regression
 {
 public:
-  /// What was lost: mass [kg], and kinetic, strain and plastic energy with it [J].
+  /// What was lost: mass [kg], all energy with it, and the part of it that is heat above `coldest` [J].
   struct Loss
   {
     double mass = 0.0;
     double energy = 0.0;
+    double heat = 0.0;
   };
 
   /// Finds what each particle gives in this step. To be called while stencils and nodal masses are those of
-  /// the step. Collective. \param depth density times the depth that burns [kg/m2]
-  void take(const State<D>& state, const FacePoints<D>& points, int crack, const Flame<D>& flame,
-            double depth);
+  /// the step. Collective. \param depth density times the depth that burns, of each face point [kg/m2]
+  /// \return the mass that the particles of this rank will lose [kg]
+  double take(const State<D>& state, const FacePoints<D>& points, int crack, const View<double*>& depth);
 
   /// Takes it from the particles. To be called in the same step, once for each call of `take`.
+  /// \param coldest temperature from which heat counts, where there is any [K]
   /// \return what the particles of this rank lost
-  Loss apply(State<D>& state);
+  Loss apply(State<D>& state, double coldest);
 
   // Public because compilers for devices want kernels in public functions.
   void clear(const State<D>& state);
-  void demand(const State<D>& state, const FacePoints<D>& points, int crack, const Flame<D>& flame,
-              double depth);
+  void demand(const State<D>& state, const FacePoints<D>& points, int crack, const View<double*>& depth);
   void weighNodes(const State<D>& state);
-  void share(const State<D>& state);
+  double share(const State<D>& state);
 
 private:
   View<double*> demand_;  ///< of each node [kg]

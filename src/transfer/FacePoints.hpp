@@ -29,6 +29,8 @@ public:
   bool update(const State<D>& state);
 
   int count() const { return count_; }
+  const View<int*>& simplex() const { return simplex_; } ///< on which each point is
+  const View<double*>& share() const { return share_; }  ///< of the simplex's size that each stands for
 
   /// Saves or loads the points; stencils are made by the next update.
   void keep(Archive& archive);

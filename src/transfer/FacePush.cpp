@@ -22,9 +22,19 @@ KOKKOS_INLINE_FUNCTION Vector<D> faceForce(const FacePoints<D>& points, int k, d
 
 } // namespace
 
-template <int D>
-void pushFaces(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
-               double pressure)
+namespace
+{
+
+/// The same pressure everywhere.
+struct Everywhere
+{
+  double pressure;
+  KOKKOS_INLINE_FUNCTION double operator()(int) const { return pressure; }
+};
+
+template <int D, class Pressure>
+void push(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
+          const Pressure& pressure)
 {
   const FacePoints<D> p = points;
   const Nodes<D> nodes = state.nodes;
@@ -33,9 +43,47 @@ void pushFaces(const char* label, const State<D>& state, const FacePoints<D>& po
       label, points.count(), KOKKOS_LAMBDA(const int k) {
         if (p.crack(k) != crack)
           return;
-        const Vector<D> force = faceForce(p, k, pressure, thickness);
+        const Vector<D> force = faceForce(p, k, pressure(k), thickness);
         addFaceForce(nodes, p.above, k, force);
         addFaceForce(nodes, p.below, k, -1.0 * force);
+      });
+}
+
+template <int D>
+void makePressures(CrackSet<D>& cracks)
+{
+  if (cracks.pressure.extent(0) != cracks.simplex.extent(0))
+    cracks.pressure = View<double*>("rhegma::crackPressure", cracks.simplex.extent(0));
+}
+
+} // namespace
+
+template <int D>
+void pushFaces(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
+               double pressure)
+{
+  push(label, state, points, crack, Everywhere{pressure});
+}
+
+template <int D>
+void pushFaces(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
+               const View<double*>& pressure)
+{
+  push(label, state, points, crack, pressure);
+}
+
+template <int D>
+void sweptVolumes(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
+                  const View<double*>& swept)
+{
+  const FacePoints<D> p = points;
+  const MeanVelocity<D> mean(state);
+  const View<double*> volume = swept;
+  const double thickness = state.thickness, dt = state.dt;
+  Kokkos::parallel_for(
+      label, Kokkos::RangePolicy<ExecSpace>(0, points.count()), KOKKOS_LAMBDA(const int k) {
+        if (p.crack(k) == crack)
+          volume(k) = dt * dot(faceForce(p, k, 1.0, thickness), jumpAt<D>(p.below, p.above, k, mean));
       });
 }
 
@@ -60,8 +108,7 @@ double workOnFaces(const char* label, const State<D>& state, const FacePoints<D>
 template <int D>
 void publishPressure(const char* label, CrackSet<D>& cracks, int crack, double pressure)
 {
-  if (cracks.pressure.extent(0) != cracks.simplex.extent(0))
-    cracks.pressure = View<double*>("rhegma::crackPressure", cracks.simplex.extent(0));
+  makePressures(cracks);
   const View<double*> of = cracks.pressure;
   const int first = cracks.cracks[crack].firstSimplex;
   Kokkos::parallel_for(
@@ -69,7 +116,28 @@ void publishPressure(const char* label, CrackSet<D>& cracks, int crack, double p
       KOKKOS_LAMBDA(const int s) { of(first + s) = pressure; });
 }
 
+template <int D>
+void publishPressure(const char* label, CrackSet<D>& cracks, const FacePoints<D>& points, int crack,
+                     const View<double*>& pressure)
+{
+  publishPressure(label, cracks, crack, 0.0);
+  const FacePoints<D> p = points;
+  const View<int*> simplex = points.simplex();
+  const View<double*> share = points.share(), from = pressure, of = cracks.pressure;
+  forEachPushing(
+      label, points.count(), KOKKOS_LAMBDA(const int k) {
+        if (p.crack(k) == crack)
+          Kokkos::atomic_add(&of(simplex(k)), share(k) * from(k));
+      });
+}
+
 template void pushFaces(const char*, const State<2>&, const FacePoints<2>&, int, double);
+template void pushFaces(const char*, const State<2>&, const FacePoints<2>&, int, const View<double*>&);
+template void pushFaces(const char*, const State<3>&, const FacePoints<3>&, int, const View<double*>&);
+template void sweptVolumes(const char*, const State<2>&, const FacePoints<2>&, int, const View<double*>&);
+template void sweptVolumes(const char*, const State<3>&, const FacePoints<3>&, int, const View<double*>&);
+template void publishPressure(const char*, CrackSet<2>&, const FacePoints<2>&, int, const View<double*>&);
+template void publishPressure(const char*, CrackSet<3>&, const FacePoints<3>&, int, const View<double*>&);
 template void pushFaces(const char*, const State<3>&, const FacePoints<3>&, int, double);
 template double workOnFaces(const char*, const State<2>&, const FacePoints<2>&, int, double);
 template double workOnFaces(const char*, const State<3>&, const FacePoints<3>&, int, double);

@@ -13,6 +13,17 @@ template <int D>
 void pushFaces(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
                double pressure);
 
+/// The same with a pressure of its own at each face point.
+template <int D>
+void pushFaces(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
+               const View<double*>& pressure);
+
+/// Volume [m3] that opens between the faces at each point of a crack in this step, by the mean of the nodes'
+/// velocities before and after: this rank's part. With a pressure it is the work of the forces above.
+template <int D>
+void sweptVolumes(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
+                  const View<double*>& swept);
+
 /// Work [J] that these forces do in this step, by the mean of the nodes' velocities before and after.
 template <int D>
 double workOnFaces(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
@@ -21,6 +32,11 @@ double workOnFaces(const char* label, const State<D>& state, const FacePoints<D>
 /// Lets others know of the pressure in a crack (CrackSet::pressure).
 template <int D>
 void publishPressure(const char* label, CrackSet<D>& cracks, int crack, double pressure);
+
+/// The same where each face point has its own: of a segment or triangle the mean of its points.
+template <int D>
+void publishPressure(const char* label, CrackSet<D>& cracks, const FacePoints<D>& points, int crack,
+                     const View<double*>& pressure);
 
 /// Index of a crack by name, or -1.
 template <int D>

@@ -124,6 +124,13 @@ class Burning(OnRanks):
     def test_a_flame_in_a_crack_that_crosses_ranks(self):
         self.burns(burning(turned_plate(), **{"Ignition Point": [0.1, 0.43]}), (2, 3, 4))
 
+    def test_faces_that_the_gas_warms_and_that_catch_fire_by_it(self):
+        scene = burning(turned_plate(), **{"Ignition Lower Corner": [0.0, 0.3], "Ignition Upper Corner": [0.2, 0.5],
+                                           "Wall Heat Fraction": 0.2, "Heat Transfer Coefficient": 1e5,
+                                           "Ignition Temperature": 301.0})
+        scene.set("Thermal", {"Initial Temperature": 300.0}).set("Materials > Polymer > Specific Heat", 1e3)
+        self.burns(scene.set("Materials > Polymer > Conductivity", 0.2), (2, 3))
+
     def test_ranks_that_change(self):
         scene = burning(turned_plate(), **{"Ignition Point": [0.1, 0.43]})
         self.burns(scene.set("Load Balance", {"Threshold": 1.05, "Interval": 5}), (4,))

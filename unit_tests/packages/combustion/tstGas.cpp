@@ -59,7 +59,7 @@ TEST(Gas, BurnsToTheFlameTemperatureInARigidCavity)
   Gas gas(law());
   gas.fill(1e5, 2500.0, 1e-6);
   const double before = gas.mass();
-  gas.burn(3.0 * before);
+  gas.burn(3.0 * before, 0.0);
   EXPECT_NEAR(gas.temperature(), 2500.0, 1e-10);
   EXPECT_NEAR(gas.pressure(1e-6), 4e5, 1e-9 * 4e5);
 }

@@ -1,0 +1,117 @@
+#include "combustion/Burning.hpp"
+
+#include "checkpoint/Archive.hpp"
+#include "scene/Numbers.hpp"
+#include "scene/ReadList.hpp"
+#include "transfer/FacePush.hpp"
+
+#include <stdexcept>
+
+namespace Rhegma::combustion
+{
+
+template <int D>
+void Burning<D>::keep(Archive& archive)
+{
+  gas.keep(archive);
+  archive("filled", filled);
+  archive("spent", spent);
+  archive("felt", felt);
+  archive("swept", swept);
+  archive("volume", volume);
+  archive("pressure", pressure);
+  archive("slope", slope);
+  archive("burning_area", burningArea);
+  archive("mass_rate", massRate);
+  archive("volume_rate", volumeRate);
+  archive("hottest_face", hottestFace);
+}
+
+namespace
+{
+
+GasLaw readGas(const Teuchos::ParameterList& list)
+{
+  GasLaw law;
+  law.constant = list.get<double>("Gas Constant");
+  law.heatRatio = list.get<double>("Heat Capacity Ratio");
+  law.covolume = list.get<double>("Covolume");
+  law.flameTemperature = list.get<double>("Flame Temperature");
+  law.constantTemperature = list.get<std::string>("Gas Temperature") == "Constant";
+  return law;
+}
+
+template <int D>
+Ignition<D> readIgnition(const State<D>& state, int crack, const Teuchos::ParameterList& list,
+                         const std::string& path)
+{
+  Ignition<D> ignition;
+  ignition.time = list.get<double>("Ignition Time");
+  if (list.isParameter("Ignition Temperature"))
+    ignition.temperature = list.get<double>("Ignition Temperature");
+  if (list.isParameter("Flame Speed"))
+    ignition.flameSpeed = list.get<double>("Flame Speed");
+  const bool point = list.isParameter("Ignition Point");
+  ignition.inBox = point || list.isParameter("Ignition Lower Corner");
+  ignition.everywhere = !ignition.inBox && !ignition.byTemperature();
+  if (!ignition.inBox)
+    return ignition;
+  ignition.lower = readVector<D>(list, point ? "Ignition Point" : "Ignition Lower Corner");
+  ignition.upper = readVector<D>(list, point ? "Ignition Point" : "Ignition Upper Corner");
+  const double away = distanceFromCrack(state.cracks, crack, ignition.lower, ignition.upper);
+  if (away > state.grid.spacing)
+    throw std::invalid_argument(path + (point ? " > Ignition Point" : " > Ignition Lower Corner") +
+                                ": it lies " + formatReal(away) +
+                                " m from the crack, more than a cell; write a place where its faces are");
+  return ignition;
+}
+
+} // namespace
+
+template <int D>
+Burning<D> readBurning(const State<D>& state, const Teuchos::ParameterList& scene, const std::string& name)
+{
+  const Teuchos::ParameterList& list = scene.sublist("Combustion").sublist(name);
+  const std::string path = "Combustion > " + name;
+  Burning<D> b;
+  b.crack = findCrack(state.cracks, name);
+  b.rate = list.get<std::string>("Burn Law") == "Table"
+               ? BurnRate::table(list.get<std::string>("Burn Table"))
+               : BurnRate::vieille(list.get<double>("Burn Coefficient"), list.get<double>("Burn Exponent"));
+  const GasLaw law = readGas(list);
+  b.gas = Gas(law);
+  b.density = list.isParameter("Solid Density") ? list.get<double>("Solid Density")
+                                                : state.materialList.front().density;
+  b.gap = list.get<double>("Initial Gap");
+  b.cavity = list.get<double>("Cavity Volume");
+  b.outside = list.get<double>("Outside Pressure");
+  b.startPressure = list.isParameter("Initial Pressure") ? list.get<double>("Initial Pressure") : b.outside;
+  b.startTemperature =
+      law.constantTemperature ? law.flameTemperature : list.get<double>("Initial Temperature");
+  b.wallFraction = list.get<double>("Wall Heat Fraction");
+  b.transfer = list.get<double>("Heat Transfer Coefficient");
+  if (scene.isSublist("Thermal"))
+    b.solidTemperature = scene.sublist("Thermal").get<double>("Initial Temperature");
+  b.ignition = readIgnition<D>(state, b.crack, list, path);
+  b.mirrors = mirrorPlanes(scene);
+  if (list.get<bool>("Venting"))
+  {
+    b.discharge = list.get<double>("Discharge Coefficient");
+    if (!hasMouth(state, b.crack, {}))
+      throw std::invalid_argument(path +
+                                  " > Venting: the crack does not reach the surface of its body, so nothing "
+                                  "flows out; write false");
+    if (!hasMouth(state, b.crack, b.mirrors))
+      throw std::invalid_argument(path +
+                                  " > Venting: the crack reaches a plane of symmetry only, beyond which it "
+                                  "goes on, so nothing flows out; write false");
+  }
+  return b;
+}
+
+template struct Burning<2>;
+template struct Burning<3>;
+template Burning<2> readBurning(const State<2>&, const Teuchos::ParameterList&, const std::string&);
+template Burning<3> readBurning(const State<3>&, const Teuchos::ParameterList&, const std::string&);
+
+} // namespace Rhegma::combustion

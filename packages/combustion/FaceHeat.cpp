@@ -1,0 +1,268 @@
+#include "combustion/FaceHeat.hpp"
+
+#include "material/ThermoTables.hpp"
+#include "parallel/Subdomain.hpp"
+#include "transfer/PushNodes.hpp"
+
+namespace Rhegma::combustion
+{
+
+template <int D>
+void FaceHeat<D>::measure(const State<D>& state, const FacePoints<D>& points)
+{
+  const std::size_t rows = state.nodes.sums.extent(0);
+  if (nodes_.extent(0) < rows)
+  {
+    nodes_ = View<double * [D + 3]>("rhegma::combustion::heatOfNodes", rows);
+    asked_ = View<double* [5]>("rhegma::combustion::heatAsked", rows);
+  }
+  if (static_cast<int>(atFaces_.extent(0)) != points.count())
+    atFaces_ = View<double* [2]>("rhegma::combustion::faceTemperature", points.count());
+  clear(state);
+  weigh(state);
+  sumOverRanks(state, nodes_.data(), D + 3, 0, D + 2);
+  findTemperatures(state);
+  lookAtFaces(state, points);
+  sumParts(state, atFaces_.data(), 2 * points.count());
+}
+
+template <int D>
+void FaceHeat<D>::clear(const State<D>& state) const
+{
+  const Nodes<D> nodes = state.nodes;
+  const auto sums = nodes_;
+  const auto asked = asked_;
+  Kokkos::parallel_for(
+      "rhegma::combustion::clearHeat", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+      KOKKOS_LAMBDA(const int i) {
+        const int n = activeNode(nodes, i);
+        for (int k = 0; k < D + 3; ++k)
+          sums(n, k) = 0.0;
+        for (int k = 0; k < 5; ++k)
+          asked(n, k) = 0.0;
+      });
+}
+
+template <int D>
+void FaceHeat<D>::weigh(const State<D>& state) const
+{
+  const StencilTable<D> table = state.stored;
+  const View<int*> particle = state.storedParticle;
+  const ThermoTables tables = state.thermo;
+  const auto sums = nodes_;
+  const Vector<D> origin = state.subdomain ? state.subdomain->division.lattice.origin : state.grid.origin;
+  const auto volume = state.particles.scalar(fields::volume);
+  const auto temperature = state.particles.scalar(fields::temperature);
+  const auto gradient = state.particles.template real<D>(fields::temperatureGradient);
+  const auto position = state.particles.template real<D>(fields::position);
+  const auto material = state.particles.integer(fields::material);
+  forEachPushing(
+      "rhegma::combustion::weighHeat", state.numStored, KOKKOS_LAMBDA(const int r) {
+        const int p = particle(r);
+        const double c = volume(p) * ThermoPoint(tables, material(p), temperature(p)).capacity();
+        double T = temperature(p);
+        for (int d = 0; d < D; ++d)
+          T -= gradient(p, d) * (position(p, d) - origin[d]);
+        for (int e = 0; e < table.count(r); ++e)
+        {
+          const int n = table.node(r, e);
+          const double share = table.weight(r, e) * c;
+          Kokkos::atomic_add(&sums(n, capacityAt), share);
+          Kokkos::atomic_add(&sums(n, heatAt), share * T);
+          for (int d = 0; d < D; ++d)
+            Kokkos::atomic_add(&sums(n, momentAt + d), share * gradient(p, d));
+        }
+      });
+}
+
+template <int D>
+void FaceHeat<D>::findTemperatures(const State<D>& state) const
+{
+  const Nodes<D> nodes = state.nodes;
+  const NodePlaces<D> places = nodePlaces(state);
+  const auto sums = nodes_;
+  const Vector<D> origin = state.subdomain ? state.subdomain->division.lattice.origin : state.grid.origin;
+  Kokkos::parallel_for(
+      "rhegma::combustion::findTemperatures", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+      KOKKOS_LAMBDA(const int i) {
+        const int n = activeNode(nodes, i);
+        if (!(sums(n, capacityAt) > 0.0))
+          return;
+        const Vector<D> x = places(latticeNode(nodes, n)) - origin;
+        double heat = sums(n, heatAt);
+        for (int d = 0; d < D; ++d)
+          heat += x[d] * sums(n, momentAt + d);
+        sums(n, temperatureAt) = heat / sums(n, capacityAt);
+      });
+}
+
+namespace
+{
+
+/// Temperature of the nodes of one face at a point, those without capacity left out [K]; 0 without nodes.
+template <int D, class Table>
+KOKKOS_INLINE_FUNCTION double atFace(const StencilTable<D>& face, int k, const Table& nodes, int capacityAt,
+                                     int temperatureAt)
+{
+  double sum = 0.0, weight = 0.0;
+  for (int e = 0; e < face.count(k); ++e)
+  {
+    const int n = face.node(k, e);
+    if (!(nodes(n, capacityAt) > 0.0))
+      continue;
+    sum += face.weight(k, e) * nodes(n, temperatureAt);
+    weight += face.weight(k, e);
+  }
+  return weight > 0.0 ? sum / weight : 0.0;
+}
+
+} // namespace
+
+template <int D>
+void FaceHeat<D>::lookAtFaces(const State<D>&, const FacePoints<D>& points) const
+{
+  const FacePoints<D> p = points;
+  const auto sums = nodes_;
+  const auto at = atFaces_;
+  Kokkos::parallel_for(
+      "rhegma::combustion::lookAtFaces", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
+      KOKKOS_LAMBDA(const int k) {
+        at(k, 0) = atFace(p.below, k, sums, capacityAt, temperatureAt);
+        at(k, 1) = atFace(p.above, k, sums, capacityAt, temperatureAt);
+      });
+}
+
+template <int D>
+void FaceHeat<D>::give(State<D>& state, const FacePoints<D>& points, int crack, const FaceHeating& heating,
+                       const View<double*>& taken)
+{
+  ask(state, points, crack, heating);
+  sumOverRanks(state, asked_.data(), 5, 0, 3);
+  change(state);
+  charge(state, points, crack, heating, taken);
+  sumParts(state, taken.data(), points.count());
+  state.energy.heat += toParticles(state);
+}
+
+template <int D>
+void FaceHeat<D>::ask(const State<D>& state, const FacePoints<D>& points, int crack,
+                      const FaceHeating& heating) const
+{
+  const FacePoints<D> p = points;
+  const FaceHeating heat = heating;
+  const auto asked = asked_;
+  const double thickness = state.thickness;
+  const Nodes<D> nodes = state.nodes;
+  Kokkos::parallel_for(
+      "rhegma::combustion::clearAsked", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+      KOKKOS_LAMBDA(const int i) {
+        for (int k = 0; k < 5; ++k)
+          asked(activeNode(nodes, i), k) = 0.0;
+      });
+  forEachPushing(
+      "rhegma::combustion::askHeat", points.count(), KOKKOS_LAMBDA(const int k) {
+        if (p.crack(k) != crack)
+          return;
+        const double area = p.currentSize(k) * thickness;
+        const double H = heat.conductance(k) * area, F = heat.given(k) * area;
+        for (int side = 0; side < 2; ++side)
+        {
+          const StencilTable<D>& face = side == 0 ? p.below : p.above;
+          for (int e = 0; e < face.count(k); ++e)
+          {
+            const int n = face.node(k, e);
+            Kokkos::atomic_add(&asked(n, 0), face.weight(k, e) * H);
+            Kokkos::atomic_add(&asked(n, 1), face.weight(k, e) * H * heat.gasTemperature(k));
+            Kokkos::atomic_add(&asked(n, 2), face.weight(k, e) * F);
+          }
+        }
+      });
+}
+
+template <int D>
+void FaceHeat<D>::change(const State<D>& state) const
+{
+  const Nodes<D> nodes = state.nodes;
+  const auto sums = nodes_;
+  const auto asked = asked_;
+  Kokkos::parallel_for(
+      "rhegma::combustion::changeOfNodes", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+      KOKKOS_LAMBDA(const int i) {
+        const int n = activeNode(nodes, i);
+        const double C = sums(n, capacityAt), H = asked(n, 0);
+        if (!(C > 0.0))
+          return;
+        const double share = H > 0.0 ? -std::expm1(-H / C) * C / H : 0.0;
+        const double heat = share * (asked(n, 1) - H * sums(n, temperatureAt)) + asked(n, 2);
+        asked(n, shareAt) = share;
+        asked(n, changeAt) = heat / C;
+      });
+}
+
+template <int D>
+void FaceHeat<D>::charge(const State<D>& state, const FacePoints<D>& points, int crack,
+                         const FaceHeating& heating, const View<double*>& taken) const
+{
+  const FacePoints<D> p = points;
+  const FaceHeating heat = heating;
+  const auto sums = nodes_;
+  const auto asked = asked_;
+  const View<double*> gone = taken;
+  const double thickness = state.thickness;
+  Kokkos::parallel_for(
+      "rhegma::combustion::chargeGas", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
+      KOKKOS_LAMBDA(const int k) {
+        gone(k) = 0.0;
+        if (p.crack(k) != crack)
+          return;
+        const double area = p.currentSize(k) * thickness;
+        for (int side = 0; side < 2; ++side)
+        {
+          const StencilTable<D>& face = side == 0 ? p.below : p.above;
+          for (int e = 0; e < face.count(k); ++e)
+          {
+            const int n = face.node(k, e);
+            if (sums(n, capacityAt) > 0.0)
+              gone(k) += face.weight(k, e) * area *
+                         (asked(n, shareAt) * heat.conductance(k) *
+                              (heat.gasTemperature(k) - sums(n, temperatureAt)) +
+                          heat.given(k));
+          }
+        }
+      });
+}
+
+template <int D>
+double FaceHeat<D>::toParticles(State<D>& state) const
+{
+  const StencilTable<D> table = state.stored;
+  const View<int*> particle = state.storedParticle;
+  const ThermoTables tables = state.thermo;
+  const auto asked = asked_;
+  const auto volume = state.particles.scalar(fields::volume);
+  const auto temperature = state.particles.scalar(fields::temperature);
+  const auto internal = state.particles.scalar(fields::internalEnergy);
+  const auto material = state.particles.integer(fields::material);
+  double heat = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::combustion::heatParticles", Kokkos::RangePolicy<ExecSpace>(0, state.numStored),
+      KOKKOS_LAMBDA(const int r, double& sum) {
+        const int p = particle(r);
+        double rise = 0.0;
+        for (int e = 0; e < table.count(r); ++e)
+          rise += table.weight(r, e) * asked(table.node(r, e), changeAt);
+        if (rise == 0.0)
+          return;
+        const double c = ThermoPoint(tables, material(p), temperature(p)).capacity();
+        internal(p) += c * rise;
+        temperature(p) += rise;
+        sum += volume(p) * c * rise;
+      },
+      heat);
+  return heat;
+}
+
+template class FaceHeat<2>;
+template class FaceHeat<3>;
+
+} // namespace Rhegma::combustion

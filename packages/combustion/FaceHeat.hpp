@@ -1,0 +1,63 @@
+#pragma once
+/// Heat that passes from gas to the faces of cracks.
+
+#include "transfer/FacePoints.hpp"
+
+namespace Rhegma::combustion
+{
+
+/// What heats the faces at each face point over a step.
+struct FaceHeating
+{
+  View<double*> given;          ///< to each of the two faces [J/m2]
+  View<double*> conductance;    ///< h dt, between gas and each of the two faces [J/(m2 K)]
+  View<double*> gasTemperature; ///< [K]
+};
+
+/// Gives heat to the nodes of the faces, and these give their change of temperature to the particles, as
+/// conduction does: a particle's heat changes by rho c V sum N dT. A node has the capacity of the particles
+/// with stored stencils that see it, and takes up what comes by a difference of temperatures as a body of one
+/// temperature does in a gas of another, T -> T_gas - (T_gas - T) exp(-H / C), so that any conductance is
+/// stable and no node passes the gas. What the gas gives is what particles get, to round-off.
+///
+/// Nodes of several ranks sum over these.
+template <int D>
+class FaceHeat
+{
+public:
+  /// Finds the temperatures of nodes and faces. To be called while the stencils are those of the step.
+  /// Collective.
+  void measure(const State<D>& state, const FacePoints<D>& points);
+
+  /// Of the faces at each point, below and above [K]; 0 where a face has no nodes. All ranks have all.
+  const View<double* [2]>& temperature() const { return atFaces_; }
+
+  /// Heats the faces of a crack after `measure`; books it under `heat`. Collective.
+  /// \param taken by both faces at each point, of all ranks [J]
+  void give(State<D>& state, const FacePoints<D>& points, int crack, const FaceHeating& heating,
+            const View<double*>& taken);
+
+  // Public because compilers for devices want kernels in public functions.
+  void clear(const State<D>& state) const;
+  void weigh(const State<D>& state) const;
+  void findTemperatures(const State<D>& state) const;
+  void lookAtFaces(const State<D>& state, const FacePoints<D>& points) const;
+  void ask(const State<D>& state, const FacePoints<D>& points, int crack, const FaceHeating& heating) const;
+  void change(const State<D>& state) const;
+  void charge(const State<D>& state, const FacePoints<D>& points, int crack, const FaceHeating& heating,
+              const View<double*>& taken) const;
+  double toParticles(State<D>& state) const;
+
+private:
+  /// Of each node: capacity [J/K], heat [J] and its moments [J/m] as in packages/thermal, then temperature
+  /// [K].
+  View<double * [D + 3]> nodes_;
+  static constexpr int capacityAt = 0, heatAt = 1, momentAt = 2, temperatureAt = D + 2;
+  /// Of each node: H [J/K], H T_gas [J], heat that is given [J]; then share of H that acts [-], change of
+  /// temperature [K].
+  View<double* [5]> asked_;
+  static constexpr int shareAt = 3, changeAt = 4;
+  View<double* [2]> atFaces_;
+};
+
+} // namespace Rhegma::combustion

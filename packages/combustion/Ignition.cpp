@@ -1,0 +1,56 @@
+#include "combustion/Ignition.hpp"
+
+#include "checkpoint/Archive.hpp"
+
+namespace Rhegma::combustion
+{
+
+template <int D>
+void Fire<D>::follow(const FacePoints<D>& points, bool anew)
+{
+  if (!anew && static_cast<int>(lit_.extent(0)) == points.count())
+    return;
+  const View<int*> old = lit_, now("rhegma::combustion::lit", points.count()), before = points.before;
+  const int known = static_cast<int>(old.extent(0));
+  Kokkos::parallel_for(
+      "rhegma::combustion::followFire", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
+      KOKKOS_LAMBDA(const int k) { now(k) = before(k) >= 0 && before(k) < known ? old(before(k)) : 0; });
+  lit_ = now;
+}
+
+template <int D>
+void Fire<D>::spread(const State<D>& state, const FacePoints<D>& points, int crack,
+                     const Ignition<D>& ignition, const View<double* [2]>& temperature) const
+{
+  if (state.time < ignition.time)
+    return;
+  const FacePoints<D> p = points;
+  const Ignition<D> what = ignition;
+  const View<int*> lit = lit_;
+  const double radius = ignition.flameSpeed * (state.time - ignition.time);
+  const bool hot = ignition.byTemperature() && temperature.extent(0) > 0;
+  Kokkos::parallel_for(
+      "rhegma::combustion::spread", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
+      KOKKOS_LAMBDA(const int k) {
+        if (p.crack(k) != crack || lit(k) != 0)
+          return;
+        Vector<D> place;
+        for (int d = 0; d < D; ++d)
+          place[d] = p.position(k, d);
+        const bool reached = what.everywhere || (what.inBox && what.distance(place) <= radius);
+        const bool heated =
+            hot && (temperature(k, 0) >= what.temperature || temperature(k, 1) >= what.temperature);
+        lit(k) = reached || heated ? 1 : 0;
+      });
+}
+
+template <int D>
+void Fire<D>::keep(Archive& archive)
+{
+  archive("lit", lit_);
+}
+
+template class Fire<2>;
+template class Fire<3>;
+
+} // namespace Rhegma::combustion
