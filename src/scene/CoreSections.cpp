@@ -25,7 +25,17 @@ Section domain()
       .meaning("Out of the plane; masses and loads are for it.");
   s.realArray("Lower Corner").unit("m").perAxis().meaning("The corner with the smallest coordinates.");
   s.realArray("Upper Corner").unit("m").perAxis().meaning("The corner with the largest coordinates.");
-  s.real("Cell Size").unit("m").positive().meaning("Edge of the square or cubic cells.");
+  s.real("Cell Size")
+      .unit("m")
+      .positive()
+      .optional("what Accuracy chooses")
+      .meaning("Edge of the square or cubic cells.");
+  s.choice("Accuracy", {"10 %", "3 %", "1 %", "0.3 %"})
+      .optional()
+      .meaning(
+          "Error of G, K or a rise of temperature that cells are chosen for: Cell Size where that is absent, "
+          "and Adaptivity with Sub-Cycling at fronts where neither is in the scene "
+          "(docs/accuracy-and-cost.md). What the scene gives itself stays.");
   s.choice("Shape Functions", {"Linear", "GIMP"})
       .byDefault("GIMP")
       .meaning("Linear: cheap, noisy when particles change cell. GIMP: every particle is a box of its own.");

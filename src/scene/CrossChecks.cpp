@@ -120,6 +120,12 @@ private:
   void domain(const ParameterList& domain)
   {
     const auto spacing = real(domain, "Cell Size");
+    const bool told =
+        std::any_of(m_errors.begin(), m_errors.end(),
+                    [](const SceneError& error)
+                    { return error.where == "Domain > Cell Size" || error.where == "Domain > Accuracy"; });
+    if (!spacing && !told && !domain.isParameter("Accuracy"))
+      report("Domain > Cell Size", "is missing; write a number in metres, or Accuracy in its place.");
     if (!corners(domain, "Domain", false) || !spacing)
       return;
     const auto lower = *reals(domain, "Lower Corner");

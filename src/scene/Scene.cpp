@@ -1,5 +1,6 @@
 #include "scene/Scene.hpp"
 
+#include "scene/Accuracy.hpp"
 #include "scene/CrossChecks.hpp"
 #include "scene/Overrides.hpp"
 #include "scene/ReadXml.hpp"
@@ -19,6 +20,7 @@ namespace
 void validateInPlace(Teuchos::ParameterList& list, const SceneSchema& schema, std::vector<SceneError>& errors)
 {
   list.setName(schema.root().name);
+  chooseCells(list, schema, errors);
   Validation(dimensionOf(list), errors).check(list, schema.root(), "");
   deriveDefaults(list);
   crossCheckCore(list, errors);

@@ -1,4 +1,5 @@
-"""Runs the scenes of a study, one after the other so that their times compare, and collects what they give."""
+"""Runs the scenes of a study, one after the other unless told otherwise so that their times compare, and collects what
+they give."""
 
 import csv
 import hashlib
@@ -6,11 +7,11 @@ import json
 import math
 import os
 import re
-import resource
 import shutil
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 
 from .interpreter import Problem
 from .summary import look_up, read_summary
@@ -113,22 +114,21 @@ def check_all(study, output, program, launcher, again):
 
 def start(command, log, watch):
     """Runs a command to its end and calls watch() now and then. Returns the exit status and the processor time [s]."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
     process = subprocess.Popen(command, stdout=log, stderr=log)
     try:
-        while process.poll() is None:
-            try:
-                process.wait(timeout=0.5 if watch else None)
-            except subprocess.TimeoutExpired:
-                watch()
+        while True:
+            child, status, used = os.wait4(process.pid, os.WNOHANG if watch else 0)
+            if child == process.pid:
+                process.returncode = os.waitstatus_to_exitcode(status)
+                return process.returncode, used.ru_utime + used.ru_stime
+            watch()
+            time.sleep(0.2)
     except BaseException:  # such as a KeyboardInterrupt, which the child got too
         try:
             process.wait(timeout=10)
         except subprocess.TimeoutExpired:
             process.kill()
         raise
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return process.returncode, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
 
 
 def execute(run, folder, program, launcher, watch=None):
@@ -184,22 +184,40 @@ def last_words(folder):
     return lines[-1] if lines else ""
 
 
-def run_all(study, output, program, launcher, again, say, show=None):
+def run_ahead(study, output, program, launcher, again, jobs, say):
+    """Runs what is still to be run, several runs at a time. Returns {folder: exit status} of these."""
+    todo = {}
+    for run in study.runs:
+        folder = run_folder(output, run)
+        if folder not in todo and (again or done_before(folder, record_of(run, launcher)) is None):
+            todo[folder] = run
+    with ThreadPoolExecutor(jobs) as pool:
+        started = {folder: pool.submit(execute, run, folder, program, launcher) for folder, run in todo.items()}
+        for number, (folder, result) in enumerate(started.items(), start=1):
+            result.result()
+            say(f"[{number}/{len(todo)}] {os.path.basename(folder)}")
+    return {folder: result.result() for folder, result in started.items()}
+
+
+def run_all(study, output, program, launcher, again, say, show=None, jobs=1):
     """Outcomes of all runs, in order; those that were done before are only read, unless all shall run again.
 
-    say(line): for good; show(line): for the moment, while a run goes on; None where there is no terminal."""
-    outcomes, fresh, begin = [], set(), time.monotonic()
+    say(line): for good; show(line): for the moment, while a run goes on; None where there is no terminal; jobs: runs at a
+    time."""
+    outcomes, begin = [], time.monotonic()
+    fresh = run_ahead(study, output, program, launcher, again, jobs, say) if jobs > 1 else {}
     for number, run in enumerate(study.runs, start=1):
         folder = run_folder(output, run)
         values = ", ".join(f"{path} = {value}" for path, value in run.settings.items())
         head = f"[{number}/{len(study.runs)}] {run.family}: {values}"
-        status = None if again and folder not in fresh else done_before(folder, record_of(run, launcher))
-        before = status is not None
-        if not before:
+        status = fresh.get(folder)
+        if status is None and not again:
+            status = done_before(folder, record_of(run, launcher))
+        before = status is not None and jobs == 1
+        if status is None:
             watch = show and (lambda: show(f"[{number}/{len(study.runs)}] {run.family}: {last_words(folder)} "
                                            f"({time.monotonic() - begin:.0f} s in all)"))
-            status = execute(run, folder, program, launcher, watch)
-            fresh.add(folder)
+            status = fresh[folder] = execute(run, folder, program, launcher, watch)
         outcome = measure(run, folder, status)
         if outcome.good:
             say(f"{head}: error {outcome.error:.3g}, {outcome.wall_seconds:.3g} s{' (done before)' if before else ''}")

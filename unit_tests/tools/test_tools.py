@@ -8,6 +8,7 @@ sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 import unittest  # noqa: E402
 
+from accuracy_tests import *  # noqa: E402,F401,F403
 from plot_tests import *  # noqa: E402,F401,F403
 from study_tests import *  # noqa: E402,F401,F403
 

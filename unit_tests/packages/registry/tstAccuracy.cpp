@@ -1,0 +1,153 @@
+/// Cells that Domain > Accuracy chooses.
+
+#include "scene/Scene.hpp"
+#include "step/EffectSchema.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+using namespace Rhegma;
+
+namespace
+{
+
+SceneResult sceneOf(const std::string& domain, const std::string& body, const std::string& more)
+{
+  return readSceneText(R"xml(<ParameterList name="Rhegma">
+  <ParameterList name="Domain">)xml" +
+                           domain + R"xml(</ParameterList>
+  <ParameterList name="Time"><Parameter name="Final Time" type="double" value="1e-3"/></ParameterList>
+  <ParameterList name="Materials">
+    <ParameterList name="Polymer">
+      <Parameter name="Model" type="string" value="Linear Elastic"/>
+      <Parameter name="Density" type="double" value="1200"/>
+      <Parameter name="Young Modulus" type="double" value="3e9"/>
+      <Parameter name="Poisson Ratio" type="double" value="0.33"/>
+      <Parameter name="Specific Heat" type="double" value="1400"/>
+      <Parameter name="Conductivity" type="double" value="0.2"/>
+    </ParameterList>
+  </ParameterList>
+  <ParameterList name="Bodies">
+    <ParameterList name="Plate">
+      <Parameter name="Material" type="string" value="Polymer"/>
+      <Parameter name="Shape" type="string" value="Box"/>)xml" +
+                           body + "</ParameterList></ParameterList>" + more + "</ParameterList>",
+                       {}, effectSchema());
+}
+
+std::string array(const std::string& name, const std::string& values)
+{
+  return "<Parameter name=\"" + name + "\" type=\"Array(double)\" value=\"" + values + "\"/>";
+}
+
+const std::string plane = R"xml(<Parameter name="Dimension" type="int" value="2"/>)xml" +
+                          array("Lower Corner", "{-0.01, -0.01}") + array("Upper Corner", "{0.05, 0.09}");
+const std::string strip = array("Lower Corner", "{0, 0}") + array("Upper Corner", "{0.04, 0.08}");
+/// 10 mm from the left edge; the nearest surface is 30 mm away.
+const std::string notch = R"xml(<ParameterList name="Cracks"><ParameterList name="Notch">)xml" +
+                          array("Points", "{0, 0.04, 0.01, 0.04}") + "</ParameterList></ParameterList>";
+
+std::string within(const std::string& share)
+{
+  return R"xml(<Parameter name="Accuracy" type="string" value=")xml" + share + R"xml("/>)xml";
+}
+
+double cellOf(const SceneResult& scene) { return scene.list->sublist("Domain").get<double>("Cell Size"); }
+
+int levelsOf(const SceneResult& scene)
+{
+  return scene.list->isSublist("Adaptivity") ? scene.list->sublist("Adaptivity").get<int>("Maximum Level")
+                                             : 0;
+}
+
+} // namespace
+
+/// Cells at the front are at most 1.6 times the share of the crack's length, all others a share of it.
+TEST(Accuracy, ChoosesCellsBesideTheCrack)
+{
+  const struct
+  {
+    const char* share;
+    double cell;
+    int levels;
+  } wanted[] = {{"10 %", 0.01 / 3.0, 2}, {"3 %", 0.002, 3}, {"1 %", 0.00125, 3}, {"0.3 %", 0.000625, 4}};
+  for (const auto& w : wanted)
+  {
+    const SceneResult scene = sceneOf(plane + within(w.share), strip, notch);
+    ASSERT_TRUE(scene.errors.empty()) << toString(scene.errors.front());
+    EXPECT_NEAR(cellOf(scene), w.cell, 1e-12) << w.share;
+    EXPECT_EQ(levelsOf(scene), w.levels) << w.share;
+    EXPECT_TRUE(scene.list->isSublist("Sub-Cycling"));
+  }
+}
+
+TEST(Accuracy, LeavesWhatTheSceneGives)
+{
+  const std::string cell = R"xml(<Parameter name="Cell Size" type="double" value="1e-3"/>)xml";
+  EXPECT_EQ(cellOf(sceneOf(plane + cell + within("10 %"), strip, notch)), 1e-3);
+  const std::string own = R"xml(<ParameterList name="Adaptivity">
+    <Parameter name="Maximum Level" type="int" value="1"/></ParameterList>)xml";
+  const SceneResult scene = sceneOf(plane + within("1 %"), strip, notch + own);
+  EXPECT_EQ(levelsOf(scene), 1);
+  EXPECT_FALSE(scene.list->isSublist("Sub-Cycling"));
+}
+
+/// Cells of 2 mm are asked for; the faces of the plate are 9, 51 and 90 mm from the domain's corner, so that
+/// cells of 1.5 mm are the largest below it that have all of them on their lines.
+TEST(Accuracy, FitsCellsToTheBodies)
+{
+  const std::string domain = R"xml(<Parameter name="Dimension" type="int" value="2"/>)xml" +
+                             array("Lower Corner", "{-0.009, -0.009}") + array("Upper Corner", "{0.06, 0.1}");
+  const std::string plate = array("Lower Corner", "{0, 0}") + array("Upper Corner", "{0.042, 0.081}");
+  EXPECT_NEAR(cellOf(sceneOf(domain + within("3 %"), plate, notch)), 0.0015, 1e-12);
+}
+
+TEST(Accuracy, KnowsMovingSources)
+{
+  const std::string torch = R"xml(<ParameterList name="Thermal">
+    <Parameter name="Initial Temperature" type="double" value="300"/>
+    <ParameterList name="Sources"><ParameterList name="Torch">
+      <Parameter name="Type" type="string" value="Ball"/>
+      <Parameter name="Radius" type="double" value="0.006"/>
+      <Parameter name="Power" type="double" value="1"/>)xml" +
+                            array("Centre", "{0.02, 0.04}") +
+                            "</ParameterList></ParameterList></ParameterList>";
+  const SceneResult scene = sceneOf(plane + within("1 %"), strip, torch);
+  ASSERT_TRUE(scene.errors.empty()) << toString(scene.errors.front());
+  EXPECT_NEAR(cellOf(scene), 0.002, 1e-12);
+  EXPECT_EQ(levelsOf(scene), 0);
+}
+
+TEST(Accuracy, KnowsDisksInSpace)
+{
+  const std::string space = R"xml(<Parameter name="Dimension" type="int" value="3"/>)xml" +
+                            array("Lower Corner", "{-0.02, -0.02, -0.02}") +
+                            array("Upper Corner", "{0.02, 0.02, 0.02}");
+  const std::string penny = R"xml(<ParameterList name="Cracks"><ParameterList name="Penny">
+      <Parameter name="Radius" type="double" value="0.006"/>)xml" +
+                            array("Centre", "{0, 0, 0}") + array("Normal", "{0, 0, 1}") +
+                            "</ParameterList></ParameterList>";
+  const SceneResult scene = sceneOf(space + within("10 %"),
+                                    array("Lower Corner", "{-0.016, -0.016, -0.016}") +
+                                        array("Upper Corner", "{0.016, 0.016, 0.016}"),
+                                    penny);
+  ASSERT_TRUE(scene.errors.empty()) << toString(scene.errors.front());
+  EXPECT_NEAR(cellOf(scene), 0.002, 1e-12);
+}
+
+TEST(Accuracy, SaysWhyItCanNotChoose)
+{
+  const auto complaint = [](const SceneResult& scene)
+  { return scene.errors.size() == 1 ? toString(scene.errors.front()) : std::string(); };
+  EXPECT_NE(complaint(sceneOf(plane + within("1 %"), strip, "")).find("neither"), std::string::npos);
+  EXPECT_NE(complaint(sceneOf(plane, strip, notch)).find("Cell Size"), std::string::npos);
+  EXPECT_NE(complaint(sceneOf(plane + within("5 %"), strip, notch)).find("Accuracy"), std::string::npos);
+  const std::string running = R"xml(<ParameterList name="Energy Release"/><ParameterList name="Propagation">
+    <Parameter name="Toughness" type="string" value="100"/></ParameterList>)xml";
+  EXPECT_NE(complaint(sceneOf(plane + within("1 %"), strip, notch + running)).find("run"), std::string::npos);
+  const SceneResult scene = sceneOf(plane + within("3 %"), strip, notch + running);
+  ASSERT_TRUE(scene.errors.empty()) << toString(scene.errors.front());
+  EXPECT_NEAR(cellOf(scene), 0.000625, 1e-12);
+  EXPECT_EQ(levelsOf(scene), 0);
+}
