@@ -117,15 +117,23 @@ private:
     return true;
   }
 
+  static bool mentions(const SceneError& error, const char* name)
+  {
+    return error.where.find(name) != std::string::npos || error.message.find(name) != std::string::npos;
+  }
+
   void domain(const ParameterList& domain)
   {
     const auto spacing = real(domain, "Cell Size");
-    const bool told =
-        std::any_of(m_errors.begin(), m_errors.end(),
-                    [](const SceneError& error)
-                    { return error.where == "Domain > Cell Size" || error.where == "Domain > Accuracy"; });
+    // Somebody who misspelt one of the two has been told.
+    const bool told = std::any_of(m_errors.begin(), m_errors.end(),
+                                  [](const SceneError& error)
+                                  {
+                                    return error.where.rfind("Domain > ", 0) == 0 &&
+                                           (mentions(error, "Cell Size") || mentions(error, "Accuracy"));
+                                  });
     if (!spacing && !told && !domain.isParameter("Accuracy"))
-      report("Domain > Cell Size", "is missing; write a number in metres, or Accuracy in its place.");
+      report("Domain > Cell Size", "is missing; write a real number [m], or Accuracy in its place.");
     if (!corners(domain, "Domain", false) || !spacing)
       return;
     const auto lower = *reals(domain, "Lower Corner");
