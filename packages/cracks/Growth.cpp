@@ -102,9 +102,11 @@ bool atFirstEnd(const CrackSet<2>& set, const CrackFront<2>& front)
 
 constexpr int places = 48; ///< that are looked at along an advance
 
-/// Which of the places x + k step (k = 1 .. places) lie within a half diagonal of a particle's centre.
-std::uint64_t filledPlaces(const State<2>& state, const Vector<2>& x, const Vector<2>& step)
+/// Which of the places x + k step (k = 1 .. places) lie within a half diagonal of a particle's centre. \param
+/// of a body; -1: any
+std::uint64_t filledPlaces(const State<2>& state, const Vector<2>& x, const Vector<2>& step, int of = -1)
 {
+  const auto body = state.particles.integer(fields::body);
   const auto position = state.particles.real<2>(fields::position);
   const auto edge = state.particles.real<2>(fields::edge);
   const auto F = state.particles.real<gradientSize<2>>(fields::deformation);
@@ -113,6 +115,8 @@ std::uint64_t filledPlaces(const State<2>& state, const Vector<2>& x, const Vect
   Kokkos::parallel_reduce(
       "rhegma::cracks::filledPlaces", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p, std::uint64_t& bits) {
+        if (of >= 0 && body(p) != of)
+          return;
         // Half the diagonal of the deformed particle and a little more. (Edges are along the body's axes.)
         const double stretch =
             std::fmax(F(p, 0) * F(p, 0) + F(p, 2) * F(p, 2), 1.0) * edge(p, 0) * edge(p, 0) +
@@ -138,6 +142,16 @@ std::uint64_t filledPlaces(const State<2>& state, const Vector<2>& x, const Vect
   for (int k = 0; k <= places; ++k)
     filled |= found[k] > 0.0 ? std::uint64_t(1) << k : 0;
   return filled;
+}
+
+/// Whether two of these places are filled by particles of one body. Collective.
+bool ofOneBody(const State<2>& state, const Vector<2>& x, const Vector<2>& step, int one, int other)
+{
+  for (int b = 0; b < static_cast<int>(state.bodyAxes.extent(0)); ++b)
+    if (const std::uint64_t filled = filledPlaces(state, x, step, b);
+        (filled >> one & 1) != 0 && (filled >> other & 1) != 0)
+      return true;
+  return false;
 }
 
 double distanceToSegment(const Vector<2>& x, const Vector<2>& a, const Vector<2>& b)
@@ -213,6 +227,9 @@ struct Outcome
 /// A front that has less than this left ahead of it runs on to the surface [cells].
 constexpr double leastLigament = 0.5;
 
+/// Bodies that are further apart than this, as filledPlaces sees them, do not touch [cells].
+constexpr double apart = 0.125;
+
 /// Opening of a crack one cell behind its front [m]. It grows as the root of the distance up to the first
 /// vertex behind.
 double openingBehind(const Chain& chain, bool first, double cell)
@@ -236,18 +253,21 @@ Outcome findRoom(const State<2>& state, const Chain& chain, bool first, const Cr
                  const FrontAdvance<2>& advance)
 {
   const double cell = spacingAt(state, front.position);
-  const double step = (advance.length + leastLigament * cell) / places;
+  // What lacks for no longer than this is the opening of the crack that the cells have, right at the front or
+  // where it has drawn particles of a body apart. What lacks for longer, or between two bodies, is a surface.
+  const double opening = std::max(leastLigament * cell, openingBehind(chain, first, cell));
+  const double enough = advance.length + leastLigament * cell, step = (enough + opening) / places;
   const std::uint64_t filled = filledPlaces(state, front.position, step * advance.direction);
-  // What lacks right at the front is the opening of the crack that the cells have, if it is no longer than
-  // that.
-  int whole = 0;
-  while (whole < places && (filled >> (whole + 1) & 1) == 0)
-    ++whole;
-  if (whole == places || whole * step > std::max(leastLigament * cell, openingBehind(chain, first, cell)))
-    return {0.0, true};
-  while (whole < places && (filled >> (whole + 1) & 1) != 0)
-    ++whole;
-  return whole == places ? Outcome{advance.length, false} : Outcome{whole * step, true};
+  int last = 0;
+  for (int i = 1; i <= places && (i - last) * step <= opening; ++i)
+    if ((filled >> i & 1) != 0)
+    {
+      if (last > 0 && (i - last) * step > apart * cell &&
+          !ofOneBody(state, front.position, step * advance.direction, last, i))
+        break;
+      last = i;
+    }
+  return last * step < enough ? Outcome{last * step, true} : Outcome{advance.length, false};
 }
 
 void grow(State<2>& state, std::vector<Chain>& chains, const FrontAdvance<2>& advance)

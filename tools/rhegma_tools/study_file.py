@@ -38,13 +38,14 @@ of all arrays together, then the second ones, so the arrays have one length; Pro
 may have a Scene of its own, and it may change the quantity (Error Of), its Reference Value, for example where the
 quantity is in other units, and the column Curve Of. A family with a Value, an expression of its runs' numbers At (an
 array, one for each run; "at" in the expression), of [paths] in their summary.json and of [[paths]] in that of the run of
-the same place in the family Beside, is drawn in values.png over At, beside True, an expression of "at". Values that are arrays themselves are written in braces:
+the same place in the family Beside, is drawn in values.png over At, or over Drawn At, an expression of the same kind whose
+value the Value may have too ("drawn"), beside True, an expression of "at". Values that are arrays themselves are written in braces:
 {{0, 0}, {1, 0}}.
 """
 
 STUDY_NAMES = ["Scene", "Title", "Error Of", "Reference Value", "Source", "Curve Of", "Curve Divided By", "Curve Label",
                "Value Label", "At Label", "Sweep"]
-FAMILY_NAMES = ["Combine", "Group", "Scene", "Error Of", "Reference Value", "Curve Of", "Value", "At", "Beside",
+FAMILY_NAMES = ["Combine", "Group", "Scene", "Error Of", "Reference Value", "Curve Of", "Value", "At", "Drawn At", "Beside",
                 "True"]
 
 
@@ -67,7 +68,7 @@ class Run:
         self.settings = settings
         self.quantity = quantity
         self.reference = reference
-        self.value = self.at = self.beside = self.true = None  # of values.png
+        self.value = self.at = self.drawn = self.beside = self.true = None  # of values.png
 
 
 class Study:
@@ -204,7 +205,7 @@ def read_family(element, study, study_path):
 def read_values(own, runs, where):
     """What values.png has of a family."""
     if "Value" not in own:
-        for name in ("At", "Beside", "True"):
+        for name in ("At", "Drawn At", "Beside", "True"):
             if name in own:
                 raise Problem(f"{where} > {name}: there is no Value that it could go with; add one.")
         return
@@ -214,6 +215,7 @@ def read_values(own, runs, where):
     for run, text in zip(runs, at):
         run.value = read_text(own, "Value", where)
         run.at = read_number({"At": text}, "At", where)
+        run.drawn = read_text(own, "Drawn At", where) if "Drawn At" in own else None
         run.beside = read_text(own, "Beside", where) if "Beside" in own else None
         run.true = read_text(own, "True", where) if "True" in own else None
 

@@ -44,11 +44,10 @@ def calculate(text, where, names):
         raise Problem(f"{where}: {text} has no value ({error}).")
 
 
-def value_of(outcome, beside):
-    """The Value of a run. [path] is of its summary, [[path]] of that of the run beside it."""
-    run = outcome.run
-    where = f"Sweep > {run.family} > Value"
-    names = {"at": run.at}
+def number_of(text, what, outcome, beside, names):
+    """An expression of names and of [path], of the run's summary, and [[path]], of that of the run beside it."""
+    where = f"Sweep > {outcome.run.family} > {what}"
+    names = dict(names)
 
     def name(match):
         twin = match.group(1) is not None
@@ -58,11 +57,24 @@ def value_of(outcome, beside):
         names[key] = look_up(read_summary((beside if twin else outcome).folder), (match.group(1) or match.group(2)).strip())
         return key
 
-    return calculate(PATH.sub(name, run.value), where, names)
+    return calculate(PATH.sub(name, text), where, names)
+
+
+def drawn_at(outcome, beside):
+    """Where the Value of a run is drawn."""
+    run = outcome.run
+    return number_of(run.drawn, "Drawn At", outcome, beside, {"at": run.at}) if run.drawn else run.at
+
+
+def value_of(outcome, beside):
+    """The Value of a run."""
+    run = outcome.run
+    names = {"at": run.at, "drawn": drawn_at(outcome, beside)}
+    return number_of(run.value, "Value", outcome, beside, names)
 
 
 def collect(outcomes):
-    """[(outcome, value, true value or None)] of the runs that finished and have a Value."""
+    """[(outcome, where it is drawn, value, true value or None)] of the runs that finished and have a Value."""
     numbers, rows = {}, []
     for outcome in outcomes:
         own = numbers.setdefault(outcome.run.family, [])
@@ -82,8 +94,9 @@ def collect(outcomes):
             twin = twins[place] if twins[place].good else None
             if twin is None:
                 continue
-        true = calculate(run.true, f"Sweep > {run.family} > True", {"at": run.at}) if run.true else None
-        rows.append((outcome, value_of(outcome, twin), true))
+        at = drawn_at(outcome, twin)
+        true = calculate(run.true, f"Sweep > {run.family} > True", {"at": at}) if run.true else None
+        rows.append((outcome, at, value_of(outcome, twin), true))
     return rows
 
 
@@ -94,18 +107,19 @@ def draw_values(study, outcomes, table, path):
         return []
     with open(table, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
-        writer.writerow(["family", "at", "value", "true"])
-        for outcome, value, true in rows:
-            writer.writerow([outcome.run.family, outcome.run.at, repr(value), "" if true is None else repr(true)])
-    styles = group_style([outcome.run for outcome, _, _ in rows])
+        writer.writerow(["family", "at", "drawn at", "value", "true"])
+        for outcome, at, value, true in rows:
+            writer.writerow(
+                [outcome.run.family, outcome.run.at, repr(at), repr(value), "" if true is None else repr(true)])
+    styles = group_style([row[0].run for row in rows])
     figure, axes = plt.subplots(figsize=(7.2, 4.6), layout="constrained")
     lines = []
-    for family in dict.fromkeys(outcome.run.family for outcome, _, _ in rows):
-        own = sorted(((o.run.at, value, true) for o, value, true in rows if o.run.family == family))
+    for family in dict.fromkeys(row[0].run.family for row in rows):
+        own = sorted((row[1:] for row in rows if row[0].run.family == family))
         colour, _, marker = styles[family]
         axes.plot([at for at, _, _ in own], [value for _, value, _ in own], color=colour, marker=marker, ms=6, ls="none",
                   label=family)
-        text = next(o.run.true for o, _, _ in rows if o.run.family == family)
+        text = next(row[0].run.true for row in rows if row[0].run.family == family)
         if text:
             low, high = own[0][0], own[-1][0]
             fine = [low + (high - low) * k / 200.0 for k in range(201)]

@@ -191,6 +191,19 @@ class Study(ToolTest):
         # The mean of (1 + c^2) / (1 + c) - 1 is that of -1/6, -3/20 and -7/72.
         self.assertIn("warm: -13.80 %", output)
 
+    def test_draws_values_where_runs_say(self):
+        drawn = '<Parameter name="Drawn At" type="string" value="at + [cracks.Notch.fronts.0.G_J] + 1"/>\n      '
+        self.study(LINEAR.replace("linear", "cold") + VALUES.replace('<Parameter name="Beside"', drawn + '<Parameter name="Beside"')
+                   .replace('"at*[cracks', '"drawn*[cracks'))
+        status, _, complaint = self.start()
+        self.assertEqual((status, complaint), (0, ""))
+        with open(self.path("study.out", "values.csv"), newline="") as file:
+            for row, at, cell in zip(csv.DictReader(file), (10.0, 20.0, 40.0), (0.5, 0.25, 0.125)):
+                place = float(row["drawn at"])
+                self.assertEqual((float(row["at"]), float(row["true"])), (at, place))
+                self.assertGreater(place, at + 1.0)  # G is above zero
+                self.assertAlmostEqual(float(row["value"]), place * (1 + cell**2) / (1 + cell), 12)
+
     def test_a_value_that_can_not_be_found_is_told(self):
         for wrong, words in ((("[[cracks", "[[crack"), "crack"), (("at*[", "to*["), "has what is no number"),
                              (("at*[", "at*(["), "is no expression"), (("{10, 20, 40}", "{10, 20}"), "for each of the 3 runs"),

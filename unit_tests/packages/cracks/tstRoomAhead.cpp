@@ -58,8 +58,8 @@ double endOf(State<2>& state)
 }
 
 // Particles are half a cell wide, so the places that they fill reach 0.55 x 0.71 cells from their centres,
-// which lie a quarter of a cell behind the edge; places are up to 1.5 / 48 cells apart.
-constexpr double beyond = 0.55 * 0.7072 - 0.25, step = 1.5 / 48;
+// which lie a quarter of a cell behind the edge; places are up to 2 / 48 cells apart.
+constexpr double beyond = 0.55 * 0.7072 - 0.25, step = 2.0 / 48;
 
 } // namespace
 
@@ -85,6 +85,23 @@ TEST(RoomAhead, EndsAtTheGapToAnotherBody)
     EXPECT_GE(end, 10.0 - step) << front;
     EXPECT_LE(end, 10.0 + beyond) << front;
   }
+}
+
+/// Particles of one body that have been drawn apart by less than half a cell leave no surface.
+TEST(RoomAhead, PassesBetweenStretchedParticles)
+{
+  const auto run = strip({{0, 0, 20, 10}}, 6.1);
+  State<2>& state = run->state();
+  // Places are filled up to 0.139 cells beyond the edges of particles.
+  const auto x = state.particles.real<2>(fields::position);
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, x);
+  for (int p = 0; p < state.particles.size(); ++p)
+    if (host(p, 0) > 6.5 * cell)
+      host(p, 0) += (2.0 * beyond + 0.25) * cell;
+  Kokkos::deep_copy(x, host);
+  advance(state, cell);
+  EXPECT_FALSE(state.cracks.fronts[0].ended);
+  EXPECT_NEAR(state.cracks.fronts[0].position[0], 7.1 * cell, 1e-12);
 }
 
 /// What lacks right at a front that is as wide as the crack is open belongs to the crack: here 0.9 cells less
