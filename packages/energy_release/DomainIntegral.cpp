@@ -1,7 +1,9 @@
 #include "energy_release/DomainIntegral.hpp"
 
 #include "energy_release/CrackTipFields.hpp"
+#include "energy_release/CrackWay.hpp"
 #include "energy_release/FacePressureTerm.hpp"
+#include "energy_release/FrontDisk.hpp"
 #include "energy_release/ParticleHeat.hpp"
 #include "energy_release/ParticleMotion.hpp"
 #include "material/MaterialTable.hpp"
@@ -18,119 +20,6 @@ namespace
 {
 
 constexpr int D = 2;
-
-/// What the disk does as a whole, and what it is made of.
-struct Disk
-{
-  double cosine = 1.0, sine = 0.0; ///< of its mean turn
-  Vector<D> velocity{{0.0, 0.0}};  ///< mean [m/s]
-  Vector<D> place{{0.0, 0.0}};     ///< mean [m]
-  Vector<D> reference{{0.0, 0.0}}; ///< mean before deformation [m]
-  TipModuli moduli;
-  double effectiveModulus; ///< [Pa]
-  double traceFactor;      ///< trace of Williams' stress over that of its part in the plane
-};
-
-KOKKOS_INLINE_FUNCTION double distance(const BorrowedView<double* [D]>& position, int p,
-                                       const Vector<D>& from)
-{
-  const double x = position(p, 0) - from[0], y = position(p, 1) - from[1];
-  return std::sqrt(x * x + y * y);
-}
-
-/// Mean places of the particles in a disk, now and before deformation.
-void addMeanPlaces(const State<D>& state, const Vector<D>& centre, double reach, Disk& disk)
-{
-  const auto position = state.particles.real<D>(fields::position);
-  const auto reference = state.particles.real<D>(fields::reference);
-  double sums[5] = {}; // of places, of places before deformation, number
-  Kokkos::parallel_reduce(
-      "rhegma::meanPlace", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-      KOKKOS_LAMBDA(const int p, double& sumX, double& sumY, double& sumFromX, double& sumFromY,
-                    double& number) {
-        if (distance(position, p, centre) > reach)
-          return;
-        sumX += position(p, 0);
-        sumY += position(p, 1);
-        sumFromX += reference(p, 0);
-        sumFromY += reference(p, 1);
-        number += 1.0;
-      },
-      sums[0], sums[1], sums[2], sums[3], sums[4]);
-  sumParts(state, sums, 5);
-  const double count = sums[4];
-  if (count == 0.0)
-    return;
-  disk.place = {{sums[0] / count, sums[1] / count}};
-  disk.reference = {{sums[2] / count, sums[3] / count}};
-}
-
-/// Moduli of the material at the front, as warm as it is.
-Properties lawAtFront(const State<D>& state, const CrackFront<D>& front)
-{
-  const int number = materialAt(state, front.position);
-  Properties law = state.materialList[number];
-  if (state.thermo.empty() || !(front.temperature > 0.0))
-    return law;
-  const ThermoTables tables = state.thermo;
-  const double temperature = front.temperature;
-  double moduli[4] = {}; // from the device
-  Kokkos::parallel_reduce(
-      "rhegma::lawAtFront", Kokkos::RangePolicy<ExecSpace>(0, 1),
-      KOKKOS_LAMBDA(const int, double& mu, double& bulk, double& lambda, double& planeLambda) {
-        const Properties now = ThermoPoint(tables, number, temperature).properties();
-        mu += now.mu;
-        bulk += now.bulk;
-        lambda += now.lambda;
-        planeLambda += now.planeLambda;
-      },
-      moduli[0], moduli[1], moduli[2], moduli[3]);
-  law.mu = moduli[0];
-  law.bulk = moduli[1];
-  law.lambda = moduli[2];
-  law.planeLambda = moduli[3];
-  return law;
-}
-
-Disk describeDisk(const State<D>& state, const CrackFront<D>& front, const ContourRadii& radii)
-{
-  const auto position = state.particles.real<D>(fields::position);
-  const auto velocity = state.particles.real<D>(fields::velocity);
-  const auto F = state.particles.real<gradientSize<D>>(fields::deformation);
-  const Vector<D> centre = front.position;
-  const double reach = radii.outer;
-  double sums[5] = {}; // of the gradient's trace and skew part, of velocity, number
-  Kokkos::parallel_reduce(
-      "rhegma::meanMotion", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-      KOKKOS_LAMBDA(const int p, double& trace, double& skew, double& x, double& y, double& number) {
-        if (distance(position, p, centre) > reach)
-          return;
-        trace += F(p, 0) + F(p, 3);
-        skew += F(p, 2) - F(p, 1);
-        x += velocity(p, 0);
-        y += velocity(p, 1);
-        number += 1.0;
-      },
-      sums[0], sums[1], sums[2], sums[3], sums[4]);
-  sumParts(state, sums, 5);
-  Disk disk;
-  const double along = sums[0], across = sums[1], count = sums[4];
-  if (count > 0.0)
-  {
-    const double size = std::sqrt(along * along + across * across);
-    disk.cosine = along / size;
-    disk.sine = across / size;
-    disk.velocity = {{sums[2] / count, sums[3] / count}};
-  }
-  addMeanPlaces(state, centre, reach, disk);
-  const Elasticity e = elasticity(lawAtFront(state, front));
-  disk.moduli.shear = e.shear;
-  disk.moduli.kolosov =
-      state.plane == Plane::Stress ? (3.0 - e.poisson) / (1.0 + e.poisson) : 3.0 - 4.0 * e.poisson;
-  disk.effectiveModulus = e.effectiveModulus;
-  disk.traceFactor = state.plane == Plane::Stress ? 1.0 : 1.0 + e.poisson;
-  return disk;
-}
 
 /// Angle of a place around the front in the front's frame; the side of a particle decides on which face it
 /// is.
@@ -152,40 +41,6 @@ struct Pair
   double reciprocal[2] = {0.0, 0.0};
 };
 
-/// In which direction a node's share of the disk is shifted: along the crack at the part of it that is
-/// nearest to the node, so that no shift has a component across a face; in the front's own direction ahead of
-/// it.
-struct Way
-{
-  View<double* [D]> vertex;
-  View<int* [D]> simplex;
-  int first = 0, count = 0; ///< simplices of the crack in the disk; count 0: it is straight there
-  bool forwards = true;     ///< the front is at the last of them
-  Vector<D> tip, direction;
-
-  KOKKOS_INLINE_FUNCTION Vector<D> operator()(const Vector<D>& x) const
-  {
-    // A place whose nearest point is the front itself moves as the front does.
-    double least = 1e300;
-    Vector<D> found = direction;
-    for (int k = 0; k < count; ++k)
-    {
-      const int s = first + k, from = simplex(s, forwards ? 0 : 1), to = simplex(s, forwards ? 1 : 0);
-      const Vector<D> a{{vertex(from, 0), vertex(from, 1)}};
-      const Vector<D> along{{vertex(to, 0) - a[0], vertex(to, 1) - a[1]}};
-      const double square = dot(along, along), at = dot(x - a, along) / square;
-      const Vector<D> away = x - a - (at < 0.0 ? 0.0 : (at > 1.0 ? 1.0 : at)) * along;
-      const double distance = dot(away, away);
-      if (distance < least)
-      {
-        least = distance;
-        found = (1.0 / std::sqrt(square)) * along;
-      }
-    }
-    return found;
-  }
-};
-
 /// Sums the integrands of one particle.
 template <ShapeKind S, bool Stored>
 struct Integrand
@@ -204,13 +59,13 @@ struct Integrand
   BorrowedView<int*> material, side;
   View<Properties*> materials;
   ParticleHeat heat;
-  Disk disk;
+  FrontDisk disk;
   Vector<D> tip; ///< of Williams' field
   Vector<D> direction, normal;
   int positive, negative; ///< names of the crack's sides
   bool sides, moving;
   bool intensities; ///< false: only J is wanted
-  Way way;
+  CrackWay way;
 
   KOKKOS_INLINE_FUNCTION void operator()(int p, double& J, double& modeI, double& modeII, double& reciprocalI,
                                          double& reciprocalII) const
@@ -441,44 +296,6 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
       return sum;
     sum.tipOffset = offset;
   }
-}
-
-/// Cosine of the turn, six degrees, from which on a crack is not straight: less is the noise of its
-/// direction.
-constexpr double straight = 0.9945;
-
-/// The way along the crack inside of a disk round its front.
-Way wayOf(const State<D>& state, const CrackFront<D>& front, double radius)
-{
-  const CrackSet<D>& set = state.cracks;
-  const Crack<D>& crack = set.cracks[front.crack];
-  Way way;
-  if (crack.numSimplices == 0)
-    return way;
-  way.vertex = set.vertex;
-  way.simplex = set.simplex;
-  way.tip = front.position;
-  way.direction = front.direction;
-  way.forwards = front.vertex != crack.firstVertex;
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.vertex);
-  const auto at = [&](int v) { return Vector<D>{{vertex(v, 0), vertex(v, 1)}}; };
-  bool turns = false;
-  int count = 0;
-  double behind = 0.0; // vertices of a crack follow each other
-  while (count < crack.numSimplices && behind < 1.5 * radius)
-  {
-    const int from = way.forwards ? front.vertex - count : front.vertex + count;
-    const Vector<D> along = at(from) - at(way.forwards ? from - 1 : from + 1);
-    const double length = norm(along);
-    turns = turns || dot(along, front.direction) < straight * length;
-    behind += length;
-    ++count;
-  }
-  if (!turns)
-    return way;
-  way.count = count;
-  way.first = way.forwards ? crack.firstSimplex + crack.numSimplices - count : crack.firstSimplex;
-  return way;
 }
 
 template <ShapeKind S, bool Stored>

@@ -1,0 +1,315 @@
+#include "SimulationEngine.hpp"
+
+#include "checkpoint/SceneText.hpp"
+#include "checkpoint/ShareRecord.hpp"
+#include "output/BodyReport.hpp"
+#include "output/CoreRow.hpp"
+#include "output/FieldWriter.hpp"
+#include "output/OutputError.hpp"
+#include "step/EffectSchema.hpp"
+#include "step/GiveHeat.hpp"
+#include "step/Run.hpp"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+namespace Rhegma
+{
+
+template <int D>
+class Simulation::EngineOf : public Simulation::Engine
+{
+public:
+  EngineOf(const Teuchos::ParameterList& scene, const Ranks& ranks)
+      : Engine(ranks), scene_(scene), lines_(sceneLines(scene, effectSchema()))
+  {
+    makeRun(run_);
+    const std::vector<std::string> names = run_->effectNames();
+    effects_.insert(names.begin(), names.end());
+  }
+
+  void initialize() override { initialize(*run_); }
+
+  double stableTimeStep() const override { return run_->stableTimeStep(); }
+  double stepShare() const override { return run_->stepShare(); }
+
+  void advance(double until) override
+  {
+    State<D>& state = run_->state();
+    while (state.time < until && !state.ended())
+    {
+      const double dt = run_->stableTimeStep();
+      const bool ends = state.time + dt >= until || state.step + 1 >= state.maximumSteps;
+      const bool sample = interval > 0.0 && (ends || state.time + dt >= next_);
+      run_->step(until, sample);
+      if (sample)
+      {
+        // Samples missed by a long step are left out, not bunched up.
+        while (next_ <= state.time)
+          next_ += interval;
+        Engine::last = state.row;
+        if (observer)
+          observer(state.time, state.row);
+      }
+      try
+      {
+        if (afterStep)
+          afterStep(state.time, state.step);
+      }
+      catch (...)
+      {
+        // Who stops the run, on all ranks at once, reads the books as they are now.
+        measureEnergy(state);
+        shareBooks(state);
+        throw;
+      }
+    }
+  }
+
+  nlohmann::json report() const override
+  {
+    nlohmann::json summary = nlohmann::json::object();
+    const State<D>& state = run_->state();
+    summary["warnings"] = state.warnings;
+    const std::string ofEnergy =
+        run_->energyWatch().warning(state.picFraction > 0.0, state.step, state.subcycledLevels);
+    if (!ofEnergy.empty() && state.trouble.empty())
+      summary["warnings"].push_back(ofEnergy);
+    coreReport(state, summary);
+    bodyReport(state, summary);
+    for (const Effect<D>& effect : run_->plan().effects)
+      if (effect.report)
+        effect.report(state, summary);
+    return summary;
+  }
+
+  std::string plan() const override { return printPlan(run_->plan(), run_->state()); }
+
+  std::map<std::string, double> stageSeconds() const override
+  {
+    std::map<std::string, double> seconds;
+    for (int s = 0; s < numStages; ++s)
+      if (!run_->plan().calls[s].empty())
+        seconds[stageName(static_cast<Stage>(s))] = run_->plan().seconds[s];
+    return seconds;
+  }
+
+  void writeFields(const std::string& folder) override
+  {
+    if (!writer_ && !fieldsBefore_.empty())
+      continueFields(folder);
+    if (!writer_)
+      writer_ = std::make_unique<FieldWriter<D>>(folder, run_->state().ranks);
+    writer_->write(run_->state());
+  }
+
+  bool continueFields(const std::string& folder) override
+  {
+    if (fieldsBefore_.empty())
+      return true;
+    Archive archive = Archive::loading(fieldsBefore_, ranks());
+    const Archive::Group group(archive, "fields");
+    try
+    {
+      writer_ = std::make_unique<FieldWriter<D>>(folder, archive);
+    }
+    catch (const OutputError&)
+    {
+    }
+    fieldsBefore_.clear();
+    return writer_ != nullptr;
+  }
+
+  std::vector<std::string> effects() const override { return run_->effectNames(); }
+
+  Progress progress() const override
+  {
+    const State<D>& state = run_->state();
+    return {state.time, state.step, state.settled, state.ended(), allParticles(state), state.particleSteps};
+  }
+
+  void syncFields() const override
+  {
+    if (writer_)
+      writer_->sync();
+  }
+
+  bool sound() const override { return run_->energyWatch().sound(); }
+
+  double wallSeconds() const override { return earlierSeconds_ + timer_.seconds(); }
+
+  const FieldTable& particles() const override { return run_->state().particles; }
+
+  void giveHeat(const std::vector<double>& joules) override { Rhegma::giveHeat(run_->state(), joules); }
+
+  Record save(const Notes& notes) override
+  {
+    Record record;
+    Archive archive = Archive::saving(record, ranks());
+    std::string version = RHEGMA_VERSION, scene = text(lines_);
+    long hash = hashOfScene(lines_);
+    archive("version", version);
+    archive("scene", scene);
+    archive("scene_hash", hash);
+    Notes copy = notes;
+    keepNotes(copy, archive);
+    keep(*run_, next_, Engine::last, archive);
+    double wall = wallSeconds();
+    archive("wall_seconds", wall);
+    if (writer_)
+    {
+      const Archive::Group group(archive, "fields");
+      writer_->keep(archive);
+    }
+    else
+      record.insert(fieldsBefore_.begin(), fieldsBefore_.end());
+    return record;
+  }
+
+  Notes load(const Record& record) override
+  {
+    Archive archive = Archive::loading(record, ranks());
+    std::string scene;
+    try
+    {
+      archive("scene", scene);
+    }
+    catch (const std::invalid_argument& error)
+    {
+      throw CheckpointMisfit(std::string("has no scene: ") + error.what());
+    }
+    const std::string difference = differenceOfScenes(lines_, linesOf(scene));
+    if (!difference.empty())
+      throw CheckpointMisfit("is of another scene: " + difference);
+    // All is made anew, so that nothing of what has been done since is left, and what goes wrong changes
+    // nothing.
+    std::unique_ptr<Run<D>> run;
+    makeRun(run);
+    initialize(*run);
+    Notes notes;
+    double next = 0.0, wall = 0.0;
+    Row sampled;
+    try
+    {
+      keepNotes(notes, archive);
+      keep(*run, next, sampled, archive);
+      archive("wall_seconds", wall);
+    }
+    catch (const std::invalid_argument& error)
+    {
+      throw CheckpointMisfit(std::string("does not fit this program, though its scene is right: ") +
+                             error.what());
+    }
+    run_ = std::move(run);
+    next_ = next;
+    Engine::last = sampled;
+    earlierSeconds_ = wall;
+    timer_.reset();
+    writer_.reset();
+    fieldsBefore_.clear();
+    for (const auto& [path, table] : record)
+      if (path.rfind("fields/", 0) == 0)
+        fieldsBefore_[path] = table;
+    return notes;
+  }
+
+  Notes goBack() override
+  {
+    const double share = 0.5 * run_->stepShare();
+    shareRecord(ranks(), held);
+    Notes notes = load(held);
+    keepOnFirst();
+    run_->takeShareOfStep(share);
+    return notes;
+  }
+
+private:
+  void makeRun(std::unique_ptr<Run<D>>& run)
+  {
+    run = std::make_unique<Run<D>>(scene_, std::vector<Effect<D>>{}, ranks());
+    run->beforeObserve = [this](State<D>& state) { coreRow(state, effects_); };
+  }
+
+  void initialize(Run<D>& run)
+  {
+    run.initialize();
+    State<D>& state = run.state();
+    coreRow(state, effects_);
+    state.energy.start = state.energy.kinetic + state.energy.strain;
+    state.energy.thermalStart = state.energy.thermal;
+    state.energy.thermal = 0.0;
+    state.row.clear();
+  }
+
+  static void keep(Run<D>& run, double& next, Row& last, Archive& archive)
+  {
+    run.keep(archive);
+    const Archive::Group group(archive, "sampling");
+    archive("next", next);
+    std::vector<std::string> names;
+    std::vector<double> values;
+    for (const auto& [name, value] : last)
+    {
+      names.push_back(name);
+      values.push_back(value);
+    }
+    archive("names", names);
+    archive("values", values);
+    last.clear();
+    for (std::size_t k = 0; k < std::min(names.size(), values.size()); ++k)
+      last.emplace_back(names[k], values[k]);
+  }
+
+  static void keepNotes(Notes& notes, Archive& archive)
+  {
+    const Archive::Group group(archive, "notes");
+    std::vector<std::string> names, texts;
+    for (const auto& [name, text] : notes)
+    {
+      names.push_back(name);
+      texts.push_back(text);
+    }
+    archive("names", names);
+    archive("texts", texts);
+    for (std::size_t k = 0; k < std::min(names.size(), texts.size()); ++k)
+      notes[names[k]] = texts[k];
+  }
+
+  static std::string text(const std::vector<std::string>& lines)
+  {
+    std::string all;
+    for (const std::string& line : lines)
+      all += line + "\n";
+    return all;
+  }
+
+  static std::vector<std::string> linesOf(const std::string& text)
+  {
+    std::istringstream in(text);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(in, line);)
+      lines.push_back(line);
+    return lines;
+  }
+
+  Teuchos::ParameterList scene_;
+  std::vector<std::string> lines_; ///< of the scene
+  std::unique_ptr<Run<D>> run_;
+  std::set<std::string> effects_;
+  std::unique_ptr<FieldWriter<D>> writer_;
+  Record fieldsBefore_; ///< what a checkpoint says of the fields, until they are gone on with
+  double next_ = 0.0;
+  double earlierSeconds_ = 0.0;
+  Kokkos::Timer timer_;
+};
+
+std::unique_ptr<Simulation::Engine> Simulation::Engine::make(const Teuchos::ParameterList& scene,
+                                                             const Ranks& ranks)
+{
+  if (scene.sublist("Domain").get<int>("Dimension") == 2)
+    return std::make_unique<EngineOf<2>>(scene, ranks);
+  return std::make_unique<EngineOf<3>>(scene, ranks);
+}
+
+} // namespace Rhegma

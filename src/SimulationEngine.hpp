@@ -1,0 +1,84 @@
+#pragma once
+/// What a Simulation does, without the dimension of its scene.
+
+#include "Simulation.hpp"
+
+#include "checkpoint/Record.hpp"
+#include "parallel/Ranks.hpp"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace Rhegma
+{
+
+/// A checkpoint that is whole and can't be gone on from here; what follows its name in a sentence.
+class CheckpointMisfit : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+class Simulation::Engine
+{
+public:
+  explicit Engine(const Ranks& ranks) : ranks_(ranks) {}
+  virtual ~Engine() = default;
+
+  /// For the dimension of a validated scene.
+  static std::unique_ptr<Engine> make(const Teuchos::ParameterList& scene, const Ranks& ranks);
+
+  const Ranks& ranks() const { return ranks_; }
+  virtual void initialize() = 0;
+  virtual double stableTimeStep() const = 0;
+  virtual double stepShare() const = 0;
+  virtual void advance(double until) = 0;
+  virtual nlohmann::json report() const = 0;
+  virtual std::string plan() const = 0;
+  virtual std::map<std::string, double> stageSeconds() const = 0;
+  virtual void writeFields(const std::string& folder) = 0;
+  virtual bool continueFields(const std::string& folder) = 0;
+  virtual std::vector<std::string> effects() const = 0;
+  virtual void syncFields() const = 0;
+  virtual bool sound() const = 0;
+  virtual double wallSeconds() const = 0;
+  virtual const FieldTable& particles() const = 0;
+  virtual void giveHeat(const std::vector<double>& joules) = 0;
+  virtual Record save(const Notes& notes) = 0;
+  virtual Notes load(const Record& record) = 0;
+  virtual Notes goBack() = 0;
+
+  struct Progress
+  {
+    double time = 0.0;
+    long steps = 0;
+    bool settled = false;
+    bool ended = false;
+    int particles = 0;
+    double particleSteps = 0.0;
+  };
+  virtual Progress progress() const = 0;
+
+  double interval = 0.0;
+  std::function<void(double, const Row&)> observer;
+  std::function<void(double, long)> afterStep;
+  Row last;
+  Record held;
+  double heldTime = -1.0; ///< negative: nothing is held
+
+  /// The first rank has all that is held; no other needs it until the run goes back.
+  void keepOnFirst()
+  {
+    if (ranks_.rank() > 0)
+      held.clear();
+  }
+
+private:
+  Ranks ranks_;
+};
+
+} // namespace Rhegma
