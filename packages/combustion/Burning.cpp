@@ -25,6 +25,11 @@ void Burning<D>::keep(Archive& archive)
   archive("mass_rate", massRate);
   archive("volume_rate", volumeRate);
   archive("hottest_face", hottestFace);
+  if (flows)
+  {
+    const Archive::Group group(archive, "flow");
+    flow.keep(archive);
+  }
 }
 
 namespace
@@ -94,6 +99,9 @@ Burning<D> readBurning(const State<D>& state, const Teuchos::ParameterList& scen
     b.solidTemperature = scene.sublist("Thermal").get<double>("Initial Temperature");
   b.ignition = readIgnition<D>(state, b.crack, list, path);
   b.mirrors = mirrorPlanes(scene);
+  b.flows = list.get<std::string>("Gas Model") == "Flow";
+  b.flow = CrackFlow<D>(law, {list.get<double>("Viscosity"), list.get<double>("Friction Factor")},
+                        state.thickness);
   if (list.get<bool>("Venting"))
   {
     b.discharge = list.get<double>("Discharge Coefficient");

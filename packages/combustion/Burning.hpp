@@ -3,6 +3,7 @@
 
 #include "combustion/BurnRate.hpp"
 #include "combustion/Cavity.hpp"
+#include "combustion/CrackFlow.hpp"
 #include "combustion/Gas.hpp"
 #include "combustion/Ignition.hpp"
 
@@ -30,6 +31,10 @@ struct Burning
   double solidTemperature = 0.0;    ///< from which the heat of what burns counts [K]
   double discharge = 0.0;           ///< 0: no venting
   std::vector<MirrorPlane> mirrors; ///< of the scene
+
+  bool flows = false;   ///< along the crack; else it has one pressure
+  CrackFlow<D> flow;    ///< where it flows
+  ChannelSupply supply; ///< of its cells in this step
 
   bool filled = false, spent = false, felt = false;
   double swept = 0.0;                               ///< volume that the faces have opened [m3]

@@ -73,13 +73,14 @@ Cavity measureCavity(const State<D>& state, const FacePoints<D>& points, int cra
 }
 
 template <int D>
-double mouthArea(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors)
+std::array<double, 2> mouthAreas(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors)
 {
   const CrackSet<D>& cracks = state.cracks;
   const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
   const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.face);
   const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertexNormal);
-  double area = 0.0;
+  const int first = cracks.cracks[crack].firstVertex;
+  std::array<double, 2> area{};
   forEachMouth(state, crack, mirrors,
                [&](const int(&corner)[D - 1])
                {
@@ -90,9 +91,17 @@ double mouthArea(const State<D>& state, int crack, const std::vector<MirrorPlane
                      opening += normal(v, d) * (face(v, 1, d) - face(v, 0, d)) / (D - 1);
                      square += (vertex(v, d) - vertex(corner[0], d)) * (vertex(v, d) - vertex(corner[0], d));
                    }
-                 area += std::max(opening, 0.0) * (D == 2 ? state.thickness : std::sqrt(square));
+                 area[corner[0] == first ? 0 : 1] +=
+                     std::max(opening, 0.0) * (D == 2 ? state.thickness : std::sqrt(square));
                });
   return area;
+}
+
+template <int D>
+double mouthArea(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors)
+{
+  const std::array<double, 2> ends = mouthAreas(state, crack, mirrors);
+  return ends[0] + ends[1];
 }
 
 template <int D>
@@ -151,6 +160,8 @@ template Cavity measureCavity(const State<2>&, const FacePoints<2>&, int, const 
 template Cavity measureCavity(const State<3>&, const FacePoints<3>&, int, const View<int*>&);
 template double mouthArea(const State<2>&, int, const std::vector<MirrorPlane>&);
 template double mouthArea(const State<3>&, int, const std::vector<MirrorPlane>&);
+template std::array<double, 2> mouthAreas(const State<2>&, int, const std::vector<MirrorPlane>&);
+template std::array<double, 2> mouthAreas(const State<3>&, int, const std::vector<MirrorPlane>&);
 template bool hasMouth(const State<2>&, int, const std::vector<MirrorPlane>&);
 template bool hasMouth(const State<3>&, int, const std::vector<MirrorPlane>&);
 template double distanceFromCrack(const CrackSet<2>&, int, const Vector<2>&, const Vector<2>&);

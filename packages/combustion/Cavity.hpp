@@ -5,6 +5,7 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <array>
 #include <vector>
 
 namespace Rhegma::combustion
@@ -36,6 +37,9 @@ std::vector<MirrorPlane> mirrorPlanes(const Teuchos::ParameterList& scene);
 /// mirror planes left out.
 template <int D>
 double mouthArea(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors);
+/// The same of the first and the last end of a crack in 2D.
+template <int D>
+std::array<double, 2> mouthAreas(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors);
 
 /// Whether the crack has a mouth, those on mirror planes left out.
 template <int D>

@@ -3,6 +3,7 @@
 #include "checkpoint/Archive.hpp"
 #include "combustion/Burning.hpp"
 #include "combustion/FaceHeat.hpp"
+#include "combustion/FlowSteps.hpp"
 #include "combustion/Regression.hpp"
 #include "parallel/Subdomain.hpp"
 #include "scene/Numbers.hpp"
@@ -38,6 +39,8 @@ struct Work
   FaceHeating heating;    ///< at each face point
   View<double*> depth;    ///< density times the depth that burns in a step, at each face point [kg/m2]
   View<double*> taken;    ///< heat that the faces take there [J]
+  View<double*> pressure; ///< that the faces feel there, where gas flows [Pa]
+  View<double*> swept;    ///< volume that opens there in a step, where gas flows [m3]
   double startMass = 0.0; ///< of the particles [kg]
 
   /// Follows the faces; fields at points get the size that they must have.
@@ -49,7 +52,7 @@ struct Work
     if (depth.extent(0) == count)
       return;
     for (View<double*>* field :
-         {&depth, &taken, &heating.given, &heating.conductance, &heating.gasTemperature})
+         {&depth, &taken, &pressure, &swept, &heating.given, &heating.conductance, &heating.gasTemperature})
       *field = View<double*>("rhegma::combustion::atFacePoints", count);
   }
 };
@@ -89,6 +92,12 @@ void push(State<D>& state, const Work<D>& work, Burning<D>& b)
   b.felt = b.felt || room.felt > 0.0;
   if (!b.felt)
     state.trouble = "Combustion > " + name + ": no face of this crack lies in a body, so nothing can burn";
+  if (b.flows)
+  {
+    if (state.trouble.empty())
+      pushByFlow(state, points, b, work.pressure);
+    return;
+  }
   b.volume = b.cavity + b.gap * room.area + b.swept + b.gas.burnt() / b.density;
   const double before = b.pressure;
   if (!b.filled)
@@ -111,8 +120,11 @@ void push(State<D>& state, const Work<D>& work, Burning<D>& b)
 /// What the gas did on the faces; the atmosphere takes the part that it presses against. The room between the
 /// faces is what they swept, so that the work is the pressure times the change of the volume.
 template <int D>
-void bookWork(State<D>& state, const FacePoints<D>& points, Burning<D>& b)
+void bookWork(State<D>& state, const Work<D>& all, Burning<D>& b)
 {
+  const FacePoints<D>& points = all.points;
+  if (b.flows)
+    return bookFlow(state, points, b, all.pressure, all.swept);
   double swept = workOnFaces("rhegma::combustion::work", state, points, b.crack,
                              1.0);                             // a pressure of 1 Pa: the volume [m3]
   state.energy.combustion += (b.pressure - b.outside) * swept; // each rank books its own part
@@ -141,10 +153,14 @@ double hottest(const FacePoints<D>& points, int crack, const View<double* [2]>& 
   return highest;
 }
 
-/// What each face is to lose in this step, and what heat it is to get beside that.
+/// What each face is to lose in this step, and how the gas warms it. \param most that may burn [kg/m2]
 template <int D>
-void prepareFaces(const State<D>& state, const Work<D>& work, const Burning<D>& b, double depth)
+void prepareFaces(const State<D>& state, const Work<D>& work, const Burning<D>& b, double most)
 {
+  if (b.flows)
+    return prepareFlow(state, work.points, b, work.fire.lit(), most, work.depth, work.heating);
+  const double middle = std::max(b.pressure + 0.5 * state.dt * b.slope, 0.0);
+  const double depth = std::min(b.density * b.rate(middle) * state.dt, most);
   const FacePoints<D> p = work.points;
   const View<int*> lit = work.fire.lit();
   const View<double*> depths = work.depth;
@@ -168,21 +184,38 @@ void prepareFaces(const State<D>& state, const Work<D>& work, const Burning<D>& 
       });
 }
 
-/// Gives the faces their share of the heat of the mass that has burnt there, and what passes by the
-/// difference of temperatures.
+/// Mass that the faces of a crack are to lose in this step [kg].
 template <int D>
-void heatFaces(State<D>& state, Work<D>& work, Burning<D>& b, double mass)
+double massAsked(const State<D>& state, const Work<D>& work, int crack)
+{
+  const FacePoints<D> p = work.points;
+  const View<double*> depths = work.depth;
+  const double thickness = state.thickness;
+  double mass = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::combustion::massAsked", Kokkos::RangePolicy<ExecSpace>(0, p.count()),
+      KOKKOS_LAMBDA(const int k, double& sum) {
+        if (p.crack(k) == crack && p.acts(k) != 0)
+          sum += 2.0 * depths(k) * p.currentSize(k) * thickness;
+      },
+      mass);
+  return mass;
+}
+
+/// Gives the faces their share of the heat of the mass that has burnt there, and what passes by the
+/// difference of temperatures. \param share of what was asked for that has burnt
+template <int D>
+void heatFaces(State<D>& state, Work<D>& work, Burning<D>& b, double share)
 {
   const FacePoints<D> p = work.points;
   const View<double*> depths = work.depth, given = work.heating.given, taken = work.taken;
-  const double asked = b.burningArea > 0.0 ? mass / b.burningArea : 0.0; // of a face that burns [kg/m2]
-  const double heat = b.wallFraction * asked * b.gas.law().heatCapacity() * b.gas.law().flameTemperature;
+  const double heat = b.wallFraction * share * b.gas.law().heatCapacity() * b.gas.law().flameTemperature;
   const int crack = b.crack;
   Kokkos::parallel_for(
       "rhegma::combustion::givenHeat", Kokkos::RangePolicy<ExecSpace>(0, p.count()),
       KOKKOS_LAMBDA(const int k) {
         if (p.crack(k) == crack)
-          given(k) = depths(k) > 0.0 ? heat : 0.0;
+          given(k) = depths(k) * heat;
       });
   work.heat.give(state, p, crack, work.heating, taken);
   double all = 0.0;
@@ -205,19 +238,18 @@ void burn(State<D>& state, Work<D>& work, Burning<D>& b)
   work.fire.spread(state, work.points, b.crack, b.ignition, work.heat.temperature());
   const Cavity room = measureCavity(state, work.points, b.crack, work.fire.lit());
   b.burningArea = b.spent ? 0.0 : room.burning;
-  const double middle = std::max(b.pressure + 0.5 * state.dt * b.slope, 0.0);
   // A first step, or a flame that comes upon many faces, was not foreseen by the limit of the step.
   const double most = 2.0 * largestChange * b.gas.mass() / std::max(b.burningArea, 1e-300);
-  const double depth = std::min(b.density * b.rate(middle) * state.dt, most);
-  prepareFaces(state, work, b, depth);
-  double mass = 0.0;
+  prepareFaces(state, work, b, most);
+  const double asked = b.burningArea > 0.0 ? massAsked(state, work, b.crack) : 0.0;
+  double mass = 0.0, solidHeat = 0.0;
   if (b.burningArea > 0.0)
   {
     mass = work.regression.take(state, work.points, b.crack, work.depth);
     sumParts(state, &mass, 1);
   }
   if (b.heatsFaces())
-    heatFaces(state, work, b, mass);
+    heatFaces(state, work, b, asked > 0.0 ? mass / asked : 0.0);
   if (b.burningArea > 0.0)
   {
     const auto lost = work.regression.apply(state, b.solidTemperature);
@@ -225,7 +257,9 @@ void burn(State<D>& state, Work<D>& work, Burning<D>& b)
     double gained[] = {lost.mass, lost.heat};
     sumParts(state, gained, 2);
     b.gas.burn(gained[0], gained[1]);
-    if (mass < leastFuel * depth * b.burningArea)
+    mass = gained[0];
+    solidHeat = gained[1];
+    if (mass < leastFuel * asked)
     {
       b.spent = true;
       state.warnings.push_back("Combustion > " + state.cracks.cracks[b.crack].name +
@@ -235,7 +269,13 @@ void burn(State<D>& state, Work<D>& work, Burning<D>& b)
   }
   const double come = b.gas.mass() - gasBefore;
   double gone = 0.0;
-  if (b.discharge > 0.0)
+  if (b.flows)
+  {
+    gone = -b.gas.vented();
+    moveFlow(state, work.points, b, work.depth, mass, solidHeat, work.taken);
+    gone += b.gas.vented();
+  }
+  else if (b.discharge > 0.0)
   {
     gone = state.dt * b.gas.outflow(b.discharge * mouthArea(state, b.crack, b.mirrors), b.volume, b.outside);
     gone = std::min(gone, 0.5 * b.gas.mass());
@@ -250,6 +290,15 @@ void burn(State<D>& state, Work<D>& work, Burning<D>& b)
   b.massRate = std::max(last, next);
 }
 
+/// Of each cell, from the first end of the crack to its last [Pa].
+std::vector<double> pressuresAlong(const Channel& channel)
+{
+  std::vector<double> all;
+  for (int k = 0; k < channel.size(); ++k)
+    all.push_back(channel.pressure(k));
+  return all;
+}
+
 template <int D>
 void report(const State<D>& state, const Work<D>& work, nlohmann::json& summary)
 {
@@ -262,23 +311,28 @@ void report(const State<D>& state, const Work<D>& work, nlohmann::json& summary)
     entry["burnt_mass"] = gas.burnt();
     const double released = gas.burnt() * gas.law().heatCapacity() * gas.law().flameTemperature;
     const double given = gas.startEnergy() + released + gas.solidHeat();
+    // What flows has its mass and energy in its cells: that they are the books' is no matter of course.
+    const double mass = b.flows ? b.flow.channel().allMass() : gas.mass();
+    const double energy = b.flows ? b.flow.channel().allEnergy() : gas.energy();
     const double taken = gas.workDone() + gas.ventedEnergy() + gas.wallHeat();
-    entry["gas"] = {{"mass", gas.mass()},
+    entry["gas"] = {{"mass", mass},
                     {"vented_mass", gas.vented()},
                     {"temperature", gas.temperature()},
                     {"volume", b.volume},
-                    {"energy", gas.energy()},
+                    {"energy", energy},
                     {"work", gas.workDone()},
                     {"vented_energy", gas.ventedEnergy()},
                     {"released", released},
                     {"wall_heat", gas.wallHeat()},
                     {"solid_heat", gas.solidHeat()},
                     {"burning_area", b.burningArea},
-                    {"energy_kept", given > 0.0 ? (gas.energy() + taken) / given : 1.0}};
+                    {"energy_kept", given > 0.0 ? (energy + taken) / given : 1.0}};
+    if (b.flows)
+      entry["gas"]["pressures"] = pressuresAlong(b.flow.channel());
     if (b.looksAtFaces())
       entry["gas"]["hottest_face"] = b.hottestFace;
     total += gas.startMass();
-    now += gas.mass() + gas.vented();
+    now += mass + gas.vented();
   }
   summary["combustion"] = {{"solid_mass", solid}, {"mass_kept", now / total}};
 }
@@ -320,7 +374,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                [work](State<D>& s)
                {
                  for (Burning<D>& b : work->cracks)
-                   bookWork(s, work->points, b);
+                   bookWork(s, *work, b);
                }});
   effect.call({Stage::Gather,
                "burning of crack faces",
@@ -345,6 +399,13 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                    s.row.emplace_back(name + ".pressure", b.pressure);
                    s.row.emplace_back(name + ".burnt_mass", b.gas.burnt());
                    s.row.emplace_back(name + ".gas_temperature", b.gas.temperature());
+                   if (b.flows)
+                   {
+                     const std::vector<double> along = pressuresAlong(b.flow.channel());
+                     const auto ends = std::minmax_element(along.begin(), along.end());
+                     s.row.emplace_back(name + ".pressure_lowest", along.empty() ? 0.0 : *ends.first);
+                     s.row.emplace_back(name + ".pressure_highest", along.empty() ? 0.0 : *ends.second);
+                   }
                    if (b.looksAtFaces())
                      s.row.emplace_back(name + ".face_temperature", b.hottestFace);
                  }

@@ -39,6 +39,18 @@ Section combustionSection()
       .byDefault(0.0)
       .meaning("b of p (V - b m) = m R T (Noble and Abel); 0 is the ideal gas.");
   crack.real("Flame Temperature").unit("K").positive().meaning("Of solid that burns in a rigid cavity.");
+  crack.choice("Gas Model", {"Uniform", "Flow"})
+      .byDefault("Uniform")
+      .meaning("Uniform: one pressure in the crack. Flow: gas that flows along the crack, in 2D.");
+  crack.real("Viscosity")
+      .unit("Pa s")
+      .notNegative()
+      .byDefault(0.0)
+      .meaning("Of gas that flows: 12 mu u / w^2 is what the faces take of a laminar flow between them.");
+  crack.real("Friction Factor")
+      .notNegative()
+      .byDefault(0.0)
+      .meaning("Darcy's, of gas that flows between rough faces: f rho u^2 / 8 on each of them.");
   crack.choice("Gas Temperature", {"Energy Balance", "Constant"})
       .byDefault("Energy Balance")
       .meaning(
@@ -199,6 +211,25 @@ void checkHeat(const Teuchos::ParameterList& scene, const Teuchos::ParameterList
   }
 }
 
+void checkModel(const Teuchos::ParameterList& scene, const Teuchos::ParameterList& list,
+                const std::string& path, std::vector<SceneError>& errors)
+{
+  const bool flows = list.isType<std::string>("Gas Model") && list.get<std::string>("Gas Model") == "Flow";
+  if (flows && scene.isSublist("Domain") && scene.sublist("Domain").isType<int>("Dimension") &&
+      scene.sublist("Domain").get<int>("Dimension") == 3)
+    errors.push_back({path + " > Gas Model", "gas flows along cracks in 2D only; write Uniform"});
+  for (const char* name : {"Viscosity", "Friction Factor"})
+    if (!flows && realOf(list, name, 0.0) > 0.0)
+      errors.push_back(
+          {path + " > " + name,
+           "gas of one pressure does not flow along the faces; write Gas Model = Flow or leave it "
+           "out"});
+  if (flows && !(realOf(list, "Initial Gap", 0.0) > 0.0))
+    errors.push_back({path + " > Initial Gap",
+                      "gas that flows needs room everywhere along the crack, also where its faces touch; "
+                      "write their roughness"});
+}
+
 void checkCrack(const Teuchos::ParameterList& scene, const std::string& name, std::vector<SceneError>& errors)
 {
   const Teuchos::ParameterList& list = scene.sublist("Combustion").sublist(name);
@@ -227,6 +258,7 @@ void checkCrack(const Teuchos::ParameterList& scene, const std::string& name, st
   checkDensity(scene, list, path, errors);
   checkIgnition(scene, list, path, errors);
   checkHeat(scene, list, path, errors);
+  checkModel(scene, list, path, errors);
   if (!list.isParameter("Solid Density") && scene.isSublist("Materials") &&
       sublistNames(scene.sublist("Materials")).size() > 1)
     errors.push_back(

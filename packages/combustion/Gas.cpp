@@ -10,8 +10,14 @@ namespace Rhegma::combustion
 
 void Gas::fill(double pressure, double temperature, double volume)
 {
-  mass_ = pressure * volume / (law_.constant * temperature + pressure * law_.covolume);
-  energy_ = mass_ * law_.heatCapacity() * temperature;
+  const double mass = pressure * volume / (law_.constant * temperature + pressure * law_.covolume);
+  fillWith(mass, mass * law_.heatCapacity() * temperature);
+}
+
+void Gas::fillWith(double mass, double energy)
+{
+  mass_ = mass;
+  energy_ = energy;
   startMass_ = mass_;
   startEnergy_ = energy_;
 }
@@ -42,6 +48,11 @@ void Gas::vent(double mass, double volume)
     return;
   const double enthalpy =
       mass * law_.heatCapacity() * temperature() + mass / mass_ * pressure(volume) * volume;
+  takeOut(mass, enthalpy);
+}
+
+void Gas::takeOut(double mass, double enthalpy)
+{
   mass_ -= mass;
   energy_ -= enthalpy;
   vented_ += mass;
@@ -64,16 +75,21 @@ double Gas::pressure(double volume) const
   return (law_.heatRatio - 1.0) * energy_ / (volume - leastVolume());
 }
 
-double Gas::outflow(double area, double volume, double outside) const
+double GasLaw::outflow(double area, double pressure, double temperature, double outside) const
 {
-  const double p = pressure(volume), T = temperature(), k = law_.heatRatio;
-  if (!(area > 0.0) || !(p > outside) || !(T > 0.0))
+  const double k = heatRatio;
+  if (!(area > 0.0) || !(pressure > outside) || !(temperature > 0.0))
     return 0.0;
   const double critical = std::pow(2.0 / (k + 1.0), k / (k - 1.0));
-  const double ratio = std::max(outside / p, critical);
+  const double ratio = std::max(outside / pressure, critical);
   const double flux =
       std::sqrt(2.0 * k / (k - 1.0) * (std::pow(ratio, 2.0 / k) - std::pow(ratio, (k + 1.0) / k)));
-  return area * p / std::sqrt(law_.constant * T) * flux;
+  return area * pressure / std::sqrt(constant * temperature) * flux;
+}
+
+double Gas::outflow(double area, double volume, double outside) const
+{
+  return law_.outflow(area, pressure(volume), temperature(), outside);
 }
 
 void Gas::keep(Archive& archive)

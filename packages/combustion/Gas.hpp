@@ -21,6 +21,10 @@ struct GasLaw
   bool constantTemperature = false; ///< the walls keep the gas at the flame temperature
 
   double heatCapacity() const { return constant / (heatRatio - 1.0); } ///< c_v [J/(kg K)]
+  /// Mass that flows in a second [kg/s] from gas at rest into an outside pressure: choked below the critical
+  /// ratio of pressures, else isentropic; nothing flows in. Source: Shapiro, The Dynamics and Thermodynamics
+  /// of Compressible Fluid Flow, 1953, section 4.5. \param area times the coefficient of discharge [m2]
+  double outflow(double area, double pressure, double temperature, double outside) const;
 };
 
 /// Mass and energy of the gas in one crack, and where they came from and went to.
@@ -41,10 +45,15 @@ public:
   /// Fills a volume [m3] at the start.
   void fill(double pressure, double temperature, double volume);
 
+  /// With a mass [kg] and an energy [J] instead.
+  void fillWith(double mass, double energy);
+
   void burn(double mass, double heat);   ///< [kg], and the heat that it had as a solid [J]
   void work(double energy);              ///< that the gas did [J]
   void vent(double mass, double volume); ///< [kg]
   void heatWalls(double heat);           ///< [J]
+  /// Books what has flowed out with its enthalpy [kg, J].
+  void takeOut(double mass, double enthalpy);
   /// Where the temperature is constant, the walls give or take what it needs.
   void settle();
 
@@ -65,9 +74,7 @@ public:
   double wallHeat() const { return wallHeat_; }         ///< to the walls [J]
   double solidHeat() const { return solidHeat_; }       ///< of what burnt [J]
 
-  /// Mass that flows through an opening in a second [kg/s]: choked below the critical ratio of pressures,
-  /// else isentropic; nothing flows in. Source: Shapiro, The Dynamics and Thermodynamics of Compressible
-  /// Fluid Flow, 1953, section 4.5. \param area times the coefficient of discharge [m2]
+  /// Mass that flows out through an opening [kg/s]: GasLaw::outflow.
   double outflow(double area, double volume, double outside) const;
 
   void keep(Archive& archive);

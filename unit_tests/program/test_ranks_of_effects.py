@@ -131,6 +131,9 @@ class Burning(OnRanks):
         scene.set("Thermal", {"Initial Temperature": 300.0}).set("Materials > Polymer > Specific Heat", 1e3)
         self.burns(scene.set("Materials > Polymer > Conductivity", 0.2), (2, 3))
 
+    def test_gas_that_flows_along_a_crack_that_crosses_ranks(self):
+        self.burns(burning(turned_plate(), **{"Ignition Point": [0.1, 0.43], "Gas Model": "Flow"}), (2, 3))
+
     def test_ranks_that_change(self):
         scene = burning(turned_plate(), **{"Ignition Point": [0.1, 0.43]})
         self.burns(scene.set("Load Balance", {"Threshold": 1.05, "Interval": 5}), (4,))

@@ -578,6 +578,13 @@ COMBUSTION = [
     ("combustion_that_vents_at_a_plane_of_symmetry", burning(Venting=True).set(
         "Boundaries > Mirror", {"Type": "Symmetry", "Axis": "x", "Position": 0.0}),
      one("Combustion > Notch > Venting", "plane of symmetry")),
+    ("combustion_with_friction_and_no_flow", burning(Viscosity=1e-5),
+     one("Combustion > Notch > Viscosity", "does not flow", "Gas Model")),
+    ("combustion_with_a_flow_and_no_gap", burning(Gas_Model="Flow", Initial_Gap=None, Cavity_Volume=1e-6),
+     one("Combustion > Notch > Initial Gap", "room everywhere")),
+    ("combustion_with_a_flow_in_3d", ball().set("Cracks", PENNY).set(
+        "Combustion", {next(iter(PENNY)): {**BURNING, "Gas Model": "Flow"}}),
+     one("Combustion > " + next(iter(PENNY)) + " > Gas Model", "2D only", "Uniform")),
     ("combustion_with_heat_alone", burning().remove("Energy Release").remove("Boundaries").set("Thermal", {
         "Initial Temperature": 300.0, "Mechanics": False}).set("Materials > Polymer > Specific Heat", 1e3).set(
         "Materials > Polymer > Conductivity", 0.2), one("Combustion", "nothing moves")),

@@ -1,0 +1,101 @@
+#include "combustion/CrackFlow.hpp"
+
+#include "checkpoint/Archive.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace Rhegma::combustion
+{
+
+namespace
+{
+
+/// Ends of the old cells this share of a cell from those of the new ones are the same.
+constexpr double sameEnd = 0.25;
+
+} // namespace
+
+/// Place along the cells as they are now that is the nearest to one in space [m].
+template <int D>
+double CrackFlow<D>::arcAt(const FacePoints<D>& points, const Vector<D>& place) const
+{
+  double found = 0.0;
+  if constexpr (D == 2)
+  {
+    const auto position = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.position);
+    const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.normal);
+    double nearest = std::numeric_limits<double>::max(), arc = 0.0;
+    for (std::size_t k = 0; k < length_.size(); ++k)
+    {
+      const int p = first_ + static_cast<int>(k);
+      const double x = place[0] - position(p, 0), y = place[1] - position(p, 1);
+      // Side +1, to which the normal points, lies to the left of the crack's own direction.
+      const double along = x * normal(p, 1) - y * normal(p, 0);
+      if (std::hypot(x, y) < nearest)
+      {
+        nearest = std::hypot(x, y);
+        found = arc + 0.5 * length_[k] + along;
+      }
+      arc += length_[k];
+    }
+  }
+  return found;
+}
+
+template <int D>
+void CrackFlow<D>::follow(const FacePoints<D>& points, int crack, double cavity, double gap, double density)
+{
+  const auto of = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.crack);
+  const auto size = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.currentSize);
+  const auto position = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.position);
+  const std::vector<double> before = length_;
+  length_.clear();
+  for (int k = 0; k < points.count(); ++k)
+    if (of(k) == crack)
+    {
+      if (length_.empty())
+        first_ = k;
+      length_.push_back(size(k));
+    }
+  const double whole = std::accumulate(length_.begin(), length_.end(), 0.0);
+  if (before.empty())
+  {
+    std::vector<double> room(length_.size());
+    for (std::size_t k = 0; k < room.size(); ++k)
+      room[k] = cavity * length_[k] / whole;
+    channel_.place(length_, room);
+  }
+  else
+  {
+    double from = arcAt(points, begin_) - 0.5 * before.front();
+    double to = arcAt(points, end_) + 0.5 * before.back();
+    from = std::fabs(from) < sameEnd * before.front() ? 0.0 : from;
+    to = std::fabs(whole - to) < sameEnd * before.back() ? whole : to;
+    if (length_.size() != before.size() || from != 0.0 || to != whole)
+      channel_.cutAnew(length_, from, to, gap, density);
+  }
+  channel_.measureRoom(length_, gap, density);
+  const int last = first_ + static_cast<int>(length_.size()) - 1;
+  for (int d = 0; d < D; ++d)
+  {
+    begin_[d] = position(first_, d);
+    end_[d] = position(last, d);
+  }
+}
+
+template <int D>
+void CrackFlow<D>::keep(Archive& archive)
+{
+  channel_.keep(archive);
+  archive("first", first_);
+  archive("lengths", length_);
+  archive("begin", begin_);
+  archive("end", end_);
+}
+
+template class CrackFlow<2>;
+template class CrackFlow<3>;
+
+} // namespace Rhegma::combustion
