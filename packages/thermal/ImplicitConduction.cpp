@@ -56,7 +56,7 @@ void LongSteps<D>::findPairs(const State<D>& state, const HeatNodes<D>& heat, co
 {
   numPairs_ = faces.active(state) ? state.nodes.numSecond : 0;
   const Nodes<D> nodes = state.nodes;
-  const View<double*> conductance = faces.conductance();
+  const View<double*>& conductance = faces.conductance();
   const View<double* [pairWidth]> pairs = pairs_;
   Kokkos::parallel_for(
       "rhegma::thermal::findPairs", Kokkos::RangePolicy<ExecSpace>(0, numPairs_), KOKKOS_LAMBDA(const int i) {

@@ -164,10 +164,9 @@ std::vector<Case> ownCases()
                             section("Sources",
                                     section("Spot", text("Type", "Ball") + reals("Centre", "{0.3, 0.7}") +
                                                         real("Radius", "0.2") + real("Power", "1e6")))))),
-      own("own_heat_full_mass",
-          plate(pull, section("Thermal", real("Initial Temperature", "300")) +
-                          section("Mass Matrix", text("Type", "Full")) +
-                          section("Damping", real("Shear Viscosity", "10")))),
+      own("own_heat_full_mass", plate(pull, section("Thermal", real("Initial Temperature", "300")) +
+                                                section("Mass Matrix", text("Type", "Full")) +
+                                                section("Damping", real("Shear Viscosity", "10")))),
       own("own_load_balance", plate(pull, section("Damping", "") + section("Load Balance", ""))),
       own("own_damping",
           plate(pull, release + section("Damping", real("Mass Rate", "300") + real("Settled Drift", "1e3") +
