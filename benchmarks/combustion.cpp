@@ -1,0 +1,54 @@
+/// What burning costs beside the same cracks without it, in one process and turn by turn.
+///
+///     combustion SCENE.xml [--json] [--steps N] [--rounds N] [--warm-up N]
+///
+/// Threads: OMP_NUM_THREADS.
+
+#include "combustion/Measure.hpp"
+#include "common/CommandLine.hpp"
+#include "common/Program.hpp"
+
+#include <iomanip>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using namespace Rhegma::benchmarks;
+
+void printTable(const nlohmann::json& all)
+{
+  std::cout << all.at("particles") << " particles, " << all.at("threads") << " threads\n"
+            << "                        us/step without    of it    of a step\n"
+            << std::fixed;
+  for (const nlohmann::json& entry : all.at("runs"))
+    std::cout << "  " << std::left << std::setw(22) << entry.at("name").get<std::string>() << std::right
+              << std::setprecision(0) << std::setw(15) << entry.at("us").get<double>() << std::setprecision(2)
+              << std::setw(9) << entry.at("ratio").get<double>() << std::setw(13)
+              << entry.at("ratio_of_steps").get<double>() << "\n";
+}
+
+void run(const std::vector<std::string>& arguments)
+{
+  CombustionEffort effort;
+  std::string scene;
+  bool json = false;
+  CommandLine()
+      .flag("--json", json)
+      .number("--steps", effort.steps)
+      .number("--rounds", effort.rounds)
+      .number("--warm-up", effort.warmUp)
+      .scene(scene, "xml_inputs/examples/burning_crack.xml")
+      .read(arguments);
+  placeThreads();
+  print(withKokkos([&] { return measureCombustion(scene, effort); }), json, printTable);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  return statusOf("combustion", [&] { run({argv, argv + argc}); });
+}
