@@ -194,19 +194,6 @@ class Ranks(ProgramTest):
         answer = self.start(1, self.write("scene.xml", plate().text()), "--quiet")
         self.assertEqual((answer.status, answer.output, answer.complaint), (0, "", ""), answer)
 
-    def test_effects_of_one_rank_are_refused_once(self):
-        shutil.copy(os.path.join(SOURCE, "xml_inputs", "examples", "closed_bomb.xml"), self.path("scene.xml"))
-        answer = self.start(3, "scene.xml")
-        self.assertEqual(answer.status, 1, answer)
-        self.assertEqual(answer.output, "")
-        ours = [line for line in answer.complaint.splitlines() if "rhegma:" in line]
-        self.assertEqual(len(ours), 1, answer)
-        self.assertRegex(ours[0], r"\Arhegma: Combustion: this version runs such scenes on one rank")
-        self.assertIn("mpirun", ours[0])
-        for noise in NOISE:
-            self.assertNotIn(noise, answer.complaint)
-        self.assertEqual(os.listdir(self.folder), ["scene.xml"])
-
     def test_a_mistake_is_told_once(self):
         self.write("scene.xml", plate().set("Time > CFL", 3.0).text())
         answer = self.start(2, "scene.xml")
