@@ -263,7 +263,33 @@ private:
     {
       different(boundary, "From", "To", where);
       parallelogram(boundary, where);
+      if (m_dimension == 2)
+        alongSurface(boundary, where);
     }
+  }
+
+  /// Refuses a line that has its body on both sides all along: what acts on a surface would act nowhere.
+  void alongSurface(const ParameterList& boundary, const std::string& where)
+  {
+    const auto from = reals(boundary, "From"), to = reals(boundary, "To");
+    const std::string body = scenePath("Bodies", text(boundary, "Body"));
+    if (!from || !to || from->size() != 2 || to->size() != 2 || *from == *to ||
+        !m_scene.isSublist("Bodies") || !m_scene.sublist("Bodies").isSublist(text(boundary, "Body")) ||
+        !isWhole(body, "Material"))
+      return;
+    const Shape<2> shape = makeShape<2>(m_scene.sublist("Bodies").sublist(text(boundary, "Body")));
+    const double x = (*to)[0] - (*from)[0], y = (*to)[1] - (*from)[1];
+    constexpr int looks = 20;
+    constexpr double aside = 1e-4; // of the line's length
+    for (int k = 0; k < looks; ++k)
+      for (const double side : {-aside, aside})
+      {
+        const double at = (k + 0.5) / looks;
+        if (!shape.contains({{(*from)[0] + at * x - side * y, (*from)[1] + at * y + side * x}}))
+          return;
+      }
+    report(where,
+           "runs inside of " + body + ", and acts on surfaces; write a line along one, such as an edge.");
   }
 
   void different(const ParameterList& list, const std::string& one, const std::string& other,

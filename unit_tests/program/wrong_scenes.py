@@ -178,6 +178,9 @@ TIME = [
 ]
 
 LOADS = [
+    ("traction_inside_of_a_body",
+     plate().set("Boundaries > Pull > From", [0.5, 0.1]).set("Boundaries > Pull > To", [0.5, 0.9]),
+     one("Boundaries > Pull", "inside of Bodies > Plate", "edge")),
     ("load_that_catches_nothing",
      plate().set("Boundaries > Pull > From", [1.15, 0.0]).set("Boundaries > Pull > To", [1.15, 1.0]),
      one("Boundaries > Pull", "no particle", "surface")),
