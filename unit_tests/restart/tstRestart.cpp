@@ -211,6 +211,8 @@ std::vector<Case> allCases()
       }
       if (stem == "gas_driven") // in its small gap gas takes steps that are far shorter than the first
         all.back().overrides = {"Combustion:Slit:Initial Gap=1e-5"};
+      if (stem == "burning_penny")
+        all.back().overrides = {"Combustion:Penny:Initial Gap=1e-5"};
     }
   }
   return all;
