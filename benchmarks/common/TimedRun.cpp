@@ -8,12 +8,15 @@
 namespace Rhegma::benchmarks
 {
 
-TimedRun::TimedRun(std::string which, const Teuchos::RCP<Teuchos::ParameterList>& scene)
+TimedRun::TimedRun(std::string which, const Teuchos::RCP<Teuchos::ParameterList>& scene,
+                   const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
     : name(std::move(which))
 {
   if (scene->isSublist("Damping"))
     scene->sublist("Damping").set("Stop When Settled", false);
-  simulation = std::make_unique<Simulation>(Teuchos::rcp(new Teuchos::SerialComm<int>()), scene);
+  using Comm = Teuchos::RCP<const Teuchos::Comm<int>>;
+  const Comm alone = Teuchos::rcp(new Teuchos::SerialComm<int>());
+  simulation = std::make_unique<Simulation>(comm.is_null() ? alone : comm, scene);
   simulation->initialize();
 }
 

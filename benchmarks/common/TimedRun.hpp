@@ -28,7 +28,9 @@ struct TimedRun
   std::vector<Batch> batches;
 
   /// \param scene what is run; a body that comes to rest is timed no longer than it moves
-  TimedRun(std::string which, const Teuchos::RCP<Teuchos::ParameterList>& scene);
+  /// \param comm ranks that share it; this one alone where none are given
+  TimedRun(std::string which, const Teuchos::RCP<Teuchos::ParameterList>& scene,
+           const Teuchos::RCP<const Teuchos::Comm<int>>& comm = Teuchos::null);
 
   /// Goes on without being timed.
   void advance(int steps);

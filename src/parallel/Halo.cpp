@@ -1,13 +1,11 @@
 #include "parallel/Halo.hpp"
 
-#include <Tpetra_Export.hpp>
-#include <Tpetra_Map.hpp>
-#include <Tpetra_MultiVector.hpp>
+#include "parallel/NeighbourSums.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <string>
 #include <vector>
 
 namespace Rhegma
@@ -16,17 +14,21 @@ namespace Rhegma
 namespace
 {
 
-using Map = Tpetra::Map<>;
-using GlobalId = Map::global_ordinal_type;
-using MultiVector = Tpetra::MultiVector<double>;
-using Teuchos::RCP;
-using Teuchos::rcp;
+using GlobalId = long long;
 
 /// Nodes low .. high of the lattice along each axis, both included.
 template <int D>
 struct NodeBox
 {
   int low[D], high[D];
+
+  bool holds(const int (&at)[D]) const
+  {
+    bool in = true;
+    for (int d = 0; d < D; ++d)
+      in = in && at[d] >= low[d] && at[d] <= high[d];
+    return in;
+  }
 };
 
 template <int D>
@@ -50,16 +52,6 @@ bool isInside(const Division<D>& division, int rank, const std::array<GlobalId, 
   for (int d = 0; d < D; ++d)
     in = in && place[d] >= GlobalId(box.low[d] + 1) << deepestLevel &&
          place[d] <= GlobalId(box.high[d] - 1) << deepestLevel;
-  return in;
-}
-
-/// Whether a place is so for any rank but one.
-template <int D>
-bool isInsideAnother(const Division<D>& division, int rank, const std::array<GlobalId, D>& place)
-{
-  bool in = false;
-  for (int r = 0; r < static_cast<int>(division.boxes.size()) && !in; ++r)
-    in = r != rank && isInside<D>(division, r, place);
   return in;
 }
 
@@ -87,153 +79,91 @@ GlobalId idOf(const Grid<D>& lattice, const std::array<GlobalId, D>& place)
   return lattice.numNodes + id;
 }
 
+/// The nodes that a rank shares, as they are found.
 template <int D>
-RCP<const Map> makeMap(const std::vector<GlobalId>& ids, const Ranks& ranks)
+struct Shared
 {
-  const auto none = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  return rcp(new Map(none, Teuchos::arrayViewFromVector(ids), 0, ranks.comm()));
+  std::vector<int> nodes;           ///< rows here
+  std::vector<GlobalId> ids;        ///< their numbers on all ranks
+  std::vector<std::vector<int>> of; ///< by rank: which of them it has too
+
+  explicit Shared(int ranks) : of(ranks) {}
+
+  /// \param has whether a rank has the node
+  template <class Has>
+  void offer(int row, GlobalId id, int rank, const Has& has)
+  {
+    bool any = false;
+    for (int r = 0; r < static_cast<int>(of.size()); ++r)
+      if (r != rank && has(r))
+      {
+        of[r].push_back(static_cast<int>(nodes.size()));
+        any = true;
+      }
+    if (!any)
+      return;
+    nodes.push_back(row);
+    ids.push_back(id);
+  }
+};
+
+template <class T>
+View<T*> onDevice(const std::string& label, const std::vector<T>& list)
+{
+  const View<T*> view(label, list.size());
+  const auto host = Kokkos::create_mirror_view(view);
+  std::copy(list.begin(), list.end(), host.data());
+  Kokkos::deep_copy(view, host);
+  return view;
 }
 
 } // namespace
 
 template <int D>
-class Halo<D>::Plan
-{
-public:
-  Plan(const std::vector<GlobalId>& shared, const std::vector<GlobalId>& own, const Ranks& ranks)
-      : sharedMap_(makeMap<D>(shared, ranks)), ownMap_(makeMap<D>(own, ranks)), exporter_(sharedMap_, ownMap_)
-  {
-  }
-
-  void sum(const View<int*>& nodes, const SharedRows& rows, double* values, int width, int first, int count)
-  {
-    const int fields = rows.second.extent(0) > 0 ? 2 : 1, columns = fields * count;
-    Vectors& vectors = vectorsOf(columns);
-    {
-      const auto shares = vectors.shared->getLocalViewDevice(Tpetra::Access::OverwriteAll);
-      Kokkos::parallel_for(
-          "rhegma::parallel::pack", Kokkos::RangePolicy<ExecSpace>(0, nodes.extent(0)),
-          KOKKOS_LAMBDA(const int i) {
-            for (int f = 0; f < fields; ++f)
-            {
-              const int row = rows(nodes(i), f);
-              for (int c = 0; c < count; ++c)
-                shares(i, f * count + c) =
-                    row < 0 ? 0.0 : values[static_cast<std::size_t>(row) * width + first + c];
-            }
-          });
-    }
-    vectors.own->putScalar(0.0);
-    vectors.own->doExport(*vectors.shared, exporter_, Tpetra::ADD);
-    vectors.shared->doImport(*vectors.own, exporter_, Tpetra::INSERT);
-    const auto sums = vectors.shared->getLocalViewDevice(Tpetra::Access::ReadOnly);
-    Kokkos::parallel_for(
-        "rhegma::parallel::unpack", Kokkos::RangePolicy<ExecSpace>(0, nodes.extent(0)),
-        KOKKOS_LAMBDA(const int i) {
-          for (int f = 0; f < fields; ++f)
-          {
-            const int row = rows(nodes(i), f);
-            for (int c = 0; row >= 0 && c < count; ++c)
-              values[static_cast<std::size_t>(row) * width + first + c] = sums(i, f * count + c);
-          }
-        });
-  }
-
-private:
-  struct Vectors
-  {
-    RCP<MultiVector> shared, own;
-  };
-
-  Vectors& vectorsOf(int count)
-  {
-    Vectors& vectors = vectors_[count];
-    if (vectors.shared.is_null())
-      vectors = {rcp(new MultiVector(sharedMap_, count)), rcp(new MultiVector(ownMap_, count))};
-    return vectors;
-  }
-
-  RCP<const Map> sharedMap_, ownMap_;
-  Tpetra::Export<> exporter_;
-  std::map<int, Vectors> vectors_; ///< by their number of columns
-};
-
-template <int D>
 Halo<D>::Halo(const Ranks& ranks, const Division<D>& division, const Tree<D>& tree)
 {
-  const Grid<D> window = division.window(ranks.rank());
-  const NodeBox<D> mine = windowNodes(division, ranks.rank());
-  std::vector<char> shared(window.numNodes, 0);
+  const int rank = ranks.rank();
+  const Grid<D> window = division.window(rank);
+  std::vector<NodeBox<D>> boxes;
   for (int r = 0; r < ranks.size(); ++r)
-  {
-    NodeBox<D> both = windowNodes(division, r);
-    bool empty = r == ranks.rank();
-    for (int d = 0; d < D; ++d)
-    {
-      both.low[d] = std::max(both.low[d], mine.low[d]);
-      both.high[d] = std::min(both.high[d], mine.high[d]);
-      empty = empty || both.low[d] > both.high[d];
-    }
-    if (empty)
-      continue;
-    for (int n = 0; n < window.numNodes; ++n)
-    {
-      int at[D];
-      window.nodeCoordinates(n, at);
-      bool in = true;
-      for (int d = 0; d < D; ++d)
-        in = in && at[d] + mine.low[d] >= both.low[d] && at[d] + mine.low[d] <= both.high[d];
-      shared[n] = shared[n] || in;
-    }
-  }
-  std::vector<int> nodes;
-  std::vector<GlobalId> ids, own;
+    boxes.push_back(windowNodes(division, r));
+  Shared<D> shared(ranks.size());
   std::vector<char> foreign(window.numNodes + tree.numFine, 0);
+  const auto isOwn = [&](const int(&at)[D])
+  {
+    int cell[D];
+    for (int d = 0; d < D; ++d)
+      cell[d] = std::clamp(at[d], gridMargin, division.lattice.cells[d] - gridMargin - 1);
+    return division.ownerOf(cell) == rank;
+  };
   for (int n = 0; n < window.numNodes; ++n)
   {
-    if (!shared[n])
-      continue;
-    int at[D], cell[D];
+    int at[D];
     window.nodeCoordinates(n, at);
     for (int d = 0; d < D; ++d)
-    {
-      at[d] += mine.low[d];
-      cell[d] = std::clamp(at[d], gridMargin, division.lattice.cells[d] - gridMargin - 1);
-    }
-    nodes.push_back(n);
-    ids.push_back(division.lattice.nodeIndex(at));
-    if (division.ownerOf(cell) == ranks.rank())
-      own.push_back(ids.back());
-    else
-      foreign[n] = 1;
+      at[d] += boxes[rank].low[d];
+    const std::size_t before = shared.nodes.size();
+    shared.offer(n, division.lattice.nodeIndex(at), rank, [&](int r) { return boxes[r].holds(at); });
+    foreign[n] = shared.nodes.size() > before && !isOwn(at) ? 1 : 0;
   }
   int row = window.numNodes;
   for (const std::array<GlobalId, D>& place : finePlaces(division, tree))
   {
-    int cell[D];
+    int at[D];
     for (int d = 0; d < D; ++d)
-      cell[d] = std::clamp(static_cast<int>(place[d] >> deepestLevel), gridMargin,
-                           division.lattice.cells[d] - gridMargin - 1);
-    const bool isOwn = division.ownerOf(cell) == ranks.rank();
-    foreign[row] = isOwn ? 0 : 1;
-    if (isInside<D>(division, ranks.rank(), place) && isInsideAnother<D>(division, ranks.rank(), place))
-    {
-      nodes.push_back(row);
-      ids.push_back(idOf<D>(division.lattice, place));
-      if (isOwn)
-        own.push_back(ids.back());
-    }
+      at[d] = static_cast<int>(place[d] >> deepestLevel);
+    foreign[row] = isOwn(at) ? 0 : 1;
+    if (isInside<D>(division, rank, place))
+      shared.offer(row, idOf<D>(division.lattice, place), rank,
+                   [&](int r) { return isInside<D>(division, r, place); });
     ++row;
   }
-  nodes_ = View<int*>("rhegma::sharedNodes", nodes.size());
-  foreign_ = View<char*>("rhegma::foreignNodes", foreign.size());
-  const auto hostNodes = Kokkos::create_mirror_view(nodes_);
-  const auto hostForeign = Kokkos::create_mirror_view(foreign_);
-  std::copy(nodes.begin(), nodes.end(), hostNodes.data());
-  std::copy(foreign.begin(), foreign.end(), hostForeign.data());
-  Kokkos::deep_copy(nodes_, hostNodes);
-  Kokkos::deep_copy(foreign_, hostForeign);
-  plan_ = std::make_unique<Plan>(ids, own, ranks);
+  // Two ranks list what they share in the same order.
+  for (std::vector<int>& list : shared.of)
+    std::sort(list.begin(), list.end(), [&](int a, int b) { return shared.ids[a] < shared.ids[b]; });
+  nodes_ = onDevice("rhegma::sharedNodes", shared.nodes);
+  foreign_ = onDevice("rhegma::foreignNodes", foreign);
+  sums_ = std::make_unique<NeighbourSums>(ranks, nodes_, shared.of);
 }
 
 template <int D>
@@ -242,7 +172,7 @@ Halo<D>::~Halo() = default;
 template <int D>
 void Halo<D>::sum(const SharedRows& rows, double* values, int width, int first, int count) const
 {
-  plan_->sum(nodes_, rows, values, width, first, count);
+  sums_->sum(rows, values, width, first, count);
 }
 
 template class Halo<2>;

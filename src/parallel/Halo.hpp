@@ -3,34 +3,19 @@
 
 #include "grid/Tree.hpp"
 #include "parallel/Division.hpp"
-#include "state/Types.hpp"
+#include "parallel/NeighbourSums.hpp"
 
 #include <memory>
 
 namespace Rhegma
 {
 
-/// Which rows of an array belong to a node: those of its number and of its second field's, or where an array
-/// has rows of its own, those that it gives to them.
-struct SharedRows
-{
-  View<int*> second; ///< number of each node's second field, or -1; empty where there are none
-  View<int*> rowOf;  ///< row of each node and second field, or -1; empty where it is its number
-
-  KOKKOS_INLINE_FUNCTION int operator()(int node, int field) const
-  {
-    const int number = field == 0 ? node : second(node);
-    return number < 0 || rowOf.extent(0) == 0 ? number : rowOf(number);
-  }
-};
-
 /// The nodes of a rank's window, those of refined cells included, that lie in windows of other ranks too.
 /// Nodes of refined cells count only where they are a cell or more inside both windows: a rank knows there
 /// which nodes hang, and its particles reach no others.
 ///
-/// Shares of such a node go to its owner, which adds them and sends the sum to all that have the node (Tpetra
-/// Export and Import), so that it is the same number everywhere to the last digit, and what ranks compute
-/// from it afterwards is too.
+/// Its sum over the ranks is the same number everywhere to the last digit (NeighbourSums), and what ranks
+/// compute from it afterwards is too.
 template <int D>
 class Halo
 {
@@ -51,8 +36,7 @@ public:
   const View<char*>& foreign() const { return foreign_; }
 
 private:
-  class Plan;
-  std::unique_ptr<Plan> plan_;
+  std::unique_ptr<NeighbourSums> sums_;
   View<int*> nodes_;
   View<char*> foreign_;
 };

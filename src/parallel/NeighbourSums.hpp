@@ -1,0 +1,68 @@
+#pragma once
+/// Sums over ranks of numbers that each keeps for itself and few others have too.
+
+#include "parallel/Ranks.hpp"
+#include "state/Types.hpp"
+
+#include <vector>
+
+namespace Rhegma
+{
+
+/// Which rows of an array belong to a node: those of its number and of its second field's, or where an array
+/// has rows of its own, those that it gives to them.
+struct SharedRows
+{
+  View<int*> second; ///< number of each node's second field, or -1; empty where there are none
+  View<int*> rowOf;  ///< row of each node and second field, or -1; empty where it is its number
+
+  KOKKOS_INLINE_FUNCTION int operator()(int node, int field) const
+  {
+    const int number = field == 0 ? node : second(node);
+    return number < 0 || rowOf.extent(0) == 0 ? number : rowOf(number);
+  }
+};
+
+/// Each rank sends its shares of the nodes that it has in common with another straight to that one, and adds
+/// what came in the order of the ranks: all have the same sum to the last digit after one exchange. Between
+/// two ranks there is one message each way; where an array has rows of its own, only these are in it.
+class NeighbourSums
+{
+public:
+  /// \param nodes that this rank shares, by their rows
+  /// \param of    by rank: which of them it has too, in the same order on both
+  NeighbourSums(const Ranks& ranks, const View<int*>& nodes, const std::vector<std::vector<int>>& of);
+
+  /// Replaces columns first .. first + count - 1 by their sums over the ranks. Collective. Whether there are
+  /// second fields, and which nodes have rows of their own, is the same on all ranks; throws std::logic_error
+  /// where these are not as many. \param values `width` numbers a row
+  void sum(const SharedRows& rows, double* values, int width, int first, int count);
+
+  // Public because compilers for devices want kernels in public functions.
+  struct Neighbour
+  {
+    int rank, begin, end; ///< its part of the lists
+    int filled;           ///< rows in a message to it
+  };
+  struct Columns
+  {
+    const double* values;
+    int width, first, count, fields;
+  };
+  void findPlaces(const SharedRows& rows, int fields);
+  void pack(const SharedRows& rows, const Columns& columns, const Neighbour& to);
+  void add(const SharedRows& rows, const Columns& columns, const Neighbour& from);
+  void addOwn(const SharedRows& rows, const Columns& columns);
+
+private:
+  void exchange(const Columns& columns);
+
+  Ranks ranks_;
+  View<int*> nodes_;
+  View<int*> entry_; ///< shared nodes, neighbour after neighbour
+  View<int*> place_; ///< of the first row of each entry in the message
+  std::vector<Neighbour> neighbours_;
+  View<double*> sent_, received_, total_;
+};
+
+} // namespace Rhegma
