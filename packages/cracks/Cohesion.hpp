@@ -36,19 +36,26 @@ constexpr int start = 2; ///< |T| / k [m]
 constexpr int reached = 3; ///< r [m]
 constexpr int shift = 4;   ///< the first component of T / k [m]
 
+/// F(r) / r of a node [N/m] at an r that is not its own.
+template <class Rows>
+KOKKOS_INLINE_FUNCTION double secantAt(const Rows& rows, int n, double r)
+{
+  const double left = 1.0 - (r - rows(n, start)) / rows(n, range);
+  return left > 0.0 ? rows(n, peak) * left / r : 0.0;
+}
+
 /// F(r) of a node [N].
 template <class Rows>
 KOKKOS_INLINE_FUNCTION double strength(const Rows& rows, int n)
 {
-  const double left = 1.0 - (rows(n, reached) - rows(n, start)) / rows(n, range);
-  return left > 0.0 ? rows(n, peak) * left : 0.0;
+  return secantAt(rows, n, rows(n, reached)) * rows(n, reached);
 }
 
 /// F(r) / r [N/m].
 template <class Rows>
 KOKKOS_INLINE_FUNCTION double secant(const Rows& rows, int n)
 {
-  return strength(rows, n) / rows(n, reached);
+  return secantAt(rows, n, rows(n, reached));
 }
 } // namespace cohesion
 

@@ -173,6 +173,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   const auto ghosts = std::make_shared<Ghosts>();
   const auto motion = std::make_shared<CrackMotion<D>>();
   const auto carried = std::make_shared<CarriedFronts<D>>();
+  const bool grows = scene.isSublist("Propagation");
+  const auto ties = std::make_shared<FrontTies<D>>(grows);
   Effect<D> effect;
   effect.name = "Cracks";
   effect.adds.push_back(
@@ -185,7 +187,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     state.cracks.dualField = formulation == Formulation::DualField;
     state.cracks.tied = tied;
     if (tied)
-      state.followingForces.push_back(FrontTies<D>::following());
+      state.followingForces.push_back(ties->following());
     readCracks(section, state);
     if (tied)
       carried->start(state);
@@ -205,8 +207,6 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     state.editor.edit = [=](const State<D>& s, const ObservedPoints<D>& points, const StencilTable<D>& table)
     { editStencils(s, formulation, *ghosts, points, table); };
   };
-  const bool grows = scene.isSublist("Propagation");
-  const auto ties = std::make_shared<FrontTies<D>>(grows);
   const auto surface = std::make_shared<SurfaceGrowth>();
   ties->follow(surface);
   effect.memory = [=](State<D>& state, Archive& archive)

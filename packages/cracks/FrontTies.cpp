@@ -455,7 +455,7 @@ void FrontTies<D>::addForces(State<D>& state) const
 }
 
 template <int D>
-FollowingForce<D> FrontTies<D>::following()
+FollowingForce<D> FrontTies<D>::following() const
 {
   using Values = View<double* [D]>;
   const auto frozen = [](const State<D>& state, const NodeSlots& slots, const Values& force)
@@ -474,10 +474,14 @@ FollowingForce<D> FrontTies<D>::following()
         });
   };
   const auto change =
-      [](const State<D>& state, const NodeSlots& slots, const Values& displacement, const Values& force)
+      [this](const State<D>& state, const NodeSlots& slots, const Values& displacement, const Values& force)
   {
     const Nodes<D> nodes = state.nodes;
     const View<double * [D + 1]> tie = state.cracks.tie;
+    const View<int*> side = state.cracks.nodeSide;
+    const View<double* [D]> jump = jump_;
+    const View<double * [D + 4]> cohesive = cohesion_;
+    const bool grows = grows_;
     Kokkos::parallel_for(
         "rhegma::cracks::followTies", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
         KOKKOS_LAMBDA(const int i) {
@@ -485,11 +489,23 @@ FollowingForce<D> FrontTies<D>::following()
           if (tie(own, D) == 0.0 || !slots.moves(own) || !slots.moves(other) || !countsHere(nodes, own))
             return;
           const int a = slots.of(own), b = slots.of(other);
+          const double sign = signOf(side(own));
+          const bool resists = grows && cohesive(own, cohesion::peak) > 0.0;
+          double from[D], square = 0.0;
           for (int d = 0; d < D; ++d)
           {
-            const double more = tie(own, D) * (displacement(a, d) - displacement(b, d));
-            force(a, d) -= more;
-            force(b, d) += more;
+            from[d] = jump(own, d) + sign * (displacement(a, d) - displacement(b, d)) +
+                      (resists ? cohesive(own, cohesion::shift + d) : 0.0);
+            square += from[d] * from[d];
+          }
+          double stiffness = tie(own, D);
+          if (resists && square > cohesive(own, cohesion::reached) * cohesive(own, cohesion::reached))
+            stiffness = std::fmin(stiffness, cohesion::secantAt(cohesive, own, std::sqrt(square)));
+          for (int d = 0; d < D; ++d)
+          {
+            const double more = -sign * stiffness * from[d] - tie(own, d);
+            force(a, d) += more;
+            force(b, d) -= more;
           }
         });
   };

@@ -67,8 +67,9 @@ public:
   /// keep
   double energyInFlight(const State<D>& state, int step) const;
 
-  /// How the forces follow nodes that move in short steps.
-  static FollowingForce<D> following();
+  /// How the forces follow nodes that move in short steps: springs by their stiffness, cohesive forces by
+  /// their law. These ties must outlive what is returned.
+  FollowingForce<D> following() const;
 
   /// Stretches the ties over the step.
   void advance(State<D>& state);

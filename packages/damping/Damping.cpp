@@ -42,6 +42,42 @@ double dampVelocity(State<D>& state, double rate)
 }
 
 template <int D>
+double lossToStresses(const State<D>& state, double rate)
+{
+  const Nodes<D> nodes = state.nodes;
+  const NodePlaces<D> places = nodePlaces(state);
+  const auto held = [&](const NodeConstraint<D>& constraint)
+  {
+    double power = 0.0;
+    Kokkos::parallel_reduce(
+        "rhegma::powerOfStressesAtSupports", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+        KOKKOS_LAMBDA(const int i, double& sum) {
+          const int n = activeNode(nodes, i);
+          const double mass = nodes.sums(n, Nodes<D>::massAt);
+          if (mass > 0.0 && constraint.appliesAt(places(latticeNode(nodes, n))))
+            for (int d = 0; d < D; ++d)
+              if (constraint.holds[d])
+                sum += nodes.sums(n, Nodes<D>::forceAt + d) * nodes.sums(n, Nodes<D>::momentumAt + d) / mass;
+        },
+        power);
+    return power;
+  };
+  double power = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::powerOfStresses", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+      KOKKOS_LAMBDA(const int i, double& sum) {
+        const int n = activeNode(nodes, i);
+        const double mass = nodes.sums(n, Nodes<D>::massAt);
+        for (int d = 0; d < D && mass > 0.0; ++d)
+          sum += nodes.sums(n, Nodes<D>::forceAt + d) * nodes.sums(n, Nodes<D>::momentumAt + d) / mass;
+      },
+      power);
+  for (const NodeConstraint<D>& constraint : state.constraints)
+    power -= held(constraint);
+  return 0.5 * std::expm1(rate * state.dt) * state.dt * power;
+}
+
+template <int D>
 double addViscousStress(State<D>& state, double shearViscosity, double bulkViscosity)
 {
   const auto rate = state.particles.table(fields::rate);
@@ -149,6 +185,17 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                    if (s.time < end)
                      s.energy.damped += dampVelocity(s, rate);
                  }});
+  if (rate > 0.0)
+    effect.call({Stage::Scatter,
+                 "what mass damping takes from stresses",
+                 {"nodal momentum", "prescribed values"},
+                 {},
+                 {},
+                 [=](State<D>& s)
+                 {
+                   if (s.time < end && s.scheme == UpdateScheme::Musl)
+                     s.energy.damped += lossToStresses(s, rate);
+                 }});
   if (shear > 0.0 || bulk > 0.0)
   {
     effect.adds.push_back({fields::rate, D * D, "1/s", "velocity gradient, row by row"});
@@ -190,6 +237,8 @@ EffectEntry dampingEntry() { return {section(), {}, make<2>, make<3>, true}; }
 
 template double dampVelocity(State<2>&, double);
 template double dampVelocity(State<3>&, double);
+template double lossToStresses(const State<2>&, double);
+template double lossToStresses(const State<3>&, double);
 template double addViscousStress(State<2>&, double, double);
 template double addViscousStress(State<3>&, double, double);
 

@@ -17,6 +17,14 @@ EffectEntry dampingEntry();
 template <int D>
 double dampVelocity(State<D>& state, double rate);
 
+/// What mass damping takes from stresses beside what dampVelocity returned [J], for MUSL, once nodes have the
+/// forces of stresses f and no others. Damped velocities are v exp(-rate dt), but the last step has strained
+/// the particles by v: in between stresses have given, in the mean of the steps' starts and ends,
+/// f (v - v exp(-rate dt)) dt / 2 to a motion that is no more. At supports it is in their work. First order
+/// in rate dt, as all of the loss is exact without stresses.
+template <int D>
+double lossToStresses(const State<D>& state, double rate);
+
 /// Adds the viscous stress 2 eta D + zeta (tr D) 1 to the particles' Kirchhoff stress [Pa], D the rate of
 /// strain. \return the energy [J] that it dissipates over dt: dt sum V0 tau_v : D, never negative
 template <int D>

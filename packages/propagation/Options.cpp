@@ -232,12 +232,6 @@ void reportEnergy(const State<D>& state, double taken, nlohmann::json& summary)
       {"accounted_for", given > 0.0 ? 1.0 - energy.residual() / given : notYet},
       {"dissipated_share", taken > inFlight ? energy.fracture / (taken - inFlight) : notYet},
       {"residual_share", taken > 0.0 ? energy.residual() / taken : notYet}};
-  // Measured: up to a seventh of what new faces take is lost where their nodes take short steps.
-  if (state.subcycledLevels > 0 && taken > 0.0)
-    summary["warnings"].push_back(
-        "Propagation: with Sub-Cycling a crack that runs loses energy in no book, here " +
-        formatReal(std::round(-1e3 * energy.residual() / taken) / 10.0) +
-        " % of what its faces take, and is late by as much; compare with a run without Sub-Cycling");
 }
 
 template void reportEnergy(const State<2>&, double, nlohmann::json&);

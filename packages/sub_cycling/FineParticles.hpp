@@ -67,7 +67,8 @@ public:
   struct ImpulseWork
   {
     double free = 0.0; ///< where nothing holds: times the velocity at the start of the long step [J]
-    double held = 0.0; ///< at supports: times half the change of velocity that they force upon the node [J]
+    double held = 0.0; ///< at supports that hold coupled masses: times half the change of velocity that they
+                       ///< force upon the node [J]
   };
   /// Of the nodes that count on this rank.
   ImpulseWork workOf(const State<D>& state, const Values& impulse) const;

@@ -10,6 +10,7 @@ typename FineParticles<D>::ImpulseWork FineParticles<D>::workOf(const State<D>& 
   const Nodes<D> nodes = state.nodes;
   const View<int*> nodeOf = nodeOf_;
   const Values velocity = before_;
+  const View<int*> coupledRow = state.coupledRow;
   const View<int* [D]> held = held_;
   const View<double* [D]> heldVelocity = heldVelocity_;
   ImpulseWork work;
@@ -21,7 +22,7 @@ typename FineParticles<D>::ImpulseWork FineParticles<D>::workOf(const State<D>& 
           const double before = velocity(i, d);
           if (held(i, d) == 0)
             free += before * impulse(i, d);
-          else
+          else if (coupledRow.extent(0) > 0 && coupledRow(nodeOf(i)) >= 0)
             atSupports += 0.5 * (heldVelocity(i, d) - before) * impulse(i, d);
         }
       },

@@ -137,7 +137,8 @@ void LocalSteps<D>::addStartWork(const State<D>& state, const Values& force, dou
 
 // A support takes a node to its velocity at the start of the long step and keeps it there, so that later
 // impulses of other forces find the node at that velocity; the support's own books, written at the ends of
-// the step, take half the velocity before for them too. Their impulses are its own but for the sign.
+// the step, take half the velocity before for them too where masses are coupled. Their impulses are its own
+// but for the sign.
 template <int D>
 void LocalSteps<D>::bookWork(State<D>& state)
 {

@@ -21,13 +21,25 @@ struct Reaction
   Vector<D> impulse; ///< on the body [N s]
 };
 
-/// Prescribes the nodes' motion (velocity and acceleration). \return the impulse that this takes, the change
-/// of the nodes' momentum, and its work: the impulse times the mean of old and new velocity
+/// Prescribes the nodes' motion (velocity and acceleration).
+/// \param earlier as it was at the start of the step
+/// \return the impulse that this takes, the change of the nodes' momentum, and its work: the impulse times
+/// the mean of old and new velocity, with MUSL of the prescribed ones, to which constrainProjection adds
 template <int D>
-Reaction<D> constrainMotion(State<D>& state, const NodeConstraint<D>& constraint);
+Reaction<D> constrainMotion(State<D>& state, const NodeConstraint<D>& constraint,
+                            const NodeConstraint<D>& earlier);
 
 /// Prescribes the velocity that strains the particles.
+///
+/// With MUSL the particles about a held node keep a velocity v of their own, by what they move in the next
+/// cell: the solve finds it at the node, brings it to the prescribed V, and the projection finds some of it
+/// again, v'. Internal forces f have strained the particles with V there. So what the node's mass m takes is
+/// m (V - v) (v + v') / 2, and what they take -f dt V, with V the mean over the step; of that the impulse
+/// m (V - v) - f dt times V has all but m (V - v) ((v + v') / 2 - V).
+/// \return this rest [J], negative where a support takes energy out of waves of a few cells; 0 with other
+/// schemes
 template <int D>
-void constrainProjection(State<D>& state, const NodeConstraint<D>& constraint);
+double constrainProjection(State<D>& state, const NodeConstraint<D>& constraint,
+                           const NodeConstraint<D>& earlier);
 
 } // namespace Rhegma

@@ -6,6 +6,32 @@ namespace Rhegma
 namespace
 {
 
+/// The velocity of a held node in the mean over a step [m/s], of its stresses that is: forces at the start
+/// and at the end of a step count half, and each at the velocity of the step before or after it. In short
+/// steps the node has its new velocity from the start on, so that it differs by half a short step only.
+template <int D>
+struct MeanOfHeld
+{
+  NodeConstraint<D> now, before;
+  NodeSlots shortSteps;
+  double share = 1.0; ///< of a short step in a step
+
+  MeanOfHeld() = default;
+  MeanOfHeld(const State<D>& state, const NodeConstraint<D>& constraint, const NodeConstraint<D>& earlier)
+      : now(constraint),
+        before(earlier),
+        shortSteps(state.shortSteps.nodes),
+        share(state.shortSteps.length / state.dt)
+  {
+  }
+
+  KOKKOS_INLINE_FUNCTION double operator()(int node, int lattice, int axis) const
+  {
+    const double value = now.at(lattice, axis), half = shortSteps.moves(node) ? 0.5 * share : 0.5;
+    return value - half * (value - before.at(lattice, axis));
+  }
+};
+
 /// Holds the nodes and sums the work and the impulse. An array reduction, so that one pass gives all.
 template <int D>
 struct HoldNodes
@@ -18,9 +44,11 @@ struct HoldNodes
   Nodes<D> nodes;
   NodePlaces<D> places;
   NodeConstraint<D> constraint;
+  MeanOfHeld<D> mean;
   View<int*> coupledRow;         ///< empty where all masses are lumped
   View<double*> coupledReaction; ///< impulse on each unknown of coupled nodes
   double dt;
+  bool bySmoothing; ///< constrainProjection gives the rest of the work
 
   KOKKOS_INLINE_FUNCTION void operator()(const int i, double* sum) const
   {
@@ -34,12 +62,12 @@ struct HoldNodes
       if (constraint.holds[d] && row >= 0)
       {
         // Held while it was solved; where two supports hold a node the first takes the force.
-        const double mean = nodes.motion(n, d) - 0.5 * dt * nodes.motion(n, Nodes<D>::accelerationAt + d);
+        const double between = nodes.motion(n, d) - 0.5 * dt * nodes.motion(n, Nodes<D>::accelerationAt + d);
         const double impulse = coupledReaction(row * D + d);
         coupledReaction(row * D + d) = 0.0;
         if (countsHere(nodes, n))
         {
-          sum[0] += impulse * mean;
+          sum[0] += impulse * between;
           sum[1 + d] += impulse;
         }
       }
@@ -50,7 +78,7 @@ struct HoldNodes
         const double impulse = mass * (value - nodes.motion(n, d));
         if (countsHere(nodes, n))
         {
-          sum[0] += impulse * 0.5 * (value + before);
+          sum[0] += impulse * (bySmoothing ? mean(n, lattice, d) : 0.5 * (value + before));
           sum[1 + d] += impulse;
         }
         nodes.motion(n, d) = value;
@@ -62,15 +90,18 @@ struct HoldNodes
 } // namespace
 
 template <int D>
-Reaction<D> constrainMotion(State<D>& state, const NodeConstraint<D>& constraint)
+Reaction<D> constrainMotion(State<D>& state, const NodeConstraint<D>& constraint,
+                            const NodeConstraint<D>& earlier)
 {
   HoldNodes<D> hold;
   hold.nodes = state.nodes;
   hold.places = nodePlaces(state);
   hold.constraint = constraint;
+  hold.mean = MeanOfHeld<D>(state, constraint, earlier);
   hold.coupledRow = state.coupledRow;
   hold.coupledReaction = state.coupledReaction;
   hold.dt = state.dt;
+  hold.bySmoothing = state.scheme == UpdateScheme::Musl;
   double sum[1 + D] = {};
   Kokkos::parallel_reduce("rhegma::constrainMotion",
                           Kokkos::RangePolicy<ExecSpace>(0, state.nodes.numActive()), hold, sum);
@@ -81,26 +112,45 @@ Reaction<D> constrainMotion(State<D>& state, const NodeConstraint<D>& constraint
 }
 
 template <int D>
-void constrainProjection(State<D>& state, const NodeConstraint<D>& constraint)
+double constrainProjection(State<D>& state, const NodeConstraint<D>& constraint,
+                           const NodeConstraint<D>& earlier)
 {
   const Nodes<D> nodes = state.nodes;
   const NodePlaces<D> places = nodePlaces(state);
-  Kokkos::parallel_for(
+  const View<int*> coupledRow = state.coupledRow;
+  const bool afterMotion = state.scheme == UpdateScheme::Musl;
+  const MeanOfHeld<D> mean(state, constraint, earlier);
+  double work = 0.0;
+  Kokkos::parallel_reduce(
       "rhegma::constrainProjection", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
-      KOKKOS_LAMBDA(const int i) {
+      KOKKOS_LAMBDA(const int i, double& sum) {
         const int n = activeNode(nodes, i);
         const int lattice = latticeNode(nodes, n);
         if (!constraint.appliesAt(places(lattice)))
           return;
+        const double mass = nodes.sums(n, Nodes<D>::massAt);
+        const bool booked = !afterMotion || !(mass > 0.0) || !countsHere(nodes, n) ||
+                            (coupledRow.extent(0) > 0 && coupledRow(n) >= 0);
         for (int d = 0; d < D; ++d)
           if (constraint.holds[d])
-            nodes.projection(n, d) = constraint.at(lattice, d);
-      });
+          {
+            const double value = constraint.at(lattice, d), after = nodes.projection(n, d);
+            // Another support may hold the node too.
+            if (!booked && after != value)
+            {
+              const double before = nodes.sums(n, Nodes<D>::momentumAt + d) / mass;
+              sum += mass * (value - before) * (0.5 * (before + after) - mean(n, lattice, d));
+            }
+            nodes.projection(n, d) = value;
+          }
+      },
+      work);
+  return work;
 }
 
-template Reaction<2> constrainMotion(State<2>&, const NodeConstraint<2>&);
-template Reaction<3> constrainMotion(State<3>&, const NodeConstraint<3>&);
-template void constrainProjection(State<2>&, const NodeConstraint<2>&);
-template void constrainProjection(State<3>&, const NodeConstraint<3>&);
+template Reaction<2> constrainMotion(State<2>&, const NodeConstraint<2>&, const NodeConstraint<2>&);
+template Reaction<3> constrainMotion(State<3>&, const NodeConstraint<3>&, const NodeConstraint<3>&);
+template double constrainProjection(State<2>&, const NodeConstraint<2>&, const NodeConstraint<2>&);
+template double constrainProjection(State<3>&, const NodeConstraint<3>&, const NodeConstraint<3>&);
 
 } // namespace Rhegma

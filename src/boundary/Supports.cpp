@@ -199,6 +199,8 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
                  for (auto& timed : *constraints)
                  {
                    state.ranks.sum(timed.impulse.c, D);
+                   timed.takenInAll += state.ranks.sum(timed.taken);
+                   timed.taken = 0.0;
                    timed.force = (duration > 0.0 ? 1.0 / duration : 0.0) * timed.impulse;
                    timed.impulse = Vector<D>{};
                    for (int d = 0; d < D; ++d)
@@ -214,6 +216,8 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
       const Archive::Group group(archive, std::to_string(c));
       archive.parts("impulse", (*constraints)[c].impulse);
       archive("force", (*constraints)[c].force);
+      archive.parts("taken", (*constraints)[c].taken);
+      archive("taken_in_all", (*constraints)[c].takenInAll);
     }
   };
   effect.report = [constraints](const State<D>&, nlohmann::json& summary)
@@ -221,8 +225,9 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
     nlohmann::json& boundaries = summary["boundaries"];
     boundaries = nlohmann::json::array();
     for (const auto& timed : *constraints)
-      boundaries.push_back(
-          {{"name", timed.name}, {"force", std::vector<double>(timed.force.c, timed.force.c + D)}});
+      boundaries.push_back({{"name", timed.name},
+                            {"force", std::vector<double>(timed.force.c, timed.force.c + D)},
+                            {"energy_taken_from_short_waves", timed.takenInAll}});
   };
 }
 
@@ -253,7 +258,8 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
                {
                  for (std::size_t c = 0; c < constraints->size(); ++c)
                  {
-                   const Reaction<D> reaction = constrainMotion(state, state.constraints[c]);
+                   const Reaction<D> reaction =
+                       constrainMotion(state, state.constraints[c], (*constraints)[c].at(state.time));
                    state.energy.externalWork += reaction.work;
                    (*constraints)[c].impulse = (*constraints)[c].impulse + reaction.impulse;
                  }
@@ -267,8 +273,13 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
                {
                  // USF strains by the velocity at the start of the step.
                  const bool atStart = state.scheme == UpdateScheme::Usf;
-                 for (const auto& timed : *constraints)
-                   constrainProjection(state, timed.at(atStart ? state.time : state.time + state.dt));
+                 for (auto& timed : *constraints)
+                 {
+                   const double work = constrainProjection(
+                       state, timed.at(atStart ? state.time : state.time + state.dt), timed.at(state.time));
+                   state.energy.externalWork += work;
+                   timed.taken -= work;
+                 }
                }});
 }
 

@@ -21,8 +21,10 @@ struct TimedConstraint
   Vector<D> value;
   TimeFunction history;
   std::string name;
-  Vector<D> impulse{};                  ///< on the body since the last sample [N s]
-  Vector<D> force{};                    ///< mean between the last two samples [N]
+  Vector<D> impulse{};     ///< on the body since the last sample [N s]
+  double taken = 0.0;      ///< out of waves of a few cells since the last sample, on this rank [J]
+  double takenInAll = 0.0; ///< the same up to the last sample, on all ranks [J]
+  Vector<D> force{};       ///< mean between the last two samples [N]
   std::optional<PlaceFunction> field{}; ///< of the velocity over space, if it varies
   int generation = 0;                   ///< of the cells whose nodes have it
 
