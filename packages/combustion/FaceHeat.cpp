@@ -207,12 +207,11 @@ void FaceHeat<D>::charge(const State<D>& state, const FacePoints<D>& points, int
   const FaceHeating heat = heating;
   const auto sums = nodes_;
   const auto asked = asked_;
-  const View<double*> gone = taken;
   const double thickness = state.thickness;
   Kokkos::parallel_for(
       "rhegma::combustion::chargeGas", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
       KOKKOS_LAMBDA(const int k) {
-        gone(k) = 0.0;
+        taken(k) = 0.0;
         if (p.crack(k) != crack)
           return;
         const double area = p.currentSize(k) * thickness;
@@ -223,10 +222,10 @@ void FaceHeat<D>::charge(const State<D>& state, const FacePoints<D>& points, int
           {
             const int n = face.node(k, e);
             if (sums(n, capacityAt) > 0.0)
-              gone(k) += face.weight(k, e) * area *
-                         (asked(n, shareAt) * heat.conductance(k) *
-                              (heat.gasTemperature(k) - sums(n, temperatureAt)) +
-                          heat.given(k));
+              taken(k) += face.weight(k, e) * area *
+                          (asked(n, shareAt) * heat.conductance(k) *
+                               (heat.gasTemperature(k) - sums(n, temperatureAt)) +
+                           heat.given(k));
           }
         }
       });

@@ -42,14 +42,13 @@ void Regression<D>::demand(const State<D>& state, const FacePoints<D>& points, i
                            const View<double*>& depth)
 {
   const FacePoints<D> p = points;
-  const View<double*> burns = depth;
   const View<double*> demand = demand_;
   const double thickness = state.thickness;
   forEachPushing(
       "rhegma::combustion::demand", points.count(), KOKKOS_LAMBDA(const int k) {
-        if (p.crack(k) != crack || !(burns(k) > 0.0))
+        if (p.crack(k) != crack || !(depth(k) > 0.0))
           return;
-        const double mass = burns(k) * p.currentSize(k) * thickness;
+        const double mass = depth(k) * p.currentSize(k) * thickness;
         for (int e = 0; e < p.above.count(k); ++e)
           Kokkos::atomic_add(&demand(p.above.node(k, e)), mass * p.above.weight(k, e));
         for (int e = 0; e < p.below.count(k); ++e)

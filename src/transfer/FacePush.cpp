@@ -78,12 +78,11 @@ void sweptVolumes(const char* label, const State<D>& state, const FacePoints<D>&
 {
   const FacePoints<D> p = points;
   const MeanVelocity<D> mean(state);
-  const View<double*> volume = swept;
   const double thickness = state.thickness, dt = state.dt;
   Kokkos::parallel_for(
       label, Kokkos::RangePolicy<ExecSpace>(0, points.count()), KOKKOS_LAMBDA(const int k) {
         if (p.crack(k) == crack)
-          volume(k) = dt * dot(faceForce(p, k, 1.0, thickness), jumpAt<D>(p.below, p.above, k, mean));
+          swept(k) = dt * dot(faceForce(p, k, 1.0, thickness), jumpAt<D>(p.below, p.above, k, mean));
       });
 }
 
@@ -122,12 +121,13 @@ void publishPressure(const char* label, CrackSet<D>& cracks, const FacePoints<D>
 {
   publishPressure(label, cracks, crack, 0.0);
   const FacePoints<D> p = points;
-  const View<int*> simplex = points.simplex();
-  const View<double*> share = points.share(), from = pressure, of = cracks.pressure;
+  const View<int*>& simplex = points.simplex();
+  const View<double*>& share = points.share();
+  const View<double*> of = cracks.pressure;
   forEachPushing(
       label, points.count(), KOKKOS_LAMBDA(const int k) {
         if (p.crack(k) == crack)
-          Kokkos::atomic_add(&of(simplex(k)), share(k) * from(k));
+          Kokkos::atomic_add(&of(simplex(k)), share(k) * pressure(k));
       });
 }
 
