@@ -1,6 +1,7 @@
 #pragma once
 /// Stress, and where there is heat the temperature, of some particles that a step has strained.
 
+#include "grid/Blocks.hpp"
 #include "material/HistoryRoom.hpp"
 #include "material/ThermoLaw.hpp"
 #include "state/Types.hpp"
