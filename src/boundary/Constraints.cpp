@@ -113,7 +113,7 @@ Reaction<D> constrainMotion(State<D>& state, const NodeConstraint<D>& constraint
 
 template <int D>
 double constrainProjection(State<D>& state, const NodeConstraint<D>& constraint,
-                           const NodeConstraint<D>& earlier)
+                           const NodeConstraint<D>& earlier, const View<char**>& held)
 {
   const Nodes<D> nodes = state.nodes;
   const NodePlaces<D> places = nodePlaces(state);
@@ -135,8 +135,10 @@ double constrainProjection(State<D>& state, const NodeConstraint<D>& constraint,
           if (constraint.holds[d])
           {
             const double value = constraint.at(lattice, d), after = nodes.projection(n, d);
-            // Another support may hold the node too.
-            if (!booked && after != value)
+            const bool first = held.extent(0) == 0 || held(n, d) == 0;
+            if (held.extent(0) > 0)
+              held(n, d) = 1;
+            if (!booked && first)
             {
               const double before = nodes.sums(n, Nodes<D>::momentumAt + d) / mass;
               sum += mass * (value - before) * (0.5 * (before + after) - mean(n, lattice, d));
@@ -150,7 +152,9 @@ double constrainProjection(State<D>& state, const NodeConstraint<D>& constraint,
 
 template Reaction<2> constrainMotion(State<2>&, const NodeConstraint<2>&, const NodeConstraint<2>&);
 template Reaction<3> constrainMotion(State<3>&, const NodeConstraint<3>&, const NodeConstraint<3>&);
-template double constrainProjection(State<2>&, const NodeConstraint<2>&, const NodeConstraint<2>&);
-template double constrainProjection(State<3>&, const NodeConstraint<3>&, const NodeConstraint<3>&);
+template double constrainProjection(State<2>&, const NodeConstraint<2>&, const NodeConstraint<2>&,
+                                    const View<char**>&);
+template double constrainProjection(State<3>&, const NodeConstraint<3>&, const NodeConstraint<3>&,
+                                    const View<char**>&);
 
 } // namespace Rhegma

@@ -231,6 +231,21 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
   };
 }
 
+namespace
+{
+
+/// No node is held by any support yet.
+template <int D>
+void clearMarks(const State<D>& state, View<char**>& held)
+{
+  const int rows = static_cast<int>(state.nodes.sums.extent(0));
+  if (static_cast<int>(held.extent(0)) < rows)
+    held = View<char**>("rhegma::heldNodes", rows, D);
+  Kokkos::deep_copy(held, char(0));
+}
+
+} // namespace
+
 template <int D>
 void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstraint<D>>>& constraints)
 {
@@ -269,14 +284,17 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
                {},
                {"projection"},
                {},
-               [constraints](State<D>& state)
+               [constraints, held = std::make_shared<View<char**>>()](State<D>& state)
                {
+                 if (constraints->size() > 1)
+                   clearMarks(state, *held);
                  // USF strains by the velocity at the start of the step.
                  const bool atStart = state.scheme == UpdateScheme::Usf;
                  for (auto& timed : *constraints)
                  {
-                   const double work = constrainProjection(
-                       state, timed.at(atStart ? state.time : state.time + state.dt), timed.at(state.time));
+                   const double work =
+                       constrainProjection(state, timed.at(atStart ? state.time : state.time + state.dt),
+                                           timed.at(state.time), *held);
                    state.energy.externalWork += work;
                    timed.taken -= work;
                  }
