@@ -256,7 +256,8 @@ TEST_P(Restart, HasTheSameStateAndReport)
 
 /// Where the order of the particles does not fit, as with another number of ranks, they are sorted anew and
 /// the run goes on with other last digits: as far off as sums in another order, and solves from other first
-/// guesses, which stop at 1e-7, bring it.
+/// guesses, which stop at 1e-7, bring it. Differences grow where cohesive forces soften within short steps: a
+/// law that falls pushes two states apart.
 TEST(AnotherOrder, GoesOnWithOtherLastDigits)
 {
   for (const Case& one : ownCases())
@@ -268,7 +269,8 @@ TEST(AnotherOrder, GoesOnWithOtherLastDigits)
     const Trace other = continuedFrom(scene, record, one.steps);
     EXPECT_NE(difference(same, other), "") << one.name;
     ASSERT_EQ(same.rows.size(), other.rows.size()) << one.name;
-    const double tolerance = one.name.find("mass") == std::string::npos ? 1e-9 : 1e-5;
+    const auto has = [&](const char* word) { return one.name.find(word) != std::string::npos; };
+    const double tolerance = has("mass") ? 1e-5 : (has("running_short_steps") ? 1e-6 : 1e-9);
     for (std::size_t k = 0; k < same.rows.size(); ++k)
       for (std::size_t c = 0; c < 2; ++c)
       {
