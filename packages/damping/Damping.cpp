@@ -1,5 +1,6 @@
 #include "damping/Damping.hpp"
 
+#include "boundary/HeldMarks.hpp"
 #include "damping/Settling.hpp"
 
 #include <algorithm>
@@ -42,26 +43,21 @@ double dampVelocity(State<D>& state, double rate)
 }
 
 template <int D>
-double lossToStresses(const State<D>& state, double rate)
+double lossToStresses(const State<D>& state, double rate, View<char**>& heldNodes)
 {
   const Nodes<D> nodes = state.nodes;
   const NodePlaces<D> places = nodePlaces(state);
-  const auto held = [&](const NodeConstraint<D>& constraint)
-  {
-    double power = 0.0;
-    Kokkos::parallel_reduce(
-        "rhegma::powerOfStressesAtSupports", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
-        KOKKOS_LAMBDA(const int i, double& sum) {
+  clearMarks(state, heldNodes);
+  const View<char**> held = heldNodes;
+  for (const NodeConstraint<D>& constraint : state.constraints)
+    Kokkos::parallel_for(
+        "rhegma::markHeldNodes", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+        KOKKOS_LAMBDA(const int i) {
           const int n = activeNode(nodes, i);
-          const double mass = nodes.sums(n, Nodes<D>::massAt);
-          if (mass > 0.0 && constraint.appliesAt(places(latticeNode(nodes, n))))
+          if (constraint.appliesAt(places(latticeNode(nodes, n))))
             for (int d = 0; d < D; ++d)
-              if (constraint.holds[d])
-                sum += nodes.sums(n, Nodes<D>::forceAt + d) * nodes.sums(n, Nodes<D>::momentumAt + d) / mass;
-        },
-        power);
-    return power;
-  };
+              held(n, d) = constraint.holds[d] ? char(1) : held(n, d);
+        });
   double power = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::powerOfStresses", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
@@ -69,11 +65,10 @@ double lossToStresses(const State<D>& state, double rate)
         const int n = activeNode(nodes, i);
         const double mass = nodes.sums(n, Nodes<D>::massAt);
         for (int d = 0; d < D && mass > 0.0; ++d)
-          sum += nodes.sums(n, Nodes<D>::forceAt + d) * nodes.sums(n, Nodes<D>::momentumAt + d) / mass;
+          if (held(n, d) == 0)
+            sum += nodes.sums(n, Nodes<D>::forceAt + d) * nodes.sums(n, Nodes<D>::momentumAt + d) / mass;
       },
       power);
-  for (const NodeConstraint<D>& constraint : state.constraints)
-    power -= held(constraint);
   return 0.5 * std::expm1(rate * state.dt) * state.dt * power;
 }
 
@@ -191,10 +186,10 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  {"nodal momentum", "prescribed values"},
                  {},
                  {},
-                 [=](State<D>& s)
+                 [=, held = std::make_shared<View<char**>>()](State<D>& s)
                  {
                    if (s.time < end && s.scheme == UpdateScheme::Musl)
-                     s.energy.damped += lossToStresses(s, rate);
+                     s.energy.damped += lossToStresses(s, rate, *held);
                  }});
   if (shear > 0.0 || bulk > 0.0)
   {
@@ -237,8 +232,8 @@ EffectEntry dampingEntry() { return {section(), {}, make<2>, make<3>, true}; }
 
 template double dampVelocity(State<2>&, double);
 template double dampVelocity(State<3>&, double);
-template double lossToStresses(const State<2>&, double);
-template double lossToStresses(const State<3>&, double);
+template double lossToStresses(const State<2>&, double, View<char**>&);
+template double lossToStresses(const State<3>&, double, View<char**>&);
 template double addViscousStress(State<2>&, double, double);
 template double addViscousStress(State<3>&, double, double);
 

@@ -22,8 +22,9 @@ double dampVelocity(State<D>& state, double rate);
 /// the particles by v: in between stresses have given, in the mean of the steps' starts and ends,
 /// f (v - v exp(-rate dt)) dt / 2 to a motion that is no more. At supports it is in their work. First order
 /// in rate dt, as all of the loss is exact without stresses.
+/// \param held room for marks of the nodes that supports hold, kept from step to step
 template <int D>
-double lossToStresses(const State<D>& state, double rate);
+double lossToStresses(const State<D>& state, double rate, View<char**>& held);
 
 /// Adds the viscous stress 2 eta D + zeta (tr D) 1 to the particles' Kirchhoff stress [Pa], D the rate of
 /// strain. \return the energy [J] that it dissipates over dt: dt sum V0 tau_v : D, never negative

@@ -227,7 +227,8 @@ double LongSteps<D>::superTimeStep(State<D>& state, const HeatNodes<D>& heat,
               mu * stage(n, one) + nu * stage(n, two) + dt * (step * (Q + flow(n, 0)) + first * Q);
           stage(n, to) = in;
           const double capacity = heat.sums(n, HeatNodes<D>::capacityAt);
-          const double least = explicitLimit * diagonal(n);
+          // Without conduction there is no limit, and none is asked for.
+          const double least = diagonal(n) > 0.0 ? explicitLimit * diagonal(n) : 0.0;
           change(n, 0) =
               heat.held(n) != 0 || !(capacity > 0.0) ? 0.0 : in / (capacity > least ? capacity : least);
         });

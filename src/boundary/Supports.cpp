@@ -1,6 +1,7 @@
 #include "boundary/Supports.hpp"
 
 #include "boundary/Boundaries.hpp"
+#include "boundary/HeldMarks.hpp"
 #include "checkpoint/Archive.hpp"
 #include "parallel/Subdomain.hpp"
 #include "scene/Numbers.hpp"
@@ -230,21 +231,6 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
                             {"energy_taken_from_short_waves", timed.takenInAll}});
   };
 }
-
-namespace
-{
-
-/// No node is held by any support yet.
-template <int D>
-void clearMarks(const State<D>& state, View<char**>& held)
-{
-  const int rows = static_cast<int>(state.nodes.sums.extent(0));
-  if (static_cast<int>(held.extent(0)) < rows)
-    held = View<char**>("rhegma::heldNodes", rows, D);
-  Kokkos::deep_copy(held, char(0));
-}
-
-} // namespace
 
 template <int D>
 void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstraint<D>>>& constraints)

@@ -8,6 +8,7 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
+import numpy as np  # noqa: E402
 from hard_case import HardCase, Scene, box, elastic, sized, space, traction, walls  # noqa: E402
 
 
@@ -215,6 +216,28 @@ class Bodies(HardCase):
             }
         )
         self.survives(scene, energy=0.1, gain=0.05)
+
+    def test_supports_that_hold_the_same_nodes(self):
+        """A bar pulled under damping; the same support three times is one support, and one in all books."""
+        books = []
+        for copies in (1, 3):
+            scene = Scene(
+                {
+                    "Domain": space([-1.0, -1.0], [11.0, 4.0], 0.5),
+                    "Time": {"Final Time": 20.0},
+                    "Materials": {"Solid": elastic()},
+                    "Bodies": {"Bar": box([0.0, 0.0], [10.0, 3.0])},
+                    "Boundaries": {"Held": walls([-1.0, -1.0], [0.5, 4.0], "x", [0.0, 0.0])},
+                    "Damping": {"Mass Rate": 0.5},
+                    "Output": {"History Interval": 0.1},
+                }
+            )
+            for k in range(copies):
+                scene.set(f"Boundaries > Pulled {k}", walls([9.5, -1.0], [11.0, 4.0], "x", [1e-3, 0.0]))
+            outcome = self.survives(scene)
+            books.append([outcome.history[name] for name in ("damped", "external_work", "residual")])
+        for one, three in zip(*books):
+            self.assertLess(np.abs(one - three).max(), 1e-12 * np.abs(books[0][1]).max())
 
 
 if __name__ == "__main__":

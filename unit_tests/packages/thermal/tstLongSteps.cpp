@@ -5,6 +5,7 @@
 #include "step/CoreStep.hpp"
 #include "thermal/LongSteps.hpp"
 
+#include <algorithm>
 #include <iostream>
 
 namespace Rhegma
@@ -119,6 +120,28 @@ TEST(LongSteps, KeepHeat)
     checkThatHeatIsKept<2>(method, "GIMP");
     checkThatHeatIsKept<2>(method, "Linear");
     checkThatHeatIsKept<3>(method, "GIMP");
+  }
+}
+
+/// No limit of explicit steps is there then; stages divided by what it asked for.
+TEST(LongSteps, WhereNothingConducts)
+{
+  for (const std::string& method : {sts, implicit})
+  {
+    Teuchos::ParameterList scene = bar<2>(1.0);
+    scene.sublist("Materials").sublist("Solid").set("Conductivity", 0.0);
+    conductBy(scene, method, 20.0);
+    Rhegma::Run<2> run(validated(scene));
+    run.initialize();
+    randomTemperature(run.state());
+    std::vector<double> before, after;
+    forEach<2>(run.state(), [&](const Vector<2>&, double T) { before.push_back(T); });
+    steps(run, 5);
+    EXPECT_EQ(run.state().trouble, "");
+    forEach<2>(run.state(), [&](const Vector<2>&, double T) { after.push_back(T); });
+    std::sort(before.begin(), before.end()); // particles change places
+    std::sort(after.begin(), after.end());
+    EXPECT_LT(apart(after, before), 1e-10) << method;
   }
 }
 
