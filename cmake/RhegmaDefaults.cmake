@@ -6,9 +6,10 @@ endif()
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
+# Paths below the source folder count as relative ones, so that a second clone finds what the first has compiled.
 find_program(RHEGMA_CCACHE ccache)
 if(RHEGMA_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${RHEGMA_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${CMAKE_CURRENT_SOURCE_DIR} ${RHEGMA_CCACHE})
 endif()
 
 include(CheckCXXCompilerFlag)
