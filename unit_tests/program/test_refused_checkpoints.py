@@ -1,0 +1,138 @@
+#!/usr/bin/env python3
+"""Checkpoints that no run goes on from."""
+
+import os
+import random
+import shutil
+import struct
+import sys
+import unittest
+import zlib
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+sys.dont_write_bytecode = True
+
+from restart_case import RestartTest, damped  # noqa: E402
+
+BLOCK = 512  # bytes ahead of HDF5's
+
+
+class Refused(RestartTest):
+    """Exit status 1, one sentence that says what is wrong, and no trace in the file system."""
+
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.maker = cls("make")
+        cls.maker.setUp()
+        cls.addClassCleanup(cls.maker.doCleanups)
+        cls.good = cls.maker.checkpoint_of(cls.maker.path("out"))
+
+    def make(self):
+        pass
+
+    def setUp(self):
+        super().setUp()
+        if self._testMethodName != "make":
+            os.makedirs(self.path("out"))
+            for name in os.listdir(os.path.dirname(self.good)):
+                shutil.copy2(os.path.join(os.path.dirname(self.good), name), self.path("out", name))
+            self.write("scene.xml", damped().text())
+        self.checkpoint = self.path("out", "checkpoint.h5")
+
+    def change(self, function):
+        data = bytearray(self.file(self.path("out"), "checkpoint.h5"))
+        data = function(data) or data
+        with open(self.checkpoint, "wb") as file:
+            file.write(data)
+
+    def refused(self, *words, scene_file="scene.xml", more=()):
+        arguments = (self.path(scene_file), "--output", self.path("out"), "--restart", self.checkpoint, *more)
+        return self.assert_refused(arguments, [("", words)])
+
+    def test_cut_short_anywhere(self):
+        size = os.path.getsize(self.checkpoint)
+        whole = self.file(self.path("out"), "checkpoint.h5")
+        for length in (BLOCK - 1, BLOCK, BLOCK + 1, size // 2, size - 1):
+            with self.subTest(length=length):
+                self.change(lambda data: whole[:length])
+                self.refused("checkpoint.h5", "is cut short")
+
+    def test_empty(self):
+        self.change(lambda data: b"")
+        with open(self.checkpoint, "wb"):
+            pass
+        self.refused("checkpoint.h5", "is not one")
+
+    def test_bit_flipped_anywhere(self):
+        """In the block, in HDF5's own structures and in the numbers."""
+        whole = self.file(self.path("out"), "checkpoint.h5")
+        random.seed(5)
+        places = [3, 16, 20, 24, 100, BLOCK - 1, BLOCK, BLOCK + 30, len(whole) - 1]
+        places += [random.randrange(len(whole)) for _ in range(12)]
+        for place in places:
+            with self.subTest(place=place):
+                changed = bytearray(whole)
+                changed[place] ^= 1 << random.randrange(8)
+                self.change(lambda data: changed)
+                self.refused("checkpoint.h5", "is not one" if place < 16 else "is damaged")
+
+    def test_longer_than_written(self):
+        self.change(lambda data: data + b"\0")
+        self.refused("checkpoint.h5", "is damaged")
+
+    def test_other_schema(self):
+        def older(data):
+            data[16:20] = struct.pack("<I", 7)
+            data[BLOCK - 4 : BLOCK] = struct.pack("<I", zlib.crc32(bytes(data[: BLOCK - 4])))
+
+        self.change(older)
+        self.refused("checkpoint.h5", "is of schema 7", "reads schema 1")
+
+    def test_another_file(self):
+        shutil.copy(self.path("out", "fields.h5"), self.checkpoint)
+        self.refused("checkpoint.h5", "is not one", "--restart")
+
+    def test_folder(self):
+        self.checkpoint = self.path("out")
+        self.refused("is a folder")
+
+    def test_missing(self):
+        os.remove(self.checkpoint)
+        self.refused("checkpoint.h5", "No such file")
+
+    def test_another_scene(self):
+        self.refused("Materials > Polymer > Density", '"1200"', '"1250"',
+                     more=("--set", "Materials:Polymer:Density=1250"))
+
+    def test_scene_with_another_section(self):
+        self.write("other.xml", damped().set("Contact", {}).text())
+        self.refused("Contact is in the scene and not in the checkpoint", scene_file="other.xml")
+
+    def test_scene_without_a_section(self):
+        self.write("other.xml", damped().remove("Damping").text())
+        self.refused("Damping is in the checkpoint and not in the scene", scene_file="other.xml")
+
+    def test_wrong_scene(self):
+        self.refused_scene = self.write("other.xml", damped().set("Time > CFL", 2.0).text())
+        self.assert_refused(
+            (self.refused_scene, "--output", self.path("out"), "--restart", self.checkpoint),
+            [("Time > CFL", ["at most 1"])],
+        )
+
+    def test_end_that_is_past(self):
+        answer = self.assert_refused(
+            (self.path("scene.xml"), "--restart", self.checkpoint, "--set", "Time:Final Time=1e-5"),
+            [("Time > Final Time", ["is of time", "later"])],
+        )
+        self.assertIn("checkpoint.h5", answer.complaint)
+
+    def test_another_history_beside_it(self):
+        with open(self.path("out", "history.csv"), "r+b") as file:
+            file.seek(200)
+            file.write(b"9")
+        self.refused("history.csv is not the history", "take this one away")
+
+
+if __name__ == "__main__":
+    unittest.main()
