@@ -40,10 +40,10 @@ def close_up(low, high, level):
     return middle - half, middle + half
 
 
-def draw_cells(fields, title, path, stress="principal"):
+def draw_cells(fields, title, path, stress="principal", asked=None):
     """Writes the picture; returns how many leaves there are. Places are as they are: cells do not follow displacements
     that are drawn larger."""
-    view = choose_view(fields)
+    view = choose_view(fields, asked)
     low, high, level = leaf_rectangles(fields.leaves, view)
     stress = quantity_shown(fields, stress)
     values = fields.values(stress)

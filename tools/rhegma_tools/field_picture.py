@@ -6,6 +6,7 @@ from matplotlib.colors import Normalize, TwoSlopeNorm
 
 from . import boxes, style
 from .deformation import automatic_magnification, crack_normals, curved_at_fronts, magnified_faces
+from .interpreter import Problem
 from .style import plt
 
 MOST = 250_000  # particles drawn; of more, every second, third, ... is drawn larger
@@ -36,8 +37,36 @@ class View:
         return points[..., self.axes]
 
 
-def choose_view(fields):
-    """2D: the plane. 3D: a slice through the middle, or through the cracks, that shows the most and cuts the cracks."""
+def read_slice(text):
+    """Axis and place [m], or None in its stead, of what --slice asks for: "z=0.012" or "z"."""
+    axis, equals, place = (text or "").partition("=")
+    try:
+        where = float(place) if equals else None
+    except ValueError:
+        where = float("nan")
+    if axis.strip() not in ("x", "y", "z") or (where is not None and not abs(where) < float("inf")):
+        raise Problem(f'--slice is "{text}"; write an axis and a place in metres such as z=0.012, or an axis alone.')
+    return "xyz".index(axis.strip()), where
+
+
+def given_view(fields, normal, where):
+    """The slice that the user asks for, or the middle one along an axis."""
+    if fields.dimension == 2:
+        raise Problem("--slice is for runs in 3D; leave it out.")
+    half = boxes.reach(fields.boxes(), normal)
+    low = float((fields.position[:, normal] - half).min())
+    high = float((fields.position[:, normal] + half).max())
+    place = middle_layer(fields, normal, 0.5 * (low + high)) if where is None else where
+    if not in_slice(fields, normal, place).any():
+        raise Problem(f"--slice {'xyz'[normal]}={place:g} cuts no particle; they lie from {low:g} to {high:g} m there.")
+    return View([axis for axis in range(3) if axis != normal], normal, place)
+
+
+def choose_view(fields, asked=None):
+    """2D: the plane. 3D: the slice that is asked for (axis and place), else one through the middle, or through the
+    cracks, that shows the most and cuts the cracks."""
+    if asked is not None:
+        return given_view(fields, *asked)
     if fields.dimension == 2:
         return View([0, 1])
     extent = np.ptp(fields.position, axis=0)
@@ -50,15 +79,17 @@ def choose_view(fields):
     # Of equally thin directions the last, so that x and y are drawn where nothing else decides.
     thinnest = extent[candidates].min()
     normal = [axis for axis in candidates if extent[axis] <= thinnest * (1.0 + 1.0e-6)][-1]
-    # Through the middle of a layer: between two layers that part a little one would see through the body.
+    return View([axis for axis in range(3) if axis != normal], normal, middle_layer(fields, normal, middle[normal]))
+
+
+def middle_layer(fields, normal, where):
+    """The middle of a layer of particles at a place: between two layers that part a little one would see through the
+    body."""
     heights = fields.position[:, normal]
-    where = float(middle[normal])
     layer = in_slice(fields, normal, where) & (heights >= where)
     if layer.any():
-        where = float(np.median(heights[layer]))
-    else:  # a gap between bodies
-        where = float(heights[np.argmin(np.abs(heights - where))])
-    return View([axis for axis in range(3) if axis != normal], normal, where)
+        return float(np.median(heights[layer]))
+    return float(heights[np.argmin(np.abs(heights - where))])  # a gap between bodies
 
 
 def in_slice(fields, normal, where):
@@ -176,11 +207,11 @@ def picture_size(extent, zoom):
     return tall, (whole[0] + 1.0, max(whole[1], 1.2) + 1.2 + (3.4 if zoom and not tall else 0.0))
 
 
-def draw_fields(fields, summary, title, path, stress="principal", magnification=None):
-    """Writes the picture; returns the magnification it used."""
+def draw_fields(fields, summary, title, path, stress="principal", magnification=None, asked=None):
+    """Writes the picture; returns the magnification it used. asked: a slice, as read_slice gives it."""
     if magnification is None:
         magnification = automatic_magnification(fields.position, fields.displacement)
-    view = choose_view(fields)
+    view = choose_view(fields, asked)
     stress = quantity_shown(fields, stress)
     values = fields.values(stress)
     outlines, drawn = particle_outlines(fields, view, magnification)

@@ -135,12 +135,14 @@ def growth(history):
     return moved
 
 
-def draw_growth(axes, moved, time):
+def draw_growth(axes, history, moved, time):
+    """How much longer a crack is in 2D. In 3D `length` is that of the front itself, along the border of the crack."""
+    in_space = all(history.of_front(front, "z") is not None for front, _ in moved)
     factor, unit = style.scale(finite_maximum([samples for _, samples in moved]), "m")
     for i, (front, samples) in enumerate(moved[: len(style.COLOURS)]):
         axes.plot(time, samples * factor, color=style.COLOURS[i], label=f"{front[0]}, front {front[1]}")
-    axes.set_title("Crack growth")
-    axes.set_ylabel(f"growth [{unit}]")
+    axes.set_title("Growth of the front: its length along the crack's border" if in_space else "Crack growth")
+    axes.set_ylabel(f"front is longer by [{unit}]" if in_space else f"crack is longer by [{unit}]")
     axes.margins(x=0)
     legend(axes)
 
@@ -177,7 +179,7 @@ def draw_history(history, summary, title, path):
     if any(name in history.column for name, _, _ in ENERGIES):
         panels.append(lambda axes: draw_energies(axes, history, time))
     if moved:
-        panels.append(lambda axes: draw_growth(axes, moved, time))
+        panels.append(lambda axes: draw_growth(axes, history, moved, time))
         if any(history.of_front(front, "speed") is not None for front, _ in moved):
             panels.append(lambda axes: draw_speed(axes, history, moved, summary, time))
     if not panels:

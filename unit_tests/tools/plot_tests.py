@@ -11,10 +11,10 @@ import numpy as np
 from rhegma_tools import cell_picture
 from rhegma_tools.boxes import cut, parallelograms
 from rhegma_tools.deformation import automatic_magnification, crack_displacement, curved_at_fronts, magnified_faces
-from rhegma_tools.field_picture import choose_view, colour_scale, crack_segments, in_slice
+from rhegma_tools.field_picture import choose_view, colour_scale, crack_segments, in_slice, read_slice
 from rhegma_tools.fields import Crack, read_fields
 from rhegma_tools.history import read_history
-from rhegma_tools.history_picture import draw_release, growth, references
+from rhegma_tools.history_picture import draw_growth, draw_release, growth, references
 from rhegma_tools.interpreter import Problem
 from rhegma_tools.style import plt, scale
 from rhegma_tools.summary import look_up, read_summary
@@ -247,6 +247,40 @@ class FieldPicture(ToolTest):
         # 0.0125 from the diameter of a polygon of 24 corners, whose outermost edges there turn by 15 degrees.
         chord = 2.0 * (0.3 - 0.0125 * np.tan(np.radians(7.5)))
         self.assertAlmostEqual(np.linalg.norm(cut[:, 1] - cut[:, 0], axis=1).sum(), chord)
+
+    def test_slice_that_is_asked_for(self):
+        """Of 40 layers of 25 mm about 0, z = 0.3 lies on the face between two, of which the upper is shown; an axis alone
+        gives the layer above the middle."""
+        made_up_run.penny(self.folder)
+        fields = read_fields(self.folder)
+        view = choose_view(fields, read_slice("z=0.31"))
+        self.assertEqual((view.normal, view.axes, view.where), (2, [0, 1], 0.31))
+        self.assertEqual(in_slice(fields, 2, view.where).sum(), 1600)
+        self.assertAlmostEqual(choose_view(fields, read_slice("x")).where, 0.0125)
+        status, output, complaint = run("rhegma-plot", self.folder, "--slice", "z=0.31")
+        self.assertEqual((status, complaint), (0, ""))
+
+    def test_slices_that_there_are_not(self):
+        made_up_run.penny(self.folder)
+        for asked, words in (("w=1", "z=0.012"), ("z=", "z=0.012"), ("z=nan", "z=0.012"), ("z=0.7", "cuts no particle")):
+            status, _, complaint = run("rhegma-plot", self.folder, "--slice", asked)
+            self.assertEqual(status, 1, complaint)
+            self.assertIn(words, complaint)
+        made_up_run.beam(self.path("flat"))
+        status, _, complaint = run("rhegma-plot", self.path("flat"), "--slice", "z")
+        self.assertEqual(status, 1, complaint)
+        self.assertIn("3D", complaint)
+
+    def test_growth_says_of_what(self):
+        """In 3D a front's length is that of the border, in 2D the crack's."""
+        for third, words in (("", "crack is longer"), (",A.0.z", "front is longer")):
+            value = ",0" if third else ""
+            self.write("history.csv", f"time,A.0.length,A.0.speed{third}\n0,0.5,0{value}\n1,0.6,9{value}\n")
+            history = read_history(self.folder)
+            figure, axes = plt.subplots()
+            draw_growth(axes, history, growth(history), history.time)
+            self.assertIn(words, axes.get_ylabel())
+            plt.close(figure)
 
     def test_slice_finds_a_body_off_the_middle(self):
         """Two thin layers at z = 0 and z = 10: the middle, 5, is empty."""
