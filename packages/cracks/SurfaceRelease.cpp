@@ -159,8 +159,9 @@ void releaseBehind(const SurfaceGrowth& growth, State<3>& state, const Surroundi
       continue;
     // A row of cells along the front is what it may be ahead or behind.
     double row = 0.0;
+    const double cell = spacingAt(state, front.position);
     for (std::size_t k = 0; k < front.stations.size(); ++k)
-      row += toughness[k] * front.stations[k].share * state.grid.spacing;
+      row += toughness[k] * front.stations[k].share * cell;
     // After a front has ended there is no row to come, and these nodes are the last to take what is left.
     const double ahead = front.unspent - wanted;
     const double share = std::clamp(1.0 + ahead / (row > 0.0 ? row : wanted), least, most);

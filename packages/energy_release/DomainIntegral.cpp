@@ -58,7 +58,7 @@ struct Integrand
   BorrowedView<double**> history;
   BorrowedView<int*> material, side;
   View<Properties*> materials;
-  ParticleHeat heat;
+  ParticleHeat<D> heat;
   FrontDisk disk;
   Vector<D> tip; ///< of Williams' field
   Vector<D> direction, normal;
@@ -323,7 +323,7 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
   if (work.sides)
     work.side = state.particles.integer(fields::side);
   work.materials = state.materials;
-  work.heat = ParticleHeat(state);
+  work.heat = ParticleHeat<D>(state);
   work.disk = describeDisk(state, front, radii);
   work.way = wayOf(state, front, radii.outer);
   work.direction = front.direction;

@@ -1,8 +1,7 @@
 #include "energy_release/FacePressureTerm.hpp"
 
-#include "parallel/Subdomain.hpp"
+#include "energy_release/SharedNodes.hpp"
 #include "transfer/LocalSpacing.hpp"
-#include "transfer/Stencils.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -78,37 +77,17 @@ double intensityLostAtFront(const State<2>& state, const CrackFront<2>& front, d
   while (static_cast<int>(places.size()) < cells * pieces && way.find((places.size() + 0.5) * piece, place))
     places.push_back(place);
 
-  ObservedPoints<2> points;
-  points.onAllRanks = true;
-  points.count = static_cast<int>(places.size());
-  points.position = View<double* [2]>("rhegma::nearFrontPosition", points.count);
-  points.half = View<double* [2]>("rhegma::nearFrontHalf", points.count);
-  points.side = View<int*>("rhegma::nearFrontSide", points.count);
-  const auto position = Kokkos::create_mirror_view(points.position);
-  for (int k = 0; k < points.count; ++k)
-    for (int d = 0; d < 2; ++d)
-      position(k, d) = places[k].at[d];
-  Kokkos::deep_copy(points.position, position);
-  Kokkos::deep_copy(points.side, front.crack + 1);
-  StencilTable<2> stencils;
-  pointStencils(state, points, stencils, true);
-  const auto count = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, stencils.count);
-  const auto node = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, stencils.node);
-  const auto weight = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, stencils.weight);
-  const auto nodeSide = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.nodeSide);
+  std::vector<Vector<2>> at;
+  for (const Place& on : places)
+    at.push_back(on.at);
+  const std::vector<double> shared = shareOfNodes(state, front.crack, at, NodesOfFaces::Common);
 
   // int s^-1/2 ds over a piece of the way back, s the distance from the tip that the cells have.
   const auto weighed = [tipOffset](double from, double to)
   { return 2.0 * (std::sqrt(std::max(to + tipOffset, 0.0)) - std::sqrt(std::max(from + tipOffset, 0.0))); };
-  std::vector<double> shared(points.count, 0.0); // share of each point's nodes that the faces share
-  for (int k = 0; k < points.count; ++k)
-    for (int e = 0; e < count(k); ++e)
-      if (node(k, e) < state.nodes.numLattice && nodeSide(node(k, e)) == 0)
-        shared[k] += weight(k, e);
-  sumParts(state, shared.data(), points.count);
   double intensity = places.empty() ? 0.0 : places[0].pressure * weighed(-std::fabs(tipOffset), 0.0);
-  for (int k = 0; k < points.count; ++k)
-    intensity += shared[k] * places[k].pressure * weighed(k * piece, (k + 1) * piece);
+  for (std::size_t k = 0; k < places.size(); ++k)
+    intensity += shared[k] * places[k].pressure * weighed(double(k) * piece, double(k + 1) * piece);
   return intensity * std::sqrt(2.0 / std::acos(-1.0));
 }
 

@@ -2,6 +2,7 @@
 
 #include "checkpoint/Archive.hpp"
 #include "energy_release/CrackTipFields.hpp"
+#include "energy_release/FacePressureInSpace.hpp"
 #include "energy_release/FrontIntegral.hpp"
 #include "energy_release/FrontOpening.hpp"
 #include "transfer/LocalSpacing.hpp"
@@ -57,7 +58,15 @@ void FrontDriving::measureRelease(State<3>& state)
     const FrontLine line = lineOf(front);
     if (line.empty())
       continue;
-    const std::vector<double> J = integrateAlongFront(state, line, tubeOf(state, f, line), acceleration_);
+    const FrontTube& tube = tubeOf(state, f, line);
+    std::vector<double> J = integrateAlongFront(state, front.crack, line, tube, acceleration_);
+    if (isPressed(state))
+    {
+      const Elasticity e = elasticity(state.materialList[materialAt(state, front.position)]);
+      const double cell = spacingAt(state, front.position);
+      addLostPressure(state, front, line, tube, e,
+                      openingsBehind(state.cracks, front, line, e, cell, tube.halfWidth), J);
+    }
     front.driving.release = 0.0;
     for (std::size_t k = 0; k < J.size(); ++k)
     {

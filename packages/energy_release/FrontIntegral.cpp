@@ -1,5 +1,7 @@
 #include "energy_release/FrontIntegral.hpp"
 
+#include "energy_release/FacePressureInSpace.hpp"
+#include "energy_release/ParticleHeat.hpp"
 #include "energy_release/ParticleMotion.hpp"
 #include "material/Materials.hpp"
 #include "parallel/Subdomain.hpp"
@@ -117,6 +119,7 @@ struct ForceBlock
   BorrowedView<double**> history;
   BorrowedView<int*> material;
   View<Properties*> materials;
+  ParticleHeat<D> heat;
   bool moving;
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
@@ -137,7 +140,8 @@ struct ForceBlock
     const double* tau = &stress(p, 0);
     const double density = mass(p) / volume(p);
     const double* own = history.extent(1) > 0 ? &history(p, 0) : nullptr;
-    const double energy = storedEnergy<D>(materials(material(p)), F, own) + 0.5 * density * dot(v, v);
+    const Properties& law = materials(material(p));
+    const double energy = heat.energy(p, material(p), law, F, own) + 0.5 * density * dot(v, v);
     // The image of each axis of the turned tube, and u,k relative to it.
     double image[D][D], du[D][D];
     for (int i = 0; i < D; ++i)
@@ -148,7 +152,8 @@ struct ForceBlock
           image[i][k] += F[D * i + j] * mean.turn[k][j];
         du[i][k] = image[i][k] - (i == k ? 1.0 : 0.0);
       }
-    double flux[D][D], inertia[D]; // of a shift along axis k: (k, slope's axis)
+    double flux[D][D],
+        inertia[D]; // of a shift along axis k: (k, slope's axis), and what goes with the weight itself
     for (int k = 0; k < D; ++k)
     {
       inertia[k] = 0.0;
@@ -163,6 +168,8 @@ struct ForceBlock
         }
         inertia[k] += density * (a[j] * du[j][k] - v[j] * dvk);
       }
+      const Vector<D> along{image[0][k], image[1][k], image[2][k]};
+      inertia[k] -= heat.energyAlong(p, material(p), law, F, tau, own, along);
     }
     const double V = volume(p);
     connect.visit(p,
@@ -198,6 +205,7 @@ View<double* [D]> configurationalForces(const State<D>& state, const Region<D>& 
                                                {},
                                                state.particles.integer(fields::material),
                                                state.materials,
+                                               ParticleHeat<D>(state),
                                                state.step > 0}; // nodes are empty before the first step
                      if (state.particles.has(fields::history))
                        block.history = state.particles.table(fields::history);
@@ -374,13 +382,18 @@ std::vector<double> integrateWithAcceleration(const State<3>& state, const Front
   return J;
 }
 
-std::vector<double> integrateAlongFront(const State<3>& state, const FrontLine& line, const FrontTube& tube,
-                                        NodalAcceleration<3>& acceleration)
+std::vector<double> integrateAlongFront(const State<3>& state, int crack, const FrontLine& line,
+                                        const FrontTube& tube, NodalAcceleration<3>& acceleration)
 {
   // Nodes that particles in the tube touch are touched by others.
   internalAcceleration(state, regionAround(line, reachOf(state, tube) + 4.0 * state.grid.spacing),
                        acceleration);
-  return integrateWithAcceleration(state, line, tube, acceleration);
+  addAccelerationByPressure(state, acceleration);
+  std::vector<double> J = integrateWithAcceleration(state, line, tube, acceleration);
+  const std::vector<double> pressed = releaseByPressure(state, crack, line, tube);
+  for (std::size_t s = 0; s < J.size(); ++s)
+    J[s] += pressed[s];
+  return J;
 }
 
 } // namespace Rhegma::energy_release

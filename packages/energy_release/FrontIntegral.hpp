@@ -22,13 +22,15 @@ namespace Rhegma::energy_release
 /// denominator is the integral along the front of q_s e as the cells interpolate it: with the hat's own area
 /// J would be low by as much as the ramp falls between the nodes next to the front.
 ///
-/// Turn, motion and loads are treated as in DomainIntegral.hpp. Collective.
+/// Where temperature strains the material W is of what is not thermal strain, and dW/dT grad T N_n is taken
+/// off as in 2D. Turn, motion and loads are treated as in DomainIntegral.hpp. Collective.
 ///
 /// \param acceleration of nodes by internal forces, which is found here: rows that are used again and again
 /// Source: Li, Shih and Needleman, Eng. Fract. Mech. 21 (1985) 405; Nikishkov and Atluri, Int. J. Numer.
 /// Methods Eng. 24 (1987) 1801.
-std::vector<double> integrateAlongFront(const State<3>& state, const FrontLine& line, const FrontTube& tube,
-                                        NodalAcceleration<3>& acceleration);
+/// \param crack of the front, the pressure on whose faces counts (FacePressureInSpace.hpp)
+std::vector<double> integrateAlongFront(const State<3>& state, int crack, const FrontLine& line,
+                                        const FrontTube& tube, NodalAcceleration<3>& acceleration);
 
 /// The same with a given acceleration of nodes.
 std::vector<double> integrateWithAcceleration(const State<3>& state, const FrontLine& line,

@@ -1,6 +1,7 @@
 #include "energy_release/FrontsInSpace.hpp"
 
 #include "checkpoint/Archive.hpp"
+#include "energy_release/FacePressureInSpace.hpp"
 #include "energy_release/FrontDriving.hpp"
 #include "energy_release/FrontIntegral.hpp"
 #include "energy_release/FrontOpening.hpp"
@@ -87,10 +88,11 @@ Sample unmeasured(const State<3>& state, const CrackFront<3>& front, const Optio
 void measure(const State<3>& state, Sample& s)
 {
   NodalAcceleration<3> acceleration;
-  s.J = integrateAlongFront(state, s.line, s.tube, acceleration);
+  s.J = integrateAlongFront(state, s.front.crack, s.line, s.tube, acceleration);
   const Elasticity e = elasticity(state.materialList[materialAt(state, s.front.position)]);
   const std::vector<Intensities> openings =
       openingsBehind(state.cracks, s.front, s.line, e, spacingAt(state, s.front.position), s.tube.halfWidth);
+  addLostPressure(state, s.front, s.line, s.tube, e, openings, s.J);
   for (std::size_t k = 0; k < s.J.size(); ++k)
   {
     const Intensities K = scaleTo(openings[k], s.J[k], e);

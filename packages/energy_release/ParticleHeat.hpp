@@ -10,19 +10,20 @@ namespace Rhegma::energy_release
 {
 
 /// Elastic energy of particles, and what it has of their temperature.
+template <int D>
 struct ParticleHeat
 {
   ThermoTables tables; ///< empty where nobody carries heat
   BorrowedView<double*> temperature;
-  BorrowedView<double* [2]> gradient;
+  BorrowedView<double* [D]> gradient;
 
   ParticleHeat() = default;
-  explicit ParticleHeat(const State<2>& state) : tables(state.thermo)
+  explicit ParticleHeat(const State<D>& state) : tables(state.thermo)
   {
     if (tables.empty())
       return;
     temperature = state.particles.scalar(fields::temperature);
-    gradient = state.particles.real<2>(fields::temperatureGradient);
+    gradient = state.particles.template real<D>(fields::temperatureGradient);
   }
 
   /// Whether the stress of a material knows the temperature.
@@ -36,8 +37,8 @@ struct ParticleHeat
                                        const double* history) const
   {
     if (!strains(material))
-      return storedEnergy<2>(law, F, history);
-    return withLaw<2>(law.kind, law.plane,
+      return storedEnergy<D>(law, F, history);
+    return withLaw<D>(law.kind, law.plane,
                       ThermoEnergy{ThermoPoint(tables, material, temperature(p)), F, history});
   }
 
@@ -45,19 +46,22 @@ struct ParticleHeat
   /// \param image of the direction in the deformed body
   KOKKOS_INLINE_FUNCTION double energyAlong(int p, int material, const Properties& law, const double* F,
                                             const double* tau, const double* history,
-                                            const Vector<2>& image) const
+                                            const Vector<D>& image) const
   {
     if (!strains(material))
       return 0.0;
     return alongImage(p, image) *
-           withLaw<2>(law.kind, law.plane,
+           withLaw<D>(law.kind, law.plane,
                       ThermoSlope{ThermoPoint(tables, material, temperature(p)), F, tau, history});
   }
 
   /// Temperature's change along a direction of the undeformed body [K/m].
-  KOKKOS_INLINE_FUNCTION double alongImage(int p, const Vector<2>& image) const
+  KOKKOS_INLINE_FUNCTION double alongImage(int p, const Vector<D>& image) const
   {
-    return gradient(p, 0) * image[0] + gradient(p, 1) * image[1];
+    double sum = 0.0;
+    for (int d = 0; d < D; ++d)
+      sum += gradient(p, d) * image[d];
+    return sum;
   }
 
   /// Thermal strain, and alpha [1/K].

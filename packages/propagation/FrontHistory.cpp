@@ -22,7 +22,7 @@ Advance FrontHistory::advance(const AdvanceRule& rule, double time, double relea
                               double fastest)
 {
   const double begin = timeBefore_, releaseAtBegin = releaseBefore_;
-  wait(time, release);
+  pass(time, release);
   Advance made;
   if (time < rule.startTime)
     return made;
@@ -31,7 +31,10 @@ Advance FrontHistory::advance(const AdvanceRule& rule, double time, double relea
   if (!running_)
   {
     if (release < rule.initiation)
+    {
+      closest_ = times_.empty() ? std::max(closest_, release / rule.initiation) : closest_;
       return made;
+    }
     const double rise = release - releaseAtBegin;
     const double share = rise > 0.0 ? std::min(1.0, (release - rule.initiation) / rise) : 0.0;
     last_ = std::max(time - share * (time - begin), rule.startTime);
@@ -77,7 +80,14 @@ Advance FrontHistory::advance(const AdvanceRule& rule, double time, double relea
   return made;
 }
 
-void FrontHistory::wait(double time, double release)
+void FrontHistory::wait(const AdvanceRule& rule, double time, double release)
+{
+  pass(time, release);
+  if (times_.empty() && time >= rule.startTime)
+    closest_ = std::max(closest_, release / rule.initiation);
+}
+
+void FrontHistory::pass(double time, double release)
 {
   impulse_ += 0.5 * (time - timeBefore_) * (release + releaseBefore_);
   timeBefore_ = time;
@@ -121,6 +131,7 @@ double FrontHistory::settledRelease() const
 void FrontHistory::keep(Archive& archive)
 {
   archive("running", running_);
+  archive("closest", closest_);
   archive("last", last_);
   archive("last_speed", lastSpeed_);
   archive("increment", increment_);

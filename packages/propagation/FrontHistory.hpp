@@ -46,7 +46,7 @@ public:
   Advance advance(const AdvanceRule& rule, double time, double release, double increment, double fastest);
 
   /// What a front at rest does that does not set out.
-  void wait(double time, double release);
+  void wait(const AdvanceRule& rule, double time, double release);
 
   /// Speed now: that of the last increment, or less when the next is late [m/s].
   double speed(double time) const;
@@ -55,6 +55,9 @@ public:
   long increments() const { return static_cast<long>(times_.size()); }
   double firstTime() const { return times_.empty() ? 0.0 : times_.front(); }
   double lastTime() const { return last_; }
+  /// The largest share of what starts it that the energy release rate at the front has had at rest, from
+  /// AdvanceRule::startTime on and before it first set out.
+  double closest() const { return closest_; }
 
   /// Mean speed over the second half of its path [m/s].
   double settledSpeed() const;
@@ -64,9 +67,11 @@ public:
   void keep(Archive& archive);
 
 private:
+  void pass(double time, double release);
   void note(double time, double increment);
 
   bool running_ = false;
+  double closest_ = 0.0;
   double last_ = 0.0;                              ///< time of the last increment [s]
   double lastSpeed_ = 0.0;                         ///< of the last increment [m/s]
   double increment_ = 0.0;                         ///< its length [m]

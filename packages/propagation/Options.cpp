@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -83,7 +82,7 @@ void refuseContour(const Teuchos::ParameterList& list, const std::string& name,
 /// What cracks of 3D scenes can't run with as yet.
 void refuseInSpace(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  for (const char* name : {"Adaptivity", "Combustion", "Contact", "Face Pressure", "Sub-Cycling", "Thermal"})
+  for (const char* name : {"Adaptivity", "Combustion", "Contact", "Sub-Cycling", "Thermal"})
     if (scene.isSublist(name))
       errors.push_back({"Propagation", "in 3D it does not go with " + std::string(name) +
                                            " as yet; take one of the two out"});
@@ -216,26 +215,6 @@ double openingRelease(const DrivingForce& driving, const Elasticity& e)
   return driving.release * sliding / (closing + sliding);
 }
 
-template <int D>
-void reportEnergy(const State<D>& state, double taken, nlohmann::json& summary)
-{
-  constexpr double notYet = std::numeric_limits<double>::quiet_NaN(); // null in the summary
-  // What the body has been given, and how much of it the ledger knows of now.
-  const EnergyLedger& energy = state.energy;
-  const double given =
-      energy.start + std::fabs(energy.externalWork) + std::fabs(energy.combustion) + std::fabs(energy.heat);
-  const double inFlight = summary.value("energy_in_flight", 0.0);
-  summary["propagation"] = {
-      {"energy_of_new_faces", taken},
-      {"in_flight", inFlight},
-      {"dissipated", energy.fracture},
-      {"accounted_for", given > 0.0 ? 1.0 - energy.residual() / given : notYet},
-      {"dissipated_share", taken > inFlight ? energy.fracture / (taken - inFlight) : notYet},
-      {"residual_share", taken > 0.0 ? energy.residual() / taken : notYet}};
-}
-
-template void reportEnergy(const State<2>&, double, nlohmann::json&);
-template void reportEnergy(const State<3>&, double, nlohmann::json&);
 template double fastestAt(const State<2>&, const Vector<2>&, const Options&);
 template double fastestAt(const State<3>&, const Vector<3>&, const Options&);
 template void refuseWeak(const State<2>&, const Options&);

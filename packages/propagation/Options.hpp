@@ -49,8 +49,4 @@ void refuseWeak(const State<D>& state, const Options& options);
 /// intensities release (Irwin), K_I^2/E' being what closes. \param e of the material at the front
 double openingRelease(const DrivingForce& driving, const Elasticity& e);
 
-/// What became of the energy of new faces. \param taken by all fronts [J]
-template <int D>
-void reportEnergy(const State<D>& state, double taken, nlohmann::json& summary);
-
 } // namespace Rhegma::propagation

@@ -5,6 +5,7 @@
 #include "propagation/FrontHistory.hpp"
 #include "propagation/InSpace.hpp"
 #include "propagation/Options.hpp"
+#include "propagation/Report.hpp"
 #include "step/LastStage.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/NearestMaterial.hpp"
@@ -78,7 +79,7 @@ void decide(State<2>& state, const Options& options, Fronts& fronts)
     else if (release >= rule.initiation && now >= rule.startTime)
       front.advances = true;
     else
-      history.wait(now, release);
+      history.wait(rule, now, release);
     front.speed = history.speed(now);
   }
 }
@@ -182,6 +183,8 @@ void report(const State<2>& state, const Fronts& fronts, nlohmann::json& summary
     entry["settled_position"] = {settledMean(fronts.paths[f], 1), settledMean(fronts.paths[f], 2)};
     entry["speed_limit"] = fronts.fastest[f];
     entry["energy_of_new_faces"] = front.taken;
+    if (!moved && !front.ended && !front.halted)
+      reportRest(state, front, history.closest(), summary);
   }
   reportEnergy(state, taken, summary);
 }

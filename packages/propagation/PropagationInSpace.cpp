@@ -2,6 +2,7 @@
 #include "propagation/FrontShape.hpp"
 #include "propagation/InSpace.hpp"
 #include "propagation/Options.hpp"
+#include "propagation/Report.hpp"
 #include "step/LastStage.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/NearestMaterial.hpp"
@@ -112,7 +113,7 @@ std::string decideAt(const State<3>& state, FrontStation<3>& station, const Opti
   else if (release >= rule.initiation && now >= rule.startTime)
     station.advances = true;
   else
-    history.wait(now, release);
+    history.wait(rule, now, release);
   station.speed = history.speed(now);
   return "";
 }
@@ -263,6 +264,11 @@ void report(const State<3>& state, const Memories& memories, const Circles& circ
     entry["settled_speed"] = settledSpeed(memory);
     entry["energy_of_new_faces"] = front.taken;
     reportShape(front, circles[f], entry);
+    double closest = 0.0;
+    for (const auto& [name, station] : memory.stations)
+      closest = std::max(closest, station.history.closest());
+    if (memory.increments == 0 && !front.ended && !front.halted)
+      reportRest(state, front, closest, summary);
   }
   reportEnergy(state, taken, summary);
 }

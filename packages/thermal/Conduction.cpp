@@ -85,42 +85,6 @@ std::string Conduction<D>::tooMany(const State<D>& state, double count) const
          "= false)";
 }
 
-/// Adds the heat of what growth has taken since it was last looked at [J], shared out among the fronts by
-/// what new faces of each were to take and have not yet given.
-template <int D>
-double Conduction<D>::heatOfFronts(State<D>& state, double dt)
-{
-  const std::vector<CrackFront<D>>& all = state.cracks.fronts;
-  // What was booked since the last sample is the ranks' own.
-  const double before = state.ranks.many() ? state.sampledEnergy.fracture : 0.0;
-  const double spent = before + state.ranks.sum(state.energy.fracture - before);
-  const double since = spent - fractureSeen;
-  frontHeat.resize(all.size(), 0.0);
-  double owed = 0.0;
-  for (std::size_t f = 0; f < all.size(); ++f)
-    owed += std::max(0.0, all[f].taken - frontHeat[f]);
-  // Faces that close give back what they took; the next that open take it again.
-  if (!(since > 0.0) || !(owed > 0.0))
-    return 0.0;
-  double added = 0.0;
-  for (std::size_t f = 0; f < all.size(); ++f)
-  {
-    const double energy = since * std::max(0.0, all[f].taken - frontHeat[f]) / owed;
-    if (!(energy > 0.0))
-      continue;
-    const double given = dt * addBall<D>(state, all[f].position, std::max(frontRadius, smallestRadius(state)),
-                                         frontFraction * energy / dt, supply);
-    added += given;
-    if (given > 0.0)
-    {
-      finestHeated = std::min(finestHeated, state.smallestSpacing());
-      frontHeat[f] += energy;
-      fractureSeen += energy;
-    }
-  }
-  return added;
-}
-
 /// \return the power of the sources that this rank books
 template <int D>
 double Conduction<D>::supplyAll(State<D>& state, double dt, double time)
@@ -168,46 +132,6 @@ void Conduction<D>::once(State<D>& state, double dt, double time, const View<dou
   const double h = state.smallestSpacing();
   changeToParticles(state, nodes, -std::expm1(-leastDiffusivity * dt / (h * h)));
   state.energy.heat += heat;
-}
-
-/// Gives fronts the temperature of the nodes around them.
-template <int D>
-void Conduction<D>::tellFronts(State<D>& state)
-{
-  const int count = static_cast<int>(state.cracks.fronts.size());
-  if (count == 0)
-    return;
-  if (static_cast<int>(fronts.side.extent(0)) < count)
-  {
-    fronts.position = View<double* [D]>("rhegma::thermal::fronts", count);
-    fronts.half = View<double* [D]>("rhegma::thermal::frontHalf", count);
-    fronts.side = View<int*>("rhegma::thermal::frontSide", count);
-  }
-  fronts.count = count;
-  fronts.onAllRanks = true;
-  const auto place = Kokkos::create_mirror_view(fronts.position);
-  for (int f = 0; f < count; ++f)
-    for (int d = 0; d < D; ++d)
-      place(f, d) = state.cracks.fronts[f].position[d];
-  Kokkos::deep_copy(fronts.position, place);
-  pointStencils(state, fronts, frontStencils, true);
-  const auto number = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, frontStencils.count);
-  const auto node = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, frontStencils.node);
-  const auto weight = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, frontStencils.weight);
-  const auto value = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, nodes.value);
-  const auto held = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, nodes.held);
-  std::vector<double> found(2 * count, 0.0); // temperature of each, and whether it has nodes
-  for (int f = 0; f < count; ++f)
-  {
-    for (int k = 0; k < number(f); ++k)
-      found[2 * f] +=
-          weight(f, k) * (value(node(f, k), 0) + (held(node(f, k)) == 0 ? value(node(f, k), 1) : 0.0));
-    found[2 * f + 1] = number(f) > 0 ? 1.0 : 0.0;
-  }
-  sumParts(state, found.data(), 2 * count);
-  for (int f = 0; f < count; ++f)
-    if (found[2 * f + 1] > 0.0)
-      state.cracks.fronts[f].temperature = found[2 * f];
 }
 
 template <int D>

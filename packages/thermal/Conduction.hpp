@@ -33,7 +33,7 @@ struct Conduction
   long stepsTaken = 0;                                           ///< steps of conduction
   bool warned = false;
   bool facesKnown = false;  ///< whether the faces' conductance is that of this step of the run
-  ObservedPoints<D> fronts; ///< of cracks
+  ObservedPoints<D> fronts; ///< of cracks, then their stations
   StencilTable<D> frontStencils;
 
   /// Finds the largest diffusivity. To be called when the state's tables are there.
@@ -61,8 +61,8 @@ struct Conduction
 
 private:
   void once(State<D>& state, double dt, double time, const View<double*>& supplied);
-  void tellFronts(State<D>& state);
-  double heatOfFronts(State<D>& state, double dt);
+  void tellFronts(State<D>& state);                ///< FrontHeat.cpp, as the next
+  double heatOfFronts(State<D>& state, double dt); ///< \return what was added [J]
   double supplyAll(State<D>& state, double dt, double time);
 };
 

@@ -93,7 +93,11 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
   startTemperature(state, scene.sublist("Bodies"), run.initial);
   startEnergy(state);
   for (CrackFront<D>& front : state.cracks.fronts)
+  {
     front.temperature = run.initial;
+    for (FrontStation<D>& station : front.stations)
+      station.temperature = run.initial;
+  }
   state.afterSplit.push_back([](State<D>& s, const SplitParts& parts) { followGradient(s, parts); });
 }
 

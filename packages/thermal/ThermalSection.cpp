@@ -127,7 +127,7 @@ bool strainsByHeat(const Teuchos::ParameterList& material)
 }
 
 /// The opening that crack closure recovers is off where temperature strains the faces unlike (by a fifth of G
-/// round an insulating crack). In 3D there is no J of heated bodies either.
+/// round an insulating crack). In 3D there is none.
 void checkClosure(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
   if (!hasSection(scene, "Energy Release") || hasSection(scene, "Propagation"))
@@ -135,18 +135,13 @@ void checkClosure(const Teuchos::ParameterList& scene, std::vector<SceneError>& 
   const Teuchos::ParameterList& list = scene.sublist("Energy Release");
   const bool inSpace = hasSection(scene, "Domain") && scene.sublist("Domain").isType<int>("Dimension") &&
                        scene.sublist("Domain").get<int>("Dimension") == 3;
-  if (!inSpace && list.isType<bool>("Crack Closure") && !list.get<bool>("Crack Closure"))
+  if (inSpace || (list.isType<bool>("Crack Closure") && !list.get<bool>("Crack Closure")))
     return;
   bool strains = false;
   forEach(scene, "Materials",
           [&](const Teuchos::ParameterList& material, const std::string&)
           { strains = strains || strainsByHeat(material); });
-  if (strains && inSpace)
-    errors.push_back(
-        {"Energy Release",
-         "in 3D it does not count as yet what temperature does to stress; leave this section out, "
-         "or Thermal Expansion and tables of moduli"});
-  else if (strains)
+  if (strains)
     errors.push_back(
         {"Energy Release > Crack Closure",
          "stress depends on temperature here, which it does not count as yet; set it to false, J counts it"});

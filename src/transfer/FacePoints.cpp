@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <type_traits>
 #include <vector>
 
@@ -99,19 +100,59 @@ std::vector<Place<D>> places(const CrackSet<D>& cracks, double spacing)
   return all;
 }
 
-/// The nearest of some places on the same crack, or -1 where none is nearer than `reach`.
+/// Finds the nearest of some places on the same crack.
 template <int D>
-int nearest(const std::vector<Place<D>>& all, const Place<D>& to, double reach)
+class PlaceBins
 {
-  int found = -1;
-  for (std::size_t o = 0; o < all.size(); ++o)
-    if (all[o].crack == to.crack && norm(all[o].at - to.at) < reach)
+public:
+  PlaceBins(const std::vector<Place<D>>& all, double reach) : all_(all), reach_(reach)
+  {
+    for (std::size_t o = 0; o < all.size(); ++o)
+      bins_[binOf(all[o])].push_back(static_cast<int>(o));
+  }
+
+  /// \return -1 where none is nearer than `reach`
+  int nearest(const Place<D>& to) const
+  {
+    int found = -1;
+    double shortest = reach_;
+    const Bin middle = binOf(to);
+    for (int k = 0; k < (D == 2 ? 9 : 27); ++k)
     {
-      reach = norm(all[o].at - to.at);
-      found = static_cast<int>(o);
+      Bin bin = middle;
+      for (int d = 0, rest = k; d < D; ++d, rest /= 3)
+        bin[d] += rest % 3 - 1;
+      const auto at = bins_.find(bin);
+      if (at == bins_.end())
+        continue;
+      for (const int o : at->second)
+      {
+        const double distance = norm(all_[o].at - to.at);
+        // Of places as near the first, in whatever order they are looked at.
+        if (distance < shortest || (distance == shortest && found >= 0 && o < found))
+        {
+          shortest = distance;
+          found = o;
+        }
+      }
     }
-  return found;
-}
+    return found;
+  }
+
+private:
+  using Bin = std::array<long, D + 1>; ///< along each axis, and the crack
+  Bin binOf(const Place<D>& place) const
+  {
+    Bin bin;
+    for (int d = 0; d < D; ++d)
+      bin[d] = std::lround(place.at[d] / reach_);
+    bin[D] = place.crack;
+    return bin;
+  }
+  const std::vector<Place<D>>& all_;
+  double reach_;
+  std::map<Bin, std::vector<int>> bins_;
+};
 
 /// Which faces meet nodes on this rank.
 template <int D>
@@ -146,10 +187,14 @@ bool FacePoints<D>::update(const State<D>& state)
 {
   const int simplices = static_cast<int>(state.cracks.simplex.extent(0));
   const double spacing = state.smallestSpacing();
-  const bool anew = simplices != simplices_ || spacing != spacing_;
+  double taken = 0.0; // grows with every advance, of which one in 3D may but stretch triangles
+  for (const CrackFront<D>& front : state.cracks.fronts)
+    taken += front.taken;
+  const bool anew = simplices != simplices_ || taken != taken_ || spacing != spacing_;
   if (anew)
     place(state.cracks, spacing);
   simplices_ = simplices;
+  taken_ = taken;
   spacing_ = spacing;
   follow(state.cracks);
   pointStencils(state, lower_, below, true);
@@ -178,6 +223,7 @@ void FacePoints<D>::place(const CrackSet<D>& cracks, double spacing)
   }
   // A point and its place in pieces of another size are no more than half the longer piece apart.
   const double reach = longestPiece * std::max(spacing, spacing_);
+  const PlaceBins<D> earlier(old, reach), now(all, reach);
   makeRoom(static_cast<int>(all.size()));
   after = View<int*>("rhegma::facePointAfter", old.size());
   const auto hostCrack = Kokkos::create_mirror_view(crack);
@@ -195,10 +241,10 @@ void FacePoints<D>::place(const CrackSet<D>& cracks, double spacing)
     for (int i = 0; i < D; ++i)
       hostWeight(k, i) = all[k].weight[i];
     hostShare(k) = all[k].share;
-    hostBefore(k) = nearest(old, all[k], reach);
+    hostBefore(k) = earlier.nearest(all[k]);
   }
   for (std::size_t o = 0; o < old.size(); ++o)
-    hostAfter(o) = nearest(all, old[o], reach);
+    hostAfter(o) = now.nearest(old[o]);
   Kokkos::deep_copy(crack, hostCrack);
   Kokkos::deep_copy(size, hostSize);
   Kokkos::deep_copy(before, hostBefore);
@@ -250,6 +296,7 @@ void FacePoints<D>::keep(Archive& archive)
   archive("weight", weight_);
   archive("share", share_);
   archive("simplices", simplices_);
+  archive("taken", taken_);
   archive("spacing", spacing_);
 }
 

@@ -62,6 +62,7 @@ private:
   ObservedPoints<D> lower_, upper_;
   int count_ = 0;
   int simplices_ = -1;
+  double taken_ = 0.0;   ///< energy of new faces when the points were placed [J]
   double spacing_ = 0.0; ///< of the smallest cells when the points were placed [m]
 };
 

@@ -53,13 +53,6 @@ NOT_IN_3D = [
     ("tube_of_no_width",
      ball().set("Cracks", PENNY).set("Energy Release", {"Inner Radius": 0.02, "Outer Radius": 0.03}),
      one("Energy Release > Outer Radius", "one cell", "at least 0.04")),
-    ("energy_release_of_a_warm_body_in_3d",
-     ball().set("Cracks", PENNY).set("Energy Release", {}).set("Thermal", {"Initial Temperature": 300.0})
-     .set("Materials > Rubber > Specific Heat", 1400.0).set("Materials > Rubber > Conductivity", 0.2)
-     .set("Materials > Rubber > Thermal Expansion", 1e-4), one("Energy Release", "3D", "temperature")),
-    ("energy_release_of_pressed_faces_in_3d",
-     ball().set("Cracks", PENNY).set("Energy Release", {}).set("Face Pressure", {"Penny": {"Pressure": "1e5"}}),
-     one("Energy Release", "3D", "presses", "Face Pressure")),
     ("energy_release_without_a_front_in_3d", ball().set("Cracks", THROUGH).set("Energy Release", {}),
      one("Energy Release", "front", "Front Edges")),
     ("crack_of_two_points_in_3d", ball().set("Cracks", {"Penny": {"Points": [0.0, 0.0, 0.0, 0.05, 0.0, 0.0]}}),

@@ -1,0 +1,144 @@
+#include "parallel/Subdomain.hpp"
+#include "thermal/Conduction.hpp"
+#include "transfer/Stencils.hpp"
+
+#include <algorithm>
+
+namespace Rhegma::thermal
+{
+
+namespace
+{
+
+/// A place of a front and the share of the front's heat that it gets.
+template <int D>
+struct HeatedPlace
+{
+  Vector<D> at;
+  double share;
+};
+
+/// In 2D the front itself. In 3D its stations, by the area that each is passing: the length of front that is
+/// its own times its speed; where none of them runs, as of one that has just stopped, by length alone.
+template <int D>
+std::vector<HeatedPlace<D>> heatedPlaces(const CrackFront<D>& front)
+{
+  if (front.stations.empty())
+    return {{front.position, 1.0}};
+  double length = 0.0, swept = 0.0;
+  for (const FrontStation<D>& station : front.stations)
+  {
+    length += station.share;
+    swept += station.share * station.speed;
+  }
+  std::vector<HeatedPlace<D>> places;
+  for (const FrontStation<D>& station : front.stations)
+  {
+    const double share = swept > 0.0 ? station.share * station.speed / swept : station.share / length;
+    if (share > 0.0)
+      places.push_back({station.position, share});
+  }
+  return places;
+}
+
+} // namespace
+
+/// Adds the heat of what growth has taken since it was last looked at [J], shared out among the fronts by
+/// what new faces of each were to take and have not yet given.
+template <int D>
+double Conduction<D>::heatOfFronts(State<D>& state, double dt)
+{
+  const std::vector<CrackFront<D>>& all = state.cracks.fronts;
+  // What was booked since the last sample is the ranks' own.
+  const double before = state.ranks.many() ? state.sampledEnergy.fracture : 0.0;
+  const double spent = before + state.ranks.sum(state.energy.fracture - before);
+  const double since = spent - fractureSeen;
+  frontHeat.resize(all.size(), 0.0);
+  double owed = 0.0;
+  for (std::size_t f = 0; f < all.size(); ++f)
+    owed += std::max(0.0, all[f].taken - frontHeat[f]);
+  // Faces that close give back what they took; the next that open take it again.
+  if (!(since > 0.0) || !(owed > 0.0))
+    return 0.0;
+  const double radius = std::max(frontRadius, smallestRadius(state));
+  double added = 0.0;
+  for (std::size_t f = 0; f < all.size(); ++f)
+  {
+    const double ofFront = since * std::max(0.0, all[f].taken - frontHeat[f]) / owed;
+    if (!(ofFront > 0.0))
+      continue;
+    for (const HeatedPlace<D>& place : heatedPlaces(all[f]))
+    {
+      const double energy = place.share * ofFront;
+      const double given = dt * addBall<D>(state, place.at, radius, frontFraction * energy / dt, supply);
+      added += given;
+      if (given > 0.0)
+      {
+        finestHeated = std::min(finestHeated, state.smallestSpacing());
+        frontHeat[f] += energy;
+        fractureSeen += energy;
+      }
+    }
+  }
+  return added;
+}
+
+/// Gives fronts and their stations the temperature of the nodes around them.
+template <int D>
+void Conduction<D>::tellFronts(State<D>& state)
+{
+  std::vector<Vector<D>> at;
+  std::vector<double*> temperature;
+  for (CrackFront<D>& front : state.cracks.fronts)
+  {
+    at.push_back(front.position);
+    temperature.push_back(&front.temperature);
+  }
+  for (CrackFront<D>& front : state.cracks.fronts)
+    for (FrontStation<D>& station : front.stations)
+    {
+      at.push_back(station.position);
+      temperature.push_back(&station.temperature);
+    }
+  const int count = static_cast<int>(at.size());
+  if (count == 0)
+    return;
+  if (static_cast<int>(fronts.side.extent(0)) < count)
+  {
+    fronts.position = View<double* [D]>("rhegma::thermal::fronts", count);
+    fronts.half = View<double* [D]>("rhegma::thermal::frontHalf", count);
+    fronts.side = View<int*>("rhegma::thermal::frontSide", count);
+  }
+  fronts.count = count;
+  fronts.onAllRanks = true;
+  const auto place = Kokkos::create_mirror_view(fronts.position);
+  for (int f = 0; f < count; ++f)
+    for (int d = 0; d < D; ++d)
+      place(f, d) = at[f][d];
+  Kokkos::deep_copy(fronts.position, place);
+  pointStencils(state, fronts, frontStencils, true);
+  const auto number = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, frontStencils.count);
+  const auto node = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, frontStencils.node);
+  const auto weight = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, frontStencils.weight);
+  const auto value = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, nodes.value);
+  const auto held = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, nodes.held);
+  std::vector<double> found(2 * count, 0.0); // temperature of each, and whether it has nodes
+  for (int f = 0; f < count; ++f)
+  {
+    for (int k = 0; k < number(f); ++k)
+      found[2 * f] +=
+          weight(f, k) * (value(node(f, k), 0) + (held(node(f, k)) == 0 ? value(node(f, k), 1) : 0.0));
+    found[2 * f + 1] = number(f) > 0 ? 1.0 : 0.0;
+  }
+  sumParts(state, found.data(), 2 * count);
+  for (int f = 0; f < count; ++f)
+    if (found[2 * f + 1] > 0.0)
+      *temperature[f] = found[2 * f];
+}
+
+template double Conduction<2>::heatOfFronts(State<2>&, double);
+template double Conduction<3>::heatOfFronts(State<3>&, double);
+template void Conduction<2>::tellFronts(State<2>&);
+template void Conduction<3>::tellFronts(State<3>&);
+
+} // namespace Rhegma::thermal
