@@ -9,6 +9,7 @@
 #include "cracks/Growth.hpp"
 #include "cracks/HeldFaces.hpp"
 #include "cracks/IdleCracks.hpp"
+#include "cracks/Junctions.hpp"
 #include "cracks/Normals.hpp"
 #include "cracks/Opening.hpp"
 #include "cracks/Overlap.hpp"
@@ -175,6 +176,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   const auto carried = std::make_shared<CarriedFronts<D>>();
   const bool grows = scene.isSublist("Propagation");
   const auto ties = std::make_shared<FrontTies<D>>(grows);
+  const bool join = D == 2 && grows && sublistNames(section).size() > 1;
+  const auto junctions = std::make_shared<Junctions>();
   Effect<D> effect;
   effect.name = "Cracks";
   effect.adds.push_back(
@@ -182,6 +185,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   if (formulation == Formulation::BrokenCell)
     effect.adds.push_back(
         {crackNormal, 2, "", "unit normal of the face near the particle, out of its material"});
+  if (join)
+    effect.adds.push_back({otherSide, 1, "", "the same of another crack that has joined it, or 0", true});
   effect.atStart = [=](State<D>& state)
   {
     state.cracks.dualField = formulation == Formulation::DualField;
@@ -193,7 +198,13 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       carried->start(state);
     state.editor.prepare = [=](State<D>& s, const View<int*>& row)
     {
-      findSides(s, *surroundings, row);
+      if constexpr (D == 2)
+      {
+        findSides(s, *surroundings, row, [&] { junctions->claimNodes(s, *surroundings); });
+        junctions->markParticles(s, row);
+      }
+      else
+        findSides(s, *surroundings, row);
       if (surroundings->stamp == 1)
         warnOfIdleCracks(s);
       if constexpr (D == 2) // a 3D scene with another formulation is refused
@@ -205,7 +216,11 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       }
     };
     state.editor.edit = [=](const State<D>& s, const ObservedPoints<D>& points, const StencilTable<D>& table)
-    { editStencils(s, formulation, *ghosts, points, table); };
+    {
+      if constexpr (D == 2)
+        junctions->hideNodes(s, points, table);
+      editStencils(s, formulation, *ghosts, points, table);
+    };
   };
   const auto surface = std::make_shared<SurfaceGrowth>();
   ties->follow(surface);
@@ -216,6 +231,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       if (grows)
         surface->keep(state, archive);
     keepCracks(state, archive);
+    if (join)
+      junctions->keep(archive);
     const Archive::Group group(archive, "ties");
     if (tied)
       ties->keep(state, surroundings->stamp, archive);
@@ -252,10 +269,10 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  {"advances of fronts"},
                  {"crack geometry"},
                  {},
-                 [surface](State<D>& s)
+                 [surface, junctions](State<D>& s)
                  {
                    if constexpr (D == 2)
-                     growCracks(s);
+                     growCracks(s, *junctions);
                    else
                      surface->grow(s);
                  }});

@@ -330,12 +330,15 @@ void makeRoom(State<D>& state, Surroundings& around)
 } // namespace
 
 template <int D>
-void findSides(State<D>& state, Surroundings& surroundings, const View<int*>& row)
+void findSides(State<D>& state, Surroundings& surroundings, const View<int*>& row,
+               const std::function<void()>& claim)
 {
   makeRoom(state, surroundings);
   ++surroundings.stamp;
   clearNodeSides(state, surroundings);
   findNearest(state, surroundings);
+  if (claim)
+    claim();
   findNodeSides(state, surroundings);
   if (state.cracks.dualField)
     listParents(state, numberSecondFields(state));
@@ -343,7 +346,7 @@ void findSides(State<D>& state, Surroundings& surroundings, const View<int*>& ro
     markParticles(state, surroundings, reach, row);
 }
 
-template void findSides(State<2>&, Surroundings&, const View<int*>&);
-template void findSides(State<3>&, Surroundings&, const View<int*>&);
+template void findSides(State<2>&, Surroundings&, const View<int*>&, const std::function<void()>&);
+template void findSides(State<3>&, Surroundings&, const View<int*>&, const std::function<void()>&);
 
 } // namespace Rhegma::cracks

@@ -5,6 +5,7 @@
 #include "state/State.hpp"
 
 #include <cstdint>
+#include <functional>
 
 namespace Rhegma::cracks
 {
@@ -41,8 +42,10 @@ KOKKOS_INLINE_FUNCTION int simplexOf(std::uint64_t packed) { return static_cast<
 /// a node on the other side. A particle keeps its side for good, so faces that press against each other never
 /// swap particles.
 ///
-/// \param row 0 for marked particles; others are left as they are
+/// \param row 0 for marked particles; others are left as they are \param claim changes which simplex nodes
+/// take for the nearest, before their sides follow from it
 template <int D>
-void findSides(State<D>& state, Surroundings& surroundings, const View<int*>& row);
+void findSides(State<D>& state, Surroundings& surroundings, const View<int*>& row,
+               const std::function<void()>& claim = {});
 
 } // namespace Rhegma::cracks

@@ -1,5 +1,7 @@
 #include "cracks/Visibility.hpp"
 
+#include "cracks/Junctions.hpp"
+
 #include "grid/Tree.hpp"
 #include "state/FewItems.hpp"
 
@@ -16,7 +18,7 @@ struct Blind
   KOKKOS_INLINE_FUNCTION bool invisible(int node, int side) const
   {
     // A point knows the side of one crack; nodes of another crack's neighbourhood are far enough not to be in
-    // its stencil together with that crack (cracks keep three cells apart).
+    // its stencil together with that crack (cracks keep three cells apart), but where cracks join.
     return nodeSide(node) != 0 && nodeSide(node) == -side;
   }
 };
@@ -26,13 +28,20 @@ void useSecondFields(const State<D>& state, const ObservedPoints<D>& points, con
 {
   const Blind blind{state.cracks.nodeSide};
   const View<int*> second = state.cracks.second;
+  // Particles beside two cracks that have joined know a side of each.
+  BorrowedView<int*> otherSideOf;
+  const bool joined = state.particles.has(otherSide) && points.side.data() == state.storedPoints.side.data();
+  if (joined)
+    otherSideOf = state.particles.integer(otherSide);
+  const View<int*> particle = state.storedParticle;
   forFew(
       "rhegma::cracks::useSecondFields", points.count, KOKKOS_LAMBDA(const int r) {
         const int side = points.side(r), count = side != 0 ? table.count(r) : 0;
+        const int other = joined ? otherSideOf(particle(r)) : 0;
         for (int k = 0; k < count; ++k)
         {
           const int n = table.node(r, k);
-          if (blind.invisible(n, side))
+          if (blind.invisible(n, side) || (other != 0 && blind.invisible(n, other)))
             table.node(r, k) = second(n);
         }
       });

@@ -44,7 +44,8 @@ void advance(State<2>& state, double length)
   asked.length = length;
   asked.toughness = 100.0;
   state.cracks.advances.push_back(asked);
-  growCracks(state);
+  Junctions none;
+  growCracks(state, none);
 }
 
 /// Lets the front run a cell at a time until it ends.

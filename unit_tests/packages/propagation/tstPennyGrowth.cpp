@@ -10,6 +10,7 @@
 #include <Teuchos_Array.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <string>
@@ -103,6 +104,48 @@ nlohmann::json report(const Rhegma::Run<3>& run)
     if (effect.report)
       effect.report(run.state(), summary);
   return summary;
+}
+
+/// How far the faces overlap at the worst of their vertices, along the crack's normal [m].
+double overlap(const State<3>& state)
+{
+  const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.face);
+  double worst = 0.0;
+  for (std::size_t v = 0; v < face.extent(0); ++v)
+    worst = std::max(worst, face(v, 0, 2) - face(v, 1, 2));
+  return worst;
+}
+
+/// Overlap of a crack that has grown by two cells and is squeezed then.
+double overlapWhenSqueezed(bool touching, double rate)
+{
+  Teuchos::ParameterList scene = quarter("100*(1 + v/100)");
+  if (touching)
+  {
+    Teuchos::ParameterList& contact = scene.sublist("Contact");
+    contact.set("Law", std::string("Frictionless"));
+    contact.set("Penalty", 2.0);
+  }
+  Rhegma::Run<3> run(scene);
+  run.initialize();
+  State<3>& state = run.state();
+  stretch(state, 200.0);
+  for (int k = 0; k < 80; ++k)
+  {
+    drive(state, 400.0, 5e-3);
+    run.step(1.0, false);
+  }
+  EXPECT_GT(std::hypot(state.cracks.fronts[0].stations[0].position[0],
+                       state.cracks.fronts[0].stations[0].position[1]),
+            4.5e-3);
+  stretch(state, -rate);
+  double worst = 0.0;
+  for (const double begin = state.time; state.time < begin + 1e-5;)
+  {
+    run.step(1.0, false);
+    worst = std::max(worst, overlap(state));
+  }
+  return worst;
 }
 
 } // namespace
@@ -226,4 +269,17 @@ TEST(PennyGrowth, PaysForItsAreaToTheEnd)
   EXPECT_GT(entry["last_advance"].get<double>(), entry["set_out"].get<double>());
   for (const char* name : {"increments", "set_out", "last_advance", "settled_speed"})
     EXPECT_EQ(entry[name], ended[name]) << name;
+}
+
+/// With Contact new faces that are pressed together hold against each other: the layer between them gives by
+/// the pressure over its stiffness, penalty times M / cell, so by the strain times half a cell; the pressure
+/// of the squeeze is at most twice that of the strain, where waves meet. Without, they pass through each
+/// other.
+TEST(PennyGrowth, NewFacesTouchWithContact)
+{
+  const double rate = 2000.0, with = overlapWhenSqueezed(true, rate),
+               without = overlapWhenSqueezed(false, rate);
+  std::cout << "overlap " << with / cell << " cells with contact, " << without / cell << " without\n";
+  EXPECT_LT(with, 2.0 * rate * 1e-5 * 0.5 * cell);
+  EXPECT_GT(without, 2.0 * with);
 }

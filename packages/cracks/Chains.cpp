@@ -1,0 +1,77 @@
+#include "cracks/Chains.hpp"
+
+#include "cracks/Layout.hpp"
+
+namespace Rhegma::cracks
+{
+
+namespace
+{
+
+CrackMesh<2> meshOf(const Chain& chain)
+{
+  CrackMesh<2> mesh;
+  mesh.vertices.reserve(chain.links.size());
+  for (const Link& link : chain.links)
+    mesh.vertices.push_back(link.vertex);
+  const int segments = static_cast<int>(chain.links.size()) - 1;
+  for (int s = 0; s < segments; ++s)
+  {
+    mesh.simplices.push_back({s, s + 1});
+    mesh.beyond.push_back({s + 1, s - 1});
+  }
+  mesh.beyond.front()[1] = chain.front[0] ? facet::front : facet::mouth;
+  mesh.beyond.back()[0] = chain.front[1] ? facet::front : facet::mouth;
+  return mesh;
+}
+
+} // namespace
+
+std::vector<Chain> readChains(const CrackSet<2>& set)
+{
+  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.vertex);
+  const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.face);
+  const auto neighbour = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.neighbour);
+  std::vector<Chain> chains;
+  for (const Crack<2>& crack : set.cracks)
+  {
+    Chain chain;
+    for (int v = crack.firstVertex; v < crack.firstVertex + crack.numVertices; ++v)
+    {
+      Link link;
+      for (int d = 0; d < 2; ++d)
+      {
+        link.vertex[d] = vertex(v, d);
+        link.face[0][d] = face(v, 0, d);
+        link.face[1][d] = face(v, 1, d);
+      }
+      chain.links.push_back(link);
+    }
+    chain.front[0] = neighbour(crack.firstSimplex, 1) == facet::front;
+    chain.front[1] = neighbour(crack.firstSimplex + crack.numSimplices - 1, 0) == facet::front;
+    chains.push_back(chain);
+  }
+  return chains;
+}
+
+void writeChains(CrackSet<2>& set, const std::vector<Chain>& chains, double spacing)
+{
+  std::vector<CrackMesh<2>> meshes;
+  for (const Chain& chain : chains)
+    meshes.push_back(meshOf(chain));
+  layOut(set, meshes, spacing);
+  const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.face);
+  for (std::size_t c = 0; c < chains.size(); ++c)
+    for (std::size_t v = 0; v < chains[c].links.size(); ++v)
+      for (int side = 0; side < 2; ++side)
+        for (int d = 0; d < 2; ++d)
+          face(set.cracks[c].firstVertex + v, side, d) = chains[c].links[v].face[side][d];
+  Kokkos::deep_copy(set.face, face);
+}
+
+bool atFirstEnd(const CrackSet<2>& set, const CrackFront<2>& front)
+{
+  return front.vertex == set.cracks[front.crack].firstVertex;
+}
+
+} // namespace Rhegma::cracks

@@ -1,0 +1,92 @@
+#include "checkpoint/Archive.hpp"
+#include "cracks/Chains.hpp"
+#include "cracks/CrackFrames.hpp"
+#include "cracks/Growth.hpp"
+
+#include <string>
+#include <vector>
+
+namespace Rhegma::cracks
+{
+
+namespace
+{
+
+template <int D>
+void keepFronts(CrackSet<D>& set, Archive& archive)
+{
+  for (std::size_t f = 0; f < set.fronts.size(); ++f)
+  {
+    CrackFront<D>& front = set.fronts[f];
+    const Archive::Group group(archive, "front " + std::to_string(f));
+    archive("vertex", front.vertex);
+    archive("direction", front.direction); // those of a front that has ended are found no more
+    archive("normal", front.normal);
+    archive("speed", front.speed);
+    archive("release", front.driving.release);
+    archive("K_I", front.driving.modeI);
+    archive("K_II", front.driving.modeII);
+    archive("K_III", front.driving.modeIII);
+    archive("hoop_angle", front.driving.hoopAngle);
+    archive("advances", front.advances);
+    archive("grown", front.grown);
+    archive("halted", front.halted);
+    archive("ended", front.ended);
+    archive("taken", front.taken);
+    archive("unspent", front.unspent);
+  }
+}
+
+/// Saves or loads how many vertices each crack has and which of its ends are fronts.
+void keepChains(State<2>& state, Archive& archive)
+{
+  std::vector<int> sizes;
+  if (!archive.loads())
+    for (const Chain& chain : readChains(state.cracks))
+      sizes.insert(sizes.end(),
+                   {static_cast<int>(chain.links.size()), chain.front[0] ? 1 : 0, chain.front[1] ? 1 : 0});
+  archive("chains", sizes, 3);
+  keepFronts(state.cracks, archive);
+  if (!archive.loads())
+    return;
+  // The places of the vertices are in the views that are loaded next.
+  std::vector<int> vertices;
+  for (const CrackFront<2>& front : state.cracks.fronts)
+    vertices.push_back(front.vertex);
+  std::vector<Chain> chains;
+  for (std::size_t c = 0; c + 2 < sizes.size(); c += 3)
+  {
+    Chain chain;
+    for (int v = 0; v < sizes[c]; ++v)
+      chain.links.push_back(closedLink({{double(v), double(c)}}));
+    chain.front[0] = sizes[c + 1] != 0;
+    chain.front[1] = sizes[c + 2] != 0;
+    chains.push_back(chain);
+  }
+  writeChains(state.cracks, chains, state.grid.spacing);
+  for (std::size_t f = 0; f < vertices.size(); ++f)
+    state.cracks.fronts[f].vertex = vertices[f];
+}
+
+} // namespace
+
+template <int D>
+void keepCracks(State<D>& state, Archive& archive)
+{
+  if constexpr (D == 2)
+    keepChains(state, archive);
+  else
+    keepFronts(state.cracks, archive);
+  archive("vertex", state.cracks.vertex);
+  archive("face", state.cracks.face);
+  archive("near_front", state.cracks.nearFront);
+  if (!archive.loads())
+    return;
+  updateNormals(state.cracks);
+  updateFronts(state.cracks);
+}
+
+template void keepCracks(State<2>&, Archive&);
+template void keepCracks(State<3>&, Archive&);
+
+} // namespace Rhegma::cracks

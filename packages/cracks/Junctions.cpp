@@ -1,0 +1,252 @@
+#include "cracks/Junctions.hpp"
+
+#include "checkpoint/Archive.hpp"
+#include "state/FewItems.hpp"
+#include "transfer/LocalSpacing.hpp"
+
+namespace Rhegma::cracks
+{
+
+namespace
+{
+
+/// Lengths in cells: round a junction within which nodes are given to cracks, beyond that within which
+/// particles see such nodes, and from the crack that ended within which particles learn its side.
+constexpr double zone = 2.0, sight = 2.5, beside = bandWidth + 2.0;
+
+/// Shape functions that are seen sum to at least this; a point that sees less keeps its stencil.
+constexpr double leastSeen = 0.05;
+
+/// What a kernel needs to tell the pieces at a junction apart.
+struct Pieces
+{
+  CrackSight<2> cracks;
+  Vector<2> place;
+  int throughSimplex, through, ended, side;
+  double radius, tolerance;
+
+  /// Whether a place lies on the side on which the other crack ends.
+  KOKKOS_INLINE_FUNCTION bool near(const Vector<2>& x) const
+  {
+    const int sideOfX = cracks.look(throughSimplex, x).distance > -tolerance ? 1 : -1;
+    return sideOfX == side;
+  }
+  KOKKOS_INLINE_FUNCTION bool within(const Vector<2>& x, double reach) const
+  {
+    return dot(x - place, x - place) < reach * reach;
+  }
+  /// Whether a point of this side belongs to the piece across: 1, to the pieces beside the crack that ended:
+  /// 0, or to none that is known: -1.
+  KOKKOS_INLINE_FUNCTION int across(int sideOfPoint) const
+  {
+    if (sideOfPoint == side * (through + 1) || sideOfPoint == ended + 1 || sideOfPoint == -ended - 1)
+      return 0;
+    return sideOfPoint == -side * (through + 1) ? 1 : -1;
+  }
+};
+
+/// Tells particles of one side near a place on which side of another crack they are, where they are beside
+/// that.
+void learnSides(const State<2>& state, const Vector<2>& at, int known, int crack)
+{
+  const CrackSight<2> look(state.cracks, state.grid.spacing);
+  const auto position = state.particles.real<2>(fields::position);
+  const auto side = state.particles.integer(fields::side);
+  const auto other = state.particles.integer(otherSide);
+  const double reach = beside * state.grid.spacing, around = 2.0 * reach;
+  const int name = crack + 1, begin = state.cracks.cracks[crack].firstSimplex,
+            end = begin + state.cracks.cracks[crack].numSimplices;
+  Kokkos::parallel_for(
+      "rhegma::cracks::learnSides", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p) {
+        const Vector<2> x{position(p, 0), position(p, 1)};
+        if (side(p) != known || dot(x - at, x - at) > around * around)
+          return;
+        int nearest = begin;
+        double square = 1e300;
+        for (int s = begin; s < end; ++s)
+        {
+          const double own = look.square(s, x);
+          if (own < square)
+          {
+            square = own;
+            nearest = s;
+          }
+        }
+        if (square < reach * reach)
+          other(p) = look.look(nearest, x).distance >= 0.0 ? name : -name;
+      });
+}
+
+} // namespace
+
+void Junctions::place(const State<2>& state, Junction& j)
+{
+  const CrackSet<2>& set = state.cracks;
+  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.vertex);
+  const Crack<2>&ended = set.cracks[j.ended], &through = set.cracks[j.through];
+  const int end = j.first ? ended.firstVertex : ended.firstVertex + ended.numVertices - 1;
+  j.endSimplex = j.first ? ended.firstSimplex : ended.firstSimplex + ended.numSimplices - 1;
+  j.place = {vertex(end, 0), vertex(end, 1)};
+  double shortest = 1e300;
+  for (int s = 0; s < through.numSimplices; ++s)
+  {
+    const int v = through.firstVertex + s;
+    const Vector<2> corner[2] = {{vertex(v, 0), vertex(v, 1)}, {vertex(v + 1, 0), vertex(v + 1, 1)}};
+    const double distance = norm(j.place - placeOf<2>(corner, footOn(corner, j.place)));
+    if (distance < shortest)
+    {
+      shortest = distance;
+      j.throughSimplex = through.firstSimplex + s;
+    }
+  }
+  j.radius = zone * spacingAt(state, j.place);
+}
+
+void Junctions::add(const State<2>& state, int ended, bool first, int through)
+{
+  Junction j{ended, through, first, 1};
+  place(state, j);
+  {
+    const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.vertex);
+    const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.normal);
+    const Crack<2>& crack = state.cracks.cracks[ended];
+    const int behind = first ? crack.firstVertex + 1 : crack.firstVertex + crack.numVertices - 2;
+    const Vector<2> from{vertex(behind, 0) - j.place[0], vertex(behind, 1) - j.place[1]};
+    j.side = from[0] * normal(j.throughSimplex, 0) + from[1] * normal(j.throughSimplex, 1) > 0.0 ? 1 : -1;
+  }
+  all_.push_back(j);
+  learnSides(state, j.place, j.side * (through + 1), ended);
+}
+
+void Junctions::join(const State<2>& state, int one, bool first, int two)
+{
+  Junction j{one, two, first, 1};
+  place(state, j);
+  for (const int sign : {1, -1})
+  {
+    learnSides(state, j.place, sign * (one + 1), two);
+    learnSides(state, j.place, sign * (two + 1), one);
+  }
+}
+
+void Junctions::claimNodes(const State<2>& state, const Surroundings& surroundings)
+{
+  const Nodes<2> nodes = state.nodes;
+  const NodePlaces<2> places = nodePlaces(state);
+  const View<std::uint64_t*> nearest = surroundings.nearest;
+  for (Junction& j : all_)
+  {
+    place(state, j);
+    const Pieces pieces{CrackSight<2>(state.cracks, state.grid.spacing),
+                        j.place,
+                        j.throughSimplex,
+                        j.through,
+                        j.ended,
+                        j.side,
+                        j.radius,
+                        tieTolerance * j.radius / zone};
+    const auto end = static_cast<std::uint64_t>(j.endSimplex),
+               through = static_cast<std::uint64_t>(j.throughSimplex);
+    forFew(
+        "rhegma::cracks::claimNodes", static_cast<int>(nodes.active.extent(0)), KOKKOS_LAMBDA(const int i) {
+          const int n = nodes.active(i);
+          const Vector<2> x = places(n);
+          if (pieces.within(x, pieces.radius))
+            nearest(n) = pieces.near(x) ? end : through;
+        });
+  }
+}
+
+void Junctions::markParticles(const State<2>& state, const View<int*>& row) const
+{
+  const auto position = state.particles.real<2>(fields::position);
+  for (const Junction& j : all_)
+  {
+    const Vector<2> at = j.place;
+    const double reach = j.radius / zone * (zone + sight);
+    Kokkos::parallel_for(
+        "rhegma::cracks::markAtJunctions", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+        KOKKOS_LAMBDA(const int p) {
+          const Vector<2> from{position(p, 0) - at[0], position(p, 1) - at[1]};
+          if (dot(from, from) < reach * reach)
+            row(p) = 0;
+        });
+  }
+}
+
+void Junctions::hideNodes(const State<2>& state, const ObservedPoints<2>& points,
+                          const StencilTable<2>& table) const
+{
+  const NodePlaces<2> places = nodePlaces(state);
+  const int numLattice = state.nodes.numLattice;
+  for (const Junction& j : all_)
+  {
+    const Pieces pieces{CrackSight<2>(state.cracks, state.grid.spacing),
+                        j.place,
+                        j.throughSimplex,
+                        j.through,
+                        j.ended,
+                        j.side,
+                        j.radius,
+                        tieTolerance * j.radius / zone};
+    const double reach = j.radius / zone * (zone + sight);
+    forFew(
+        "rhegma::cracks::hideNodes", points.count, KOKKOS_LAMBDA(const int r) {
+          const Vector<2> x{points.position(r, 0), points.position(r, 1)};
+          const int across = pieces.within(x, reach) ? pieces.across(points.side(r)) : -1;
+          if (across < 0)
+            return;
+          double seen = 0.0, all = 0.0, slope[2] = {0.0, 0.0};
+          int left = 0;
+          const auto hidden = [&](int k)
+          {
+            const int n = table.node(r, k);
+            if (n >= numLattice)
+              return false;
+            const Vector<2> node = places(n);
+            return pieces.within(node, pieces.radius) && pieces.near(node) == (across == 1);
+          };
+          for (int k = 0; k < table.count(r); ++k)
+          {
+            all += table.weight(r, k);
+            if (hidden(k))
+              continue;
+            ++left;
+            seen += table.weight(r, k);
+            for (int d = 0; d < 2; ++d)
+              slope[d] += table.slope(r, k, d);
+          }
+          if (left == table.count(r) || !(seen > leastSeen * all))
+            return;
+          int kept = 0;
+          for (int k = 0; k < table.count(r); ++k)
+          {
+            if (hidden(k))
+              continue;
+            const double weight = table.weight(r, k) / seen;
+            for (int d = 0; d < 2; ++d)
+              table.slope(r, kept, d) = (table.slope(r, k, d) - weight * slope[d]) / seen * all;
+            table.node(r, kept) = table.node(r, k);
+            table.weight(r, kept) = weight * all;
+            ++kept;
+          }
+          table.count(r) = kept;
+        });
+  }
+}
+
+void Junctions::keep(Archive& archive)
+{
+  std::vector<int> numbers;
+  for (const Junction& j : all_)
+    numbers.insert(numbers.end(), {j.ended, j.through, j.first ? 1 : 0, j.side});
+  archive("junctions", numbers, 4);
+  if (!archive.loads())
+    return;
+  all_.clear();
+  for (std::size_t k = 0; k + 3 < numbers.size(); k += 4)
+    all_.push_back({numbers[k], numbers[k + 1], numbers[k + 2] != 0, numbers[k + 3]});
+}
+
+} // namespace Rhegma::cracks

@@ -1,0 +1,75 @@
+#pragma once
+/// Where a crack ends on the face of another.
+
+#include "cracks/Sides.hpp"
+
+#include <vector>
+
+namespace Rhegma
+{
+class Archive;
+}
+
+namespace Rhegma::cracks
+{
+
+/// Particles: the side of a second crack near which they are, as fields::side, or 0. Only where cracks may
+/// join.
+constexpr const char* otherSide = "side_of_other_crack";
+
+/// The T junctions of a 2D scene: a crack that has ended on the face of another which goes through. Three
+/// pieces of material meet there, and nodes have but two fields. So within two cells of a junction
+///
+///   - nodes on the side on which the crack ends are that crack's: their fields are of the two pieces beside
+///     it. Particles of the third piece, across the crack that goes through, do not see them;
+///   - nodes of the third piece are not seen by particles of the other two.
+///
+/// What a particle so no longer sees is made up for by the others that it does, in proportion to their shape
+/// functions (Shepard): they sum to one, and their slopes to zero, but are not linearly complete there, as in
+/// broken cells (Visibility.hpp). Particles beside both cracks know a side of each (`otherSide`).
+class Junctions
+{
+public:
+  /// Whether there are any.
+  bool empty() const { return all_.empty(); }
+
+  /// Adds one where a front has ended on another crack, once that is laid out: particles beside the last six
+  /// cells of the one that ended, on its side of the other, learn on which side of it they are.
+  /// \param ended the crack that ended \param first whether at its first end \param through the other crack
+  void add(const State<2>& state, int ended, bool first, int through);
+
+  /// Joins two cracks whose fronts have met, once they are laid out: particles beside one of them near the
+  /// other learn on which side of that they are. There are two pieces of material, and no nodes to be given.
+  /// \param one a crack \param first whether it ends at its first end \param two the other
+  static void join(const State<2>& state, int one, bool first, int two);
+
+  /// Gives nodes near junctions to the cracks that are to split them: after the nearest cracks of nodes have
+  /// been found, before their sides are.
+  void claimNodes(const State<2>& state, const Surroundings& surroundings);
+
+  /// Marks the particles near junctions, whose stencils are to be edited.
+  void markParticles(const State<2>& state, const View<int*>& row) const;
+
+  /// Hides nodes from points, before nodes are replaced by their second fields.
+  void hideNodes(const State<2>& state, const ObservedPoints<2>& points, const StencilTable<2>& table) const;
+
+  /// Saves or loads them.
+  void keep(Archive& archive);
+
+private:
+  struct Junction
+  {
+    int ended, through;
+    bool first;
+    int side; ///< of the crack that goes through on which the other ends: 1 or -1
+    // As they are in this step:
+    Vector<2> place{};
+    int endSimplex = 0, throughSimplex = 0;
+    double radius = 0.0; ///< [m]
+  };
+  static void place(const State<2>& state, Junction& junction);
+
+  std::vector<Junction> all_;
+};
+
+} // namespace Rhegma::cracks

@@ -1,0 +1,213 @@
+/// A crack that runs into the face of another.
+
+#include "output/CoreRow.hpp"
+#include "scene/Scene.hpp"
+#include "step/EffectSchema.hpp"
+#include "step/Run.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+#include <string>
+#include <vector>
+
+using namespace Rhegma;
+
+namespace
+{
+
+using Reals = Teuchos::Array<double>;
+Reals reals(const std::vector<double>& values) { return Reals(values.begin(), values.end()); }
+
+constexpr double cell = 1e-3, size = 40e-3, pull = 2e6, speed = 400.0;
+constexpr double roof = 20.3e-3, wall = 15.3e-3; ///< heights and places of the two cracks, off the nodes
+
+void addLoad(Teuchos::ParameterList& scene, const std::string& name, const std::vector<double>& from,
+             const std::vector<double>& to, const std::vector<double>& stress)
+{
+  Teuchos::ParameterList& load = scene.sublist("Boundaries").sublist(name);
+  load.set("Type", std::string("Traction"));
+  load.set("Body", std::string("Plate"));
+  load.set("From", reals(from));
+  load.set("To", reals(to));
+  load.set("Stress", reals(stress));
+}
+
+/// A free plate with cracks that run by a toughness of 1 + v / 100 J/m2.
+template <class Cut>
+Teuchos::ParameterList plate(const Cut& cut)
+{
+  Teuchos::ParameterList scene("Rhegma");
+  Teuchos::ParameterList& domain = scene.sublist("Domain");
+  domain.set("Dimension", 2);
+  domain.set("Plane", std::string("Stress"));
+  domain.set("Lower Corner", reals({-4.0 * cell, -4.0 * cell}));
+  domain.set("Upper Corner", reals({size + 4.0 * cell, size + 4.0 * cell}));
+  domain.set("Cell Size", cell);
+  scene.sublist("Time").set("Final Time", 1.0);
+  Teuchos::ParameterList& material = scene.sublist("Materials").sublist("Polymer");
+  material.set("Model", std::string("Linear Elastic"));
+  material.set("Density", 1200.0);
+  material.set("Young Modulus", 3e9);
+  material.set("Poisson Ratio", 0.3);
+  Teuchos::ParameterList& body = scene.sublist("Bodies").sublist("Plate");
+  body.set("Material", std::string("Polymer"));
+  body.set("Shape", std::string("Box"));
+  body.set("Lower Corner", reals({0.0, 0.0}));
+  body.set("Upper Corner", reals({size, size}));
+  cut(scene);
+  std::vector<SceneError> errors;
+  validateList(scene, effectSchema(), errors);
+  for (const SceneError& error : errors)
+    ADD_FAILURE() << toString(error);
+  // Nothing measures what drives the front: the test says it.
+  Teuchos::ParameterList& propagation = scene.sublist("Propagation");
+  propagation.set("Toughness", std::string("1 + v/100"));
+  propagation.set("Direction", std::string("Straight"));
+  propagation.set("Increment", 1.0);
+  propagation.set("Start Time", 0.0);
+  propagation.set("Release Contour", reals({5.0, 10.0}));
+  propagation.set("Direction Contour", reals({3.0, 6.0}));
+  return scene;
+}
+
+/// Roof goes from the left edge to beyond the middle; Wall begins below and runs up to Roof, under which the
+/// plate is pulled apart sideways.
+void cutACorner(Teuchos::ParameterList& scene)
+{
+  addLoad(scene, "Left", {0.0, 20.0 * cell}, {0.0, 0.0}, {-pull, 0.0});
+  addLoad(scene, "Right", {size, 0.0}, {size, 20.0 * cell}, {pull, 0.0});
+  Teuchos::ParameterList& cracks = scene.sublist("Cracks");
+  cracks.sublist("Roof").set("Points", reals({0.0, roof, 30e-3, roof}));
+  cracks.sublist("Wall").set("Points", reals({wall, 0.0, wall, 10e-3}));
+}
+
+/// Two cracks in one line, from the left and the right edge, across which the plate is pulled.
+void cutInTwo(Teuchos::ParameterList& scene)
+{
+  addLoad(scene, "Top", {size, size}, {0.0, size}, {0.0, pull});
+  addLoad(scene, "Bottom", {0.0, 0.0}, {size, 0.0}, {0.0, -pull});
+  Teuchos::ParameterList& cracks = scene.sublist("Cracks");
+  cracks.sublist("Roof").set("Points", reals({0.0, roof, 15e-3, roof}));
+  cracks.sublist("Wall").set("Points", reals({size, roof, 26.4e-3, roof}));
+}
+
+/// Momentum along an axis of what was in a part of the plate [kg m/s].
+template <class Part>
+double momentum(const State<2>& state, int axis, const Part& part)
+{
+  const auto host = [](const auto& view)
+  { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
+  const auto x = host(state.particles.real<2>(fields::reference));
+  const auto v = host(state.particles.real<2>(fields::velocity));
+  const auto m = host(state.particles.scalar(fields::mass));
+  double sum = 0.0;
+  for (int p = 0; p < state.particles.size(); ++p)
+    if (part(x(p, 0), x(p, 1)))
+      sum += m(p) * v(p, axis);
+  return sum;
+}
+
+/// Force on such a part over 20 us, from 15 us on when its faces are open [N].
+template <class Part>
+double forceOn(Rhegma::Run<2>& run, int axis, const Part& part)
+{
+  const State<2>& state = run.state();
+  for (const double joined = state.time; state.time < joined + 1.5e-5;)
+    run.step(1.0, false);
+  const double begin = state.time, before = momentum(state, axis, part);
+  while (state.time < begin + 2e-5)
+    run.step(1.0, false);
+  return (momentum(state, axis, part) - before) / (state.time - begin);
+}
+
+struct Piece
+{
+  Rhegma::Run<2> run;
+  int front; ///< that of Wall
+  double joined;
+};
+
+/// Runs until the front of Wall has ended.
+template <class Cut>
+Piece runWall(const Cut& cut)
+{
+  Piece piece{Rhegma::Run<2>(plate(cut)), -1, -1.0};
+  piece.run.initialize();
+  State<2>& state = piece.run.state();
+  for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
+    if (state.cracks.cracks[state.cracks.fronts[f].crack].name == "Wall")
+      piece.front = static_cast<int>(f);
+  measureEnergy(state);
+  while (state.time < 1e-4 && piece.joined < 0.0)
+  {
+    state.cracks.fronts[piece.front].driving.release = 1.0 + speed / 100.0;
+    piece.run.step(1.0, false);
+    if (state.cracks.fronts[piece.front].ended)
+      piece.joined = state.time;
+  }
+  return piece;
+}
+
+} // namespace
+
+/// The crack ends on the face of the other, and what its new faces take is its toughness times the whole way.
+TEST(Junctions, CrackEndsOnTheFaceOfTheOther)
+{
+  Piece piece = runWall(cutACorner);
+  State<2>& state = piece.run.state();
+  ASSERT_GE(piece.front, 0);
+  const CrackFront<2>& front = state.cracks.fronts[piece.front];
+  ASSERT_TRUE(front.ended);
+  EXPECT_FALSE(front.halted);
+  EXPECT_EQ(front.speed, 0.0);
+  EXPECT_NEAR(front.position[0], wall, 0.1 * cell);
+  EXPECT_NEAR(front.position[1], roof, 0.1 * cell);
+  ASSERT_FALSE(state.warnings.empty());
+  EXPECT_NE(state.warnings.back().find("joined the crack Roof"), std::string::npos) << state.warnings.back();
+  // The first increment is that of a front at rest.
+  const double way = roof - 10e-3;
+  EXPECT_NEAR(front.taken, 5.0 * (way - cell) + 1.0 * cell, 0.02 * front.taken);
+  while (state.time < piece.joined + 1e-5)
+    piece.run.step(1.0, false);
+  nlohmann::json summary;
+  for (const Effect<2>& effect : piece.run.plan().effects)
+    if (effect.report)
+      effect.report(piece.run.state(), summary);
+  const double inFlight = summary["energy_in_flight"];
+  std::cout << "spent " << state.energy.fracture / front.taken << ", in flight " << inFlight / front.taken
+            << "\n";
+  EXPECT_NEAR(state.energy.fracture + inFlight, front.taken, 0.02 * front.taken);
+}
+
+/// The piece that the two cracks cut out is free: once the faces are open it is pulled by the load on its
+/// edge alone, force times time, and nothing holds it at the junction.
+TEST(Junctions, PieceThatIsCutOutIsFree)
+{
+  Piece piece = runWall(cutACorner);
+  ASSERT_GE(piece.joined, 0.0);
+  const double load = -pull * 20.0 * cell,
+               force = forceOn(piece.run, 0, [](double x, double y) { return x < wall && y < roof; });
+  std::cout << "force on the piece " << force / load << " of the load on its edge\n";
+  // A cell of material at the junction would carry up to a twentieth.
+  EXPECT_NEAR(force / load, 1.0, 0.02);
+}
+
+/// Two fronts that meet end at one place, and their cracks part the plate as one would.
+TEST(Junctions, FrontsThatMeetPartThePlate)
+{
+  Piece piece = runWall(cutInTwo);
+  ASSERT_GE(piece.joined, 0.0);
+  const State<2>& state = piece.run.state();
+  ASSERT_EQ(state.cracks.fronts.size(), 2u);
+  for (const CrackFront<2>& front : state.cracks.fronts)
+  {
+    EXPECT_TRUE(front.ended);
+    EXPECT_NEAR(front.position[0], 15e-3, 0.1 * cell);
+  }
+  const double load = pull * size, force = forceOn(piece.run, 1, [](double, double y) { return y > roof; });
+  std::cout << "force on the upper half " << force / load << " of the load on its edge\n";
+  EXPECT_NEAR(force / load, 1.0, 0.02);
+}
