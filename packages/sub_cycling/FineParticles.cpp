@@ -4,6 +4,7 @@
 #include "transfer/ParticleViews.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace Rhegma::sub_cycling
@@ -343,6 +344,19 @@ void FineParticles<D>::holdNodes(const State<D>& state)
 }
 
 template <int D>
+void FineParticles<D>::writeFirstShares(const State<D>& state, const BorrowedView<double*>& share) const
+{
+  const View<int*> particle = particle_;
+  for (int l = first_; l <= state.tree.deepest; ++l)
+  {
+    const double own = std::ldexp(1.0, first_ - 1 - l);
+    Kokkos::parallel_for(
+        "rhegma::subcycling::firstShares", Range(particlesFrom_[l + 1], particlesFrom_[l]),
+        KOKKOS_LAMBDA(const int i) { share(particle(i)) = own; });
+  }
+}
+
+template <int D>
 void FineParticles<D>::weighNodes(const State<D>& state)
 {
   fit(mass_, "rhegma::subcycling::mass", numSlots_);
@@ -356,5 +370,7 @@ void FineParticles<D>::weighNodes(const State<D>& state)
 
 template void FineParticles<2>::list(const State<2>&, int);
 template void FineParticles<3>::list(const State<3>&, int);
+template void FineParticles<2>::writeFirstShares(const State<2>&, const BorrowedView<double*>&) const;
+template void FineParticles<3>::writeFirstShares(const State<3>&, const BorrowedView<double*>&) const;
 
 } // namespace Rhegma::sub_cycling

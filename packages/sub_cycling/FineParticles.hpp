@@ -75,6 +75,10 @@ public:
 
   NodeSlots slots() const { return {slotOf_, numInner_}; }
 
+  /// Writes the share of the long step that the force of its start acts on listed particles: half of it for
+  /// the first class, a quarter for the next.
+  void writeFirstShares(const State<D>& state, const BorrowedView<double*>& share) const;
+
   /// Mean of a force over the last long steps, on inner nodes that had a slot in all of them; it grows from
   /// zero elsewhere, and everywhere after cells changed. \param kind which force it is, 0 .. deepestLevel
   void smooth(const State<D>& state, int kind, const Values& force, const Values& mean);

@@ -2,6 +2,7 @@
 
 #include "checkpoint/Archive.hpp"
 #include "parallel/Subdomain.hpp"
+#include "transfer/LaneHeat.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -52,6 +53,8 @@ void LocalSteps<D>::begin(State<D>& state, int first, int last)
   last_ = last;
   active_ = first <= last && state.tree.refined();
   state.shortSteps = {};
+  if (state.particles.has(fields::firstShare))
+    Kokkos::deep_copy(state.particles.scalar(fields::firstShare), 1.0);
   if (!active_)
     return;
   fine_.list(state, first);
@@ -60,6 +63,8 @@ void LocalSteps<D>::begin(State<D>& state, int first, int last)
     return;
   state.shortSteps.nodes = fine_.slots();
   state.shortSteps.length = std::ldexp(state.dt, first - 1 - last);
+  if (state.particles.has(fields::firstShare))
+    fine_.writeFirstShares(state, state.particles.scalar(fields::firstShare));
   const int slots = fine_.numSlots();
   makeRoom(slots);
   Kokkos::deep_copy(displacement_, 0.0);

@@ -1,6 +1,7 @@
 #include "sub_cycling/SubCycling.hpp"
 
 #include "sub_cycling/LocalSteps.hpp"
+#include "transfer/LaneHeat.hpp"
 
 #include <algorithm>
 #include <memory>
@@ -56,11 +57,14 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   const auto steps = std::make_shared<LocalSteps<D>>();
   Effect<D> effect;
   effect.name = "Sub-Cycling";
+  if (scene.isSublist("Thermal"))
+    effect.adds.push_back(
+        {fields::firstShare, 1, "-", "share of the long step that the force of its start acts"});
   effect.atStart = [=](State<D>& state) { state.subcycledLevels = levels; };
   effect.call({Stage::Scatter,
                "particles of small cells",
                {"nodal mass", "stiffness of ties", "prescribed values"},
-               {},
+               {"short steps"},
                {},
                [=](State<D>& state)
                {

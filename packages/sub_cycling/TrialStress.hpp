@@ -3,7 +3,7 @@
 /// start.
 
 #include "state/State.hpp"
-#include "transfer/LaneStress.hpp"
+#include "transfer/LaneHeat.hpp"
 #include "transfer/ParticleViews.hpp"
 
 namespace Rhegma::sub_cycling
@@ -76,6 +76,7 @@ public:
     at.speed[0] = 0.0;
     heat.temperature[0] = temperature_(p);
     heat.internal[0] = internal_(p);
+    heat.share[0] = 0.0;
     double memory[historyRoom];
     const int width = static_cast<int>(this->history_.extent(1));
     for (int k = 0; k < width; ++k)

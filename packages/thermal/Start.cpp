@@ -70,11 +70,12 @@ void startEnergy(State<D>& state)
   Kokkos::parallel_for(
       "rhegma::thermal::startStress", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p) {
-        double wave = 0.0;
+        ThermoState says;
         const Properties& law = materials(material(p));
         withLaw<D>(law.kind, law.plane,
                    ThermoStress{ThermoPoint(tables, material(p), T(p)), T(p), &F(p, 0), &stress(p, 0),
-                                history.extent(1) > 0 ? &history(p, 0) : nullptr, internal(p), wave});
+                                history.extent(1) > 0 ? &history(p, 0) : nullptr, says});
+        internal(p) = says.internal;
       });
 }
 

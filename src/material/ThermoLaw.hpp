@@ -30,6 +30,19 @@ KOKKOS_INLINE_FUNCTION double energySlope(const ThermoPoint& at, const double* o
   return slope;
 }
 
+/// What a law says of one particle at a temperature, per undeformed volume.
+struct ThermoState
+{
+  double stored = 0.0;     ///< W [J/m3]
+  double dissipated = 0.0; ///< plastic work so far less what of it is in W [J/m3]
+  double slope = 0.0;      ///< dW/dT at fixed F [J/(m3 K)]
+  double internal = 0.0;   ///< internal energy e [J/m3]
+  double wave = 0.0;       ///< wave speed of the law, with what adiabatic straining stiffens it [m/s]
+
+  /// What straining has put into the material, W and what plastic flow has taken.
+  KOKKOS_INLINE_FUNCTION double spent() const { return stored + dissipated; }
+};
+
 /// Stress and energies of one particle, F and history as the law's own `stress` has them.
 struct ThermoStress
 {
@@ -38,8 +51,7 @@ struct ThermoStress
   double* F;
   double* tau;
   double* history;
-  double& internal; ///< out: internal energy e [J/m3]
-  double& wave;     ///< out: wave speed of the law, with what adiabatic straining stiffens it [m/s]
+  ThermoState& says; ///< out
 
   template <class Law, int D, Plane P>
   KOKKOS_INLINE_FUNCTION bool run() const
@@ -52,16 +64,17 @@ struct ThermoStress
     const bool good = Law::template stress<D, P>(law, own, tau, history);
     if constexpr (P == Plane::Stress)
       F[4] = theta * own[4];
-    const double stored = Law::template energy<D, P>(law, own, history);
-    const double slope = energySlope<Law, D, P>(at, own, tau, history);
+    says.stored = Law::template energy<D, P>(law, own, history);
+    says.dissipated = dissipatedEnergy<D>(law, history);
+    says.slope = energySlope<Law, D, P>(at, own, tau, history);
     const double T0 = at.material.reference;
-    internal = stored - temperature * slope + at.heat() +
-               0.5 * at.material.coupling * (temperature - T0) * (temperature + T0) +
-               (1.0 - at.material.plasticHeat) * dissipatedEnergy<D>(law, history);
+    says.internal = says.stored - temperature * says.slope + at.heat() +
+                    0.5 * at.material.coupling * (temperature - T0) * (temperature + T0) +
+                    (1.0 - at.material.plasticHeat) * says.dissipated;
     const double speed = Law::template waveSpeed<D, P>(law, own, history);
     // Adiabatic bulk modulus: K + T (3 K alpha)^2 / (rho c).
     const double push = 3.0 * law.bulk * at.expansion();
-    wave = std::sqrt(speed * speed + temperature * push * push / (at.capacity() * law.density));
+    says.wave = std::sqrt(speed * speed + temperature * push * push / (at.capacity() * law.density));
     return good;
   }
 };

@@ -4,7 +4,7 @@
 
 #include "transfer/Box.hpp"
 #include "transfer/Gather.hpp"
-#include "transfer/LaneStress.hpp"
+#include "transfer/LaneHeat.hpp"
 #include "transfer/ParticleViews.hpp"
 
 #include <limits>
@@ -27,6 +27,7 @@ struct ParticleHeat
   static constexpr bool on = true;
   ThermoTables tables;
   BorrowedView<double*> temperature, internal;
+  BorrowedView<double*> firstShare; ///< of the step that the force of its start acts; empty: all of it
 };
 
 /// Strain and move of the particles of one bundle, both by one nodal velocity.
@@ -192,6 +193,7 @@ struct StrainAndMove
       {
         own.temperature[p - begin] = heat.temperature(p);
         own.internal[p - begin] = heat.internal(p);
+        own.share[p - begin] = heat.firstShare.extent(0) > 0 ? heat.firstShare(p) : 1.0;
       }
       for (int k = 0; k < symmetricSize<D>; ++k)
         for (int p = begin; p < end; ++p)
@@ -244,6 +246,8 @@ double strainAndMoveWith(State<D>& state, const Connect& connect, const View<dou
     work.heat.tables = state.thermo;
     work.heat.temperature = state.particles.scalar(fields::temperature);
     work.heat.internal = state.particles.scalar(fields::internalEnergy);
+    if (state.particles.has(fields::firstShare))
+      work.heat.firstShare = state.particles.scalar(fields::firstShare);
   }
   work.connect = connect;
   work.nodal = nodal;

@@ -1,0 +1,240 @@
+#pragma once
+/// Stress, temperature and internal energy of some particles that a step has strained.
+///
+/// The internal energy takes up what the law says of its own state: with the free energy psi(F, T) and
+/// P : dF = dW - W_T dT (ThermoLaw.hpp),
+///
+///     work = W(F', T') - W(F, T) - (W_T + W_T') (T' - T) / 2 + plastic work,
+///
+/// so that a law whose stress does not know the temperature does the work that it does without heat,
+/// W(F') - W(F), however large the strain of a step is. (The mean of old and new stress times the strain of a
+/// step is off by the square of that strain, and straining to and fro does not take it back.)
+///
+/// The law is asked at the temperature to which straining brings the particle at small strain. What the
+/// energy says beyond that, of higher order in strain or of plastic work, changes the temperature and, by the
+/// thermal stress of the small difference, the stress: one that lags behind its temperature is a negative
+/// damping of short waves, and where straining without heat flow is much stiffer than at constant temperature
+/// it bursts a body.
+///
+/// The force at the start of a step is that of the stress which a particle has then. What has changed its
+/// temperature at fixed strain since that stress was found, conduction and sources, is not in it, nor is
+/// viscosity in the law: half of the step moves against that stress and not against the law's, and the work
+/// of the difference is booked. (The force is that of the middle between two steps.)
+
+#include "material/HistoryRoom.hpp"
+#include "material/ThermoLaw.hpp"
+#include "transfer/LaneStress.hpp"
+
+#include <string>
+
+namespace Rhegma
+{
+
+namespace fields
+{
+/// Of a step, the share that the force of its start acts [-]: without the field all of it.
+inline const std::string firstShare = "share of the first force";
+} // namespace fields
+
+namespace detail
+{
+
+/// What the lanes of a bundle hold of heat.
+template <int D>
+struct HeatLanes
+{
+  double temperature[lanes]; ///< [K]
+  double internal[lanes];    ///< [J/m3]
+  double share[lanes];       ///< of the step that the force of its start acts; 1 but in short steps
+};
+
+/// Work per undeformed volume that the half of the first force which lies in this step does beyond that of
+/// the law's own stress [J/m3]. \param law stress at the temperature at the start
+template <int D>
+KOKKOS_FORCEINLINE_FUNCTION double workOfLag(const StrainLanes<D>& at, const HeatLanes<D>& heat,
+                                             const double* law, int l, double dt)
+{
+  double power = 0.0;
+  for (int i = 0; i < D; ++i)
+    for (int j = 0; j < D; ++j)
+    {
+      const int k = symmetricIndex<D>(i, j);
+      power += (at.tau[k][l] - law[k]) * at.gradient[i * D + j][l];
+    }
+  return 0.5 * heat.share[l] * dt * power;
+}
+
+/// Adds the thermal stress of a small rise of temperature. \param pressure per kelvin: 3 K alpha, or in plane
+/// stress that of the plane
+template <int D, Plane P>
+KOKKOS_FORCEINLINE_FUNCTION void addThermalStress(double pressure, double rise, double* tau)
+{
+  constexpr int held = P == Plane::Stress ? 2 : 3;
+  for (int i = 0; i < held; ++i)
+    tau[normalIndex<D>(i)] -= pressure * rise;
+}
+
+/// F <- (I + dt L) F, stress, internal energy, temperature and wave speed of the lanes from .. to - 1, all of
+/// one material none of whose properties is a table.
+template <int D>
+struct HeatOfLanes
+{
+  const Properties& properties;
+  const ThermoMaterial& material;
+  const ThermoKnot& knot;
+  StrainLanes<D>& at; ///< its stress is the old one on entry
+  HeatLanes<D>& heat;
+  double* history; ///< of the first lane; null for laws without one
+  int historyWidth;
+  double dt;
+  int from, to;
+
+  template <class Law, int, Plane P>
+  KOKKOS_INLINE_FUNCTION void run() const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const double alpha = knot.expansion, T0 = material.reference, capacity = knot.capacity;
+    // Change of the trace of stress with that of strain: 3 K, in plane stress E / (1 - nu).
+    const double stiffness =
+        P == Plane::Stress ? 2.0 * (properties.planeLambda + properties.mu) : 3.0 * properties.bulk;
+    const double cooling = dt * alpha * stiffness / capacity, push = 3.0 * properties.bulk * alpha;
+    const double adiabatic = push * push / (capacity * properties.density);
+    for (int l = from; l < to; ++l)
+    {
+      double F[gradientSize<D>], own[gradientSize<D>], tau[symmetricSize<D>], stretching = 0.0;
+      double* const memory = history == nullptr ? nullptr : history + l * historyWidth;
+      const double before = heat.temperature[l];
+      // What the law has at the start, at the temperature of now.
+      const double expanded = 1.0 / (1.0 + alpha * (before - T0));
+      for (int k = 0; k < gradientSize<D>; ++k)
+        own[k] = expanded * at.F[k][l];
+      double work = -stored<Law, P>(own, memory);
+      double copy[historyRoom];
+      for (int k = 0; k < historyWidth; ++k)
+        copy[k] = memory[k];
+      Law::template stress<D, P>(properties, own, tau, copy);
+      const double slope = alpha * expanded * trace<D>(tau);
+      work += workOfLag<D>(at, heat, tau, l, dt);
+
+      strained<D>(at, l, dt, F);
+      for (int i = 0; i < D; ++i)
+        stretching += at.gradient[i * D + i][l];
+      const bool finite = determinant<D>(F) < infinity;
+      const double T = before * (1.0 - cooling * stretching);
+      const double theta = 1.0 + alpha * (T - T0), inverse = 1.0 / theta;
+      for (int k = 0; k < gradientSize<D>; ++k)
+        own[k] = inverse * F[k];
+      const bool good = Law::template stress<D, P>(properties, own, tau, memory);
+      if constexpr (P == Plane::Stress)
+        F[4] = theta * own[4];
+      const double now = alpha * inverse * trace<D>(tau);
+      const double elastic = Law::template energy<D, P>(properties, own, memory);
+      double has = elastic + T * now + (T - T0) * (capacity + 0.5 * material.coupling * (T + T0));
+      work += elastic + 0.5 * (slope + now) * (T - before);
+      if (historyWidth > 0)
+      {
+        const double flow = dissipatedEnergy<D>(properties, memory);
+        work += flow;
+        has += (1.0 - material.plasticHeat) * flow;
+      }
+      heat.internal[l] += work;
+      const double rise = (heat.internal[l] - has) / capacity, after = T + rise;
+      heat.temperature[l] = after;
+      const double wave = Law::template waveSpeed<D, P>(properties, own, memory);
+      at.speed[l] =
+          good && finite && after > 0.0 ? at.speed[l] + std::sqrt(wave * wave + after * adiabatic) : infinity;
+      addThermalStress<D, P>(alpha * stiffness, rise, tau);
+      for (int k = 0; k < gradientSize<D>; ++k)
+        at.F[k][l] = F[k];
+      for (int k = 0; k < symmetricSize<D>; ++k)
+        at.tau[k][l] = tau[k];
+    }
+  }
+
+  /// Energy stored and spent in plastic flow [J/m3].
+  template <class Law, Plane P>
+  KOKKOS_FORCEINLINE_FUNCTION double stored(const double* own, const double* memory) const
+  {
+    const double elastic = Law::template energy<D, P>(properties, own, memory);
+    return historyWidth > 0 ? elastic + dissipatedEnergy<D>(properties, memory) : elastic;
+  }
+};
+
+/// The same for particles whose properties are tables: T' is what the energy says at the old temperature.
+template <int D>
+struct HeatByTables
+{
+  const Properties& properties;
+  const ThermoTables& tables;
+  int material;
+  StrainLanes<D>& at; ///< its stress is the old one on entry
+  HeatLanes<D>& heat;
+  double* history; ///< of the first lane; null for laws without one
+  int historyWidth;
+  double dt;
+  int from, to;
+
+  KOKKOS_INLINE_FUNCTION void run() const
+  {
+    for (int l = from; l < to; ++l)
+      one(l);
+  }
+
+  KOKKOS_INLINE_FUNCTION void one(int l) const
+  {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double F[gradientSize<D>], tau[symmetricSize<D>], memory[historyRoom];
+    double* const own = history == nullptr ? nullptr : history + l * historyWidth;
+    double& T = heat.temperature[l];
+    const double before = T;
+    const ThermoPoint start(tables, material, before);
+    for (int k = 0; k < gradientSize<D>; ++k)
+      F[k] = at.F[k][l];
+    ThermoState old, now;
+    look(start, before, F, tau, own, memory, old);
+    const double lag = workOfLag<D>(at, heat, tau, l, dt);
+    strained<D>(at, l, dt, F);
+    const bool finite = determinant<D>(F) < infinity;
+    bool good = look(start, before, F, tau, own, memory, now);
+    double work = lag + now.spent() - old.spent();
+    T += (heat.internal[l] + work - now.internal) / start.capacity();
+    if (start.material.coupled)
+    {
+      const ThermoPoint end(tables, material, T);
+      good = look(end, T, F, tau, own, memory, now) && good;
+      work = lag + now.spent() - old.spent() - 0.5 * (old.slope + now.slope) * (T - before);
+    }
+    heat.internal[l] += work;
+    const double rise = (heat.internal[l] - now.internal) / start.capacity(), alpha = start.expansion();
+    T += rise;
+    if constexpr (D == 2)
+    {
+      if (properties.plane == Plane::Stress)
+        addThermalStress<D, Plane::Stress>(2.0 * alpha * (properties.planeLambda + properties.mu), rise, tau);
+      else
+        addThermalStress<D, Plane::Strain>(3.0 * alpha * properties.bulk, rise, tau);
+    }
+    else
+      addThermalStress<D, Plane::Solid>(3.0 * alpha * properties.bulk, rise, tau);
+    for (int k = 0; k < historyWidth; ++k)
+      own[k] = memory[k];
+    at.speed[l] = good && finite && T > 0.0 ? at.speed[l] + now.wave : infinity;
+    for (int k = 0; k < gradientSize<D>; ++k)
+      at.F[k][l] = F[k];
+    for (int k = 0; k < symmetricSize<D>; ++k)
+      at.tau[k][l] = tau[k];
+  }
+
+  /// What the law says of F at a temperature, starting from its history, which becomes `memory`.
+  KOKKOS_INLINE_FUNCTION bool look(const ThermoPoint& point, double T, double* F, double* tau,
+                                   const double* own, double* memory, ThermoState& says) const
+  {
+    for (int k = 0; k < historyWidth; ++k)
+      memory[k] = own[k];
+    return withLaw<D>(properties.kind, properties.plane, ThermoStress{point, T, F, tau, memory, says});
+  }
+};
+
+} // namespace detail
+
+} // namespace Rhegma
