@@ -58,6 +58,10 @@ double lossToStresses(const State<D>& state, double rate, View<char**>& heldNode
             for (int d = 0; d < D; ++d)
               held(n, d) = constraint.holds[d] ? char(1) : held(n, d);
         });
+  // Where nodes move in short steps the stress at the start acts on the velocity that was damped in the first
+  // of them only.
+  const NodeSlots brief = state.shortSteps.nodes;
+  const double share = state.shortSteps.length / state.dt;
   double power = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::powerOfStresses", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
@@ -66,7 +70,8 @@ double lossToStresses(const State<D>& state, double rate, View<char**>& heldNode
         const double mass = nodes.sums(n, Nodes<D>::massAt);
         for (int d = 0; d < D && mass > 0.0; ++d)
           if (held(n, d) == 0)
-            sum += nodes.sums(n, Nodes<D>::forceAt + d) * nodes.sums(n, Nodes<D>::momentumAt + d) / mass;
+            sum += (brief.moves(n) ? share : 1.0) * nodes.sums(n, Nodes<D>::forceAt + d) *
+                   nodes.sums(n, Nodes<D>::momentumAt + d) / mass;
       },
       power);
   return 0.5 * std::expm1(rate * state.dt) * state.dt * power;
@@ -183,7 +188,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   if (rate > 0.0)
     effect.call({Stage::Scatter,
                  "what mass damping takes from stresses",
-                 {"nodal momentum", "prescribed values"},
+                 {"nodal momentum", "prescribed values", "short steps"},
                  {},
                  {},
                  [=, held = std::make_shared<View<char**>>()](State<D>& s)

@@ -139,6 +139,22 @@ TEST_P(Ledger, knowsWhatAWallGivesThatGoesToAndFro)
   }
 }
 
+/// Mass damping takes at once, at the start of a long step, what short steps have half of their stresses'
+/// work on: that of the first of them.
+TEST_P(Ledger, knowsWhatStrongDampingTakes)
+{
+  Books books[2];
+  for (const bool brief : {false, true})
+  {
+    Teuchos::ParameterList scene = withWall(blockScene(GetParam(), brief), "sin(pi*t/12)");
+    scene.sublist("Damping").set("Mass Rate", 1.0);
+    books[brief] = keep(scene, 60.0);
+  }
+  std::printf("%d levels, damped: open in the mean %.2e J, in short steps only %.2e, half a step %.2e\n",
+              GetParam(), books[true].mean, books[false].mean, 0.5 * books[true].step);
+  EXPECT_NEAR(books[true].mean, books[false].mean, 0.5 * books[true].step);
+}
+
 /// A load pulls all the time, so that it is known to half of what it gives in a short step.
 TEST_P(Ledger, knowsTheWorkOfALoad)
 {
