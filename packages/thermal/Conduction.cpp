@@ -2,6 +2,7 @@
 
 #include "parallel/Subdomain.hpp"
 #include "scene/Numbers.hpp"
+#include "thermal/MeetingMaterials.hpp"
 #include "transfer/Stencils.hpp"
 
 #include <algorithm>
@@ -16,6 +17,9 @@ namespace
 
 /// Conduction waits while the time that it has not done is below this share of its own step.
 constexpr double waitingShare = 0.25;
+
+/// pi^2 (MeetingMaterials.hpp).
+constexpr double joining = 9.8696044010893586;
 
 } // namespace
 
@@ -37,10 +41,15 @@ void Conduction<D>::measure(const State<D>& state)
     for (int k = materials(m).first; k < materials(m).first + materials(m).count; ++k)
     {
       diffusivity = std::max(diffusivity, ratio * knots(k).conductivity / knots(k).capacity);
-      leastDiffusivity = std::min(leastDiffusivity, least * knots(k).conductivity / knots(k).capacity);
+      // Of those that conduct: who conducts nothing has no part in the others' nodes.
+      if (knots(k).conductivity > 0.0 || materials.extent(0) == 1)
+        leastDiffusivity = std::min(leastDiffusivity, least * knots(k).conductivity / knots(k).capacity);
       leastCapacity = std::min(leastCapacity, knots(k).capacity);
     }
   }
+  several = materials.extent(0) > 1 && diffusivity > 0.0;
+  if (!std::isfinite(leastDiffusivity))
+    leastDiffusivity = 0.0;
 }
 
 template <int D>
@@ -110,13 +119,20 @@ double Conduction<D>::supplyAll(State<D>& state, double dt, double time)
 template <int D>
 void Conduction<D>::once(State<D>& state, double dt, double time, const View<double*>& supplied)
 {
-  nodes.clear(state);
+  const double h = state.smallestSpacing();
+  const double join = -std::expm1(-joining * diffusivity * dt / (h * h));
+  nodes.clear(state, several);
+  if (several)
+    markMaterials(state, nodes, join);
   heatToNodes(state, nodes);
   sumOverRanks(state, nodes.sums.data(), HeatNodes<D>::sumWidth, 0, HeatNodes<D>::momentAt + D);
   findTemperature(state, nodes);
   if (!facesKnown)
     faces.update(state);
   facesKnown = true;
+  faces.merge(state, nodes, join);
+  if (several)
+    joinMaterials(state, nodes);
   boundaries.hold(state, nodes, time + dt);
   double heat = dt * boundaries.addFlux(state, nodes, time + 0.5 * dt);
   fluxToNodes(state, nodes, supplied);
@@ -129,8 +145,7 @@ void Conduction<D>::once(State<D>& state, double dt, double time, const View<dou
   ++stepsTaken;
   // What nodes can't see fades in the time that heat takes through a cell: ten times slower than waves of its
   // length would. By the least of the diffusivities, since particles of several materials share it.
-  const double h = state.smallestSpacing();
-  changeToParticles(state, nodes, -std::expm1(-leastDiffusivity * dt / (h * h)));
+  changeToParticles(state, nodes, -std::expm1(-leastDiffusivity * dt / (h * h)), supplied, dt);
   state.energy.heat += heat;
 }
 

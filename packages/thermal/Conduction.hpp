@@ -25,7 +25,8 @@ struct Conduction
   double pending = 0.0;          ///< time since the last step of conduction [s]
   int waited = 0;                ///< steps since then
   double diffusivity = 0.0;      ///< largest of the materials [m2/s]
-  double leastDiffusivity = 0.0; ///< least of the materials [m2/s]
+  double leastDiffusivity = 0.0; ///< least of the materials that conduct [m2/s]
+  bool several = false;          ///< materials may meet, and some conduct
   double leastCapacity = 0.0;    ///< least of the materials [J/(m3 K)]
   double fractureSeen = 0.0;     ///< energy of the ledger's fracture that fronts have had their heat of [J]
   std::vector<double> frontHeat; ///< the part of it of each front [J]

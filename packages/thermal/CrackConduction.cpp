@@ -67,6 +67,7 @@ void CrackConduction<D>::read(const Teuchos::ParameterList& list, const State<D>
         faces.isParameter("Conductance") ? faces.get<double>("Conductance") : double(perfect);
     host(c).onlyWhereClosed = kind == "When Closed";
     conducts_ = true;
+    perfectContact_ = perfectContact_ || host(c).conductance == perfect;
   }
   Kokkos::deep_copy(laws_, host);
 }
@@ -185,6 +186,36 @@ void CrackConduction<D>::findConductance(const State<D>& state)
 }
 
 template <int D>
+void CrackConduction<D>::merge(const State<D>& state, const HeatNodes<D>& heat, double share) const
+{
+  if (!perfectContact_ || !active(state))
+    return;
+  const Nodes<D> nodes = state.nodes;
+  const View<double * [D + 2]> faces = faces_;
+  const View<double*> conductance = conductance_;
+  const bool several = heat.meets.extent(0) > 0;
+  Kokkos::parallel_for(
+      "rhegma::thermal::mergeFields", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
+      KOKKOS_LAMBDA(const int i) {
+        const int two = nodes.numLattice + i, one = nodes.parent(i);
+        const double C1 = heat.sums(one, HeatNodes<D>::capacityAt);
+        const double C2 = heat.sums(two, HeatNodes<D>::capacityAt);
+        // Beside a perfect contact nothing else counts in the mean around the node.
+        if (!(conductance(one) > 0.0) || !(faces(one, 0) > 1e-6 * perfect * faces(one, 1)) || !(C1 > 0.0) ||
+            !(C2 > 0.0) || heat.insulates(one) || heat.insulates(two))
+          return;
+        const double T = (C1 * heat.value(one, 0) + C2 * heat.value(two, 0)) / (C1 + C2);
+        heat.value(one, 0) = heat.value(one, 2) = heat.value(two, 0) = heat.value(two, 2) = T;
+        if (!several)
+          return;
+        for (int k = 0; k < HeatNodes<D>::joinAt; ++k)
+          heat.meets(one, k) = heat.meets(two, k) = heat.meets(one, k) + heat.meets(two, k);
+        heat.meets(one, HeatNodes<D>::joinAt) = heat.meets(two, HeatNodes<D>::joinAt) =
+            heat.severalAt(one) ? share : 0.0;
+      });
+}
+
+template <int D>
 double CrackConduction<D>::exchange(const State<D>& state, const HeatNodes<D>& heat, double dt) const
 {
   if (!active(state))
@@ -198,7 +229,8 @@ double CrackConduction<D>::exchange(const State<D>& state, const HeatNodes<D>& h
         const int two = nodes.numLattice + i, one = nodes.parent(i);
         const double C1 = heat.sums(one, HeatNodes<D>::capacityAt);
         const double C2 = heat.sums(two, HeatNodes<D>::capacityAt);
-        if (!(conductance(one) > 0.0) || !(C1 > 0.0) || !(C2 > 0.0))
+        if (!(conductance(one) > 0.0) || !(C1 > 0.0) || !(C2 > 0.0) || heat.insulates(one) ||
+            heat.insulates(two))
           return;
         const bool held1 = heat.held(one) != 0, held2 = heat.held(two) != 0;
         // A held value is the temperature at the end already, and no heat changes it.

@@ -43,6 +43,11 @@ public:
   /// Finds the conductance of the nodes as the faces are now; needs the masses of the nodes. Collective.
   void update(const State<D>& state);
 
+  /// Gives the two fields of a node in perfect contact the one temperature that the node would have without a
+  /// crack: if the faces came together in the step instead, those of their particles that had the temperature
+  /// of the other side already would be pushed beyond it. \param share as markMaterials has it
+  void merge(const State<D>& state, const HeatNodes<D>& nodes, double share) const;
+
   /// Passes heat over dt, after the nodes have got their change by other ways.
   /// \return heat [J] that held nodes take up from outside for it
   double exchange(const State<D>& state, const HeatNodes<D>& nodes, double dt) const;
@@ -67,7 +72,7 @@ public:
   void findConductance(const State<D>& state);
 
 private:
-  bool conducts_ = false;
+  bool conducts_ = false, perfectContact_ = false;
   View<FaceLaw*> laws_; ///< of each crack
   FacePoints<D> points_;
   ObservedPoints<D> around_; ///< half a cell away from them on either side, seen without a crack

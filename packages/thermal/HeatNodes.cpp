@@ -18,12 +18,22 @@ Vector<D> commonOrigin(const State<D>& state)
   return state.subdomain ? state.subdomain->division.lattice.origin : state.grid.origin;
 }
 
+/// Whether a particle that does not conduct touches nodes on which another one does.
+template <int D, class Connect>
+KOKKOS_INLINE_FUNCTION bool isBesideConductor(const Connect& connect, const HeatNodes<D>& nodes, int p)
+{
+  bool any = false;
+  connect.visit(p, [&](int node, double weight, const double*)
+                { any = any || (HeatNodes<D>::touches(weight) && nodes.conductsAt(node)); });
+  return any;
+}
+
 template <int D, class Connect>
 struct CapacityBlock
 {
   static constexpr int width = HeatNodes<D>::sumWidth;
   Connect connect;
-  View<double* [width]> sums;
+  HeatNodes<D> nodes;
   ThermoTables tables;
   Vector<D> origin;
   BorrowedView<double*[D]> position, gradient;
@@ -32,9 +42,32 @@ struct CapacityBlock
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
   {
-    double* const rows = sums.data();
-    connect.forEachParticle(
-        begin, end, [&](int p, const auto& stencil) { stencil.template addValue<width>(rows, shares(p)); });
+    double* const rows = nodes.sums.data();
+    if (nodes.meets.extent(0) == 0)
+      connect.forEachParticle(
+          begin, end, [&](int p, const auto& stencil) { stencil.template addValue<width>(rows, shares(p)); });
+    else
+      connect.forEachParticle(begin, end,
+                              [&](int p, const auto& stencil)
+                              {
+                                if (ThermoPoint(tables, material(p), temperature(p)).conductivity() > 0.0)
+                                  stencil.template addValue<width>(rows, shares(p));
+                                else
+                                  addInsulator(p);
+                              });
+  }
+
+  /// To nodes on which nobody conducts.
+  KOKKOS_INLINE_FUNCTION void addInsulator(int p) const
+  {
+    double row[width];
+    shares(p).store(row);
+    connect.visit(p,
+                  [&](int node, double weight, const double*)
+                  {
+                    for (int k = 0; k < width && !nodes.conductsAt(node); ++k)
+                      nodes.sums(node, k) += weight * row[k];
+                  });
   }
 
   KOKKOS_FORCEINLINE_FUNCTION Pack<width> shares(int p) const
@@ -56,19 +89,20 @@ template <int D, class Connect>
 struct FluxBlock
 {
   Connect connect;
-  View<double* [4]> value;
-  View<double* [2]> rate;
+  HeatNodes<D> nodes;
   ParticleFlux<D> conducts;
   BorrowedView<double* [D]> gradient;
   View<double*> supply;
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
   {
-    const double* const rows = value.data();
-    double* const to = rate.data();
+    const double* const rows = nodes.value.data();
+    double* const to = nodes.rate.data();
     connect.forEachParticle(begin, end,
                             [&](int p, const auto& stencil)
                             {
+                              if (leftOut(p))
+                                return;
                               Pack<2> slope[D];
                               stencil.template valueAndGradient<4>(rows, slope);
                               double g[D], flow[D];
@@ -83,28 +117,48 @@ struct FluxBlock
                                 stencil.template addValue<2>(to, pack(supply(p), 0.0));
                             });
   }
+
+  /// Insulators beside a conductor see no gradient.
+  KOKKOS_INLINE_FUNCTION bool leftOut(int p) const
+  {
+    if (nodes.meets.extent(0) == 0 || conducts.conductivity(p) > 0.0 || !isBesideConductor(connect, nodes, p))
+      return false;
+    for (int d = 0; d < D; ++d)
+      gradient(p, d) = 0.0;
+    return true;
+  }
 };
 
 template <int D, class Connect>
 struct ChangeBlock
 {
   Connect connect;
-  View<double* [4]> value;
+  HeatNodes<D> nodes;
   ThermoTables tables;
-  BorrowedView<double*> temperature, internal;
+  BorrowedView<double*> volume, temperature, internal;
   BorrowedView<int*> material;
-  double share;
+  View<double*> supply;
+  double share, dt;
   bool mechanics;
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
   {
-    const double* const rows = value.data();
+    const double* const rows = nodes.value.data();
+    const bool several = nodes.meets.extent(0) > 0;
     connect.forEachParticle(begin, end,
                             [&](int p, const auto& stencil)
                             {
-                              const Pack<4> seen = stencil.template value<4, 4>(rows);
-                              const double change = seen[1] + share * (seen[2] - temperature(p));
                               const ThermoPoint at(tables, material(p), temperature(p));
+                              double change = 0.0;
+                              if (several && !(at.conductivity() > 0.0))
+                                change = ofInsulator(p, at.capacity());
+                              else
+                              {
+                                const Pack<4> seen = stencil.template value<4, 4>(rows);
+                                change = seen[1] + share * (seen[2] - temperature(p));
+                                if (several)
+                                  change += nodes.joined(p);
+                              }
                               internal(p) += at.capacity() * change;
                               // What moves finds its temperature with its stress, from what it holds.
                               temperature(p) = mechanics
@@ -112,12 +166,23 @@ struct ChangeBlock
                                                    : temperatureOfHeat(tables, material(p), internal(p));
                             });
   }
+
+  /// What comes to nodes on which nobody conducts; beside a conductor its own supply too.
+  KOKKOS_INLINE_FUNCTION double ofInsulator(int p, double capacity) const
+  {
+    double change = 0.0;
+    connect.visit(p, [&](int node, double weight, const double*)
+                  { change += nodes.conductsAt(node) ? 0.0 : weight * nodes.value(node, 1); });
+    if (supply.extent(0) > 0 && supply(p) != 0.0 && isBesideConductor(connect, nodes, p))
+      change += dt * supply(p) / (volume(p) * capacity);
+    return change;
+  }
 };
 
 } // namespace
 
 template <int D>
-void HeatNodes<D>::clear(const State<D>& state)
+void HeatNodes<D>::clear(const State<D>& state, bool several)
 {
   const std::size_t rows = state.nodes.sums.extent(0);
   if (sums.extent(0) < rows)
@@ -126,7 +191,11 @@ void HeatNodes<D>::clear(const State<D>& state)
     rate = View<double* [2]>("rhegma::thermal::rate", rows);
     value = View<double* [4]>("rhegma::thermal::value", rows);
     held = View<char*>("rhegma::thermal::held", rows);
+    if (several)
+      meets = View<double* [meetWidth]>("rhegma::thermal::meets", rows);
   }
+  if (several && static_cast<int>(joined.extent(0)) < state.particles.size())
+    joined = View<double*>("rhegma::thermal::joined", state.particles.size());
   const Nodes<D> nodes = state.nodes;
   const HeatNodes<D> heat = *this;
   Kokkos::parallel_for(
@@ -149,7 +218,7 @@ void heatToNodes(const State<D>& state, const HeatNodes<D>& nodes)
                      using Connect = std::decay_t<decltype(connect)>;
                      const FieldTable& table = state.particles;
                      const CapacityBlock<D, Connect> block{connect,
-                                                           nodes.sums,
+                                                           nodes,
                                                            state.thermo,
                                                            commonOrigin(state),
                                                            table.real<D>(fields::position),
@@ -189,17 +258,15 @@ void findTemperature(State<D>& state, const HeatNodes<D>& heat)
 template <int D>
 void fluxToNodes(const State<D>& state, const HeatNodes<D>& nodes, const View<double*>& supply)
 {
-  withConnectivity(
-      state,
-      [&](const auto& connect)
-      {
-        using Connect = std::decay_t<decltype(connect)>;
-        const FieldTable& table = state.particles;
-        const FluxBlock<D, Connect> block{
-            connect, nodes.value, nodes.rate, particleFlux(state), table.real<D>(fields::temperatureGradient),
-            supply};
-        forEachBlock("rhegma::thermal::fluxToNodes", state.blocks, block);
-      });
+  withConnectivity(state,
+                   [&](const auto& connect)
+                   {
+                     using Connect = std::decay_t<decltype(connect)>;
+                     const FieldTable& table = state.particles;
+                     const FluxBlock<D, Connect> block{connect, nodes, particleFlux(state),
+                                                       table.real<D>(fields::temperatureGradient), supply};
+                     forEachBlock("rhegma::thermal::fluxToNodes", state.blocks, block);
+                   });
 }
 
 template <int D>
@@ -222,7 +289,8 @@ double changeTemperature(const State<D>& state, const HeatNodes<D>& heat, double
 }
 
 template <int D>
-void changeToParticles(State<D>& state, const HeatNodes<D>& nodes, double share)
+void changeToParticles(State<D>& state, const HeatNodes<D>& nodes, double share, const View<double*>& supply,
+                       double dt)
 {
   withConnectivity(state,
                    [&](const auto& connect)
@@ -230,12 +298,15 @@ void changeToParticles(State<D>& state, const HeatNodes<D>& nodes, double share)
                      using Connect = std::decay_t<decltype(connect)>;
                      const FieldTable& table = state.particles;
                      const ChangeBlock<D, Connect> block{connect,
-                                                         nodes.value,
+                                                         nodes,
                                                          state.thermo,
+                                                         table.scalar(fields::volume),
                                                          table.scalar(fields::temperature),
                                                          table.scalar(fields::internalEnergy),
                                                          table.integer(fields::material),
+                                                         supply,
                                                          share,
+                                                         dt,
                                                          state.mechanics};
                      forEachBlock("rhegma::thermal::changeToParticles", state.blocks, block);
                    });
@@ -251,7 +322,7 @@ template void fluxToNodes(const State<2>&, const HeatNodes<2>&, const View<doubl
 template void fluxToNodes(const State<3>&, const HeatNodes<3>&, const View<double*>&);
 template double changeTemperature(const State<2>&, const HeatNodes<2>&, double);
 template double changeTemperature(const State<3>&, const HeatNodes<3>&, double);
-template void changeToParticles(State<2>&, const HeatNodes<2>&, double);
-template void changeToParticles(State<3>&, const HeatNodes<3>&, double);
+template void changeToParticles(State<2>&, const HeatNodes<2>&, double, const View<double*>&, double);
+template void changeToParticles(State<3>&, const HeatNodes<3>&, double, const View<double*>&, double);
 
 } // namespace Rhegma::thermal

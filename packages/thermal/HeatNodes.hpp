@@ -23,8 +23,30 @@ struct HeatNodes
   View<double* [4]> value;
   View<char*> held; ///< not 0 where the temperature is prescribed
 
-  /// Makes room for the nodes of the state and clears those in use.
-  void clear(const State<D>& state);
+  static constexpr int meetWidth = 4, joinAt = 3;
+  /// Of the conducting particles that touch a node: how many they are, the sum of the numbers of their
+  /// materials and that of the squares of these; and the share of the way to the node's temperature that its
+  /// particles take in the step (MeetingMaterials.hpp). Empty where there is one material.
+  View<double* [meetWidth]> meets;
+
+  /// Change of the temperature of each particle by what MeetingMaterials.hpp says [K]. Empty where there is
+  /// one material.
+  View<double*> joined;
+
+  /// Whether a particle with this weight touches a node: more than round-off at the edge of its box.
+  KOKKOS_INLINE_FUNCTION static bool touches(double weight) { return weight > 1e-12; }
+  /// Whether somebody conducts on a node.
+  KOKKOS_INLINE_FUNCTION bool conductsAt(int node) const { return meets(node, 0) > 0.0; }
+  /// Whether all on a node are insulators beside other materials.
+  KOKKOS_INLINE_FUNCTION bool insulates(int node) const { return meets.extent(0) > 0 && !conductsAt(node); }
+  /// Whether several materials that conduct meet on a node. Sums of whole numbers are exact.
+  KOKKOS_INLINE_FUNCTION bool severalAt(int node) const
+  {
+    return meets(node, 0) * meets(node, 2) != meets(node, 1) * meets(node, 1);
+  }
+
+  /// Makes room for the nodes of the state and clears those in use. \param several whether materials may meet
+  void clear(const State<D>& state, bool several = false);
 };
 
 /// Adds capacity and heat of the particles to the nodes. The temperature of a node is then sum N c (T +
@@ -38,7 +60,9 @@ template <int D>
 void findTemperature(State<D>& state, const HeatNodes<D>& nodes);
 
 /// Flux of the particles, -k grad T, to the nodes' rate, and their supply of heat with it. Renews the
-/// particles' temperature gradient. \param supply of each particle [W]; empty where there is none
+/// particles' temperature gradient. A particle that does not conduct, on a node on which another material
+/// does, keeps its supply for `changeToParticles`. \param supply of each particle [W]; empty where there is
+/// none
 template <int D>
 void fluxToNodes(const State<D>& state, const HeatNodes<D>& nodes, const View<double*>& supply);
 
@@ -51,8 +75,9 @@ double changeTemperature(const State<D>& state, const HeatNodes<D>& nodes, doubl
 ///
 /// Of what the nodes can't see, differences between the particles of a cell, a share is taken away: T +=
 /// share (sum N_i T_i - T) with the projected T_i, which leaves linear fields and the heat of all particles
-/// as they are.
+/// as they are. \param supply as `fluxToNodes` has it, for dt
 template <int D>
-void changeToParticles(State<D>& state, const HeatNodes<D>& nodes, double share);
+void changeToParticles(State<D>& state, const HeatNodes<D>& nodes, double share, const View<double*>& supply,
+                       double dt);
 
 } // namespace Rhegma::thermal

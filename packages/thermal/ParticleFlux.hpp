@@ -17,6 +17,12 @@ struct ParticleFlux
   BorrowedView<double * [gradientSize<D>]> deformation;
   BorrowedView<int*> material, body;
 
+  /// [W/(m K)]
+  KOKKOS_INLINE_FUNCTION double conductivity(int p) const
+  {
+    return ThermoPoint(tables, material(p), temperature(p)).conductivity();
+  }
+
   /// Volume times -k grad T.
   KOKKOS_INLINE_FUNCTION void flux(int p, const double (&g)[D], double (&flow)[D]) const
   {

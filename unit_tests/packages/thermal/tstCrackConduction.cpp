@@ -210,6 +210,48 @@ TEST(CrackConduction, AStepSpreadsThroughPerfectContact)
   EXPECT_LT(apart, 0.5);
 }
 
+/// Wherever a jump of temperature lies beside a crack in perfect contact, the field is at all times that of a
+/// bar without a crack, and no temperature leaves the range of those of the start by more than it does there.
+TEST(CrackConduction, PerfectContactBesideAJumpIsNoCrack)
+{
+  for (const double at : {2.5, 2.625, 2.75, 3.0, 3.125, 3.25})
+  {
+    std::vector<Rhegma::Run<2>> runs;
+    for (const bool cracked : {false, true})
+    {
+      Teuchos::ParameterList scene = bar<2>(0.25);
+      scene.sublist("Bodies").sublist("Bar").set("Temperature Field", std::string("x < 3 ? 400 : 300"));
+      if (cracked)
+      {
+        cut<2>(scene, at);
+        conducts(scene, 0.0);
+      }
+      runs.emplace_back(validated(scene));
+      runs.back().initialize();
+    }
+    const double before = heatOf(runs[1].state()).first;
+    for (int s = 0; s < 20; ++s)
+    {
+      std::vector<double> found[2];
+      for (int k = 0; k < 2; ++k)
+      {
+        steps(runs[k], 1);
+        forEach<2>(runs[k].state(), [&](const Vector<2>&, double T) { found[k].push_back(T); });
+      }
+      double apart = 0.0, beyond = 0.0;
+      for (std::size_t p = 0; p < found[0].size(); ++p)
+      {
+        apart = std::max(apart, std::fabs(found[1][p] - found[0][p]));
+        beyond = std::max({beyond, 300.0 - found[1][p], found[1][p] - 400.0});
+      }
+      EXPECT_LT(apart, 1e-9) << at << " " << s;
+      // The reconstruction by gradients, in the cells of the jump.
+      EXPECT_LT(beyond, 1.0) << at << " " << s;
+    }
+    EXPECT_NEAR(heatOf(runs[1].state()).first, before, 1e-12 * before);
+  }
+}
+
 TEST(CrackConduction, OnlyClosedFacesConductWhereAskedFor)
 {
   const double apart = afterMoving(1e-3, "When Closed"), whatever = afterMoving(1e-3, "Always"),

@@ -1,0 +1,33 @@
+#pragma once
+/// Heat where several materials meet on the same nodes.
+///
+/// A node has one temperature, the mean of what its particles hold. Where two materials of unlike
+/// temperatures meet it lies between them, and a body that conducts well draws heat from a node whose
+/// temperature it does not have itself: it would fall below all temperatures around, for as long as the other
+/// material takes to give up its part. So
+///
+/// - a material that conducts nothing has no part in nodes on which another one conducts: neither its
+///   capacity nor its temperature is in them, and it takes none of their change;
+/// - where several that conduct meet, their particles come together at the node's temperature as fast as heat
+///   crosses a cell of the best conductor, at a rate of pi^2 D / h^2, that of the slowest mode of a slab of
+///   h. A node drains into the next no faster than by D / h^2, so that what is drawn too much stays below 1 /
+///   pi^2 of the difference to the node's temperature, which is about half of the jump.
+///
+/// Both leave all heat as it is, and the second a field alone that is linear in each cell.
+
+#include "thermal/HeatNodes.hpp"
+
+namespace Rhegma::thermal
+{
+
+/// Writes `meets` of the nodes. To be called before heat comes to them. Collective. \param share of the way
+/// to the node's temperature that particles take where several materials that conduct meet
+template <int D>
+void markMaterials(const State<D>& state, const HeatNodes<D>& nodes, double share);
+
+/// Finds by how much each particle comes nearer to the nodes' temperature; `changeToParticles` gives it that.
+/// To be called when the nodes' temperature is known, before the particles' gradients are renewed.
+template <int D>
+void joinMaterials(const State<D>& state, const HeatNodes<D>& nodes);
+
+} // namespace Rhegma::thermal
