@@ -1,12 +1,14 @@
 #include "boundary/Boundaries.hpp"
 
 #include "boundary/BodyForce.hpp"
+#include "boundary/Contradictions.hpp"
 #include "boundary/ReadLoad.hpp"
 #include "boundary/Supports.hpp"
 #include "scene/Attempts.hpp"
 #include "scene/ReadList.hpp"
 
 #include <memory>
+#include <stdexcept>
 
 namespace Rhegma
 {
@@ -88,12 +90,20 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
                      state.energy.externalWork += load.work(state);
                  }});
   }
+  const double finalTime = scene.sublist("Time").get<double>("Final Time");
   effect.atStart = [=, section = Teuchos::ParameterList(section)](State<D>& state)
   {
     Attempts attempts;
     for (const std::string& name : constraintNames)
       attempts.attempt([&]
                        { constraints->push_back(readConstraint<D>(section.sublist(name), state, name)); });
+    attempts.attempt(
+        [&]
+        {
+          const std::string wrong = contradictions(*constraints, state, finalTime);
+          if (!wrong.empty())
+            throw std::invalid_argument(wrong);
+        });
     for (const std::string& name : loadNames)
       attempts.attempt([&] { loads->push_back(readLoad<D>(section.sublist(name), state, name)); });
     attempts.complain();
