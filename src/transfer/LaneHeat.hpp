@@ -26,6 +26,7 @@
 #include "transfer/LaneStress.hpp"
 
 #include <string>
+#include <type_traits>
 
 namespace Rhegma
 {
@@ -92,6 +93,8 @@ struct HeatOfLanes
   template <class Law, int, Plane P>
   KOKKOS_INLINE_FUNCTION void run() const
   {
+    // Laws without a memory let the compiler find several particles at once.
+    constexpr bool remembers = std::is_same_v<Law, J2Plastic>;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double alpha = knot.expansion, T0 = material.reference, capacity = knot.capacity;
     // Change of the trace of stress with that of strain: 3 K, in plane stress E / (1 - nu).
@@ -102,17 +105,24 @@ struct HeatOfLanes
     for (int l = from; l < to; ++l)
     {
       double F[gradientSize<D>], own[gradientSize<D>], tau[symmetricSize<D>], stretching = 0.0;
-      double* const memory = history == nullptr ? nullptr : history + l * historyWidth;
+      double* const memory = remembers ? history + l * historyWidth : nullptr;
       const double before = heat.temperature[l];
       // What the law has at the start, at the temperature of now.
       const double expanded = 1.0 / (1.0 + alpha * (before - T0));
       for (int k = 0; k < gradientSize<D>; ++k)
         own[k] = expanded * at.F[k][l];
-      double work = -stored<Law, P>(own, memory);
-      double copy[historyRoom];
-      for (int k = 0; k < historyWidth; ++k)
-        copy[k] = memory[k];
-      Law::template stress<D, P>(properties, own, tau, copy);
+      if constexpr (remembers)
+      {
+        double copy[historyRoom];
+        for (int k = 0; k < historyWidth; ++k)
+          copy[k] = memory[k];
+        Law::template stress<D, P>(properties, own, tau, copy);
+      }
+      else
+        Law::template stress<D, P>(properties, own, tau, nullptr);
+      double work = -Law::template energy<D, P>(properties, own, memory);
+      if constexpr (remembers)
+        work -= dissipatedEnergy<D>(properties, memory);
       const double slope = alpha * expanded * trace<D>(tau);
       work += workOfLag<D>(at, heat, tau, l, dt);
 
@@ -131,7 +141,7 @@ struct HeatOfLanes
       const double elastic = Law::template energy<D, P>(properties, own, memory);
       double has = elastic + T * now + (T - T0) * (capacity + 0.5 * material.coupling * (T + T0));
       work += elastic + 0.5 * (slope + now) * (T - before);
-      if (historyWidth > 0)
+      if constexpr (remembers)
       {
         const double flow = dissipatedEnergy<D>(properties, memory);
         work += flow;
@@ -149,14 +159,6 @@ struct HeatOfLanes
       for (int k = 0; k < symmetricSize<D>; ++k)
         at.tau[k][l] = tau[k];
     }
-  }
-
-  /// Energy stored and spent in plastic flow [J/m3].
-  template <class Law, Plane P>
-  KOKKOS_FORCEINLINE_FUNCTION double stored(const double* own, const double* memory) const
-  {
-    const double elastic = Law::template energy<D, P>(properties, own, memory);
-    return historyWidth > 0 ? elastic + dissipatedEnergy<D>(properties, memory) : elastic;
   }
 };
 
