@@ -53,8 +53,9 @@ TimedRun unreachedRun(const std::string& file, const GrowthEffort& effort)
 
 long increments(const TimedRun& run)
 {
+  const nlohmann::json report = run.simulation->report();
   long sum = 0;
-  for (const nlohmann::json& crack : run.simulation->report().at("cracks"))
+  for (const nlohmann::json& crack : report.at("cracks"))
     for (const nlohmann::json& front : crack.at("fronts"))
       sum += front.at("increments").get<long>();
   return sum;

@@ -82,7 +82,7 @@ void refuseContour(const Teuchos::ParameterList& list, const std::string& name,
 /// What cracks of 3D scenes can't run with as yet.
 void refuseInSpace(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  for (const char* name : {"Combustion", "Sub-Cycling"})
+  for (const char* name : {"Combustion", "Mass Matrix", "Sub-Cycling"})
     if (scene.isSublist(name))
       errors.push_back({"Propagation", "in 3D it does not go with " + std::string(name) +
                                            " as yet; take one of the two out"});
@@ -106,8 +106,10 @@ void checkPropagation(const Teuchos::ParameterList& scene, std::vector<SceneErro
     if (cracks.isType<bool>("Front Ties") && !cracks.get<bool>("Front Ties"))
       refuse("it needs Cracks > Front Ties; leave that at true");
   }
-  if (scene.isSublist("Mass Matrix"))
-    refuse("it does not go with Mass Matrix as yet; take one of the two out");
+  if (scene.isSublist("Mass Matrix") && scene.sublist("Mass Matrix").isType<std::string>("Type") &&
+      scene.sublist("Mass Matrix").get<std::string>("Type") == "FMPM")
+    refuse("cracks run too fast with Mass Matrix > Type = FMPM, which does not move nodes as the forces that "
+           "hold new faces ask for; write Partial or Full");
   if (!scene.isSublist("Energy Release"))
     refuse("nothing measures what drives the fronts; add a section Energy Release, which may be empty");
   if (scene.isSublist("Domain") && scene.sublist("Domain").isType<int>("Dimension") &&

@@ -121,6 +121,6 @@ PROPAGATION = [
     ("contour_the_wrong_way_round", running(**{"Release Contour": [10.0, 5.0]}),
      one("Propagation > Release Contour", "the inner one first")),
     ("front_that_is_none", running().set(NOTCH, [0.0, 0.5, 1.0, 0.5]), one("Energy Release", "front", "Fronts")),
-    ("running_cracks_with_a_mass_matrix", running().set("Mass Matrix", {"Type": "Full"}),
-     one("Propagation", "Mass Matrix", "take one of the two out")),
+    ("running_cracks_with_a_series_for_the_mass", running().set("Mass Matrix", {"Type": "FMPM"}),
+     one("Propagation", "FMPM", "Partial or Full")),
 ]
