@@ -1,6 +1,6 @@
 #include "contact/FaceContact.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "contact/FaceTraction.hpp"
 #include "material/MaterialTable.hpp"
 #include "parallel/Subdomain.hpp"
 #include "transfer/PushNodes.hpp"
@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
 #include <vector>
 
 namespace Rhegma::contact
@@ -19,19 +18,6 @@ namespace
 
 /// A closed crack at rest presses with round-off of its material's modulus; that is no touch.
 constexpr double noticeable = 1e-9;
-
-/// Traction on side +1 at a point [Pa].
-template <int D>
-KOKKOS_INLINE_FUNCTION Vector<D> tractionAt(const FacePoints<D>& points, const View<double*>& pressure,
-                                            const View<double * [D - 1]>& shear, int k)
-{
-  Vector<D> traction;
-  for (int d = 0; d < D; ++d)
-    traction[d] = pressure(k) * points.normal(k, d);
-  for (int t = 0; t < D - 1; ++t)
-    traction = traction - shear(k, t) * tangentOf(points, k, t);
-  return traction;
-}
 
 /// Traction of the face points on their faces, as forces.
 template <int D>
@@ -46,133 +32,6 @@ void scatterTractions(const Nodes<D>& nodes, const FacePoints<D>& points, const 
         addFaceForce(nodes, points.above, k, onUpper);
         addFaceForce(nodes, points.below, k, -1.0 * onUpper);
       });
-}
-
-/// Whether all nodes of a point move in short steps.
-template <int D>
-KOKKOS_INLINE_FUNCTION bool follows(const FacePoints<D>& points, const NodeSlots& slots, int k)
-{
-  for (int e = 0; e < points.above.count(k); ++e)
-    if (!slots.moves(points.above.node(k, e)))
-      return false;
-  for (int e = 0; e < points.below.count(k); ++e)
-    if (!slots.moves(points.below.node(k, e)))
-      return false;
-  return points.above.count(k) > 0;
-}
-
-/// Adds a force [N] on one face of a point to the nodes of it that move in short steps.
-template <int D>
-KOKKOS_INLINE_FUNCTION void addToSlots(const StencilTable<D>& face, const NodeSlots& slots, int k,
-                                       const Vector<D>& force, const View<double* [D]>& forces)
-{
-  for (int e = 0; e < face.count(k); ++e)
-    if (slots.moves(face.node(k, e)))
-      for (int d = 0; d < D; ++d)
-        Kokkos::atomic_add(&forces(slots.of(face.node(k, e)), d), face.weight(k, e) * force[d]);
-}
-
-/// Movement of side +1 against side -1 at a point all of whose nodes move in short steps.
-template <int D>
-KOKKOS_INLINE_FUNCTION Vector<D> jumpOfSlots(const FacePoints<D>& points, const NodeSlots& slots, int k,
-                                             const View<double* [D]>& displacement)
-{
-  Vector<D> jump{};
-  for (int e = 0; e < points.above.count(k); ++e)
-    for (int d = 0; d < D; ++d)
-      jump[d] += points.above.weight(k, e) * displacement(slots.of(points.above.node(k, e)), d);
-  for (int e = 0; e < points.below.count(k); ++e)
-    for (int d = 0; d < D; ++d)
-      jump[d] -= points.below.weight(k, e) * displacement(slots.of(points.below.node(k, e)), d);
-  return jump;
-}
-
-/// The law at a point over one step; T tangents.
-template <int T>
-struct Return
-{
-  double pressure;
-  Vector<T> shear, slip;
-  double heat;
-};
-
-/// \param gap now \param moved slip over the step \param slip elastic slip before \param before shear before
-template <int T>
-KOKKOS_INLINE_FUNCTION Return<T> returnMap(Law law, double friction, const Stiffness& k, double gap,
-                                           bool closed, const Vector<T>& moved, const Vector<T>& slip,
-                                           const Vector<T>& before)
-{
-  Return<T> r{gap < 0.0 ? -k.normal * gap : 0.0, {}, {}, 0.0};
-  // Faces that have just met begin without slip.
-  const Vector<T> trial = closed ? slip + moved : Vector<T>{};
-  double limit = 0.0;
-  if (r.pressure > 0.0 && law == Law::Stick)
-    limit = 1e300;
-  if (law == Law::Coulomb)
-    limit = friction * r.pressure;
-  r.shear = k.tangential * trial;
-  r.slip = trial;
-  const double size = norm(r.shear);
-  if (size > limit)
-  {
-    r.shear = (limit / size) * r.shear;
-    r.slip = (1.0 / k.tangential) * r.shear;
-  }
-  // By the mean traction, as the energy of the layer changes by it.
-  r.heat = 0.5 * dot(before + r.shear, trial - r.slip);
-  return r;
-}
-
-View<double*> inherit(const View<double*>& old, const View<int*>& before, const char* label)
-{
-  View<double*> fresh(std::string(label), before.extent(0));
-  if (old.extent(0) > 0)
-    Kokkos::parallel_for(
-        "rhegma::contact::inherit", Kokkos::RangePolicy<ExecSpace>(0, before.extent(0)),
-        KOKKOS_LAMBDA(const int k) { fresh(k) = before(k) >= 0 ? old(before(k)) : 0.0; });
-  return fresh;
-}
-
-/// Along the tangents of a point.
-template <int T>
-View<double* [T]> inherit(const View<double* [T]>& old, const View<int*>& before, const char* label)
-{
-  View<double* [T]> fresh(std::string(label), before.extent(0));
-  if (old.extent(0) > 0)
-    Kokkos::parallel_for(
-        "rhegma::contact::inheritTangents", Kokkos::RangePolicy<ExecSpace>(0, before.extent(0)),
-        KOKKOS_LAMBDA(const int k) {
-          for (int t = 0; t < T; ++t)
-            fresh(k, t) = before(k) >= 0 ? old(before(k), t) : 0.0;
-        });
-  return fresh;
-}
-
-/// Heat by size of points that were placed anew [J/m2]: what each earlier point had goes to the points that
-/// inherit from it by their sizes, or where none does to the one in its place. \param size of earlier points
-template <int D>
-View<double*> leaveHeat(const View<double*>& old, const View<double*>& size, const FacePoints<D>& points)
-{
-  View<double*> fresh("rhegma::contactHeat", points.count());
-  const auto heat = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, old);
-  const auto oldSize = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, size);
-  const auto newSize = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.size);
-  const auto before = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.before);
-  const auto after = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.after);
-  const auto host = Kokkos::create_mirror_view(fresh);
-  const int count = static_cast<int>(heat.extent(0));
-  std::vector<double> heirs(count, 0.0); // their size
-  for (int k = 0; k < points.count(); ++k)
-    if (before(k) >= 0)
-      heirs[before(k)] += newSize(k);
-  for (int k = 0; k < points.count(); ++k)
-    if (before(k) >= 0)
-      host(k) = heat(before(k)) * oldSize(before(k)) / heirs[before(k)];
-  for (int o = 0; o < count; ++o)
-    if (heirs[o] == 0.0 && after(o) >= 0)
-      host(after(o)) += heat(o) * oldSize(o) / newSize(after(o));
-  Kokkos::deep_copy(fresh, host);
-  return fresh;
 }
 
 } // namespace
@@ -194,16 +53,6 @@ double FaceContact<D>::prepare(const State<D>& state)
     findStiffness(state);
   thickness_ = state.thickness;
   return change;
-}
-
-template <int D>
-void FaceContact<D>::keepHistory(const View<double*>& size)
-{
-  gap_ = inherit(gap_, points_.before, "rhegma::contactGap");
-  slip_ = inherit<D - 1>(slip_, points_.before, "rhegma::contactSlip");
-  pressure_ = inherit(pressure_, points_.before, "rhegma::contactPressure");
-  shear_ = inherit<D - 1>(shear_, points_.before, "rhegma::contactShear");
-  heat_ = leaveHeat(heat_, size, points_);
 }
 
 template <int D>
@@ -251,109 +100,9 @@ void FaceContact<D>::findStiffness(const State<D>& state)
 }
 
 template <int D>
-void FaceContact<D>::keep(Archive& archive)
-{
-  {
-    const Archive::Group group(archive, "points");
-    points_.keep(archive);
-  }
-  archive("gap", gap_);
-  archive("slip", slip_);
-  archive("pressure", pressure_);
-  archive("shear", shear_);
-  archive("heat", heat_);
-  archive("closed", closed_);
-  archive("peak", peak_);
-  archive("thickness", thickness_);
-  archive("stored", stored_);
-  archive("dissipated", dissipated_);
-  keepCracks(archive);
-}
-
-template <int D>
-void FaceContact<D>::keepCracks(Archive& archive)
-{
-  int cracks = static_cast<int>(cracks_.size());
-  archive("cracks", cracks);
-  cracks_.resize(cracks);
-  if (static_cast<int>(stiffness_.extent(0)) != cracks)
-    stiffness_ = View<Stiffness*>("rhegma::contactStiffness", cracks);
-  const auto stiffness = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, stiffness_);
-  for (int c = 0; c < cracks; ++c)
-  {
-    const Archive::Group group(archive, "crack " + std::to_string(c));
-    archive("stiffness_normal", stiffness(c).normal);
-    archive("stiffness_tangential", stiffness(c).tangential);
-    archive("closed_points", cracks_[c].closedPoints);
-    archive("touches", cracks_[c].touches);
-    archive("first_touch", cracks_[c].firstTouch);
-    archive("largest_pressure", cracks_[c].largestPressure);
-  }
-  Kokkos::deep_copy(stiffness_, stiffness);
-}
-
-template <int D>
 void FaceContact<D>::addForces(const State<D>& state) const
 {
   scatterTractions(state.nodes, points_, pressure_, shear_, thickness_);
-}
-
-template <int D>
-void FaceContact<D>::addFrozenForces(const State<D>&, const NodeSlots& slots,
-                                     const View<double* [D]>& force) const
-{
-  const FacePoints<D> points = points_;
-  const View<double*> pressure = pressure_;
-  const View<double * [D - 1]> shear = shear_;
-  const double thickness = thickness_;
-  forEachPushing(
-      "rhegma::contact::frozenForces", points.count(), KOKKOS_LAMBDA(const int k) {
-        if (pressure(k) == 0.0 || follows(points, slots, k))
-          return;
-        const Vector<D> onUpper = (points.size(k) * thickness) * tractionAt(points, pressure, shear, k);
-        addToSlots<D>(points.above, slots, k, onUpper, force);
-        addToSlots<D>(points.below, slots, k, -1.0 * onUpper, force);
-      });
-}
-
-template <int D>
-void FaceContact<D>::addChange(const State<D>&, const NodeSlots& slots, const View<double* [D]>& displacement,
-                               const View<double* [D]>& force) const
-{
-  const FacePoints<D> points = points_;
-  const View<double*> gap = gap_, pressure = pressure_;
-  const View<double * [D - 1]> slip = slip_, shear = shear_;
-  const View<Stiffness*> stiffness = stiffness_;
-  const Law law = law_;
-  const double friction = friction_, thickness = thickness_;
-  forEachPushing(
-      "rhegma::contact::followNodes", points.count(), KOKKOS_LAMBDA(const int k) {
-        if (!follows(points, slots, k))
-          return;
-        const Vector<D> jump = jumpOfSlots(points, slots, k, displacement);
-        double opening = gap(k);
-        for (int d = 0; d < D; ++d)
-          opening += jump[d] * points.normal(k, d);
-        if (opening >= 0.0 && pressure(k) == 0.0)
-          return;
-        Vector<D - 1> moved, before, elastic;
-        for (int t = 0; t < D - 1; ++t)
-        {
-          moved[t] = dot(jump, tangentOf(points, k, t));
-          before[t] = shear(k, t);
-          elastic[t] = slip(k, t);
-        }
-        const Return<D - 1> now = returnMap(law, friction, stiffness(points.crack(k)), opening, gap(k) < 0.0,
-                                            moved, elastic, before);
-        Vector<D> onUpper;
-        for (int d = 0; d < D; ++d)
-          onUpper[d] = (now.pressure - pressure(k)) * points.normal(k, d);
-        for (int t = 0; t < D - 1; ++t)
-          onUpper = onUpper - (now.shear[t] - shear(k, t)) * tangentOf(points, k, t);
-        onUpper = (points.size(k) * thickness) * onUpper;
-        addToSlots<D>(points.above, slots, k, onUpper, force);
-        addToSlots<D>(points.below, slots, k, -1.0 * onUpper, force);
-      });
 }
 
 template <int D>

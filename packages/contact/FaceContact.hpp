@@ -1,24 +1,13 @@
 #pragma once
 /// Contact of the faces of cracks: a penalty traction at points on the faces.
 
+#include "contact/ContactLaw.hpp"
 #include "transfer/FacePoints.hpp"
+
+#include <vector>
 
 namespace Rhegma::contact
 {
-
-enum class Law
-{
-  Stick,
-  Frictionless,
-  Coulomb
-};
-
-/// What contact needs to know about a material.
-struct Stiffness
-{
-  double normal;     ///< traction per overlap [Pa/m]
-  double tangential; ///< traction per elastic slip [Pa/m]
-};
 
 /// One crack's account.
 struct CrackContact

@@ -3,6 +3,7 @@
 
 #include "cracks/Cohesion.hpp"
 #include "cracks/Sides.hpp"
+#include "cracks/TieMemory.hpp"
 #include "state/State.hpp"
 
 #include <memory>
@@ -48,7 +49,7 @@ class FrontTies
 {
 public:
   /// \param grows whether fronts may grow
-  explicit FrontTies(bool grows) : grows_(grows) {}
+  explicit FrontTies(bool grows) : grows_(grows), memory_(grows) {}
 
   /// Tells what 3D fronts do; needed before `release` where they grow.
   void follow(std::shared_ptr<const SurfaceGrowth> surface) { surface_ = std::move(surface); }
@@ -79,28 +80,17 @@ public:
   void keep(State<D>& state, int step, Archive& archive);
 
 private:
-  void makeRoom(State<D>& state);
-  /// Moves what nodes of refined cells have to the numbers that they have now.
-  void carryOver(const State<D>& state);
+  void readMaterials(const State<D>& state);
   void placeFronts(const State<D>& state);
-  /// Moves jumps to the nodes that this rank has now, from those that all ranks had. Collective.
-  void moveToNewNodes(State<D>& state);
 
   bool grows_;
+  TieMemory<D> memory_;
   std::shared_ptr<const SurfaceGrowth> surface_;
   std::vector<double> debt_; ///< energy that softened ties of each front take instead of its new faces [J]
   int waiting_ = 0;          ///< nodes that wait for `release`
-  View<double * [D + 4]> cohesion_; ///< of each lattice node (Cohesion.hpp); empty unless fronts may grow
-  View<double * [D + 1]> fronts_;   ///< place of each front, and 1 + its crack if it has grown, else 0
-  int generation_ = 0;              ///< of the refined cells and of this rank's nodes
-  Grid<D> grid_{};              ///< this rank's nodes to which these belong; empty where there is one rank
-  View<char*> foreign_;         ///< which of them are other ranks' too
-  double modulus_ = 0.0;        ///< the smallest E' of the scene [Pa]
-  double density_ = 0.0;        ///< the largest of the scene [kg/m3]
-  View<double* [D]> jump_;      ///< of each lattice node, from the field of side -1 to that of +1 [m]
-  View<double*> stiffness_;     ///< of each lattice node's tie in its last step [N/m]
-  View<int*> step_;             ///< number, from 1, of the last step in which a node had two fields
-  View<double* [D]> finePlace_; ///< of the nodes of refined cells to which these belong [m]
+  View<double * [D + 1]> fronts_; ///< place of each front, and 1 + its crack if it has grown, else 0
+  double modulus_ = 0.0;          ///< the smallest E' of the scene [Pa]
+  double density_ = 0.0;          ///< the largest of the scene [kg/m3]
 };
 
 } // namespace Rhegma::cracks

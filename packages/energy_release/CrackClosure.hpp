@@ -1,7 +1,7 @@
 #pragma once
 /// The energy release rate by crack closure.
 
-#include "energy_release/TipPatch.hpp"
+#include "energy_release/Recovery.hpp"
 
 namespace Rhegma::energy_release
 {

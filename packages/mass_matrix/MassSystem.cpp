@@ -2,6 +2,7 @@
 
 #include "mass_matrix/MassRows.hpp"
 #include "mass_matrix/ParticleMass.hpp"
+#include "mass_matrix/RowLists.hpp"
 #include "parallel/Subdomain.hpp"
 #include "state/FewItems.hpp"
 
