@@ -5,13 +5,11 @@
 /// Threads: OMP_NUM_THREADS.
 
 #include "combustion/Measure.hpp"
-#include "common/CommandLine.hpp"
-#include "common/Program.hpp"
+#include "common/InTurns.hpp"
 
 #include <iomanip>
 #include <iostream>
 #include <string>
-#include <vector>
 
 namespace
 {
@@ -30,25 +28,14 @@ void printTable(const nlohmann::json& all)
               << entry.at("ratio_of_steps").get<double>() << "\n";
 }
 
-void run(const std::vector<std::string>& arguments)
-{
-  CombustionEffort effort;
-  std::string scene;
-  bool json = false;
-  CommandLine()
-      .flag("--json", json)
-      .number("--steps", effort.steps)
-      .number("--rounds", effort.rounds)
-      .number("--warm-up", effort.warmUp)
-      .scene(scene, "xml_inputs/examples/burning_crack.xml")
-      .read(arguments);
-  placeThreads();
-  print(withKokkos([&] { return measureCombustion(scene, effort); }), json, printTable);
-}
-
 } // namespace
 
 int main(int argc, char** argv)
 {
-  return statusOf("combustion", [&] { run({argv, argv + argc}); });
+  return statusOf("combustion",
+                  [&]
+                  {
+                    runInTurns<CombustionEffort>({argv, argv + argc}, "xml_inputs/examples/burning_crack.xml",
+                                                 measureCombustion, printTable);
+                  });
 }

@@ -5,14 +5,12 @@
 ///
 /// Threads: OMP_NUM_THREADS.
 
-#include "common/CommandLine.hpp"
-#include "common/Program.hpp"
+#include "common/InTurns.hpp"
 #include "heat/Measure.hpp"
 
 #include <iomanip>
 #include <iostream>
 #include <string>
-#include <vector>
 
 namespace
 {
@@ -31,26 +29,16 @@ void printTable(const nlohmann::json& all)
               << std::setw(12) << entry.at("ratio").get<double>() << "\n";
 }
 
-void run(const std::vector<std::string>& arguments)
-{
-  HeatEffort effort;
-  std::string scene;
-  bool json = false;
-  CommandLine()
-      .flag("--json", json)
-      .number("--cell", effort.cell)
-      .number("--steps", effort.steps)
-      .number("--rounds", effort.rounds)
-      .number("--warm-up", effort.warmUp)
-      .scene(scene, "xml_inputs/verification/thermoelastic_rise.xml")
-      .read(arguments);
-  placeThreads();
-  print(withKokkos([&] { return measureHeat(scene, effort); }), json, printTable);
-}
-
 } // namespace
 
 int main(int argc, char** argv)
 {
-  return statusOf("heat", [&] { run({argv, argv + argc}); });
+  return statusOf("heat",
+                  [&]
+                  {
+                    runInTurns<HeatEffort>(
+                        {argv, argv + argc}, "xml_inputs/verification/thermoelastic_rise.xml", measureHeat,
+                        printTable,
+                        [](CommandLine& line, HeatEffort& effort) { line.number("--cell", effort.cell); });
+                  });
 }

@@ -4,14 +4,12 @@
 ///
 /// Threads: OMP_NUM_THREADS.
 
-#include "common/CommandLine.hpp"
-#include "common/Program.hpp"
+#include "common/InTurns.hpp"
 #include "mass_matrix/Measure.hpp"
 
 #include <iomanip>
 #include <iostream>
 #include <string>
-#include <vector>
 
 namespace
 {
@@ -34,25 +32,14 @@ void printTable(const nlohmann::json& all)
   }
 }
 
-void run(const std::vector<std::string>& arguments)
-{
-  MassMatrixEffort effort;
-  std::string scene;
-  bool json = false;
-  CommandLine()
-      .flag("--json", json)
-      .number("--steps", effort.steps)
-      .number("--rounds", effort.rounds)
-      .number("--warm-up", effort.warmUp)
-      .scene(scene, "xml_inputs/verification/dcb_h16.xml")
-      .read(arguments);
-  placeThreads();
-  print(withKokkos([&] { return measureMassMatrices(scene, effort); }), json, printTable);
-}
-
 } // namespace
 
 int main(int argc, char** argv)
 {
-  return statusOf("mass_matrix", [&] { run({argv, argv + argc}); });
+  return statusOf("mass_matrix",
+                  [&]
+                  {
+                    runInTurns<MassMatrixEffort>({argv, argv + argc}, "xml_inputs/verification/dcb_h16.xml",
+                                                 measureMassMatrices, printTable);
+                  });
 }

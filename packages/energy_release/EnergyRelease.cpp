@@ -5,13 +5,13 @@
 #include "energy_release/CrackClosure.hpp"
 #include "energy_release/CrackTipFields.hpp"
 #include "energy_release/DomainIntegral.hpp"
+#include "energy_release/DrivingCalls.hpp"
 #include "energy_release/DrivingForces.hpp"
 #include "energy_release/FrontsInSpace.hpp"
 #include "energy_release/ReadOptions.hpp"
 #include "scene/Attempts.hpp"
 #include "scene/Numbers.hpp"
 #include "scene/ReadList.hpp"
-#include "step/LastStage.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>
@@ -313,27 +313,8 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
                    sample(state, options, *samples);
                }});
   const auto driving = std::make_shared<DrivingForces>();
-  if (scene.isSublist("Propagation"))
-  {
-    effect.call({lastStage(scene),
-                 "driving forces of crack fronts",
-                 {"particle stress", "particle velocity", "crack geometry"},
-                 {"driving forces"},
-                 {},
-                 [driving](State<2>& state) { driving->measureRelease(state); }});
-    effect.call({lastStage(scene),
-                 "intensities at fronts that advance",
-                 {"fronts that advance"},
-                 {"intensities of fronts"},
-                 {},
-                 [driving](State<2>& state) { driving->measureIntensities(state); }});
-  }
-  effect.memory = [=](State<2>&, Archive& archive)
-  {
-    keep(*samples, archive);
-    const Archive::Group group(archive, "driving forces");
-    driving->keep(archive);
-  };
+  addDrivingCalls(effect, scene, driving);
+  effect.memory = [=](State<2>&, Archive& archive) { keepBoth(*samples, *driving, archive); };
   effect.report = [=](const State<2>& state, nlohmann::json& summary)
   { report(state, options, *samples, summary); };
   return effect;

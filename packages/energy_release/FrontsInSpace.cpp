@@ -1,6 +1,7 @@
 #include "energy_release/FrontsInSpace.hpp"
 
 #include "checkpoint/Archive.hpp"
+#include "energy_release/DrivingCalls.hpp"
 #include "energy_release/FacePressureInSpace.hpp"
 #include "energy_release/FrontDriving.hpp"
 #include "energy_release/FrontIntegral.hpp"
@@ -8,7 +9,6 @@
 #include "energy_release/ReadOptions.hpp"
 #include "scene/Attempts.hpp"
 #include "scene/Numbers.hpp"
-#include "step/LastStage.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/NearestMaterial.hpp"
 
@@ -282,27 +282,8 @@ Effect<3> fronts3(const Teuchos::ParameterList& scene)
                  if (state.observing)
                    sample(state, options, *samples);
                }});
-  if (scene.isSublist("Propagation"))
-  {
-    effect.call({lastStage(scene),
-                 "driving forces of crack fronts",
-                 {"particle stress", "particle velocity", "crack geometry"},
-                 {"driving forces"},
-                 {},
-                 [driving](State<3>& state) { driving->measureRelease(state); }});
-    effect.call({lastStage(scene),
-                 "intensities at fronts that advance",
-                 {"fronts that advance"},
-                 {"intensities of fronts"},
-                 {},
-                 [driving](State<3>& state) { driving->measureIntensities(state); }});
-  }
-  effect.memory = [=](State<3>&, Archive& archive)
-  {
-    keep(*samples, archive);
-    const Archive::Group group(archive, "driving forces");
-    driving->keep(archive);
-  };
+  addDrivingCalls(effect, scene, driving);
+  effect.memory = [=](State<3>&, Archive& archive) { keepBoth(*samples, *driving, archive); };
   effect.report = [=](const State<3>& state, nlohmann::json& summary) { report(state, *samples, summary); };
   return effect;
 }

@@ -1,13 +1,12 @@
 #include "propagation/Toughness.hpp"
 
 #include "scene/Numbers.hpp"
+#include "scene/PairTable.hpp"
 
 #include <muParser.h>
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <vector>
 
 namespace Rhegma::propagation
 {
@@ -15,7 +14,7 @@ namespace Rhegma::propagation
 struct Toughness::Form
 {
   std::string text;
-  std::vector<double> speeds, values; ///< of a table; empty for an expression
+  PairTable table; ///< of speeds; empty for an expression
   mu::Parser parser;
   mutable double speed = 0.0, temperature = 0.0; ///< whose addresses the parser holds
 };
@@ -25,27 +24,6 @@ namespace
 
 const char* const advice = "; write a number, an expression of the speed v such as \"100*(1 + v/500)\", or a "
                            "table of speed:energy such as \"0:100, 500:200\"";
-
-void readTable(const std::string& text, std::vector<double>& speeds, std::vector<double>& values)
-{
-  std::size_t begin = 0;
-  while (begin <= text.size())
-  {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string pair = trimmed(text.substr(begin, end - begin));
-    begin = end + 1;
-    const std::size_t colon = pair.find(':');
-    const auto speed = parseReal(pair.substr(0, colon));
-    const auto value = colon == std::string::npos ? std::nullopt : parseReal(pair.substr(colon + 1));
-    if (!speed || !value || !std::isfinite(*speed) || !std::isfinite(*value))
-      throw std::invalid_argument("\"" + pair + "\" is not a pair of a speed and an energy" + advice);
-    if (!speeds.empty() && *speed <= speeds.back())
-      throw std::invalid_argument("the speeds of the table must increase, but " + formatReal(*speed) +
-                                  " m/s follows " + formatReal(speeds.back()) + " m/s");
-    speeds.push_back(*speed);
-    values.push_back(*value);
-  }
-}
 
 void refuseOtherNames(mu::Parser& parser, const std::string& text, bool heated)
 {
@@ -71,9 +49,9 @@ Toughness Toughness::parse(const std::string& text, bool heated)
   form->text = trimmed(text);
   if (form->text.empty())
     throw std::invalid_argument(std::string("it is empty") + advice);
-  if (form->text.find(':') != std::string::npos && form->text.find('?') == std::string::npos)
+  if (PairTable::isMeant(form->text))
   {
-    readTable(form->text, form->speeds, form->values);
+    form->table = PairTable(form->text, {"a speed and an energy", "speeds", " m/s", advice, ""});
     return Toughness(form);
   }
   try
@@ -92,10 +70,8 @@ Toughness Toughness::parse(const std::string& text, bool heated)
   }
   catch (const mu::Parser::exception_type& error)
   {
-    std::string reason = error.GetMsg();
-    while (!reason.empty() && (reason.back() == '.' || reason.back() == ' '))
-      reason.pop_back();
-    throw std::invalid_argument("\"" + form->text + "\" is no toughness: " + reason + advice);
+    throw std::invalid_argument("\"" + form->text + "\" is no toughness: " + withoutStop(error.GetMsg()) +
+                                advice);
   }
   if (form->speed != 0.0 || form->temperature != 0.0)
     throw std::invalid_argument("\"" + form->text + "\" assigns with \"=\"; write \"==\" to compare");
@@ -105,20 +81,11 @@ Toughness Toughness::parse(const std::string& text, bool heated)
 double Toughness::operator()(double speed, double temperature) const
 {
   const Form& form = *form_;
-  if (form.speeds.empty())
-  {
-    form.speed = speed;
-    form.temperature = temperature;
-    return form.parser.Eval();
-  }
-  const auto after = std::upper_bound(form.speeds.begin(), form.speeds.end(), speed);
-  if (after == form.speeds.begin())
-    return form.values.front();
-  if (after == form.speeds.end())
-    return form.values.back();
-  const auto i = static_cast<std::size_t>(after - form.speeds.begin());
-  const double share = (speed - form.speeds[i - 1]) / (form.speeds[i] - form.speeds[i - 1]);
-  return form.values[i - 1] + share * (form.values[i] - form.values[i - 1]);
+  if (!form.table.empty())
+    return form.table(speed);
+  form.speed = speed;
+  form.temperature = temperature;
+  return form.parser.Eval();
 }
 
 void Toughness::refuseWeak(double fastest, double temperature) const

@@ -1,6 +1,7 @@
 #include "scene/PlaceFunction.hpp"
 
 #include "scene/Numbers.hpp"
+#include "scene/PairTable.hpp"
 
 #include <muParser.h>
 
@@ -14,16 +15,6 @@ namespace
 {
 
 const std::string advice = " Write one expression of x, y, z for each axis, such as \"1e-3*x, -3e-4*y\".";
-
-/// Inside an expression the parser would let "x = 1" overwrite x.
-bool assigns(const std::string& text)
-{
-  for (std::size_t i = 0; i < text.size(); ++i)
-    if (text[i] == '=' && !(i > 0 && std::string("=<>!").find(text[i - 1]) != std::string::npos) &&
-        !(i + 1 < text.size() && text[i + 1] == '='))
-      return true;
-  return false;
-}
 
 } // namespace
 
@@ -84,11 +75,9 @@ struct PlaceFunction::Form
     }
     catch (const mu::Parser::exception_type& error)
     {
-      std::string reason = error.GetMsg();
-      while (!reason.empty() && (reason.back() == '.' || reason.back() == ' '))
-        reason.pop_back();
       throw std::invalid_argument("\"" + (name.empty() ? text : name + " = " + text) +
-                                  "\" is not a function of place: " + reason + "." + advice);
+                                  "\" is not a function of place: " + withoutStop(error.GetMsg()) + "." +
+                                  advice);
     }
     pieces.back().name = name;
   }

@@ -1,22 +1,19 @@
 #include "scene/TimeFunction.hpp"
 
 #include "scene/Numbers.hpp"
+#include "scene/PairTable.hpp"
 
 #include <muParser.h>
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <vector>
 
 namespace Rhegma
 {
 
 struct TimeFunction::Form
 {
-  // A table; empty for an expression.
-  std::vector<double> times;
-  std::vector<double> values;
+  PairTable table; // empty for an expression
   // An expression of `t`, whose address the parser holds.
   mu::Parser parser;
   mutable double t = 0.0;
@@ -24,50 +21,6 @@ struct TimeFunction::Form
 
 namespace
 {
-
-bool isTable(const std::string& text)
-{
-  return text.find(':') != std::string::npos && text.find('?') == std::string::npos;
-}
-
-void readTable(const std::string& text, std::vector<double>& times, std::vector<double>& values)
-{
-  std::size_t begin = 0;
-  while (begin <= text.size())
-  {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const std::string pair = trimmed(text.substr(begin, end - begin));
-    begin = end + 1;
-    const std::size_t colon = pair.find(':');
-    const auto time = parseReal(pair.substr(0, colon));
-    const auto value = colon == std::string::npos ? std::nullopt : parseReal(pair.substr(colon + 1));
-    if (!time || !value)
-      throw std::invalid_argument(
-          "\"" + pair + "\" is not a pair of a time and a value; write a table as \"0:0, 1e-3:5\".");
-    if (!std::isfinite(*time) || !std::isfinite(*value))
-      throw std::invalid_argument("\"" + pair + "\" is not finite; write finite times and values.");
-    if (!times.empty() && *time <= times.back())
-      throw std::invalid_argument("the times of the table must increase, but " + formatReal(*time) +
-                                  " s follows " + formatReal(times.back()) + " s.");
-    times.push_back(*time);
-    values.push_back(*value);
-  }
-}
-
-/// The parser would let "t = 1" overwrite t.
-bool assigns(const std::string& text)
-{
-  for (std::size_t i = 0; i < text.size(); ++i)
-  {
-    if (text[i] != '=')
-      continue;
-    const bool comparesBefore = i > 0 && std::string("=<>!").find(text[i - 1]) != std::string::npos;
-    const bool comparesAfter = i + 1 < text.size() && text[i + 1] == '=';
-    if (!comparesBefore && !comparesAfter)
-      return true;
-  }
-  return false;
-}
 
 std::string advice()
 {
@@ -83,9 +36,10 @@ TimeFunction TimeFunction::parse(const std::string& text)
   const auto form = std::make_shared<Form>();
   if (trimmed(text).empty())
     throw std::invalid_argument("the function of time is empty." + advice());
-  if (isTable(text))
+  if (PairTable::isMeant(text))
   {
-    readTable(text, form->times, form->values);
+    form->table =
+        PairTable(text, {"a time and a value", "times", " s", "; write a table as \"0:0, 1e-3:5\".", "."});
     return TimeFunction(form);
   }
   if (assigns(text))
@@ -103,10 +57,8 @@ TimeFunction TimeFunction::parse(const std::string& text)
   }
   catch (const mu::Parser::exception_type& error)
   {
-    std::string reason = error.GetMsg();
-    while (!reason.empty() && (reason.back() == '.' || reason.back() == ' '))
-      reason.pop_back();
-    throw std::invalid_argument("\"" + text + "\" is not a function of time: " + reason + "." + advice());
+    throw std::invalid_argument("\"" + text + "\" is not a function of time: " + withoutStop(error.GetMsg()) +
+                                "." + advice());
   }
   return TimeFunction(form);
 }
@@ -114,19 +66,10 @@ TimeFunction TimeFunction::parse(const std::string& text)
 double TimeFunction::operator()(double t) const
 {
   const Form& form = *m_form;
-  if (form.times.empty())
-  {
-    form.t = t;
-    return form.parser.Eval();
-  }
-  const auto after = std::upper_bound(form.times.begin(), form.times.end(), t);
-  if (after == form.times.begin())
-    return form.values.front();
-  if (after == form.times.end())
-    return form.values.back();
-  const auto i = static_cast<std::size_t>(after - form.times.begin());
-  const double share = (t - form.times[i - 1]) / (form.times[i] - form.times[i - 1]);
-  return form.values[i - 1] + share * (form.values[i] - form.values[i - 1]);
+  if (!form.table.empty())
+    return form.table(t);
+  form.t = t;
+  return form.parser.Eval();
 }
 
 std::optional<std::string> complaintIfNotFinite(const std::string& given, double end)

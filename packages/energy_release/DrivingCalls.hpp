@@ -1,0 +1,43 @@
+#pragma once
+/// What drives fronts that grow, measured in every step.
+
+#include "step/Effect.hpp"
+#include "step/LastStage.hpp"
+
+#include <memory>
+
+namespace Rhegma::energy_release
+{
+
+/// Adds the calls that measure what drives the fronts, where a scene has fronts that grow.
+/// \param driving DrivingForces in 2D, FrontDriving in 3D
+template <int D, class Driving>
+void addDrivingCalls(Effect<D>& effect, const Teuchos::ParameterList& scene,
+                     const std::shared_ptr<Driving>& driving)
+{
+  if (!scene.isSublist("Propagation"))
+    return;
+  effect.call({lastStage(scene),
+               "driving forces of crack fronts",
+               {"particle stress", "particle velocity", "crack geometry"},
+               {"driving forces"},
+               {},
+               [driving](State<D>& state) { driving->measureRelease(state); }});
+  effect.call({lastStage(scene),
+               "intensities at fronts that advance",
+               {"fronts that advance"},
+               {"intensities of fronts"},
+               {},
+               [driving](State<D>& state) { driving->measureIntensities(state); }});
+}
+
+/// Saves or loads the samples and what drives the fronts.
+template <class Samples, class Driving>
+void keepBoth(Samples& samples, Driving& driving, Archive& archive)
+{
+  keep(samples, archive);
+  const Archive::Group group(archive, "driving forces");
+  driving.keep(archive);
+}
+
+} // namespace Rhegma::energy_release
