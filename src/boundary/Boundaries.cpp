@@ -2,6 +2,7 @@
 
 #include "boundary/BodyForce.hpp"
 #include "boundary/Contradictions.hpp"
+#include "boundary/LoadForces.hpp"
 #include "boundary/ReadLoad.hpp"
 #include "boundary/Supports.hpp"
 #include "scene/Attempts.hpp"
@@ -89,6 +90,7 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
                    for (const Load<D>& load : *loads)
                      state.energy.externalWork += load.work(state);
                  }});
+    addLoadForces(effect, loads);
   }
   const double finalTime = scene.sublist("Time").get<double>("Final Time");
   effect.atStart = [=, section = Teuchos::ParameterList(section)](State<D>& state)

@@ -37,6 +37,10 @@ public:
   /// Work [J] of the load over the step, from the mean of old and new nodal velocity.
   double work(const State<D>& state) const;
 
+  const std::string& name() const { return name_; }
+  /// The whole load over this step [N], on all ranks.
+  Vector<D> force() const { return now_ * force_; }
+
 private:
   /// Makes the points anew where particles that carry them were split or have become one again.
   void followLevels(const State<D>& state);

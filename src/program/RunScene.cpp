@@ -117,6 +117,12 @@ EarlierPart initialize(Simulation& simulation, const Teuchos::ParameterList& sce
   return earlier;
 }
 
+void printWarnings(const nlohmann::json& summary, std::ostream& err)
+{
+  for (const auto& warning : summary.value("warnings", nlohmann::json::array()))
+    err << "rhegma: warning: " << warning.get<std::string>() << "\n";
+}
+
 /// Whether the scene asks for a body at rest.
 bool waitsForRest(const Teuchos::ParameterList& scene)
 {
@@ -156,8 +162,7 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
   if (!options.quiet)
     out << (trouble.empty() ? "Results are in " : "Results up to then are in ") << production.folder()
         << "\n";
-  for (const auto& warning : summary["warnings"])
-    err << "rhegma: warning: " << warning.get<std::string>() << "\n";
+  printWarnings(summary, err);
   if (!trouble.empty())
   {
     err << "rhegma: " << trouble << "\n";
@@ -201,6 +206,7 @@ int run(const Options& options, std::ostream& out, std::ostream& err)
       {
         Simulation simulation(world(), scene);
         initialize(simulation, *scene, options);
+        printWarnings(simulation.report(), err);
         out << options.scene << " is a valid scene"
             << (options.restart.empty() ? "" : ", and " + options.restart + " a checkpoint of it") << "\n";
         return exitFinished;

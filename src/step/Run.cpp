@@ -1,6 +1,7 @@
 #include "step/Run.hpp"
 
 #include "boundary/Boundaries.hpp"
+#include "boundary/DomainEdges.hpp"
 #include "checkpoint/StateArchive.hpp"
 #include "output/CoreRow.hpp"
 #include "parallel/FirstRank.hpp"
@@ -92,7 +93,11 @@ void Run<D>::makeAll()
     if (effect.atStart && on)
       on = attempts.attempt([&] { effect.atStart(state_); }) || effect.name == boundariesName;
   if (state_.mechanics)
+  {
     state_.fastest = fastestSpeed(state_);
+    const std::vector<std::string> edges = warningsOfEdges<D>(scene_);
+    state_.warnings.insert(state_.warnings.end(), edges.begin(), edges.end());
+  }
   attempts.attempt([&] { refuseEndless(); });
   attempts.complain();
 }

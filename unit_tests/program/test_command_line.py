@@ -69,6 +69,20 @@ class WrongArguments(ProgramTest):
             "scene.xml", "--set", "Materials:Polymor:Density=1", where="Materials > Polymor", words=['"Polymer"']
         )
 
+    def test_check_tells_of_a_body_at_the_edge_of_the_domain(self):
+        """Where a support holds it there, or it has room, there is nothing to say."""
+        tight = plate().set("Domain > Lower Corner", [0.0, -0.2])
+        path = self.write("tight.xml", tight.text())
+        answer = rhegma(path, "--check")
+        self.assertEqual(answer.status, 0, answer)
+        for words in ("warning: Bodies > Plate: it touches the domain's edge at x = 0 m", "enlarge the domain"):
+            self.assertIn(words, answer.complaint)
+        held = tight.set("Boundaries > Mirror", {"Type": "Symmetry", "Axis": "x", "Position": 0.0})
+        answer = rhegma(self.write("held.xml", held.text()), "--check")
+        self.assertEqual((answer.status, answer.complaint), (0, ""), answer)
+        answer = rhegma(self.write("room.xml", plate().text()), "--check")
+        self.assertEqual((answer.status, answer.complaint), (0, ""), answer)
+
     def test_set_to_a_wrong_type(self):
         self.refuse("scene.xml", "--set", "Time:CFL=fast", where="Time > CFL", words=['"fast"', "a real number"])
 

@@ -8,7 +8,9 @@
 
 #include <Teuchos_DefaultComm.hpp>
 
+#include <map>
 #include <nlohmann/json.hpp>
+#include <string>
 
 namespace Rhegma
 {
@@ -53,6 +55,47 @@ TEST(Reports, ForceOfASupportIsItsImpulseOverTime)
   EXPECT_NEAR(body["velocity"][1].get<double>(), 2.0, 1e-12);
   EXPECT_NEAR(body["centre"][0].get<double>(), 3.5, 1e-12);
   EXPECT_NEAR(body["centre"][1].get<double>(), 3.5 + 2.0 * time, 1e-12);
+}
+
+/// A load of 3 N along y on a point and a traction of 2 Pa along x on an edge of 3 m, which grow as t: the
+/// mean from 0 to the sample at the end is half of what they are there, as each step takes them at its
+/// middle.
+TEST(Reports, ForceOfALoadIsItsMeanSinceTheLastSample)
+{
+  Teuchos::ParameterList scene = emptyScene<2>(all<2>(0.0), all<2>(8.0), 1.0, "MUSL", "GIMP");
+  addMaterial(scene, "Linear Elastic", 0.3);
+  addBox<2>(scene, "Block", all<2>(2.0), all<2>(5.0));
+  Teuchos::ParameterList& point = scene.sublist("Boundaries").sublist("Poke");
+  point.set("Type", "Point Load");
+  point.set("Body", "Block");
+  point.set("Point", array(Vector<2>{{3.0, 5.0}}));
+  point.set("Force", array(Vector<2>{{0.0, 3.0}}));
+  point.set("History", "t");
+  Teuchos::ParameterList& pull = scene.sublist("Boundaries").sublist("Pull");
+  pull.set("Type", "Traction");
+  pull.set("Body", "Block");
+  pull.set("From", array(Vector<2>{{5.0, 2.0}}));
+  pull.set("To", array(Vector<2>{{5.0, 5.0}}));
+  pull.set("Stress", array(Vector<2>{{2.0, 0.0}}));
+  pull.set("History", "t");
+  Simulation simulation(Teuchos::DefaultComm<int>::getComm(),
+                        Teuchos::rcp(new Teuchos::ParameterList(validated(scene))));
+  simulation.initialize();
+  const double time = 7.3 * simulation.stableTimeStep();
+  std::map<std::string, double> row;
+  simulation.sampleEvery(time,
+                         [&](double, const Simulation::Row& columns) {
+                           row = {columns.begin(), columns.end()};
+                         });
+  simulation.advance(time);
+  EXPECT_NEAR(row.at("Poke.force_y"), 3.0 * 0.5 * time, 1e-12 * time);
+  EXPECT_NEAR(row.at("Poke.force_x"), 0.0, 1e-12 * time);
+  EXPECT_NEAR(row.at("Pull.force_x"), 2.0 * 3.0 * 0.5 * time, 1e-11 * time);
+  const nlohmann::json report = simulation.report();
+  ASSERT_EQ(report["boundaries"].size(), 2U);
+  EXPECT_EQ(report["boundaries"][0]["name"], "Poke");
+  EXPECT_EQ(report["boundaries"][0]["force"][1].get<double>(), row.at("Poke.force_y"));
+  EXPECT_EQ(report["boundaries"][1]["force"][0].get<double>(), row.at("Pull.force_x"));
 }
 
 /// Stress is averaged over the volume now, the deformation gradient over the undeformed one: of two
