@@ -143,8 +143,9 @@ class Fronts(HardCase):
         self.survives(running(cracks, "5e-6"), energy=0.03, momentum=True)
 
     def test_runs_along_the_surface(self):
-        """A front that meets the surface at a grazing angle."""
+        """A front that meets the surface at a grazing angle; what it cuts off flies on, for which there is room."""
         scene = running([0.0, 1.7, 0.3, 1.9], "5e-6").set("Propagation > Direction", "Straight")
+        scene.set("Domain > Lower Corner", [-5.0, -5.0]).set("Domain > Upper Corner", [6.0, 8.0])
         self.survives(scene, energy=0.03, momentum=True)
 
     def test_branches_of_toughness_that_fall_and_rise(self):

@@ -76,7 +76,8 @@ class Heat(HardCase):
         self.assertGreaterEqual(outcome.particles["temperature"].min(), 250.0)
 
     def test_shock_close_to_absolute_zero(self):
-        self.survives(shocked(1.0, sized(3e-5, 1e-3)), energy=0.02)
+        scene = shocked(1.0, sized(3e-5, 1e-3)).set("Time > CFL", sized(0.4, 0.1))
+        self.survives(scene, energy=0.02)
 
     def test_conduction_at_the_limit_of_its_step(self):
         self.survives(shocked(300.0, 3e-5, **{"Diffusion Number": 0.5}), energy=0.02)
