@@ -286,6 +286,13 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 
 } // namespace
 
-EffectEntry adaptivityEntry() { return {section(), check, make<2>, make<3>, true}; }
+EffectEntry adaptivityEntry()
+{
+  EffectEntry entry{section(), check, make<2>, make<3>, true};
+  entry.cells.tell = [](const auto&, CellNeeds& needs, auto&) { needs.equal = true; };
+  entry.cells.refine = [](Teuchos::ParameterList& scene, int levels)
+  { scene.sublist("Adaptivity").set("Maximum Level", levels); };
+  return entry;
+}
 
 } // namespace Rhegma::adaptivity

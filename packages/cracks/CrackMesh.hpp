@@ -23,6 +23,14 @@ struct CrackMesh
   std::vector<std::string> warnings;      ///< what a user must know of it
 };
 
+/// What to say of a crack none of which is in a body.
+inline constexpr char outsideOfBodies[] =
+    "the crack lies outside of all bodies; give points inside one of them";
+
+/// What to say of a polyline that has a point twice.
+inline constexpr char samePoints[] =
+    "two points in a row are the same, so a piece of the crack has no length; leave one of them out";
+
 /// Reads a polyline: clips it to the bodies at both ends, splits long segments, and finds which ends are
 /// fronts (material ahead of them) and which are mouths.
 ///

@@ -2,6 +2,7 @@
 
 #include "checkpoint/Archive.hpp"
 #include "cracks/CarriedFronts.hpp"
+#include "cracks/CellsForCracks.hpp"
 #include "cracks/CrackFrames.hpp"
 #include "cracks/CrackMotion.hpp"
 #include "cracks/CrackSetup.hpp"
@@ -337,6 +338,12 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 
 } // namespace
 
-EffectEntry cracksEntry() { return {section(), check, make<2>, make<3>, true}; }
+EffectEntry cracksEntry()
+{
+  EffectEntry entry{section(), check, make<2>, make<3>, true};
+  entry.cells.knows = "cracks with a front in material";
+  entry.cells.tell = tellCells;
+  return entry;
+}
 
 } // namespace Rhegma::cracks

@@ -135,8 +135,7 @@ CrackMesh<3> meshPlane(const OwnPlane& plane, const std::vector<Vector<2>>& outl
   const Triangulation flat = cutToRegion(triangulate(outline, spacing),
                                          [&](const Vector<2>& x) { return material.fills(plane.space(x)); });
   if (flat.triangles.empty())
-    throw std::invalid_argument(where +
-                                ": the crack lies outside of all bodies; give points inside one of them");
+    throw std::invalid_argument(where + ": " + outsideOfBodies);
   CrackMesh<3> mesh;
   for (const Vector<2>& x : flat.points)
     mesh.vertices.push_back(plane.space(x));

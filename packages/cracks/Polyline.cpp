@@ -69,9 +69,7 @@ Points readPoints(const Teuchos::ParameterList& list, const std::string& where, 
     points.push_back({values[k], values[k + 1]});
   for (std::size_t k = 1; k < points.size(); ++k)
     if (norm(points[k] - points[k - 1]) < 1e-6 * spacing)
-      throw std::invalid_argument(
-          where + ": two points in a row are the same, so a piece of the crack has no length; leave "
-                  "one of them out");
+      throw std::invalid_argument(where + ": " + samePoints);
   refuseLong(points, where, spacing);
   refuseCrossing(points, where, spacing);
   return points;
@@ -155,8 +153,7 @@ CrackMesh<2> readPolyline(const Teuchos::ParameterList& list, const std::string&
   const Points given = readPoints(list, where, spacing);
   const Points inside = clip(given, material, spacing);
   if (inside.empty())
-    throw std::invalid_argument(where +
-                                ": the crack lies outside of all bodies; give points inside one of them");
+    throw std::invalid_argument(where + ": " + outsideOfBodies);
   const Points points = refine(inside, longestSegment * spacing);
   const std::string fronts = list.get<std::string>("Fronts");
   const bool firstGiven = norm(points.front() - given.front()) < 1e-9 * spacing;

@@ -349,6 +349,11 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 
 } // namespace
 
-EffectEntry massMatrixEntry() { return {section(), check, make<2>, make<3>, true}; }
+EffectEntry massMatrixEntry()
+{
+  EffectEntry entry{section(), check, make<2>, make<3>, true};
+  entry.cells.tell = [](const auto&, CellNeeds& needs, auto&) { needs.equal = true; };
+  return entry;
+}
 
 } // namespace Rhegma::mass_matrix

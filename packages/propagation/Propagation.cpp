@@ -230,7 +230,9 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
 
 EffectEntry propagationEntry()
 {
-  return {propagationSection(), checkPropagation, make2, propagationInSpace, true};
+  EffectEntry entry{propagationSection(), checkPropagation, make2, propagationInSpace, true};
+  entry.cells.tell = [](const auto&, CellNeeds& needs, auto&) { needs.running = needs.equal = true; };
+  return entry;
 }
 
 } // namespace Rhegma::propagation

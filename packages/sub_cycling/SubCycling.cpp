@@ -99,6 +99,12 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 
 } // namespace
 
-EffectEntry subCyclingEntry() { return {section(), check, make<2>, make<3>, true}; }
+EffectEntry subCyclingEntry()
+{
+  EffectEntry entry{section(), check, make<2>, make<3>, true};
+  entry.cells.tell = [](const auto&, CellNeeds& needs, auto&) { needs.equal = true; };
+  entry.cells.refine = [](Teuchos::ParameterList& scene, int) { scene.sublist("Sub-Cycling"); };
+  return entry;
+}
 
 } // namespace Rhegma::sub_cycling

@@ -6,6 +6,7 @@
 #include "scene/Numbers.hpp"
 #include "scene/ReadList.hpp"
 #include "step/CoreStep.hpp"
+#include "thermal/CellsForSources.hpp"
 #include "thermal/Conduction.hpp"
 #include "thermal/Observations.hpp"
 #include "thermal/Start.hpp"
@@ -234,7 +235,10 @@ bool leavesMechanicsOut(const Teuchos::ParameterList& scene)
 
 EffectEntry thermalEntry()
 {
-  return {thermalSection(), checkThermal, make<2>, make<3>, true, leavesMechanicsOut};
+  EffectEntry entry{thermalSection(), checkThermal, make<2>, make<3>, true, leavesMechanicsOut};
+  entry.cells.knows = "round sources of heat";
+  entry.cells.tell = tellCells;
+  return entry;
 }
 
 } // namespace Rhegma::thermal

@@ -19,6 +19,7 @@ struct AccuracyRule
   double share;       ///< error of G, K or a rise of temperature
   double perLigament; ///< cells across the shortest way from a front to a surface, or a crack's (half) length
   double perSource;   ///< cells in the radius of a moving source of heat
+  double perResting;  ///< cells in the radius of one at rest, whose peak stays in one place
   bool running;       ///< whether cracks that run reach it
 };
 

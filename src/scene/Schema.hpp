@@ -9,12 +9,14 @@
 ///     time.real("CFL").above(0.0).atMost(1.0).byDefault(0.4).meaning("Share of the stable step that is
 ///     used.");
 
+#include "scene/CellNeeds.hpp"
 #include "scene/SceneError.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
 #include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
 #include <variant>
@@ -245,9 +247,15 @@ public:
   void addCheck(CrossCheck check) { m_checks.push_back(std::move(check)); }
   const std::vector<CrossCheck>& checks() const { return m_checks; }
 
+  /// What the effect of a section asks of the cells that Domain > Accuracy chooses.
+  void addCellHook(const std::string& section, CellHook hook) { m_cellHooks[section] = std::move(hook); }
+  /// By section.
+  const std::map<std::string, CellHook>& cellHooks() const { return m_cellHooks; }
+
 private:
   Section m_root;
   std::vector<CrossCheck> m_checks;
+  std::map<std::string, CellHook> m_cellHooks;
 };
 
 /// The sections of the material point method itself: Domain, Time, Materials, Bodies, Boundaries, Output,

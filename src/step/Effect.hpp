@@ -75,6 +75,8 @@ struct EffectEntry
   bool onRanks = false; ///< whether it works on more than one rank
   /// Whether a scene that has it leaves the motion out (State::mechanics); empty: never.
   std::function<bool(const Teuchos::ParameterList& scene)> withoutMechanics{};
+  /// What it asks of the cells that Domain > Accuracy chooses.
+  CellHook cells{};
 };
 
 /// Every effect that the program knows (packages/Registry.cpp).

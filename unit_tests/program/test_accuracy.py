@@ -72,6 +72,17 @@ class Accuracy(ProgramTest):
             print(f"source, {accuracy}: {100 * error:.2f} %")
             self.assertLess(error, SHARES[accuracy])
 
+    def test_a_source_that_stays(self):
+        """The rise in the middle of a disk of 4 mm in an endless plate, P / (4 pi k) (E1(x) + (1 - exp(-x)) / x) with
+        x = a^2 / (4 kappa t) (lines of heat, Carslaw and Jaeger, section 10.4, summed over the disk): the plate's edges are
+        three times further than heat gets."""
+        stays = ("Thermal:Sources:Torch:Velocity={0, 0}", "Thermal:Sources:Torch:Centre={0.0305, 0.0243}",
+                 "Thermal:Sources:Torch:Radius=4e-3")
+        for accuracy in self.accuracies("10 %", "3 %", "1 %", "0.3 %"):
+            error = self.error("studies/scenes/hot_spot.xml", accuracy, "temperature.peak_rise", 307.865, *stays)
+            print(f"source at rest, {accuracy}: {100 * error:.2f} %")
+            self.assertLess(error, SHARES[accuracy])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -1,7 +1,60 @@
 """Scenes with wrong mass matrices and wrong refined cells."""
 
-from scenes import plate
-from wrong_rows import one
+from scenes import ball, plate
+from wrong_heat import warm
+from wrong_rows import NOTCH, one
+
+
+def accurate(scene, accuracy="1 %"):
+    """The scene with cells that Domain > Accuracy is to choose."""
+    return scene.remove("Domain > Cell Size").set("Domain > Accuracy", accuracy)
+
+
+def torch(**changes):
+    """The plate with a source of heat in place of its crack."""
+    source = {"Type": "Ball", "Centre": [0.5, 0.5], "Radius": 0.1, "Power": 1.0, **changes}
+    return accurate(warm(Sources={"Torch": source}).remove("Cracks").remove("Energy Release"))
+
+
+ACCURACY = [
+    ("accuracy_that_was_not_measured", accurate(plate(), "5 %"), one("Domain > Accuracy", "5 %", "0.3 %")),
+    ("accuracy_without_a_crack", accurate(plate().remove("Cracks").remove("Energy Release")),
+     one("Domain > Accuracy", "neither", "Cell Size")),
+    ("accuracy_of_running_cracks", accurate(plate().set("Propagation", {"Toughness": "100"})),
+     one("Domain > Accuracy", "run", "3 %")),
+    ("accuracy_of_a_crack_outside_of_the_body", accurate(plate().set(NOTCH, [0.0, 1.1, 0.5, 1.1])),
+     one(NOTCH, "outside of all bodies", "inside")),
+    ("accuracy_of_a_crack_of_no_length", accurate(plate().set(NOTCH, [0.5, 0.5, 0.5, 0.5])),
+     one(NOTCH, "no length", "leave")),
+    ("accuracy_of_a_crack_with_a_point_twice", accurate(plate().set(NOTCH, [0.0, 0.5, 0.3, 0.5, 0.3, 0.5, 0.5, 0.5])),
+     one(NOTCH, "no length", "leave")),
+    ("accuracy_of_a_tiny_crack", accurate(plate().set(NOTCH, [0.5, 0.5, 0.5 + 1e-6, 0.5])),
+     one("Domain > Accuracy", "Cracks > Notch", "5e-07 m", "more than the domain can have")),
+    ("accuracy_of_a_tiny_crack_at_the_edge", accurate(plate().set(NOTCH, [0.0, 0.5, 1e-6, 0.5])),
+     one("Domain > Accuracy", "Cracks > Notch", "more than the domain can have")),
+    ("accuracy_of_a_crack_that_parts_the_body",
+     accurate(plate().set(NOTCH, [-0.1, 0.5, 1.1, 0.5]).remove("Energy Release")),
+     one("Domain > Accuracy", "front in material", "neither")),
+    ("accuracy_of_levels_that_there_are_not",
+     plate().set("Domain > Accuracy", "0.3 %").set(NOTCH, [0.5, 0.5, 0.501, 0.5]).remove("Energy Release"),
+     one("Domain > Accuracy", "levels", "smaller Cell Size")),
+    ("accuracy_of_a_disk_outside_of_the_body",
+     accurate(ball().set("Cracks", {"Penny": {"Centre": [0.1, 0.1, 0.1], "Normal": [0.0, 0.0, 1.0], "Radius": 0.01}})),
+     one("Cracks > Penny", "outside of all bodies")),
+    ("accuracy_of_a_disk_without_a_normal",
+     accurate(ball().set("Cracks", {"Penny": {"Centre": [0.0, 0.0, 0.0], "Normal": [0.0, 0.0, 0.0], "Radius": 0.01}})),
+     one("Cracks > Penny", "Normal has no length")),
+    ("accuracy_of_a_source_that_meets_nothing", torch(Centre=[1.15, 1.15], Radius=0.02),
+     one("Thermal > Sources > Torch > Centre", "meets no body", "Cell Size")),
+    ("accuracy_of_a_source_that_flies_away", torch(Centre=[1.15, 0.5], Radius=0.02, Velocity=[10.0, 0.0]),
+     one("Thermal > Sources > Torch > Centre", "meets no body")),
+    ("accuracy_of_a_tiny_source", torch(Radius=1e-7),
+     one("Domain > Accuracy", "Thermal > Sources > Torch", "a radius of 1e-07 m")),
+    ("accuracy_of_an_even_source",
+     accurate(warm(Sources={"Oven": {"Type": "Box", "Lower Corner": [0.0, 0.0], "Upper Corner": [1.0, 1.0],
+                                     "Power Density": 1.0}}).remove("Cracks").remove("Energy Release")),
+     one("Domain > Accuracy", "round sources of heat", "neither")),
+]
 
 MASS = [
     ("mass_matrix_of_a_negative_radius", plate().set("Mass Matrix", {"Type": "Partial", "Radius": -1.0}),

@@ -103,20 +103,47 @@ TEST(Accuracy, FitsCellsToTheBodies)
   EXPECT_NEAR(cellOf(sceneOf(domain + within("3 %"), plate, notch)), 0.0015, 1e-12);
 }
 
-TEST(Accuracy, KnowsMovingSources)
+/// Radius 6 mm: three cells while it moves, five where it stays, with cells that fit the body's faces at 10,
+/// 50 and 90 mm from the domain's corner.
+TEST(Accuracy, KnowsSourcesOfHeat)
 {
-  const std::string torch = R"xml(<ParameterList name="Thermal">
+  const auto torch = [](const std::string& velocity)
+  {
+    return R"xml(<ParameterList name="Thermal">
     <Parameter name="Initial Temperature" type="double" value="300"/>
     <ParameterList name="Sources"><ParameterList name="Torch">
       <Parameter name="Type" type="string" value="Ball"/>
       <Parameter name="Radius" type="double" value="0.006"/>
       <Parameter name="Power" type="double" value="1"/>)xml" +
-                            array("Centre", "{0.02, 0.04}") +
-                            "</ParameterList></ParameterList></ParameterList>";
-  const SceneResult scene = sceneOf(plane + within("1 %"), strip, torch);
-  ASSERT_TRUE(scene.errors.empty()) << toString(scene.errors.front());
-  EXPECT_NEAR(cellOf(scene), 0.002, 1e-12);
-  EXPECT_EQ(levelsOf(scene), 0);
+           array("Centre", "{0.02, 0.04}") + velocity + "</ParameterList></ParameterList></ParameterList>";
+  };
+  const SceneResult moving = sceneOf(plane + within("1 %"), strip, torch(array("Velocity", "{1, 0}")));
+  ASSERT_TRUE(moving.errors.empty()) << toString(moving.errors.front());
+  EXPECT_NEAR(cellOf(moving), 0.002, 1e-12);
+  EXPECT_EQ(levelsOf(moving), 0);
+  const SceneResult resting = sceneOf(plane + within("1 %"), strip, torch(""));
+  ASSERT_TRUE(resting.errors.empty()) << toString(resting.errors.front());
+  EXPECT_LE(cellOf(resting), 0.0012 + 1e-12);
+  EXPECT_GE(cellOf(resting), 0.0012 * 2.0 / 3.0);
+}
+
+/// A crack of 1 mm at the edge of a body of 80 mm has a front, and one that begins outside of the body is as
+/// long as what is in it.
+TEST(Accuracy, KnowsShortCracksAndCracksFromOutside)
+{
+  const auto crack = [](const std::string& points)
+  {
+    return R"xml(<ParameterList name="Cracks"><ParameterList name="Notch">)xml" + array("Points", points) +
+           "</ParameterList></ParameterList>";
+  };
+  const SceneResult tiny = sceneOf(plane + within("10 %"), strip, crack("{0, 0.04, 0.0005, 0.04}"));
+  ASSERT_TRUE(tiny.errors.empty()) << toString(tiny.errors.front());
+  EXPECT_LE(cellOf(tiny), 0.0005 / 3.0 + 1e-12);
+  EXPECT_GE(cellOf(tiny), 0.0005 / 3.0 * 2.0 / 3.0);
+  const SceneResult outside = sceneOf(plane + within("3 %"), strip, crack("{-0.005, 0.04, 0.01, 0.04}"));
+  ASSERT_TRUE(outside.errors.empty()) << toString(outside.errors.front());
+  EXPECT_NEAR(cellOf(outside), 0.002, 1e-12);
+  EXPECT_EQ(levelsOf(outside), 3);
 }
 
 TEST(Accuracy, KnowsDisksInSpace)

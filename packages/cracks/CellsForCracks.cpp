@@ -1,0 +1,230 @@
+#include "cracks/CellsForCracks.hpp"
+
+#include "cracks/CrackMesh.hpp"
+#include "geometry/Cross.hpp"
+#include "scene/ReadList.hpp"
+#include "scene/SceneBodies.hpp"
+#include "scene/Validation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace Rhegma::cracks
+{
+
+namespace
+{
+
+using Teuchos::ParameterList;
+
+/// Share of a crack's length at which what is nearer to a surface is its mouth.
+constexpr double mouth = 0.01;
+
+/// What is known of one crack.
+struct Lengths
+{
+  double ligament = CellNeeds::none; ///< from its fronts to the nearest surface
+  double crack = CellNeeds::none;    ///< its (half) length, or radius
+  bool inside = false;               ///< whether any of it is in a body
+
+  void front(double depth) { ligament = std::min(ligament, depth); }
+};
+
+template <int D>
+std::vector<Vector<D>> readPlaces(const ParameterList& crack)
+{
+  const auto& values = crack.get<Teuchos::Array<double>>("Points");
+  std::vector<Vector<D>> places(values.size() / D);
+  for (std::size_t k = 0; k < places.size(); ++k)
+    for (int d = 0; d < D; ++d)
+      places[k][d] = values[D * k + d];
+  return places;
+}
+
+/// What is in bodies of the first of two places: itself, or where the way to the second enters one.
+Vector<2> enter(const Vector<2>& from, const Vector<2>& to, const SceneBodies<2>& bodies)
+{
+  double outside = 0.0, inside = 1.0;
+  if (bodies.contain(from))
+    return from;
+  for (int halving = 0; halving < 50; ++halving)
+  {
+    const double middle = 0.5 * (outside + inside);
+    (bodies.contain(from + middle * (to - from)) ? inside : outside) = middle;
+  }
+  return from + inside * (to - from);
+}
+
+/// A polyline is cut off at the surface at both ends.
+Lengths measureLine(const ParameterList& crack, const SceneBodies<2>& bodies)
+{
+  std::vector<Vector<2>> places = readPlaces<2>(crack);
+  for (std::size_t k = 1; k < places.size(); ++k)
+    if (!(norm(places[k] - places[k - 1]) > 0.0))
+      throw std::invalid_argument(samePoints);
+  Lengths found;
+  constexpr int looks = 400;
+  const auto into = [&](const Vector<2>& a, const Vector<2>& b, Vector<2>& first)
+  {
+    for (int k = 0; k <= looks; ++k)
+      if (bodies.contain(a + (double(k) / looks) * (b - a)))
+      {
+        first = enter(a, a + (double(k) / looks) * (b - a), bodies);
+        return true;
+      }
+    return false;
+  };
+  for (int end = 0; end < 2; ++end)
+  {
+    while (places.size() > 1 && !into(places[0], places[1], places[0]))
+      places.erase(places.begin());
+    std::reverse(places.begin(), places.end());
+  }
+  found.inside = places.size() > 1;
+  if (!found.inside)
+    return found;
+  double length = 0.0;
+  for (std::size_t k = 1; k < places.size(); ++k)
+    length += norm(places[k] - places[k - 1]);
+  const std::string wanted = crack.get<std::string>("Fronts");
+  int fronts = 0;
+  for (const bool first : {true, false})
+  {
+    const double depth = bodies.depth(first ? places.front() : places.back());
+    if (depth <= mouth * length || wanted == "None" || wanted == (first ? "Last" : "First"))
+      continue;
+    ++fronts;
+    found.front(depth);
+  }
+  if (fronts > 0)
+    found.crack = length / fronts;
+  return found;
+}
+
+/// Some places in order round a crack, of a polygon all corners.
+struct Rim
+{
+  std::vector<Vector<3>> places;
+  Vector<3> middle{};
+  double radius; ///< the smallest
+};
+
+Rim rimOfPolygon(const ParameterList& crack)
+{
+  Rim rim{readPlaces<3>(crack), {}, CellNeeds::none};
+  for (const Vector<3>& place : rim.places)
+    rim.middle = rim.middle + (1.0 / rim.places.size()) * place;
+  for (const Vector<3>& place : rim.places)
+    rim.radius = std::min(rim.radius, norm(place - rim.middle));
+  if (!(rim.radius > 0.0))
+    throw std::invalid_argument("the polygon has no area; give points that go round one");
+  return rim;
+}
+
+Rim rimOfDisk(const ParameterList& crack)
+{
+  const double radius = crack.get<double>("Radius");
+  const double other = crack.isType<double>("Second Radius") ? crack.get<double>("Second Radius") : radius;
+  Rim rim{{}, readVector<3>(crack, "Centre"), std::min(radius, other)};
+  const Vector<3> normal = readVector<3>(crack, "Normal");
+  if (!(norm(normal) > 0.0))
+    throw std::invalid_argument("its Normal has no length; write a direction such as {0, 0, 1}");
+  int least = 0; // the axis that the normal is furthest from being along
+  for (int d = 1; d < 3; ++d)
+    least = std::fabs(normal[d]) < std::fabs(normal[least]) ? d : least;
+  Vector<3> along{};
+  along[least] = 1.0;
+  // Of an ellipse the smaller radius all round: rather too close to its middle than beyond it.
+  Vector<3> a = cross(normal, along);
+  Vector<3> b = cross(normal, a);
+  a = (rim.radius / norm(a)) * a;
+  b = (rim.radius / norm(b)) * b;
+  constexpr int count = 16;
+  for (int k = 0; k < count; ++k)
+  {
+    const double angle = 2.0 * M_PI * k / count;
+    rim.places.push_back(rim.middle + std::cos(angle) * a + std::sin(angle) * b);
+  }
+  return rim;
+}
+
+Lengths measureRim(const Rim& rim, const SceneBodies<3>& bodies)
+{
+  Lengths found;
+  found.inside = bodies.contain(rim.middle);
+  const auto look = [&](const Vector<3>& place)
+  {
+    const double depth = bodies.depth(place);
+    found.inside = found.inside || depth > 0.0;
+    if (depth > mouth * rim.radius)
+      found.front(depth);
+  };
+  for (const Vector<3>& place : rim.places)
+    look(place);
+  found.crack = rim.radius;
+  if (found.ligament < CellNeeds::none)
+    return found;
+  // A front that goes through a body has its corners at the surface or beyond it.
+  constexpr int looks = 8;
+  for (std::size_t k = 0; k < rim.places.size(); ++k)
+    for (int i = 1; i < looks; ++i)
+    {
+      const Vector<3>& from = rim.places[k];
+      look(from + (double(i) / looks) * (rim.places[(k + 1) % rim.places.size()] - from));
+    }
+  found.crack = std::min(rim.radius, found.ligament);
+  return found;
+}
+
+Lengths measure(const ParameterList& crack, const ParameterList& scene)
+{
+  if (crack.isParameter("Surface File"))
+    throw std::domain_error("does not know the size of a crack from a file; write Domain > Cell Size");
+  if (dimensionOf(scene) == 2)
+    return measureLine(crack, SceneBodies<2>(scene));
+  return measureRim(crack.isType<double>("Radius") ? rimOfDisk(crack) : rimOfPolygon(crack),
+                    SceneBodies<3>(scene));
+}
+
+/// Whether the crack has what its shape is made of; else the section's check says what is missing.
+bool isWhole(const ParameterList& crack)
+{
+  return crack.isParameter("Points") || crack.isParameter("Surface File") ||
+         (crack.isType<double>("Radius") && crack.isParameter("Centre") && crack.isParameter("Normal"));
+}
+
+} // namespace
+
+void tellCells(const ParameterList& scene, CellNeeds& needs, std::vector<SceneError>& errors)
+{
+  const ParameterList& cracks = scene.sublist("Cracks");
+  if (cracks.get<std::string>("Formulation") == "Corrected Broken Cell")
+    needs.equal = true;
+  for (const std::string& name : sublistNames(cracks))
+  {
+    const ParameterList& crack = cracks.sublist(name);
+    if (!isWhole(crack))
+      continue;
+    const std::string where = "Cracks > " + name;
+    const std::string points = where + (crack.isParameter("Points") ? " > Points" : "");
+    try
+    {
+      const Lengths found = measure(crack, scene);
+      if (!found.inside)
+        errors.push_back({points, outsideOfBodies});
+      if (!(found.ligament < CellNeeds::none))
+        continue;
+      if (std::min(found.ligament, found.crack) < needs.across)
+        needs.shortestAcross = where;
+      needs.across = std::min({needs.across, found.ligament, found.crack});
+      needs.atFronts = std::min(needs.atFronts, found.crack);
+    }
+    catch (const std::invalid_argument& wrong)
+    {
+      errors.push_back({points, wrong.what()});
+    }
+  }
+}
+
+} // namespace Rhegma::cracks

@@ -1,0 +1,107 @@
+#include "scene/SceneBodies.hpp"
+
+#include "scene/ReadList.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+} // namespace
+
+template <int D>
+SceneBodies<D>::SceneBodies(const Teuchos::ParameterList& scene)
+{
+  const Teuchos::ParameterList& list = scene.sublist("Bodies");
+  for (const std::string& name : sublistNames(list))
+    shapes_.push_back(makeShape<D>(list.sublist(name)));
+  for (const Shape<D>& shape : shapes_)
+    for (int d = 0; d < D; ++d)
+      extent_ = std::max(extent_, shape.bounds().upper[d] - shape.bounds().lower[d]);
+}
+
+template <int D>
+bool SceneBodies<D>::contain(const Vector<D>& x) const
+{
+  return std::any_of(shapes_.begin(), shapes_.end(), [&](const Shape<D>& s) { return s.contains(x); });
+}
+
+template <int D>
+double SceneBodies<D>::depth(const Vector<D>& x) const
+{
+  if (!contain(x))
+    return 0.0;
+  constexpr double closer = 0.01;
+  for (double span = extent_; span > 1e-9 * extent_; span *= closer)
+    if (const double least = nearest(x, span); least >= closer * span)
+      return least;
+  return 0.0;
+}
+
+/// Distance to the nearest surface, of those nearer than a span where there is one.
+template <int D>
+double SceneBodies<D>::nearest(const Vector<D>& x, double span) const
+{
+  double least = infinity;
+  int count = 1;
+  for (int d = 0; d < D; ++d)
+    count *= 3;
+  for (int k = 0; k < count; ++k)
+  {
+    Vector<D> way{};
+    double square = 0.0;
+    for (int d = 0, rest = k; d < D; ++d, rest /= 3)
+    {
+      way[d] = rest % 3 - 1;
+      square += way[d] * way[d];
+    }
+    if (square > 0.0)
+      least = std::min(least, reach(x, (1.0 / std::sqrt(square)) * way, std::min(least, span)));
+  }
+  return least;
+}
+
+/// How far along a direction all places are inside, looked for up to `most`.
+template <int D>
+double SceneBodies<D>::reach(const Vector<D>& x, const Vector<D>& way, double most) const
+{
+  constexpr int looks = 400;
+  for (int k = 1; k <= looks; ++k)
+    if (const double at = most * k / looks; !contain(x + at * way))
+      return at;
+  return infinity;
+}
+
+template <int D>
+double SceneBodies<D>::fit(double most, const Teuchos::Array<double>& corner) const
+{
+  std::vector<double> lengths;
+  for (const Shape<D>& shape : shapes_)
+    for (int d = 0; d < D; ++d)
+      for (const double face : {shape.bounds().lower[d], shape.bounds().upper[d]})
+        lengths.push_back(std::fabs(face - corner[d]));
+  const double longest = *std::max_element(lengths.begin(), lengths.end());
+  const int first = static_cast<int>(std::ceil(longest / most * (1.0 - 1e-9)));
+  for (int count = first; count <= first * 3 / 2 + 1; ++count)
+  {
+    const double cell = longest / count;
+    if (std::all_of(lengths.begin(), lengths.end(),
+                    [&](double length)
+                    { return std::fabs(length - cell * std::round(length / cell)) < 1e-6 * cell; }))
+      return cell;
+  }
+  return most;
+}
+
+template class SceneBodies<2>;
+template class SceneBodies<3>;
+
+} // namespace Rhegma
