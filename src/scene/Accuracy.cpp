@@ -131,7 +131,7 @@ const std::vector<AccuracyRule>& accuracyRules()
   static const std::vector<AccuracyRule> rules = {{"10 %", 0.1, 3.0, 1.0, 2.0, true},
                                                   {"3 %", 0.03, 5.0, 2.0, 3.0, true},
                                                   {"1 %", 0.01, 8.0, 3.0, 5.0, false},
-                                                  {"0.3 %", 0.003, 16.0, 6.0, 8.0, false}};
+                                                  {"0.3 %", 0.003, 16.0, 6.0, 10.0, false}};
   return rules;
 }
 
