@@ -1,6 +1,7 @@
 #pragma once
 /// What drives fronts that grow, measured in every step.
 
+#include "checkpoint/Archive.hpp"
 #include "step/Effect.hpp"
 #include "step/LastStage.hpp"
 
