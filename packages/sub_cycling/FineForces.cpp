@@ -191,7 +191,6 @@ void FineParticles<D>::force(const State<D>& state, int level, const Values& dis
           force(i, d) = sum;
         }
       });
-  sumSlots(state, force);
 }
 
 template <int D>

@@ -1,5 +1,6 @@
 #include "sub_cycling/FineParticles.hpp"
 
+#include "parallel/NeighbourSums.hpp"
 #include "parallel/Subdomain.hpp"
 #include "transfer/ParticleViews.hpp"
 
@@ -22,6 +23,11 @@ constexpr double noWeight = 1e-20;
 
 /// Extrapolated weights may be negative.
 KOKKOS_INLINE_FUNCTION bool isTouched(double weight) { return weight > noWeight || weight < -noWeight; }
+
+/// What a rank says of a class, so that sums tell the deepest: those of up to 127 ranks stay below the word
+/// for the next class, round-off included.
+KOKKOS_INLINE_FUNCTION double wordFor(int own) { return static_cast<double>(1LL << 7 * own); }
+static_assert(7 * deepestLevel < 63);
 
 /// Calls visit(node, weight, slope) for each node that a particle touches.
 template <class Connect, class Visit>
@@ -193,27 +199,31 @@ void FineParticles<D>::shareClasses(const State<D>& state)
 {
   if (!state.subdomain)
     return;
-  // A column a class, which ranks sum.
-  constexpr int classes = deepestLevel + 1;
   const Nodes<D> nodes = state.nodes;
-  if (static_cast<int>(told_.extent(0)) < nodes.numLattice + nodes.numSecond)
-    told_ = View<double**>("rhegma::subcycling::classesOfRanks",
-                           nodes.numLattice + nodes.numSecond + nodes.numSecond / 4, classes);
-  const View<double**> told = told_;
-  const View<int*> nodeClass = nodeClass_;
+  fit(told_, "rhegma::subcycling::classesOfRanks", nodes.numLattice + nodes.numSecond);
+  const View<double*> told = told_;
+  const View<int*> nodeClass = nodeClass_, shared = state.subdomain->halo.nodes();
+  const SharedRows rows = sharedRows(state);
+  const int number = static_cast<int>(shared.extent(0)), fields = rows.second.extent(0) > 0 ? 2 : 1;
   Kokkos::parallel_for(
-      "rhegma::subcycling::tellClasses", Range(0, nodes.numActive()), KOKKOS_LAMBDA(const int i) {
-        const int n = activeNode(nodes, i);
-        for (int l = 0; l < classes; ++l)
-          told(n, l) = nodeClass(n) == l ? 1.0 : 0.0;
+      "rhegma::subcycling::tellClasses", Range(0, number), KOKKOS_LAMBDA(const int i) {
+        for (int f = 0; f < fields; ++f)
+        {
+          const int n = rows(shared(i), f);
+          if (n >= 0)
+            told(n) = nodeClass(n) < 0 ? 0.0 : wordFor(nodeClass(n));
+        }
       });
-  sumOverRanks(state, told.data(), classes, 0, state.tree.deepest + 1);
+  sumOverRanks(state, told.data(), 1, 0, 1);
   Kokkos::parallel_for(
-      "rhegma::subcycling::hearClasses", Range(0, nodes.numActive()), KOKKOS_LAMBDA(const int i) {
-        const int n = activeNode(nodes, i);
-        for (int l = 0; l < classes; ++l)
-          if (told(n, l) > 0.0 && nodeClass(n) < l)
-            nodeClass(n) = l;
+      "rhegma::subcycling::hearClasses", Range(0, number), KOKKOS_LAMBDA(const int i) {
+        for (int f = 0; f < fields; ++f)
+        {
+          const int n = rows(shared(i), f);
+          for (int l = deepestLevel; n >= 0 && l > nodeClass(n); --l)
+            if (told(n) >= wordFor(l))
+              nodeClass(n) = l;
+        }
       });
 }
 

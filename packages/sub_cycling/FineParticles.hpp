@@ -35,7 +35,7 @@ class FineParticles
 public:
   using Values = View<double* [D]>;
 
-  /// Collective, as are `load`, `force` and `accelerate`.
+  /// Collective, as are `load` and `accelerate`.
   void list(const State<D>& state, int first);
 
   /// Without neighbours, on all ranks.
@@ -60,7 +60,7 @@ public:
   /// Internal force of the particles of one class after the nodes moved by `displacement` [m] since the start
   /// of the step: -V0 tau (1 + grad u)^-T grad N, tau by the particle's law at (1 + grad u) F, and the
   /// temperature to which that brings it where there is heat, which for an elastic law is the gradient of its
-  /// energy and has no resultant and no torque.
+  /// energy and has no resultant and no torque. This rank's part.
   void force(const State<D>& state, int level, const Values& displacement, const Values& force);
 
   /// Impulses on inner nodes as they change the energy.
@@ -155,7 +155,7 @@ private:
   int numSlots_ = 0, numInner_ = 0, numParts_ = 0;
   int particlesFrom_[deepestLevel + 2] = {};
   double onAllRanks_[deepestLevel + 2] = {};
-  View<double**> told_; ///< by ranks of the classes of nodes
+  View<double*> told_;  ///< by ranks of the class of every shared node
   int generation_ = -1; ///< of the tree, when
   View<char*> near_;    ///< not 0 for cells of the lattice that are not far from refined ones
   View<int*> sorted_;   ///< the first particles of blocks, when the list that follows was made

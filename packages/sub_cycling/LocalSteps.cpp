@@ -36,8 +36,7 @@ void LocalSteps<D>::makeRoom(int slots)
     if (static_cast<int>(values.extent(0)) < slots)
       values = Values("rhegma::subcycling::values", slots + slots / 4);
   };
-  for (Values* values :
-       {&others_, &loads_, &force_, &impulse_, &waiting_, &velocity_, &displacement_, &change_})
+  for (Values* values : {&others_, &loads_, &force_, &impulse_, &waiting_, &velocity_, &displacement_})
     fit(*values);
   for (int level = first_ - 1; level <= last_; ++level)
   {
@@ -76,6 +75,7 @@ void LocalSteps<D>::begin(State<D>& state, int first, int last)
     if (fine_.particlesFrom(level) == fine_.particlesFrom(level + 1))
       continue;
     fine_.force(state, level, displacement_, start_[level]);
+    fine_.sumSlots(state, start_[level]);
     atStart_[level] = true;
     add<D>(others_, -1.0, start_[level], slots);
     if (level < last_)
@@ -195,30 +195,16 @@ void LocalSteps<D>::addImpulse(const State<D>& state, int level, double length)
   if (!first)
   {
     fine_.force(state, level, displacement_, force);
+    if (level == last_)
+      for (const FollowingForce<D>& following : state.followingForces)
+        following.change(state, fine_.slots(), displacement_, force);
+    fine_.sumSlots(state, force);
     if (level < last_)
       add<D>(force, -1.0, mean_[level], fine_.numSlots());
-    else
-      addFollowing(state, force);
   }
   add<D>(waiting_, length, force, fine_.numSlots());
   // Following forces may be on nodes of any class.
   waitingFrom_ = std::min(waitingFrom_, followed ? first_ : level);
-}
-
-template <int D>
-void LocalSteps<D>::addFollowing(const State<D>& state, const Values& force)
-{
-  if (!state.subdomain)
-  {
-    for (const FollowingForce<D>& following : state.followingForces)
-      following.change(state, fine_.slots(), displacement_, force);
-    return;
-  }
-  Kokkos::deep_copy(change_, 0.0);
-  for (const FollowingForce<D>& following : state.followingForces)
-    following.change(state, fine_.slots(), displacement_, change_);
-  fine_.sumSlots(state, change_);
-  add<D>(force, 1.0, change_, fine_.numSlots());
 }
 
 template <int D>

@@ -57,8 +57,6 @@ public:
   void step(const State<D>& state, int level, double length);
   /// Adds the impulse of a class to those that wait.
   void addImpulse(const State<D>& state, int level, double length);
-  /// Adds the change of forces that follow the nodes.
-  void addFollowing(const State<D>& state, const Values& force);
   /// Gives the nodes what waits; impulses of several classes at a time come at once.
   void kick(const State<D>& state);
   void drift(double length);
@@ -90,7 +88,6 @@ private:
   bool atFirst_ = false;                ///< whether these are the first of the long step
   Values impulse_;                      ///< so far [N s]
   Values velocity_, displacement_;      ///< so far
-  Values change_;                       ///< of forces that follow, this rank's part [N]
   typename FineParticles<D>::ImpulseWork startWork_; ///< of the impulses at the start of the long step
 };
 

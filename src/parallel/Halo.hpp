@@ -3,12 +3,14 @@
 
 #include "grid/Tree.hpp"
 #include "parallel/Division.hpp"
-#include "parallel/NeighbourSums.hpp"
 
 #include <memory>
 
 namespace Rhegma
 {
+
+class NeighbourSums;
+struct SharedRows;
 
 /// The nodes of a rank's window, those of refined cells included, that lie in windows of other ranks too.
 /// Nodes of refined cells count only where they are a cell or more inside both windows: a rank knows there

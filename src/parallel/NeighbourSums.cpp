@@ -22,60 +22,69 @@ void fit(View<double*>& view, const std::string& label, std::size_t size)
     view = View<double*>(label, size);
 }
 
+View<int*> onDevice(const std::string& label, const std::vector<int>& list)
+{
+  const View<int*> view(label, list.size());
+  const auto host = Kokkos::create_mirror_view(view);
+  std::copy(list.begin(), list.end(), host.data());
+  Kokkos::deep_copy(view, host);
+  return view;
+}
+
+/// Where a row is in the buffers: each neighbour's part has room for all rows of its entries.
+KOKKOS_INLINE_FUNCTION int startOf(int firstEntry, int rowsBefore, const NeighbourSums::Columns& of)
+{
+  return (firstEntry * of.fields + rowsBefore) * of.count;
+}
+
 } // namespace
 
 NeighbourSums::NeighbourSums(const Ranks& ranks, const View<int*>& nodes,
                              const std::vector<std::vector<int>>& of)
     : ranks_(ranks), nodes_(nodes)
 {
-  std::vector<int> entries;
+  std::vector<int> entries, parts;
+  std::vector<std::vector<int>> shares(nodes.extent(0));
   for (int r = 0; r < ranks.size(); ++r)
   {
+    if (r == ranks.rank())
+      for (std::vector<int>& list : shares)
+        list.push_back(-1);
     if (of[r].empty())
       continue;
     const int begin = static_cast<int>(entries.size());
-    entries.insert(entries.end(), of[r].begin(), of[r].end());
+    for (const int node : of[r])
+    {
+      shares[node].push_back(static_cast<int>(entries.size()));
+      entries.push_back(node);
+      parts.push_back(begin);
+    }
     neighbours_.push_back({r, begin, static_cast<int>(entries.size()), 0});
   }
-  entry_ = View<int*>("rhegma::parallel::entries", entries.size());
+  std::vector<int> begins = {0}, all;
+  for (const std::vector<int>& list : shares)
+  {
+    all.insert(all.end(), list.begin(), list.end());
+    begins.push_back(static_cast<int>(all.size()));
+  }
+  entry_ = onDevice("rhegma::parallel::entries", entries);
+  part_ = onDevice("rhegma::parallel::parts", parts);
+  begin_ = onDevice("rhegma::parallel::begins", begins);
+  share_ = onDevice("rhegma::parallel::shares", all);
   place_ = View<int*>("rhegma::parallel::places", entries.size() + 1);
-  const auto host = Kokkos::create_mirror_view(entry_);
-  std::copy(entries.begin(), entries.end(), host.data());
-  Kokkos::deep_copy(entry_, host);
 }
 
 void NeighbourSums::sum(const SharedRows& rows, double* values, int width, int first, int count)
 {
   const int fields = rows.second.extent(0) > 0 ? 2 : 1;
   const Columns columns{values, width, first, count, fields};
-  const std::size_t most = entry_.extent(0) * fields * count, own = nodes_.extent(0) * fields * count;
+  const std::size_t most = entry_.extent(0) * fields * count;
   fit(sent_, "rhegma::parallel::sent", most);
   fit(received_, "rhegma::parallel::received", most);
-  fit(total_, "rhegma::parallel::total", own);
   findPlaces(rows, fields);
-  for (const Neighbour& to : neighbours_)
-    pack(rows, columns, to);
+  pack(rows, columns);
   exchange(columns);
-  const View<double*> total = total_;
-  Kokkos::parallel_for(
-      "rhegma::parallel::clear", Range(0, own), KOKKOS_LAMBDA(const int i) { total(i) = 0.0; });
-  std::size_t k = 0;
-  for (; k < neighbours_.size() && neighbours_[k].rank < ranks_.rank(); ++k)
-    add(rows, columns, neighbours_[k]);
-  addOwn(rows, columns);
-  for (; k < neighbours_.size(); ++k)
-    add(rows, columns, neighbours_[k]);
-  const View<int*> nodes = nodes_;
-  const SharedRows at = rows;
-  Kokkos::parallel_for(
-      "rhegma::parallel::unpack", Range(0, nodes.extent(0)), KOKKOS_LAMBDA(const int i) {
-        for (int f = 0; f < fields; ++f)
-        {
-          const int row = at(nodes(i), f);
-          for (int c = 0; row >= 0 && c < count; ++c)
-            values[static_cast<std::size_t>(row) * width + first + c] = total((i * fields + f) * count + c);
-        }
-      });
+  add(rows, columns);
 }
 
 void NeighbourSums::findPlaces(const SharedRows& rows, int fields)
@@ -84,31 +93,38 @@ void NeighbourSums::findPlaces(const SharedRows& rows, int fields)
   const SharedRows at = rows;
   const int entries = static_cast<int>(entry.extent(0));
   // Rows of the nodes' own numbers are all sent: only of others do ranks know that all have the same.
-  const bool all = rows.rowOf.extent(0) == 0;
+  if (rows.rowOf.extent(0) == 0)
+  {
+    Kokkos::parallel_for(
+        "rhegma::parallel::places", Range(0, entries + 1),
+        KOKKOS_LAMBDA(const int e) { place(e) = e * fields; });
+    for (Neighbour& neighbour : neighbours_)
+      neighbour.filled = (neighbour.end - neighbour.begin) * fields;
+    return;
+  }
   Kokkos::parallel_scan(
-      "rhegma::parallel::places", Range(0, entries + 1),
+      "rhegma::parallel::findPlaces", Range(0, entries + 1),
       KOKKOS_LAMBDA(const int e, int& before, const bool final) {
         if (final)
           place(e) = before;
         for (int f = 0; e < entries && f < fields; ++f)
-          before += all || at(nodes(entry(e)), f) >= 0 ? 1 : 0;
+          before += at(nodes(entry(e)), f) >= 0 ? 1 : 0;
       });
   const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, place_);
   for (Neighbour& neighbour : neighbours_)
     neighbour.filled = host(neighbour.end) - host(neighbour.begin);
 }
 
-void NeighbourSums::pack(const SharedRows& rows, const Columns& columns, const Neighbour& to)
+void NeighbourSums::pack(const SharedRows& rows, const Columns& columns)
 {
-  const View<int*> nodes = nodes_, entry = entry_, place = place_;
+  const View<int*> nodes = nodes_, entry = entry_, part = part_, place = place_;
   const View<double*> sent = sent_;
   const SharedRows at = rows;
   const Columns of = columns;
   const bool all = rows.rowOf.extent(0) == 0;
-  const int begin = to.begin, base = to.begin * of.fields * of.count;
   Kokkos::parallel_for(
-      "rhegma::parallel::pack", Range(begin, to.end), KOKKOS_LAMBDA(const int e) {
-        int i = base + (place(e) - place(begin)) * of.count;
+      "rhegma::parallel::pack", Range(0, entry.extent(0)), KOKKOS_LAMBDA(const int e) {
+        int i = startOf(part(e), place(e) - place(part(e)), of);
         for (int f = 0; f < of.fields; ++f)
         {
           const int row = at(nodes(entry(e)), f);
@@ -120,38 +136,31 @@ void NeighbourSums::pack(const SharedRows& rows, const Columns& columns, const N
       });
 }
 
-void NeighbourSums::add(const SharedRows& rows, const Columns& columns, const Neighbour& from)
+void NeighbourSums::add(const SharedRows& rows, const Columns& columns)
 {
-  const View<int*> nodes = nodes_, entry = entry_, place = place_;
-  const View<double*> received = received_, total = total_;
+  const View<int*> nodes = nodes_, part = part_, place = place_, begin = begin_, share = share_;
+  const View<double*> received = received_;
   const SharedRows at = rows;
   const Columns of = columns;
   const bool all = rows.rowOf.extent(0) == 0;
-  const int begin = from.begin, base = from.begin * of.fields * of.count;
   Kokkos::parallel_for(
-      "rhegma::parallel::add", Range(begin, from.end), KOKKOS_LAMBDA(const int e) {
-        int i = base + (place(e) - place(begin)) * of.count;
-        for (int f = 0; f < of.fields; ++f)
-          if (all || at(nodes(entry(e)), f) >= 0)
-            for (int c = 0; c < of.count; ++c)
-              total((entry(e) * of.fields + f) * of.count + c) += received(i++);
-      });
-}
-
-void NeighbourSums::addOwn(const SharedRows& rows, const Columns& columns)
-{
-  const View<int*> nodes = nodes_;
-  const View<double*> total = total_;
-  const SharedRows at = rows;
-  const Columns of = columns;
-  Kokkos::parallel_for(
-      "rhegma::parallel::addOwn", Range(0, nodes.extent(0)), KOKKOS_LAMBDA(const int i) {
+      "rhegma::parallel::add", Range(0, nodes.extent(0)), KOKKOS_LAMBDA(const int i) {
+        int before = 0; // rows of this node in a message
         for (int f = 0; f < of.fields; ++f)
         {
           const int row = at(nodes(i), f);
           for (int c = 0; row >= 0 && c < of.count; ++c)
-            total((i * of.fields + f) * of.count + c) +=
-                of.values[static_cast<std::size_t>(row) * of.width + of.first + c];
+          {
+            double& value = of.values[static_cast<std::size_t>(row) * of.width + of.first + c];
+            double total = 0.0;
+            for (int k = begin(i); k < begin(i + 1); ++k)
+            {
+              const int e = share(k);
+              total += e < 0 ? value : received(startOf(part(e), place(e) - place(part(e)) + before, of) + c);
+            }
+            value = total;
+          }
+          before += row >= 0 || all ? 1 : 0;
         }
       });
 }

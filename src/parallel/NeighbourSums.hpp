@@ -46,13 +46,12 @@ public:
   };
   struct Columns
   {
-    const double* values;
+    double* values;
     int width, first, count, fields;
   };
   void findPlaces(const SharedRows& rows, int fields);
-  void pack(const SharedRows& rows, const Columns& columns, const Neighbour& to);
-  void add(const SharedRows& rows, const Columns& columns, const Neighbour& from);
-  void addOwn(const SharedRows& rows, const Columns& columns);
+  void pack(const SharedRows& rows, const Columns& columns);
+  void add(const SharedRows& rows, const Columns& columns);
 
 private:
   void exchange(const Columns& columns);
@@ -60,9 +59,12 @@ private:
   Ranks ranks_;
   View<int*> nodes_;
   View<int*> entry_; ///< shared nodes, neighbour after neighbour
-  View<int*> place_; ///< of the first row of each entry in the message
+  View<int*> part_;  ///< the first entry with the same neighbour
+  View<int*> place_; ///< of the first row of each entry in all messages
+  View<int*> begin_; ///< of the shares of each node in the list that follows
+  View<int*> share_; ///< their entries in the order of the ranks, -1 for the own
   std::vector<Neighbour> neighbours_;
-  View<double*> sent_, received_, total_;
+  View<double*> sent_, received_;
 };
 
 } // namespace Rhegma

@@ -1,6 +1,7 @@
 #include "parallel/Subdomain.hpp"
 
 #include "parallel/Migration.hpp"
+#include "parallel/NeighbourSums.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -192,16 +193,21 @@ void sumOverRanks(const State<D>& state, SharedSums what)
 }
 
 template <int D>
-void sumOverRanks(const State<D>& state, double* values, int width, int first, int count,
-                  const View<int*>& rowOf)
+SharedRows sharedRows(const State<D>& state, const View<int*>& rowOf)
 {
-  if (!state.subdomain)
-    return;
   SharedRows rows;
   if (state.cracks.dualField && !state.cracks.empty())
     rows.second = state.cracks.second;
   rows.rowOf = rowOf;
-  state.subdomain->halo.sum(rows, values, width, first, count);
+  return rows;
+}
+
+template <int D>
+void sumOverRanks(const State<D>& state, double* values, int width, int first, int count,
+                  const View<int*>& rowOf)
+{
+  if (state.subdomain)
+    state.subdomain->halo.sum(sharedRows(state, rowOf), values, width, first, count);
 }
 
 template <int D>
@@ -253,6 +259,8 @@ template void redivideState(State<2>&);
 template void redivideState(State<3>&);
 template void useSharedNodes(State<2>&);
 template void useSharedNodes(State<3>&);
+template SharedRows sharedRows(const State<2>&, const View<int*>&);
+template SharedRows sharedRows(const State<3>&, const View<int*>&);
 template void sumOverRanks(const State<2>&, SharedSums);
 template void sumOverRanks(const State<3>&, SharedSums);
 template void sumOverRanks(const State<2>&, double*, int, int, int, const View<int*>&);

@@ -83,6 +83,10 @@ template <int D>
 void sumOverRanks(const State<D>& state, double* values, int width, int first, int count,
                   const View<int*>& rowOf = {});
 
+/// Where values of shared nodes are in such an array (parallel/NeighbourSums.hpp).
+template <int D>
+SharedRows sharedRows(const State<D>& state, const View<int*>& rowOf = {});
+
 /// The same for one number of each node of the lattice.
 template <int D>
 void sumOverRanks(const State<D>& state, const View<double*>& ofNodes);
