@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace Rhegma
 {
@@ -23,6 +24,16 @@ struct Quarrel
   double time = 0.0, first = 0.0, second = 0.0;
 };
 
+/// A support's factor over the run.
+template <int D>
+std::vector<double> factors(const TimedConstraint<D>& timed, double finalTime)
+{
+  std::vector<double> values(times);
+  for (int k = 0; k < times; ++k)
+    values[k] = timed.history(finalTime * k / (times - 1));
+  return values;
+}
+
 template <int D>
 Vector<D> amplitude(const TimedConstraint<D>& timed, const Vector<D>& place)
 {
@@ -31,8 +42,9 @@ Vector<D> amplitude(const TimedConstraint<D>& timed, const Vector<D>& place)
 
 /// Finds the time at which they disagree most. \return whether they disagree at all at a place that both hold
 template <int D>
-bool disagree(const TimedConstraint<D>& a, const TimedConstraint<D>& b, const Vector<D>& place,
-              double finalTime, Quarrel<D>& quarrel)
+bool disagree(const TimedConstraint<D>& a, const TimedConstraint<D>& b, const std::vector<double>& factorOfA,
+              const std::vector<double>& factorOfB, const Vector<D>& place, double finalTime,
+              Quarrel<D>& quarrel)
 {
   const Vector<D> ofA = amplitude(a, place), ofB = amplitude(b, place);
   double most = 0.0;
@@ -42,13 +54,12 @@ bool disagree(const TimedConstraint<D>& a, const TimedConstraint<D>& b, const Ve
       continue;
     for (int k = 0; k < times; ++k)
     {
-      const double time = finalTime * k / (times - 1);
-      const double one = a.history(time) * ofA[d], two = b.history(time) * ofB[d];
+      const double one = factorOfA[k] * ofA[d], two = factorOfB[k] * ofB[d];
       const double apart = std::fabs(one - two);
       if (apart > most && apart > 1e-12 * std::max(std::fabs(one), std::fabs(two)))
       {
         most = apart;
-        quarrel = {place, d, time, one, two};
+        quarrel = {place, d, finalTime * k / (times - 1), one, two};
       }
     }
   }
@@ -60,11 +71,19 @@ template <int D, class Places, class Boxes>
 bool findQuarrel(const TimedConstraint<D>& a, const TimedConstraint<D>& b, const Grid<D>& grid,
                  const Places& position, const Boxes& edge, double finalTime, Quarrel<D>& quarrel)
 {
+  bool both = false; // hold an axis, and not both at rest
+  for (int d = 0; d < D; ++d)
+    both = both || (a.constraint.holds[d] && b.constraint.holds[d] &&
+                    (a.field || b.field || a.value[d] != 0.0 || b.value[d] != 0.0));
+  if (!both)
+    return false;
   for (int d = 0; d < D; ++d)
     if (!a.constraint.outside && !b.constraint.outside &&
         std::max(a.constraint.lower[d], b.constraint.lower[d]) >
             std::min(a.constraint.upper[d], b.constraint.upper[d]))
       return false;
+  const std::vector<double> factorOfA = factors(a, finalTime), factorOfB = factors(b, finalTime);
+  std::vector<char> seen(grid.numNodes, 0);
   for (std::size_t p = 0; p < position.extent(0); ++p)
   {
     int first[D], count[D], all = 1;
@@ -79,14 +98,19 @@ bool findQuarrel(const TimedConstraint<D>& a, const TimedConstraint<D>& b, const
     for (int k = 0; k < all; ++k)
     {
       Vector<D> place;
-      int rest = k;
+      int rest = k, node = 0;
       for (int d = 0; d < D; ++d)
       {
-        place[d] = grid.origin[d] + (first[d] + rest % count[d]) * grid.spacing;
+        const int index = first[d] + rest % count[d];
+        place[d] = grid.origin[d] + index * grid.spacing;
+        node += index * grid.stride[d];
         rest /= count[d];
       }
+      if (node < 0 || node >= grid.numNodes || seen[node] != 0)
+        continue;
+      seen[node] = 1;
       if (a.constraint.appliesAt(place) && b.constraint.appliesAt(place) &&
-          disagree(a, b, place, finalTime, quarrel))
+          disagree(a, b, factorOfA, factorOfB, place, finalTime, quarrel))
         return true;
     }
   }
