@@ -158,13 +158,6 @@ Formulation readFormulation(const Teuchos::ParameterList& section)
                                            : Formulation::DualField;
 }
 
-/// Whether the velocity that moves particles is known only after the gather (MUSL).
-bool projectsLast(const Teuchos::ParameterList& scene)
-{
-  const Teuchos::ParameterList& time = scene.sublist("Time");
-  return !time.isType<std::string>("Update Scheme") || time.get<std::string>("Update Scheme") == "MUSL";
-}
-
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)
 {

@@ -1,8 +1,10 @@
 #include "face_pressure/FacePressure.hpp"
 
 #include "checkpoint/Archive.hpp"
+#include "scene/CrackNames.hpp"
 #include "scene/ReadList.hpp"
 #include "transfer/FacePush.hpp"
+#include "transfer/PressureReport.hpp"
 
 #include <memory>
 
@@ -56,22 +58,10 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
   if (!scene.isSublist("Face Pressure"))
     return;
-  if (!scene.isSublist("Cracks"))
-  {
-    errors.push_back({"Face Pressure", "there are no crack faces that it could push; add a section Cracks or "
-                                       "leave Face Pressure out"});
+  if (!checkCrackNames(scene, "Face Pressure", "it could push", errors))
     return;
-  }
-  const std::vector<std::string> cracks = sublistNames(scene.sublist("Cracks"));
-  std::string known;
-  for (const std::string& name : cracks)
-    known += (known.empty() ? "" : ", ") + name;
   for (const std::string& name : sublistNames(scene.sublist("Face Pressure")))
-  {
-    if (!scene.sublist("Cracks").isSublist(name))
-      errors.push_back({"Face Pressure > " + name, "there is no crack of this name; Cracks has " + known});
     checkPressure(scene, name, errors);
-  }
 }
 
 /// What the effect keeps from step to step.
@@ -125,8 +115,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                [account](State<D>& s)
                {
                  for (const FacePressure& pressure : account->pressures)
-                   s.row.emplace_back(s.cracks.cracks[pressure.crack()].name + ".pressure",
-                                      pressure.pressure());
+                   samplePressure(s, pressure.crack(), pressure.pressure());
                }});
   effect.memory = [account](State<D>&, Archive& archive)
   {
@@ -141,7 +130,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.report = [account](const State<D>&, nlohmann::json& summary)
   {
     for (const FacePressure& pressure : account->pressures)
-      summary["cracks"][pressure.crack()]["pressure"] = pressure.pressure();
+      reportPressure(summary, pressure.crack(), pressure.pressure());
   };
   return effect;
 }

@@ -1,4 +1,4 @@
-"""Draws a history: energy release rates, energies and, where cracks grow, their growth and speed."""
+"""Draws a history: energy release rates, pressures in cracks, energies and, where cracks grow, their growth and speed."""
 
 import re
 
@@ -105,6 +105,31 @@ def draw_release(axes, history, summary, time):
     legend(axes)
 
 
+def pressures(history):
+    """[(crack's name, samples [Pa], None or (lowest, highest) along the crack)] of the cracks that have one."""
+    found = []
+    for name, samples in history.column.items():
+        if not name.endswith(".pressure") or not np.isfinite(samples).any():
+            continue
+        along = [history.column.get(f"{name}_{end}") for end in ("lowest", "highest")]
+        found.append((name[: -len(".pressure")], samples, None if along[0] is None or along[1] is None else along))
+    return found
+
+
+def draw_pressures(axes, cracks, time):
+    factor, unit = style.scale(finite_maximum([samples for _, samples, _ in cracks]), "Pa")
+    for i, (name, samples, along) in enumerate(cracks[: len(style.COLOURS)]):
+        colour = style.COLOURS[i]
+        if along:
+            axes.fill_between(time, along[0] * factor, along[1] * factor, color=colour, alpha=0.2, lw=0,
+                              label=f"{name}: range along it")
+        axes.plot(time, samples * factor, color=colour, label=name + (": mean" if along else ""))
+    axes.set_title("Pressure in cracks")
+    axes.set_ylabel(f"pressure [{unit}]")
+    axes.margins(x=0)
+    legend(axes)
+
+
 def draw_energies(axes, history, time):
     present = [(name, label, colour) for name, label, colour in ENERGIES if name in history.column]
     largest = finite_maximum([history.column[name] for name, _, _ in present])
@@ -176,6 +201,9 @@ def draw_history(history, summary, title, path):
     time = history.time * factor
     if release_rates(history):
         panels.append(lambda axes: draw_release(axes, history, summary, time))
+    inside = pressures(history)
+    if inside:
+        panels.append(lambda axes: draw_pressures(axes, inside, time))
     if any(name in history.column for name, _, _ in ENERGIES):
         panels.append(lambda axes: draw_energies(axes, history, time))
     if moved:

@@ -14,7 +14,7 @@ from rhegma_tools.deformation import automatic_magnification, crack_displacement
 from rhegma_tools.field_picture import choose_view, colour_scale, crack_segments, in_slice, read_slice
 from rhegma_tools.fields import Crack, read_fields
 from rhegma_tools.history import read_history
-from rhegma_tools.history_picture import draw_growth, draw_release, growth, references
+from rhegma_tools.history_picture import draw_growth, draw_pressures, draw_release, growth, pressures, references
 from rhegma_tools.interpreter import Problem
 from rhegma_tools.style import plt, scale
 from rhegma_tools.summary import look_up, read_summary
@@ -71,6 +71,22 @@ class Plot(ToolTest):
         status, output, _ = run("rhegma-plot", self.folder)
         self.assertEqual(status, 0)
         self.assertEqual(output.count("Wrote"), 1)
+
+    def test_draws_the_pressure_of_gas(self):
+        made_up_run.write_history(self.folder, {
+            "time": [0.0, 1e-3, 2e-3], "Slow.pressure": [1e5, 2e5, 3e5], "A.b.pressure": [1e5, 4e5, 5e5],
+            "A.b.pressure_lowest": [1e5, 3e5, 4e5], "A.b.pressure_highest": [1e5, 6e5, 7e5],
+            "Dry.pressure": [np.nan] * 3})
+        cracks = pressures(read_history(self.folder))
+        self.assertEqual([name for name, _, _ in cracks], ["Slow", "A.b"])
+        self.assertIsNone(cracks[0][2])
+        figure, axes = plt.subplots()
+        draw_pressures(axes, cracks, np.array([0.0, 1.0, 2.0]))
+        self.assertEqual([line.get_label() for line in axes.lines], ["Slow", "A.b: mean"])
+        self.assertTrue(np.allclose(axes.lines[1].get_ydata(), [100.0, 400.0, 500.0]))
+        self.assertEqual(axes.get_ylabel(), "pressure [kPa]")
+        self.assertTrue(np.allclose(axes.collections[0].get_datalim(axes.transData).intervaly, [100.0, 700.0]))
+        plt.close(figure)
 
     def test_refuses_what_is_no_run(self):
         self.assert_complains(run("rhegma-plot", self.path("nowhere")), "there is no folder", "nowhere")

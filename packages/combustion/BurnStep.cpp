@@ -1,0 +1,176 @@
+#include "combustion/BurnStep.hpp"
+
+#include "combustion/FlowSteps.hpp"
+#include "parallel/Subdomain.hpp"
+#include "scene/Numbers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Rhegma::combustion
+{
+
+namespace
+{
+
+/// Of what a face should burn, what the particles must have for it to go on.
+constexpr double leastFuel = 0.5;
+
+/// The highest temperature of the faces of a crack [K].
+template <int D>
+double hottest(const FacePoints<D>& points, int crack, const View<double* [2]>& temperature)
+{
+  const View<int*> of = points.crack;
+  double highest = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::combustion::hottest", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
+      KOKKOS_LAMBDA(const int k, double& most) {
+        for (int side = 0; side < 2 && of(k) == crack; ++side)
+          most = temperature(k, side) > most ? temperature(k, side) : most;
+      },
+      Kokkos::Max<double>(highest));
+  return highest;
+}
+
+/// What each face is to lose in this step, and how the gas warms it. \param most that may burn [kg/m2]
+template <int D>
+void prepareFaces(const State<D>& state, const Work<D>& work, const Burning<D>& b, double most)
+{
+  if (b.flows)
+    return prepareFlow(state, work.points, b, work.fire.lit(), most, work.depth, work.heating);
+  const double middle = std::max(b.pressure + 0.5 * state.dt * b.slope, 0.0);
+  const double depth = std::min(b.density * b.rate(middle) * state.dt, most);
+  const FacePoints<D> p = work.points;
+  const View<int*> lit = work.fire.lit();
+  const View<double*> depths = work.depth;
+  const FaceHeating heating = work.heating;
+  const int crack = b.crack;
+  const bool burns = !b.spent;
+  // Gas that is left alone with its walls comes to their temperature as exp(-h A t / (m c_v)).
+  const double capacity = b.gas.mass() * b.gas.law().heatCapacity();
+  const double exchange = state.dt * b.transfer * b.faces / capacity;
+  const double conductance = exchange > 0.0 ? -std::expm1(-exchange) * capacity / b.faces : 0.0;
+  const double temperature = b.gas.temperature();
+  Kokkos::parallel_for(
+      "rhegma::combustion::prepareFaces", Kokkos::RangePolicy<ExecSpace>(0, p.count()),
+      KOKKOS_LAMBDA(const int k) {
+        if (p.crack(k) != crack)
+          return;
+        depths(k) = burns && lit(k) != 0 ? depth : 0.0;
+        heating.given(k) = 0.0;
+        heating.conductance(k) = conductance;
+        heating.gasTemperature(k) = temperature;
+      });
+}
+
+/// Mass that the faces of a crack are to lose in this step [kg].
+template <int D>
+double massAsked(const State<D>& state, const Work<D>& work, int crack)
+{
+  const FacePoints<D> p = work.points;
+  const View<double*> depths = work.depth;
+  const double thickness = state.thickness;
+  double mass = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::combustion::massAsked", Kokkos::RangePolicy<ExecSpace>(0, p.count()),
+      KOKKOS_LAMBDA(const int k, double& sum) {
+        if (p.crack(k) == crack && p.acts(k) != 0)
+          sum += 2.0 * depths(k) * p.currentSize(k) * thickness;
+      },
+      mass);
+  return mass;
+}
+
+/// Gives the faces their share of the heat of the mass that has burnt there, and what passes by the
+/// difference of temperatures. \param share of what was asked for that has burnt
+template <int D>
+void heatFaces(State<D>& state, Work<D>& work, Burning<D>& b, double share)
+{
+  const FacePoints<D> p = work.points;
+  const View<double*> depths = work.depth, given = work.heating.given, taken = work.taken;
+  const double heat = b.wallFraction * share * b.gas.law().heatCapacity() * b.gas.law().flameTemperature;
+  const int crack = b.crack;
+  Kokkos::parallel_for(
+      "rhegma::combustion::givenHeat", Kokkos::RangePolicy<ExecSpace>(0, p.count()),
+      KOKKOS_LAMBDA(const int k) {
+        if (p.crack(k) == crack)
+          given(k) = depths(k) * heat;
+      });
+  work.heat.give(state, p, crack, work.heating, taken);
+  double all = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::combustion::heatTaken", Kokkos::RangePolicy<ExecSpace>(0, p.count()),
+      KOKKOS_LAMBDA(const int k, double& sum) { sum += taken(k); }, all);
+  b.gas.heatWalls(all);
+}
+
+} // namespace
+
+template <int D>
+void burnStep(State<D>& state, Work<D>& work, Burning<D>& b)
+{
+  const double gasBefore = b.gas.mass();
+  const bool heated = b.looksAtFaces();
+  if (heated)
+    work.heat.measure(state, work.points);
+  if (heated)
+    b.hottestFace = hottest(work.points, b.crack, work.heat.temperature());
+  work.fire.spread(state, work.points, b.crack, b.ignition, work.heat.temperature());
+  const Cavity room = measureCavity(state, work.points, b.crack, work.fire.lit());
+  b.burningArea = b.spent ? 0.0 : room.burning;
+  // A first step, or a flame that comes upon many faces, was not foreseen by the limit of the step.
+  const double most = 2.0 * largestChange * b.gas.mass() / std::max(b.burningArea, 1e-300);
+  prepareFaces(state, work, b, most);
+  const double asked = b.burningArea > 0.0 ? massAsked(state, work, b.crack) : 0.0;
+  double mass = 0.0, solidHeat = 0.0;
+  if (b.burningArea > 0.0)
+  {
+    mass = work.regression.take(state, work.points, b.crack, work.depth);
+    sumParts(state, &mass, 1);
+  }
+  if (b.heatsFaces())
+    heatFaces(state, work, b, asked > 0.0 ? mass / asked : 0.0);
+  if (b.burningArea > 0.0)
+  {
+    const auto lost = work.regression.apply(state, b.solidTemperature);
+    state.energy.combustion -= lost.energy;
+    double gained[] = {lost.mass, lost.heat};
+    sumParts(state, gained, 2);
+    b.gas.burn(gained[0], gained[1]);
+    mass = gained[0];
+    solidHeat = gained[1];
+    if (mass < leastFuel * asked)
+    {
+      b.spent = true;
+      state.warnings.push_back("Combustion > " + state.cracks.cracks[b.crack].name +
+                               ": the solid beside the faces had burnt away at time " +
+                               formatReal(state.time + state.dt) + " s");
+    }
+  }
+  const double come = b.gas.mass() - gasBefore;
+  double gone = 0.0;
+  if (b.flows)
+  {
+    gone = -b.gas.vented();
+    moveFlow(state, work.points, b, work.depth, mass, solidHeat, work.taken);
+    gone += b.gas.vented();
+  }
+  else if (b.discharge > 0.0)
+  {
+    gone = state.dt * b.gas.outflow(b.discharge * mouthArea(state, b.crack, b.mirrors), b.volume, b.outside);
+    gone = std::min(gone, 0.5 * b.gas.mass());
+    b.gas.vent(gone, b.volume);
+  }
+  b.gas.settle();
+  const double last = state.dt > 0.0 ? (come + gone) / state.dt : 0.0;
+  // All faces may catch fire in the next step.
+  const bool lit = !b.spent && state.time + 3.0 * state.dt >= b.ignition.time;
+  const double next =
+      lit ? b.density * b.rate(b.pressure) * (b.ignition.everywhere ? b.faces : b.burningArea) : 0.0;
+  b.massRate = std::max(last, next);
+}
+
+template void burnStep(State<2>&, Work<2>&, Burning<2>&);
+template void burnStep(State<3>&, Work<3>&, Burning<3>&);
+
+} // namespace Rhegma::combustion

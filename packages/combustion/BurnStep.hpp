@@ -1,0 +1,15 @@
+#pragma once
+/// A step of the burning of a crack.
+
+#include "combustion/Work.hpp"
+
+namespace Rhegma::combustion
+{
+
+/// The solid beside the faces of a crack turns into gas; the gas heats the faces, flows along the crack and
+/// out of it. Keeps the mass of solid, gas and vented gas to round-off. To be called while stencils and nodal
+/// masses are those of the step. Collective.
+template <int D>
+void burnStep(State<D>& state, Work<D>& work, Burning<D>& b);
+
+} // namespace Rhegma::combustion

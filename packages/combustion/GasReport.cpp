@@ -1,0 +1,103 @@
+#include "combustion/GasReport.hpp"
+
+#include "parallel/Subdomain.hpp"
+#include "transfer/PressureReport.hpp"
+
+#include <algorithm>
+
+namespace Rhegma::combustion
+{
+
+namespace
+{
+
+/// Of each cell, from the first end of the crack to its last [Pa].
+std::vector<double> pressuresAlong(const Channel& channel)
+{
+  std::vector<double> all;
+  for (int k = 0; k < channel.size(); ++k)
+    all.push_back(channel.pressure(k));
+  return all;
+}
+
+} // namespace
+
+template <int D>
+double massOfParticles(const State<D>& state)
+{
+  const auto mass = state.particles.scalar(fields::mass);
+  double sum = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::combustion::massOfParticles", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, double& all) { all += mass(p); }, sum);
+  sumParts(state, &sum, 1);
+  return sum;
+}
+
+template <int D>
+void sampleGas(State<D>& state, const Work<D>& work)
+{
+  for (const Burning<D>& b : work.cracks)
+  {
+    const std::string& name = state.cracks.cracks[b.crack].name;
+    samplePressure(state, b.crack, b.pressure);
+    state.row.emplace_back(name + ".burnt_mass", b.gas.burnt());
+    state.row.emplace_back(name + ".gas_temperature", b.gas.temperature());
+    if (b.flows)
+    {
+      const std::vector<double> along = pressuresAlong(b.flow.channel());
+      const auto ends = std::minmax_element(along.begin(), along.end());
+      state.row.emplace_back(name + ".pressure_lowest", along.empty() ? 0.0 : *ends.first);
+      state.row.emplace_back(name + ".pressure_highest", along.empty() ? 0.0 : *ends.second);
+    }
+    if (b.looksAtFaces())
+      state.row.emplace_back(name + ".face_temperature", b.hottestFace);
+  }
+}
+
+template <int D>
+void reportGas(const State<D>& state, const Work<D>& work, nlohmann::json& summary)
+{
+  double solid = massOfParticles(state), total = work.startMass, now = solid;
+  for (const Burning<D>& b : work.cracks)
+  {
+    const Gas& gas = b.gas;
+    nlohmann::json& entry = summary["cracks"][b.crack];
+    reportPressure(summary, b.crack, b.pressure);
+    entry["burnt_mass"] = gas.burnt();
+    const double released = gas.burnt() * gas.law().heatCapacity() * gas.law().flameTemperature;
+    const double given = gas.startEnergy() + released + gas.solidHeat();
+    // What flows has its mass and energy in its cells: that they are the books' is no matter of course.
+    const double mass = b.flows ? b.flow.channel().allMass() : gas.mass();
+    const double energy = b.flows ? b.flow.channel().allEnergy() : gas.energy();
+    const double taken = gas.workDone() + gas.ventedEnergy() + gas.wallHeat();
+    entry["gas"] = {{"mass", mass},
+                    {"vented_mass", gas.vented()},
+                    {"temperature", gas.temperature()},
+                    {"volume", b.volume},
+                    {"energy", energy},
+                    {"work", gas.workDone()},
+                    {"vented_energy", gas.ventedEnergy()},
+                    {"released", released},
+                    {"wall_heat", gas.wallHeat()},
+                    {"solid_heat", gas.solidHeat()},
+                    {"burning_area", b.burningArea},
+                    {"energy_kept", given > 0.0 ? (energy + taken) / given : 1.0}};
+    if (b.flows)
+      entry["gas"]["pressures"] = pressuresAlong(b.flow.channel());
+    if (b.looksAtFaces())
+      entry["gas"]["hottest_face"] = b.hottestFace;
+    total += gas.startMass();
+    now += mass + gas.vented();
+  }
+  summary["combustion"] = {{"solid_mass", solid}, {"mass_kept", now / total}};
+}
+
+template double massOfParticles(const State<2>&);
+template double massOfParticles(const State<3>&);
+template void sampleGas(State<2>&, const Work<2>&);
+template void sampleGas(State<3>&, const Work<3>&);
+template void reportGas(const State<2>&, const Work<2>&, nlohmann::json&);
+template void reportGas(const State<3>&, const Work<3>&, nlohmann::json&);
+
+} // namespace Rhegma::combustion

@@ -1,0 +1,24 @@
+#pragma once
+/// What a run tells of the gas in its cracks.
+
+#include "combustion/Work.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace Rhegma::combustion
+{
+
+/// Mass of the particles of all ranks [kg]. Collective.
+template <int D>
+double massOfParticles(const State<D>& state);
+
+/// Writes a sample of history.csv (State::row).
+template <int D>
+void sampleGas(State<D>& state, const Work<D>& work);
+
+/// Writes what summary.json has of the gas: its state and where its mass and energy came from and went to.
+/// Collective.
+template <int D>
+void reportGas(const State<D>& state, const Work<D>& work, nlohmann::json& summary);
+
+} // namespace Rhegma::combustion

@@ -1,0 +1,72 @@
+#include "combustion/GasStep.hpp"
+
+#include "combustion/FlowSteps.hpp"
+#include "parallel/Subdomain.hpp"
+#include "transfer/FacePush.hpp"
+
+#include <cmath>
+
+namespace Rhegma::combustion
+{
+
+template <int D>
+void pushByGas(State<D>& state, const Work<D>& work, Burning<D>& b)
+{
+  const FacePoints<D>& points = work.points;
+  const Cavity room = measureCavity(state, points, b.crack, work.fire.lit());
+  const std::string& name = state.cracks.cracks[b.crack].name;
+  b.faces = 2.0 * room.felt;
+  b.felt = b.felt || room.felt > 0.0;
+  if (!b.felt)
+    state.trouble = "Combustion > " + name + ": no face of this crack lies in a body, so nothing can burn";
+  if (b.flows)
+  {
+    if (state.trouble.empty())
+      pushByFlow(state, points, b, work.pressure);
+    return;
+  }
+  b.volume = b.cavity + b.gap * room.area + b.swept + b.gas.burnt() / b.density;
+  const double before = b.pressure;
+  if (!b.filled)
+    b.gas.fill(b.startPressure, b.startTemperature, b.volume);
+  if (!(b.volume > b.gas.leastVolume()))
+    state.trouble = "Combustion > " + name +
+                    ": there is no room left for the gas, as the faces have come too near to each other "
+                    "(a larger Initial Gap or Cavity Volume, or a section Contact)";
+  b.pressure = b.gas.pressure(b.volume);
+  if (!std::isfinite(b.pressure))
+    state.trouble = "Combustion > " + name + ": the pressure is no longer a number";
+  if (!state.trouble.empty())
+    return;
+  b.slope = b.filled && state.dt > 0.0 ? (b.pressure - before) / state.dt : 0.0;
+  b.filled = true;
+  publishPressure("rhegma::combustion::publish", state.cracks, b.crack, b.pressure - b.outside);
+  pushFaces("rhegma::combustion::push", state, points, b.crack, b.pressure - b.outside);
+}
+
+template <int D>
+void bookGasWork(State<D>& state, const Work<D>& work, Burning<D>& b)
+{
+  const FacePoints<D>& points = work.points;
+  if (b.flows)
+    return bookFlow(state, points, b, work.pressure, work.swept);
+  // The room between the faces is what they swept, so that the work is the pressure times the change of the
+  // volume.
+  double swept = workOnFaces("rhegma::combustion::work", state, points, b.crack,
+                             1.0);                             // a pressure of 1 Pa: the volume [m3]
+  state.energy.combustion += (b.pressure - b.outside) * swept; // each rank books its own part
+  sumParts(state, &swept, 1);
+  b.gas.work(b.pressure * swept);
+  b.swept += swept;
+  b.volumeRate = state.dt > 0.0 ? swept / state.dt : 0.0;
+  if (!(b.gas.energy() > 0.0))
+    state.trouble = "Combustion > " + state.cracks.cracks[b.crack].name +
+                    ": the gas has done more work than it has energy (smaller Time > CFL)";
+}
+
+template void pushByGas(State<2>&, const Work<2>&, Burning<2>&);
+template void pushByGas(State<3>&, const Work<3>&, Burning<3>&);
+template void bookGasWork(State<2>&, const Work<2>&, Burning<2>&);
+template void bookGasWork(State<3>&, const Work<3>&, Burning<3>&);
+
+} // namespace Rhegma::combustion

@@ -1,0 +1,45 @@
+#pragma once
+/// What the burning of cracks keeps from step to step.
+
+#include "combustion/Burning.hpp"
+#include "combustion/FaceHeat.hpp"
+#include "combustion/Regression.hpp"
+
+#include <vector>
+
+namespace Rhegma::combustion
+{
+
+/// Share of the gas that may come or go in a step, and of its room.
+constexpr double largestChange = 0.1;
+
+template <int D>
+struct Work
+{
+  std::vector<Burning<D>> cracks;
+  FacePoints<D> points;
+  Fire<D> fire;
+  Regression<D> regression;
+  FaceHeat<D> heat;
+  FaceHeating heating;    ///< at each face point
+  View<double*> depth;    ///< density times the depth that burns in a step, at each face point [kg/m2]
+  View<double*> taken;    ///< heat that the faces take there [J]
+  View<double*> pressure; ///< that the faces feel there, where gas flows [Pa]
+  View<double*> swept;    ///< volume that opens there in a step, where gas flows [m3]
+  double startMass = 0.0; ///< of the particles [kg]
+
+  /// Follows the faces; fields at points get the size that they must have.
+  void follow(const State<D>& state)
+  {
+    const bool anew = points.update(state);
+    fire.follow(points, anew);
+    const std::size_t count = points.count();
+    if (depth.extent(0) == count)
+      return;
+    for (View<double*>* field :
+         {&depth, &taken, &pressure, &swept, &heating.given, &heating.conductance, &heating.gasTemperature})
+      *field = View<double*>("rhegma::combustion::atFacePoints", count);
+  }
+};
+
+} // namespace Rhegma::combustion
