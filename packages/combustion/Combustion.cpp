@@ -5,6 +5,7 @@
 #include "combustion/GasReport.hpp"
 #include "combustion/GasStep.hpp"
 #include "scene/ReadList.hpp"
+#include "step/LastStage.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -57,23 +58,15 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  for (Burning<D>& b : work->cracks)
                    pushByGas(s, *work, b);
                }});
-  effect.call({Stage::AfterSolve,
-               "work of gas",
-               {"constrained motion"},
+  effect.call({stageOfWays(scene),
+               "work of gas and burning of crack faces",
+               {projectsLast(scene) ? "projection" : "particle velocity"},
                {},
                {},
                [work](State<D>& s)
                {
                  for (Burning<D>& b : work->cracks)
                    bookGasWork(s, *work, b);
-               }});
-  effect.call({Stage::Gather,
-               "burning of crack faces",
-               {"particle velocity"},
-               {},
-               {},
-               [work](State<D>& s)
-               {
                  for (Burning<D>& b : work->cracks)
                    burnStep(s, *work, b);
                }});

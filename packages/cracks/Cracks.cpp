@@ -18,6 +18,7 @@
 #include "cracks/SurfaceGrowth.hpp"
 #include "cracks/Visibility.hpp"
 #include "scene/ReadList.hpp"
+#include "step/LastStage.hpp"
 
 #include <memory>
 #include <vector>
@@ -270,7 +271,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                    else
                      surface->grow(s);
                  }});
-  effect.call({projectsLast(scene) ? Stage::AfterProjection : Stage::Gather,
+  effect.call({stageOfWays(scene),
                "cracks move",
                {projectsLast(scene) ? "projection" : "nodal motion"},
                {"crack geometry"},

@@ -3,6 +3,7 @@
 #include "checkpoint/Archive.hpp"
 #include "scene/CrackNames.hpp"
 #include "scene/ReadList.hpp"
+#include "step/LastStage.hpp"
 #include "transfer/FacePush.hpp"
 #include "transfer/PressureReport.hpp"
 
@@ -97,9 +98,9 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  for (FacePressure& pressure : account->pressures)
                    pressure.apply(s, account->points);
                }});
-  effect.call({Stage::AfterSolve,
+  effect.call({stageOfWays(scene),
                "work of pressure on crack faces",
-               {"constrained motion"},
+               {projectsLast(scene) ? "projection" : "nodal motion"},
                {},
                {},
                [account](State<D>& s)

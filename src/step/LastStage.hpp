@@ -1,5 +1,5 @@
 #pragma once
-/// Where a step ends.
+/// Where a step ends, and from where on its motion is known.
 
 #include "step/Effect.hpp"
 
@@ -17,6 +17,19 @@ inline Stage lastStage(const Teuchos::ParameterList& scene)
   const Teuchos::ParameterList& time = scene.sublist("Time");
   const bool stressFirst = time.isType<std::string>(name) && time.get<std::string>(name) == "USF";
   return stressFirst ? Stage::Gather : Stage::OnParticles;
+}
+
+/// Whether the velocity that moves particles and faces is known only after the gather (MUSL).
+inline bool projectsLast(const Teuchos::ParameterList& scene)
+{
+  const Teuchos::ParameterList& time = scene.sublist("Time");
+  return !time.isType<std::string>("Update Scheme") || time.get<std::string>("Update Scheme") == "MUSL";
+}
+
+/// The stage in which it is known.
+inline Stage stageOfWays(const Teuchos::ParameterList& scene)
+{
+  return projectsLast(scene) ? Stage::AfterProjection : Stage::Gather;
 }
 
 } // namespace Rhegma

@@ -154,6 +154,19 @@ private:
   std::map<Bin, std::vector<int>> bins_;
 };
 
+/// Opening at a point over what lies there on straight faces: behind a front it grows as the root of the
+/// distance (Irwin, J. Appl. Mech. 24 (1957) 361), of which a simplex at the front has the ends.
+template <int D>
+KOKKOS_INLINE_FUNCTION double frontShape(const View<int* [D]>& neighbour, const View<double* [D]>& weight,
+                                         int simplex, int k)
+{
+  double distance = 1.0; // from the nearest facet at a front, over that of the vertex opposite to it
+  for (int i = 0; i < D; ++i)
+    if (neighbour(simplex, i) == facet::front && weight(k, i) < distance)
+      distance = weight(k, i);
+  return 1.0 / std::sqrt(distance);
+}
+
 /// Which faces meet nodes on this rank.
 template <int D>
 void findMeetings(const StencilTable<D>& below, const StencilTable<D>& above, int count,
@@ -311,6 +324,7 @@ void FacePoints<D>::follow(const CrackSet<D>& cracks)
   const View<int* [D]> simplex = cracks.simplex;
   const View<double* [D]> vertex = cracks.vertex;
   const View<double* [2][D]> face = cracks.face;
+  const View<int* [D]> neighbour = cracks.neighbour;
   Kokkos::parallel_for(
       "rhegma::followFaces", Kokkos::RangePolicy<ExecSpace>(0, count_), KOKKOS_LAMBDA(const int k) {
         Vector<D> corner[D], at{}, jump{};
@@ -327,7 +341,7 @@ void FacePoints<D>::follow(const CrackSet<D>& cracks)
         const Vector<D> area = sizedNormal(corner), along = corner[1] - corner[0];
         const double now = norm(area), length = norm(along);
         const Vector<D> n = (1.0 / now) * area;
-        const double apart = dot(n, jump);
+        const double apart = frontShape<D>(neighbour, weight, simplexOf(k), k) * dot(n, jump);
         p.separation(k) = apart;
         p.currentSize(k) = share(k) * now;
         lower.side(k) = -(p.crack(k) + 1);

@@ -1,6 +1,6 @@
 #include "transfer/FacePush.hpp"
 
-#include "state/MeanVelocity.hpp"
+#include "state/WayVelocity.hpp"
 #include "transfer/PushNodes.hpp"
 
 namespace Rhegma
@@ -77,12 +77,12 @@ void sweptVolumes(const char* label, const State<D>& state, const FacePoints<D>&
                   const View<double*>& swept)
 {
   const FacePoints<D> p = points;
-  const MeanVelocity<D> mean(state);
+  const WayVelocity<D> way(state);
   const double thickness = state.thickness, dt = state.dt;
   Kokkos::parallel_for(
       label, Kokkos::RangePolicy<ExecSpace>(0, points.count()), KOKKOS_LAMBDA(const int k) {
         if (p.crack(k) == crack)
-          swept(k) = dt * dot(faceForce(p, k, 1.0, thickness), jumpAt<D>(p.below, p.above, k, mean));
+          swept(k) = dt * dot(faceForce(p, k, 1.0, thickness), jumpAt<D>(p.below, p.above, k, way));
       });
 }
 
@@ -91,14 +91,14 @@ double workOnFaces(const char* label, const State<D>& state, const FacePoints<D>
                    double pressure)
 {
   const FacePoints<D> p = points;
-  const MeanVelocity<D> mean(state);
+  const WayVelocity<D> way(state);
   const double thickness = state.thickness, dt = state.dt;
   double work = 0.0;
   Kokkos::parallel_reduce(
       label, Kokkos::RangePolicy<ExecSpace>(0, points.count()),
       KOKKOS_LAMBDA(const int k, double& sum) {
         if (p.crack(k) == crack)
-          sum += dt * dot(faceForce(p, k, pressure, thickness), jumpAt<D>(p.below, p.above, k, mean));
+          sum += dt * dot(faceForce(p, k, pressure, thickness), jumpAt<D>(p.below, p.above, k, way));
       },
       work);
   return work;

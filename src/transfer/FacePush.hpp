@@ -18,13 +18,14 @@ template <int D>
 void pushFaces(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
                const View<double*>& pressure);
 
-/// Volume [m3] that opens between the faces at each point of a crack in this step, by the mean of the nodes'
-/// velocities before and after: this rank's part. With a pressure it is the work of the forces above.
+/// Volume [m3] that opens between the faces at each point of a crack in this step, by the velocity with which
+/// they move (WayVelocity), in or after step/LastStage.hpp's stageOfWays: this rank's part. With a pressure
+/// it is the work of the forces above.
 template <int D>
 void sweptVolumes(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
                   const View<double*>& swept);
 
-/// Work [J] that these forces do in this step, by the mean of the nodes' velocities before and after.
+/// Work [J] that these forces do in this step on that way.
 template <int D>
 double workOnFaces(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
                    double pressure);
