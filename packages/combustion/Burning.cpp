@@ -1,7 +1,6 @@
 #include "combustion/Burning.hpp"
 
 #include "checkpoint/Archive.hpp"
-#include "combustion/IgnitionPlace.hpp"
 #include "scene/Numbers.hpp"
 #include "scene/ReadList.hpp"
 #include "transfer/FacePush.hpp"
@@ -64,15 +63,11 @@ Ignition<D> readIgnition(const State<D>& state, int crack, const Teuchos::Parame
     return ignition;
   ignition.lower = readVector<D>(list, point ? "Ignition Point" : "Ignition Lower Corner");
   ignition.upper = readVector<D>(list, point ? "Ignition Point" : "Ignition Upper Corner");
-  const IgnitionPlace place = lookNearBox(state, crack, ignition.lower, ignition.upper);
-  const std::string at = path + (point ? " > Ignition Point" : " > Ignition Lower Corner");
-  if (place.away > state.grid.spacing)
-    throw std::invalid_argument(at + ": it lies " + formatReal(place.away) +
+  const double away = distanceFromCrack(state.cracks, crack, ignition.lower, ignition.upper);
+  if (away > state.grid.spacing)
+    throw std::invalid_argument(path + (point ? " > Ignition Point" : " > Ignition Lower Corner") +
+                                ": it lies " + formatReal(away) +
                                 " m from the crack, more than a cell; write a place where its faces are");
-  if (!place.inBody)
-    throw std::invalid_argument(at +
-                                ": the crack lies in no body there, so nothing catches fire; write a place "
-                                "where its faces are");
   return ignition;
 }
 

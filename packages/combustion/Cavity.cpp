@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace Rhegma::combustion
 {
@@ -126,6 +127,35 @@ std::vector<MirrorPlane> mirrorPlanes(const Teuchos::ParameterList& scene)
   return planes;
 }
 
+template <int D>
+double distanceFromCrack(const CrackSet<D>& cracks, int crack, const Vector<D>& lower, const Vector<D>& upper)
+{
+  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
+  const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
+  const Crack<D>& c = cracks.cracks[crack];
+  double least = std::numeric_limits<double>::max();
+  // From enough places in each simplex: a tenth of its edges apart.
+  constexpr int cuts = 10;
+  for (int s = c.firstSimplex; s < c.firstSimplex + c.numSimplices; ++s)
+    for (int i = 0; i <= cuts; ++i)
+      for (int j = 0; j <= (D == 3 ? cuts - i : 0); ++j)
+      {
+        const double weight[3] = {double(i) / cuts, D == 3 ? double(j) / cuts : 1.0 - double(i) / cuts,
+                                  1.0 - double(i + j) / cuts};
+        double square = 0.0;
+        for (int d = 0; d < D; ++d)
+        {
+          double x = 0.0;
+          for (int k = 0; k < D; ++k)
+            x += weight[k] * vertex(simplex(s, k), d);
+          const double out = std::max({lower[d] - x, x - upper[d], 0.0});
+          square += out * out;
+        }
+        least = std::min(least, std::sqrt(square));
+      }
+  return least;
+}
+
 template Cavity measureCavity(const State<2>&, const FacePoints<2>&, int, const View<int*>&);
 template Cavity measureCavity(const State<3>&, const FacePoints<3>&, int, const View<int*>&);
 template double mouthArea(const State<2>&, int, const std::vector<MirrorPlane>&);
@@ -134,5 +164,7 @@ template std::array<double, 2> mouthAreas(const State<2>&, int, const std::vecto
 template std::array<double, 2> mouthAreas(const State<3>&, int, const std::vector<MirrorPlane>&);
 template bool hasMouth(const State<2>&, int, const std::vector<MirrorPlane>&);
 template bool hasMouth(const State<3>&, int, const std::vector<MirrorPlane>&);
+template double distanceFromCrack(const CrackSet<2>&, int, const Vector<2>&, const Vector<2>&);
+template double distanceFromCrack(const CrackSet<3>&, int, const Vector<3>&, const Vector<3>&);
 
 } // namespace Rhegma::combustion

@@ -45,4 +45,9 @@ std::array<double, 2> mouthAreas(const State<D>& state, int crack, const std::ve
 template <int D>
 bool hasMouth(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors);
 
+/// Distance of a box from a crack [m]; 0 where it meets it.
+template <int D>
+double distanceFromCrack(const CrackSet<D>& cracks, int crack, const Vector<D>& lower,
+                         const Vector<D>& upper);
+
 } // namespace Rhegma::combustion

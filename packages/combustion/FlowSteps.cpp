@@ -66,13 +66,12 @@ template <int D>
 void bookFlow(State<D>& state, const FacePoints<D>& points, Burning<D>& b, const View<double*>& pressure,
               const View<double*>& swept)
 {
+  // Each rank books its own part.
+  state.energy.combustion += workOnFaces("rhegma::combustion::work", state, points, b.crack, pressure);
   Kokkos::deep_copy(swept, 0.0);
   sweptVolumes("rhegma::combustion::sweep", state, points, b.crack, swept);
   const auto p = onHost(pressure);
-  const auto own = onHost(swept);
   const int first = b.flow.first(), count = b.flow.channel().size();
-  for (int k = first; k < first + count; ++k)
-    state.energy.combustion += p(k) * own(k); // each rank books its own part
   sumParts(state, swept);
   const auto all = onHost(swept);
   b.supply.opened.resize(count);

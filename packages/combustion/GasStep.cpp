@@ -50,11 +50,17 @@ void bookGasWork(State<D>& state, const Work<D>& work, Burning<D>& b)
   const FacePoints<D>& points = work.points;
   if (b.flows)
     return bookFlow(state, points, b, work.pressure, work.swept);
-  // The room between the faces is what they swept, so that the work is the pressure times the change of the
-  // volume.
-  double swept = workOnFaces("rhegma::combustion::work", state, points, b.crack,
-                             1.0);                             // a pressure of 1 Pa: the volume [m3]
-  state.energy.combustion += (b.pressure - b.outside) * swept; // each rank books its own part
+  // Each rank books its own part.
+  state.energy.combustion +=
+      workOnFaces("rhegma::combustion::work", state, points, b.crack, b.pressure - b.outside);
+  sweptVolumes("rhegma::combustion::sweep", state, points, b.crack, work.swept);
+  const View<double*> volumes = work.swept;
+  const View<int*> of = points.crack;
+  const int crack = b.crack;
+  double swept = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::combustion::swept", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
+      KOKKOS_LAMBDA(const int k, double& sum) { sum += of(k) == crack ? volumes(k) : 0.0; }, swept);
   sumParts(state, &swept, 1);
   b.gas.work(b.pressure * swept);
   b.swept += swept;

@@ -25,7 +25,7 @@ struct Work
   View<double*> depth;    ///< density times the depth that burns in a step, at each face point [kg/m2]
   View<double*> taken;    ///< heat that the faces take there [J]
   View<double*> pressure; ///< that the faces feel there, where gas flows [Pa]
-  View<double*> swept;    ///< volume that opens there in a step, where gas flows [m3]
+  View<double*> swept;    ///< volume that opens there in a step [m3]
   double startMass = 0.0; ///< of the particles [kg]
 
   /// Follows the faces; fields at points get the size that they must have.

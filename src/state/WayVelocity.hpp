@@ -27,4 +27,27 @@ struct WayVelocity
   }
 };
 
+/// The velocity [m/s] at which a force on faces works over a step, so that the particles' kinetic energy
+/// changes by the work of all forces: with MUSL the mean v of what their momentum has nodes move with before
+/// and after, for sum_p m_p (v_p'^2 - v_p^2) / 2 = sum_i m_i a_i dt . v_i, as a particle's velocity changes
+/// by sum_i N_i a_i dt and a node's projection is sum_p N_p m_p v_p' / m_i. Of nodes that move in short steps
+/// the velocity of their way.
+template <int D>
+struct WorkVelocity
+{
+  WayVelocity<D> way;
+
+  explicit WorkVelocity(const State<D>& state) : way(state) {}
+
+  KOKKOS_INLINE_FUNCTION double operator()(int node, int axis) const
+  {
+    const MeanVelocity<D>& mean = way.mean;
+    if (!way.projected || mean.brief.moves(node))
+      return way(node, axis);
+    const double before = mean.nodes.motion(node, axis) -
+                          2.0 * mean.half * mean.nodes.motion(node, Nodes<D>::accelerationAt + axis);
+    return 0.5 * (before + mean.nodes.projection(node, axis));
+  }
+};
+
 } // namespace Rhegma

@@ -341,7 +341,9 @@ void FacePoints<D>::follow(const CrackSet<D>& cracks)
         const Vector<D> area = sizedNormal(corner), along = corner[1] - corner[0];
         const double now = norm(area), length = norm(along);
         const Vector<D> n = (1.0 / now) * area;
-        const double apart = frontShape<D>(neighbour, weight, simplexOf(k), k) * dot(n, jump);
+        const double straight = dot(n, jump);
+        const double apart =
+            straight > 0.0 ? frontShape<D>(neighbour, weight, simplexOf(k), k) * straight : straight;
         p.separation(k) = apart;
         p.currentSize(k) = share(k) * now;
         lower.side(k) = -(p.crack(k) + 1);

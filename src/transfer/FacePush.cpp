@@ -86,22 +86,41 @@ void sweptVolumes(const char* label, const State<D>& state, const FacePoints<D>&
       });
 }
 
-template <int D>
-double workOnFaces(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
-                   double pressure)
+namespace
+{
+
+template <int D, class Pressure>
+double work(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
+            const Pressure& pressure)
 {
   const FacePoints<D> p = points;
-  const WayVelocity<D> way(state);
+  const WorkVelocity<D> velocity(state);
   const double thickness = state.thickness, dt = state.dt;
-  double work = 0.0;
+  double all = 0.0;
   Kokkos::parallel_reduce(
       label, Kokkos::RangePolicy<ExecSpace>(0, points.count()),
       KOKKOS_LAMBDA(const int k, double& sum) {
         if (p.crack(k) == crack)
-          sum += dt * dot(faceForce(p, k, pressure, thickness), jumpAt<D>(p.below, p.above, k, way));
+          sum += dt * dot(faceForce(p, k, pressure(k), thickness), jumpAt<D>(p.below, p.above, k, velocity));
       },
-      work);
-  return work;
+      all);
+  return all;
+}
+
+} // namespace
+
+template <int D>
+double workOnFaces(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
+                   double pressure)
+{
+  return work(label, state, points, crack, Everywhere{pressure});
+}
+
+template <int D>
+double workOnFaces(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
+                   const View<double*>& pressure)
+{
+  return work(label, state, points, crack, pressure);
 }
 
 template <int D>
@@ -141,6 +160,8 @@ template void publishPressure(const char*, CrackSet<3>&, const FacePoints<3>&, i
 template void pushFaces(const char*, const State<3>&, const FacePoints<3>&, int, double);
 template double workOnFaces(const char*, const State<2>&, const FacePoints<2>&, int, double);
 template double workOnFaces(const char*, const State<3>&, const FacePoints<3>&, int, double);
+template double workOnFaces(const char*, const State<2>&, const FacePoints<2>&, int, const View<double*>&);
+template double workOnFaces(const char*, const State<3>&, const FacePoints<3>&, int, const View<double*>&);
 template void publishPressure(const char*, CrackSet<2>&, int, double);
 template void publishPressure(const char*, CrackSet<3>&, int, double);
 

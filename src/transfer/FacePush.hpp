@@ -19,16 +19,19 @@ void pushFaces(const char* label, const State<D>& state, const FacePoints<D>& po
                const View<double*>& pressure);
 
 /// Volume [m3] that opens between the faces at each point of a crack in this step, by the velocity with which
-/// they move (WayVelocity), in or after step/LastStage.hpp's stageOfWays: this rank's part. With a pressure
-/// it is the work of the forces above.
+/// they move (WayVelocity), in or after step/LastStage.hpp's stageOfWays: this rank's part.
 template <int D>
 void sweptVolumes(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
                   const View<double*>& swept);
 
-/// Work [J] that these forces do in this step on that way.
+/// Work [J] that the forces above do in this step (WorkVelocity), in or after the same stage: this rank's
+/// part.
 template <int D>
 double workOnFaces(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
                    double pressure);
+template <int D>
+double workOnFaces(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
+                   const View<double*>& pressure);
 
 /// Lets others know of the pressure in a crack (CrackSet::pressure).
 template <int D>

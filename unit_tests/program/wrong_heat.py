@@ -100,7 +100,7 @@ COMBUSTION = [
      one("Combustion > Notch > Ignition Lower Corner", "from the crack")),
     ("combustion_lit_beside_the_body", burning(Ignition_Point=[-0.15, 0.01], Flame_Speed=10.0).set(
         "Cracks > Notch > Points", [-0.18, 0.01, 0.3, 0.01]),
-     one("Combustion > Notch > Ignition Point", "in no body")),
+     one("Combustion > Notch > Ignition Point", "from the crack")),
     ("combustion_of_a_density_that_nothing_has", burning(Solid_Density=123.0),
      one("Combustion > Notch > Solid Density", "no material", "kg/m3")),
     ("combustion_lit_by_a_temperature_that_is_not_there", burning(Ignition_Temperature=600.0),

@@ -64,9 +64,17 @@ void keepsMassMomentumAndEnergy(const std::string& model = "Uniform")
   measureEnergy(state);
   const Vector<D> before = state.momentum;
   const double startEnergy = state.energy.kinetic + state.energy.strain;
-  for (int k = 0; k < 200; ++k)
-    run.step(1e9, k == 199);
-  measureEnergy(state);
+  // The ledger of a body that moves wavers by half a step's power of its stresses; its mean does not.
+  constexpr int samples = 16;
+  double given = 0.0, open = 0.0;
+  for (int k = 0; k < samples; ++k)
+  {
+    for (int n = 0; n < 25; ++n)
+      run.step(1e9, n == 24);
+    measureEnergy(state);
+    given += (state.energy.kinetic + state.energy.strain - startEnergy) / samples;
+    open += state.energy.residual() / samples;
+  }
   const nlohmann::json summary = summaryOf(run);
   const nlohmann::json& crack = summary.at("cracks").at(0);
   EXPECT_GT(crack.at("burnt_mass").get<double>(), 0.0);
@@ -77,10 +85,9 @@ void keepsMassMomentumAndEnergy(const std::string& model = "Uniform")
   const double impulse = 1e-4 * (D == 2 ? 3.0 : 9.0) * state.time;
   for (int d = 0; d < D; ++d)
     EXPECT_NEAR(state.momentum[d], before[d], 1e-12 * impulse);
-  const double given = state.energy.kinetic + state.energy.strain - startEnergy;
   EXPECT_GT(given, 0.0);
-  // Books of MUSL, of a load that comes at once.
-  EXPECT_LT(std::fabs(state.energy.residual()), 0.01 * given);
+  std::printf("ledger open by %+.2f %% of what was given\n", 100.0 * open / given);
+  EXPECT_LT(std::fabs(open), 0.01 * given);
 }
 
 } // namespace

@@ -1,0 +1,103 @@
+/// The room between the faces of a crack that gas opens as far as cells are wide.
+
+#include "../../src/step/Bodies.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+
+namespace Rhegma
+{
+namespace Test
+{
+namespace
+{
+
+constexpr double edge = 24.0, cavity = 10.0;
+
+/// A soft block between four slippery walls, with a crack of 10 cells whose gas is kept at one temperature.
+Teuchos::ParameterList softBlock(double height, double pressure)
+{
+  Teuchos::ParameterList scene = emptyScene<2>(all<2>(-4.0), all<2>(28.0), 1.0, "MUSL", "GIMP");
+  addMaterial(scene, "Neo-Hookean", 0.0);
+  addBox<2>(scene, "Block", all<2>(0.0), all<2>(edge));
+  for (const char* axis : {"x", "y"})
+    for (const double position : {0.0, edge})
+    {
+      Teuchos::ParameterList& wall =
+          scene.sublist("Boundaries").sublist(std::string(axis) + (position > 0.0 ? " high" : " low"));
+      wall.set("Type", "Symmetry");
+      wall.set("Axis", std::string(axis));
+      wall.set("Position", position);
+    }
+  scene.sublist("Cracks").sublist("Slit").set("Points", Teuchos::Array<double>(Teuchos::tuple(7.0, height, 17.0, height)));
+  Teuchos::ParameterList& gas = scene.sublist("Combustion").sublist("Slit");
+  gas.set("Burn Law", "Vieille");
+  gas.set("Burn Coefficient", 0.0);
+  gas.set("Burn Exponent", 0.0);
+  gas.set("Gas Constant", 1.0);
+  gas.set("Flame Temperature", 300.0);
+  gas.set("Gas Temperature", "Constant");
+  gas.set("Initial Pressure", pressure);
+  gas.set("Outside Pressure", 0.0);
+  gas.set("Cavity Volume", cavity);
+  scene.sublist("Damping").set("Mass Rate", 0.09);
+  return scene;
+}
+
+/// The walls hold the block's outside, so what room there is the solid has lost: sum of V0 (1 - det F), the
+/// independent measure. \param opening in cells that is expected, of the middle \param tolerance of the room
+void makesRoom(double height, double pressure, double opening, double tolerance)
+{
+  Rhegma::Run<2> run(validated(softBlock(height, pressure)));
+  run.initialize();
+  State<2>& state = run.state();
+  measureEnergy(state);
+  const double start = state.energy.strain + state.energy.kinetic;
+  while (state.time < 60.0 && state.trouble.empty())
+    run.step(60.0, state.time > 59.0);
+  ASSERT_EQ(state.trouble, "");
+  measureEnergy(state);
+  nlohmann::json summary = nlohmann::json::object();
+  for (const Effect<2>& effect : run.plan().effects)
+    if (effect.report)
+      effect.report(state, summary);
+  const double room = summary.at("cracks").at(0).at("gas").at("volume").get<double>() - cavity;
+  const HostParticles<2> particles(state);
+  double lost = 0.0, widest = 0.0;
+  for (int p = 0; p < particles.size; ++p)
+    lost += edge * edge / particles.size *
+            (1.0 - (particles.deformation(p, 0) * particles.deformation(p, 3) -
+                    particles.deformation(p, 1) * particles.deformation(p, 2)) *
+                       particles.deformation(p, 4));
+  const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.face);
+  for (std::size_t v = 0; v < face.extent(0); ++v)
+    widest = std::max(widest, face(v, 1, 1) - face(v, 0, 1));
+  const double given = state.energy.combustion, open = state.energy.residual();
+  std::printf("crack at %g: opening %.3g cells, room %.4g, over what the solid lost %+.1f %%, ledger open by %+.1f %%\n",
+              height, widest, room, 100.0 * (room / lost - 1.0), 100.0 * open / given);
+  EXPECT_NEAR(widest, opening, 0.2 * opening);
+  EXPECT_NEAR(room, lost, tolerance * lost);
+  EXPECT_LT(std::fabs(open), 0.02 * given);
+  EXPECT_GT(given, start);
+}
+
+} // namespace
+
+// Faces a cell apart on either side of a tip: the tip's half cell is a twentieth of the crack on each side.
+TEST(Room, IsWhatTheSolidLostWhereFacesAreACellApart)
+{
+  makesRoom(12.0, 0.1, 0.9, 0.1);
+  makesRoom(12.5, 0.1, 0.9, 0.1);
+}
+
+// Twice that where they are two cells apart.
+TEST(Room, IsWhatTheSolidLostWhereFacesAreTwoCellsApart)
+{
+  makesRoom(12.0, 0.4, 2.1, 0.2);
+  makesRoom(12.5, 0.4, 2.1, 0.2);
+}
+
+} // namespace Test
+} // namespace Rhegma
