@@ -104,10 +104,6 @@ void checkEnergyRelease(const Teuchos::ParameterList& scene, std::vector<SceneEr
     errors.push_back({"Energy Release",
                       "there is no crack whose energy release could be found; add a section Cracks or "
                       "take this section out"});
-  if (inSpace(scene) && scene.isSublist("Combustion"))
-    errors.push_back({"Energy Release",
-                      "in 3D it does not count as yet what presses on crack faces; leave out this "
-                      "section or Combustion"});
   const Teuchos::ParameterList& list = scene.sublist("Energy Release");
   const auto refused = [&](const char* name) { return list.isType<bool>(name) && !list.get<bool>(name); };
   const bool contour = !refused("Contour Integral");

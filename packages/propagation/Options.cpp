@@ -82,7 +82,7 @@ void refuseContour(const Teuchos::ParameterList& list, const std::string& name,
 /// What cracks of 3D scenes can't run with as yet.
 void refuseInSpace(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  for (const char* name : {"Combustion", "Mass Matrix", "Sub-Cycling"})
+  for (const char* name : {"Mass Matrix", "Sub-Cycling"})
     if (scene.isSublist(name))
       errors.push_back({"Propagation", "in 3D it does not go with " + std::string(name) +
                                            " as yet; take one of the two out"});
