@@ -17,6 +17,7 @@ void Burning<D>::keep(Archive& archive)
   archive("filled", filled);
   archive("spent", spent);
   archive("felt", felt);
+  archive("wide", wide);
   archive("swept", swept);
   archive("volume", volume);
   archive("pressure", pressure);

@@ -37,6 +37,7 @@ struct Burning
   ChannelSupply supply; ///< of its cells in this step
 
   bool filled = false, spent = false, felt = false;
+  bool wide = false;                                ///< a warning has said that it is open by cells
   double swept = 0.0;                               ///< volume that the faces have opened [m3]
   double volume = 0.0, pressure = 0.0, slope = 0.0; ///< [m3], [Pa], [Pa/s]
   double burningArea = 0.0, faces = 0.0;            ///< of faces that burn, of all [m2]

@@ -60,15 +60,16 @@ Cavity measureCavity(const State<D>& state, const FacePoints<D>& points, int cra
   Cavity cavity;
   Kokkos::parallel_reduce(
       "rhegma::combustion::measureCavity", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
-      KOKKOS_LAMBDA(const int k, double& area, double& burning, double& felt) {
+      KOKKOS_LAMBDA(const int k, double& area, double& burning, double& felt, double& widest) {
         if (p.crack(k) != crack)
           return;
         const double own = p.currentSize(k) * thickness;
         area += own;
         felt += p.acts(k) != 0 ? own : 0.0;
         burning += p.acts(k) != 0 && burns(k) != 0 ? 2.0 * own : 0.0;
+        widest = p.separation(k) > widest ? p.separation(k) : widest;
       },
-      cavity.area, cavity.burning, cavity.felt);
+      cavity.area, cavity.burning, cavity.felt, Kokkos::Max<double>(cavity.widest));
   return cavity;
 }
 

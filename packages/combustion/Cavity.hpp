@@ -17,6 +17,7 @@ struct Cavity
   double area = 0.0;    ///< of one face [m2]
   double burning = 0.0; ///< of both faces that burn [m2]
   double felt = 0.0;    ///< of one face that nodes feel [m2]
+  double widest = 0.0;  ///< opening of all points [m]
 };
 
 /// All ranks have all points and find the same. \param lit not 0 where a point burns

@@ -9,6 +9,29 @@
 namespace Rhegma::combustion
 {
 
+namespace
+{
+
+/// Cells that faces behind a front may be apart: beyond, their room is more than 15 % off (unit test Room).
+constexpr double wideOpen = 2.0;
+
+template <int D>
+void warnOfWideOpening(State<D>& state, Burning<D>& b, double opening)
+{
+  bool ends = false; // halves that fly apart sweep what they move
+  for (const CrackFront<D>& front : state.cracks.fronts)
+    ends = ends || (front.crack == b.crack && !front.ended);
+  if (b.wide || !ends || opening < wideOpen * state.smallestSpacing())
+    return;
+  b.wide = true;
+  state.warnings.push_back(
+      "Combustion > " + state.cracks.cracks[b.crack].name +
+      ": its faces are more than two of the smallest cells apart, from where on the room of "
+      "its gas may be more than 15 % too large; smaller cells find it better");
+}
+
+} // namespace
+
 template <int D>
 void pushByGas(State<D>& state, const Work<D>& work, Burning<D>& b)
 {
@@ -19,6 +42,7 @@ void pushByGas(State<D>& state, const Work<D>& work, Burning<D>& b)
   b.felt = b.felt || room.felt > 0.0;
   if (!b.felt)
     state.trouble = "Combustion > " + name + ": no face of this crack lies in a body, so nothing can burn";
+  warnOfWideOpening(state, b, room.widest);
   if (b.flows)
   {
     if (state.trouble.empty())

@@ -31,7 +31,8 @@ Teuchos::ParameterList softBlock(double height, double pressure)
       wall.set("Axis", std::string(axis));
       wall.set("Position", position);
     }
-  scene.sublist("Cracks").sublist("Slit").set("Points", Teuchos::Array<double>(Teuchos::tuple(7.0, height, 17.0, height)));
+  scene.sublist("Cracks").sublist("Slit").set(
+      "Points", Teuchos::Array<double>(Teuchos::tuple(7.0, height, 17.0, height)));
   Teuchos::ParameterList& gas = scene.sublist("Combustion").sublist("Slit");
   gas.set("Burn Law", "Vieille");
   gas.set("Burn Coefficient", 0.0);
@@ -75,12 +76,17 @@ void makesRoom(double height, double pressure, double opening, double tolerance)
   for (std::size_t v = 0; v < face.extent(0); ++v)
     widest = std::max(widest, face(v, 1, 1) - face(v, 0, 1));
   const double given = state.energy.combustion, open = state.energy.residual();
-  std::printf("crack at %g: opening %.3g cells, room %.4g, over what the solid lost %+.1f %%, ledger open by %+.1f %%\n",
+  std::printf("crack at %g: opening %.3g cells, room %.4g, over what the solid lost %+.1f %%, ledger open by "
+              "%+.1f %%\n",
               height, widest, room, 100.0 * (room / lost - 1.0), 100.0 * open / given);
   EXPECT_NEAR(widest, opening, 0.2 * opening);
   EXPECT_NEAR(room, lost, tolerance * lost);
   EXPECT_LT(std::fabs(open), 0.02 * given);
   EXPECT_GT(given, start);
+  bool warned = false;
+  for (const std::string& warning : state.warnings)
+    warned = warned || warning.find("two of the smallest cells apart") != std::string::npos;
+  EXPECT_EQ(warned, widest > 2.0);
 }
 
 } // namespace
