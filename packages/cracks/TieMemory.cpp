@@ -15,6 +15,34 @@
 namespace Rhegma::cracks
 {
 
+namespace
+{
+
+/// What a cohesive force would yet take [J]. \param row as of Cohesion.hpp
+double yetToTake(const double* row)
+{
+  const double peak = row[cohesion::peak], range = row[cohesion::range], start = row[cohesion::start],
+               reached = row[cohesion::reached];
+  if (!(peak > 0.0) || !(range > 0.0))
+    return 0.0;
+  const double left = std::max(0.0, start + range - reached);
+  return 0.5 * peak * left * left / range;
+}
+
+/// Gives energy back to the front nearest to a place that has grown.
+template <int D>
+void giveBack(State<D>& state, const Vector<D>& place, double energy)
+{
+  CrackFront<D>* nearest = nullptr;
+  for (CrackFront<D>& front : state.cracks.fronts)
+    if (front.grown && (nearest == nullptr || norm(front.position - place) < norm(nearest->position - place)))
+      nearest = &front;
+  if (nearest != nullptr)
+    nearest->unspent += energy;
+}
+
+} // namespace
+
 template <int D>
 void TieMemory<D>::makeRoom(State<D>& state)
 {
@@ -85,12 +113,14 @@ void TieMemory<D>::moveToNewNodes(State<D>& state)
   const auto cohesive = Kokkos::create_mirror_view(cohesion_);
   const NodeNames<D> names(state);
   std::vector<int> name(D);
+  std::vector<double> kept(ties.size() / width, 0.0);
   for (std::size_t k = 0; k < ties.size(); k += width)
   {
     std::copy_n(ties.begin() + k, D, name.begin());
     const int n = names.find(name, 0);
     if (n < 0)
       continue;
+    kept[k / width] = 1.0;
     const double* const tie = &ties[k + D];
     step(n) = static_cast<int>(tie[0]);
     stiffness(n) = tie[1];
@@ -103,6 +133,16 @@ void TieMemory<D>::moveToNewNodes(State<D>& state)
   Kokkos::deep_copy(step_, step);
   Kokkos::deep_copy(stiffness_, stiffness);
   Kokkos::deep_copy(cohesion_, cohesive);
+  state.ranks.max(kept.data(), static_cast<int>(kept.size()));
+  const double unit = std::ldexp(state.grid.spacing, -deepestLevel);
+  for (std::size_t k = 0; grows_ && k < kept.size(); ++k)
+    if (kept[k] == 0.0)
+    {
+      Vector<D> place;
+      for (int d = 0; d < D; ++d)
+        place[d] = state.grid.whole[d] + ties[k * width + d] * unit;
+      giveBack(state, place, yetToTake(&ties[k * width + D + 2 + D]));
+    }
   grid_ = state.grid;
   foreign_ = state.nodes.foreign;
   finePlace_ = View<double* [D]>("rhegma::placesOfTies", state.tree.numFine);
@@ -112,7 +152,7 @@ void TieMemory<D>::moveToNewNodes(State<D>& state)
 }
 
 template <int D>
-void TieMemory<D>::carryOver(const State<D>& state)
+void TieMemory<D>::carryOver(State<D>& state)
 {
   using Key = std::array<long, D>;
   const double unit = std::ldexp(state.grid.spacing, -deepestLevel); // the smallest cells that there can be
@@ -134,8 +174,12 @@ void TieMemory<D>::carryOver(const State<D>& state)
     int step;
     double stiffness;
     double cohesion[D + 4];
+    bool kept;
   };
   std::map<Key, Tie> ties;
+  int latest = 0;
+  for (int n = 0; n < static_cast<int>(step.extent(0)); ++n)
+    latest = std::max(latest, step(n));
   const auto before = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, finePlace_);
   for (int k = 0; k < static_cast<int>(before.extent(0)); ++k)
   {
@@ -144,6 +188,7 @@ void TieMemory<D>::carryOver(const State<D>& state)
       continue;
     Tie& tie = ties[keyOf(before, k)];
     tie.step = step(n);
+    tie.kept = false;
     tie.stiffness = stiffness(n);
     for (int i = 0; grows_ && i < D + 4; ++i)
       tie.cohesion[i] = cohesion(n, i);
@@ -167,6 +212,7 @@ void TieMemory<D>::carryOver(const State<D>& state)
     const auto found = ties.find(keyOf(after, n - lattice));
     if (found == ties.end())
       continue;
+    found->second.kept = true;
     step(n) = found->second.step;
     stiffness(n) = found->second.stiffness;
     for (int i = 0; grows_ && i < D + 4; ++i)
@@ -174,6 +220,14 @@ void TieMemory<D>::carryOver(const State<D>& state)
     for (int d = 0; d < D; ++d)
       jump(n, d) = found->second.jump[d];
   }
+  for (const auto& [key, tie] : ties)
+    if (grows_ && !tie.kept && tie.step == latest)
+    {
+      Vector<D> place;
+      for (int d = 0; d < D; ++d)
+        place[d] = state.grid.origin[d] + double(key[d]) * unit;
+      giveBack(state, place, yetToTake(tie.cohesion));
+    }
   Kokkos::deep_copy(jump_, jump);
   Kokkos::deep_copy(step_, step);
   Kokkos::deep_copy(stiffness_, stiffness);

@@ -39,8 +39,9 @@ public:
   const View<double* [D + 4]>& cohesion() const { return cohesion_; }
 
   private :
-      /// Moves what nodes of refined cells have to the numbers that they have now.
-      void carryOver(const State<D>& state);
+      /// Moves what nodes of refined cells have to the numbers that they have now. What cohesive forces of
+      /// nodes that are no more would yet have taken goes back to their fronts, for the nodes that come next.
+      void carryOver(State<D>& state);
   /// Moves all to the nodes that this rank has now, from those that all ranks had. Collective.
   void moveToNewNodes(State<D>& state);
 
