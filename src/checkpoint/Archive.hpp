@@ -110,7 +110,8 @@ public:
     if (from->extent.size() != extent.size() || (columns > 1 && from->extent.back() != columns))
       refuse(name, "has another shape");
     list.resize(from->bytes.size() / sizeof(T));
-    std::memcpy(list.data(), from->bytes.data(), from->bytes.size());
+    if (!list.empty())
+      std::memcpy(list.data(), from->bytes.data(), from->bytes.size());
   }
 
   template <int D>

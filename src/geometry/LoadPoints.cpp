@@ -4,6 +4,7 @@
 #include "geometry/NearestPoint.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 
@@ -77,7 +78,7 @@ std::vector<LoadPoint<D>> attach(const Seeds<D>& body, const std::vector<Weighte
     if (particle >= 0)
     {
       points.push_back({particle, point.x - body.position[particle], point.weight});
-      std::copy(point.side, point.side + D - 1, points.back().side);
+      std::copy(std::begin(point.side), std::end(point.side), points.back().side);
     }
     else if (!missing)
       missing = &point;
