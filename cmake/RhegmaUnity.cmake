@@ -1,5 +1,5 @@
 # Where CMAKE_UNITY_BUILD is on (preset `sanitize`), up to eight files of a folder of the library are compiled
-# as one, which takes a third of the time. These stay apart: they have names of their own that a neighbour has too.
+# as one, which is sooner done. These stay apart: they have names of their own that a neighbour has too.
 
 set(RHEGMA_APART
   packages/cracks/Layout packages/cracks/Nearest packages/cracks/SurfaceMesh
