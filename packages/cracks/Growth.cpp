@@ -5,6 +5,7 @@
 #include "cracks/CrackGeometry.hpp"
 #include "cracks/WayAhead.hpp"
 #include "scene/Numbers.hpp"
+#include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -112,11 +113,23 @@ struct Meeting
   bool atFront;
 };
 
-/// The front of another crack that lies in the way of a front, less than `reach` ahead, or -1.
+/// Whether a crack lies between a place and another one, which may be its end.
+bool isCut(const std::vector<Chain>& chains, int own, const Vector<2>& from, const Vector<2>& way)
+{
+  const double length = norm(way);
+  for (std::size_t c = 0; c < chains.size(); ++c)
+    if (static_cast<int>(c) != own && wayTo(chains[c], from, (1.0 / length) * way) < (1.0 - 1e-9) * length)
+      return true;
+  return false;
+}
+
+/// The nearest front of another crack that lies in the way of a front, less than `reach` ahead, with no crack
+/// in between, or -1.
 int frontInTheWay(const CrackSet<2>& set, const std::vector<Chain>& chains, int own,
                   const Vector<2>& direction, double reach)
 {
   const CrackFront<2>& front = set.fronts[own];
+  int nearest = -1;
   for (std::size_t f = 0; f < set.fronts.size(); ++f)
   {
     const CrackFront<2>& other = set.fronts[f];
@@ -125,10 +138,25 @@ int frontInTheWay(const CrackSet<2>& set, const std::vector<Chain>& chains, int 
     const std::vector<Link>& links = chains[other.crack].links;
     const Vector<2> way = (atFirstEnd(set, other) ? links.front() : links.back()).vertex - front.position;
     const double length = norm(way);
-    if (length < reach && dot(way, direction) > inTheWay * length)
-      return static_cast<int>(f);
+    if (length < reach && dot(way, direction) > inTheWay * length &&
+        !isCut(chains, front.crack, front.position, way))
+    {
+      reach = length;
+      nearest = static_cast<int>(f);
+    }
   }
-  return -1;
+  return nearest;
+}
+
+/// Whether there is material all the way to another crack. What lacks in the last cell is its opening.
+bool isSolid(const State<2>& state, const Chain& chain, bool first, FrontAdvance<2> advance,
+             const Vector<2>& way)
+{
+  const CrackFront<2>& front = state.cracks.fronts[advance.front];
+  const double length = norm(way);
+  advance.direction = (1.0 / length) * way;
+  advance.length = length - 1.5 * spacingAt(state, front.position);
+  return advance.length <= 0.0 || !findRoom(state, chain, first, front, advance).ends;
 }
 
 void lengthen(State<2>& state, Chain& chain, bool first, const FrontAdvance<2>& advance, double length)
@@ -182,7 +210,23 @@ void grow(State<2>& state, std::vector<Chain>& chains, const FrontAdvance<2>& ad
   const Outcome outcome = findRoom(state, chain, first, front, advance);
   const Vector<2> ahead = front.position + outcome.length * advance.direction;
   const Neighbour other = nearestNeighbour(chains, front.crack, first, ahead, (bandWidth + 3.0) * spacing);
-  if (!(other.distance < tooClose * spacing))
+  const bool isAlone = !(other.distance < tooClose * spacing);
+  const int met = isAlone ? -1 : frontInTheWay(state.cracks, chains, advance.front, advance.direction, reach);
+  double way = 1e300;
+  if (!isAlone && other.crack != front.crack)
+    way = wayTo(chains[other.crack], front.position, advance.direction);
+  Vector<2> leap = {0.0, 0.0};
+  if (met >= 0)
+  {
+    const CrackFront<2>& tip = state.cracks.fronts[met];
+    const std::vector<Link>& links = chains[tip.crack].links;
+    leap = (atFirstEnd(state.cracks, tip) ? links.front() : links.back()).vertex - front.position;
+  }
+  else if (way < reach)
+    leap = way * advance.direction;
+  const bool leaps = dot(leap, leap) > 0.0;
+  // Where a gap lies before the other crack, that is none that this one can meet.
+  if (isAlone || (leaps && !isSolid(state, chain, first, advance, leap)))
   {
     lengthen(state, chain, first, advance, outcome.length);
     if (outcome.ends)
@@ -190,20 +234,16 @@ void grow(State<2>& state, std::vector<Chain>& chains, const FrontAdvance<2>& ad
     return;
   }
   const std::string& name = state.cracks.cracks[other.crack].name;
-  const int met = frontInTheWay(state.cracks, chains, advance.front, advance.direction, reach);
   if (met >= 0)
   {
     meetings.push_back({advance.front, state.cracks.fronts[met].crack, true});
     meet(state, chains, advance, met);
     return;
   }
-  const double way =
-      other.crack != front.crack ? wayTo(chains[other.crack], front.position, advance.direction) : 1e300;
-  if (way < reach)
+  if (leaps)
   {
     lengthen(state, chain, first, advance, way);
-    end(state, chain, first, advance.front, "joined the crack " + name,
-        front.position + way * advance.direction);
+    end(state, chain, first, advance.front, "joined the crack " + name, front.position + leap);
     meetings.push_back({advance.front, other.crack, false});
     return;
   }

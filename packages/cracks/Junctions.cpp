@@ -1,8 +1,12 @@
 #include "cracks/Junctions.hpp"
 
 #include "checkpoint/Archive.hpp"
+#include "parallel/Subdomain.hpp"
+#include "scene/Numbers.hpp"
 #include "state/FewItems.hpp"
 #include "transfer/LocalSpacing.hpp"
+
+#include <string>
 
 namespace Rhegma::cracks
 {
@@ -46,8 +50,8 @@ struct Pieces
 };
 
 /// Tells particles of one side near a place on which side of another crack they are, where they are beside
-/// that.
-void learnSides(const State<2>& state, const Vector<2>& at, int known, int crack)
+/// that. \return how many knew of a third crack, which they go on with
+int learnSides(const State<2>& state, const Vector<2>& at, int known, int crack)
 {
   const CrackSight<2> look(state.cracks, state.grid.spacing);
   const auto position = state.particles.real<2>(fields::position);
@@ -56,9 +60,10 @@ void learnSides(const State<2>& state, const Vector<2>& at, int known, int crack
   const double reach = beside * state.grid.spacing, around = 2.0 * reach;
   const int name = crack + 1, begin = state.cracks.cracks[crack].firstSimplex,
             end = begin + state.cracks.cracks[crack].numSimplices;
-  Kokkos::parallel_for(
+  int full = 0;
+  Kokkos::parallel_reduce(
       "rhegma::cracks::learnSides", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-      KOKKOS_LAMBDA(const int p) {
+      KOKKOS_LAMBDA(const int p, int& sum) {
         const Vector<2> x{position(p, 0), position(p, 1)};
         if (side(p) != known || dot(x - at, x - at) > around * around)
           return;
@@ -73,9 +78,28 @@ void learnSides(const State<2>& state, const Vector<2>& at, int known, int crack
             nearest = s;
           }
         }
-        if (square < reach * reach)
+        if (!(square < reach * reach))
+          return;
+        if (other(p) != 0 && other(p) != name && other(p) != -name)
+          ++sum;
+        else
           other(p) = look.look(nearest, x).distance >= 0.0 ? name : -name;
-      });
+      },
+      full);
+  double all = full;
+  sumParts(state, &all, 1);
+  return static_cast<int>(all);
+}
+
+/// Says that particles would have to know of more cracks than they can.
+void warnOfCrowd(State<2>& state, int particles, int one, int two)
+{
+  if (particles > 0)
+    state.warnings.push_back("where the cracks " + state.cracks.cracks[one].name + " and " +
+                             state.cracks.cracks[two].name + " meet at time " + formatReal(state.time) +
+                             " s, " + std::to_string(particles) +
+                             " particles are beside a third crack too, and hold together across one of them; "
+                             "smaller cells (Domain > Cell Size) keep junctions apart");
 }
 
 } // namespace
@@ -103,7 +127,7 @@ void Junctions::place(const State<2>& state, Junction& j)
   j.radius = zone * spacingAt(state, j.place);
 }
 
-void Junctions::add(const State<2>& state, int ended, bool first, int through)
+void Junctions::add(State<2>& state, int ended, bool first, int through)
 {
   Junction j{ended, through, first, 1};
   place(state, j);
@@ -116,18 +140,18 @@ void Junctions::add(const State<2>& state, int ended, bool first, int through)
     j.side = from[0] * normal(j.throughSimplex, 0) + from[1] * normal(j.throughSimplex, 1) > 0.0 ? 1 : -1;
   }
   all_.push_back(j);
-  learnSides(state, j.place, j.side * (through + 1), ended);
+  warnOfCrowd(state, learnSides(state, j.place, j.side * (through + 1), ended), ended, through);
 }
 
-void Junctions::join(const State<2>& state, int one, bool first, int two)
+void Junctions::join(State<2>& state, int one, bool first, int two)
 {
   Junction j{one, two, first, 1};
   place(state, j);
+  int crowd = 0;
   for (const int sign : {1, -1})
-  {
-    learnSides(state, j.place, sign * (one + 1), two);
-    learnSides(state, j.place, sign * (two + 1), one);
-  }
+    crowd +=
+        learnSides(state, j.place, sign * (one + 1), two) + learnSides(state, j.place, sign * (two + 1), one);
+  warnOfCrowd(state, crowd, one, two);
 }
 
 void Junctions::claimNodes(const State<2>& state, const Surroundings& surroundings)

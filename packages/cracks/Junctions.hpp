@@ -36,12 +36,12 @@ public:
   /// Adds one where a front has ended on another crack, once that is laid out: particles beside the last six
   /// cells of the one that ended, on its side of the other, learn on which side of it they are.
   /// \param ended the crack that ended \param first whether at its first end \param through the other crack
-  void add(const State<2>& state, int ended, bool first, int through);
+  void add(State<2>& state, int ended, bool first, int through);
 
   /// Joins two cracks whose fronts have met, once they are laid out: particles beside one of them near the
   /// other learn on which side of that they are. There are two pieces of material, and no nodes to be given.
   /// \param one a crack \param first whether it ends at its first end \param two the other
-  static void join(const State<2>& state, int one, bool first, int two);
+  static void join(State<2>& state, int one, bool first, int two);
 
   /// Gives nodes near junctions to the cracks that are to split them: after the nearest cracks of nodes have
   /// been found, before their sides are.

@@ -94,6 +94,21 @@ void cutInTwo(Teuchos::ParameterList& scene)
   cracks.sublist("Wall").set("Points", reals({size, roof, 26.4e-3, roof}));
 }
 
+/// The same as the first, but Roof is in a body of its own, a cell above the one in which Wall runs.
+void cutBelowAGap(Teuchos::ParameterList& scene)
+{
+  addLoad(scene, "Left", {0.0, 18.0 * cell}, {0.0, 0.0}, {-pull, 0.0});
+  addLoad(scene, "Right", {size, 0.0}, {size, 18.0 * cell}, {pull, 0.0});
+  Teuchos::ParameterList& bodies = scene.sublist("Bodies");
+  Teuchos::ParameterList& cover = bodies.sublist("Cover");
+  cover = bodies.sublist("Plate");
+  bodies.sublist("Plate").set("Upper Corner", reals({size, 18.0 * cell}));
+  cover.set("Lower Corner", reals({0.0, 19.0 * cell}));
+  Teuchos::ParameterList& cracks = scene.sublist("Cracks");
+  cracks.sublist("Roof").set("Points", reals({0.0, roof, 30e-3, roof}));
+  cracks.sublist("Wall").set("Points", reals({wall, 0.0, wall, 10e-3}));
+}
+
 /// Momentum along an axis of what was in a part of the plate [kg m/s].
 template <class Part>
 double momentum(const State<2>& state, int axis, const Part& part)
@@ -180,6 +195,17 @@ TEST(Junctions, CrackEndsOnTheFaceOfTheOther)
   std::cout << "spent " << state.energy.fracture / front.taken << ", in flight " << inFlight / front.taken
             << "\n";
   EXPECT_NEAR(state.energy.fracture + inFlight, front.taken, 0.02 * front.taken);
+}
+
+/// No crack joins another through the gap between two bodies: it ends at the surface of its own.
+TEST(Junctions, NoneAcrossAGap)
+{
+  Piece piece = runWall(cutBelowAGap);
+  const State<2>& state = piece.run.state();
+  ASSERT_GE(piece.joined, 0.0);
+  EXPECT_NEAR(state.cracks.fronts[piece.front].position[1], 18.0 * cell, 0.5 * cell);
+  ASSERT_FALSE(state.warnings.empty());
+  EXPECT_NE(state.warnings.back().find("reached the surface"), std::string::npos) << state.warnings.back();
 }
 
 /// The piece that the two cracks cut out is free: once the faces are open it is pulled by the load on its
