@@ -86,6 +86,10 @@ void refuseInSpace(const Teuchos::ParameterList& scene, std::vector<SceneError>&
     if (scene.isSublist(name))
       errors.push_back({"Propagation", "in 3D it does not go with " + std::string(name) +
                                            " as yet; take one of the two out"});
+  // Cells that follow a front place the points of its faces anew, and faces that open gain contact energy.
+  if (scene.isSublist("Contact") && scene.isSublist("Adaptivity"))
+    errors.push_back({"Propagation", "in 3D it goes with Contact or with Adaptivity, not with both as yet; "
+                                     "take one of the two out"});
 }
 
 } // namespace

@@ -121,6 +121,10 @@ PROPAGATION = [
     ("contour_the_wrong_way_round", running(**{"Release Contour": [10.0, 5.0]}),
      one("Propagation > Release Contour", "the inner one first")),
     ("front_that_is_none", running().set(NOTCH, [0.0, 0.5, 1.0, 0.5]), one("Energy Release", "front", "Fronts")),
+    ("faces_that_touch_on_cells_that_follow_a_front_in_3d",
+     ball().set("Cracks", {"Penny": {"Centre": [0.0, 0.0, 0.0], "Radius": 0.03, "Normal": [0.0, 0.0, 1.0]}}).set(
+         "Energy Release", {}).set("Propagation", {"Toughness": "100"}).set("Contact", {}).set("Adaptivity", {"Maximum Level": 1}),
+     one("Propagation", "Contact or with Adaptivity")),
     ("running_cracks_with_a_series_for_the_mass", running().set("Mass Matrix", {"Type": "FMPM"}),
      one("Propagation", "FMPM", "Partial or Full")),
 ]
