@@ -206,6 +206,9 @@ struct HeatByTables
       good = look(end, T, F, tau, own, memory, now) && good;
       work = lag + now.spent() - old.spent() - 0.5 * (old.slope + now.slope) * (T - before);
     }
+    else
+      now.internal +=
+          ThermoPoint(tables, material, T).heat() - start.heat(); // at T, too, all else is the same
     heat.internal[l] += work;
     const double rise = (heat.internal[l] - now.internal) / start.capacity(), alpha = start.expansion();
     T += rise;
