@@ -19,12 +19,16 @@ endfunction()
 rhegma_add_embedding_test(empty SETUP embedding_empty COMMAND ${CMAKE_COMMAND} -E rm -rf ${folder})
 rhegma_add_embedding_test(install SETUP embedding_installed NEEDS embedding_empty
   COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${folder}/prefix)
+set(launcher) # one word: a list would end the options
+if(RHEGMA_CCACHE)
+  set(launcher -DCMAKE_CXX_COMPILER_LAUNCHER=${RHEGMA_CCACHE})
+endif()
 foreach(application film own_effect)
   rhegma_add_embedding_test(${application}.build SETUP embedding_${application} NEEDS embedding_installed
     COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${PROJECT_SOURCE_DIR}/docs/embedding/${application}
       ${folder}/${application} --build-generator ${CMAKE_GENERATOR} --build-options
       -DCMAKE_PREFIX_PATH=${folder}/prefix -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
-      -DCMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER} -DCMAKE_CXX_FLAGS=-Werror)
+      ${launcher} -DCMAKE_CXX_FLAGS=-Werror)
 endforeach()
 
 set(film ${folder}/film/film ${PROJECT_SOURCE_DIR}/docs/embedding/film/film.xml)

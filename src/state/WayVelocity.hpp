@@ -16,11 +16,13 @@ namespace Rhegma
 template <int D>
 struct WayVelocity
 {
-  MeanVelocity<D> mean;
-  bool projected;
+  MeanVelocity<D> mean; ///< of before and after the step
+  bool projected;       ///< whether particles are strained by the projection (MUSL)
 
+  /// Of a state after its solve; with MUSL after its projection.
   explicit WayVelocity(const State<D>& state) : mean(state), projected(state.scheme == UpdateScheme::Musl) {}
 
+  /// Of a node along an axis [m/s].
   KOKKOS_INLINE_FUNCTION double operator()(int node, int axis) const
   {
     return projected ? mean.nodes.projection(node, axis) : mean(node, axis);
@@ -35,10 +37,12 @@ struct WayVelocity
 template <int D>
 struct WorkVelocity
 {
-  WayVelocity<D> way;
+  WayVelocity<D> way; ///< at which room changes
 
+  /// Of a state after its solve; with MUSL after its projection.
   explicit WorkVelocity(const State<D>& state) : way(state) {}
 
+  /// Of a node along an axis [m/s].
   KOKKOS_INLINE_FUNCTION double operator()(int node, int axis) const
   {
     const MeanVelocity<D>& mean = way.mean;

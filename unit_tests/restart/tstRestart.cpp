@@ -209,9 +209,10 @@ std::vector<Case> allCases()
         all.back().overrides = {"Propagation:Toughness=3e-4*(1 + v/200)", "Propagation:Start Time=0"};
         all.back().steps = 80;
       }
-      if (stem == "gas_driven") // in its small gap gas takes steps that are far shorter than the first
+      // In a small gap gas takes steps that are far shorter than the first.
+      if (stem == "gas_driven" || stem == "gas_driven_flow")
         all.back().overrides = {"Combustion:Slit:Initial Gap=1e-5"};
-      if (stem == "burning_penny")
+      if (stem == "burning_penny" || stem == "burning_penny_growth")
         all.back().overrides = {"Combustion:Penny:Initial Gap=1e-5"};
     }
   }
