@@ -63,7 +63,8 @@ void LongSteps<D>::findPairs(const State<D>& state, const HeatNodes<D>& heat, co
         const PairRows<D> rows(nodes, heat.held, i);
         const double C1 = heat.sums(rows.one, HeatNodes<D>::capacityAt);
         const double C2 = heat.sums(rows.two, HeatNodes<D>::capacityAt);
-        const bool passes = conductance(rows.one) > 0.0 && C1 > 0.0 && C2 > 0.0;
+        const bool passes = conductance(rows.one) > 0.0 && C1 > 0.0 && C2 > 0.0 &&
+                            !heat.insulates(rows.one) && !heat.insulates(rows.two);
         const bool held1 = heat.held(rows.one) != 0, held2 = heat.held(rows.two) != 0;
         pairs(i, passesAt) = passes ? dt * conductance(rows.one) : 0.0;
         pairs(i, onOne) = !passes || held1 ? 0.0 : held2 ? 1.0 : C2 / (C1 + C2);
