@@ -30,7 +30,8 @@ def is_compared(column):
 
 
 # Where the grips are far from the front: before anything reaches it, G is that of noise.
-LONGER = {"dcb_arrest.xml": 1000, "running_start.xml": 600, "dcb_adaptive_partial.xml": 200, "gas_driven.xml": 200}
+LONGER = {"dcb_arrest.xml": 1000, "running_start.xml": 600, "running_start_fast.xml": 600, "dcb_adaptive_partial.xml": 200,
+          "gas_driven.xml": 200, "gas_driven_flow.xml": 200}
 
 
 class Verified(OnRanks):
