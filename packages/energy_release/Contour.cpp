@@ -2,6 +2,7 @@
 
 #include "parallel/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
+#include "transfer/PushNodes.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -23,9 +24,9 @@ void sumVolume(const State<D>& state, const Vector<D>& centre, double radius, co
   BorrowedView<double* [D]> box;
   if (boxes)
     box = state.particles.template real<D>(fields::box);
-  Kokkos::parallel_for(
-      "rhegma::contourVolume", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-      KOKKOS_LAMBDA(const int p) {
+  // One after the other: a node near a bound is on the same side of it on any number of threads.
+  forEachPushing(
+      "rhegma::contourVolume", state.particles.size(), KOKKOS_LAMBDA(const int p) {
         Vector<D> x, half;
         for (int d = 0; d < D; ++d)
         {

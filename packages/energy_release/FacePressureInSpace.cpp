@@ -5,6 +5,7 @@
 #include "parallel/Subdomain.hpp"
 #include "transfer/FacePoints.hpp"
 #include "transfer/LocalSpacing.hpp"
+#include "transfer/PushNodes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -138,9 +139,8 @@ void addAccelerationByPressure(const State<3>& state, const NodalAcceleration<3>
   const View<double*> pressure = state.cracks.pressure;
   const View<int*> simplex = points.simplex();
   const FacePoints<3> p = points;
-  Kokkos::parallel_for(
-      "rhegma::forceOfFacePressure", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
-      KOKKOS_LAMBDA(const int k) {
+  forEachPushing(
+      "rhegma::forceOfFacePressure", points.count(), KOKKOS_LAMBDA(const int k) {
         const double size = pressure(simplex(k)) * p.currentSize(k);
         for (int d = 0; d < 3; ++d)
         {
