@@ -120,7 +120,12 @@ template <int D>
 void Conduction<D>::once(State<D>& state, double dt, double time, const View<double*>& supplied)
 {
   const double h = state.smallestSpacing();
-  const double join = -std::expm1(-joining * diffusivity * dt / (h * h));
+  // What nodes can't see fades in the time that heat takes through a cell: ten times slower than waves of its
+  // length would. By the least of the diffusivities, since particles of several materials share it.
+  const double fading = -std::expm1(-leastDiffusivity * dt / (h * h));
+  // Where materials meet their particles come together faster. Fading is a part of that: with both in full
+  // they would pass the node's temperature.
+  const double join = -std::expm1(-joining * diffusivity * dt / (h * h)) - fading;
   nodes.clear(state, several);
   if (several)
     markMaterials(state, nodes, join);
@@ -143,9 +148,7 @@ void Conduction<D>::once(State<D>& state, double dt, double time, const View<dou
   if (longSteps.method == Method::Explicit)
     heat += faces.exchange(state, nodes, dt);
   ++stepsTaken;
-  // What nodes can't see fades in the time that heat takes through a cell: ten times slower than waves of its
-  // length would. By the least of the diffusivities, since particles of several materials share it.
-  changeToParticles(state, nodes, -std::expm1(-leastDiffusivity * dt / (h * h)), supplied, dt);
+  changeToParticles(state, nodes, fading, supplied, dt);
   state.energy.heat += heat;
 }
 

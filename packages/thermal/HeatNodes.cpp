@@ -2,7 +2,7 @@
 
 #include "material/Tensors.hpp"
 #include "parallel/Subdomain.hpp"
-#include "thermal/ParticleFlux.hpp"
+#include "thermal/Insulators.hpp"
 #include "transfer/ParticleViews.hpp"
 
 namespace Rhegma::thermal
@@ -16,16 +16,6 @@ template <int D>
 Vector<D> commonOrigin(const State<D>& state)
 {
   return state.subdomain ? state.subdomain->division.lattice.origin : state.grid.origin;
-}
-
-/// Whether a particle that does not conduct touches nodes on which another one does.
-template <int D, class Connect>
-KOKKOS_INLINE_FUNCTION bool isBesideConductor(const Connect& connect, const HeatNodes<D>& nodes, int p)
-{
-  bool any = false;
-  connect.visit(p, [&](int node, double weight, const double*)
-                { any = any || (HeatNodes<D>::touches(weight) && nodes.conductsAt(node)); });
-  return any;
 }
 
 template <int D, class Connect>
@@ -121,7 +111,7 @@ struct FluxBlock
   /// Insulators beside a conductor see no gradient.
   KOKKOS_INLINE_FUNCTION bool leftOut(int p) const
   {
-    if (nodes.meets.extent(0) == 0 || conducts.conductivity(p) > 0.0 || !isBesideConductor(connect, nodes, p))
+    if (!isLeftOut(connect, nodes, conducts, p))
       return false;
     for (int d = 0; d < D; ++d)
       gradient(p, d) = 0.0;

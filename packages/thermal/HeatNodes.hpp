@@ -26,7 +26,8 @@ struct HeatNodes
   static constexpr int meetWidth = 4, joinAt = 3;
   /// Of the conducting particles that touch a node: how many they are, the sum of the numbers of their
   /// materials and that of the squares of these; and the share of the way to the node's temperature that its
-  /// particles take in the step (MeetingMaterials.hpp). Empty where there is one material.
+  /// particles take in the step beside that of changeToParticles (MeetingMaterials.hpp). Empty where there is
+  /// one material.
   View<double* [meetWidth]> meets;
 
   /// Change of the temperature of each particle by what MeetingMaterials.hpp says [K]. Empty where there is

@@ -259,7 +259,7 @@ double LongSteps<D>::implicitStep(State<D>& state, const HeatNodes<D>& heat,
         heat.rate(n, 0) += flow(n, 0);
       });
   passThroughFaces(state, heat, dt);
-  addGradient(state);
+  addGradient(state, heat);
   return dt * power;
 }
 

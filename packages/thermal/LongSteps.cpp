@@ -2,7 +2,7 @@
 
 #include "checkpoint/Archive.hpp"
 #include "parallel/Subdomain.hpp"
-#include "thermal/ParticleFlux.hpp"
+#include "thermal/Insulators.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,6 +49,8 @@ struct GradientBlock
   Connect connect;
   View<double* [2]> change;
   BorrowedView<double* [D]> gradient;
+  HeatNodes<D> nodes;
+  ParticleFlux<D> conducts;
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
   {
@@ -56,6 +58,8 @@ struct GradientBlock
     connect.forEachParticle(begin, end,
                             [&](int p, const auto& stencil)
                             {
+                              if (isLeftOut(connect, nodes, conducts, p))
+                                return;
                               Pack<2> slope[D];
                               stencil.template valueAndGradient<2>(rows, slope);
                               for (int d = 0; d < D; ++d)
@@ -145,14 +149,15 @@ double LongSteps<D>::findFlow(const State<D>& state, const HeatBoundaries<D>& bo
 }
 
 template <int D>
-void LongSteps<D>::addGradient(const State<D>& state)
+void LongSteps<D>::addGradient(const State<D>& state, const HeatNodes<D>& nodes)
 {
   withConnectivity(state,
                    [&](const auto& connect)
                    {
                      using Connect = std::decay_t<decltype(connect)>;
                      const GradientBlock<D, Connect> block{
-                         connect, change_, state.particles.template real<D>(fields::temperatureGradient)};
+                         connect, change_, state.particles.template real<D>(fields::temperatureGradient),
+                         nodes, particleFlux(state)};
                      forEachBlock("rhegma::thermal::changeOfGradient", state.blocks, block);
                    });
 }
@@ -246,7 +251,7 @@ double LongSteps<D>::superTimeStep(State<D>& state, const HeatNodes<D>& heat,
         const int n = activeNode(nodes, i);
         heat.rate(n, 0) = stage(n, end) / dt;
       });
-  addGradient(state);
+  addGradient(state, heat);
   return here;
 }
 

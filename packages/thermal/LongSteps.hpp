@@ -61,7 +61,7 @@ public:
   double implicitStep(State<D>& state, const HeatNodes<D>& nodes, const HeatBoundaries<D>& boundaries,
                       const CrackConduction<D>& faces, double dt);
   double findFlow(const State<D>& state, const HeatBoundaries<D>& boundaries);
-  void addGradient(const State<D>& state);
+  void addGradient(const State<D>& state, const HeatNodes<D>& nodes);
   void findDiagonal(const State<D>& state, const HeatBoundaries<D>& boundaries);
   void numberUnknowns(const State<D>& state, const HeatNodes<D>& nodes);
   void findPairs(const State<D>& state, const HeatNodes<D>& nodes, const CrackConduction<D>& faces,
