@@ -174,8 +174,8 @@ TEST(MeetingMaterials, NeitherOvershoots)
           for (const double shift : {0.0, 0.3, 0.5})
             for (const bool hot : {false, true})
             {
-              Teuchos::ParameterList scene = halves<2>(conductivity, capacity, hot ? 400.0 : 300.0,
-                                                       hot ? 300.0 : 400.0, shift);
+              Teuchos::ParameterList scene =
+                  halves<2>(conductivity, capacity, hot ? 400.0 : 300.0, hot ? 300.0 : 400.0, shift);
               scene.sublist("Thermal").set("Conduction", method);
               scene.sublist("Thermal").set("Step Ratio", ratio);
               const double beyond = overshoot<2>(scene, 20);
