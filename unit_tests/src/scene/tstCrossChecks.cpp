@@ -136,10 +136,10 @@ TEST(SceneCrossChecks, FieldOfVelocity)
   expectMistake(velocity(parameter("Field", "string", "2*x")), "Boundaries > Edge > Field",
                 {"gives 1 value instead of 2"});
   expectMistake(velocity(parameter("Field", "string", "2*t, y")), "Boundaries > Edge > Field", {"t"});
-  EXPECT_FALSE(read(velocity("")).errors.empty());
-  EXPECT_FALSE(
-      read(velocity(parameter("Field", "string", "x, y") + parameter("Value", "Array(double)", "{0, 0}")))
-          .errors.empty());
+  expectMistake(velocity(""), "Boundaries > Edge", {"needs one of", "Value", "Field"});
+  expectMistake(
+      velocity(parameter("Field", "string", "x, y") + parameter("Value", "Array(double)", "{0, 0}")),
+      "Boundaries > Edge", {"Value", "Field", "only one"});
 }
 
 TEST(SceneCrossChecks, LineOfNoLength)

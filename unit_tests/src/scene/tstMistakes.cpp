@@ -1,5 +1,6 @@
 #include "Scenes.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <set>
 
@@ -12,6 +13,15 @@ namespace
 void expectMistake(const std::string& xml, const std::string& where, const std::vector<std::string>& pieces)
 {
   expectOnly(read(xml).errors, where, pieces);
+}
+
+/// The right scene without one of its sections.
+std::string without(const std::string& section)
+{
+  std::string scene = goodScene();
+  const std::string indent = "\n  ", end = indent + "</ParameterList>";
+  const auto from = scene.find(indent + "<ParameterList name=\"" + section + "\">");
+  return scene.erase(from, scene.find(end, from) + end.size() - from);
 }
 
 } // namespace
@@ -175,6 +185,7 @@ TEST(SceneMistakes, MissingParameterAndSection)
                 {"missing", "a real number [m]"});
   expectMistake(changed(parameter("Model", "string", "Linear Elastic"), ""), "Materials > Steel > Model",
                 {"missing", "J2 Plastic"});
+  expectMistake(without("Time"), "Time", {"missing", "<ParameterList name=\"Time\">"});
 }
 
 TEST(SceneMistakes, EmptySceneLacksTheFourRequiredSections)
@@ -191,12 +202,16 @@ TEST(SceneMistakes, EmptySceneLacksTheFourRequiredSections)
 
 TEST(SceneMistakes, EmptyMaterialsAndBodies)
 {
-  expectMistake("<ParameterList name=\"Rhegma\">" +
-                    goodScene().substr(goodScene().find("<ParameterList name=\"Domain\">"),
-                                       goodScene().find("<ParameterList name=\"Bodies\">") -
-                                           goodScene().find("<ParameterList name=\"Domain\">")) +
-                    "<ParameterList name=\"Bodies\"/></ParameterList>",
-                "Bodies", {"empty", "body"});
+  for (const std::string section : {"Materials", "Bodies"})
+  {
+    std::string scene = without(section);
+    scene.insert(scene.rfind("</ParameterList>"), "<ParameterList name=\"" + section + "\"/>");
+    const auto errors = read(scene).errors;
+    const auto empty = std::find_if(errors.begin(), errors.end(),
+                                    [&](const SceneError& error) { return error.where == section; });
+    ASSERT_NE(empty, errors.end()) << section << ":\n" << all(errors);
+    EXPECT_NE(empty->message.find("empty"), std::string::npos) << empty->message;
+  }
 }
 
 TEST(SceneMistakes, WrongArrayLength)
