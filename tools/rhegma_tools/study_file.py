@@ -2,6 +2,7 @@
 
 import difflib
 import itertools
+import math
 import os
 import re
 import xml.etree.ElementTree as ElementTree
@@ -15,6 +16,7 @@ A study is a Teuchos parameter list named Study:
     <Parameter name="Scene" type="string" value="../verification/dcb_h8.xml"/>    relative to the study
     <Parameter name="Title" type="string" value="Double cantilever beam"/>        optional; of the pictures
     <Parameter name="Error Of" type="string" value="cracks.0.fronts.0.G_J"/>      path in summary.json
+    <Parameter name="Error Label" type="string" value="G"/>                       optional: what the axis calls it
     <Parameter name="Reference Value" type="double" value="0.12873"/>             what the exact answer is
     <Parameter name="Source" type="string" value="finite elements"/>              optional; where it is from
     <Parameter name="Curve Of" type="string" value="Notch.0.G_J"/>                optional: a column of history.csv,
@@ -33,6 +35,9 @@ A study is a Teuchos parameter list named Study:
     </ParameterList>
   </ParameterList>
 
+Error Of may be an array of paths, and Reference Value then one of as many numbers: the error is the root of the sum of all
+squared deviations over that of all squared references, which unlike each of them passes no zero where one changes its sign.
+
 A parameter of a family is the path of a parameter of the scene, its parts joined by colons. Zip runs the first values
 of all arrays together, then the second ones, so the arrays have one length; Product runs every combination. A family
 may have a Scene of its own, and it may change the quantity (Error Of), its Reference Value, for example where the
@@ -43,7 +48,7 @@ value the Value may have too ("drawn"), beside True, an expression of "at". Valu
 {{0, 0}, {1, 0}}.
 """
 
-STUDY_NAMES = ["Scene", "Title", "Error Of", "Reference Value", "Source", "Curve Of", "Curve Divided By", "Curve Label",
+STUDY_NAMES = ["Scene", "Title", "Error Of", "Error Label", "Reference Value", "Source", "Curve Of", "Curve Divided By", "Curve Label",
                "Value Label", "At Label", "Sweep"]
 FAMILY_NAMES = ["Combine", "Group", "Scene", "Error Of", "Reference Value", "Curve Of", "Value", "At", "Drawn At", "Beside",
                 "True"]
@@ -58,25 +63,35 @@ class Curve:
 
 
 class Run:
-    """One run: a family, its scene and its settings {path: value}, and what is measured in it."""
+    """One run: a family, its scene and its settings {path: value}, and what is measured in it: quantities, paths in
+    summary.json, and as many references."""
 
-    def __init__(self, family, scene, settings, quantity, reference, group=None, column=None):
+    def __init__(self, family, scene, settings, quantities, references, group=None, column=None):
         self.family = family
         self.group = group or family
         self.column = column
         self.scene = scene
         self.settings = settings
-        self.quantity = quantity
-        self.reference = reference
+        self.quantities = quantities
+        self.references = references
         self.value = self.at = self.drawn = self.beside = self.true = None  # of values.png
+
+    @property
+    def quantity(self):
+        return ", ".join(self.quantities)
+
+    @property
+    def reference(self):
+        """The reference, or the root of the sum of the squares of several."""
+        return self.references[0] if len(self.references) == 1 else math.hypot(*self.references)
 
 
 class Study:
     """runs: all, in the order of the families; swept: paths whose value changes in a family, in order; curve: None
-    where none is drawn; source: of the reference values, or None."""
+    where none is drawn; source: of the reference values, or None; error_label: of the axis, or None."""
 
     def __init__(self, path, title, runs, swept, curve=None, source=None):
-        self.value_label = self.at_label = None
+        self.value_label = self.at_label = self.error_label = None
         self.curve = curve
         self.source = source
         self.path = path
@@ -142,6 +157,23 @@ def read_number(values, name, where):
     return number
 
 
+def read_measured(values, own, where):
+    """(paths, references) of what the error of a family's runs is taken of."""
+    paths = values.get("Error Of")
+    if not isinstance(paths, list):
+        paths = [read_text(values, "Error Of", where if "Error Of" in own else "Study")]
+    where = where if "Reference Value" in own else "Study"
+    if "Reference Value" not in values:
+        raise Problem("Study > Reference Value: is missing; write the exact answer for Error Of as a double.")
+    given = values["Reference Value"]
+    given = given if isinstance(given, list) else [given]
+    references = [read_number({"Reference Value": text}, "Reference Value", where) for text in given]
+    if len(references) != len(paths):
+        raise Problem(f"{where} > Reference Value: has {len(references)} numbers for the {len(paths)} paths of Error Of; "
+                      "give one for each.")
+    return paths, references
+
+
 def combine(values, how, where):
     """[{path: value}] of a family's arrays."""
     arrays = {path: value for path, value in values.items() if isinstance(value, list)}
@@ -190,14 +222,11 @@ def read_family(element, study, study_path):
                           "such as Domain:Cell Size.")
     merged = dict(study, **own)
     scene = read_scene(read_text(merged, "Scene", where if "Scene" in own else "Study"), study_path, where)
-    quantity = read_text(merged, "Error Of", where if "Error Of" in own else "Study")
-    reference = read_number(merged, "Reference Value", where if "Reference Value" in own else "Study")
-    if reference is None:
-        raise Problem("Study > Reference Value: is missing; write the exact answer for Error Of as a double.")
+    quantities, references = read_measured(merged, own, where)
     column = read_text(merged, "Curve Of", where if "Curve Of" in own else "Study") if "Curve Of" in merged else None
     group = read_text(own, "Group", where) if "Group" in own else None
     rows = combine(values, own.get("Combine", "Zip"), where)
-    runs = [Run(element.get("name"), scene, row, quantity, reference, group, column) for row in rows]
+    runs = [Run(element.get("name"), scene, row, quantities, references, group, column) for row in rows]
     read_values(own, runs, where)
     return runs, [path for path, value in values.items() if isinstance(value, list)]
 
@@ -271,10 +300,11 @@ def read_study(path):
         runs += more
         swept += [p for p in paths if p not in swept]
     texts = {name: read_text(values, name, "Study") for name in ("Title", "Source") if name in values}
-    labels = [read_text(values, name, "Study") if name in values else None for name in ("Value Label", "At Label")]
+    labels = [read_text(values, name, "Study") if name in values else None for name in
+              ("Value Label", "At Label", "Error Label")]
     title = texts.get("Title") or os.path.splitext(os.path.basename(path))[0]
     study = Study(path, title, runs, swept, read_curve(values, runs), texts.get("Source"))
-    study.value_label, study.at_label = labels
+    study.value_label, study.at_label, study.error_label = labels
     return study
 
 

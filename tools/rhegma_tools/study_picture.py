@@ -109,7 +109,8 @@ def draw_study(study, outcomes, path, processor=False):
     draw_cost(right, study, good, [max(o.particle_steps, 1) * 1.0e-6 for o in good], styles, "particle-steps [million]")
     relative = all(o.run.reference != 0.0 for o in good)
     quantities = list(dict.fromkeys(o.run.quantity for o in good))
-    left.set_ylabel(f"{'relative ' if relative else ''}error of {quantities[0] if len(quantities) == 1 else 'the result'}")
+    measured = quantities[0] if len(quantities) == 1 else "the result"
+    left.set_ylabel(f"{'relative ' if relative else ''}error of {study.error_label or measured}")
     figure.suptitle(study.title, x=0.01, ha="left", fontsize=12, fontweight="bold")
     handles, labels = right.get_legend_handles_labels()
     right.legend(handles[1:] + handles[:1], labels[1:] + labels[:1], loc="upper left", bbox_to_anchor=(1.01, 1.0))

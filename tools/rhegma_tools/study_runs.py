@@ -162,11 +162,11 @@ def measure(run, folder, status):
     summary = read_summary(folder)
     if summary is None:
         raise Problem(f"{folder} has no summary.json although the run finished.")
-    value = look_up(summary, run.quantity)
-    if not math.isfinite(value):
+    values = [look_up(summary, quantity) for quantity in run.quantities]
+    if not all(math.isfinite(value) for value in values):
         return outcome
-    outcome.value = value
-    deviation = abs(outcome.value - run.reference)
+    outcome.value = values[0] if len(values) == 1 else math.hypot(*values)
+    deviation = math.hypot(*(value - reference for value, reference in zip(values, run.references)))
     outcome.error = deviation / abs(run.reference) if run.reference != 0.0 else deviation
     outcome.wall_seconds = look_up(summary, "wall_seconds")
     outcome.processor_seconds = processor_seconds(folder)

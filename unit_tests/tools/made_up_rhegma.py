@@ -35,6 +35,8 @@ summary = {
     "wall_seconds": seconds,
     "particle_steps": round(1000 / cell**3),
     "residual": None,
+    "one": 3.0 * (1.0 + cell**order),
+    "two": 4.0 * (1.0 - cell**order),
     "cracks": [{"name": "Notch", "fronts": [{"G_J": 0.5 * (1.0 + cell**order)}]}],
 }
 with open(os.path.join(output, "summary.json"), "w") as file:

@@ -46,6 +46,10 @@ CURVE = """  <Parameter name="Curve Of" type="string" value="Notch.0.G_J"/>
 """
 
 
+SEVERAL = HEAD.replace('type="string" value="cracks.Notch.fronts.0.G_J"', 'type="Array(string)" value="{one, two}"').replace(
+    'type="double" value="0.5"', 'type="Array(double)" value="{3, 4}"')
+
+
 def with_curve(head, curve=CURVE):
     return head.replace('  <ParameterList name="Sweep">', curve + '  <ParameterList name="Sweep">')
 
@@ -101,6 +105,13 @@ class Study(ToolTest):
         self.assertEqual(self.table(), before)
         self.start("--again")
         self.assertEqual(self.runs(), 10)
+
+    def test_an_error_of_several_numbers(self):
+        self.study(LINEAR, SEVERAL)
+        self.assertEqual(self.start()[0], 0)
+        # The made-up program gives one = 3 (1 + e) and two = 4 (1 - e): both deviations count, whatever their signs.
+        for row, error in zip(self.table(), [0.5, 0.25, 0.125]):
+            self.assertAlmostEqual(float(row["error"]), error, places=12)
 
     def test_a_changed_scene_runs_again(self):
         self.study(LINEAR)
@@ -304,6 +315,8 @@ sys.exit(subprocess.call([{PROGRAM!r}] + sys.argv[1:]))
             (HEAD.replace("Error Of", "Eror Of") + LINEAR + TAIL, "Study > Eror Of: is unknown; write Error Of."),
             (HEAD.replace("scene.xml", "sene.xml") + LINEAR + TAIL, "there is no file"),
             (HEAD.replace('value="0.5"', 'value="half"') + LINEAR + TAIL, "Reference Value: must be a number"),
+            (HEAD.replace('type="double" value="0.5"', 'type="Array(double)" value="{0.5, 1}"') + LINEAR + TAIL,
+             "Study > Reference Value: has 2 numbers for the 1 paths of Error Of"),
             (HEAD + LINEAR + LINEAR + TAIL, "two families have this name"),
             (HEAD + LINEAR.replace("Domain:Cell Size", "Cell Size") + TAIL, "write Section:Parameter"),
             (HEAD + LINEAR.replace("{5e-3", "5e-3") + TAIL, "written in braces"),
