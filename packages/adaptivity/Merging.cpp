@@ -104,15 +104,19 @@ struct MergeFamilies
 {
   View<int * [parts<D>]> family;
   View<int*> accepted; ///< 1: merged, 2: kept for its energy
+  View<int*> unlike;   ///< of each family: 1 where its parts differ in something that has no mean
+  /// Of each part of each family: its share of the undeformed volume. Parts may have burnt by different
+  /// shares.
+  View<double * [parts<D>]> share;
   TreeSight<D> sight;
   View<double* [D][D]> axes;
   ParticleEnergy<D> before; ///< of the parts
   BorrowedView<double*[D]> position, reference, velocity, edge, box;
   BorrowedView<double*> mass, volume;
   BorrowedView<double * [gradientSize<D>]> deformation;
-  BorrowedView<int*> body, level, lineage, side;
+  BorrowedView<int*> body, level, lineage;
   double largestBox, tolerance, meanEnergy; ///< the last per mass [J/kg]
-  bool boxes, sides;
+  bool boxes;
 
   explicit MergeFamilies(const State<D>& state) : before(state) {}
 
@@ -120,6 +124,8 @@ struct MergeFamilies
   {
     const int to = family(i, 0);
     accepted(i) = 0;
+    if (unlike(i) != 0)
+      return;
     double F[gradientSize<D>] = {}, v[D] = {}, x[D] = {}, X[D] = {}, m = 0.0, V = 0.0, now = 0.0,
            energy = 0.0, motion = 0.0;
     const Properties& law = before.materials(before.material(to));
@@ -131,10 +137,8 @@ struct MergeFamilies
     for (int k = 0; k < parts<D>; ++k)
     {
       const int p = family(i, k);
-      if (sides && side(p) != side(to))
-        return;
-      // Parts may have burnt by different shares.
-      const double heavy = mass(p) / m, share = volume(p) / V;
+      const double heavy = mass(p) / m;
+      share(i, k) = volume(p) / V;
       for (int d = 0; d < D; ++d)
       {
         v[d] += before.mechanics ? heavy * velocity(p, d) : 0.0;
@@ -142,8 +146,8 @@ struct MergeFamilies
         X[d] += heavy * reference(p, d);
       }
       for (int c = 0; c < gradientSize<D>; ++c)
-        F[c] += share * deformation(p, c);
-      now += share * determinant<D>(&deformation(p, 0));
+        F[c] += share(i, k) * deformation(p, c);
+      now += share(i, k) * determinant<D>(&deformation(p, 0));
       energy += before.kinetic(p) + before.strain(p);
       motion += before.kinetic(p);
     }
@@ -203,7 +207,7 @@ struct MergeFamilies
       return storedEnergy<D>(law, F, memory);
     double T = 0.0;
     for (int k = 0; k < parts<D>; ++k)
-      T += before.temperature(family(i, k)) / parts<D>;
+      T += share(i, k) * before.temperature(family(i, k));
     return withLaw<D>(law.kind, law.plane, ThermoEnergy{ThermoPoint(before.thermo, material, T), F, memory});
   }
 
@@ -211,7 +215,7 @@ struct MergeFamilies
   {
     for (int c = 0; c < static_cast<int>(before.history.extent(1)); ++c)
       for (int k = 0; k < parts<D>; ++k)
-        memory[c] += before.history(family(i, k), c) / parts<D>;
+        memory[c] += share(i, k) * before.history(family(i, k), c);
   }
 
   KOKKOS_INLINE_FUNCTION bool touchesFiner(const double (&x)[D], const double (&half)[D], int depth) const
@@ -249,7 +253,8 @@ double meanEnergy(const State<D>& state)
   return sums[1] > 0.0 ? sums[0] / sums[1] : 0.0;
 }
 
-/// Fields that merging itself finds; of all others the merged particle has the mean.
+/// Fields that merging itself finds; of all other real ones the merged particle has the mean over the
+/// undeformed volume, so that what is told per volume is kept.
 bool isFound(const std::string& name)
 {
   static const std::vector<std::string> found = {fields::position, fields::reference,  fields::velocity,
@@ -259,8 +264,11 @@ bool isFound(const std::string& name)
 }
 
 template <int D>
-void averageOthers(State<D>& state, const View<int * [parts<D>]>& family, const View<int*>& accepted)
+void averageOthers(State<D>& state, const MergeFamilies<D>& merge)
 {
+  const View<int * [parts<D>]> family = merge.family;
+  const View<int*> accepted = merge.accepted;
+  const View<double * [parts<D>]> share = merge.share;
   for (const Field& field : state.particles.fields())
   {
     if (field.integer || isFound(field.name))
@@ -276,9 +284,30 @@ void averageOthers(State<D>& state, const View<int * [parts<D>]>& family, const 
           {
             double sum = 0.0;
             for (int k = 0; k < parts<D>; ++k)
-              sum += values(family(i, k), c);
-            values(family(i, 0), c) = sum / parts<D>;
+              sum += share(i, k) * values(family(i, k), c);
+            values(family(i, 0), c) = sum;
           }
+        });
+  }
+}
+
+/// Marks families whose parts differ in a whole number that an effect gave them, such as the side of a crack
+/// on which each lies: these have no mean.
+template <int D>
+void findUnlike(const State<D>& state, const View<int * [parts<D>]>& family, const View<int*>& unlike)
+{
+  static const std::vector<std::string> own = {fields::id, fields::level, ancestor, lineage};
+  for (const Field& field : state.particles.fields())
+  {
+    if (!field.integer || std::find(own.begin(), own.end(), field.name) != own.end())
+      continue;
+    const auto values = state.particles.integer(field.name);
+    Kokkos::parallel_for(
+        "rhegma::adaptivity::findUnlike", Kokkos::RangePolicy<ExecSpace>(0, family.extent(0)),
+        KOKKOS_LAMBDA(const int i) {
+          for (int k = 1; k < parts<D>; ++k)
+            if (values(family(i, k)) != values(family(i, 0)))
+              unlike(i) = 1;
         });
   }
 }
@@ -301,9 +330,6 @@ MergeFamilies<D> mergerOf(State<D>& state, double tolerance, double mean)
   merge.body = table.integer(fields::body);
   merge.level = table.integer(fields::level);
   merge.lineage = table.integer(lineage);
-  merge.sides = table.has(fields::side);
-  if (merge.sides)
-    merge.side = table.integer(fields::side);
   merge.boxes = state.shape == ShapeKind::Gimp;
   if (merge.boxes)
     merge.box = table.real<D>(fields::box);
@@ -328,10 +354,13 @@ Merged mergeOnce(State<D>& state, const std::vector<Family<D>>& families, double
   MergeFamilies<D> merge = mergerOf(state, tolerance, mean);
   merge.family = family;
   merge.accepted = accepted;
+  merge.unlike = View<int*>("rhegma::unlikeFamilies", count);
+  merge.share = View<double * [parts<D>]>("rhegma::familyShares", count);
+  findUnlike<D>(state, family, merge.unlike);
   Merged merged;
   Kokkos::parallel_reduce("rhegma::adaptivity::mergeFamilies", Kokkos::RangePolicy<ExecSpace>(0, count),
                           merge, merged.lost);
-  averageOthers<D>(state, family, accepted);
+  averageOthers(state, merge);
 
   const int n = state.particles.size();
   std::vector<char> gone(n, 0);

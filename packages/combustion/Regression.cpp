@@ -77,7 +77,7 @@ double Regression<D>::share(const State<D>& state)
   const StencilTable<D> table = state.stored;
   const View<int*> particle = state.storedParticle;
   const View<double*> present = present_, demand = demand_, loss = loss_;
-  const auto burnt = state.particles.scalar(burntShare);
+  const auto burnt = state.particles.scalar(burntOverLeft);
   const auto mass = state.particles.scalar(fields::mass);
   double given = 0.0;
   Kokkos::parallel_reduce(
@@ -90,8 +90,9 @@ double Regression<D>::share(const State<D>& state)
           const int n = table.node(r, e);
           wanted += present(n) > 0.0 ? table.weight(r, e) * demand(n) / present(n) : 0.0;
         }
-        // Of the mass that is left.
-        const double most = burnt(p) < mostBurnt ? 1.0 - (1.0 - mostBurnt) / (1.0 - burnt(p)) : 0.0;
+        // Of the mass that is left, 1 / (1 + burnt) of that at the start.
+        const double ever = 1.0 - (1.0 - mostBurnt) * (1.0 + burnt(p));
+        const double most = ever > 0.0 ? ever : 0.0;
         loss(r) = wanted < 0.0 ? 0.0 : wanted < most ? wanted : most;
         sum += loss(r) * mass(p);
       },
@@ -105,7 +106,7 @@ typename Regression<D>::Loss Regression<D>::apply(State<D>& state, double coldes
   Loss lost;
   const View<int*> particle = state.storedParticle;
   const View<double*> loss = loss_;
-  const auto burnt = state.particles.scalar(burntShare);
+  const auto burnt = state.particles.scalar(burntOverLeft);
   const ParticleEnergy<D> energy(state);
   const bool heated = !state.thermo.empty();
   BorrowedView<double*> internal;
@@ -131,7 +132,7 @@ typename Regression<D>::Loss Regression<D>::apply(State<D>& state, double coldes
           with += part * (energy.kinetic(p) + energy.strain(p) + energy.dissipated(p));
         energy.mass(p) *= 1.0 - part;
         energy.volume(p) *= 1.0 - part;
-        burnt(p) = 1.0 - (1.0 - burnt(p)) * (1.0 - part);
+        burnt(p) = (burnt(p) + part) / (1.0 - part);
       },
       lost.mass, lost.energy, lost.heat);
   return lost;

@@ -8,10 +8,11 @@
 namespace Rhegma::combustion
 {
 
-/// Share of its mass that a particle has lost to gas.
-inline const std::string burntShare = "burnt share";
+/// Mass that a particle has lost to gas over what is left of it: like all that is told per undeformed volume,
+/// its mean over the volumes of parts is that of the whole.
+inline const std::string burntOverLeft = "burnt over left";
 
-/// No particle burns beyond this share: what is left of it keeps its nodes apart from empty space.
+/// No particle loses more than this share of its mass: what is left keeps its nodes apart from empty space.
 constexpr double mostBurnt = 0.9;
 
 /// What burning faces take from the particles beside them.

@@ -10,7 +10,8 @@ namespace Rhegma::contact
 namespace
 {
 
-/// Whether all nodes of a point move in short steps.
+/// Whether all nodes of a point move in short steps. Faces that are apart may lie on two ranks, of which each
+/// knows one: these meet at the next long step.
 template <int D>
 KOKKOS_INLINE_FUNCTION bool follows(const FacePoints<D>& points, const NodeSlots& slots, int k)
 {
@@ -20,7 +21,7 @@ KOKKOS_INLINE_FUNCTION bool follows(const FacePoints<D>& points, const NodeSlots
   for (int e = 0; e < points.below.count(k); ++e)
     if (!slots.moves(points.below.node(k, e)))
       return false;
-  return points.above.count(k) > 0;
+  return points.above.count(k) > 0 && points.below.count(k) > 0;
 }
 
 /// Adds a force [N] on one face of a point to the nodes of it that move in short steps.

@@ -167,6 +167,10 @@ KOKKOS_INLINE_FUNCTION double frontShape(const View<int* [D]>& neighbour, const 
   return 1.0 / std::sqrt(distance);
 }
 
+/// Faces nearer than this are looked at from midway, in smallest cells: so that both faces of a closed crack
+/// are in the cell of one rank, wherever ranks part. No force is moved by more than half of it.
+constexpr double oneNear = 1e-3;
+
 /// Which faces meet nodes on this rank.
 template <int D>
 void findMeetings(const StencilTable<D>& below, const StencilTable<D>& above, int count,
@@ -325,6 +329,7 @@ void FacePoints<D>::follow(const CrackSet<D>& cracks)
   const View<double* [D]> vertex = cracks.vertex;
   const View<double* [2][D]> face = cracks.face;
   const View<int* [D]> neighbour = cracks.neighbour;
+  const double near = oneNear * spacing_;
   Kokkos::parallel_for(
       "rhegma::followFaces", Kokkos::RangePolicy<ExecSpace>(0, count_), KOKKOS_LAMBDA(const int k) {
         Vector<D> corner[D], at{}, jump{};
@@ -353,8 +358,9 @@ void FacePoints<D>::follow(const CrackSet<D>& cracks)
           p.normal(k, d) = n[d];
           p.edge(k, d) = along[d] / length;
           p.position(k, d) = at[d];
-          lower.position(k, d) = at[d] - 0.5 * apart * n[d];
-          upper.position(k, d) = at[d] + 0.5 * apart * n[d];
+          const double off = apart > near ? 0.5 * apart : 0.0;
+          lower.position(k, d) = at[d] - off * n[d];
+          upper.position(k, d) = at[d] + off * n[d];
         }
       });
 }

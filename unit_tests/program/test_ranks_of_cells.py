@@ -134,6 +134,20 @@ class ShortSteps(OnRanks):
         path = os.path.join(SOURCE, "xml_inputs", "verification", "contact_slap_adaptive.xml")
         self.agree(path, "--set", "Time:Maximum Steps=60", ranks=(2,), within=1e-8)
 
+    def test_contact_on_the_line_where_ranks_part(self):
+        """Pulses from both ends meet in the closed crack at mid-length: it stays there, and so does momentum."""
+        scene = plate()
+        scene.root = ElementTree.parse(os.path.join(SOURCE, "xml_inputs", "verification", "contact_pulse_adaptive.xml")).getroot()
+        pulse = scene.find("Boundaries > Pulse").find("Parameter[@name='History']").get("value")
+        scene.set("Boundaries > Other Pulse", {"Type": "Traction", "Body": "Bar", "From": [0.0, 0.08], "To": [0.004, 0.08]})
+        scene.set("Boundaries > Other Pulse > Stress", [0.0, -1e5]).set("Boundaries > Other Pulse > History", pulse)
+        path = self.write(scene.remove("Reference"))
+        self.agree(path, "--set", "Time:Final Time=2.5e-5", ranks=(2,), within=1e-8, columns=lambda name: "momentum" not in name)
+        for count in (1, 2):
+            summary, history, _ = self.run_on(count, path, "--set", "Time:Final Time=2.5e-5")
+            given = numpy.max(numpy.abs(history["Pulse.force_y"])) * 8.7e-6
+            self.assertLess(numpy.max(numpy.abs(history["momentum_y"])), 1e-12 * given, f"{count} ranks")
+
     def test_three_dimensions(self):
         corners = {"Lower Corner": [0.4, 0.2, 0.0], "Upper Corner": [0.7, 0.6, 0.5], "Level": 1}
         scene = block().remove("Cracks").set("Adaptivity", {"Maximum Level": 1, "Middle": corners})

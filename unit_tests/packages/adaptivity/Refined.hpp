@@ -19,8 +19,8 @@ namespace Test
 
 /// A cube from 0 to `side` in cells of 1 m, refined to `level` in a box.
 template <int D>
-Run<D> refinedCube(const std::string& shape, double side, const Vector<D>& lower, const Vector<D>& upper,
-                   int level)
+Teuchos::ParameterList refinedScene(const std::string& shape, double side, const Vector<D>& lower,
+                                    const Vector<D>& upper, int level)
 {
   Teuchos::ParameterList scene = emptyScene<D>(all<D>(-4.0), all<D>(14.0), 1.0, "MUSL", shape);
   addMaterial(scene, "Neo-Hookean", 0.3);
@@ -31,7 +31,14 @@ Run<D> refinedCube(const std::string& shape, double side, const Vector<D>& lower
   box.set("Lower Corner", array(lower));
   box.set("Upper Corner", array(upper));
   box.set("Level", level);
-  Run<D> run(validated(scene));
+  return scene;
+}
+
+template <int D>
+Run<D> refinedCube(const std::string& shape, double side, const Vector<D>& lower, const Vector<D>& upper,
+                   int level)
+{
+  Run<D> run(validated(refinedScene<D>(shape, side, lower, upper, level)));
   run.initialize();
   return run;
 }

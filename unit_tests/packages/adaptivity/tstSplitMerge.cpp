@@ -124,7 +124,54 @@ void checkMerging()
   EXPECT_NEAR(after.energy + merged.lost, before.energy, 1e-12 * before.energy);
 }
 
+/// Energy that particles carry as heat and strain [J].
+template <int D>
+double internalEnergy(const State<D>& state)
+{
+  const auto energy = state.particles.scalar(fields::internalEnergy);
+  const auto volume = state.particles.scalar(fields::volume);
+  double sum = 0.0;
+  Kokkos::parallel_reduce(
+      "internalEnergy", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, double& all) { all += volume(p) * energy(p); }, sum);
+  return sum;
+}
+
+/// Every part gets a mass, a volume and a heat of its own, as if it had burnt by a share of its own.
+template <int D>
+void burnUnlike(State<D>& state)
+{
+  const auto energy = state.particles.scalar(fields::internalEnergy);
+  const auto volume = state.particles.scalar(fields::volume), mass = state.particles.scalar(fields::mass);
+  Kokkos::parallel_for(
+      "burnUnlike", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()), KOKKOS_LAMBDA(const int p) {
+        const double left = 0.1 + 0.9 * ((7 * p) % 11) / 11.0;
+        mass(p) *= left;
+        volume(p) *= left;
+        energy(p) += 100.0 / left;
+      });
+}
+
 } // namespace
+
+/// What is told per volume is weighed by it: parts that have burnt by different shares keep their heat.
+TEST(SplitMerge, mergingKeepsTheHeatOfPartsThatBurntUnlike)
+{
+  Teuchos::ParameterList scene = refinedScene<2>("GIMP", 4.0, all<2>(-3.0), all<2>(-2.0), 2);
+  scene.sublist("Materials").sublist("Solid").set("Specific Heat", 1.0);
+  scene.sublist("Materials").sublist("Solid").set("Conductivity", 0.01);
+  scene.sublist("Thermal").set("Initial Temperature", 300.0);
+  Run<2> run(validated(scene));
+  run.initialize();
+  State<2>& state = run.state();
+  setCells(state, 1);
+  followCells(state);
+  burnUnlike(state);
+  const double before = internalEnergy(state);
+  setCells(state, 0);
+  ASSERT_GT(followCells(state).families, 0);
+  EXPECT_NEAR(internalEnergy(state), before, 1e-13 * before);
+}
 
 TEST(SplitMerge, splittingKeepsEverythingIn2D) { checkSplitting<2>(); }
 TEST(SplitMerge, splittingKeepsEverythingIn3D) { checkSplitting<3>(); }
