@@ -22,6 +22,16 @@ def frontier(points):
     return found
 
 
+def by_chance(outcome, others, cell="Domain:Cell Size"):
+    """Whether a run of the same family on smaller cells is worse, so that this one is better than its cells."""
+    def size(o):
+        return float(o.run.settings[cell])
+
+    return cell in outcome.run.settings and any(
+        o.run.family == outcome.run.family and size(o) < size(outcome) and o.error > (1.0 + GAIN) * outcome.error
+        for o in others)
+
+
 def short(run, swept):
     """The run's swept values, for a label beside its point."""
     names = [path for path in swept if path in run.settings]
@@ -69,7 +79,8 @@ def group_style(runs):
 def draw_cost(axes, study, good, costs, styles, name_axis):
     """Error against one measure of cost. Returns the indices of the runs on the efficient frontier."""
     points = [(cost, max(o.error, SMALLEST)) for cost, o in zip(costs, good)]
-    best = frontier(points)
+    sound = [i for i, o in enumerate(good) if not by_chance(o, good)]
+    best = [sound[i] for i in frontier([points[i] for i in sound])]
     axes.plot([points[i][0] for i in best], [points[i][1] for i in best], color="#BBBBBB", lw=7, alpha=0.6,
               solid_capstyle="round", solid_joinstyle="round", zorder=1, label=frontier_label(good, best, study.swept),
               marker="o", ms=13, mew=0)

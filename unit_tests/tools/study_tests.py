@@ -7,8 +7,9 @@ import unittest
 
 from tool import HERE, ToolTest, picture_size, run
 
-from rhegma_tools.study_file import combine, read_study, split_array
-from rhegma_tools.study_picture import frontier, group_style
+from rhegma_tools.study_file import Run, combine, read_study, split_array
+from rhegma_tools.study_picture import by_chance, frontier, group_style
+from rhegma_tools.study_runs import Outcome
 
 PROGRAM = os.path.join(HERE, "made_up_rhegma.py")
 HEAD = """<ParameterList name="Study">
@@ -168,6 +169,16 @@ class Study(ToolTest):
     def test_frontier_wants_a_gain(self):
         """1 % less is not worth twice the time; 1 % twice is."""
         self.assertEqual(frontier([(1.0, 100.0), (2.0, 99.0), (4.0, 97.5)]), [0, 2])
+
+    def test_a_run_that_smaller_cells_of_its_family_do_worse_than_is_right_by_chance(self):
+        def outcome(family, cell, error):
+            found = Outcome(Run(family, "", {"Domain:Cell Size": cell}, ["x"], [1.0]), "", 0)
+            found.error = error
+            return found
+
+        runs = [outcome("a", "4e-3", 0.02), outcome("a", "2e-3", 0.05), outcome("a", "1e-3", 0.03), outcome("b", "1e-3", 0.09)]
+        self.assertEqual([by_chance(run, runs) for run in runs], [True, False, False, False])
+        self.assertFalse(by_chance(Outcome(Run("a", "", {"Time:CFL": "0.4"}, ["x"], [1.0]), "", 0), runs))
 
     def test_a_family_may_have_a_quantity_of_its_own(self):
         own = LINEAR.replace("</", '  <Parameter name="Error Of" type="string" value="energy.strain"/>\n    </', 1)
