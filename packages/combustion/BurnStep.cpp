@@ -16,6 +16,10 @@ namespace
 /// Of what a face should burn, what the particles must have for it to go on.
 constexpr double leastFuel = 0.5;
 
+/// Smallest cells that faces are apart when the particles beside them may be too far from the crack's own
+/// line to have stored stencils.
+constexpr double farApart = 2.0;
+
 /// The highest temperature of the faces of a crack [K].
 template <int D>
 double hottest(const FacePoints<D>& points, int crack, const View<double* [2]>& temperature)
@@ -142,9 +146,14 @@ void burnStep(State<D>& state, Work<D>& work, Burning<D>& b)
     if (mass < leastFuel * asked)
     {
       b.spent = true;
-      state.warnings.push_back("Combustion > " + state.cracks.cracks[b.crack].name +
-                               ": the solid beside the faces had burnt away at time " +
-                               formatReal(state.time + state.dt) + " s");
+      const double apart = room.widest / state.smallestSpacing();
+      state.warnings.push_back(
+          "Combustion > " + state.cracks.cracks[b.crack].name +
+          (apart > farApart
+               ? ": the faces had come " + formatReal(std::round(10.0 * apart) / 10.0) +
+                     " of the smallest cells apart, too far for the solid beside them to be found"
+               : ": the solid beside the faces had burnt away") +
+          " at time " + formatReal(state.time + state.dt) + " s; nothing burns from then on");
     }
   }
   const double come = b.gas.mass() - gasBefore;

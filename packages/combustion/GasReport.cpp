@@ -1,9 +1,12 @@
 #include "combustion/GasReport.hpp"
 
+#include "material/ThermoTables.hpp"
 #include "parallel/Subdomain.hpp"
+#include "scene/Numbers.hpp"
 #include "transfer/PressureReport.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace Rhegma::combustion
 {
@@ -18,6 +21,43 @@ std::vector<double> pressuresAlong(const Channel& channel)
   for (int k = 0; k < channel.size(); ++k)
     all.push_back(channel.pressure(k));
   return all;
+}
+
+/// Depth to which heat has gone into faces since the start, of an erfc profile the root of D t [m]
+/// (Carslaw and Jaeger, Conduction of Heat in Solids, 2.5), where it is deepest. Collective.
+template <int D>
+double heatedDepth(const State<D>& state)
+{
+  const ThermoTables tables = state.thermo;
+  const auto material = state.particles.integer(fields::material);
+  const auto temperature = state.particles.scalar(fields::temperature);
+  double diffusivity = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::combustion::diffusivity", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, double& most) {
+        const ThermoPoint point(tables, material(p), temperature(p));
+        const double now = point.conductivity() / point.capacity();
+        most = now > most ? now : most;
+      },
+      Kokkos::Max<double>(diffusivity));
+  diffusivity = std::max(diffusivity, 0.0);
+  maxParts(state, &diffusivity, 1);
+  return std::sqrt(diffusivity * state.time);
+}
+
+/// Faces hotter than the mean over a cell are seen by smaller cells only.
+template <int D>
+void warnOfThinSkin(const State<D>& state, const Burning<D>& b, nlohmann::json& summary)
+{
+  if (!b.looksAtFaces() || state.step == 0 || b.hottestFace == 0.0)
+    return;
+  const double depth = heatedDepth(state), cell = state.smallestSpacing();
+  if (depth >= cell)
+    return;
+  summary["warnings"].push_back("Combustion > " + state.cracks.cracks[b.crack].name +
+                                ": heat has gone no more than " + formatReal(depth) +
+                                " m into the faces, less than the smallest cells of " + formatReal(cell) +
+                                " m: face_temperature is a mean over a cell, and faces are hotter");
 }
 
 } // namespace
@@ -87,6 +127,7 @@ void reportGas(const State<D>& state, const Work<D>& work, nlohmann::json& summa
       entry["gas"]["pressures"] = pressuresAlong(b.flow.channel());
     if (b.looksAtFaces())
       entry["gas"]["hottest_face"] = b.hottestFace;
+    warnOfThinSkin(state, b, summary);
     total += gas.startMass();
     now += mass + gas.vented();
   }

@@ -40,6 +40,7 @@ Advance FrontHistory::advance(const AdvanceRule& rule, double time, double relea
     last_ = std::max(time - share * (time - begin), rule.startTime);
     lastSpeed_ = 0.0;
     running_ = true;
+    starts_.push_back(static_cast<int>(times_.size()));
     note(last_, increment);
     made = {1, rule.initiation};
   }
@@ -109,23 +110,61 @@ double FrontHistory::speed(double time) const
   return time > last_ ? std::min(lastSpeed_, increment_ / (time - last_)) : lastSpeed_;
 }
 
+std::vector<CrackRun> FrontHistory::runs() const
+{
+  std::vector<CrackRun> all;
+  for (std::size_t r = 0; r < starts_.size(); ++r)
+  {
+    const std::size_t end = r + 1 < starts_.size() ? starts_[r + 1] : times_.size();
+    CrackRun run{times_[starts_[r]], times_[end - 1], 0.0};
+    for (std::size_t k = starts_[r]; k < end; ++k)
+      run.length += lengths_[k];
+    all.push_back(run);
+  }
+  return all;
+}
+
+/// Its first increment and the one after its last.
+std::pair<std::size_t, std::size_t> FrontHistory::longestRun() const
+{
+  std::pair<std::size_t, std::size_t> longest(0, 0);
+  for (std::size_t r = 0; r < starts_.size(); ++r)
+  {
+    const std::size_t begin = starts_[r], end = r + 1 < starts_.size() ? starts_[r + 1] : times_.size();
+    if (end - begin > longest.second - longest.first)
+      longest = {begin, end};
+  }
+  return longest;
+}
+
+/// Increments with which the second half of the longest run begins and ends; the same where it is too short.
+std::pair<std::size_t, std::size_t> FrontHistory::secondHalf() const
+{
+  const auto [begin, end] = longestRun();
+  return end - begin < 4 ? std::make_pair(begin, begin) : std::make_pair(begin + (end - begin) / 2, end - 1);
+}
+
+std::pair<double, double> FrontHistory::settled() const
+{
+  const auto [from, to] = secondHalf();
+  return from == to ? std::make_pair(0.0, 0.0) : std::make_pair(times_[from], times_[to]);
+}
+
 double FrontHistory::settledSpeed() const
 {
-  const std::size_t half = times_.size() / 2;
-  if (times_.size() < 4)
+  const auto [from, to] = secondHalf();
+  if (from == to)
     return 0.0;
   double length = 0.0;
-  for (std::size_t k = half + 1; k < times_.size(); ++k)
+  for (std::size_t k = from + 1; k <= to; ++k)
     length += lengths_[k];
-  return length / (times_.back() - times_[half]);
+  return length / (times_[to] - times_[from]);
 }
 
 double FrontHistory::settledRelease() const
 {
-  const std::size_t half = times_.size() / 2;
-  if (times_.size() < 4)
-    return 0.0;
-  return (impulses_.back() - impulses_[half]) / (times_.back() - times_[half]);
+  const auto [from, to] = secondHalf();
+  return from == to ? 0.0 : (impulses_[to] - impulses_[from]) / (times_[to] - times_[from]);
 }
 
 void FrontHistory::keep(Archive& archive)
@@ -141,6 +180,7 @@ void FrontHistory::keep(Archive& archive)
   archive("times", times_);
   archive("lengths", lengths_);
   archive("impulses", impulses_);
+  archive("starts", starts_);
 }
 
 } // namespace Rhegma::propagation

@@ -3,7 +3,9 @@
 
 #include "propagation/Toughness.hpp"
 
+#include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Rhegma
@@ -29,6 +31,14 @@ struct Advance
 {
   int increments = 0;
   double toughness = 0.0; ///< mean of the increments' [J/m2]
+};
+
+/// What a front did between setting out and coming to rest.
+struct CrackRun
+{
+  double setOut = 0.0;      ///< [s]
+  double lastAdvance = 0.0; ///< time of its last increment [s]
+  double length = 0.0;      ///< by which it grew [m]
 };
 
 /// A front in time. Its speed is what comes out: the front advances by da at the time at which
@@ -59,14 +69,22 @@ public:
   /// AdvanceRule::startTime on and before it first set out.
   double closest() const { return closest_; }
 
-  /// Mean speed over the second half of its path [m/s].
+  /// All its runs; the last may not be over.
+  std::vector<CrackRun> runs() const;
+
+  /// From when to when it went the second half of its longest run [s]; none where that had fewer than four
+  /// increments.
+  std::pair<double, double> settled() const;
+  /// Mean speed then [m/s].
   double settledSpeed() const;
-  /// Mean over time of the energy release rate over the second half of its path [J/m2].
+  /// Mean over time of the energy release rate then [J/m2].
   double settledRelease() const;
 
   void keep(Archive& archive);
 
 private:
+  std::pair<std::size_t, std::size_t> longestRun() const;
+  std::pair<std::size_t, std::size_t> secondHalf() const;
   void pass(double time, double release);
   void note(double time, double increment);
 
@@ -78,6 +96,7 @@ private:
   double timeBefore_ = 0.0, releaseBefore_ = 0.0;  ///< at the end of the step before
   double impulse_ = 0.0;                           ///< energy release rate over time, all of it [J s/m2]
   std::vector<double> times_, lengths_, impulses_; ///< of each increment; impulses_ up to it
+  std::vector<int> starts_;                        ///< increments with which it set out
 };
 
 } // namespace Rhegma::propagation

@@ -140,16 +140,18 @@ void start(State<2>& state, const Options& options, Fronts& fronts)
   refuseWeak(state, options);
 }
 
-/// Mean of one of time, x and y over the advances of the second half of a path.
-double settledMean(const std::vector<double>& path, std::size_t which)
+/// Mean of one of time, x and y over the advances of a path between two times.
+double settledMean(const std::vector<double>& path, const std::pair<double, double>& times, std::size_t which)
 {
-  const std::size_t advances = path.size() / 3, half = advances / 2;
-  if (advances < 4)
-    return notYet;
   double sum = 0.0;
-  for (std::size_t k = half; k < advances; ++k)
-    sum += path[3 * k + which];
-  return sum / static_cast<double>(advances - half);
+  int count = 0;
+  for (std::size_t k = 0; k < path.size(); k += 3)
+    if (path[k] >= times.first && path[k] <= times.second)
+    {
+      sum += path[k + which];
+      ++count;
+    }
+  return count > 0 && times.second > times.first ? sum / count : notYet;
 }
 
 /// Angle from a to b, counter-clockwise [degrees].
@@ -179,12 +181,16 @@ void report(const State<2>& state, const Fronts& fronts, nlohmann::json& summary
     entry["turn"] = moved ? turn(origin.before, front.position - origin.place) : notYet;
     entry["settled_speed"] = history.settledSpeed();
     entry["settled_release"] = history.settledRelease();
-    entry["settled_time"] = settledMean(fronts.paths[f], 0);
-    entry["settled_position"] = {settledMean(fronts.paths[f], 1), settledMean(fronts.paths[f], 2)};
+    const std::vector<double>& path = fronts.paths[f];
+    entry["settled_time"] = settledMean(path, history.settled(), 0);
+    entry["settled_position"] = {settledMean(path, history.settled(), 1),
+                                 settledMean(path, history.settled(), 2)};
     entry["speed_limit"] = fronts.fastest[f];
     entry["energy_of_new_faces"] = front.taken;
     if (!moved && !front.ended && !front.halted)
       reportRest(state, front, history.closest(), summary);
+    reportRuns(state, front, history.runs(), history.running() && !front.ended && !front.halted, front.speed,
+               summary);
   }
   reportEnergy(state, taken, summary);
 }

@@ -269,6 +269,9 @@ void report(const State<3>& state, const Memories& memories, const Circles& circ
       closest = std::max(closest, station.history.closest());
     if (memory.increments == 0 && !front.ended && !front.halted)
       reportRest(state, front, closest, summary);
+    else if (memory.increments > 0)
+      reportRuns(state, front, {{memory.first, memory.last, notYet}},
+                 running && !front.ended && !front.halted, settledSpeed(memory), summary);
   }
   reportEnergy(state, taken, summary);
 }

@@ -3,22 +3,74 @@
 #include "scene/Numbers.hpp"
 
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <string>
 
 namespace Rhegma::propagation
 {
 
+namespace
+{
+
+template <int D>
+std::string nameOf(const State<D>& state, const CrackFront<D>& front)
+{
+  return state.cracks.cracks[front.crack].name + "." + std::to_string(front.number);
+}
+
+/// Runs of a front of which the answers tell, beside its last.
+constexpr std::size_t mostTold = 3;
+
+std::string shortly(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+} // namespace
+
 template <int D>
 void reportRest(const State<D>& state, const CrackFront<D>& front, double closest, nlohmann::json& summary)
 {
+  if (state.step == 0)
+    return;
   summary["cracks"][front.crack]["fronts"][front.number]["closest_to_setting_out"] = closest;
   if (state.step == 0) // a scene that is only checked
     return;
   const double rounded = 0.001 * std::floor(1000.0 * closest); // below one
-  summary["warnings"].push_back("the front " + state.cracks.cracks[front.crack].name + "." +
-                                std::to_string(front.number) + " did not set out: G at most " +
+  summary["warnings"].push_back("the front " + nameOf(state, front) + " did not set out: G at most " +
                                 formatReal(rounded) + " of what starts it");
+}
+
+template <int D>
+void reportRuns(const State<D>& state, const CrackFront<D>& front, const std::vector<CrackRun>& runs,
+                bool running, double speed, nlohmann::json& summary)
+{
+  nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number]["runs"];
+  entry = nlohmann::json::array();
+  for (const CrackRun& run : runs)
+    entry.push_back({{"set_out", run.setOut}, {"last_advance", run.lastAdvance}, {"length", run.length}});
+  if (runs.empty())
+    return;
+  for (std::size_t r = 0; r < runs.size(); ++r)
+  {
+    const bool isLast = r + 1 == runs.size();
+    if (r >= mostTold && !isLast)
+      continue; // `runs` has them all
+    const CrackRun& run = runs[r];
+    std::string answer =
+        "the front " + nameOf(state, front) + " set out at " + shortly(run.setOut) + " s and ";
+    if (isLast && running)
+      answer += "was running at the end, at " + shortly(speed) + " m/s";
+    else
+      answer +=
+          (isLast && front.ended ? "met its end at " : "came to rest at ") + shortly(run.lastAdvance) + " s";
+    if (std::isfinite(run.length))
+      answer += ", " + shortly(run.length) + " m on";
+    summary["answers"].push_back(answer);
+  }
 }
 
 template <int D>
@@ -41,6 +93,10 @@ void reportEnergy(const State<D>& state, double taken, nlohmann::json& summary)
 
 template void reportRest(const State<2>&, const CrackFront<2>&, double, nlohmann::json&);
 template void reportRest(const State<3>&, const CrackFront<3>&, double, nlohmann::json&);
+template void reportRuns(const State<2>&, const CrackFront<2>&, const std::vector<CrackRun>&, bool, double,
+                         nlohmann::json&);
+template void reportRuns(const State<3>&, const CrackFront<3>&, const std::vector<CrackRun>&, bool, double,
+                         nlohmann::json&);
 template void reportEnergy(const State<2>&, double, nlohmann::json&);
 template void reportEnergy(const State<3>&, double, nlohmann::json&);
 

@@ -150,6 +150,7 @@ void coreReport(const State<D>& state, nlohmann::json& summary)
     energy[entry.column] = entry.value;
   if (canFlow(state.materialList))
     energy["plastic"] = state.energy.plastic;
+  summary["cells"] = {{"largest", state.grid.spacing}, {"smallest", state.smallestSpacing()}};
   nlohmann::json& momentum = summary["momentum"];
   momentum = nlohmann::json::array();
   for (int d = 0; d < D; ++d)

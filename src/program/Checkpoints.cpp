@@ -135,7 +135,8 @@ std::string Checkpoints::whereToGoOn() const
 {
   if (written_ < 0.0)
     return {};
-  return "; --restart " + path_ + " goes on from time " + formatReal(written_) + " s";
+  const std::string folder = path_.substr(0, path_.rfind('/'));
+  return "; --output " + folder + " --restart " + path_ + " goes on from time " + formatReal(written_) + " s";
 }
 
 Simulation::Notes notesOf(const HistorySoFar& soFar)

@@ -123,6 +123,14 @@ void printWarnings(const nlohmann::json& summary, std::ostream& err)
     err << "rhegma: warning: " << warning.get<std::string>() << "\n";
 }
 
+/// What a scene runs on, which it may have left to Domain > Accuracy.
+std::string cellsInWords(const nlohmann::json& summary, long particles)
+{
+  const double largest = summary["cells"]["largest"], smallest = summary["cells"]["smallest"];
+  return std::to_string(particles) + " particles in cells of " + formatReal(largest) + " m" +
+         (smallest < largest ? ", the smallest of " + formatReal(smallest) + " m" : "");
+}
+
 /// Whether the scene asks for a body at rest.
 bool waitsForRest(const Teuchos::ParameterList& scene)
 {
@@ -159,6 +167,9 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
       ranks.rank() == 0 ? writeWhereItCan(summary, production.folder() + "/summary.json") : std::string());
   if (trouble.empty())
     trouble = unwritten;
+  for (const auto& answer : summary.value("answers", nlohmann::json::array()))
+    if (!options.quiet)
+      out << answer.get<std::string>() << "\n";
   if (!options.quiet)
     out << (trouble.empty() ? "Results are in " : "Results up to then are in ") << production.folder()
         << "\n";
@@ -206,9 +217,11 @@ int run(const Options& options, std::ostream& out, std::ostream& err)
       {
         Simulation simulation(world(), scene);
         initialize(simulation, *scene, options);
-        printWarnings(simulation.report(), err);
+        const nlohmann::json summary = simulation.report();
+        printWarnings(summary, err);
         out << options.scene << " is a valid scene"
-            << (options.restart.empty() ? "" : ", and " + options.restart + " a checkpoint of it") << "\n";
+            << (options.restart.empty() ? "" : ", and " + options.restart + " a checkpoint of it") << ": "
+            << cellsInWords(summary, simulation.particles()) << "\n";
         return exitFinished;
       }
       return runScene(options, scene, out, err);

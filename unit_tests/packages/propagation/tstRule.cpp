@@ -89,6 +89,32 @@ TEST(FrontHistory, SetsOutAtInitiationAndArrestsWhereItHasAlmostStopped)
   EXPECT_EQ(history.increments(), 1);
 }
 
+/// A front that rests and sets out anew: its means are over the longer run, and do not count the rest.
+TEST(FrontHistory, TellsItsRunsApart)
+{
+  const AdvanceRule rule = ruleOf("100*(1 + v/500)", 100.0);
+  FrontHistory history;
+  const double dt = 1e-6, increment = 1e-3, fastest = 900.0;
+  double time = 0.0;
+  const auto pull = [&](double release, int steps)
+  {
+    for (int k = 0; k < steps; ++k)
+      history.advance(rule, time += dt, release, increment, fastest);
+  };
+  pull(180.0, 40); // at 400 m/s, 1 mm takes 2.5 us
+  pull(0.0, 200);
+  pull(140.0, 16); // at 200 m/s, 5 us
+  const std::vector<CrackRun> runs = history.runs();
+  ASSERT_EQ(runs.size(), 2U);
+  EXPECT_NEAR(runs[0].lastAdvance - runs[0].setOut, (runs[0].length / increment - 1.0) * 2.5e-6, 1e-9);
+  EXPECT_GT(runs[0].length, 15.5e-3);
+  EXPECT_NEAR(runs[1].setOut, 240e-6, 1.001 * dt);
+  EXPECT_NEAR(runs[1].length, 4e-3, 1e-9);
+  EXPECT_NEAR(history.settledSpeed(), 400.0, 1e-6 * 400.0);
+  EXPECT_NEAR(history.settledRelease(), 180.0, 1e-6 * 180.0);
+  EXPECT_LE(history.settled().second, runs[0].lastAdvance);
+}
+
 /// Long steps hold several increments.
 TEST(FrontHistory, AdvancesSeveralTimesInALongStep)
 {
