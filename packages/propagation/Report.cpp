@@ -34,8 +34,6 @@ std::string shortly(double value)
 template <int D>
 void reportRest(const State<D>& state, const CrackFront<D>& front, double closest, nlohmann::json& summary)
 {
-  if (state.step == 0)
-    return;
   summary["cracks"][front.crack]["fronts"][front.number]["closest_to_setting_out"] = closest;
   if (state.step == 0) // a scene that is only checked
     return;

@@ -13,9 +13,9 @@ class Archive;
 ///
 /// A point is fixed to a place on its simplex. Its two faces lie on the normal through that place, half the
 /// separation of the faces away on either side (linear between vertices, and behind a front as the root of
-/// the distance; together while they touch), so that opposite forces on them have no moment, however far the faces have slid. Points
-/// whose face meets no node with mass (at a mouth) have no stencil on either side: what acts between faces
-/// stays in balance.
+/// the distance; together while they touch), so that opposite forces on them have no moment, however far the
+/// faces have slid. Points whose face meets no node with mass (at a mouth) have no stencil on either side:
+/// what acts between faces stays in balance.
 ///
 /// All ranks have all points. The stencil of a face is on the rank that owns its place: sums over stencils
 /// are parts of the ranks.
