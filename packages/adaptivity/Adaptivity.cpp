@@ -7,9 +7,11 @@
 #include "checkpoint/Archive.hpp"
 #include "grid/LeafList.hpp"
 #include "parallel/Subdomain.hpp"
+#include "scene/Numbers.hpp"
 #include "scene/ReadList.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 
@@ -192,6 +194,21 @@ void checkRegions(const Teuchos::ParameterList& list, const Grid<D>& grid)
   }
 }
 
+/// Refuses more cells along an axis than trees can number.
+template <int D>
+void checkNumbers(const Teuchos::ParameterList& domain, int levels)
+{
+  const Vector<D> lower = readVector<D>(domain, "Lower Corner"),
+                  upper = readVector<D>(domain, "Upper Corner");
+  const double most = std::ldexp(1.0, Branches<D>::bitsPerAxis - levels) - 4.0 * gridMargin;
+  for (int d = 0; d < D; ++d)
+    if ((upper[d] - lower[d]) / domain.get<double>("Cell Size") > most)
+      throw std::invalid_argument("Adaptivity > Maximum Level: there is room for " + formatReal(most) +
+                                  " of the largest cells along an axis with " + std::to_string(levels) +
+                                  " levels below them, and the domain has more; write a lower level, larger "
+                                  "cells or a smaller domain");
+}
+
 /// The criteria with the levels that there may be by now.
 template <int D>
 Criteria<D> criteriaNow(const State<D>& state, const Options<D>& options)
@@ -229,7 +246,7 @@ void adapt(State<D>& state, const Options<D>& options, Progress<D>& progress)
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)
 {
-  const Teuchos::ParameterList list = scene.sublist("Adaptivity");
+  const Teuchos::ParameterList list = scene.sublist("Adaptivity"), domain = scene.sublist("Domain");
   const Options<D> options = readOptions<D>(list);
   const auto progress = std::make_shared<std::shared_ptr<Progress<D>>>();
   Effect<D> effect;
@@ -242,6 +259,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.atStart = [=](State<D>& state)
   {
     checkRegions<D>(list, state.grid);
+    checkNumbers<D>(domain, list.get<int>("Maximum Level"));
     *progress = std::make_shared<Progress<D>>(Progress<D>{Branches<D>(state.grid)});
     Kokkos::deep_copy(state.particles.integer(ancestor), state.particles.integer(fields::id));
     if (options.startTime == 0.0)

@@ -23,7 +23,7 @@ void FaceHeat<D>::measure(const State<D>& state, const FacePoints<D>& points)
   sumOverRanks(state, nodes_.data(), D + 3, 0, D + 2);
   findTemperatures(state);
   lookAtFaces(state, points);
-  sumParts(state, atFaces_.data(), 2 * points.count());
+  sumParts(state, View<double*>(atFaces_.data(), 2 * points.count()));
 }
 
 template <int D>
@@ -140,7 +140,7 @@ void FaceHeat<D>::give(State<D>& state, const FacePoints<D>& points, int crack, 
   sumOverRanks(state, asked_.data(), 5, 0, 3);
   change(state);
   charge(state, points, crack, heating, taken);
-  sumParts(state, taken.data(), points.count());
+  sumParts(state, taken);
   state.energy.heat += toParticles(state);
 }
 

@@ -157,7 +157,8 @@ void Load<D>::followLevels(const State<D>& state)
   Kokkos::parallel_reduce(
       "rhegma::levelsOfLoad", Kokkos::RangePolicy<ExecSpace>(0, id.extent(0)),
       KOKKOS_LAMBDA(const int k, int& sum) {
-        const int now = level(indexOf(id(k)));
+        const int p = indexOf(id(k)); // none where another rank has it
+        const int now = p < 0 ? last(k) : level(p);
         sum += now != last(k) ? 1 : 0;
         last(k) = now;
       },

@@ -9,8 +9,6 @@ namespace Rhegma
 namespace
 {
 
-constexpr int bitsPerAxis = 21; // 2^21 cells an axis at the finest level
-
 template <int D>
 std::array<int, D> halved(const std::array<int, D>& cell)
 {

@@ -49,6 +49,9 @@ public:
 
   bool operator==(const Branches& other) const { return levels_ == other.levels_; }
 
+  /// Cells of the finest level along an axis have numbers of so many bits.
+  static constexpr int bitsPerAxis = 21;
+
 private:
   Cell cellOf(std::uint64_t key) const;
 

@@ -78,6 +78,9 @@ ADAPTIVITY = [
      one("Adaptivity > Start Time", "0")),
     ("levels_that_come_backwards", plate().set("Adaptivity", {"Level Time": -1.0}),
      one("Adaptivity > Level Time", "0")),
+    ("adaptivity_of_more_cells_than_have_numbers", plate().remove("Cracks").remove("Energy Release")
+     .set("Domain > Upper Corner", [2000.0, 1.2]).set("Adaptivity", {"Velocity Change": 1.0, "Maximum Level": 6}),
+     one("Adaptivity > Maximum Level", "along an axis")),
     ("adaptivity_of_level_0", plate().set("Adaptivity", {"Maximum Level": 0}),
      one("Adaptivity > Maximum Level", "1")),
     ("adaptivity_that_never_coarsens", plate().set("Adaptivity", {"Velocity Change": 1.0, "Coarsening": 1.0}),
