@@ -255,8 +255,10 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
     subtitle = ("\n" if narrow else ",   ").join(heading)
     whole.set_title(title, fontsize=12, pad=22 + (14 * (len(heading) - 1) if narrow else 0))
     whole.annotate(subtitle, (0.0, 1.0), (0.0, 8.0), "axes fraction", "offset points", fontsize=10, linespacing=1.3)
-    whole.set_xlabel(f"{names[0]} [{length_unit}]")
-    whole.set_ylabel(f"{names[1]} [{length_unit}]")
+    # Lengths read off a magnified picture are not those of the body.
+    drawn_at = "" if magnification == 1.0 else ", magnified"
+    whole.set_xlabel(f"{names[0]}{drawn_at} [{length_unit}]")
+    whole.set_ylabel(f"{names[1]}{drawn_at} [{length_unit}]")
     if zoom:
         close = axes.flat[1]
         half = max(0.06 * max(extent), 6.0 * fields.size * length_factor)
@@ -267,8 +269,8 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
         close.set_ylim(places[0][1] - half, places[0][1] + half)
         close.set_title("at the crack's front" if len(places) == 1 else "at the first front",
                         fontweight="normal", fontsize=10)
-        close.set_xlabel(f"{names[0]} [{length_unit}]")
-        close.set_ylabel(f"{names[1]} [{length_unit}]")
+        close.set_xlabel(f"{names[0]}{drawn_at} [{length_unit}]")
+        close.set_ylabel(f"{names[1]}{drawn_at} [{length_unit}]")
     extend = {(False, False): "neither", (True, False): "min", (False, True): "max", (True, True): "both"}[
         (bool(values.min() < norm.vmin), bool(values.max() > norm.vmax))
     ]

@@ -1,4 +1,4 @@
-"""Draws a history: energy release rates, pressures in cracks, energies and, where cracks grow, their growth and speed."""
+"""Draws a history: what drives cracks, the pressure in them, energies and, where cracks grow, their growth and speed."""
 
 import re
 
@@ -105,6 +105,31 @@ def draw_release(axes, history, summary, time):
     legend(axes)
 
 
+def intensities(history):
+    """[(front, mode, samples [Pa m^0.5])] of the first fronts, without the modes that no eye can see."""
+    found = []
+    for front in history.fronts[:FEW]:
+        for mode in ("I", "II", "III"):
+            samples = history.of_front(front, f"K_{mode}")
+            if samples is not None and np.isfinite(samples).any():
+                found.append((front, mode, samples))
+    largest = finite_maximum([samples for _, _, samples in found])
+    return [entry for entry in found if finite_maximum([entry[2]]) > 1.0e-3 * largest]
+
+
+def draw_intensities(axes, found, time):
+    factor, unit = style.scale(finite_maximum([samples for _, _, samples in found]), "Pa")
+    fronts = list(dict.fromkeys(front for front, _, _ in found))
+    for front, mode, samples in found:
+        name = "" if len(fronts) == 1 else f"{front[0]}, front {front[1]}: "
+        dashes = {"I": "-", "II": (0, (5, 1.5)), "III": ":"}[mode]
+        axes.plot(time, samples * factor, color=style.COLOURS[fronts.index(front)], ls=dashes, label=f"{name}K {mode}")
+    axes.set_title("Stress intensity")
+    axes.set_ylabel(f"K [{unit} √m]")
+    axes.margins(x=0)
+    legend(axes)
+
+
 def pressures(history):
     """[(crack's name, samples [Pa], None or (lowest, highest) along the crack)] of the cracks that have one."""
     found = []
@@ -201,6 +226,9 @@ def draw_history(history, summary, title, path):
     time = history.time * factor
     if release_rates(history):
         panels.append(lambda axes: draw_release(axes, history, summary, time))
+    stressed = intensities(history)
+    if stressed:
+        panels.append(lambda axes: draw_intensities(axes, stressed, time))
     inside = pressures(history)
     if inside:
         panels.append(lambda axes: draw_pressures(axes, inside, time))
