@@ -114,11 +114,18 @@ std::vector<Vector<3>> middles()
 }
 
 /// Divergence on the crack's surface of the direction that the front has at its point nearest to x [1/m].
+/// Where a front ends at the body's surface or a plane of symmetry there is a direction on one side only.
+/// \param sight of a front that goes on beyond its ends by more than `step`
 double spread(const FrontSight& sight, const FrontFoot& foot, const Vector<3>& x, double step)
 {
   const Vector<3> along = cross(foot.direction, foot.normal);
-  return dot(sight.look(x + step * along).direction - sight.look(x - step * along).direction, along) /
-         (2.0 * step);
+  const FrontFoot ahead = sight.look(x + step * along), back = sight.look(x - step * along);
+  const bool hasAhead = ahead.inside >= 0.0, hasBack = back.inside >= 0.0;
+  if (!hasAhead && !hasBack)
+    return 0.0;
+  const Vector<3> turn =
+      (hasAhead ? ahead.direction : foot.direction) - (hasBack ? back.direction : foot.direction);
+  return dot(turn, along) / ((hasAhead && hasBack ? 2.0 : 1.0) * step);
 }
 
 } // namespace
@@ -168,7 +175,7 @@ std::vector<double> releaseByPressure(const State<3>& state, int crack, const Fr
   std::vector<double> release(line.stations.size(), 0.0), width(line.stations.size(), 0.0);
   if (!isPressed(state) || line.empty())
     return release;
-  const FrontSight sight(line, 0.0);
+  const FrontSight sight(line, 0.0), goingOn(line, tube.radii.outer);
   const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
   const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.face);
   const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
@@ -185,15 +192,15 @@ std::vector<double> releaseByPressure(const State<3>& state, int crack, const Fr
         corner[i][d] = vertex(simplex(s, i), d);
         opening[i][d] = face(simplex(s, i), 1, d) - face(simplex(s, i), 0, d);
       }
-    // Between the front and the first row of vertices behind it the opening is no line but a root.
-    double nearest = 1e300, furthest = 0.0;
-    for (const Vector<3>& x : corner)
+    double nearest = 1e300;
+    Vector<3> square; // of the opening along the normal, with its sign
+    for (int i = 0; i < 3; ++i)
     {
-      const double distance = sight.look(x).distance;
-      nearest = std::min(nearest, distance);
-      furthest = std::max(furthest, distance);
+      const FrontFoot foot = sight.look(corner[i]);
+      nearest = std::min(nearest, foot.distance);
+      const double open = dot(opening[i], foot.normal);
+      square[i] = open * std::fabs(open);
     }
-    const bool atFront = nearest < 1e-6 * furthest;
     if (nearest >= tube.radii.outer)
       continue;
     const double area =
@@ -206,10 +213,11 @@ std::vector<double> releaseByPressure(const State<3>& state, int crack, const Fr
         continue;
       const double fall = 1.0 / (tube.radii.outer - tube.radii.inner);
       const double ramp = std::min(1.0, fall * (tube.radii.outer - foot.distance));
-      const double root = atFront ? std::sqrt(furthest / std::max(foot.distance, 1e-3 * furthest)) : 1.0;
-      const double open = root * dot(w[0] * opening[0] + w[1] * opening[1] + w[2] * opening[2], foot.normal);
+      // Near a front the opening is no line but a root, and that of an ellipse is nowhere one: its square is
+      // smooth, so that is interpolated.
+      const double mean = dot(w, square), open = std::copysign(std::sqrt(std::fabs(mean)), mean);
       const double work =
-          area * pressure(s) * open * ((ramp < 1.0 ? fall : 0.0) + ramp * spread(sight, foot, x, step));
+          area * pressure(s) * open * ((ramp < 1.0 ? fall : 0.0) + ramp * spread(goingOn, foot, x, step));
       for (std::size_t k = 0; k < release.size(); ++k)
         release[k] += work * hatOf(sight, foot.line, foot.arc, static_cast<int>(k), tube.halfWidth);
     }
