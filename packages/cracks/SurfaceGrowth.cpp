@@ -2,6 +2,7 @@
 
 #include "cracks/CrackFrames.hpp"
 #include "cracks/CrackGeometry.hpp"
+#include "cracks/FacesAhead.hpp"
 #include "cracks/Layout.hpp"
 #include "cracks/RoomAhead.hpp"
 #include "scene/Numbers.hpp"
@@ -76,28 +77,6 @@ void smooth(const GrowingSurface& surface, const FrontLines& lines, std::vector<
     return;
   for (std::size_t k = 0; k < count; ++k)
     lengths[k] += move[k] * given / (move[k] < 0.0 ? gives : takes);
-}
-
-/// Distance to the nearest other crack [m], and which it is.
-std::pair<double, int> nearestOther(const CrackSet<3>& set, int own, const Vector<3>& x)
-{
-  if (set.cracks.size() == 1)
-    return {1e300, -1};
-  const CrackSight<3> sight(set, 1.0);
-  using Nearest = Kokkos::MinLoc<double, int>;
-  Nearest::value_type nearest{};
-  Kokkos::parallel_reduce(
-      "rhegma::cracks::nearestOther", Kokkos::RangePolicy<ExecSpace>(0, sight.simplex.extent(0)),
-      KOKKOS_LAMBDA(const int s, Nearest::value_type& best) {
-        const double square = sight.crackOf(s) != own ? sight.square(s, x) : 1e300;
-        if (square < best.val)
-        {
-          best.val = square;
-          best.loc = sight.crackOf(s);
-        }
-      },
-      Nearest(nearest));
-  return {std::sqrt(nearest.val), nearest.loc};
 }
 
 /// Forgets the sides of particles that are ahead of the station nearest to them: they lie beside the crack
@@ -296,16 +275,19 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
     const double length = lands ? room[i] : lengths[k];
     const Vector<3> x = ways[i].from + length * ways[i].direction;
     const auto [distance, other] = nearestOther(state.cracks, front.crack, x);
-    if (distance < bandWidth * state.grid.spacing)
+    const bool near = distance < bandWidth * state.grid.spacing;
+    if (near || (!lands && meetsItself(state.cracks, front.crack, x, ways[i].direction, cells[k])))
     {
       point.station.halted = true;
       point.station.speed = 0.0;
+      const std::string which =
+          near ? "the crack " + state.cracks.cracks[other].name + " is" : "faces of its own crack are";
       if (!toldHalted_[advance.front])
-        state.warnings.push_back(
-            "the front " + nameOf(state, front) + " halted at time " + formatReal(state.time) + " s at " +
-            inWords(point.station.position) + ": the crack " + state.cracks.cracks[other].name +
-            " is less than three cells ahead, and cells can't tell cracks apart that are closer; smaller "
-            "cells (Domain > Cell Size) let it come nearer");
+        state.warnings.push_back("the front " + nameOf(state, front) + " halted at time " +
+                                 formatReal(state.time) + " s at " + inWords(point.station.position) + ": " +
+                                 which +
+                                 " less than three cells ahead, and cells can't tell faces apart that are "
+                                 "closer; smaller cells (Domain > Cell Size) let it come nearer");
       toldHalted_[advance.front] = true;
       continue;
     }

@@ -24,7 +24,8 @@ namespace Rhegma::cracks
 ///
 /// A station that comes within half a cell of the surface of its body runs on to it and stays there; pieces
 /// between two such stations become mouths. An end of a front that lies on the surface slides along it. A
-/// station that would come closer than three cells to another crack halts. Belongs between steps.
+/// station that would come closer than three cells to another crack, or to faces of its own that lie ahead,
+/// halts. Belongs between steps.
 class SurfaceGrowth
 {
 public:

@@ -77,6 +77,10 @@ NOT_IN_3D = [
      ball().set("Cracks", {"Penny": {"Centre": [0.0, 0.0, 0.0], "Radius": 0.03, "Normal": [0.0, 0.0, 1.0]}}).set(
          "Energy Release", {}).set("Propagation", {"Toughness": "100"}).set("Adaptivity", {"Maximum Level": 1}).set("Sub-Cycling", {}),
      one("Propagation", "in 3D", "Sub-Cycling")),
+    ("crack_that_runs_in_3d_with_a_mass_matrix",
+     ball().set("Cracks", {"Penny": {"Centre": [0.0, 0.0, 0.0], "Radius": 0.03, "Normal": [0.0, 0.0, 1.0]}}).set(
+         "Energy Release", {}).set("Propagation", {"Toughness": "100"}).set("Mass Matrix", {"Type": "Partial"}),
+     one("Propagation", "in 3D", "Mass Matrix")),
     ("contours_of_a_crack_that_runs_in_3d",
      ball().set("Cracks", {"Penny": {"Centre": [0.0, 0.0, 0.0], "Radius": 0.03, "Normal": [0.0, 0.0, 1.0]}}).set(
          "Energy Release", {}).set("Propagation", {

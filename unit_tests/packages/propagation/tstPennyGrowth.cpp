@@ -271,6 +271,56 @@ TEST(PennyGrowth, PaysForItsAreaToTheEnd)
     EXPECT_EQ(entry[name], ended[name]) << name;
 }
 
+/// A crack like a C, whose arms grow towards each other: a front that meets itself. It halts before they are
+/// three cells apart, which is said once, and nothing is lost.
+TEST(PennyGrowth, HaltsBeforeItsOwnFaces)
+{
+  const double wide = 12.0 * cell, z = 0.3 * cell, arm = 2.2 * cell, other = wide - arm;
+  Teuchos::ParameterList scene = quarter("100*(1 + v/100)");
+  scene.sublist("Domain").set("Upper Corner", reals({wide + 2.0 * cell, wide + 2.0 * cell, 6.0 * cell}));
+  scene.sublist("Bodies").sublist("Block").set("Upper Corner", reals({wide, wide, 4.0 * cell}));
+  Teuchos::ParameterList& crack = scene.sublist("Cracks").sublist("Penny");
+  for (const char* name : {"Centre", "Normal", "Radius"})
+    crack.remove(name);
+  const double low = -cell, high = wide + cell, spine = 1.2 * cell;
+  crack.set("Points", reals({low,   low,   z, high, low,   z, high, arm,  z, spine, arm,  z,
+                             spine, other, z, high, other, z, high, high, z, low,   high, z}));
+  Rhegma::Run<3> run(scene);
+  run.initialize();
+  State<3>& state = run.state();
+  ASSERT_EQ(state.cracks.fronts.size(), 1u);
+  stretch(state, 1e3);
+  const double before = cracks::measureOpening(state.cracks, 0).size;
+  for (int k = 0; k < 80; ++k)
+  {
+    for (FrontStation<3>& station : state.cracks.fronts[0].stations) // the spine stays where it is
+      station.driving.release = std::fabs(station.direction[1]) > 0.9 ? 500.0 : 0.0;
+    run.step(1.0, false);
+  }
+  const CrackFront<3>& front = state.cracks.fronts[0];
+  int told = 0, arms = 0;
+  for (const std::string& warning : state.warnings)
+    told += warning.find("faces of its own crack are less than three cells ahead") != std::string::npos;
+  EXPECT_EQ(told, 1);
+  double below = 0.0, above = wide;
+  for (const FrontStation<3>& station : front.stations)
+    if (station.position[0] > 0.5 * wide)
+    {
+      ++arms;
+      EXPECT_TRUE(station.halted);
+      const bool upper = station.position[1] > 0.5 * wide;
+      below = upper ? below : std::max(below, station.position[1]);
+      above = upper ? std::min(above, station.position[1]) : above;
+    }
+  EXPECT_GE(arms, 8);
+  // Both have gone at least a cell of the 2.3 that they may, a quarter at a time.
+  EXPECT_GT(below, arm + cell);
+  EXPECT_LT(above, other - cell);
+  EXPECT_GT(above - below, 2.5 * cell);
+  EXPECT_GT(cracks::measureOpening(state.cracks, 0).size, before + wide * cell);
+  EXPECT_TRUE(std::isfinite(front.taken) && front.taken > 0.0);
+}
+
 /// With Contact new faces that are pressed together hold against each other: the layer between them gives by
 /// the pressure over its stiffness, penalty times M / cell, so by the strain times half a cell; the pressure
 /// of the squeeze is at most twice that of the strain, where waves meet. Without, they pass through each
