@@ -49,6 +49,19 @@ struct Pieces
   }
 };
 
+template <class Junction>
+Pieces piecesAt(const State<2>& state, const Junction& j)
+{
+  return {CrackSight<2>(state.cracks, state.grid.spacing),
+          j.place,
+          j.throughSimplex,
+          j.through,
+          j.ended,
+          j.side,
+          j.radius,
+          tieTolerance * j.radius / zone};
+}
+
 /// Tells particles of one side near a place on which side of another crack they are, where they are beside
 /// that. \return how many knew of a third crack, which they go on with
 int learnSides(const State<2>& state, const Vector<2>& at, int known, int crack)
@@ -162,14 +175,7 @@ void Junctions::claimNodes(const State<2>& state, const Surroundings& surroundin
   for (Junction& j : all_)
   {
     place(state, j);
-    const Pieces pieces{CrackSight<2>(state.cracks, state.grid.spacing),
-                        j.place,
-                        j.throughSimplex,
-                        j.through,
-                        j.ended,
-                        j.side,
-                        j.radius,
-                        tieTolerance * j.radius / zone};
+    const Pieces pieces = piecesAt(state, j);
     const auto end = static_cast<std::uint64_t>(j.endSimplex),
                through = static_cast<std::uint64_t>(j.throughSimplex);
     forFew(
@@ -206,14 +212,7 @@ void Junctions::hideNodes(const State<2>& state, const ObservedPoints<2>& points
   const int numLattice = state.nodes.numLattice;
   for (const Junction& j : all_)
   {
-    const Pieces pieces{CrackSight<2>(state.cracks, state.grid.spacing),
-                        j.place,
-                        j.throughSimplex,
-                        j.through,
-                        j.ended,
-                        j.side,
-                        j.radius,
-                        tieTolerance * j.radius / zone};
+    const Pieces pieces = piecesAt(state, j);
     const double reach = j.radius / zone * (zone + sight);
     forFew(
         "rhegma::cracks::hideNodes", points.count, KOKKOS_LAMBDA(const int r) {

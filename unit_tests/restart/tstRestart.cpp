@@ -109,6 +109,15 @@ std::string whole(const std::string& name, const std::string& value)
   return R"(<Parameter name=")" + name + R"(" type="int" value=")" + value + R"("/>)";
 }
 
+/// The same plate with a second crack across the way of the first, which runs into it.
+std::string twoCracks(const std::string& stress, const std::string& more)
+{
+  std::string all = plate(stress, more);
+  all.insert(all.find(R"(<ParameterList name="Notch">)"),
+             section("Across", reals("Points", "{0.76, 0.3, 0.76, 0.81}")));
+  return all;
+}
+
 /// States that take a while to come about in the scenes of xml_inputs, or that these do not have.
 std::vector<Case> ownCases()
 {
@@ -131,6 +140,10 @@ std::vector<Case> ownCases()
       own("own_running", plate(pull, running), 100),
       own("own_running_cells", plate(pull, running + cells + friction), 100),
       own("own_running_short_steps", plate(pull, running + cells + section("Sub-Cycling", "")), 50),
+      own("own_running_partial_mass", plate(pull, running + section("Mass Matrix", text("Type", "Partial"))),
+          100),
+      own("own_running_full_mass", plate(pull, running + section("Mass Matrix", text("Type", "Full"))), 100),
+      own("own_joined", twoCracks(pull, running), 60),
       own("own_contact", plate(press, friction + release)),
       own("own_contact_cells", plate(press, friction + cells)),
       own("own_contact_short_steps", plate(press, friction + cells + section("Sub-Cycling", "")), 80),
