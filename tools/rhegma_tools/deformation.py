@@ -35,14 +35,53 @@ def crack_normals(crack):
     return np.divide(sums, length, out=np.zeros_like(sums), where=length > 0.0)
 
 
+ON_FACE = 0.25  # of its last segment: an end that is nearer than this to another crack lies on it
+
+
+def joined_ends(crack):
+    """Ends of polylines that lie on another crack: vertex -> (a point of that crack, its normal to the end's side)."""
+    joined = {}
+    if crack.is_surface:
+        return joined
+    neighbours = [set() for _ in crack.points]
+    for i, j in crack.cells:
+        neighbours[i].add(j)
+        neighbours[j].add(i)
+    start, along = crack.points[crack.cells[:, 0]], np.diff(crack.points[crack.cells], axis=1)[:, 0]
+    squared = np.maximum(np.einsum("ij,ij->i", along, along), 1.0e-300)
+    for v in (v for v, others in enumerate(neighbours) if len(others) == 1):
+        own, reached = {v}, [v]
+        while reached:
+            more = neighbours[reached.pop()] - own
+            own |= more
+            reached += more
+        others = [s for s, (i, _) in enumerate(crack.cells) if i not in own]
+        if not others:
+            continue
+        point, (before,) = crack.points[v], neighbours[v]
+        share = np.clip(np.einsum("ij,ij->i", point - start[others], along[others]) / squared[others], 0.0, 1.0)
+        foot = start[others] + share[:, None] * along[others]
+        nearest = int(np.argmin(np.linalg.norm(point - foot, axis=1)))
+        back = crack.points[before] - foot[nearest]
+        if np.linalg.norm(point - foot[nearest]) < ON_FACE * np.linalg.norm(crack.points[before] - point):
+            normal = np.array([-along[others[nearest]][1], along[others[nearest]][0], 0.0])
+            joined[v] = (foot[nearest], normal if back @ normal > 0.0 else -normal)
+    return joined
+
+
 def crack_displacement(crack, position, displacement):
-    """Displacement of every vertex, midway between the faces: the mean of the nearest particles' on either side."""
-    normal = crack_normals(crack)
+    """Displacement of every vertex, midway between the faces: the mean of the nearest particles' on either side. An
+    end on another crack moves with the particles on its own side of that."""
+    normal, joined = crack_normals(crack), joined_ends(crack)
     result = np.zeros_like(crack.points)
     for v, point in enumerate(crack.points):
         arm = position - point
         squared = np.einsum("ij,ij->i", arm, arm)
+        if v in joined:
+            foot, toward = joined[v]
+            squared = np.where((position - foot) @ toward > 0.0, squared, np.inf)
         near = np.argpartition(squared, min(15, len(squared) - 1))[:16]
+        near = near[np.isfinite(squared[near])]
         above = arm[near] @ normal[v] > 0.0
         sides = []
         for side in (near[above], near[~above]):

@@ -212,6 +212,15 @@ class Deformation(ToolTest):
         np.testing.assert_allclose(lower[:, 1], [-11.0, -11.0], rtol=1e-14)
 
 
+    def test_an_end_on_another_crack_moves_with_its_own_side_of_that(self):
+        """A crack along x goes through; another comes up to it from below. The piece above moves by 5, the two below by
+        1 and 3: the end by 2, however near the piece above is."""
+        points = np.array([[-2.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 0.0]])
+        place = np.array([[-0.1, 0.1, 0.0], [0.1, 0.1, 0.0], [-0.3, -0.3, 0.0], [0.3, -0.3, 0.0]])
+        moved = np.array([[0.0, 5.0, 0.0]] * 2 + [[0.0, 1.0, 0.0], [0.0, 3.0, 0.0]])
+        crack = Crack(points, np.array([[0, 1], [2, 3]]), np.zeros_like(points))
+        np.testing.assert_allclose(crack_displacement(crack, place, moved)[3, 1], 2.0, rtol=1e-14)
+
     def test_faces_part_with_a_power_of_the_distance_from_a_front(self):
         """Straight from x = 0 to 1, open by 2 at both; closed at the front x = 2. Particles halfway to it have parted by
         2 sqrt(1/2), so the root of the distance is drawn; by 1/2, and its square is."""
