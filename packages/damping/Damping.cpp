@@ -2,6 +2,7 @@
 
 #include "boundary/HeldMarks.hpp"
 #include "damping/Settling.hpp"
+#include "transfer/LaneHeat.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -85,13 +86,18 @@ double addViscousStress(State<D>& state, double shearViscosity, double bulkVisco
   const auto volume = state.particles.scalar(fields::volume);
   const double dt = state.dt;
   double loss = 0.0;
-  // With heat the work is no loss. The law takes up the work of the mean of the old stress, which has the
-  // viscous one of the step before, and its new one: what is missing is half of that of the new viscous
-  // stress.
+  // With heat the work is no loss. In a step the stress at its start acts on half of the motion, that at its
+  // end on the other (LaneHeat.hpp). Of the first half, which has the viscous stress of the step before, the
+  // law takes up what acts in the first short step: all of it where there are none. The impulse of a viscous
+  // stress is that of the long step even so, and what the law leaves is booked here by the new stress, off by
+  // a quarter of the change of its work in a step at most, which does not add up.
   const bool heats = state.particles.has(fields::internalEnergy);
-  BorrowedView<double*> internal;
+  const bool brief = heats && state.particles.has(fields::firstShare);
+  BorrowedView<double*> internal, firstShare;
   if (heats)
     internal = state.particles.scalar(fields::internalEnergy);
+  if (brief)
+    firstShare = state.particles.scalar(fields::firstShare);
   Kokkos::parallel_reduce(
       "rhegma::viscousStress", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p, double& sum) {
@@ -108,7 +114,7 @@ double addViscousStress(State<D>& state, double shearViscosity, double bulkVisco
             power += (i == j ? 1.0 : 2.0) * viscous * strainRate;
           }
         if (heats)
-          internal(p) += 0.5 * dt * power;
+          internal(p) += (1.0 - 0.5 * (brief ? firstShare(p) : 1.0)) * dt * power;
         else
           sum += dt * volume(p) * power;
       },
