@@ -22,11 +22,11 @@
 /// of the difference is booked. (The force is that of the middle between two steps.)
 
 #include "material/HistoryRoom.hpp"
+#include "material/LawMemory.hpp"
 #include "material/ThermoLaw.hpp"
 #include "transfer/LaneStress.hpp"
 
 #include <string>
-#include <type_traits>
 
 namespace Rhegma
 {
@@ -93,8 +93,6 @@ struct HeatOfLanes
   template <class Law, int, Plane P>
   KOKKOS_INLINE_FUNCTION void run() const
   {
-    // Laws without a memory let the compiler find several particles at once.
-    constexpr bool remembers = std::is_same_v<Law, J2Plastic>;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const double alpha = knot.expansion, T0 = material.reference, capacity = knot.capacity;
     // Change of the trace of stress with that of strain: 3 K, in plane stress E / (1 - nu).
@@ -105,13 +103,14 @@ struct HeatOfLanes
     for (int l = from; l < to; ++l)
     {
       double F[gradientSize<D>], own[gradientSize<D>], tau[symmetricSize<D>], stretching = 0.0;
-      double* const memory = remembers ? history + l * historyWidth : nullptr;
+      // Laws without a memory let the compiler find several particles at once.
+      double* const memory = remembers<Law> ? history + l * historyWidth : nullptr;
       const double before = heat.temperature[l];
       // What the law has at the start, at the temperature of now.
       const double expanded = 1.0 / (1.0 + alpha * (before - T0));
       for (int k = 0; k < gradientSize<D>; ++k)
         own[k] = expanded * at.F[k][l];
-      if constexpr (remembers)
+      if constexpr (remembers<Law>)
       {
         double copy[historyRoom];
         for (int k = 0; k < historyWidth; ++k)
@@ -121,7 +120,7 @@ struct HeatOfLanes
       else
         Law::template stress<D, P>(properties, own, tau, nullptr);
       double work = -Law::template energy<D, P>(properties, own, memory);
-      if constexpr (remembers)
+      if constexpr (remembers<Law>)
         work -= dissipatedEnergy<D>(properties, memory);
       const double slope = alpha * expanded * trace<D>(tau);
       work += workOfLag<D>(at, heat, tau, l, dt);
@@ -141,7 +140,7 @@ struct HeatOfLanes
       const double elastic = Law::template energy<D, P>(properties, own, memory);
       double has = elastic + T * now + (T - T0) * (capacity + 0.5 * material.coupling * (T + T0));
       work += elastic + 0.5 * (slope + now) * (T - before);
-      if constexpr (remembers)
+      if constexpr (remembers<Law>)
       {
         const double flow = dissipatedEnergy<D>(properties, memory);
         work += flow;
@@ -154,10 +153,7 @@ struct HeatOfLanes
       at.speed[l] =
           good && finite && after > 0.0 ? at.speed[l] + std::sqrt(wave * wave + after * adiabatic) : infinity;
       addThermalStress<D, P>(alpha * stiffness, rise, tau);
-      for (int k = 0; k < gradientSize<D>; ++k)
-        at.F[k][l] = F[k];
-      for (int k = 0; k < symmetricSize<D>; ++k)
-        at.tau[k][l] = tau[k];
+      storeLane(at, l, F, tau);
     }
   }
 };
@@ -224,10 +220,7 @@ struct HeatByTables
     for (int k = 0; k < historyWidth; ++k)
       own[k] = memory[k];
     at.speed[l] = good && finite && T > 0.0 ? at.speed[l] + now.wave : infinity;
-    for (int k = 0; k < gradientSize<D>; ++k)
-      at.F[k][l] = F[k];
-    for (int k = 0; k < symmetricSize<D>; ++k)
-      at.tau[k][l] = tau[k];
+    storeLane(at, l, F, tau);
   }
 
   /// What the law says of F at a temperature, starting from its history, which becomes `memory`.

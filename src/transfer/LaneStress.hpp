@@ -41,6 +41,16 @@ KOKKOS_FORCEINLINE_FUNCTION void strained(const StrainLanes<D>& at, int l, doubl
     F[4] = at.F[4][l];
 }
 
+/// Puts deformation gradient and stress of one lane back.
+template <int D>
+KOKKOS_FORCEINLINE_FUNCTION void storeLane(StrainLanes<D>& at, int l, const double* F, const double* tau)
+{
+  for (int k = 0; k < gradientSize<D>; ++k)
+    at.F[k][l] = F[k];
+  for (int k = 0; k < symmetricSize<D>; ++k)
+    at.tau[k][l] = tau[k];
+}
+
 /// F <- (I + dt L) F, stress and wave speed of the lanes from .. to - 1, all of one material.
 template <int D>
 struct StressOfLanes
@@ -66,10 +76,7 @@ struct StressOfLanes
       const bool good = Law::template stress<D, P>(properties, F, tau, own);
       const double wave = Law::template waveSpeed<D, P>(properties, F, own);
       at.speed[l] = good && finite ? at.speed[l] + wave : infinity;
-      for (int k = 0; k < gradientSize<D>; ++k)
-        at.F[k][l] = F[k];
-      for (int k = 0; k < symmetricSize<D>; ++k)
-        at.tau[k][l] = tau[k];
+      storeLane(at, l, F, tau);
     }
   }
 };
