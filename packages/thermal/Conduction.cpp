@@ -161,6 +161,16 @@ void Conduction<D>::step(State<D>& state)
   const bool last = state.time + state.dt >= finalTime * (1.0 - 1e-12); // which leaves nothing undone
   if (!last && state.mechanics && waited < longestWait && pending + state.dt <= waitingShare * limit)
     return;
+  if (cellsSeen != state.tree.generation)
+  {
+    cellsSeen = state.tree.generation;
+    const std::string wrong = boundaries.contradictions(state, finalTime);
+    if (!wrong.empty())
+    {
+      state.trouble = wrong;
+      return;
+    }
+  }
   // Cells that adapt have had a look at the sources by then.
   if (!warned && state.step >= 32)
   {

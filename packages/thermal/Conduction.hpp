@@ -33,6 +33,7 @@ struct Conduction
   double finestHeated = std::numeric_limits<double>::infinity(); ///< finest cells when fronts were heated [m]
   long stepsTaken = 0;                                           ///< steps of conduction
   bool warned = false;
+  int cellsSeen = 0;        ///< generation of the cells on which supports were compared
   bool facesKnown = false;  ///< whether the faces' conductance is that of this step of the run
   ObservedPoints<D> fronts; ///< of cracks, then their stations
   StencilTable<D> frontStencils;

@@ -1,5 +1,6 @@
 #include "thermal/HeatBoundaries.hpp"
 
+#include "boundary/Contradictions.hpp"
 #include "scene/Attempts.hpp"
 #include "scene/ReadList.hpp"
 #include "transfer/PushNodes.hpp"
@@ -28,11 +29,11 @@ bool holdsNode(const Grid<D>& grid, const HeldTemperature<D>& box)
 
 template <int D>
 HeldTemperature<D> readHeld(const Teuchos::ParameterList& list, const State<D>& state,
-                            const std::string& where)
+                            const std::string& name)
 {
   HeldTemperature<D> held{readVector<D>(list, "Lower Corner"), readVector<D>(list, "Upper Corner"),
                           list.get<double>("Temperature"),
-                          TimeFunction::parse(list.get<std::string>("History"))};
+                          TimeFunction::parse(list.get<std::string>("History")), name};
   // Nodes on the rim count whatever the rounding.
   for (int d = 0; d < D; ++d)
   {
@@ -40,7 +41,7 @@ HeldTemperature<D> readHeld(const Teuchos::ParameterList& list, const State<D>& 
     held.upper[d] += 1e-9 * state.grid.spacing;
   }
   if (!holdsNode(state.grid, held))
-    throw std::invalid_argument(where +
+    throw std::invalid_argument("Boundaries > " + name +
                                 ": the box holds no node of the cells inside the domain, so nothing is "
                                 "prescribed; make it a cell thick or move it");
   return held;
@@ -73,11 +74,30 @@ void HeatBoundaries<D>::read(const Teuchos::ParameterList& section, const State<
     const Teuchos::ParameterList& list = section.sublist(name);
     const std::string type = list.get<std::string>("Type");
     if (type == "Temperature")
-      attempts.attempt([&] { held_.push_back(readHeld<D>(list, state, "Boundaries > " + name)); });
+      attempts.attempt([&] { held_.push_back(readHeld<D>(list, state, name)); });
     else if (type == "Heat Flux" || type == "Convection")
       attempts.attempt([&] { surfaces_.push_back(readHeated<D>(list, state, name)); });
   }
   attempts.complain();
+}
+
+template <int D>
+std::string HeatBoundaries<D>::contradictions(const State<D>& state, double finalTime) const
+{
+  std::vector<TimedConstraint<D>> supports;
+  for (const HeldTemperature<D>& held : held_)
+  {
+    TimedConstraint<D> support{{}, {}, held.history, held.name};
+    support.constraint.lower = held.lower;
+    support.constraint.upper = held.upper;
+    for (int d = 0; d < D; ++d)
+    {
+      support.constraint.holds[d] = d == 0;
+      support.value[d] = d == 0 ? held.temperature : 0.0;
+    }
+    supports.push_back(support);
+  }
+  return Rhegma::contradictions(supports, state, finalTime, {"temperature", "K", false});
 }
 
 template <int D>

@@ -19,6 +19,7 @@ struct HeldTemperature
   Vector<D> lower, upper; ///< [m]
   double temperature;     ///< [K]
   TimeFunction history;
+  std::string name; ///< of its section
 };
 
 /// A surface through which heat comes in: a flux, or by the difference to a temperature outside.
@@ -40,6 +41,10 @@ public:
   /// Reads them from the section Boundaries. Throws std::invalid_argument, with the path, for one that holds
   /// no node or meets no particle.
   void read(const Teuchos::ParameterList& section, const State<D>& state);
+
+  /// Where two boxes want a node at two temperatures, as particles and cells are now. Collective. \return a
+  /// sentence a pair (boundary/Contradictions.hpp); empty where there is none
+  std::string contradictions(const State<D>& state, double finalTime) const;
 
   /// Prescribes the temperature of nodes: as it is at the end of the step, and its change.
   void hold(const State<D>& state, const HeatNodes<D>& nodes, double time) const;

@@ -10,6 +10,23 @@
 namespace Rhegma::thermal
 {
 
+namespace
+{
+
+PlaceFunction fieldOf(const Teuchos::ParameterList& body, const std::string& where)
+{
+  try
+  {
+    return PlaceFunction::parse(body.get<std::string>("Temperature Field"), 1);
+  }
+  catch (const std::invalid_argument& wrong)
+  {
+    throw std::invalid_argument(where + ": " + wrong.what());
+  }
+}
+
+} // namespace
+
 template <int D>
 void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, double initial)
 {
@@ -24,8 +41,8 @@ void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, dou
     const Teuchos::ParameterList& list = bodies.sublist(name);
     const double own = list.isParameter("Temperature") ? list.get<double>("Temperature") : initial;
     const bool varies = list.isParameter("Temperature Field");
-    const PlaceFunction function =
-        PlaceFunction::parse(varies ? list.get<std::string>("Temperature Field") : "0", 1);
+    const std::string where = "Bodies > " + name + " > Temperature Field";
+    const PlaceFunction function = varies ? fieldOf(list, where) : PlaceFunction::parse("0", 1);
     for (int p = 0; p < state.particles.size(); ++p)
     {
       if (body(p) != static_cast<int>(b))
@@ -40,7 +57,7 @@ void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, dou
       }
       if (!(T(p) > 0.0) || !std::isfinite(T(p)))
         throw std::invalid_argument(
-            "Bodies > " + name + " > Temperature Field: it is " + formatReal(T(p)) +
+            where + ": it is " + formatReal(T(p)) +
             " K at a particle; temperatures are absolute, write one that is above zero");
     }
   }

@@ -59,6 +59,17 @@ void useReferenceProperties(State<D>& state, const Teuchos::ParameterList& mater
 }
 
 template <int D>
+void readBoundaries(const State<D>& state, const Teuchos::ParameterList& section, Run<D>& run)
+{
+  Conduction<D>& conduction = run.conduction;
+  conduction.boundaries.read(section, state);
+  conduction.cellsSeen = state.tree.generation;
+  const std::string wrong = conduction.boundaries.contradictions(state, run.finalTime);
+  if (!wrong.empty())
+    throw std::invalid_argument(wrong);
+}
+
+template <int D>
 void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
 {
   const Teuchos::ParameterList& list = scene.sublist("Thermal");
@@ -81,7 +92,7 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
     for (const std::string& name : sublistNames(list.sublist("Probes")))
       run.probes.push_back({name, readVector<D>(list.sublist("Probes").sublist(name), "Point")});
   if (scene.isSublist("Boundaries"))
-    run.conduction.boundaries.read(scene.sublist("Boundaries"), state);
+    readBoundaries(state, scene.sublist("Boundaries"), run);
   if (list.isSublist("Crack Faces"))
     run.conduction.faces.read(list.sublist("Crack Faces"), state);
   if (state.mechanics)

@@ -37,6 +37,28 @@ void addGravity(Effect<D>& effect, const Teuchos::ParameterList& list)
                }});
 }
 
+/// Compares supports again when cells have changed: refined ones have nodes of their own.
+template <int D>
+void watchCells(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstraint<D>>>& constraints,
+                double finalTime)
+{
+  const auto seen = std::make_shared<int>(0);
+  effect.call({Stage::Scatter,
+               "supports of changed cells",
+               {},
+               {},
+               {},
+               [=](State<D>& state)
+               {
+                 if (*seen == state.tree.generation)
+                   return;
+                 *seen = state.tree.generation;
+                 const std::string wrong = contradictions(*constraints, state, finalTime);
+                 if (state.trouble.empty())
+                   state.trouble = wrong;
+               }});
+}
+
 } // namespace
 
 template <int D>
@@ -47,6 +69,7 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
   if (!scene.isSublist("Boundaries"))
     return effect;
   const Teuchos::ParameterList& section = scene.sublist("Boundaries");
+  const double finalTime = scene.sublist("Time").get<double>("Final Time");
   const auto constraints = std::make_shared<std::vector<TimedConstraint<D>>>();
   const auto loads = std::make_shared<std::vector<Load<D>>>();
   std::vector<std::string> loadNames, constraintNames;
@@ -67,6 +90,8 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
   {
     addConstraints(effect, constraints);
     addReactions(effect, constraints);
+    if (scene.isSublist("Adaptivity"))
+      watchCells(effect, constraints, finalTime);
   }
   if (!loadNames.empty())
   {
@@ -92,7 +117,6 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
                  }});
     addLoadForces(effect, loads);
   }
-  const double finalTime = scene.sublist("Time").get<double>("Final Time");
   effect.atStart = [=, section = Teuchos::ParameterList(section)](State<D>& state)
   {
     Attempts attempts;

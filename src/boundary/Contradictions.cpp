@@ -1,5 +1,6 @@
 #include "boundary/Contradictions.hpp"
 
+#include "boundary/TouchedNodes.hpp"
 #include "scene/Numbers.hpp"
 
 #include <algorithm>
@@ -12,12 +13,12 @@ namespace Rhegma
 namespace
 {
 
-/// Times of a run at which velocities are compared; histories are tables and simple functions.
+/// Times of a run at which values are compared; histories are tables and simple functions.
 constexpr int times = 257;
 
-/// Velocities are one if they are apart by less than this share of the largest velocity of either support:
-/// two spellings of one motion differ by roundings of that size, also where both are small. Places of nodes
-/// are known to this share of a cell.
+/// Values are one if they are apart by less than this share of the largest of either support: two spellings
+/// of one motion differ by roundings of that size, also where both are small. Places of nodes are known to
+/// this share of a cell.
 constexpr double roundOff = 1e-9;
 
 /// Where two supports disagree.
@@ -36,7 +37,7 @@ struct Motion
   const TimedConstraint<D>& timed;
   std::vector<double> factor; ///< at each of the times
   double largestFactor = 0.0;
-  double largest = 0.0; ///< size of a component of velocity at any time and place [m/s]
+  double largest = 0.0; ///< size of a component of the value at any time and place
 
   Motion(const TimedConstraint<D>& support, double finalTime) : timed(support), factor(times)
   {
@@ -52,7 +53,7 @@ struct Motion
     return timed.field ? (*timed.field)(place) : timed.value;
   }
 
-  /// By how much a component of the velocity varies about a place within what is known of the place.
+  /// By how much a component of the value varies about a place within what is known of the place.
   double uncertainty(const Vector<D>& place, int component, double spacing) const
   {
     double sum = 0.0;
@@ -94,51 +95,9 @@ bool disagree(const Motion<D>& a, const Motion<D>& b, const Vector<D>& place, do
   return most > 0.0;
 }
 
-/// Places of the nodes near the particles of this rank.
+/// Largest size of a component of a support's value at the places that it holds. Collective.
 template <int D>
-std::vector<Vector<D>> nodesNearParticles(const State<D>& state)
-{
-  const Grid<D>& grid = state.grid;
-  const auto position = Kokkos::create_mirror_view_and_copy(
-      Kokkos::HostSpace{}, state.particles.template real<D>(fields::position));
-  const auto edge = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{},
-                                                        state.particles.template real<D>(fields::edge));
-  std::vector<Vector<D>> places;
-  std::vector<char> seen(grid.numNodes, 0);
-  for (std::size_t p = 0; p < position.extent(0); ++p)
-  {
-    int first[D], count[D], all = 1;
-    for (int d = 0; d < D; ++d)
-    {
-      // Functions that are averaged over the particle's box reach by half of it further.
-      const double half = (grid.spacing + 0.5 * edge(p, d)) * (1.0 - 1e-9);
-      first[d] = static_cast<int>(std::ceil(grid.inCells(position(p, d) - half, d)));
-      count[d] = static_cast<int>(std::floor(grid.inCells(position(p, d) + half, d))) - first[d] + 1;
-      all *= count[d];
-    }
-    for (int k = 0; k < all; ++k)
-    {
-      Vector<D> place;
-      int rest = k, node = 0;
-      for (int d = 0; d < D; ++d)
-      {
-        const int index = first[d] + rest % count[d];
-        place[d] = grid.origin[d] + index * grid.spacing;
-        node += index * grid.stride[d];
-        rest /= count[d];
-      }
-      if (node < 0 || node >= grid.numNodes || seen[node] != 0)
-        continue;
-      seen[node] = 1;
-      places.push_back(place);
-    }
-  }
-  return places;
-}
-
-/// Largest size of a component of a support's velocity at the places that it holds. Collective.
-template <int D>
-double largestVelocity(const Motion<D>& motion, const std::vector<Vector<D>>& places, const Ranks& ranks)
+double largestValue(const Motion<D>& motion, const std::vector<Vector<D>>& places, const Ranks& ranks)
 {
   double largest = 0.0;
   const auto look = [&](const Vector<D>& amplitude)
@@ -156,12 +115,10 @@ double largestVelocity(const Motion<D>& motion, const std::vector<Vector<D>>& pl
   return motion.largestFactor * ranks.max(largest);
 }
 
-/// Looks at the nodes of one pair.
+/// Whether two supports may hold a node along one axis: most pairs need no look at nodes.
 template <int D>
-bool findQuarrel(const Motion<D>& one, const Motion<D>& two, const std::vector<Vector<D>>& places,
-                 double spacing, double finalTime, Quarrel<D>& quarrel)
+bool mayMeet(const TimedConstraint<D>& a, const TimedConstraint<D>& b)
 {
-  const TimedConstraint<D>&a = one.timed, &b = two.timed;
   bool both = false; // hold an axis, and not both at rest
   for (int d = 0; d < D; ++d)
     both = both || (a.constraint.holds[d] && b.constraint.holds[d] &&
@@ -173,55 +130,73 @@ bool findQuarrel(const Motion<D>& one, const Motion<D>& two, const std::vector<V
         std::max(a.constraint.lower[d], b.constraint.lower[d]) >
             std::min(a.constraint.upper[d], b.constraint.upper[d]))
       return false;
+  return true;
+}
+
+/// Looks at the nodes of one pair.
+template <int D>
+bool findQuarrel(const Motion<D>& one, const Motion<D>& two, const std::vector<Vector<D>>& places,
+                 double spacing, double finalTime, Quarrel<D>& quarrel)
+{
   for (const Vector<D>& place : places)
-    if (a.constraint.appliesAt(place) && b.constraint.appliesAt(place) &&
+    if (one.timed.constraint.appliesAt(place) && two.timed.constraint.appliesAt(place) &&
         disagree(one, two, place, spacing, finalTime, quarrel))
       return true;
   return false;
 }
 
 template <int D>
-std::string inWords(const TimedConstraint<D>& a, const TimedConstraint<D>& b, const Quarrel<D>& quarrel)
+std::string inWords(const TimedConstraint<D>& a, const TimedConstraint<D>& b, const Quarrel<D>& quarrel,
+                    const Prescribed& what)
 {
   std::string place = formatReal(quarrel.place[0]);
   for (int d = 1; d < D; ++d)
     place += ", " + formatReal(quarrel.place[d]);
+  const std::string along = what.hasAxes ? std::string(" along ") + "xyz"[quarrel.axis] : "";
   return "Boundaries > " + a.name + ": this and Boundaries > " + b.name + " both hold the node {" + place +
-         "} along " + "xyz"[quarrel.axis] + ", at " + formatReal(quarrel.first) + " and " +
-         formatReal(quarrel.second) + " m/s (at " + formatReal(quarrel.time) +
-         " s); give them one velocity there or let one of their boxes end a cell before it";
+         "}" + along + ", at " + formatReal(quarrel.first) + " and " + formatReal(quarrel.second) + " " +
+         what.unit + " (at " + formatReal(quarrel.time) + " s); give them one " + what.name +
+         " there or let one of their boxes end a cell before it";
 }
 
 } // namespace
 
 template <int D>
 std::string contradictions(const std::vector<TimedConstraint<D>>& constraints, const State<D>& state,
-                           double finalTime)
+                           double finalTime, const Prescribed& what)
 {
   std::string sentences;
-  if (constraints.size() < 2)
+  bool any = false;
+  for (std::size_t a = 0; a < constraints.size(); ++a)
+    for (std::size_t b = a + 1; b < constraints.size(); ++b)
+      any = any || mayMeet(constraints[a], constraints[b]);
+  if (!any)
     return sentences;
-  const std::vector<Vector<D>> places = nodesNearParticles(state);
+  const std::vector<Vector<D>> places = touchedNodes(state);
   std::vector<Motion<D>> motions;
   for (const TimedConstraint<D>& constraint : constraints)
   {
     motions.emplace_back(constraint, finalTime);
-    motions.back().largest = largestVelocity(motions.back(), places, state.ranks);
+    motions.back().largest = largestValue(motions.back(), places, state.ranks);
   }
   for (std::size_t a = 0; a < constraints.size(); ++a)
     for (std::size_t b = a + 1; b < constraints.size(); ++b)
     {
+      if (!mayMeet(constraints[a], constraints[b]))
+        continue;
       Quarrel<D> quarrel;
       const bool here = findQuarrel(motions[a], motions[b], places, state.grid.spacing, finalTime, quarrel);
       const std::string sentence =
-          state.ranks.firstText(here ? inWords(constraints[a], constraints[b], quarrel) : "");
+          state.ranks.firstText(here ? inWords(constraints[a], constraints[b], quarrel, what) : "");
       if (!sentence.empty())
         sentences += (sentences.empty() ? "" : "\n") + sentence;
     }
   return sentences;
 }
 
-template std::string contradictions(const std::vector<TimedConstraint<2>>&, const State<2>&, double);
-template std::string contradictions(const std::vector<TimedConstraint<3>>&, const State<3>&, double);
+template std::string contradictions(const std::vector<TimedConstraint<2>>&, const State<2>&, double,
+                                    const Prescribed&);
+template std::string contradictions(const std::vector<TimedConstraint<3>>&, const State<3>&, double,
+                                    const Prescribed&);
 
 } // namespace Rhegma

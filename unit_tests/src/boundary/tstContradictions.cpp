@@ -1,45 +1,45 @@
 /// Two supports of the same nodes: those that want one velocity pass, round-off or not, and others do not.
 
-#include "Simulation.hpp"
+#include "SteelPlate.hpp"
 
-#include <Teuchos_Array.hpp>
-#include <Teuchos_DefaultMpiComm.hpp>
-#include <gtest/gtest.h>
-
-#include <stdexcept>
-#include <string>
-#include <vector>
-
-using namespace Rhegma;
+namespace Rhegma
+{
+namespace Test
+{
 
 namespace
 {
 
-using Reals = Teuchos::Array<double>;
-
-Reals pair(double x, double y) { return Reals(std::vector<double>{x, y}); }
-
 /// A plate from y = 0.3 on, on a lattice whose nodes there lie beside 0.3 by a rounding.
 Teuchos::RCP<Teuchos::ParameterList> plate()
 {
-  const auto scene = Teuchos::rcp(new Teuchos::ParameterList("Rhegma"));
-  Teuchos::ParameterList& domain = scene->sublist("Domain");
-  domain.set("Dimension", 2);
-  domain.set("Lower Corner", Reals(2, -0.4));
-  domain.set("Upper Corner", Reals(2, 1.4));
-  domain.set("Cell Size", 0.1);
-  scene->sublist("Time").set("Final Time", 1e-3);
+  return steelPlate(-0.4, 1.4, 0.1, pair(0.0, 0.3), Reals(2, 1.0));
+}
+
+/// The same as heat alone, at 300 K.
+Teuchos::RCP<Teuchos::ParameterList> warmPlate()
+{
+  const auto scene = plate();
   Teuchos::ParameterList& steel = scene->sublist("Materials").sublist("Steel");
-  steel.set<std::string>("Model", "Linear Elastic");
+  steel = Teuchos::ParameterList("Steel");
+  steel.set<std::string>("Model", "Rigid");
   steel.set("Density", 7800.0);
-  steel.set("Young Modulus", 2.1e11);
-  steel.set("Poisson Ratio", 0.0);
-  Teuchos::ParameterList& body = scene->sublist("Bodies").sublist("Plate");
-  body.set<std::string>("Material", "Steel");
-  body.set<std::string>("Shape", "Box");
-  body.set("Lower Corner", pair(0.0, 0.3));
-  body.set("Upper Corner", Reals(2, 1.0));
+  steel.set("Specific Heat", 460.0);
+  steel.set("Conductivity", 50.0);
+  scene->sublist("Thermal").set("Initial Temperature", 300.0);
+  scene->sublist("Thermal").set("Mechanics", false);
   return scene;
+}
+
+/// Cells of half the edge at the plate's left side.
+void refine(Teuchos::ParameterList& scene)
+{
+  Teuchos::ParameterList& adaptivity = scene.sublist("Adaptivity");
+  adaptivity.set("Maximum Level", 1);
+  Teuchos::ParameterList& box = adaptivity.sublist("Box");
+  box.set("Lower Corner", pair(-0.1, 0.2));
+  box.set("Upper Corner", pair(0.2, 1.1));
+  box.set("Level", 1);
 }
 
 /// Holds the nodes of the plate's left side from one height to another.
@@ -61,23 +61,18 @@ void mirror(Teuchos::ParameterList& scene)
   list.set<std::string>("Side", "Lower");
 }
 
-/// What the program says of a scene; empty if it takes it.
-std::string refusal(const Teuchos::RCP<Teuchos::ParameterList>& scene)
+/// Holds them at a temperature.
+void warm(Teuchos::ParameterList& scene, const std::string& name, double from, double to, double temperature,
+          const std::string& history = "1")
 {
-  try
-  {
-    Simulation simulation(Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD)), scene);
-    simulation.initialize();
-  }
-  catch (const std::invalid_argument& error)
-  {
-    return error.what();
-  }
-  return "";
+  Teuchos::ParameterList& list = grip(scene, name, from, to);
+  list.set<std::string>("Type", "Temperature");
+  list.set("Temperature", temperature);
+  list.set("History", history);
 }
 
 /// Of two grips of the same nodes.
-std::string refusal(const std::string& one, const std::string& two)
+std::string refusalOfTwo(const std::string& one, const std::string& two)
 {
   const auto scene = plate();
   int number = 0;
@@ -107,14 +102,16 @@ TEST(Contradictions, PassAFieldThatVanishesOnAPlaneOfSymmetry)
 /// Where they cross zero their rounding is all that there is.
 TEST(Contradictions, PassTwoSpellingsOfAHistory)
 {
-  EXPECT_EQ(refusal("sin(6283.185307179586*t)", "2*sin(3141.592653589793*t)*cos(3141.592653589793*t)"), "");
-  EXPECT_EQ(refusal("1e3*t - 0.3", "1e3*(t - 3e-4)"), "");
+  EXPECT_EQ(refusalOfTwo("sin(6283.185307179586*t)", "2*sin(3141.592653589793*t)*cos(3141.592653589793*t)"),
+            "");
+  EXPECT_EQ(refusalOfTwo("1e3*t - 0.3", "1e3*(t - 3e-4)"), "");
 }
 
 TEST(Contradictions, RefuseWhatDiffersByMoreThanRounding)
 {
-  EXPECT_NE(refusal("sin(6283.185307179586*t)", "sin(6283.185307179586*t) + 1e-6").find("both hold the node"),
-            std::string::npos);
+  EXPECT_NE(
+      refusalOfTwo("sin(6283.185307179586*t)", "sin(6283.185307179586*t) + 1e-6").find("both hold the node"),
+      std::string::npos);
   const auto scene = plate();
   grip(*scene, "Grip", 0.25, 1.05).set<std::string>("Field", "0, y-0.3001");
   mirror(*scene);
@@ -122,3 +119,60 @@ TEST(Contradictions, RefuseWhatDiffersByMoreThanRounding)
   EXPECT_NE(words.find("both hold the node"), std::string::npos) << words;
   EXPECT_NE(words.find("along y"), std::string::npos) << words;
 }
+
+/// Between nodes of the lattice two supports share those of smaller cells alone.
+TEST(Contradictions, RefuseTwoVelocitiesOfANodeOfARefinedCell)
+{
+  for (const bool refined : {false, true})
+  {
+    const auto scene = plate();
+    grip(*scene, "Below", 0.25, 0.56).set("Value", pair(0.0, 0.0));
+    grip(*scene, "Above", 0.54, 1.05).set("Value", pair(0.0, 0.1));
+    if (refined)
+      refine(*scene);
+    const std::string words = refusal(scene);
+    EXPECT_EQ(words.find("Boundaries > Below: this and Boundaries > Above both hold the node") !=
+                  std::string::npos,
+              refined)
+        << words;
+    EXPECT_EQ(words.empty(), !refined) << words;
+  }
+}
+
+TEST(Contradictions, RefuseTwoTemperaturesOfANode)
+{
+  const auto scene = warmPlate();
+  warm(*scene, "Cold", 0.25, 0.65, 300.0);
+  warm(*scene, "Hot", 0.55, 1.05, 400.0);
+  const std::string words = refusal(scene);
+  EXPECT_NE(words.find("Boundaries > Cold: this and Boundaries > Hot both hold the node"), std::string::npos)
+      << words;
+  EXPECT_NE(words.find("at 300 and 400 K"), std::string::npos) << words;
+  EXPECT_NE(words.find("one temperature"), std::string::npos) << words;
+}
+
+TEST(Contradictions, PassOneTemperatureInTwoSpellings)
+{
+  const auto scene = warmPlate();
+  warm(*scene, "Cold", 0.25, 0.65, 300.0, "1 + 100*t");
+  warm(*scene, "Hot", 0.55, 1.05, 600.0, "0.5 + 50*t");
+  EXPECT_EQ(refusal(scene), "");
+}
+
+TEST(Contradictions, RefuseTwoTemperaturesOfANodeOfARefinedCell)
+{
+  for (const bool refined : {false, true})
+  {
+    const auto scene = warmPlate();
+    warm(*scene, "Cold", 0.25, 0.56, 300.0);
+    warm(*scene, "Hot", 0.54, 1.05, 400.0);
+    if (refined)
+      refine(*scene);
+    const std::string words = refusal(scene);
+    EXPECT_EQ(words.find("both hold the node") != std::string::npos, refined) << words;
+    EXPECT_EQ(words.empty(), !refined) << words;
+  }
+}
+
+} // namespace Test
+} // namespace Rhegma
