@@ -29,9 +29,14 @@ struct CapacityBlock
   BorrowedView<double*[D]> position, gradient;
   BorrowedView<double*> volume, temperature;
   BorrowedView<int*> material;
+  Nodes<D> all;
+  NodePlaces<D> places;
+  View<int*> storedRow; ///< of the particles' stored stencils; empty where there are none
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
   {
+    for (int p = begin; p < end && storedRow.extent(0) > 0; ++p)
+      lookAside(p);
     double* const rows = nodes.sums.data();
     if (nodes.meets.extent(0) == 0)
       connect.forEachParticle(
@@ -45,6 +50,20 @@ struct CapacityBlock
                                 else
                                   addInsulator(p);
                               });
+  }
+
+  KOKKOS_INLINE_FUNCTION void lookAside(int p) const
+  {
+    double aside = 0.0;
+    if (storedRow(p) >= 0)
+      connect.visit(p,
+                    [&](int node, double weight, const double*)
+                    {
+                      const Vector<D> x = places(latticeNode(all, node));
+                      for (int d = 0; d < D; ++d)
+                        aside += weight * gradient(p, d) * (x[d] - position(p, d));
+                    });
+    nodes.aside(p) = aside;
   }
 
   /// To nodes on which nobody conducts.
@@ -129,7 +148,7 @@ struct ChangeBlock
   BorrowedView<int*> material;
   View<double*> supply;
   double share, dt;
-  bool mechanics;
+  bool mechanics, stored;
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
   {
@@ -145,7 +164,8 @@ struct ChangeBlock
                               else
                               {
                                 const Pack<4> seen = stencil.template value<4, 4>(rows);
-                                change = seen[1] + share * (seen[2] - temperature(p));
+                                const double expected = temperature(p) + (stored ? nodes.aside(p) : 0.0);
+                                change = seen[1] + share * (seen[2] - expected);
                                 if (several)
                                   change += nodes.joined(p);
                               }
@@ -186,6 +206,8 @@ void HeatNodes<D>::clear(const State<D>& state, bool several)
   }
   if (several && static_cast<int>(joined.extent(0)) < state.particles.size())
     joined = View<double*>("rhegma::thermal::joined", state.particles.size());
+  if (state.numStored > 0 && static_cast<int>(aside.extent(0)) < state.particles.size())
+    aside = View<double*>("rhegma::thermal::aside", state.particles.size());
   const Nodes<D> nodes = state.nodes;
   const HeatNodes<D> heat = *this;
   Kokkos::parallel_for(
@@ -215,7 +237,11 @@ void heatToNodes(const State<D>& state, const HeatNodes<D>& nodes)
                                                            table.real<D>(fields::temperatureGradient),
                                                            table.scalar(fields::volume),
                                                            table.scalar(fields::temperature),
-                                                           table.integer(fields::material)};
+                                                           table.integer(fields::material),
+                                                           state.nodes,
+                                                           nodePlaces(state),
+                                                           state.numStored > 0 ? state.storedRow
+                                                                               : View<int*>()};
                      forEachBlock("rhegma::thermal::heatToNodes", state.blocks, block);
                    });
 }
@@ -297,7 +323,8 @@ void changeToParticles(State<D>& state, const HeatNodes<D>& nodes, double share,
                                                          supply,
                                                          share,
                                                          dt,
-                                                         state.mechanics};
+                                                         state.mechanics,
+                                                         state.numStored > 0};
                      forEachBlock("rhegma::thermal::changeToParticles", state.blocks, block);
                    });
 }

@@ -34,6 +34,11 @@ struct HeatNodes
   /// one material.
   View<double*> joined;
 
+  /// Of particles with stored stencils, how far the mean of the nodes' places lies from their own, by their
+  /// gradient, g . (sum N_i x_i - x) [K]: stencils that are edited need not be linearly complete. Of use only
+  /// while there are any.
+  View<double*> aside;
+
   /// Whether a particle with this weight touches a node: more than round-off at the edge of its box.
   KOKKOS_INLINE_FUNCTION static bool touches(double weight) { return weight > 1e-12; }
   /// Whether somebody conducts on a node.
@@ -75,8 +80,8 @@ double changeTemperature(const State<D>& state, const HeatNodes<D>& nodes, doubl
 /// the nodes.
 ///
 /// Of what the nodes can't see, differences between the particles of a cell, a share is taken away: T +=
-/// share (sum N_i T_i - T) with the projected T_i, which leaves linear fields and the heat of all particles
-/// as they are. \param supply as `fluxToNodes` has it, for dt
+/// share sum N_i (T_i - T - g.(x_i - x)) with the projected T_i and the gradient of before the step, which
+/// leaves linear fields and the heat of all particles alone. \param supply as `fluxToNodes` has it, for dt
 template <int D>
 void changeToParticles(State<D>& state, const HeatNodes<D>& nodes, double share, const View<double*>& supply,
                        double dt);

@@ -13,8 +13,12 @@ namespace Rhegma
 namespace
 {
 
-/// Sums of all particles: kinetic, strain, plastic, internal energy, its size, momentum. An array reduction,
-/// so that one pass over the particles gives all.
+/// Heat is known to the rounding of absolute temperatures, of some that conduction adds up: this share of
+/// capacity times temperature.
+constexpr double roundingOfHeat = 1e-12;
+
+/// Sums of all particles: kinetic, strain, plastic, internal energy, what rounding may make of it, momentum.
+/// An array reduction, so that one pass over the particles gives all.
 template <int D>
 struct ParticleSums
 {
@@ -35,7 +39,10 @@ struct ParticleSums
     if (internal.extent(0) > 0)
     {
       sum[3] += energy.volume(p) * internal(p);
-      sum[4] += energy.volume(p) * std::fabs(internal(p));
+      const double T = energy.temperature(p);
+      const double heat = ThermoPoint(energy.thermo, energy.material(p), T).capacity() * T;
+      // 1e-10: of sums over many particles.
+      sum[4] += energy.volume(p) * (1e-10 * std::fabs(internal(p)) + roundingOfHeat * heat);
     }
     for (int d = 0; d < D; ++d)
       sum[momentumAt + d] += energy.mechanics ? energy.mass(p) * energy.velocity(p, d) : 0.0;
@@ -92,8 +99,7 @@ void measureEnergy(State<D>& state)
   if (!state.thermo.empty())
   {
     state.energy.thermal = sum[3] - sum[1] - sum[2] - state.energy.thermalStart;
-    // Of sums over many particles.
-    state.energy.roundOff = 1e-10 * sum[4];
+    state.energy.roundOff = sum[4];
   }
   for (int d = 0; d < D; ++d)
     state.momentum[d] = sum[Sums::momentumAt + d];

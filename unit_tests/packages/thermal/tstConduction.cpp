@@ -312,6 +312,28 @@ TEST(Conduction, ConvectionCools)
   EXPECT_NEAR(run.state().energy.heat, heatOf(run.state()).first, 1e-11 * heatOf(run.state()).second);
 }
 
+/// A body that has the temperature of its surroundings takes and gives rounding alone, which is no energy
+/// that a run has made or lost.
+TEST(Conduction, RoundingIsNoEnergyThatIsMade)
+{
+  Teuchos::ParameterList scene = bar<2>();
+  hold<2>(scene, "Surroundings", -1.0, 0.0, start);
+  Rhegma::Run<2> run(validated(scene));
+  run.initialize();
+  EnergyLedger& energy = run.state().energy;
+  measureEnergy(run.state());
+  energy.thermalStart += energy.thermal;
+  EnergyWatch watch;
+  for (int s = 0; s < 200; ++s)
+  {
+    run.step(1e30, false);
+    measureEnergy(run.state());
+    watch.sample(energy);
+  }
+  EXPECT_EQ(watch.warning(false, run.state().step), "") << energy.residual();
+  EXPECT_GT(energy.roundOff, std::fabs(energy.residual()));
+}
+
 /// With heat alone there is neither velocity nor stress, and no kernel of motion is planned.
 TEST(Conduction, AloneHasNoMechanics)
 {

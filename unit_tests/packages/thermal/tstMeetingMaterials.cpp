@@ -213,6 +213,30 @@ TEST(MeetingMaterials, NeitherOvershootsInShortSteps)
   }
 }
 
+/// Beside a good conductor one that hardly conducts has its temperature at the nodes that both share from the
+/// beginning: it takes the heat that its part of them holds, half a cell where the joint runs along faces of
+/// cells and less than one and a half where it runs through them, on top of what a half space takes from a
+/// face of given temperature, 2 dT sqrt(k rho c t / pi).
+TEST(MeetingMaterials, APoorConductorTakesNoMoreAtOnceThanItsNodesHold)
+{
+  for (const double shift : {0.0, 0.3, 0.7})
+  {
+    const double conductivity = 2e-6, capacity = 2.0, width = 2.0;
+    Rhegma::Run<2> run(validated(halves<2>(conductivity, capacity, 400.0, 300.0, shift)));
+    run.initialize();
+    steps(run, 200);
+    double heat = 0.0;
+    forEach<2>(run.state(), [&](const Vector<2>& x, double T)
+               { heat += x[0] > joint ? 0.25 * capacity * (T - 300.0) : 0.0; });
+    const double cell = capacity * width * jump, pi = 3.14159265358979323846;
+    const double through = 2.0 * jump * width * std::sqrt(conductivity * capacity * run.state().time / pi);
+    std::printf("nodes %.1f m beside the joint: the poor conductor has %.3f cells' heat, a half space %.3f\n",
+                shift, heat / cell, through / cell);
+    EXPECT_GT(heat, through);
+    EXPECT_LT(heat, (shift == 0.0 ? 0.5 : 1.5) * cell + through);
+  }
+}
+
 /// A steady flux through two materials is linear in each and bends at their joint; particles are there
 /// exactly.
 TEST(MeetingMaterials, KeepASteadyFlux)
