@@ -19,13 +19,14 @@ using namespace Rhegma::benchmarks;
 void printTable(const nlohmann::json& all)
 {
   std::cout << all.at("particles") << " particles, " << all.at("threads") << " threads\n"
-            << "                        us/step without    of it    of a step\n"
+            << "                        us/step without    of it    of a step    of processor time\n"
             << std::fixed;
   for (const nlohmann::json& entry : all.at("runs"))
     std::cout << "  " << std::left << std::setw(22) << entry.at("name").get<std::string>() << std::right
               << std::setprecision(0) << std::setw(15) << entry.at("us").get<double>() << std::setprecision(2)
               << std::setw(9) << entry.at("ratio").get<double>() << std::setw(13)
-              << entry.at("ratio_of_steps").get<double>() << "\n";
+              << entry.at("ratio_of_steps").get<double>() << std::setw(21)
+              << entry.at("ratio_of_processor").get<double>() << "\n";
 }
 
 } // namespace

@@ -28,11 +28,15 @@ TEST(CombustionCost, writesTheSameCrackWithAndWithoutBurning)
   ASSERT_EQ(all.at("runs").size(), 3u);
   EXPECT_EQ(all.at("runs").at(0).at("name"), "without combustion");
   EXPECT_EQ(all.at("runs").at(0).at("ratio").get<double>(), 1.0);
+  EXPECT_EQ(all.at("runs").at(0).at("ratio_of_processor").get<double>(), 1.0);
   EXPECT_EQ(all.at("runs").at(1).at("name"), "gas of one pressure");
   EXPECT_EQ(all.at("runs").at(2).at("name"), "gas that flows");
   EXPECT_EQ(all.at("particles").get<int>(), 30 * 30 * 4);
   for (const nlohmann::json& entry : all.at("runs"))
+  {
     EXPECT_GT(entry.at("us").get<double>(), 0.0);
+    EXPECT_GT(entry.at("ratio_of_processor").get<double>(), 0.0);
+  }
 }
 
 TEST(CombustionCost, refusesWhatItDoesNotKnow)

@@ -28,12 +28,16 @@ TEST(GrowthCost, writesTheSameCrackHeldAndRunning)
   ASSERT_EQ(all.at("runs").size(), 3u);
   EXPECT_EQ(all.at("runs").at(0).at("name"), "cracks held");
   EXPECT_EQ(all.at("runs").at(0).at("ratio").get<double>(), 1.0);
+  EXPECT_EQ(all.at("runs").at(0).at("ratio_of_processor").get<double>(), 1.0);
   EXPECT_EQ(all.at("runs").at(1).at("name"), "fronts driven and held");
   EXPECT_EQ(all.at("runs").at(2).at("name"), "cracks that run");
   EXPECT_EQ(all.at("particles").get<int>(), 96 * 16 * 4);
   EXPECT_GT(all.at("increments").get<long>(), 0);
   for (const nlohmann::json& entry : all.at("runs"))
+  {
     EXPECT_GT(entry.at("us").get<double>(), 0.0);
+    EXPECT_GT(entry.at("ratio_of_processor").get<double>(), 0.0);
+  }
 }
 
 TEST(GrowthCost, refusesWhatItDoesNotKnow)

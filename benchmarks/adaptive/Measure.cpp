@@ -1,11 +1,9 @@
 #include "adaptive/Measure.hpp"
 
-#include "common/TimedRun.hpp"
+#include "common/Scenes.hpp"
 
 #include <Kokkos_Core.hpp>
-#include <Teuchos_XMLParameterListHelpers.hpp>
 
-#include <stdexcept>
 #include <vector>
 
 namespace Rhegma::benchmarks
@@ -18,23 +16,8 @@ using Scene = Teuchos::RCP<Teuchos::ParameterList>;
 
 Scene readRefined(const std::string& file)
 {
-  const Scene scene = Teuchos::getParametersFromXmlFile(file);
-  if (!scene->isSublist("Adaptivity"))
-    throw std::invalid_argument("the scene " + file +
-                                " has no section Adaptivity; write one whose cells refine, as "
-                                "xml_inputs/verification/dcb_adaptive.xml");
-  return scene;
-}
-
-TimedRun makeRun(const std::string& name, const Scene& scene)
-{
-  double samples = 0.0;
-  if (scene->isSublist("Output") && scene->sublist("Output").isType<double>("History Interval"))
-    samples = scene->sublist("Output").get<double>("History Interval");
-  TimedRun run(name, scene);
-  if (samples > 0.0)
-    run.simulation->sampleEvery(samples, [](double, const Simulation::Row&) {});
-  return run;
+  return readScene(file, "Adaptivity",
+                   "write one whose cells refine, as xml_inputs/verification/dcb_adaptive.xml");
 }
 
 TimedRun uniform(const std::string& file, int parts)
@@ -44,7 +27,7 @@ TimedRun uniform(const std::string& file, int parts)
   scene->remove("Sub-Cycling", false);
   Teuchos::ParameterList& domain = scene->sublist("Domain");
   domain.set("Cell Size", domain.get<double>("Cell Size") / parts);
-  return makeRun("uniform, cells / " + std::to_string(parts), scene);
+  return sampledRun("uniform, cells / " + std::to_string(parts), scene);
 }
 
 /// \param everywhere whether large cells take short steps too
@@ -57,12 +40,7 @@ TimedRun withLevels(const std::string& file, int levels, bool everywhere, double
   scene->remove("Sub-Cycling", false);
   if (!everywhere)
     scene->sublist("Sub-Cycling").set("Levels", levels);
-  return makeRun("levels " + std::to_string(levels), scene);
-}
-
-double seconds(const TimedRun& run)
-{
-  return run.best([](const Batch& batch) { return batch.seconds; });
+  return sampledRun("levels " + std::to_string(levels), scene);
 }
 
 void measure(std::vector<TimedRun>& runs, const AdaptiveEffort& effort)
@@ -78,8 +56,8 @@ nlohmann::json timesOf(const TimedRun& run, double interval)
   return {{"particles", run.simulation->particles()},
           {"steps", run.batches.back().steps},
           {"particle_steps", run.batches.back().particleSteps},
-          {"us_per_step", 1e6 * seconds(run) / run.batches.back().steps},
-          {"seconds_per_simulated_ms", 1e-3 * seconds(run) / interval}};
+          {"us_per_step", 1e6 * leastSeconds(run) / run.batches.back().steps},
+          {"seconds_per_simulated_ms", 1e-3 * leastSeconds(run) / interval}};
 }
 
 } // namespace
@@ -87,7 +65,7 @@ nlohmann::json timesOf(const TimedRun& run, double interval)
 nlohmann::json measureAdaptive(const std::string& sceneFile, const AdaptiveEffort& effort)
 {
   std::vector<TimedRun> runs;
-  runs.push_back(makeRun("adaptive", readRefined(sceneFile)));
+  runs.push_back(sampledRun("adaptive", readRefined(sceneFile)));
   for (int k = 1; k <= effort.finer; ++k)
     runs.push_back(uniform(sceneFile, 1 << k));
   measure(runs, effort);
@@ -98,7 +76,7 @@ nlohmann::json measureAdaptive(const std::string& sceneFile, const AdaptiveEffor
   {
     nlohmann::json entry = timesOf(run, effort.interval);
     entry["name"] = run.name;
-    entry["of_adaptive"] = seconds(run) / seconds(runs.front());
+    entry["of_adaptive"] = leastSeconds(run) / leastSeconds(runs.front());
     all["runs"].push_back(entry);
   }
   return all;
@@ -122,7 +100,7 @@ nlohmann::json measureShortSteps(const std::string& sceneFile, const AdaptiveEff
     entry["maximum_level"] = levels;
     entry["short_in_small_cells"] = timesOf(small, effort.interval);
     entry["short_everywhere"] = timesOf(everywhere, effort.interval);
-    entry["times_faster"] = seconds(everywhere) / seconds(small);
+    entry["times_faster"] = leastSeconds(everywhere) / leastSeconds(small);
     entry["times_fewer_particle_steps"] =
         everywhere.batches.back().particleSteps / small.batches.back().particleSteps;
     all["levels"].push_back(entry);

@@ -1,11 +1,7 @@
 #include "combustion/Measure.hpp"
 
-#include "common/TimedRun.hpp"
+#include "common/Scenes.hpp"
 
-#include <Kokkos_Core.hpp>
-#include <Teuchos_XMLParameterListHelpers.hpp>
-
-#include <stdexcept>
 #include <vector>
 
 namespace Rhegma::benchmarks
@@ -16,19 +12,16 @@ namespace
 
 using List = Teuchos::ParameterList;
 
-Teuchos::RCP<List> readScene(const std::string& file)
+Teuchos::RCP<List> readHeld(const std::string& file)
 {
-  const auto scene = Teuchos::getParametersFromXmlFile(file);
-  if (!scene->isSublist("Combustion"))
-    throw std::invalid_argument(file + " has no section Combustion");
-  for (const char* name : {"Reference", "Propagation"})
-    scene->remove(name, false);
+  const auto scene = readScene(file, "Combustion");
+  scene->remove("Propagation", false);
   return scene;
 }
 
 Teuchos::RCP<List> withModel(const std::string& file, const std::string& model)
 {
-  const auto scene = readScene(file);
+  const auto scene = readHeld(file);
   List& combustion = scene->sublist("Combustion");
   std::vector<std::string> cracks;
   for (const auto& entry : combustion)
@@ -47,7 +40,7 @@ Teuchos::RCP<List> withModel(const std::string& file, const std::string& model)
 
 nlohmann::json measureCombustion(const std::string& sceneFile, const CombustionEffort& effort)
 {
-  const auto without = readScene(sceneFile);
+  const auto without = readHeld(sceneFile);
   const bool plane = without->sublist("Domain").get<int>("Dimension", 2) == 2;
   without->remove("Combustion");
   std::vector<TimedRun> runs;
@@ -59,20 +52,7 @@ nlohmann::json measureCombustion(const std::string& sceneFile, const CombustionE
     run.advance(effort.warmUp);
   const double span = runs.front().simulation->time() / effort.warmUp;
   timeByTurns(runs, effort.rounds, effort.steps * span);
-
-  const auto perTime = [&](const TimedRun& run)
-  { return run.best([&](const Batch& batch) { return batch.seconds / effort.steps; }); };
-  const auto perStep = [&](const TimedRun& run)
-  { return run.best([](const Batch& batch) { return batch.seconds / batch.steps; }); };
-  nlohmann::json all;
-  all["particles"] = runs.front().simulation->particles();
-  all["threads"] = Kokkos::DefaultExecutionSpace().concurrency();
-  for (const TimedRun& run : runs)
-    all["runs"].push_back({{"name", run.name},
-                           {"us", 1e6 * perTime(run)},
-                           {"ratio", perTime(run) / perTime(runs.front())},
-                           {"ratio_of_steps", perStep(run) / perStep(runs.front())}});
-  return all;
+  return besideFirst(runs, effort.steps);
 }
 
 } // namespace Rhegma::benchmarks

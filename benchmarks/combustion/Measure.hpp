@@ -21,7 +21,7 @@ struct CombustionEffort
 /// Cracks stay as long as they are. Kokkos must be running. Throws std::runtime_error where the scene's file
 /// can't be read and std::invalid_argument where nothing burns in it.
 /// \return {particles, threads, runs} with name, us (for what a step without combustion simulates), ratio to
-/// the first of that, and ratio_of_steps, that of step to step
+/// the first of that, ratio_of_steps, that of step to step, and ratio_of_processor, that of processor time
 nlohmann::json measureCombustion(const std::string& sceneFile, const CombustionEffort& effort);
 
 } // namespace Rhegma::benchmarks

@@ -16,6 +16,7 @@ namespace Rhegma::benchmarks
 struct Batch
 {
   double seconds;
+  double processorSeconds; ///< that the processors worked for this process, all threads together
   double steps;
   double particleSteps; ///< short steps of small cells counted too
 };

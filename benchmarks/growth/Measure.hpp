@@ -24,7 +24,8 @@ struct GrowthEffort
 /// scene's file can't be read and std::invalid_argument where it has no section Propagation or no front of it
 /// advances in what is timed.
 /// \return {particles, threads, increments, runs} with name, us (for what a step with held cracks simulates),
-/// ratio to the first of that, and ratio_of_steps, that of step to step
+/// ratio to the first of that, ratio_of_steps, that of step to step, and ratio_of_processor, that of
+/// processor time
 nlohmann::json measureGrowth(const std::string& sceneFile, const GrowthEffort& effort);
 
 } // namespace Rhegma::benchmarks

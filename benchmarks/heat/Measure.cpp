@@ -1,11 +1,9 @@
 #include "heat/Measure.hpp"
 
-#include "common/TimedRun.hpp"
+#include "common/Scenes.hpp"
 
 #include <Kokkos_Core.hpp>
-#include <Teuchos_XMLParameterListHelpers.hpp>
 
-#include <stdexcept>
 #include <vector>
 
 namespace Rhegma::benchmarks
@@ -16,14 +14,11 @@ namespace
 
 using List = Teuchos::ParameterList;
 
-Teuchos::RCP<List> readScene(const std::string& file, const HeatEffort& effort)
+Teuchos::RCP<List> readHeated(const std::string& file, const HeatEffort& effort)
 {
-  const auto scene = Teuchos::getParametersFromXmlFile(file);
+  const auto scene = readScene(file, "Thermal");
   if (effort.cell > 0.0)
     scene->sublist("Domain").set("Cell Size", effort.cell);
-  scene->remove("Reference", false);
-  if (!scene->isSublist("Thermal"))
-    throw std::invalid_argument(file + " has no section Thermal");
   return scene;
 }
 
@@ -66,21 +61,21 @@ nlohmann::json entryOf(const TimedRun& run, double seconds, double first)
 
 nlohmann::json measureHeat(const std::string& sceneFile, const HeatEffort& effort)
 {
-  const bool alone = !readScene(sceneFile, effort)->sublist("Thermal").get<bool>("Mechanics", true);
+  const bool alone = !readHeated(sceneFile, effort)->sublist("Thermal").get<bool>("Mechanics", true);
   std::vector<TimedRun> runs;
   if (alone)
     for (const char* method : {"Explicit", "Super Time Stepping", "Implicit"})
     {
-      const auto scene = readScene(sceneFile, effort);
+      const auto scene = readHeated(sceneFile, effort);
       scene->sublist("Thermal").set("Conduction", std::string(method));
       runs.emplace_back(method, scene);
     }
   else
   {
-    const auto without = readScene(sceneFile, effort);
+    const auto without = readHeated(sceneFile, effort);
     removeHeat(*without);
     runs.emplace_back("without heat", without);
-    runs.emplace_back("with heat", readScene(sceneFile, effort));
+    runs.emplace_back("with heat", readHeated(sceneFile, effort));
   }
   runs.front().advance(effort.warmUp);
   const double span = runs.front().simulation->time() / effort.warmUp; // of an explicit step

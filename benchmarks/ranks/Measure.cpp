@@ -1,11 +1,9 @@
 #include "ranks/Measure.hpp"
 
-#include "common/TimedRun.hpp"
+#include "common/Scenes.hpp"
 #include "ranks/Messages.hpp"
 
-#include <Kokkos_Core.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
-#include <Teuchos_XMLParameterListHelpers.hpp>
 #include <mpi.h>
 
 #include <cmath>
@@ -32,20 +30,10 @@ void meetAsleep()
 TimedRun makeRun(const std::string& name, const std::string& file, const RanksEffort& effort,
                  const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
 {
-  const Teuchos::RCP<Teuchos::ParameterList> scene = Teuchos::getParametersFromXmlFile(file);
+  const auto scene = readScene(file, "Domain");
   Teuchos::ParameterList& domain = scene->sublist("Domain");
   domain.set("Cell Size", domain.get<double>("Cell Size") / effort.finer);
-  const bool asks = scene->isSublist("Output") && scene->sublist("Output").isType<double>("History Interval");
-  const double samples = asks ? scene->sublist("Output").get<double>("History Interval") : 0.0;
-  TimedRun run(name, scene, comm);
-  if (samples > 0.0)
-    run.simulation->sampleEvery(samples, [](double, const Simulation::Row&) {});
-  return run;
-}
-
-double secondsOf(const TimedRun& run)
-{
-  return run.best([](const Batch& batch) { return batch.seconds; });
+  return sampledRun(name, scene, comm);
 }
 
 nlohmann::json timesOf(const TimedRun& run, int particles)
@@ -53,7 +41,7 @@ nlohmann::json timesOf(const TimedRun& run, int particles)
   return {{"name", run.name},
           {"particles", particles},
           {"steps", run.batches.back().steps},
-          {"us_per_step", 1e6 * secondsOf(run) / run.batches.back().steps}};
+          {"us_per_step", 1e6 * leastSeconds(run) / run.batches.back().steps}};
 }
 
 double largest(double own)
@@ -131,7 +119,7 @@ nlohmann::json measureRanks(const std::string& sceneFile, const RanksEffort& eff
   if (rank > 0)
     return all;
   all["runs"].insert(all["runs"].begin(), timesOf(alone[0], particles));
-  all["times_faster"] = secondsOf(alone[0]) / secondsOf(together[0]);
+  all["times_faster"] = leastSeconds(alone[0]) / leastSeconds(together[0]);
   all["model"] = modelOf(1e-6 * all["runs"][0].at("us_per_step").get<double>(), all["messages"], effort);
   return all;
 }

@@ -1,0 +1,58 @@
+#include "common/Scenes.hpp"
+
+#include <Kokkos_Core.hpp>
+#include <Teuchos_XMLParameterListHelpers.hpp>
+
+#include <stdexcept>
+
+namespace Rhegma::benchmarks
+{
+
+Teuchos::RCP<Teuchos::ParameterList> readScene(const std::string& file, const std::string& section,
+                                               const std::string& hint)
+{
+  const auto scene = Teuchos::getParametersFromXmlFile(file);
+  if (!scene->isSublist(section))
+    throw std::invalid_argument("the scene " + file + " has no section " + section +
+                                (hint.empty() ? "" : "; " + hint));
+  scene->remove("Reference", false);
+  return scene;
+}
+
+TimedRun sampledRun(const std::string& name, const Teuchos::RCP<Teuchos::ParameterList>& scene,
+                    const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
+{
+  double samples = 0.0;
+  if (scene->isSublist("Output") && scene->sublist("Output").isType<double>("History Interval"))
+    samples = scene->sublist("Output").get<double>("History Interval");
+  TimedRun run(name, scene, comm);
+  if (samples > 0.0)
+    run.simulation->sampleEvery(samples, [](double, const Simulation::Row&) {});
+  return run;
+}
+
+double leastSeconds(const TimedRun& run)
+{
+  return run.best([](const Batch& batch) { return batch.seconds; });
+}
+
+nlohmann::json besideFirst(const std::vector<TimedRun>& runs, int steps)
+{
+  const TimedRun& first = runs.front();
+  const auto perStep = [](const TimedRun& run)
+  { return run.best([](const Batch& batch) { return batch.seconds / batch.steps; }); };
+  const auto processor = [](const TimedRun& run)
+  { return run.best([](const Batch& batch) { return batch.processorSeconds; }); };
+  nlohmann::json all;
+  all["particles"] = first.simulation->particles();
+  all["threads"] = Kokkos::DefaultExecutionSpace().concurrency();
+  for (const TimedRun& run : runs)
+    all["runs"].push_back({{"name", run.name},
+                           {"us", 1e6 * leastSeconds(run) / steps},
+                           {"ratio", leastSeconds(run) / leastSeconds(first)},
+                           {"ratio_of_steps", perStep(run) / perStep(first)},
+                           {"ratio_of_processor", processor(run) / processor(first)}});
+  return all;
+}
+
+} // namespace Rhegma::benchmarks

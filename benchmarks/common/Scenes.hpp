@@ -1,0 +1,32 @@
+#pragma once
+/// Scenes as benchmarks run them, and what they say of runs beside each other.
+
+#include "common/TimedRun.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <string>
+#include <vector>
+
+namespace Rhegma::benchmarks
+{
+
+/// Reads a scene, without its references. Throws std::runtime_error where the file can't be read, and
+/// std::invalid_argument, with `hint` in it, where it has no section of that name.
+Teuchos::RCP<Teuchos::ParameterList> readScene(const std::string& file, const std::string& section,
+                                               const std::string& hint = "");
+
+/// A run that takes samples as often as its scene asks for in its history, and keeps none.
+TimedRun sampledRun(const std::string& name, const Teuchos::RCP<Teuchos::ParameterList>& scene,
+                    const Teuchos::RCP<const Teuchos::Comm<int>>& comm = Teuchos::null);
+
+/// The least wall time of a batch [s].
+double leastSeconds(const TimedRun& run);
+
+/// {particles, threads, runs} of runs that were timed in batches of the same simulated time, that of `steps`
+/// steps of the first: name, us (wall time for what a step of the first simulates), ratio to the first of
+/// that, ratio_of_steps, that of step to step, and ratio_of_processor, that of the time that processors
+/// worked, which others who use the machine disturb less. Of each the least of all batches.
+nlohmann::json besideFirst(const std::vector<TimedRun>& runs, int steps);
+
+} // namespace Rhegma::benchmarks
