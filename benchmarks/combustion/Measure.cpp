@@ -12,6 +12,9 @@ namespace
 
 using List = Teuchos::ParameterList;
 
+/// Of a crack whose gas has none at first [Pa].
+constexpr double usualPressure = 1e6;
+
 Teuchos::RCP<List> readHeld(const std::string& file)
 {
   const auto scene = readScene(file, "Combustion");
@@ -19,14 +22,33 @@ Teuchos::RCP<List> readHeld(const std::string& file)
   return scene;
 }
 
+std::vector<std::string> cracksOf(const List& combustion)
+{
+  std::vector<std::string> cracks;
+  for (const auto& entry : combustion)
+    cracks.push_back(entry.first);
+  return cracks;
+}
+
+/// The same cracks, opened by the pressure that their gas has at first instead of by gas.
+Teuchos::RCP<List> withPressure(const std::string& file)
+{
+  const auto scene = readHeld(file);
+  List& combustion = scene->sublist("Combustion");
+  for (const std::string& crack : cracksOf(combustion))
+  {
+    const auto pressure = combustion.sublist(crack).get<double>("Initial Pressure", usualPressure);
+    scene->sublist("Face Pressure").sublist(crack).set("Pressure", std::to_string(pressure));
+  }
+  scene->remove("Combustion");
+  return scene;
+}
+
 Teuchos::RCP<List> withModel(const std::string& file, const std::string& model)
 {
   const auto scene = readHeld(file);
   List& combustion = scene->sublist("Combustion");
-  std::vector<std::string> cracks;
-  for (const auto& entry : combustion)
-    cracks.push_back(entry.first);
-  for (const std::string& crack : cracks)
+  for (const std::string& crack : cracksOf(combustion))
   {
     combustion.sublist(crack).set("Gas Model", model);
     if (model == "Uniform")
@@ -45,6 +67,7 @@ nlohmann::json measureCombustion(const std::string& sceneFile, const CombustionE
   without->remove("Combustion");
   std::vector<TimedRun> runs;
   runs.emplace_back("without combustion", without);
+  runs.emplace_back("pressure without gas", withPressure(sceneFile));
   runs.emplace_back("gas of one pressure", withModel(sceneFile, "Uniform"));
   if (plane)
     runs.emplace_back("gas that flows", withModel(sceneFile, "Flow"));

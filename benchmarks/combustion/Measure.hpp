@@ -17,7 +17,8 @@ struct CombustionEffort
 };
 
 /// Runs the scene in turn, round by round, so that whatever else the machine does strikes all runs alike:
-/// without combustion, with gas of one pressure in its cracks and, in 2D, with gas that flows along them.
+/// without combustion, so that nothing acts on its cracks; with a constant pressure in them, so that they are
+/// open and move without gas; with gas of one pressure in them; and, in 2D, with gas that flows along them.
 /// Cracks stay as long as they are. Kokkos must be running. Throws std::runtime_error where the scene's file
 /// can't be read and std::invalid_argument where nothing burns in it.
 /// \return {particles, threads, runs} with name, us (for what a step without combustion simulates), ratio to

@@ -18,11 +18,15 @@ double Regression<D>::take(const State<D>& state, const FacePoints<D>& points, i
     present_ = View<double*>("rhegma::combustion::present", nodes);
   }
   if (loss_.extent(0) < rows)
+  {
     loss_ = View<double*>("rhegma::combustion::loss", rows + rows / 4);
+    giver_ = View<int*>("rhegma::combustion::giver", rows + rows / 4);
+  }
   clear(state);
   demand(state, points, crack, depth);
-  weighNodes(state);
   sumOverRanks(state, demand_.data(), 1, 0, 1);
+  findGivers(state);
+  weighNodes(state);
   sumOverRanks(state, present_.data(), 1, 0, 1);
   return share(state);
 }
@@ -57,14 +61,35 @@ void Regression<D>::demand(const State<D>& state, const FacePoints<D>& points, i
 }
 
 template <int D>
+void Regression<D>::findGivers(const State<D>& state)
+{
+  const StencilTable<D> table = state.stored;
+  const View<double*> demand = demand_;
+  const View<int*> giver = giver_;
+  Kokkos::parallel_scan(
+      "rhegma::combustion::findGivers", Kokkos::RangePolicy<ExecSpace>(0, state.numStored),
+      KOKKOS_LAMBDA(const int r, int& at, const bool final) {
+        bool asked = false;
+        for (int e = 0; e < table.count(r) && !asked; ++e)
+          asked = demand(table.node(r, e)) > 0.0;
+        if (asked && final)
+          giver(at) = r;
+        at += asked ? 1 : 0;
+      },
+      givers_);
+}
+
+template <int D>
 void Regression<D>::weighNodes(const State<D>& state)
 {
   const StencilTable<D> table = state.stored;
   const View<int*> particle = state.storedParticle;
+  const View<int*> giver = giver_;
   const View<double*> present = present_;
   const auto mass = state.particles.scalar(fields::mass);
   forEachPushing(
-      "rhegma::combustion::weighNodes", state.numStored, KOKKOS_LAMBDA(const int r) {
+      "rhegma::combustion::weighNodes", givers_, KOKKOS_LAMBDA(const int g) {
+        const int r = giver(g);
         const double m = mass(particle(r));
         for (int e = 0; e < table.count(r); ++e)
           Kokkos::atomic_add(&present(table.node(r, e)), m * table.weight(r, e));
@@ -76,14 +101,15 @@ double Regression<D>::share(const State<D>& state)
 {
   const StencilTable<D> table = state.stored;
   const View<int*> particle = state.storedParticle;
+  const View<int*> giver = giver_;
   const View<double*> present = present_, demand = demand_, loss = loss_;
   const auto burnt = state.particles.scalar(burntOverLeft);
   const auto mass = state.particles.scalar(fields::mass);
   double given = 0.0;
   Kokkos::parallel_reduce(
-      "rhegma::combustion::share", Kokkos::RangePolicy<ExecSpace>(0, state.numStored),
-      KOKKOS_LAMBDA(const int r, double& sum) {
-        const int p = particle(r);
+      "rhegma::combustion::share", Kokkos::RangePolicy<ExecSpace>(0, givers_),
+      KOKKOS_LAMBDA(const int g, double& sum) {
+        const int r = giver(g), p = particle(r);
         double wanted = 0.0;
         for (int e = 0; e < table.count(r); ++e)
         {
@@ -93,8 +119,8 @@ double Regression<D>::share(const State<D>& state)
         // Of the mass that is left, 1 / (1 + burnt) of that at the start.
         const double ever = 1.0 - (1.0 - mostBurnt) * (1.0 + burnt(p));
         const double most = ever > 0.0 ? ever : 0.0;
-        loss(r) = wanted < 0.0 ? 0.0 : wanted < most ? wanted : most;
-        sum += loss(r) * mass(p);
+        loss(g) = wanted < 0.0 ? 0.0 : wanted < most ? wanted : most;
+        sum += loss(g) * mass(p);
       },
       given);
   return given;
@@ -105,6 +131,7 @@ typename Regression<D>::Loss Regression<D>::apply(State<D>& state, double coldes
 {
   Loss lost;
   const View<int*> particle = state.storedParticle;
+  const View<int*> giver = giver_;
   const View<double*> loss = loss_;
   const auto burnt = state.particles.scalar(burntOverLeft);
   const ParticleEnergy<D> energy(state);
@@ -113,10 +140,10 @@ typename Regression<D>::Loss Regression<D>::apply(State<D>& state, double coldes
   if (heated)
     internal = state.particles.scalar(fields::internalEnergy);
   Kokkos::parallel_reduce(
-      "rhegma::combustion::regress", Kokkos::RangePolicy<ExecSpace>(0, state.numStored),
-      KOKKOS_LAMBDA(const int r, double& mass, double& with, double& warmth) {
-        const int p = particle(r);
-        const double part = loss(r);
+      "rhegma::combustion::regress", Kokkos::RangePolicy<ExecSpace>(0, givers_),
+      KOKKOS_LAMBDA(const int g, double& mass, double& with, double& warmth) {
+        const int p = particle(giver(g));
+        const double part = loss(g);
         if (part == 0.0)
           return;
         mass += part * energy.mass(p);

@@ -17,9 +17,9 @@ namespace
 constexpr double edge = 24.0, cavity = 10.0;
 
 /// A soft block between four slippery walls, with a crack of 10 cells whose gas is kept at one temperature.
-Teuchos::ParameterList softBlock(double height, double pressure)
+Teuchos::ParameterList softBlock(double height, double pressure, double cell)
 {
-  Teuchos::ParameterList scene = emptyScene<2>(all<2>(-4.0), all<2>(28.0), 1.0, "MUSL", "GIMP");
+  Teuchos::ParameterList scene = emptyScene<2>(all<2>(-4.0), all<2>(28.0), cell, "MUSL", "GIMP");
   addMaterial(scene, "Neo-Hookean", 0.0);
   addBox<2>(scene, "Block", all<2>(0.0), all<2>(edge));
   for (const char* axis : {"x", "y"})
@@ -47,17 +47,62 @@ Teuchos::ParameterList softBlock(double height, double pressure)
   return scene;
 }
 
-/// The walls hold the block's outside, so what room there is the solid has lost: sum of V0 (1 - det F), the
-/// independent measure. \param opening in cells that is expected, of the middle \param tolerance of the room
-void makesRoom(double height, double pressure, double opening, double tolerance)
+/// The strip between the faces of a crack, as its vertices have it: the area int d x m' ds between two curves
+/// that are d apart and have the middle m.
+class Strip
 {
-  Rhegma::Run<2> run(validated(softBlock(height, pressure)));
+public:
+  explicit Strip(const CrackSet<2>& cracks) { follow(cracks); }
+
+  /// Adds what d x dm' has been since the last call: faces do not sweep it as they part.
+  void follow(const CrackSet<2>& cracks)
+  {
+    const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.face);
+    const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
+    const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
+    along_.resize(simplex.extent(0));
+    for (std::size_t k = 0; k < simplex.extent(0); ++k)
+    {
+      const int a = simplex(k, 0), b = simplex(k, 1);
+      const Vector<2> now{vertex(a, 1) - vertex(b, 1), vertex(b, 0) - vertex(a, 0)};
+      for (int d = 0; d < 2; ++d)
+        drawnOut_ +=
+            0.5 * (face(a, 1, d) - face(a, 0, d) + face(b, 1, d) - face(b, 0, d)) * (now[d] - along_[k][d]);
+      along_[k] = now;
+    }
+  }
+
+  double drawnOut() const { return drawnOut_; }
+
+private:
+  std::vector<Vector<2>> along_; ///< area vector of each segment
+  double drawnOut_ = 0.0;
+};
+
+/// Share of an ellipse, the shape of a crack under pressure, that lies within a length of its two ends.
+double shareAtEnds(double length, double half)
+{
+  const double x = 1.0 - length / half;
+  return 1.0 - 2.0 / std::acos(-1.0) * (x * std::sqrt(1.0 - x * x) + std::asin(x));
+}
+
+/// The walls hold the block's outside, so what room there is the solid has lost: sum of V0 (1 - det F), the
+/// independent measure. The gas has swept the room less d x dm', and the cells at the two fronts, in which
+/// the faces' shape is that of the cells, may hold more or less than they should by all that is in them.
+/// \param opening that is expected, of the middle
+void makesRoom(double height, double pressure, double cell, double opening)
+{
+  Rhegma::Run<2> run(validated(softBlock(height, pressure, cell)));
   run.initialize();
   State<2>& state = run.state();
   measureEnergy(state);
   const double start = state.energy.strain + state.energy.kinetic;
+  Strip strip(state.cracks);
   while (state.time < 60.0 && state.trouble.empty())
+  {
     run.step(60.0, state.time > 59.0);
+    strip.follow(state.cracks);
+  }
   ASSERT_EQ(state.trouble, "");
   measureEnergy(state);
   nlohmann::json summary = nlohmann::json::object();
@@ -76,33 +121,40 @@ void makesRoom(double height, double pressure, double opening, double tolerance)
   for (std::size_t v = 0; v < face.extent(0); ++v)
     widest = std::max(widest, face(v, 1, 1) - face(v, 0, 1));
   const double given = state.energy.combustion, open = state.energy.residual();
-  std::printf("crack at %g: opening %.3g cells, room %.4g, over what the solid lost %+.1f %%, ledger open by "
-              "%+.1f %%\n",
-              height, widest, room, 100.0 * (room / lost - 1.0), 100.0 * open / given);
+  std::printf(
+      "crack at %g, cells of %g: opening %.3g cells, room %.4g, over what the solid lost %+.1f %%, with "
+      "d x dm' %+.1f %%, ledger open by %+.1f %%\n",
+      height, cell, widest / cell, room, 100.0 * (room / lost - 1.0),
+      100.0 * ((room + strip.drawnOut()) / lost - 1.0), 100.0 * open / given);
   EXPECT_NEAR(widest, opening, 0.2 * opening);
-  EXPECT_NEAR(room, lost, tolerance * lost);
+  EXPECT_NEAR(room + strip.drawnOut(), lost, shareAtEnds(cell, 5.0) * lost);
   EXPECT_LT(std::fabs(open), 0.02 * given);
   EXPECT_GT(given, start);
   bool warned = false;
   for (const std::string& warning : state.warnings)
     warned = warned || warning.find("two of the smallest cells apart") != std::string::npos;
-  EXPECT_EQ(warned, widest > 2.0);
+  EXPECT_EQ(warned, widest > 1.8 * cell); // on its way it was open by a tenth more
 }
 
 } // namespace
 
-// Faces a cell apart on either side of a tip: the tip's half cell is a twentieth of the crack on each side.
 TEST(Room, IsWhatTheSolidLostWhereFacesAreACellApart)
 {
-  makesRoom(12.0, 0.1, 0.9, 0.1);
-  makesRoom(12.5, 0.1, 0.9, 0.1);
+  makesRoom(12.0, 0.1, 1.0, 0.9);
+  makesRoom(12.5, 0.1, 1.0, 0.9);
 }
 
-// Twice that where they are two cells apart.
 TEST(Room, IsWhatTheSolidLostWhereFacesAreTwoCellsApart)
 {
-  makesRoom(12.0, 0.4, 2.1, 0.2);
-  makesRoom(12.5, 0.4, 2.1, 0.2);
+  makesRoom(12.0, 0.4, 1.0, 2.1);
+  makesRoom(12.5, 0.4, 1.0, 2.1);
+}
+
+// The same room in cells half as large, whose fronts hide a third of what they did.
+TEST(Room, IsWhatTheSolidLostInSmallerCells)
+{
+  makesRoom(12.0, 0.1, 0.5, 0.9);
+  makesRoom(12.25, 0.1, 0.5, 0.9);
 }
 
 } // namespace Test
