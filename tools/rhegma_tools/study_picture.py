@@ -32,6 +32,11 @@ def by_chance(outcome, others, cell="Domain:Cell Size"):
         for o in others)
 
 
+def beside(one, other):
+    """Whether two points of a logarithmic picture are so near that labels beside them meet."""
+    return all(max(a, b) < 1.6 * min(a, b) for a, b in zip(one, other))
+
+
 def short(run, swept):
     """The run's swept values, for a label beside its point."""
     names = [path for path in swept if path in run.settings]
@@ -88,8 +93,11 @@ def draw_cost(axes, study, good, costs, styles, name_axis):
         own = [p for p, o in zip(points, good) if o.run.family == family]
         axes.plot([p[0] for p in own], [p[1] for p in own], color=colour, ls=dashes, marker=marker, ms=5.5, mec="white",
                   mew=0.7, label=family, zorder=3)
-    for i in best:
-        axes.annotate(short(good[i].run, study.swept), points[i], (-7, -7), textcoords="offset points", ha="right",
+    for before, i in zip([None, *best], best):
+        text = short(good[i].run, study.swept)
+        if before is not None and text == short(good[before].run, study.swept) and beside(points[before], points[i]):
+            continue  # would lie on the label before it
+        axes.annotate(text, points[i], (-7, -7), textcoords="offset points", ha="right",
                       va="top", fontsize=8, color=style.QUIET, zorder=4)
     axes.set_xscale("log")
     axes.set_yscale("log")
