@@ -1,11 +1,7 @@
 #pragma once
 /// A block of 3D material with a flat crack, written as a list.
 
-#include "scene/Scene.hpp"
-#include "step/EffectSchema.hpp"
-#include "step/Run.hpp"
-
-#include <gtest/gtest.h>
+#include "src/step/ElasticBox.hpp"
 
 #include <cmath>
 #include <memory>
@@ -20,37 +16,14 @@ using Numbers = Teuchos::Array<double>;
 inline Numbers numbers(const std::vector<double>& values) { return Numbers(values.begin(), values.end()); }
 
 constexpr double cell = 1e-3, young = 3e9, poisson = 0.3, density = 1200.0;
+const Test::ElasticSolid solid{density, young, poisson};
 
 /// \param upper corner of a box whose lower corner is the origin; its dimension is the scene's
 inline Teuchos::ParameterList blockScene(const std::vector<double>& upper, double room = 4.0)
 {
-  const int dimension = static_cast<int>(upper.size());
-  Teuchos::ParameterList scene("Rhegma");
-  Numbers low, high;
-  for (const double u : upper)
-  {
-    low.push_back(-room * cell);
-    high.push_back(u + room * cell);
-  }
-  Teuchos::ParameterList& domain = scene.sublist("Domain");
-  domain.set("Dimension", dimension);
-  if (dimension == 2)
-    domain.set("Plane", std::string("Strain"));
-  domain.set("Lower Corner", low);
-  domain.set("Upper Corner", high);
-  domain.set("Cell Size", cell);
-  scene.sublist("Time").set("Final Time", 1.0);
-  Teuchos::ParameterList& material = scene.sublist("Materials").sublist("Polymer");
-  material.set("Model", std::string("Linear Elastic"));
-  material.set("Density", density);
-  material.set("Young Modulus", young);
-  material.set("Poisson Ratio", poisson);
-  Teuchos::ParameterList& body = scene.sublist("Bodies").sublist("Block");
-  body.set("Material", std::string("Polymer"));
-  body.set("Shape", std::string("Box"));
-  body.set("Lower Corner", Numbers(dimension, 0.0));
-  body.set("Upper Corner", numbers(upper));
-  return scene;
+  if (upper.size() == 2)
+    return Test::elasticBox<2>({}, {upper[0], upper[1]}, cell, room, solid, "Block");
+  return Test::elasticBox<3>({}, {upper[0], upper[1], upper[2]}, cell, room, solid, "Block");
 }
 
 inline void setCrack(Teuchos::ParameterList& scene, const std::vector<double>& points)
@@ -75,11 +48,7 @@ inline std::vector<double> regularPolygon(const Vector<3>& centre, double radius
 template <int D>
 std::unique_ptr<Run<D>> start(Teuchos::ParameterList scene)
 {
-  std::vector<SceneError> errors;
-  validateList(scene, effectSchema(), errors);
-  for (const SceneError& error : errors)
-    ADD_FAILURE() << toString(error);
-  auto run = std::make_unique<Run<D>>(scene);
+  auto run = std::make_unique<Run<D>>(Test::validated(scene));
   run->initialize();
   return run;
 }

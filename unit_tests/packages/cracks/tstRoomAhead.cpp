@@ -28,7 +28,7 @@ std::unique_ptr<Run<2>> strip(std::initializer_list<Piece> pieces, double front)
   for (const Piece& piece : pieces)
   {
     Teuchos::ParameterList& body = scene.sublist("Bodies").sublist("Piece " + std::to_string(number++));
-    body.set("Material", std::string("Polymer"));
+    body.set("Material", std::string("Solid"));
     body.set("Shape", std::string("Box"));
     body.set("Lower Corner", numbers({piece.left * cell, piece.bottom * cell}));
     body.set("Upper Corner", numbers({piece.right * cell, piece.top * cell}));

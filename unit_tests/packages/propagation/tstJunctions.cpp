@@ -1,12 +1,6 @@
 /// A crack that runs into the face of another.
 
-#include "output/CoreRow.hpp"
-#include "scene/Scene.hpp"
-#include "step/EffectSchema.hpp"
-#include "step/Run.hpp"
-
-#include <Teuchos_Array.hpp>
-#include <gtest/gtest.h>
+#include "src/step/ElasticBox.hpp"
 
 #include <cmath>
 #include <iostream>
@@ -14,6 +8,7 @@
 #include <vector>
 
 using namespace Rhegma;
+using namespace Rhegma::Test;
 
 namespace
 {
@@ -39,29 +34,9 @@ void addLoad(Teuchos::ParameterList& scene, const std::string& name, const std::
 template <class Cut>
 Teuchos::ParameterList plate(const Cut& cut)
 {
-  Teuchos::ParameterList scene("Rhegma");
-  Teuchos::ParameterList& domain = scene.sublist("Domain");
-  domain.set("Dimension", 2);
-  domain.set("Plane", std::string("Stress"));
-  domain.set("Lower Corner", reals({-4.0 * cell, -4.0 * cell}));
-  domain.set("Upper Corner", reals({size + 4.0 * cell, size + 4.0 * cell}));
-  domain.set("Cell Size", cell);
-  scene.sublist("Time").set("Final Time", 1.0);
-  Teuchos::ParameterList& material = scene.sublist("Materials").sublist("Polymer");
-  material.set("Model", std::string("Linear Elastic"));
-  material.set("Density", 1200.0);
-  material.set("Young Modulus", 3e9);
-  material.set("Poisson Ratio", 0.3);
-  Teuchos::ParameterList& body = scene.sublist("Bodies").sublist("Plate");
-  body.set("Material", std::string("Polymer"));
-  body.set("Shape", std::string("Box"));
-  body.set("Lower Corner", reals({0.0, 0.0}));
-  body.set("Upper Corner", reals({size, size}));
+  Teuchos::ParameterList scene = elasticBox<2>(all<2>(0.0), all<2>(size), cell, 4.0, {}, "Plate", "Stress");
   cut(scene);
-  std::vector<SceneError> errors;
-  validateList(scene, effectSchema(), errors);
-  for (const SceneError& error : errors)
-    ADD_FAILURE() << toString(error);
+  scene = validated(scene);
   // Nothing measures what drives the front: the test says it.
   Teuchos::ParameterList& propagation = scene.sublist("Propagation");
   propagation.set("Toughness", std::string("1 + v/100"));

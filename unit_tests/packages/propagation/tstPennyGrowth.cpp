@@ -2,13 +2,8 @@
 
 #include "cracks/Opening.hpp"
 #include "output/CoreRow.hpp"
-#include "scene/Scene.hpp"
-#include "step/EffectSchema.hpp"
-#include "step/Run.hpp"
+#include "src/step/ElasticBox.hpp"
 #include "transfer/FacePoints.hpp"
-
-#include <Teuchos_Array.hpp>
-#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +12,7 @@
 #include <vector>
 
 using namespace Rhegma;
+using namespace Rhegma::Test;
 
 namespace
 {
@@ -26,29 +22,14 @@ using Reals = Teuchos::Array<double>;
 Reals reals(const std::vector<double>& values) { return Reals(values.begin(), values.end()); }
 
 const double pi = std::acos(-1.0);
-constexpr double cell = 1e-3, radius = 3e-3, young = 3e9, poisson = 0.3, density = 1200.0;
-constexpr double half = 8e-3, stress = 2e6;
+constexpr double cell = 1e-3, radius = 3e-3, half = 8e-3, stress = 2e6;
+const ElasticSolid solid;
 
 /// A quarter of a penny crack in a block that is stretched across it from the start, and held.
 Teuchos::ParameterList quarter(const std::string& toughness)
 {
-  Teuchos::ParameterList scene("Rhegma");
-  Teuchos::ParameterList& domain = scene.sublist("Domain");
-  domain.set("Dimension", 3);
-  domain.set("Lower Corner", reals({-2.0 * cell, -2.0 * cell, -6.0 * cell}));
-  domain.set("Upper Corner", reals({half + 2.0 * cell, half + 2.0 * cell, 6.0 * cell}));
-  domain.set("Cell Size", cell);
-  scene.sublist("Time").set("Final Time", 1.0);
-  Teuchos::ParameterList& material = scene.sublist("Materials").sublist("Polymer");
-  material.set("Model", std::string("Linear Elastic"));
-  material.set("Density", density);
-  material.set("Young Modulus", young);
-  material.set("Poisson Ratio", poisson);
-  Teuchos::ParameterList& body = scene.sublist("Bodies").sublist("Block");
-  body.set("Material", std::string("Polymer"));
-  body.set("Shape", std::string("Box"));
-  body.set("Lower Corner", reals({0.0, 0.0, -4.0 * cell}));
-  body.set("Upper Corner", reals({half, half, 4.0 * cell}));
+  Teuchos::ParameterList scene = elasticBox<3>(Vector<3>{0.0, 0.0, -4.0 * cell},
+                                               Vector<3>{half, half, 4.0 * cell}, cell, 2.0, solid, "Block");
   for (const char* axis : {"x", "y"})
   {
     Teuchos::ParameterList& mirror = scene.sublist("Boundaries").sublist(axis);
@@ -60,10 +41,7 @@ Teuchos::ParameterList quarter(const std::string& toughness)
   crack.set("Centre", reals({0.0, 0.0, 0.3 * cell}));
   crack.set("Normal", reals({0.0, 0.0, 1.0}));
   crack.set("Radius", radius);
-  std::vector<SceneError> errors;
-  validateList(scene, effectSchema(), errors);
-  for (const SceneError& error : errors)
-    ADD_FAILURE() << toString(error);
+  scene = validated(scene);
   // Nothing measures what drives the front: the test says it.
   Teuchos::ParameterList& propagation = scene.sublist("Propagation");
   propagation.set("Toughness", toughness);

@@ -3,6 +3,7 @@
 
 #include "src/step/Bodies.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <utility>
@@ -72,6 +73,24 @@ void forEach(const State<D>& state, const Work& work)
       place[d] = x(p, d);
     work(place, T(p));
   }
+}
+
+/// Largest difference of particles with x from 1 to 5 m from exact(place) [K]; fails where these are few.
+template <int D, class Exact>
+double worstBetween(const State<D>& state, const Exact& exact)
+{
+  double worst = 0.0;
+  int inside = 0;
+  forEach<D>(state,
+             [&](const Vector<D>& place, double T)
+             {
+               if (place[0] < 1.0 || place[0] > 5.0)
+                 return;
+               ++inside;
+               worst = std::max(worst, std::fabs(T - exact(place)));
+             });
+  EXPECT_GT(inside, 20);
+  return worst;
 }
 
 /// Gives all particles a temperature between 200 and 400 K at random, and their heat.
