@@ -41,7 +41,11 @@ def short(run, swept):
     """The run's swept values, for a label beside its point."""
     names = [path for path in swept if path in run.settings]
     if len(names) == 1:
-        return run.settings[names[0]]
+        value = run.settings[names[0]]
+        try:
+            return value if len(value) < 9 else f"{float(value):.3g}"
+        except ValueError:
+            return value
     return ", ".join(f"{path.split(':')[-1]} {run.settings[path]}" for path in names)
 
 
@@ -76,7 +80,7 @@ def group_style(runs):
     found = {}
     for i, group in enumerate(groups):
         for k, family in enumerate(members[group]):
-            marker = MARKERS[(i if alone else k) % len(MARKERS)]
+            marker = MARKERS[(i + i // len(style.COLOURS) if alone else k) % len(MARKERS)]  # colours come again with others
             found[family] = (style.COLOURS[i % len(style.COLOURS)], DASHES[k % len(DASHES)], marker)
     return found
 
