@@ -31,10 +31,24 @@ View<int*> onDevice(const std::string& label, const std::vector<int>& list)
   return view;
 }
 
-/// Where a row is in the buffers: each neighbour's part has room for all rows of its entries.
-KOKKOS_INLINE_FUNCTION int startOf(int firstEntry, int rowsBefore, const NeighbourSums::Columns& of)
+/// In one count, rows that there are and, of them, those that are sent.
+constexpr long long there = 1LL << 32;
+
+KOKKOS_INLINE_FUNCTION int sentOf(long long count) { return static_cast<int>(count % there); }
+KOKKOS_INLINE_FUNCTION int thereOf(long long count) { return static_cast<int>(count / there); }
+
+/// Where the row of this number of a message is in the buffers: each neighbour's part has room for all.
+KOKKOS_INLINE_FUNCTION int startOf(int firstEntry, int number, const NeighbourSums::Columns& of)
 {
-  return (firstEntry * of.fields + rowsBefore) * of.count;
+  return (firstEntry * of.fields + number) * of.perRow();
+}
+
+KOKKOS_INLINE_FUNCTION bool isZero(const double* values, int count)
+{
+  for (int c = 0; c < count; ++c)
+    if (values[c] != 0.0)
+      return false;
+  return true;
 }
 
 } // namespace
@@ -59,7 +73,7 @@ NeighbourSums::NeighbourSums(const Ranks& ranks, const View<int*>& nodes,
       entries.push_back(node);
       parts.push_back(begin);
     }
-    neighbours_.push_back({r, begin, static_cast<int>(entries.size()), 0});
+    neighbours_.push_back({r, begin, static_cast<int>(entries.size()), 0, 0, true});
   }
   std::vector<int> begins = {0}, all;
   for (const std::vector<int>& list : shares)
@@ -71,98 +85,135 @@ NeighbourSums::NeighbourSums(const Ranks& ranks, const View<int*>& nodes,
   part_ = onDevice("rhegma::parallel::parts", parts);
   begin_ = onDevice("rhegma::parallel::begins", begins);
   share_ = onDevice("rhegma::parallel::shares", all);
-  place_ = View<int*>("rhegma::parallel::places", entries.size() + 1);
+  before_ = View<long long*>("rhegma::parallel::rowsBefore", entries.size() + 1);
+  came_ = View<int*>("rhegma::parallel::came", 2 * entries.size());
+  Kokkos::deep_copy(came_, -1);
 }
 
 void NeighbourSums::sum(const SharedRows& rows, double* values, int width, int first, int count)
 {
   const int fields = rows.second.extent(0) > 0 ? 2 : 1;
   const Columns columns{values, width, first, count, fields};
-  const std::size_t most = entry_.extent(0) * fields * count;
+  const std::size_t most = entry_.extent(0) * fields * columns.perRow();
   fit(sent_, "rhegma::parallel::sent", most);
   fit(received_, "rhegma::parallel::received", most);
-  findPlaces(rows, fields);
   pack(rows, columns);
   exchange(columns);
-  add(rows, columns);
-}
-
-void NeighbourSums::findPlaces(const SharedRows& rows, int fields)
-{
-  const View<int*> nodes = nodes_, entry = entry_, place = place_;
-  const SharedRows at = rows;
-  const int entries = static_cast<int>(entry.extent(0));
-  // Rows of the nodes' own numbers are all sent: only of others do ranks know that all have the same.
-  if (rows.rowOf.extent(0) == 0)
-  {
-    Kokkos::parallel_for(
-        "rhegma::parallel::places", Range(0, entries + 1),
-        KOKKOS_LAMBDA(const int e) { place(e) = e * fields; });
-    for (Neighbour& neighbour : neighbours_)
-      neighbour.filled = (neighbour.end - neighbour.begin) * fields;
-    return;
-  }
-  Kokkos::parallel_scan(
-      "rhegma::parallel::findPlaces", Range(0, entries + 1),
-      KOKKOS_LAMBDA(const int e, int& before, const bool final) {
-        if (final)
-          place(e) = before;
-        for (int f = 0; e < entries && f < fields; ++f)
-          before += at(nodes(entry(e)), f) >= 0 ? 1 : 0;
-      });
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, place_);
-  for (Neighbour& neighbour : neighbours_)
-    neighbour.filled = host(neighbour.end) - host(neighbour.begin);
+  findShares(columns, false);
+  int strange = 0;
+  for (const Neighbour& neighbour : neighbours_)
+    strange += add(rows, columns, neighbour);
+  findShares(columns, true);
+  if (strange > 0 && rows.rowOf.extent(0) > 0)
+    throw std::logic_error("two ranks differ about the rows of the nodes that they share");
 }
 
 void NeighbourSums::pack(const SharedRows& rows, const Columns& columns)
 {
-  const View<int*> nodes = nodes_, entry = entry_, part = part_, place = place_;
+  const View<int*> nodes = nodes_, entry = entry_, part = part_;
+  const View<long long*> before = before_;
   const View<double*> sent = sent_;
   const SharedRows at = rows;
   const Columns of = columns;
-  const bool all = rows.rowOf.extent(0) == 0;
-  Kokkos::parallel_for(
-      "rhegma::parallel::pack", Range(0, entry.extent(0)), KOKKOS_LAMBDA(const int e) {
-        int i = startOf(part(e), place(e) - place(part(e)), of);
-        for (int f = 0; f < of.fields; ++f)
+  const int entries = static_cast<int>(entry.extent(0));
+  // Two passes, for where a row goes hangs on how many there are before it.
+  const auto valuesOf = KOKKOS_LAMBDA(int row)
+  {
+    return of.values + static_cast<std::size_t>(row) * of.width + of.first;
+  };
+  Kokkos::parallel_scan(
+      "rhegma::parallel::countRows", Range(0, entries + 1),
+      KOKKOS_LAMBDA(const int e, long long& rowsBefore, const bool final) {
+        if (final)
+          before(e) = rowsBefore;
+        for (int f = 0; e < entries && f < of.fields; ++f)
         {
           const int row = at(nodes(entry(e)), f);
-          if (row < 0 && !all)
-            continue;
-          for (int c = 0; c < of.count; ++c)
-            sent(i++) = row < 0 ? 0.0 : of.values[static_cast<std::size_t>(row) * of.width + of.first + c];
+          if (row >= 0)
+            rowsBefore += there + (isZero(valuesOf(row), of.count) ? 0 : 1);
         }
       });
+  Kokkos::parallel_for(
+      "rhegma::parallel::pack", Range(0, entries), KOKKOS_LAMBDA(const int e) {
+        int number = sentOf(before(e)) - sentOf(before(part(e)));
+        for (int f = 0; sentOf(before(e + 1)) > sentOf(before(e)) && f < of.fields; ++f)
+        {
+          const int row = at(nodes(entry(e)), f);
+          if (row < 0 || isZero(valuesOf(row), of.count))
+            continue;
+          double* const out = &sent(startOf(part(e), number++, of));
+          out[0] = (e - part(e)) * of.fields + f;
+          for (int c = 0; c < of.count; ++c)
+            out[1 + c] = valuesOf(row)[c];
+        }
+      });
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, before_);
+  for (Neighbour& neighbour : neighbours_)
+  {
+    neighbour.sent = sentOf(host(neighbour.end)) - sentOf(host(neighbour.begin));
+    // Rows of the nodes' own numbers may be there: only of others do ranks know that all have the same.
+    neighbour.meets =
+        rows.rowOf.extent(0) == 0 || thereOf(host(neighbour.end)) > thereOf(host(neighbour.begin));
+  }
 }
 
-void NeighbourSums::add(const SharedRows& rows, const Columns& columns)
+void NeighbourSums::findShares(const Columns& columns, bool forget)
 {
-  const View<int*> nodes = nodes_, part = part_, place = place_, begin = begin_, share = share_;
+  const View<double*> received = received_;
+  const View<int*> came = came_;
+  const Columns of = columns;
+  for (const Neighbour& neighbour : neighbours_)
+  {
+    const int begin = neighbour.begin;
+    Kokkos::parallel_for(
+        "rhegma::parallel::findShares", Range(0, neighbour.came), KOKKOS_LAMBDA(const int k) {
+          const int start = startOf(begin, k, of);
+          came(begin * of.fields + static_cast<int>(received(start))) = forget ? -1 : start + 1;
+        });
+  }
+}
+
+int NeighbourSums::add(const SharedRows& rows, const Columns& columns, const Neighbour& from)
+{
+  const View<int*> nodes = nodes_, entry = entry_, begin = begin_, share = share_, came = came_;
   const View<double*> received = received_;
   const SharedRows at = rows;
   const Columns of = columns;
-  const bool all = rows.rowOf.extent(0) == 0;
-  Kokkos::parallel_for(
-      "rhegma::parallel::add", Range(0, nodes.extent(0)), KOKKOS_LAMBDA(const int i) {
-        int before = 0; // rows of this node in a message
-        for (int f = 0; f < of.fields; ++f)
+  const int firstEntry = from.begin;
+  int strange = 0;
+  Kokkos::parallel_reduce(
+      "rhegma::parallel::add", Range(0, from.came),
+      KOKKOS_LAMBDA(const int n, int& unknown) {
+        const int place = static_cast<int>(received(startOf(firstEntry, n, of)));
+        const int e = firstEntry + place / of.fields, f = place % of.fields, i = entry(e);
+        const auto startOfShare = [&](int k) { return share(k) < 0 ? -1 : came(share(k) * of.fields + f); };
+        // Who came first adds for all.
+        for (int k = begin(i); share(k) != e; ++k)
+          if (startOfShare(k) >= 0)
+            return;
+        const int row = at(nodes(i), f);
+        if (row < 0)
         {
-          const int row = at(nodes(i), f);
-          for (int c = 0; row >= 0 && c < of.count; ++c)
-          {
-            double& value = of.values[static_cast<std::size_t>(row) * of.width + of.first + c];
-            double total = 0.0;
-            for (int k = begin(i); k < begin(i + 1); ++k)
-            {
-              const int e = share(k);
-              total += e < 0 ? value : received(startOf(part(e), place(e) - place(part(e)) + before, of) + c);
-            }
-            value = total;
-          }
-          before += row >= 0 || all ? 1 : 0;
+          ++unknown;
+          return;
         }
-      });
+        double* const values = of.values + static_cast<std::size_t>(row) * of.width + of.first;
+        for (int c = 0; c < of.count; ++c)
+        {
+          double total = 0.0;
+          for (int k = begin(i); k < begin(i + 1); ++k)
+          {
+            const int start = startOfShare(k);
+            if (share(k) < 0)
+              total += values[c];
+            else if (start >= 0)
+              total += received(start + c);
+          }
+          values[c] = total;
+        }
+      },
+      strange);
+  return strange;
 }
 
 void NeighbourSums::exchange(const Columns& columns)
@@ -170,7 +221,7 @@ void NeighbourSums::exchange(const Columns& columns)
   const MPI_Comm all = *dynamic_cast<const Teuchos::MpiComm<int>&>(*ranks_.comm()).getRawMpiComm();
   const auto out = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, sent_);
   const auto in = Kokkos::create_mirror_view(received_);
-  const int row = columns.count, room = columns.fields * columns.count;
+  const int row = columns.perRow(), room = columns.fields * row;
   std::vector<MPI_Request> requests;
   requests.reserve(2 * neighbours_.size());
   const auto waiting = [&](auto start, double* buffer, const Neighbour& neighbour, int numbers)
@@ -180,25 +231,22 @@ void NeighbourSums::exchange(const Columns& columns)
           all, &request);
     requests.push_back(request);
   };
-  // There is room for more than is expected, so that what is not expected is told.
   for (const Neighbour& neighbour : neighbours_)
-    if (neighbour.filled > 0)
+    if (neighbour.meets)
       waiting(MPI_Irecv, in.data(), neighbour, (neighbour.end - neighbour.begin) * room);
-  const int expected = static_cast<int>(requests.size());
   for (const Neighbour& neighbour : neighbours_)
-    if (neighbour.filled > 0)
-      waiting(MPI_Isend, out.data(), neighbour, neighbour.filled * row);
+    if (neighbour.meets)
+      waiting(MPI_Isend, out.data(), neighbour, neighbour.sent * row);
   std::vector<MPI_Status> states(requests.size());
   MPI_Waitall(static_cast<int>(requests.size()), requests.data(), states.data());
   int k = 0;
-  for (const Neighbour& neighbour : neighbours_)
-    if (neighbour.filled > 0)
-    {
-      int came = 0;
-      MPI_Get_count(&states[k++], MPI_DOUBLE, &came);
-      if (came != neighbour.filled * row || k > expected)
-        throw std::logic_error("two ranks differ about the rows of the nodes that they share");
-    }
+  for (Neighbour& neighbour : neighbours_)
+  {
+    neighbour.came = 0;
+    if (neighbour.meets)
+      MPI_Get_count(&states[k++], MPI_DOUBLE, &neighbour.came);
+    neighbour.came /= row;
+  }
   Kokkos::deep_copy(received_, in);
 }
 

@@ -25,7 +25,9 @@ struct SharedRows
 
 /// Each rank sends its shares of the nodes that it has in common with another straight to that one, and adds
 /// what came in the order of the ranks: all have the same sum to the last digit after one exchange. Between
-/// two ranks there is one message each way; where an array has rows of its own, only these are in it.
+/// two ranks there is one message each way, of the rows that are not zero here, each behind its place in the
+/// list that both have: of the nodes that two windows share most are out of the reach of one rank's
+/// particles, are in no body or have no second field.
 class NeighbourSums
 {
 public:
@@ -35,34 +37,40 @@ public:
 
   /// Replaces columns first .. first + count - 1 by their sums over the ranks. Collective. Whether there are
   /// second fields, and which nodes have rows of their own, is the same on all ranks; throws std::logic_error
-  /// where these are not as many. \param values `width` numbers a row
+  /// where a node that has one elsewhere has none here. \param values `width` numbers a row
   void sum(const SharedRows& rows, double* values, int width, int first, int count);
 
   // Public because compilers for devices want kernels in public functions.
   struct Neighbour
   {
     int rank, begin, end; ///< its part of the lists
-    int filled;           ///< rows in a message to it
+    int sent, came;       ///< rows in the messages to it and from it
+    bool meets;           ///< whether there are rows that both may add to
   };
   struct Columns
   {
     double* values;
     int width, first, count, fields;
+
+    /// Numbers of a message for one row: its place and its columns.
+    KOKKOS_INLINE_FUNCTION int perRow() const { return count + 1; }
   };
-  void findPlaces(const SharedRows& rows, int fields);
   void pack(const SharedRows& rows, const Columns& columns);
-  void add(const SharedRows& rows, const Columns& columns);
+  void findShares(const Columns& columns, bool forget);
+  /// Sums of nodes of which this is the first rank to send a share. \return rows without one here
+  int add(const SharedRows& rows, const Columns& columns, const Neighbour& from);
 
 private:
   void exchange(const Columns& columns);
 
   Ranks ranks_;
   View<int*> nodes_;
-  View<int*> entry_; ///< shared nodes, neighbour after neighbour
-  View<int*> part_;  ///< the first entry with the same neighbour
-  View<int*> place_; ///< of the first row of each entry in all messages
-  View<int*> begin_; ///< of the shares of each node in the list that follows
-  View<int*> share_; ///< their entries in the order of the ranks, -1 for the own
+  View<int*> entry_;        ///< shared nodes, neighbour after neighbour
+  View<int*> part_;         ///< the first entry with the same neighbour
+  View<long long*> before_; ///< rows of entries before each that are sent, and those that may be
+  View<int*> came_;         ///< where the row of each entry and field is in what came, or -1
+  View<int*> begin_;        ///< of the shares of each node in the list that follows
+  View<int*> share_;        ///< their entries in the order of the ranks, -1 for the own
   std::vector<Neighbour> neighbours_;
   View<double*> sent_, received_;
 };

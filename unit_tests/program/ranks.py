@@ -62,13 +62,13 @@ class OnRanks(unittest.TestCase):
             file.write(scene.text())
         return os.path.join(self.folder, "scene.xml")
 
-    def run_on(self, ranks, scene, *arguments, into=None):
-        """Summary, columns of the history and the particles' last fields, ordered by where they started."""
+    def run_on(self, ranks, scene, *arguments, into=None, with_fields=True):
+        """Summary, columns of the history and the particles' last fields, ordered by where they started, if wanted."""
         out = os.path.join(self.folder, into or f"on{ranks}")
         launcher = (*LAUNCHER, "-np", str(ranks)) if ranks > 1 else ()
         answer = rhegma(
             scene,
-            *("--output", out, "--quiet", "--set", "Output:Fields=true"),
+            *("--output", out, "--quiet", "--set", f"Output:Fields={str(with_fields).lower()}"),
             *arguments,
             launcher=launcher,
             timeout=600,
@@ -80,6 +80,8 @@ class OnRanks(unittest.TestCase):
         with open(os.path.join(out, "history.csv"), encoding="utf-8") as file:
             rows = list(csv.DictReader(file))
         history = {name: numpy.array([float(row[name]) for row in rows]) for name in rows[0]}
+        if not with_fields:
+            return summary, history, {}
         with h5py.File(os.path.join(out, "fields.h5"), "r") as file:
             last = file[sorted(file)[-1]]["particles"]
             fields = {name: last[name][()] for name in last if name != "cells"}
@@ -104,9 +106,9 @@ class OnRanks(unittest.TestCase):
 
     def agree(self, scene, *arguments, ranks=(2, 3, 4), within=ROUND_OFF, closure=CLOSURE, columns=None):
         """Columns: which of the history are compared, by name, and no fields then; all of both by default."""
-        one = self.run_on(1, scene, *arguments)
+        one = self.run_on(1, scene, *arguments, with_fields=columns is None)
         for count in ranks:
-            other = self.run_on(count, scene, *arguments)
+            other = self.run_on(count, scene, *arguments, with_fields=columns is None)
             self.assertEqual(other[0]["ranks"], count)
             self.compare(one, other, within, closure, columns)
         return one[2]
