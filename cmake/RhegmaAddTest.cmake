@@ -26,7 +26,6 @@ function(rhegma_add_unit_tests folder)
   string(REPLACE "/" "_" name "test_${folder}")
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*.cpp)
   add_executable(${name} ${sources} ${CMAKE_CURRENT_SOURCE_DIR}/main.cpp)
-  set_target_properties(${name} PROPERTIES UNITY_BUILD OFF) # tests of a folder give many things the same names
   rhegma_compile_options(${name})
   target_include_directories(${name} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE Rhegma::rhegma GTest::gtest Threads::Threads)
