@@ -245,9 +245,8 @@ void Channel::flow(double h, const ChannelSupply& supply, ChannelLoss& loss)
     if (!(end.area > 0.0))
       return;
     // As from a reservoir in which the gas of the cell would have come to rest.
-    const double T = temperature(k), speed = std::max(outward * s.velocity, 0.0);
-    const double cp = law_.heatRatio * law_.heatCapacity(), rest = T + 0.5 * speed * speed / cp;
-    const double p = s.pressure * std::pow(rest / T, law_.heatRatio / (law_.heatRatio - 1.0));
+    double p = s.pressure, rest = temperature(k);
+    law_.bringToRest(p, rest, std::max(outward * s.velocity, 0.0));
     const double gone = std::min(law_.outflow(end.area, p, rest, end.outside), 0.5 * mass_[k] / h);
     const double out = outward / passage_[f];
     const double enthalpy = gone / mass_[k] * (energy_[k] + s.pressure * volume_[k]);

@@ -23,8 +23,12 @@ struct GasLaw
   double heatCapacity() const { return constant / (heatRatio - 1.0); } ///< c_v [J/(kg K)]
   /// Mass that flows in a second [kg/s] from gas at rest into an outside pressure: choked below the critical
   /// ratio of pressures, else isentropic; nothing flows in. Source: Shapiro, The Dynamics and Thermodynamics
-  /// of Compressible Fluid Flow, 1953, section 4.5. \param area times the coefficient of discharge [m2]
+  /// of Compressible Fluid Flow, 1953, section 4.5; with a covolume as derived in Gas.cpp.
+  /// \param area times the coefficient of discharge [m2]
   double outflow(double area, double pressure, double temperature, double outside) const;
+  /// What gas that moves at a speed [m/s] has when it comes to rest without losses: p (1/rho - b)^gamma and
+  /// the enthalpy stay as they are. Changes pressure and temperature to that.
+  void bringToRest(double& pressure, double& temperature, double speed) const;
 };
 
 /// Mass and energy of the gas in one crack, and where they came from and went to.

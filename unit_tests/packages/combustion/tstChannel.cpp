@@ -192,6 +192,27 @@ TEST(Channel, KeepsMassAndEnergy)
   EXPECT_GT(out, 0.0);
 }
 
+/// An end lets out what gas that has come to rest there would, also with a covolume.
+TEST(Channel, LetsOutWhatComesToRestAtItsEnd)
+{
+  const GasLaw law = air(0.3);
+  const int cells = 10;
+  Channel channel = slot(cells, law);
+  for (int k = 0; k < cells; ++k)
+    channel.set(k, 1.0, 1.0, 0.4);
+  ChannelSupply supply = nothing(cells);
+  supply.last = {0.2, 0.1};
+  const double dt = 1e-4;
+  const ChannelLoss loss = channel.advance(dt, supply, 1.0);
+  ASSERT_EQ(loss.substeps, 1);
+  double p = 1.0, T = 1.0;
+  law.bringToRest(p, T, 0.4);
+  const double gone = dt * law.outflow(0.2, p, T, 0.1);
+  EXPECT_NEAR(loss.mass, gone, 1e-12 * gone);
+  // c_p T + b p is what each kilogram takes along.
+  EXPECT_NEAR(loss.energy, gone * (1.4 * law.heatCapacity() * T + 0.3 * p), 1e-12 * gone);
+}
+
 /// A cut anew of cells of the same length is none.
 TEST(Channel, IsTheSameCutAnewInTheSameWay)
 {
