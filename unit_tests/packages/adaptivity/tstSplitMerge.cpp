@@ -2,6 +2,8 @@
 
 #include "Refined.hpp"
 
+#include "adaptivity/Lineage.hpp"
+#include "cracks/Junctions.hpp"
 #include "output/CoreRow.hpp"
 
 namespace Rhegma
@@ -161,7 +163,7 @@ TEST(SplitMerge, mergingKeepsTheHeatOfPartsThatBurntUnlike)
   scene.sublist("Materials").sublist("Solid").set("Specific Heat", 1.0);
   scene.sublist("Materials").sublist("Solid").set("Conductivity", 0.01);
   scene.sublist("Thermal").set("Initial Temperature", 300.0);
-  Run<2> run(validated(scene));
+  Rhegma::Run<2> run(validated(scene));
   run.initialize();
   State<2>& state = run.state();
   setCells(state, 1);
@@ -203,6 +205,45 @@ TEST(SplitMerge, aThousandTimesOver)
     EXPECT_NEAR(after.spin[d], before.spin[d], 1e-12 * before.sizeOfSpin);
   }
   EXPECT_NEAR(after.energy, before.energy, 1e-11 * before.energy);
+}
+
+/// Parts on two sides of a crack that has joined another stay apart: that they know of it is a number of
+/// their own beside the side of the nearest crack.
+TEST(SplitMerge, keepsPartsApartThatDifferInAWholeNumber)
+{
+  Rhegma::Run<2> run = refinedCube<2>("GIMP", 4.0, all<2>(-3.0), all<2>(-2.0), 2);
+  State<2>& state = run.state();
+  state.particles.add({cracks::otherSide, 1, "", "side of a crack", true});
+  const auto host = [&](const std::string& name)
+  { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(name)); };
+  setCells(state, 1);
+  followCells(state);
+  const auto level = host(fields::level), from = host(adaptivity::ancestor), part = host(adaptivity::lineage);
+  const auto side = host(cracks::otherSide);
+  int apart = 0, together = 0;
+  for (int p = 0; p < state.particles.size(); ++p)
+  {
+    // A crack through the middle of every other family.
+    const bool cut = from(p) % 2 == 0;
+    side(p) = cut && part(p) % 2 != 0 ? -1 : 1;
+    if (level(p) == 1)
+      (cut ? apart : together) += 1;
+  }
+  ASSERT_GT(apart, 0);
+  ASSERT_GT(together, 0);
+  Kokkos::deep_copy(state.particles.integer(cracks::otherSide), side);
+  setCells(state, 0);
+  const adaptivity::Merged merged = followCells(state);
+  EXPECT_EQ(merged.families, together / 4);
+  const auto levelNow = host(fields::level), fromNow = host(adaptivity::ancestor);
+  int left = 0;
+  for (int p = 0; p < state.particles.size(); ++p)
+    if (levelNow(p) == 1)
+    {
+      EXPECT_EQ(fromNow(p) % 2, 0);
+      ++left;
+    }
+  EXPECT_EQ(left, apart);
 }
 
 /// A family whose motion would be lost stays, and is counted.
