@@ -1,6 +1,7 @@
 #include "combustion/Cavity.hpp"
 
 #include "scene/ReadList.hpp"
+#include "state/CrackEnds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -129,6 +130,21 @@ std::vector<MirrorPlane> mirrorPlanes(const Teuchos::ParameterList& scene)
 }
 
 template <int D>
+int crackThatJoined(const CrackSet<D>& cracks)
+{
+  const auto neighbour = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.neighbour);
+  for (std::size_t c = 0; c < cracks.cracks.size(); ++c)
+  {
+    const int first = cracks.cracks[c].firstSimplex;
+    for (int s = first; s < first + cracks.cracks[c].numSimplices; ++s)
+      for (int i = 0; i < D; ++i)
+        if (neighbour(s, i) == facet::joined)
+          return static_cast<int>(c);
+  }
+  return -1;
+}
+
+template <int D>
 double distanceFromCrack(const CrackSet<D>& cracks, int crack, const Vector<D>& lower, const Vector<D>& upper)
 {
   const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
@@ -165,6 +181,8 @@ template std::array<double, 2> mouthAreas(const State<2>&, int, const std::vecto
 template std::array<double, 2> mouthAreas(const State<3>&, int, const std::vector<MirrorPlane>&);
 template bool hasMouth(const State<2>&, int, const std::vector<MirrorPlane>&);
 template bool hasMouth(const State<3>&, int, const std::vector<MirrorPlane>&);
+template int crackThatJoined(const CrackSet<2>&);
+template int crackThatJoined(const CrackSet<3>&);
 template double distanceFromCrack(const CrackSet<2>&, int, const Vector<2>&, const Vector<2>&);
 template double distanceFromCrack(const CrackSet<3>&, int, const Vector<3>&, const Vector<3>&);
 

@@ -46,6 +46,10 @@ std::array<double, 2> mouthAreas(const State<D>& state, int crack, const std::ve
 template <int D>
 bool hasMouth(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors);
 
+/// The first crack that has ended on another one, or -1. No gas passes there.
+template <int D>
+int crackThatJoined(const CrackSet<D>& cracks);
+
 /// Distance of a box from a crack [m]; 0 where it meets it.
 template <int D>
 double distanceFromCrack(const CrackSet<D>& cracks, int crack, const Vector<D>& lower,

@@ -29,6 +29,24 @@ void warnOfRunaway(State<D>& state, const std::string& name, const Teuchos::Para
         "bound in a finite time");
 }
 
+/// Says once that no gas passes between cracks that have met.
+template <int D>
+void warnOfJoining(State<D>& state, Work<D>& work)
+{
+  const std::vector<CrackFront<D>>& fronts = state.cracks.fronts;
+  const auto ended =
+      std::count_if(fronts.begin(), fronts.end(), [](const CrackFront<D>& front) { return front.ended; });
+  if (work.joined || ended == work.endedFronts)
+    return;
+  work.endedFronts = static_cast<int>(ended);
+  const int crack = crackThatJoined(state.cracks);
+  work.joined = crack >= 0;
+  if (work.joined)
+    state.warnings.push_back("Combustion: the crack " + state.cracks.cracks[crack].name +
+                             " has met another one; the gases of cracks that met stay separate, and none "
+                             "flows out where they meet");
+}
+
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)
 {
@@ -55,6 +73,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                [work](State<D>& s)
                {
                  work->follow(s);
+                 warnOfJoining(s, *work);
                  for (Burning<D>& b : work->cracks)
                    pushByGas(s, *work, b);
                }});
@@ -87,6 +106,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.memory = [work](State<D>&, Archive& archive)
   {
     archive("start_mass", work->startMass);
+    archive("cracks_joined", work->joined);
     for (Burning<D>& b : work->cracks)
     {
       const Archive::Group group(archive, std::to_string(b.crack));

@@ -27,6 +27,8 @@ struct Work
   View<double*> pressure; ///< that the faces feel there, where gas flows [Pa]
   View<double*> swept;    ///< volume that opens there in a step [m3]
   double startMass = 0.0; ///< of the particles [kg]
+  int endedFronts = 0;    ///< as last seen
+  bool joined = false;    ///< a warning has said that the gases of cracks that met stay separate
 
   /// Follows the faces; fields at points get the size that they must have.
   void follow(const State<D>& state)

@@ -1,12 +1,18 @@
 #include "cracks/Chains.hpp"
 
 #include "cracks/Layout.hpp"
+#include "state/CrackEnds.hpp"
 
 namespace Rhegma::cracks
 {
 
 namespace
 {
+
+int beyondEnd(const Chain& chain, int end)
+{
+  return chain.front[end] ? facet::front : chain.joined[end] ? facet::joined : facet::mouth;
+}
 
 CrackMesh<2> meshOf(const Chain& chain)
 {
@@ -20,8 +26,8 @@ CrackMesh<2> meshOf(const Chain& chain)
     mesh.simplices.push_back({s, s + 1});
     mesh.beyond.push_back({s + 1, s - 1});
   }
-  mesh.beyond.front()[1] = chain.front[0] ? facet::front : facet::mouth;
-  mesh.beyond.back()[0] = chain.front[1] ? facet::front : facet::mouth;
+  mesh.beyond.front()[1] = beyondEnd(chain, 0);
+  mesh.beyond.back()[0] = beyondEnd(chain, 1);
   return mesh;
 }
 
@@ -47,8 +53,13 @@ std::vector<Chain> readChains(const CrackSet<2>& set)
       }
       chain.links.push_back(link);
     }
-    chain.front[0] = neighbour(crack.firstSimplex, 1) == facet::front;
-    chain.front[1] = neighbour(crack.firstSimplex + crack.numSimplices - 1, 0) == facet::front;
+    const int beyond[2] = {neighbour(crack.firstSimplex, 1),
+                           neighbour(crack.firstSimplex + crack.numSimplices - 1, 0)};
+    for (int end = 0; end < 2; ++end)
+    {
+      chain.front[end] = beyond[end] == facet::front;
+      chain.joined[end] = beyond[end] == facet::joined;
+    }
     chains.push_back(chain);
   }
   return chains;

@@ -18,7 +18,8 @@ struct Link
 struct Chain
 {
   std::vector<Link> links;
-  bool front[2] = {false, false}; ///< whether its first and its last end are fronts
+  bool front[2] = {false, false};  ///< whether its first and its last end are fronts
+  bool joined[2] = {false, false}; ///< whether they have ended on another crack
 };
 
 /// A vertex where both faces touch.

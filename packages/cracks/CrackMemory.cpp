@@ -37,14 +37,16 @@ void keepFronts(CrackSet<D>& set, Archive& archive)
   }
 }
 
-/// Saves or loads how many vertices each crack has and which of its ends are fronts.
+/// What a chain's end is as one number: a mouth 0, a front 1, joined to another crack 2.
+int codeOf(const Chain& chain, int end) { return chain.front[end] ? 1 : chain.joined[end] ? 2 : 0; }
+
+/// Saves or loads how many vertices each crack has and what its ends are.
 void keepChains(State<2>& state, Archive& archive)
 {
   std::vector<int> sizes;
   if (!archive.loads())
     for (const Chain& chain : readChains(state.cracks))
-      sizes.insert(sizes.end(),
-                   {static_cast<int>(chain.links.size()), chain.front[0] ? 1 : 0, chain.front[1] ? 1 : 0});
+      sizes.insert(sizes.end(), {static_cast<int>(chain.links.size()), codeOf(chain, 0), codeOf(chain, 1)});
   archive("chains", sizes, 3);
   keepFronts(state.cracks, archive);
   if (!archive.loads())
@@ -59,8 +61,11 @@ void keepChains(State<2>& state, Archive& archive)
     Chain chain;
     for (int v = 0; v < sizes[c]; ++v)
       chain.links.push_back(closedLink({{double(v), double(c)}}));
-    chain.front[0] = sizes[c + 1] != 0;
-    chain.front[1] = sizes[c + 2] != 0;
+    for (int end = 0; end < 2; ++end)
+    {
+      chain.front[end] = sizes[c + 1 + end] == 1;
+      chain.joined[end] = sizes[c + 1 + end] == 2;
+    }
     chains.push_back(chain);
   }
   writeChains(state.cracks, chains, state.grid.spacing);

@@ -24,38 +24,81 @@ double distanceToSegment(const Vector<2>& x, const Vector<2>& a, const Vector<2>
   return norm(x - placeOf<2>(corner, footOn(corner, x)));
 }
 
-/// The nearest part of another crack to x, or of the crack of the front itself further back than `back`.
-/// \return its distance [m] and its crack
+/// Length of a straight way after which it crosses a segment [m]; huge where it does not.
+double wayTo(const Vector<2>& a, const Vector<2>& b, const Vector<2>& from, const Vector<2>& direction)
+{
+  const Vector<2> along = b - a, to = a - from;
+  const double across = direction[0] * along[1] - direction[1] * along[0];
+  if (across == 0.0)
+    return 1e300;
+  const double way = (to[0] * along[1] - to[1] * along[0]) / across;
+  const double at = (to[0] * direction[1] - to[1] * direction[0]) / across;
+  return way > 0.0 && at >= 0.0 && at <= 1.0 ? way : 1e300;
+}
+
+/// A crack and how far it is [m].
 struct Neighbour
 {
   double distance = 1e300;
   int crack = -1;
 };
 
-Neighbour nearestNeighbour(const std::vector<Chain>& chains, int own, bool first, const Vector<2>& x,
-                           double back)
+/// What a front may run into: all other cracks, and its own further back than `back` [m].
+struct Obstacles
 {
-  Neighbour found;
-  for (std::size_t c = 0; c < chains.size(); ++c)
+  const std::vector<Chain>& chains;
+  int own;    ///< the front's crack
+  bool first; ///< it lies at the first end of that
+  double back;
+
+  /// Calls segment(crack, one end, other end).
+  template <class Segment>
+  void forEach(const Segment& segment) const
   {
-    const std::vector<Link>& links = chains[c].links;
-    const int segments = static_cast<int>(links.size()) - 1;
-    double behind = 0.0;
-    for (int k = 0; k < segments; ++k)
+    for (std::size_t c = 0; c < chains.size(); ++c)
     {
-      const int s = first ? k : segments - 1 - k;
-      if (static_cast<int>(c) == own && behind <= back)
+      const std::vector<Link>& links = chains[c].links;
+      const int segments = static_cast<int>(links.size()) - 1;
+      double behind = 0.0;
+      for (int k = 0; k < segments; ++k)
       {
-        behind += norm(links[s + 1].vertex - links[s].vertex);
-        continue;
+        const int s = first ? k : segments - 1 - k;
+        const Vector<2>&a = links[s].vertex, &b = links[s + 1].vertex;
+        if (static_cast<int>(c) != own || behind > back)
+          segment(static_cast<int>(c), a, b);
+        behind += norm(b - a);
       }
-      const double distance = distanceToSegment(x, links[s].vertex, links[s + 1].vertex);
-      if (distance < found.distance)
-        found = {distance, static_cast<int>(c)};
     }
   }
-  return found;
-}
+
+  /// The one that is nearest to a place.
+  Neighbour nearestTo(const Vector<2>& x) const
+  {
+    Neighbour found;
+    forEach(
+        [&](int crack, const Vector<2>& a, const Vector<2>& b)
+        {
+          const double distance = distanceToSegment(x, a, b);
+          if (distance < found.distance)
+            found = {distance, crack};
+        });
+    return found;
+  }
+
+  /// The one that a straight way meets first, and the length of that way. \param only this crack; -1: all
+  Neighbour firstAlong(const Vector<2>& from, const Vector<2>& direction, int only = -1) const
+  {
+    Neighbour found;
+    forEach(
+        [&](int crack, const Vector<2>& a, const Vector<2>& b)
+        {
+          const double way = wayTo(a, b, from, direction);
+          if (way < found.distance && (only < 0 || crack == only))
+            found = {way, crack};
+        });
+    return found;
+  }
+};
 
 /// Forgets the sides of particles ahead of a front: they lie beside the crack that will be there.
 void forgetSidesAhead(const State<2>& state, const CrackFront<2>& front, double reach)
@@ -85,24 +128,6 @@ std::string placeOf(const Vector<2>& x) { return formatReal(x[0]) + ", " + forma
 /// ahead it looks for where it would meet that.
 constexpr double tooClose = bandWidth, lookAhead = 2.0 * bandWidth;
 
-/// Length of way after which a front meets another crack [m]; huge where it does not.
-double wayTo(const Chain& other, const Vector<2>& from, const Vector<2>& direction)
-{
-  double shortest = 1e300;
-  for (std::size_t s = 0; s + 1 < other.links.size(); ++s)
-  {
-    const Vector<2> a = other.links[s].vertex, along = other.links[s + 1].vertex - a, to = a - from;
-    const double across = direction[0] * along[1] - direction[1] * along[0];
-    if (across == 0.0)
-      continue;
-    const double way = (to[0] * along[1] - to[1] * along[0]) / across;
-    const double at = (to[0] * direction[1] - to[1] * direction[0]) / across;
-    if (way > 0.0 && at >= 0.0 && at <= 1.0)
-      shortest = std::min(shortest, way);
-  }
-  return shortest;
-}
-
 /// Cosine of the angle within which a front that lies ahead is in the way: 15 degrees.
 constexpr double inTheWay = 0.966;
 
@@ -113,20 +138,10 @@ struct Meeting
   bool atFront;
 };
 
-/// Whether a crack lies between a place and another one, which may be its end.
-bool isCut(const std::vector<Chain>& chains, int own, const Vector<2>& from, const Vector<2>& way)
-{
-  const double length = norm(way);
-  for (std::size_t c = 0; c < chains.size(); ++c)
-    if (static_cast<int>(c) != own && wayTo(chains[c], from, (1.0 / length) * way) < (1.0 - 1e-9) * length)
-      return true;
-  return false;
-}
-
 /// The nearest front of another crack that lies in the way of a front, less than `reach` ahead, with no crack
 /// in between, or -1.
-int frontInTheWay(const CrackSet<2>& set, const std::vector<Chain>& chains, int own,
-                  const Vector<2>& direction, double reach)
+int frontInTheWay(const CrackSet<2>& set, const Obstacles& obstacles, int own, const Vector<2>& direction,
+                  double reach)
 {
   const CrackFront<2>& front = set.fronts[own];
   int nearest = -1;
@@ -135,11 +150,12 @@ int frontInTheWay(const CrackSet<2>& set, const std::vector<Chain>& chains, int 
     const CrackFront<2>& other = set.fronts[f];
     if (other.ended || other.crack == front.crack)
       continue;
-    const std::vector<Link>& links = chains[other.crack].links;
+    const std::vector<Link>& links = obstacles.chains[other.crack].links;
     const Vector<2> way = (atFirstEnd(set, other) ? links.front() : links.back()).vertex - front.position;
     const double length = norm(way);
     if (length < reach && dot(way, direction) > inTheWay * length &&
-        !isCut(chains, front.crack, front.position, way))
+        // The crack of the front may be its own end.
+        !(obstacles.firstAlong(front.position, (1.0 / length) * way).distance < (1.0 - 1e-9) * length))
     {
       reach = length;
       nearest = static_cast<int>(f);
@@ -174,11 +190,19 @@ void lengthen(State<2>& state, Chain& chain, bool first, const FrontAdvance<2>& 
   front.unspent += energy;
 }
 
-void end(State<2>& state, Chain& chain, bool first, int number, const std::string& how,
+/// What a front has ended on.
+enum class EndedOn
+{
+  Surface,
+  Crack
+};
+
+void end(State<2>& state, Chain& chain, bool first, int number, EndedOn on, const std::string& how,
          const Vector<2>& where)
 {
   CrackFront<2>& front = state.cracks.fronts[number];
   chain.front[first ? 0 : 1] = false;
+  chain.joined[first ? 0 : 1] = on == EndedOn::Crack;
   front.ended = true;
   front.speed = 0.0;
   front.driving = {};
@@ -196,8 +220,8 @@ void meet(State<2>& state, std::vector<Chain>& chains, FrontAdvance<2> advance, 
   const Vector<2> way = where - front.position;
   advance.direction = (1.0 / norm(way)) * way;
   lengthen(state, chain, first, advance, norm(way));
-  end(state, chain, first, advance.front, "met the front " + nameOf(state, tip), where);
-  end(state, beyond, tipFirst, met, "was met by the front " + nameOf(state, front), where);
+  end(state, chain, first, advance.front, EndedOn::Crack, "met the front " + nameOf(state, tip), where);
+  end(state, beyond, tipFirst, met, EndedOn::Crack, "was met by the front " + nameOf(state, front), where);
 }
 
 void grow(State<2>& state, std::vector<Chain>& chains, const FrontAdvance<2>& advance,
@@ -208,13 +232,17 @@ void grow(State<2>& state, std::vector<Chain>& chains, const FrontAdvance<2>& ad
   const bool first = atFirstEnd(state.cracks, front);
   Chain& chain = chains[front.crack];
   const Outcome outcome = findRoom(state, chain, first, front, advance);
-  const Vector<2> ahead = front.position + outcome.length * advance.direction;
-  const Neighbour other = nearestNeighbour(chains, front.crack, first, ahead, (bandWidth + 3.0) * spacing);
+  const Obstacles obstacles{chains, front.crack, first, (bandWidth + 3.0) * spacing};
+  const Neighbour across = obstacles.firstAlong(front.position, advance.direction);
+  // No further than to the first crack in the way, so that a long increment leaps none.
+  const Vector<2> ahead = front.position + std::min(outcome.length, across.distance) * advance.direction;
+  const Neighbour other = obstacles.nearestTo(ahead);
   const bool isAlone = !(other.distance < tooClose * spacing);
-  const int met = isAlone ? -1 : frontInTheWay(state.cracks, chains, advance.front, advance.direction, reach);
-  double way = 1e300;
-  if (!isAlone && other.crack != front.crack)
-    way = wayTo(chains[other.crack], front.position, advance.direction);
+  const int met =
+      isAlone ? -1 : frontInTheWay(state.cracks, obstacles, advance.front, advance.direction, reach);
+  // The nearest crack is not always the first in the way, but if that is not in the way at all, it is beside.
+  const bool isAcross = !isAlone && across.distance < reach &&
+                        obstacles.firstAlong(front.position, advance.direction, other.crack).distance < reach;
   Vector<2> leap = {0.0, 0.0};
   if (met >= 0)
   {
@@ -222,18 +250,19 @@ void grow(State<2>& state, std::vector<Chain>& chains, const FrontAdvance<2>& ad
     const std::vector<Link>& links = chains[tip.crack].links;
     leap = (atFirstEnd(state.cracks, tip) ? links.front() : links.back()).vertex - front.position;
   }
-  else if (way < reach)
-    leap = way * advance.direction;
+  else if (isAcross && across.crack != front.crack)
+    leap = across.distance * advance.direction;
   const bool leaps = dot(leap, leap) > 0.0;
   // Where a gap lies before the other crack, that is none that this one can meet.
   if (isAlone || (leaps && !isSolid(state, chain, first, advance, leap)))
   {
     lengthen(state, chain, first, advance, outcome.length);
     if (outcome.ends)
-      end(state, chain, first, advance.front, "reached the surface of its body", ahead);
+      end(state, chain, first, advance.front, EndedOn::Surface, "reached the surface of its body", ahead);
     return;
   }
-  const std::string& name = state.cracks.cracks[other.crack].name;
+  const int obstacle = isAcross ? across.crack : other.crack;
+  const std::string& name = state.cracks.cracks[obstacle].name;
   if (met >= 0)
   {
     meetings.push_back({advance.front, state.cracks.fronts[met].crack, true});
@@ -242,9 +271,10 @@ void grow(State<2>& state, std::vector<Chain>& chains, const FrontAdvance<2>& ad
   }
   if (leaps)
   {
-    lengthen(state, chain, first, advance, way);
-    end(state, chain, first, advance.front, "joined the crack " + name, front.position + leap);
-    meetings.push_back({advance.front, other.crack, false});
+    lengthen(state, chain, first, advance, across.distance);
+    end(state, chain, first, advance.front, EndedOn::Crack, "joined the crack " + name,
+        front.position + leap);
+    meetings.push_back({advance.front, obstacle, false});
     return;
   }
   front.halted = true;

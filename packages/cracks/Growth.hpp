@@ -20,10 +20,10 @@ namespace Rhegma::cracks
 ///
 /// A front that comes within half a cell of the surface of its body runs on to it and ends there. One that
 /// comes closer than three cells to another crack that lies across its way, less than six cells ahead, runs
-/// on to that too, ends on its face and is a junction from then on; the energy of that way is booked as of
-/// any other. Two fronts in each other's way, within 15 degrees and six cells, meet: both end where one is.
-/// One that comes as close to a crack beside its way, or to an earlier part of its own, halts: cells can't
-/// tell such cracks apart. All are said once, in the warnings of the run. Belongs between steps.
+/// on to the first such crack too, ends on its face and is a junction from then on; the energy of that way is
+/// booked as of any other. Two fronts in each other's way, within 15 degrees and six cells, meet: both end
+/// where one is. One that comes as close to a crack beside its way, or to an earlier part of its own, halts:
+/// cells can't tell such cracks apart. All are said once, in the warnings of the run. Belongs between steps.
 void growCracks(State<2>& state, Junctions& junctions);
 
 /// Saves or loads the vertices of the cracks and what their fronts have done.

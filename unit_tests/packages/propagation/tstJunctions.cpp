@@ -2,6 +2,12 @@
 
 #include "src/step/ElasticBox.hpp"
 
+#include "checkpoint/Archive.hpp"
+#include "combustion/Cavity.hpp"
+#include "cracks/Growth.hpp"
+
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <string>
@@ -32,7 +38,7 @@ void addLoad(Teuchos::ParameterList& scene, const std::string& name, const std::
 
 /// A free plate with cracks that run by a toughness of 1 + v / 100 J/m2.
 template <class Cut>
-Teuchos::ParameterList plate(const Cut& cut)
+Teuchos::ParameterList plate(const Cut& cut, double increment = 1.0)
 {
   Teuchos::ParameterList scene = elasticBox<2>(all<2>(0.0), all<2>(size), cell, 4.0, {}, "Plate", "Stress");
   cut(scene);
@@ -41,7 +47,7 @@ Teuchos::ParameterList plate(const Cut& cut)
   Teuchos::ParameterList& propagation = scene.sublist("Propagation");
   propagation.set("Toughness", std::string("1 + v/100"));
   propagation.set("Direction", std::string("Straight"));
-  propagation.set("Increment", 1.0);
+  propagation.set("Increment", increment);
   propagation.set("Start Time", 0.0);
   propagation.set("Release Contour", reals({5.0, 10.0}));
   propagation.set("Direction Contour", reals({3.0, 6.0}));
@@ -67,6 +73,48 @@ void cutInTwo(Teuchos::ParameterList& scene)
   Teuchos::ParameterList& cracks = scene.sublist("Cracks");
   cracks.sublist("Roof").set("Points", reals({0.0, roof, 15e-3, roof}));
   cracks.sublist("Wall").set("Points", reals({size, roof, 26.4e-3, roof}));
+}
+
+/// The same, and gas in both, which flows out at the edges.
+void cutInTwoWithGas(Teuchos::ParameterList& scene)
+{
+  cutInTwo(scene);
+  for (const char* name : {"Roof", "Wall"})
+  {
+    Teuchos::ParameterList& burning = scene.sublist("Combustion").sublist(name);
+    burning.set("Burn Law", std::string("Vieille"));
+    burning.set("Burn Coefficient", 0.0);
+    burning.set("Burn Exponent", 1.0);
+    burning.set("Gas Constant", 320.0);
+    burning.set("Flame Temperature", 2500.0);
+    burning.set("Initial Pressure", 2e5);
+    burning.set("Initial Gap", 1e-5);
+    burning.set("Venting", true);
+  }
+}
+
+/// Beam runs to the left until it joins Roof, which rises 35 degrees off the way of Wall. Wall then has Beam
+/// 4.2 cells ahead and behind that Roof, to which it comes nearer than three cells first.
+constexpr double tip = 15.3e-3, beam = tip + 4.2 * cell;
+void cutBelowABeam(Teuchos::ParameterList& scene)
+{
+  addLoad(scene, "Left", {0.0, 20.0 * cell}, {0.0, 0.0}, {-pull, 0.0});
+  addLoad(scene, "Right", {size, 0.0}, {size, 20.0 * cell}, {pull, 0.0});
+  const double place = 20.3e-3, slope = std::tan(35.0 * M_PI / 180.0), crossing = tip + 5.9 * cell;
+  const auto roofAt = [&](double y) { return place + slope * (y - crossing); };
+  Teuchos::ParameterList& cracks = scene.sublist("Cracks");
+  cracks.sublist("Roof").set("Points", reals({roofAt(3e-3), 3e-3, roofAt(30e-3), 30e-3}));
+  cracks.sublist("Beam").set("Points", reals({size, beam, place + 2.6 * cell, beam}));
+  cracks.sublist("Wall").set("Points", reals({place, 0.0, place, tip}));
+}
+
+/// Wall is about to advance by four cells; an earlier part of it lies across its way, and Roof behind that.
+constexpr double earlier = 16.8e-3;
+void cutBelowItself(Teuchos::ParameterList& scene)
+{
+  cutACorner(scene);
+  scene.sublist("Cracks").sublist("Wall").set(
+      "Points", reals({8e-3, earlier, 24e-3, earlier, 24e-3, 7e-3, wall, 7e-3, wall, tip}));
 }
 
 /// The same as the first, but Roof is in a body of its own, a cell above the one in which Wall runs.
@@ -120,18 +168,18 @@ struct Piece
   double joined;
 };
 
-/// Runs until the front of Wall has ended.
+/// Runs until the front of Wall has ended or halted.
 template <class Cut>
-Piece runWall(const Cut& cut)
+Piece runWall(const Cut& cut, double increment = 1.0)
 {
-  Piece piece{Rhegma::Run<2>(plate(cut)), -1, -1.0};
+  Piece piece{Rhegma::Run<2>(plate(cut, increment)), -1, -1.0};
   piece.run.initialize();
   State<2>& state = piece.run.state();
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
     if (state.cracks.cracks[state.cracks.fronts[f].crack].name == "Wall")
       piece.front = static_cast<int>(f);
   measureEnergy(state);
-  while (state.time < 1e-4 && piece.joined < 0.0)
+  while (state.time < 1e-4 && piece.joined < 0.0 && !state.cracks.fronts[piece.front].halted)
   {
     state.cracks.fronts[piece.front].driving.release = 1.0 + speed / 100.0;
     piece.run.step(1.0, false);
@@ -261,4 +309,75 @@ TEST(Junctions, FrontsThatMeetPartThePlate)
   const double load = pull * size, force = forceOn(piece.run, 1, [](double, double y) { return y > roof; });
   std::cout << "force on the upper half " << force / load << " of the load on its edge\n";
   EXPECT_NEAR(force / load, 1.0, 0.02);
+}
+
+/// A crack ends on the first of two cracks in its way, though the second is nearer.
+TEST(Junctions, CrackEndsOnTheFirstCrackInItsWay)
+{
+  Rhegma::Run<2> run(plate(cutBelowABeam));
+  run.initialize();
+  State<2>& state = run.state();
+  const auto runs = [&](const std::string& name) -> const CrackFront<2>&
+  {
+    auto& fronts = state.cracks.fronts;
+    const auto front =
+        std::find_if(fronts.begin(), fronts.end(),
+                     [&](const CrackFront<2>& one) { return state.cracks.cracks[one.crack].name == name; });
+    for (const double begin = state.time; state.time < begin + 5e-5 && !front->ended && !front->halted;)
+    {
+      front->driving.release = 1.0 + speed / 100.0;
+      run.step(1.0, false);
+    }
+    return *front;
+  };
+  ASSERT_TRUE(runs("Beam").ended);
+  const CrackFront<2>& front = runs("Wall");
+  EXPECT_TRUE(front.ended);
+  EXPECT_NEAR(front.position[1], beam, 0.1 * cell);
+  EXPECT_TRUE(std::any_of(state.warnings.begin(), state.warnings.end(),
+                          [](const std::string& warning)
+                          { return warning.find("joined the crack Beam") != std::string::npos; }));
+}
+
+/// An earlier part of its own, before another crack, halts it.
+TEST(Junctions, CrackDoesNotCrossItself)
+{
+  Piece piece = runWall(cutBelowItself, 4.0);
+  const CrackFront<2>& front = piece.run.state().cracks.fronts[piece.front];
+  EXPECT_TRUE(front.halted);
+  EXPECT_LT(front.position[1], earlier);
+}
+
+/// Where two cracks have met none of their gas flows out, as it does at the edges of the plate; a warning
+/// says once that it stays separate.
+TEST(Junctions, GasDoesNotFlowOutWhereCracksMeet)
+{
+  Piece piece = runWall(cutInTwoWithGas);
+  ASSERT_GE(piece.joined, 0.0);
+  State<2>& state = piece.run.state();
+  while (state.time < piece.joined + 2e-5)
+    piece.run.step(1.0, false);
+  ASSERT_EQ(state.trouble, "");
+  // Roof begins at the left edge, Wall at the right one; the same after a restart.
+  for (const bool again : {false, true})
+  {
+    if (again)
+    {
+      Record record;
+      Archive saving = Archive::saving(record);
+      cracks::keepCracks(state, saving);
+      Archive loading = Archive::loading(record);
+      cracks::keepCracks(state, loading);
+    }
+    for (const int crack : {0, 1})
+    {
+      const std::array<double, 2> area = combustion::mouthAreas(state, crack, {});
+      EXPECT_GT(area[0], 0.0);
+      EXPECT_EQ(area[1], 0.0);
+    }
+  }
+  EXPECT_EQ(std::count_if(state.warnings.begin(), state.warnings.end(),
+                          [](const std::string& warning)
+                          { return warning.find("stay separate") != std::string::npos; }),
+            1);
 }
