@@ -253,7 +253,7 @@ TEST(Junctions, KeepHeat)
       [&](Teuchos::ParameterList& scene)
       {
         cutACorner(scene);
-        Teuchos::ParameterList& material = scene.sublist("Materials").sublist("Polymer");
+        Teuchos::ParameterList& material = scene.sublist("Materials").sublist("Solid");
         material.set("Specific Heat", capacity);
         material.set("Conductivity", diffusivity * density * capacity);
         scene.sublist("Thermal").set("Initial Temperature", 300.0);
