@@ -56,7 +56,6 @@ template <int D>
 Cavity measureCavity(const State<D>& state, const FacePoints<D>& points, int crack, const View<int*>& lit)
 {
   const FacePoints<D> p = points;
-  const View<int*> burns = lit;
   const double thickness = state.thickness;
   Cavity cavity;
   Kokkos::parallel_reduce(
@@ -67,7 +66,7 @@ Cavity measureCavity(const State<D>& state, const FacePoints<D>& points, int cra
         const double own = p.currentSize(k) * thickness;
         area += own;
         felt += p.acts(k) != 0 ? own : 0.0;
-        burning += p.acts(k) != 0 && burns(k) != 0 ? 2.0 * own : 0.0;
+        burning += p.acts(k) != 0 && lit(k) != 0 ? 2.0 * own : 0.0;
         widest = p.separation(k) > widest ? p.separation(k) : widest;
       },
       cavity.area, cavity.burning, cavity.felt, Kokkos::Max<double>(cavity.widest));

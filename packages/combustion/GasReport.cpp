@@ -18,6 +18,7 @@ namespace
 std::vector<double> pressuresAlong(const Channel& channel)
 {
   std::vector<double> all;
+  all.reserve(channel.size());
   for (int k = 0; k < channel.size(); ++k)
     all.push_back(channel.pressure(k));
   return all;

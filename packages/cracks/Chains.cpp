@@ -68,6 +68,7 @@ std::vector<Chain> readChains(const CrackSet<2>& set)
 void writeChains(CrackSet<2>& set, const std::vector<Chain>& chains, double spacing)
 {
   std::vector<CrackMesh<2>> meshes;
+  meshes.reserve(chains.size());
   for (const Chain& chain : chains)
     meshes.push_back(meshOf(chain));
   layOut(set, meshes, spacing);

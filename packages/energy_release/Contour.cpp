@@ -116,7 +116,7 @@ double clearBeside(const State<D>& state, const Vector<D>& centre, double radius
 template <int D>
 View<double*> coverOfNodes(const State<D>& state, const Vector<D>& centre, double radius)
 {
-  const View<double*> cover("rhegma::coverOfNodes", state.grid.numNodes + state.tree.numFine);
+  View<double*> cover("rhegma::coverOfNodes", state.grid.numNodes + state.tree.numFine);
   sumVolume(state, centre, radius + 3.0 * state.grid.spacing, cover);
   sumOverRanks(state, cover);
   double cell = D == 2 ? state.thickness : 1.0;
