@@ -24,6 +24,7 @@ public:
     const int begin = std::min(end_, part_ * ranks.rank()), until = std::min(end_, begin + part_);
     std::vector<char> used(until - begin, 0);
     std::vector<int> keeper;
+    keeper.reserve(taken.size());
     for (const int id : taken)
       keeper.push_back(id / part_);
     for (const double id : sendRows(ranks, keeper, std::vector<double>(taken.begin(), taken.end()), 1))

@@ -25,7 +25,7 @@ constexpr double roundOff = 1e-9;
 template <int D>
 struct Quarrel
 {
-  Vector<D> place;
+  Vector<D> place{};
   int axis = 0;
   double time = 0.0, first = 0.0, second = 0.0;
 };

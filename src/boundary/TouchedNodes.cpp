@@ -56,7 +56,7 @@ std::vector<Vector<D>> ofLattice(const State<D>& state)
 template <int D>
 View<int*> marksOfFine(const State<D>& state)
 {
-  const View<int*> mark("rhegma::touchedNodes", state.tree.numFine);
+  View<int*> mark("rhegma::touchedNodes", state.tree.numFine);
   const TreeSight<D> sight(state.grid, state.tree);
   const int numNodes = state.grid.numNodes;
   const bool boxes = state.shape == ShapeKind::Gimp;

@@ -24,7 +24,7 @@ void fit(View<double*>& view, const std::string& label, std::size_t size)
 
 View<int*> onDevice(const std::string& label, const std::vector<int>& list)
 {
-  const View<int*> view(label, list.size());
+  View<int*> view(label, list.size());
   const auto host = Kokkos::create_mirror_view(view);
   std::copy(list.begin(), list.end(), host.data());
   Kokkos::deep_copy(view, host);
@@ -177,7 +177,6 @@ int NeighbourSums::add(const SharedRows& rows, const Columns& columns, const Nei
 {
   const View<int*> nodes = nodes_, entry = entry_, begin = begin_, share = share_, came = came_;
   const View<double*> received = received_;
-  const SharedRows at = rows;
   const Columns of = columns;
   const int firstEntry = from.begin;
   int strange = 0;
@@ -191,7 +190,7 @@ int NeighbourSums::add(const SharedRows& rows, const Columns& columns, const Nei
         for (int k = begin(i); share(k) != e; ++k)
           if (startOfShare(k) >= 0)
             return;
-        const int row = at(nodes(i), f);
+        const int row = rows(nodes(i), f);
         if (row < 0)
         {
           ++unknown;

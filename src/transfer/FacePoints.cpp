@@ -33,6 +33,7 @@ struct Place
 std::vector<std::array<double, 2>> middles(std::integral_constant<int, 2>, int n)
 {
   std::vector<std::array<double, 2>> all;
+  all.reserve(n);
   for (int i = 0; i < n; ++i)
     all.push_back({1.0 - (i + 0.5) / n, (i + 0.5) / n});
   return all;
