@@ -34,7 +34,7 @@ def by_chance(outcome, others, cell="Domain:Cell Size"):
 
 def beside(one, other):
     """Whether two points of a logarithmic picture are so near that labels beside them meet."""
-    return all(max(a, b) < 1.6 * min(a, b) for a, b in zip(one, other))
+    return all(max(a, b) < factor * min(a, b) for a, b, factor in zip(one, other, (2.3, 1.6)))  # labels are wide
 
 
 def short(run, swept):
@@ -43,6 +43,8 @@ def short(run, swept):
     if len(names) == 1:
         value = run.settings[names[0]]
         try:
+            if names[0] == "Domain:Cell Size":
+                return f"{1000.0 * float(value):.4g} mm"
             return value if len(value) < 9 else f"{float(value):.3g}"
         except ValueError:
             return value
