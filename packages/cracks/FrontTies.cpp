@@ -149,8 +149,9 @@ void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
           stiffness(own) = 0.0;
           for (int d = 0; d < D; ++d)
             jump(own, d) = 0.0;
-          if (grows)
-            cohesive(own, cohesion::peak) = 0.0;
+          // All of it, as checkpoints keep all of it: another node that had this number may have left some.
+          for (int k = 0; grows && k < D + 4; ++k)
+            cohesive(own, k) = 0.0;
         }
         last(own) = step;
         tie(own, D) = 0.0;

@@ -82,10 +82,9 @@ void refuseContour(const Teuchos::ParameterList& list, const std::string& name,
 /// What cracks of 3D scenes can't run with as yet.
 void refuseInSpace(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  for (const char* name : {"Mass Matrix", "Sub-Cycling"})
-    if (scene.isSublist(name))
-      errors.push_back({"Propagation", "in 3D it does not go with " + std::string(name) +
-                                           " as yet; take one of the two out"});
+  if (scene.isSublist("Mass Matrix"))
+    errors.push_back(
+        {"Propagation", "in 3D it does not go with Mass Matrix as yet; take one of the two out"});
   // Cells that follow a front place the points of its faces anew, and faces that open gain contact energy.
   if (scene.isSublist("Contact") && scene.isSublist("Adaptivity"))
     errors.push_back({"Propagation", "in 3D it goes with Contact or with Adaptivity, not with both as yet; "

@@ -73,10 +73,6 @@ NOT_IN_3D = [
      one("Cracks > Penny > Surface File", "no_such.stl", "no such file")),
     ("surface_of_another_kind", ball().set("Cracks", {"Penny": {"Surface File": "crack.ply"}}),
      one("Cracks > Penny > Surface File", ".stl or .obj")),
-    ("crack_that_runs_in_3d_in_short_steps",
-     ball().set("Cracks", {"Penny": {"Centre": [0.0, 0.0, 0.0], "Radius": 0.03, "Normal": [0.0, 0.0, 1.0]}}).set(
-         "Energy Release", {}).set("Propagation", {"Toughness": "100"}).set("Adaptivity", {"Maximum Level": 1}).set("Sub-Cycling", {}),
-     one("Propagation", "in 3D", "Sub-Cycling")),
     ("crack_that_runs_in_3d_with_a_mass_matrix",
      ball().set("Cracks", {"Penny": {"Centre": [0.0, 0.0, 0.0], "Radius": 0.03, "Normal": [0.0, 0.0, 1.0]}}).set(
          "Energy Release", {}).set("Propagation", {"Toughness": "100"}).set("Mass Matrix", {"Type": "Partial"}),

@@ -222,6 +222,11 @@ std::vector<Case> allCases()
         all.back().overrides = {"Propagation:Toughness=3e-4*(1 + v/200)", "Propagation:Start Time=0"};
         all.back().steps = 80;
       }
+      if (stem == "penny_growth_short_steps") // in steps of twice that length
+      {
+        all.back().overrides = {"Propagation:Toughness=3e-4*(1 + v/200)", "Propagation:Start Time=0"};
+        all.back().steps = 50;
+      }
       // In a small gap gas takes steps that are far shorter than the first.
       if (stem == "gas_driven" || stem == "gas_driven_flow")
         all.back().overrides = {"Combustion:Slit:Initial Gap=1e-5"};
