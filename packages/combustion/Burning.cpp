@@ -103,6 +103,7 @@ Burning<D> readBurning(const State<D>& state, const Teuchos::ParameterList& scen
   b.flows = list.get<std::string>("Gas Model") == "Flow";
   b.flow = CrackFlow<D>(law, {list.get<double>("Viscosity"), list.get<double>("Friction Factor")},
                         state.thickness);
+  b.passageCoefficient = list.get<double>("Discharge Coefficient");
   if (list.get<bool>("Venting"))
   {
     b.discharge = list.get<double>("Discharge Coefficient");

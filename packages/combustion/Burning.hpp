@@ -29,7 +29,8 @@ struct Burning
   double wallFraction = 0.0;        ///< of the flame's heat that goes into the faces that burn
   double transfer = 0.0;            ///< between gas and all faces [W/(m2 K)]
   double solidTemperature = 0.0;    ///< from which the heat of what burns counts [K]
-  double discharge = 0.0;           ///< 0: no venting
+  double discharge = 0.0;           ///< of the opening at the surface that flow has; 0: no venting
+  double passageCoefficient = 0.0;  ///< of the opening into another crack that flow has
   std::vector<MirrorPlane> mirrors; ///< of the scene
 
   bool flows = false;   ///< along the crack; else it has one pressure

@@ -17,9 +17,10 @@ namespace
 /// Vertices this share of a cell from a mirror plane lie on it.
 constexpr double onPlane = 0.05;
 
-/// Calls mouth(vertices of the facet) for each facet of the crack at the surface of the body.
+/// Calls mouth(vertices of the facet) for each facet of the crack beyond which there is the surface of the
+/// body (facet::mouth) or another crack (facet::joined).
 template <int D, class Mouth>
-void forEachMouth(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors,
+void forEachMouth(const State<D>& state, int crack, int beyond, const std::vector<MirrorPlane>& mirrors,
                   const Mouth& mouth)
 {
   const CrackSet<D>& cracks = state.cracks;
@@ -30,7 +31,7 @@ void forEachMouth(const State<D>& state, int crack, const std::vector<MirrorPlan
   for (int s = c.firstSimplex; s < c.firstSimplex + c.numSimplices; ++s)
     for (int i = 0; i < D; ++i)
     {
-      if (neighbour(s, i) != facet::mouth)
+      if (neighbour(s, i) != beyond)
         continue;
       int corner[D - 1];
       for (int k = 0; k < D - 1; ++k)
@@ -48,6 +49,33 @@ void forEachMouth(const State<D>& state, int crack, const std::vector<MirrorPlan
       if (!mirrored)
         mouth(corner);
     }
+}
+
+/// Area of what opens at the first and the last end of a crack [m2].
+template <int D>
+std::array<double, 2> endAreas(const State<D>& state, int crack, int beyond,
+                               const std::vector<MirrorPlane>& mirrors)
+{
+  const CrackSet<D>& cracks = state.cracks;
+  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
+  const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.face);
+  const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertexNormal);
+  const int first = cracks.cracks[crack].firstVertex;
+  std::array<double, 2> area{};
+  forEachMouth(state, crack, beyond, mirrors,
+               [&](const int(&corner)[D - 1])
+               {
+                 double opening = 0.0, square = 0.0;
+                 for (const int v : corner)
+                   for (int d = 0; d < D; ++d)
+                   {
+                     opening += normal(v, d) * (face(v, 1, d) - face(v, 0, d)) / (D - 1);
+                     square += (vertex(v, d) - vertex(corner[0], d)) * (vertex(v, d) - vertex(corner[0], d));
+                   }
+                 area[corner[0] == first ? 0 : 1] +=
+                     std::max(opening, 0.0) * (D == 2 ? state.thickness : std::sqrt(square));
+               });
+  return area;
 }
 
 } // namespace
@@ -76,26 +104,13 @@ Cavity measureCavity(const State<D>& state, const FacePoints<D>& points, int cra
 template <int D>
 std::array<double, 2> mouthAreas(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors)
 {
-  const CrackSet<D>& cracks = state.cracks;
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
-  const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.face);
-  const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertexNormal);
-  const int first = cracks.cracks[crack].firstVertex;
-  std::array<double, 2> area{};
-  forEachMouth(state, crack, mirrors,
-               [&](const int(&corner)[D - 1])
-               {
-                 double opening = 0.0, square = 0.0;
-                 for (const int v : corner)
-                   for (int d = 0; d < D; ++d)
-                   {
-                     opening += normal(v, d) * (face(v, 1, d) - face(v, 0, d)) / (D - 1);
-                     square += (vertex(v, d) - vertex(corner[0], d)) * (vertex(v, d) - vertex(corner[0], d));
-                   }
-                 area[corner[0] == first ? 0 : 1] +=
-                     std::max(opening, 0.0) * (D == 2 ? state.thickness : std::sqrt(square));
-               });
-  return area;
+  return endAreas(state, crack, facet::mouth, mirrors);
+}
+
+template <int D>
+std::array<double, 2> joinedAreas(const State<D>& state, int crack)
+{
+  return endAreas(state, crack, facet::joined, {});
 }
 
 template <int D>
@@ -109,7 +124,7 @@ template <int D>
 bool hasMouth(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors)
 {
   bool any = false;
-  forEachMouth(state, crack, mirrors, [&](const int(&)[D - 1]) { any = true; });
+  forEachMouth(state, crack, facet::mouth, mirrors, [&](const int(&)[D - 1]) { any = true; });
   return any;
 }
 
@@ -126,21 +141,6 @@ std::vector<MirrorPlane> mirrorPlanes(const Teuchos::ParameterList& scene)
       planes.push_back({one.get<std::string>("Axis")[0] - 'x', one.get<double>("Position")});
   }
   return planes;
-}
-
-template <int D>
-int crackThatJoined(const CrackSet<D>& cracks)
-{
-  const auto neighbour = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.neighbour);
-  for (std::size_t c = 0; c < cracks.cracks.size(); ++c)
-  {
-    const int first = cracks.cracks[c].firstSimplex;
-    for (int s = first; s < first + cracks.cracks[c].numSimplices; ++s)
-      for (int i = 0; i < D; ++i)
-        if (neighbour(s, i) == facet::joined)
-          return static_cast<int>(c);
-  }
-  return -1;
 }
 
 template <int D>
@@ -180,8 +180,8 @@ template std::array<double, 2> mouthAreas(const State<2>&, int, const std::vecto
 template std::array<double, 2> mouthAreas(const State<3>&, int, const std::vector<MirrorPlane>&);
 template bool hasMouth(const State<2>&, int, const std::vector<MirrorPlane>&);
 template bool hasMouth(const State<3>&, int, const std::vector<MirrorPlane>&);
-template int crackThatJoined(const CrackSet<2>&);
-template int crackThatJoined(const CrackSet<3>&);
+template std::array<double, 2> joinedAreas(const State<2>&, int);
+template std::array<double, 2> joinedAreas(const State<3>&, int);
 template double distanceFromCrack(const CrackSet<2>&, int, const Vector<2>&, const Vector<2>&);
 template double distanceFromCrack(const CrackSet<3>&, int, const Vector<3>&, const Vector<3>&);
 

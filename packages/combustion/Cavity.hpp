@@ -42,13 +42,14 @@ double mouthArea(const State<D>& state, int crack, const std::vector<MirrorPlane
 template <int D>
 std::array<double, 2> mouthAreas(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors);
 
+/// Area through which the first and the last end of a crack in 2D open into another crack, on which it has
+/// ended [m2].
+template <int D>
+std::array<double, 2> joinedAreas(const State<D>& state, int crack);
+
 /// Whether the crack has a mouth, those on mirror planes left out.
 template <int D>
 bool hasMouth(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors);
-
-/// The first crack that has ended on another one, or -1. No gas passes there.
-template <int D>
-int crackThatJoined(const CrackSet<D>& cracks);
 
 /// Distance of a box from a crack [m]; 0 where it meets it.
 template <int D>

@@ -4,6 +4,7 @@
 #include "combustion/BurnStep.hpp"
 #include "combustion/GasReport.hpp"
 #include "combustion/GasStep.hpp"
+#include "combustion/Passages.hpp"
 #include "scene/ReadList.hpp"
 #include "step/LastStage.hpp"
 
@@ -27,24 +28,6 @@ void warnOfRunaway(State<D>& state, const std::string& name, const Teuchos::Para
         "Combustion > " + name +
         ": without venting, burning with an exponent above 1 raises the pressure without "
         "bound in a finite time");
-}
-
-/// Says once that no gas passes between cracks that have met.
-template <int D>
-void warnOfJoining(State<D>& state, Work<D>& work)
-{
-  const std::vector<CrackFront<D>>& fronts = state.cracks.fronts;
-  const auto ended =
-      std::count_if(fronts.begin(), fronts.end(), [](const CrackFront<D>& front) { return front.ended; });
-  if (work.joined || ended == work.endedFronts)
-    return;
-  work.endedFronts = static_cast<int>(ended);
-  const int crack = crackThatJoined(state.cracks);
-  work.joined = crack >= 0;
-  if (work.joined)
-    state.warnings.push_back("Combustion: the crack " + state.cracks.cracks[crack].name +
-                             " has met another one; the gases of cracks that met stay separate, and none "
-                             "flows out where they meet");
 }
 
 template <int D>
@@ -73,7 +56,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                [work](State<D>& s)
                {
                  work->follow(s);
-                 warnOfJoining(s, *work);
+                 followMeetings(s, *work);
                  for (Burning<D>& b : work->cracks)
                    pushByGas(s, *work, b);
                }});
@@ -88,6 +71,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                    bookGasWork(s, *work, b);
                  for (Burning<D>& b : work->cracks)
                    burnStep(s, *work, b);
+                 letGasesPass(s, *work);
                }});
   effect.call(
       {Stage::Observe, "gas in cracks", {"energies"}, {}, {}, [work](State<D>& s) { sampleGas(s, *work); }});
@@ -106,7 +90,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.memory = [work](State<D>&, Archive& archive)
   {
     archive("start_mass", work->startMass);
-    archive("cracks_joined", work->joined);
+    keepMeetings(work->meetings, archive);
     for (Burning<D>& b : work->cracks)
     {
       const Archive::Group group(archive, std::to_string(b.crack));

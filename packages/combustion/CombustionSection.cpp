@@ -119,7 +119,7 @@ Section combustionSection()
       .above(0.0)
       .atMost(1.0)
       .byDefault(0.85)
-      .meaning("Share of the opening at the surface that the flow has.");
+      .meaning("Share of the opening at the surface, or into another crack, that the flow has.");
   s.namedByUser(crack);
   return s;
 }

@@ -83,9 +83,7 @@ void Gas::vent(double mass, double volume)
 {
   if (!(mass > 0.0))
     return;
-  const double enthalpy =
-      mass * law_.heatCapacity() * temperature() + mass / mass_ * pressure(volume) * volume;
-  takeOut(mass, enthalpy);
+  takeOut(mass, mass * enthalpy(volume));
 }
 
 void Gas::takeOut(double mass, double enthalpy)
@@ -94,6 +92,14 @@ void Gas::takeOut(double mass, double enthalpy)
   energy_ -= enthalpy;
   vented_ += mass;
   ventedEnergy_ += enthalpy;
+}
+
+void Gas::pass(double mass, double enthalpy)
+{
+  mass_ += mass;
+  energy_ += enthalpy;
+  passed_ += mass;
+  passedEnergy_ += enthalpy;
 }
 
 void Gas::settle()
@@ -110,6 +116,11 @@ double Gas::temperature() const { return mass_ > 0.0 ? energy_ / (mass_ * law_.h
 double Gas::pressure(double volume) const
 {
   return (law_.heatRatio - 1.0) * energy_ / (volume - leastVolume());
+}
+
+double Gas::enthalpy(double volume) const
+{
+  return law_.heatCapacity() * temperature() + pressure(volume) * volume / mass_;
 }
 
 double GasLaw::outflow(double area, double pressure, double temperature, double outside) const
@@ -164,6 +175,8 @@ void Gas::keep(Archive& archive)
   archive("vented_energy", ventedEnergy_);
   archive("wall_heat", wallHeat_);
   archive("solid_heat", solidHeat_);
+  archive("passed", passed_);
+  archive("passed_energy", passedEnergy_);
 }
 
 } // namespace Rhegma::combustion

@@ -37,9 +37,11 @@ struct GasLaw
 /// temperature T_f. Work on the faces is taken from the internal energy; what flows out takes its enthalpy.
 /// The balance is
 ///
-///     U = U_start + c_v T_f burnt + heat of what burnt - work - vented enthalpy - heat to the walls,
+///     U = U_start + c_v T_f burnt + heat of what burnt + passed enthalpy - work - vented enthalpy
+///         - heat to the walls,
 ///
-/// the heat of what burnt being that of the solid above its temperature at the start.
+/// the heat of what burnt being that of the solid above its temperature at the start, and what passed being
+/// that which came from other cracks less that which went there.
 class Gas
 {
 public:
@@ -58,6 +60,8 @@ public:
   void heatWalls(double heat);           ///< [J]
   /// Books what has flowed out with its enthalpy [kg, J].
   void takeOut(double mass, double enthalpy);
+  /// Books what has come from the gas of another crack with its enthalpy, or gone there (negative) [kg, J].
+  void pass(double mass, double enthalpy);
   /// Where the temperature is constant, the walls give or take what it needs.
   void settle();
 
@@ -67,6 +71,8 @@ public:
   double energy() const { return energy_; } ///< internal [J]
   double temperature() const;               ///< [K]
   double pressure(double volume) const;     ///< [Pa]
+  /// c_v T + p V / m of the gas in a volume [J/kg].
+  double enthalpy(double volume) const;
   /// What the volume must be larger than [m3].
   double leastVolume() const { return law_.covolume * mass_; }
   const GasLaw& law() const { return law_; }
@@ -77,6 +83,8 @@ public:
   double ventedEnergy() const { return ventedEnergy_; } ///< [J]
   double wallHeat() const { return wallHeat_; }         ///< to the walls [J]
   double solidHeat() const { return solidHeat_; }       ///< of what burnt [J]
+  double passed() const { return passed_; }             ///< come from other cracks less gone there [kg]
+  double passedEnergy() const { return passedEnergy_; } ///< of that [J]
 
   /// Mass that flows out through an opening [kg/s]: GasLaw::outflow.
   double outflow(double area, double volume, double outside) const;
@@ -88,6 +96,7 @@ private:
   double mass_ = 0.0, energy_ = 0.0;
   double startMass_ = 0.0, startEnergy_ = 0.0;
   double burnt_ = 0.0, vented_ = 0.0, work_ = 0.0, ventedEnergy_ = 0.0, wallHeat_ = 0.0, solidHeat_ = 0.0;
+  double passed_ = 0.0, passedEnergy_ = 0.0;
 };
 
 } // namespace Rhegma::combustion

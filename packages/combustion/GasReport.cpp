@@ -107,13 +107,15 @@ void reportGas(const State<D>& state, const Work<D>& work, nlohmann::json& summa
     reportPressure(summary, b.crack, b.pressure);
     entry["burnt_mass"] = gas.burnt();
     const double released = gas.burnt() * gas.law().heatCapacity() * gas.law().flameTemperature;
-    const double given = gas.startEnergy() + released + gas.solidHeat();
+    const double given = gas.startEnergy() + released + gas.solidHeat() + gas.passedEnergy();
     // What flows has its mass and energy in its cells: that they are the books' is no matter of course.
     const double mass = b.flows ? b.flow.channel().allMass() : gas.mass();
     const double energy = b.flows ? b.flow.channel().allEnergy() : gas.energy();
     const double taken = gas.workDone() + gas.ventedEnergy() + gas.wallHeat();
     entry["gas"] = {{"mass", mass},
                     {"vented_mass", gas.vented()},
+                    {"passed_mass", gas.passed()},
+                    {"passed_energy", gas.passedEnergy()},
                     {"temperature", gas.temperature()},
                     {"volume", b.volume},
                     {"energy", energy},

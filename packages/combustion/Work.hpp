@@ -3,6 +3,7 @@
 
 #include "combustion/Burning.hpp"
 #include "combustion/FaceHeat.hpp"
+#include "combustion/Meeting.hpp"
 #include "combustion/Regression.hpp"
 
 #include <vector>
@@ -21,14 +22,14 @@ struct Work
   Fire<D> fire;
   Regression<D> regression;
   FaceHeat<D> heat;
-  FaceHeating heating;    ///< at each face point
-  View<double*> depth;    ///< density times the depth that burns in a step, at each face point [kg/m2]
-  View<double*> taken;    ///< heat that the faces take there [J]
-  View<double*> pressure; ///< that the faces feel there, where gas flows [Pa]
-  View<double*> swept;    ///< volume that opens there in a step [m3]
-  double startMass = 0.0; ///< of the particles [kg]
-  int endedFronts = 0;    ///< as last seen
-  bool joined = false;    ///< a warning has said that the gases of cracks that met stay separate
+  FaceHeating heating;           ///< at each face point
+  View<double*> depth;           ///< density times the depth that burns in a step, at each face point [kg/m2]
+  View<double*> taken;           ///< heat that the faces take there [J]
+  View<double*> pressure;        ///< that the faces feel there, where gas flows [Pa]
+  View<double*> swept;           ///< volume that opens there in a step [m3]
+  double startMass = 0.0;        ///< of the particles [kg]
+  int endedFronts = 0;           ///< as last seen
+  std::vector<Meeting> meetings; ///< of cracks that have ended on others
 
   /// Follows the faces; fields at points get the size that they must have.
   void follow(const State<D>& state)

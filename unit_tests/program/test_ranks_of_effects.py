@@ -158,17 +158,31 @@ class Propagation(OnRanks):
             front = json.load(file)["cracks"][0]["fronts"][0]
         self.assertGreater(front["increments"], 10)
 
-    def test_a_crack_that_joins_another(self):
+    def joining(self):
         """The notch runs into a crack across its way, in the middle of the domain, where ranks meet."""
         scene = plate().set("Cracks > Across", {"Points": [0.6, 0.13, 0.62, 0.77]})
         scene.set("Cracks > Notch > Points", [-0.1, 0.43, 0.31, 0.43])
         scene.set("Boundaries > Pull", {"Type": "Traction", "Body": "Plate", "From": [0.0, 1.0], "To": [1.0, 1.0],
                                         "Stress": [0.0, 1e6]})
         scene.set("Energy Release", {"Inner Radius": 0.06, "Outer Radius": 0.12})
-        scene.set("Propagation", {"Toughness": "20*(1 + v/200)"})
-        self.agree(self.write(scene), within=1e-9, ranks=(2, 3))
+        return scene.set("Propagation", {"Toughness": "20*(1 + v/200)"})
+
+    def test_a_crack_that_joins_another(self):
+        self.agree(self.write(self.joining()), within=1e-9, ranks=(2, 3))
         with open(os.path.join(self.folder, "on3", "summary.json"), encoding="utf-8") as file:
             self.assertTrue(any("joined the crack Across" in w for w in json.load(file)["warnings"]))
+
+    def test_gas_that_passes_from_one_crack_to_another(self):
+        scene = burning(self.joining(), Venting=False, **{"Ignition Point": [0.1, 0.43]})
+        gas = {"Burn Law": "Vieille", "Burn Coefficient": 0.0, "Burn Exponent": 1.0, "Gas Constant": 320.0,
+               "Flame Temperature": 2500.0, "Initial Gap": 1e-3}
+        self.agree(self.write(scene.set("Combustion > Across", gas)), within=1e-9, ranks=(3,))
+        with open(os.path.join(self.folder, "on3", "summary.json"), encoding="utf-8") as file:
+            summary = json.load(file)
+        passed = [crack["gas"]["passed_mass"] for crack in summary["cracks"]]
+        self.assertGreater(max(passed), 0.0)
+        self.assertLess(abs(sum(passed)), 1e-12 * max(passed))
+        self.assertLess(abs(summary["combustion"]["mass_kept"] - 1.0), 1e-12)
 
     def test_a_penny_that_grows(self):
         """A front in three dimensions, which sets out long before the end of its loading."""

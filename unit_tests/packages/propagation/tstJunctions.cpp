@@ -1,13 +1,8 @@
 /// A crack that runs into the face of another.
 
-#include "src/step/ElasticBox.hpp"
-
-#include "checkpoint/Archive.hpp"
-#include "combustion/Cavity.hpp"
-#include "cracks/Growth.hpp"
+#include "packages/propagation/JunctionScenes.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iostream>
 #include <string>
@@ -18,80 +13,6 @@ using namespace Rhegma::Test;
 
 namespace
 {
-
-using Reals = Teuchos::Array<double>;
-Reals reals(const std::vector<double>& values) { return Reals(values.begin(), values.end()); }
-
-constexpr double cell = 1e-3, size = 40e-3, pull = 2e6, speed = 400.0;
-constexpr double roof = 20.3e-3, wall = 15.3e-3; ///< heights and places of the two cracks, off the nodes
-
-void addLoad(Teuchos::ParameterList& scene, const std::string& name, const std::vector<double>& from,
-             const std::vector<double>& to, const std::vector<double>& stress)
-{
-  Teuchos::ParameterList& load = scene.sublist("Boundaries").sublist(name);
-  load.set("Type", std::string("Traction"));
-  load.set("Body", std::string("Plate"));
-  load.set("From", reals(from));
-  load.set("To", reals(to));
-  load.set("Stress", reals(stress));
-}
-
-/// A free plate with cracks that run by a toughness of 1 + v / 100 J/m2.
-template <class Cut>
-Teuchos::ParameterList plate(const Cut& cut, double increment = 1.0)
-{
-  Teuchos::ParameterList scene = elasticBox<2>(all<2>(0.0), all<2>(size), cell, 4.0, {}, "Plate", "Stress");
-  cut(scene);
-  scene = validated(scene);
-  // Nothing measures what drives the front: the test says it.
-  Teuchos::ParameterList& propagation = scene.sublist("Propagation");
-  propagation.set("Toughness", std::string("1 + v/100"));
-  propagation.set("Direction", std::string("Straight"));
-  propagation.set("Increment", increment);
-  propagation.set("Start Time", 0.0);
-  propagation.set("Release Contour", reals({5.0, 10.0}));
-  propagation.set("Direction Contour", reals({3.0, 6.0}));
-  return scene;
-}
-
-/// Roof goes from the left edge to beyond the middle; Wall begins below and runs up to Roof, under which the
-/// plate is pulled apart sideways.
-void cutACorner(Teuchos::ParameterList& scene)
-{
-  addLoad(scene, "Left", {0.0, 20.0 * cell}, {0.0, 0.0}, {-pull, 0.0});
-  addLoad(scene, "Right", {size, 0.0}, {size, 20.0 * cell}, {pull, 0.0});
-  Teuchos::ParameterList& cracks = scene.sublist("Cracks");
-  cracks.sublist("Roof").set("Points", reals({0.0, roof, 30e-3, roof}));
-  cracks.sublist("Wall").set("Points", reals({wall, 0.0, wall, 10e-3}));
-}
-
-/// Two cracks in one line, from the left and the right edge, across which the plate is pulled.
-void cutInTwo(Teuchos::ParameterList& scene)
-{
-  addLoad(scene, "Top", {size, size}, {0.0, size}, {0.0, pull});
-  addLoad(scene, "Bottom", {0.0, 0.0}, {size, 0.0}, {0.0, -pull});
-  Teuchos::ParameterList& cracks = scene.sublist("Cracks");
-  cracks.sublist("Roof").set("Points", reals({0.0, roof, 15e-3, roof}));
-  cracks.sublist("Wall").set("Points", reals({size, roof, 26.4e-3, roof}));
-}
-
-/// The same, and gas in both, which flows out at the edges.
-void cutInTwoWithGas(Teuchos::ParameterList& scene)
-{
-  cutInTwo(scene);
-  for (const char* name : {"Roof", "Wall"})
-  {
-    Teuchos::ParameterList& burning = scene.sublist("Combustion").sublist(name);
-    burning.set("Burn Law", std::string("Vieille"));
-    burning.set("Burn Coefficient", 0.0);
-    burning.set("Burn Exponent", 1.0);
-    burning.set("Gas Constant", 320.0);
-    burning.set("Flame Temperature", 2500.0);
-    burning.set("Initial Pressure", 2e5);
-    burning.set("Initial Gap", 1e-5);
-    burning.set("Venting", true);
-  }
-}
 
 /// Beam runs to the left until it joins Roof, which rises 35 degrees off the way of Wall. Wall then has Beam
 /// 4.2 cells ahead and behind that Roof, to which it comes nearer than three cells first.
@@ -159,34 +80,6 @@ double forceOn(Rhegma::Run<2>& run, int axis, const Part& part)
   while (state.time < begin + 2e-5)
     run.step(1.0, false);
   return (momentum(state, axis, part) - before) / (state.time - begin);
-}
-
-struct Piece
-{
-  Rhegma::Run<2> run;
-  int front; ///< that of Wall
-  double joined;
-};
-
-/// Runs until the front of Wall has ended or halted.
-template <class Cut>
-Piece runWall(const Cut& cut, double increment = 1.0)
-{
-  Piece piece{Rhegma::Run<2>(plate(cut, increment)), -1, -1.0};
-  piece.run.initialize();
-  State<2>& state = piece.run.state();
-  for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
-    if (state.cracks.cracks[state.cracks.fronts[f].crack].name == "Wall")
-      piece.front = static_cast<int>(f);
-  measureEnergy(state);
-  while (state.time < 1e-4 && piece.joined < 0.0 && !state.cracks.fronts[piece.front].halted)
-  {
-    state.cracks.fronts[piece.front].driving.release = 1.0 + speed / 100.0;
-    piece.run.step(1.0, false);
-    if (state.cracks.fronts[piece.front].ended)
-      piece.joined = state.time;
-  }
-  return piece;
 }
 
 } // namespace
@@ -346,38 +239,4 @@ TEST(Junctions, CrackDoesNotCrossItself)
   const CrackFront<2>& front = piece.run.state().cracks.fronts[piece.front];
   EXPECT_TRUE(front.halted);
   EXPECT_LT(front.position[1], earlier);
-}
-
-/// Where two cracks have met none of their gas flows out, as it does at the edges of the plate; a warning
-/// says once that it stays separate.
-TEST(Junctions, GasDoesNotFlowOutWhereCracksMeet)
-{
-  Piece piece = runWall(cutInTwoWithGas);
-  ASSERT_GE(piece.joined, 0.0);
-  State<2>& state = piece.run.state();
-  while (state.time < piece.joined + 2e-5)
-    piece.run.step(1.0, false);
-  ASSERT_EQ(state.trouble, "");
-  // Roof begins at the left edge, Wall at the right one; the same after a restart.
-  for (const bool again : {false, true})
-  {
-    if (again)
-    {
-      Record record;
-      Archive saving = Archive::saving(record);
-      cracks::keepCracks(state, saving);
-      Archive loading = Archive::loading(record);
-      cracks::keepCracks(state, loading);
-    }
-    for (const int crack : {0, 1})
-    {
-      const std::array<double, 2> area = combustion::mouthAreas(state, crack, {});
-      EXPECT_GT(area[0], 0.0);
-      EXPECT_EQ(area[1], 0.0);
-    }
-  }
-  EXPECT_EQ(std::count_if(state.warnings.begin(), state.warnings.end(),
-                          [](const std::string& warning)
-                          { return warning.find("stay separate") != std::string::npos; }),
-            1);
 }

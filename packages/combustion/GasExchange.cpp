@@ -1,0 +1,85 @@
+#include "combustion/GasExchange.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace Rhegma::combustion
+{
+
+namespace
+{
+
+/// Share of what is left to flow that flows in one step, by the rate and the enthalpy in its middle.
+constexpr double stepShare = 0.05;
+/// Difference of the pressures over the larger below which the rate goes with its root, as that of a fluid
+/// that keeps its density: to first order in this.
+constexpr double small = 1e-3;
+
+/// Gas in its volume.
+struct Filled
+{
+  Gas gas;
+  double volume;
+  double pressure() const { return gas.pressure(volume); }
+};
+
+/// \param enthalpy of what flows [J/kg]
+void move(Filled& from, Filled& to, double mass, double enthalpy)
+{
+  from.gas.pass(-mass, -mass * enthalpy);
+  to.gas.pass(mass, mass * enthalpy);
+  from.gas.settle();
+  to.gas.settle();
+}
+
+/// Mass that must flow for the pressures to be equal, if it takes h along, the enthalpy [J/kg], in kg. With
+/// A = V - b m, equal U / A are (U1 - m h) / (A1 + b m) = (U2 + m h) / (A2 - b m), where m^2 cancels.
+double massToEqual(const Filled& from, const Filled& to, double enthalpy)
+{
+  const double free = from.volume - from.gas.leastVolume(), freeThere = to.volume - to.gas.leastVolume();
+  const double energy = from.gas.energy(), energyThere = to.gas.energy();
+  return (energy * freeThere - energyThere * free) /
+         (enthalpy * (free + freeThere) + from.gas.law().covolume * (energy + energyThere));
+}
+
+} // namespace
+
+bool mixes(const GasLaw& one, const GasLaw& two)
+{
+  return one.constant == two.constant && one.heatRatio == two.heatRatio && one.covolume == two.covolume;
+}
+
+void exchange(Gas& one, double volumeOne, Gas& two, double volumeTwo, double area, double time)
+{
+  Filled from{one, volumeOne}, to{two, volumeTwo};
+  const bool turned = from.pressure() < to.pressure();
+  if (turned)
+    std::swap(from, to);
+  while (time > 0.0)
+  {
+    const double enthalpy = from.gas.enthalpy(from.volume);
+    const double rate = from.gas.outflow(area, from.volume, to.pressure()),
+                 left = massToEqual(from, to, enthalpy);
+    if (!(rate > 0.0) || !(left > 0.0))
+      break;
+    if (from.pressure() - to.pressure() < small * from.pressure())
+    {
+      // Of dx/dt = - q (x / x0)^(1/2), which comes to rest after 2 x0 / q.
+      const double share = std::max(1.0 - 0.5 * rate * time / left, 0.0);
+      move(from, to, left * (1.0 - share * share), enthalpy);
+      break;
+    }
+    const double step = std::min(time, stepShare * left / rate);
+    Filled fromThen = from, toThen = to;
+    move(fromThen, toThen, 0.5 * step * rate, enthalpy);
+    move(from, to, step * fromThen.gas.outflow(area, from.volume, toThen.pressure()),
+         fromThen.gas.enthalpy(from.volume));
+    time -= step;
+  }
+  if (turned)
+    std::swap(from, to);
+  one = from.gas;
+  two = to.gas;
+}
+
+} // namespace Rhegma::combustion

@@ -1,0 +1,89 @@
+#include "combustion/Passages.hpp"
+
+#include "combustion/GasExchange.hpp"
+
+#include <algorithm>
+
+namespace Rhegma::combustion
+{
+
+namespace
+{
+
+template <int D>
+Burning<D>* gasOf(Work<D>& work, int crack)
+{
+  const auto found = std::find_if(work.cracks.begin(), work.cracks.end(),
+                                  [&](const Burning<D>& b) { return b.crack == crack; });
+  return found == work.cracks.end() ? nullptr : &*found;
+}
+
+/// Why no gas passes between two cracks; empty where it does.
+template <int D>
+std::string whyApart(const Burning<D>* one, const Burning<D>* two)
+{
+  if (one == nullptr || two == nullptr)
+    return "one of them has no gas (Combustion)";
+  if (one->flows || two->flows)
+    return "passing from one crack to another is of gas with one pressure (Gas Model = Uniform)";
+  if (!mixes(one->gas.law(), two->gas.law()))
+    return "they differ (Gas Constant, Heat Capacity Ratio or Covolume)";
+  return "";
+}
+
+template <int D>
+void tell(State<D>& state, Work<D>& work, Meeting& meeting)
+{
+  const Burning<D>*one = gasOf(work, meeting.crack), *two = gasOf(work, meeting.other);
+  const std::string why = whyApart(one, two);
+  if (meeting.told || (one == nullptr && two == nullptr) || why.empty())
+    return;
+  meeting.told = true;
+  state.warnings.push_back("Combustion: the crack " + state.cracks.cracks[meeting.crack].name + " has met " +
+                           state.cracks.cracks[meeting.other].name +
+                           "; their gases stay separate, and none flows out where they meet, as " + why);
+}
+
+} // namespace
+
+template <int D>
+void followMeetings(State<D>& state, Work<D>& work)
+{
+  const std::vector<CrackFront<D>>& fronts = state.cracks.fronts;
+  const auto ended = static_cast<int>(
+      std::count_if(fronts.begin(), fronts.end(), [](const CrackFront<D>& front) { return front.ended; }));
+  if (ended == work.endedFronts)
+    return;
+  work.endedFronts = ended;
+  for (const Meeting& found : findMeetings(state.cracks, state.smallestSpacing()))
+    if (std::none_of(work.meetings.begin(), work.meetings.end(),
+                     [&](const Meeting& known)
+                     { return known.crack == found.crack && known.end == found.end; }))
+      work.meetings.push_back(found);
+  for (Meeting& meeting : work.meetings)
+    tell(state, work, meeting);
+}
+
+template <int D>
+void letGasesPass(const State<D>& state, Work<D>& work)
+{
+  for (const Meeting& meeting : work.meetings)
+  {
+    Burning<D>*one = gasOf(work, meeting.crack), *two = gasOf(work, meeting.other);
+    if (!whyApart(one, two).empty())
+      continue;
+    double area = joinedAreas(state, meeting.crack)[meeting.end];
+    if (meeting.otherEnd >= 0)
+      area = std::min(area, joinedAreas(state, meeting.other)[meeting.otherEnd]);
+    const bool out = one->gas.pressure(one->volume) > two->gas.pressure(two->volume);
+    exchange(one->gas, one->volume, two->gas, two->volume, area * (out ? one : two)->passageCoefficient,
+             state.dt);
+  }
+}
+
+template void followMeetings(State<2>&, Work<2>&);
+template void followMeetings(State<3>&, Work<3>&);
+template void letGasesPass(const State<2>&, Work<2>&);
+template void letGasesPass(const State<3>&, Work<3>&);
+
+} // namespace Rhegma::combustion

@@ -1,0 +1,20 @@
+#pragma once
+/// Where cracks have met and their gases flow into each other.
+
+#include "combustion/Work.hpp"
+
+namespace Rhegma::combustion
+{
+
+/// Follows which cracks have met. Gases of one pressure, of the same R, gamma and covolume, flow into each
+/// other from then on; of others a warning says once that they stay apart. Only the ends of fronts are looked
+/// at, and only where one more has ended.
+template <int D>
+void followMeetings(State<D>& state, Work<D>& work);
+
+/// Lets gas flow through the openings where cracks have met, after it has burnt and done its work in this
+/// step. All ranks find the same.
+template <int D>
+void letGasesPass(const State<D>& state, Work<D>& work);
+
+} // namespace Rhegma::combustion
