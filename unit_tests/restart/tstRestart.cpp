@@ -132,12 +132,6 @@ std::vector<Case> ownCases()
       text("Type", "Ball") + reals("Centre", "{0.7, 0.3}") + real("Radius", "0.2") + real("Power", "1e6");
   const std::string heat =
       section("Thermal", real("Initial Temperature", "300") + section("Sources", section("Spot", spot)));
-  // Notch has gas of three times the pressure of that in Across.
-  const std::string law = text("Burn Law", "Vieille") + real("Burn Coefficient", "1e-8") +
-                          real("Burn Exponent", "1") + real("Gas Constant", "320") +
-                          real("Flame Temperature", "2500") + real("Cavity Volume", "0.1");
-  const std::string gases =
-      section("Combustion", section("Notch", law + real("Initial Pressure", "3e5")) + section("Across", law));
   const auto own = [](const std::string& name, const std::string& xml, long steps = 160) {
     return Case{name, "", xml, {}, steps};
   };
@@ -150,7 +144,6 @@ std::vector<Case> ownCases()
           100),
       own("own_running_full_mass", plate(pull, running + section("Mass Matrix", text("Type", "Full"))), 100),
       own("own_joined", twoCracks(pull, running), 60),
-      own("own_joined_gases", twoCracks(pull, running + gases), 60),
       own("own_contact", plate(press, friction + release)),
       own("own_contact_cells", plate(press, friction + cells)),
       own("own_contact_short_steps", plate(press, friction + cells + section("Sub-Cycling", "")), 80),
@@ -209,9 +202,24 @@ std::vector<Case> ownCases()
   return all;
 }
 
+/// The crack that joins another has gas of three times the pressure of that. A run whose gas has forgotten
+/// its energy stops at once, so that this is none of the cases above.
+Case joinedGases()
+{
+  const std::string law = text("Burn Law", "Vieille") + real("Burn Coefficient", "1e-8") +
+                          real("Burn Exponent", "1") + real("Gas Constant", "320") +
+                          real("Flame Temperature", "2500") + real("Cavity Volume", "0.1");
+  const std::string gases =
+      section("Combustion", section("Notch", law + real("Initial Pressure", "3e5")) + section("Across", law));
+  const std::string running =
+      section("Energy Release", "") + section("Propagation", text("Toughness", "2000*(1 + v/50)"));
+  return {"own_joined_gases", "", twoCracks("{1e5, 1e6}", running + gases), {}, 60};
+}
+
 std::vector<Case> allCases()
 {
   std::vector<Case> all = ownCases();
+  all.push_back(joinedGases());
   for (const char* folder : {"examples", "verification"})
   {
     std::vector<std::string> names;
