@@ -28,16 +28,19 @@ double power(const Nodes<D>& nodes)
   return total;
 }
 
+/// What loads, supports and burnt gas have done [J].
+double workIn(const EnergyLedger& energy) { return energy.externalWork + energy.combustion; }
+
 } // namespace
 
 template <int D>
 void Balance<D>::begin(const State<D>& state)
 {
-  workBefore_ = state.energy.externalWork;
+  workBefore_ = workIn(state.energy);
   if (!state.subdomain || !state.observing)
     return;
   // What was booked since the last sample is the ranks' own.
-  const double before = state.sampledEnergy.externalWork;
+  const double before = workIn(state.sampledEnergy);
   workBefore_ = before + state.ranks.sum(workBefore_ - before);
 }
 
@@ -53,7 +56,7 @@ void Balance<D>::measure(const State<D>& state, double stored)
 template <int D>
 void Balance<D>::compare(const State<D>& state, double lost)
 {
-  const double in = state.energy.start + 0.5 * (workBefore_ + state.energy.externalWork) - lost;
+  const double in = state.energy.start + 0.5 * (workBefore_ + workIn(state.energy)) - lost;
   scale_ = std::max(scale_, in);
   last_ = found_ - in;
   smallest_ = std::min(smallest_, last_);

@@ -126,8 +126,10 @@ View<int*> watchedPoints(const FacePoints<D>& points, int crack, const WatchedCr
 template <int D>
 void observe(State<D>& state, Account<D>& account)
 {
-  account.balance.compare(state, state.energy.damped + state.energy.plastic + state.energy.merged +
-                                     account.contact.dissipated());
+  const EnergyLedger& energy = state.energy;
+  // New faces take what becomes no motion; heat that came in from outside leaves it alone.
+  account.balance.compare(state, energy.damped + energy.plastic + energy.merged + energy.fracture +
+                                     energy.thermal - energy.heat + account.contact.dissipated());
 }
 
 template <int D>

@@ -8,7 +8,8 @@ namespace Rhegma::energy_release
 
 /// In which direction a node's share of the disk is shifted: along the crack at the part of it that is
 /// nearest to the node, so that no shift has a component across a face; in the front's own direction ahead of
-/// it.
+/// it. Outside of a bend all places in a wedge have the bend as their nearest: they go with the piece that is
+/// nearer to the front, whatever last digits say.
 struct CrackWay
 {
   View<double* [2]> vertex;
@@ -17,6 +18,9 @@ struct CrackWay
   bool forwards = true;     ///< the front is at the last of them
   Vector<2> tip, direction;
 
+  /// Squares of distances are equal if they differ by less than this share of the square of a piece.
+  static constexpr double same = 1e-10;
+
   KOKKOS_INLINE_FUNCTION Vector<2> operator()(const Vector<2>& x) const
   {
     // A place whose nearest point is the front itself moves as the front does.
@@ -24,13 +28,14 @@ struct CrackWay
     Vector<2> found = direction;
     for (int k = 0; k < count; ++k)
     {
-      const int s = first + k, from = simplex(s, forwards ? 0 : 1), to = simplex(s, forwards ? 1 : 0);
+      const int s = forwards ? first + count - 1 - k : first + k;
+      const int from = simplex(s, forwards ? 0 : 1), to = simplex(s, forwards ? 1 : 0);
       const Vector<2> a{{vertex(from, 0), vertex(from, 1)}};
       const Vector<2> along{{vertex(to, 0) - a[0], vertex(to, 1) - a[1]}};
       const double square = dot(along, along), at = dot(x - a, along) / square;
       const Vector<2> away = x - a - (at < 0.0 ? 0.0 : (at > 1.0 ? 1.0 : at)) * along;
       const double distance = dot(away, away);
-      if (distance < least)
+      if (distance < least - same * square)
       {
         least = distance;
         found = (1.0 / std::sqrt(square)) * along;

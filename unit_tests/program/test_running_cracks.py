@@ -114,6 +114,28 @@ class RunningCracks(ProgramTest):
         self.assertGreater(summary["cracks"][0]["fronts"][0]["increments"], 3)
         self.assertGreater(summary["cracks"][0]["contact"]["largest_pressure"], 0.0)
 
+    def test_shares_of_energy_know_of_gas_faces_and_heat(self):
+        """What gas gives is put in, what new faces and heat take is none of the motion any more."""
+        scene = torn([0.0, 0.52, 0.4, 0.52], toughness="100*(1 + v/300)", time=7e-4).set("Contact", {"Law": "Frictionless"})
+        for name in ("Top", "Bottom"):
+            scene.set("Boundaries > " + name + " > Stress", [0.0, 2e6 if name == "Top" else -2e6])
+        scene.set("Combustion", {"Notch": {
+            "Burn Law": "Vieille", "Burn Coefficient": 3e-7, "Burn Exponent": 0.7, "Gas Constant": 320.0,
+            "Flame Temperature": 2500.0, "Initial Temperature": 300.0, "Initial Pressure": 1e6, "Initial Gap": 1e-3}})
+        for name, value in (("Specific Heat", 1400.0), ("Conductivity", 0.2), ("Thermal Expansion", 7e-5)):
+            scene.set("Materials > Polymer > " + name, value)
+        scene.set("Thermal", {"Initial Temperature": 300.0, "Front Heat Fraction": 0.9, "Front Radius": 0.1})
+        answer = rhegma(self.write("scene.xml", scene.text()), "--quiet")
+        self.assertEqual(answer.status, 0, answer)
+        with open(self.path("scene.out", "summary.json")) as file:
+            energy = json.load(file)["energy"]
+        given = energy["external_work"] + energy["combustion"]
+        for part in ("combustion", "fracture"):
+            self.assertGreater(energy[part], 0.02 * given, f"{part} of {given}")  # what each would be seen by if it were forgotten
+        # As far as the books of the run are open themselves.
+        for share in ("smallest_share", "largest_share", "last_share"):
+            self.assertAlmostEqual(energy[share], 1.0, delta=0.01, msg=share)
+
 
 if __name__ == "__main__":
     unittest.main()

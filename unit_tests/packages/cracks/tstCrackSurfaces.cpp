@@ -164,6 +164,7 @@ TEST(SurfaceFiles, AreRefusedInASentence)
   const std::string ascii = asciiStl(square()), binary = binaryStl(square());
   expectPiece(complaint([&] { parseStl(ascii.substr(0, ascii.size() / 2)); }), "cut short");
   expectPiece(complaint([&] { parseStl(binary.substr(0, binary.size() - 7)); }), "cut short");
+  expectPiece(complaint([&] { parseStl(binary + std::string(50, 'x')); }), "there is room for");
   expectPiece(complaint([&] { parseStl(std::string(40, 'x')); }), "cut short");
   expectPiece(complaint([&] { parseStl("solid a\nfacet\nvertex 0 0\nendloop\nendsolid"); }), "triangle 1");
   expectPiece(complaint([&] { parseObj("v 0 0\n"); }), "line 1");

@@ -1,8 +1,11 @@
 #include "LatticeState.hpp"
 
 #include "energy_release/Contour.hpp"
+#include "energy_release/CrackWay.hpp"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using namespace Rhegma;
 using namespace Rhegma::energy_release;
@@ -77,4 +80,32 @@ TEST(Contour, StaysClearOfOtherCracks)
   state.cracks.simplex = View<int* [2]>("rhegma::simplex", 1);
   state.cracks.simplex(0, 1) = 1;
   expectRadii(fittingRadii(state, front, {}), 2e-3, 4e-3);
+}
+
+/// Outside of a bend places have it as the nearest of both pieces: the last digits of where the crack lies
+/// must not decide with which they go.
+TEST(CrackWay, OutsideOfABendPlacesGoWithThePieceNearerToTheFront)
+{
+  constexpr int times = 40;
+  for (const bool forwards : {true, false})
+    for (int k = 0; k < times; ++k)
+    {
+      const double x = 0.013 * k, y = 0.029 * k, ends[3][2] = {{0.0, 0.0}, {1.0, 0.0}, {1.7, 0.7}};
+      CrackWay way;
+      way.vertex = View<double* [2]>("rhegma::vertex", 3);
+      way.simplex = View<int* [2]>("rhegma::simplex", 2);
+      for (int v = 0; v < 3; ++v)
+      {
+        way.vertex(v, 0) = ends[v][0] + x;
+        way.vertex(v, 1) = ends[v][1] + y;
+      }
+      for (int s = 0; s < 2; ++s)
+        for (int i = 0; i < 2; ++i)
+          way.simplex(s, i) = s + i;
+      way.count = 2;
+      way.forwards = forwards;
+      const Vector<2> found = way(Vector<2>{{1.3 + x, -0.7 + y}});
+      EXPECT_NEAR(found[0], forwards ? std::sqrt(0.5) : -1.0, 1e-12) << k;
+      EXPECT_NEAR(found[1], forwards ? std::sqrt(0.5) : 0.0, 1e-12) << k;
+    }
 }
