@@ -56,8 +56,9 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
     else if (a == "--describe" || a == "--describe-markdown")
     {
       options.action = a == "--describe" ? Options::Action::Describe : Options::Action::DescribeMarkdown;
-      if (a == "--describe" && k + 1 < arguments.size() && !startsWith(arguments[k + 1], "--"))
-        options.section = arguments[++k];
+      // Names of sections have blanks: they may come without quotes.
+      while (a == "--describe" && k + 1 < arguments.size() && !startsWith(arguments[k + 1], "--"))
+        options.section += (options.section.empty() ? "" : " ") + arguments[++k];
     }
     else if (a == "--version")
       options.action = Options::Action::Version;
@@ -93,7 +94,8 @@ std::string usage()
          "                        --restart: go on from a checkpoint.h5 that a run of the scene left\n"
          "rhegma SCENE.xml --check        every error of a scene, then stop\n"
          "rhegma SCENE.xml --print-plan   the effects, fields and stages that the scene would run\n"
-         "rhegma --describe [Section]     every parameter: type, unit, default, allowed values, meaning\n"
+         "rhegma --describe [Section]     every parameter: type, unit, default, allowed values, meaning;\n"
+         "                        of a part: --describe 'Thermal > Sources', --describe Domain:Accuracy\n"
          "rhegma --describe-markdown      the same as a page of Markdown (docs/reference.md)\n"
          "rhegma --version\n"
          "\n"

@@ -14,6 +14,9 @@
 #include <Kokkos_Core.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <iostream>
 #include <new>
 #include <sstream>
@@ -131,6 +134,24 @@ std::string cellsInWords(const nlohmann::json& summary, long particles)
          (smallest < largest ? ", the smallest of " + formatReal(smallest) + " m" : "");
 }
 
+/// How far away the end is, by the step that bodies and cells allow now: what a run will cost.
+std::string stepsInWords(const Simulation& simulation, const Teuchos::ParameterList& scene)
+{
+  const Teuchos::ParameterList& time = scene.sublist("Time");
+  const double step = simulation.stableTimeStep();
+  const double steps = std::ceil((time.get<double>("Final Time") - simulation.time()) / step);
+  if (!(steps >= 1.0 && steps < 1e15))
+    return {};
+  const double most = time.get<int>("Maximum Steps");
+  // Three digits: the step changes as bodies and cells do.
+  const double digits = std::pow(10.0, std::max(0.0, std::floor(std::log10(steps)) - 2.0));
+  char text[96];
+  std::snprintf(text, sizeof text, "; about %.0f steps of %.3g s to %s",
+                std::min(digits * std::round(steps / digits), most), step,
+                steps > most ? "Time > Maximum Steps" : "Time > Final Time");
+  return text;
+}
+
 /// Whether the scene asks for a body at rest.
 bool waitsForRest(const Teuchos::ParameterList& scene)
 {
@@ -221,7 +242,7 @@ int run(const Options& options, std::ostream& out, std::ostream& err)
         printWarnings(summary, err);
         out << options.scene << " is a valid scene"
             << (options.restart.empty() ? "" : ", and " + options.restart + " a checkpoint of it") << ": "
-            << cellsInWords(summary, simulation.particles()) << "\n";
+            << cellsInWords(summary, simulation.particles()) << stepsInWords(simulation, *scene) << "\n";
         return exitFinished;
       }
       return runScene(options, scene, out, err);

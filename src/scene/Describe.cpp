@@ -3,6 +3,7 @@
 #include "scene/Numbers.hpp"
 #include "scene/Scene.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <sstream>
 #include <stdexcept>
@@ -183,7 +184,90 @@ protected:
     out << "\n";
   }
   void sentence(const std::string& text) override { out << "  " << text << "\n\n"; }
+
+public:
+  /// Parameters of a section alone.
+  void parameters(const std::string& path, const std::vector<Parameter>& some)
+  {
+    out << path << "\n\n";
+    table(some);
+  }
 };
+
+/// The names in a path such as "Thermal > Sources" or, as --set has it, "Thermal:Sources".
+std::vector<std::string> partsOf(std::string path)
+{
+  for (std::size_t at = 0; (at = path.find(" > ", at)) != std::string::npos;)
+    path.replace(at, 3, ":");
+  std::vector<std::string> parts;
+  std::istringstream names(path);
+  for (std::string name; std::getline(names, name, ':');)
+    parts.push_back(name);
+  return parts;
+}
+
+/// The subsections with fixed names, those of variants too.
+std::vector<const Section*> subsections(const Section& section)
+{
+  std::vector<const Section*> all;
+  for (const auto& sub : section.sections)
+    all.push_back(&sub);
+  for (const auto& variant : section.variants)
+    for (const Section* sub : subsections(variant))
+      all.push_back(sub);
+  return all;
+}
+
+/// The parameters, those of variants too.
+std::vector<Parameter> parametersOf(const Section& section)
+{
+  std::vector<Parameter> all = section.parameters;
+  for (const auto& variant : section.variants)
+    for (const auto& p : parametersOf(variant))
+      all.push_back(p);
+  return all;
+}
+
+/// The section or the parameter at a path; a name that the user chooses may be any.
+/// \throws std::invalid_argument where there is none
+void describePart(const Section& root, const std::vector<std::string>& names, PlainWriter& writer)
+{
+  const Section* section = &root;
+  std::string path, note;
+  for (const std::string& name : names)
+  {
+    std::vector<std::string> known;
+    const Section* next = nullptr;
+    for (const Section* sub : subsections(*section))
+    {
+      known.push_back(sub->name);
+      next = sub->name == name ? sub : next;
+    }
+    std::vector<Parameter> named;
+    for (const auto& p : parametersOf(*section))
+    {
+      known.push_back(p.name);
+      const auto same = [&p](const Parameter& q)
+      { return q.meaning == p.meaning && q.unit == p.unit && q.required == p.required; };
+      if (p.name == name && std::none_of(named.begin(), named.end(), same)) // variants may share one
+        named.push_back(p);
+    }
+    if (next == nullptr && !named.empty() && &name == &names.back())
+    {
+      writer.parameters(scenePath(path, name), named);
+      return;
+    }
+    note = next != nullptr ? presenceInWords(*next) : "any name, any number";
+    if (next == nullptr && named.empty() && section->userNamed())
+      next = &section->entry.front();
+    if (next == nullptr)
+      throw std::invalid_argument((path.empty() ? "there is no section \"" : "there is no \"") +
+                                  scenePath(path, name) + "\"; " + suggestion(name, known));
+    section = next;
+    path = scenePath(path, name);
+  }
+  writer.section(*section, path, note);
+}
 
 /// A cell of a Markdown table.
 std::string cell(const std::string& text)
@@ -232,21 +316,14 @@ protected:
 
 } // namespace
 
-std::string describe(const SceneSchema& schema, const std::string& section)
+std::string describe(const SceneSchema& schema, const std::string& path)
 {
   PlainWriter writer;
-  std::vector<std::string> names;
-  bool found = section.empty();
-  for (const auto& s : schema.root().sections)
-  {
-    names.push_back(s.name);
-    if (!section.empty() && s.name != section)
-      continue;
-    writer.section(s, s.name, presenceInWords(s));
-    found = true;
-  }
-  if (!found)
-    throw std::invalid_argument("there is no section \"" + section + "\"; " + suggestion(section, names));
+  if (path.empty())
+    for (const auto& s : schema.root().sections)
+      writer.section(s, s.name, presenceInWords(s));
+  else
+    describePart(schema.root(), partsOf(path), writer);
   return writer.text();
 }
 

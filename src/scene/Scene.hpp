@@ -37,9 +37,10 @@ SceneResult readSceneText(const std::string& xml, const std::vector<std::string>
 /// was.
 void validateList(Teuchos::ParameterList& list, const SceneSchema& schema, std::vector<SceneError>& errors);
 
-/// The reference of one section, or of all for an empty name, for a terminal.
-/// \throws std::invalid_argument if there is no such section; it names the nearest
-std::string describe(const SceneSchema& schema, const std::string& section);
+/// The reference of a part of a scene, for a terminal. \param path a section, or what is in it, such as
+/// "Thermal > Sources" or "Domain:Cell Size"; empty: all
+/// \throws std::invalid_argument if there is no such part; it names the nearest
+std::string describe(const SceneSchema& schema, const std::string& path);
 
 /// The whole reference as Markdown.
 std::string describeMarkdown(const SceneSchema& schema);

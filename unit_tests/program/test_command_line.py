@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """The command line: what is refused, what is printed, and where."""
 
+import json
 import os
 import re
 import shutil
@@ -147,6 +148,10 @@ class Information(ProgramTest):
                 for heading in headings:
                     self.assertTrue(heading == section or heading.startswith(section + " > "), heading)
 
+    def test_describe_a_part(self):
+        self.assertEqual(self.said("--describe", "Energy", "Release"), self.said("--describe", "Energy Release"))
+        self.assertTrue(self.said("--describe", "Thermal > Probes").startswith("Thermal > Probes  ("))
+
     def test_described_ranges_are_those_that_are_checked(self):
         self.assertRegex(self.said("--describe", "Time"), r"CFL  double; default 0.4; above 0 and at most 1")
 
@@ -179,6 +184,16 @@ class Words(ProgramTest):
         self.assertEqual((answer.status, answer.complaint), (0, ""), answer)
         self.assertIn("valid", answer.output)
         self.assertEqual(os.listdir(self.folder), ["scene.xml"])
+
+    def test_check_tells_how_many_steps_a_run_takes(self):
+        """To three digits and by the first step; those of an elastic plate hardly change."""
+        told = re.search(r"about (\d+) steps of \S+ s to Time > Final Time", rhegma(self.scene, "--check").output)
+        self.assertEqual(rhegma(self.scene, "--quiet").status, 0)
+        with open(self.path("scene.out", "summary.json"), encoding="utf-8") as file:
+            self.assertAlmostEqual(int(told[1]) / json.load(file)["steps"], 1.0, delta=0.02)
+        fewer = rhegma(self.scene, "--check", "--set", "Time:Maximum Steps=3").output
+        self.assertIn("about 3 steps of", fewer)
+        self.assertIn("to Time > Maximum Steps", fewer)
 
     def test_plan_of_a_right_scene(self):
         answer = rhegma(self.scene, "--print-plan")

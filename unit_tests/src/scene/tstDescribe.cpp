@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <functional>
+#include <map>
 #include <stdexcept>
 
 using namespace Rhegma;
@@ -83,6 +84,40 @@ TEST(Describe, UnknownSectionNamesTheNearest)
   {
     EXPECT_TRUE(contains(error.what(), "\"Bodies\"")) << error.what();
   }
+}
+
+TEST(Describe, PartsOfASection)
+{
+  const auto schema = coreSchema();
+  // A section in a section, under a name that the user chooses, in either way of writing a path.
+  const std::string operations = describe(schema, "Bodies > Plate > Operations");
+  EXPECT_TRUE(contains(operations, "Bodies > Plate > Operations  (optional)"));
+  EXPECT_TRUE(contains(operations, "Bodies > Plate > Operations > <operation>"));
+  EXPECT_FALSE(contains(operations, "Angular Velocity"));
+  EXPECT_EQ(describe(schema, "Bodies:Plate:Operations"), operations);
+  EXPECT_TRUE(contains(describe(schema, "Bodies > <body>"), "Angular Velocity"));
+  // A parameter, said once where variants share it.
+  const std::string step = describe(schema, "Time > CFL");
+  EXPECT_TRUE(contains(step, "CFL  double; default 0.4"));
+  EXPECT_FALSE(contains(step, "Final Time"));
+  const std::string history = describe(schema, "Boundaries:Pull:History");
+  EXPECT_EQ(history.find("  History  string"), history.rfind("  History  string"));
+  EXPECT_TRUE(contains(history, "  History  string"));
+}
+
+TEST(Describe, AWrongPartNamesTheNearest)
+{
+  for (const auto& [path, nearest] : std::map<std::string, std::string>{
+           {"Domain > Cell Syze", "\"Cell Size\""}, {"Bodies > Plate > Operation", "\"Operations\""}})
+    try
+    {
+      describe(coreSchema(), path);
+      ADD_FAILURE() << path;
+    }
+    catch (const std::invalid_argument& error)
+    {
+      EXPECT_TRUE(contains(error.what(), nearest)) << error.what();
+    }
 }
 
 TEST(Schema, EveryParameterAndSectionSaysWhatItMeans)
