@@ -292,8 +292,13 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                [](State<D>& s)
                {
                  for (std::size_t c = 0; c < s.cracks.cracks.size(); ++c)
-                   s.row.emplace_back(s.cracks.cracks[c].name + ".opening",
-                                      measureOpening(s.cracks, static_cast<int>(c)).largest);
+                 {
+                   const Opening opening = measureOpening(s.cracks, static_cast<int>(c));
+                   const std::string& name = s.cracks.cracks[c].name;
+                   s.row.emplace_back(name + ".opening", opening.largest);
+                   if constexpr (D == 3)
+                     s.row.emplace_back(name + ".area", opening.size);
+                 }
                }});
   if constexpr (D == 2)
     if (formulation == Formulation::CorrectedBrokenCell)

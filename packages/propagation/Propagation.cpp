@@ -228,7 +228,11 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
       archive("first", fronts->origins[f].first);
     }
   };
-  effect.report = [=](const State<2>& state, nlohmann::json& summary) { report(state, *fronts, summary); };
+  effect.report = [=](const State<2>& state, nlohmann::json& summary)
+  {
+    report(state, *fronts, summary);
+    reportToughness(*options, summary);
+  };
   return effect;
 }
 

@@ -326,7 +326,10 @@ Effect<3> propagationInSpace(const Teuchos::ParameterList& scene)
     }
   };
   effect.report = [=](const State<3>& state, nlohmann::json& summary)
-  { report(state, *memories, *circles, summary); };
+  {
+    report(state, *memories, *circles, summary);
+    reportToughness(*options, summary);
+  };
   return effect;
 }
 

@@ -89,6 +89,11 @@ void reportEnergy(const State<D>& state, double taken, nlohmann::json& summary)
       {"residual_share", taken > 0.0 ? energy.residual() / taken : notYet}};
 }
 
+void reportToughness(const Options& options, nlohmann::json& summary)
+{
+  summary["propagation"]["initiation_toughness"] = ruleAt(options.temperature, options).initiation;
+}
+
 template void reportRest(const State<2>&, const CrackFront<2>&, double, nlohmann::json&);
 template void reportRest(const State<3>&, const CrackFront<3>&, double, nlohmann::json&);
 template void reportRuns(const State<2>&, const CrackFront<2>&, const std::vector<CrackRun>&, bool, double,

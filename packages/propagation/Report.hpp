@@ -2,6 +2,7 @@
 /// What fronts that run, or might have, tell the summary.
 
 #include "propagation/FrontHistory.hpp"
+#include "propagation/Options.hpp"
 #include "state/State.hpp"
 
 #include <nlohmann/json.hpp>
@@ -27,5 +28,9 @@ void reportRuns(const State<D>& state, const CrackFront<D>& front, const std::ve
 /// What became of the energy of new faces. \param taken by all fronts [J]
 template <int D>
 void reportEnergy(const State<D>& state, double taken, nlohmann::json& summary);
+
+/// The energy release rate at which a front sets out, at the temperature of the start:
+/// `propagation.initiation_toughness` [J/m2].
+void reportToughness(const Options& options, nlohmann::json& summary);
 
 } // namespace Rhegma::propagation

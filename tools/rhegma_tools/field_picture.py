@@ -158,19 +158,39 @@ def crack_segments(fields, faces, view):
     return [np.array(segments).reshape(-1, 2, 2) for segments in result]
 
 
-def front_places(fields, faces, summary, view):
-    """Fronts of the summary as drawn [(2)]: each at the crack's nearest vertex."""
-    places = []
+class DrawnFront:
+    """A front as drawn. name: crack and number; ended: it has reached a surface or another crack; place: (2)."""
+
+    def __init__(self, name, ended, place):
+        self.name = name
+        self.ended = ended
+        self.place = place
+
+
+def drawn_fronts(fields, faces, summary, view):
+    """Fronts of the summary, each at the crack's nearest vertex."""
+    fronts = []
     if fields.crack is None or not summary or view.normal is not None:
-        return places
+        return fronts
     for crack in summary.get("cracks", []):
-        for front in crack.get("fronts", []):
+        for number, front in enumerate(crack.get("fronts", [])):
             position = np.zeros(3)
             given = front.get("position") or []
             position[: len(given)] = given[:3]
             nearest = int(np.argmin(np.linalg.norm(fields.crack.points - position, axis=1)))
-            places.append(view.flat(0.5 * (faces[0][nearest] + faces[1][nearest])))
-    return places
+            # The summary is of the run's end; before its last advance a front had not ended.
+            ended = bool(front.get("ended")) and fields.time >= (front.get("last_advance") or 0.0)
+            fronts.append(DrawnFront(f"{crack.get('name', '')}.{number}", ended,
+                                     view.flat(0.5 * (faces[0][nearest] + faces[1][nearest]))))
+    return fronts
+
+
+def close_up(fronts):
+    """The front to look at, the first that still is one, and what to call the picture of it."""
+    shown = next((front for front in fronts if not front.ended), fronts[0])
+    if len(fronts) == 1:
+        return shown, "where the crack ended" if shown.ended else "at the crack's front"
+    return shown, f"where the front {shown.name} ended" if shown.ended else f"at the front {shown.name}"
 
 
 def draw_particles(axes, outlines, values, colour_map, norm):
@@ -224,11 +244,12 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
     values = values[drawn] * stress_factor
     colour_map, norm = heat_scale(values) if stress == "temperature" else colour_scale(values)
 
-    segments, places = [], []
+    segments, fronts = [], []
     if fields.crack is not None:
         faces = magnified_faces(fields.crack, fields.position, fields.displacement, magnification)
         segments = [face * length_factor for face in crack_segments(fields, faces, view)]
-        places = [p * length_factor for p in front_places(fields, faces, summary, view)]
+        fronts = drawn_fronts(fields, faces, summary, view)
+    places = [front.place * length_factor for front in fronts if not front.ended]
 
     names = ["xyz"[axis] for axis in view.axes]
     time_factor, time_unit = style.scale(fields.time, "s")
@@ -239,7 +260,7 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
     heading.append("true displacement" if magnification == 1.0 else f"displacement × {magnification:,.7g}")
 
     extent = high - low
-    zoom = bool(places)
+    zoom = bool(fronts)
     tall, size = picture_size(extent, zoom)
     if zoom and tall:
         size = (size[0] + 4.0, size[1])
@@ -265,10 +286,11 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
         draw_particles(close, outlines, values, colour_map, norm)
         draw_crack(close, segments, places, 1.3)
         wide = half if tall else 2.9 * half  # the shape of the panel
-        close.set_xlim(places[0][0] - wide, places[0][0] + wide)
-        close.set_ylim(places[0][1] - half, places[0][1] + half)
-        close.set_title("at the crack's front" if len(places) == 1 else "at the first front",
-                        fontweight="normal", fontsize=10)
+        front, words = close_up(fronts)
+        middle = front.place * length_factor
+        close.set_xlim(middle[0] - wide, middle[0] + wide)
+        close.set_ylim(middle[1] - half, middle[1] + half)
+        close.set_title(words, fontweight="normal", fontsize=10)
         close.set_xlabel(f"{names[0]}{drawn_at} [{length_unit}]")
         close.set_ylabel(f"{names[1]}{drawn_at} [{length_unit}]")
     extend = {(False, False): "neither", (True, False): "min", (False, True): "max", (True, True): "both"}[

@@ -17,6 +17,8 @@ ENERGIES = [
     ("damped", "damped", "#009E73"),
     ("fracture", "fracture", "#CC79A7"),
     ("contact", "contact", "#E69F00"),
+    ("plastic", "plastic", "#117733"),
+    ("heat", "heat supplied", "#CC3311"),
     ("thermal", "thermal", "#882255"),
     ("combustion", "combustion", "#56B4E9"),
     ("merged", "merged", "#999933"),
@@ -60,6 +62,11 @@ def finite_maximum(arrays):
     return float(values.max()) if values.size else 0.0
 
 
+def width(i, count, thinnest=1.6):
+    """Of the i-th of some lines: the later the thinner, so that of lines on each other all can be seen."""
+    return thinnest + 1.6 * (count - 1 - i) / max(count - 1, 1)
+
+
 def legend(axes):
     axes.legend(loc="upper left", bbox_to_anchor=(1.01, 1.02), borderaxespad=0.0, handlelength=2.6)
 
@@ -75,21 +82,31 @@ def draw_references(axes, drawn, factor, unit):
         axes.axhline(value * factor, color=style.INK, lw=1.0, ls=":", label=label)
 
 
+def initiation_toughness(summary):
+    """What starts a front [J/m2] where cracks may grow, or None."""
+    value = ((summary or {}).get("propagation") or {}).get("initiation_toughness")
+    return float(value) if isinstance(value, (int, float)) else None
+
+
 def draw_release(axes, history, summary, time):
     rates = release_rates(history)
     known = references(summary)
-    factor, unit = style.scale(
-        finite_maximum([s for _, _, s in rates] + [np.array([value]) for _, _, _, value, _ in known]), "J/m²"
-    )
+    toughness = initiation_toughness(summary)
+    lines = [np.array([value]) for _, _, _, value, _ in known] + ([] if toughness is None else [np.array([toughness])])
+    factor, unit = style.scale(finite_maximum([s for _, _, s in rates] + lines), "J/m²")
     fronts = list(dict.fromkeys(front for front, _, _ in rates))
     draw_references(axes, known, factor, unit)
+    if toughness is not None:
+        axes.axhline(toughness * factor, color=style.INK, lw=1.0, ls=(0, (6, 2, 1, 2)),
+                     label=f"initiation toughness {toughness * factor:.4g} {unit}")
     if len(fronts) <= FEW:
         for front, quantity, samples in rates:
             _, method, dashes = next(m for m in METHODS if m[0] == quantity)
             name = "" if len(fronts) == 1 else f"{front[0]}, front {front[1]}: "
             # One front: a colour for each method, which prints better than dashes alone.
             colour = style.COLOURS[[m[0] for m in METHODS].index(quantity) if name == "" else fronts.index(front)]
-            axes.plot(time, samples * factor, color=colour, ls=dashes, label=name + method)
+            axes.plot(time, samples * factor, color=colour, ls=dashes, label=name + method,
+                      lw=width(fronts.index(front), len(fronts)))
     else:
         for (quantity, method, dashes), colour in zip(METHODS, style.COLOURS):
             samples = [s for _, q, s in rates if q == quantity]
@@ -123,7 +140,8 @@ def draw_intensities(axes, found, time):
     for front, mode, samples in found:
         name = "" if len(fronts) == 1 else f"{front[0]}, front {front[1]}: "
         dashes = {"I": "-", "II": (0, (5, 1.5)), "III": ":"}[mode]
-        axes.plot(time, samples * factor, color=style.COLOURS[fronts.index(front)], ls=dashes, label=f"{name}K {mode}")
+        axes.plot(time, samples * factor, color=style.COLOURS[fronts.index(front)], ls=dashes, label=f"{name}K {mode}",
+                  lw=width(fronts.index(front), len(fronts)))
     axes.set_title("Stress intensity")
     axes.set_ylabel(f"K [{unit} √m]")
     axes.margins(x=0)
@@ -151,6 +169,28 @@ def draw_pressures(axes, cracks, time):
         axes.plot(time, samples * factor, color=colour, label=name + (": mean" if along else ""))
     axes.set_title("Pressure in cracks")
     axes.set_ylabel(f"pressure [{unit}]")
+    axes.margins(x=0)
+    legend(axes)
+
+
+def temperatures(history):
+    """[(what it is called, samples [K])] of probes and of fronts."""
+    found = []
+    for name, samples in history.column.items():
+        if name.endswith(".temperature") and np.isfinite(samples).any():
+            place = name[: -len(".temperature")]
+            crack, _, number = place.rpartition(".")
+            found.append((f"{crack}, front {number}" if (crack, number) in
+                          [(front[0], str(front[1])) for front in history.fronts] else place, samples))
+    return found
+
+
+def draw_temperatures(axes, places, time):
+    for (name, samples), colour in zip(places, style.COLOURS):
+        axes.plot(time, samples, color=colour, label=name)
+    axes.set_title("Temperature")
+    axes.set_ylabel("temperature [K]")
+    axes.ticklabel_format(axis="y", useOffset=False)
     axes.margins(x=0)
     legend(axes)
 
@@ -185,14 +225,28 @@ def growth(history):
     return moved
 
 
+def areas(history, moved):
+    """[(crack's name, growth of its area since the start [m2])] of the cracks in 3D whose fronts have run."""
+    names = dict.fromkeys(front[0] for front, _ in moved)
+    columns = [(name, history.column.get(f"{name}.area")) for name in names]
+    return [(name, area - area[0]) for name, area in columns if area is not None]
+
+
 def draw_growth(axes, history, moved, time):
-    """How much longer a crack is in 2D. In 3D `length` is that of the front itself, along the border of the crack."""
-    in_space = all(history.of_front(front, "z") is not None for front, _ in moved)
-    factor, unit = style.scale(finite_maximum([samples for _, samples in moved]), "m")
-    for i, (front, samples) in enumerate(moved[: len(style.COLOURS)]):
-        axes.plot(time, samples * factor, color=style.COLOURS[i], label=f"{front[0]}, front {front[1]}")
-    axes.set_title("Growth of the front: its length along the crack's border" if in_space else "Crack growth")
-    axes.set_ylabel(f"front is longer by [{unit}]" if in_space else f"crack is longer by [{unit}]")
+    """How much longer a crack is in 2D, how much larger in 3D: there a front's `length` is that of the border."""
+    larger = areas(history, moved)
+    if larger:
+        factor, unit = style.scale(np.sqrt(finite_maximum([samples for _, samples in larger])), "m")
+        factor, what = factor**2, f"crack is larger by [{unit}²]"
+        grown = larger
+    else:
+        factor, unit = style.scale(finite_maximum([samples for _, samples in moved]), "m")
+        what = f"crack is longer by [{unit}]"
+        grown = [(f"{front[0]}, front {front[1]}", samples) for front, samples in moved]
+    for i, (name, samples) in enumerate(grown[: len(style.COLOURS)]):
+        axes.plot(time, samples * factor, color=style.COLOURS[i], label=name, lw=width(i, len(grown)))
+    axes.set_title("Crack growth")
+    axes.set_ylabel(what)
     axes.margins(x=0)
     legend(axes)
 
@@ -208,7 +262,7 @@ def draw_speed(axes, history, moved, summary, time):
     for i, (front, _) in enumerate(moved[: len(style.COLOURS)]):
         speed = history.of_front(front, "speed")
         if speed is not None:
-            axes.plot(time, speed, color=style.COLOURS[i], lw=1.2, label=f"{front[0]}, front {front[1]}")
+            axes.plot(time, speed, color=style.COLOURS[i], lw=width(i, len(moved), 1.2), label=f"{front[0]}, front {front[1]}")
     for limit in speed_limits(summary):
         axes.axhline(limit, color=style.INK, lw=1.0, ls=":", label=f"largest speed, {limit:.0f} m/s")
     axes.set_title("Crack speed")
@@ -232,6 +286,9 @@ def draw_history(history, summary, title, path):
     inside = pressures(history)
     if inside:
         panels.append(lambda axes: draw_pressures(axes, inside, time))
+    warm = temperatures(history)
+    if warm:
+        panels.append(lambda axes: draw_temperatures(axes, warm, time))
     if any(name in history.column for name, _, _ in ENERGIES):
         panels.append(lambda axes: draw_energies(axes, history, time))
     if moved:

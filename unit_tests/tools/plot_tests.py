@@ -11,10 +11,12 @@ import numpy as np
 from rhegma_tools import cell_picture
 from rhegma_tools.boxes import cut, parallelograms
 from rhegma_tools.deformation import automatic_magnification, crack_displacement, curved_at_fronts, magnified_faces
-from rhegma_tools.field_picture import choose_view, colour_scale, crack_segments, in_slice, read_slice
+from rhegma_tools.field_picture import choose_view, close_up, colour_scale, crack_segments, drawn_fronts, in_slice
+from rhegma_tools.field_picture import read_slice
 from rhegma_tools.fields import Crack, read_fields
 from rhegma_tools.history import read_history
-from rhegma_tools.history_picture import draw_growth, draw_pressures, draw_release, growth, pressures, references
+from rhegma_tools.history_picture import draw_energies, draw_growth, draw_pressures, draw_release, draw_temperatures
+from rhegma_tools.history_picture import growth, pressures, references, temperatures
 from rhegma_tools.interpreter import Problem
 from rhegma_tools.style import plt, scale
 from rhegma_tools.summary import look_up, read_summary
@@ -86,6 +88,30 @@ class Plot(ToolTest):
         self.assertTrue(np.allclose(axes.lines[1].get_ydata(), [100.0, 400.0, 500.0]))
         self.assertEqual(axes.get_ylabel(), "pressure [kPa]")
         self.assertTrue(np.allclose(axes.collections[0].get_datalim(axes.transData).intervaly, [100.0, 700.0]))
+        plt.close(figure)
+
+    def test_draws_temperatures_of_probes_and_fronts(self):
+        made_up_run.write_history(self.folder, {
+            "time": [0.0, 1.0], "A.b.0.G_J": [1.0, 2.0], "Gauge.temperature": [293.0, 300.0],
+            "A.b.0.temperature": [293.0, 350.0], "A.b.gas_temperature": [300.0, 2000.0]})
+        history = read_history(self.folder)
+        self.assertEqual([name for name, _ in temperatures(history)], ["Gauge", "A.b, front 0"])
+        figure, axes = plt.subplots()
+        draw_temperatures(axes, temperatures(history), history.time)
+        self.assertEqual(axes.get_ylabel(), "temperature [K]")
+        self.assertEqual([line.get_ydata()[-1] for line in axes.lines], [300.0, 350.0])
+        plt.close(figure)
+
+    def test_draws_all_of_the_ledger(self):
+        """Plastic work and heat from outside too, without which the rest does not add up."""
+        names = ["external_work", "strain", "kinetic", "damped", "fracture", "contact", "plastic", "heat", "thermal",
+                 "combustion", "merged", "residual"]
+        made_up_run.write_history(self.folder, {"time": [0.0, 1.0], **{name: [0.0, 1.0] for name in names}})
+        history = read_history(self.folder)
+        figure, axes = plt.subplots()
+        draw_energies(axes, history, history.time)
+        self.assertEqual(len(axes.lines), len(names))
+        self.assertEqual(len({line.get_color() for line in axes.lines}), len(names))
         plt.close(figure)
 
     def test_refuses_what_is_no_run(self):
@@ -175,6 +201,17 @@ class History(ToolTest):
         self.assertAlmostEqual(lines["J integral"].get_ydata()[-1], 500.0, delta=1.0)  # has settled to e^-7.5
         self.assertAlmostEqual(lines["J integral"].get_xdata()[-1], 3.0)
         self.assertAlmostEqual(lines["reference 490 mJ/m² ± 4 %"].get_ydata()[0], 490.0)
+
+    def test_the_picture_shows_the_toughness(self):
+        made_up_run.beam(self.folder)
+        history, summary = read_history(self.folder), read_summary(self.folder)
+        summary["propagation"] = {"initiation_toughness": 0.75}
+        figure, axes = plt.subplots()
+        draw_release(axes, history, summary, history.time)
+        lines = {line.get_label(): line for line in axes.lines}
+        plt.close(figure)
+        self.assertEqual(lines["initiation toughness 750 mJ/m²"].get_ydata()[0], 750.0)
+        self.assertEqual(len(lines), 4)
 
     def test_units_get_prefixes(self):
         self.assertEqual(scale(2.5e6, "Pa"), (1.0e-6, "MPa"))
@@ -297,15 +334,31 @@ class FieldPicture(ToolTest):
         self.assertIn("3D", complaint)
 
     def test_growth_says_of_what(self):
-        """In 3D a front's length is that of the border, in 2D the crack's."""
-        for third, words in (("", "crack is longer"), (",A.0.z", "front is longer")):
-            value = ",0" if third else ""
-            self.write("history.csv", f"time,A.0.length,A.0.speed{third}\n0,0.5,0{value}\n1,0.6,9{value}\n")
+        """In 3D a front's length is that of the border, so that the crack's area is drawn; in 2D the crack's length."""
+        for columns, values, words, drawn in (("", ("", ""), "crack is longer by [mm]", 100.0),
+                                              (",A.0.z,A.area", (",0,3e-6", ",0,5e-6"), "crack is larger by [mm²]", 2.0)):
+            self.write("history.csv", f"time,A.0.length,A.0.speed{columns}\n0,0.5,0{values[0]}\n1,0.6,9{values[1]}\n")
             history = read_history(self.folder)
             figure, axes = plt.subplots()
             draw_growth(axes, history, growth(history), history.time)
-            self.assertIn(words, axes.get_ylabel())
+            self.assertEqual(axes.get_ylabel(), words)
+            self.assertAlmostEqual(axes.lines[0].get_ydata()[-1], drawn)
             plt.close(figure)
+
+    def test_close_up_is_of_a_front_that_still_is_one(self):
+        """Of two fronts the second is in material; before the first one ended, that was the one to look at."""
+        made_up_run.beam(self.folder)
+        fields = read_fields(self.folder)
+        summary = {"cracks": [{"name": "A", "fronts": [
+            {"position": [0.0, 0.0], "ended": True, "last_advance": 2.0e-3}, {"position": [0.05, 0.0], "ended": False}]}]}
+        faces = (fields.crack.points, fields.crack.points)
+        fronts = drawn_fronts(fields, faces, summary, choose_view(fields))
+        self.assertEqual([front.ended for front in fronts], [True, False])
+        self.assertEqual(close_up(fronts), (fronts[1], "at the front A.1"))
+        self.assertEqual(close_up(fronts[:1])[1], "where the crack ended")
+        self.assertEqual(close_up(fronts[1:])[1], "at the crack's front")
+        fields.time = 1.0e-3
+        self.assertEqual(close_up(drawn_fronts(fields, faces, summary, choose_view(fields)))[1], "at the front A.0")
 
     def test_slice_finds_a_body_off_the_middle(self):
         """Two thin layers at z = 0 and z = 10: the middle, 5, is empty."""
