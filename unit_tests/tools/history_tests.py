@@ -1,0 +1,142 @@
+"""Tests of histories and of their pictures."""
+
+import unittest
+
+from tool import ToolTest  # first, as it finds the Python for all others
+
+import made_up_run
+import numpy as np
+
+from rhegma_tools.history import read_history
+from rhegma_tools.history_picture import draw_energies, draw_growth, draw_pressures, draw_release, draw_temperatures
+from rhegma_tools.history_picture import growth, pressures, references, temperatures
+from rhegma_tools.interpreter import Problem
+from rhegma_tools.style import plt, scale
+from rhegma_tools.summary import look_up, read_summary
+
+
+class History(ToolTest):
+    def test_names_of_cracks_may_hold_dots(self):
+        self.write("history.csv", "time,A.b.0.G_J,A.b.0.length,A.b.1.G_J\n0,1,0.5,3\n1,2,0.75,4\n")
+        history = read_history(self.folder)
+        self.assertEqual(history.fronts, [("A.b", 0), ("A.b", 1)])
+        self.assertEqual(list(history.of_front(("A.b", 1), "G_J")), [3.0, 4.0])
+        self.assertIsNone(history.of_front(("A.b", 0), "K_I"))
+        (front, grown), = growth(history)
+        self.assertEqual((front, list(grown)), (("A.b", 0), [0.0, 0.25]))
+
+    def test_a_stretched_crack_has_not_grown(self):
+        """Its length changes with the body's strain; a speed of zero tells that the front has not run."""
+        self.write("history.csv", "time,A.0.length,A.0.speed,B.0.length,B.0.speed\n0,0.5,0,0.5,0\n1,0.501,0,0.501,9\n")
+        self.assertEqual([front for front, _ in growth(read_history(self.folder))], [("B", 0)])
+
+    def test_a_cut_last_row_is_dropped(self):
+        self.write("history.csv", "time,kinetic\n0,1\n1,2\n2")
+        self.assertEqual(list(read_history(self.folder).time), [0.0, 1.0])
+
+    def test_references_belong_to_fronts(self):
+        summary = {
+            "cracks": [{"name": "Left"}, {"name": "Right"}],
+            "references": [
+                {"quantity": "cracks.1.fronts.0.G_J", "reference": 2.0, "tolerance": 0.1},
+                {"quantity": "cracks.Left.fronts.2.G_closure", "reference": 3.0},
+                {"quantity": "energy.strain", "reference": 1.0},
+            ],
+        }
+        self.assertEqual(references(summary), [("Right", 0, "G_J", 2.0, 0.1), ("Left", 2, "G_closure", 3.0, 0.0)])
+
+    def test_the_picture_shows_the_numbers(self):
+        made_up_run.beam(self.folder)
+        history, summary = read_history(self.folder), read_summary(self.folder)
+        figure, axes = plt.subplots()
+        draw_release(axes, history, summary, 1.0e3 * history.time)
+        lines = {line.get_label(): line for line in axes.lines}
+        plt.close(figure)
+        self.assertEqual(axes.get_ylabel(), "G [mJ/m²]")
+        self.assertEqual(set(lines), {"reference 490 mJ/m² ± 4 %", "J integral", "crack closure"})
+        self.assertAlmostEqual(lines["J integral"].get_ydata()[-1], 500.0, delta=1.0)  # has settled to e^-7.5
+        self.assertAlmostEqual(lines["J integral"].get_xdata()[-1], 3.0)
+        self.assertAlmostEqual(lines["reference 490 mJ/m² ± 4 %"].get_ydata()[0], 490.0)
+
+    def test_the_picture_shows_the_toughness(self):
+        made_up_run.beam(self.folder)
+        history, summary = read_history(self.folder), read_summary(self.folder)
+        summary["propagation"] = {"initiation_toughness": 0.75}
+        figure, axes = plt.subplots()
+        draw_release(axes, history, summary, history.time)
+        lines = {line.get_label(): line for line in axes.lines}
+        plt.close(figure)
+        self.assertEqual(lines["initiation toughness 750 mJ/m²"].get_ydata()[0], 750.0)
+        self.assertEqual(len(lines), 4)
+
+    def test_units_get_prefixes(self):
+        self.assertEqual(scale(2.5e6, "Pa"), (1.0e-6, "MPa"))
+        self.assertEqual(scale(0.02, "s")[1], "ms")
+        self.assertEqual(scale(0.0, "J"), (1.0, "J"))
+
+    def test_look_up(self):
+        summary = {"steps": 3, "cracks": [{"name": "A", "fronts": [{"G_J": 0.25}]}], "status": "finished"}
+        self.assertEqual(look_up(summary, "cracks.0.fronts.0.G_J"), 0.25)
+        self.assertEqual(look_up(summary, "cracks.A.fronts.0.G_J"), 0.25)
+        self.assertEqual(look_up(summary, "steps"), 3.0)
+        self.assertTrue(np.isnan(look_up({"residual": None}, "residual")))
+        for wrong in ("cracks.1.fronts.0.G_J", "cracks.0.G_J", "status", "nothing"):
+            with self.assertRaises(Problem):
+                look_up(summary, wrong)
+
+    def test_draws_the_pressure_of_gas(self):
+        made_up_run.write_history(self.folder, {
+            "time": [0.0, 1e-3, 2e-3], "Slow.pressure": [1e5, 2e5, 3e5], "A.b.pressure": [1e5, 4e5, 5e5],
+            "A.b.pressure_lowest": [1e5, 3e5, 4e5], "A.b.pressure_highest": [1e5, 6e5, 7e5],
+            "Dry.pressure": [np.nan] * 3})
+        cracks = pressures(read_history(self.folder))
+        self.assertEqual([name for name, _, _ in cracks], ["Slow", "A.b"])
+        self.assertIsNone(cracks[0][2])
+        figure, axes = plt.subplots()
+        draw_pressures(axes, cracks, np.array([0.0, 1.0, 2.0]))
+        self.assertEqual([line.get_label() for line in axes.lines], ["Slow", "A.b: mean"])
+        self.assertTrue(np.allclose(axes.lines[1].get_ydata(), [100.0, 400.0, 500.0]))
+        self.assertEqual(axes.get_ylabel(), "pressure [kPa]")
+        self.assertTrue(np.allclose(axes.collections[0].get_datalim(axes.transData).intervaly, [100.0, 700.0]))
+        plt.close(figure)
+
+    def test_draws_temperatures_of_probes_and_fronts(self):
+        made_up_run.write_history(self.folder, {
+            "time": [0.0, 1.0], "A.b.0.G_J": [1.0, 2.0], "Gauge.temperature": [293.0, 300.0],
+            "A.b.0.temperature": [293.0, 350.0], "A.b.gas_temperature": [300.0, 2000.0]})
+        history = read_history(self.folder)
+        self.assertEqual([name for name, _ in temperatures(history)], ["Gauge", "A.b, front 0"])
+        figure, axes = plt.subplots()
+        draw_temperatures(axes, temperatures(history), history.time)
+        self.assertEqual(axes.get_ylabel(), "temperature [K]")
+        self.assertEqual([line.get_ydata()[-1] for line in axes.lines], [300.0, 350.0])
+        plt.close(figure)
+
+    def test_draws_all_of_the_ledger(self):
+        """Plastic work and heat from outside too, without which the rest does not add up."""
+        names = ["external_work", "strain", "kinetic", "damped", "fracture", "contact", "plastic", "heat", "thermal",
+                 "combustion", "merged", "residual"]
+        made_up_run.write_history(self.folder, {"time": [0.0, 1.0], **{name: [0.0, 1.0] for name in names}})
+        history = read_history(self.folder)
+        figure, axes = plt.subplots()
+        draw_energies(axes, history, history.time)
+        self.assertEqual(len(axes.lines), len(names))
+        self.assertEqual(len({line.get_color() for line in axes.lines}), len(names))
+        plt.close(figure)
+
+    def test_growth_says_of_what(self):
+        """In 3D a front's length is that of the border, so that the crack's area is drawn; in 2D the crack's length."""
+        for columns, values, words, drawn in (("", ("", ""), "crack is longer by [mm]", 100.0),
+                                              (",A.0.z,A.area", (",0,3e-6", ",0,5e-6"), "crack is larger by [mm²]", 2.0)):
+            self.write("history.csv", f"time,A.0.length,A.0.speed{columns}\n0,0.5,0{values[0]}\n1,0.6,9{values[1]}\n")
+            history = read_history(self.folder)
+            figure, axes = plt.subplots()
+            draw_growth(axes, history, growth(history), history.time)
+            self.assertEqual(axes.get_ylabel(), words)
+            self.assertAlmostEqual(axes.lines[0].get_ydata()[-1], drawn)
+            plt.close(figure)
+
+
+del ToolTest  # so that importing this module's names brings tests only
+if __name__ == "__main__":
+    unittest.main()
