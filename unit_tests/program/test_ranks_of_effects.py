@@ -190,6 +190,9 @@ class Propagation(OnRanks):
         penny = (scene, "--set", "Time:Maximum Steps=110", "--set", "Propagation:Start Time=0")
         penny += ("--set", "Propagation:Toughness=0.05*(1 + v/200)")
         one = self.run_on(1, *penny)
+        area = one[1]["Penny.area"]
+        self.assertGreater(area[-1], area[0])
+        self.assertAlmostEqual(area[-1] / one[0]["cracks"][0]["area"], 1.0, places=12)
         for count in (2, 3):
             other = self.run_on(count, *penny)
             self.assertEqual(other[0]["ranks"], count)

@@ -41,6 +41,7 @@ class OwnCrack(ProgramTest):
             summary = json.load(file)
         front = summary["cracks"][0]["fronts"][0]
         self.assertTrue(front["ended"])
+        self.assertEqual(summary["propagation"]["initiation_toughness"], 403.0)
         self.assertEqual(front["increments"], self.told(r"ran (\d+) cells"))
         # Of the last digits that the guide has.
         self.assertAlmostEqual(1e6 * front["set_out"], self.told(r"`set_out` after (\d+) us"), delta=0.5)
