@@ -5,6 +5,7 @@
 #include "cracks/FacesAhead.hpp"
 #include "cracks/Layout.hpp"
 #include "cracks/RoomAhead.hpp"
+#include "geometry/Cross.hpp"
 #include "scene/Numbers.hpp"
 #include "transfer/LocalSpacing.hpp"
 
@@ -24,6 +25,8 @@ constexpr double longestPiece = 1.5, shortestPiece = 0.5;
 constexpr double rowHeight = 1.0;
 /// Share of a ripple that a step takes away.
 constexpr double smoothing = 0.25;
+/// Most that a point moves along its front, in parts of its advance: less than a turn that begins a row.
+constexpr double sideways = 0.15;
 constexpr double turned = 1.0 - 1e-6; ///< cosine of a turn that is none
 
 std::string nameOf(const State<3>& state, const CrackFront<3>& front)
@@ -77,6 +80,23 @@ void smooth(const GrowingSurface& surface, const FrontLines& lines, std::vector<
     return;
   for (std::size_t k = 0; k < count; ++k)
     lengths[k] += move[k] * given / (move[k] < 0.0 ? gives : takes);
+}
+
+/// How far a point of a front is to move along it beside its advance, towards the middle of its neighbours
+/// [m].
+///
+/// Neighbours advance one after the other, so that a front is never quite normal to the ways of its points.
+/// What that moves them sideways does not even out where one neighbour is always the first.
+Vector<3> evening(const GrowingSurface& surface, const FrontLines& lines, std::size_t k, double length)
+{
+  const int last = before(lines, k);
+  if (last < 0 || !lines[k].joined)
+    return {0.0, 0.0, 0.0};
+  const Vector<3>&a = surface.vertices[lines[last].vertex], &x = surface.vertices[lines[k].vertex],
+        &b = surface.vertices[lines[GrowingSurface::next(lines, k)].vertex];
+  const Vector<3> along = cross(lines[k].station.direction, lines[k].station.normal);
+  const double uneven = std::clamp(0.5 * (norm(b - x) - norm(x - a)), -sideways * length, sideways * length);
+  return (dot(along, b - a) < 0.0 ? -uneven : uneven) * along;
 }
 
 /// Forgets the sides of particles that are ahead of the station nearest to them: they lie beside the crack
@@ -257,12 +277,14 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
 
   std::vector<Way> ways;
   std::vector<std::size_t> moving;
+  std::vector<Vector<3>> aside;
   for (std::size_t k = 0; k < count; ++k)
     if (lengths[k] > 0.0)
     {
       ways.push_back(
           {lines[k].station.position, advance.stations[k].direction, lengths[k] + leastLigament * cells[k]});
       moving.push_back(k);
+      aside.push_back(evening(surface, lines, k, lengths[k]));
     }
   const std::vector<double> room = roomAhead(state, ways);
   double energy = 0.0, area = 0.0;
@@ -273,7 +295,9 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
     LinePoint& point = lines[k];
     const bool lands = room[i] < ways[i].length * (1.0 - 1e-9);
     const double length = lands ? room[i] : lengths[k];
-    const Vector<3> x = ways[i].from + length * ways[i].direction;
+    Vector<3> x = ways[i].from + length * ways[i].direction;
+    if (!lands)
+      x = x + aside[i];
     const auto [distance, other] = nearestOther(state.cracks, front.crack, x);
     const bool near = distance < bandWidth * state.grid.spacing;
     if (near || (!lands && meetsItself(state.cracks, front.crack, x, ways[i].direction, cells[k])))

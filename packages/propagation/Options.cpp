@@ -82,9 +82,11 @@ void refuseContour(const Teuchos::ParameterList& list, const std::string& name,
 /// What cracks of 3D scenes can't run with as yet.
 void refuseInSpace(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  if (scene.isSublist("Mass Matrix"))
-    errors.push_back(
-        {"Propagation", "in 3D it does not go with Mass Matrix as yet; take one of the two out"});
+  if (scene.isSublist("Mass Matrix") && scene.sublist("Mass Matrix").isType<std::string>("Type") &&
+      scene.sublist("Mass Matrix").get<std::string>("Type") != "Partial")
+    errors.push_back({"Propagation",
+                      "in 3D it goes with Mass Matrix > Type = Partial alone as yet; write that or take one "
+                      "of the two sections out"});
   // Cells that follow a front place the points of its faces anew, and faces that open gain contact energy.
   if (scene.isSublist("Contact") && scene.isSublist("Adaptivity"))
     errors.push_back({"Propagation", "in 3D it goes with Contact or with Adaptivity, not with both as yet; "

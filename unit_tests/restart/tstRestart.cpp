@@ -232,7 +232,8 @@ std::vector<Case> allCases()
       const std::string stem = std::filesystem::path(name).stem().string();
       // Samples are counted in steps of the start, when no cell is small yet.
       all.push_back({std::string(folder) + "_" + stem, name, "", {}, stem == "glass_tip" ? 200 : 60});
-      if (stem == "penny_growth") // it runs long before the end of its loading
+      if (stem == "penny_growth" ||
+          stem == "penny_growth_partial") // they run long before the end of their loading
       {
         all.back().overrides = {"Propagation:Toughness=3e-4*(1 + v/200)", "Propagation:Start Time=0"};
         all.back().steps = 80;

@@ -128,6 +128,53 @@ TEST(SurfaceGrowth, SmoothsRipplesWithoutLossOfArea)
   EXPECT_LT(largest - least, 0.9 * 2.0 * cell);
 }
 
+/// Stations of a straight front advance one after the other, always in the same order, so that each sees one
+/// neighbour ahead and the other behind, and its way leans by seven degrees: over ten cells that would take
+/// it more than a cell to one side. Pieces stay within 0.3 of what they were, and the area is booked.
+TEST(SurfaceGrowth, KeepsPointsApartThatAdvanceInTurn)
+{
+  const double size = 16e-3;
+  Teuchos::ParameterList scene = blockScene({size, size, 8e-3});
+  const std::vector<double> corners = {-1e-3, -1e-3,       4.3e-3, 3e-3,  -1e-3,       4.3e-3,
+                                       3e-3,  size + 1e-3, 4.3e-3, -1e-3, size + 1e-3, 4.3e-3};
+  scene.sublist("Cracks").sublist("Cut").set("Points", Teuchos::Array<double>(corners));
+  const auto run = start<3>(scene);
+  State<3>& state = run->state();
+  SurfaceGrowth growth;
+  const auto pieces = [&]
+  {
+    const std::vector<FrontStation<3>>& stations = state.cracks.fronts[0].stations;
+    std::vector<double> lengths;
+    lengths.reserve(stations.size());
+    for (std::size_t k = 0; k + 1 < stations.size(); ++k)
+      lengths.push_back(norm(stations[k + 1].position - stations[k].position));
+    return lengths;
+  };
+  const double before = measureOpening(state.cracks, 0).size;
+  const std::size_t count = state.cracks.fronts[0].stations.size();
+  ASSERT_GE(count, 10u);
+  const double usual = pieces()[count / 2];
+  for (int turn = 0; turn < 40; ++turn)
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      ASSERT_EQ(state.cracks.fronts[0].stations.size(), count) << turn;
+      FrontAdvance<3> asked;
+      asked.front = 0;
+      asked.stations.reserve(count);
+      for (const FrontStation<3>& station : state.cracks.fronts[0].stations)
+        asked.stations.push_back({station.direction, 0.0, 0.0});
+      asked.stations[k].length = 0.25 * cell;
+      asked.stations[k].toughness = toughness;
+      state.cracks.advances.push_back(asked);
+      growth.grow(state);
+    }
+  for (const double piece : pieces())
+    EXPECT_NEAR(piece, usual, 0.3 * usual);
+  const double area = measureOpening(state.cracks, 0).size;
+  EXPECT_NEAR(state.cracks.fronts[0].taken, toughness * (area - before), 1e-10 * toughness * area);
+  EXPECT_NEAR(area, before + 10.0 * cell * size, 0.02 * area);
+}
+
 /// A front that turns by 30 degrees makes a cone behind a sharp edge: its new faces lie at that angle.
 TEST(SurfaceGrowth, Kinks)
 {
