@@ -1,5 +1,7 @@
 #include "cracks/Nearest.hpp"
 
+#include "state/RelaxedLoad.hpp"
+
 namespace Rhegma::cracks
 {
 
@@ -28,7 +30,7 @@ struct TellNode
   {
     // No nearer than the sphere round the simplex.
     const double apart = norm(x - middle) - radius;
-    if (apart > band || (apart > 0.0 && nearest(n) < pack(apart * apart * scale, 0)))
+    if (apart > band || (apart > 0.0 && relaxedLoad(nearest(n)) < pack(apart * apart * scale, 0)))
       return;
     const Vector<D> away = x - placeOf<D>(corner, footOn(corner, x));
     const double square = dot(away, away) * scale;

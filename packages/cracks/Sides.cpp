@@ -1,6 +1,7 @@
 #include "cracks/Sides.hpp"
 
 #include "cracks/Nearest.hpp"
+#include "state/RelaxedLoad.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -131,7 +132,7 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
             beside[d] = at[d] + ((k >> (2 * d)) & 3) - 2;
             exists = exists && beside[d] >= 0 && beside[d] < grid.cells[d];
           }
-          if (exists && cellMark(grid.nodeIndex(beside)) != stamp)
+          if (exists && relaxedLoad(cellMark(grid.nodeIndex(beside))) != stamp)
             Kokkos::atomic_exchange(&cellMark(grid.nodeIndex(beside)), stamp);
         }
       });
