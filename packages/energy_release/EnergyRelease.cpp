@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <memory>
 #include <set>
@@ -63,6 +64,14 @@ void refuseContour(const State<2>& state, const CrackFront<2>& front, const std:
                               ", or take smaller cells (Domain > Cell Size)");
 }
 
+/// A length in a sentence.
+std::string shortly(double value)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
 /// Refuses radii that the scene gives and that don't fit; says which ones are used where the usual ones
 /// don't.
 void checkContour(State<2>& state, const CrackFront<2>& front, const Options& options)
@@ -87,12 +96,12 @@ void checkContour(State<2>& state, const CrackFront<2>& front, const Options& op
   if (room < usual - slack * cell)
   {
     const ContourRadii radii = fittingRadii(state, front, given);
-    state.warnings.push_back("Energy Release: round the front " + frontName(state, front) +
-                             " the weight is 1 up to " + formatReal(radii.inner) + " m and 0 from " +
-                             formatReal(radii.outer) +
-                             " m on, which is the room inside the body and clear of "
-                             "other fronts and cracks; " +
-                             formatReal(usual) + " m would be usual");
+    state.warnings.push_back("Energy Release: G and K of the front " + frontName(state, front) +
+                             " are measured in a ring from " + shortly(radii.inner) + " to " +
+                             shortly(radii.outer) +
+                             " m round it, all the room that there is inside the body and clear of other "
+                             "fronts and cracks; one to " +
+                             shortly(usual) + " m is usual, and smaller cells need less");
   }
 }
 
