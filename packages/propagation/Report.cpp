@@ -22,6 +22,9 @@ std::string nameOf(const State<D>& state, const CrackFront<D>& front)
 /// Runs of a front of which the answers tell, beside its last.
 constexpr std::size_t mostTold = 3;
 
+/// Share by which faces may take more than is booked before a warning says so: sound runs stay within 5 %.
+constexpr double mostTooMuch = 0.1;
+
 std::string shortly(double value)
 {
   char text[32];
@@ -87,6 +90,12 @@ void reportEnergy(const State<D>& state, double taken, nlohmann::json& summary)
       {"accounted_for", given > 0.0 ? 1.0 - energy.residual() / given : notYet},
       {"dissipated_share", taken > inFlight ? energy.fracture / (taken - inFlight) : notYet},
       {"residual_share", taken > 0.0 ? energy.residual() / taken : notYet}};
+  if (taken > inFlight && energy.fracture > (1.0 + mostTooMuch) * taken)
+    summary["warnings"].push_back(
+        "Propagation: new faces took " + shortly(energy.fracture) + " J, where their toughness asks for " +
+        shortly(taken) +
+        " J: faces were torn open within a step or nodes passed the front as the body moved through its "
+        "cells; a gentler load, smaller cells or a body that stays where it is gives the toughness its due");
 }
 
 void reportToughness(const Options& options, nlohmann::json& summary)

@@ -8,6 +8,20 @@ namespace Rhegma
 namespace
 {
 
+/// Whether a place lies in the domain, which that of a front need not after an unstable step, nor be a
+/// number.
+template <int D>
+bool isInside(const Grid<D>& lattice, const Vector<D>& x)
+{
+  bool inside = true;
+  for (int d = 0; d < D; ++d)
+  {
+    const double cell = lattice.inCells(x[d], d);
+    inside = inside && cell >= 0.0 && cell < lattice.cells[d];
+  }
+  return inside;
+}
+
 /// The same on all ranks, wherever the place lies.
 template <int D>
 double spacingOfAllRanks(const Branches<D>& refined, const Vector<D>& x)
@@ -28,7 +42,7 @@ double spacingOfAllRanks(const Branches<D>& refined, const Vector<D>& x)
 template <int D>
 double spacingAt(const State<D>& state, const Vector<D>& x)
 {
-  if (!state.tree.refined())
+  if (!state.tree.refined() || !isInside(state.subdomain ? state.subdomain->refined.grid() : state.grid, x))
     return state.grid.spacing;
   if (state.subdomain)
     return spacingOfAllRanks(state.subdomain->refined, x);

@@ -114,6 +114,18 @@ class RunningCracks(ProgramTest):
         self.assertGreater(summary["cracks"][0]["fronts"][0]["increments"], 3)
         self.assertGreater(summary["cracks"][0]["contact"]["largest_pressure"], 0.0)
 
+    def test_faces_that_take_more_than_their_toughness(self):
+        """A crack with next to no toughness in a plate that is torn apart: its faces open within a step."""
+        scene = torn([0.0, 0.52, 0.4, 0.52], toughness="1e-3", time=5e-4)
+        for name, sign in (("Top", 1.0), ("Bottom", -1.0)):
+            scene.set("Boundaries > " + name + " > Stress", [0.0, sign * 2e6])
+        answer = rhegma(self.write("scene.xml", scene.text()), "--quiet")
+        self.assertEqual(answer.status, 0, answer)
+        with open(self.path("scene.out", "summary.json")) as file:
+            books = json.load(file)["propagation"]
+        self.assertGreater(books["dissipated"], 1.1 * books["energy_of_new_faces"])
+        self.assertIn("Propagation: new faces took", answer.complaint)
+
     def test_shares_of_energy_know_of_gas_faces_and_heat(self):
         """What gas gives is put in, what new faces and heat take is none of the motion any more."""
         scene = torn([0.0, 0.52, 0.4, 0.52], toughness="100*(1 + v/300)", time=7e-4).set("Contact", {"Law": "Frictionless"})

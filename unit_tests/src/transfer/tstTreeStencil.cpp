@@ -1,11 +1,13 @@
 /// Stencils in refined cells as products of the axes are those that the leaves give one by one.
 
+#include "transfer/LocalSpacing.hpp"
 #include "transfer/TreeStencil.hpp"
 
 #include "../grid/RandomTrees.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <random>
 
@@ -163,6 +165,26 @@ TEST(TreeStencil, ProductsInThreeDimensions)
 {
   compare<3, ShapeKind::Linear>();
   compare<3, ShapeKind::Gimp>();
+}
+
+/// After an unstable step a front may be anywhere, or nowhere.
+TEST(LocalSpacing, OutsideOfTheDomainCellsAreTheLargest)
+{
+  State<2> state;
+  state.grid = lattice<2>();
+  std::mt19937 engine(3);
+  do
+    buildTree(randomBranches(state.grid, 3, engine), state.tree);
+  while (!state.tree.refined());
+  const Vector<2> middle = 0.5 * (state.grid.lower + state.grid.upper);
+  EXPECT_LE(spacingAt(state, middle), state.grid.spacing);
+  for (const double far : {-1e3, 1e3, 1e30, -1e300, double(NAN), double(INFINITY)})
+    for (int d = 0; d < 2; ++d)
+    {
+      Vector<2> x = middle;
+      x[d] = far;
+      EXPECT_EQ(spacingAt(state, x), state.grid.spacing) << far;
+    }
 }
 
 } // namespace Test
