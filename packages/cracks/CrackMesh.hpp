@@ -39,23 +39,26 @@ inline constexpr char samePoints[] =
 CrackMesh<2> readPolyline(const Teuchos::ParameterList& list, const std::string& where,
                           const MaterialPlaces<2>& material, double spacing);
 
-/// Reads a planar polygon: covers it with triangles with edges of about a cell, cuts off what lies outside of
-/// the bodies, and finds which pieces of its border are fronts and which are mouths.
+/// Reads a planar polygon: covers it with triangles, cuts off what lies outside of the bodies, and finds
+/// which pieces of its border are fronts and which are mouths.
 ///
-/// \param where section's path, for messages. Throws std::invalid_argument for a polygon that has fewer than
+/// \param where section's path, for messages
+/// \param spacing of the large cells [m]
+/// \param edge length that edges of the triangles have about [m]
+/// Throws std::invalid_argument for a polygon that has fewer than
 /// three points, no area, crosses itself, is not planar to a hundredth of a cell, or lies outside of all
 /// bodies.
 CrackMesh<3> readPolygon(const Teuchos::ParameterList& list, const std::string& where,
-                         const MaterialPlaces<3>& material, double spacing);
+                         const MaterialPlaces<3>& material, double spacing, double edge);
 
 /// The same for a disk or an ellipse by its centre, normal and radii. Its rim is a polygon with edges of
-/// about a cell and the area of the ellipse.
+/// about that length and the area of the ellipse.
 CrackMesh<3> readDisk(const Teuchos::ParameterList& list, const std::string& where,
-                      const MaterialPlaces<3>& material, double spacing);
+                      const MaterialPlaces<3>& material, double spacing, double edge);
 
 /// The same for a surface from a file (SurfaceFile.hpp), which may be curved: points closer than a thousandth
-/// of a cell are made one, triangles get one orientation and edges of about a cell.
+/// of a cell are made one, triangles get one orientation and edges of about that length.
 CrackMesh<3> readSurface(const Teuchos::ParameterList& list, const std::string& where,
-                         const MaterialPlaces<3>& material, double spacing);
+                         const MaterialPlaces<3>& material, double spacing, double edge);
 
 } // namespace Rhegma::cracks

@@ -19,16 +19,16 @@ namespace
 
 template <int D>
 CrackMesh<D> readCrack(const Teuchos::ParameterList& list, const std::string& name,
-                       const MaterialPlaces<D>& material, double spacing)
+                       const MaterialPlaces<D>& material, double spacing, [[maybe_unused]] double edge)
 {
   if constexpr (D == 2)
     return readPolyline(list, "Cracks > " + name + " > Points", material, spacing);
   else if (list.isParameter("Surface File"))
-    return readSurface(list, "Cracks > " + name, material, spacing);
+    return readSurface(list, "Cracks > " + name, material, spacing, edge);
   else if (list.isParameter("Radius"))
-    return readDisk(list, "Cracks > " + name, material, spacing);
+    return readDisk(list, "Cracks > " + name, material, spacing, edge);
   else
-    return readPolygon(list, "Cracks > " + name, material, spacing);
+    return readPolygon(list, "Cracks > " + name, material, spacing, edge);
 }
 
 template <int D>
@@ -85,7 +85,7 @@ void refuseNeighbours(const std::vector<CrackMesh<D>>& all, const std::vector<st
 } // namespace
 
 template <int D>
-void readCracks(const Teuchos::ParameterList& section, State<D>& state)
+void readCracks(const Teuchos::ParameterList& section, State<D>& state, double edge)
 {
   const double spacing = state.grid.spacing;
   const MaterialPlaces<D> material(state);
@@ -96,7 +96,7 @@ void readCracks(const Teuchos::ParameterList& section, State<D>& state)
   for (const std::string& name : sublistNames(section))
   {
     CrackMesh<D> mesh;
-    if (!attempts.attempt([&] { mesh = readCrack(section.sublist(name), name, material, spacing); }))
+    if (!attempts.attempt([&] { mesh = readCrack(section.sublist(name), name, material, spacing, edge); }))
       continue;
     meshes.push_back(mesh);
     state.warnings.insert(state.warnings.end(), mesh.warnings.begin(), mesh.warnings.end());
@@ -121,7 +121,7 @@ void readCracks(const Teuchos::ParameterList& section, State<D>& state)
   Kokkos::deep_copy(set.second, -1);
 }
 
-template void readCracks(const Teuchos::ParameterList&, State<2>&);
-template void readCracks(const Teuchos::ParameterList&, State<3>&);
+template void readCracks(const Teuchos::ParameterList&, State<2>&, double);
+template void readCracks(const Teuchos::ParameterList&, State<3>&, double);
 
 } // namespace Rhegma::cracks

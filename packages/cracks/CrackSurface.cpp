@@ -52,7 +52,7 @@ void refuseLarge(const SurfaceMesh& mesh, double spacing)
 } // namespace
 
 CrackMesh<3> readSurface(const Teuchos::ParameterList& list, const std::string& where,
-                         const MaterialPlaces<3>& material, double spacing)
+                         const MaterialPlaces<3>& material, double spacing, double edge)
 {
   const auto path = list.get<std::string>("Surface File");
   const std::string name = where + " > Surface File";
@@ -75,7 +75,7 @@ CrackMesh<3> readSurface(const Teuchos::ParameterList& list, const std::string& 
   {
     throw std::invalid_argument(name + ": " + path + ": " + wrong.what());
   }
-  remesh(surface, spacing);
+  remesh(surface, edge);
   const auto border = borderOf(surface);
   cutTriangles<3>(surface.points, surface.triangles, [&](const Vector<3>& x) { return material.fills(x); });
   if (surface.triangles.empty())
@@ -86,8 +86,9 @@ CrackMesh<3> readSurface(const Teuchos::ParameterList& list, const std::string& 
   mesh.simplices = surface.triangles;
   const auto kindOf = [&](const Vector<3>& middle)
   {
-    const bool own = std::any_of(border.begin(), border.end(),
-                                 [&](const auto& edge) { return distance(middle, edge) < onEdge * spacing; });
+    const bool own =
+        std::any_of(border.begin(), border.end(),
+                    [&](const auto& piece) { return distance(middle, piece) < onEdge * spacing; });
     return own ? BorderKind::FrontIfMaterialAhead : BorderKind::Mouth;
   };
   markBorder(mesh, kindOf, material, spacing);

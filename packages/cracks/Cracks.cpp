@@ -159,6 +159,17 @@ Formulation readFormulation(const Teuchos::ParameterList& section)
                                            : Formulation::DualField;
 }
 
+/// How many times smaller than the large cells edges of a surface's triangles are: as the cells that
+/// `Adaptivity` makes at fronts, but no smaller than those of its second level, as there are four times as
+/// many with each.
+int piecesOfACell(const Teuchos::ParameterList& scene)
+{
+  if (!scene.isSublist("Adaptivity"))
+    return 1;
+  const Teuchos::ParameterList& cells = scene.sublist("Adaptivity");
+  return cells.get<double>("Front Cells") > 0.0 ? 1 << std::min(2, cells.get<int>("Maximum Level")) : 1;
+}
+
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)
 {
@@ -170,6 +181,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   const auto motion = std::make_shared<CrackMotion<D>>();
   const auto carried = std::make_shared<CarriedFronts<D>>();
   const bool grows = scene.isSublist("Propagation");
+  const int pieces = piecesOfACell(scene);
   const auto ties = std::make_shared<FrontTies<D>>(grows);
   const bool join = D == 2 && grows && sublistNames(section).size() > 1;
   const auto junctions = std::make_shared<Junctions>();
@@ -188,7 +200,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     state.cracks.tied = tied;
     if (tied)
       state.followingForces.push_back(ties->following());
-    readCracks(section, state);
+    readCracks(section, state, state.grid.spacing / pieces);
     if (tied)
       carried->start(state);
     state.editor.prepare = [=](State<D>& s, const View<int*>& row)

@@ -130,9 +130,10 @@ std::vector<bool> readFrontEdges(const Teuchos::ParameterList& list, const std::
 
 /// Triangles over an outline in a plane, cut to the bodies.
 CrackMesh<3> meshPlane(const OwnPlane& plane, const std::vector<Vector<2>>& outline, const std::string& where,
-                       const KindOfBorder& kindOf, const MaterialPlaces<3>& material, double spacing)
+                       const KindOfBorder& kindOf, const MaterialPlaces<3>& material, double spacing,
+                       double edge)
 {
-  const Triangulation flat = cutToRegion(triangulate(outline, spacing),
+  const Triangulation flat = cutToRegion(triangulate(outline, edge),
                                          [&](const Vector<2>& x) { return material.fills(plane.space(x)); });
   if (flat.triangles.empty())
     throw std::invalid_argument(where + ": " + outsideOfBodies);
@@ -147,7 +148,7 @@ CrackMesh<3> meshPlane(const OwnPlane& plane, const std::vector<Vector<2>>& outl
 } // namespace
 
 CrackMesh<3> readPolygon(const Teuchos::ParameterList& list, const std::string& where,
-                         const MaterialPlaces<3>& material, double spacing)
+                         const MaterialPlaces<3>& material, double spacing, double edge)
 {
   const std::vector<Vector<3>> corners = readCorners(list, where + " > Points", spacing);
   const OwnPlane plane = planeOf(corners, where + " > Points", spacing);
@@ -163,16 +164,16 @@ CrackMesh<3> readPolygon(const Teuchos::ParameterList& list, const std::string& 
   const std::vector<bool> chosen = readFrontEdges(list, where + " > Front Edges", corners.size());
   const auto kindOf = [&](const Vector<3>& middle)
   {
-    const int edge = edgeAt(outline, plane.own(middle), 1e-6 * spacing);
-    if (edge < 0 || (!chosen.empty() && !chosen[edge]))
+    const int side = edgeAt(outline, plane.own(middle), 1e-6 * spacing);
+    if (side < 0 || (!chosen.empty() && !chosen[side]))
       return BorderKind::Mouth;
     return chosen.empty() ? BorderKind::FrontIfMaterialAhead : BorderKind::Front;
   };
-  return meshPlane(plane, outline, where + " > Points", kindOf, material, spacing);
+  return meshPlane(plane, outline, where + " > Points", kindOf, material, spacing, edge);
 }
 
 CrackMesh<3> readDisk(const Teuchos::ParameterList& list, const std::string& where,
-                      const MaterialPlaces<3>& material, double spacing)
+                      const MaterialPlaces<3>& material, double spacing, double edge)
 {
   const auto vector = [&](const char* name)
   {
@@ -205,7 +206,7 @@ CrackMesh<3> readDisk(const Teuchos::ParameterList& list, const std::string& whe
   plane.b = cross(plane.normal, plane.a);
   const double pi = std::acos(-1.0), perimeter = pi * (radius + other);
   refuseLarge(pi * radius * other, where + " > Radius", spacing);
-  const int corners = std::max(12, static_cast<int>(std::ceil(perimeter / spacing)));
+  const int corners = std::max(12, static_cast<int>(std::ceil(perimeter / edge)));
   // As large as the ellipse.
   const double stretch = std::sqrt(2.0 * pi / corners / std::sin(2.0 * pi / corners));
   std::vector<Vector<2>> outline;
@@ -219,7 +220,7 @@ CrackMesh<3> readDisk(const Teuchos::ParameterList& list, const std::string& whe
     return edgeAt(outline, plane.own(middle), 1e-6 * spacing) >= 0 ? BorderKind::FrontIfMaterialAhead
                                                                    : BorderKind::Mouth;
   };
-  return meshPlane(plane, outline, where, kindOf, material, spacing);
+  return meshPlane(plane, outline, where, kindOf, material, spacing, edge);
 }
 
 } // namespace Rhegma::cracks

@@ -276,6 +276,37 @@ TEST(CrackSurfaces, AreDisksAndEllipses)
   }
 }
 
+/// Edges of triangles are as long as the cells that are to be at fronts, but at most those of a second level,
+/// so that there are four times as many with each; where fronts do not matter to cells, large ones do.
+TEST(CrackSurfaces, AreAsFineAsTheCellsAtFronts)
+{
+  const auto triangles = [](int level, double frontCells)
+  {
+    Teuchos::ParameterList scene = blockScene({8e-3, 8e-3, 8e-3});
+    Teuchos::ParameterList& crack = scene.sublist("Cracks").sublist("Cut");
+    crack.set("Centre", numbers({4e-3, 4e-3, 4.2e-3}));
+    crack.set("Normal", numbers({0.0, 0.0, 1.0}));
+    crack.set("Radius", 2.4e-3);
+    if (level > 0)
+    {
+      scene.sublist("Adaptivity").set("Maximum Level", level);
+      scene.sublist("Adaptivity").set("Front Cells", frontCells);
+      scene.sublist("Adaptivity").set("Velocity Change", 1.0);
+    }
+    const auto run = start<3>(scene);
+    EXPECT_NEAR(measureOpening(run->state().cracks, 0).size, pi * 5.76e-6, 1e-9 * pi * 5.76e-6);
+    return static_cast<double>(run->state().cracks.simplex.extent(0));
+  };
+  const double one = triangles(1, 3.0), two = triangles(2, 2.0);
+  // The disk's area over that of equilateral triangles, more at the rim, where their edges are shorter.
+  const double large = pi * 2.4 * 2.4 / (std::sqrt(3.0) / 4.0);
+  EXPECT_GT(one, 0.8 * 4.0 * large);
+  EXPECT_LT(one, 1.6 * 4.0 * large);
+  EXPECT_GT(two, 0.8 * 16.0 * large);
+  EXPECT_LT(two, 1.6 * 16.0 * large);
+  EXPECT_EQ(triangles(1, 0.0), triangles(0, 0.0));
+}
+
 /// A quarter of a disk in the corner of a block: its stations at the two mouths run on along these.
 TEST(CrackSurfaces, HaveFrontsThatEndAtMouths)
 {
