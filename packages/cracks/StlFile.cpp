@@ -1,5 +1,7 @@
 #include "cracks/SurfaceFile.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -59,6 +61,14 @@ SurfaceMesh parseBinary(const std::string& bytes)
   return mesh;
 }
 
+/// Some programs write the words of a file in capitals.
+std::string inLowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
 SurfaceMesh parseAscii(const std::string& text)
 {
   SurfaceMesh mesh;
@@ -69,6 +79,7 @@ SurfaceMesh parseAscii(const std::string& text)
   bool ended = false;
   while (words >> word)
   {
+    word = inLowerCase(word);
     if (word == "vertex")
     {
       Vector<3> x{0.0, 0.0, 0.0};
@@ -97,7 +108,7 @@ SurfaceMesh parseAscii(const std::string& text)
 SurfaceMesh parseStl(const std::string& text)
 {
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
-  const bool solid = begin != std::string::npos && text.compare(begin, 5, "solid") == 0;
+  const bool solid = begin != std::string::npos && inLowerCase(text.substr(begin, 5)) == "solid";
   // Some binary files begin with "solid" too; their length tells.
   const bool fits = text.size() >= header + 4 && text.size() == header + 4 + countOf(text) * perTriangle;
   if (solid && !fits)

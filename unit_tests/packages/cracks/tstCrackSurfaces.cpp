@@ -6,6 +6,7 @@
 #include "output/CoreRow.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -140,11 +141,15 @@ struct File
 
 } // namespace
 
-/// All three kinds hold the same triangles, binary files in single precision.
+/// All kinds hold the same triangles, in small letters or capitals, binary files in single precision.
 TEST(SurfaceFiles, HoldWhatWasWritten)
 {
   const SurfaceMesh mesh = square();
-  for (const auto& read : {parseStl(asciiStl(mesh)), parseStl(binaryStl(mesh)), parseObj(obj(mesh))})
+  std::string capitals = asciiStl(mesh);
+  std::transform(capitals.begin(), capitals.end(), capitals.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  for (const auto& read :
+       {parseStl(asciiStl(mesh)), parseStl(capitals), parseStl(binaryStl(mesh)), parseObj(obj(mesh))})
   {
     SurfaceMesh welded = read;
     weld(welded, 1e-6);
