@@ -12,11 +12,11 @@
 #include "scene/Attempts.hpp"
 #include "scene/Numbers.hpp"
 #include "scene/ReadList.hpp"
+#include "scene/ShortNumber.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <memory>
 #include <set>
@@ -62,14 +62,6 @@ void refuseContour(const State<2>& state, const CrackFront<2>& front, const std:
                               " m round the front " + frontName(state, front) +
                               " leaves the body or reaches another " + advice +
                               ", or take smaller cells (Domain > Cell Size)");
-}
-
-/// A length in a sentence.
-std::string shortly(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
 }
 
 /// Refuses radii that the scene gives and that don't fit; says which ones are used where the usual ones

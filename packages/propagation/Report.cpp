@@ -1,9 +1,9 @@
 #include "propagation/Report.hpp"
 
 #include "scene/Numbers.hpp"
+#include "scene/ShortNumber.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <string>
 
@@ -24,13 +24,6 @@ constexpr std::size_t mostTold = 3;
 
 /// Share by which faces may take more than is booked before a warning says so: sound runs stay within 5 %.
 constexpr double mostTooMuch = 0.1;
-
-std::string shortly(double value)
-{
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
 
 } // namespace
 
