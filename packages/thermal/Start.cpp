@@ -4,6 +4,7 @@
 #include "material/ThermoLaw.hpp"
 #include "scene/Numbers.hpp"
 #include "scene/PlaceFunction.hpp"
+#include "scene/ShortNumber.hpp"
 
 #include <stdexcept>
 
@@ -25,6 +26,9 @@ PlaceFunction fieldOf(const Teuchos::ParameterList& body, const std::string& whe
   }
 }
 
+/// Bodies seldom start colder than liquid nitrogen [K]; who writes less may mean degrees Celsius.
+constexpr double coldest = 77.0;
+
 } // namespace
 
 template <int D>
@@ -42,6 +46,9 @@ void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, dou
     const double own = list.isParameter("Temperature") ? list.get<double>("Temperature") : initial;
     const bool varies = list.isParameter("Temperature Field");
     const std::string where = "Bodies > " + name + " > Temperature Field";
+    if (!varies && own < coldest)
+      state.warnings.push_back("Bodies > " + name + ": it starts at " + shortly(own) + " K, which is " +
+                               shortly(own - 273.15) + " degrees Celsius; temperatures are absolute");
     const PlaceFunction function = varies ? fieldOf(list, where) : PlaceFunction::parse("0", 1);
     for (int p = 0; p < state.particles.size(); ++p)
     {

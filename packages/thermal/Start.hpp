@@ -9,8 +9,8 @@ namespace Rhegma::thermal
 {
 
 /// Gives every particle the temperature of its body. Throws std::invalid_argument, with the path, for one
-/// that is not above zero. \param bodies the section Bodies \param initial temperature of bodies that do not
-/// say another [K]
+/// that is not above zero; warns of one below 77 K. \param bodies the section Bodies \param initial
+/// temperature of bodies that do not say another [K]
 template <int D>
 void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, double initial);
 

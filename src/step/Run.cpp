@@ -3,6 +3,7 @@
 #include "boundary/Boundaries.hpp"
 #include "boundary/DomainEdges.hpp"
 #include "checkpoint/StateArchive.hpp"
+#include "material/Units.hpp"
 #include "output/CoreRow.hpp"
 #include "parallel/FirstRank.hpp"
 #include "parallel/Subdomain.hpp"
@@ -95,8 +96,9 @@ void Run<D>::makeAll()
   if (state_.mechanics)
   {
     state_.fastest = fastestSpeed(state_);
-    const std::vector<std::string> edges = warningsOfEdges<D>(scene_);
-    state_.warnings.insert(state_.warnings.end(), edges.begin(), edges.end());
+    for (const auto& found :
+         {warningsOfUnits(state_.materialNames, state_.materialList), warningsOfEdges<D>(scene_)})
+      state_.warnings.insert(state_.warnings.end(), found.begin(), found.end());
   }
   attempts.attempt([&] { refuseEndless(); });
   attempts.complain();

@@ -84,6 +84,23 @@ class WrongArguments(ProgramTest):
         answer = rhegma(self.write("room.xml", plate().text()), "--check")
         self.assertEqual((answer.status, answer.complaint), (0, ""), answer)
 
+    def test_check_doubts_units(self):
+        """A modulus in GPa and a temperature in degrees Celsius are possible, and hardly meant."""
+        scene = plate().set("Materials > Polymer > Young Modulus", 3.0)
+        answer = rhegma(self.write("soft.xml", scene.text()), "--check")
+        self.assertEqual(answer.status, 0, answer)
+        self.assertIn("warning: Materials > Polymer: waves run through it at", answer.complaint)
+        heat = {"Specific Heat": 1400.0, "Conductivity": 0.2, "Thermal Expansion": 7e-5}
+        for temperature, words in ((20.0, "warning: Bodies > Plate: it starts at 20 K"), (293.0, "")):
+            scene = plate().set("Thermal", {"Initial Temperature": temperature})
+            scene.set("Energy Release > Crack Closure", False)
+            for name, value in heat.items():
+                scene.set("Materials > Polymer > " + name, value)
+            answer = rhegma(self.write("cold.xml", scene.text()), "--check")
+            self.assertEqual(answer.status, 0, answer)
+            self.assertIn(words, answer.complaint)
+            self.assertEqual(answer.complaint == "", words == "", answer)
+
     def test_set_to_a_wrong_type(self):
         self.refuse("scene.xml", "--set", "Time:CFL=fast", where="Time > CFL", words=['"fast"', "a real number"])
 

@@ -1,0 +1,28 @@
+#include "material/Units.hpp"
+
+#include "material/MaterialTable.hpp"
+#include "scene/ShortNumber.hpp"
+
+#include <cmath>
+
+namespace Rhegma
+{
+
+std::vector<std::string> warningsOfUnits(const std::vector<std::string>& names,
+                                         const std::vector<Properties>& materials)
+{
+  constexpr double slowest = 10.0, fastest = 30e3;
+  std::vector<std::string> warnings;
+  for (std::size_t m = 0; m < materials.size(); ++m)
+  {
+    const double speed = std::sqrt(elasticity(materials[m]).constrainedModulus / materials[m].density);
+    if (speed < slowest || speed > fastest)
+      warnings.push_back("Materials > " + names[m] + ": waves run through it at " + shortly(speed) +
+                         " m/s, " +
+                         (speed < slowest ? "slower than through most gels" : "faster than through diamond") +
+                         "; moduli are in Pa and densities in kg/m3");
+  }
+  return warnings;
+}
+
+} // namespace Rhegma
