@@ -92,18 +92,24 @@ void markNearFront(CrackSet<D>& set, double spacing)
       x[d] = vertex(v, d);
     return x;
   };
-  for (std::size_t f = 0; f < frontFacet.extent(0); ++f)
+  for (std::size_t s = 0; s < simplex.extent(0); ++s)
   {
-    const Vector<D> front = at(simplex(frontFacet(f, 0), (frontFacet(f, 1) + 1) % D));
-    for (std::size_t s = 0; s < simplex.extent(0); ++s)
-      if (crackOf(s) == crackOf(frontFacet(f, 0)))
-      {
-        Vector<D> corner[D];
-        for (int i = 0; i < D; ++i)
-          corner[i] = at(simplex(s, i));
-        if (norm(front - placeOf<D>(corner, footOn(corner, front))) < reach)
-          nearFront(s) = 1;
-      }
+    Vector<D> corner[D];
+    for (int i = 0; i < D; ++i)
+      corner[i] = at(simplex(s, i));
+    double radius = 0.0; // of a sphere round the first corner
+    for (int i = 1; i < D; ++i)
+      radius = std::max(radius, norm(corner[i] - corner[0]));
+    const double most = (reach + radius) * (reach + radius);
+    for (std::size_t f = 0; f < frontFacet.extent(0) && nearFront(s) == 0; ++f)
+    {
+      const int facet = frontFacet(f, 0);
+      if (crackOf(s) != crackOf(facet))
+        continue;
+      const Vector<D> front = at(simplex(facet, (frontFacet(f, 1) + 1) % D)), from = front - corner[0];
+      if (dot(from, from) < most && norm(front - placeOf<D>(corner, footOn(corner, front))) < reach)
+        nearFront(s) = 1;
+    }
   }
   Kokkos::deep_copy(set.nearFront, nearFront);
 }

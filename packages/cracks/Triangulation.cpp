@@ -1,6 +1,7 @@
 #include "cracks/Triangulation.hpp"
 
 #include "cracks/CutTriangles.hpp"
+#include "cracks/EdgeFlips.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -87,21 +88,76 @@ double distanceToBorder(const Vector<2>& x, const Points& border)
   return nearest;
 }
 
-/// Splits the triangle that a point lies in; a point on an edge or outside is left out.
-void insertPoint(Triangulation& mesh, const Vector<2>& x, double margin)
+/// Triangles that are split by points within them. Those that were split stay as a tree, by which the one in
+/// which a point lies is found without a look at all others.
+class SplitTriangles
 {
-  for (Triangle& t : mesh.triangles)
-    if (isInTriangle(x, mesh.points[t[0]], mesh.points[t[1]], mesh.points[t[2]], margin))
-    {
-      const int p = static_cast<int>(mesh.points.size());
-      mesh.points.push_back(x);
-      const Triangle whole = t;
-      t = {whole[0], whole[1], p};
-      mesh.triangles.push_back({whole[1], whole[2], p});
-      mesh.triangles.push_back({whole[2], whole[0], p});
+public:
+  explicit SplitTriangles(Triangulation& mesh) : mesh_(mesh), whole_(static_cast<int>(mesh.triangles.size()))
+  {
+    nodes_.reserve(mesh.triangles.size());
+    for (int t = 0; t < whole_; ++t)
+      nodes_.push_back({mesh.triangles[t], t, -1});
+  }
+
+  /// Splits the triangle that a point lies in; a point on an edge or outside is left out.
+  void insert(const Vector<2>& x, double margin)
+  {
+    const int found = find(x, margin);
+    if (found < 0)
       return;
+    const int p = static_cast<int>(mesh_.points.size()), next = static_cast<int>(mesh_.triangles.size());
+    mesh_.points.push_back(x);
+    const Triangle whole = nodes_[found].corners;
+    const int t = nodes_[found].triangle;
+    mesh_.triangles[t] = {whole[0], whole[1], p};
+    mesh_.triangles.push_back({whole[1], whole[2], p});
+    mesh_.triangles.push_back({whole[2], whole[0], p});
+    nodes_[found].firstPart = static_cast<int>(nodes_.size());
+    for (const int part : {t, next, next + 1})
+      nodes_.push_back({mesh_.triangles[part], part, -1});
+  }
+
+private:
+  struct Node
+  {
+    Triangle corners;
+    int triangle;  ///< its number while it is whole
+    int firstPart; ///< of three, one after the other; -1: whole
+  };
+
+  bool holds(const Node& node, const Vector<2>& x, double margin) const
+  {
+    const Points& at = mesh_.points;
+    return isInTriangle(x, at[node.corners[0]], at[node.corners[1]], at[node.corners[2]], margin);
+  }
+
+  /// The whole triangle in which a point lies by a margin, or -1.
+  int find(const Vector<2>& x, double margin)
+  {
+    for (int root = 0; root < whole_; ++root)
+    {
+      open_.assign(1, root);
+      while (!open_.empty())
+      {
+        const int n = open_.back();
+        open_.pop_back();
+        const int first = nodes_[n].firstPart;
+        if (first < 0 && holds(nodes_[n], x, margin))
+          return n;
+        // Who lies in a part may be on the edge of the whole, to round-off.
+        if (first >= 0 && holds(nodes_[n], x, -margin))
+          open_.insert(open_.end(), {first, first + 1, first + 2});
+      }
     }
-}
+    return -1;
+  }
+
+  Triangulation& mesh_;
+  int whole_; ///< number of triangles at the start
+  std::vector<Node> nodes_;
+  std::vector<int> open_;
+};
 
 /// Points of a hexagonal lattice that keep off the border.
 void fillInside(Triangulation& mesh, const Points& border, double spacing)
@@ -119,50 +175,14 @@ void fillInside(Triangulation& mesh, const Points& border, double spacing)
   const int rows = static_cast<int>((upper[1] - lower[1]) / rise) / 2 + 1;
   // Off the middle by an odd share, where no diagonal of a regular polygon runs.
   const Vector<2> start{middle[0] + 0.0137 * spacing, middle[1] + 0.0071 * spacing};
+  SplitTriangles triangles(mesh);
   for (int j = -rows; j <= rows; ++j)
     for (int i = -columns; i <= columns; ++i)
     {
       const Vector<2> x{start[0] + spacing * (i + 0.5 * std::abs(j % 2)), start[1] + rise * j};
       if (distanceToBorder(x, border) > 0.6 * spacing)
-        insertPoint(mesh, x, 1e-9 * spacing * spacing);
+        triangles.insert(x, 1e-9 * spacing * spacing);
     }
-}
-
-/// Positive where d lies inside of the circle through a, b, c (anticlockwise).
-double insideCircle(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c, const Vector<2>& d)
-{
-  const Vector<2> p = a - d, q = b - d, r = c - d;
-  return dot(p, p) * (q[0] * r[1] - r[0] * q[1]) - dot(q, q) * (p[0] * r[1] - r[0] * p[1]) +
-         dot(r, r) * (p[0] * q[1] - q[0] * p[1]);
-}
-
-/// Flips edges in rounds, in which no triangle changes twice. \return whether any was flipped
-bool flipRound(Triangulation& mesh, double spacing)
-{
-  const std::vector<Triangle> neighbours = findNeighbours(mesh.triangles);
-  const Points& x = mesh.points;
-  const double tinyArea = 1e-9 * spacing * spacing, tinyCircle = 1e-9 * std::pow(spacing, 4);
-  std::vector<bool> changed(mesh.triangles.size(), false);
-  bool any = false;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (int i = 0; i < 3 && !changed[t]; ++i)
-    {
-      const int u = neighbours[t][i];
-      if (u < static_cast<int>(t) || changed[u])
-        continue;
-      const int c = mesh.triangles[t][i], a = mesh.triangles[t][(i + 1) % 3],
-                b = mesh.triangles[t][(i + 2) % 3];
-      int d = -1;
-      for (const int v : mesh.triangles[u])
-        d = v != a && v != b ? v : d;
-      if (insideCircle(x[a], x[b], x[c], x[d]) <= tinyCircle || doubleArea(x[a], x[d], x[c]) <= tinyArea ||
-          doubleArea(x[d], x[b], x[c]) <= tinyArea)
-        continue;
-      mesh.triangles[t] = {a, d, c};
-      mesh.triangles[u] = {d, b, c};
-      changed[t] = changed[u] = any = true;
-    }
-  return any;
 }
 
 bool covers(const Triangulation& mesh, const Vector<2>& x)
@@ -238,7 +258,8 @@ Triangulation triangulate(const std::vector<Vector<2>>& outline, double spacing)
   fillInside(mesh, border, spacing);
   // Lawson's flips come to an end; the bound is for round-off that flips to and fro.
   const std::size_t most = 100 + mesh.triangles.size();
-  for (std::size_t round = 0; round < most && flipRound(mesh, spacing); ++round)
+  EdgeFlips flips(mesh, spacing);
+  for (std::size_t round = 0; round < most && flips.round(); ++round)
   {
   }
   return mesh;

@@ -89,6 +89,39 @@ TEST(Triangulation, HasTrianglesAsSmallAsAskedFor)
     EXPECT_LE(longestEdge(triangulate(outline, 0.5)), 2.4 * 0.5);
 }
 
+/// No circle round a triangle holds the point beyond one of its edges, but for the 1e-9 of a spacing's fourth
+/// power that is taken for round-off: Delaunay's condition edge by edge.
+TEST(Triangulation, IsDelaunays)
+{
+  for (const Points& outline : {square, hook, star(5)})
+    for (const double spacing : {1.0, 0.1})
+    {
+      const Triangulation mesh = triangulate(outline, spacing);
+      const auto beyond = findNeighbours(mesh.triangles);
+      int inner = 0, wrong = 0;
+      for (std::size_t t = 0; t < beyond.size(); ++t)
+        for (int i = 0; i < 3; ++i)
+        {
+          if (beyond[t][i] < 0)
+            continue;
+          ++inner;
+          const auto& corners = mesh.triangles[t];
+          const Vector<2>&a = mesh.points[corners[0]], &b = mesh.points[corners[1]],
+                &c = mesh.points[corners[2]];
+          // The middle of the circle, from c.
+          const Vector<2> p = a - c, q = b - c;
+          const double twice = 2.0 * doubleArea(a, b, c);
+          const Vector<2> middle{(q[1] * dot(p, p) - p[1] * dot(q, q)) / twice,
+                                 (p[0] * dot(q, q) - q[0] * dot(p, p)) / twice};
+          for (const int v : mesh.triangles[beyond[t][i]])
+            if (std::count(corners.begin(), corners.end(), v) == 0)
+              wrong += norm(mesh.points[v] - c - middle) < norm(middle) * (1.0 - 1e-6) ? 1 : 0;
+        }
+      EXPECT_GT(inner, static_cast<int>(beyond.size()));
+      EXPECT_EQ(wrong, 0) << "at spacing " << spacing;
+    }
+}
+
 /// A straight cut is exact to the tolerance of its halvings, 1e-3 of an edge.
 TEST(Triangulation, IsCutOffOutside)
 {
