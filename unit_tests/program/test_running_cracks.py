@@ -148,6 +148,24 @@ class RunningCracks(ProgramTest):
         for share in ("smallest_share", "largest_share", "last_share"):
             self.assertAlmostEqual(energy[share], 1.0, delta=0.01, msg=share)
 
+    def test_gases_of_cracks_that_have_met_come_to_one_pressure(self):
+        """Apart by less than the pressure falls while sound goes from where they met to the ends of the other crack:
+        nearer to each other no gas has one pressure."""
+        out = self.path("joined")
+        answer = rhegma(os.path.join(SOURCE, "xml_inputs", "verification", "joined_gases.xml"), "--quiet", "--output", out)
+        self.assertEqual(answer.status, 0, answer)
+        self.assertIn("the front Wall.0 joined the crack Roof", answer.complaint)
+        with open(os.path.join(out, "history.csv"), newline="") as file:
+            rows = [{name: float(value) for name, value in row.items()} for row in csv.DictReader(file)]
+        met = next(k for k, row in enumerate(rows) if row["time"] > 8e-5)
+        self.assertGreater(rows[met]["Wall.pressure"], 50.0 * rows[met]["Roof.pressure"])
+        half, ratio, constant = 0.012, 1.25, 320.0  # of Roof [m], and of the gas
+        sound = math.sqrt(ratio * constant * rows[-1]["Roof.gas_temperature"])
+        before = next(row for row in rows if row["time"] > rows[-1]["time"] - half / sound)
+        falls = before["Wall.pressure"] - rows[-1]["Wall.pressure"]
+        self.assertLess(falls, 0.15 * rows[-1]["Wall.pressure"])
+        self.assertLess(abs(rows[-1]["Wall.pressure"] - rows[-1]["Roof.pressure"]), falls)
+
 
 if __name__ == "__main__":
     unittest.main()
