@@ -69,6 +69,13 @@ std::string inLowerCase(std::string text)
   return text;
 }
 
+/// Passes over the name of a solid, which may have any words in it.
+void skipLine(std::istringstream& words)
+{
+  for (int c = words.get(); c != '\n' && c != '\r' && words.good();)
+    c = words.get();
+}
+
 SurfaceMesh parseAscii(const std::string& text)
 {
   SurfaceMesh mesh;
@@ -96,7 +103,11 @@ SurfaceMesh parseAscii(const std::string& text)
       append(mesh, corner);
       corners = 0;
     }
-    ended = word == "endsolid" || (ended && word != "solid");
+    else if (word == "solid" || word == "endsolid")
+    {
+      ended = word == "endsolid";
+      skipLine(words);
+    }
   }
   if (!ended || corners != 0)
     throw std::invalid_argument("the file is cut short: it has no \"endsolid\"");

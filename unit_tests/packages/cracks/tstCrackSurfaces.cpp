@@ -38,11 +38,11 @@ double areaOf(const SurfaceMesh& mesh)
   return sum;
 }
 
-std::string asciiStl(const SurfaceMesh& mesh)
+std::string asciiStl(const SurfaceMesh& mesh, const std::string& name = "crack")
 {
   std::ostringstream text;
   text.precision(17);
-  text << "solid crack\n";
+  text << "solid " << name << "\n";
   for (const auto& t : mesh.triangles)
   {
     text << "facet normal 0 0 0\nouter loop\n";
@@ -50,7 +50,7 @@ std::string asciiStl(const SurfaceMesh& mesh)
       text << "vertex " << mesh.points[v][0] << " " << mesh.points[v][1] << " " << mesh.points[v][2] << "\n";
     text << "endloop\nendfacet\n";
   }
-  return text.str() + "endsolid crack\n";
+  return text.str() + "endsolid " + name + "\n";
 }
 
 std::string binaryStl(const SurfaceMesh& mesh)
@@ -141,7 +141,8 @@ struct File
 
 } // namespace
 
-/// All kinds hold the same triangles, in small letters or capitals, binary files in single precision.
+/// All kinds hold the same triangles, in small letters or capitals, whatever the solid is called, binary
+/// files in single precision.
 TEST(SurfaceFiles, HoldWhatWasWritten)
 {
   const SurfaceMesh mesh = square();
@@ -149,7 +150,8 @@ TEST(SurfaceFiles, HoldWhatWasWritten)
   std::transform(capitals.begin(), capitals.end(), capitals.begin(),
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   for (const auto& read :
-       {parseStl(asciiStl(mesh)), parseStl(capitals), parseStl(binaryStl(mesh)), parseObj(obj(mesh))})
+       {parseStl(asciiStl(mesh)), parseStl(capitals), parseStl(asciiStl(mesh, "Solid")),
+        parseStl(asciiStl(mesh, "a vertex, endloop")), parseStl(binaryStl(mesh)), parseObj(obj(mesh))})
   {
     SurfaceMesh welded = read;
     weld(welded, 1e-6);
