@@ -252,13 +252,15 @@ void describePart(const Section& root, const std::vector<std::string>& names, Pl
       if (p.name == name && std::none_of(named.begin(), named.end(), same)) // variants may share one
         named.push_back(p);
     }
-    if (next == nullptr && !named.empty() && &name == &names.back())
+    if (next == nullptr && !named.empty())
     {
+      if (&name != &names.back())
+        throw std::invalid_argument(scenePath(path, name) + " is a parameter, which has no parts");
       writer.parameters(scenePath(path, name), named);
       return;
     }
     note = next != nullptr ? presenceInWords(*next) : "any name, any number";
-    if (next == nullptr && named.empty() && section->userNamed())
+    if (next == nullptr && section->userNamed())
       next = &section->entry.front();
     if (next == nullptr)
       throw std::invalid_argument((path.empty() ? "there is no section \"" : "there is no \"") +

@@ -107,8 +107,10 @@ TEST(Describe, PartsOfASection)
 
 TEST(Describe, AWrongPartNamesTheNearest)
 {
-  for (const auto& [path, nearest] : std::map<std::string, std::string>{
-           {"Domain > Cell Syze", "\"Cell Size\""}, {"Bodies > Plate > Operation", "\"Operations\""}})
+  for (const auto& [path, nearest] :
+       std::map<std::string, std::string>{{"Domain > Cell Syze", "\"Cell Size\""},
+                                          {"Bodies > Plate > Operation", "\"Operations\""},
+                                          {"Time > CFL > Limit", "Time > CFL is a parameter"}})
     try
     {
       describe(coreSchema(), path);
