@@ -3,6 +3,8 @@
 
 #include "state/Types.hpp"
 
+#include <cmath>
+
 namespace Rhegma::cracks
 {
 
@@ -23,12 +25,33 @@ namespace Rhegma::cracks
 /// -T / k: with s = |u + T / k| the force is F(r) / r (u + T / k), r the largest s so far, F(r) falling from
 /// |T| at |T| / k to 0 at |T| / k + w.
 ///
+/// Where w is so short that the fields would move past it within a step or two, T would act to the end of a
+/// step in which the faces are apart already. There the node starts with a smaller share phi of what holds
+/// it, and a longer w of the same energy, so that the fields reach w as the step ends:
+///
+///     w = 2 E / (phi T) = (1 - phi) T / m dt^2,   phi below a half, m = m1 m2 / (m1 + m2).
+///
+/// What nodes take beyond their energy by more than a twentieth, as the last step overshoots w, is deducted
+/// from the energy of those that the front passes next.
+///
 /// A row: the numbers below; then T / k, as many as axes.
 namespace cohesion
 {
 constexpr double strengthAtFirst = 0.95; ///< share of the holding force
 
 constexpr double repayment = 0.25; ///< most of the energy of new faces that goes to softened ties
+
+constexpr double tolerated = 0.05; ///< share of its energy by which a node may take more without deduction
+constexpr double deduction = 0.9;  ///< most of it that goes to what nodes have taken too much
+
+/// Share of the holding force that a node starts with.
+/// \param range w, by strengthAtFirst [m] \param apart by how much the fields would move apart within the
+/// step if nothing held them [m]
+KOKKOS_INLINE_FUNCTION double shareAtFirst(double range, double apart)
+{
+  const double product = strengthAtFirst * range / apart; // of the share and what it lacks of one
+  return product < 0.25 ? 2.0 * product / (1.0 + std::sqrt(1.0 - 4.0 * product)) : strengthAtFirst;
+}
 
 constexpr int peak = 0;  ///< |T| [N]; 0: no cohesion; -1 - f: the node waits for its force, front f passed it
 constexpr int range = 1; ///< w [m]
@@ -56,6 +79,17 @@ template <class Rows>
 KOKKOS_INLINE_FUNCTION double secant(const Rows& rows, int n)
 {
   return secantAt(rows, n, rows(n, reached));
+}
+
+/// What the force of a node would yet take until its fields are apart, with what it holds as a spring [J].
+/// \param square of the fields' distance now, counted from -T / k [m2]
+template <class Rows>
+KOKKOS_INLINE_FUNCTION double yetToTake(const Rows& rows, int n, double square)
+{
+  const double r = rows(n, reached), force = strength(rows, n);
+  return force > 0.0
+             ? 0.5 * force * (rows(n, start) + rows(n, range) - r) + 0.5 * force / r * (r * r - square)
+             : 0.0;
 }
 } // namespace cohesion
 

@@ -276,8 +276,9 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  {"advances of fronts"},
                  {"crack geometry"},
                  {},
-                 [surface, junctions](State<D>& s)
+                 [surface, junctions, ties](State<D>& s)
                  {
+                   ties->note(s.cracks.advances);
                    if constexpr (D == 2)
                      growCracks(s, *junctions);
                    else

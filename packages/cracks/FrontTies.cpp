@@ -2,6 +2,7 @@
 
 #include "checkpoint/Archive.hpp"
 #include "cracks/HoldingForce.hpp"
+#include "cracks/NearestFront.hpp"
 #include "material/MaterialTable.hpp"
 #include "parallel/Subdomain.hpp"
 #include "state/FewItems.hpp"
@@ -19,33 +20,6 @@ namespace
 constexpr double factor = 0.1;  ///< of E'
 constexpr double offset = 0.05; ///< [cells]
 constexpr double full = 0.9;    ///< share of a node's cells that counts as all: strain changes it by less
-
-/// The front of a crack that is nearest to a place, or -1 if that has not grown.
-template <int D>
-struct NearestFront
-{
-  View<double * [D + 1]> fronts;
-
-  KOKKOS_INLINE_FUNCTION int operator()(const Vector<D>& x, int crack) const
-  {
-    int found = -1;
-    double least = 1e300;
-    for (int f = 0; f < static_cast<int>(fronts.extent(0)); ++f)
-    {
-      if (std::fabs(fronts(f, D)) != 1.0 + crack)
-        continue;
-      double square = 0.0;
-      for (int d = 0; d < D; ++d)
-        square += (x[d] - fronts(f, d)) * (x[d] - fronts(f, d));
-      if (square < least)
-      {
-        least = square;
-        found = f;
-      }
-    }
-    return found >= 0 && fronts(found, D) > 0.0 ? found : -1;
-  }
-};
 
 /// A tie with less stretch than this holds no energy to speak of and may stiffen [cells]. Beyond round-off,
 /// so that ties are the same on any number of ranks.
@@ -110,6 +84,18 @@ void FrontTies<D>::placeFronts(const State<D>& state)
     host(f, D) = (fronts[f].grown ? 1.0 : -1.0) * (1.0 + fronts[f].crack);
   }
   Kokkos::deep_copy(fronts_, host);
+}
+
+template <int D>
+void FrontTies<D>::note(const std::vector<FrontAdvance<D>>& advances)
+{
+  for (const FrontAdvance<D>& advance : advances)
+  {
+    const auto f = static_cast<std::size_t>(advance.front);
+    if (toughness_.size() <= f)
+      toughness_.resize(f + 1, 0.0);
+    toughness_[f] = advance.toughness;
+  }
 }
 
 template <int D>
@@ -244,6 +230,8 @@ void FrontTies<D>::keep(State<D>& state, int step, Archive& archive)
 {
   memory_.keep(state, step, archive);
   archive("debts", debt_);
+  archive("torn", torn_);
+  archive("toughnesses", toughness_);
 }
 
 template class FrontTies<2>;

@@ -54,6 +54,10 @@ public:
   /// Tells what 3D fronts do; needed before `release` where they grow.
   void follow(std::shared_ptr<const SurfaceGrowth> surface) { surface_ = std::move(surface); }
 
+  /// Notes the toughness of the advances that fronts of 2D are about to make: faces that a body's motion
+  /// opens later cost the same. To be called before cracks grow.
+  void note(const std::vector<FrontAdvance<D>>& advances);
+
   /// Finds the ties of this step, once nodes have masses, and leaves their stiffness in state.cracks.tie.
   void prepare(State<D>& state, const Surroundings& surroundings);
 
@@ -82,12 +86,18 @@ public:
 private:
   void readMaterials(const State<D>& state);
   void placeFronts(const State<D>& state);
+  /// Deducts from the new faces of each front what its nodes took beyond their energy. \param torn that of
+  /// each front on this rank [J]
+  void deduct(State<D>& state, std::vector<double> torn);
 
   bool grows_;
   TieMemory<D> memory_;
   std::shared_ptr<const SurfaceGrowth> surface_;
   std::vector<double> debt_; ///< energy that softened ties of each front take instead of its new faces [J]
-  int waiting_ = 0;          ///< nodes that wait for `release`
+  std::vector<double>
+      torn_; ///< what nodes took beyond their energy, not yet deducted, of each front [J] (2D)
+  std::vector<double> toughness_; ///< of the last advance of each front that has made one [J/m2] (2D)
+  int waiting_ = 0;               ///< nodes that wait for `release`
   View<double * [D + 1]> fronts_; ///< place of each front, and 1 + its crack if it has grown, else 0
   double modulus_ = 0.0;          ///< the smallest E' of the scene [Pa]
   double density_ = 0.0;          ///< the largest of the scene [kg/m3]

@@ -37,7 +37,7 @@ Rows look(const State<3>& state, const Surroundings& surroundings, const View<do
           const View<double* [7]>& cohesive, double density)
 {
   const Nodes<3> nodes = state.nodes;
-  const Rows rows("rhegma::cracks::waitingNodes", nodes.numSecond);
+  Rows rows("rhegma::cracks::waitingNodes", nodes.numSecond);
   const NodePlaces<3> places = nodePlaces(state);
   const CrackSight<3> sight(state.cracks, state.grid.spacing);
   const View<std::uint64_t*> nearest = surroundings.nearest;
@@ -193,16 +193,18 @@ void releaseBehind(const SurfaceGrowth& growth, State<3>& state, const Surroundi
         const int own = nodes.parent(i), other = nodes.numLattice + i;
         if (!(cohesive(own, cohesion::peak) < 0.0))
           return;
-        const Vector<3> force = cohesion::strengthAtFirst * holding(i);
-        const double size = norm(force);
+        const Vector<3> held = holding(i);
         const double a = nodes.sums(own, Nodes<3>::massAt), b = nodes.sums(other, Nodes<3>::massAt);
         const int halvings = refined && level(own) >= firstShort ? level(own) - firstShort + 1 : 0;
         const double stiffness = std::ldexp(limit, 2 * halvings) * a * b / (a + b);
         cohesive(own, cohesion::peak) = 0.0;
-        if (!(size > 0.0) || !(rangeOf(i) > 0.0))
+        if (!(norm(held) > 0.0) || !(rangeOf(i) > 0.0))
           return;
+        const double share = cohesion::shareAtFirst(rangeOf(i), norm(held) / stiffness);
+        const Vector<3> force = share * held;
+        const double size = norm(force);
         cohesive(own, cohesion::peak) = size;
-        cohesive(own, cohesion::range) = rangeOf(i);
+        cohesive(own, cohesion::range) = rangeOf(i) * cohesion::strengthAtFirst / share;
         cohesive(own, cohesion::start) = cohesive(own, cohesion::reached) = size / stiffness;
         tie(own, 3) = stiffness;
         for (int d = 0; d < 3; ++d)

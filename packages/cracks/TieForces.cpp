@@ -2,10 +2,13 @@
 
 #include "cracks/FrontTies.hpp"
 #include "cracks/HoldingForce.hpp"
+#include "cracks/NearestFront.hpp"
 #include "parallel/Subdomain.hpp"
 #include "state/FewItems.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace Rhegma::cracks
 {
@@ -24,7 +27,40 @@ KOKKOS_INLINE_FUNCTION double pullOf(const View<double * [D + 1]>& tie, const Vi
   return -sign * tie(own, D) * (jump(own, axis) + from);
 }
 
+/// What the nodes at each front took beyond their energy on this rank [J]. \param of each node with two
+/// fields
+template <int D>
+std::vector<double> tornAtFronts(const State<D>& state, const NearestFront<D>& frontOf,
+                                 const View<double*>& of)
+{
+  const Nodes<D> nodes = state.nodes;
+  const NodePlaces<D> places = nodePlaces(state);
+  const View<int*> side = state.cracks.nodeSide;
+  std::vector<double> torn(state.cracks.fronts.size(), 0.0);
+  for (std::size_t f = 0; f < torn.size(); ++f)
+    torn[f] = sumFew<double>(
+        "rhegma::cracks::tornFaces", nodes.numSecond, KOKKOS_LAMBDA(const int i, double& sum) {
+          const int own = nodes.parent(i), crack = (side(own) > 0 ? side(own) : -side(own)) - 1;
+          if (of(i) > 0.0 && frontOf(places(own), crack) == static_cast<int>(f))
+            sum += of(i);
+        });
+  return torn;
+}
+
 } // namespace
+
+template <int D>
+void FrontTies<D>::deduct(State<D>& state, std::vector<double> torn)
+{
+  std::vector<CrackFront<D>>& fronts = state.cracks.fronts;
+  sumParts(state, torn.data(), static_cast<int>(torn.size()));
+  torn_.resize(fronts.size(), 0.0);
+  for (std::size_t f = 0; f < fronts.size(); ++f)
+    if constexpr (D == 2)
+      torn_[f] += torn[f];
+    else
+      fronts[f].unspent -= torn[f];
+}
 
 template <int D>
 void FrontTies<D>::addForces(State<D>& state) const
@@ -117,22 +153,28 @@ void FrontTies<D>::advance(State<D>& state)
   const bool grows = grows_;
   const double dt = state.dt;
   const bool byMotion = state.scheme == UpdateScheme::Usl;
-  double elastic = 0.0, spent = 0.0;
+  double elastic = 0.0, spent = 0.0, beyond = 0.0;
+  const View<double*> torn("rhegma::cracks::torn", grows ? nodes.numSecond : 0);
   sumFew(
       "rhegma::cracks::stretchTies", 0, nodes.numSecond,
-      KOKKOS_LAMBDA(const int i, double& sum, double& work) {
+      KOKKOS_LAMBDA(const int i, double& sum, double& work, double& tooMuch) {
         const int own = nodes.parent(i), other = nodes.numLattice + i;
         const double sign = signOf(side(own));
         // A field without mass moves nowhere: beside it the other's flight is no stretch.
         const bool both =
             nodes.sums(own, Nodes<D>::massAt) > 0.0 && nodes.sums(other, Nodes<D>::massAt) > 0.0;
         const bool resists = grows && cohesive(own, cohesion::peak) > 0.0;
-        double square = 0.0, more[D];
+        double square = 0.0, squareBefore = 0.0, more[D];
         for (int d = 0; d < D; ++d)
         {
           const double moved = byMotion ? nodes.motion(own, d) - nodes.motion(other, d)
                                         : nodes.projection(own, d) - nodes.projection(other, d);
           more[d] = both ? sign * dt * moved : -jump(own, d);
+          if (resists)
+          {
+            const double from = jump(own, d) + cohesive(own, cohesion::shift + d);
+            squareBefore += from * from;
+          }
           jump(own, d) += more[d];
           if (resists)
           {
@@ -142,21 +184,34 @@ void FrontTies<D>::advance(State<D>& state)
           else if (countsHere(nodes, own))
             sum += 0.5 * tie(own, D) * jump(own, d) * jump(own, d);
         }
+        const double left = resists ? cohesion::yetToTake(cohesive, own, squareBefore) : 0.0;
         if (resists && square > cohesive(own, cohesion::reached) * cohesive(own, cohesion::reached))
         {
           cohesive(own, cohesion::reached) = std::sqrt(square);
           const double now = cohesion::secant(cohesive, own);
           tie(own, D) = now < tie(own, D) ? now : tie(own, D);
         }
+        double taken = 0.0;
         for (int d = 0; d < D; ++d)
         {
           const double before = tie(own, d);
           tie(own, d) = pullOf<D>(tie, jump, cohesive, own, d, sign);
-          if (resists && both && countsHere(nodes, own))
-            work -= 0.5 * sign * (before + tie(own, d)) * more[d];
+          taken -= 0.5 * sign * (before + tie(own, d)) * more[d];
         }
+        if (!resists || !both || !countsHere(nodes, own))
+          return;
+        work += taken;
+        const double energy = 0.5 * cohesive(own, cohesion::peak) * cohesive(own, cohesion::range);
+        if (left > 0.0 && !(cohesion::strength(cohesive, own) > 0.0) &&
+            taken > left + cohesion::tolerated * energy)
+          tooMuch += torn(i) = taken - left;
       },
-      elastic, spent);
+      elastic, spent, beyond);
+  const std::vector<CrackFront<D>>& fronts = state.cracks.fronts;
+  const bool any = std::any_of(fronts.begin(), fronts.end(), [](const CrackFront<D>& f) { return f.grown; });
+  if (grows && any)
+    deduct(state, beyond > 0.0 ? tornAtFronts<D>(state, NearestFront<D>{fronts_}, torn)
+                               : std::vector<double>(fronts.size(), 0.0));
   state.energy.ties = elastic;
   state.energy.fracture += spent;
 }
@@ -173,16 +228,13 @@ double FrontTies<D>::energyInFlight(const State<D>& state, int step) const
       KOKKOS_LAMBDA(const int n, double& all) {
         if (last(n) != step || step == 0 || !(cohesive(n, cohesion::peak) > 0.0) || !countsHere(nodes, n))
           return;
-        const double r = cohesive(n, cohesion::reached), force = cohesion::strength(cohesive, n);
         double square = 0.0;
         for (int d = 0; d < D; ++d)
         {
           const double from = jump(n, d) + cohesive(n, cohesion::shift + d);
           square += from * from;
         }
-        const double end = cohesive(n, cohesion::start) + cohesive(n, cohesion::range);
-        if (force > 0.0)
-          all += 0.5 * force * (end - r) + 0.5 * force / r * (r * r - square);
+        all += cohesion::yetToTake(cohesive, n, square);
       });
   sumParts(state, &sum, 1);
   for (const CrackFront<D>& front : state.cracks.fronts)

@@ -73,31 +73,38 @@ void FrontTies<D>::release(State<D>& state, const Surroundings& surroundings)
             all += norm(holding(i));
         });
     sumParts(state, &sum, 1);
-    // A node that the front passes by drifting through the cells takes what a cell of new face would.
-    const double energy = front.unspent > 0.0 ? front.unspent
-                                              : std::max(0.0, front.driving.release) * state.thickness *
-                                                    spacingAt(state, front.position);
+    // A node that the front passes by drifting through the cells takes what a cell of new face would: by the
+    // toughness of its last advance, and not by what drives it, which may be far above that.
+    const double known = f < toughness_.size() ? toughness_[f] : 0.0;
+    const double energy =
+        front.unspent > 0.0 ? front.unspent : known * state.thickness * spacingAt(state, front.position);
+
     const double owed = f < debt_.size() ? std::min(debt_[f], cohesion::repayment * energy) : 0.0;
-    const double range = sum > 0.0 ? 2.0 * (energy - owed) / (cohesion::strengthAtFirst * sum) : 0.0;
+    const double torn = f < torn_.size() ? std::min(torn_[f], cohesion::deduction * (energy - owed)) : 0.0;
+    const double range = sum > 0.0 ? 2.0 * (energy - owed - torn) / (cohesion::strengthAtFirst * sum) : 0.0;
     if (range > 0.0)
       front.unspent = 0.0;
     if (range > 0.0 && owed > 0.0)
       debt_[f] -= owed;
+    if (range > 0.0 && torn > 0.0)
+      torn_[f] -= torn;
     forFew(
         "rhegma::cracks::release", nodes.numSecond, KOKKOS_LAMBDA(const int i) {
           const int own = nodes.parent(i), other = nodes.numLattice + i;
           if (cohesive(own, cohesion::peak) != name)
             return;
-          const Vector<D> force = cohesion::strengthAtFirst * holding(i);
-          const double size = norm(force);
+          const Vector<D> held = holding(i);
           const double a = nodes.sums(own, Nodes<D>::massAt), b = nodes.sums(other, Nodes<D>::massAt);
           const int halvings = refined && level(own) >= firstShort ? level(own) - firstShort + 1 : 0;
           const double stiffness = std::ldexp(limit, 2 * halvings) * a * b / (a + b);
           cohesive(own, cohesion::peak) = 0.0;
-          if (!(size > 0.0) || !(range > 0.0))
+          if (!(norm(held) > 0.0) || !(range > 0.0))
             return;
+          const double share = cohesion::shareAtFirst(range, norm(held) / stiffness);
+          const Vector<D> force = share * held;
+          const double size = norm(force);
           cohesive(own, cohesion::peak) = size;
-          cohesive(own, cohesion::range) = range;
+          cohesive(own, cohesion::range) = range * cohesion::strengthAtFirst / share;
           cohesive(own, cohesion::start) = cohesive(own, cohesion::reached) = size / stiffness;
           tie(own, D) = stiffness;
           for (int d = 0; d < D; ++d)
