@@ -120,9 +120,9 @@ SurfaceMesh parseStl(const std::string& text)
 {
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
   const bool solid = begin != std::string::npos && inLowerCase(text.substr(begin, 5)) == "solid";
-  // Some binary files begin with "solid" too; their length tells.
+  // Some binary files begin with "solid" too; their length tells, or a zero byte, which no text has.
   const bool fits = text.size() >= header + 4 && text.size() == header + 4 + countOf(text) * perTriangle;
-  if (solid && !fits)
+  if (solid && !fits && text.find('\0') == std::string::npos)
     return parseAscii(text);
   if (text.size() < header + 4)
     throw std::invalid_argument("the file is cut short: a binary STL file has at least 84 bytes");

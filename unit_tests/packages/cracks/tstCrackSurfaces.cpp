@@ -172,6 +172,9 @@ TEST(SurfaceFiles, AreRefusedInASentence)
   expectPiece(complaint([&] { parseStl(ascii.substr(0, ascii.size() / 2)); }), "cut short");
   expectPiece(complaint([&] { parseStl(binary.substr(0, binary.size() - 7)); }), "cut short");
   expectPiece(complaint([&] { parseStl(binary + std::string(50, 'x')); }), "there is room for");
+  const std::string solid = "solid" + binary.substr(5);
+  expectPiece(complaint([&] { parseStl(solid.substr(0, solid.size() - 7)); }), "it says that it has 2");
+  expectPiece(complaint([&] { parseStl(solid + std::string(50, 'x')); }), "there is room for");
   expectPiece(complaint([&] { parseStl(std::string(40, 'x')); }), "cut short");
   expectPiece(complaint([&] { parseStl("solid a\nfacet\nvertex 0 0\nendloop\nendsolid"); }), "triangle 1");
   expectPiece(complaint([&] { parseObj("v 0 0\n"); }), "line 1");
