@@ -45,6 +45,7 @@ struct FrontMemory
   long increments = 0;      ///< of all stations together
   double first = 0.0;       ///< time of the first of them [s]
   double last = 0.0;        ///< and of the last [s]
+  double fastest = 0.0;     ///< the largest speed that its stations may have had [m/s]; 0: not known yet
   double lastSettled = 0.0; ///< mean of the settled speeds of the stations that it had last [m/s]
 };
 
@@ -140,6 +141,7 @@ void decide(State<3>& state, const Options& options, Memories& memories)
         state.trouble = wrong;
         return;
       }
+      memories[f].fastest = std::max(memories[f].fastest, memories[f].stations.at(station.name).fastest);
       front.advances = front.advances || station.advances;
       front.speed = std::max(front.speed, station.speed);
     }
@@ -262,6 +264,7 @@ void report(const State<3>& state, const Memories& memories, const Circles& circ
     entry["set_out"] = memory.increments > 0 ? memory.first : notYet;
     entry["last_advance"] = memory.increments > 0 ? memory.last : notYet;
     entry["settled_speed"] = settledSpeed(memory);
+    entry["speed_limit"] = memory.fastest;
     entry["energy_of_new_faces"] = front.taken;
     reportShape(front, circles[f], entry);
     double closest = 0.0;
@@ -314,6 +317,7 @@ Effect<3> propagationInSpace(const Teuchos::ParameterList& scene)
       archive("increments", whole.increments);
       archive("first", whole.first);
       archive("last", whole.last);
+      archive("fastest", whole.fastest);
       archive("last_settled_speed", whole.lastSettled);
       for (auto& [name, memory] : whole.stations)
       {

@@ -2,6 +2,7 @@
 
 #include "cracks/Opening.hpp"
 #include "output/CoreRow.hpp"
+#include "propagation/RayleighSpeed.hpp"
 #include "src/step/ElasticBox.hpp"
 #include "transfer/FacePoints.hpp"
 
@@ -245,8 +246,9 @@ TEST(PennyGrowth, PaysForItsAreaToTheEnd)
   const nlohmann::json& entry = summary["cracks"][0]["fronts"][0];
   EXPECT_GT(entry["increments"].get<long>(), 0);
   EXPECT_GT(entry["last_advance"].get<double>(), entry["set_out"].get<double>());
-  for (const char* name : {"increments", "set_out", "last_advance", "settled_speed"})
+  for (const char* name : {"increments", "set_out", "last_advance", "settled_speed", "speed_limit"})
     EXPECT_EQ(entry[name], ended[name]) << name;
+  EXPECT_NEAR(entry["speed_limit"].get<double>(), propagation::rayleighSpeed(state.materialList[0]), 1e-9);
 }
 
 /// A crack like a C, whose arms grow towards each other: a front that meets itself. It halts before they are
