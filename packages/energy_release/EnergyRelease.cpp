@@ -8,6 +8,7 @@
 #include "energy_release/DrivingCalls.hpp"
 #include "energy_release/DrivingForces.hpp"
 #include "energy_release/FrontsInSpace.hpp"
+#include "energy_release/LoadsInRing.hpp"
 #include "energy_release/ReadOptions.hpp"
 #include "scene/Attempts.hpp"
 #include "scene/Numbers.hpp"
@@ -21,6 +22,7 @@
 #include <memory>
 #include <set>
 #include <stdexcept>
+#include <vector>
 
 namespace Rhegma::energy_release
 {
@@ -283,6 +285,7 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
 {
   const Options options = readOptions(scene);
   const auto samples = std::make_shared<Samples>();
+  const std::vector<PlacedLoad> loads = readLoads(scene);
   Effect<2> effect;
   effect.name = "Energy Release";
   effect.atStart = [=](State<2>& state)
@@ -298,7 +301,10 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
       s.front = front;
       s.closed = wantsClosure(state, options, *samples, front);
       if (options.contour)
+      {
         s.radii = fittingRadii(state, front, options.radii);
+        warnOfLoads(state, front, s.radii, loads);
+      }
       s.integral = {notYet, notYet, notYet, notYet};
       samples->last.push_back(s);
     }

@@ -83,6 +83,24 @@ class OddCracks(ProgramTest):
         scene = plate().set("Energy Release", {"Inner Radius": 0.06, "Outer Radius": 0.2})
         self.told(scene, "below two cells", where="Energy Release > Inner Radius")
 
+    def wedged(self, behind, kind="Point Load"):
+        """The plate with its notch opened by two forces this far behind the front. J is of the ring from 0.15 to 0.3 m."""
+        scene = plate().remove("Boundaries > Pull")
+        for name, sign in (("Up", 1.0), ("Down", -1.0)):
+            place = [0.5 - behind, 0.5 + sign * 0.02]
+            where = {"Point": place} if kind == "Point Load" else {"From": [0.0, place[1]], "To": place}
+            scene.set("Boundaries > " + name, {"Type": kind, "Body": "Plate", "Force": [0.0, sign * 1e3]} | where)
+        return scene
+
+    def test_forces_in_the_ring_of_the_contour(self):
+        where = "Energy Release: Boundaries > "
+        self.told(self.wedged(0.2), "acts in the ring from 0.15 to 0.3 m round the front Notch.0",
+                  "acts in the ring", where=where)
+        self.told(self.wedged(0.0), where=where)  # within the ring: their work is in the integral
+        self.told(self.wedged(0.4), where=where)
+        self.told(self.wedged(0.0, "Line Load"), "acts in the ring", "acts in the ring", where=where)
+        self.told(self.wedged(0.4, "Line Load"), where=where)
+
     def test_run_that_ends_before_it_rests(self):
         scene = plate().set("Damping", {"Mass Rate": 1.0, "Stop When Settled": True})
         self.told(scene, "Stop When Settled", where="the run ended before it had settled")
