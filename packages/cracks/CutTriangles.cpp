@@ -2,6 +2,7 @@
 
 #include "geometry/Cross.hpp"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -54,6 +55,15 @@ void cutTriangles(std::vector<Vector<D>>& points, std::vector<std::array<int, 3>
     }
     return a;
   };
+  // A corner of the surface's own border stays on that, or its border would be no front there.
+  std::map<std::pair<int, int>, int> uses;
+  for (const std::array<int, 3>& t : triangles)
+    for (int i = 0; i < 3; ++i)
+      ++uses[std::minmax(t[i], t[(i + 1) % 3])];
+  std::vector<char> atBorder(points.size(), 0);
+  for (const auto& [edge, triangleCount] : uses)
+    if (triangleCount == 1)
+      atBorder[edge.first] = atBorder[edge.second] = 1;
   std::map<std::pair<int, int>, Vector<D>> crossings; // of edges (inner end, outer end)
   std::vector<double> moved(place.size(), 1e300);
   for (const std::array<int, 3>& t : triangles)
@@ -68,6 +78,8 @@ void cutTriangles(std::vector<Vector<D>>& points, std::vector<std::array<int, 3>
           for (const int end : {in, out})
           {
             const double way = norm(x - points[end]);
+            if (atBorder[end] != 0 && uses.at(std::minmax(in, out)) != 1)
+              continue;
             if (way < near * length && way < moved[end])
             {
               moved[end] = way;

@@ -139,3 +139,43 @@ TEST(Triangulation, IsCutOffOutside)
       cutToRegion(whole, [](const Vector<2>& x) { return x[0] < 2.13 && x[1] < 1.71; });
   EXPECT_NEAR(area(corner), 2.13 * 1.71, 4e-3 * 2.13 * 1.71);
 }
+
+/// What is left of a border ends where the region does: its corners next to the cut move along it, by no more
+/// than the tolerance of the cut, 1e-3 of an edge at each of two ends.
+TEST(Triangulation, KeepsItsBorderWhereItIsCut)
+{
+  constexpr int corners = 33; // the region's border meets edges, not corners
+  constexpr double radius = 5.0, step = 2.0 * 3.14159265358979 / corners;
+  Points outline;
+  outline.reserve(corners);
+  for (int k = 0; k < corners; ++k)
+    outline.push_back({radius * std::cos(k * step), radius * std::sin(k * step)});
+  const double from = 0.31;
+  double left = 0.0; // length of the outline in the region
+  for (int k = 0; k < corners; ++k)
+  {
+    const Vector<2>&a = outline[k], &b = outline[(k + 1) % corners];
+    const double low = std::min(a[0], b[0]), high = std::max(a[0], b[0]);
+    left += std::clamp((high - from) / (high - low), 0.0, 1.0) * norm(b - a);
+  }
+  const Triangulation cut =
+      cutToRegion(triangulate(outline, 1.0), [&](const Vector<2>& x) { return x[0] > from; });
+  const auto neighbours = findNeighbours(cut.triangles);
+  double kept = 0.0;
+  for (std::size_t t = 0; t < cut.triangles.size(); ++t)
+    for (int i = 0; i < 3; ++i)
+    {
+      const Vector<2>&a = cut.points[cut.triangles[t][(i + 1) % 3]],
+            &b = cut.points[cut.triangles[t][(i + 2) % 3]];
+      const Vector<2> middle = 0.5 * (a + b);
+      double nearest = radius;
+      for (int k = 0; k < corners; ++k)
+      {
+        const Vector<2> along = outline[(k + 1) % corners] - outline[k], off = middle - outline[k];
+        nearest = std::min(nearest, std::fabs(along[0] * off[1] - along[1] * off[0]) / norm(along));
+      }
+      if (neighbours[t][i] < 0 && nearest < 1e-9)
+        kept += norm(b - a);
+    }
+  EXPECT_NEAR(kept, left, 2e-3);
+}
