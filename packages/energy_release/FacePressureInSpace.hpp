@@ -1,11 +1,9 @@
 #pragma once
 /// What a pressure on the faces of a crack adds to J along its fronts in 3D.
 
-#include "energy_release/FrontOpening.hpp"
+#include "energy_release/FrontLine.hpp"
 #include "energy_release/FrontTube.hpp"
 #include "energy_release/InternalAcceleration.hpp"
-
-#include <vector>
 
 namespace Rhegma::energy_release
 {
@@ -18,29 +16,18 @@ bool isPressed(const State<3>& state);
 /// Collective.
 void addAccelerationByPressure(const State<3>& state, const NodalAcceleration<3>& acceleration);
 
-/// That work, as it follows by parts from the opening where it is well known (Li, Shih and Needleman, Eng.
-/// Fract. Mech. 21 (1985) 405, for the term - int p [u_n],e q dS):
+/// Adds that work to the configurational forces of nodes, as it follows by parts from the opening where it is
+/// well known (Li, Shih and Needleman, Eng. Fract. Mech. 21 (1985) 405, for the term - int p [u_n],e q dS):
 ///
-///     int p [u_n] ( e . grad q + q div e ) dS / int q ds
+///     G_n = int p [u_n] grad N_n dS
 ///
-/// with q = ramp hat and e the direction of the front at its nearest point, as FrontIntegral.hpp has them. A
-/// pressure that changes along the crack counts by its value only.
-/// \return for every station [J/m2]
-std::vector<double> releaseByPressure(const State<3>& state, int crack, const FrontLine& line,
-                                      const FrontTube& tube);
-
-/// Adds to J at every station what the nodes behind the front do not get. With ties the crack that the cells
-/// have is right under a stress far away. Taken off as a uniform stress, that stress
-/// pushes a split node by its whole hat, ahead of the front too, while a pressure acts on the faces alone.
-/// What so lacks, p times the share that split nodes have of the plane ahead, is worth sqrt(2 / (pi r)) each
-/// (Tada, Paris and Irwin, The Stress Analysis of Cracks Handbook, 3rd ed., 2000, 3.6) and in all the
-/// intensity K, which adds ( 2 K_I + K ) K / E'. The mean over the hat by which a station weighs. Nothing
-/// without a pressure. Collective.
+/// over the triangles of the crack, grad in their plane, so that q is interpolated as FrontIntegral.hpp does
+/// it in the body: what its kinks and turns weigh in one then weighs as much in the other. A pressure that
+/// changes along the crack counts by its value only. Only what acts on nodes in the tube is added, on each
+/// rank what acts on its own. Collective.
 ///
-/// \param openings of the stations: their modes share J as given
-/// \param J of every station, changed [J/m2]
-void addLostPressure(const State<3>& state, const CrackFront<3>& front, const FrontLine& line,
-                     const FrontTube& tube, const Elasticity& e, const std::vector<Intensities>& openings,
-                     std::vector<double>& J);
+/// \param force of each row of nodes [N]
+void addForceOfPressure(const State<3>& state, int crack, const FrontLine& line, const FrontTube& tube,
+                        const View<double* [3]>& force);
 
 } // namespace Rhegma::energy_release

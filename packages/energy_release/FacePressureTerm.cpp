@@ -80,7 +80,7 @@ double intensityLostAtFront(const State<2>& state, const CrackFront<2>& front, d
   std::vector<Vector<2>> at;
   for (const Place& on : places)
     at.push_back(on.at);
-  const std::vector<double> shared = shareOfNodes(state, front.crack, at, NodesOfFaces::Common);
+  const std::vector<double> shared = shareOfNodes(state, front.crack, at);
 
   // int s^-1/2 ds over a piece of the way back, s the distance from the tip that the cells have.
   const auto weighed = [tipOffset](double from, double to)

@@ -2,7 +2,6 @@
 
 #include "checkpoint/Archive.hpp"
 #include "energy_release/CrackTipFields.hpp"
-#include "energy_release/FacePressureInSpace.hpp"
 #include "energy_release/FrontIntegral.hpp"
 #include "energy_release/FrontOpening.hpp"
 #include "transfer/LocalSpacing.hpp"
@@ -59,14 +58,7 @@ void FrontDriving::measureRelease(State<3>& state)
     if (line.empty())
       continue;
     const FrontTube& tube = tubeOf(state, f, line);
-    std::vector<double> J = integrateAlongFront(state, front.crack, line, tube, acceleration_);
-    if (isPressed(state))
-    {
-      const Elasticity e = elasticity(state.materialList[materialAt(state, front.position)]);
-      const double cell = spacingAt(state, front.position);
-      addLostPressure(state, front, line, tube, e,
-                      openingsBehind(state.cracks, front, line, e, cell, tube.halfWidth), J);
-    }
+    const std::vector<double> J = integrateAlongFront(state, front.crack, line, tube, acceleration_);
     front.driving.release = 0.0;
     for (std::size_t k = 0; k < J.size(); ++k)
     {

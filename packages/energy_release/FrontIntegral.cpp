@@ -355,17 +355,12 @@ double reachOf(const State<D>& state, const FrontTube& tube)
   return tube.radii.outer + 4.0 * state.grid.spacing;
 }
 
-} // namespace
-
-std::vector<double> integrateWithAcceleration(const State<3>& state, const FrontLine& line,
-                                              const FrontTube& tube, const NodalAcceleration<3>& acceleration)
+/// J at every station, of the nodes' configurational forces [N].
+std::vector<double> integrate(const State<D>& state, const FrontLine& line, const FrontTube& tube,
+                              const View<double* [D]>& force)
 {
   const std::size_t stations = line.stations.size();
-  if (line.empty())
-    return std::vector<double>(stations, 0.0);
   const FrontSight sight(line, reachOf(state, tube));
-  const View<double* [D]> force =
-      configurationalForces(state, regionAround(line, reachOf(state, tube)), acceleration);
   const TubeNodes nodes = findNodes(state, sight, tube.radii, regionAround(line, tube.radii.outer), force);
   std::vector<double> sums(2 * stations, 0.0); // of the release, then of the width
   for (std::size_t s = 0; s < stations; ++s)
@@ -382,18 +377,30 @@ std::vector<double> integrateWithAcceleration(const State<3>& state, const Front
   return J;
 }
 
+} // namespace
+
+std::vector<double> integrateWithAcceleration(const State<3>& state, const FrontLine& line,
+                                              const FrontTube& tube, const NodalAcceleration<3>& acceleration)
+{
+  if (line.empty())
+    return std::vector<double>(line.stations.size(), 0.0);
+  return integrate(state, line, tube,
+                   configurationalForces(state, regionAround(line, reachOf(state, tube)), acceleration));
+}
+
 std::vector<double> integrateAlongFront(const State<3>& state, int crack, const FrontLine& line,
                                         const FrontTube& tube, NodalAcceleration<3>& acceleration)
 {
+  if (line.empty())
+    return std::vector<double>(line.stations.size(), 0.0);
   // Nodes that particles in the tube touch are touched by others.
   internalAcceleration(state, regionAround(line, reachOf(state, tube) + 4.0 * state.grid.spacing),
                        acceleration);
   addAccelerationByPressure(state, acceleration);
-  std::vector<double> J = integrateWithAcceleration(state, line, tube, acceleration);
-  const std::vector<double> pressed = releaseByPressure(state, crack, line, tube);
-  for (std::size_t s = 0; s < J.size(); ++s)
-    J[s] += pressed[s];
-  return J;
+  const View<double* [D]> force =
+      configurationalForces(state, regionAround(line, reachOf(state, tube)), acceleration);
+  addForceOfPressure(state, crack, line, tube, force);
+  return integrate(state, line, tube, force);
 }
 
 } // namespace Rhegma::energy_release

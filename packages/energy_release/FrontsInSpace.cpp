@@ -2,7 +2,6 @@
 
 #include "checkpoint/Archive.hpp"
 #include "energy_release/DrivingCalls.hpp"
-#include "energy_release/FacePressureInSpace.hpp"
 #include "energy_release/FrontDriving.hpp"
 #include "energy_release/FrontIntegral.hpp"
 #include "energy_release/FrontOpening.hpp"
@@ -92,7 +91,6 @@ void measure(const State<3>& state, Sample& s)
   const Elasticity e = elasticity(state.materialList[materialAt(state, s.front.position)]);
   const std::vector<Intensities> openings =
       openingsBehind(state.cracks, s.front, s.line, e, spacingAt(state, s.front.position), s.tube.halfWidth);
-  addLostPressure(state, s.front, s.line, s.tube, e, openings, s.J);
   for (std::size_t k = 0; k < s.J.size(); ++k)
   {
     const Intensities K = scaleTo(openings[k], s.J[k], e);

@@ -7,8 +7,7 @@ namespace Rhegma::energy_release
 {
 
 template <int D>
-std::vector<double> shareOfNodes(const State<D>& state, int crack, const std::vector<Vector<D>>& places,
-                                 NodesOfFaces which)
+std::vector<double> shareOfNodes(const State<D>& state, int crack, const std::vector<Vector<D>>& places)
 {
   ObservedPoints<D> points;
   points.onAllRanks = true;
@@ -31,14 +30,13 @@ std::vector<double> shareOfNodes(const State<D>& state, int crack, const std::ve
   std::vector<double> shared(points.count, 0.0);
   for (int k = 0; k < points.count; ++k)
     for (int e = 0; e < count(k); ++e)
-      if ((node(k, e) < state.nodes.numLattice && nodeSide(node(k, e)) == 0) ==
-          (which == NodesOfFaces::Common))
+      if (node(k, e) < state.nodes.numLattice && nodeSide(node(k, e)) == 0)
         shared[k] += weight(k, e);
   sumParts(state, shared.data(), points.count);
   return shared;
 }
 
-template std::vector<double> shareOfNodes(const State<2>&, int, const std::vector<Vector<2>>&, NodesOfFaces);
-template std::vector<double> shareOfNodes(const State<3>&, int, const std::vector<Vector<3>>&, NodesOfFaces);
+template std::vector<double> shareOfNodes(const State<2>&, int, const std::vector<Vector<2>>&);
+template std::vector<double> shareOfNodes(const State<3>&, int, const std::vector<Vector<3>>&);
 
 } // namespace Rhegma::energy_release

@@ -1,6 +1,7 @@
 #include "../cracks/CubeScene.hpp"
 
 #include "energy_release/CrackTipFields.hpp"
+#include "energy_release/FacePressureInSpace.hpp"
 #include "energy_release/FrontIntegral.hpp"
 #include "energy_release/FrontOpening.hpp"
 #include "material/Materials.hpp"
@@ -144,6 +145,51 @@ TEST(FrontsInSpace, FindTheReleaseOfAllModes)
       EXPECT_NEAR(J[k], exactRelease(smallK), (quadrature() + 1e-7) * exactRelease(smallK));
     }
   EXPECT_EQ(inside, 1);
+}
+
+/// What a pressure releases where the faces open as Williams has it: int p [u_n] dr over the ramp, as q falls
+/// there. The cells cut the ramp's corners by a quarter of their edge times its slope, within which the
+/// opening changes by its slope: h^2 / (8 r) of it over a ramp as long as r, at both corners at most.
+TEST(FrontsInSpace, FindTheReleaseByAPressure)
+{
+  const auto run = straightFront();
+  State<3>& state = run->state();
+  const CrackFront<3> front = state.cracks.fronts.at(0);
+  const Intensities K{1.0, 0.0, 0.0};
+  const double pressure = 3.0;
+  const auto face = state.cracks.face;
+  const auto vertex = state.cracks.vertex;
+  for (int v = 0; v < static_cast<int>(vertex.extent(0)); ++v)
+    for (int side = 0; side < 2; ++side)
+    {
+      Vector<3> x{{vertex(v, 0), vertex(v, 1), vertex(v, 2)}};
+      x = x + (side == 1 ? 1e-15 : -1e-15) * front.normal;
+      const Displacement d = tipField(K, front, x, side == 1 ? 1 : -1);
+      for (int i = 0; i < 3; ++i)
+        face(v, side, i) = vertex(v, i) + d.u[i];
+    }
+  state.step = 1;
+  state.cracks.pressure = View<double*>("pressure", state.cracks.simplex.extent(0));
+  Kokkos::deep_copy(state.cracks.pressure, pressure);
+  for (const ContourRadii& radii : {ContourRadii{2e-3, 4e-3}, ContourRadii{1.5e-3, 4.5e-3}})
+  {
+    const View<double* [3]> force("force", state.nodes.sums.extent(0));
+    addForceOfPressure(state, front.crack, lineOf(front), {radii, 2e-3}, force);
+    double release = 0.0;
+    for (int n = 0; n < state.grid.numNodes; ++n)
+    {
+      const Vector<3> from = state.grid.nodePosition(n) - front.position;
+      const double r = std::hypot(dot(from, front.direction), dot(from, front.normal));
+      const double ramp = std::clamp((radii.outer - r) / (radii.outer - radii.inner), 0.0, 1.0);
+      for (int d = 0; d < 3; ++d)
+        release += ramp * front.direction[d] * force(n, d) / depth;
+    }
+    // [u_n] = 8 K / E' sqrt(r / 2 pi)
+    const double exact = pressure * 8.0 * K.modeI / effective / std::sqrt(2.0 * pi) * 2.0 / 3.0 *
+                         (std::pow(radii.outer, 1.5) - std::pow(radii.inner, 1.5)) /
+                         (radii.outer - radii.inner);
+    EXPECT_NEAR(release, exact, exact * cell * cell / (4.0 * radii.inner * (radii.outer - radii.inner)));
+  }
 }
 
 /// A plane wave in a body whose crack it does not feel releases nothing, if both terms of inertia are there.
