@@ -268,7 +268,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  {"projection"},
                  {"ties"},
                  {},
-                 [ties](State<D>& s) { ties->advance(s); }});
+                 [ties](State<D>& s) { ties->advance(s); },
+                 true});
   }
   if (grows)
     effect.call({Stage::BetweenSteps,

@@ -151,7 +151,7 @@ void FrontTies<D>::advance(State<D>& state)
   const View<double * [D + 1]> tie = state.cracks.tie;
   const View<double * [D + 4]> cohesive = memory_.cohesion();
   const bool grows = grows_;
-  const double dt = state.dt;
+  const double dt = state.strainPass.share * state.dt;
   const bool byMotion = state.scheme == UpdateScheme::Usl;
   double elastic = 0.0, spent = 0.0, beyond = 0.0;
   const View<double*> torn("rhegma::cracks::torn", grows ? nodes.numSecond : 0);

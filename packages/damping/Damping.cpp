@@ -44,6 +44,19 @@ double dampVelocity(State<D>& state, double rate)
 }
 
 template <int D>
+void dampMomentum(const State<D>& state, double rate)
+{
+  const Nodes<D> nodes = state.nodes;
+  const double factor = std::exp(-rate * state.dt);
+  Kokkos::parallel_for(
+      "rhegma::dampMomentum", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+      KOKKOS_LAMBDA(const int i) {
+        for (int d = 0; d < D; ++d)
+          nodes.sums(activeNode(nodes, i), Nodes<D>::momentumAt + d) *= factor;
+      });
+}
+
+template <int D>
 double lossToStresses(const State<D>& state, double rate, View<char**>& heldNodes)
 {
   const Nodes<D> nodes = state.nodes;
@@ -84,7 +97,7 @@ double addViscousStress(State<D>& state, double shearViscosity, double bulkVisco
   const auto rate = state.particles.table(fields::rate);
   const auto stress = state.particles.template real<symmetricSize<D>>(fields::stress);
   const auto volume = state.particles.scalar(fields::volume);
-  const double dt = state.dt;
+  const double dt = state.strainPass.share * state.dt;
   double loss = 0.0;
   // With heat the work is no loss. In a step the stress at its start acts on half of the motion, that at its
   // end on the other (LaneHeat.hpp). Of the first half, which has the viscous stress of the step before, the
@@ -180,7 +193,24 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       list.isParameter("End Time") ? list.get<double>("End Time") : std::numeric_limits<double>::infinity();
   Effect<D> effect;
   effect.name = "Damping";
-  if (rate > 0.0)
+  const bool between = scene.sublist("Time").get<std::string>("Update Scheme") == "USAVG";
+  // Between its two strains, so that one velocity does the second of a step and the first of the next, and
+  // moves the particles; before other forces than those of stresses.
+  if (rate > 0.0 && between)
+    effect.call({Stage::BeforeSolve,
+                 "mass damping",
+                 {"force of stresses"},
+                 {"nodal force"},
+                 {},
+                 [=, held = std::make_shared<View<char**>>()](State<D>& s)
+                 {
+                   if (s.time >= end)
+                     return;
+                   s.energy.damped += dampVelocity(s, rate);
+                   dampMomentum(s, rate);
+                   s.energy.damped += lossToStresses(s, rate, *held);
+                 }});
+  if (rate > 0.0 && !between)
     effect.call({Stage::Scatter,
                  "mass damping",
                  {},
@@ -191,7 +221,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                    if (s.time < end)
                      s.energy.damped += dampVelocity(s, rate);
                  }});
-  if (rate > 0.0)
+  if (rate > 0.0 && !between)
     effect.call({Stage::Scatter,
                  "what mass damping takes from stresses",
                  {"nodal momentum", "prescribed values", "short steps"},
@@ -214,7 +244,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  {
                    if (s.time < end)
                      s.energy.damped += addViscousStress(s, shear, bulk);
-                 }});
+                 },
+                 true});
     // An explicit step resolves diffusion of momentum only below h^2 / (2 D nu); the largest viscosity is
     // that of dilatation.
     effect.timeStepLimit = [=](const State<D>& s)
@@ -243,6 +274,8 @@ EffectEntry dampingEntry() { return {section(), {}, make<2>, make<3>, true}; }
 
 template double dampVelocity(State<2>&, double);
 template double dampVelocity(State<3>&, double);
+template void dampMomentum(const State<2>&, double);
+template void dampMomentum(const State<3>&, double);
 template double lossToStresses(const State<2>&, double, View<char**>&);
 template double lossToStresses(const State<3>&, double, View<char**>&);
 template double addViscousStress(State<2>&, double, double);

@@ -17,9 +17,13 @@ EffectEntry dampingEntry();
 template <int D>
 double dampVelocity(State<D>& state, double rate);
 
-/// What mass damping takes from stresses beside what dampVelocity returned [J], for MUSL, once nodes have the
-/// forces of stresses f and no others. Damped velocities are v exp(-rate dt), but the last step has strained
-/// the particles by v: in between stresses have given, in the mean of the steps' starts and ends,
+/// The same of the nodes' momentum, where it is known already.
+template <int D>
+void dampMomentum(const State<D>& state, double rate);
+
+/// What mass damping takes from stresses beside what dampVelocity returned [J], for MUSL and USAVG, once
+/// nodes have the forces of stresses f and no others. Damped velocities are v exp(-rate dt), but particles
+/// have been strained by v: in between stresses have given, in the mean of the steps' starts and ends,
 /// f (v - v exp(-rate dt)) dt / 2 to a motion that is no more. At supports it is in their work. First order
 /// in rate dt, as all of the loss is exact without stresses.
 /// \param held room for marks of the nodes that supports hold, kept from step to step

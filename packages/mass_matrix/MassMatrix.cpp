@@ -343,7 +343,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  {"projection"},
                  {"projection"},
                  {},
-                 [work](State<D>& s) { work->projection(s); }});
+                 [work](State<D>& s) { work->projection(s); },
+                 true});
   return effect;
 }
 

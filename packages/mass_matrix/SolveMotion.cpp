@@ -132,7 +132,7 @@ void NodalSolve<D>::solveProjection(State<D>& state, const MassSystem<D>& system
                       heldVelocity = heldVelocity_;
   const View<double* [D]> lastVelocity = lastVelocity_;
   const bool masked = masked_;
-  const bool afterSolve = state.scheme == UpdateScheme::Musl;
+  const bool afterSolve = projectsLast(state.scheme) && !state.strainPass.before;
   forFew(
       "rhegma::mass::projected", system.first, system.last, KOKKOS_LAMBDA(const int row) {
         const int n = s.nodeOf(row);

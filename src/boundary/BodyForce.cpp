@@ -1,6 +1,6 @@
 #include "boundary/BodyForce.hpp"
 
-#include "state/MeanVelocity.hpp"
+#include "state/WayVelocity.hpp"
 
 namespace Rhegma
 {
@@ -21,7 +21,7 @@ template <int D>
 double bodyForceWork(const State<D>& state, const Vector<D>& acceleration)
 {
   const Nodes<D> nodes = state.nodes;
-  const MeanVelocity<D> mean(state);
+  const WorkVelocity<D> velocity(state);
   const double dt = state.dt;
   double work = 0.0;
   Kokkos::parallel_reduce(
@@ -29,7 +29,7 @@ double bodyForceWork(const State<D>& state, const Vector<D>& acceleration)
       KOKKOS_LAMBDA(const int i, double& sum) {
         const int n = activeNode(nodes, i);
         for (int d = 0; d < D && countsHere(nodes, n); ++d)
-          sum += dt * acceleration[d] * nodes.sums(n, Nodes<D>::massAt) * mean(n, d);
+          sum += dt * acceleration[d] * nodes.sums(n, Nodes<D>::massAt) * velocity(n, d);
       },
       work);
   return work;

@@ -10,7 +10,8 @@ namespace Rhegma
 template <int D>
 void addBodyForce(const Nodes<D>& nodes, const Vector<D>& acceleration);
 
-/// Work [J] of m g over the step that was solved.
+/// Work [J] of m g over the step, at the velocity that gives the particles their kinetic energy
+/// (WorkVelocity).
 template <int D>
 double bodyForceWork(const State<D>& state, const Vector<D>& acceleration);
 

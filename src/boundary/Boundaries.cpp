@@ -7,6 +7,7 @@
 #include "boundary/Supports.hpp"
 #include "scene/Attempts.hpp"
 #include "scene/ReadList.hpp"
+#include "step/LastStage.hpp"
 
 #include <memory>
 #include <stdexcept>
@@ -24,7 +25,7 @@ bool isOfHeat(const std::string& type)
 }
 
 template <int D>
-void addGravity(Effect<D>& effect, const Teuchos::ParameterList& list)
+void addGravity(Effect<D>& effect, const Teuchos::ParameterList& list, const Teuchos::ParameterList& scene)
 {
   const Vector<D> acceleration = readVector<D>(list, "Acceleration");
   const TimeFunction history = TimeFunction::parse(list.get<std::string>("History"));
@@ -32,9 +33,12 @@ void addGravity(Effect<D>& effect, const Teuchos::ParameterList& list)
   effect.call({Stage::BeforeSolve, "gravity", {"nodal mass"}, {}, {"nodal force"}, [now](State<D>& state) {
                  addBodyForce(state.nodes, now(state));
                }});
-  effect.call({Stage::AfterSolve, "work of gravity", {"constrained motion"}, {}, {}, [now](State<D>& state) {
-                 state.energy.externalWork += bodyForceWork(state, now(state));
-               }});
+  effect.call({stageOfWays(scene),
+               "work of gravity",
+               {projectsLast(scene) ? "projection" : "nodal motion"},
+               {},
+               {},
+               [now](State<D>& state) { state.energy.externalWork += bodyForceWork(state, now(state)); }});
 }
 
 /// Compares supports again when cells have changed: refined ones have nodes of their own.
@@ -80,7 +84,7 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
     if (isOfHeat(type))
       continue;
     if (type == "Gravity")
-      addGravity(effect, list);
+      addGravity(effect, list, scene);
     else if (type == "Velocity" || type == "Symmetry")
       constraintNames.push_back(name);
     else
@@ -105,9 +109,9 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
                    for (Load<D>& load : *loads)
                      load.apply(state);
                  }});
-    effect.call({Stage::AfterSolve,
+    effect.call({stageOfWays(scene),
                  "work of loads",
-                 {"constrained motion"},
+                 {projectsLast(scene) ? "projection" : "nodal motion"},
                  {},
                  {},
                  [loads](State<D>& state)

@@ -101,7 +101,7 @@ Reaction<D> constrainMotion(State<D>& state, const NodeConstraint<D>& constraint
   hold.coupledRow = state.coupledRow;
   hold.coupledReaction = state.coupledReaction;
   hold.dt = state.dt;
-  hold.bySmoothing = state.scheme == UpdateScheme::Musl;
+  hold.bySmoothing = projectsLast(state.scheme);
   double sum[1 + D] = {};
   Kokkos::parallel_reduce("rhegma::constrainMotion",
                           Kokkos::RangePolicy<ExecSpace>(0, state.nodes.numActive()), hold, sum);
@@ -118,7 +118,7 @@ double constrainProjection(State<D>& state, const NodeConstraint<D>& constraint,
   const Nodes<D> nodes = state.nodes;
   const NodePlaces<D> places = nodePlaces(state);
   const View<int*> coupledRow = state.coupledRow;
-  const bool afterMotion = state.scheme == UpdateScheme::Musl;
+  const bool afterMotion = projectsLast(state.scheme) && !state.strainPass.before;
   const MeanOfHeld<D> mean(state, constraint, earlier);
   double work = 0.0;
   Kokkos::parallel_reduce(

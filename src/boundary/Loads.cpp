@@ -1,7 +1,7 @@
 #include "boundary/Loads.hpp"
 
 #include "state/FewItems.hpp"
-#include "state/MeanVelocity.hpp"
+#include "state/WayVelocity.hpp"
 #include "transfer/PushNodes.hpp"
 #include "transfer/Stencils.hpp"
 
@@ -200,7 +200,7 @@ void Load<D>::place(State<D>& state)
 template <int D>
 double Load<D>::work(const State<D>& state) const
 {
-  const MeanVelocity<D> mean(state);
+  const WorkVelocity<D> velocity(state);
   const StencilTable<D> stencils = followed_;
   const View<double*> share = here_;
   const Vector<D> force = now_ * force_;
@@ -211,7 +211,7 @@ double Load<D>::work(const State<D>& state) const
         {
           const int n = stencils.node(k, e);
           for (int d = 0; d < D; ++d)
-            sum += dt * stencils.weight(k, e) * share(k) * force[d] * mean(n, d);
+            sum += dt * stencils.weight(k, e) * share(k) * force[d] * velocity(n, d);
         }
       });
 }

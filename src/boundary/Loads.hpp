@@ -34,7 +34,8 @@ public:
   const StencilTable<D>& nodesAround() const { return stencils_; }
   const View<double*>& shares() const { return here_; }
 
-  /// Work [J] of the load over the step, from the mean of old and new nodal velocity.
+  /// Work [J] of the load over the step, at the velocity that gives the particles their kinetic energy
+  /// (WorkVelocity).
   double work(const State<D>& state) const;
 
   const std::string& name() const { return name_; }

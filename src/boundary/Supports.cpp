@@ -274,8 +274,7 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
                {
                  if (constraints->size() > 1)
                    clearMarks(state, *held);
-                 // USF strains by the velocity at the start of the step.
-                 const bool atStart = state.scheme == UpdateScheme::Usf;
+                 const bool atStart = state.strainPass.before;
                  for (auto& timed : *constraints)
                  {
                    const double work =
@@ -284,7 +283,8 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
                    state.energy.externalWork += work;
                    timed.taken -= work;
                  }
-               }});
+               },
+               true});
 }
 
 template TimedConstraint<2> readConstraint(const Teuchos::ParameterList&, State<2>&, const std::string&);

@@ -58,11 +58,12 @@ Section time()
   s.integer("Retries").atLeast(0).mayChange().byDefault(3).meaning(
       "How often a run that can't go on goes back to the last state in memory with a balanced ledger, "
       "and on from there with steps of half the length. With Output > Checkpoints.");
-  s.choice("Update Scheme", {"MUSL", "USF", "USL"})
+  s.choice("Update Scheme", {"MUSL", "USF", "USL", "USAVG"})
       .byDefault("MUSL")
       .meaning(
           "When stresses are updated. MUSL: last, with velocities mapped anew. USF: first. USL: last, for "
-          "comparison only.");
+          "comparison only. USAVG: half first and half last, with velocities mapped anew; a step costs more, "
+          "and keeps the energy of undamped bodies over far more steps.");
   s.real("PIC Fraction")
       .range(0.0, 1.0)
       .byDefault(0.0)

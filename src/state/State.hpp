@@ -34,7 +34,21 @@ enum class UpdateScheme
 {
   Musl, ///< last, from velocities projected anew
   Usf,  ///< first
-  Usl   ///< last
+  Usl,  ///< last
+  Usavg ///< half first, half last from velocities projected anew
+};
+
+/// Whether a step ends with velocities projected anew, which strain and move the particles.
+constexpr bool projectsLast(UpdateScheme scheme)
+{
+  return scheme == UpdateScheme::Musl || scheme == UpdateScheme::Usavg;
+}
+
+/// One of the passes in which a step strains its particles: USAVG has two, other schemes one.
+struct StrainPass
+{
+  double share = 1.0;  ///< of the step, that the pass strains over
+  bool before = false; ///< the forces of the step
 };
 
 /// Points that need stencils: where they are, the half widths of their boxes (zero for points), and the side
@@ -138,6 +152,7 @@ struct State
   double thickness = 1.0;                   ///< of 2D scenes [m]
   ShapeKind shape = ShapeKind::Gimp;        ///< shape functions
   UpdateScheme scheme = UpdateScheme::Musl; ///< when stress follows
+  StrainPass strainPass;                    ///< that is under way, or the next
   double picFraction = 0.0;                 ///< share of PIC in the velocity update
   double cfl = 0.4;                         ///< share of the stable step that is used
   bool mechanics = true; ///< false: nothing moves, and there is neither velocity nor stress

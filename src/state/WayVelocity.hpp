@@ -6,9 +6,9 @@
 namespace Rhegma
 {
 
-/// The velocity [m/s] at which the room between faces changes over a step: with MUSL that which strains the
-/// particles and moves the faces, so that what solid gives up is what room gains; it is known after the
-/// projection. With other schemes the mean of those before and after the step.
+/// The velocity [m/s] at which the room between faces changes over a step: with MUSL and USAVG that which
+/// strains the particles and moves the faces, so that what solid gives up is what room gains; it is known
+/// after the projection. With other schemes the mean of those before and after the step.
 ///
 /// A force that some node bears on which no particle's stress bears as much accelerates the node in every
 /// step anew and no particle. At the velocity of the solve it would sweep room that is none, and work that no
@@ -17,10 +17,10 @@ template <int D>
 struct WayVelocity
 {
   MeanVelocity<D> mean; ///< of before and after the step
-  bool projected;       ///< whether particles are strained by the projection (MUSL)
+  bool projected;       ///< whether a step ends with a projection (MUSL, USAVG)
 
-  /// Of a state after its solve; with MUSL after its projection.
-  explicit WayVelocity(const State<D>& state) : mean(state), projected(state.scheme == UpdateScheme::Musl) {}
+  /// Of a state after its solve; with MUSL and USAVG after its projection.
+  explicit WayVelocity(const State<D>& state) : mean(state), projected(projectsLast(state.scheme)) {}
 
   /// Of a node along an axis [m/s].
   KOKKOS_INLINE_FUNCTION double operator()(int node, int axis) const
@@ -30,16 +30,16 @@ struct WayVelocity
 };
 
 /// The velocity [m/s] at which a force on faces works over a step, so that the particles' kinetic energy
-/// changes by the work of all forces: with MUSL the mean v of what their momentum has nodes move with before
-/// and after, for sum_p m_p (v_p'^2 - v_p^2) / 2 = sum_i m_i a_i dt . v_i, as a particle's velocity changes
-/// by sum_i N_i a_i dt and a node's projection is sum_p N_p m_p v_p' / m_i. Of nodes that move in short steps
-/// the velocity of their way.
+/// changes by the work of all forces: with MUSL and USAVG the mean v of what their momentum has nodes move
+/// with before and after, for sum_p m_p (v_p'^2 - v_p^2) / 2 = sum_i m_i a_i dt . v_i, as a particle's
+/// velocity changes by sum_i N_i a_i dt and a node's projection is sum_p N_p m_p v_p' / m_i. Of nodes that
+/// move in short steps the velocity of their way.
 template <int D>
 struct WorkVelocity
 {
   WayVelocity<D> way; ///< at which room changes
 
-  /// Of a state after its solve; with MUSL after its projection.
+  /// Of a state after its solve; with MUSL and USAVG after its projection.
   explicit WorkVelocity(const State<D>& state) : way(state) {}
 
   /// Of a node along an axis [m/s].

@@ -58,6 +58,7 @@ template <int D>
 Effect<D> makeCore(const State<D>& state)
 {
   const UpdateScheme scheme = state.scheme;
+  const bool strainsFirst = scheme == UpdateScheme::Usf || scheme == UpdateScheme::Usavg;
   Effect<D> core;
   core.name = "Material Point Method";
   if (!state.mechanics)
@@ -69,25 +70,25 @@ Effect<D> makeCore(const State<D>& state)
   }
   core.call(sortCall<D>());
   core.call({Stage::Scatter,
-             scheme == UpdateScheme::Usf ? "mass and momentum to nodes" : "mass, momentum and force to nodes",
+             strainsFirst ? "mass and momentum to nodes" : "mass, momentum and force to nodes",
              {"particle velocity"},
              {"nodal mass", "nodal momentum"},
              {},
-             [scheme](State<D>& s)
+             [strainsFirst](State<D>& s)
              {
                storeStencils(s);
                clearNodes(s);
-               scatter(s, scheme == UpdateScheme::Usf ? ScatterWhat::MassAndMomentum : ScatterWhat::All);
+               scatter(s, strainsFirst ? ScatterWhat::MassAndMomentum : ScatterWhat::All);
                sumOverRanks(s, SharedSums::MassAndMomentum);
-               if (scheme == UpdateScheme::Usf)
+               if (strainsFirst)
                {
                  particleVelocity(s, VelocityWhat::Project);
                  sumOverRanks(s, SharedSums::Projection);
                  finishProjection(s);
                }
              }});
-  if (scheme == UpdateScheme::Usf)
-    core.call({Stage::BeforeSolve, "force to nodes", {}, {}, {"nodal force"}, [](State<D>& s) {
+  if (strainsFirst)
+    core.call({Stage::BeforeSolve, "force to nodes", {}, {"force of stresses"}, {}, [](State<D>& s) {
                  scatter(s, ScatterWhat::Force);
                }});
   core.call({Stage::Solve,
@@ -107,9 +108,11 @@ Effect<D> makeCore(const State<D>& state)
              {},
              [scheme](State<D>& s)
              {
-               particleVelocity(s, scheme == UpdateScheme::Musl ? VelocityWhat::GatherAndProject
-                                                                : VelocityWhat::Gather);
-               if (scheme == UpdateScheme::Musl)
+               if (scheme == UpdateScheme::Usavg)
+                 clearProjection(s);
+               particleVelocity(s,
+                                projectsLast(scheme) ? VelocityWhat::GatherAndProject : VelocityWhat::Gather);
+               if (projectsLast(scheme))
                {
                  sumOverRanks(s, SharedSums::Projection);
                  finishProjection(s);
@@ -125,8 +128,9 @@ Effect<D> makeCore(const State<D>& state)
              [scheme](State<D>& s)
              {
                strain(s, scheme == UpdateScheme::Usl ? StrainVelocity::Motion : StrainVelocity::Projection,
-                      scheme != UpdateScheme::Usf);
-             }});
+                      !s.strainPass.before);
+             },
+             true});
   return core;
 }
 

@@ -6,11 +6,13 @@
 namespace Rhegma
 {
 
-/// The calls of MUSL, USF or USL with a lumped mass.
+/// The calls of MUSL, USF, USL or USAVG with a lumped mass.
 ///
 /// MUSL (Sulsky, Zhou and Schreyer 1995) strains the particles by the projection of their new velocities; USF
 /// by the projection of the old ones before forces are found; USL by the nodes' new velocity (Bardenhagen, J.
-/// Comput. Phys. 180 (2002) 383). Each moves them by the velocity that strains them (Gather.hpp).
+/// Comput. Phys. 180 (2002) 383); USAVG half of the step as USF, by the projection before the forces, and
+/// half as MUSL, by the one after them, both with the weights of these forces (Nairn, CMES 4 (2003) 649).
+/// Each moves them by the velocity that strains them (Gather.hpp), USAVG by the last.
 template <int D>
 Effect<D> makeCore(const State<D>& state);
 

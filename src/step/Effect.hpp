@@ -16,7 +16,8 @@ namespace Rhegma
 
 class Archive;
 
-/// Stages of a step, in the order of MUSL. USF runs OnParticles right after Scatter.
+/// Stages of a step, in the order of MUSL. USF runs AfterProjection and OnParticles right after Scatter;
+/// USAVG runs their calls that are `ofEachPass` there too.
 enum class Stage
 {
   BetweenSteps,    ///< before the length of the step is known
@@ -42,6 +43,8 @@ struct Call
   std::vector<std::string> writes;    ///< quantities
   std::vector<std::string> addsTo;    ///< quantities
   std::function<void(State<D>&)> run; ///< what it does
+  /// Whether it belongs to each pass that strains particles (State::strainPass), and not to the step.
+  bool ofEachPass = false;
 };
 
 /// An effect of a scene, or a part of the core.

@@ -19,11 +19,13 @@ inline Stage lastStage(const Teuchos::ParameterList& scene)
   return stressFirst ? Stage::Gather : Stage::OnParticles;
 }
 
-/// Whether the velocity that moves particles and faces is known only after the gather (MUSL).
+/// Whether the velocity that moves particles and faces is known only after the gather (MUSL, USAVG).
 inline bool projectsLast(const Teuchos::ParameterList& scene)
 {
+  const char* const name = "Update Scheme";
   const Teuchos::ParameterList& time = scene.sublist("Time");
-  return !time.isType<std::string>("Update Scheme") || time.get<std::string>("Update Scheme") == "MUSL";
+  return !time.isType<std::string>(name) || time.get<std::string>(name) == "MUSL" ||
+         time.get<std::string>(name) == "USAVG";
 }
 
 /// The stage in which it is known.

@@ -89,13 +89,26 @@ std::vector<Call<D>> orderCalls(std::vector<Call<D>> calls)
 template <int D>
 void Plan<D>::run(Stage stage, State<D>& state)
 {
+  run(stage, state, false);
+}
+
+template <int D>
+void Plan<D>::runPass(Stage stage, State<D>& state)
+{
+  run(stage, state, true);
+}
+
+template <int D>
+void Plan<D>::run(Stage stage, State<D>& state, bool onlyOfEachPass)
+{
   const int s = static_cast<int>(stage);
   if (calls[s].empty())
     return;
   Kokkos::Timer timer;
   Kokkos::Profiling::pushRegion(std::string("rhegma::") + stageName(stage));
   for (const Call<D>& call : calls[s])
-    call.run(state);
+    if (call.ofEachPass || !onlyOfEachPass)
+      call.run(state);
   ExecSpace().fence();
   Kokkos::Profiling::popRegion();
   seconds[s] += timer.seconds();
@@ -140,6 +153,7 @@ std::string printPlan(const Plan<D>& plan, const State<D>& state)
     out << "  " << field.name << " (" << field.components << (field.unit.empty() ? "" : ", " + field.unit)
         << "): " << field.meaning << "\n";
   out << "Stages of a step:\n";
+  const bool twice = state.scheme == UpdateScheme::Usavg;
   for (const Stage stage : stageOrder(state.scheme))
   {
     const auto& calls = plan.calls[static_cast<int>(stage)];
@@ -147,7 +161,8 @@ std::string printPlan(const Plan<D>& plan, const State<D>& state)
       continue;
     out << "  " << stageName(stage) << ":";
     for (const Call<D>& call : calls)
-      out << (&call == &calls.front() ? " " : "; ") << call.label;
+      out << (&call == &calls.front() ? " " : "; ") << call.label
+          << (twice && call.ofEachPass ? " (before the forces too)" : "");
     out << "\n";
   }
   return out.str();

@@ -33,7 +33,12 @@ struct Plan
 
   /// Runs the calls of one stage; the time that they take is added to the stage's seconds.
   void run(Stage stage, State<D>& state);
+  /// Runs what of a stage belongs to each pass that strains particles.
+  void runPass(Stage stage, State<D>& state);
   std::array<double, numStages> seconds{};
+
+private:
+  void run(Stage stage, State<D>& state, bool onlyOfEachPass);
 };
 
 /// Resolves the effects of a scene. Throws std::invalid_argument when a field is needed that nothing adds.

@@ -142,6 +142,15 @@ void Run<D>::runStage(Stage stage)
 }
 
 template <int D>
+void Run<D>::strainBeforeForces()
+{
+  state_.strainPass = {0.5, true};
+  for (const Stage stage : {Stage::AfterProjection, Stage::OnParticles})
+    plan_.runPass(stage, state_);
+  state_.strainPass = {0.5, false};
+}
+
+template <int D>
 void Run<D>::agree()
 {
   if (!state_.ranks.many())
@@ -177,7 +186,11 @@ void Run<D>::step(double until, bool sample)
     state_.dt = 0.5 * left;
   for (const Stage stage : order_)
     if (stage != Stage::Observe && stage != Stage::BetweenSteps)
+    {
       runStage(stage);
+      if (stage == Stage::Scatter && state_.scheme == UpdateScheme::Usavg)
+        strainBeforeForces();
+    }
   agree();
   state_.time = state_.dt == left ? until : state_.time + state_.dt;
   ++state_.step;

@@ -56,6 +56,8 @@ private:
   /// Makes what ranks must know of each other before the next step the same on all: the fastest speed,
   /// whether somebody must sort, and why the run can't go on. Throws RunError where it can't.
   void agree();
+  /// The first of two passes that strain (USAVG).
+  void strainBeforeForces();
   /// Throws RunError where the stage brings trouble; where there are many ranks that waits for `agree`.
   void runStage(Stage stage);
 

@@ -31,9 +31,11 @@ void readMethod(const Teuchos::ParameterList& scene, State<D>& state)
   state.thickness = D == 2 ? domain.get<double>("Thickness") : 1.0;
   state.shape = domain.get<std::string>("Shape Functions") == "Linear" ? ShapeKind::Linear : ShapeKind::Gimp;
   const std::string scheme = time.get<std::string>("Update Scheme");
-  state.scheme = scheme == "USF"   ? UpdateScheme::Usf
-                 : scheme == "USL" ? UpdateScheme::Usl
-                                   : UpdateScheme::Musl;
+  state.scheme = scheme == "USF"     ? UpdateScheme::Usf
+                 : scheme == "USL"   ? UpdateScheme::Usl
+                 : scheme == "USAVG" ? UpdateScheme::Usavg
+                                     : UpdateScheme::Musl;
+  state.strainPass.before = state.scheme == UpdateScheme::Usf;
   state.cfl = time.get<double>("CFL");
   state.picFraction = time.get<double>("PIC Fraction");
   state.maximumSteps = time.get<int>("Maximum Steps");

@@ -86,6 +86,19 @@ void clearNodes(State<D>& state)
 }
 
 template <int D>
+void clearProjection(State<D>& state)
+{
+  const Nodes<D> nodes = state.nodes;
+  Kokkos::parallel_for(
+      "rhegma::clearProjection", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+      KOKKOS_LAMBDA(const int i) {
+        const int n = activeNode(nodes, i);
+        for (int k = 0; k < Nodes<D>::projectionWidth; ++k)
+          nodes.projection(n, k) = 0.0;
+      });
+}
+
+template <int D>
 void scatter(State<D>& state, ScatterWhat what)
 {
   withConnectivity(state,
@@ -102,6 +115,8 @@ void scatter(State<D>& state, ScatterWhat what)
 
 template void clearNodes(State<2>&);
 template void clearNodes(State<3>&);
+template void clearProjection(State<2>&);
+template void clearProjection(State<3>&);
 template void scatter(State<2>&, ScatterWhat);
 template void scatter(State<3>&, ScatterWhat);
 

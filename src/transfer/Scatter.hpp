@@ -18,6 +18,10 @@ enum class ScatterWhat
 template <int D>
 void clearNodes(State<D>& state);
 
+/// Zeroes the projection alone, for another one in the same step.
+template <int D>
+void clearProjection(State<D>& state);
+
 /// Adds to the nodes: mass [kg] and momentum [kg m/s] of the particles, and/or their internal force
 /// -V0 tau . grad N [N], tau the Kirchhoff stress and V0 the undeformed volume.
 ///

@@ -51,7 +51,7 @@ struct StrainAndMove
   Grid<D> grid;
   Blocks<D> blocks;
   Heat heat;
-  double dt, largestBox;
+  double dt, strainTime, largestBox;
   bool strain, move, boxes;
 
   KOKKOS_INLINE_FUNCTION void operator()(int bundle, double& fastest) const
@@ -177,7 +177,7 @@ struct StrainAndMove
         ++next;
       const Properties& law = materials(kind);
       withLaw<D>(law.kind, law.plane,
-                 StressOfLanes<D>{law, at, memory, historyWidth, dt, p - begin, next - begin});
+                 StressOfLanes<D>{law, at, memory, historyWidth, strainTime, p - begin, next - begin});
       p = next;
     }
   }
@@ -209,9 +209,10 @@ struct StrainAndMove
         if (thermal.count == 1)
           withLaw<D>(law.kind, law.plane,
                      HeatOfLanes<D>{law, thermal, heat.tables.knot(thermal.first), at, own, memory,
-                                    historyWidth, dt, p - begin, next - begin});
+                                    historyWidth, strainTime, p - begin, next - begin});
         else
-          HeatByTables<D>{law, heat.tables, kind, at, own, memory, historyWidth, dt, p - begin, next - begin}
+          HeatByTables<D>{law,    heat.tables,  kind,       at,        own,
+                          memory, historyWidth, strainTime, p - begin, next - begin}
               .run();
         p = next;
       }
@@ -230,6 +231,9 @@ struct StrainAndMove
       double F[gradientSize<D>];
       for (int k = 0; k < gradientSize<D>; ++k)
         F[k] = at.F[k][p - begin];
+      // The box is of where the particle is now, of which USAVG has strained half.
+      if (strainTime < dt)
+        strained<D>(at, p - begin, dt - strainTime, F);
       const double largest = level.extent(0) > 0 ? largestBox / (1 << level(p)) : largestBox;
       updateBox<D>(axes, body(p), &edge(p, 0), F, largest, &box(p, 0));
     }
@@ -272,6 +276,7 @@ double strainAndMoveWith(State<D>& state, const Connect& connect, const View<dou
   work.grid = state.grid;
   work.blocks = state.blocks;
   work.dt = state.dt;
+  work.strainTime = state.strainPass.share * state.dt;
   work.largestBox = 0.5 * state.grid.spacing;
   work.strain = strain;
   work.move = move;

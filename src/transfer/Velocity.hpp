@@ -11,14 +11,14 @@ enum class VelocityWhat
 {
   Gather,          ///< change the particles' velocity
   Project,         ///< add m v of the particles to the nodes' projection
-  GatherAndProject ///< the first, then the second with the new velocity (MUSL)
+  GatherAndProject ///< the first, then the second with the new velocity (MUSL, USAVG)
 };
 
 /// Gather changes the particles' velocity by the nodes' acceleration (FLIP), mixed with the nodes' velocity
 /// (PIC): v = (1 - f)(v + dt sum N a) + f sum N v_node, f the PIC fraction. Keeps momentum to round-off.
 /// Source: Brackbill and Ruppel, J. Comput. Phys. 65 (1986) 314.
 ///
-/// Project adds N m v to the nodes' projection, which clearNodes has zeroed.
+/// Project adds N m v to the nodes' projection, which clearNodes or clearProjection has zeroed.
 /// Source: Sulsky, Zhou and Schreyer, Comput. Phys. Commun. 87 (1995) 236.
 template <int D>
 void particleVelocity(State<D>& state, VelocityWhat what);

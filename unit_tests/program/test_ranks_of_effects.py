@@ -50,7 +50,7 @@ class Cracks(OnRanks):
         self.agree(self.write(plate().set("Energy Release > Crack Closure", True)))
 
     def test_update_schemes_and_functions(self):
-        for scheme, functions in (("USF", "Linear"), ("USL", "GIMP")):
+        for scheme, functions in (("USF", "Linear"), ("USL", "GIMP"), ("USAVG", "GIMP")):
             scene = plate().set("Time > Update Scheme", scheme).set("Domain > Shape Functions", functions)
             self.agree(self.write(scene), ranks=(3,))
 

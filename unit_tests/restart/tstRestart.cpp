@@ -194,7 +194,7 @@ std::vector<Case> ownCases()
   };
   with("own_visibility", section("Contact", text("Law", "Visibility")), "Broken Cell");
   with("own_corrected", friction, "Corrected Broken Cell");
-  for (const char* scheme : {"USF", "USL"})
+  for (const char* scheme : {"USF", "USL", "USAVG"})
   {
     Case one = own(std::string("own_") + scheme, plate(pull, friction));
     one.overrides = {std::string("Time:Update Scheme=") + scheme};

@@ -115,7 +115,7 @@ struct CaseName
   }
 };
 
-/// A scene without bodies or materials, ended by hand. \param scheme MUSL, USF or USL \param shape Linear or
+/// A scene without bodies or materials, ended by hand. \param scheme MUSL, USF, USL or USAVG \param shape Linear or
 /// GIMP
 template <int D>
 Teuchos::ParameterList emptyScene(const Vector<D>& lower, const Vector<D>& upper, double cell,

@@ -182,7 +182,8 @@ TEST_P(Bodies, FlyAlongEveryAxis)
 }
 
 INSTANTIATE_TEST_SUITE_P(Momentum, Bodies,
-                         testing::Combine(testing::Values("MUSL", "USF"), testing::Values("Linear", "GIMP")),
+                         testing::Combine(testing::Values("MUSL", "USF", "USAVG"),
+                                          testing::Values("Linear", "GIMP")),
                          CaseName());
 
 } // namespace Test
