@@ -49,7 +49,7 @@ Section time()
   s.real("Final Time").unit("s").positive().mayChange().meaning("The run ends here.");
   s.real("CFL").above(0.0).atMost(1.0).byDefault(0.4).mayChange().meaning(
       "Share of a cell that a wave may cross in one step. Undamped bodies gain energy in "
-      "proportion to it: at 0.4 up to 1.5 % while a wave crosses a thousand cells.");
+      "proportion to it: at 0.4 up to 1.5 % while a wave crosses a thousand cells (Update Scheme, MUSL).");
   s.integer("Maximum Steps")
       .atLeast(1)
       .mayChange()

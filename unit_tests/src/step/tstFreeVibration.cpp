@@ -53,7 +53,8 @@ void check(const std::string& scheme, const std::string& shape)
     EXPECT_NEAR(shape == "GIMP" ? std::min(lost, loss) : lost, loss, 0.02 * loss);
     return;
   }
-  EXPECT_NEAR(v.kept, 1.0, 1e-3);
+  // Periods are cut to whole steps, of which there are 80: a mean is off by an eightieth of the swing.
+  EXPECT_NEAR(v.kept, 1.0, scheme == "USAVG" ? 1e-5 : 1e-3);
   // Velocity and strain are half a step apart, so that the energy swings by sin(w t) cos(w t) w dt. With
   // USAVG they are of one time, and the mean of two strains is less by cos(w dt / 2) than those are.
   const double swing = scheme == "USAVG" ? 0.5 * std::pow(std::sin(0.5 * kh * v.dt), 2) : 0.5 * kh * v.dt;
