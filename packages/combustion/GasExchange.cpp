@@ -1,6 +1,7 @@
 #include "combustion/GasExchange.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace Rhegma::combustion
@@ -32,14 +33,26 @@ void move(Filled& from, Filled& to, double mass, double enthalpy)
   to.gas.settle();
 }
 
-/// Mass that must flow for the pressures to be equal, if it takes h along, the enthalpy [J/kg], in kg. With
-/// A = V - b m, equal U / A are (U1 - m h) / (A1 + b m) = (U2 + m h) / (A2 - b m), where m^2 cancels.
+/// Energy [J/kg] by which gas has less for each mass that leaves it, or more for what comes: the enthalpy of
+/// what flows, or, where walls keep the temperature, its own internal energy.
+double energyPerMass(const Filled& gas, double enthalpy)
+{
+  const GasLaw& law = gas.gas.law();
+  return law.constantTemperature ? law.heatCapacity() * law.flameTemperature : enthalpy;
+}
+
+/// Mass m [kg] that must flow for the pressures to be equal. With A = V - b m, equal U / A are
+/// (U1 - m h1) / (A1 + b m) = (U2 + m h2) / (A2 - b m): b (h1 - h2) m^2 - B m + C = 0, with
+/// B = h1 A2 + h2 A1 + b (U1 + U2) and C = U1 A2 - U2 A1. \param enthalpy of what flows [J/kg]
 double massToEqual(const Filled& from, const Filled& to, double enthalpy)
 {
   const double free = from.volume - from.gas.leastVolume(), freeThere = to.volume - to.gas.leastVolume();
   const double energy = from.gas.energy(), energyThere = to.gas.energy();
-  return (energy * freeThere - energyThere * free) /
-         (enthalpy * (free + freeThere) + from.gas.law().covolume * (energy + energyThere));
+  const double less = energyPerMass(from, enthalpy), more = energyPerMass(to, enthalpy);
+  const double covolume = from.gas.law().covolume, square = covolume * (less - more),
+               linear = less * freeThere + more * free + covolume * (energy + energyThere),
+               constant = energy * freeThere - energyThere * free;
+  return 2.0 * constant / (linear + std::sqrt(std::fmax(linear * linear - 4.0 * square * constant, 0.0)));
 }
 
 } // namespace

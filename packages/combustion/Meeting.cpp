@@ -70,7 +70,8 @@ std::vector<Meeting> findMeetings(const CrackSet<2>& cracks, double reach)
   {
     Meeting meeting{end.crack, end.end, crackAt(cracks, end)};
     for (const JoinedEnd& other : ends)
-      if (other.crack == meeting.other && norm(other.place - end.place) < reach)
+      if (other.crack == meeting.other && norm(other.place - end.place) < reach &&
+          crackAt(cracks, other) == end.crack)
         meeting.otherEnd = other.end;
     if (meeting.otherEnd < 0 || meeting.crack < meeting.other)
       all.push_back(meeting);

@@ -158,6 +158,26 @@ TEST(GasExchange, ComesToOnePressureAtConstantTemperature)
                 1e-12 * pair.energy);
 }
 
+/// Walls of two temperatures: what passes comes to that of the other side, so that the mass that must flow is
+/// not that of its enthalpy. However long it may, the flow ends where the pressures are equal.
+TEST(GasExchange, ComesToOnePressureBetweenWallsOfTwoTemperaturesInOneCall)
+{
+  for (const double covolume : {0.0, 1e-3})
+    for (const bool hotter : {false, true})
+    {
+      GasLaw one = law(covolume), two = law(covolume);
+      one.constantTemperature = two.constantTemperature = true;
+      one.flameTemperature = hotter ? 6000.0 : 300.0;
+      two.flameTemperature = hotter ? 300.0 : 6000.0;
+      Pair pair{filled(one, 2e6, one.flameTemperature, 1e-6), filled(two, 1e5, two.flameTemperature, 3e-6),
+                1e-6, 3e-6};
+      pair.flow(1e-5, 1.0);
+      EXPECT_NEAR(pair.pressureOne(), pair.pressureTwo(), 1e-9 * pair.pressureOne())
+          << "covolume " << covolume << ", from " << one.flameTemperature << " K";
+      EXPECT_NEAR(pair.one.mass() + pair.two.mass(), pair.mass, 1e-12 * pair.mass);
+    }
+}
+
 TEST(GasExchange, MixesAlikeGasesOnly)
 {
   GasLaw one = law(), two = law();
