@@ -60,7 +60,7 @@ TEST(Describe, OneParameterInFull)
   EXPECT_TRUE(contains(text, "Time  (required)"));
   EXPECT_TRUE(contains(text, "Final Time  double [s]; required; above 0"));
   EXPECT_TRUE(contains(text, "CFL  double; default 0.4; above 0 and at most 1"));
-  EXPECT_TRUE(contains(text, "Update Scheme  string; default MUSL; one of MUSL, USF or USL"));
+  EXPECT_TRUE(contains(text, "Update Scheme  string; default MUSL; one of MUSL, USF, USL or USAVG"));
   EXPECT_FALSE(contains(text, "Materials"));
 }
 

@@ -174,7 +174,7 @@ TEST(SceneMistakes, OpenBoundsAreOpenAndClosedOnesClosed)
 TEST(SceneMistakes, UnknownChoiceListsAllAndTheNearest)
 {
   expectMistake(with("Time", parameter("Update Scheme", "string", "MUSSL")), "Time > Update Scheme",
-                {"\"MUSSL\"", "MUSL, USF or USL", "did you mean \"MUSL\""});
+                {"\"MUSSL\"", "MUSL, USF, USL or USAVG", "did you mean \"MUSL\""});
   expectMistake(changed("value=\"Linear Elastic\"", "value=\"Linear elastic\""), "Materials > Steel > Model",
                 {"did you mean \"Linear Elastic\""});
 }
