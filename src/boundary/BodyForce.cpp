@@ -1,6 +1,6 @@
 #include "boundary/BodyForce.hpp"
 
-#include "state/WayVelocity.hpp"
+#include "boundary/LoadVelocity.hpp"
 
 namespace Rhegma
 {
@@ -21,7 +21,7 @@ template <int D>
 double bodyForceWork(const State<D>& state, const Vector<D>& acceleration)
 {
   const Nodes<D> nodes = state.nodes;
-  const WorkVelocity<D> velocity(state);
+  const LoadVelocity<D> velocity(state);
   const double dt = state.dt;
   double work = 0.0;
   Kokkos::parallel_reduce(

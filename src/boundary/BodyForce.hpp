@@ -11,7 +11,7 @@ template <int D>
 void addBodyForce(const Nodes<D>& nodes, const Vector<D>& acceleration);
 
 /// Work [J] of m g over the step, at the velocity that gives the particles their kinetic energy
-/// (WorkVelocity).
+/// (LoadVelocity).
 template <int D>
 double bodyForceWork(const State<D>& state, const Vector<D>& acceleration);
 

@@ -1,7 +1,7 @@
 #include "boundary/Loads.hpp"
 
+#include "boundary/LoadVelocity.hpp"
 #include "state/FewItems.hpp"
-#include "state/WayVelocity.hpp"
 #include "transfer/PushNodes.hpp"
 #include "transfer/Stencils.hpp"
 
@@ -200,7 +200,7 @@ void Load<D>::place(State<D>& state)
 template <int D>
 double Load<D>::work(const State<D>& state) const
 {
-  const WorkVelocity<D> velocity(state);
+  const LoadVelocity<D> velocity(state);
   const StencilTable<D> stencils = followed_;
   const View<double*> share = here_;
   const Vector<D> force = now_ * force_;

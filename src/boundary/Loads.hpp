@@ -35,7 +35,7 @@ public:
   const View<double*>& shares() const { return here_; }
 
   /// Work [J] of the load over the step, at the velocity that gives the particles their kinetic energy
-  /// (WorkVelocity).
+  /// (LoadVelocity).
   double work(const State<D>& state) const;
 
   const std::string& name() const { return name_; }

@@ -114,7 +114,7 @@ class Bodies(HardCase):
     def test_many_turns(self):
         scene = flying([0.0, 0.0], [0.6, 0.2], velocity=(0.0, 0.0), time=sized(30.0, 300.0))
         scene.set("Bodies > Body > Angular Velocity", [0.5])
-        self.survives(scene.set("Time > Update Scheme", TWICE), energy=0.05, gain=0.005, momentum=True)
+        self.survives(scene.set("Time > Update Scheme", TWICE), energy=0.05, gain=0.02, momentum=True)
         scene.set("Time > Update Scheme", "MUSL").set("Time > CFL", LONG)
         self.survives(scene, energy=0.05, gain=0.02, momentum=True)
 
