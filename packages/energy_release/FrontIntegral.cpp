@@ -185,7 +185,7 @@ struct ForceBlock
 View<double* [D]> configurationalForces(const State<D>& state, const Region<D>& box,
                                         const NodalAcceleration<D>& acceleration)
 {
-  const View<double* [D]> force("rhegma::configurationalForce", state.nodes.sums.extent(0));
+  View<double* [D]> force("rhegma::configurationalForce", state.nodes.sums.extent(0));
   const MeanMotion mean = meanMotion(state, box);
   withConnectivity(state,
                    [&](const auto& connect)
