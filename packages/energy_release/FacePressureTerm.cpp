@@ -78,6 +78,7 @@ double intensityLostAtFront(const State<2>& state, const CrackFront<2>& front, d
     places.push_back(place);
 
   std::vector<Vector<2>> at;
+  at.reserve(places.size());
   for (const Place& on : places)
     at.push_back(on.at);
   const std::vector<double> shared = shareOfNodes(state, front.crack, at);
