@@ -257,7 +257,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  "ties behind crack fronts",
                  {"stiffness of ties"},
                  {},
-                 {"nodal force"},
+                 {"force of stresses"},
                  [ties](State<D>& s) { ties->addForces(s); }});
     if (grows)
       effect.call({Stage::Solve, "cohesion of new crack faces", {}, {}, {"nodal force"}, [=](State<D>& s) {

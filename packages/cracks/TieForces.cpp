@@ -152,7 +152,7 @@ void FrontTies<D>::advance(State<D>& state)
   const View<double * [D + 4]> cohesive = memory_.cohesion();
   const bool grows = grows_;
   const double dt = state.strainPass.share * state.dt;
-  const bool byMotion = state.scheme == UpdateScheme::Usl;
+  const bool byMotion = state.scheme == UpdateScheme::Usl, early = state.strainPass.before;
   double elastic = 0.0, spent = 0.0, beyond = 0.0;
   const View<double*> torn("rhegma::cracks::torn", grows ? nodes.numSecond : 0);
   sumFew(
@@ -164,7 +164,7 @@ void FrontTies<D>::advance(State<D>& state)
         const bool both =
             nodes.sums(own, Nodes<D>::massAt) > 0.0 && nodes.sums(other, Nodes<D>::massAt) > 0.0;
         const bool resists = grows && cohesive(own, cohesion::peak) > 0.0;
-        double square = 0.0, squareBefore = 0.0, more[D];
+        double square = 0.0, squareBefore = 0.0, more[D], before[D];
         for (int d = 0; d < D; ++d)
         {
           const double moved = byMotion ? nodes.motion(own, d) - nodes.motion(other, d)
@@ -175,6 +175,8 @@ void FrontTies<D>::advance(State<D>& state)
             const double from = jump(own, d) + cohesive(own, cohesion::shift + d);
             squareBefore += from * from;
           }
+          // Where strain comes first no force is of this step yet, and that of the last is in no checkpoint.
+          before[d] = early ? pullOf<D>(tie, jump, cohesive, own, d, sign) : tie(own, d);
           jump(own, d) += more[d];
           if (resists)
           {
@@ -194,9 +196,8 @@ void FrontTies<D>::advance(State<D>& state)
         double taken = 0.0;
         for (int d = 0; d < D; ++d)
         {
-          const double before = tie(own, d);
           tie(own, d) = pullOf<D>(tie, jump, cohesive, own, d, sign);
-          taken -= 0.5 * sign * (before + tie(own, d)) * more[d];
+          taken -= 0.5 * sign * (before[d] + tie(own, d)) * more[d];
         }
         if (!resists || !both || !countsHere(nodes, own))
           return;
@@ -238,7 +239,8 @@ double FrontTies<D>::energyInFlight(const State<D>& state, int step) const
       });
   sumParts(state, &sum, 1);
   for (const CrackFront<D>& front : state.cracks.fronts)
-    sum += front.unspent;
+    sum += std::max(front.unspent,
+                    0.0); // negative is what torn faces took too much, which no face is yet to take
   return sum;
 }
 

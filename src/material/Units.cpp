@@ -17,10 +17,10 @@ std::vector<std::string> warningsOfUnits(const std::vector<std::string>& names,
   {
     const double speed = std::sqrt(elasticity(materials[m]).constrainedModulus / materials[m].density);
     if (speed < slowest || speed > fastest)
-      warnings.push_back("Materials > " + names[m] + ": waves run through it at " + shortly(speed) +
-                         " m/s, " +
-                         (speed < slowest ? "slower than through most gels" : "faster than through diamond") +
-                         "; moduli are in Pa and densities in kg/m3");
+      warnings.push_back(
+          "Materials > " + names[m] + ": waves run through it at " + shortly(speed) + " m/s, " +
+          (speed < slowest ? "slower than through almost any solid" : "faster than through diamond") +
+          "; moduli are in Pa and densities in kg/m3");
   }
   return warnings;
 }

@@ -199,6 +199,9 @@ std::vector<Case> ownCases()
     Case one = own(std::string("own_") + scheme, plate(pull, friction));
     one.overrides = {std::string("Time:Update Scheme=") + scheme};
     all.push_back(one);
+    Case grown = own(std::string("own_running_") + scheme, plate(pull, running), 100);
+    grown.overrides = one.overrides;
+    all.push_back(grown);
   }
   return all;
 }
