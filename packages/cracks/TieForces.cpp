@@ -239,8 +239,7 @@ double FrontTies<D>::energyInFlight(const State<D>& state, int step) const
       });
   sumParts(state, &sum, 1);
   for (const CrackFront<D>& front : state.cracks.fronts)
-    sum += std::max(front.unspent,
-                    0.0); // negative is what torn faces took too much, which no face is yet to take
+    sum += front.unspent;
   return sum;
 }
 
