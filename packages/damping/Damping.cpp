@@ -75,6 +75,7 @@ double lossToStresses(const State<D>& state, double rate, View<char**>& heldNode
   // Where nodes move in short steps the stress at the start acts on the velocity that was damped in the first
   // of them only.
   const NodeSlots brief = state.shortSteps.nodes;
+  const View<int*> coupledRow = state.coupledRow;
   const double share = state.shortSteps.length / state.dt;
   double power = 0.0;
   Kokkos::parallel_reduce(
@@ -82,8 +83,9 @@ double lossToStresses(const State<D>& state, double rate, View<char**>& heldNode
       KOKKOS_LAMBDA(const int i, double& sum) {
         const int n = activeNode(nodes, i);
         const double mass = nodes.sums(n, Nodes<D>::massAt);
+        const bool coupled = coupledRow.extent(0) > 0 && coupledRow(n) >= 0;
         for (int d = 0; d < D && mass > 0.0; ++d)
-          if (held(n, d) == 0)
+          if (coupled || held(n, d) == 0)
             sum += (brief.moves(n) ? share : 1.0) * nodes.sums(n, Nodes<D>::forceAt + d) *
                    nodes.sums(n, Nodes<D>::momentumAt + d) / mass;
       },
@@ -224,7 +226,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   if (rate > 0.0 && !between)
     effect.call({Stage::Scatter,
                  "what mass damping takes from stresses",
-                 {"nodal momentum", "prescribed values", "short steps"},
+                 {"nodal momentum", "prescribed values", "short steps", "mass matrix"},
                  {},
                  {},
                  [=, held = std::make_shared<View<char**>>()](State<D>& s)

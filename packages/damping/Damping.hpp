@@ -24,8 +24,9 @@ void dampMomentum(const State<D>& state, double rate);
 /// What mass damping takes from stresses beside what dampVelocity returned [J], for MUSL and USAVG, once
 /// nodes have the forces of stresses f and no others. Damped velocities are v exp(-rate dt), but particles
 /// have been strained by v: in between stresses have given, in the mean of the steps' starts and ends,
-/// f (v - v exp(-rate dt)) dt / 2 to a motion that is no more. At supports it is in their work. First order
-/// in rate dt, as all of the loss is exact without stresses.
+/// f (v - v exp(-rate dt)) dt / 2 to a motion that is no more. At supports it is in their work, but where
+/// masses are coupled: there the work is that on the solved velocity before the forces, which was damped.
+/// First order in rate dt, as all of the loss is exact without stresses.
 /// \param held room for marks of the nodes that supports hold, kept from step to step
 template <int D>
 double lossToStresses(const State<D>& state, double rate, View<char**>& held);

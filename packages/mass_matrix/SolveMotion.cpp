@@ -128,8 +128,7 @@ void NodalSolve<D>::solveProjection(State<D>& state, const MassSystem<D>& system
 {
   const MassSystem<D> s = system;
   const Nodes<D> nodes = state.nodes;
-  const View<double*> right = right_, prescribed = prescribed_, velocity = velocity_,
-                      heldVelocity = heldVelocity_;
+  const View<double*> right = right_, prescribed = prescribed_, velocity = velocity_;
   const View<double* [D]> lastVelocity = lastVelocity_;
   const bool masked = masked_;
   const bool afterSolve = projectsLast(state.scheme) && !state.strainPass.before;
@@ -141,8 +140,9 @@ void NodalSolve<D>::solveProjection(State<D>& state, const MassSystem<D>& system
           const int i = row * width<D> + d;
           right(i) = s.lumped(row) * nodes.projection(n, d);
           velocity(i) = afterSolve ? nodes.motion(n, d) : lastVelocity(memoryOf(nodes, n), d);
+          // Supports have set it: before the forces to their velocity at the start of the step.
           if (masked)
-            prescribed(i) = heldVelocity(i);
+            prescribed(i) = nodes.projection(n, d);
         }
       });
   solve(state, system, true, velocity, "velocity that strains the particles", Accuracy::Solved);
