@@ -37,7 +37,7 @@ int pointOf(const std::string& corner, int points, int line)
 SurfaceMesh parseObj(const std::string& text)
 {
   SurfaceMesh mesh;
-  std::istringstream lines(text);
+  std::istringstream lines(text.substr(textBegin(text)));
   std::string line, word;
   for (int number = 1; std::getline(lines, line); ++number)
   {

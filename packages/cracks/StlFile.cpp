@@ -118,12 +118,12 @@ SurfaceMesh parseAscii(const std::string& text)
 
 SurfaceMesh parseStl(const std::string& text)
 {
-  const std::size_t begin = text.find_first_not_of(" \t\r\n");
+  const std::size_t begin = text.find_first_not_of(" \t\r\n", textBegin(text));
   const bool solid = begin != std::string::npos && inLowerCase(text.substr(begin, 5)) == "solid";
   // Some binary files begin with "solid" too; their length tells, or a zero byte, which no text has.
   const bool fits = text.size() >= header + 4 && text.size() == header + 4 + countOf(text) * perTriangle;
   if (solid && !fits && text.find('\0') == std::string::npos)
-    return parseAscii(text);
+    return parseAscii(text.substr(begin));
   if (text.size() < header + 4)
     throw std::invalid_argument("the file is cut short: a binary STL file has at least 84 bytes");
   return parseBinary(text);

@@ -34,6 +34,12 @@ std::string readAll(const std::string& path)
 
 } // namespace
 
+std::size_t textBegin(const std::string& text)
+{
+  const std::string mark = "\xEF\xBB\xBF";
+  return text.compare(0, mark.size(), mark) == 0 ? mark.size() : 0;
+}
+
 SurfaceMesh readSurfaceFile(const std::string& path)
 {
   std::string end = std::filesystem::path(path).extension().string();

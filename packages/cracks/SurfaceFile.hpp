@@ -18,4 +18,7 @@ SurfaceMesh readSurfaceFile(const std::string& path);
 SurfaceMesh parseStl(const std::string& text);
 SurfaceMesh parseObj(const std::string& text);
 
+/// Where a text begins: behind the mark of UTF-8 that some editors put before it, if there is one.
+std::size_t textBegin(const std::string& text);
+
 } // namespace Rhegma::cracks

@@ -3,6 +3,7 @@
 #include "boundary/Contradictions.hpp"
 #include "scene/Attempts.hpp"
 #include "scene/ReadList.hpp"
+#include "thermal/Start.hpp"
 #include "transfer/PushNodes.hpp"
 
 #include <cmath>
@@ -66,7 +67,7 @@ HeatedSurface<D> readHeated(const Teuchos::ParameterList& list, const State<D>& 
 } // namespace
 
 template <int D>
-void HeatBoundaries<D>::read(const Teuchos::ParameterList& section, const State<D>& state)
+void HeatBoundaries<D>::read(const Teuchos::ParameterList& section, State<D>& state)
 {
   Attempts attempts;
   for (const std::string& name : sublistNames(section))
@@ -79,6 +80,14 @@ void HeatBoundaries<D>::read(const Teuchos::ParameterList& section, const State<
       attempts.attempt([&] { surfaces_.push_back(readHeated<D>(list, state, name)); });
   }
   attempts.complain();
+  const auto warn = [&](const std::string& name, const char* what, double T)
+  { warnOfCold(state.warnings, "Boundaries > " + name + ": " + what, T); };
+  for (const HeldTemperature<D>& held : held_)
+    warn(held.name, "it starts at", held.temperature * held.history(state.time));
+  for (const HeatedSurface<D>& heated : surfaces_)
+    if (heated.coefficient > 0.0)
+      warn(heated.surface.points.name(), "Ambient Temperature starts at",
+           heated.ambient * heated.history(state.time));
 }
 
 template <int D>

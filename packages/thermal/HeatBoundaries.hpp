@@ -39,8 +39,8 @@ class HeatBoundaries
 {
 public:
   /// Reads them from the section Boundaries. Throws std::invalid_argument, with the path, for one that holds
-  /// no node or meets no particle.
-  void read(const Teuchos::ParameterList& section, const State<D>& state);
+  /// no node or meets no particle; warns of one that is cold at the start.
+  void read(const Teuchos::ParameterList& section, State<D>& state);
 
   /// Where two boxes want a node at two temperatures, as particles and cells are now. Collective. \return a
   /// sentence a pair (boundary/Contradictions.hpp); empty where there is none

@@ -6,6 +6,8 @@
 #include "scene/PlaceFunction.hpp"
 #include "scene/ShortNumber.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <stdexcept>
 
 namespace Rhegma::thermal
@@ -26,10 +28,15 @@ PlaceFunction fieldOf(const Teuchos::ParameterList& body, const std::string& whe
   }
 }
 
-/// Bodies seldom start colder than liquid nitrogen [K]; who writes less may mean degrees Celsius.
-constexpr double coldest = 77.0;
-
 } // namespace
+
+void warnOfCold(std::vector<std::string>& warnings, const std::string& what, double T)
+{
+  constexpr double coldest = 77.0;
+  if (T < coldest)
+    warnings.push_back(what + " " + shortly(T) + " K, which is " + shortly(T - 273.15) +
+                       " degrees Celsius; temperatures are absolute");
+}
 
 template <int D>
 void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, double initial)
@@ -46,10 +53,8 @@ void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, dou
     const double own = list.isParameter("Temperature") ? list.get<double>("Temperature") : initial;
     const bool varies = list.isParameter("Temperature Field");
     const std::string where = "Bodies > " + name + " > Temperature Field";
-    if (!varies && own < coldest)
-      state.warnings.push_back("Bodies > " + name + ": it starts at " + shortly(own) + " K, which is " +
-                               shortly(own - 273.15) + " degrees Celsius; temperatures are absolute");
     const PlaceFunction function = varies ? fieldOf(list, where) : PlaceFunction::parse("0", 1);
+    double lowest = varies ? std::numeric_limits<double>::infinity() : own;
     for (int p = 0; p < state.particles.size(); ++p)
     {
       if (body(p) != static_cast<int>(b))
@@ -66,7 +71,9 @@ void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, dou
         throw std::invalid_argument(
             where + ": it is " + formatReal(T(p)) +
             " K at a particle; temperatures are absolute, write one that is above zero");
+      lowest = std::min(lowest, T(p));
     }
+    warnOfCold(state.warnings, "Bodies > " + name + ": it starts at", lowest);
   }
   Kokkos::deep_copy(state.particles.scalar(fields::temperature), T);
 }

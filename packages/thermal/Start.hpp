@@ -5,11 +5,18 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <string>
+#include <vector>
+
 namespace Rhegma::thermal
 {
 
+/// Warns of a temperature below that of liquid nitrogen, 77 K: who writes it may mean degrees Celsius. \param
+/// what the section's path, and what is so cold \param T [K]
+void warnOfCold(std::vector<std::string>& warnings, const std::string& what, double T);
+
 /// Gives every particle the temperature of its body. Throws std::invalid_argument, with the path, for one
-/// that is not above zero; warns of one below 77 K. \param bodies the section Bodies \param initial
+/// that is not above zero; warns of cold ones. \param bodies the section Bodies \param initial
 /// temperature of bodies that do not say another [K]
 template <int D>
 void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, double initial);

@@ -59,7 +59,7 @@ void useReferenceProperties(State<D>& state, const Teuchos::ParameterList& mater
 }
 
 template <int D>
-void readBoundaries(const State<D>& state, const Teuchos::ParameterList& section, Run<D>& run)
+void readBoundaries(State<D>& state, const Teuchos::ParameterList& section, Run<D>& run)
 {
   Conduction<D>& conduction = run.conduction;
   conduction.boundaries.read(section, state);

@@ -100,6 +100,19 @@ class WrongArguments(ProgramTest):
             self.assertEqual(answer.status, 0, answer)
             self.assertIn(words, answer.complaint)
             self.assertEqual(answer.complaint == "", words == "", answer)
+        scene.set("Bodies > Plate > Temperature Field", "20+x")
+        cooled = {"Type": "Temperature", "Lower Corner": [0.0, 0.0], "Upper Corner": [0.05, 1.0]}
+        scene.set("Boundaries > Cooled", dict(cooled, Temperature=20.0))
+        blown = {"Type": "Convection", "Body": "Plate", "From": [1.0, 0.0], "To": [1.0, 1.0], "Coefficient": 10.0}
+        scene.set("Boundaries > Blown", dict(blown, **{"Ambient Temperature": 25.0}))
+        answer = rhegma(self.write("cooled.xml", scene.text()), "--check")
+        self.assertEqual(answer.status, 0, answer)
+        for words in (
+            "Bodies > Plate: it starts at 20.",
+            "Boundaries > Cooled: it starts at 20 K",
+            "Boundaries > Blown: Ambient Temperature starts at 25 K",
+        ):
+            self.assertIn("warning: " + words, answer.complaint)
 
     def test_set_to_a_wrong_type(self):
         self.refuse("scene.xml", "--set", "Time:CFL=fast", where="Time > CFL", words=['"fast"', "a real number"])

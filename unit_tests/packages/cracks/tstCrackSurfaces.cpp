@@ -141,8 +141,8 @@ struct File
 
 } // namespace
 
-/// All kinds hold the same triangles, in small letters or capitals, whatever the solid is called, binary
-/// files in single precision.
+/// All kinds hold the same triangles, in small letters or capitals, whatever the solid is called, with a mark
+/// of UTF-8 or without, binary files in single precision.
 TEST(SurfaceFiles, HoldWhatWasWritten)
 {
   const SurfaceMesh mesh = square();
@@ -151,7 +151,8 @@ TEST(SurfaceFiles, HoldWhatWasWritten)
                  [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
   for (const auto& read :
        {parseStl(asciiStl(mesh)), parseStl(capitals), parseStl(asciiStl(mesh, "Solid")),
-        parseStl(asciiStl(mesh, "a vertex, endloop")), parseStl(binaryStl(mesh)), parseObj(obj(mesh))})
+        parseStl(asciiStl(mesh, "a vertex, endloop")), parseStl("\xEF\xBB\xBF" + asciiStl(mesh, "vertex")),
+        parseStl(binaryStl(mesh)), parseObj(obj(mesh)), parseObj("\xEF\xBB\xBF" + obj(mesh))})
   {
     SurfaceMesh welded = read;
     weld(welded, 1e-6);
