@@ -22,8 +22,8 @@ public:
   Settling(double ratio, double drift, int samples) : ratio_(ratio), drift_(drift), samples_(samples) {}
 
   /// Takes a sample. \return true when kinetic over strain energy stayed below the ratio over the last
-  /// samples, and every energy release rate (the strain energy where a row has none) within the drift of its
-  /// latest value
+  /// samples, and every energy release rate that is a number (the strain energy where a row has none) within
+  /// the drift of its latest value
   bool sample(double kinetic, double strain, const HistoryRow& row);
 
   /// Saves or loads the last samples.

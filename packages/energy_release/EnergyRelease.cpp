@@ -47,6 +47,7 @@ struct Samples
   std::vector<Sample> last;
   std::set<std::pair<int, int>> inclined; ///< fronts that did not start along the grid: without crack closure
   std::set<std::pair<int, int>> warned;   ///< fronts whose contour has left the body during the run
+  std::set<std::pair<int, int>> unclosed; ///< fronts that had no crack closure at some time
 };
 
 std::string frontName(const State<2>& state, const CrackFront<2>& front)
@@ -144,12 +145,29 @@ bool wantsClosure(const State<2>& state, const Options& options, const Samples& 
          samples.inclined.count({front.crack, front.number}) == 0;
 }
 
+/// Says once of a front along the grid that it has no crack closure.
+void warnOfClosure(State<2>& state, const CrackFront<2>& front, const CrackClosure& closure, Samples& samples)
+{
+  if (std::isfinite(closure.chosen) || !runsAlongGrid(front) ||
+      !samples.unclosed.insert({front.crack, front.number}).second)
+    return;
+  state.warnings.push_back(
+      "Energy Release: G_closure of the front " + frontName(state, front) + " can't be found at time " +
+      formatReal(state.time) +
+      " s, and is no number there: no node in the columns behind the front has material "
+      "of both faces in its reach, so that the crack is too short for Closure Cells, or its "
+      "faces have parted by cells; G_J needs no such nodes");
+}
+
 /// A front whose surroundings have fallen apart ends the run.
-CrackClosure tryToClose(State<2>& state, const CrackFront<2>& front, const Options& options)
+CrackClosure tryToClose(State<2>& state, const CrackFront<2>& front, const Options& options, Samples& samples)
 {
   try
   {
-    return closeCrack(state, front, options.columns, options.recovery);
+    const CrackClosure closure = closeCrack(state, front, options.columns, options.recovery);
+    if (options.openingKnown)
+      warnOfClosure(state, front, closure, samples);
+    return closure;
   }
   catch (const std::runtime_error& error)
   {
@@ -176,7 +194,7 @@ void sample(State<2>& state, const Options& options, Samples& samples)
     if (closure && front.ended)
       s.closure = {0.0, 0.0};
     else if (closure)
-      s.closure = tryToClose(state, front, options);
+      s.closure = tryToClose(state, front, options, samples);
     samples.last.push_back(s);
 
     const std::string name = frontName(state, front) + ".";
@@ -262,6 +280,17 @@ void keepSample(Sample& s, Archive& archive)
   archive("closure_lumped", s.closure.lumped);
 }
 
+void keepFronts(std::set<std::pair<int, int>>& fronts, const char* name, Archive& archive)
+{
+  std::vector<int> numbers;
+  numbers.reserve(2 * fronts.size());
+  for (const auto& [crack, number] : fronts)
+    numbers.insert(numbers.end(), {crack, number});
+  archive(name, numbers, 2);
+  for (std::size_t k = 0; k + 1 < numbers.size(); k += 2)
+    fronts.insert({numbers[k], numbers[k + 1]});
+}
+
 /// Saves or loads the last sample and which fronts were warned of.
 void keep(Samples& samples, Archive& archive)
 {
@@ -273,12 +302,8 @@ void keep(Samples& samples, Archive& archive)
     const Archive::Group group(archive, "front " + std::to_string(k));
     keepSample(samples.last[k], archive);
   }
-  std::vector<int> warned;
-  for (const auto& [crack, number] : samples.warned)
-    warned.insert(warned.end(), {crack, number});
-  archive("warned", warned, 2);
-  for (std::size_t k = 0; k + 1 < warned.size(); k += 2)
-    samples.warned.insert({warned[k], warned[k + 1]});
+  keepFronts(samples.warned, "warned", archive);
+  keepFronts(samples.unclosed, "unclosed", archive);
 }
 
 Effect<2> make2(const Teuchos::ParameterList& scene)

@@ -166,6 +166,37 @@ TEST(EnergyRelease, DoesWithoutAContour)
     EXPECT_FALSE(reported.contains(name)) << name;
 }
 
+/// Behind faces that are six cells apart no node has both in its reach. Who is told once is told.
+TEST(EnergyRelease, SaysWhereThereIsNoCrackClosure)
+{
+  State<2> state = makeBody(0.01, 1e-3, Plane::Strain, ShapeKind::Linear);
+  addFront(state, {{0.0, 0.0}}, 0.0);
+  Teuchos::ParameterList scene = sceneWith(3e-3);
+  scene.sublist("Energy Release").set("Contour Integral", false);
+  scene.sublist("Energy Release").set("Crack Closure", true);
+  const Effect<2> effect = energyReleaseEntry().make2(scene);
+  effect.atStart(state);
+  state.observing = true;
+  effect.calls[0].run(state);
+  EXPECT_TRUE(std::isfinite(state.row[0].second));
+  EXPECT_TRUE(state.warnings.empty());
+  deform(state,
+         [](const Vector<2>& x)
+         {
+           const double apart = x[0] > 0.0 ? 0.0 : x[1] > 0.0 ? 3e-3 : -3e-3;
+           return Displacement{{{0.0, apart}}, {0.0, 0.0, 0.0, 0.0}};
+         });
+  for (int sample = 0; sample < 2; ++sample)
+  {
+    state.row.clear();
+    effect.calls[0].run(state);
+    EXPECT_EQ(state.row[0].first, "Notch.0.G_closure");
+    EXPECT_FALSE(std::isfinite(state.row[0].second));
+    ASSERT_EQ(state.warnings.size(), 1u);
+    EXPECT_NE(state.warnings[0].find("G_closure of the front Notch.0 can't be found"), std::string::npos);
+  }
+}
+
 /// The release rates of an opened crack by each matrix that a scene can choose.
 TEST(EnergyRelease, TakesTheMatrixThatTheSceneChooses)
 {
