@@ -28,8 +28,8 @@ struct CrackClosure
 ///
 /// Not a number where the front's direction is more than 5 degrees off a direction of the grid: nodes then
 /// open one by one and not in columns (counted all the same, between 0.01 and 1.2 times J at 30, 45 and 60
-/// degrees to the grid); and where no node m columns behind has particles of both sides in its reach: where the
-/// crack has fewer than m open columns, or its faces are cells apart.
+/// degrees to the grid); and where no node m columns behind has particles of both sides in its reach: where
+/// the crack has fewer than m open columns, or its faces are cells apart.
 ///
 /// Source: Rybicki and Kanninen, Eng. Fract. Mech. 9 (1977) 931; Krueger, Appl. Mech. Rev. 57 (2004) 109.
 CrackClosure closeCrack(const State<2>& state, const CrackFront<2>& front, int columns,

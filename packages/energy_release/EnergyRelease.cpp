@@ -7,6 +7,7 @@
 #include "energy_release/DomainIntegral.hpp"
 #include "energy_release/DrivingCalls.hpp"
 #include "energy_release/DrivingForces.hpp"
+#include "energy_release/FrontSet.hpp"
 #include "energy_release/FrontsInSpace.hpp"
 #include "energy_release/LoadsInRing.hpp"
 #include "energy_release/ReadOptions.hpp"
@@ -20,7 +21,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <set>
 #include <stdexcept>
 #include <vector>
 
@@ -45,9 +45,9 @@ struct Sample
 struct Samples
 {
   std::vector<Sample> last;
-  std::set<std::pair<int, int>> inclined; ///< fronts that did not start along the grid: without crack closure
-  std::set<std::pair<int, int>> warned;   ///< fronts whose contour has left the body during the run
-  std::set<std::pair<int, int>> unclosed; ///< fronts that had no crack closure at some time
+  FrontSet inclined; ///< fronts that did not start along the grid: without crack closure
+  FrontSet warned;   ///< fronts whose contour has left the body during the run
+  FrontSet unclosed; ///< fronts that had no crack closure at some time
 };
 
 std::string frontName(const State<2>& state, const CrackFront<2>& front)
@@ -278,17 +278,6 @@ void keepSample(Sample& s, Archive& archive)
   archive("tip_offset", s.integral.tipOffset);
   archive("closure", s.closure.chosen);
   archive("closure_lumped", s.closure.lumped);
-}
-
-void keepFronts(std::set<std::pair<int, int>>& fronts, const char* name, Archive& archive)
-{
-  std::vector<int> numbers;
-  numbers.reserve(2 * fronts.size());
-  for (const auto& [crack, number] : fronts)
-    numbers.insert(numbers.end(), {crack, number});
-  archive(name, numbers, 2);
-  for (std::size_t k = 0; k + 1 < numbers.size(); k += 2)
-    fronts.insert({numbers[k], numbers[k + 1]});
 }
 
 /// Saves or loads the last sample and which fronts were warned of.

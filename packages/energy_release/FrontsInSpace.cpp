@@ -5,6 +5,7 @@
 #include "energy_release/FrontDriving.hpp"
 #include "energy_release/FrontIntegral.hpp"
 #include "energy_release/FrontOpening.hpp"
+#include "energy_release/FrontSet.hpp"
 #include "energy_release/ReadOptions.hpp"
 #include "scene/Attempts.hpp"
 #include "scene/Numbers.hpp"
@@ -14,7 +15,6 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <set>
 #include <stdexcept>
 
 namespace Rhegma::energy_release
@@ -40,7 +40,7 @@ struct Sample
 struct Samples
 {
   std::vector<Sample> last;
-  std::set<std::pair<int, int>> warned; ///< fronts whose tube has left the body during the run
+  FrontSet warned; ///< fronts whose tube has left the body during the run
 };
 
 /// The names of what is found along a front.
@@ -247,12 +247,7 @@ void keep(Samples& samples, Archive& archive)
       }
     }
   }
-  std::vector<int> warned;
-  for (const auto& [crack, number] : samples.warned)
-    warned.insert(warned.end(), {crack, number});
-  archive("warned", warned, 2);
-  for (std::size_t k = 0; k + 1 < warned.size(); k += 2)
-    samples.warned.insert({warned[k], warned[k + 1]});
+  keepFronts(samples.warned, "warned", archive);
 }
 
 } // namespace

@@ -69,6 +69,13 @@ void scatterWith(State<D>& state, const Connect& connect, const char* label)
   forEachBlock(label, state.blocks, block);
 }
 
+template <int D>
+KOKKOS_INLINE_FUNCTION void clearProjectionOf(const Nodes<D>& nodes, int node)
+{
+  for (int k = 0; k < Nodes<D>::projectionWidth; ++k)
+    nodes.projection(node, k) = 0.0;
+}
+
 } // namespace
 
 template <int D>
@@ -80,8 +87,7 @@ void clearNodes(State<D>& state)
         const int n = activeNode(nodes, i);
         for (int k = 0; k < Nodes<D>::sumWidth; ++k)
           nodes.sums(n, k) = 0.0;
-        for (int k = 0; k < Nodes<D>::projectionWidth; ++k)
-          nodes.projection(n, k) = 0.0;
+        clearProjectionOf(nodes, n);
       });
 }
 
@@ -91,11 +97,7 @@ void clearProjection(State<D>& state)
   const Nodes<D> nodes = state.nodes;
   Kokkos::parallel_for(
       "rhegma::clearProjection", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
-      KOKKOS_LAMBDA(const int i) {
-        const int n = activeNode(nodes, i);
-        for (int k = 0; k < Nodes<D>::projectionWidth; ++k)
-          nodes.projection(n, k) = 0.0;
-      });
+      KOKKOS_LAMBDA(const int i) { clearProjectionOf(nodes, activeNode(nodes, i)); });
 }
 
 template <int D>

@@ -117,6 +117,23 @@ std::vector<double> releaseAlong(State<3>& state, const Intensities& K)
   return integrateWithAcceleration(state, lineOf(front), tube, noAcceleration(state));
 }
 
+/// Puts the faces of the crack where Williams has them.
+void openFaces(State<3>& state, const Intensities& K)
+{
+  const CrackFront<3>& front = state.cracks.fronts.at(0);
+  const auto face = state.cracks.face;
+  const auto vertex = state.cracks.vertex;
+  for (int v = 0; v < static_cast<int>(vertex.extent(0)); ++v)
+    for (int side = 0; side < 2; ++side)
+    {
+      Vector<3> x{{vertex(v, 0), vertex(v, 1), vertex(v, 2)}};
+      x = x + (side == 1 ? 1e-15 : -1e-15) * front.normal;
+      const Displacement d = tipField(K, front, x, side == 1 ? 1 : -1);
+      for (int i = 0; i < 3; ++i)
+        face(v, side, i) = vertex(v, i) + d.u[i];
+    }
+}
+
 } // namespace
 
 /// Every station of a straight front, those at the surface included: no traction of the field does work
@@ -157,17 +174,7 @@ TEST(FrontsInSpace, FindTheReleaseByAPressure)
   const CrackFront<3> front = state.cracks.fronts.at(0);
   const Intensities K{1.0, 0.0, 0.0};
   const double pressure = 3.0;
-  const auto face = state.cracks.face;
-  const auto vertex = state.cracks.vertex;
-  for (int v = 0; v < static_cast<int>(vertex.extent(0)); ++v)
-    for (int side = 0; side < 2; ++side)
-    {
-      Vector<3> x{{vertex(v, 0), vertex(v, 1), vertex(v, 2)}};
-      x = x + (side == 1 ? 1e-15 : -1e-15) * front.normal;
-      const Displacement d = tipField(K, front, x, side == 1 ? 1 : -1);
-      for (int i = 0; i < 3; ++i)
-        face(v, side, i) = vertex(v, i) + d.u[i];
-    }
+  openFaces(state, K);
   state.step = 1;
   state.cracks.pressure = View<double*>("pressure", state.cracks.simplex.extent(0));
   Kokkos::deep_copy(state.cracks.pressure, pressure);
@@ -257,17 +264,7 @@ TEST(FrontsInSpace, ShareModesByTheOpenings)
   const auto run = straightFront();
   State<3>& state = run->state();
   const CrackFront<3>& front = state.cracks.fronts.at(0);
-  const auto face = state.cracks.face;
-  const auto vertex = state.cracks.vertex;
-  for (int v = 0; v < static_cast<int>(vertex.extent(0)); ++v)
-    for (int side = 0; side < 2; ++side)
-    {
-      Vector<3> x{{vertex(v, 0), vertex(v, 1), vertex(v, 2)}};
-      x = x + (side == 1 ? 1e-15 : -1e-15) * front.normal;
-      const Displacement d = tipField(smallK, front, x, side == 1 ? 1 : -1);
-      for (int i = 0; i < 3; ++i)
-        face(v, side, i) = vertex(v, i) + d.u[i];
-    }
+  openFaces(state, smallK);
   const Elasticity e = elasticity(state.materialList[0]);
   const std::vector<Intensities> all =
       openingsBehind(state.cracks, front, lineOf(front), e, cell, tube.halfWidth);
