@@ -45,9 +45,10 @@ struct Sample
 struct Samples
 {
   std::vector<Sample> last;
-  FrontSet inclined; ///< fronts that did not start along the grid: without crack closure
-  FrontSet warned;   ///< fronts whose contour has left the body during the run
-  FrontSet unclosed; ///< fronts that had no crack closure at some time
+  std::vector<PlacedLoad> loads; ///< that may act near fronts
+  FrontSet inclined;             ///< fronts that did not start along the grid: without crack closure
+  FrontSet warned;               ///< fronts whose contour has left the body during the run
+  FrontSet unclosed;             ///< fronts that had no crack closure at some time
 };
 
 std::string frontName(const State<2>& state, const CrackFront<2>& front)
@@ -187,6 +188,7 @@ void sample(State<2>& state, const Options& options, Samples& samples)
     {
       s.radii = fittingRadii(state, front, options.radii);
       warnOfContour(state, front, s.radii, options, samples);
+      warnOfLoads(state, front, s.radii, samples.loads);
       s.integral = integrateDomain(state, front, s.radii);
     }
     const bool closure = wantsClosure(state, options, samples, front);
@@ -299,7 +301,7 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
 {
   const Options options = readOptions(scene);
   const auto samples = std::make_shared<Samples>();
-  const std::vector<PlacedLoad> loads = readLoads(scene);
+  samples->loads = readLoads(scene);
   Effect<2> effect;
   effect.name = "Energy Release";
   effect.atStart = [=](State<2>& state)
@@ -317,7 +319,7 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
       if (options.contour)
       {
         s.radii = fittingRadii(state, front, options.radii);
-        warnOfLoads(state, front, s.radii, loads);
+        warnOfLoads(state, front, s.radii, samples->loads);
       }
       s.integral = {notYet, notYet, notYet, notYet};
       samples->last.push_back(s);

@@ -1,13 +1,63 @@
 #include "energy_release/LoadsInRing.hpp"
 
+#include "scene/Numbers.hpp"
 #include "scene/ReadList.hpp"
 #include "scene/ShortNumber.hpp"
+#include "scene/TimeFunction.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace Rhegma::energy_release
 {
+
+namespace
+{
+
+/// Whether a load is not zero at some time of the run.
+bool everActs(const Teuchos::ParameterList& load, double end)
+{
+  constexpr int times = 257;
+  const TimeFunction history = TimeFunction::parse(load.get<std::string>("History"));
+  for (int k = 0; k < times; ++k)
+    if (history(end * k / (times - 1)) != 0.0)
+      return true;
+  return false;
+}
+
+bool isTold(const State<2>& state, const std::string& load, const std::string& front)
+{
+  return std::any_of(state.warnings.begin(), state.warnings.end(),
+                     [&](const std::string& warning) {
+                       return warning.compare(0, load.size(), load) == 0 &&
+                              warning.find(front) != std::string::npos;
+                     });
+}
+
+} // namespace
+
+Reach reachOf(const PlacedLoad& load, const Vector<2>& place)
+{
+  const Vector<2> along = load.to - load.from, to = place - load.from;
+  if (load.kind == PlacedLoad::Kind::Line)
+  {
+    const double square = dot(along, along);
+    const double at = square > 0.0 ? std::clamp(dot(to, along) / square, 0.0, 1.0) : 0.0;
+    return {norm(to - at * along), std::max(norm(to), norm(to - along))};
+  }
+  Vector<2> beyond, across; // from the place to the box, and to its furthest corner
+  double inside = std::numeric_limits<double>::infinity();
+  for (int d = 0; d < 2; ++d)
+  {
+    beyond[d] = std::max({load.from[d] - place[d], 0.0, place[d] - load.to[d]});
+    across[d] = std::max(place[d] - load.from[d], load.to[d] - place[d]);
+    inside = std::min({inside, place[d] - load.from[d], load.to[d] - place[d]});
+  }
+  if (load.kind == PlacedLoad::Kind::Outside)
+    return {std::max(0.0, inside), std::numeric_limits<double>::infinity()};
+  return {norm(beyond), norm(across)};
+}
 
 std::vector<PlacedLoad> readLoads(const Teuchos::ParameterList& scene)
 {
@@ -15,14 +65,19 @@ std::vector<PlacedLoad> readLoads(const Teuchos::ParameterList& scene)
   if (!scene.isSublist("Boundaries"))
     return loads;
   const Teuchos::ParameterList& boundaries = scene.sublist("Boundaries");
+  const double end = scene.sublist("Time").get<double>("Final Time");
   for (const std::string& name : sublistNames(boundaries))
   {
     const Teuchos::ParameterList& one = boundaries.sublist(name);
     const auto type = one.get<std::string>("Type");
-    if (type == "Point Load")
+    if (type == "Point Load" && everActs(one, end))
       loads.push_back({name, readVector<2>(one, "Point"), readVector<2>(one, "Point")});
-    else if (type == "Line Load")
+    else if (type == "Line Load" && everActs(one, end))
       loads.push_back({name, readVector<2>(one, "From"), readVector<2>(one, "To")});
+    else if (type == "Velocity")
+      loads.push_back(
+          {name, readVector<2>(one, "Lower Corner"), readVector<2>(one, "Upper Corner"),
+           one.get<std::string>("Nodes") == "Outside" ? PlacedLoad::Kind::Outside : PlacedLoad::Kind::Box});
   }
   return loads;
 }
@@ -33,18 +88,30 @@ void warnOfLoads(State<2>& state, const CrackFront<2>& front, const ContourRadii
   const double cell = spacingAt(state, front.position);
   for (const PlacedLoad& load : loads)
   {
-    const Vector<2> along = load.to - load.from, to = front.position - load.from;
-    const double square = dot(along, along);
-    const double at = square > 0.0 ? std::clamp(dot(to, along) / square, 0.0, 1.0) : 0.0;
-    const double nearest = norm(to - at * along), furthest = std::max(norm(to), norm(to - along));
-    if (nearest > radii.outer + cell || furthest < radii.inner - cell)
+    const bool held = load.kind != PlacedLoad::Kind::Line;
+    const Reach reach = reachOf(load, front.position);
+    const double slack = held ? 0.0 : cell;
+    if (reach.nearest > radii.outer + slack || reach.furthest < radii.inner - slack)
       continue;
-    state.warnings.push_back("Energy Release: Boundaries > " + load.name + " acts in the ring from " +
-                             shortly(radii.inner) + " to " + shortly(radii.outer) + " m round the front " +
-                             state.cracks.cracks[front.crack].name + "." + std::to_string(front.number) +
-                             ", where cells don't resolve the stress beside it and G_J can be off by 10 %; "
-                             "choose radii (Inner Radius, Outer Radius) with the load clear of the ring by a "
-                             "cell");
+    const std::string start = "Energy Release: Boundaries > " + load.name + (held ? " holds nodes" : " acts");
+    const std::string round = " m round the front " + state.cracks.cracks[front.crack].name + "." +
+                              std::to_string(front.number) + ", ";
+    if (isTold(state, start, round))
+      continue;
+    std::string warning = start;
+    warning.append(" in the ring from ")
+        .append(shortly(radii.inner))
+        .append(" to ")
+        .append(shortly(radii.outer))
+        .append(round);
+    if (state.time > 0.0)
+      warning.append("from time ").append(formatReal(state.time)).append(" s on, ");
+    warning.append("where cells don't resolve the stress beside ")
+        .append(held ? "them" : "it")
+        .append(" and G_J can be off by 10 %; choose radii (Inner Radius, Outer Radius) with ")
+        .append(held ? "them" : "the load")
+        .append(" clear of the ring by a cell");
+    state.warnings.push_back(warning);
   }
 }
 

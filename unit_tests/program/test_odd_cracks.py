@@ -100,6 +100,24 @@ class OddCracks(ProgramTest):
         self.told(self.wedged(0.4), where=where)
         self.told(self.wedged(0.0, "Line Load"), "acts in the ring", "acts in the ring", where=where)
         self.told(self.wedged(0.4, "Line Load"), where=where)
+        never = self.wedged(0.2)
+        for name in ("Up", "Down"):
+            never.set("Boundaries > " + name + " > History", "0")
+        self.told(never, where=where)
+
+    def test_supports_in_the_ring_of_the_contour(self):
+        """The notch ends in the middle of the plate; J is of the ring from 0.15 to 0.3 m."""
+        for lower, upper, words in (
+            ([0.69, 0.69], [0.71, 0.71], ["holds nodes in the ring from 0.15 to 0.3 m round the front Notch.0"]),
+            ([0.49, 0.59], [0.51, 0.61], []),  # within the ring
+            ([0.79, 0.79], [0.81, 0.81], []),
+        ):
+            pin = {"Type": "Velocity", "Lower Corner": lower, "Upper Corner": upper, "Value": [0.0, 0.0]}
+            self.told(plate().set("Boundaries > Pin", pin), *words, where="Energy Release: Boundaries > Pin")
+        frame = {"Type": "Velocity", "Nodes": "Outside", "Lower Corner": [-0.2, 0.25], "Upper Corner": [0.85, 0.85],
+                 "Value": [0.0, 0.0]}
+        self.told(plate().set("Boundaries > Frame", frame), "holds nodes",
+                  where="Energy Release: Boundaries > Frame")
 
     def test_run_that_ends_before_it_rests(self):
         scene = plate().set("Damping", {"Mass Rate": 1.0, "Stop When Settled": True})

@@ -1,6 +1,7 @@
 #include "LatticeState.hpp"
 
 #include "energy_release/EnergyRelease.hpp"
+#include "energy_release/LoadsInRing.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 #include <gtest/gtest.h>
@@ -164,6 +165,55 @@ TEST(EnergyRelease, DoesWithoutAContour)
   EXPECT_TRUE(reported.contains("G_closure"));
   for (const char* name : {"G_J", "K_I", "K_II", "kink_angle", "tip_offset", "inner_radius", "outer_radius"})
     EXPECT_FALSE(reported.contains(name)) << name;
+}
+
+TEST(EnergyRelease, KnowsHowFarLoadsAre)
+{
+  const Vector<2> from{{1.0, 0.0}}, to{{4.0, 4.0}}, place{{1.0, -3.0}};
+  const Reach line = reachOf({"", from, to, PlacedLoad::Kind::Line}, place);
+  EXPECT_DOUBLE_EQ(line.nearest, 3.0);
+  EXPECT_DOUBLE_EQ(line.furthest, std::hypot(3.0, 7.0));
+  const Reach box = reachOf({"", from, to, PlacedLoad::Kind::Box}, {{0.0, 7.0}});
+  EXPECT_DOUBLE_EQ(box.nearest, std::hypot(1.0, 3.0));
+  EXPECT_DOUBLE_EQ(box.furthest, std::hypot(4.0, 7.0));
+  EXPECT_EQ(reachOf({"", from, to, PlacedLoad::Kind::Box}, {{2.0, 1.0}}).nearest, 0.0);
+  EXPECT_EQ(reachOf({"", from, to, PlacedLoad::Kind::Outside}, place).nearest, 0.0);
+  EXPECT_DOUBLE_EQ(reachOf({"", from, to, PlacedLoad::Kind::Outside}, {{2.5, 1.25}}).nearest, 1.25);
+}
+
+/// The ring is from 2 to 3 mm round a front that runs from 6 to 2.5 mm before a load.
+TEST(EnergyRelease, SaysWhenAFrontComesToALoad)
+{
+  State<2> state = makeBody(0.01, 1e-3, Plane::Strain, ShapeKind::Linear);
+  addFront(state, {{0.0, 0.0}}, 0.0);
+  Teuchos::ParameterList scene = sceneWith(3e-3);
+  scene.sublist("Energy Release").set("Inner Radius", 2e-3);
+  scene.sublist("Time").set("Final Time", 1.0);
+  for (const char* history : {"1", "0"})
+  {
+    Teuchos::ParameterList& load = scene.sublist("Boundaries").sublist(history[0] == '1' ? "Pin" : "Sleeper");
+    load.set("Type", "Point Load");
+    load.set("Point", Teuchos::Array<double>(std::vector<double>{6e-3, 0.0}));
+    load.set("History", history);
+  }
+  const Effect<2> effect = energyReleaseEntry().make2(scene);
+  effect.atStart(state);
+  state.observing = true;
+  effect.calls[0].run(state);
+  EXPECT_TRUE(state.warnings.empty());
+  state.cracks.fronts[0].position = {{3.5e-3, 0.0}};
+  state.time = 0.5;
+  for (int sample = 0; sample < 2; ++sample)
+  {
+    state.row.clear();
+    effect.calls[0].run(state);
+    ASSERT_EQ(state.warnings.size(), 1u);
+    EXPECT_NE(
+        state.warnings[0].find("Boundaries > Pin acts in the ring from 0.002 to 0.003 m round the front "
+                               "Notch.0, from time 0.5 s on"),
+        std::string::npos)
+        << state.warnings[0];
+  }
 }
 
 /// Behind faces that are six cells apart no node has both in its reach. Who is told once is told.
