@@ -15,21 +15,23 @@ namespace Rhegma::energy_release
 /// it.
 struct PlacedLoad
 {
+  /// Which places it has.
   enum class Kind
   {
-    Line,
-    Box,
-    Outside
+    Line,   ///< a line in a body, or a point of it
+    Box,    ///< a box whose nodes are held
+    Outside ///< the same, but the nodes beyond the box
   };
   std::string name;       ///< as in the scene
   Vector<2> from{}, to{}; ///< its ends at the start, or the corners of the box [m]
-  Kind kind = Kind::Line; ///< what lies between them
+  Kind kind = Kind::Line; ///< of its places
 };
 
 /// How far a place is from the nearest and from the furthest point of a load [m].
 struct Reach
 {
-  double nearest, furthest;
+  double nearest;  ///< [m]
+  double furthest; ///< [m]
 };
 Reach reachOf(const PlacedLoad& load, const Vector<2>& place);
 

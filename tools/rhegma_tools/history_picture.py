@@ -82,13 +82,32 @@ def draw_references(axes, drawn, factor, unit):
         axes.axhline(value * factor, color=style.INK, lw=1.0, ls=":", label=label)
 
 
+def ends(summary):
+    """[(crack's name, front, time [s], what became of it)] of the fronts that have run and run no more."""
+    found = []
+    for i, crack in enumerate((summary or {}).get("cracks", [])):
+        for j, front in enumerate(crack.get("fronts", [])):
+            time, how = front.get("last_advance"), [name for name in ("ended", "halted") if front.get(name)]
+            if how and isinstance(time, (int, float)):
+                found.append((crack.get("name", str(i)), j, float(time), how[0]))
+    return found
+
+
+def draw_ends(axes, found, factor):
+    """A line across the panel where a front met its end; of many fronts the lines have one name."""
+    for k, (crack, front, time, how) in enumerate(found):
+        name = f"{crack}, front {front} {how}" if len(found) <= FEW else None if k else f"{len(found)} fronts ended"
+        axes.axvline(time * factor, color=style.INK, lw=1.0, ls=(0, (1, 3)), label=name)
+
+
 def initiation_toughness(summary):
     """What starts a front [J/m2] where cracks may grow, or None."""
     value = ((summary or {}).get("propagation") or {}).get("initiation_toughness")
     return float(value) if isinstance(value, (int, float)) else None
 
 
-def draw_release(axes, history, summary, time):
+def draw_release(axes, history, summary, time, per_second=1.0):
+    """`time` is drawn, in units of which there are so many in a second."""
     rates = release_rates(history)
     known = references(summary)
     toughness = initiation_toughness(summary)
@@ -116,6 +135,7 @@ def draw_release(axes, history, summary, time):
             axes.fill_between(time, samples.min(axis=0), samples.max(axis=0), color=colour, alpha=0.2, lw=0)
             axes.plot(time, samples.mean(axis=0), color=colour, ls=dashes,
                       label=f"{method}: mean and\nrange of {len(samples)} fronts")
+    draw_ends(axes, ends(summary), per_second)
     axes.set_title("Energy release rate")
     axes.set_ylabel(f"G [{unit}]")
     axes.margins(x=0)
@@ -232,7 +252,7 @@ def areas(history, moved):
     return [(name, area - area[0]) for name, area in columns if area is not None]
 
 
-def draw_growth(axes, history, moved, time):
+def draw_growth(axes, history, moved, time, summary=None, per_second=1.0):
     """How much longer a crack is in 2D, how much larger in 3D: there a front's `length` is that of the border."""
     larger = areas(history, moved)
     if larger:
@@ -245,6 +265,7 @@ def draw_growth(axes, history, moved, time):
         grown = [(f"{front[0]}, front {front[1]}", samples) for front, samples in moved]
     for i, (name, samples) in enumerate(grown[: len(style.COLOURS)]):
         axes.plot(time, samples * factor, color=style.COLOURS[i], label=name, lw=width(i, len(grown)))
+    draw_ends(axes, ends(summary), per_second)
     axes.set_title("Crack growth")
     axes.set_ylabel(what)
     axes.margins(x=0)
@@ -258,13 +279,14 @@ def speed_limits(summary):
     return sorted(limit for limit in limits if limit > 0.0)
 
 
-def draw_speed(axes, history, moved, summary, time):
+def draw_speed(axes, history, moved, summary, time, per_second=1.0):
     for i, (front, _) in enumerate(moved[: len(style.COLOURS)]):
         speed = history.of_front(front, "speed")
         if speed is not None:
             axes.plot(time, speed, color=style.COLOURS[i], lw=width(i, len(moved), 1.2), label=f"{front[0]}, front {front[1]}")
     for limit in speed_limits(summary):
         axes.axhline(limit, color=style.INK, lw=1.0, ls=":", label=f"largest speed, {limit:.0f} m/s")
+    draw_ends(axes, ends(summary), per_second)
     axes.set_title("Crack speed")
     axes.set_ylabel("speed [m/s]")
     axes.margins(x=0)
@@ -279,7 +301,7 @@ def draw_history(history, summary, title, path):
     factor, unit = style.scale(finite_maximum([history.time]), "s")
     time = history.time * factor
     if release_rates(history):
-        panels.append(lambda axes: draw_release(axes, history, summary, time))
+        panels.append(lambda axes: draw_release(axes, history, summary, time, factor))
     stressed = intensities(history)
     if stressed:
         panels.append(lambda axes: draw_intensities(axes, stressed, time))
@@ -292,9 +314,9 @@ def draw_history(history, summary, title, path):
     if any(name in history.column for name, _, _ in ENERGIES):
         panels.append(lambda axes: draw_energies(axes, history, time))
     if moved:
-        panels.append(lambda axes: draw_growth(axes, history, moved, time))
+        panels.append(lambda axes: draw_growth(axes, history, moved, time, summary, factor))
         if any(history.of_front(front, "speed") is not None for front, _ in moved):
-            panels.append(lambda axes: draw_speed(axes, history, moved, summary, time))
+            panels.append(lambda axes: draw_speed(axes, history, moved, summary, time, factor))
     if not panels:
         raise Problem("the history holds neither energies nor energy release rates; there is nothing to draw.")
     figure, axes = plt.subplots(len(panels), 1, sharex=True, squeeze=False, figsize=(7.2, 2.7 * len(panels) + 0.4),

@@ -9,7 +9,7 @@ import numpy as np
 
 from rhegma_tools.history import read_history
 from rhegma_tools.history_picture import draw_energies, draw_growth, draw_pressures, draw_release, draw_temperatures
-from rhegma_tools.history_picture import growth, pressures, references, temperatures
+from rhegma_tools.history_picture import ends, growth, pressures, references, temperatures
 from rhegma_tools.interpreter import Problem
 from rhegma_tools.style import plt, scale
 from rhegma_tools.summary import look_up, read_summary
@@ -135,6 +135,23 @@ class History(ToolTest):
             self.assertEqual(axes.get_ylabel(), words)
             self.assertAlmostEqual(axes.lines[0].get_ydata()[-1], drawn)
             plt.close(figure)
+
+    def test_marks_where_fronts_end(self):
+        """Of fronts that have run: one that ended and one that was halted, none that runs or has never set out."""
+        self.write("history.csv", "time,A.0.length,A.0.speed\n0,0.5,0\n1e-3,0.6,9\n")
+        cases = ((True, False, 4e-4), (False, True, 6e-4), (False, False, 9e-4), (True, False, None))
+        fronts = [{"ended": ended, "halted": halted, "last_advance": time} for ended, halted, time in cases]
+        summary = {"cracks": [{"name": "A", "fronts": fronts}]}
+        self.assertEqual(ends(summary), [("A", 0, 4e-4, "ended"), ("A", 1, 6e-4, "halted")])
+        self.assertEqual(ends(None), [])
+        history = read_history(self.folder)
+        figure, axes = plt.subplots()
+        draw_growth(axes, history, growth(history), 1e3 * history.time, summary, 1e3)
+        marks = [(line.get_label(), line.get_xdata()[0]) for line in axes.lines[1:]]
+        self.assertEqual([name for name, _ in marks], ["A, front 0 ended", "A, front 1 halted"])
+        for (_, place), time in zip(marks, (0.4, 0.6)):
+            self.assertAlmostEqual(place, time)
+        plt.close(figure)
 
 
 del ToolTest  # so that importing this module's names brings tests only
