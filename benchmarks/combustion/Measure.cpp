@@ -15,10 +15,27 @@ using List = Teuchos::ParameterList;
 /// Of a crack whose gas has none at first [Pa].
 constexpr double usualPressure = 1e6;
 
+/// Along each axis [m/s]: what faces get from some megapascals, p / (rho c), in a solid.
+constexpr double usualSpeed = 1.0;
+
 Teuchos::RCP<List> readHeld(const std::string& file)
 {
   const auto scene = readScene(file, "Combustion");
   scene->remove("Propagation", false);
+  return scene;
+}
+
+/// The same bodies on their way, so that particles lie anywhere in their cells; nothing acts on the cracks.
+Teuchos::RCP<List> inMotion(const std::string& file)
+{
+  const auto scene = readHeld(file);
+  scene->remove("Combustion");
+  const int dimension = scene->sublist("Domain").get<int>("Dimension", 2);
+  List& bodies = scene->sublist("Bodies");
+  for (const auto& entry : bodies)
+    if (!bodies.sublist(entry.first).isParameter("Velocity"))
+      bodies.sublist(entry.first)
+          .set("Velocity", Teuchos::Array<double>(static_cast<std::size_t>(dimension), usualSpeed));
   return scene;
 }
 
@@ -67,14 +84,16 @@ nlohmann::json measureCombustion(const std::string& sceneFile, const CombustionE
   without->remove("Combustion");
   std::vector<TimedRun> runs;
   runs.emplace_back("without combustion", without);
+  runs.emplace_back("in motion without", inMotion(sceneFile));
   runs.emplace_back("pressure without gas", withPressure(sceneFile));
   runs.emplace_back("gas of one pressure", withModel(sceneFile, "Uniform"));
   if (plane)
     runs.emplace_back("gas that flows", withModel(sceneFile, "Flow"));
   for (TimedRun& run : runs)
     run.advance(effort.warmUp);
-  const double span = runs.front().simulation->time() / effort.warmUp;
-  timeByTurns(runs, effort.rounds, effort.steps * span);
+  for (int round = 0; round < effort.rounds; ++round)
+    for (TimedRun& run : runs)
+      run.timeWhole(effort.steps);
   return besideFirst(runs, effort.steps);
 }
 

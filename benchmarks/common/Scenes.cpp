@@ -46,8 +46,11 @@ double processorRatio(const TimedRun& run, const TimedRun& first)
 {
   std::vector<double> ratios;
   for (std::size_t k = 0; k < run.batches.size(); ++k)
-    if (first.batches[k].processorSeconds > 0.0)
-      ratios.push_back(run.batches[k].processorSeconds / first.batches[k].processorSeconds);
+  {
+    const Batch &mine = run.batches[k], &other = first.batches[k];
+    if (other.processorSeconds > 0.0)
+      ratios.push_back(mine.processorSeconds / other.processorSeconds * (other.simulated / mine.simulated));
+  }
   if (ratios.empty())
     return std::numeric_limits<double>::quiet_NaN();
   const auto middle = ratios.begin() + ratios.size() / 2;
@@ -60,6 +63,9 @@ double processorRatio(const TimedRun& run, const TimedRun& first)
 nlohmann::json besideFirst(const std::vector<TimedRun>& runs, int steps)
 {
   const TimedRun& first = runs.front();
+  const auto perTime = [](const TimedRun& run)
+  { return run.best([](const Batch& batch) { return batch.seconds / batch.simulated; }); };
+  const double span = first.batches.front().simulated / steps;
   const auto perStep = [](const TimedRun& run)
   { return run.best([](const Batch& batch) { return batch.seconds / batch.steps; }); };
   nlohmann::json all;
@@ -67,8 +73,8 @@ nlohmann::json besideFirst(const std::vector<TimedRun>& runs, int steps)
   all["threads"] = Kokkos::DefaultExecutionSpace().concurrency();
   for (const TimedRun& run : runs)
     all["runs"].push_back({{"name", run.name},
-                           {"us", 1e6 * leastSeconds(run) / steps},
-                           {"ratio", leastSeconds(run) / leastSeconds(first)},
+                           {"us", 1e6 * perTime(run) * span},
+                           {"ratio", perTime(run) / perTime(first)},
                            {"ratio_of_steps", perStep(run) / perStep(first)},
                            {"ratio_of_processor", processorRatio(run, first)}});
   return all;

@@ -23,11 +23,11 @@ TimedRun sampledRun(const std::string& name, const Teuchos::RCP<Teuchos::Paramet
 /// The least wall time of a batch [s].
 double leastSeconds(const TimedRun& run);
 
-/// {particles, threads, runs} of runs that were timed in batches of the same simulated time, that of `steps`
-/// steps of the first: name, us (wall time for what a step of the first simulates), ratio to the first of
-/// that, and ratio_of_steps, that of step to step, each of the least of all batches; ratio_of_processor, the
-/// median over the rounds of the ratio of the times that processors worked for both, which others who use the
-/// machine disturb less.
+/// {particles, threads, runs} of runs that were timed in batches, those of the first of `steps` steps: name,
+/// us (wall time for what a step of the first simulates), ratio to the first of that, and ratio_of_steps,
+/// that of step to step, each of the least of all batches; ratio_of_processor, the median over the rounds of
+/// the ratio of the times that processors worked on both for the same simulated time, which others who use
+/// the machine disturb less.
 nlohmann::json besideFirst(const std::vector<TimedRun>& runs, int steps);
 
 } // namespace Rhegma::benchmarks

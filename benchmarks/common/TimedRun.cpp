@@ -29,15 +29,21 @@ void TimedRun::time(int steps) { timeUntil(simulation->time() + lasting(steps));
 
 void TimedRun::time(double simulated) { timeUntil(simulation->time() + simulated); }
 
+void TimedRun::timeWhole(int steps)
+{
+  timeUntil(simulation->time() + (steps - 0.5) * simulation->stableTimeStep());
+}
+
 void TimedRun::timeUntil(double end)
 {
+  const double begin = simulation->time();
   const auto steps = static_cast<double>(simulation->steps());
   const double particleSteps = simulation->particleSteps();
   const std::clock_t clock = std::clock();
   const Kokkos::Timer timer;
   simulation->advance(end);
   batches.push_back({timer.seconds(), static_cast<double>(std::clock() - clock) / CLOCKS_PER_SEC,
-                     static_cast<double>(simulation->steps()) - steps,
+                     simulation->time() - begin, static_cast<double>(simulation->steps()) - steps,
                      simulation->particleSteps() - particleSteps});
 }
 

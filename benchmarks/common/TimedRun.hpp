@@ -17,6 +17,7 @@ struct Batch
 {
   double seconds;
   double processorSeconds; ///< that the processors worked for this process, all threads together
+  double simulated;        ///< time of the run that it covers [s]
   double steps;
   double particleSteps; ///< short steps of small cells counted too
 };
@@ -38,6 +39,9 @@ struct TimedRun
   /// Goes on and is timed. \param simulated time of the run [s]
   void time(int steps);
   void time(double simulated);
+  /// The same for just so many steps: a time whose end lies within the last of them is reached by two shorter
+  /// ones, where an end that a step misses by little asks for one step more.
+  void timeWhole(int steps);
 
   /// The least of value(batch).
   template <class Value>

@@ -44,8 +44,7 @@ void prepareFaces(const State<D>& state, const Work<D>& work, const Burning<D>& 
     return prepareFlow(state, work.points, b, work.fire.lit(), most, work.depth, work.heating);
   const double middle = std::max(b.pressure + 0.5 * state.dt * b.slope, 0.0);
   const double depth = std::min(b.density * b.rate(middle) * state.dt, most);
-  const FacePoints<D> p = work.points;
-  const View<int*> lit = work.fire.lit();
+  const View<int*> of = work.points.crack, lit = work.fire.lit();
   const View<double*> depths = work.depth;
   const FaceHeating heating = work.heating;
   const int crack = b.crack;
@@ -56,9 +55,9 @@ void prepareFaces(const State<D>& state, const Work<D>& work, const Burning<D>& 
   const double conductance = exchange > 0.0 ? -std::expm1(-exchange) * capacity / b.faces : 0.0;
   const double temperature = b.gas.temperature();
   Kokkos::parallel_for(
-      "rhegma::combustion::prepareFaces", Kokkos::RangePolicy<ExecSpace>(0, p.count()),
+      "rhegma::combustion::prepareFaces", Kokkos::RangePolicy<ExecSpace>(0, work.points.count()),
       KOKKOS_LAMBDA(const int k) {
-        if (p.crack(k) != crack)
+        if (of(k) != crack)
           return;
         depths(k) = burns && lit(k) != 0 ? depth : 0.0;
         heating.given(k) = 0.0;
@@ -71,15 +70,15 @@ void prepareFaces(const State<D>& state, const Work<D>& work, const Burning<D>& 
 template <int D>
 double massAsked(const State<D>& state, const Work<D>& work, int crack)
 {
-  const FacePoints<D> p = work.points;
-  const View<double*> depths = work.depth;
+  const View<int*> of = work.points.crack, acts = work.points.acts;
+  const View<double*> depths = work.depth, size = work.points.currentSize;
   const double thickness = state.thickness;
   double mass = 0.0;
   Kokkos::parallel_reduce(
-      "rhegma::combustion::massAsked", Kokkos::RangePolicy<ExecSpace>(0, p.count()),
+      "rhegma::combustion::massAsked", Kokkos::RangePolicy<ExecSpace>(0, work.points.count()),
       KOKKOS_LAMBDA(const int k, double& sum) {
-        if (p.crack(k) == crack && p.acts(k) != 0)
-          sum += 2.0 * depths(k) * p.currentSize(k) * thickness;
+        if (of(k) == crack && acts(k) != 0)
+          sum += 2.0 * depths(k) * size(k) * thickness;
       },
       mass);
   return mass;

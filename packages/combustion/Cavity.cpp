@@ -83,19 +83,20 @@ std::array<double, 2> endAreas(const State<D>& state, int crack, int beyond,
 template <int D>
 Cavity measureCavity(const State<D>& state, const FacePoints<D>& points, int crack, const View<int*>& lit)
 {
-  const FacePoints<D> p = points;
+  const View<int*> of = points.crack, acts = points.acts;
+  const View<double*> size = points.currentSize, separation = points.separation;
   const double thickness = state.thickness;
   Cavity cavity;
   Kokkos::parallel_reduce(
       "rhegma::combustion::measureCavity", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
       KOKKOS_LAMBDA(const int k, double& area, double& burning, double& felt, double& widest) {
-        if (p.crack(k) != crack)
+        if (of(k) != crack)
           return;
-        const double own = p.currentSize(k) * thickness;
+        const double own = size(k) * thickness;
         area += own;
-        felt += p.acts(k) != 0 ? own : 0.0;
-        burning += p.acts(k) != 0 && lit(k) != 0 ? 2.0 * own : 0.0;
-        widest = p.separation(k) > widest ? p.separation(k) : widest;
+        felt += acts(k) != 0 ? own : 0.0;
+        burning += acts(k) != 0 && lit(k) != 0 ? 2.0 * own : 0.0;
+        widest = separation(k) > widest ? separation(k) : widest;
       },
       cavity.area, cavity.burning, cavity.felt, Kokkos::Max<double>(cavity.widest));
   return cavity;

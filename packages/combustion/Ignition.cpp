@@ -24,7 +24,8 @@ void Fire<D>::spread(const State<D>& state, const FacePoints<D>& points, int cra
 {
   if (state.time < ignition.time)
     return;
-  const FacePoints<D> p = points;
+  const View<int*> of = points.crack;
+  const View<double* [D]> position = points.position;
   const Ignition<D> what = ignition;
   const View<int*> lit = lit_;
   const double radius = ignition.flameSpeed * (state.time - ignition.time);
@@ -32,11 +33,11 @@ void Fire<D>::spread(const State<D>& state, const FacePoints<D>& points, int cra
   Kokkos::parallel_for(
       "rhegma::combustion::spread", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
       KOKKOS_LAMBDA(const int k) {
-        if (p.crack(k) != crack || lit(k) != 0)
+        if (of(k) != crack || lit(k) != 0)
           return;
         Vector<D> place;
         for (int d = 0; d < D; ++d)
-          place[d] = p.position(k, d);
+          place[d] = position(k, d);
         const bool reached = what.everywhere || (what.inBox && what.distance(place) <= radius);
         const bool heated =
             hot && (temperature(k, 0) >= what.temperature || temperature(k, 1) >= what.temperature);

@@ -22,13 +22,17 @@ double Regression<D>::take(const State<D>& state, const FacePoints<D>& points, i
     loss_ = View<double*>("rhegma::combustion::loss", rows + rows / 4);
     giver_ = View<int*>("rhegma::combustion::giver", rows + rows / 4);
   }
-  clear(state);
+  if (state.ranks.many()) // others' shares may lie on nodes that nothing here touches
+    clear(state);
   demand(state, points, crack, depth);
   sumOverRanks(state, demand_.data(), 1, 0, 1);
   findGivers(state);
   weighNodes(state);
   sumOverRanks(state, present_.data(), 1, 0, 1);
-  return share(state);
+  const double given = share(state);
+  if (!state.ranks.many())
+    clearTouched(state, points);
+  return given;
 }
 
 template <int D>
@@ -42,21 +46,41 @@ void Regression<D>::clear(const State<D>& state)
 }
 
 template <int D>
+void Regression<D>::clearTouched(const State<D>& state, const FacePoints<D>& points)
+{
+  const View<double*> demand = demand_, present = present_;
+  const StencilTable<D> table = state.stored, above = points.above, below = points.below;
+  const View<int*> giver = giver_;
+  const int givers = givers_;
+  forEachPushing(
+      "rhegma::combustion::clearTouched", givers + points.count(), KOKKOS_LAMBDA(const int i) {
+        for (int k = i - givers, e = 0; k >= 0 && e < above.count(k); ++e)
+          demand(above.node(k, e)) = 0.0;
+        for (int k = i - givers, e = 0; k >= 0 && e < below.count(k); ++e)
+          demand(below.node(k, e)) = 0.0;
+        for (int e = 0; i < givers && e < table.count(giver(i)); ++e)
+          present(table.node(giver(i), e)) = 0.0;
+      });
+}
+
+template <int D>
 void Regression<D>::demand(const State<D>& state, const FacePoints<D>& points, int crack,
                            const View<double*>& depth)
 {
-  const FacePoints<D> p = points;
+  const View<int*> of = points.crack;
+  const View<double*> size = points.currentSize;
+  const StencilTable<D> above = points.above, below = points.below;
   const View<double*> demand = demand_;
   const double thickness = state.thickness;
   forEachPushing(
       "rhegma::combustion::demand", points.count(), KOKKOS_LAMBDA(const int k) {
-        if (p.crack(k) != crack || !(depth(k) > 0.0))
+        if (of(k) != crack || !(depth(k) > 0.0))
           return;
-        const double mass = depth(k) * p.currentSize(k) * thickness;
-        for (int e = 0; e < p.above.count(k); ++e)
-          Kokkos::atomic_add(&demand(p.above.node(k, e)), mass * p.above.weight(k, e));
-        for (int e = 0; e < p.below.count(k); ++e)
-          Kokkos::atomic_add(&demand(p.below.node(k, e)), mass * p.below.weight(k, e));
+        const double mass = depth(k) * size(k) * thickness;
+        for (int e = 0; e < above.count(k); ++e)
+          Kokkos::atomic_add(&demand(above.node(k, e)), mass * above.weight(k, e));
+        for (int e = 0; e < below.count(k); ++e)
+          Kokkos::atomic_add(&demand(below.node(k, e)), mass * below.weight(k, e));
       });
 }
 

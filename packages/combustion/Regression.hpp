@@ -45,14 +45,15 @@ public:
 
   // Public because compilers for devices want kernels in public functions.
   void clear(const State<D>& state);
+  void clearTouched(const State<D>& state, const FacePoints<D>& points);
   void demand(const State<D>& state, const FacePoints<D>& points, int crack, const View<double*>& depth);
   void findGivers(const State<D>& state);
   void weighNodes(const State<D>& state);
   double share(const State<D>& state);
 
 private:
-  View<double*> demand_;  ///< of each node [kg]
-  View<double*> present_; ///< mass that givers give each node of which something is asked [kg]
+  View<double*> demand_;  ///< of each node [kg]; on one rank zero between calls
+  View<double*> present_; ///< mass that givers give each node of which something is asked [kg]; likewise
   View<int*> giver_;      ///< rows of the stored stencils that touch such a node
   int givers_ = 0;        ///< how many of them
   View<double*> loss_;    ///< of each giver, as a share of its mass

@@ -9,16 +9,34 @@ namespace Rhegma
 namespace
 {
 
-/// Force on the face of side +1 at point k [N].
+/// What pushing needs of face points: a kernel over a few points takes longer to copy all of their views than
+/// to run.
 template <int D>
-KOKKOS_INLINE_FUNCTION Vector<D> faceForce(const FacePoints<D>& points, int k, double pressure,
-                                           double thickness)
+struct Pushed
 {
-  Vector<D> force;
-  for (int d = 0; d < D; ++d)
-    force[d] = pressure * points.currentSize(k) * thickness * points.normal(k, d);
-  return force;
-}
+  View<int*> crack;
+  View<double*> currentSize;
+  View<double* [D]> normal;
+  StencilTable<D> below, above;
+
+  explicit Pushed(const FacePoints<D>& points)
+      : crack(points.crack),
+        currentSize(points.currentSize),
+        normal(points.normal),
+        below(points.below),
+        above(points.above)
+  {
+  }
+
+  /// Force on the face of side +1 at point k [N].
+  KOKKOS_INLINE_FUNCTION Vector<D> force(int k, double pressure, double thickness) const
+  {
+    Vector<D> force;
+    for (int d = 0; d < D; ++d)
+      force[d] = pressure * currentSize(k) * thickness * normal(k, d);
+    return force;
+  }
+};
 
 } // namespace
 
@@ -36,14 +54,14 @@ template <int D, class Pressure>
 void push(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
           const Pressure& pressure)
 {
-  const FacePoints<D> p = points;
+  const Pushed<D> p(points);
   const Nodes<D> nodes = state.nodes;
   const double thickness = state.thickness;
   forEachPushing(
       label, points.count(), KOKKOS_LAMBDA(const int k) {
         if (p.crack(k) != crack)
           return;
-        const Vector<D> force = faceForce(p, k, pressure(k), thickness);
+        const Vector<D> force = p.force(k, pressure(k), thickness);
         addFaceForce(nodes, p.above, k, force);
         addFaceForce(nodes, p.below, k, -1.0 * force);
       });
@@ -76,13 +94,13 @@ template <int D>
 void sweptVolumes(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
                   const View<double*>& swept)
 {
-  const FacePoints<D> p = points;
+  const Pushed<D> p(points);
   const WayVelocity<D> way(state);
   const double thickness = state.thickness, dt = state.dt;
   Kokkos::parallel_for(
       label, Kokkos::RangePolicy<ExecSpace>(0, points.count()), KOKKOS_LAMBDA(const int k) {
         if (p.crack(k) == crack)
-          swept(k) = dt * dot(faceForce(p, k, 1.0, thickness), jumpAt<D>(p.below, p.above, k, way));
+          swept(k) = dt * dot(p.force(k, 1.0, thickness), jumpAt<D>(p.below, p.above, k, way));
       });
 }
 
@@ -93,7 +111,7 @@ template <int D, class Pressure>
 double work(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
             const Pressure& pressure)
 {
-  const FacePoints<D> p = points;
+  const Pushed<D> p(points);
   const WorkVelocity<D> velocity(state);
   const double thickness = state.thickness, dt = state.dt;
   double all = 0.0;
@@ -101,7 +119,7 @@ double work(const char* label, const State<D>& state, const FacePoints<D>& point
       label, Kokkos::RangePolicy<ExecSpace>(0, points.count()),
       KOKKOS_LAMBDA(const int k, double& sum) {
         if (p.crack(k) == crack)
-          sum += dt * dot(faceForce(p, k, pressure(k), thickness), jumpAt<D>(p.below, p.above, k, velocity));
+          sum += dt * dot(p.force(k, pressure(k), thickness), jumpAt<D>(p.below, p.above, k, velocity));
       },
       all);
   return all;
@@ -139,13 +157,12 @@ void publishPressure(const char* label, CrackSet<D>& cracks, const FacePoints<D>
                      const View<double*>& pressure)
 {
   publishPressure(label, cracks, crack, 0.0);
-  const FacePoints<D> p = points;
-  const View<int*>& simplex = points.simplex();
+  const View<int*>&simplex = points.simplex(), &crackOf = points.crack;
   const View<double*>& share = points.share();
   const View<double*> of = cracks.pressure;
   forEachPushing(
       label, points.count(), KOKKOS_LAMBDA(const int k) {
-        if (p.crack(k) == crack)
+        if (crackOf(k) == crack)
           Kokkos::atomic_add(&of(simplex(k)), share(k) * pressure(k));
       });
 }
