@@ -105,7 +105,7 @@ TEST(MovingSupports, LeaveNoBooksOpenWhereTheirNodesAreDamped)
 
 /// Where every node is held it is no matter what mass it has, in either half of a step. Particles' velocities
 /// differ, and by them steps, to the order of the velocity over that of waves; so it is small, and what is
-/// left is rounding of 1, once a step.
+/// left is rounding of 1 in both runs, twice a step.
 TEST(MovingSupports, StrainAlikeWhateverTheMass)
 {
   const int steps = 20;
@@ -132,7 +132,7 @@ TEST(MovingSupports, StrainAlikeWhateverTheMass)
     double most = 0.0;
     for (std::size_t k = 0; k < strained[0].size(); ++k)
       most = std::max(most, std::fabs(strained[1][k] - strained[0][k]));
-    EXPECT_LT(most, steps * 2.3e-16) << scheme;
+    EXPECT_LT(most, 4 * steps * 1.1e-16) << scheme;
   }
 }
 
