@@ -2,6 +2,7 @@
 
 #include "energy_release/ConfigurationalForces.hpp"
 #include "energy_release/FacePressureInSpace.hpp"
+#include "geometry/Cross.hpp"
 #include "parallel/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/Stencils.hpp"
@@ -121,7 +122,7 @@ void addWidths(const State<D>& state, const FrontLine& line, const FrontSight& s
 {
   struct Part
   {
-    Vector<D> place, direction;
+    Vector<D> place, across;
     double length;
   };
   std::vector<Part> parts;
@@ -129,13 +130,15 @@ void addWidths(const State<D>& state, const FrontLine& line, const FrontSight& s
   {
     const FrontStation<D>&a = line.stations[piece.from], &b = line.stations[piece.to];
     const Vector<D> along = b.position - a.position;
+    // What sweeps an area is the advance across the piece, which may lean against its stations' directions.
+    const Vector<D> swept = cross(along, a.normal + b.normal);
+    const Vector<D> across = (dot(swept, a.direction + b.direction) < 0.0 ? -1.0 : 1.0) / norm(swept) * swept;
     const int count =
         std::max(1, static_cast<int>(std::ceil(partsOfCell * piece.length / spacingAt(state, a.position))));
     for (int i = 0; i < count; ++i)
     {
       const double at = (i + 0.5) / count;
-      const Vector<D> e = (1.0 - at) * a.direction + at * b.direction;
-      parts.push_back({a.position + at * along, (1.0 / norm(e)) * e, piece.length / count});
+      parts.push_back({a.position + at * along, across, piece.length / count});
     }
   }
   ObservedPoints<D> points;
@@ -162,7 +165,7 @@ void addWidths(const State<D>& state, const FrontLine& line, const FrontSight& s
       if (own < 0)
         continue;
       const TubeNode& n = tubeNodes.nodes[own];
-      const double share = parts[k].length * weight(k, i) * n.ramp * dot(n.direction, parts[k].direction);
+      const double share = parts[k].length * weight(k, i) * n.ramp * dot(n.direction, parts[k].across);
       for (std::size_t s = 0; s < width.size(); ++s)
         width[s] += share * hatOf(sight, n.line, n.arc, static_cast<int>(s), tube.halfWidth);
     }

@@ -48,6 +48,7 @@ FrontSight::FrontSight(const FrontLine& front, double extension)
       arc("rhegma::frontArc", front.stations.size()),
       loop("rhegma::frontLoop", front.loop.size()),
       open("rhegma::frontOpen", front.open.size()),
+      ends("rhegma::frontEnds", front.open.size()),
       line("rhegma::frontLine", front.stations.size()),
       piece("rhegma::frontPiece", front.pieces.size()),
       pieceLength("rhegma::frontPieceLength", front.pieces.size()),
@@ -58,6 +59,7 @@ FrontSight::FrontSight(const FrontLine& front, double extension)
   const auto arcs = Kokkos::create_mirror_view(arc), loops = Kokkos::create_mirror_view(loop),
              opens = Kokkos::create_mirror_view(open), lengths = Kokkos::create_mirror_view(pieceLength);
   const auto lines = Kokkos::create_mirror_view(line);
+  const auto lineEnds = Kokkos::create_mirror_view(ends);
   const auto pieces = Kokkos::create_mirror_view(piece);
   for (std::size_t k = 0; k < front.stations.size(); ++k)
   {
@@ -70,6 +72,9 @@ FrontSight::FrontSight(const FrontLine& front, double extension)
     }
     arcs(k) = front.arc[k];
     lines(k) = front.line[k];
+    if (k == 0 || front.line[k] != front.line[k - 1])
+      lineEnds(front.line[k], 0) = static_cast<int>(k);
+    lineEnds(front.line[k], 1) = static_cast<int>(k);
   }
   for (std::size_t k = 0; k < front.loop.size(); ++k)
   {
@@ -91,6 +96,7 @@ FrontSight::FrontSight(const FrontLine& front, double extension)
   Kokkos::deep_copy(arc, arcs);
   Kokkos::deep_copy(loop, loops);
   Kokkos::deep_copy(open, opens);
+  Kokkos::deep_copy(ends, lineEnds);
   Kokkos::deep_copy(line, lines);
   Kokkos::deep_copy(piece, pieces);
   Kokkos::deep_copy(pieceLength, lengths);

@@ -48,6 +48,7 @@ struct FrontSight
 {
   View<double*[3]> place, direction, normal; ///< of stations
   View<double*> arc, loop, open;
+  View<int* [2]> ends; ///< of each line: its first and last station
   View<int*> line;
   View<int* [4]> piece; ///< as FrontPiece
   View<double*> pieceLength;
@@ -84,6 +85,8 @@ struct FrontSight
     }
     const double all = open(foot.line), rest = all - foot.arc;
     foot.inside = all > 0.0 ? (rest < foot.arc ? rest : foot.arc) : 1e300;
+    if (all > 0.0)
+      alongSurface(x, rest < foot.arc ? 1 : 0, foot);
     return foot;
   }
 
@@ -121,6 +124,22 @@ private:
     foot.direction = mean(direction, a, b, share);
     foot.normal = mean(normal, a, b, share);
     return foot;
+  }
+
+  /// At the surface where a line ends its direction is that of its end, within the last piece between that
+  /// and what it is by the nearest point. A virtual advance must not cross a surface, whose part of the
+  /// integral by parts is left out; behind a last piece that leans it would, by the directions further in.
+  KOKKOS_INLINE_FUNCTION void alongSurface(const Vector<3>& x, int last, FrontFoot& foot) const
+  {
+    const int end = ends(foot.line, last), inner = last != 0 ? end - 1 : end + 1;
+    const Vector<3> way = at(direction, end), n = at(normal, end), along = at(place, inner) - at(place, end);
+    const Vector<3> in = along - dot(along, way) * way - dot(along, n) * n;
+    const double depth = dot(x - at(place, end), in) / dot(in, in);
+    if (!(depth < 1.0)) // a piece along the mouth has no depth
+      return;
+    const double share = depth > 0.0 ? depth : 0.0;
+    const Vector<3> mean = (1.0 - share) * way + share * foot.direction;
+    foot.direction = (1.0 / norm(mean)) * mean;
   }
 
   KOKKOS_INLINE_FUNCTION FrontFoot middle(FrontFoot one, const FrontFoot& other) const

@@ -4,6 +4,7 @@
 #include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 
 namespace Rhegma::energy_release
@@ -86,8 +87,45 @@ constexpr double curvatureFrom = 1.5, curvatureFully = 3.0;
 
 } // namespace
 
+namespace
+{
+
+/// Directions of the stations, each the mean over two stations on both sides by weights that fall linearly:
+/// what a station alone is ahead or behind turns its neighbours, and a turn over cells is curvature, one over
+/// a station none. Those of a circle stay what they are.
+std::vector<Vector<3>> meanDirections(const FrontLine& line)
+{
+  constexpr int reach = 2;
+  const int count = static_cast<int>(line.stations.size());
+  std::vector<Vector<3>> mean(count);
+  for (int k = 0; k < count; ++k)
+  {
+    const bool closed = line.loop[line.line[k]] > 0.0;
+    int first = k, last = k; // of its line
+    while (first > 0 && line.line[first - 1] == line.line[k])
+      --first;
+    while (last + 1 < count && line.line[last + 1] == line.line[k])
+      ++last;
+    const int size = last - first + 1;
+    // As many on one side as on the other, so that an arc is not turned.
+    const int most = closed ? reach : std::min({reach, k - first, last - k});
+    Vector<3> sum{{0.0, 0.0, 0.0}};
+    for (int j = -most; j <= most; ++j)
+    {
+      const int other = first + ((k - first + j) % size + size) % size;
+      sum = sum + double(reach + 1 - std::abs(j)) * line.stations[other].direction;
+    }
+    const double length = norm(sum);
+    mean[k] = length > 0.0 ? (1.0 / length) * sum : line.stations[k].direction;
+  }
+  return mean;
+}
+
+} // namespace
+
 double radiusOfCurvature(const FrontLine& line, double cell)
 {
+  const std::vector<Vector<3>> direction = meanDirections(line);
   std::vector<char> atSurface(line.stations.size(), 0);
   for (const FrontPiece& piece : line.pieces)
   {
@@ -101,7 +139,7 @@ double radiusOfCurvature(const FrontLine& line, double cell)
       if (atSurface[s] || atSurface[t])
         continue;
       const Vector<3> chord = line.stations[t].position - line.stations[s].position;
-      const double length = norm(chord), sagitta = std::fabs(dot(chord, line.stations[s].direction));
+      const double length = norm(chord), sagitta = std::fabs(dot(chord, direction[s]));
       const double says = (length / cell - curvatureFrom) / (curvatureFully - curvatureFrom);
       if (says > 0.0)
         largest = std::max(largest, std::min(says, 1.0) * 2.0 * sagitta / (length * length));

@@ -6,6 +6,8 @@
 #include "energy_release/FrontOpening.hpp"
 #include "material/Materials.hpp"
 
+#include <iostream>
+
 using namespace Rhegma;
 using namespace Rhegma::cracks::test;
 using namespace Rhegma::energy_release;
@@ -164,6 +166,39 @@ TEST(FrontsInSpace, FindTheReleaseOfAllModes)
   EXPECT_EQ(inside, 1);
 }
 
+/// The station at the surface lies a quarter of a cell behind, so that its piece leans by atan(1/4) and the
+/// next station points half of that across the surface: the shift along the crack must not. That the front is
+/// not quite where it is thought to be moves feet on it by up to 0.25 sin(atan(1/4)) = 0.06 of a cell, where
+/// the hat of the station is one cell wide in the mean. A shift through the surface makes 0.1 of J.
+TEST(FrontsInSpace, ShiftNothingThroughTheSurfaceBehindAPieceThatLeans)
+{
+  const auto run = straightFront();
+  State<3>& state = run->state();
+  const Intensities K{1.0, 0.0, 0.0};
+  const CrackFront<3> front = state.cracks.fronts.at(0);
+  deform(state, [&](const Vector<3>& x, int side) { return tipField(K, front, x, side); });
+  CrackFront<3> leaning = front;
+  std::vector<FrontStation<3>>& s = leaning.stations;
+  s[0].position = s[0].position - 0.25 * cell * s[0].direction;
+  const Vector<3> lean = s[1].position - s[0].position, along = s[2].position - s[1].position;
+  ASSERT_NEAR(dot(along, front.direction), 0.0, 1e-9 * cell);
+  // Across both pieces by their lengths.
+  const Vector<3> mean = (norm(along) + dot(lean, along) / norm(along)) * front.direction -
+                         (dot(lean, front.direction) / norm(along)) * along;
+  s[1].direction = (1.0 / norm(mean)) * mean;
+  const FrontLine line = lineOf(leaning);
+  const FrontSight sight(line, 8.0 * cell);
+  for (const double behind : {0.5, 1.0, 2.5})
+  {
+    const Vector<3> x = s[0].position - behind * cell * s[0].direction + 0.3 * cell * s[0].normal;
+    EXPECT_NEAR(dot(sight.look(x).direction, s[0].direction), 1.0, 1e-12) << behind;
+  }
+  const double J = integrateWithAcceleration(state, line, tube, noAcceleration(state)).front();
+  std::cout << "J at the end of a front whose last piece leans, over the exact one: " << J / exactRelease(K)
+            << "\n";
+  EXPECT_NEAR(J, exactRelease(K), 0.25 * std::sin(std::atan(0.25)) * exactRelease(K));
+}
+
 /// What a pressure releases where the faces open as Williams has it: int p [u_n] dr over the ramp, as q falls
 /// there. The cells cut the ramp's corners by a quarter of their edge times its slope, within which the
 /// opening changes by its slope: h^2 / (8 r) of it over a ramp as long as r, at both corners at most.
@@ -291,6 +326,14 @@ TEST(FrontsInSpace, KnowHowMuchTheyAreCurved)
   ASSERT_EQ(line.loop.size(), 1u);
   EXPECT_NEAR(line.loop[0], 32 * 2.0 * radius * std::sin(pi / 32), 1e-12);
   EXPECT_NEAR(radiusOfCurvature(line, cell), radius, 1e-9);
+  // A station that points 15 degrees aside, as beside one that lies behind, hardly is curvature: a third of
+  // its turn counts, which over 3 cells or more has the sagitta of a circle of 3 / (2 sin(5 degrees)) = 17.2
+  // cells, where the station alone has that of one of 5.8 cells.
+  FrontLine aside = line;
+  Vector<3>& way = aside.stations[10].direction;
+  const Vector<3> other{-way[1], way[0], 0.0};
+  way = std::cos(pi / 12.0) * way + std::sin(pi / 12.0) * other;
+  EXPECT_GT(radiusOfCurvature(aside, cell), 1.0 / (1.0 / radius + 1.0 / (17.2 * cell)));
   // Room up to the surface: the nodes on it are less than half covered.
   EXPECT_GT(roomAround(penny->state(), penny->state().cracks.fronts.at(0), line, 6e-3), 2.2e-3);
   EXPECT_LE(roomAround(penny->state(), penny->state().cracks.fronts.at(0), line, 6e-3), 3.2e-3);
