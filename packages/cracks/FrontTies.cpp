@@ -203,6 +203,8 @@ void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
   state.energy.fracture += converted;
   if (!grows)
     return;
+  if constexpr (D == 3)
+    giveBack(state, surroundings);
   sumParts(state, &converted, 1);
   if (!(converted > 0.0))
     return;

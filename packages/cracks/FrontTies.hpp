@@ -86,6 +86,9 @@ public:
 private:
   void readMaterials(const State<D>& state);
   void placeFronts(const State<D>& state);
+  /// Gives what nodes would yet take back to their fronts, for the nodes that come next, if these nodes are
+  /// whole again: a front in 3D that evens out may draw back by a part of a cell. Collective.
+  void giveBack(State<D>& state, const Surroundings& surroundings) const;
   /// Deducts from the new faces of each front what its nodes took beyond their energy. \param torn that of
   /// each front on this rank [J]
   void deduct(State<D>& state, std::vector<double> torn);
