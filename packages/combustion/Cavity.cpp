@@ -14,9 +14,6 @@ namespace Rhegma::combustion
 namespace
 {
 
-/// Vertices this share of a cell from a mirror plane lie on it.
-constexpr double onPlane = 0.05;
-
 /// Calls mouth(vertices of the facet) for each facet of the crack beyond which there is the surface of the
 /// body (facet::mouth) or another crack (facet::joined).
 template <int D, class Mouth>
@@ -43,7 +40,7 @@ void forEachMouth(const State<D>& state, int crack, int beyond, const std::vecto
                         return std::all_of(std::begin(corner), std::end(corner),
                                            [&](int v) {
                                              return std::fabs(vertex(v, plane.axis) - plane.position) <
-                                                    onPlane * state.smallestSpacing();
+                                                    onMirrorPlane * state.smallestSpacing();
                                            });
                       });
       if (!mirrored)
@@ -127,21 +124,6 @@ bool hasMouth(const State<D>& state, int crack, const std::vector<MirrorPlane>& 
   bool any = false;
   forEachMouth(state, crack, facet::mouth, mirrors, [&](const int(&)[D - 1]) { any = true; });
   return any;
-}
-
-std::vector<MirrorPlane> mirrorPlanes(const Teuchos::ParameterList& scene)
-{
-  std::vector<MirrorPlane> planes;
-  if (!scene.isSublist("Boundaries"))
-    return planes;
-  const Teuchos::ParameterList& all = scene.sublist("Boundaries");
-  for (const std::string& name : sublistNames(all))
-  {
-    const Teuchos::ParameterList& one = all.sublist(name);
-    if (one.get<std::string>("Type") == "Symmetry")
-      planes.push_back({one.get<std::string>("Axis")[0] - 'x', one.get<double>("Position")});
-  }
-  return planes;
 }
 
 template <int D>

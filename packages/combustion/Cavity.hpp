@@ -1,9 +1,8 @@
 #pragma once
 /// The room between the faces of a crack, and which of them burn.
 
+#include "boundary/MirrorPlanes.hpp"
 #include "transfer/FacePoints.hpp"
-
-#include <Teuchos_ParameterList.hpp>
 
 #include <array>
 #include <vector>
@@ -23,16 +22,6 @@ struct Cavity
 /// All ranks have all points and find the same. \param lit not 0 where a point burns
 template <int D>
 Cavity measureCavity(const State<D>& state, const FacePoints<D>& points, int crack, const View<int*>& lit);
-
-/// A plane at which the scene is its own mirror image: a crack that ends there goes on beyond it.
-struct MirrorPlane
-{
-  int axis = 0;
-  double position = 0.0; ///< [m]
-};
-
-/// Those of a scene.
-std::vector<MirrorPlane> mirrorPlanes(const Teuchos::ParameterList& scene);
 
 /// Area through which a crack opens at the surface of the body [m2]: the opening at its mouths, those on
 /// mirror planes left out.

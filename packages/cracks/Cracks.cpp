@@ -229,7 +229,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       editStencils(s, formulation, *ghosts, points, table);
     };
   };
-  const auto surface = std::make_shared<SurfaceGrowth>();
+  const auto surface = std::make_shared<SurfaceGrowth>(mirrorPlanes(scene));
   ties->follow(surface);
   effect.memory = [=](State<D>& state, Archive& archive)
   {

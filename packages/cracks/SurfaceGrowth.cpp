@@ -3,6 +3,7 @@
 #include "cracks/CrackFrames.hpp"
 #include "cracks/CrackGeometry.hpp"
 #include "cracks/FacesAhead.hpp"
+#include "cracks/FrontSmoothing.hpp"
 #include "cracks/Layout.hpp"
 #include "cracks/RoomAhead.hpp"
 #include "geometry/Cross.hpp"
@@ -23,8 +24,6 @@ namespace
 constexpr double leastLigament = 0.5; ///< a station that has less ahead of it runs on to the surface
 constexpr double longestPiece = 1.5, shortestPiece = 0.5;
 constexpr double rowHeight = 1.0;
-/// Share of a ripple that a step takes away.
-constexpr double smoothing = 0.25;
 /// Most that a point moves along its front, in parts of its advance: less than a turn that begins a row.
 constexpr double sideways = 0.15;
 constexpr double turned = 1.0 - 1e-6; ///< cosine of a turn that is none
@@ -37,49 +36,6 @@ std::string nameOf(const State<3>& state, const CrackFront<3>& front)
 std::string inWords(const Vector<3>& x)
 {
   return formatReal(x[0]) + ", " + formatReal(x[1]) + ", " + formatReal(x[2]) + " m";
-}
-
-/// How far a point of a front lies ahead of its neighbours' middle, by its own direction [m]; 0 at an end.
-double bulge(const GrowingSurface& surface, const FrontLines& lines, std::size_t k)
-{
-  const int last = before(lines, k);
-  if (last < 0 || !lines[k].joined)
-    return 0.0;
-  const Vector<3>&a = surface.vertices[lines[last].vertex], &x = surface.vertices[lines[k].vertex],
-        &b = surface.vertices[lines[GrowingSurface::next(lines, k)].vertex];
-  const double u = norm(x - a), w = norm(b - x);
-  const Vector<3> middle = (w / (u + w)) * a + (u / (u + w)) * b;
-  // By the curvature that it stands for, so that unequal pieces of a circle bulge alike.
-  return dot(x - middle, lines[k].station.direction) / (u * w);
-}
-
-/// Lets what bulges more than its neighbours give of what it is to advance to those that bulge less. The area
-/// that the front passes stays the same, and so does a circle.
-void smooth(const GrowingSurface& surface, const FrontLines& lines, std::vector<double>& lengths)
-{
-  const std::size_t count = lines.size();
-  std::vector<double> curved(count), move(count, 0.0);
-  for (std::size_t k = 0; k < count; ++k)
-    curved[k] = bulge(surface, lines, k);
-  double gives = 0.0, takes = 0.0;
-  for (std::size_t k = 0; k < count; ++k)
-  {
-    const int last = before(lines, k);
-    if (last < 0 || !lines[k].joined || lengths[k] <= 0.0)
-      continue;
-    const std::size_t next = GrowingSurface::next(lines, k);
-    if (before(lines, last) < 0 || !lines[next].joined) // an end has no curvature to compare with
-      continue;
-    const double share = lines[k].station.share;
-    move[k] = smoothing * share * share * (0.5 * (curved[last] + curved[next]) - curved[k]);
-    move[k] = std::max(move[k], -0.5 * lengths[k]);
-    (move[k] < 0.0 ? gives : takes) += std::fabs(move[k]) * share;
-  }
-  const double given = std::min(gives, takes);
-  if (!(given > 0.0))
-    return;
-  for (std::size_t k = 0; k < count; ++k)
-    lengths[k] += move[k] * given / (move[k] < 0.0 ? gives : takes);
 }
 
 /// How far a point of a front is to move along it beside its advance, towards the middle of its neighbours
@@ -258,20 +214,21 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
   GrowingSurface& surface = crack.surface;
   const std::size_t count = lines.size();
 
-  std::vector<double> lengths(count, 0.0), cells(count, 0.0);
+  std::vector<StationAdvance<3>> asked = advance.stations;
+  std::vector<double> cells(count, 0.0);
+  std::vector<bool> mirrored(count, false);
   bool turns = false;
   double longest = 0.0;
   for (std::size_t k = 0; k < count; ++k)
   {
     cells[k] = spacingAt(state, lines[k].station.position);
+    mirrored[k] = isMirrored(mirrors_, lines[k].station.position, cells[k]);
     if (lines[k].landed || lines[k].station.halted)
-      continue;
-    lengths[k] = advance.stations[k].length;
-    longest = std::max(longest, lengths[k]);
-    turns = turns ||
-            (lengths[k] > 0.0 && dot(advance.stations[k].direction, lines[k].station.direction) < turned);
+      asked[k].length = 0.0;
+    longest = std::max(longest, asked[k].length);
+    turns = turns || (asked[k].length > 0.0 && dot(asked[k].direction, lines[k].station.direction) < turned);
   }
-  smooth(surface, lines, lengths);
+  smoothAlongFront(surface, lines, cells, mirrored, asked);
   if (turns)
     forgetSidesAhead(state, front, (bandWidth + 4.0) * state.grid.spacing + longest);
 
@@ -279,12 +236,12 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
   std::vector<std::size_t> moving;
   std::vector<Vector<3>> aside;
   for (std::size_t k = 0; k < count; ++k)
-    if (lengths[k] > 0.0)
+    if (asked[k].length > 0.0)
     {
       ways.push_back(
-          {lines[k].station.position, advance.stations[k].direction, lengths[k] + leastLigament * cells[k]});
+          {lines[k].station.position, asked[k].direction, asked[k].length + leastLigament * cells[k]});
       moving.push_back(k);
-      aside.push_back(evening(surface, lines, k, lengths[k]));
+      aside.push_back(evening(surface, lines, k, asked[k].length));
     }
   const std::vector<double> room = roomAhead(state, ways);
   double energy = 0.0, area = 0.0;
@@ -294,7 +251,7 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
     const std::size_t k = moving[i];
     LinePoint& point = lines[k];
     const bool lands = room[i] < ways[i].length * (1.0 - 1e-9);
-    const double length = lands ? room[i] : lengths[k];
+    const double length = lands ? room[i] : asked[k].length;
     Vector<3> x = ways[i].from + length * ways[i].direction;
     if (!lands)
       x = x + aside[i];
@@ -315,9 +272,9 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
       toldHalted_[advance.front] = true;
       continue;
     }
-    point.toughness = advance.stations[k].toughness;
+    point.toughness = asked[k].toughness;
     // A piece too short to have a direction is left out.
-    if (length > 1e-3 * lengths[k])
+    if (length > 1e-3 * asked[k].length)
     {
       const double more = surface.advance(lines, k, x, rowHeight * cells[k]);
       area += more;

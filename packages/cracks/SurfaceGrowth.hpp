@@ -1,9 +1,11 @@
 #pragma once
 /// Crack surfaces that become larger.
 
+#include "boundary/MirrorPlanes.hpp"
 #include "cracks/GrowingSurface.hpp"
 #include "state/State.hpp"
 
+#include <utility>
 #include <vector>
 
 namespace Rhegma
@@ -19,8 +21,9 @@ namespace Rhegma::cracks
 /// A station moves on by its own length in its own direction: the triangles behind it stretch until a row of
 /// them is as high as a cell, then a new row begins. Pieces of front longer than 1.5 cells are split, those
 /// shorter than half a cell taken away. Ripples of the front are smoothed by giving of what a station is to
-/// advance to its neighbours; no station goes back for that. Whatever happens to the front, the area that the
-/// crack gains times the toughness is what is booked in CrackFront::taken and unspent, to the last digit.
+/// advance to its neighbours, at a plane of symmetry to its mirror image too; no station goes back for that.
+/// Whatever happens to the front, the area that the crack gains times the toughness is what is booked in
+/// CrackFront::taken and unspent, to the last digit.
 ///
 /// A station that comes within half a cell of the surface of its body runs on to it and stays there; pieces
 /// between two such stations become mouths. An end of a front that lies on the surface slides along it. A
@@ -29,6 +32,9 @@ namespace Rhegma::cracks
 class SurfaceGrowth
 {
 public:
+  SurfaceGrowth() = default;
+  explicit SurfaceGrowth(std::vector<MirrorPlane> mirrors) : mirrors_(std::move(mirrors)) {}
+
   void grow(State<3>& state);
 
   /// Energy per area of the last face that each station of a front made; where one has made none, that of the
@@ -57,6 +63,7 @@ private:
   void write(CrackSet<3>& set, std::vector<Crack>& cracks, double spacing);
   void growFront(State<3>& state, std::vector<Crack>& cracks, const FrontAdvance<3>& advance);
 
+  std::vector<MirrorPlane> mirrors_;
   std::vector<std::vector<Mark>> marks_; ///< of the stations of each front
   std::vector<double> lastToughness_;    ///< of each front, of what it made last [J/m2]
   std::vector<bool> told_, toldHalted_; ///< fronts of which it was said that they reached the surface; halted

@@ -128,6 +128,85 @@ TEST(SurfaceGrowth, SmoothsRipplesWithoutLossOfArea)
   EXPECT_LT(largest - least, 0.9 * 2.0 * cell);
 }
 
+/// One station is never asked to advance. Driven by nine tenths of what the others pay it is taken along: in
+/// each advance by 0.375 of what it lies behind, by the smoothing of 0.25 and the curvatures of a lone point
+/// and its neighbours, that is by at least 0.375 of what these advance once they are ahead. Driven by a tenth
+/// it stays where it is. What the faces take is their area's toughness all the same.
+TEST(SurfaceGrowth, TakesAStationAlongThatNothingHoldsBack)
+{
+  const Vector<3> centre{10e-3, 10e-3, 10.3e-3};
+  for (const double driven : {0.9, 0.1})
+  {
+    const auto run = start<3>(disk(centre, 5e-3, 20e-3));
+    State<3>& state = run->state();
+    SurfaceGrowth growth;
+    const double before = measureOpening(state.cracks, 0).size;
+    const int alone = state.cracks.fronts[0].stations[5].name;
+    const auto radii = [&]
+    {
+      std::pair<double, double> least(1e300, 0.0); // of the one alone, and of all
+      for (const FrontStation<3>& s : state.cracks.fronts[0].stations)
+      {
+        least.second = std::max(least.second, radiusOf(s, centre));
+        if (s.name == alone)
+          least.first = radiusOf(s, centre);
+      }
+      return least;
+    };
+    const double start = radii().first;
+    for (int k = 0; k < 8; ++k)
+    {
+      for (FrontStation<3>& s : state.cracks.fronts[0].stations)
+        s.driving.release = (s.name == alone ? driven : 1.0) * toughness;
+      advance(state, growth,
+              [&](const FrontStation<3>& s) {
+                return StationAdvance<3>{s.direction, s.name == alone ? 0.0 : 0.25 * cell, toughness};
+              });
+    }
+    const auto [own, largest] = radii();
+    if (driven < 0.5)
+      EXPECT_NEAR(own, start, 1e-9);
+    else
+      EXPECT_GT(own - start, 0.375 * (largest - start - 0.25 * cell));
+    const double area = measureOpening(state.cracks, 0).size;
+    EXPECT_NEAR(state.cracks.fronts[0].taken, toughness * (area - before), 1e-10 * toughness * area);
+  }
+}
+
+/// A quarter of a disk between two planes of symmetry: the station that lies on one of them is asked for one
+/// advance of a quarter of a cell in each step, the others for a tenth of a cell. At a mirror it gives of it
+/// to the next as any other would, and where there is none it does not.
+TEST(SurfaceGrowth, EvensAFrontAtAMirror)
+{
+  double ahead[2];
+  for (const bool mirrored : {false, true})
+  {
+    Teuchos::ParameterList scene = disk({0.0, 0.0, 4.3e-3}, 5e-3, 10e-3);
+    const auto run = start<3>(scene);
+    State<3>& state = run->state();
+    SurfaceGrowth growth(mirrored ? std::vector<MirrorPlane>{{0, 0.0}, {1, 0.0}}
+                                  : std::vector<MirrorPlane>{});
+    ASSERT_LT(state.cracks.fronts[0].stations.back().facet, 0); // an open line
+    const int end = state.cracks.fronts[0].stations.front().name;
+    const double before = measureOpening(state.cracks, 0).size;
+    for (int k = 0; k < 6; ++k)
+      advance(state, growth,
+              [&](const FrontStation<3>& s) {
+                return StationAdvance<3>{s.direction, (s.name == end ? 0.25 : 0.1) * cell, toughness};
+              });
+    const CrackFront<3>& front = state.cracks.fronts[0];
+    double mean = 0.0;
+    for (const FrontStation<3>& s : front.stations)
+      mean += radiusOf(s, {0.0, 0.0, 0.0}) / double(front.stations.size());
+    ahead[mirrored] = radiusOf(front.stations.front(), {0.0, 0.0, 0.0}) - mean;
+    const double area = measureOpening(state.cracks, 0).size;
+    EXPECT_NEAR(front.taken, toughness * (area - before), 1e-10 * toughness * area);
+  }
+  // Six advances by 0.15 cells more than the others.
+  EXPECT_GT(ahead[0], 0.75 * 0.9 * cell);
+  EXPECT_LT(ahead[1], 0.75 * ahead[0]);
+}
+
 /// Stations of a straight front advance one after the other, always in the same order, so that each sees one
 /// neighbour ahead and the other behind, and its way leans by seven degrees: over ten cells that would take
 /// it more than a cell to one side. Pieces stay within 0.3 of what they were, and the area is booked.
