@@ -178,7 +178,7 @@ TEST(SurfaceGrowth, TakesAStationAlongThatNothingHoldsBack)
 /// to the next as any other would, and where there is none it does not.
 TEST(SurfaceGrowth, EvensAFrontAtAMirror)
 {
-  double ahead[2];
+  double ahead[2] = {};
   for (const bool mirrored : {false, true})
   {
     Teuchos::ParameterList scene = disk({0.0, 0.0, 4.3e-3}, 5e-3, 10e-3);
