@@ -12,6 +12,8 @@ namespace
 /// Share of a ripple that a step takes away; the most that a point gives of its advance; the least that makes
 /// one advance, in cells, so that no row of faces begins with slivers.
 constexpr double smoothing = 0.25, mostGiven = 0.5, leastTaken = 0.01;
+/// Least share of its own resistance that drives a point that is taken along.
+constexpr double leastDriven = 0.5;
 
 /// How far a point of a front lies ahead of its neighbours' middle, by its own direction, over the product of
 /// its distances from these, which is half of a circle's curvature [1/m]: so unequal pieces of a circle bulge
@@ -45,7 +47,13 @@ double handedOn(const GrowingSurface& surface, const FrontLines& lines, std::siz
   const bool fromEnd = before(lines, k) < 0 && !mirrored[k], toEnd = !lines[to].joined && !mirrored[to];
   if (!lines[k].joined || fromEnd || toEnd)
     return 0.0;
-  const double piece = surface.pieceAt(lines, k);
+  // The shortest of the pieces that the two curvatures are of: by a longer one a ripple of short ones would
+  // be taken away more than once.
+  double piece = surface.pieceAt(lines, k);
+  if (const int last = before(lines, k); last >= 0)
+    piece = std::min(piece, surface.pieceAt(lines, last));
+  if (lines[to].joined)
+    piece = std::min(piece, surface.pieceAt(lines, to));
   return 0.5 * smoothing * piece * piece * piece * (curved[k] - curved[to]);
 }
 
@@ -63,7 +71,8 @@ void smoothAlongFront(const GrowingSurface& surface, const FrontLines& lines,
   {
     const LinePoint& point = lines[to];
     return advances[from].length > 0.0 && !point.landed && !point.station.halted &&
-           (advances[to].length > 0.0 || point.station.driving.release >= 0.5 * advances[from].toughness);
+           (advances[to].length > 0.0 ||
+            point.station.driving.release >= leastDriven * advances[to].toughness);
   };
   for (std::size_t k = 0; k < count; ++k)
   {
@@ -77,7 +86,7 @@ void smoothAlongFront(const GrowingSurface& surface, const FrontLines& lines,
   }
   std::vector<double> area = own, energy(count);
   for (std::size_t k = 0; k < count; ++k)
-    energy[k] = own[k] * advances[k].toughness;
+    energy[k] = own[k] > 0.0 ? own[k] * advances[k].toughness : 0.0;
   for (std::size_t k = 0; k < count; ++k)
   {
     if (hands[k] == 0.0)

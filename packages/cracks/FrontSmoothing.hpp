@@ -14,15 +14,15 @@ namespace Rhegma::cracks
 ///
 /// A neighbour takes though it is not to advance by itself: what drives it is known as a mean over cells on
 /// both sides, which a point does not raise that is left behind alone, so that it would stay. One that is
-/// driven by less than half of what the other pays is held by more than that: its mean has half of its weight
-/// where the other's has.
+/// driven by less than half of what it resists with at rest is held by more than that: its mean has half of
+/// its weight where its neighbours' have.
 ///
 /// \param lines what the front was before; nothing of them changes
 /// \param cells size of the cells at each point [m]
 /// \param mirrored whether each point lies on a plane of symmetry, where a front is square to it; other ends
 /// have no curvature to compare with and stay as they are
-/// \param advances what each point is asked to do; lengths and toughness change. The sum of length times
-/// share times toughness stays the same
+/// \param advances what each point is asked to do, and what one that stays resists with; lengths and
+/// toughness change. The sum of length times share times toughness stays the same
 void smoothAlongFront(const GrowingSurface& surface, const FrontLines& lines,
                       const std::vector<double>& cells, const std::vector<bool>& mirrored,
                       std::vector<StationAdvance<3>>& advances);

@@ -204,7 +204,7 @@ void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
   if (!grows)
     return;
   if constexpr (D == 3)
-    giveBack(state, surroundings);
+    giveBack(state, memory_, fronts_, step);
   sumParts(state, &converted, 1);
   if (!(converted > 0.0))
     return;

@@ -86,9 +86,6 @@ public:
 private:
   void readMaterials(const State<D>& state);
   void placeFronts(const State<D>& state);
-  /// Gives what nodes would yet take back to their fronts, for the nodes that come next, if these nodes are
-  /// whole again: a front in 3D that evens out may draw back by a part of a cell. Collective.
-  void giveBack(State<D>& state, const Surroundings& surroundings) const;
   /// Deducts from the new faces of each front what its nodes took beyond their energy. \param torn that of
   /// each front on this rank [J]
   void deduct(State<D>& state, std::vector<double> torn);
@@ -105,5 +102,10 @@ private:
   double modulus_ = 0.0;          ///< the smallest E' of the scene [Pa]
   double density_ = 0.0;          ///< the largest of the scene [kg/m3]
 };
+
+/// Gives what nodes would yet take back to the fronts nearest to them, for the nodes that come next, if these
+/// nodes are whole again: a front in 3D that evens out may draw back by a part of a cell. Collective. \param
+/// fronts as NearestFront's \param stamp number of the step
+void giveBack(State<3>& state, const TieMemory<3>& memory, const View<double* [4]>& fronts, int stamp);
 
 } // namespace Rhegma::cracks

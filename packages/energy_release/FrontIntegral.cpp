@@ -132,6 +132,8 @@ void addWidths(const State<D>& state, const FrontLine& line, const FrontSight& s
     const Vector<D> along = b.position - a.position;
     // What sweeps an area is the advance across the piece, which may lean against its stations' directions.
     const Vector<D> swept = cross(along, a.normal + b.normal);
+    if (!(norm(swept) > 0.0)) // no length, no area
+      continue;
     const Vector<D> across = (dot(swept, a.direction + b.direction) < 0.0 ? -1.0 : 1.0) / norm(swept) * swept;
     const int count =
         std::max(1, static_cast<int>(std::ceil(partsOfCell * piece.length / spacingAt(state, a.position))));

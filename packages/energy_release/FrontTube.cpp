@@ -85,11 +85,6 @@ double clearOfOthers(const State<3>& state, const CrackFront<3>& front, const Fr
 /// make of a distance.
 constexpr double curvatureFrom = 1.5, curvatureFully = 3.0;
 
-} // namespace
-
-namespace
-{
-
 /// Directions of the stations, each the mean over two stations on both sides by weights that fall linearly:
 /// what a station alone is ahead or behind turns its neighbours, and a turn over cells is curvature, one over
 /// a station none. Those of a circle stay what they are.
@@ -107,14 +102,26 @@ std::vector<Vector<3>> meanDirections(const FrontLine& line)
     while (last + 1 < count && line.line[last + 1] == line.line[k])
       ++last;
     const int size = last - first + 1;
-    // As many on one side as on the other, so that an arc is not turned.
-    const int most = closed ? reach : std::min({reach, k - first, last - k});
-    Vector<3> sum{{0.0, 0.0, 0.0}};
-    for (int j = -most; j <= most; ++j)
+    // The ends of an open line point along the surface.
+    const int most = closed ? reach : std::clamp(std::min(k - first, last - k) - 1, 0, reach);
+    Vector<3> sides[2] = {{{0.0, 0.0, 0.0}}, {{0.0, 0.0, 0.0}}};
+    double way[2] = {0.0, 0.0}; // weighted length of front to the stations of each side
+    for (int side = 0; side < 2; ++side)
     {
-      const int other = first + ((k - first + j) % size + size) % size;
-      sum = sum + double(reach + 1 - std::abs(j)) * line.stations[other].direction;
+      double along = 0.0;
+      for (int j = 1, from = k; j <= most; ++j)
+      {
+        const int to = first + ((k - first + (side == 0 ? -j : j)) % size + size) % size;
+        along += norm(line.stations[to].position - line.stations[from].position);
+        way[side] += double(reach + 1 - j) * along;
+        sides[side] = sides[side] + double(reach + 1 - j) * line.stations[to].direction;
+        from = to;
+      }
     }
+    // As far on one side as on the other, so that pieces of unequal length do not turn an arc.
+    Vector<3> sum = double(reach + 1) * line.stations[k].direction;
+    if (most > 0)
+      sum = sum + (2.0 / (way[0] + way[1])) * (way[1] * sides[0] + way[0] * sides[1]);
     const double length = norm(sum);
     mean[k] = length > 0.0 ? (1.0 / length) * sum : line.stations[k].direction;
   }

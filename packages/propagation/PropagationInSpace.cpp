@@ -181,6 +181,14 @@ std::vector<double> turns(const CrackFront<3>& front, const Options& options,
   return angle;
 }
 
+/// What a station that does not advance would have to be driven by [J/m2]; infinite before the start time.
+double resistanceAtRest(double now, const AdvanceRule& rule, const FrontHistory& history)
+{
+  if (now < rule.startTime)
+    return std::numeric_limits<double>::infinity();
+  return history.running() ? rule.arrest : rule.initiation;
+}
+
 void ask(State<3>& state, const Options& options, Memories& memories)
 {
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
@@ -202,7 +210,11 @@ void ask(State<3>& state, const Options& options, Memories& memories)
       StationAdvance<3>& to = asked.stations[k];
       to.direction = station.direction;
       if (!station.advances)
+      {
+        to.toughness = resistanceAtRest(state.time, ruleAt(station.temperature, options),
+                                        memories[f].stations.at(station.name).history);
         continue;
+      }
       station.advances = false;
       Memory& memory = memories[f].stations.at(station.name);
       const Advance made =

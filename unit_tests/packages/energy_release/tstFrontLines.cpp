@@ -1,0 +1,95 @@
+#include "../cracks/CubeScene.hpp"
+
+#include "energy_release/FrontTube.hpp"
+
+using namespace Rhegma;
+using namespace Rhegma::cracks::test;
+using namespace Rhegma::energy_release;
+
+namespace
+{
+
+const double pi = std::acos(-1.0);
+
+} // namespace
+
+/// Which of two pieces that meet is nearer to a place inside of their corner may hang on the last digit.
+TEST(FrontLines, SeePlacesInsideOfACornerFromTheMiddleOfIt)
+{
+  Teuchos::ParameterList scene = blockScene({16e-3, 16e-3, 10e-3});
+  const Vector<3> middle{{8.1e-3, 7.8e-3, 5.2e-3}};
+  setCrack(scene, regularPolygon(middle, 5e-3, 32));
+  const auto penny = start<3>(scene);
+  const FrontLine line = lineOf(penny->state().cracks.fronts.at(0));
+  const FrontSight sight(line, 0.0);
+  for (int k : {0, 1, 7, 31}) // at the first the line begins
+  {
+    const Vector<3> in = middle - line.stations[k].position, x = line.stations[k].position + 0.5 * in;
+    const Vector<3> along = line.stations[(k + 1) % 32].position - line.stations[(k + 31) % 32].position;
+    for (const double off : {0.0, 1e-14, -1e-14})
+    {
+      const FrontFoot foot = sight.look(x + off * along);
+      EXPECT_NEAR(sight.apart(foot.line, foot.arc, k), 0.0, 1e-9 * line.length);
+      EXPECT_NEAR(dot(foot.direction, in) / norm(in), -1.0, 1e-9);
+    }
+    // Further aside than round-off the foot is on one of the two.
+    EXPECT_GT(sight.apart(0, sight.look(x + 1e-3 * along).arc, k), 1e-4 * line.length);
+  }
+}
+
+/// A surface at which a front ends leans towards it where the crack has grown there: it takes no room from
+/// the tube, as none does that is square to it.
+TEST(FrontLines, EndAtSurfacesThatLean)
+{
+  Teuchos::ParameterList scene = blockScene({16e-3, 16e-3, 10e-3});
+  // The front from face to face of the block, turned by 20 degrees.
+  const double rise = 8e-3 * std::tan(20.0 * pi / 180.0);
+  setCrack(scene, {-1e-3, -1e-3, 5.2e-3, -1e-3, 17e-3, 5.2e-3, 8e-3 + 1.125 * rise, 17e-3, 5.2e-3,
+                   8e-3 - 1.125 * rise, -1e-3, 5.2e-3});
+  const auto leaning = start<3>(scene);
+  const CrackFront<3>& front = leaning->state().cracks.fronts.at(0);
+  const FrontLine line = lineOf(front);
+  ASSERT_EQ(line.loop, std::vector<double>{0.0});
+  EXPECT_GT(roomAround(leaning->state(), front, line, 4.5e-3), 4.4e-3);
+}
+
+/// A station where the surface cuts an arc points along the mouth, here half a radian off the arc's radius:
+/// with it the arc would seem four times as curved.
+TEST(FrontLines, LeaveTheSurfaceOutOfTheirCurvature)
+{
+  Teuchos::ParameterList scene = blockScene({16e-3, 16e-3, 10e-3});
+  const double radius = 7e-3, least = 3.0 * cell;
+  setCrack(scene, regularPolygon({8.1e-3, -3.1e-3, 5.2e-3}, radius, 32));
+  const auto arc = start<3>(scene);
+  const FrontLine line = lineOf(arc->state().cracks.fronts.at(0));
+  ASSERT_EQ(line.loop, std::vector<double>{0.0});
+  ASSERT_GT(line.stations.size(), 6u);
+  // The station next to a cut piece points up to half a corner to the side, which adds that much of a chord
+  // to what the arc departs from it, c^2 / 2 R.
+  const double aside = pi / 32.0, found = radiusOfCurvature(line, cell);
+  EXPECT_GT(found, radius / (1.0 + 2.0 * radius * aside / least));
+  EXPECT_LT(found, radius * (1.0 + 1e-9));
+}
+
+/// The radius of a circle of pieces of 0.5 and 1.5 cells by turns, the shortest and the longest that a front
+/// has: each station points along its radius, so that all of them say the same.
+TEST(FrontLines, ArcsOfUnequalPiecesAreAsCurvedAsTheyAre)
+{
+  const double radius = 5.0 * cell;
+  CrackFront<3> front;
+  const int pairs = 16;
+  for (int k = 0; k < 2 * pairs; ++k)
+  {
+    const double around = 2.0 * pi * (k / 2 + (k % 2 == 0 ? 0.0 : 0.25)) / pairs;
+    FrontStation<3> station;
+    station.direction = {std::cos(around), std::sin(around), 0.0};
+    station.normal = {0.0, 0.0, 1.0};
+    station.position = radius * station.direction;
+    station.facet = k;
+    front.stations.push_back(station);
+  }
+  const FrontLine line = lineOf(front);
+  ASSERT_GT(line.loop.at(0), 0.0);
+  // Weights by chords, which a circle's arcs exceed by a share of (1.5 / 5)^2 / 24.
+  EXPECT_NEAR(radiusOfCurvature(line, cell), radius, 0.3 * 0.3 / 24.0 * radius);
+}
