@@ -26,8 +26,9 @@ void dampMomentum(const State<D>& state, double rate);
 /// have been strained by v: in between stresses have given, in the mean of the steps' starts and ends,
 /// f (v - v exp(-rate dt)) dt / 2 to a motion that is no more. At supports it is in their work, but where
 /// masses are coupled: there the work is that on the solved velocity before the forces, which was damped.
-/// First order in rate dt, as all of the loss is exact without stresses.
-/// \param held room for marks of the nodes that supports hold, kept from step to step
+/// Their velocity is taken as momentum over lumped mass, which is off by what the coupling changes in it, as
+/// a part of the loss again. First order in rate dt, as all of the loss is exact without stresses. \param
+/// held room for marks of the nodes that supports hold, kept from step to step
 template <int D>
 double lossToStresses(const State<D>& state, double rate, View<char**>& held);
 
