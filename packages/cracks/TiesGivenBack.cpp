@@ -37,9 +37,9 @@ void giveBack(State<3>& state, const TieMemory<3>& memory, const View<double* [4
 {
   const Nodes<3> nodes = state.nodes;
   const NodePlaces<3> places = nodePlaces(state);
-  const View<int*> last = memory.step();
-  const View<double* [3]> jump = memory.jump();
-  const View<double* [7]> cohesive = memory.cohesion();
+  const View<int*>& last = memory.step();
+  const View<double* [3]>& jump = memory.jump();
+  const View<double* [7]>& cohesive = memory.cohesion();
   const int before = stamp - 1;
   const auto left = KOKKOS_LAMBDA(const int i)
   {

@@ -80,7 +80,7 @@ TEST(FrontLines, ArcsOfUnequalPiecesAreAsCurvedAsTheyAre)
   const int pairs = 16;
   for (int k = 0; k < 2 * pairs; ++k)
   {
-    const double around = 2.0 * pi * (k / 2 + (k % 2 == 0 ? 0.0 : 0.25)) / pairs;
+    const double around = pi * (k % 2 == 0 ? k : k - 0.5) / pairs;
     FrontStation<3> station;
     station.direction = {std::cos(around), std::sin(around), 0.0};
     station.normal = {0.0, 0.0, 1.0};
