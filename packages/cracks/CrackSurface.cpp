@@ -16,7 +16,9 @@ namespace
 
 constexpr double mostCells = 4e4; ///< area of the largest surface, in squares of cells
 constexpr double welded = 1e-3;   ///< points nearer than that are one [cells]
-constexpr double onEdge = 1e-4;   ///< how far off the border the middle of one of its edges may lie [cells]
+/// How far off the border the middle of one of its edges may lie, a corner of which may have been moved by a
+/// third of a cell on to the surface of the body [cells].
+constexpr double onEdge = 0.15;
 
 /// The edges that have one triangle.
 std::vector<std::array<Vector<3>, 2>> borderOf(const SurfaceMesh& mesh)

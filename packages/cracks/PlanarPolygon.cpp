@@ -97,17 +97,27 @@ OwnPlane planeOf(const std::vector<Vector<3>>& points, const std::string& where,
   return plane;
 }
 
-/// The edge of the outline on which a place lies, or -1.
-int edgeAt(const std::vector<Vector<2>>& outline, const Vector<2>& x, double tolerance)
+/// Cells by which the middle of a piece of border may lie off the outline: a corner of that may have been
+/// moved by a third of a cell, round itself, on to the surface of the body (CutTriangles.cpp). A mouth that
+/// lies as near has no material ahead of it.
+constexpr double cutCorner = 0.15;
+constexpr double rounding = 1e-6; ///< the same where none was [cells]
+
+/// The edge of the outline that is nearest to a place and within a distance of it, or -1.
+int edgeAt(const std::vector<Vector<2>>& outline, const Vector<2>& x, double reach)
 {
+  int found = -1;
   for (std::size_t k = 0; k < outline.size(); ++k)
   {
     const Vector<2> along = outline[(k + 1) % outline.size()] - outline[k], from = x - outline[k];
     const double at = std::clamp(dot(from, along) / dot(along, along), 0.0, 1.0);
-    if (norm(from - at * along) < tolerance)
-      return static_cast<int>(k);
+    if (const double distance = norm(from - at * along); distance < reach)
+    {
+      reach = distance;
+      found = static_cast<int>(k);
+    }
   }
-  return -1;
+  return found;
 }
 
 /// Which edges the scene calls fronts; empty where it leaves that open.
@@ -164,10 +174,11 @@ CrackMesh<3> readPolygon(const Teuchos::ParameterList& list, const std::string& 
   const std::vector<bool> chosen = readFrontEdges(list, where + " > Front Edges", corners.size());
   const auto kindOf = [&](const Vector<3>& middle)
   {
-    const int side = edgeAt(outline, plane.own(middle), 1e-6 * spacing);
+    const int side = edgeAt(outline, plane.own(middle), cutCorner * spacing);
     if (side < 0 || (!chosen.empty() && !chosen[side]))
       return BorderKind::Mouth;
-    return chosen.empty() ? BorderKind::FrontIfMaterialAhead : BorderKind::Front;
+    const bool isOnIt = edgeAt(outline, plane.own(middle), rounding * spacing) >= 0;
+    return chosen.empty() || !isOnIt ? BorderKind::FrontIfMaterialAhead : BorderKind::Front;
   };
   return meshPlane(plane, outline, where + " > Points", kindOf, material, spacing, edge);
 }
@@ -217,8 +228,8 @@ CrackMesh<3> readDisk(const Teuchos::ParameterList& list, const std::string& whe
   }
   const auto kindOf = [&](const Vector<3>& middle)
   {
-    return edgeAt(outline, plane.own(middle), 1e-6 * spacing) >= 0 ? BorderKind::FrontIfMaterialAhead
-                                                                   : BorderKind::Mouth;
+    return edgeAt(outline, plane.own(middle), cutCorner * spacing) >= 0 ? BorderKind::FrontIfMaterialAhead
+                                                                        : BorderKind::Mouth;
   };
   return meshPlane(plane, outline, where, kindOf, material, spacing, edge);
 }
