@@ -33,16 +33,14 @@ void forEachMouth(const State<D>& state, int crack, int beyond, const std::vecto
       int corner[D - 1];
       for (int k = 0; k < D - 1; ++k)
         corner[k] = simplex(s, (i + 1 + k) % D);
-      const bool mirrored =
-          std::any_of(mirrors.begin(), mirrors.end(),
-                      [&](const MirrorPlane& plane)
-                      {
-                        return std::all_of(std::begin(corner), std::end(corner),
-                                           [&](int v) {
-                                             return std::fabs(vertex(v, plane.axis) - plane.position) <
-                                                    onMirrorPlane * state.smallestSpacing();
-                                           });
-                      });
+      const bool mirrored = std::any_of(
+          mirrors.begin(), mirrors.end(),
+          [&](const MirrorPlane& plane)
+          {
+            return std::all_of(std::begin(corner), std::end(corner),
+                               [&](int v)
+                               { return isOn(plane, vertex(v, plane.axis), state.smallestSpacing()); });
+          });
       if (!mirrored)
         mouth(corner);
     }

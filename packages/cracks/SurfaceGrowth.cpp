@@ -222,7 +222,9 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
   for (std::size_t k = 0; k < count; ++k)
   {
     cells[k] = spacingAt(state, lines[k].station.position);
-    mirrored[k] = isMirrored(mirrors_, lines[k].station.position, cells[k]);
+    mirrored[k] = std::any_of(mirrors_.begin(), mirrors_.end(),
+                              [&](const MirrorPlane& plane)
+                              { return isOn(plane, lines[k].station.position[plane.axis], cells[k]); });
     if (lines[k].landed || lines[k].station.halted)
       asked[k].length = 0.0;
     longest = std::max(longest, asked[k].length);

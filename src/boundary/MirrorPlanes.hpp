@@ -1,11 +1,8 @@
 #pragma once
 /// Planes at which a scene is its own mirror image.
 
-#include "state/Types.hpp"
-
 #include <Teuchos_ParameterList.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -22,16 +19,11 @@ struct MirrorPlane
 /// Those of a scene: its boundaries of type Symmetry.
 std::vector<MirrorPlane> mirrorPlanes(const Teuchos::ParameterList& scene);
 
-/// Share of a cell within which a vertex of a crack lies on a plane.
-constexpr double onMirrorPlane = 0.05;
-
-/// Whether one of the planes goes through a place. \param cell size of the smallest cells [m]
-template <int D>
-bool isMirrored(const std::vector<MirrorPlane>& planes, const Vector<D>& x, double cell)
+/// Whether a place of a crack lies on a plane, to a twentieth of a cell. \param along the plane's axis [m]
+/// \param cell size of the cells there [m]
+inline bool isOn(const MirrorPlane& plane, double along, double cell)
 {
-  return std::any_of(planes.begin(), planes.end(),
-                     [&](const MirrorPlane& plane)
-                     { return std::fabs(x[plane.axis] - plane.position) < onMirrorPlane * cell; });
+  return std::fabs(along - plane.position) < 0.05 * cell;
 }
 
 } // namespace Rhegma
