@@ -392,7 +392,7 @@ void deriveDefaults(Teuchos::ParameterList& scene)
   auto& output = scene.sublist("Output");
   const auto end = real(scene.sublist("Time"), "Final Time");
   if (end && !output.isParameter("History Interval"))
-    output.set("History Interval", *end / 200.0, "Time between the rows of history.csv. [s]");
+    output.set("History Interval", *end / 200.0, "Time between two rows of history.csv. [s]");
 }
 
 } // namespace Rhegma
