@@ -1,8 +1,8 @@
+#include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
 #include "combustion/BurnRate.hpp"
 #include "combustion/Combustion.hpp"
 #include "scene/CrackNames.hpp"
-#include "scene/Numbers.hpp"
-#include "scene/ReadList.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -60,9 +60,9 @@ void checkIgnition(const Teuchos::ParameterList& scene, const Teuchos::Parameter
   }
   if (realOf(list, "Ignition Temperature", 1e300) <=
       realOf(scene.sublist("Thermal"), "Initial Temperature", 0.0))
-    errors.push_back(
-        {path + " > Ignition Temperature", "is not above Thermal > Initial Temperature, so all faces ignite "
-                                           "at once; leave it out if this is intended"});
+    errors.push_back({path + " > Ignition Temperature",
+                      "is not above Thermal > Initial Temperature, so all faces ignite "
+                      "at once; leave it out if this is intended"});
 }
 
 void checkHeat(const Teuchos::ParameterList& scene, const Teuchos::ParameterList& list,

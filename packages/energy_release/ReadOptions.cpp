@@ -1,8 +1,8 @@
 #include "energy_release/ReadOptions.hpp"
 
+#include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
 #include "energy_release/FrontTube.hpp"
-#include "scene/Numbers.hpp"
-#include "scene/ReadList.hpp"
 
 #include <algorithm>
 
@@ -107,9 +107,9 @@ void checkEnergyRelease(const Teuchos::ParameterList& scene, std::vector<SceneEr
     return given ? scene.sublist("Cracks").get<std::string>("Formulation") : std::string();
   };
   if (!contour && (refused("Crack Closure") || formulation() == "Broken Cell"))
-    errors.push_back(
-        {"Energy Release > Contour Integral", "it must be true if crack closure is not available; set it to "
-                                              "true or remove the section Energy Release"});
+    errors.push_back({"Energy Release > Contour Integral",
+                      "it must be true if crack closure is not available; set it to "
+                      "true or remove the section Energy Release"});
   if (!scene.isSublist("Domain"))
     return;
   const Teuchos::ParameterList& domain = scene.sublist("Domain");

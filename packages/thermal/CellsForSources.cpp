@@ -1,6 +1,6 @@
 #include "thermal/CellsForSources.hpp"
 
-#include "scene/ReadList.hpp"
+#include "base/ReadList.hpp"
 #include "scene/SceneBodies.hpp"
 #include "scene/Validation.hpp"
 
@@ -57,9 +57,9 @@ void tellCells(const Teuchos::ParameterList& scene, CellNeeds& needs, std::vecto
       continue;
     const std::string where = "Thermal > Sources > " + name;
     if (!(dimensionOf(scene) == 2 ? meetsMaterial<2>(source, scene) : meetsMaterial<3>(source, scene)))
-      errors.push_back(
-          {where + " > Centre", "it meets no body during the run, so Domain > Accuracy can't choose cells "
-                                "for it; correct Centre or Velocity, or write Cell Size"});
+      errors.push_back({where + " > Centre",
+                        "it meets no body during the run, so Domain > Accuracy can't choose cells "
+                        "for it; correct Centre or Velocity, or write Cell Size"});
     const double radius = source.get<double>("Radius");
     if (radius < std::min(needs.source, needs.atRest))
       needs.smallestSource = where;

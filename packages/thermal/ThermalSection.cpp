@@ -1,6 +1,6 @@
+#include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
 #include "scene/HeatWords.hpp"
-#include "scene/Numbers.hpp"
-#include "scene/ReadList.hpp"
 #include "scene/TimeFunction.hpp"
 #include "thermal/Thermal.hpp"
 
@@ -257,9 +257,9 @@ void checkCrackFaces(const Teuchos::ParameterList& scene, std::vector<SceneError
           {where + " > Conductance",
            "the faces insulate; write Conduction = Always or When Closed, or leave this parameter out"});
     if (conducts && text(list, "Conduction") == "Super Time Stepping")
-      errors.push_back(
-          {where + " > Conduction", "conducting faces can't be combined with Super Time Stepping; write "
-                                    "Thermal > Conduction = Implicit or Explicit"});
+      errors.push_back({where + " > Conduction",
+                        "conducting faces can't be combined with Super Time Stepping; write "
+                        "Thermal > Conduction = Implicit or Explicit"});
     if (conducts && text(cracks, "Formulation") != "" && text(cracks, "Formulation") != "Dual Field")
       errors.push_back(
           {where + " > Conduction",
