@@ -145,17 +145,17 @@ RecoveryMatrix matrixOfTheMotion(const Teuchos::ParameterList& scene)
     matrix.terms = list.get<int>("Order");
     return matrix;
   }
-  matrix.lumpedShare = std::max(matrix.lumpedShare, list.get<double>("Lumped Share"));
-  matrix.smallestNode = list.get<double>("Smallest Node");
+  matrix.lumpedShare = std::max(matrix.lumpedShare, list.get<double>("Lumped Fraction"));
+  matrix.smallestNode = list.get<double>("Minimum Node Mass");
   if (type == "Partial")
   {
     const auto length = [&](const char* name)
     { return list.isParameter(name) ? list.get<double>(name) : 0.0; };
     matrix.radius = length("Radius");
-    matrix.edge = length("Edge Width");
+    matrix.edge = length("Transition Width");
     // As Mass Matrix has them where they are not given.
     matrix.radiusCells = list.isParameter("Radius") ? 0.0 : 3.0;
-    matrix.edgeCells = list.isParameter("Edge Width") ? 0.0 : 1.0;
+    matrix.edgeCells = list.isParameter("Transition Width") ? 0.0 : 1.0;
   }
   return matrix;
 }

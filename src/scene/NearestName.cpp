@@ -68,6 +68,11 @@ std::string suggestion(const std::string& given, const std::vector<std::string>&
   return "possible here: " + inWords(names, ", ") + ".";
 }
 
+std::string renamedTo(const std::string& newName)
+{
+  return "this parameter is now named \"" + newName + "\"; write that name.";
+}
+
 std::string inWords(const std::vector<std::string>& names, const std::string& lastJoin)
 {
   std::string text;

@@ -190,6 +190,12 @@ void Validation::unknownParameter(const std::string& name, const Section& sectio
                                   const ActiveSection& active, const std::string& path)
 {
   const std::string where = scenePath(path, name);
+  if (const Parameter* renamed = section.findFormer(name))
+  {
+    report(where, renamedTo(renamed->name));
+    m_meant.insert(scenePath(path, renamed->name));
+    return;
+  }
   std::vector<std::string> owners;
   for (const auto& variant : section.variants)
     if (variant.findParameter(name))

@@ -162,10 +162,10 @@ class UnstableRuns(LeftFiles):
     def test_mass_matrix_that_is_singular(self):
         """Boxes of GIMP in rows along the cells give fewer equations than there are nodes."""
         scene = plate().set("Domain > Shape Functions", "GIMP")
-        scene.set("Mass Matrix", {"Type": "Full", "Lumped Share": 0.0, "Smallest Node": 0.0})
+        scene.set("Mass Matrix", {"Type": "Full", "Lumped Fraction": 0.0, "Minimum Node Mass": 0.0})
         answer = rhegma(self.write("scene.xml", scene.text()), "--quiet", timeout=300)
         self.assertEqual(answer.status, 2, answer)
-        self.assertRegex(answer.complaint, r"mass matrix could not be solved .* it is singular.* Lumped Share")
+        self.assertRegex(answer.complaint, r"mass matrix could not be solved .* it is singular.* Lumped Fraction")
 
     def test_load_that_loses_its_body(self):
         """A point load tears its particle off."""
