@@ -64,7 +64,7 @@ std::string suggestion(const std::string& given, const std::vector<std::string>&
   if (!nearest.empty())
     return "did you mean \"" + nearest + "\"?";
   if (names.empty())
-    return "nothing can stand here.";
+    return "nothing is allowed here.";
   return "possible here: " + inWords(names, ", ") + ".";
 }
 

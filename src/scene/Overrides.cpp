@@ -64,7 +64,7 @@ void setParameter(Teuchos::ParameterList& scene, const std::string& text, const 
         for (const auto& name : sublists(*list))
           possible.push_back(name);
       errors.push_back(
-          {where, quoted + "leads nowhere: there is no such section; " + suggestion(names[i], possible)});
+          {where, quoted + "can't be applied: there is no such section; " + suggestion(names[i], possible)});
       return;
     }
     list = &list->sublist(names[i]);
@@ -78,7 +78,7 @@ void setParameter(Teuchos::ParameterList& scene, const std::string& text, const 
   {
     const Parameter* renamed = section->findFormer(names.back());
     errors.push_back(
-        {where, quoted + "leads nowhere: " +
+        {where, quoted + "can't be applied: " +
                     (renamed ? renamedTo(renamed->name)
                              : "there is no such parameter; " +
                                    suggestion(names.back(), active.parameterNames(dimensionOf(scene))))});
