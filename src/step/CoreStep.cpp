@@ -4,7 +4,7 @@
 #include "material/Materials.hpp"
 #include "state/Subdomain.hpp"
 #include "step/HeatTrouble.hpp"
-#include "step/UnstableStep.hpp"
+#include "base/UnstableStep.hpp"
 #include "transfer/Gather.hpp"
 #include "transfer/Motion.hpp"
 #include "transfer/Scatter.hpp"
