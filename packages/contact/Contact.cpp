@@ -304,7 +304,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       {Stage::AfterProjection, "gaps of crack faces", {"projection"}, {"gaps"}, {}, [account](State<D>& s) {
          advance(s, *account);
        }});
-  effect.call({Stage::Observe, "shares of energy", {"energies"}, {}, {}, [account](State<D>& s) {
+  effect.call({Stage::Observe, "fractions of energy", {"energies"}, {}, {}, [account](State<D>& s) {
                  observe(s, *account);
                }});
   effect.memory = [account](State<D>&, Archive& archive)
