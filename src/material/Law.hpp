@@ -22,7 +22,7 @@
 ///     void describe(section)         adds its parameters (scene/Schema.hpp)
 ///     void read(reader, numbers)     checks them and sets the numbers (material/MaterialReader.hpp)
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 namespace Rhegma
 {
