@@ -1,3 +1,4 @@
+#include "material/Laws.hpp"
 #include "scene/CoreBodies.hpp"
 #include "scene/CoreBoundaries.hpp"
 #include "scene/Schema.hpp"
@@ -71,37 +72,10 @@ Section time()
   return s;
 }
 
-void elasticConstants(Section& s)
-{
-  s.real("Density").unit("kg/m3").positive().meaning("Of the undeformed material.");
-  s.real("Young Modulus").orTable().unit("Pa").positive().meaning("Stiffness in tension at small strain.");
-  s.real("Poisson Ratio")
-      .orTable()
-      .above(-1.0)
-      .below(0.5)
-      .meaning("Contraction over stretch at small strain.");
-}
-
-Section linearElastic()
-{
-  Section s("Linear Elastic", "Stress follows small strain; rotations may be large.");
-  elasticConstants(s);
-  return s;
-}
-
-void entropic(Section& s)
-{
-  s.boolean("Entropic")
-      .byDefault(false)
-      .meaning("With Thermal: the shear modulus goes with the absolute temperature, as that of ideal rubber, "
-               "which "
-               "warms when it is stretched.");
-}
-
 Section rigid()
 {
   Section s("Rigid", "No stress at all: for scenes of heat alone (Thermal > Mechanics = false).");
-  s.real("Density").unit("kg/m3").positive().meaning("Of the undeformed material.");
+  describeDensity(s);
   return s;
 }
 
@@ -138,62 +112,17 @@ void heat(Section& s)
       .meaning("Temperature of no thermal strain.");
 }
 
-Section neoHookean()
+/// One variant for each law of the list.
+template <class... Law>
+void addLaws(Section& material, LawList<Law...> /*list*/)
 {
-  Section s("Neo-Hookean", "Compressible rubber-like solid for large strain.");
-  elasticConstants(s);
-  entropic(s);
-  return s;
-}
-
-Section mooneyRivlin()
-{
-  Section s("Mooney-Rivlin",
-            "Rubber with two shear constants; nearly incompressible if the bulk modulus is large.");
-  s.real("Density").unit("kg/m3").positive().meaning("Of the undeformed material.");
-  s.real("C10").orTable().unit("Pa").notNegative().meaning(
-      "Constant of the first invariant; C10 and C01 are not both zero.");
-  s.real("C01").orTable().unit("Pa").notNegative().meaning("Constant of the second invariant.");
-  s.real("Bulk Modulus").orTable().unit("Pa").positive().meaning("Stiffness against a change of volume.");
-  entropic(s);
-  return s;
-}
-
-Section j2Plastic()
-{
-  Section s("J2 Plastic", "Metal: elastic up to the yield stress of von Mises, then hardening plastic flow.");
-  elasticConstants(s);
-  s.real("Yield Stress")
-      .orTable()
-      .unit("Pa")
-      .positive()
-      .meaning("Stress in tension at which plastic flow begins.");
-  s.real("Hardening Modulus")
-      .orTable()
-      .unit("Pa")
-      .notNegative()
-      .byDefault(0.0)
-      .meaning("Rise of the yield stress per plastic strain.");
-  s.real("Saturation Stress")
-      .orTable()
-      .unit("Pa")
-      .positive()
-      .optional()
-      .meaning(
-          "Yield stress that Voce hardening ends at; Hardening Modulus comes on top. At least Yield Stress.");
-  s.real("Saturation Rate")
-      .orTable()
-      .positive()
-      .optional()
-      .meaning("How fast: the yield stress is Yield Stress + (Saturation Stress - Yield Stress) (1 - "
-               "exp(-Saturation Rate x "
-               "plastic strain)) + Hardening Modulus x plastic strain.");
-  s.allOrNoneOf({"Saturation Stress", "Saturation Rate"});
-  s.real("Plastic Heat Fraction")
-      .range(0.0, 1.0)
-      .byDefault(0.9)
-      .meaning("With Thermal: share of the plastic work that becomes heat (Taylor and Quinney).");
-  return s;
+  const auto add = [&](auto law)
+  {
+    Section s(decltype(law)::name, decltype(law)::meaning);
+    decltype(law)::describe(s);
+    material.variant(s);
+  };
+  (add(Law{}), ...);
 }
 
 Section materials()
@@ -201,10 +130,7 @@ Section materials()
   Section material("material", "One material.");
   material.chosenBy("Model").meaning("The constitutive law.");
   heat(material);
-  material.variant(linearElastic());
-  material.variant(neoHookean());
-  material.variant(mooneyRivlin());
-  material.variant(j2Plastic());
+  addLaws(material, Laws{});
   material.variant(rigid());
 
   Section s("Materials", "What the bodies are made of.");

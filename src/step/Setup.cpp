@@ -2,6 +2,7 @@
 
 #include "base/ReadList.hpp"
 #include "material/MaterialTable.hpp"
+#include "material/Materials.hpp"
 #include "material/ThermoMaterials.hpp"
 #include "step/PlaceBodies.hpp"
 #include "transfer/Box.hpp"
@@ -79,7 +80,7 @@ void addFields(State<D>& state, const std::vector<Field>& extra)
     table.add({fields::box, D, "m", "half widths of the box that shape functions are averaged over"});
   int history = 0;
   for (const Properties& properties : state.materialList)
-    history = std::max(history, historySize(properties.kind, D));
+    history = std::max(history, historySize<D>(properties));
   if (history > 0 && state.mechanics)
     table.add({fields::history, history, "", "what the constitutive law remembers"});
   table.add({fields::material, 1, "", "number of its material", true});
