@@ -17,7 +17,7 @@ public:
   /// \param duration of the motion since the start [s]
   LawStress(const State<D>& state, double duration)
       : duration_(duration),
-        materials_(state.materials),
+        materials_(state.materials.device),
         deformation_(state.particles.template real<gradientSize<D>>(fields::deformation)),
         material_(state.particles.integer(fields::material))
   {
@@ -59,7 +59,7 @@ class HeatedStress : private LawStress<D>
 public:
   HeatedStress(const State<D>& state, double duration)
       : LawStress<D>(state, duration),
-        tables_(state.thermo),
+        tables_(state.materials.thermo),
         temperature_(state.particles.scalar(fields::temperature)),
         internal_(state.particles.scalar(fields::internalEnergy)),
         stress_(state.particles.template real<symmetricSize<D>>(fields::stress))
