@@ -1,7 +1,6 @@
 /// What temperature does to stress and energy, for every law: free expansion, the first law, and the rise
 /// that straining without heat flow brings.
 
-#include "material/HistoryRoom.hpp"
 #include "material/ThermoLaw.hpp"
 #include "material/ThermoMaterials.hpp"
 #include "transfer/LaneHeat.hpp"
