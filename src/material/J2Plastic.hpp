@@ -23,7 +23,7 @@ struct J2Plastic : LawDefaults
 {
   static constexpr const char* name = "J2 Plastic";
   static constexpr const char* meaning =
-      "Metal: elastic up to the yield stress of von Mises, then hardening plastic flow.";
+      "Metal plasticity: von Mises yield condition with isotropic hardening.";
 
   template <int D>
   static constexpr int plasticStrainIndex = symmetricSize<D>;
@@ -36,30 +36,27 @@ struct J2Plastic : LawDefaults
   static void describe(Section& s)
   {
     describeElasticity(s);
-    s.real("Yield Stress")
-        .orTable()
-        .unit("Pa")
-        .positive()
-        .meaning("Stress in tension at which plastic flow begins.");
+    s.real("Yield Stress").orTable().unit("Pa").positive().meaning("Initial yield stress in tension.");
     s.real("Hardening Modulus")
         .orTable()
         .unit("Pa")
         .notNegative()
         .byDefault(0.0)
-        .meaning("Rise of the yield stress per plastic strain.");
+        .meaning("Linear isotropic hardening: increase of the yield stress per unit of plastic strain.");
     s.real("Saturation Stress")
         .orTable()
         .unit("Pa")
         .positive()
         .optional()
-        .meaning("Yield stress that Voce hardening ends at; Hardening Modulus comes on top. At least Yield "
-                 "Stress.");
+        .meaning("Saturation yield stress of Voce hardening, at least Yield Stress. Hardening Modulus adds "
+                 "to it.");
     s.real("Saturation Rate")
         .orTable()
         .positive()
         .optional()
-        .meaning("How fast: the yield stress is Yield Stress + (Saturation Stress - Yield Stress) (1 - "
-                 "exp(-Saturation Rate x plastic strain)) + Hardening Modulus x plastic strain.");
+        .meaning(
+            "Rate of Voce hardening. Yield stress = Yield Stress + (Saturation Stress - Yield Stress) (1 "
+            "- exp(-Saturation Rate x plastic strain)) + Hardening Modulus x plastic strain.");
     s.allOrNoneOf({"Saturation Stress", "Saturation Rate"});
     describeHeatOfDissipation(s);
   }
@@ -71,7 +68,7 @@ struct J2Plastic : LawDefaults
     readElasticity(reader, -1.0, m);
     m.own[yield] = reader.positive("Yield Stress", "yield stress [Pa]");
     m.own[hardening] = reader.optional("Hardening Modulus", "hardening modulus [Pa]");
-    const double limit = reader.optional("Saturation Stress", "yield stress that hardening ends at [Pa]");
+    const double limit = reader.optional("Saturation Stress", "saturation yield stress [Pa]");
     m.own[saturationRate] = reader.optional("Saturation Rate", "rate of saturation");
     if ((limit > 0.0) != (m.own[saturationRate] > 0.0))
       reader.refuse(limit > 0.0 ? "Saturation Rate" : "Saturation Stress",

@@ -19,7 +19,8 @@ namespace Rhegma
 struct LinearElastic : LawDefaults
 {
   static constexpr const char* name = "Linear Elastic";
-  static constexpr const char* meaning = "Stress follows small strain; rotations may be large.";
+  static constexpr const char* meaning =
+      "Isotropic linear elasticity for small strain; rotations may be large.";
 
   template <class Section>
   static void describe(Section& s)

@@ -32,10 +32,10 @@ public:
     if (!list_.isParameter(parameter))
       refuse(parameter, "a " + model() + " material needs it; give the " + meaning + ".");
     if (!list_.isType<double>(parameter))
-      refuse(parameter, "has to be a number; write type=\"double\".");
+      refuse(parameter, "must be a number; write type=\"double\".");
     const double value = list_.get<double>(parameter);
     if (!std::isfinite(value))
-      refuse(parameter, "has to be a finite number.");
+      refuse(parameter, "must be a finite number.");
     return value;
   }
 

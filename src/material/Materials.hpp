@@ -38,7 +38,7 @@ KOKKOS_INLINE_FUNCTION auto withLaw(int law, Plane plane, const Call& call)
   if constexpr (D == 2)
     if (plane == Plane::Stress)
       return detail::dispatch<D, Plane::Stress>(law, call, List{});
-  return detail::dispatch<D, D == 2 ? Plane::Strain : Plane::Solid>(law, call, List{});
+  return detail::dispatch < D, D == 2 ? Plane::Strain : Plane::Solid > (law, call, List{});
 }
 
 /// Capacity for the history of any law, for kernels that hold a copy; at least one.

@@ -16,7 +16,7 @@ struct MooneyRivlin : LawDefaults
 {
   static constexpr const char* name = "Mooney-Rivlin";
   static constexpr const char* meaning =
-      "Rubber with two shear constants; nearly incompressible if the bulk modulus is large.";
+      "Hyperelastic rubber with two shear constants; nearly incompressible if the bulk modulus is large.";
 
   /// Indices in Properties::own [Pa].
   enum
@@ -30,9 +30,9 @@ struct MooneyRivlin : LawDefaults
   {
     describeDensity(s);
     s.real("C10").orTable().unit("Pa").notNegative().meaning(
-        "Constant of the first invariant; C10 and C01 are not both zero.");
-    s.real("C01").orTable().unit("Pa").notNegative().meaning("Constant of the second invariant.");
-    s.real("Bulk Modulus").orTable().unit("Pa").positive().meaning("Stiffness against a change of volume.");
+        "Coefficient of the first invariant. C10 and C01 must not both be zero.");
+    s.real("C01").orTable().unit("Pa").notNegative().meaning("Coefficient of the second invariant.");
+    s.real("Bulk Modulus").orTable().unit("Pa").positive().meaning("Bulk modulus.");
     describeEntropic(s);
   }
 
@@ -44,7 +44,7 @@ struct MooneyRivlin : LawDefaults
     m.bulk = reader.positive("Bulk Modulus", "bulk modulus [Pa]");
     m.mu = 2.0 * (m.own[c10] + m.own[c01]);
     if (!(m.mu > 0.0))
-      reader.refuse("C10", "and C01 are both zero, which is a fluid; give at least one of them.");
+      reader.refuse("C10", "and C01 are both zero, which is a fluid; make at least one of them positive.");
     m.lambda = m.bulk - 2.0 / 3.0 * m.mu;
     if (m.lambda < 0.0)
       reader.refuse("Bulk Modulus",

@@ -14,7 +14,7 @@ namespace Rhegma
 struct NeoHookean : LawDefaults
 {
   static constexpr const char* name = "Neo-Hookean";
-  static constexpr const char* meaning = "Compressible rubber-like solid for large strain.";
+  static constexpr const char* meaning = "Compressible hyperelastic solid for large strain.";
 
   template <class Section>
   static void describe(Section& s)

@@ -144,8 +144,8 @@ MaterialTables tablesOf(const Teuchos::ParameterList& list, const std::string& n
         property == "Specific Heat" || property == "Conductivity" || property == "Thermal Expansion";
     if (entropic && !thermal && property != "Bulk Modulus")
       throw std::invalid_argument(where + property +
-                                  ": the material is Entropic, so its shear modulus is proportional to "
-                                  "the temperature already; write a number");
+                                  ": the material is Entropic, so its shear modulus is already proportional "
+                                  "to temperature; write a number");
     varies = varies || !thermal || property == "Thermal Expansion";
   }
   const TemperatureTable heat = tableOf(list, "Specific Heat", 0.0),

@@ -43,7 +43,7 @@ struct Call
   std::vector<std::string> writes;    ///< quantities
   std::vector<std::string> addsTo;    ///< quantities
   std::function<void(State<D>&)> run; ///< what it does
-  /// Whether it belongs to each pass that strains particles (State::strainPass), and not to the step.
+  /// Whether it belongs to each pass that strains particles (Clock::strainPass), and not to the step.
   bool ofEachPass = false;
 };
 
@@ -53,6 +53,7 @@ struct Effect
 {
   std::string name;                       ///< its section's
   std::vector<Field> adds;                ///< particle fields that it brings
+  std::vector<NodalField> addsNodal;      ///< nodal fields that it brings (parallel/NodalFieldTable.hpp)
   std::vector<std::string> needs;         ///< particle fields that somebody else must bring
   std::vector<Call<D>> calls;             ///< of all stages
   std::function<void(State<D>&)> atStart; ///< once, when all fields exist and particles are seeded
@@ -60,7 +61,7 @@ struct Effect
 
   std::function<double(const State<D>&)> timeStepLimit; ///< [s]; none if empty
 
-  /// Saves or loads what it keeps from one step to the next beside the fields of the particles
+  /// Saves or loads what it keeps from one step to the next in addition to fields of particles and nodes
   /// (checkpoint/Archive.hpp); empty if nothing. Loading comes after atStart and after the core's own, and
   /// leaves all as it was when it was saved.
   std::function<void(State<D>&, Archive&)> memory;
@@ -76,7 +77,7 @@ struct EffectEntry
   std::function<Effect<2>(const Teuchos::ParameterList& scene)> make2; ///< 2D
   std::function<Effect<3>(const Teuchos::ParameterList& scene)> make3; ///< 3D
   bool onRanks = false; ///< whether it works on more than one rank
-  /// Whether a scene that has it leaves the motion out (State::mechanics); empty: never.
+  /// Whether a scene that has it leaves the motion out (Method::mechanics); empty: never.
   std::function<bool(const Teuchos::ParameterList& scene)> withoutMechanics{};
   /// What it asks of the cells that Domain > Accuracy chooses.
   CellHook cells{};
