@@ -45,10 +45,10 @@ Properties lawAtFront(const State<D>& state, const CrackFront<D>& front)
 {
   const int number = materialAt(state, front.position);
   Properties law = state.materialList[number];
-  if (state.thermo.empty() || !(front.temperature > 0.0))
+  if (state.thermo.empty() || !(front.nodes[0].temperature > 0.0))
     return law;
   const ThermoTables tables = state.thermo;
-  const double temperature = front.temperature;
+  const double temperature = front.nodes[0].temperature;
   double moduli[4] = {}; // from the device
   Kokkos::parallel_reduce(
       "rhegma::lawAtFront", Kokkos::RangePolicy<ExecSpace>(0, 1),
