@@ -20,7 +20,7 @@ struct FrontPiece
 /// it.
 struct FrontLine
 {
-  std::vector<FrontNode<3>> frontNodes;
+  std::vector<FrontNode<3>> nodes;
   std::vector<double> arc;  ///< of each front node: length of its line up to there [m]
   std::vector<int> line;    ///< of each front node
   std::vector<double> loop; ///< of each line: its length if it is closed, else 0 [m]

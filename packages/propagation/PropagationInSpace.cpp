@@ -41,7 +41,7 @@ struct Memory
 /// that are no more.
 struct FrontMemory
 {
-  std::map<int, Memory> frontNodes;
+  std::map<int, Memory> nodes;
   long increments = 0;      ///< of all front nodes together
   double first = 0.0;       ///< time of the first of them [s]
   double last = 0.0;        ///< and of the last [s]
