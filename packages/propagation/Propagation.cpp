@@ -48,7 +48,7 @@ struct Fronts
 /// only their stress intensities tell.
 void decide(State<2>& state, const Options& options, Fronts& fronts)
 {
-  const double now = state.time + state.dt;
+  const double now = state.clock.time + state.clock.dt;
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     CrackFront<2>& front = state.cracks.fronts[f];
@@ -66,7 +66,7 @@ void decide(State<2>& state, const Options& options, Fronts& fronts)
     const AdvanceRule rule = ruleAt(node.temperature, options);
     if (isWeak(rule, fronts.fastest[f]))
     {
-      state.trouble = complaintOfWeak(node.temperature);
+      state.failure = complaintOfWeak(node.temperature);
       return;
     }
     if (history.running())
@@ -100,10 +100,10 @@ void ask(State<2>& state, const Options& options, Fronts& fronts)
       continue;
     node.advances = false;
     FrontHistory& history = fronts.histories[f];
-    const Elasticity e = elasticity(state.materialList[materialAt(state, front.position)]);
-    fronts.next[f] = history.advance(ruleAt(node.temperature, options), state.time,
+    const Elasticity e = elasticity(state.materials.list[materialAt(state, front.position)]);
+    fronts.next[f] = history.advance(ruleAt(node.temperature, options), state.clock.time,
                                      openingRelease(node.driving, e), fronts.increment[f], fronts.fastest[f]);
-    node.speed = history.speed(state.time);
+    node.speed = history.speed(state.clock.time);
     if (fronts.next[f].increments == 0)
       continue;
     const double length = fronts.next[f].increments * fronts.increment[f];
@@ -121,7 +121,7 @@ void ask(State<2>& state, const Options& options, Fronts& fronts)
     fronts.paths[f].insert(fronts.paths[f].end(), {history.lastTime(), place[0], place[1]});
     // Cells and material may be others where it is going.
     fronts.increment[f] = 0.0;
-    if (state.materialList.size() > 1)
+    if (state.materials.list.size() > 1)
       fronts.fastest[f] = 0.0;
   }
 }

@@ -94,7 +94,7 @@ bool isNew(const CrackFront<3>& front, const std::map<int, Memory>& known)
 /// \return what is wrong; empty if nothing
 std::string decideAt(const State<3>& state, FrontNode<3>& frontNode, const Options& options, Memory& memory)
 {
-  const double now = state.time + state.dt, release = frontNode.driving.release;
+  const double now = state.clock.time + state.clock.dt, release = frontNode.driving.release;
   if (memory.fastest == 0.0)
     memory.fastest = fastestAt(state, frontNode.position, options);
   if (memory.increment == 0.0)
@@ -136,7 +136,7 @@ void decide(State<3>& state, const Options& options, Memories& memories)
       const std::string wrong = decideAt(state, frontNode, options, memories[f].nodes.at(frontNode.name));
       if (!wrong.empty())
       {
-        state.trouble = wrong;
+        state.failure = wrong;
         return;
       }
       memories[f].fastest = std::max(memories[f].fastest, memories[f].nodes.at(frontNode.name).fastest);
@@ -195,7 +195,7 @@ void ask(State<3>& state, const Options& options, Memories& memories)
       continue;
     const std::vector<double> angle = turns(front, options, memories[f].nodes);
     // That by which the intensities were found.
-    const Elasticity e = elasticity(state.materialList[materialAt(state, front.position)]);
+    const Elasticity e = elasticity(state.materials.list[materialAt(state, front.position)]);
     FrontAdvance<3> asked;
     asked.front = static_cast<int>(f);
     asked.nodes.resize(front.nodes.size());
@@ -207,16 +207,16 @@ void ask(State<3>& state, const Options& options, Memories& memories)
       to.direction = frontNode.direction;
       if (!frontNode.advances)
       {
-        to.toughness = resistanceAtRest(state.time, ruleAt(frontNode.temperature, options),
+        to.toughness = resistanceAtRest(state.clock.time, ruleAt(frontNode.temperature, options),
                                         memories[f].nodes.at(frontNode.name).history);
         continue;
       }
       frontNode.advances = false;
       Memory& memory = memories[f].nodes.at(frontNode.name);
       const Advance made =
-          memory.history.advance(ruleAt(frontNode.temperature, options), state.time,
+          memory.history.advance(ruleAt(frontNode.temperature, options), state.clock.time,
                                  openingRelease(frontNode.driving, e), memory.increment, memory.fastest);
-      frontNode.speed = memory.history.speed(state.time);
+      frontNode.speed = memory.history.speed(state.clock.time);
       if (made.increments == 0)
         continue;
       FrontMemory& whole = memories[f];
@@ -236,7 +236,7 @@ void ask(State<3>& state, const Options& options, Memories& memories)
             straightCells * memory.increment / (shareOfIncrement * options.cells) - to.length;
       // Cells and material may be others where it is going.
       memory.increment = 0.0;
-      if (state.materialList.size() > 1)
+      if (state.materials.list.size() > 1)
         memory.fastest = 0.0;
     }
     if (any)
