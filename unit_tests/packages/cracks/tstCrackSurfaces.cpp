@@ -2,6 +2,7 @@
 
 #include "cracks/Opening.hpp"
 #include "cracks/SurfaceFile.hpp"
+#include "state/EnergySums.hpp"
 #include "geometry/Cross.hpp"
 #include "output/CoreRow.hpp"
 
