@@ -105,7 +105,7 @@ void heat(Section& s)
       .unit("1/K")
       .above(-0.1)
       .below(0.1)
-      .optional("none")
+      .optional("0")
       .meaning("Coefficient of linear thermal expansion.");
   s.real("Reference Temperature")
       .unit("K")
@@ -129,7 +129,7 @@ void addLaws(Section& material, LawList<Law...> /*list*/)
 
 Section materials()
 {
-  Section material("material", "One material.");
+  Section material("material", "A material.");
   material.chosenBy("Model").meaning("Constitutive law.");
   heat(material);
   addLaws(material, Laws{});
