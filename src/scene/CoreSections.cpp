@@ -24,8 +24,14 @@ Section domain()
       .positive()
       .byDefault(1.0)
       .meaning("Thickness normal to the plane. Masses, forces and energies are for this thickness.");
-  s.realArray("Lower Corner").unit("m").perAxis().meaning("The corner with the smallest coordinates.");
-  s.realArray("Upper Corner").unit("m").perAxis().meaning("The corner with the largest coordinates.");
+  s.realArray("Lower Corner")
+      .unit("m")
+      .perAxis()
+      .meaning("Corner of the domain with the smallest coordinates.");
+  s.realArray("Upper Corner")
+      .unit("m")
+      .perAxis()
+      .meaning("Corner of the domain with the largest coordinates.");
   s.real("Cell Size")
       .unit("m")
       .positive()
