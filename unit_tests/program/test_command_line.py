@@ -45,7 +45,7 @@ class WrongArguments(ProgramTest):
         self.refuse("scene.xml", "--restart", words=["--restart", "needs a value"])
 
     def test_restart_from_no_name(self):
-        self.refuse("scene.xml", "--restart", "", words=["--restart", "has no name"])
+        self.refuse("scene.xml", "--restart", "", words=["--restart", "has no file"])
 
     def test_restart_from_a_file_that_is_not_there(self):
         self.refuse("scene.xml", "--restart", "checkpoint.h5", words=["checkpoint.h5", "No such file"])

@@ -114,7 +114,7 @@ class WrongOutput(ProgramTest):
         self.refuse("/proc/rhegma", "/proc/rhegma")
 
     def test_without_a_name(self):
-        self.refuse("", "no name")
+        self.refuse("", "no folder")
 
     def test_name_that_is_too_long(self):
         self.refuse("x" * 300, "too long")
