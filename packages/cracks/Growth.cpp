@@ -185,9 +185,7 @@ void lengthen(State<2>& state, Chain& chain, bool first, const FrontAdvance<2>& 
     chain.links.insert(first ? chain.links.begin() : chain.links.end(),
                        closedLink(front.position + length * advance.direction));
   front.grown = true;
-  const double energy = advance.toughness * length * state.thickness;
-  front.taken += energy;
-  front.unspent += energy;
+  front.budget.require(advance.toughness * length * state.thickness);
 }
 
 /// What a front has ended on.

@@ -95,7 +95,7 @@ struct ShortSteps
   double lateWork = 0.0;
 };
 
-/// A nodal force that changes where nodes move within a step (contact, ties), for those who move them in
+/// A nodal force that changes where nodes move within a step (contact, front springs), for those who move them in
 /// short steps. Such forces are also among all others before the solve, as at the start of the step. `force`
 /// and `displacement` have a row a slot [N, m].
 template <int D>

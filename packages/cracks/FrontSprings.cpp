@@ -1,0 +1,237 @@
+#include "cracks/FrontSprings.hpp"
+
+#include "base/FewItems.hpp"
+#include "cracks/HoldingForce.hpp"
+#include "cracks/NearestFront.hpp"
+#include "cracks/Release.hpp"
+#include "material/MaterialTable.hpp"
+#include "state/Subdomain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Rhegma::cracks
+{
+
+namespace
+{
+
+/// Finds the spring of the i-th node with two fields.
+template <int D>
+struct FindSpring
+{
+  Nodes<D> nodes;
+  NodePlaces<D> positions;
+  CrackSight<D> sight;
+  View<std::uint64_t*> nearest;
+  NodalSprings<D> springs;
+  View<double * [D + 1]> spring; ///< CrackSet::spring
+  NearestFront<D> frontOf;
+  View<double*> softened; ///< energy that springs dissipate which began to soften now [J]
+  StableStiffness<D> stable;
+  bool refined, grows;
+  View<int*> level;
+  double spacing, thickness, modulus, density;
+  int step;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int i, int& passed, double& converted) const
+  {
+    const int own = nodes.parent(i);
+    const bool fresh = springs.step(own) != step - 1;
+    if (fresh)
+      reset(own);
+    springs.step(own) = step;
+    springs.front(own) = noFront;
+    spring(own, D) = 0.0;
+    const double most = stable(i);
+    if (springs.isReleased(own))
+    {
+      springs.stiffness(own) = 0.0;
+      if (springs.state(own) == SpringState::Releasing)
+        spring(own, D) = atMost(springs.law(own).secant(springs.largest(own)), most);
+      return;
+    }
+    const int s = simplexOf(nearest(own));
+    const int front = grows ? frontOf(positions(own), sight.crackOf(s)) : noFront;
+    if (front != noFront)
+    {
+      spring(own, D) = atMost(springs.stiffness(own), most);
+      if (fresh && most > 0.0)
+      {
+        springs.front(own) = front;
+        ++passed;
+      }
+      else if (springs.stiffness(own) > 0.0)
+        soften(i, front, converted);
+      springs.stiffness(own) = 0.0;
+      return;
+    }
+    if (sight.nearFront(s) != nearFront::hasSprings)
+    {
+      springs.stiffness(own) = 0.0;
+      return;
+    }
+    double stiffness = atMost(wanted(i, s), most);
+    if (stiffness > springs.stiffness(own) && isStretched(own)) // to stiffen would make energy
+      stiffness = springs.stiffness(own);
+    spring(own, D) = springs.stiffness(own) = stiffness;
+  }
+
+private:
+  static KOKKOS_INLINE_FUNCTION double atMost(double value, double limit)
+  {
+    return value < limit ? value : limit;
+  }
+
+  /// All of it, as checkpoints keep all of it: another node that had this number may have left some.
+  KOKKOS_INLINE_FUNCTION void reset(int own) const
+  {
+    springs.state(own) = SpringState::Bonded;
+    springs.stiffness(own) = 0.0;
+    for (int d = 0; d < D; ++d)
+      springs.jump(own, d) = 0.0;
+    for (int k = 0; grows && k < D + 4; ++k)
+      springs.rows(own, k) = 0.0;
+  }
+
+  KOKKOS_INLINE_FUNCTION double square(int own) const
+  {
+    double sum = 0.0;
+    for (int d = 0; d < D; ++d)
+      sum += springs.jump(own, d) * springs.jump(own, d);
+    return sum;
+  }
+
+  KOKKOS_INLINE_FUNCTION double cellAt(int own) const
+  {
+    return refined ? spacing / (1 << level(own)) : spacing;
+  }
+
+  KOKKOS_INLINE_FUNCTION bool isStretched(int own) const
+  {
+    const double cell = cellAt(own);
+    return square(own) > springs::unstretched * springs::unstretched * cell * cell;
+  }
+
+  /// Makes a cohesive traction of a stretched spring. \param converted gets what it stores, which no longer
+  /// is elastic energy of springs [J]
+  KOKKOS_INLINE_FUNCTION void soften(int i, int front, double& converted) const
+  {
+    const int own = nodes.parent(i);
+    const double stretch = square(own);
+    if (!(stretch > 0.0))
+      return;
+    const CohesiveLaw law = softeningLaw(springs.stiffness(own), std::sqrt(stretch));
+    springs.release(own, law, Vector<D>{});
+    springs.front(own) = front;
+    if (!countsHere(nodes, own))
+      return;
+    softened(i) = softenedEnergy(law);
+    converted += 0.5 * springs.stiffness(own) * stretch;
+  }
+
+  /// Stiffness by the law of springs [N/m].
+  KOKKOS_INLINE_FUNCTION double wanted(int i, int s) const
+  {
+    const int own = nodes.parent(i);
+    const double cell = cellAt(own);
+    const Sight seen = sight.look(s, positions(own));
+    double steepest = 0.0;
+    for (int d = 0; d < D; ++d)
+      steepest = std::fmax(steepest, std::fabs(sight.normal(s, d)));
+    double width = thickness;
+    if constexpr (D == 3) // less at the surface, by what of the node's cells is filled
+    {
+      const double mass =
+          nodes.sums(own, Nodes<D>::massAt) + nodes.sums(nodes.numLattice + i, Nodes<D>::massAt);
+      const double filled = mass / (density * cell * cell * cell);
+      width = cell * (filled > springs::fullCells ? 1.0 : filled);
+    }
+    return frontSpringStiffness(modulus, width, seen.behind / cell,
+                                std::fabs(seen.distance) / (cell * steepest), steepest);
+  }
+};
+
+} // namespace
+
+template <int D>
+std::vector<double> sumByFront(const State<D>& state, const NodalSprings<D>& springs,
+                               const View<double*>& energyOfNode)
+{
+  const Nodes<D> nodes = state.nodes;
+  std::vector<double> sums(state.cracks.fronts.size(), 0.0);
+  for (std::size_t f = 0; f < sums.size(); ++f)
+    sums[f] = sumFew<double>(
+        "rhegma::cracks::sumByFront", nodes.numSecond, KOKKOS_LAMBDA(const int i, double& sum) {
+          if (energyOfNode(i) > 0.0 && springs.front(nodes.parent(i)) == static_cast<int>(f))
+            sum += energyOfNode(i);
+        });
+  sumParts(state, sums.data(), static_cast<int>(sums.size()));
+  return sums;
+}
+
+template <int D>
+void FrontSprings<D>::readMaterials(const State<D>& state)
+{
+  if (modulus_ > 0.0)
+    return;
+  modulus_ = std::numeric_limits<double>::infinity();
+  for (const Properties& material : state.materialList)
+  {
+    modulus_ = std::min(modulus_, elasticity(material).effectiveModulus);
+    density_ = std::max(density_, material.density);
+  }
+}
+
+template <int D>
+void FrontSprings<D>::prepare(State<D>& state, const Surroundings& surroundings)
+{
+  memory_.fitToNodes(state);
+  readMaterials(state);
+  const Nodes<D> nodes = state.nodes;
+  if (grows_)
+    frontOf_ = NearestFront<D>(state.cracks);
+  const View<double*> softened("rhegma::cracks::softened", grows_ ? nodes.numSecond : 0);
+  const FindSpring<D> find{nodes,
+                           nodePlaces(state),
+                           CrackSight<D>(state.cracks, state.grid.spacing),
+                           surroundings.nearest,
+                           memory_.springs(),
+                           state.cracks.spring,
+                           frontOf_,
+                           softened,
+                           StableStiffness<D>(state),
+                           state.tree.refined(),
+                           grows_,
+                           state.tree.nodeLevel,
+                           state.grid.spacing,
+                           state.thickness,
+                           modulus_,
+                           density_,
+                           surroundings.stamp};
+  double converted = 0.0;
+  sumFew("rhegma::cracks::findSprings", 0, nodes.numSecond, find, passed_, converted);
+  state.energy.fracture += converted;
+  if (!grows_)
+    return;
+  if constexpr (D == 3)
+    returnPendingEnergy(state, memory_.springs(), frontOf_, surroundings.stamp);
+  sumParts(state, &converted, 1);
+  if (!(converted > 0.0))
+    return;
+  // What these springs stored and will dissipate is part of the energy of new faces.
+  const std::vector<double> energy = sumByFront(state, memory_.springs(), softened);
+  for (std::size_t f = 0; f < energy.size(); ++f)
+    if constexpr (D == 2)
+      state.cracks.fronts[f].budget.carryOver(energy[f]);
+    else
+      state.cracks.fronts[f].budget.release(energy[f]);
+}
+
+template class FrontSprings<2>;
+template class FrontSprings<3>;
+template std::vector<double> sumByFront(const State<2>&, const NodalSprings<2>&, const View<double*>&);
+template std::vector<double> sumByFront(const State<3>&, const NodalSprings<3>&, const View<double*>&);
+
+} // namespace Rhegma::cracks

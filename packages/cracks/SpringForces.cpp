@@ -1,0 +1,264 @@
+/// Forces and energies of the springs behind fronts, and how they stretch.
+
+#include "base/FewItems.hpp"
+#include "cracks/FrontSprings.hpp"
+#include "cracks/HoldingForce.hpp"
+#include "cracks/Release.hpp"
+#include "state/Subdomain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace Rhegma::cracks
+{
+
+namespace
+{
+
+/// Force of a spring on its node's primary field [N]. \param stiffness now [N/m] \param sign of the node's
+/// side
+template <int D>
+KOKKOS_INLINE_FUNCTION Vector<D> pullOf(double stiffness, const Vector<D>& opening, double sign)
+{
+  return (-sign * stiffness) * opening;
+}
+
+template <int D>
+KOKKOS_INLINE_FUNCTION Vector<D> forceOf(const View<double * [D + 1]>& spring, int own)
+{
+  Vector<D> force;
+  for (int d = 0; d < D; ++d)
+    force[d] = spring(own, d);
+  return force;
+}
+
+template <int D>
+KOKKOS_INLINE_FUNCTION void setForce(const View<double * [D + 1]>& spring, int own, const Vector<D>& force)
+{
+  for (int d = 0; d < D; ++d)
+    spring(own, d) = force[d];
+}
+
+/// Stretches the spring of the i-th node with two fields over a step.
+template <int D>
+struct StretchSpring
+{
+  Nodes<D> nodes;
+  NodePlaces<D> positions;
+  View<int*> side;
+  NodalSprings<D> springs;
+  View<double * [D + 1]> spring; ///< CrackSet::spring
+  NearestFront<D> frontOf;
+  View<double*> excess; ///< energy that nodes dissipated beyond theirs [J]
+  double dt;
+  bool byMotion; ///< the nodal motion strains the particles, not the projection
+  bool early;    ///< before the forces of this step
+
+  /// \param elastic energy of springs \param work dissipated by tractions \param beyond sum of excess [J]
+  KOKKOS_INLINE_FUNCTION void operator()(int i, double& elastic, double& work, double& beyond) const
+  {
+    const int own = nodes.parent(i), other = nodes.numLattice + i;
+    const double sign = signOf(side(own));
+    const bool counts = countsHere(nodes, own);
+    // A field without mass moves nowhere: the flight of the other is no stretch.
+    const bool both = nodes.sums(own, Nodes<D>::massAt) > 0.0 && nodes.sums(other, Nodes<D>::massAt) > 0.0;
+    const Vector<D> from = springs.opening(own);
+    // Where strain comes first no force is of this step yet, and that of the last is in no checkpoint.
+    const Vector<D> before = early ? pullOf(spring(own, D), from, sign) : forceOf<D>(spring, own);
+    Vector<D> more;
+    for (int d = 0; d < D; ++d)
+    {
+      const double moved = byMotion ? nodes.motion(own, d) - nodes.motion(other, d)
+                                    : nodes.projection(own, d) - nodes.projection(other, d);
+      more[d] = both ? sign * dt * moved : -springs.jump(own, d);
+      springs.jump(own, d) += more[d];
+    }
+    if (!springs.isReleased(own))
+    {
+      const Vector<D> stretch = springs.opening(own);
+      setForce(spring, own, pullOf(spring(own, D), stretch, sign));
+      for (int d = 0; d < D && counts; ++d)
+        elastic += 0.5 * spring(own, D) * stretch[d] * stretch[d];
+      return;
+    }
+    const double pending = springs.pendingEnergyAt(own, from);
+    open(own);
+    const Vector<D> after = pullOf(spring(own, D), springs.opening(own), sign);
+    setForce(spring, own, after);
+    double dissipated = 0.0;
+    for (int d = 0; d < D; ++d)
+      dissipated -= 0.5 * sign * (before[d] + after[d]) * more[d];
+    if (!both || !counts)
+      return;
+    work += dissipated;
+    if (pending > 0.0 && springs.state(own) == SpringState::Open &&
+        dissipated > pending + springs::toleratedExcess * springs.law(own).energy())
+    {
+      beyond += excess(i) = dissipated - pending;
+      springs.front(own) = frontOf(positions(own), (side(own) > 0 ? side(own) : -side(own)) - 1);
+    }
+  }
+
+private:
+  /// Follows the law of a traction where its node has opened more than ever.
+  KOKKOS_INLINE_FUNCTION void open(int own) const
+  {
+    const Vector<D> u = springs.opening(own);
+    const double square = dot(u, u);
+    if (!(square > springs.largest(own) * springs.largest(own)))
+      return;
+    springs.largest(own) = std::sqrt(square);
+    const CohesiveLaw law = springs.law(own);
+    const double now = law.secant(springs.largest(own));
+    spring(own, D) = now < spring(own, D) ? now : spring(own, D);
+    if (law.isOpen(springs.largest(own)))
+      springs.state(own) = SpringState::Open;
+  }
+};
+
+} // namespace
+
+template <int D>
+void FrontSprings<D>::addForces(State<D>& state) const
+{
+  const Nodes<D> nodes = state.nodes;
+  const View<int*> side = state.cracks.nodeSide;
+  const NodalSprings<D> springs = memory_.springs();
+  const View<double * [D + 1]> spring = state.cracks.spring;
+  forFew(
+      "rhegma::cracks::addSprings", nodes.numSecond, KOKKOS_LAMBDA(const int i) {
+        const int own = nodes.parent(i), other = nodes.numLattice + i;
+        setForce(spring, own, pullOf(spring(own, D), springs.opening(own), signOf(side(own))));
+        for (int d = 0; d < D && countsHere(nodes, own); ++d)
+        {
+          nodes.sums(own, Nodes<D>::forceAt + d) += spring(own, d);
+          nodes.sums(other, Nodes<D>::forceAt + d) -= spring(own, d);
+        }
+      });
+}
+
+template <int D>
+void FrontSprings<D>::release(State<D>& state, const Surroundings& surroundings,
+                              const ToughnessAlong<D>& toughness)
+{
+  double passed = passed_;
+  maxParts(state, &passed, 1);
+  if (passed > 0.0)
+    releasePassedNodes(state, surroundings, memory_.springs(), toughness);
+  passed_ = 0;
+}
+
+template <int D>
+FollowingForce<D> FrontSprings<D>::following() const
+{
+  using Values = View<double* [D]>;
+  const auto frozen = [](const State<D>& state, const NodeSlots& slots, const Values& force)
+  {
+    const Nodes<D> nodes = state.nodes;
+    const View<double * [D + 1]> spring = state.cracks.spring;
+    Kokkos::parallel_for(
+        "rhegma::cracks::frozenSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
+        KOKKOS_LAMBDA(const int i) {
+          const int own = nodes.parent(i), other = nodes.numLattice + i;
+          if (slots.moves(own) == slots.moves(other) || !countsHere(nodes, own))
+            return;
+          const int at = slots.of(slots.moves(own) ? own : other);
+          for (int d = 0; d < D; ++d)
+            force(at, d) += slots.moves(own) ? spring(own, d) : -spring(own, d);
+        });
+  };
+  const auto change =
+      [this](const State<D>& state, const NodeSlots& slots, const Values& displacement, const Values& force)
+  {
+    const Nodes<D> nodes = state.nodes;
+    const View<double * [D + 1]> spring = state.cracks.spring;
+    const View<int*> side = state.cracks.nodeSide;
+    const NodalSprings<D> springs = memory_.springs();
+    Kokkos::parallel_for(
+        "rhegma::cracks::followSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
+        KOKKOS_LAMBDA(const int i) {
+          const int own = nodes.parent(i), other = nodes.numLattice + i;
+          if (spring(own, D) == 0.0 || !slots.moves(own) || !slots.moves(other) || !countsHere(nodes, own))
+            return;
+          const int a = slots.of(own), b = slots.of(other);
+          const double sign = signOf(side(own));
+          Vector<D> u;
+          for (int d = 0; d < D; ++d)
+            u[d] = springs.jump(own, d) + sign * (displacement(a, d) - displacement(b, d)) +
+                   springs.offset(own, d);
+          double stiffness = spring(own, D);
+          if (springs.isReleased(own) && dot(u, u) > springs.largest(own) * springs.largest(own))
+            stiffness = std::fmin(stiffness, springs.law(own).secant(norm(u)));
+          const Vector<D> more = pullOf(stiffness, u, sign) - forceOf<D>(spring, own);
+          for (int d = 0; d < D; ++d)
+          {
+            force(a, d) += more[d];
+            force(b, d) -= more[d];
+          }
+        });
+  };
+  return {frozen, change};
+}
+
+template <int D>
+void FrontSprings<D>::advance(State<D>& state)
+{
+  const View<double*> excess("rhegma::cracks::excess", grows_ ? state.nodes.numSecond : 0);
+  const StretchSpring<D> stretch{state.nodes,
+                                 nodePlaces(state),
+                                 state.cracks.nodeSide,
+                                 memory_.springs(),
+                                 state.cracks.spring,
+                                 frontOf_,
+                                 excess,
+                                 state.strainPass.share * state.dt,
+                                 state.scheme == UpdateScheme::Usl,
+                                 state.strainPass.before};
+  double elastic = 0.0, dissipated = 0.0, beyond = 0.0;
+  sumFew("rhegma::cracks::stretchSprings", 0, state.nodes.numSecond, stretch, elastic, dissipated, beyond);
+  state.energy.springs = elastic;
+  state.energy.fracture += dissipated;
+  std::vector<CrackFront<D>>& fronts = state.cracks.fronts;
+  const bool any = std::any_of(fronts.begin(), fronts.end(), [](const CrackFront<D>& f) { return f.grown; });
+  if (!grows_ || !any)
+    return;
+  sumParts(state, &beyond, 1);
+  if (!(beyond > 0.0))
+    return;
+  const std::vector<double> energy = sumByFront(state, memory_.springs(), excess);
+  for (std::size_t f = 0; f < fronts.size(); ++f)
+    if constexpr (D == 2)
+      fronts[f].budget.overDissipate(energy[f]);
+    else
+      fronts[f].budget.release(energy[f]);
+}
+
+template <int D>
+double FrontSprings<D>::pendingEnergy(const State<D>& state, int step) const
+{
+  const Nodes<D> nodes = state.nodes;
+  const NodalSprings<D> springs = memory_.springs();
+  double sum = sumFew<double>(
+      "rhegma::cracks::pendingEnergy", springs.size(), KOKKOS_LAMBDA(const int n, double& all) {
+        if (step > 0 && springs.step(n) == step && countsHere(nodes, n))
+          all += springs.pendingEnergy(n);
+      });
+  sumParts(state, &sum, 1);
+  for (const CrackFront<D>& front : state.cracks.fronts)
+    sum += front.budget.pending;
+  return sum;
+}
+
+template void FrontSprings<2>::addForces(State<2>&) const;
+template void FrontSprings<3>::addForces(State<3>&) const;
+template void FrontSprings<2>::release(State<2>&, const Surroundings&, const ToughnessAlong<2>&);
+template void FrontSprings<3>::release(State<3>&, const Surroundings&, const ToughnessAlong<3>&);
+template FollowingForce<2> FrontSprings<2>::following() const;
+template FollowingForce<3> FrontSprings<3>::following() const;
+template void FrontSprings<2>::advance(State<2>&);
+template void FrontSprings<3>::advance(State<3>&);
+template double FrontSprings<2>::pendingEnergy(const State<2>&, int) const;
+template double FrontSprings<3>::pendingEnergy(const State<3>&, int) const;
+
+} // namespace Rhegma::cracks
