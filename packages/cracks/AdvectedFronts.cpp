@@ -44,7 +44,7 @@ double AdvectedFronts<D>::advectedCells(const State<D>& state, std::size_t front
   if (now.grown || now.ended || front >= start_.size())
     return 0.0;
   const double distance = norm(now.position - start_[front]);
-  return distance > springs::advectionLimit * state.smallestSpacing()
+  return distance > springs::advectionLimit * state.mesh.smallestSpacing()
              ? distance / spacingAt(state, now.position)
              : 0.0;
 }

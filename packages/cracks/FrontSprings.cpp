@@ -159,7 +159,7 @@ template <int D>
 std::vector<double> sumByFront(const State<D>& state, const NodalSprings<D>& springs,
                                const View<double*>& energyOfNode)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   std::vector<double> sums(state.cracks.fronts.size(), 0.0);
   for (std::size_t f = 0; f < sums.size(); ++f)
     sums[f] = sumFew<double>(
@@ -177,7 +177,7 @@ void FrontSprings<D>::readMaterials(const State<D>& state)
   if (modulus_ > 0.0)
     return;
   modulus_ = std::numeric_limits<double>::infinity();
-  for (const Properties& material : state.materialList)
+  for (const Properties& material : state.materials.list)
   {
     modulus_ = std::min(modulus_, elasticity(material).effectiveModulus);
     density_ = std::max(density_, material.density);
@@ -189,24 +189,24 @@ void FrontSprings<D>::prepare(State<D>& state, const Surroundings& surroundings)
 {
   memory_.fitToNodes(state);
   readMaterials(state);
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   if (grows_)
     frontOf_ = NearestFront<D>(state.cracks);
   const View<double*> softened("rhegma::cracks::softened", grows_ ? nodes.numSecond : 0);
   const FindSpring<D> find{nodes,
                            nodePlaces(state),
-                           CrackSight<D>(state.cracks, state.grid.spacing),
+                           CrackSight<D>(state.cracks, state.mesh.grid.spacing),
                            surroundings.nearest,
                            memory_.springs(),
                            state.cracks.spring,
                            frontOf_,
                            softened,
                            StableStiffness<D>(state),
-                           state.tree.refined(),
+                           state.mesh.tree.refined(),
                            grows_,
-                           state.tree.nodeLevel,
-                           state.grid.spacing,
-                           state.thickness,
+                           state.mesh.tree.nodeLevel,
+                           state.mesh.grid.spacing,
+                           state.method.thickness,
                            modulus_,
                            density_,
                            surroundings.stamp};

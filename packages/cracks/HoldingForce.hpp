@@ -27,11 +27,12 @@ struct StableStiffness
   double limit;       ///< stiffness per reduced mass [1/s2]
 
   explicit StableStiffness(const State<D>& state)
-      : nodes(state.nodes),
-        refined(state.tree.refined()),
-        level(state.tree.nodeLevel),
-        firstSubcycled(state.tree.deepest - std::min(state.subcycledLevels, state.tree.deepest) + 1),
-        limit(springs::stableStiffness / (state.dt * state.dt))
+      : nodes(state.mesh.nodes),
+        refined(state.mesh.tree.refined()),
+        level(state.mesh.tree.nodeLevel),
+        firstSubcycled(state.mesh.tree.deepest -
+                       std::min(state.mesh.subcycledLevels, state.mesh.tree.deepest) + 1),
+        limit(springs::stableStiffness / (state.clock.dt * state.clock.dt))
   {
   }
 

@@ -29,10 +29,10 @@ struct PassedNode
 template <int D>
 View<double* [D]> forceSumOverRanks(const State<D>& state)
 {
-  if (!state.subdomain)
+  if (!state.mesh.subdomain)
     return {};
-  View<double* [D]> force("rhegma::cracks::forceSumOverRanks", state.nodes.sums.extent(0));
-  const auto sums = state.nodes.sums;
+  View<double* [D]> force("rhegma::cracks::forceSumOverRanks", state.mesh.nodes.sums.extent(0));
+  const auto sums = state.mesh.nodes.sums;
   Kokkos::parallel_for(
       "rhegma::cracks::forceSumOverRanks", Kokkos::RangePolicy<ExecSpace>(0, force.extent(0)),
       KOKKOS_LAMBDA(const int n) {
@@ -77,14 +77,14 @@ template <int D>
 View<double* [D + 3]> measurePassed(const State<D>& state, const Surroundings& surroundings,
                                     const NodalSprings<D>& springs, const HoldingForce<D>& holding)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   View<double * [D + 3]> rows("rhegma::cracks::passedNodes", nodes.numSecond);
   const NodePlaces<D> positions = nodePlaces(state);
   const View<std::uint64_t*> nearest = surroundings.nearest;
-  const bool refined = state.tree.refined();
-  const View<int*> level = state.tree.nodeLevel;
-  const double spacing = state.grid.spacing;
-  const NodeArea<D> areaOf{CrackSight<D>(state.cracks, spacing), smallestDensity(state.materialList)};
+  const bool refined = state.mesh.tree.refined();
+  const View<int*> level = state.mesh.tree.nodeLevel;
+  const double spacing = state.mesh.grid.spacing;
+  const NodeArea<D> areaOf{CrackSight<D>(state.cracks, spacing), smallestDensity(state.materials.list)};
   forFew(
       "rhegma::cracks::passedNodes", nodes.numSecond, KOKKOS_LAMBDA(const int i) {
         const int own = nodes.parent(i);
@@ -149,9 +149,9 @@ std::vector<PassedNode> listPassed(const State<D>& state, const View<double * [D
                                    const std::vector<std::size_t>& first)
 {
   const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, rows);
-  const auto parent = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.parent);
+  const auto parent = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.parent);
   std::vector<PassedNode> passed;
-  for (int i = 0; i < state.nodes.numSecond; ++i)
+  for (int i = 0; i < state.mesh.nodes.numSecond; ++i)
   {
     if (host(i, 0) == 0.0)
       continue;
@@ -159,7 +159,7 @@ std::vector<PassedNode> listPassed(const State<D>& state, const View<double * [D
     Vector<D> x;
     for (int d = 0; d < D; ++d)
       x[d] = host(i, 3 + d);
-    passed.push_back({i, host(i, 1), host(i, 2), countsHere(state.nodes, parent(i)),
+    passed.push_back({i, host(i, 1), host(i, 2), countsHere(state.mesh.nodes, parent(i)),
                       nearestPoint(state.cracks, first, state.cracks.fronts[front].crack, x, first[front])});
   }
   return passed;
@@ -184,8 +184,8 @@ std::vector<double> releaseEnergy(const State<D>& state, CrackFront<D>& front, c
     // of new face by the toughness of the last advance; by G, which may be far above that, it would
     // dissipate too much.
     if (sums[0].force > 0.0)
-      energy[0] = front.budget.releaseAll(toughness[0] * state.thickness * cell, springs::carriedFraction,
-                                          springs::deductedFraction);
+      energy[0] = front.budget.releaseAll(toughness[0] * state.method.thickness * cell,
+                                          springs::carriedFraction, springs::deductedFraction);
     return energy;
   }
   double wanted = 0.0, row = 0.0;
@@ -235,7 +235,7 @@ View<double*> releaseRanges(State<D>& state, const View<double * [D + 3]>& rows,
       if (energy[k] > 0.0)
         range[first[f] + k] = releaseRange(energy[k], sums[first[f] + k].force);
   }
-  const View<double*> rangeOf("rhegma::cracks::releaseRanges", state.nodes.numSecond);
+  const View<double*> rangeOf("rhegma::cracks::releaseRanges", state.mesh.nodes.numSecond);
   const auto host = Kokkos::create_mirror_view(rangeOf);
   for (const PassedNode& node : passed)
     host(node.second) = range[node.at];
@@ -249,7 +249,7 @@ template <int D>
 void releasePassedNodes(State<D>& state, const Surroundings& surroundings, const NodalSprings<D>& springs,
                         const ToughnessAlong<D>& toughness)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> side = state.cracks.nodeSide;
   const HoldingForce<D> holding{nodes, side, state.cracks.normal, surroundings.nearest,
                                 forceSumOverRanks(state)};
@@ -289,7 +289,7 @@ template <int D>
 void returnPendingEnergy(State<D>& state, const NodalSprings<D>& springs, const NearestFront<D>& frontOf,
                          int stamp)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const NodePlaces<D> positions = nodePlaces(state);
   const int before = stamp - 1;
   const auto pending = KOKKOS_LAMBDA(const int i)

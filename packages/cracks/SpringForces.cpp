@@ -122,7 +122,7 @@ private:
 template <int D>
 void FrontSprings<D>::addForces(State<D>& state) const
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> side = state.cracks.nodeSide;
   const NodalSprings<D> springs = memory_.springs();
   const View<double * [D + 1]> spring = state.cracks.spring;
@@ -155,7 +155,7 @@ FollowingForce<D> FrontSprings<D>::following() const
   using Values = View<double* [D]>;
   const auto frozen = [](const State<D>& state, const NodeSlots& slots, const Values& force)
   {
-    const Nodes<D> nodes = state.nodes;
+    const Nodes<D> nodes = state.mesh.nodes;
     const View<double * [D + 1]> spring = state.cracks.spring;
     Kokkos::parallel_for(
         "rhegma::cracks::frozenSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
@@ -171,7 +171,7 @@ FollowingForce<D> FrontSprings<D>::following() const
   const auto change =
       [this](const State<D>& state, const NodeSlots& slots, const Values& displacement, const Values& force)
   {
-    const Nodes<D> nodes = state.nodes;
+    const Nodes<D> nodes = state.mesh.nodes;
     const View<double * [D + 1]> spring = state.cracks.spring;
     const View<int*> side = state.cracks.nodeSide;
     const NodalSprings<D> springs = memory_.springs();
@@ -204,19 +204,20 @@ FollowingForce<D> FrontSprings<D>::following() const
 template <int D>
 void FrontSprings<D>::advance(State<D>& state)
 {
-  const View<double*> excess("rhegma::cracks::excess", grows_ ? state.nodes.numSecond : 0);
-  const StretchSpring<D> stretch{state.nodes,
+  const View<double*> excess("rhegma::cracks::excess", grows_ ? state.mesh.nodes.numSecond : 0);
+  const StretchSpring<D> stretch{state.mesh.nodes,
                                  nodePlaces(state),
                                  state.cracks.nodeSide,
                                  memory_.springs(),
                                  state.cracks.spring,
                                  frontOf_,
                                  excess,
-                                 state.strainPass.share * state.dt,
-                                 state.scheme == UpdateScheme::Usl,
-                                 state.strainPass.before};
+                                 state.clock.strainPass.share * state.clock.dt,
+                                 state.method.scheme == UpdateScheme::Usl,
+                                 state.clock.strainPass.before};
   double elastic = 0.0, dissipated = 0.0, beyond = 0.0;
-  sumFew("rhegma::cracks::stretchSprings", 0, state.nodes.numSecond, stretch, elastic, dissipated, beyond);
+  sumFew("rhegma::cracks::stretchSprings", 0, state.mesh.nodes.numSecond, stretch, elastic, dissipated,
+         beyond);
   state.energy.springs = elastic;
   state.energy.fracture += dissipated;
   std::vector<CrackFront<D>>& fronts = state.cracks.fronts;
@@ -237,7 +238,7 @@ void FrontSprings<D>::advance(State<D>& state)
 template <int D>
 double FrontSprings<D>::pendingEnergy(const State<D>& state, int step) const
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const NodalSprings<D> springs = memory_.springs();
   double sum = sumFew<double>(
       "rhegma::cracks::pendingEnergy", springs.size(), KOKKOS_LAMBDA(const int n, double& all) {

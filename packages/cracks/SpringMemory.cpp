@@ -37,35 +37,35 @@ NodalSprings<D, Kokkos::HostSpace> onHost(const NodalSprings<D>& springs)
 template <int D>
 void SpringMemory<D>::fitToNodes(State<D>& state)
 {
-  const int nodes = state.nodes.numLattice;
-  if (generation_ == state.tree.generation && springs_.size() == nodes)
+  const int nodes = state.mesh.nodes.numLattice;
+  if (generation_ == state.mesh.tree.generation && springs_.size() == nodes)
     return;
   std::vector<double> rows = packed(state);
-  if (state.subdomain)
+  if (state.mesh.subdomain)
     rows = state.ranks.gatherOnAll(rows);
   springs_ = NodalSprings<D>(nodes, grows_);
   state.cracks.spring = View<double * [D + 1]>("rhegma::springs", nodes);
   std::vector<double> found = unpack(state, rows);
   state.ranks.max(found.data(), static_cast<int>(found.size()));
-  const double unit = std::ldexp(state.grid.spacing, -deepestLevel);
+  const double unit = std::ldexp(state.mesh.grid.spacing, -deepestLevel);
   const std::vector<FrontPoint<D>> fronts = frontPoints(state.cracks);
   for (std::size_t k = 0; k < found.size(); ++k)
   {
     const double* const row = &rows[k * width()];
     Vector<D> position;
     for (int d = 0; d < D; ++d)
-      position[d] = state.grid.whole[d] + row[d] * unit;
+      position[d] = state.mesh.grid.whole[d] + row[d] * unit;
     const int front = nearestGrownFront(fronts.data(), static_cast<int>(fronts.size()), position, anyCrack);
     if (found[k] == 0.0 && row[D] > 0.0 && front != noFront)
       state.cracks.fronts[front].budget.returnPending(row[D]);
   }
-  generation_ = state.tree.generation;
-  grid_ = state.grid;
-  foreign_ = state.nodes.foreign;
-  finePlace_ = View<double* [D]>("rhegma::positionsOfSprings", state.tree.numFine);
-  if (state.tree.numFine > 0)
-    Kokkos::deep_copy(finePlace_, Kokkos::subview(state.tree.finePlace, std::make_pair(0, state.tree.numFine),
-                                                  Kokkos::ALL));
+  generation_ = state.mesh.tree.generation;
+  grid_ = state.mesh.grid;
+  foreign_ = state.mesh.nodes.foreign;
+  finePlace_ = View<double* [D]>("rhegma::positionsOfSprings", state.mesh.tree.numFine);
+  if (state.mesh.tree.numFine > 0)
+    Kokkos::deep_copy(finePlace_, Kokkos::subview(state.mesh.tree.finePlace,
+                                                  std::make_pair(0, state.mesh.tree.numFine), Kokkos::ALL));
 }
 
 template <int D>

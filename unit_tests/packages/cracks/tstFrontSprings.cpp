@@ -26,21 +26,21 @@ struct Column
       : springs(static_cast<int>(force.size()), true)
   {
     const int count = static_cast<int>(force.size());
-    state.dt = 0.5;
-    state.thickness = 1.0;
-    state.grid.spacing = state.grid.inverse = 1.0;
-    state.grid.numNodes = count;
+    state.clock.dt = 0.5;
+    state.method.thickness = 1.0;
+    state.mesh.grid.spacing = state.mesh.grid.inverse = 1.0;
+    state.mesh.grid.numNodes = count;
     for (int d = 0; d < D; ++d)
     {
-      state.grid.whole[d] = state.grid.origin[d] = 0.0;
-      state.grid.cells[d] = d == 1 ? count : 1;
-      state.grid.stride[d] = d == 1 ? 1 : count;
-      state.grid.axisOrder[d] = d == 1 ? D - 1 : d == 0 ? 0 : 1;
+      state.mesh.grid.whole[d] = state.mesh.grid.origin[d] = 0.0;
+      state.mesh.grid.cells[d] = d == 1 ? count : 1;
+      state.mesh.grid.stride[d] = d == 1 ? 1 : count;
+      state.mesh.grid.axisOrder[d] = d == 1 ? D - 1 : d == 0 ? 0 : 1;
     }
-    state.nodes.reserve(count, count);
-    state.nodes.numSecond = count;
-    state.nodes.parent = View<int*>("parent", count);
-    state.nodes.active = View<int*>("active", count);
+    state.mesh.nodes.reserve(count, count);
+    state.mesh.nodes.numSecond = count;
+    state.mesh.nodes.parent = View<int*>("parent", count);
+    state.mesh.nodes.active = View<int*>("active", count);
     CrackSet<D>& set = state.cracks;
     set.nodeSide = View<int*>("side", count);
     set.normal = View<double* [D]>("normal", 1);
@@ -62,7 +62,7 @@ struct Column
     Kokkos::View<const double*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged> host(force.data(), force.size());
     const View<double*> up("force", count);
     Kokkos::deep_copy(up, host);
-    const Nodes<D> nodes = state.nodes;
+    const Nodes<D> nodes = state.mesh.nodes;
     const View<int*> side = state.cracks.nodeSide;
     const View<double* [D]> normal = state.cracks.normal;
     const NodalSprings<D> of = springs;
@@ -90,7 +90,7 @@ struct Column
   }
   double forceOn(int node) const
   {
-    const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.sums);
+    const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.sums);
     return sums(node, Nodes<D>::forceAt + 1);
   }
 };
@@ -190,7 +190,7 @@ TEST(FrontSprings, ANodeThatAFrontLeavesReturnsItsPendingEnergy)
 TEST(FrontSprings, StableStiffnessIsThatOfTheReducedMass)
 {
   Column<2> column({0.0, 0.0});
-  const Nodes<2> nodes = column.state.nodes;
+  const Nodes<2> nodes = column.state.mesh.nodes;
   Kokkos::parallel_for(
       "empty", Kokkos::RangePolicy<ExecSpace>(0, 1),
       KOKKOS_LAMBDA(const int) { nodes.sums(3, Nodes<2>::massAt) = 0.0; });
