@@ -238,12 +238,10 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     keepCracks(state, archive);
     if (join)
       junctions->keep(archive);
-    const Archive::Group group(archive, "springs");
-    if (hasSprings)
-      springs->keep(state, surroundings->stamp, archive);
   };
   if (hasSprings)
   {
+    effect.addsNodal.push_back(springField<D>());
     // USF stretches springs before forces are summed.
     effect.call({Stage::Scatter,
                  "stiffness of springs behind crack fronts",

@@ -38,44 +38,45 @@ struct FindSpring
   KOKKOS_INLINE_FUNCTION void operator()(int i, int& passed, double& converted) const
   {
     const int own = nodes.parent(i);
-    const bool fresh = springs.step(own) != step - 1;
-    if (fresh)
-      reset(own);
-    springs.step(own) = step;
+    const NodalSpring<D> node = springs(own);
+    const bool fresh = static_cast<int>(node.step()) != step - 1;
+    for (int k = 0; k < NodalSpring<D>::size && fresh; ++k) // another node of this number may have left some
+      node.row[k] = 0.0;
+    node.step() = step;
     springs.front(own) = noFront;
     spring(own, D) = 0.0;
     const double most = stable(i);
-    if (springs.isReleased(own))
+    if (node.isReleased())
     {
-      springs.stiffness(own) = 0.0;
-      if (springs.state(own) == SpringState::Releasing)
-        spring(own, D) = atMost(springs.law(own).secant(springs.largest(own)), most);
+      node.stiffness() = 0.0;
+      if (node.state() == SpringState::Releasing)
+        spring(own, D) = atMost(node.law().secant(node.largest()), most);
       return;
     }
     const int s = simplexOf(nearest(own));
     const int front = grows ? frontOf(positions(own), sight.crackOf(s)) : noFront;
     if (front != noFront)
     {
-      spring(own, D) = atMost(springs.stiffness(own), most);
+      spring(own, D) = atMost(node.stiffness(), most);
       if (fresh && most > 0.0)
       {
         springs.front(own) = front;
         ++passed;
       }
-      else if (springs.stiffness(own) > 0.0)
+      else if (node.stiffness() > 0.0)
         soften(i, front, converted);
-      springs.stiffness(own) = 0.0;
+      node.stiffness() = 0.0;
       return;
     }
     if (sight.nearFront(s) != nearFront::hasSprings)
     {
-      springs.stiffness(own) = 0.0;
+      node.stiffness() = 0.0;
       return;
     }
     double stiffness = atMost(wanted(i, s), most);
-    if (stiffness > springs.stiffness(own) && isStretched(own)) // to stiffen would make energy
-      stiffness = springs.stiffness(own);
-    spring(own, D) = springs.stiffness(own) = stiffness;
+    if (stiffness > node.stiffness() && isStretched(node, cellAt(own))) // to stiffen would make energy
+      stiffness = node.stiffness();
+    spring(own, D) = node.stiffness() = stiffness;
   }
 
 private:
@@ -84,22 +85,11 @@ private:
     return value < limit ? value : limit;
   }
 
-  /// All of it, as checkpoints keep all of it: another node that had this number may have left some.
-  KOKKOS_INLINE_FUNCTION void reset(int own) const
-  {
-    springs.state(own) = SpringState::Bonded;
-    springs.stiffness(own) = 0.0;
-    for (int d = 0; d < D; ++d)
-      springs.jump(own, d) = 0.0;
-    for (int k = 0; grows && k < D + 4; ++k)
-      springs.rows(own, k) = 0.0;
-  }
-
-  KOKKOS_INLINE_FUNCTION double square(int own) const
+  static KOKKOS_INLINE_FUNCTION double square(const NodalSpring<D>& node)
   {
     double sum = 0.0;
     for (int d = 0; d < D; ++d)
-      sum += springs.jump(own, d) * springs.jump(own, d);
+      sum += node.jump(d) * node.jump(d);
     return sum;
   }
 
@@ -108,10 +98,9 @@ private:
     return refined ? spacing / (1 << level(own)) : spacing;
   }
 
-  KOKKOS_INLINE_FUNCTION bool isStretched(int own) const
+  static KOKKOS_INLINE_FUNCTION bool isStretched(const NodalSpring<D>& node, double cell)
   {
-    const double cell = cellAt(own);
-    return square(own) > springs::unstretched * springs::unstretched * cell * cell;
+    return square(node) > springs::unstretched * springs::unstretched * cell * cell;
   }
 
   /// Makes a cohesive traction of a stretched spring. \param converted gets what it stores, which no longer
@@ -119,16 +108,17 @@ private:
   KOKKOS_INLINE_FUNCTION void soften(int i, int front, double& converted) const
   {
     const int own = nodes.parent(i);
-    const double stretch = square(own);
+    const NodalSpring<D> node = springs(own);
+    const double stretch = square(node);
     if (!(stretch > 0.0))
       return;
-    const CohesiveLaw law = softeningLaw(springs.stiffness(own), std::sqrt(stretch));
-    springs.release(own, law, Vector<D>{});
+    const CohesiveLaw law = softeningLaw(node.stiffness(), std::sqrt(stretch));
+    node.release(law, Vector<D>{});
     springs.front(own) = front;
     if (!countsHere(nodes, own))
       return;
     softened(i) = softenedEnergy(law);
-    converted += 0.5 * springs.stiffness(own) * stretch;
+    converted += 0.5 * node.stiffness() * stretch;
   }
 
   /// Stiffness by the law of springs [N/m].
@@ -185,9 +175,19 @@ void FrontSprings<D>::readMaterials(const State<D>& state)
 }
 
 template <int D>
+void FrontSprings<D>::fitToNodes(State<D>& state)
+{
+  const int count = state.mesh.nodes.numLattice;
+  if (static_cast<int>(front_.extent(0)) >= count && state.cracks.spring.extent(0) > 0)
+    return;
+  front_ = View<int*>("rhegma::springFronts", count);
+  state.cracks.spring = View<double * [D + 1]>("rhegma::springs", count);
+}
+
+template <int D>
 void FrontSprings<D>::prepare(State<D>& state, const Surroundings& surroundings)
 {
-  memory_.fitToNodes(state);
+  fitToNodes(state);
   readMaterials(state);
   const Nodes<D> nodes = state.mesh.nodes;
   if (grows_)
@@ -197,7 +197,7 @@ void FrontSprings<D>::prepare(State<D>& state, const Surroundings& surroundings)
                            nodePlaces(state),
                            CrackSight<D>(state.cracks, state.mesh.grid.spacing),
                            surroundings.nearest,
-                           memory_.springs(),
+                           springs(state),
                            state.cracks.spring,
                            frontOf_,
                            softened,
@@ -215,13 +215,14 @@ void FrontSprings<D>::prepare(State<D>& state, const Surroundings& surroundings)
   state.energy.fracture += converted;
   if (!grows_)
     return;
+  returnPendingOfLostNodes(state, surroundings.stamp);
   if constexpr (D == 3)
-    returnPendingEnergy(state, memory_.springs(), frontOf_, surroundings.stamp);
+    returnPendingEnergy(state, springs(state), frontOf_, surroundings.stamp);
   sumParts(state, &converted, 1);
   if (!(converted > 0.0))
     return;
   // What these springs stored and will dissipate is part of the energy of new faces.
-  const std::vector<double> energy = sumByFront(state, memory_.springs(), softened);
+  const std::vector<double> energy = sumByFront(state, springs(state), softened);
   for (std::size_t f = 0; f < energy.size(); ++f)
     if constexpr (D == 2)
       state.cracks.fronts[f].budget.carryOver(energy[f]);

@@ -1,18 +1,13 @@
 #pragma once
 /// Springs and cohesive tractions between the two fields of nodes behind a front.
 
+#include "cracks/NodalSprings.hpp"
 #include "cracks/Sides.hpp"
-#include "cracks/SpringMemory.hpp"
 #include "state/State.hpp"
 
 #include <functional>
 #include <utility>
 #include <vector>
-
-namespace Rhegma
-{
-class Archive;
-}
 
 namespace Rhegma::cracks
 {
@@ -44,7 +39,7 @@ class FrontSprings
 {
 public:
   /// \param grows whether fronts may grow
-  explicit FrontSprings(bool grows) : grows_(grows), memory_(grows) {}
+  explicit FrontSprings(bool grows) : grows_(grows) {}
 
   /// Finds the springs of this step, once nodes have masses, and leaves their stiffness in
   /// state.cracks.spring.
@@ -57,7 +52,8 @@ public:
   /// nodes are known (Release.hpp).
   void release(State<D>& state, const Surroundings& surroundings, const ToughnessAlong<D>& toughness);
 
-  /// Energy of new faces that is not yet dissipated, of nodes and of fronts [J]. \param step as in keep
+  /// Energy of new faces that is not yet dissipated, of nodes and of fronts [J].
+  /// \param step number of the last step, from 1
   double pendingEnergy(const State<D>& state, int step) const;
 
   /// How the forces follow nodes that move in substeps: springs by their stiffness, cohesive tractions by
@@ -67,15 +63,16 @@ public:
   /// Stretches the springs over the step.
   void advance(State<D>& state);
 
-  /// Saves or loads the springs of the nodes that had two fields in the last step. \param step its number,
-  /// from 1
-  void keep(State<D>& state, int step, Archive& archive) { memory_.keep(state, step, archive); }
-
 private:
   void readMaterials(const State<D>& state);
+  void fitToNodes(State<D>& state);
+  NodalSprings<D> springs(const State<D>& state) const
+  {
+    return {state.mesh.nodalFields.template real<NodalSpring<D>::size>(springField<D>().field.name), front_};
+  }
 
   bool grows_;
-  SpringMemory<D> memory_;
+  View<int*> front_;        ///< see NodalSprings
   int passed_ = 0;          ///< nodes of this rank that wait for `release`
   NearestFront<D> frontOf_; ///< of this step
   double modulus_ = 0.0;    ///< the smallest E' of the scene [Pa]

@@ -264,15 +264,16 @@ void releasePassedNodes(State<D>& state, const Surroundings& surroundings, const
           return;
         const Vector<D> held = holding(i);
         const double stiffness = stable(i);
-        springs.state(own) = SpringState::Open;
+        const NodalSpring<D> node = springs(own);
+        node.setState(SpringState::Open);
         if (!(norm(held) > 0.0) || !(range(i) > 0.0))
           return;
         const double fraction = startingFraction(range(i), norm(held) / stiffness);
         const Vector<D> force = fraction * held;
         Vector<D> offset;
         for (int d = 0; d < D; ++d)
-          offset[d] = force[d] / stiffness - springs.jump(own, d);
-        springs.release(own, releaseLaw(norm(force), range(i), fraction, stiffness), offset);
+          offset[d] = force[d] / stiffness - node.jump(d);
+        node.release(releaseLaw(norm(force), range(i), fraction, stiffness), offset);
         spring(own, D) = stiffness;
         for (int d = 0; d < D; ++d)
         {
@@ -295,7 +296,10 @@ void returnPendingEnergy(State<D>& state, const NodalSprings<D>& springs, const 
   const auto pending = KOKKOS_LAMBDA(const int i)
   {
     const int n = nodes.active(i);
-    return before > 0 && springs.step(n) == before && countsHere(nodes, n) ? springs.pendingEnergy(n) : 0.0;
+    const NodalSpring<D> node = springs(n);
+    return before > 0 && static_cast<int>(node.step()) == before && countsHere(nodes, n)
+               ? node.pendingEnergy(node.opening())
+               : 0.0;
   };
   const Kokkos::RangePolicy<ExecSpace> all(0, nodes.active.extent(0));
   double any = 0.0;
@@ -322,10 +326,26 @@ void returnPendingEnergy(State<D>& state, const NodalSprings<D>& springs, const 
   // Once: the same may be found again before another node gets two fields.
   Kokkos::parallel_for(
       "rhegma::cracks::forgetWholeNodes", all, KOKKOS_LAMBDA(const int i) {
-        const int n = nodes.active(i);
-        if (springs.step(n) == before)
-          springs.state(n) = SpringState::Bonded;
+        const NodalSpring<D> node = springs(nodes.active(i));
+        if (static_cast<int>(node.step()) == before)
+          node.setState(SpringState::Bonded);
       });
+}
+
+template <int D>
+void returnPendingOfLostNodes(State<D>& state, int stamp)
+{
+  const std::vector<FrontPoint<D>> fronts = frontPoints(state.cracks);
+  for (const auto& lost : state.mesh.nodalFields.lost(springField<D>().field.name))
+  {
+    const NodalSpring<D, const double> node{lost.values.data()};
+    const double energy =
+        static_cast<int>(node.step()) == stamp - 1 ? node.pendingEnergy(node.opening()) : 0.0;
+    const int front =
+        nearestGrownFront(fronts.data(), static_cast<int>(fronts.size()), lost.position, anyCrack);
+    if (energy > 0.0 && front != noFront)
+      state.cracks.fronts[front].budget.returnPending(energy);
+  }
 }
 
 template void releasePassedNodes(State<2>&, const Surroundings&, const NodalSprings<2>&,
@@ -334,5 +354,7 @@ template void releasePassedNodes(State<3>&, const Surroundings&, const NodalSpri
                                  const ToughnessAlong<3>&);
 template void returnPendingEnergy(State<2>&, const NodalSprings<2>&, const NearestFront<2>&, int);
 template void returnPendingEnergy(State<3>&, const NodalSprings<3>&, const NearestFront<3>&, int);
+template void returnPendingOfLostNodes(State<2>&, int);
+template void returnPendingOfLostNodes(State<3>&, int);
 
 } // namespace Rhegma::cracks

@@ -3,8 +3,8 @@
 
 #include "cracks/FrontSprings.hpp"
 #include "cracks/NearestFront.hpp"
+#include "cracks/NodalSprings.hpp"
 #include "cracks/Sides.hpp"
-#include "cracks/SpringMemory.hpp"
 #include "state/State.hpp"
 
 namespace Rhegma::cracks
@@ -34,5 +34,9 @@ void releasePassedNodes(State<D>& state, const Surroundings& surroundings, const
 template <int D>
 void returnPendingEnergy(State<D>& state, const NodalSprings<D>& springs, const NearestFront<D>& frontOf,
                          int stamp);
+
+/// The same for nodes that are no more, since cells became coarser. Collective.
+template <int D>
+void returnPendingOfLostNodes(State<D>& state, int stamp);
 
 } // namespace Rhegma::cracks

@@ -63,7 +63,8 @@ struct StretchSpring
     const bool counts = countsHere(nodes, own);
     // A field without mass moves nowhere: the flight of the other is no stretch.
     const bool both = nodes.sums(own, Nodes<D>::massAt) > 0.0 && nodes.sums(other, Nodes<D>::massAt) > 0.0;
-    const Vector<D> from = springs.opening(own);
+    const NodalSpring<D> node = springs(own);
+    const Vector<D> from = node.opening();
     // Where strain comes first no force is of this step yet, and that of the last is in no checkpoint.
     const Vector<D> before = early ? pullOf(spring(own, D), from, sign) : forceOf<D>(spring, own);
     Vector<D> more;
@@ -71,20 +72,20 @@ struct StretchSpring
     {
       const double moved = byMotion ? nodes.motion(own, d) - nodes.motion(other, d)
                                     : nodes.projection(own, d) - nodes.projection(other, d);
-      more[d] = both ? sign * dt * moved : -springs.jump(own, d);
-      springs.jump(own, d) += more[d];
+      more[d] = both ? sign * dt * moved : -node.jump(d);
+      node.jump(d) += more[d];
     }
-    if (!springs.isReleased(own))
+    if (!node.isReleased())
     {
-      const Vector<D> stretch = springs.opening(own);
+      const Vector<D> stretch = node.opening();
       setForce(spring, own, pullOf(spring(own, D), stretch, sign));
       for (int d = 0; d < D && counts; ++d)
         elastic += 0.5 * spring(own, D) * stretch[d] * stretch[d];
       return;
     }
-    const double pending = springs.pendingEnergyAt(own, from);
-    open(own);
-    const Vector<D> after = pullOf(spring(own, D), springs.opening(own), sign);
+    const double pending = node.pendingEnergy(from);
+    open(own, node);
+    const Vector<D> after = pullOf(spring(own, D), node.opening(), sign);
     setForce(spring, own, after);
     double dissipated = 0.0;
     for (int d = 0; d < D; ++d)
@@ -92,8 +93,8 @@ struct StretchSpring
     if (!both || !counts)
       return;
     work += dissipated;
-    if (pending > 0.0 && springs.state(own) == SpringState::Open &&
-        dissipated > pending + springs::toleratedExcess * springs.law(own).energy())
+    if (pending > 0.0 && node.state() == SpringState::Open &&
+        dissipated > pending + springs::toleratedExcess * node.law().energy())
     {
       beyond += excess(i) = dissipated - pending;
       springs.front(own) = frontOf(positions(own), (side(own) > 0 ? side(own) : -side(own)) - 1);
@@ -102,18 +103,18 @@ struct StretchSpring
 
 private:
   /// Follows the law of a traction where its node has opened more than ever.
-  KOKKOS_INLINE_FUNCTION void open(int own) const
+  KOKKOS_INLINE_FUNCTION void open(int own, const NodalSpring<D>& node) const
   {
-    const Vector<D> u = springs.opening(own);
+    const Vector<D> u = node.opening();
     const double square = dot(u, u);
-    if (!(square > springs.largest(own) * springs.largest(own)))
+    if (!(square > node.largest() * node.largest()))
       return;
-    springs.largest(own) = std::sqrt(square);
-    const CohesiveLaw law = springs.law(own);
-    const double now = law.secant(springs.largest(own));
+    node.largest() = std::sqrt(square);
+    const CohesiveLaw law = node.law();
+    const double now = law.secant(node.largest());
     spring(own, D) = now < spring(own, D) ? now : spring(own, D);
-    if (law.isOpen(springs.largest(own)))
-      springs.state(own) = SpringState::Open;
+    if (law.isOpen(node.largest()))
+      node.setState(SpringState::Open);
   }
 };
 
@@ -124,12 +125,12 @@ void FrontSprings<D>::addForces(State<D>& state) const
 {
   const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> side = state.cracks.nodeSide;
-  const NodalSprings<D> springs = memory_.springs();
+  const NodalSprings<D> all = springs(state);
   const View<double * [D + 1]> spring = state.cracks.spring;
   forFew(
       "rhegma::cracks::addSprings", nodes.numSecond, KOKKOS_LAMBDA(const int i) {
         const int own = nodes.parent(i), other = nodes.numLattice + i;
-        setForce(spring, own, pullOf(spring(own, D), springs.opening(own), signOf(side(own))));
+        setForce(spring, own, pullOf(spring(own, D), all(own).opening(), signOf(side(own))));
         for (int d = 0; d < D && countsHere(nodes, own); ++d)
         {
           nodes.sums(own, Nodes<D>::forceAt + d) += spring(own, d);
@@ -145,7 +146,7 @@ void FrontSprings<D>::release(State<D>& state, const Surroundings& surroundings,
   double passed = passed_;
   maxParts(state, &passed, 1);
   if (passed > 0.0)
-    releasePassedNodes(state, surroundings, memory_.springs(), toughness);
+    releasePassedNodes(state, surroundings, springs(state), toughness);
   passed_ = 0;
 }
 
@@ -174,7 +175,7 @@ FollowingForce<D> FrontSprings<D>::following() const
     const Nodes<D> nodes = state.mesh.nodes;
     const View<double * [D + 1]> spring = state.cracks.spring;
     const View<int*> side = state.cracks.nodeSide;
-    const NodalSprings<D> springs = memory_.springs();
+    const NodalSprings<D> all = springs(state);
     Kokkos::parallel_for(
         "rhegma::cracks::followSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
         KOKKOS_LAMBDA(const int i) {
@@ -183,13 +184,13 @@ FollowingForce<D> FrontSprings<D>::following() const
             return;
           const int a = slots.of(own), b = slots.of(other);
           const double sign = signOf(side(own));
+          const NodalSpring<D> node = all(own);
           Vector<D> u;
           for (int d = 0; d < D; ++d)
-            u[d] = springs.jump(own, d) + sign * (displacement(a, d) - displacement(b, d)) +
-                   springs.offset(own, d);
+            u[d] = node.jump(d) + sign * (displacement(a, d) - displacement(b, d)) + node.offset(d);
           double stiffness = spring(own, D);
-          if (springs.isReleased(own) && dot(u, u) > springs.largest(own) * springs.largest(own))
-            stiffness = std::fmin(stiffness, springs.law(own).secant(norm(u)));
+          if (node.isReleased() && dot(u, u) > node.largest() * node.largest())
+            stiffness = std::fmin(stiffness, node.law().secant(norm(u)));
           const Vector<D> more = pullOf(stiffness, u, sign) - forceOf<D>(spring, own);
           for (int d = 0; d < D; ++d)
           {
@@ -208,7 +209,7 @@ void FrontSprings<D>::advance(State<D>& state)
   const StretchSpring<D> stretch{state.mesh.nodes,
                                  nodePlaces(state),
                                  state.cracks.nodeSide,
-                                 memory_.springs(),
+                                 springs(state),
                                  state.cracks.spring,
                                  frontOf_,
                                  excess,
@@ -227,7 +228,7 @@ void FrontSprings<D>::advance(State<D>& state)
   sumParts(state, &beyond, 1);
   if (!(beyond > 0.0))
     return;
-  const std::vector<double> energy = sumByFront(state, memory_.springs(), excess);
+  const std::vector<double> energy = sumByFront(state, springs(state), excess);
   for (std::size_t f = 0; f < fronts.size(); ++f)
     if constexpr (D == 2)
       fronts[f].budget.overDissipate(energy[f]);
@@ -239,11 +240,12 @@ template <int D>
 double FrontSprings<D>::pendingEnergy(const State<D>& state, int step) const
 {
   const Nodes<D> nodes = state.mesh.nodes;
-  const NodalSprings<D> springs = memory_.springs();
+  const NodalSprings<D> all = springs(state);
   double sum = sumFew<double>(
-      "rhegma::cracks::pendingEnergy", springs.size(), KOKKOS_LAMBDA(const int n, double& all) {
-        if (step > 0 && springs.step(n) == step && countsHere(nodes, n))
-          all += springs.pendingEnergy(n);
+      "rhegma::cracks::pendingEnergy", nodes.numLattice, KOKKOS_LAMBDA(const int n, double& sumHere) {
+        const NodalSpring<D> node = all(n);
+        if (step > 0 && static_cast<int>(node.step()) == step && countsHere(nodes, n))
+          sumHere += node.pendingEnergy(node.opening());
       });
   sumParts(state, &sum, 1);
   for (const CrackFront<D>& front : state.cracks.fronts)
