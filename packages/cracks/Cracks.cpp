@@ -288,11 +288,13 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  {},
                  [surface, junctions](State<D>& s)
                  {
-                   // Faces that the motion of a body opens later require the same energy.
-                   for (const FrontAdvance<D>& advance : s.cracks.advances)
-                     s.cracks.fronts[advance.front].budget.toughness = advance.toughness;
                    if constexpr (D == 2)
+                   {
+                     // Faces that the motion of a body opens later require the same energy.
+                     for (const FrontAdvance<D>& advance : s.cracks.advances)
+                       s.cracks.fronts[advance.front].budget.toughness = advance.nodes[0].toughness;
                      growCracks(s, *junctions);
+                   }
                    else
                      surface->grow(s);
                  }});
@@ -354,7 +356,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
       entry["position"] = std::vector<double>(front.position.c, front.position.c + D);
       entry["length"] = front.length;
-      entry["speed"] = front.speed;
+      entry["speed"] = front.speed();
     }
   };
   return effect;

@@ -107,10 +107,10 @@ View<double* [D + 3]> measurePassed(const State<D>& state, const Surroundings& s
 template <int D>
 std::vector<Vector<D>> pointsOf(const CrackFront<D>& front)
 {
-  if (front.stations.empty())
+  if (front.nodes.empty())
     return {front.position};
   std::vector<Vector<D>> points;
-  for (const FrontStation<D>& node : front.stations)
+  for (const FrontNode<D>& node : front.nodes)
     points.push_back(node.position);
   return points;
 }
@@ -193,8 +193,8 @@ std::vector<double> releaseEnergy(const State<D>& state, CrackFront<D>& front, c
     wanted += toughness[k] * sums[k].area;
   if (!(wanted > 0.0))
     return energy;
-  for (std::size_t k = 0; k < front.stations.size(); ++k)
-    row += toughness[k] * front.stations[k].share * cell;
+  for (std::size_t k = 0; k < front.nodes.size(); ++k)
+    row += toughness[k] * front.nodes[k].tributaryLength * cell;
   const double fraction =
       front.budget.fractionOfArea(wanted, row, springs::smallestByArea, springs::largestByArea);
   for (std::size_t k = 0; k < toughness.size(); ++k)
@@ -216,7 +216,7 @@ View<double*> releaseRanges(State<D>& state, const View<double * [D + 3]>& rows,
   std::vector<CrackFront<D>>& fronts = state.cracks.fronts;
   std::vector<std::size_t> first{0};
   for (const CrackFront<D>& front : fronts)
-    first.push_back(first.back() + std::max<std::size_t>(1, front.stations.size()));
+    first.push_back(first.back() + std::max<std::size_t>(1, front.nodes.size()));
   const std::vector<PassedNode> passed = listPassed(state, rows, first);
   std::vector<FrontSums> sums(first.back());
   for (const PassedNode& node : passed)
