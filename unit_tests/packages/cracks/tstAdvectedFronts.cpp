@@ -2,6 +2,8 @@
 
 #include "../../src/step/Bodies.hpp"
 
+#include "state/EnergySums.hpp"
+
 #include <algorithm>
 #include <cmath>
 
