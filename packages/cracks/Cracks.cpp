@@ -21,6 +21,7 @@
 #include "plan/LastStage.hpp"
 
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 namespace Rhegma::cracks

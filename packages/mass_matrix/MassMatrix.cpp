@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 namespace Rhegma::mass_matrix
 {

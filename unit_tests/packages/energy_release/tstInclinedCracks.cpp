@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <iomanip>
+#include <nlohmann/json.hpp>
 #include <random>
 
 using namespace Rhegma;

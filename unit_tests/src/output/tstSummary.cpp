@@ -2,6 +2,7 @@
 #include "output/Summary.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 using nlohmann::json;
