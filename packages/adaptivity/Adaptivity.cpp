@@ -40,10 +40,8 @@ struct Progress
   int most = 0, kept = 0;
 };
 
-Section section()
+void addCriteria(Section& s)
 {
-  Section s("Adaptivity",
-            "Cells that become smaller where it matters and larger again, particles with them.");
   s.integer("Maximum Level")
       .range(1, 6)
       .byDefault(2)
@@ -76,6 +74,10 @@ Section section()
       .range(0, 16)
       .byDefault(1)
       .meaning("Rings of cells that are refined around those over which velocity or temperature changes.");
+}
+
+void addTimes(Section& s)
+{
   s.integer("Interval")
       .atLeast(1)
       .byDefault(10)
@@ -100,6 +102,14 @@ Section section()
       .meaning(
           "Small particles stay where becoming one would lose more than this share of their energy. What is "
           "lost is in the ledger under merged.");
+}
+
+Section section()
+{
+  Section s("Adaptivity",
+            "Cells that become smaller where it matters and larger again, particles with them.");
+  addCriteria(s);
+  addTimes(s);
   Section region("region", "A box in which cells are refined from the start; its own name is up to you.");
   region.realArray("Lower Corner").unit("m").perAxis().meaning("The corner with the smallest coordinates.");
   region.realArray("Upper Corner").unit("m").perAxis().meaning("The corner with the largest coordinates.");

@@ -107,6 +107,18 @@ void heatFaces(State<D>& state, Work<D>& work, Burning<D>& b, double share)
   b.gas.heatWalls(all);
 }
 
+template <int D>
+void warnOfLastFuel(State<D>& state, int crack, double widest)
+{
+  const double apart = widest / state.mesh.smallestSpacing();
+  state.warnings.push_back(
+      "Combustion > " + state.cracks.cracks[crack].name +
+      (apart > farApart ? ": the faces had come " + formatReal(std::round(10.0 * apart) / 10.0) +
+                              " of the smallest cells apart, too far for the solid beside them to be found"
+                        : ": the solid beside the faces had burnt away") +
+      " at time " + formatReal(state.clock.time + state.clock.dt) + " s; nothing burns from then on");
+}
+
 } // namespace
 
 template <int D>
@@ -145,14 +157,7 @@ void burnStep(State<D>& state, Work<D>& work, Burning<D>& b)
     if (mass < leastFuel * asked)
     {
       b.spent = true;
-      const double apart = room.widest / state.mesh.smallestSpacing();
-      state.warnings.push_back(
-          "Combustion > " + state.cracks.cracks[b.crack].name +
-          (apart > farApart
-               ? ": the faces had come " + formatReal(std::round(10.0 * apart) / 10.0) +
-                     " of the smallest cells apart, too far for the solid beside them to be found"
-               : ": the solid beside the faces had burnt away") +
-          " at time " + formatReal(state.clock.time + state.clock.dt) + " s; nothing burns from then on");
+      warnOfLastFuel(state, b.crack, room.widest);
     }
   }
   const double come = b.gas.mass() - gasBefore;

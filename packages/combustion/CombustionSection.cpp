@@ -3,10 +3,11 @@
 namespace Rhegma::combustion
 {
 
-Section combustionSection()
+namespace
 {
-  Section s("Combustion", "Burns the faces of cracks: gas in the crack, and its pressure on the faces.");
-  Section crack("crack", "The burning of the crack of this name.");
+
+void addBurnLaw(Section& crack)
+{
   crack.chosenBy("Burn Law").meaning("How fast a burning face recedes.");
   Section vieille("Vieille", "r = a p^n.");
   vieille.real("Burn Coefficient").unit("m/s/Pa^n").notNegative().meaning("The factor a of the law.");
@@ -20,6 +21,10 @@ Section combustionSection()
       .notEmpty()
       .meaning("Pressures and rates, such as \"1e5:1e-3, 1e6:5e-3\"; constant beyond the ends.");
   crack.variant(table);
+}
+
+void addGas(Section& crack)
+{
   crack.real("Solid Density")
       .unit("kg/m3")
       .positive()
@@ -76,6 +81,10 @@ Section combustionSection()
       .notNegative()
       .byDefault(0.0)
       .meaning("Room for gas beside that between the faces; in 2D for the whole thickness.");
+}
+
+void addIgnition(Section& crack)
+{
   crack.real("Ignition Time").unit("s").notNegative().byDefault(0.0).meaning("Nothing burns before it.");
   crack.realArray("Ignition Point")
       .unit("m")
@@ -103,6 +112,10 @@ Section combustionSection()
       .positive()
       .optional("the flame stays")
       .meaning("How fast burning spreads from the ignition point or box, in a straight line.");
+}
+
+void addLosses(Section& crack)
+{
   crack.real("Wall Heat Fraction")
       .notNegative()
       .below(1.0)
@@ -120,6 +133,18 @@ Section combustionSection()
       .atMost(1.0)
       .byDefault(0.85)
       .meaning("Share of the opening at the surface, or into another crack, that the flow has.");
+}
+
+} // namespace
+
+Section combustionSection()
+{
+  Section s("Combustion", "Burns the faces of cracks: gas in the crack, and its pressure on the faces.");
+  Section crack("crack", "The burning of the crack of this name.");
+  addBurnLaw(crack);
+  addGas(crack);
+  addIgnition(crack);
+  addLosses(crack);
   s.namedByUser(crack);
   return s;
 }

@@ -190,26 +190,13 @@ void LongSteps<D>::passThroughFaces(const State<D>& state, const HeatNodes<D>& h
 }
 
 template <int D>
-double LongSteps<D>::implicitStep(State<D>& state, const HeatNodes<D>& heat,
-                                  const HeatBoundaries<D>& boundaries, const CrackConduction<D>& faces,
-                                  double dt)
+double LongSteps<D>::findRightSide(State<D>& state, const HeatNodes<D>& heat,
+                                   const HeatBoundaries<D>& boundaries, const CrackConduction<D>& faces,
+                                   double dt)
 {
-  numberUnknowns(state, heat);
-  findPairs(state, heat, faces, dt);
-  held_ = heat.held;
   const Nodes<D> nodes = state.mesh.nodes;
-  const View<char*> unknown = unknown_;
   const View<double*[2]> change = change_, flow = flow_;
-  const View<double* [pairWidth]> pairs = pairs_;
   const int active = nodes.numActive();
-  const auto take = [&](const BorrowedView<const double*>& from, double scale)
-  {
-    Kokkos::parallel_for(
-        "rhegma::thermal::takeChange", Kokkos::RangePolicy<ExecSpace>(0, active), KOKKOS_LAMBDA(const int i) {
-          const int n = activeNode(nodes, i);
-          change(n, 0) = unknown(n) != 0 ? scale * from(i) : 0.0;
-        });
-  };
   const BorrowedView<double*> right = gradients_.right();
   // What the fields would do if all jumps went at once belongs to the right side.
   Kokkos::parallel_for(
@@ -237,6 +224,30 @@ double LongSteps<D>::implicitStep(State<D>& state, const HeatNodes<D>& heat,
   Kokkos::parallel_for(
       "rhegma::thermal::scaleRight", Kokkos::RangePolicy<ExecSpace>(0, right.extent(0)),
       KOKKOS_LAMBDA(const int i) { right(i) /= -scale; });
+  return scale;
+}
+
+template <int D>
+double LongSteps<D>::implicitStep(State<D>& state, const HeatNodes<D>& heat,
+                                  const HeatBoundaries<D>& boundaries, const CrackConduction<D>& faces,
+                                  double dt)
+{
+  numberUnknowns(state, heat);
+  findPairs(state, heat, faces, dt);
+  held_ = heat.held;
+  const Nodes<D> nodes = state.mesh.nodes;
+  const View<char*> unknown = unknown_;
+  const View<double*[2]> change = change_, flow = flow_;
+  const int active = nodes.numActive();
+  const auto take = [&](const BorrowedView<const double*>& from, double scale)
+  {
+    Kokkos::parallel_for(
+        "rhegma::thermal::takeChange", Kokkos::RangePolicy<ExecSpace>(0, active), KOKKOS_LAMBDA(const int i) {
+          const int n = activeNode(nodes, i);
+          change(n, 0) = unknown(n) != 0 ? scale * from(i) : 0.0;
+        });
+  };
+  const double scale = findRightSide(state, heat, boundaries, faces, dt);
   const SolveResult result = gradients_.solve(
       [&](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
       {

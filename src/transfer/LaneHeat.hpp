@@ -90,6 +90,21 @@ struct HeatOfLanes
   double dt;
   int from, to;
 
+  /// Leaves the law's memory as it is.
+  template <class Law, Plane P>
+  KOKKOS_FORCEINLINE_FUNCTION void stressOfNow(const double* own, const double* memory, double* tau) const
+  {
+    if constexpr (remembers<Law>)
+    {
+      double copy[historyRoom];
+      for (int k = 0; k < historyWidth; ++k)
+        copy[k] = memory[k];
+      Law::template stress<D, P>(properties, own, tau, copy);
+    }
+    else
+      Law::template stress<D, P>(properties, own, tau, nullptr);
+  }
+
   template <class Law, int, Plane P>
   KOKKOS_INLINE_FUNCTION void run() const
   {
@@ -110,15 +125,7 @@ struct HeatOfLanes
       const double expanded = 1.0 / (1.0 + alpha * (before - T0));
       for (int k = 0; k < gradientSize<D>; ++k)
         own[k] = expanded * at.F[k][l];
-      if constexpr (remembers<Law>)
-      {
-        double copy[historyRoom];
-        for (int k = 0; k < historyWidth; ++k)
-          copy[k] = memory[k];
-        Law::template stress<D, P>(properties, own, tau, copy);
-      }
-      else
-        Law::template stress<D, P>(properties, own, tau, nullptr);
+      stressOfNow<Law, P>(own, memory, tau);
       double work = -Law::template energy<D, P>(properties, own, memory);
       if constexpr (remembers<Law>)
         work -= dissipatedEnergy<D>(properties, memory);
