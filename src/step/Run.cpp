@@ -79,6 +79,9 @@ void Run<D>::makeAll()
     extra.insert(extra.end(), effect.adds.begin(), effect.adds.end());
   }
   makeState(scene_, extra, state_);
+  for (const Effect<D>& effect : effects)
+    for (const NodalField& field : effect.addsNodal)
+      state_.mesh.nodalFields.add(field);
   effects.insert(effects.begin(), makeCore(state_));
   Effect<D> boundaries = makeBoundaries<D>(scene_);
   if (!boundaries.calls.empty())
@@ -176,6 +179,7 @@ void Run<D>::step(double until, bool sample)
   state_.clock.observing = sample;
   // First, since the step depends on the cells.
   runStage(Stage::BetweenSteps);
+  moveNodalFields(state_);
   state_.clock.dt = stableTimeStep();
   if (!(state_.clock.dt > 0.0) || !std::isfinite(state_.clock.dt))
   {
@@ -216,6 +220,7 @@ template <int D>
 void Run<D>::keep(Archive& archive)
 {
   archiveState(state_, archive);
+  archiveNodalFields(state_, archive);
   {
     const Archive::Group group(archive, "run");
     archive("stage_seconds", plan_.seconds);
