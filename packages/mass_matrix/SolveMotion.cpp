@@ -39,6 +39,19 @@ void guessFromRowSums(const State<D>& state, const MassSystem<D>& system, const 
       });
 }
 
+/// First guesses where nodes are others than in the last step.
+template <int D>
+void guessAnew(const State<D>& state, const MassSystem<D>& system, const View<double* [D]>& lastVelocity,
+               const View<double* [D]>& last)
+{
+  if (!state.mesh.subdomain)
+    return guessFromRowSums(state, system, lastVelocity, last);
+  // Where the lattice was divided anew, what nodes have is others'; a node that is barely touched would
+  // keep it, as solves don't feel it.
+  Kokkos::deep_copy(lastVelocity, 0.0);
+  Kokkos::deep_copy(last, 0.0);
+}
+
 /// Impulses of the supports: what M a takes beyond the forces that are there.
 template <int D>
 void findReaction(State<D>& state, const MassSystem<D>& system, const View<double*>& acceleration,
@@ -80,15 +93,8 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
   // Where cells have changed there is no such guess.
   const Accuracy accuracy =
       masked || renewed_ || state.method.picFraction > 0.0 ? Accuracy::Solved : Accuracy::Near;
-  if (renewed_ && state.mesh.subdomain)
-  {
-    // Where the lattice was divided anew, what nodes have is others'; a node that is barely touched would
-    // keep it, as solves don't feel it.
-    Kokkos::deep_copy(lastVelocity, 0.0);
-    Kokkos::deep_copy(last, 0.0);
-  }
-  else if (renewed_)
-    guessFromRowSums(state, system, lastVelocity, last);
+  if (renewed_)
+    guessAnew(state, system, lastVelocity, last);
   forFew(
       "rhegma::mass::momentum", system.first, system.last, KOKKOS_LAMBDA(const int row) {
         const int n = s.nodeOf(row);
