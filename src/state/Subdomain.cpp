@@ -54,7 +54,7 @@ template <int D>
 void demandAllParticles(const State<D>& state)
 {
   if (state.ranks.sum(state.particles.size()) != state.particles.ofAllRanks)
-    throw std::logic_error("the ranks together do not hold every particle once");
+    throw std::logic_error("a particle is missing or is on two ranks");
 }
 
 /// Takes this rank's part of the lattice, without anything on its nodes.

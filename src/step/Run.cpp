@@ -38,7 +38,7 @@ template <int D>
 [[noreturn]] void stop(const State<D>& state)
 {
   std::ostringstream reason;
-  reason << "the run stopped at time " << formatReal(state.clock.time) << " s, step " << state.clock.step
+  reason << "the run stopped at t = " << readableTime(state.clock.time) << ", step " << state.clock.step
          << ": " << state.failure;
   throw RunError(reason.str());
 }
@@ -112,18 +112,17 @@ void Run<D>::refuseEndless() const
 {
   if (state_.method.mechanics &&
       (!std::isfinite(state_.clock.fastestSpeed) || !(state_.clock.fastestSpeed > 0.0)))
-    throw std::invalid_argument("Materials: the speed of waves and particles is not a finite positive "
-                                "number; write stiffness, density "
-                                "and the velocity of bodies in SI units");
+    throw std::invalid_argument("Materials: the speed of waves and particles is not finite and positive; "
+                                "check stiffness, density and the velocity of bodies (SI units)");
   const double step = stableTimeStep();
   const double steps = scene_.sublist("Time").get<double>("Final Time") / step;
   // A scene that limits its steps knows what it does.
   if (steps <= mostSteps || scene_.sublist("Time").get<int>("Maximum Steps") < mostSteps)
     return;
-  throw std::invalid_argument(
-      "Time > Final Time: the run would take about " + formatReal(std::round(steps)) + " steps of " +
-      formatReal(step) +
-      " s; write a shorter time, larger cells or fewer Maximum Steps, and materials in SI units");
+  throw std::invalid_argument("Time > Final Time: the run would take about " + formatReal(std::round(steps)) +
+                              " steps of " + formatReal(step) +
+                              " s; write a shorter time, larger cells or fewer Maximum Steps, and check that "
+                              "materials are in SI units");
 }
 
 template <int D>
