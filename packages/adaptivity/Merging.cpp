@@ -100,14 +100,14 @@ struct MergeFamilies
       before.history(to, c) = memory[c];
     mass(to) = m;
     volume(to) = V;
-    level(to) = depth;
-    lineage(to) = lineage(to) >> D;
     write(to, F, v, x, X, edges, half);
   }
 
   KOKKOS_INLINE_FUNCTION void write(int to, const double* F, const double* v, const double* x,
                                     const double* X, const double* edges, const double* half) const
   {
+    --level(to);
+    lineage(to) = lineage(to) >> D;
     for (int c = 0; c < gradientSize<D>; ++c)
       deformation(to, c) = F[c];
     for (int d = 0; d < D; ++d)

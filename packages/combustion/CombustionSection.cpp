@@ -65,6 +65,10 @@ void addGas(Section& crack)
       .byDefault("Energy Balance")
       .meaning("Energy Balance: the temperature follows from the energy balance of the gas; work on the "
                "faces and venting cool it. Constant: the gas stays at the flame temperature.");
+}
+
+void addCavity(Section& crack)
+{
   crack.real("Initial Temperature")
       .unit("K")
       .positive()
@@ -161,6 +165,7 @@ Section combustionSection()
   Section crack("crack", "Combustion of one crack. The sublist has the name of the crack.");
   addBurnLaw(crack);
   addGas(crack);
+  addCavity(crack);
   addIgnition(crack);
   addLosses(crack);
   s.namedByUser(crack);
