@@ -12,20 +12,20 @@ namespace Rhegma
 namespace
 {
 
-/// Which values a row of IdentifiedRows gives: node and primary (0) or enriched (1) field.
+/// Which values a row of NamedRows gives: node and primary (0) or enriched (1) field.
 template <int D>
-using RowIdentity = std::array<int, D + 1>;
+using RowName = std::array<int, D + 1>;
 
 template <int D>
-RowIdentity<D> identityOfRow(const double* row)
+RowName<D> nameOfRow(const double* row)
 {
-  RowIdentity<D> name;
+  RowName<D> name;
   std::transform(row, row + D + 1, name.begin(), [](double n) { return static_cast<int>(n); });
   return name;
 }
 
 template <int D>
-typename NodeIdentities<D>::Identity nodeOf(const RowIdentity<D>& row)
+typename NodeIdentities<D>::Identity nodeOf(const RowName<D>& row)
 {
   typename NodeIdentities<D>::Identity name;
   std::copy_n(row.begin(), D, name.begin());
@@ -114,13 +114,13 @@ void NodalFieldTable<D>::move(const NodalFieldNodes<D>& to, long step, const Ran
   // Unless some rank has other nodes of the lattice, values need not go from rank to rank.
   const bool divided = ranks.max(sameLattice(nodes_, to) ? 0.0 : 1.0) > 0.0;
   const int count = static_cast<int>(columns_.size()), first = divided ? 0 : nodes_.grid.numNodes;
-  std::vector<IdentifiedRows> rows(count), lost(count);
+  std::vector<NamedRows> rows(count), lost(count);
   for (int f = 0; f < count; ++f)
     if (!remeshed || columns_[f].field.onRemesh != OnRemesh::Drop)
     {
-      rows[f] = divided ? ranks.gatherOnAll(identifiedRows(f)) : identifiedRows(f, first, true);
+      rows[f] = divided ? ranks.gatherOnAll(namedRows(f)) : namedRows(f, first, true);
       if (columns_[f].field.reportsLost && !divided)
-        lost[f] = identifiedRows(f, first);
+        lost[f] = namedRows(f, first);
     }
   nodes_ = to;
   identities_ = NodeIdentities<D>(to.grid, to.finePlace);
@@ -130,7 +130,7 @@ void NodalFieldTable<D>::move(const NodalFieldNodes<D>& to, long step, const Ran
     const NodalField& field = columns_[f].field;
     const bool drop = remeshed && field.onRemesh == OnRemesh::Drop;
     fit(columns_[f], divided || drop ? 0 : first);
-    std::vector<double> found = setValues(f, rows[f]);
+    std::vector<double> found = place(f, rows[f]);
     if (remeshed && field.onRemesh == OnRemesh::Interpolate && columns_[f].values.extent(0) > 0)
       interpolate(f, rows[f]);
     if (!field.reportsLost || drop)
@@ -161,10 +161,10 @@ void NodalFieldTable<D>::fit(Column& column, int kept)
 }
 
 template <int D>
-typename NodalFieldTable<D>::IdentifiedRows NodalFieldTable<D>::identifiedRows(int field, int first,
-                                                                               bool ofOthers) const
+typename NodalFieldTable<D>::NamedRows NodalFieldTable<D>::namedRows(int field, int first,
+                                                                     bool ofOthers) const
 {
-  IdentifiedRows rows;
+  NamedRows rows;
   const Column& column = columns_[field];
   const int width = perNode(column.field), components = column.field.field.components;
   const auto values = onHost(column.values);
@@ -189,7 +189,7 @@ typename NodalFieldTable<D>::IdentifiedRows NodalFieldTable<D>::identifiedRows(i
 }
 
 template <int D>
-std::vector<double> NodalFieldTable<D>::setValues(int field, const IdentifiedRows& rows)
+std::vector<double> NodalFieldTable<D>::place(int field, const NamedRows& rows)
 {
   const Column& column = columns_[field];
   const int components = column.field.field.components;
@@ -200,21 +200,21 @@ std::vector<double> NodalFieldTable<D>::setValues(int field, const IdentifiedRow
   for (std::size_t k = 0; k < found.size(); ++k)
     if (found[k] != 0.0)
     {
-      const double* const row = &rows[k * (identityWidth + components)];
-      std::copy_n(row + identityWidth, components, &values(rowOf(column.field, identityOfRow<D>(row)), 0));
+      const double* const row = &rows[k * (nameWidth + components)];
+      std::copy_n(row + nameWidth, components, &values(rowOf(column.field, nameOfRow<D>(row)), 0));
     }
   Kokkos::deep_copy(column.values, values);
   return found;
 }
 
 template <int D>
-std::vector<double> NodalFieldTable<D>::isHere(int field, const IdentifiedRows& rows) const
+std::vector<double> NodalFieldTable<D>::isHere(int field, const NamedRows& rows) const
 {
   const NodalField& of = columns_[field].field;
-  const std::size_t width = identityWidth + of.field.components;
+  const std::size_t width = nameWidth + of.field.components;
   std::vector<double> here(rows.size() / width);
   for (std::size_t k = 0; k < here.size(); ++k)
-    here[k] = rowOf(of, identityOfRow<D>(&rows[k * width])) >= 0 ? 1.0 : 0.0;
+    here[k] = rowOf(of, nameOfRow<D>(&rows[k * width])) >= 0 ? 1.0 : 0.0;
   return here;
 }
 
@@ -228,15 +228,15 @@ int NodalFieldTable<D>::rowOf(const NodalField& field, const std::array<int, D +
 /// The multilinear function of the cells before, hanging nodes included: a node that was none has the mean
 /// over the ends of the edge, the corners of the face or of the cell in whose middle it lies.
 template <int D>
-void NodalFieldTable<D>::interpolate(int field, const IdentifiedRows& rows)
+void NodalFieldTable<D>::interpolate(int field, const NamedRows& rows)
 {
   const NodalField& of = columns_[field].field;
   const int components = of.field.components, width = perNode(of);
-  std::map<RowIdentity<D>, const double*> before; // of nodes of refined cells; others stay
-  for (std::size_t k = 0; k < rows.size(); k += identityWidth + components)
-    before[identityOfRow<D>(&rows[k])] = &rows[k + identityWidth];
+  std::map<RowName<D>, const double*> before; // of nodes of refined cells; others stay
+  for (std::size_t k = 0; k < rows.size(); k += nameWidth + components)
+    before[nameOfRow<D>(&rows[k])] = &rows[k + nameWidth];
   const auto values = onHost(find(of.field.name, components).values);
-  const std::function<std::vector<double>(const RowIdentity<D>&)> at = [&](const RowIdentity<D>& name)
+  const std::function<std::vector<double>(const RowName<D>&)> at = [&](const RowName<D>& name)
   {
     std::vector<double> value(components, 0.0);
     const auto found = before.find(name);
@@ -251,7 +251,7 @@ void NodalFieldTable<D>::interpolate(int field, const IdentifiedRows& rows)
     int edge = 1; // half of that of the smallest cell in which it is a middle
     while (std::none_of(name.begin(), name.begin() + D, [&](int n) { return (n & edge) != 0; }))
       edge *= 2;
-    std::vector<RowIdentity<D>> corners{name};
+    std::vector<RowName<D>> corners{name};
     for (int d = 0; d < D; ++d)
       for (std::size_t k = (name[d] & edge) != 0 ? corners.size() : 0; k > 0; --k)
       {
@@ -259,7 +259,7 @@ void NodalFieldTable<D>::interpolate(int field, const IdentifiedRows& rows)
         corners[k - 1][d] -= edge;
         corners.back()[d] += edge;
       }
-    for (const RowIdentity<D>& corner : corners)
+    for (const RowName<D>& corner : corners)
     {
       const std::vector<double> there = at(corner);
       for (int c = 0; c < components; ++c)
@@ -269,7 +269,7 @@ void NodalFieldTable<D>::interpolate(int field, const IdentifiedRows& rows)
   };
   for (int r = width * nodes_.grid.numNodes; r < width * identities_.size(); ++r)
   {
-    RowIdentity<D> name;
+    RowName<D> name;
     const auto node = identities_.of(r / width);
     std::copy(node.begin(), node.end(), name.begin());
     name[D] = r % width;
@@ -282,21 +282,20 @@ void NodalFieldTable<D>::interpolate(int field, const IdentifiedRows& rows)
 }
 
 template <int D>
-void NodalFieldTable<D>::listLost(int field, const IdentifiedRows& rows, const std::vector<double>& found,
+void NodalFieldTable<D>::listLost(int field, const NamedRows& rows, const std::vector<double>& found,
                                   const Ranks& ranks)
 {
-  const std::size_t width = identityWidth + columns_[field].field.field.components;
-  IdentifiedRows own;
+  const std::size_t width = nameWidth + columns_[field].field.field.components;
+  NamedRows own;
   for (std::size_t k = 0; k < found.size(); ++k)
     if (found[k] == 0.0)
       own.insert(own.end(), &rows[k * width], &rows[k * width] + width);
-  const IdentifiedRows all = ranks.gatherOnAll(own);
-  std::map<RowIdentity<D>, Lost> sorted;
+  const NamedRows all = ranks.gatherOnAll(own);
+  std::map<RowName<D>, Lost> sorted;
   for (std::size_t k = 0; k < all.size(); k += width)
   {
-    const RowIdentity<D> name = identityOfRow<D>(&all[k]);
-    sorted[name] = {identities_.position(nodeOf<D>(name)),
-                    {&all[k + identityWidth], &all[k + width - 1] + 1}};
+    const RowName<D> name = nameOfRow<D>(&all[k]);
+    sorted[name] = {identities_.position(nodeOf<D>(name)), {&all[k + nameWidth], &all[k + width - 1] + 1}};
   }
   for (const auto& [name, lost] : sorted)
     columns_[field].lost.push_back(lost);

@@ -47,7 +47,7 @@ struct NodalFieldRow
 ///
 /// An effect registers a field once, in Effect::addsNodal:
 ///
-///     effect.addsNodal.push_back({{"damage", 1, "", "fraction of the bonds that have failed"},
+///     effect.addsNodal.push_back({{"damage", 1, "", "share of the bonds that have failed"},
 ///                                 OnRemesh::Interpolate});
 ///
 /// and uses it in its calls, from Scatter on:
@@ -117,16 +117,16 @@ public:
   void move(const NodalFieldNodes<D>& to, long step, const Ranks& ranks);
 
   /// A row for each node that has values: its identity, 1 for its enriched field, then the values.
-  using IdentifiedRows = std::vector<double>;
-  static constexpr int identityWidth = D + 1;
+  using NamedRows = std::vector<double>;
+  static constexpr int nameWidth = D + 1;
 
   /// Makes these the nodes; all values are zero then.
   void layOut(const NodalFieldNodes<D>& nodes);
   /// What nodes have. \param field index in fields() \param first node \param ofOthers whether nodes count
   /// that another rank owns
-  IdentifiedRows identifiedRows(int field, int first = 0, bool ofOthers = false) const;
+  NamedRows namedRows(int field, int first = 0, bool ofOthers = false) const;
   /// Gives nodes their values. \return of each row, 1 where its node is here
-  std::vector<double> setValues(int field, const IdentifiedRows& rows);
+  std::vector<double> place(int field, const NamedRows& rows);
 
 private:
   struct Column
@@ -141,12 +141,12 @@ private:
   int rows(const NodalField& field) const { return perNode(field) * identities_.size(); }
   /// Row of a node by its identity and 1 for its enriched field, or -1.
   int rowOf(const NodalField& field, const std::array<int, D + 1>& name) const;
-  std::vector<double> isHere(int field, const IdentifiedRows& rows) const;
+  std::vector<double> isHere(int field, const NamedRows& rows) const;
   /// Makes room for the nodes; those below `kept` keep their values, others have zero.
   void fit(Column& column, int kept);
   /// Gives nodes of refined cells that none of the rows identifies the value that cells had there before.
-  void interpolate(int field, const IdentifiedRows& rows);
-  void listLost(int field, const IdentifiedRows& rows, const std::vector<double>& found, const Ranks& ranks);
+  void interpolate(int field, const NamedRows& rows);
+  void listLost(int field, const NamedRows& rows, const std::vector<double>& found, const Ranks& ranks);
 
   std::vector<Column> columns_;
   NodalFieldNodes<D> nodes_;

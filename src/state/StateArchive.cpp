@@ -24,7 +24,7 @@ void archiveLedger(EnergyBalance& energy, Archive& archive)
   archive("heat", energy.heat);
   archive("round_off", energy.roundOff);
   archive("external_work", energy.externalWork);
-  archive.parts("ties", energy.ties);
+  archive.parts("springs", energy.springs);
   archive("damped", energy.damped);
   archive("plastic", energy.plastic);
   archive("contact", energy.contact);
@@ -229,11 +229,11 @@ void archiveNodalFields(State<D>& state, Archive& archive)
   for (std::size_t f = 0; f < fields.size(); ++f)
   {
     const Archive::Group own(archive, fields[f].field.name);
-    const std::size_t name = table.identityWidth, components = fields[f].field.components;
+    const std::size_t name = table.nameWidth, components = fields[f].field.components;
     std::vector<int> nodes;
     std::vector<double> values, rows;
     if (!archive.loads())
-      rows = table.identifiedRows(static_cast<int>(f));
+      rows = table.namedRows(static_cast<int>(f));
     for (std::size_t k = 0; k < rows.size(); k += name + components)
     {
       nodes.insert(nodes.end(), &rows[k], &rows[k + name]);
@@ -251,7 +251,7 @@ void archiveNodalFields(State<D>& state, Archive& archive)
       rows.insert(rows.end(), &nodes[k * name], &nodes[k * name] + name);
       rows.insert(rows.end(), &values[k * components], &values[k * components] + components);
     }
-    const std::vector<double> found = table.setValues(static_cast<int>(f), rows);
+    const std::vector<double> found = table.place(static_cast<int>(f), rows);
     if (!state.ranks.many() && std::count(found.begin(), found.end(), 0.0) > 0)
       throw std::invalid_argument("the nodal field \"" + fields[f].field.name +
                                   "\" names a node that is not there");
