@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 namespace Rhegma::contact
 {
@@ -223,6 +222,37 @@ void advance(State<D>& state, Account<D>& account)
 }
 
 template <int D>
+void begin(State<D>& state, const std::shared_ptr<Account<D>>& account)
+{
+  if constexpr (D == 2)
+    if (account->visibility)
+      account->visibility->install(state);
+  if (!account->visibility)
+    state.motion.followingForces.push_back(
+        {[account](const State<D>& s, const NodeSlots& slots, const View<double* [D]>& force)
+         { account->contact.addFrozenForces(s, slots, force); },
+         [account](const State<D>& s, const NodeSlots& slots, const View<double* [D]>& displacement,
+                   const View<double* [D]>& force)
+         { account->contact.addChange(s, slots, displacement, force); }});
+  state.cracks.contactEnergy = [account](int crack, double middle, double reach)
+  { return energyIn(account->contact, crack, middle, reach); };
+}
+
+template <int D>
+void keep(Account<D>& account, Archive& archive)
+{
+  archive("booked", account.booked);
+  {
+    const Archive::Group group(archive, "balance");
+    account.balance.keep(archive);
+  }
+  if (account.visibility)
+    account.visibility->keep(archive);
+  else
+    account.contact.keep(archive);
+}
+
+template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)
 {
   const Teuchos::ParameterList& list = scene.sublist("Contact");
@@ -239,21 +269,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.needs = {fields::side};
   const bool extrapolated = scene.isSublist("Cracks") && scene.sublist("Cracks").get<std::string>(
                                                              "Formulation") == "Corrected Broken Cell";
-  effect.atStart = [account](State<D>& state)
-  {
-    if constexpr (D == 2)
-      if (account->visibility)
-        account->visibility->install(state);
-    if (!account->visibility)
-      state.motion.followingForces.push_back(
-          {[account](const State<D>& s, const NodeSlots& slots, const View<double* [D]>& force)
-           { account->contact.addFrozenForces(s, slots, force); },
-           [account](const State<D>& s, const NodeSlots& slots, const View<double* [D]>& displacement,
-                     const View<double* [D]>& force)
-           { account->contact.addChange(s, slots, displacement, force); }});
-    state.cracks.contactEnergy = [account](int crack, double middle, double reach)
-    { return energyIn(account->contact, crack, middle, reach); };
-  };
+  effect.atStart = [account](State<D>& state) { begin(state, account); };
   effect.call({Stage::Scatter, "points on crack faces", {"nodal mass"}, {}, {}, [account](State<D>& s) {
                  prepare(s, *account);
                }});
@@ -281,18 +297,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.call({Stage::Observe, "fractions of energy", {"energies"}, {}, {}, [account](State<D>& s) {
                  observe(s, *account);
                }});
-  effect.memory = [account](State<D>&, Archive& archive)
-  {
-    archive("booked", account->booked);
-    {
-      const Archive::Group group(archive, "balance");
-      account->balance.keep(archive);
-    }
-    if (account->visibility)
-      account->visibility->keep(archive);
-    else
-      account->contact.keep(archive);
-  };
+  effect.memory = [account](State<D>&, Archive& archive) { keep(*account, archive); };
   effect.report = [account](const State<D>& state, nlohmann::json& summary)
   { report(state, *account, summary); };
   effect.timeStepLimit = [alpha, extrapolated](const State<D>& state)

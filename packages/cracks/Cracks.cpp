@@ -21,7 +21,6 @@
 #include "plan/LastStage.hpp"
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 namespace Rhegma::cracks

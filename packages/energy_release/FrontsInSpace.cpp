@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 namespace Rhegma::energy_release

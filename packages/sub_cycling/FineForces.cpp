@@ -224,13 +224,30 @@ void FineParticles<D>::smooth(const State<D>& state, int kind, const Values& for
 }
 
 template <int D>
-void FineParticles<D>::takeRoundTrip(const State<D>& state, int lowest)
+void FineParticles<D>::accelerate(const State<D>& state, int level, double duration, const Values& force,
+                                  const Values& velocity, bool supports)
 {
-  const Values acceleration = acceleration_, carried = carried_;
+  fit(acceleration_, "rhegma::subcycling::acceleration", numSlots_);
+  const Values acceleration = acceleration_, before = before_, carried = carried_;
   const View<int*> count = count_, reach = reach_, particle = particle_;
   const View<int**> slot = slot_;
   const View<double**> weight = weight_;
+  const View<int* [D]> held = held_;
+  const View<double*> nodal = mass_;
+  const View<double* [D]> heldVelocity = heldVelocity_;
   const auto mass = state.particles.scalar(fields::mass);
+  const bool coupled = static_cast<bool>(state.motion.coupledSlots.solve);
+  const int lowest = coupled ? 0 : level; // a coupled mass moves nodes without a force too
+  forFew<fewSlots>(
+      "rhegma::subcycling::accelerate", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
+        const double inverse = nodal(i) > 0.0 ? 1.0 / nodal(i) : 0.0;
+        for (int d = 0; d < D; ++d)
+          acceleration(i, d) = held(i, d) == 0 ? inverse * force(i, d)
+                               : supports      ? (heldVelocity(i, d) - before(i, d)) / duration
+                                               : 0.0;
+      });
+  if (coupled)
+    state.motion.coupledSlots.solve(force, acceleration, true);
   sumInParts(
       "rhegma::subcycling::roundTrip", 0, numListed_, KOKKOS_LAMBDA(const int i, double* to) {
         if (reach(i) < lowest)
@@ -257,32 +274,6 @@ void FineParticles<D>::takeRoundTrip(const State<D>& state, int lowest)
         }
       });
   sumSlots(state, carried);
-}
-
-template <int D>
-void FineParticles<D>::accelerate(const State<D>& state, int level, double duration, const Values& force,
-                                  const Values& velocity, bool supports)
-{
-  fit(acceleration_, "rhegma::subcycling::acceleration", numSlots_);
-  const Values acceleration = acceleration_, before = before_, carried = carried_;
-  const View<int* [D]> held = held_;
-  const View<double*> nodal = mass_;
-  const View<double* [D]> heldVelocity = heldVelocity_;
-  const bool coupled = static_cast<bool>(state.motion.coupledSlots.solve);
-  // A coupled mass moves nodes without a force too.
-  const int lowest = coupled ? 0 : level;
-  forFew<fewSlots>(
-      "rhegma::subcycling::accelerate", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
-        const double inverse = nodal(i) > 0.0 ? 1.0 / nodal(i) : 0.0;
-        for (int d = 0; d < D; ++d)
-          if (held(i, d) == 0)
-            acceleration(i, d) = inverse * force(i, d);
-          else
-            acceleration(i, d) = supports ? (heldVelocity(i, d) - before(i, d)) / duration : 0.0;
-      });
-  if (coupled)
-    state.motion.coupledSlots.solve(force, acceleration, true);
-  takeRoundTrip(state, lowest);
   forFew<fewSlots>(
       "rhegma::subcycling::arrive", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         const double inverse = nodal(i) > 0.0 ? 1.0 / nodal(i) : 0.0;

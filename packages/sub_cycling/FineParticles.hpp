@@ -91,9 +91,6 @@ public:
   /// it.
   void accelerate(const State<D>& state, int level, double duration, const Values& force,
                   const Values& velocity, bool supports = false);
-  /// Part of it: accelerations of nodes to the particles of class `lowest` and deeper, and these back to the
-  /// nodes as forces; public because compilers for devices want kernels in public functions.
-  void takeRoundTrip(const State<D>& state, int lowest);
 
   /// Adds (displacement / duration - velocity) to the velocity after the solve, which moves cracks and of
   /// which work is reckoned, where no support holds.

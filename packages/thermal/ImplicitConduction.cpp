@@ -189,43 +189,25 @@ void LongSteps<D>::passThroughFaces(const State<D>& state, const HeatNodes<D>& h
       });
 }
 
-template <int D>
-double LongSteps<D>::findRightSide(State<D>& state, const HeatNodes<D>& heat,
-                                   const HeatBoundaries<D>& boundaries, const CrackConduction<D>& faces,
-                                   double dt)
+namespace
 {
-  const Nodes<D> nodes = state.mesh.nodes;
-  const View<double*[2]> change = change_, flow = flow_;
-  const int active = nodes.numActive();
-  const BorrowedView<double*> right = gradients_.right();
-  // What the fields would do if all jumps went at once belongs to the right side.
-  Kokkos::parallel_for(
-      "rhegma::thermal::clearChange", Kokkos::RangePolicy<ExecSpace>(0, active), KOKKOS_LAMBDA(const int i) {
-        const int n = activeNode(nodes, i);
-        change(n, 0) = flow(n, 0) = 0.0;
-      });
-  if (faces.active(state))
-  {
-    spread(state, 1.0);
-    findFlow(state, boundaries);
-  }
-  Kokkos::parallel_for(
-      "rhegma::thermal::addFlow", Kokkos::RangePolicy<ExecSpace>(0, active), KOKKOS_LAMBDA(const int i) {
-        const int n = activeNode(nodes, i);
-        flow(n, 0) += heat.rate(n, 0);
-      });
-  residual(state, heat, dt, right);
+
+/// Takes a vector to unit length, and to its opposite. \return its length; 1 where it is zero
+double normalise(const Ranks& ranks, const BorrowedView<double*>& right)
+{
   double size = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::thermal::sizeOfRight", Kokkos::RangePolicy<ExecSpace>(0, right.extent(0)),
       KOKKOS_LAMBDA(const int i, double& sum) { sum += right(i) * right(i); }, size);
-  size = std::sqrt(state.ranks.sum(size));
+  size = std::sqrt(ranks.sum(size));
   const double scale = size > 0.0 ? size : 1.0;
   Kokkos::parallel_for(
       "rhegma::thermal::scaleRight", Kokkos::RangePolicy<ExecSpace>(0, right.extent(0)),
       KOKKOS_LAMBDA(const int i) { right(i) /= -scale; });
   return scale;
 }
+
+} // namespace
 
 template <int D>
 double LongSteps<D>::implicitStep(State<D>& state, const HeatNodes<D>& heat,
@@ -247,7 +229,25 @@ double LongSteps<D>::implicitStep(State<D>& state, const HeatNodes<D>& heat,
           change(n, 0) = unknown(n) != 0 ? scale * from(i) : 0.0;
         });
   };
-  const double scale = findRightSide(state, heat, boundaries, faces, dt);
+  const BorrowedView<double*> right = gradients_.right();
+  // What the fields would do if all jumps went at once belongs to the right side.
+  Kokkos::parallel_for(
+      "rhegma::thermal::clearChange", Kokkos::RangePolicy<ExecSpace>(0, active), KOKKOS_LAMBDA(const int i) {
+        const int n = activeNode(nodes, i);
+        change(n, 0) = flow(n, 0) = 0.0;
+      });
+  if (faces.active(state))
+  {
+    spread(state, 1.0);
+    findFlow(state, boundaries);
+  }
+  Kokkos::parallel_for(
+      "rhegma::thermal::addFlow", Kokkos::RangePolicy<ExecSpace>(0, active), KOKKOS_LAMBDA(const int i) {
+        const int n = activeNode(nodes, i);
+        flow(n, 0) += heat.rate(n, 0);
+      });
+  residual(state, heat, dt, right);
+  const double scale = normalise(state.ranks, right);
   const SolveResult result = gradients_.solve(
       [&](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
       {

@@ -60,9 +60,6 @@ public:
                        double dt, double explicitLimit);
   double implicitStep(State<D>& state, const HeatNodes<D>& nodes, const HeatBoundaries<D>& boundaries,
                       const CrackConduction<D>& faces, double dt);
-  /// Leaves the right side divided by its size. \return that size
-  double findRightSide(State<D>& state, const HeatNodes<D>& nodes, const HeatBoundaries<D>& boundaries,
-                       const CrackConduction<D>& faces, double dt);
   double findFlow(const State<D>& state, const HeatBoundaries<D>& boundaries);
   void addGradient(const State<D>& state, const HeatNodes<D>& nodes);
   void findDiagonal(const State<D>& state, const HeatBoundaries<D>& boundaries);

@@ -7,7 +7,7 @@
 
 #include <Teuchos_ParameterList.hpp>
 #include <functional>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 

@@ -24,8 +24,14 @@ Section domain()
       .positive()
       .byDefault(1.0)
       .meaning("Thickness normal to the plane. Masses, forces and energies are for this thickness.");
-  s.realArray("Lower Corner").unit("m").perAxis().meaning("The corner with the smallest coordinates.");
-  s.realArray("Upper Corner").unit("m").perAxis().meaning("The corner with the largest coordinates.");
+  s.realArray("Lower Corner")
+      .unit("m")
+      .perAxis()
+      .meaning("Corner of the domain with the smallest coordinates.");
+  s.realArray("Upper Corner")
+      .unit("m")
+      .perAxis()
+      .meaning("Corner of the domain with the largest coordinates.");
   s.real("Cell Size")
       .unit("m")
       .positive()
@@ -105,7 +111,7 @@ void heat(Section& s)
       .unit("1/K")
       .above(-0.1)
       .below(0.1)
-      .optional("none")
+      .optional("0")
       .meaning("Coefficient of linear thermal expansion.");
   s.real("Reference Temperature")
       .unit("K")
@@ -129,7 +135,7 @@ void addLaws(Section& material, LawList<Law...> /*list*/)
 
 Section materials()
 {
-  Section material("material", "One material.");
+  Section material("material", "A material.");
   material.chosenBy("Model").meaning("Constitutive law.");
   heat(material);
   addLaws(material, Laws{});

@@ -89,22 +89,6 @@ struct HeatOfLanes
   double duration; ///< of the strain [s]
   int from, to;
 
-  /// The law's stress without a strain; leaves its history as it is. \param temperature [K]
-  template <class Law, Plane P>
-  KOKKOS_FORCEINLINE_FUNCTION void stressOfNow(const double* own, double temperature, const double* memory,
-                                               double* tau) const
-  {
-    if constexpr (hasHistory<Law>)
-    {
-      double copy[historyCapacity];
-      for (int k = 0; k < historyWidth; ++k)
-        copy[k] = memory[k];
-      stressOfLaw<Law, D, P>({own, 0.0, temperature}, properties, own, tau, copy);
-    }
-    else
-      stressOfLaw<Law, D, P>({own, 0.0, temperature}, properties, own, tau, nullptr);
-  }
-
   template <class Law, int, Plane P>
   KOKKOS_INLINE_FUNCTION void run() const
   {
@@ -125,7 +109,15 @@ struct HeatOfLanes
       const double expanded = 1.0 / (1.0 + alpha * (before - T0));
       for (int k = 0; k < gradientSize<D>; ++k)
         own[k] = expanded * at.F[k][l];
-      stressOfNow<Law, P>(own, before, memory, tau);
+      if constexpr (hasHistory<Law>)
+      {
+        double copy[historyCapacity];
+        for (int k = 0; k < historyWidth; ++k)
+          copy[k] = memory[k];
+        stressOfLaw<Law, D, P>({own, 0.0, before}, properties, own, tau, copy);
+      }
+      else
+        stressOfLaw<Law, D, P>({own, 0.0, before}, properties, own, tau, nullptr);
       double start[Law::usesStep ? gradientSize<D> : 1];
       if constexpr (Law::usesStep)
         for (int k = 0; k < gradientSize<D>; ++k)

@@ -5,7 +5,6 @@
 
 #include <Teuchos_ParameterList.hpp>
 #include <gtest/gtest.h>
-#include <nlohmann/json.hpp>
 
 using namespace Rhegma;
 using namespace Rhegma::energy_release;

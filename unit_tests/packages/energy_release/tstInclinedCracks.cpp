@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <iomanip>
-#include <nlohmann/json.hpp>
 #include <random>
 
 using namespace Rhegma;

@@ -10,7 +10,6 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 using namespace Rhegma;
 

@@ -2,7 +2,6 @@
 #include "output/Summary.hpp"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 using nlohmann::json;
