@@ -1,6 +1,7 @@
+#include "scene/CoreSections.hpp"
+
 #include "material/Laws.hpp"
 #include "scene/CoreBodies.hpp"
-#include "scene/CoreBoundaries.hpp"
 #include "scene/Schema.hpp"
 
 namespace Rhegma
@@ -147,6 +148,18 @@ Section materials()
   return s;
 }
 
+Section boundaries(const std::vector<Section>& types)
+{
+  Section boundary("boundary", "A load or a support.");
+  boundary.chosenBy("Type").meaning("Kind of load or support.");
+  for (const Section& type : types)
+    boundary.variant(type);
+
+  Section s("Boundaries", "Loads and supports.");
+  s.namedByUser(boundary);
+  return s;
+}
+
 Section output()
 {
   Section s("Output", "Which results are written, and how often.");
@@ -199,9 +212,11 @@ Section reference()
 
 } // namespace
 
-std::vector<Section> coreSections()
+std::vector<Section> coreSections(const std::vector<Section>& boundaryTypes)
 {
-  return {domain(), time(), materials(), bodies(), boundaries(), output(), reference()};
+  return {domain(), time(), materials(), bodies(), boundaries(boundaryTypes), output(), reference()};
 }
+
+std::vector<Section> coreSections() { return coreSections({}); }
 
 } // namespace Rhegma
