@@ -267,8 +267,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   };
   effect.call({Stage::BetweenSteps,
                "cells and particles adapt",
-               {"crack geometry"},
-               {"cells"},
+               {ifWritten(quantity::crackGeometry)},
+               {quantity::cells},
                {},
                [=](State<D>& state)
                {

@@ -50,9 +50,9 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   };
   effect.call({Stage::BeforeSolve,
                "push of gas",
-               {"nodal mass"},
+               {quantity::nodalMass, quantity::crackGeometry},
                {},
-               {"nodal force"},
+               {quantity::nodalForce, quantity::facePressure},
                [work](State<D>& s)
                {
                  work->follow(s);
@@ -62,7 +62,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                }});
   effect.call({stageOfWays(scene),
                "work of gas and burning of crack faces",
-               {projectsLast(scene) ? "projection" : "particle velocity"},
+               {projectsLast(scene) ? quantity::projection : quantity::particleVelocity},
                {},
                {},
                [work](State<D>& s)
@@ -73,8 +73,9 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                    burnStep(s, *work, b);
                  letGasesPass(s, *work);
                }});
-  effect.call(
-      {Stage::Observe, "gas in cracks", {"energies"}, {}, {}, [work](State<D>& s) { sampleGas(s, *work); }});
+  effect.call({Stage::Observe, "gas in cracks", {quantity::facePressure}, {}, {}, [work](State<D>& s) {
+                 sampleGas(s, *work);
+               }});
   effect.timeStepLimit = [work](const State<D>&)
   {
     double limit = std::numeric_limits<double>::max();

@@ -281,19 +281,22 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       account->start.push_back(measureSides(state, account->watched.back()));
     }
   };
-  effect.call({Stage::Scatter, "points on crack faces", {"nodal mass"}, {}, {}, [account](State<D>& s) {
-                 prepare(s, *account);
-               }});
+  effect.call({Stage::Scatter,
+               "points on crack faces",
+               {quantity::nodalMass, quantity::enrichedFields},
+               {},
+               {},
+               [account](State<D>& s) { prepare(s, *account); }});
   if (!visibility)
     effect.call({Stage::BeforeSolve,
                  "contact of crack faces",
-                 {"nodal mass"},
+                 {quantity::nodalMass, quantity::enrichedFields},
                  {},
-                 {"nodal force"},
+                 {quantity::nodalForce},
                  [account](State<D>& s) { account->contact.addForces(s); }});
   effect.call({Stage::AfterSolve,
                "balance of energy",
-               {"constrained motion"},
+               {quantity::nodalMotion, ifWritten(quantity::constrainedMotion)},
                {},
                {},
                [account](State<D>& s)
@@ -301,13 +304,18 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  if (s.observing)
                    account->balance.measure(s, account->contact.stored());
                }});
-  effect.call(
-      {Stage::AfterProjection, "gaps of crack faces", {"projection"}, {"gaps"}, {}, [account](State<D>& s) {
-         advance(s, *account);
-       }});
-  effect.call({Stage::Observe, "shares of energy", {"energies"}, {}, {}, [account](State<D>& s) {
-                 observe(s, *account);
-               }});
+  effect.call({Stage::AfterProjection,
+               "gaps of crack faces",
+               {quantity::nodalMotion, ifWritten(quantity::projection)},
+               {quantity::contactGaps},
+               {},
+               [account](State<D>& s) { advance(s, *account); }});
+  effect.call({Stage::Observe,
+               "shares of energy",
+               {quantity::energyBalance, quantity::contactGaps},
+               {},
+               {},
+               [account](State<D>& s) { observe(s, *account); }});
   effect.memory = [account](State<D>&, Archive& archive)
   {
     archive("booked", account->booked);

@@ -249,24 +249,27 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     // USF stretches ties before forces are summed.
     effect.call({Stage::Scatter,
                  "stiffness of ties behind crack fronts",
-                 {"nodal mass"},
-                 {"stiffness of ties"},
+                 {quantity::nodalMass, quantity::enrichedFields},
+                 {quantity::springStiffness},
                  {},
                  [ties, surroundings](State<D>& s) { ties->prepare(s, *surroundings); }});
     effect.call({Stage::BeforeSolve,
                  "ties behind crack fronts",
-                 {"stiffness of ties"},
-                 {},
-                 {"force of stresses"},
+                 {quantity::springStiffness, quantity::springStretch},
+                 {quantity::springForce},
+                 {quantity::internalForce},
                  [ties](State<D>& s) { ties->addForces(s); }});
     if (grows)
-      effect.call({Stage::Solve, "cohesion of new crack faces", {}, {}, {"nodal force"}, [=](State<D>& s) {
-                     ties->release(s, *surroundings);
-                   }});
+      effect.call({Stage::Solve,
+                   "cohesion of new crack faces",
+                   {quantity::springForce},
+                   {quantity::fractureEnergy},
+                   {quantity::nodalForce},
+                   [=](State<D>& s) { ties->release(s, *surroundings); }});
     effect.call({Stage::AfterProjection,
                  "stretch of ties behind crack fronts",
-                 {"projection"},
-                 {"ties"},
+                 {quantity::nodalMotion, ifWritten(quantity::projection)},
+                 {quantity::springStretch},
                  {},
                  [ties](State<D>& s) { ties->advance(s); },
                  true});
@@ -274,8 +277,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   if (grows)
     effect.call({Stage::BetweenSteps,
                  "cracks grow",
-                 {"advances of fronts"},
-                 {"crack geometry"},
+                 {quantity::frontAdvances},
+                 {quantity::crackGeometry},
                  {},
                  [surface, junctions, ties](State<D>& s)
                  {
@@ -287,8 +290,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  }});
   effect.call({stageOfWays(scene),
                "cracks move",
-               {projectsLast(scene) ? "projection" : "nodal motion"},
-               {"crack geometry"},
+               {projectsLast(scene) ? quantity::projection : quantity::nodalMotion},
+               {quantity::crackGeometry},
                {},
                [=](State<D>& s)
                {
@@ -300,7 +303,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                }});
   effect.call({Stage::Observe,
                "opening of cracks",
-               {"energies"},
+               {quantity::crackGeometry},
                {},
                {},
                [](State<D>& s)

@@ -201,8 +201,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   if (rate > 0.0 && between)
     effect.call({Stage::BeforeSolve,
                  "mass damping",
-                 {"force of stresses"},
-                 {"nodal force"},
+                 {quantity::internalForce},
+                 {quantity::nodalForce},
                  {},
                  [=, held = std::make_shared<View<char**>>()](State<D>& s)
                  {
@@ -216,7 +216,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     effect.call({Stage::Scatter,
                  "mass damping",
                  {},
-                 {"particle velocity"},
+                 {quantity::particleVelocity},
                  {},
                  [=](State<D>& s)
                  {
@@ -226,7 +226,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   if (rate > 0.0 && !between)
     effect.call({Stage::Scatter,
                  "what mass damping takes from stresses",
-                 {"nodal momentum", "prescribed values", "short steps", "mass matrix"},
+                 {quantity::nodalMomentum, ifWritten(quantity::prescribedMotion),
+                  ifWritten(quantity::substeps), ifWritten(quantity::massMatrix)},
                  {},
                  {},
                  [=, held = std::make_shared<View<char**>>()](State<D>& s)
@@ -239,7 +240,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     effect.adds.push_back({fields::rate, D * D, "1/s", "velocity gradient, row by row"});
     effect.call({Stage::OnParticles,
                  "viscous stress",
-                 {"particle stress"},
+                 {quantity::particleStress},
                  {},
                  {},
                  [=](State<D>& s)
@@ -263,9 +264,13 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                                  list.get<int>("Settled Samples"));
   const bool stop = list.get<bool>("Stop When Settled");
   effect.atStart = [stop](State<D>& s) { s.stopWhenSettled = stop; };
-  effect.call({Stage::Observe, "settling", {"energies", "energy release"}, {}, {}, [settling](State<D>& s) {
-                 s.settled = settling->sample(s.energy.kinetic, s.energy.strain, s.row);
-               }});
+  effect.call({Stage::Observe,
+               "settling",
+               {quantity::energyBalance, ifWritten(quantity::energyRelease)},
+               {},
+               {},
+               [settling](State<D>& s)
+               { s.settled = settling->sample(s.energy.kinetic, s.energy.strain, s.row); }});
   effect.memory = [settling](State<D>&, Archive& archive) { settling->keep(archive); };
   return effect;
 }

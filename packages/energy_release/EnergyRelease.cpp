@@ -327,9 +327,10 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
   };
   effect.call({Stage::Observe,
                "energy release of crack fronts",
-               {"crack geometry", "particle stress"},
+               {quantity::crackGeometry, quantity::particleStress, quantity::enrichedFields,
+                ifWritten(quantity::springForce), ifWritten(quantity::facePressure)},
                {},
-               {"energy release"},
+               {quantity::energyRelease},
                [=](State<2>& state)
                {
                  if (state.observing)

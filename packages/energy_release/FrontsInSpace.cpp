@@ -267,9 +267,10 @@ Effect<3> fronts3(const Teuchos::ParameterList& scene)
   };
   effect.call({Stage::Observe,
                "energy release of crack fronts",
-               {"crack geometry", "particle stress"},
+               {quantity::crackGeometry, quantity::particleStress, quantity::enrichedFields,
+                ifWritten(quantity::springForce), ifWritten(quantity::facePressure)},
                {},
-               {"energy release"},
+               {quantity::energyRelease},
                [=](State<3>& state)
                {
                  if (state.observing)

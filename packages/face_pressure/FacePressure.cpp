@@ -89,9 +89,9 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   };
   effect.call({Stage::BeforeSolve,
                "pressure on crack faces",
-               {"nodal mass"},
+               {quantity::nodalMass, quantity::crackGeometry},
                {},
-               {"nodal force"},
+               {quantity::nodalForce, quantity::facePressure},
                [account](State<D>& s)
                {
                  account->points.update(s);
@@ -100,7 +100,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                }});
   effect.call({stageOfWays(scene),
                "work of pressure on crack faces",
-               {projectsLast(scene) ? "projection" : "nodal motion"},
+               {projectsLast(scene) ? quantity::projection : quantity::nodalMotion},
                {},
                {},
                [account](State<D>& s)
@@ -110,7 +110,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                }});
   effect.call({Stage::Observe,
                "pressure in cracks",
-               {"energies"},
+               {quantity::facePressure},
                {},
                {},
                [account](State<D>& s)

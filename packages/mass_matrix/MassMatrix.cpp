@@ -327,21 +327,21 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   if (options.coupled())
     effect.call({Stage::Scatter,
                  "assemble the mass matrix",
-                 {"nodal mass"},
-                 {"mass matrix"},
+                 {quantity::nodalMass, quantity::enrichedFields},
+                 {quantity::massMatrix},
                  {},
                  [work](State<D>& s) { work->prepare(s); }});
   effect.call({Stage::Solve,
                options.filtered() ? "filtered velocity" : "solve with the " + nameOf(options),
-               {"nodal motion", "mass matrix"},
-               {"nodal motion"},
+               {quantity::nodalMotion, ifWritten(quantity::massMatrix)},
+               {quantity::nodalMotion},
                {},
                [work](State<D>& s) { work->motion(s); }});
   if (options.coupled() || options.series())
     effect.call({Stage::AfterProjection,
                  "project with the " + nameOf(options),
-                 {"projection"},
-                 {"projection"},
+                 {ifWritten(quantity::projection)},
+                 {quantity::projection},
                  {},
                  [work](State<D>& s) { work->projection(s); },
                  true});

@@ -204,13 +204,16 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
   effect.atStart = [=](State<2>& state) { start(state, *options, *fronts); };
   effect.call({lastStage(scene),
                "fronts that advance",
-               {"driving forces"},
-               {"fronts that advance"},
+               {quantity::drivingForces, ifWritten(quantity::frontTemperature)},
+               {quantity::advancingFronts},
                {},
                [=](State<2>& state) { decide(state, *options, *fronts); }});
-  effect.call({Stage::BetweenSteps, "where fronts go", {}, {"advances of fronts"}, {}, [=](State<2>& state) {
-                 ask(state, *options, *fronts);
-               }});
+  effect.call({Stage::BetweenSteps,
+               "where fronts go",
+               {quantity::stressIntensities, quantity::advancingFronts},
+               {quantity::frontAdvances},
+               {},
+               [=](State<2>& state) { ask(state, *options, *fronts); }});
   effect.memory = [=](State<2>&, Archive& archive)
   {
     for (std::size_t f = 0; f < fronts->histories.size(); ++f)

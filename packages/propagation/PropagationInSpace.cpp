@@ -312,13 +312,16 @@ Effect<3> propagationInSpace(const Teuchos::ParameterList& scene)
   };
   effect.call({lastStage(scene),
                "fronts that advance",
-               {"driving forces"},
-               {"fronts that advance"},
+               {quantity::drivingForces, ifWritten(quantity::frontTemperature)},
+               {quantity::advancingFronts},
                {},
                [=](State<3>& state) { decide(state, *options, *memories); }});
-  effect.call({Stage::BetweenSteps, "where fronts go", {}, {"advances of fronts"}, {}, [=](State<3>& state) {
-                 ask(state, *options, *memories);
-               }});
+  effect.call({Stage::BetweenSteps,
+               "where fronts go",
+               {quantity::stressIntensities, quantity::advancingFronts},
+               {quantity::frontAdvances},
+               {},
+               [=](State<3>& state) { ask(state, *options, *memories); }});
   effect.memory = [=](State<3>& state, Archive& archive)
   {
     follow(state, *memories); // the stations are those that they are now, and when loaded these

@@ -61,33 +61,40 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     effect.adds.push_back(
         {fields::firstShare, 1, "-", "share of the long step that the force of its start acts"});
   effect.atStart = [=](State<D>& state) { state.subcycledLevels = levels; };
-  effect.call({Stage::Scatter,
-               "particles of small cells",
-               {"nodal mass", "stiffness of ties", "prescribed values"},
-               {"short steps"},
-               {},
-               [=](State<D>& state)
-               {
-                 const int last = state.tree.deepest, first = last - std::min(levels, last) + 1;
-                 steps->begin(state, first, last);
-               }});
+  effect.call(
+      {Stage::Scatter,
+       "particles of small cells",
+       {quantity::nodalMass, ifWritten(quantity::springStiffness), ifWritten(quantity::prescribedMotion)},
+       {quantity::substeps},
+       {},
+       [=](State<D>& state)
+       {
+         const int last = state.tree.deepest, first = last - std::min(levels, last) + 1;
+         steps->begin(state, first, last);
+       }});
   effect.call({Stage::Solve,
                "short steps of small cells",
+               {quantity::substeps},
                {},
-               {},
-               {"nodal force"},
+               {quantity::nodalForce},
                [=](State<D>& state)
                {
                  const double before = steps->extraSteps();
                  steps->evolve(state);
                  state.particleSteps += steps->extraSteps() - before;
                }});
-  effect.call({Stage::Solve, "velocity of short steps", {"nodal motion"}, {}, {}, [=](State<D>& state) {
-                 steps->correctMotion(state);
-               }});
-  effect.call({Stage::AfterProjection, "motion of short steps", {}, {}, {"projection"}, [=](State<D>& state) {
-                 steps->correctProjection(state);
-               }});
+  effect.call({Stage::Solve,
+               "velocity of short steps",
+               {quantity::nodalMotion, quantity::substeps},
+               {},
+               {},
+               [=](State<D>& state) { steps->correctMotion(state); }});
+  effect.call({Stage::AfterProjection,
+               "motion of short steps",
+               {quantity::substeps},
+               {},
+               {quantity::projection},
+               [=](State<D>& state) { steps->correctProjection(state); }});
   effect.memory = [=](State<D>& state, Archive& archive) { steps->keep(state, archive); };
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {

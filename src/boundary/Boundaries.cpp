@@ -30,12 +30,15 @@ void addGravity(Effect<D>& effect, const Teuchos::ParameterList& list, const Teu
   const Vector<D> acceleration = readVector<D>(list, "Acceleration");
   const TimeFunction history = TimeFunction::parse(list.get<std::string>("History"));
   const auto now = [=](const State<D>& state) { return history(state.time + 0.5 * state.dt) * acceleration; };
-  effect.call({Stage::BeforeSolve, "gravity", {"nodal mass"}, {}, {"nodal force"}, [now](State<D>& state) {
-                 addBodyForce(state.nodes, now(state));
-               }});
+  effect.call({Stage::BeforeSolve,
+               "gravity",
+               {quantity::nodalMass},
+               {},
+               {quantity::nodalForce},
+               [now](State<D>& state) { addBodyForce(state.nodes, now(state)); }});
   effect.call({stageOfWays(scene),
                "work of gravity",
-               {projectsLast(scene) ? "projection" : "nodal motion"},
+               {projectsLast(scene) ? quantity::projection : quantity::nodalMotion},
                {},
                {},
                [now](State<D>& state) { state.energy.externalWork += bodyForceWork(state, now(state)); }});
@@ -49,7 +52,7 @@ void watchCells(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstr
   const auto seen = std::make_shared<int>(0);
   effect.call({Stage::Scatter,
                "supports of changed cells",
-               {},
+               {ifWritten(quantity::cells)},
                {},
                {},
                [=](State<D>& state)
@@ -101,9 +104,9 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
   {
     effect.call({Stage::BeforeSolve,
                  "loads",
-                 {"nodal mass"},
+                 {quantity::nodalMass},
                  {},
-                 {"nodal force"},
+                 {quantity::nodalForce},
                  [loads](State<D>& state)
                  {
                    for (Load<D>& load : *loads)
@@ -111,7 +114,7 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
                  }});
     effect.call({stageOfWays(scene),
                  "work of loads",
-                 {projectsLast(scene) ? "projection" : "nodal motion"},
+                 {projectsLast(scene) ? quantity::projection : quantity::nodalMotion},
                  {},
                  {},
                  [loads](State<D>& state)

@@ -4,6 +4,7 @@
 #include "scene/Schema.hpp"
 #include "state/Field.hpp"
 #include "state/State.hpp"
+#include "step/Quantity.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 #include <functional>
@@ -32,16 +33,16 @@ enum class Stage
 };
 
 /// Something that runs in a stage. Calls of one stage are ordered so that who writes a quantity runs before
-/// who reads it; quantities that several calls add to (nodal force) commute. Names of quantities are free
-/// text that calls share.
+/// who reads it; quantities that several calls add to (nodal force) commute. What a call reads must be
+/// written by some call of the plan, in any stage, unless it is read `ifWritten`.
 template <int D>
 struct Call
 {
   Stage stage;                        ///< when it runs
   std::string label;                  ///< for plan and timings
-  std::vector<std::string> reads;     ///< quantities
-  std::vector<std::string> writes;    ///< quantities
-  std::vector<std::string> addsTo;    ///< quantities
+  std::vector<Read> reads;            ///< quantities
+  Quantities writes;                  ///< quantities
+  Quantities addsTo;                  ///< quantities
   std::function<void(State<D>&)> run; ///< what it does
   /// Whether it belongs to each pass that strains particles (State::strainPass), and not to the step.
   bool ofEachPass = false;
@@ -55,6 +56,7 @@ struct Effect
   std::vector<Field> adds;                ///< particle fields that it brings
   std::vector<std::string> needs;         ///< particle fields that somebody else must bring
   std::vector<Call<D>> calls;             ///< of all stages
+  Quantities provides;                    ///< what it writes outside of calls
   std::function<void(State<D>&)> atStart; ///< once, when all fields exist and particles are seeded
   std::function<void(const State<D>&, nlohmann::json&)> report; ///< adds to summary.json
 
