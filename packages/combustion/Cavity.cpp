@@ -1,6 +1,6 @@
 #include "combustion/Cavity.hpp"
 
-#include "scene/ReadList.hpp"
+#include "base/ReadList.hpp"
 #include "state/CrackEnds.hpp"
 
 #include <algorithm>

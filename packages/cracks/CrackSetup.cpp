@@ -1,11 +1,11 @@
 #include "cracks/CrackSetup.hpp"
 
+#include "base/Attempts.hpp"
+#include "base/ReadList.hpp"
 #include "cracks/CrackGeometry.hpp"
 #include "cracks/CrackMesh.hpp"
 #include "cracks/FrontPieces.hpp"
 #include "cracks/Layout.hpp"
-#include "scene/Attempts.hpp"
-#include "scene/ReadList.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
+#include "base/Numbers.hpp"
 #include "cracks/Border.hpp"
 #include "cracks/CutTriangles.hpp"
 #include "cracks/SurfaceFile.hpp"
 #include "cracks/Triangulation.hpp"
 #include "geometry/Cross.hpp"
-#include "scene/Numbers.hpp"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,7 +1,7 @@
 #pragma once
 /// Triangles cut to a region.
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 #include <array>
 #include <functional>

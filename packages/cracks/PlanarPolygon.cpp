@@ -1,9 +1,9 @@
+#include "base/Numbers.hpp"
 #include "cracks/Border.hpp"
 #include "cracks/CrackMesh.hpp"
 #include "cracks/Triangulation.hpp"
 #include "geometry/Cross.hpp"
 #include "geometry/Primitives.hpp"
-#include "scene/Numbers.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
+#include "base/Numbers.hpp"
 #include "cracks/CrackMesh.hpp"
-#include "scene/Numbers.hpp"
 
 #include <algorithm>
 #include <cmath>

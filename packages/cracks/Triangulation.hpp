@@ -1,7 +1,7 @@
 #pragma once
 /// Triangles over a polygon, about as large as asked for.
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 #include <array>
 #include <functional>

@@ -1,4 +1,4 @@
-#include "step/Plan.hpp"
+#include "plan/Plan.hpp"
 
 #include <gtest/gtest.h>
 
@@ -64,8 +64,8 @@ TEST(Plan, DuplicatesAreRefused)
 
 TEST(Plan, WritersComeBeforeReaders)
 {
-  const auto plan =
-      makePlan<2>({effectOf({call("c", {heat, push}, {}), call("b", {push}, {heat}), call("a", {}, {push})})});
+  const auto plan = makePlan<2>(
+      {effectOf({call("c", {heat, push}, {}), call("b", {push}, {heat}), call("a", {}, {push})})});
   std::string order;
   for (const Call<2>& c : plan.calls[static_cast<int>(Stage::Scatter)])
     order += c.label;
