@@ -87,7 +87,7 @@ void refuseNeighbours(const std::vector<CrackMesh<D>>& all, const std::vector<st
 template <int D>
 void readCracks(const Teuchos::ParameterList& section, State<D>& state, double edge)
 {
-  const double spacing = state.grid.spacing;
+  const double spacing = state.mesh.grid.spacing;
   const MaterialPlaces<D> material(state);
   std::vector<CrackMesh<D>> meshes;
   std::vector<std::string> names;
@@ -116,8 +116,8 @@ void readCracks(const Teuchos::ParameterList& section, State<D>& state, double e
   attempts.complain();
   refuseNeighbours(meshes, names, spacing);
   layOut(set, meshes, spacing);
-  set.nodeSide = View<int*>("rhegma::nodeSide", state.grid.numNodes);
-  set.second = View<int*>("rhegma::secondField", state.grid.numNodes);
+  set.nodeSide = View<int*>("rhegma::nodeSide", state.mesh.grid.numNodes);
+  set.second = View<int*>("rhegma::secondField", state.mesh.grid.numNodes);
   Kokkos::deep_copy(set.second, -1);
 }
 

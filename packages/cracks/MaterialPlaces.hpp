@@ -18,7 +18,7 @@ class MaterialPlaces
 {
 public:
   explicit MaterialPlaces(const State<D>& state)
-      : bodies_(state.bodies),
+      : bodies_(state.bodies.list),
         places_(readVectors(state, fields::position)),
         edge_(readVectors(state, fields::edge)),
         body_(readBodies(state)),
