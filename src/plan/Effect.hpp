@@ -4,7 +4,7 @@
 #include "base/Field.hpp"
 #include "scene/Schema.hpp"
 #include "state/State.hpp"
-#include "step/Quantity.hpp"
+#include "plan/Quantity.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 #include <functional>
