@@ -37,13 +37,13 @@ namespace quantity
 {
 
 // Cells, ranks and particles
-inline constexpr Quantity cells("cells");                        ///< State::tree and its nodes
+inline constexpr Quantity cells("cells");                        ///< the tree and its nodes
 inline constexpr Quantity ownership("ownership of cells");       ///< which rank has which cells
-inline constexpr Quantity particleOrder("order of particles");   ///< State::blocks
+inline constexpr Quantity particleOrder("order of particles");   ///< blocks of cells
 inline constexpr Quantity particleVelocity("particle velocity"); ///< field
 inline constexpr Quantity particleStress("particle stress");     ///< field, with strain and position
 inline constexpr Quantity temperature("particle temperature");   ///< field, with its gradient
-inline constexpr Quantity stencils("stencils");                  ///< State::stored, cut at cracks
+inline constexpr Quantity stencils("stencils");                  ///< of flagged particles, cut at cracks
 
 // Nodes
 inline constexpr Quantity nodalMass("nodal mass");         ///< Nodes::mass
@@ -53,14 +53,13 @@ inline constexpr Quantity nodalForce("nodal force");       ///< Nodes::force, wi
 inline constexpr Quantity nodalMotion("nodal motion");     ///< Nodes::motion, as solved
 inline constexpr Quantity constrainedMotion("constrained motion"); ///< the same with supports
 inline constexpr Quantity projection("projection");                ///< Nodes::projection, which strains
-inline constexpr Quantity prescribedMotion("prescribed motion");   ///< State::constraints
-inline constexpr Quantity massMatrix("mass matrix");               ///< State::coupledRow
-inline constexpr Quantity substeps("substeps");                    ///< State::shortSteps
+inline constexpr Quantity prescribedMotion("prescribed motion");   ///< constraints
+inline constexpr Quantity massMatrix("mass matrix");               ///< rows of coupled nodes
+inline constexpr Quantity substeps("substeps");                    ///< of nodes that are subcycled
 
 // Samples
-inline constexpr Quantity
-    energyBalance("energy balance"); ///< State::energy and momentum, measured for a sample
-inline constexpr Quantity energyRelease("energy release"); ///< columns of State::row
+inline constexpr Quantity energyBalance("energy balance"); ///< with the momentum, measured for a sample
+inline constexpr Quantity energyRelease("energy release"); ///< columns of the sample
 
 // Cracks (CrackSet)
 inline constexpr Quantity crackGeometry("crack geometry");   ///< vertices, faces, simplices and fronts

@@ -41,7 +41,7 @@ Effect<D> makeSprings(const Teuchos::ParameterList& scene)
   const double stiffness = scene.sublist("Springs").get<double>("Stiffness");
   Effect<D> effect;
   effect.name = "Springs";
-  effect.call({Stage::Scatter, "springs", {}, {"particle velocity"}, {}, [=](State<D>& state) {
+  effect.call({Stage::Scatter, "springs", {}, {quantity::particleVelocity}, {}, [=](State<D>& state) {
                  state.energy.externalWork += pullBack(state, stiffness);
                }});
   effect.timeStepLimit = [=](const State<D>& state) // a tenth of a radian of the lightest body's swing
