@@ -55,6 +55,7 @@ struct Burning
 /// What a scene says of the burning of a crack. Throws std::invalid_argument, with the path, for what the
 /// bodies and the crack show wrong.
 template <int D>
-Burning<D> readBurning(const State<D>& state, const Teuchos::ParameterList& scene, const std::string& name);
+Burning<D> readBurning(const State<D>& state, const Teuchos::ParameterList& scene, const RunOptions& options,
+                       const std::string& name);
 
 } // namespace Rhegma::combustion

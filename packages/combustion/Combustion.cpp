@@ -31,19 +31,20 @@ void warnOfRunaway(State<D>& state, const std::string& name, const Teuchos::Para
 }
 
 template <int D>
-Effect<D> make(const Teuchos::ParameterList& scene)
+Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 {
   const auto work = std::make_shared<Work<D>>();
   Effect<D> effect;
   effect.name = "Combustion";
+  effect.balance = {"combustion"};
   effect.needs = {fields::side};
   effect.adds = {{burntOverLeft, 1, "", "mass that a particle has lost to gas over what is left of it"}};
-  effect.atStart = [work, all = Teuchos::ParameterList(scene)](State<D>& state)
+  effect.atStart = [work, all = Teuchos::ParameterList(scene), options](State<D>& state)
   {
     const Teuchos::ParameterList& list = all.sublist("Combustion");
     for (const std::string& name : sublistNames(list))
     {
-      work->cracks.push_back(readBurning(state, all, name));
+      work->cracks.push_back(readBurning(state, all, options, name));
       warnOfRunaway(state, name, list.sublist(name));
     }
     work->startMass = massOfParticles(state);

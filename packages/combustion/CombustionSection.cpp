@@ -121,6 +121,17 @@ Section combustionSection()
       .byDefault(0.85)
       .meaning("Share of the opening at the surface, or into another crack, that the flow has.");
   s.namedByUser(crack);
+  s.namedAfter("Cracks",
+               "there are no crack faces that could burn; add a section Cracks or leave Combustion out");
+  s.refuse({when::present("Combustion"), when::is("Thermal", "Mechanics", {"false"})},
+           "nothing moves, for Thermal > Mechanics is false; leave one of the two out");
+  s.refuse({when::present("Combustion > *"), when::present("Face Pressure > *")},
+           "Face Pressure gives this crack a pressure too; take one of the two out");
+  s.refuse({when::given("Combustion > *", "Ignition Temperature"), when::unprovided(capability::heat)},
+           "faces have no temperature without a section Thermal; add one or leave it out");
+  for (const char* name : {"Wall Heat Fraction", "Heat Transfer Coefficient"})
+    s.refuse({when::above("Combustion > *", name, 0.0), when::unprovided(capability::heat)},
+             "heat goes to the gas only without a section Thermal; add one or leave it out");
   return s;
 }
 

@@ -37,27 +37,20 @@ Section section()
       .meaning(
           "Middle part of each crack beside which the summary adds up the energies on both sides; with 1 "
           "all of the body counts.");
+  s.needs("Cracks", "there are no crack faces that could touch; add a section Cracks or leave Contact out");
+  s.refuse(
+      {when::is("Contact", "Law", {"Visibility"}), when::isNot("Cracks", "Formulation", {"Broken Cell"})},
+      "Visibility belongs to Cracks > Formulation Broken Cell; choose that, or another law");
   return s;
 }
 
 void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  if (!scene.isSublist("Contact"))
-    return;
   const Teuchos::ParameterList& list = scene.sublist("Contact");
-  if (!scene.isSublist("Cracks"))
-    errors.push_back({"Contact", "there are no crack faces that could touch; add a section Cracks or leave "
-                                 "Contact out"});
   if (!list.isParameter("Law"))
     return;
   const bool coulomb = list.get<std::string>("Law") == "Coulomb";
   const bool given = list.isParameter("Friction Coefficient");
-  if (list.get<std::string>("Law") == "Visibility" && scene.isSublist("Cracks") &&
-      scene.sublist("Cracks").isParameter("Formulation") &&
-      scene.sublist("Cracks").get<std::string>("Formulation") != "Broken Cell")
-    errors.push_back({"Contact > Law",
-                      "Visibility belongs to Cracks > Formulation Broken Cell; choose that, or "
-                      "another law"});
   if (coulomb && !given)
     errors.push_back({"Contact > Friction Coefficient",
                       "the law Coulomb needs it; write it, such as 0.3, or choose Law Frictionless"});
@@ -245,7 +238,7 @@ void advance(State<D>& state, Account<D>& account)
 }
 
 template <int D>
-Effect<D> make(const Teuchos::ParameterList& scene)
+Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 {
   const Teuchos::ParameterList& list = scene.sublist("Contact");
   const double alpha = list.get<double>("Penalty");
@@ -260,9 +253,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     account->visibility = std::make_unique<ClosedVisibility>();
   Effect<D> effect;
   effect.name = "Contact";
+  effect.balance = {"contact"};
   effect.needs = {fields::side};
-  const bool extrapolated = scene.isSublist("Cracks") && scene.sublist("Cracks").get<std::string>(
-                                                             "Formulation") == "Corrected Broken Cell";
   effect.atStart = [account](State<D>& state)
   {
     if constexpr (D == 2)
@@ -330,13 +322,18 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   };
   effect.report = [account](const State<D>& state, nlohmann::json& summary)
   { report(state, *account, summary); };
-  effect.timeStepLimit = [alpha, extrapolated](const State<D>& state)
+  effect.timeStepLimit = [alpha, extrapolated = options.extrapolated](const State<D>& state)
   { return timeStepLimit(state, alpha, extrapolated); };
   return effect;
 }
 
 } // namespace
 
-EffectEntry contactEntry() { return {section(), check, make<2>, make<3>, true}; }
+EffectEntry contactEntry()
+{
+  return {section(), check,
+          make<2>,   make<3>,
+          true,      [](const Teuchos::ParameterList&, RunOptions& options) { options.contact = true; }};
+}
 
 } // namespace Rhegma::contact

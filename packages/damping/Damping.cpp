@@ -195,6 +195,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       list.isParameter("End Time") ? list.get<double>("End Time") : std::numeric_limits<double>::infinity();
   Effect<D> effect;
   effect.name = "Damping";
+  effect.balance = {"damped"};
   const bool between = scene.sublist("Time").get<std::string>("Update Scheme") == "USAVG";
   // Between its two strains, so that one velocity does the second of a step and the first of the next, and
   // moves the particles; before other forces than those of stresses.
@@ -272,6 +273,15 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                {},
                [settling](State<D>& s)
                { s.clock.settled = settling->sample(s.energy.kinetic, s.energy.strain, s.sample.row); }});
+  const double until = scene.sublist("Time").get<double>("Final Time");
+  effect.report = [stop, until](const State<D>& s, nlohmann::json& summary)
+  {
+    const bool over = s.clock.time >= until || s.clock.step >= s.clock.maximumSteps;
+    if (stop && over && !s.clock.settled && s.failure.empty())
+      summary["warnings"].push_back("the run ended before it had settled (Damping > Stop When Settled): its "
+                                    "values are those of a body in "
+                                    "motion; raise Time > Final Time or the damping");
+  };
   effect.memory = [settling](State<D>&, Archive& archive) { settling->keep(archive); };
   return effect;
 }

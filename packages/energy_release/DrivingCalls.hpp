@@ -10,14 +10,12 @@
 namespace Rhegma::energy_release
 {
 
-/// Adds the calls that measure what drives the fronts, where a scene has fronts that grow.
+/// Adds the calls that measure what drives the fronts of a scene in which they grow.
 /// \param driving DrivingForces in 2D, FrontDriving in 3D
 template <int D, class Driving>
 void addDrivingCalls(Effect<D>& effect, const Teuchos::ParameterList& scene,
                      const std::shared_ptr<Driving>& driving)
 {
-  if (!scene.isSublist("Propagation"))
-    return;
   effect.call(
       {lastStage(scene),
        "driving forces of crack fronts",

@@ -117,30 +117,25 @@ Section section()
   Section fmpm("FMPM", "The inverse of the full matrix as a series about the lumped one.");
   fmpm.integer("Order").atLeast(1).byDefault(2).meaning("Terms of the series; 1 is Lumped.");
   s.variant(fmpm);
+  s.refuse({when::is("Mass Matrix", "Type", {"Partial"}), when::absent("Cracks")},
+           "Partial unlumps the mass around crack fronts and there are no cracks; add a section Cracks or "
+           "choose another type");
+  s.refuse({when::is("Mass Matrix", "Velocity Update", {"PIC", "XPIC", "FMPM"}),
+            when::above("Time", "PIC Fraction", 0.0)},
+           "it leaves no room for Time > PIC Fraction; take one of them out");
   return s;
 }
 
 void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  if (!scene.isSublist("Mass Matrix"))
-    return;
   const Teuchos::ParameterList& list = scene.sublist("Mass Matrix");
   const auto text = [&](const char* name)
   { return list.isType<std::string>(name) ? list.get<std::string>(name) : std::string(); };
   const std::string type = text("Type"), update = text("Velocity Update");
-  if (type == "Partial" && !scene.isSublist("Cracks"))
-    errors.push_back({"Mass Matrix > Type",
-                      "Partial unlumps the mass around crack fronts and there are no cracks; "
-                      "add a section Cracks or choose another type"});
   if ((type == "Full" || type == "Partial") && (update == "XPIC" || update == "FMPM"))
     errors.push_back(
         {"Mass Matrix > Velocity Update",
          update + " is a series about the lumped mass; with Type " + type + " write FLIP or PIC"});
-  if (!update.empty() && update != "FLIP" && scene.isSublist("Time") &&
-      scene.sublist("Time").isType<double>("PIC Fraction") &&
-      scene.sublist("Time").get<double>("PIC Fraction") > 0.0)
-    errors.push_back({"Mass Matrix > Velocity Update",
-                      update + " leaves no room for Time > PIC Fraction; take one of them out"});
 }
 
 Options readOptions(const Teuchos::ParameterList& scene)
@@ -172,6 +167,32 @@ Options readOptions(const Teuchos::ParameterList& scene)
       o.edge = list.get<double>("Edge Width");
   }
   return o;
+}
+
+/// What effects that look at the nodes' motion must know.
+void declareMass(const Teuchos::ParameterList& list, RunOptions& options)
+{
+  const auto type = list.get<std::string>("Type");
+  if (type == "Lumped")
+    return;
+  NodalMass& mass = options.nodalMass;
+  mass.lumpedFraction = 0.0;
+  if (type == "FMPM")
+  {
+    mass.terms = list.get<int>("Order");
+    return;
+  }
+  mass.lumpedFraction = list.get<double>("Lumped Share");
+  mass.smallestNode = list.get<double>("Smallest Node");
+  if (type != "Partial")
+    return;
+  const auto length = [&](const char* name, double& metres, double& cells, double usual)
+  {
+    metres = list.isParameter(name) ? list.get<double>(name) : 0.0;
+    cells = list.isParameter(name) ? 0.0 : usual;
+  };
+  length("Radius", mass.radius, mass.radiusCells, radiusCells);
+  length("Edge Width", mass.edge, mass.edgeCells, edgeCells);
 }
 
 /// What the calls of a run share.
@@ -356,6 +377,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 EffectEntry massMatrixEntry()
 {
   EffectEntry entry{section(), check, make<2>, make<3>, true};
+  entry.declare = declareMass;
   entry.cells.tell = [](const auto&, CellNeeds& needs, auto&) { needs.equal = true; };
   return entry;
 }

@@ -195,12 +195,13 @@ void report(const State<2>& state, const Fronts& fronts, nlohmann::json& summary
   reportEnergy(state, taken, summary);
 }
 
-Effect<2> make2(const Teuchos::ParameterList& scene)
+Effect<2> make2(const Teuchos::ParameterList& scene, const RunOptions& run)
 {
-  const auto options = std::make_shared<Options>(readOptions(scene));
+  const auto options = std::make_shared<Options>(readOptions(scene, run));
   const auto fronts = std::make_shared<Fronts>();
   Effect<2> effect;
   effect.name = "Propagation";
+  effect.balance = {"fracture"};
   effect.atStart = [=](State<2>& state) { start(state, *options, *fronts); };
   effect.call({lastStage(scene),
                "fronts that advance",
@@ -243,7 +244,7 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
 
 EffectEntry propagationEntry()
 {
-  EffectEntry entry{propagationSection(), checkPropagation, make2, propagationInSpace, true};
+  EffectEntry entry{propagationSection(), checkPropagation, make2, propagationInSpace, true, declareGrowth};
   entry.cells.tell = [](const auto&, CellNeeds& needs, auto&) { needs.running = needs.equal = true; };
   return entry;
 }

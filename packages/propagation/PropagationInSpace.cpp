@@ -293,13 +293,14 @@ void report(const State<3>& state, const Memories& memories, const Circles& circ
 
 } // namespace
 
-Effect<3> propagationInSpace(const Teuchos::ParameterList& scene)
+Effect<3> propagationInSpace(const Teuchos::ParameterList& scene, const RunOptions& run)
 {
-  const auto options = std::make_shared<Options>(readOptions(scene));
+  const auto options = std::make_shared<Options>(readOptions(scene, run));
   const auto memories = std::make_shared<Memories>();
   const auto circles = std::make_shared<Circles>();
   Effect<3> effect;
   effect.name = "Propagation";
+  effect.balance = {"fracture"};
   effect.atStart = [=](State<3>& state)
   {
     state.cracks.driven = true;

@@ -19,45 +19,31 @@ Section section()
   s.integer("Levels").range(1, 6).byDefault(6).meaning(
       "How many of the deepest levels take steps of their own, or all levels where there are fewer; the "
       "long step is 2^Levels times that of the smallest cells.");
+  s.refuse({when::present("Sub-Cycling"), when::isNot("Time", "Update Scheme", {"MUSL"})},
+           "substeps are those of Time > Update Scheme = MUSL; write that");
+  s.refuse({when::present("Sub-Cycling"), when::isNot("Mass Matrix", "Type", {"Lumped", "Partial"})},
+           "substeps are those of Mass Matrix > Type = Lumped or Partial; write one of them, or take one of "
+           "the two sections out");
+  s.refuse({when::present("Sub-Cycling"), when::isNot("Mass Matrix", "Velocity Update", {"FLIP"})},
+           "substeps are those of Mass Matrix > Velocity Update = FLIP; write that, or take one of the two "
+           "sections out");
+  // The degree of the polynomial that stands for the inverse grows without bound towards 0.
+  s.refuse({when::present("Sub-Cycling"), when::is("Mass Matrix", "Type", {"Partial"}),
+            when::below("Mass Matrix", "Lumped Share", 0.05)},
+           "substeps (Sub-Cycling) need at least 0.05; write 0.1 or take Sub-Cycling out", 2);
+  s.needs("Adaptivity", "all cells are of one size; add a section Adaptivity or take this section out");
   return s;
 }
 
-void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
-{
-  if (!scene.isSublist("Sub-Cycling"))
-    return;
-  if (scene.isSublist("Time") && scene.sublist("Time").isType<std::string>("Update Scheme") &&
-      scene.sublist("Time").get<std::string>("Update Scheme") != "MUSL")
-    errors.push_back({"Sub-Cycling", "short steps are those of Time > Update Scheme = MUSL; write that"});
-  if (scene.isSublist("Mass Matrix"))
-  {
-    const Teuchos::ParameterList& mass = scene.sublist("Mass Matrix");
-    const auto text = [&](const char* name, const char* usual)
-    { return mass.isType<std::string>(name) ? mass.get<std::string>(name) : std::string(usual); };
-    const std::string type = text("Type", "Lumped");
-    if ((type != "Lumped" && type != "Partial") || text("Velocity Update", "FLIP") != "FLIP")
-      errors.push_back({"Sub-Cycling",
-                        "short steps are those of Mass Matrix > Type = Lumped or Partial with Velocity "
-                        "Update = FLIP; write these, or take one of the two sections out"});
-    // The degree of the polynomial that stands for the inverse grows without bound towards 0.
-    if (type == "Partial" && mass.isType<double>("Lumped Share") && mass.get<double>("Lumped Share") < 0.05)
-      errors.push_back({"Mass Matrix > Lumped Share",
-                        "short steps (Sub-Cycling) need at least 0.05; write 0.1 or take Sub-Cycling out"});
-  }
-  if (!scene.isSublist("Adaptivity"))
-    errors.push_back(
-        {"Sub-Cycling", "all cells are of one size; add a section Adaptivity or take this section out"});
-}
-
 template <int D>
-Effect<D> make(const Teuchos::ParameterList& scene)
+Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 {
   const Teuchos::ParameterList& list = scene.sublist("Sub-Cycling");
   const int levels = list.get<int>("Levels");
   const auto steps = std::make_shared<LocalSteps<D>>();
   Effect<D> effect;
   effect.name = "Sub-Cycling";
-  if (scene.isSublist("Thermal"))
+  if (options.heat())
     effect.adds.push_back(
         {fields::firstShare, 1, "-", "share of the long step that the force of its start acts"});
   effect.atStart = [=](State<D>& state) { state.mesh.subcycledLevels = levels; };
@@ -108,7 +94,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 
 EffectEntry subCyclingEntry()
 {
-  EffectEntry entry{section(), check, make<2>, make<3>, true};
+  EffectEntry entry{section(), {}, make<2>, make<3>, true};
   entry.cells.tell = [](const auto&, CellNeeds& needs, auto&) { needs.equal = true; };
   entry.cells.refine = [](Teuchos::ParameterList& scene, int) { scene.sublist("Sub-Cycling"); };
   return entry;

@@ -194,6 +194,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   run->finalTime = scene.sublist("Time").get<double>("Final Time");
   Effect<D> effect;
   effect.name = "Thermal";
+  effect.balance = {"thermal", "heat"};
   effect.adds.push_back({fields::temperature, 1, "K", "its temperature"});
   effect.adds.push_back({fields::temperatureGradient, D, "K/m", "gradient of the nodes' temperature"});
   effect.adds.push_back({fields::internalEnergy, 1, "J/m3", "heat and elastic energy per undeformed volume"});
@@ -250,16 +251,17 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   return effect;
 }
 
-bool leavesMechanicsOut(const Teuchos::ParameterList& scene)
+void declareHeat(const Teuchos::ParameterList& list, RunOptions& options)
 {
-  return !scene.sublist("Thermal").get<bool>("Mechanics");
+  options.mechanics = list.get<bool>("Mechanics");
+  options.initialTemperature = list.get<double>("Initial Temperature");
 }
 
 } // namespace
 
 EffectEntry thermalEntry()
 {
-  EffectEntry entry{thermalSection(), checkThermal, make<2>, make<3>, true, leavesMechanicsOut};
+  EffectEntry entry{thermalSection(), checkThermal, make<2>, make<3>, true, declareHeat};
   entry.cells.knows = "round sources of heat";
   entry.cells.tell = tellCells;
   return entry;

@@ -8,6 +8,7 @@
 #include "boundary/ReadLoad.hpp"
 #include "boundary/Supports.hpp"
 #include "plan/LastStage.hpp"
+#include "scene/HeatWords.hpp"
 
 #include <memory>
 #include <stdexcept>
@@ -17,12 +18,6 @@ namespace Rhegma
 
 namespace
 {
-
-/// What an effect that carries heat takes care of.
-bool isOfHeat(const std::string& type)
-{
-  return type == "Temperature" || type == "Heat Flux" || type == "Convection";
-}
 
 template <int D>
 void addGravity(Effect<D>& effect, const Teuchos::ParameterList& list, const Teuchos::ParameterList& scene)
@@ -70,7 +65,7 @@ void watchCells(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstr
 } // namespace
 
 template <int D>
-Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
+Effect<D> makeBoundaries(const Teuchos::ParameterList& scene, bool cellsChange)
 {
   Effect<D> effect;
   effect.name = boundariesName;
@@ -85,7 +80,7 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
   {
     const Teuchos::ParameterList& list = section.sublist(name);
     const std::string type = list.get<std::string>("Type");
-    if (isOfHeat(type))
+    if (isHeatBoundary(type))
       continue;
     if (type == "Gravity")
       addGravity(effect, list, scene);
@@ -98,7 +93,7 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
   {
     addConstraints(effect, constraints);
     addReactions(effect, constraints);
-    if (scene.isSublist("Adaptivity"))
+    if (cellsChange)
       watchCells(effect, constraints, finalTime);
   }
   if (!loadNames.empty())
@@ -145,7 +140,7 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
   return effect;
 }
 
-template Effect<2> makeBoundaries(const Teuchos::ParameterList&);
-template Effect<3> makeBoundaries(const Teuchos::ParameterList&);
+template Effect<2> makeBoundaries(const Teuchos::ParameterList&, bool);
+template Effect<3> makeBoundaries(const Teuchos::ParameterList&, bool);
 
 } // namespace Rhegma

@@ -20,11 +20,7 @@ SceneSchema makeSchema()
   missing.insert(missing.end(), effectsLeftOut().begin(), effectsLeftOut().end());
   schema.setSectionsToCome(missing);
   for (const EffectEntry& entry : knownEffects())
-  {
-    if (entry.check)
-      schema.addCheck(entry.check);
-    schema.addCellHook(entry.section.name, entry.cells);
-  }
+    schema.addEffect(entry.section.name, entry.check, entry.cells);
   return schema;
 }
 

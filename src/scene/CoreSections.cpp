@@ -1,5 +1,6 @@
 #include "scene/CoreBodies.hpp"
 #include "scene/CoreBoundaries.hpp"
+#include "scene/HeatWords.hpp"
 #include "scene/Schema.hpp"
 
 namespace Rhegma
@@ -269,7 +270,10 @@ Section reference()
 
 std::vector<Section> coreSections()
 {
-  return {domain(), time(), materials(), bodies(), boundaries(), output(), reference()};
+  std::vector<Section> sections = {domain(),     time(),   materials(), bodies(),
+                                   boundaries(), output(), reference()};
+  addHeatRules(sections);
+  return sections;
 }
 
 } // namespace Rhegma

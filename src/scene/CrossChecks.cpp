@@ -4,7 +4,6 @@
 #include "geometry/Shape.hpp"
 #include "material/MaterialTable.hpp"
 #include "material/ThermoMaterials.hpp"
-#include "scene/HeatWords.hpp"
 #include "scene/NearestName.hpp"
 #include "scene/PlaceFunction.hpp"
 #include "scene/TimeFunction.hpp"
@@ -71,7 +70,6 @@ public:
             { this->boundary(boundary, where); });
     if (m_scene.isSublist("Output") && m_scene.isSublist("Time"))
       output(m_scene.sublist("Output"), m_scene.sublist("Time"));
-    refuseHeatWords(m_scene, m_errors);
   }
 
 private:

@@ -1,7 +1,9 @@
 #include "scene/HeatWords.hpp"
 
-#include "base/ReadList.hpp"
 #include "material/ThermoMaterials.hpp"
+#include "scene/NearestName.hpp"
+
+#include <algorithm>
 
 namespace Rhegma
 {
@@ -9,60 +11,42 @@ namespace Rhegma
 namespace
 {
 
-const std::string add = "; add the section Thermal or leave it out";
-
-std::string text(const Teuchos::ParameterList& list, const std::string& name)
-{
-  return list.isType<std::string>(name) ? list.get<std::string>(name) : std::string();
-}
-
-void refuseInMaterial(const Teuchos::ParameterList& list, const std::string& where,
-                      std::vector<SceneError>& errors)
-{
-  if (!tableTemperatures(list).empty())
-    errors.push_back({where, "a property is a table of temperature, and the scene has no heat" + add});
-  if (text(list, "Model") == "Rigid")
-    errors.push_back({where + " > Model", "Rigid is for scenes of heat alone; choose a law with stress, or "
-                                          "add Thermal with Mechanics = false"});
-}
-
-void refuseInBoundary(const Teuchos::ParameterList& list, const std::string& where,
-                      std::vector<SceneError>& errors)
-{
-  if (isHeatBoundary(text(list, "Type")))
-    errors.push_back({where, "it is a boundary of heat, and the scene has none" + add});
-}
-
-void refuseInBody(const Teuchos::ParameterList& list, const std::string& where,
-                  std::vector<SceneError>& errors)
-{
-  for (const char* name : {"Temperature", "Temperature Field"})
-    if (list.isParameter(name))
-      errors.push_back({where + " > " + name, "the scene has no heat" + add});
-}
+const std::vector<std::string> heatBoundaries = {"Temperature", "Heat Flux", "Convection"};
 
 } // namespace
 
 bool isHeatBoundary(const std::string& type)
 {
-  return type == "Temperature" || type == "Heat Flux" || type == "Convection";
+  return std::find(heatBoundaries.begin(), heatBoundaries.end(), type) != heatBoundaries.end();
 }
 
-void refuseHeatWords(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
+void addHeatRules(std::vector<Section>& core)
 {
-  if (scene.isSublist("Thermal"))
-    return;
-  const auto inAll = [&](const char* section, const auto& refuse)
-  {
-    if (!scene.isSublist(section))
-      return;
-    const Teuchos::ParameterList& list = scene.sublist(section);
-    for (const std::string& name : sublistNames(list))
-      refuse(list.sublist(name), std::string(section).append(" > ").append(name), errors);
-  };
-  inAll("Materials", refuseInMaterial);
-  inAll("Boundaries", refuseInBoundary);
-  inAll("Bodies", refuseInBody);
+  const std::string add = "; add the section Thermal or leave it out";
+  const Condition noHeat = when::unprovided(capability::heat);
+  for (Section& s : core)
+    if (s.name == "Materials")
+    {
+      s.refuse({when::satisfies("Materials > *", "with a table of temperature",
+                                [](const auto& list) { return !tableTemperatures(list).empty(); }),
+                noHeat},
+               "a property is a table of temperature, and the scene has no heat" + add);
+      s.refuse({when::is("Materials > *", "Model", {"Rigid"}), noHeat},
+               "Rigid is for scenes of heat alone; choose a law with stress, or add Thermal with Mechanics = "
+               "false");
+    }
+    else if (s.name == "Boundaries")
+      s.refuse({when::satisfies("Boundaries > *", "of Type " + inWords(heatBoundaries),
+                                [](const auto& list)
+                                {
+                                  return list.template isType<std::string>("Type") &&
+                                         isHeatBoundary(list.template get<std::string>("Type"));
+                                }),
+                noHeat},
+               "it is a boundary of heat, and the scene has none" + add);
+    else if (s.name == "Bodies")
+      for (const char* name : {"Temperature", "Temperature Field"})
+        s.refuse({when::given("Bodies > *", name), noHeat}, "the scene has no heat" + add);
 }
 
 } // namespace Rhegma

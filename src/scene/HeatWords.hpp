@@ -1,9 +1,7 @@
 #pragma once
-/// What a scene says of heat outside of the section Thermal.
+/// What a scene says of heat outside of the section that provides it.
 
-#include "scene/SceneError.hpp"
-
-#include <Teuchos_ParameterList.hpp>
+#include "scene/Schema.hpp"
 
 #include <string>
 #include <vector>
@@ -14,7 +12,7 @@ namespace Rhegma
 /// Whether a type of boundary is one of heat alone.
 bool isHeatBoundary(const std::string& type);
 
-/// Adds an error for all that a scene without Thermal must not have, for nobody would look at it.
-void refuseHeatWords(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors);
+/// Adds rules to the sections of the core for what nobody would look at in a scene without heat.
+void addHeatRules(std::vector<Section>& core);
 
 } // namespace Rhegma

@@ -24,10 +24,12 @@ void validateInPlace(Teuchos::ParameterList& list, const SceneSchema& schema, st
   Validation(dimensionOf(list), errors).check(list, schema.root(), "");
   deriveDefaults(list);
   crossCheckCore(list, errors);
-  for (const auto& check : schema.checks())
+  checkRules(list, schema, errors);
+  for (const auto& [name, effect] : schema.effects())
     try
     {
-      check(list, errors);
+      if (effect.check && list.isSublist(name))
+        effect.check(schema.partFor(name, list), errors);
     }
     catch (const std::exception&)
     {
