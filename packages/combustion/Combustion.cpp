@@ -38,7 +38,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   effect.name = "Combustion";
   effect.balance = {"combustion"};
   effect.needs = {fields::side};
-  effect.adds = {{burntOverLeft, 1, "", "mass that a particle has lost to gas over what is left of it"}};
+  effect.adds = {{burntOverLeft, 1, "", "mass of a particle lost to gas over its remaining mass"}};
   effect.atStart = [work, all = Teuchos::ParameterList(scene), options](State<D>& state)
   {
     const Teuchos::ParameterList& list = all.sublist("Combustion");

@@ -34,9 +34,8 @@ void checkDensity(const Teuchos::ParameterList& scene, const Teuchos::ParameterL
     known.push_back(name + " has " + formatReal(other) + " kg/m3");
   }
   if (!known.empty())
-    errors.push_back({path + " > Solid Density", "no material of the scene has it, and what burns is one of "
-                                                 "them; " +
-                                                     inWords(known, ", ")});
+    errors.push_back(
+        {path + " > Solid Density", "no material of the scene has this density; " + inWords(known, ", ")});
 }
 
 void checkIgnition(const Teuchos::ParameterList& list, const std::string& path,
@@ -45,12 +44,12 @@ void checkIgnition(const Teuchos::ParameterList& list, const std::string& path,
   const bool point = list.isParameter("Ignition Point"), box = list.isParameter("Ignition Lower Corner");
   if (point && box)
     errors.push_back(
-        {path, "has both an Ignition Point and a box (Ignition Lower Corner); take one of the two out"});
+        {path, "both Ignition Point and a box (Ignition Lower Corner) are given; remove one of them"});
   if (point && !list.isParameter("Flame Speed"))
-    errors.push_back({path, "an Ignition Point without a Flame Speed lights nothing; write one"});
+    errors.push_back({path, "it needs a Flame Speed; write one"});
   if (!point && !box && list.isParameter("Flame Speed"))
-    errors.push_back({path, "a flame has a Flame Speed and nowhere to set out from; write an Ignition Point "
-                            "or a box (Ignition Lower Corner, Ignition Upper Corner)"});
+    errors.push_back({path, "it needs a start; write an Ignition Point or a box (Ignition Lower Corner, "
+                            "Ignition Upper Corner)"});
 }
 
 void checkHeat(const Teuchos::ParameterList& list, const std::string& path, std::vector<SceneError>& errors)
@@ -60,9 +59,8 @@ void checkHeat(const Teuchos::ParameterList& list, const std::string& path, std:
     if (!(realOf(list, name, 0.0) > 0.0))
       continue;
     if (list.isType<std::string>("Gas Temperature") && list.get<std::string>("Gas Temperature") == "Constant")
-      errors.push_back({path + " > " + name,
-                        "gas whose temperature is kept (Gas Temperature = Constant) loses no heat to the "
-                        "faces that is reckoned; write Energy Balance or leave it out"});
+      errors.push_back({path + " > " + name, "it can't be combined with Gas Temperature = Constant; write "
+                                             "Energy Balance or leave this parameter out"});
   }
 }
 
@@ -72,17 +70,14 @@ void checkModel(const Teuchos::ParameterList& scene, const Teuchos::ParameterLis
   const bool flows = list.isType<std::string>("Gas Model") && list.get<std::string>("Gas Model") == "Flow";
   if (flows && scene.isSublist("Domain") && scene.sublist("Domain").isType<int>("Dimension") &&
       scene.sublist("Domain").get<int>("Dimension") == 3)
-    errors.push_back({path + " > Gas Model", "gas flows along cracks in 2D only; write Uniform"});
+    errors.push_back({path + " > Gas Model", "Flow is available in 2D only; write Uniform"});
   for (const char* name : {"Viscosity", "Friction Factor"})
     if (!flows && realOf(list, name, 0.0) > 0.0)
-      errors.push_back(
-          {path + " > " + name,
-           "gas of one pressure does not flow along the faces; write Gas Model = Flow or leave it "
-           "out"});
+      errors.push_back({path + " > " + name,
+                        "it is used with Gas Model = Flow only; write that or leave this parameter out"});
   if (flows && !(realOf(list, "Initial Gap", 0.0) > 0.0))
-    errors.push_back({path + " > Initial Gap",
-                      "gas that flows needs room everywhere along the crack, also where its faces touch; "
-                      "write their roughness"});
+    errors.push_back({path + " > Initial Gap", "Gas Model = Flow needs a gap everywhere along the crack, "
+                                               "also where the faces touch; write their roughness"});
 }
 
 void checkCrack(const Teuchos::ParameterList& scene, const std::string& name, std::vector<SceneError>& errors)
@@ -91,11 +86,12 @@ void checkCrack(const Teuchos::ParameterList& scene, const std::string& name, st
   const std::string path = "Combustion > " + name;
   const auto real = [&](const char* parameter, double other) { return realOf(list, parameter, other); };
   if (!(real("Initial Gap", 0.0) > 0.0) && !(real("Cavity Volume", 0.0) > 0.0))
-    errors.push_back({path, "a closed crack has no room for gas; give an Initial Gap (the roughness of the "
-                            "faces) or a Cavity Volume"});
+    errors.push_back({path, "a closed crack has no gas volume; write an Initial Gap (roughness of the faces) "
+                            "or a Cavity Volume"});
   if (real("Flame Temperature", 1e300) < real("Initial Temperature", 293.0))
     errors.push_back(
-        {path + " > Flame Temperature", "is below Initial Temperature; burning would cool the gas"});
+        {path + " > Flame Temperature",
+         "is below Initial Temperature, so burning would cool the gas; write a higher flame temperature"});
   if (list.isType<std::string>("Burn Table"))
     try
     {
@@ -112,7 +108,7 @@ void checkCrack(const Teuchos::ParameterList& scene, const std::string& name, st
   if (!list.isParameter("Solid Density") && scene.isSublist("Materials") &&
       sublistNames(scene.sublist("Materials")).size() > 1)
     errors.push_back(
-        {path + " > Solid Density", "there are several materials; write the density of what burns"});
+        {path + " > Solid Density", "there are several materials; write the density of the burning solid"});
 }
 
 } // namespace

@@ -19,16 +19,16 @@ namespace
 
 Section section()
 {
-  Section s("Contact", "Crack faces that close press against each other; without it they pass through.");
+  Section s("Contact", "Contact of crack faces. Without this section, closed faces overlap freely.");
   s.choice("Law", {"Stick", "Frictionless", "Coulomb", "Visibility"})
       .byDefault("Frictionless")
-      .meaning("What closed faces do along each other: nothing slips, all slips, or slip beyond friction. "
-               "Visibility, for comparison and for Cracks > Formulation Broken Cell only: particles see "
-               "through closed parts, which stick.");
-  s.real("Friction Coefficient").notNegative().optional().meaning("Of Coulomb's law, and only of it.");
+      .meaning("Tangential behaviour of closed faces: full stick, frictionless slip, or Coulomb friction. "
+               "Visibility (only with Cracks > Formulation = Broken Cell, for comparison): closed parts are "
+               "treated as uncracked.");
+  s.real("Friction Coefficient").notNegative().optional().meaning("Friction coefficient of Law = Coulomb.");
   s.real("Penalty").positive().byDefault(2.0).meaning(
-      "Stiffness of the faces against overlap, in units of the modulus of a dilatational wave over the cell "
-      "size. Above 3 it may ask for smaller time steps.");
+      "Penalty stiffness, in units of the P-wave modulus over the cell size. Above 3, a smaller time step "
+      "may be needed.");
   s.real("Watched Part")
       .above(0.0)
       .atMost(1.0)
@@ -37,10 +37,10 @@ Section section()
       .meaning(
           "Middle part of each crack beside which the summary adds up the energies on both sides; with 1 "
           "all of the body counts.");
-  s.needs("Cracks", "there are no crack faces that could touch; add a section Cracks or leave Contact out");
+  s.needs("Cracks", "there are no cracks; add the section Cracks or leave Contact out");
   s.refuse(
       {when::is("Contact", "Law", {"Visibility"}), when::isNot("Cracks", "Formulation", {"Broken Cell"})},
-      "Visibility belongs to Cracks > Formulation Broken Cell; choose that, or another law");
+      "Visibility needs Cracks > Formulation = Broken Cell; choose that formulation or another law");
   return s;
 }
 
@@ -52,12 +52,13 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
   const bool coulomb = list.get<std::string>("Law") == "Coulomb";
   const bool given = list.isParameter("Friction Coefficient");
   if (coulomb && !given)
-    errors.push_back({"Contact > Friction Coefficient",
-                      "the law Coulomb needs it; write it, such as 0.3, or choose Law Frictionless"});
+    errors.push_back(
+        {"Contact > Friction Coefficient",
+         "is missing; Law = Coulomb needs it: write, for example, 0.3, or choose Law = Frictionless"});
   if (!coulomb && given)
     errors.push_back({"Contact > Friction Coefficient",
                       "the law " + list.get<std::string>("Law") +
-                          " has no friction coefficient; leave it out or choose Law Coulomb"});
+                          " has no friction coefficient; leave it out or choose Law = Coulomb"});
 }
 
 Law readLaw(const std::string& name)

@@ -32,14 +32,13 @@ namespace
 
 Section section()
 {
-  Section s("Face Pressure", "A pressure that is given in time and pushes the faces of cracks apart.");
-  Section crack("crack", "The pressure in the crack of this name.");
+  Section s("Face Pressure", "Prescribed pressure on crack faces.");
+  Section crack("crack", "Pressure in one crack. The sublist has the name of the crack.");
   crack.timeFunction("Pressure")
       .unit("Pa")
-      .meaning("Over time: an expression of t or a table \"0:0, 1e-5:1e6\".");
+      .meaning("Pressure as a function of time: an expression of t or a table \"0:0, 1e-5:1e6\".");
   s.namedByUser(crack);
-  s.namedAfter("Cracks", "there are no crack faces that it could push; add a section Cracks or leave Face "
-                         "Pressure out");
+  s.namedAfter("Cracks", "there are no cracks; add the section Cracks or leave Face Pressure out");
   return s;
 }
 

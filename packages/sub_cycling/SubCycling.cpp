@@ -14,24 +14,24 @@ namespace
 
 Section section()
 {
-  Section s("Sub-Cycling",
-            "Smaller steps where cells are smaller: the long step is that of the largest cells.");
+  Section s("Sub-Cycling", "Subcycling: fine cells take smaller time steps (substeps) than coarse cells.");
   s.integer("Levels").range(1, 6).byDefault(6).meaning(
-      "How many of the deepest levels take steps of their own, or all levels where there are fewer; the "
-      "long step is 2^Levels times that of the smallest cells.");
+      "Number of refinement levels with their own time step, from the finest up. The full step is 2^Levels "
+      "substeps of the finest cells.");
   s.refuse({when::present("Sub-Cycling"), when::isNot("Time", "Update Scheme", {"MUSL"})},
-           "substeps are those of Time > Update Scheme = MUSL; write that");
-  s.refuse({when::present("Sub-Cycling"), when::isNot("Mass Matrix", "Type", {"Lumped", "Partial"})},
-           "substeps are those of Mass Matrix > Type = Lumped or Partial; write one of them, or take one of "
-           "the two sections out");
-  s.refuse({when::present("Sub-Cycling"), when::isNot("Mass Matrix", "Velocity Update", {"FLIP"})},
-           "substeps are those of Mass Matrix > Velocity Update = FLIP; write that, or take one of the two "
-           "sections out");
+           "substeps need Time > Update Scheme = MUSL; write that");
+  s.refuse(
+      {when::present("Sub-Cycling"), when::isNot("Mass Matrix", "Type", {"Lumped", "Partial"})},
+      "substeps need Mass Matrix > Type = Lumped or Partial; write one of them, or remove one of the two "
+      "sections");
+  s.refuse(
+      {when::present("Sub-Cycling"), when::isNot("Mass Matrix", "Velocity Update", {"FLIP"})},
+      "substeps need Mass Matrix > Velocity Update = FLIP; write that, or remove one of the two sections");
   // The degree of the polynomial that stands for the inverse grows without bound towards 0.
   s.refuse({when::present("Sub-Cycling"), when::is("Mass Matrix", "Type", {"Partial"}),
-            when::below("Mass Matrix", "Lumped Share", 0.05)},
-           "substeps (Sub-Cycling) need at least 0.05; write 0.1 or take Sub-Cycling out", 2);
-  s.needs("Adaptivity", "all cells are of one size; add a section Adaptivity or take this section out");
+            when::below("Mass Matrix", "Lumped Fraction", 0.05)},
+           "Sub-Cycling needs at least 0.05; write 0.1 or remove Sub-Cycling", 2);
+  s.needs("Adaptivity", "all cells have one size; add the section Adaptivity or remove this section");
   return s;
 }
 

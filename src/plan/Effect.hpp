@@ -46,7 +46,7 @@ struct Call
   Quantities writes;                  ///< quantities
   Quantities addsTo;                  ///< quantities
   std::function<void(State<D>&)> run; ///< what it does
-  /// Whether it belongs to each pass that strains particles (State::strainPass), and not to the step.
+  /// Whether it belongs to each pass that strains particles (Clock::strainPass), and not to the step.
   bool ofEachPass = false;
 };
 
@@ -56,6 +56,7 @@ struct Effect
 {
   std::string name;                       ///< its section's
   std::vector<Field> adds;                ///< particle fields that it brings
+  std::vector<NodalField> addsNodal;      ///< nodal fields that it brings (parallel/NodalFieldTable.hpp)
   std::vector<std::string> needs;         ///< particle fields that somebody else must bring
   std::vector<Call<D>> calls;             ///< of all stages
   Quantities provides;                    ///< what it writes outside of calls
@@ -65,7 +66,7 @@ struct Effect
 
   std::function<double(const State<D>&)> timeStepLimit; ///< [s]; none if empty
 
-  /// Saves or loads what it keeps from one step to the next beside the fields of the particles
+  /// Saves or loads what it keeps from one step to the next in addition to fields of particles and nodes
   /// (checkpoint/Archive.hpp); empty if nothing. Loading comes after atStart and after the core's own, and
   /// leaves all as it was when it was saved.
   std::function<void(State<D>&, Archive&)> memory;

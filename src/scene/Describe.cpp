@@ -149,7 +149,7 @@ private:
     if (!section.rules.empty())
       rules(section.rules);
     if (section.changeable)
-      sentence("All in this section may change on restart.");
+      sentence("All parameters of this section may change on restart.");
     for (const auto& variant : section.variants)
     {
       const std::string dimension =

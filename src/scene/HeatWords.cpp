@@ -30,10 +30,11 @@ void addHeatRules(std::vector<Section>& core)
       s.refuse({when::satisfies("Materials > *", "with a table of temperature",
                                 [](const auto& list) { return !tableTemperatures(list).empty(); }),
                 noHeat},
-               "a property is a table of temperature, and the scene has no heat" + add);
-      s.refuse({when::is("Materials > *", "Model", {"Rigid"}), noHeat},
-               "Rigid is for scenes of heat alone; choose a law with stress, or add Thermal with Mechanics = "
-               "false");
+               "it is a table of temperature, but the scene has no section Thermal" + add);
+      s.refuse(
+          {when::is("Materials > *", "Model", {"Rigid"}), noHeat},
+          "Rigid is for scenes with heat only; choose a law with stress, or add Thermal with Mechanics = "
+          "false");
     }
     else if (s.name == "Boundaries")
       s.refuse({when::satisfies("Boundaries > *", "of Type " + inWords(heatBoundaries),
@@ -43,10 +44,10 @@ void addHeatRules(std::vector<Section>& core)
                                          isHeatBoundary(list.template get<std::string>("Type"));
                                 }),
                 noHeat},
-               "it is a boundary of heat, and the scene has none" + add);
+               "it is a thermal boundary condition, but the scene has no section Thermal" + add);
     else if (s.name == "Bodies")
       for (const char* name : {"Temperature", "Temperature Field"})
-        s.refuse({when::given("Bodies > *", name), noHeat}, "the scene has no heat" + add);
+        s.refuse({when::given("Bodies > *", name), noHeat}, "the scene has no section Thermal" + add);
 }
 
 } // namespace Rhegma

@@ -5,6 +5,7 @@
 #include "grid/Grid.hpp"
 #include "grid/Nodes.hpp"
 #include "grid/Tree.hpp"
+#include "parallel/NodalFieldTable.hpp"
 
 #include <cmath>
 #include <memory>
@@ -19,10 +20,11 @@ struct Subdomain;
 template <int D>
 struct Mesh
 {
-  Grid<D> grid;     ///< cells that this rank's particles can reach; the whole lattice on a single rank
-  Tree<D> tree;     ///< refined cells; empty where none is
-  Nodes<D> nodes;   ///< mass, momentum and force
-  Blocks<D> blocks; ///< particles by blocks of cells
+  Grid<D> grid;   ///< cells that this rank's particles can reach; the whole lattice on a single rank
+  Tree<D> tree;   ///< refined cells; empty where none is
+  Nodes<D> nodes; ///< mass, momentum and force
+  NodalFieldTable<D> nodalFields;                ///< what effects keep on nodes from step to step
+  Blocks<D> blocks;                              ///< particles by blocks of cells
   std::shared_ptr<const Subdomain<D>> subdomain; ///< this rank's part; null on a single rank
   int subcycledLevels = 0;                       ///< how many of the deepest levels take substeps
 
