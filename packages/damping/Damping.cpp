@@ -281,9 +281,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   {
     const bool over = s.clock.time >= until || s.clock.step >= s.clock.maximumSteps;
     if (stop && over && !s.clock.settled && s.failure.empty())
-      summary["warnings"].push_back("the run ended before it had settled (Damping > Stop When Settled): its "
-                                    "values are those of a body in "
-                                    "motion; raise Time > Final Time or the damping");
+      summary["warnings"].push_back("the run ended before it had settled (Damping > Stop When Settled), so "
+                                    "its results are not static; raise Time > Final Time or the damping");
   };
   effect.memory = [settling](State<D>&, Archive& archive) { settling->keep(archive); };
   return effect;

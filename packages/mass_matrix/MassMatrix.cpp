@@ -59,14 +59,14 @@ double coupledTimeStep(const State<D>& state)
 void addSolverParameters(Section& s)
 {
   s.real("Lumped Fraction")
-      .formerly("Lumped Fraction")
+      .formerly("Lumped Share")
       .atLeast(0.0)
       .below(1.0)
       .byDefault(0.1)
       .meaning("Fraction eps of lumping in the matrix (1 - eps) M + eps lumped(M). With 0 the matrix can be "
                "singular, and the stable time step much smaller where a boundary cuts cells.");
   s.real("Minimum Node Mass")
-      .formerly("Minimum Node Mass")
+      .formerly("Smallest Node")
       .range(0.0, 1.0)
       .byDefault(0.1)
       .meaning("A particle is lumped if one of its nodes has less than this fraction of the nodal mass "
@@ -106,7 +106,7 @@ Section section()
   partial.real("Radius").unit("m").positive().optional("3 cells").meaning(
       "The mass is consistent up to this distance from a front. The default counts cells at the front.");
   partial.real("Transition Width")
-      .formerly("Transition Width")
+      .formerly("Edge Width")
       .unit("m")
       .notNegative()
       .optional("1 cell")
