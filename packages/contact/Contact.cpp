@@ -34,9 +34,8 @@ Section section()
       .atMost(1.0)
       .byDefault(1.0)
       .onlyIn(2)
-      .meaning(
-          "Middle part of each crack beside which the summary adds up the energies on both sides; with 1 "
-          "all of the body counts.");
+      .meaning("Middle part of each crack next to which the summary adds up the energies on both sides. 1: "
+               "the whole body.");
   s.needs("Cracks", "there are no cracks; add the section Cracks or leave Contact out");
   s.refuse(
       {when::is("Contact", "Law", {"Visibility"}), when::isNot("Cracks", "Formulation", {"Broken Cell"})},
@@ -304,7 +303,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
                {},
                [account](State<D>& s) { advance(s, *account); }});
   effect.call({Stage::Observe,
-               "shares of energy",
+               "fractions of energy",
                {quantity::energyBalance, quantity::contactGaps},
                {},
                {},

@@ -69,8 +69,8 @@ Section time()
   s.real("PIC Fraction")
       .range(0.0, 1.0)
       .byDefault(0.0)
-      .meaning("Fraction of PIC in the particle velocity update, the rest being FLIP. PIC damps all motion "
-               "below a few cells.");
+      .meaning(
+          "Fraction of PIC in the velocity update of particles, the rest being FLIP. PIC damps the motion.");
   return s;
 }
 
@@ -249,7 +249,7 @@ Section reference()
       .meaning("Path of the result in summary.json, such as cracks.0.fronts.0.G_J or energy.kinetic.");
   entry.real("Value").meaning("Expected value, in the unit of the quantity.");
   entry.real("Tolerance").positive().meaning("Largest allowed relative error; absolute error if Value is 0.");
-  entry.text("Source").notEmpty().meaning("Source of the value, for example a book or a paper.");
+  entry.text("Source").notEmpty().meaning("Source of the value, such as a paper.");
 
   Section s("Reference", "Expected results. At the end the run is compared with them; exit status 4 means "
                          "that one is outside its tolerance.");

@@ -135,7 +135,7 @@ Effect<D> makeCore(const State<D>& state)
                  strainAndMove(s, StrainVelocity::Projection, false, true);
              }});
   core.call({Stage::OnParticles,
-             "strain, stress and place of particles",
+             "strain, stress and position of particles",
              {quantity::nodalMotion, ifWritten(quantity::projection), ifWritten(quantity::temperature)},
              {quantity::particleStress},
              {},
