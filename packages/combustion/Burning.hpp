@@ -6,6 +6,7 @@
 #include "combustion/CrackFlow.hpp"
 #include "combustion/Gas.hpp"
 #include "combustion/Ignition.hpp"
+#include "plan/RunOptions.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 

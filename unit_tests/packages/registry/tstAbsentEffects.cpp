@@ -210,7 +210,7 @@ Names fieldsOf(const std::string& effect)
       const SceneResult scene = readSceneText("<ParameterList name=\"Rhegma\">" + std::string(bare) +
                                                   sectionsOf.at(effect) + "</ParameterList>",
                                               {}, effectSchema());
-      for (const Field& field : entry.make2(*scene.list).adds)
+      for (const Field& field : entry.make2(*scene.list, declaredOptions(*scene.list)).adds)
         names.insert(field.name);
     }
   return names;
@@ -225,7 +225,7 @@ Names callsOf(const std::string& effect)
       const SceneResult scene = readSceneText("<ParameterList name=\"Rhegma\">" + std::string(bare) +
                                                   sectionsOf.at(effect) + "</ParameterList>",
                                               {}, effectSchema());
-      for (const Call<2>& call : entry.make2(*scene.list).calls)
+      for (const Call<2>& call : entry.make2(*scene.list, declaredOptions(*scene.list)).calls)
         names.insert(call.label);
     }
   return names;
