@@ -7,6 +7,7 @@
 
 #include "KernelProfile.hpp"
 #include "plan/EffectSchema.hpp"
+#include "plan/KnownEffects.hpp"
 #include "scene/Scene.hpp"
 #include "step/Run.hpp"
 
