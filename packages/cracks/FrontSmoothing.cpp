@@ -27,13 +27,13 @@ double bulge(const GrowingSurface& surface, const FrontLines& lines, std::size_t
       return 0.0;
     const std::size_t only = last < 0 ? GrowingSurface::next(lines, k) : last;
     const Vector<3> from = surface.vertices[lines[k].vertex] - surface.vertices[lines[only].vertex];
-    return dot(from, lines[k].station.direction) / dot(from, from);
+    return dot(from, lines[k].node.direction) / dot(from, from);
   }
   const Vector<3>&a = surface.vertices[lines[last].vertex], &x = surface.vertices[lines[k].vertex],
         &b = surface.vertices[lines[GrowingSurface::next(lines, k)].vertex];
   const double u = norm(x - a), w = norm(b - x);
   const Vector<3> middle = (w / (u + w)) * a + (u / (u + w)) * b;
-  return dot(x - middle, lines[k].station.direction) / (u * w);
+  return dot(x - middle, lines[k].node.direction) / (u * w);
 }
 
 /// Area that the k-th point of a front hands to the one after it, negative if it takes [m2].
@@ -61,7 +61,7 @@ double handedOn(const GrowingSurface& surface, const FrontLines& lines, std::siz
 
 void smoothAlongFront(const GrowingSurface& surface, const FrontLines& lines,
                       const std::vector<double>& cells, const std::vector<bool>& mirrored,
-                      std::vector<StationAdvance<3>>& advances)
+                      std::vector<FrontNodeAdvance<3>>& advances)
 {
   const std::size_t count = lines.size();
   std::vector<double> curved(count), hands(count), gives(count, 0.0), own(count, 0.0);
@@ -70,9 +70,8 @@ void smoothAlongFront(const GrowingSurface& surface, const FrontLines& lines,
   const auto takes = [&](std::size_t from, std::size_t to)
   {
     const LinePoint& point = lines[to];
-    return advances[from].length > 0.0 && !point.landed && !point.station.halted &&
-           (advances[to].length > 0.0 ||
-            point.station.driving.release >= leastDriven * advances[to].toughness);
+    return advances[from].length > 0.0 && !point.landed && !point.node.stopped &&
+           (advances[to].length > 0.0 || point.node.driving.release >= leastDriven * advances[to].toughness);
   };
   for (std::size_t k = 0; k < count; ++k)
   {
@@ -82,7 +81,7 @@ void smoothAlongFront(const GrowingSurface& surface, const FrontLines& lines,
     if (forward ? !takes(k, to) : !takes(to, k))
       hands[k] = 0.0;
     gives[forward ? k : to] += std::fabs(hands[k]);
-    own[k] = advances[k].length * lines[k].station.share;
+    own[k] = advances[k].length * lines[k].node.tributaryLength;
   }
   std::vector<double> area = own, energy(count);
   for (std::size_t k = 0; k < count; ++k)
@@ -95,7 +94,7 @@ void smoothAlongFront(const GrowingSurface& surface, const FrontLines& lines,
     const std::size_t giver = hands[k] > 0.0 ? k : to, taker = hands[k] > 0.0 ? to : k;
     const double most = mostGiven * own[giver], all = gives[giver];
     const double handed = std::fabs(hands[k]) * (all > most ? most / all : 1.0);
-    if (own[taker] == 0.0 && handed < leastTaken * cells[taker] * lines[taker].station.share)
+    if (own[taker] == 0.0 && handed < leastTaken * cells[taker] * lines[taker].node.tributaryLength)
       continue;
     area[giver] -= handed;
     area[taker] += handed;
@@ -105,7 +104,7 @@ void smoothAlongFront(const GrowingSurface& surface, const FrontLines& lines,
   for (std::size_t k = 0; k < count; ++k)
     if (area[k] > 0.0)
     {
-      advances[k].length = area[k] / lines[k].station.share;
+      advances[k].length = area[k] / lines[k].node.tributaryLength;
       advances[k].toughness = energy[k] / area[k];
     }
 }

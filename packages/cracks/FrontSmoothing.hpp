@@ -25,6 +25,6 @@ namespace Rhegma::cracks
 /// toughness change. The sum of length times share times toughness stays the same
 void smoothAlongFront(const GrowingSurface& surface, const FrontLines& lines,
                       const std::vector<double>& cells, const std::vector<bool>& mirrored,
-                      std::vector<StationAdvance<3>>& advances);
+                      std::vector<FrontNodeAdvance<3>>& advances);
 
 } // namespace Rhegma::cracks

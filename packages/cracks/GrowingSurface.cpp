@@ -114,7 +114,7 @@ double GrowingSurface::advance(FrontLines& lines, std::size_t k, const Vector<3>
   const int u = last >= 0 ? lines[last].vertex : -1, w = point.joined ? lines[next(lines, k)].vertex : -1;
   const Vector<3> way = x - vertices[v];
   // How far the vertices behind it are, and what the triangles that would stretch are turned by.
-  bool stretches = dot(way, point.station.direction) > straight * norm(way);
+  bool stretches = dot(way, point.node.direction) > straight * norm(way);
   double nearest = 1e300;
   for (const int t : stars_[v])
     for (const int other : triangles[t])
@@ -157,7 +157,7 @@ void GrowingSurface::split(FrontLines& lines, std::size_t k, int name)
     v = v == a ? m : v;
   addTriangle(other);
   // It goes on as the one of its neighbours that does.
-  LinePoint point = lines[lines[k].station.halted || lines[k].landed ? to : k];
+  LinePoint point = lines[lines[k].node.stopped || lines[k].landed ? to : k];
   point.from = point.name;
   point.vertex = m;
   point.name = name;

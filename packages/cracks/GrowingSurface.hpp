@@ -13,12 +13,12 @@ namespace Rhegma::cracks
 /// A vertex on a front.
 struct LinePoint
 {
-  int vertex;                ///< of the surface
-  int name, from;            ///< FrontStation
-  bool joined = false;       ///< a piece of front runs from it to the next
-  bool landed = false;       ///< it has reached the surface of the body
-  double toughness = 0.0;    ///< of the last face that it made [J/m2]
-  FrontStation<3> station{}; ///< what it was before
+  int vertex;             ///< of the surface
+  int name, from;         ///< FrontNode
+  bool joined = false;    ///< a piece of front runs from it to the next
+  bool landed = false;    ///< it has reached the surface of the body
+  double toughness = 0.0; ///< of the last face that it made [J/m2]
+  FrontNode<3> node{};    ///< what it was before
 };
 
 /// The pieces of a front, one line after another; closed where the last point is joined to the first.

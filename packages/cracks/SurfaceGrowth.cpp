@@ -21,7 +21,7 @@ namespace
 {
 
 /// Lengths in cells.
-constexpr double leastLigament = 0.5; ///< a station that has less ahead of it runs on to the surface
+constexpr double leastLigament = 0.5; ///< a front node that has less ahead of it runs on to the surface
 constexpr double longestPiece = 1.5, shortestPiece = 0.5;
 constexpr double rowHeight = 1.0;
 /// Most that a point moves along its front, in parts of its advance: less than a turn that begins a row.
@@ -50,25 +50,25 @@ Vector<3> evening(const GrowingSurface& surface, const FrontLines& lines, std::s
     return {0.0, 0.0, 0.0};
   const Vector<3>&a = surface.vertices[lines[last].vertex], &x = surface.vertices[lines[k].vertex],
         &b = surface.vertices[lines[GrowingSurface::next(lines, k)].vertex];
-  const Vector<3> along = cross(lines[k].station.direction, lines[k].station.normal);
+  const Vector<3> along = cross(lines[k].node.direction, lines[k].node.normal);
   const double uneven = std::clamp(0.5 * (norm(b - x) - norm(x - a)), -sideways * length, sideways * length);
   return (dot(along, b - a) < 0.0 ? -uneven : uneven) * along;
 }
 
-/// Forgets the sides of particles that are ahead of the station nearest to them: they lie beside the crack
+/// Forgets the sides of particles that are ahead of the front node nearest to them: they lie beside the crack
 /// that will be there.
 void forgetSidesAhead(const State<3>& state, const CrackFront<3>& front, double reach)
 {
-  const int count = static_cast<int>(front.stations.size());
-  const View<double* [6]> stations("rhegma::cracks::stations", count);
-  const auto host = Kokkos::create_mirror_view(stations);
+  const int count = static_cast<int>(front.nodes.size());
+  const View<double* [6]> frontNodes("rhegma::cracks::frontNodes", count);
+  const auto host = Kokkos::create_mirror_view(frontNodes);
   for (int k = 0; k < count; ++k)
     for (int d = 0; d < 3; ++d)
     {
-      host(k, d) = front.stations[k].position[d];
-      host(k, 3 + d) = front.stations[k].direction[d];
+      host(k, d) = front.nodes[k].position[d];
+      host(k, 3 + d) = front.nodes[k].direction[d];
     }
-  Kokkos::deep_copy(stations, host);
+  Kokkos::deep_copy(frontNodes, host);
   const auto position = state.particles.real<3>(fields::position);
   const auto side = state.particles.integer(fields::side);
   const int name = front.crack + 1;
@@ -83,9 +83,9 @@ void forgetSidesAhead(const State<3>& state, const CrackFront<3>& front, double 
           double square = 0.0, along = 0.0;
           for (int d = 0; d < 3; ++d)
           {
-            const double from = position(p, d) - stations(k, d);
+            const double from = position(p, d) - frontNodes(k, d);
             square += from * from;
-            along += from * stations(k, 3 + d);
+            along += from * frontNodes(k, 3 + d);
           }
           if (square < least)
           {
@@ -123,20 +123,20 @@ std::vector<SurfaceGrowth::Crack> SurfaceGrowth::read(const CrackSet<3>& set)
   marks_.resize(set.fronts.size());
   lastToughness_.resize(set.fronts.size(), 0.0);
   told_.resize(set.fronts.size(), false);
-  toldHalted_.resize(set.fronts.size(), false);
+  toldStopped_.resize(set.fronts.size(), false);
   for (std::size_t f = 0; f < set.fronts.size(); ++f)
   {
     const CrackFront<3>& front = set.fronts[f];
-    marks_[f].resize(front.stations.size());
+    marks_[f].resize(front.nodes.size());
     FrontLines lines;
-    for (std::size_t k = 0; k < front.stations.size() && !front.ended; ++k)
+    for (std::size_t k = 0; k < front.nodes.size() && !front.ended; ++k)
     {
       LinePoint point{};
-      point.station = front.stations[k];
-      point.vertex = front.stations[k].vertex - set.cracks[front.crack].firstVertex;
-      point.name = front.stations[k].name;
+      point.node = front.nodes[k];
+      point.vertex = front.nodes[k].vertex - set.cracks[front.crack].firstVertex;
+      point.name = front.nodes[k].name;
       point.from = -1;
-      point.joined = front.stations[k].facet >= 0;
+      point.joined = front.nodes[k].facet >= 0;
       point.landed = marks_[f][k].landed;
       point.toughness = marks_[f][k].toughness;
       lines.push_back(point);
@@ -169,17 +169,17 @@ void SurfaceGrowth::write(CrackSet<3>& set, std::vector<Crack>& cracks, double s
       CrackFront<3>& front = set.fronts[f];
       last[f] = i < crack.ends.size() ? crack.ends[i].vertex : 0;
       front.ended = lines[i]->empty();
-      front.stations.clear();
+      front.nodes.clear();
       marks_[f].clear();
       for (const LinePoint& point : *lines[i])
       {
-        FrontStation<3> station = point.station;
-        station.vertex = point.vertex;
-        station.name = point.name;
-        station.from = point.from;
-        station.facet = point.joined ? 0 : -1;
-        station.halted = station.halted || point.landed;
-        front.stations.push_back(station);
+        FrontNode<3> frontNode = point.node;
+        frontNode.vertex = point.vertex;
+        frontNode.name = point.name;
+        frontNode.from = point.from;
+        frontNode.facet = point.joined ? 0 : -1;
+        frontNode.stopped = frontNode.stopped || point.landed;
+        front.nodes.push_back(frontNode);
         marks_[f].push_back({point.toughness, point.landed});
       }
     }
@@ -214,21 +214,21 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
   GrowingSurface& surface = crack.surface;
   const std::size_t count = lines.size();
 
-  std::vector<StationAdvance<3>> asked = advance.stations;
+  std::vector<FrontNodeAdvance<3>> asked = advance.nodes;
   std::vector<double> cells(count, 0.0);
   std::vector<bool> mirrored(count, false);
   bool turns = false;
   double longest = 0.0;
   for (std::size_t k = 0; k < count; ++k)
   {
-    cells[k] = spacingAt(state, lines[k].station.position);
+    cells[k] = spacingAt(state, lines[k].node.position);
     mirrored[k] = std::any_of(mirrors_.begin(), mirrors_.end(),
                               [&](const MirrorPlane& plane)
-                              { return isOn(plane, lines[k].station.position[plane.axis], cells[k]); });
-    if (lines[k].landed || lines[k].station.halted)
+                              { return isOn(plane, lines[k].node.position[plane.axis], cells[k]); });
+    if (lines[k].landed || lines[k].node.stopped)
       asked[k].length = 0.0;
     longest = std::max(longest, asked[k].length);
-    turns = turns || (asked[k].length > 0.0 && dot(asked[k].direction, lines[k].station.direction) < turned);
+    turns = turns || (asked[k].length > 0.0 && dot(asked[k].direction, lines[k].node.direction) < turned);
   }
   smoothAlongFront(surface, lines, cells, mirrored, asked);
   if (turns)
@@ -241,7 +241,7 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
     if (asked[k].length > 0.0)
     {
       ways.push_back(
-          {lines[k].station.position, asked[k].direction, asked[k].length + leastLigament * cells[k]});
+          {lines[k].node.position, asked[k].direction, asked[k].length + leastLigament * cells[k]});
       moving.push_back(k);
       aside.push_back(evening(surface, lines, k, asked[k].length));
     }
@@ -261,17 +261,17 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
     const bool near = distance < bandWidth * state.mesh.grid.spacing;
     if (near || (!lands && meetsItself(state.cracks, front.crack, x, ways[i].direction, cells[k])))
     {
-      point.station.halted = true;
-      point.station.speed = 0.0;
+      point.node.stopped = true;
+      point.node.speed = 0.0;
       const std::string which =
           near ? "the crack " + state.cracks.cracks[other].name + " is" : "faces of its own crack are";
-      if (!toldHalted_[advance.front])
+      if (!toldStopped_[advance.front])
         state.warnings.push_back("the front " + nameOf(state, front) + " halted at time " +
-                                 formatReal(state.clock.time) + " s at " + inWords(point.station.position) +
+                                 formatReal(state.clock.time) + " s at " + inWords(point.node.position) +
                                  ": " + which +
                                  " less than three cells ahead, and cells can't tell faces apart that are "
                                  "closer; smaller cells (Domain > Cell Size) let it come nearer");
-      toldHalted_[advance.front] = true;
+      toldStopped_[advance.front] = true;
       continue;
     }
     point.toughness = asked[k].toughness;
@@ -289,9 +289,6 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
     lastToughness_[advance.front] = energy / area;
   if (landed < count)
     crack.ends[place].vertex = lines[landed].vertex;
-  // A front goes on where a part of it does.
-  front.halted = std::all_of(lines.begin(), lines.end(),
-                             [](const LinePoint& p) { return p.landed || p.station.halted; });
   front.grown = front.grown || !moving.empty();
   if (landed < count && !told_[advance.front])
   {
@@ -301,7 +298,7 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
                              " s at " + inWords(surface.vertices[lines[landed].vertex]));
   }
 
-  int names = 0; // no new station has the name of one that goes now: its past is another's
+  int names = 0; // no new front node has the name of one that goes now: its past is another's
   for (const LinePoint& point : lines)
     names = std::max(names, point.name + 1);
   cutLanded(lines);
@@ -319,11 +316,7 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
     }
   front.taken += energy;
   front.unspent += energy;
-  if (!lines.empty())
-    return;
-  front.ended = true;
-  front.speed = 0.0;
-  front.driving = {};
+  front.ended = lines.empty();
 }
 
 void SurfaceGrowth::grow(State<3>& state)

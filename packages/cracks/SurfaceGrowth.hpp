@@ -16,19 +16,19 @@ class Archive;
 namespace Rhegma::cracks
 {
 
-/// Makes the advances that were asked of the stations of 3D fronts (CrackSet::advances).
+/// Makes the advances that were asked of the front nodes of 3D fronts (CrackSet::advances).
 ///
-/// A station moves on by its own length in its own direction: the triangles behind it stretch until a row of
-/// them is as high as a cell, then a new row begins. Pieces of front longer than 1.5 cells are split, those
-/// shorter than half a cell taken away. Ripples of the front are smoothed by giving of what a station is to
-/// advance to its neighbours, at a plane of symmetry to its mirror image too; no station goes back for that.
-/// Whatever happens to the front, the area that the crack gains times the toughness is what is booked in
-/// CrackFront::taken and unspent, to the last digit.
+/// A front node moves on by its own length in its own direction: the triangles behind it stretch until a row
+/// of them is as high as a cell, then a new row begins. Pieces of front longer than 1.5 cells are split,
+/// those shorter than half a cell taken away. Ripples of the front are smoothed by giving of what a front
+/// node is to advance to its neighbours, at a plane of symmetry to its mirror image too; no front node goes
+/// back for that. Whatever happens to the front, the area that the crack gains times the toughness is what is
+/// booked in CrackFront::taken and unspent, to the last digit.
 ///
-/// A station that comes within half a cell of the surface of its body runs on to it and stays there; pieces
-/// between two such stations become mouths. An end of a front that lies on the surface slides along it. A
-/// station that would come closer than three cells to another crack, or to faces of its own that lie ahead,
-/// halts. Belongs between steps.
+/// A front node that comes within half a cell of the surface of its body runs on to it and stays there;
+/// pieces between two such front nodes become mouths. An end of a front that lies on the surface slides along
+/// it. A front node that would come closer than three cells to another crack, or to faces of its own that lie
+/// ahead, halts. Belongs between steps.
 class SurfaceGrowth
 {
 public:
@@ -37,9 +37,9 @@ public:
 
   void grow(State<3>& state);
 
-  /// Energy per area of the last face that each station of a front made; where one has made none, that of the
-  /// nearest station that has. Without stations, as of a front that has ended, one number: that of the last
-  /// faces of the front. Zero where nothing has grown [J/m2].
+  /// Energy per area of the last face that each front node of a front made; where one has made none, that of
+  /// the nearest front node that has. Without front nodes, as of a front that has ended, one number: that of
+  /// the last faces of the front. Zero where nothing has grown [J/m2].
   std::vector<double> toughnessAlong(const CrackSet<3>& set, int front) const;
 
   /// Saves or loads the surfaces, their fronts and what they have done.
@@ -64,9 +64,10 @@ private:
   void growFront(State<3>& state, std::vector<Crack>& cracks, const FrontAdvance<3>& advance);
 
   std::vector<MirrorPlane> mirrors_;
-  std::vector<std::vector<Mark>> marks_; ///< of the stations of each front
+  std::vector<std::vector<Mark>> marks_; ///< of the front nodes of each front
   std::vector<double> lastToughness_;    ///< of each front, of what it made last [J/m2]
-  std::vector<bool> told_, toldHalted_; ///< fronts of which it was said that they reached the surface; halted
+  std::vector<bool> told_,
+      toldStopped_; ///< fronts of which it was said that they reached the surface; stopped
 };
 
 } // namespace Rhegma::cracks

@@ -8,10 +8,10 @@ namespace Rhegma::cracks
 
 std::vector<double> SurfaceGrowth::toughnessAlong(const CrackSet<3>& set, int front) const
 {
-  const std::vector<FrontStation<3>>& stations = set.fronts[front].stations;
+  const std::vector<FrontNode<3>>& frontNodes = set.fronts[front].nodes;
   const std::size_t f = front;
   const double last = f < lastToughness_.size() ? lastToughness_[f] : 0.0;
-  std::vector<double> along(std::max<std::size_t>(1, stations.size()), last);
+  std::vector<double> along(std::max<std::size_t>(1, frontNodes.size()), last);
   if (f >= marks_.size())
     return along;
   const std::vector<Mark>& marks = marks_[f];
@@ -25,7 +25,7 @@ std::vector<double> SurfaceGrowth::toughnessAlong(const CrackSet<3>& set, int fr
     double shortest = 1e300;
     for (std::size_t other = 0; other < marks.size(); ++other)
     {
-      const double distance = norm(stations[other].position - stations[k].position);
+      const double distance = norm(frontNodes[other].position - frontNodes[k].position);
       if (marks[other].toughness > 0.0 && distance < shortest)
       {
         shortest = distance;
@@ -39,7 +39,7 @@ std::vector<double> SurfaceGrowth::toughnessAlong(const CrackSet<3>& set, int fr
 void SurfaceGrowth::keep(State<3>& state, Archive& archive)
 {
   CrackSet<3>& set = state.cracks;
-  std::vector<int> sizes, triangles, stations, counts;
+  std::vector<int> sizes, triangles, frontNodes, counts;
   std::vector<double> vertices, numbers;
   if (!archive.loads())
   {
@@ -55,25 +55,25 @@ void SurfaceGrowth::keep(State<3>& state, Archive& archive)
     for (std::size_t f = 0; f < set.fronts.size(); ++f)
     {
       const CrackFront<3>& front = set.fronts[f];
-      counts.push_back(static_cast<int>(front.stations.size()));
-      for (std::size_t k = 0; k < front.stations.size(); ++k)
+      counts.push_back(static_cast<int>(front.nodes.size()));
+      for (std::size_t k = 0; k < front.nodes.size(); ++k)
       {
-        const FrontStation<3>& s = front.stations[k];
-        stations.insert(stations.end(),
-                        {s.vertex - set.cracks[front.crack].firstVertex, s.facet >= 0 ? 1 : 0, s.name, s.from,
-                         s.halted ? 1 : 0, s.advances ? 1 : 0, marks_[f][k].landed ? 1 : 0});
+        const FrontNode<3>& s = front.nodes[k];
+        frontNodes.insert(frontNodes.end(),
+                          {s.vertex - set.cracks[front.crack].firstVertex, s.facet >= 0 ? 1 : 0, s.name,
+                           s.from, s.stopped ? 1 : 0, s.advances ? 1 : 0, marks_[f][k].landed ? 1 : 0});
         numbers.insert(numbers.end(),
                        {s.speed, s.temperature, s.driving.release, s.driving.modeI, s.driving.modeII,
                         s.driving.modeIII, s.driving.hoopAngle, marks_[f][k].toughness});
       }
     }
   }
-  constexpr std::size_t whole = 7, real = 8; // numbers of a station
+  constexpr std::size_t whole = 7, real = 8; // numbers of a front node
   archive("sizes", sizes, 2);
   archive("triangles", triangles, 3);
   archive("places", vertices, 3);
   archive("counts", counts);
-  archive("stations", stations, whole);
+  archive("frontNodes", frontNodes, whole);
   archive("station_numbers", numbers, real);
   archive("last_toughness", lastToughness_);
   if (!archive.loads())
@@ -94,29 +94,29 @@ void SurfaceGrowth::keep(State<3>& state, Archive& archive)
   marks_.assign(set.fronts.size(), {});
   lastToughness_.resize(set.fronts.size(), 0.0);
   told_.resize(set.fronts.size(), false);
-  toldHalted_.resize(set.fronts.size(), false);
+  toldStopped_.resize(set.fronts.size(), false);
   std::size_t row = 0;
   for (std::size_t f = 0; f < set.fronts.size(); ++f)
   {
     FrontLines lines;
     for (int k = 0; k < counts.at(f); ++k, ++row)
     {
-      const int* of = &stations.at(whole * row);
+      const int* of = &frontNodes.at(whole * row);
       const double* value = &numbers.at(real * row);
       LinePoint point{};
       point.vertex = of[0];
       point.joined = of[1] != 0;
       point.name = of[2];
       point.from = of[3];
-      point.station.halted = of[4] != 0;
-      point.station.advances = of[5] != 0;
+      point.node.stopped = of[4] != 0;
+      point.node.advances = of[5] != 0;
       point.landed = of[6] != 0;
-      point.station.speed = value[0];
-      point.station.temperature = value[1];
-      point.station.driving = {value[2], value[3], value[4], value[5], value[6]};
+      point.node.speed = value[0];
+      point.node.temperature = value[1];
+      point.node.driving = {value[2], value[3], value[4], value[5], value[6]};
       point.toughness = value[7];
       told_[f] = told_[f] || point.landed;
-      toldHalted_[f] = toldHalted_[f] || (point.station.halted && !point.landed);
+      toldStopped_[f] = toldStopped_[f] || (point.node.stopped && !point.landed);
       lines.push_back(point);
     }
     cracks[set.fronts[f].crack].fronts.push_back(lines);

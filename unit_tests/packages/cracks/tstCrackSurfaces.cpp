@@ -2,6 +2,7 @@
 
 #include "cracks/Opening.hpp"
 #include "cracks/SurfaceFile.hpp"
+#include "state/EnergySums.hpp"
 #include "geometry/Cross.hpp"
 #include "output/CoreRow.hpp"
 
@@ -272,16 +273,16 @@ TEST(CrackSurfaces, AreDisksAndEllipses)
     const CrackSet<3>& cracks = run->state().cracks;
     ASSERT_EQ(cracks.fronts.size(), 1u);
     EXPECT_NEAR(measureOpening(cracks, 0).size, pi * 2.4e-3 * second, 1e-9 * pi * 2.4e-3 * second);
-    const std::vector<FrontStation<3>>& stations = cracks.fronts[0].stations;
-    ASSERT_GE(stations.size(), 10u);
+    const std::vector<FrontNode<3>>& frontNodes = cracks.fronts[0].nodes;
+    ASSERT_GE(frontNodes.size(), 10u);
     double length = 0.0;
-    for (const FrontStation<3>& s : stations)
+    for (const FrontNode<3>& s : frontNodes)
     {
       EXPECT_GE(s.facet, 0); // it is closed
       EXPECT_NEAR(dot(s.normal, Vector<3>{0.0, 1.0, 2.0}), std::sqrt(5.0), 1e-12);
       EXPECT_NEAR(dot(s.normal, s.direction), 0.0, 1e-12);
       EXPECT_GT(dot(s.direction, s.position - Vector<3>{4e-3, 4e-3, 4.2e-3}), 0.0);
-      length += s.share;
+      length += s.tributaryLength;
     }
     EXPECT_NEAR(length, cracks.fronts[0].length, 1e-12);
   }
@@ -318,7 +319,7 @@ TEST(CrackSurfaces, AreAsFineAsTheCellsAtFronts)
   EXPECT_EQ(triangles(1, 0.0), triangles(0, 0.0));
 }
 
-/// A quarter of a disk in the corner of a block: its stations at the two mouths run on along these.
+/// A quarter of a disk in the corner of a block: its front nodes at the two mouths run on along these.
 TEST(CrackSurfaces, HaveFrontsThatEndAtMouths)
 {
   Teuchos::ParameterList scene = blockScene({8e-3, 8e-3, 8e-3});
@@ -329,14 +330,14 @@ TEST(CrackSurfaces, HaveFrontsThatEndAtMouths)
   const auto run = start<3>(scene);
   const CrackSet<3>& cracks = run->state().cracks;
   ASSERT_EQ(cracks.fronts.size(), 1u);
-  const std::vector<FrontStation<3>>& stations = cracks.fronts[0].stations;
-  ASSERT_GE(stations.size(), 5u);
-  EXPECT_EQ(stations.back().facet, -1);
-  for (std::size_t k = 0; k + 1 < stations.size(); ++k)
-    EXPECT_EQ(stations[k].facet, cracks.fronts[0].firstFacet + static_cast<int>(k));
+  const std::vector<FrontNode<3>>& frontNodes = cracks.fronts[0].nodes;
+  ASSERT_GE(frontNodes.size(), 5u);
+  EXPECT_EQ(frontNodes.back().facet, -1);
+  for (std::size_t k = 0; k + 1 < frontNodes.size(); ++k)
+    EXPECT_EQ(frontNodes[k].facet, cracks.fronts[0].firstFacet + static_cast<int>(k));
   // The rim goes round against its order of growth: from the x axis to the y axis seen from above.
-  EXPECT_NEAR(stations.front().direction[0], 1.0, 1e-6);
-  EXPECT_NEAR(stations.back().direction[1], 1.0, 1e-6);
+  EXPECT_NEAR(frontNodes.front().direction[0], 1.0, 1e-6);
+  EXPECT_NEAR(frontNodes.back().direction[1], 1.0, 1e-6);
   EXPECT_NEAR(measureOpening(cracks, 0).size, 4e-6 * pi, 0.01 * 4e-6 * pi);
 }
 

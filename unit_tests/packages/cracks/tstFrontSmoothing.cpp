@@ -17,7 +17,7 @@ struct Line
 {
   GrowingSurface surface;
   FrontLines lines;
-  std::vector<StationAdvance<3>> advances;
+  std::vector<FrontNodeAdvance<3>> advances;
 
   Line(const std::vector<double>& y, const std::vector<double>& ahead, double length)
   {
@@ -27,12 +27,12 @@ struct Line
       LinePoint point{};
       point.vertex = static_cast<int>(k);
       point.joined = k + 1 < y.size();
-      point.station.direction = {1.0, 0.0, 0.0};
-      point.station.driving.release = 90.0;
-      point.station.share =
+      point.node.direction = {1.0, 0.0, 0.0};
+      point.node.driving.release = 90.0;
+      point.node.tributaryLength =
           0.5 * ((k > 0 ? y[k] - y[k - 1] : 0.0) + (k + 1 < y.size() ? y[k + 1] - y[k] : 0.0));
       lines.push_back(point);
-      advances.push_back({point.station.direction, length, 100.0 + 10.0 * double(k)});
+      advances.push_back({point.node.direction, length, 100.0 + 10.0 * double(k)});
     }
   }
 
@@ -48,7 +48,7 @@ struct Line
     double all = 0.0;
     for (std::size_t k = 0; k < lines.size(); ++k)
       if (advances[k].length > 0.0)
-        all += advances[k].length * lines[k].station.share * (energy ? advances[k].toughness : 1.0);
+        all += advances[k].length * lines[k].node.tributaryLength * (energy ? advances[k].toughness : 1.0);
     return all;
   }
 };
@@ -64,7 +64,7 @@ std::vector<double> evenly(std::size_t count)
 
 } // namespace
 
-/// A station that stays and lies behind takes area, with the energy of those that give it, and takes none
+/// A front node that stays and lies behind takes area, with the energy of those that give it, and takes none
 /// where it resists with more than twice of what drives it, or without bound.
 TEST(FrontSmoothing, HandsOnAreaWithItsEnergy)
 {
@@ -72,12 +72,12 @@ TEST(FrontSmoothing, HandsOnAreaWithItsEnergy)
   for (const double resists : {80.0, 200.0, std::numeric_limits<double>::infinity()})
   {
     Line front(evenly(9), {d, d, d, d, 0.0, d, d, d, d}, 0.25 * cell);
-    front.advances[4] = {front.lines[4].station.direction, 0.0, resists};
+    front.advances[4] = {front.lines[4].node.direction, 0.0, resists};
     const double area = front.sum(false), energy = front.sum(true);
     front.smooth();
     EXPECT_NEAR(front.sum(false), area, 1e-14 * area);
     EXPECT_NEAR(front.sum(true), energy, 1e-14 * energy);
-    const StationAdvance<3>& taken = front.advances[4];
+    const FrontNodeAdvance<3>& taken = front.advances[4];
     if (resists > 180.0)
     {
       EXPECT_EQ(taken.length, 0.0);
