@@ -1,6 +1,7 @@
+#include "scene/CoreSections.hpp"
+
 #include "material/Laws.hpp"
 #include "scene/CoreBodies.hpp"
-#include "scene/CoreBoundaries.hpp"
 #include "scene/HeatWords.hpp"
 #include "scene/Schema.hpp"
 
@@ -148,6 +149,18 @@ Section materials()
   return s;
 }
 
+Section boundaries(const std::vector<Section>& types)
+{
+  Section boundary("boundary", "A load or a support.");
+  boundary.chosenBy("Type").meaning("Kind of load or support.");
+  for (const Section& type : types)
+    boundary.variant(type);
+
+  Section s("Boundaries", "Loads and supports.");
+  s.namedByUser(boundary);
+  return s;
+}
+
 Section output()
 {
   Section s("Output", "Which results are written, and how often.");
@@ -200,12 +213,14 @@ Section reference()
 
 } // namespace
 
-std::vector<Section> coreSections()
+std::vector<Section> coreSections(const std::vector<Section>& boundaryTypes)
 {
-  std::vector<Section> sections = {domain(),     time(),   materials(), bodies(),
-                                   boundaries(), output(), reference()};
+  std::vector<Section> sections = {domain(), time(),     materials(), bodies(), boundaries(boundaryTypes),
+                                   output(), reference()};
   addHeatRules(sections);
   return sections;
 }
+
+std::vector<Section> coreSections() { return coreSections({}); }
 
 } // namespace Rhegma

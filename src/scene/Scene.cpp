@@ -25,17 +25,23 @@ void validateInPlace(Teuchos::ParameterList& list, const SceneSchema& schema, st
   deriveDefaults(list);
   crossCheckCore(list, errors);
   checkRules(list, schema, errors);
-  for (const auto& [name, effect] : schema.effects())
+  const auto run = [&](const CrossCheck& check, const Teuchos::ParameterList& part)
+  {
     try
     {
-      if (effect.check && list.isSublist(name))
-        effect.check(schema.partFor(name, list), errors);
+      check(part, errors);
     }
     catch (const std::exception&)
     {
       if (errors.empty()) // else it missed an entry that is reported as wrong
         throw;
     }
+  };
+  for (const CrossCheck& check : schema.checks())
+    run(check, list);
+  for (const auto& [name, effect] : schema.effects())
+    if (effect.check && list.isSublist(name))
+      run(effect.check, schema.partFor(name, list));
 }
 
 /// A text whose name ends in File is a path relative to the folder of the scene.

@@ -264,6 +264,9 @@ public:
   /// Names of sections that a later version will have, for a plain word to who asks for one now.
   void setSectionsToCome(std::vector<std::string> names) { m_root.toCome = std::move(names); }
 
+  /// A cross check of the core.
+  void addCheck(CrossCheck check) { m_checks.push_back(std::move(check)); }
+  const std::vector<CrossCheck>& checks() const { return m_checks; }
   /// The cross check of an effect, and what it asks of the cells that Domain > Accuracy chooses.
   void addEffect(const std::string& section, CrossCheck check, CellHook hook)
   {
@@ -281,6 +284,7 @@ public:
 
 private:
   Section m_root;
+  std::vector<CrossCheck> m_checks;
   std::map<std::string, OfEffect> m_effects;
 };
 

@@ -66,7 +66,7 @@ HEAT = [
     ("steps_shorter_than_explicit_ones", warm(**{"Conduction": "Implicit", "Step Ratio": 0.5}),
      one("Thermal > Step Ratio", "1")),
     ("boundary_of_heat_without_it", plate().set("Boundaries > Hot", {"Type": "Temperature", "Temperature": 400.0,
-     "Lower Corner": [0.0, 0.0], "Upper Corner": [0.1, 0.1]}), one("Boundaries > Hot", "thermal boundary condition")),
+     "Lower Corner": [0.0, 0.0], "Upper Corner": [0.1, 0.1]}), one("Boundaries > Hot", "needs the section Thermal")),
 ]
 
 BURNING = {"Burn Law": "Vieille", "Burn Coefficient": 1e-8, "Burn Exponent": 0.9, "Gas Constant": 320.0,

@@ -196,11 +196,11 @@ TEST(SceneCrossChecks, ReferenceOfZeroIsAllowed)
 TEST(SceneCrossChecks, OfAnEffectSeeDefaultsAndAddErrors)
 {
   SceneSchema schema = coreSchema();
-  schema.addEffect("Time",
-                   [](const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
-                   {
-                     if (scene.sublist("Time").get<double>("CFL") == 0.4)
-                       errors.push_back({"Time > CFL", "is the default."}, {});
-                   });
+  schema.addCheck(
+      [](const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
+      {
+        if (scene.sublist("Time").get<double>("CFL") == 0.4)
+          errors.push_back({"Time > CFL", "is the default."});
+      });
   expectOnly(readSceneText(goodScene(), {}, schema).errors, "Time > CFL", {"is the default."});
 }
