@@ -66,6 +66,8 @@ Effect<D> makeCore(const State<D>& state)
   if (!state.method.mechanics)
   {
     core.name = "Material Points at Rest";
+    core.provides = {quantity::energyBalance, quantity::nodalMass, quantity::nodalMotion,
+                     quantity::projection}; // but for the energies zero: nothing moves
     core.call(sortCall<D>());
     core.call(
         {Stage::Scatter, "stencils", {}, {quantity::stencils, quantity::enrichedFields}, {}, [](State<D>& s) {
