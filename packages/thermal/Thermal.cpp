@@ -151,25 +151,22 @@ void report(const State<D>& state, const Run<D>& run, nlohmann::json& summary)
   nlohmann::json where = nlohmann::json::array();
   for (int d = 0; d < D; ++d)
     where.push_back(now.where[d]);
-  summary["conduction"] = {quantity::stencils, ifWritten(quantity::fractureEnergy)},
+  summary["conduction"] = {{"steps", run.conduction.stepsTaken},
+                           {"passes", run.conduction.stepsTaken + run.conduction.longSteps.products}};
+  nlohmann::json& temperature = summary["temperature"];
+  temperature = {{"peak", now.highest},
+                 {"peak_rise", now.highest - run.initial},
+                 {"where", where},
+                 {"settled_peak_rise", run.settledSamples > 0
+                                           ? run.settledPeaks / run.settledSamples - run.initial
+                                           : std::numeric_limits<double>::quiet_NaN()},
+                 {"lowest", now.lowest},
+                 {"probes", nlohmann::json::object()}};
+  for (const Probe<D>& probe : run.probes)
   {
-    quantity::temperature, quantity::frontTemperature
+    const double here = temperatureAt(state, probe.place);
+    temperature["probes"][probe.name] = {{"temperature", here}, {"rise", here - run.initial}};
   }
-};
-nlohmann::json& temperature = summary["temperature"];
-temperature = {{"peak", now.highest},
-               {"peak_rise", now.highest - run.initial},
-               {"where", where},
-               {"settled_peak_rise", run.settledSamples > 0
-                                         ? run.settledPeaks / run.settledSamples - run.initial
-                                         : std::numeric_limits<double>::quiet_NaN()},
-               {"lowest", now.lowest},
-               {"probes", nlohmann::json::object()}};
-for (const Probe<D>& probe : run.probes)
-{
-  const double here = temperatureAt(state, probe.place);
-  temperature["probes"][probe.name] = {{"temperature", here}, {"rise", here - run.initial}};
-}
 }
 
 /// Adds the fronts' temperatures to the cracks of the summary, where their effect has written them.
@@ -204,8 +201,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.atStart = [run, all = Teuchos::ParameterList(scene)](State<D>& state) { start(state, all, *run); };
   effect.call({Stage::BeforeSolve,
                "conduction",
-               {quantity::nodalMass},
-               {quantity::temperature},
+               {quantity::stencils, ifWritten(quantity::fractureEnergy)},
+               {quantity::temperature, quantity::frontTemperature},
                {},
                [run](State<D>& state) { run->conduction.step(state); }});
   effect.call({Stage::Observe,
