@@ -8,7 +8,7 @@ POLYMER = "Materials > Polymer > "
 
 
 def warm(**thermal):
-    """The plate with heat, and without what this version does not have beside it."""
+    """The plate with heat, and without what this version can not combine with it."""
     return (plate().set("Thermal", dict({"Initial Temperature": 300.0}, **thermal))
             .set(POLYMER + "Specific Heat", 1400.0).set(POLYMER + "Conductivity", 0.2))
 
@@ -104,7 +104,7 @@ COMBUSTION = [
      one("Combustion > Notch > Ignition Point", "from the crack")),
     ("combustion_in_a_box_far_from_the_crack", burning(Ignition_Lower_Corner=[0.5, 0.5], Ignition_Upper_Corner=[0.6, 0.6]),
      one("Combustion > Notch > Ignition Lower Corner", "from the crack")),
-    ("combustion_lit_beside_the_body", burning(Ignition_Point=[-0.15, 0.01], Flame_Speed=10.0).set(
+    ("combustion_lit_next_to_the_body", burning(Ignition_Point=[-0.15, 0.01], Flame_Speed=10.0).set(
         "Cracks > Notch > Points", [-0.18, 0.01, 0.3, 0.01]),
      one("Combustion > Notch > Ignition Point", "from the crack")),
     ("combustion_of_a_density_that_nothing_has", burning(Solid_Density=123.0),
