@@ -62,8 +62,9 @@ TEST(OwnSections, AreAllThatAnEffectLooksUp)
       for (const EffectEntry& effect : builtInEffects())
       {
         const std::string& name = effect.section.name;
-        if (entry.path().parent_path().filename() != folderOf(name))
-          EXPECT_EQ(lookUps(source, name), 0) << entry.path() << " names the section " << name;
+        if (entry.path().parent_path().filename() == folderOf(name))
+          continue;
+        EXPECT_EQ(lookUps(source, name), 0) << entry.path() << " names the section " << name;
       }
     }
 }
