@@ -3,7 +3,7 @@
 #include "Springs.hpp"
 
 #include <Simulation.hpp>
-#include <step/KnownEffects.hpp>
+#include <plan/KnownEffects.hpp>
 
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <Teuchos_XMLParameterListHelpers.hpp>
