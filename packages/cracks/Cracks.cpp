@@ -2,12 +2,12 @@
 
 #include "archive/Archive.hpp"
 #include "base/ReadList.hpp"
-#include "cracks/CarriedFronts.hpp"
+#include "cracks/AdvectedFronts.hpp"
 #include "cracks/CellsForCracks.hpp"
 #include "cracks/CrackFrames.hpp"
 #include "cracks/CrackMotion.hpp"
 #include "cracks/CrackSetup.hpp"
-#include "cracks/FrontTies.hpp"
+#include "cracks/FrontSprings.hpp"
 #include "cracks/Growth.hpp"
 #include "cracks/HeldFaces.hpp"
 #include "cracks/IdleCracks.hpp"
@@ -165,14 +165,14 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 {
   const Teuchos::ParameterList section = scene.sublist("Cracks");
   const Formulation formulation = readFormulation(section);
-  const bool tied = formulation == Formulation::DualField && section.get<bool>("Front Springs");
+  const bool hasSprings = formulation == Formulation::DualField && section.get<bool>("Front Springs");
   const auto surroundings = std::make_shared<Surroundings>();
   const auto ghosts = std::make_shared<Ghosts>();
   const auto motion = std::make_shared<CrackMotion<D>>();
-  const auto carried = std::make_shared<CarriedFronts<D>>();
+  const auto advected = std::make_shared<AdvectedFronts<D>>();
   const bool grows = options.growth;
   const int pieces = piecesOfACell(options);
-  const auto ties = std::make_shared<FrontTies<D>>(grows);
+  const auto springs = std::make_shared<FrontSprings<D>>(grows);
   const bool join = D == 2 && grows && sublistNames(section).size() > 1;
   const auto junctions = std::make_shared<Junctions>();
   Effect<D> effect;
@@ -187,12 +187,12 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   effect.atStart = [=](State<D>& state)
   {
     state.cracks.dualField = formulation == Formulation::DualField;
-    state.cracks.tied = tied;
-    if (tied)
-      state.motion.followingForces.push_back(ties->following());
+    state.cracks.frontSprings = hasSprings;
+    if (hasSprings)
+      state.motion.followingForces.push_back(springs->following());
     readCracks(section, state, state.mesh.grid.spacing / pieces);
-    if (tied)
-      carried->start(state);
+    if (hasSprings)
+      advected->start(state);
     state.stored.editor.prepare = [=](State<D>& s, const View<int*>& row)
     {
       if constexpr (D == 2)
@@ -221,7 +221,6 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
     };
   };
   const auto surface = std::make_shared<SurfaceGrowth>(mirrorPlanes(scene));
-  ties->follow(surface);
   effect.memory = [=](State<D>& state, Archive& archive)
   {
     archive("steps", surroundings->stamp);
@@ -231,51 +230,63 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
     keepCracks(state, archive);
     if (join)
       junctions->keep(archive);
-    const Archive::Group group(archive, "ties");
-    if (tied)
-      ties->keep(state, surroundings->stamp, archive);
   };
-  if (tied)
+  if (hasSprings)
   {
-    // USF stretches ties before forces are summed.
+    effect.addsNodal.push_back(springField<D>());
+    // USF stretches springs before forces are summed.
     effect.call({Stage::Scatter,
-                 "stiffness of ties behind crack fronts",
+                 "stiffness of springs behind crack fronts",
                  {quantity::nodalMass, quantity::enrichedFields},
                  {quantity::springStiffness},
                  {},
-                 [ties, surroundings](State<D>& s) { ties->prepare(s, *surroundings); }});
+                 [=](State<D>& s) { springs->prepare(s, *surroundings); }});
     effect.call({Stage::BeforeSolve,
-                 "ties behind crack fronts",
+                 "springs behind crack fronts",
                  {quantity::springStiffness, quantity::springStretch},
                  {quantity::springForce},
                  {quantity::internalForce},
-                 [ties](State<D>& s) { ties->addForces(s); }});
+                 [=](State<D>& s) { springs->addForces(s); }});
     if (grows)
       effect.call({Stage::Solve,
                    "cohesion of new crack faces",
                    {quantity::springForce},
                    {quantity::fractureEnergy},
                    {quantity::nodalForce},
-                   [=](State<D>& s) { ties->release(s, *surroundings); }});
+                   [=](State<D>& s)
+                   {
+                     springs->release(s, *surroundings,
+                                      [&](const CrackSet<D>& set, int front) -> std::vector<double>
+                                      {
+                                        if constexpr (D == 3)
+                                          return surface->toughnessAlong(set, front);
+                                        else
+                                          return {set.fronts[front].budget.toughness};
+                                      });
+                   }});
     effect.call({Stage::AfterProjection,
-                 "stretch of ties behind crack fronts",
+                 "stretch of springs behind crack fronts",
                  {quantity::nodalMotion, ifWritten(quantity::projection)},
                  {quantity::springStretch},
                  {},
-                 [ties](State<D>& s) { ties->advance(s); },
+                 [=](State<D>& s) { springs->advance(s); },
                  true});
   }
   if (grows)
     effect.call({Stage::BetweenSteps,
                  "cracks grow",
                  {quantity::frontAdvances},
-                 {quantity::crackGeometry},
+                 {quantity::crackGeometry, quantity::fractureEnergy},
                  {},
-                 [surface, junctions, ties](State<D>& s)
+                 [surface, junctions](State<D>& s)
                  {
-                   ties->note(s.cracks.advances);
                    if constexpr (D == 2)
+                   {
+                     // Faces that the motion of a body opens later require the same energy.
+                     for (const FrontAdvance<D>& advance : s.cracks.advances)
+                       s.cracks.fronts[advance.front].budget.toughness = advance.nodes[0].toughness;
                      growCracks(s, *junctions);
+                   }
                    else
                      surface->grow(s);
                  }});
@@ -289,8 +300,8 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
                  if (s.clock.step == 0 && s.cracks.dualField)
                    warnOfHeldFaces(s, *surroundings);
                  motion->move(s);
-                 if (tied)
-                   carried->update(s);
+                 if (hasSprings)
+                   advected->update(s);
                }});
   effect.call({Stage::Observe,
                "opening of cracks",
@@ -315,8 +326,8 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   const bool touching = options.contact;
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {
-    if (tied)
-      carried->report(state, summary);
+    if (hasSprings)
+      advected->report(state, summary);
     for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
     {
       summary["cracks"][c]["name"] = state.cracks.cracks[c].name;
@@ -331,7 +342,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
       summary["cracks"][c][D == 2 ? "length" : "area"] = opening.size;
     }
     if (grows)
-      summary["energy_in_flight"] = ties->energyInFlight(state, surroundings->stamp);
+      summary["energy_in_flight"] = springs->pendingEnergy(state, surroundings->stamp);
     for (const CrackFront<D>& front : state.cracks.fronts)
     {
       nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];

@@ -329,8 +329,16 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       offerSlots(state, work);
   };
   effect.report = [work](const State<D>& state, nlohmann::json& summary) { work->report(state, summary); };
+  const auto addGuess = [&](const std::string& name, const char* unit) {
+    effect.addsNodal.push_back({{name, D, unit, "where the next solve starts"}, OnRemesh::Drop, true});
+  };
   if (options.coupled())
-    effect.memory = [work](State<D>& state, Archive& archive)
+  {
+    addGuess(velocityGuess, "m/s");
+    addGuess(accelerationGuess, "m/s2");
+  }
+  if (options.coupled())
+    effect.memory = [work](State<D>&, Archive& archive)
     {
       if (archive.sameOrder())
       {
@@ -339,7 +347,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
         archive("hashed", work->coupled.hashed);
       }
       archive("coupled_nodes", work->coupled.numCoupled);
-      work->solve.keep(state, archive);
+      work->solve.keep(archive);
     };
   if (!options.coupled() && !options.series() && !options.filtered())
     return effect;

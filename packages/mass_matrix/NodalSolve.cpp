@@ -1,5 +1,6 @@
 #include "mass_matrix/NodalSolve.hpp"
 
+#include "archive/Archive.hpp"
 #include "base/FewItems.hpp"
 #include "mass_matrix/FirstGuess.hpp"
 #include "state/Subdomain.hpp"
@@ -87,28 +88,13 @@ void NodalSolve<D>::reserve(const State<D>& state, const MassSystem<D>& system)
       plain_ = make("rhegma::massPlain");
   }
   gradients_.resize(static_cast<int>(n), state.mesh.subdomain ? state.ranks : Ranks());
-  reserveGuesses(state);
-}
-
-template <int D>
-void NodalSolve<D>::reserveGuesses(const State<D>& state)
-{
-  const bool seconds = state.cracks.dualField && !state.cracks.empty();
-  const std::size_t remembered = std::size_t(state.mesh.nodes.numLattice) * (seconds ? 2 : 1);
-  if (lastAcceleration_.extent(0) < remembered)
-  {
-    lastVelocity_ = View<double* [D]>("rhegma::massLastVelocity", remembered);
-    lastAcceleration_ = View<double* [D]>("rhegma::massLastAcceleration", remembered);
-  }
 }
 
 template <int D>
 void NodalSolve<D>::begin(const State<D>& state, const MassSystem<D>& system)
 {
   reserve(state, system);
-  // In the first step there is nothing to remember.
-  renewed_ = generation_ != state.mesh.tree.generation && (generation_ >= 0 || state.clock.step > 0);
-  generation_ = state.mesh.tree.generation;
+  renewed_ = state.mesh.nodalFields.lastRemesh() == state.clock.step;
   holdRows(state, system);
 }
 
@@ -271,6 +257,15 @@ void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool hel
   const SolveResult result = gradients_.solve(apply, precondition);
   addScaled(system, scale, gradients_.solution(), x);
   record(state, result, scale, what);
+}
+
+template <int D>
+void NodalSolve<D>::keep(Archive& archive)
+{
+  archive("solves", count_.solves);
+  archive("iterations", count_.iterations);
+  archive("most_iterations", count_.mostIterations);
+  archive("worst_residual", count_.worstResidual);
 }
 
 template class NodalSolve<2>;

@@ -135,7 +135,7 @@ class UnstableRuns(LeftFiles):
         drain = {"Type": "Box", "Lower Corner": [0.4, 0.4], "Upper Corner": [0.5, 0.5], "Power Density": -1e10}
         scene.set("Thermal", {"Initial Temperature": 300.0, "Sources": {"Drain": drain}})
         scene.set("Output > History Interval", 0.25)
-        self.stops(scene, "K, and temperatures are absolute", "sources")
+        self.stops(scene, "K, and it is absolute", "sources")
 
     def test_short_steps_are_named_where_they_may_be_the_cause(self):
         scene = block().set("Boundaries", {"Left": wall(0.0, 0.45, 1.0), "Right": wall(0.55, 1.0, -1.0)})

@@ -25,7 +25,7 @@ HEAT = [
     ("two_temperatures_of_a_node", warm().set("Boundaries > Hot", {"Type": "Temperature", "Temperature": 400.0,
      "Lower Corner": [0.0, 0.0], "Upper Corner": [0.1, 0.1]}).set("Boundaries > Cold", {"Type": "Temperature",
      "Temperature": 300.0, "Lower Corner": [0.1, 0.0], "Upper Corner": [0.2, 0.1]}),
-     one("Boundaries > Hot", "Boundaries > Cold both hold the node", "400 and 300 K", "one temperature")),
+     one("Boundaries > Hot", "Boundaries > Cold both prescribe the node", "400 and 300 K", "one temperature")),
     ("table_that_is_not_monotone", warm().set(POLYMER + "Conductivity", "300:0.2, 300:0.3"),
      one(POLYMER + "Conductivity", "must increase")),
     ("table_below_absolute_zero", warm().set(POLYMER + "Conductivity", "-3:0.2, 300:0.3"),
@@ -81,7 +81,7 @@ def burning(**changes):
 
 COMBUSTION = [
     ("combustion_without_cracks", plate().remove("Cracks").remove("Energy Release").set("Combustion", {"Notch": BURNING}),
-     one("Combustion", "there are no cracks")),
+     one("Combustion", "no crack faces")),
     ("combustion_of_a_crack_that_is_not_there", burning().set("Combustion > Nutch", BURNING),
      one("Combustion > Nutch", "no crack of this name", "Notch")),
     ("combustion_without_room", burning(Initial_Gap=None),
