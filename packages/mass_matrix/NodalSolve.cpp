@@ -164,10 +164,9 @@ void NodalSolve<D>::record(State<D>& state, const SolveResult& result, double sc
 }
 
 template <int D>
-void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool held, const View<double*>& x,
-                          const std::string& what, Accuracy accuracy)
+typename NodalSolve<D>::Start NodalSolve<D>::findStart(const State<D>& state, const MassSystem<D>& system,
+                                                       bool masked, const View<double*>& x)
 {
-  const bool masked = held && masked_;
   const View<double*> inverse = masked ? freeOnly_ : inverse_, image = image_, prescribed = prescribed_;
   const MassSystem<D> s = system;
   if (masked)
@@ -191,16 +190,27 @@ void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool hel
   const double roundOff = leastResidual / gradients_.tolerance();
   square = std::max(square, roundOff * roundOff * guess.rightSquare);
   // Where supports alone move a body at rest, the right side of the free nodes is zero.
-  const double scale = std::sqrt(masked ? std::max(square, guess.residualSquare) : square);
+  Start start;
+  start.scale = std::sqrt(masked ? std::max(square, guess.residualSquare) : square);
   // The multiple of the guess that is nearest to the solution in the norm of M: damping scales velocities.
   const bool scalable = !masked && guess.energy > 0.0;
-  const double multiple = masked ? 1.0 : scalable ? guess.along / guess.energy : 0.0;
+  start.multiple = masked ? 1.0 : scalable ? guess.along / guess.energy : 0.0;
   // A shift of x by a constant leaves a residual without a sum, as M 1 = L 1. Axes along which nothing is
   // held keep their momentum so; without a mask all do.
-  Vector<D> shift{};
   for (int d = 0; d < D; ++d)
     if (freeAxis(d))
-      shift[d] = (guess.right[d] - multiple * guess.image[d]) / system.coupledMass;
+      start.shift[d] = (guess.right[d] - start.multiple * guess.image[d]) / system.coupledMass;
+  return start;
+}
+
+template <int D>
+double NodalSolve<D>::findResidual(const State<D>& state, const MassSystem<D>& system, bool masked,
+                                   const Start& start, const View<double*>& x)
+{
+  const View<double*> inverse = masked ? freeOnly_ : inverse_, image = image_;
+  const MassSystem<D> s = system;
+  const double scale = start.scale, multiple = start.multiple;
+  const Vector<D> shift = start.shift;
   const BorrowedView<double*> right = gradients_.right();
   const View<double*> asked = right_;
   const double inverseScale = scale > 0.0 ? 1.0 / scale : 0.0;
@@ -224,7 +234,18 @@ void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool hel
       },
       remains);
   sumParts(state, &remains, 1);
-  const double norm = std::sqrt(remains);
+  return std::sqrt(remains);
+}
+
+template <int D>
+void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool held, const View<double*>& x,
+                          const std::string& what, Accuracy accuracy)
+{
+  const bool masked = held && masked_;
+  const View<double*> inverse = masked ? freeOnly_ : inverse_, image = image_;
+  const BorrowedView<double*> right = gradients_.right();
+  const Start start = findStart(state, system, masked, x);
+  const double scale = start.scale, norm = findResidual(state, system, masked, start, x);
   if (norm <= gradients_.tolerance() || !std::isfinite(norm))
     return record(state, {norm <= gradients_.tolerance(), false, 0, norm}, scale, what);
 

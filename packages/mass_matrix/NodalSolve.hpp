@@ -69,6 +69,19 @@ public:
   void solve(State<D>& state, const MassSystem<D>& system, bool held, const View<double*>& x,
              const std::string& what, Accuracy accuracy);
 
+  /// Where a solve starts: at `multiple` times the guess, shifted by a constant.
+  struct Start
+  {
+    double scale = 0.0;    ///< that residuals are measured by
+    double multiple = 0.0; ///< of the guess
+    Vector<D> shift{};     ///< along each axis
+  };
+  /// Sets x where supports prescribe it, and finds where to start from the guess in x.
+  Start findStart(const State<D>& state, const MassSystem<D>& system, bool masked, const View<double*>& x);
+  /// Takes x to the start and leaves the residual, by its scale, to the solver. \return its norm
+  double findResidual(const State<D>& state, const MassSystem<D>& system, bool masked, const Start& start,
+                      const View<double*>& x);
+
   /// Finds rows that boundaries hold, and the inverse of the lumped mass elsewhere.
   void holdRows(const State<D>& state, const MassSystem<D>& system);
 

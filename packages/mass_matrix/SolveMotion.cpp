@@ -32,6 +32,28 @@ void guessFromRowSums(const State<D>& state, const MassSystem<D>& system,
       });
 }
 
+/// Impulses of the supports: what M a takes beyond the forces that are there.
+template <int D>
+void findReaction(State<D>& state, const MassSystem<D>& system, const View<double*>& acceleration,
+                  const View<double*>& image, const View<double*>& right, const View<double*>& free)
+{
+  const MassSystem<D> s = system;
+  const double dt = state.clock.dt;
+  const std::size_t unknowns = static_cast<std::size_t>(system.room) * D;
+  if (state.motion.coupledReaction.extent(0) < unknowns)
+    state.motion.coupledReaction = View<double*>("rhegma::massReaction", unknowns);
+  const View<double*> reaction = state.motion.coupledReaction;
+  multiplyWhole<D>(state, system, acceleration.data(), image.data());
+  forFew(
+      "rhegma::mass::reaction", system.first, system.last, KOKKOS_LAMBDA(const int row) {
+        for (int d = 0; d < D; ++d)
+        {
+          const int i = row * width<D> + d;
+          reaction(row * D + d) = free(i) == 0.0 && s.coupled(row) ? dt * (image(i) - right(i)) : 0.0;
+        }
+      });
+}
+
 } // namespace
 
 template <int D>
@@ -40,8 +62,7 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
   const MassSystem<D> s = system;
   const Nodes<D> nodes = state.mesh.nodes;
   const View<double*> right = right_, prescribed = prescribed_, velocity = velocity_,
-                      acceleration = acceleration_, heldVelocity = heldVelocity_, image = image_,
-                      free = freeOnly_;
+                      acceleration = acceleration_, heldVelocity = heldVelocity_, free = freeOnly_;
   const auto lastVelocity = state.mesh.nodalFields.template real<D>(velocityGuess);
   const auto last = state.mesh.nodalFields.template real<D>(accelerationGuess);
   const NodalFieldRow<D> guessRow = state.mesh.nodalFields.rowsOf(nodes);
@@ -82,22 +103,7 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
   solve(state, system, true, acceleration, "acceleration of the nodes", Accuracy::Solved);
 
   if (masked)
-  {
-    // Impulses of the supports: what M a takes beyond the forces that are there.
-    const std::size_t unknowns = static_cast<std::size_t>(system.room) * D;
-    if (state.motion.coupledReaction.extent(0) < unknowns)
-      state.motion.coupledReaction = View<double*>("rhegma::massReaction", unknowns);
-    const View<double*> reaction = state.motion.coupledReaction;
-    multiplyWhole<D>(state, system, acceleration.data(), image.data());
-    forFew(
-        "rhegma::mass::reaction", system.first, system.last, KOKKOS_LAMBDA(const int row) {
-          for (int d = 0; d < D; ++d)
-          {
-            const int i = row * width<D> + d;
-            reaction(row * D + d) = free(i) == 0.0 && s.coupled(row) ? dt * (image(i) - right(i)) : 0.0;
-          }
-        });
-  }
+    findReaction(state, system, acceleration, image_, right, free);
   forFew(
       "rhegma::mass::motion", system.first, system.last, KOKKOS_LAMBDA(const int row) {
         const int n = s.nodeOf(row);

@@ -228,16 +228,14 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
   const View<double* [D]> heldVelocity = heldVelocity_;
   const auto mass = state.particles.scalar(fields::mass);
   const bool coupled = static_cast<bool>(state.motion.coupledSlots.solve);
-  // A coupled mass moves nodes without a force too.
-  const int lowest = coupled ? 0 : level;
+  const int lowest = coupled ? 0 : level; // a coupled mass moves nodes without a force too
   forFew<fewSlots>(
       "rhegma::subcycling::accelerate", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         const double inverse = nodal(i) > 0.0 ? 1.0 / nodal(i) : 0.0;
         for (int d = 0; d < D; ++d)
-          if (held(i, d) == 0)
-            acceleration(i, d) = inverse * force(i, d);
-          else
-            acceleration(i, d) = supports ? (heldVelocity(i, d) - before(i, d)) / duration : 0.0;
+          acceleration(i, d) = held(i, d) == 0 ? inverse * force(i, d)
+                               : supports      ? (heldVelocity(i, d) - before(i, d)) / duration
+                                               : 0.0;
       });
   if (coupled)
     state.motion.coupledSlots.solve(force, acceleration, true);
