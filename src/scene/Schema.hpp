@@ -190,6 +190,8 @@ struct Section
   std::vector<Rule> rules;           ///< what it does not go with; only those of whole sections count
   std::vector<std::string> provides; ///< capabilities (scene/Compatibility.hpp)
   std::string namesOf; ///< the section after whose lists those that the user names are named; empty: any name
+  /// Parameters of earlier versions, and where in the scene their like is now.
+  std::map<std::string, std::string> moved;
 
   /// Names of subsections that are planned but not there.
   std::vector<std::string> toCome;
