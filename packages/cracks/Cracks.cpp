@@ -118,8 +118,7 @@ void checkShape(const Teuchos::ParameterList& crack, const std::string& where, b
 
 void checkShapes(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  if (!scene.isSublist("Cracks") || !scene.isSublist("Domain") ||
-      !scene.sublist("Domain").isType<int>("Dimension"))
+  if (!scene.isSublist("Domain") || !scene.sublist("Domain").isType<int>("Dimension"))
     return;
   const bool flat = scene.sublist("Domain").get<int>("Dimension") == 2;
   for (const std::string& name : sublistNames(scene.sublist("Cracks")))
@@ -135,13 +134,13 @@ void checkShapes(const Teuchos::ParameterList& scene, std::vector<SceneError>& e
 
 void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  if (scene.isSublist("Cracks") && sublistNames(scene.sublist("Cracks")).empty())
+  if (sublistNames(scene.sublist("Cracks")).empty())
     errors.push_back({"Cracks",
                       "the section holds no crack; write one as <ParameterList name=\"...\"> or leave "
                       "the section out"});
   checkShapes(scene, errors);
-  if (!scene.isSublist("Cracks") || !scene.isSublist("Domain") ||
-      !scene.sublist("Domain").isType<int>("Dimension") || scene.sublist("Domain").get<int>("Dimension") != 3)
+  if (!scene.isSublist("Domain") || !scene.sublist("Domain").isType<int>("Dimension") ||
+      scene.sublist("Domain").get<int>("Dimension") != 3)
     return;
   const Teuchos::ParameterList& cracks = scene.sublist("Cracks");
   if (cracks.isType<std::string>("Formulation") && cracks.get<std::string>("Formulation") != "Dual Field")
@@ -157,19 +156,12 @@ Formulation readFormulation(const Teuchos::ParameterList& section)
                                            : Formulation::DualField;
 }
 
-/// How many times smaller than the large cells edges of a surface's triangles are: as the cells that
-/// `Adaptivity` makes at fronts, but no smaller than those of its second level, as there are four times as
-/// many with each.
-int piecesOfACell(const Teuchos::ParameterList& scene)
-{
-  if (!scene.isSublist("Adaptivity"))
-    return 1;
-  const Teuchos::ParameterList& cells = scene.sublist("Adaptivity");
-  return cells.get<double>("Front Cells") > 0.0 ? 1 << std::min(2, cells.get<int>("Maximum Level")) : 1;
-}
+/// How many times smaller than the coarse cells edges of a surface's triangles are: as the cells at fronts,
+/// but no smaller than those of the second level, as there are four times as many with each.
+int piecesOfACell(const RunOptions& options) { return 1 << std::min(2, options.frontLevels); }
 
 template <int D>
-Effect<D> make(const Teuchos::ParameterList& scene)
+Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 {
   const Teuchos::ParameterList section = scene.sublist("Cracks");
   const Formulation formulation = readFormulation(section);
@@ -178,8 +170,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   const auto ghosts = std::make_shared<Ghosts>();
   const auto motion = std::make_shared<CrackMotion<D>>();
   const auto advected = std::make_shared<AdvectedFronts<D>>();
-  const bool grows = scene.isSublist("Propagation");
-  const int pieces = piecesOfACell(scene);
+  const bool grows = options.growth;
+  const int pieces = piecesOfACell(options);
   const auto springs = std::make_shared<FrontSprings<D>>(grows);
   const bool join = D == 2 && grows && sublistNames(section).size() > 1;
   const auto junctions = std::make_shared<Junctions>();
@@ -245,22 +237,22 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     // USF stretches springs before forces are summed.
     effect.call({Stage::Scatter,
                  "stiffness of springs behind crack fronts",
-                 {"nodal mass"},
-                 {"stiffness of springs"},
+                 {quantity::nodalMass, quantity::enrichedFields},
+                 {quantity::springStiffness},
                  {},
                  [=](State<D>& s) { springs->prepare(s, *surroundings); }});
     effect.call({Stage::BeforeSolve,
                  "springs behind crack fronts",
-                 {"stiffness of springs"},
-                 {},
-                 {"force of stresses"},
+                 {quantity::springStiffness, quantity::springStretch},
+                 {quantity::springForce},
+                 {quantity::internalForce},
                  [=](State<D>& s) { springs->addForces(s); }});
     if (grows)
       effect.call({Stage::Solve,
                    "cohesion of new crack faces",
-                   {},
-                   {},
-                   {"nodal force"},
+                   {quantity::springForce},
+                   {quantity::fractureEnergy},
+                   {quantity::nodalForce},
                    [=](State<D>& s)
                    {
                      springs->release(s, *surroundings,
@@ -274,8 +266,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                    }});
     effect.call({Stage::AfterProjection,
                  "stretch of springs behind crack fronts",
-                 {"projection"},
-                 {"springs"},
+                 {quantity::nodalMotion, ifWritten(quantity::projection)},
+                 {quantity::springStretch},
                  {},
                  [=](State<D>& s) { springs->advance(s); },
                  true});
@@ -283,8 +275,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   if (grows)
     effect.call({Stage::BetweenSteps,
                  "cracks grow",
-                 {"advances of fronts"},
-                 {"crack geometry"},
+                 {quantity::frontAdvances},
+                 {quantity::crackGeometry, quantity::fractureEnergy},
                  {},
                  [surface, junctions](State<D>& s)
                  {
@@ -300,8 +292,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  }});
   effect.call({stageOfWays(scene),
                "cracks move",
-               {projectsLast(scene) ? "projection" : "nodal motion"},
-               {"crack geometry"},
+               {projectsLast(scene) ? quantity::projection : quantity::nodalMotion},
+               {quantity::crackGeometry},
                {},
                [=](State<D>& s)
                {
@@ -313,7 +305,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                }});
   effect.call({Stage::Observe,
                "opening of cracks",
-               {"energies"},
+               {quantity::crackGeometry},
                {},
                {},
                [](State<D>& s)
@@ -331,7 +323,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     if (formulation == Formulation::CorrectedBrokenCell)
       effect.timeStepLimit = [](const State<D>& state)
       { return largestCfl(state.cracks) * state.mesh.grid.spacing / state.clock.fastestSpeed; };
-  const bool touching = scene.isSublist("Contact");
+  const bool touching = options.contact;
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {
     if (hasSprings)
@@ -367,6 +359,12 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 EffectEntry cracksEntry()
 {
   EffectEntry entry{section(), check, make<2>, make<3>, true};
+  entry.declare = [](const Teuchos::ParameterList& list, RunOptions& options)
+  {
+    const Formulation formulation = readFormulation(list);
+    options.openingKnown = formulation != Formulation::BrokenCell;
+    options.extrapolated = formulation == Formulation::CorrectedBrokenCell;
+  };
   entry.cells.knows = "cracks with a front in material";
   entry.cells.tell = tellCells;
   return entry;
