@@ -2,7 +2,7 @@
 
 #include "checkpoint/Archive.hpp"
 #include "combustion/Cavity.hpp"
-#include "state/CrackEnds.hpp"
+#include "surface/BeyondFacet.hpp"
 
 #include <limits>
 

@@ -1,7 +1,7 @@
 #include "cracks/Chains.hpp"
 
 #include "cracks/Layout.hpp"
-#include "state/CrackEnds.hpp"
+#include "surface/Polyline.hpp"
 
 namespace Rhegma::cracks
 {
@@ -11,24 +11,16 @@ namespace
 
 int beyondEnd(const Chain& chain, int end)
 {
-  return chain.front[end] ? facet::front : chain.joined[end] ? facet::joined : facet::mouth;
+  return chain.front[end] ? facet::front : chain.joined[end] ? facet::joined : facet::surfaceBreaking;
 }
 
-CrackMesh<2> meshOf(const Chain& chain)
+surface::CrackMesh<2> meshOf(const Chain& chain)
 {
-  CrackMesh<2> mesh;
-  mesh.vertices.reserve(chain.links.size());
+  std::vector<Vector<2>> points;
+  points.reserve(chain.links.size());
   for (const Link& link : chain.links)
-    mesh.vertices.push_back(link.vertex);
-  const int segments = static_cast<int>(chain.links.size()) - 1;
-  for (int s = 0; s < segments; ++s)
-  {
-    mesh.simplices.push_back({s, s + 1});
-    mesh.beyond.push_back({s + 1, s - 1});
-  }
-  mesh.beyond.front()[1] = beyondEnd(chain, 0);
-  mesh.beyond.back()[0] = beyondEnd(chain, 1);
-  return mesh;
+    points.push_back(link.vertex);
+  return surface::polylineMesh(points, {beyondEnd(chain, 0), beyondEnd(chain, 1)});
 }
 
 } // namespace
@@ -67,7 +59,7 @@ std::vector<Chain> readChains(const CrackSet<2>& set)
 
 void writeChains(CrackSet<2>& set, const std::vector<Chain>& chains, double spacing)
 {
-  std::vector<CrackMesh<2>> meshes;
+  std::vector<surface::CrackMesh<2>> meshes;
   meshes.reserve(chains.size());
   for (const Chain& chain : chains)
     meshes.push_back(meshOf(chain));

@@ -140,7 +140,7 @@ public:
       station.normal = unit(station.normal);
       station.direction = across(station.direction, station.normal);
       if (ends[k])
-        station.direction = alongMouth(station);
+        station.direction = alongSurface(station);
     }
   }
 
@@ -161,9 +161,9 @@ private:
     station.direction = station.direction + cross(along, n);
   }
 
-  /// The direction in which the mouth goes on at the end of a front; that across the front if the two are
-  /// almost one line.
-  Vector<3> alongMouth(const FrontStation<3>& station) const
+  /// The direction in which the surface-breaking edge goes on at the end of a front; that across the front if
+  /// the two are almost one line.
+  Vector<3> alongSurface(const FrontStation<3>& station) const
   {
     constexpr double grazing = 0.25;
     for (int k = starBegin_(station.vertex); k < starBegin_(station.vertex + 1); ++k)
@@ -172,7 +172,7 @@ private:
       for (int i = 0; i < 3; ++i)
       {
         const int a = simplex_(s, (i + 1) % 3), b = simplex_(s, (i + 2) % 3);
-        if (neighbour_(s, i) != facet::mouth || (a != station.vertex && b != station.vertex))
+        if (neighbour_(s, i) != facet::surfaceBreaking || (a != station.vertex && b != station.vertex))
           continue;
         const Vector<3> out = across(station.position - at(a == station.vertex ? b : a), station.normal);
         if (dot(out, station.direction) > grazing)

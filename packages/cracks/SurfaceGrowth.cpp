@@ -20,6 +20,8 @@ namespace Rhegma::cracks
 namespace
 {
 
+using namespace surface;
+
 /// Lengths in cells.
 constexpr double leastLigament = 0.5; ///< a station that has less ahead of it runs on to the surface
 constexpr double longestPiece = 1.5, shortestPiece = 0.5;
@@ -43,14 +45,14 @@ std::string inWords(const Vector<3>& x)
 ///
 /// Neighbours advance one after the other, so that a front is never quite normal to the ways of its points.
 /// What that moves them sideways does not even out where one neighbour is always the first.
-Vector<3> evening(const GrowingSurface& surface, const FrontLines& lines, std::size_t k, double length)
+Vector<3> evening(const GrowingSurface& surface, const FrontLines<3>& lines, std::size_t k, double length)
 {
-  const int last = before(lines, k);
+  const int last = previousPoint(lines, k);
   if (last < 0 || !lines[k].joined)
     return {0.0, 0.0, 0.0};
   const Vector<3>&a = surface.vertices[lines[last].vertex], &x = surface.vertices[lines[k].vertex],
-        &b = surface.vertices[lines[GrowingSurface::next(lines, k)].vertex];
-  const Vector<3> along = cross(lines[k].station.direction, lines[k].station.normal);
+        &b = surface.vertices[lines[nextPoint(lines, k)].vertex];
+  const Vector<3> along = cross(lines[k].direction, lines[k].normal);
   const double uneven = std::clamp(0.5 * (norm(b - x) - norm(x - a)), -sideways * length, sideways * length);
   return (dot(along, b - a) < 0.0 ? -uneven : uneven) * along;
 }
@@ -128,14 +130,16 @@ std::vector<SurfaceGrowth::Crack> SurfaceGrowth::read(const CrackSet<3>& set)
   {
     const CrackFront<3>& front = set.fronts[f];
     marks_[f].resize(front.stations.size());
-    FrontLines lines;
+    FrontLines<3> lines;
     for (std::size_t k = 0; k < front.stations.size() && !front.ended; ++k)
     {
-      LinePoint point{};
-      point.station = front.stations[k];
+      FrontPoint<3> point;
+      point.origin = static_cast<int>(k);
+      point.stopped = front.stations[k].halted;
+      point.direction = front.stations[k].direction;
+      point.normal = front.stations[k].normal;
       point.vertex = front.stations[k].vertex - set.cracks[front.crack].firstVertex;
       point.name = front.stations[k].name;
-      point.from = -1;
       point.joined = front.stations[k].facet >= 0;
       point.landed = marks_[f][k].landed;
       point.toughness = marks_[f][k].toughness;
@@ -143,7 +147,7 @@ std::vector<SurfaceGrowth::Crack> SurfaceGrowth::read(const CrackSet<3>& set)
     }
     cracks[front.crack].fronts.push_back(lines);
     cracks[front.crack].numbers.push_back(static_cast<int>(f));
-    LinePoint end{};
+    FrontPoint<3> end{};
     end.vertex = front.vertex - set.cracks[front.crack].firstVertex;
     cracks[front.crack].ends.push_back(end);
   }
@@ -152,14 +156,14 @@ std::vector<SurfaceGrowth::Crack> SurfaceGrowth::read(const CrackSet<3>& set)
 
 void SurfaceGrowth::write(CrackSet<3>& set, std::vector<Crack>& cracks, double spacing)
 {
-  std::vector<CrackMesh<3>> meshes;
+  std::vector<surface::CrackMesh<3>> meshes;
   std::vector<int> last(set.fronts.size(), 0);
   for (Crack& crack : cracks)
   {
-    std::vector<FrontLines*> lines;
-    for (FrontLines& front : crack.fronts)
+    std::vector<FrontLines<3>*> lines;
+    for (FrontLines<3>& front : crack.fronts)
       lines.push_back(&front);
-    std::vector<FrontLines*> numbered = lines;
+    std::vector<FrontLines<3>*> numbered = lines;
     numbered.push_back(&crack.ends);
     crack.surface.tidy(numbered);
     meshes.push_back(crack.surface.mesh({lines.begin(), lines.end()}));
@@ -169,16 +173,19 @@ void SurfaceGrowth::write(CrackSet<3>& set, std::vector<Crack>& cracks, double s
       CrackFront<3>& front = set.fronts[f];
       last[f] = i < crack.ends.size() ? crack.ends[i].vertex : 0;
       front.ended = lines[i]->empty();
+      const std::vector<FrontStation<3>> before = std::move(front.stations);
       front.stations.clear();
       marks_[f].clear();
-      for (const LinePoint& point : *lines[i])
+      for (const FrontPoint<3>& point : *lines[i])
       {
-        FrontStation<3> station = point.station;
+        FrontStation<3> station = before[point.origin];
+        if (point.stopped && !station.halted)
+          station.speed = 0.0;
         station.vertex = point.vertex;
         station.name = point.name;
         station.from = point.from;
         station.facet = point.joined ? 0 : -1;
-        station.halted = station.halted || point.landed;
+        station.halted = point.stopped || point.landed;
         front.stations.push_back(station);
         marks_[f].push_back({point.toughness, point.landed});
       }
@@ -210,7 +217,7 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
   Crack& crack = cracks[front.crack];
   const std::size_t place =
       std::find(crack.numbers.begin(), crack.numbers.end(), advance.front) - crack.numbers.begin();
-  FrontLines& lines = crack.fronts[place];
+  FrontLines<3>& lines = crack.fronts[place];
   GrowingSurface& surface = crack.surface;
   const std::size_t count = lines.size();
 
@@ -221,16 +228,16 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
   double longest = 0.0;
   for (std::size_t k = 0; k < count; ++k)
   {
-    cells[k] = spacingAt(state, lines[k].station.position);
+    cells[k] = spacingAt(state, front.stations[k].position);
     mirrored[k] = std::any_of(mirrors_.begin(), mirrors_.end(),
                               [&](const MirrorPlane& plane)
-                              { return isOn(plane, lines[k].station.position[plane.axis], cells[k]); });
-    if (lines[k].landed || lines[k].station.halted)
+                              { return isOn(plane, front.stations[k].position[plane.axis], cells[k]); });
+    if (lines[k].landed || lines[k].stopped)
       asked[k].length = 0.0;
     longest = std::max(longest, asked[k].length);
-    turns = turns || (asked[k].length > 0.0 && dot(asked[k].direction, lines[k].station.direction) < turned);
+    turns = turns || (asked[k].length > 0.0 && dot(asked[k].direction, lines[k].direction) < turned);
   }
-  smoothAlongFront(surface, lines, cells, mirrored, asked);
+  smoothAlongFront(surface, lines, front.stations, cells, mirrored, asked);
   if (turns)
     forgetSidesAhead(state, front, (bandWidth + 4.0) * state.grid.spacing + longest);
 
@@ -241,7 +248,7 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
     if (asked[k].length > 0.0)
     {
       ways.push_back(
-          {lines[k].station.position, asked[k].direction, asked[k].length + leastLigament * cells[k]});
+          {front.stations[k].position, asked[k].direction, asked[k].length + leastLigament * cells[k]});
       moving.push_back(k);
       aside.push_back(evening(surface, lines, k, asked[k].length));
     }
@@ -251,7 +258,7 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
   for (std::size_t i = 0; i < moving.size(); ++i)
   {
     const std::size_t k = moving[i];
-    LinePoint& point = lines[k];
+    FrontPoint<3>& point = lines[k];
     const bool lands = room[i] < ways[i].length * (1.0 - 1e-9);
     const double length = lands ? room[i] : asked[k].length;
     Vector<3> x = ways[i].from + length * ways[i].direction;
@@ -261,14 +268,13 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
     const bool near = distance < bandWidth * state.grid.spacing;
     if (near || (!lands && meetsItself(state.cracks, front.crack, x, ways[i].direction, cells[k])))
     {
-      point.station.halted = true;
-      point.station.speed = 0.0;
+      point.stopped = true;
       const std::string which =
           near ? "the crack " + state.cracks.cracks[other].name + " is" : "faces of its own crack are";
       if (!toldHalted_[advance.front])
         state.warnings.push_back("the front " + nameOf(state, front) + " halted at time " +
-                                 formatReal(state.time) + " s at " + inWords(point.station.position) + ": " +
-                                 which +
+                                 formatReal(state.time) + " s at " + inWords(front.stations[k].position) +
+                                 ": " + which +
                                  " less than three cells ahead, and cells can't tell faces apart that are "
                                  "closer; smaller cells (Domain > Cell Size) let it come nearer");
       toldHalted_[advance.front] = true;
@@ -290,8 +296,8 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
   if (landed < count)
     crack.ends[place].vertex = lines[landed].vertex;
   // A front goes on where a part of it does.
-  front.halted = std::all_of(lines.begin(), lines.end(),
-                             [](const LinePoint& p) { return p.landed || p.station.halted; });
+  front.halted =
+      std::all_of(lines.begin(), lines.end(), [](const FrontPoint<3>& p) { return p.landed || p.stopped; });
   front.grown = front.grown || !moving.empty();
   if (landed < count && !told_[advance.front])
   {
@@ -302,7 +308,7 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
   }
 
   int names = 0; // no new station has the name of one that goes now: its past is another's
-  for (const LinePoint& point : lines)
+  for (const FrontPoint<3>& point : lines)
     names = std::max(names, point.name + 1);
   cutLanded(lines);
   const double cell = *std::min_element(cells.begin(), cells.end());
@@ -312,7 +318,7 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
   for (std::size_t k = 0; k < lines.size(); ++k)
     if (lines[k].joined && surface.pieceAt(lines, k) < shortestPiece * cell)
     {
-      const double toughness = meanToughness(lines[k], lines[GrowingSurface::next(lines, k)]);
+      const double toughness = meanToughness(lines[k], lines[nextPoint(lines, k)]);
       double added = 0.0;
       if (surface.collapse(lines, k, added))
         energy += toughness * added;

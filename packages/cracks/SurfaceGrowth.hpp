@@ -2,8 +2,8 @@
 /// Crack surfaces that become larger.
 
 #include "boundary/MirrorPlanes.hpp"
-#include "cracks/GrowingSurface.hpp"
 #include "state/State.hpp"
+#include "surface/GrowingSurface.hpp"
 
 #include <utility>
 #include <vector>
@@ -26,9 +26,9 @@ namespace Rhegma::cracks
 /// CrackFront::taken and unspent, to the last digit.
 ///
 /// A station that comes within half a cell of the surface of its body runs on to it and stays there; pieces
-/// between two such stations become mouths. An end of a front that lies on the surface slides along it. A
-/// station that would come closer than three cells to another crack, or to faces of its own that lie ahead,
-/// halts. Belongs between steps.
+/// between two such stations become surface-breaking. An end of a front that lies on the surface slides along
+/// it. A station that would come closer than three cells to another crack, or to faces of its own that lie
+/// ahead, halts. Belongs between steps.
 class SurfaceGrowth
 {
 public:
@@ -53,10 +53,10 @@ private:
   };
   struct Crack
   {
-    GrowingSurface surface;
-    std::vector<FrontLines> fronts; ///< in the order of the set's
-    std::vector<int> numbers;       ///< of these fronts in the set
-    FrontLines ends;                ///< of each front the vertex where it is, or was when it ended
+    surface::GrowingSurface surface;
+    std::vector<surface::FrontLines<3>> fronts; ///< in the order of the set's
+    std::vector<int> numbers;                   ///< of these fronts in the set
+    surface::FrontLines<3> ends; ///< of each front the vertex where it is, or was when it ended
   };
 
   std::vector<Crack> read(const CrackSet<3>& set);

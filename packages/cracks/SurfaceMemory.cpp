@@ -6,6 +6,8 @@
 namespace Rhegma::cracks
 {
 
+using namespace surface;
+
 std::vector<double> SurfaceGrowth::toughnessAlong(const CrackSet<3>& set, int front) const
 {
   const std::vector<FrontStation<3>>& stations = set.fronts[front].stations;
@@ -98,26 +100,30 @@ void SurfaceGrowth::keep(State<3>& state, Archive& archive)
   std::size_t row = 0;
   for (std::size_t f = 0; f < set.fronts.size(); ++f)
   {
-    FrontLines lines;
+    FrontLines<3> lines;
+    set.fronts[f].stations.clear();
     for (int k = 0; k < counts.at(f); ++k, ++row)
     {
       const int* of = &stations.at(whole * row);
       const double* value = &numbers.at(real * row);
-      LinePoint point{};
+      FrontPoint<3> point;
+      FrontStation<3> station;
+      point.origin = k;
       point.vertex = of[0];
       point.joined = of[1] != 0;
       point.name = of[2];
       point.from = of[3];
-      point.station.halted = of[4] != 0;
-      point.station.advances = of[5] != 0;
+      point.stopped = station.halted = of[4] != 0;
+      station.advances = of[5] != 0;
       point.landed = of[6] != 0;
-      point.station.speed = value[0];
-      point.station.temperature = value[1];
-      point.station.driving = {value[2], value[3], value[4], value[5], value[6]};
+      station.speed = value[0];
+      station.temperature = value[1];
+      station.driving = {value[2], value[3], value[4], value[5], value[6]};
       point.toughness = value[7];
       told_[f] = told_[f] || point.landed;
-      toldHalted_[f] = toldHalted_[f] || (point.station.halted && !point.landed);
+      toldHalted_[f] = toldHalted_[f] || (point.stopped && !point.landed);
       lines.push_back(point);
+      set.fronts[f].stations.push_back(station);
     }
     cracks[set.fronts[f].crack].fronts.push_back(lines);
     cracks[set.fronts[f].crack].numbers.push_back(static_cast<int>(f));
