@@ -1,12 +1,12 @@
 #include "Simulation.hpp"
 
 #include "SimulationEngine.hpp"
+#include "base/OutputError.hpp"
 #include "checkpoint/CheckpointFile.hpp"
-#include "output/OutputError.hpp"
 #include "parallel/FirstRank.hpp"
+#include "plan/EffectSchema.hpp"
+#include "plan/KnownEffects.hpp"
 #include "scene/Scene.hpp"
-#include "step/EffectSchema.hpp"
-#include "step/KnownEffects.hpp"
 
 #include <sstream>
 #include <stdexcept>

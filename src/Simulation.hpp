@@ -1,8 +1,8 @@
 #pragma once
 /// Rhegma inside an application.
 
-#include "RunError.hpp"
-#include "state/ParticleCopy.hpp"
+#include "base/ParticleCopy.hpp"
+#include "base/RunError.hpp"
 
 #include <Teuchos_Comm.hpp>
 #include <Teuchos_ParameterList.hpp>

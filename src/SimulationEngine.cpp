@@ -1,12 +1,12 @@
 #include "SimulationEngine.hpp"
 
+#include "archive/ShareRecord.hpp"
+#include "base/OutputError.hpp"
 #include "checkpoint/SceneText.hpp"
-#include "checkpoint/ShareRecord.hpp"
 #include "output/BodyReport.hpp"
 #include "output/CoreRow.hpp"
 #include "output/FieldWriter.hpp"
-#include "output/OutputError.hpp"
-#include "step/EffectSchema.hpp"
+#include "plan/EffectSchema.hpp"
 #include "step/GiveHeat.hpp"
 #include "step/Run.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "Simulation.hpp"
 
-#include "checkpoint/Record.hpp"
+#include "archive/Record.hpp"
 #include "parallel/Ranks.hpp"
 
 #include <functional>

@@ -4,11 +4,11 @@
 #include "adaptivity/Lineage.hpp"
 #include "adaptivity/Merging.hpp"
 #include "adaptivity/Splitting.hpp"
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
+#include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
 #include "grid/LeafList.hpp"
-#include "parallel/Subdomain.hpp"
-#include "scene/Numbers.hpp"
-#include "scene/ReadList.hpp"
+#include "state/Subdomain.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 /// Cells that become smaller and larger by themselves, and particles with them.
 
-#include "step/Effect.hpp"
+#include "plan/Effect.hpp"
 
 namespace Rhegma::adaptivity
 {

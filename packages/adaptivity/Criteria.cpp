@@ -1,7 +1,7 @@
 #include "adaptivity/Criteria.hpp"
 
 #include "adaptivity/VelocityCriterion.hpp"
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "adaptivity/Ids.hpp"
 
 #include "parallel/SendRows.hpp"
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 
 #include <algorithm>
 #include <vector>

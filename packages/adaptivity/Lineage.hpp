@@ -1,7 +1,7 @@
 #pragma once
 /// Where a particle comes from: which fields say so.
 
-#include "state/Field.hpp"
+#include "base/Field.hpp"
 
 #include <string>
 

@@ -6,8 +6,8 @@
 #include "material/HistoryRoom.hpp"
 #include "material/Materials.hpp"
 #include "material/Tensors.hpp"
-#include "output/ParticleEnergy.hpp"
-#include "parallel/Subdomain.hpp"
+#include "state/ParticleEnergy.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/Box.hpp"
 
 #include <algorithm>

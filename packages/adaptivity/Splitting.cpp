@@ -2,7 +2,7 @@
 
 #include "adaptivity/Ids.hpp"
 #include "adaptivity/Lineage.hpp"
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/Box.hpp"
 
 namespace Rhegma::adaptivity

@@ -1,8 +1,8 @@
 #include "adaptivity/TogetherAgain.hpp"
 
 #include "adaptivity/Lineage.hpp"
-#include "parallel/Migration.hpp"
-#include "parallel/Subdomain.hpp"
+#include "state/Migration.hpp"
+#include "state/Subdomain.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #include "combustion/BurnStep.hpp"
 
+#include "base/Numbers.hpp"
 #include "combustion/FlowSteps.hpp"
-#include "parallel/Subdomain.hpp"
-#include "scene/Numbers.hpp"
+#include "state/Subdomain.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "combustion/Burning.hpp"
 
-#include "checkpoint/Archive.hpp"
-#include "scene/Numbers.hpp"
-#include "scene/ReadList.hpp"
+#include "archive/Archive.hpp"
+#include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
 #include "transfer/FacePush.hpp"
 
 #include <stdexcept>

@@ -1,6 +1,6 @@
 #include "combustion/Cavity.hpp"
 
-#include "scene/ReadList.hpp"
+#include "base/ReadList.hpp"
 #include "surface/BeyondFacet.hpp"
 
 #include <algorithm>

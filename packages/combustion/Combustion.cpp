@@ -1,12 +1,12 @@
 #include "combustion/Combustion.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
+#include "base/ReadList.hpp"
 #include "combustion/BurnStep.hpp"
 #include "combustion/GasReport.hpp"
 #include "combustion/GasStep.hpp"
 #include "combustion/Passages.hpp"
-#include "scene/ReadList.hpp"
-#include "step/LastStage.hpp"
+#include "plan/LastStage.hpp"
 
 #include <algorithm>
 #include <cmath>

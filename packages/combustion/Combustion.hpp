@@ -1,7 +1,7 @@
 #pragma once
 /// Cracks whose faces burn.
 
-#include "step/Effect.hpp"
+#include "plan/Effect.hpp"
 
 namespace Rhegma::combustion
 {

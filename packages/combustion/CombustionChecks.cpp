@@ -1,8 +1,8 @@
+#include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
 #include "combustion/BurnRate.hpp"
 #include "combustion/Combustion.hpp"
 #include "scene/CrackNames.hpp"
-#include "scene/Numbers.hpp"
-#include "scene/ReadList.hpp"
 
 #include <cmath>
 #include <stdexcept>

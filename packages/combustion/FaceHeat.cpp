@@ -1,7 +1,7 @@
 #include "combustion/FaceHeat.hpp"
 
 #include "material/ThermoTables.hpp"
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/PushNodes.hpp"
 
 namespace Rhegma::combustion

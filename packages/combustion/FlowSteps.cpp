@@ -1,6 +1,6 @@
 #include "combustion/FlowSteps.hpp"
 
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/FacePush.hpp"
 
 #include <algorithm>

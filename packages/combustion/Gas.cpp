@@ -1,6 +1,6 @@
 #include "combustion/Gas.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
 
 #include <algorithm>
 #include <cmath>

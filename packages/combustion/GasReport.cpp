@@ -1,8 +1,8 @@
 #include "combustion/GasReport.hpp"
 
+#include "base/Numbers.hpp"
 #include "material/ThermoTables.hpp"
-#include "parallel/Subdomain.hpp"
-#include "scene/Numbers.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/PressureReport.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "combustion/GasStep.hpp"
 
 #include "combustion/FlowSteps.hpp"
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/FacePush.hpp"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "combustion/Ignition.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
 
 namespace Rhegma::combustion
 {

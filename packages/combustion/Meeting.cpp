@@ -1,6 +1,6 @@
 #include "combustion/Meeting.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
 #include "combustion/Cavity.hpp"
 #include "surface/BeyondFacet.hpp"
 

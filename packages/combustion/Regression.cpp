@@ -1,7 +1,7 @@
 #include "combustion/Regression.hpp"
 
-#include "output/ParticleEnergy.hpp"
-#include "parallel/Subdomain.hpp"
+#include "state/ParticleEnergy.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/PushNodes.hpp"
 
 namespace Rhegma::combustion

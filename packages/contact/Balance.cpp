@@ -1,8 +1,8 @@
 #include "contact/Balance.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
 #include "contact/SideEnergy.hpp"
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 
 #include <algorithm>
 

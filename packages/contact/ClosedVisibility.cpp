@@ -1,7 +1,7 @@
 #include "contact/ClosedVisibility.hpp"
 
-#include "checkpoint/Archive.hpp"
-#include "parallel/Subdomain.hpp"
+#include "archive/Archive.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/Stencils.hpp"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "contact/Contact.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
 #include "contact/Balance.hpp"
 #include "contact/ClosedVisibility.hpp"
 #include "contact/FaceContact.hpp"

@@ -1,7 +1,7 @@
 #pragma once
 /// The effect `Contact`: closed parts of cracks press and rub.
 
-#include "step/Effect.hpp"
+#include "plan/Effect.hpp"
 
 namespace Rhegma::contact
 {

@@ -1,7 +1,7 @@
 #pragma once
 /// The law of contact at a point of the faces.
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 namespace Rhegma::contact
 {

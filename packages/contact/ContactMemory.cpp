@@ -1,6 +1,6 @@
 /// What contact remembers: at its points where these are placed anew, and in checkpoints.
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
 #include "contact/FaceContact.hpp"
 
 #include <string>

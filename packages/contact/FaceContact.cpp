@@ -2,7 +2,7 @@
 
 #include "contact/FaceTraction.hpp"
 #include "material/MaterialTable.hpp"
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/PushNodes.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "contact/SideEnergy.hpp"
 
-#include "output/ParticleEnergy.hpp"
-#include "parallel/Subdomain.hpp"
+#include "state/ParticleEnergy.hpp"
+#include "state/Subdomain.hpp"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 #include "cracks/CarriedFronts.hpp"
 
+#include "base/FewItems.hpp"
+#include "base/Numbers.hpp"
 #include "cracks/CrackGeometry.hpp"
-#include "scene/Numbers.hpp"
-#include "state/FewItems.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <cmath>

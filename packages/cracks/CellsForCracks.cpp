@@ -1,8 +1,8 @@
 #include "cracks/CellsForCracks.hpp"
 
+#include "base/ReadList.hpp"
 #include "cracks/ReadCrack.hpp"
 #include "geometry/Cross.hpp"
-#include "scene/ReadList.hpp"
 #include "scene/SceneBodies.hpp"
 #include "scene/Validation.hpp"
 

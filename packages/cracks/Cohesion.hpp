@@ -1,7 +1,7 @@
 #pragma once
 /// The force with which new crack faces resist being opened.
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 #include "cracks/CrackFrames.hpp"
 
+#include "base/FewItems.hpp"
 #include "geometry/Cross.hpp"
-#include "state/FewItems.hpp"
 
 #include <cmath>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
 #include "cracks/Chains.hpp"
 #include "cracks/CrackFrames.hpp"
 #include "cracks/Growth.hpp"

@@ -1,9 +1,9 @@
 #include "cracks/CrackMotion.hpp"
 
+#include "base/FewItems.hpp"
 #include "cracks/CrackFrames.hpp"
-#include "parallel/Subdomain.hpp"
-#include "state/FewItems.hpp"
-#include "state/UnstableStep.hpp"
+#include "state/Subdomain.hpp"
+#include "step/UnstableStep.hpp"
 #include "transfer/Stencils.hpp"
 
 namespace Rhegma::cracks

@@ -1,10 +1,10 @@
 #include "cracks/CrackSetup.hpp"
 
+#include "base/Attempts.hpp"
+#include "base/ReadList.hpp"
 #include "cracks/CrackGeometry.hpp"
 #include "cracks/Layout.hpp"
 #include "cracks/ReadCrack.hpp"
-#include "scene/Attempts.hpp"
-#include "scene/ReadList.hpp"
 #include "surface/FrontPieces.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 /// From the scene's points to cracks in the state.
 
-#include "step/Effect.hpp"
+#include "plan/Effect.hpp"
 
 namespace Rhegma::cracks
 {

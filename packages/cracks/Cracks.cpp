@@ -1,6 +1,7 @@
 #include "cracks/Cracks.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
+#include "base/ReadList.hpp"
 #include "cracks/CarriedFronts.hpp"
 #include "cracks/CellsForCracks.hpp"
 #include "cracks/CrackFrames.hpp"
@@ -17,8 +18,7 @@
 #include "cracks/Sides.hpp"
 #include "cracks/SurfaceGrowth.hpp"
 #include "cracks/Visibility.hpp"
-#include "scene/ReadList.hpp"
-#include "step/LastStage.hpp"
+#include "plan/LastStage.hpp"
 
 #include <memory>
 #include <vector>

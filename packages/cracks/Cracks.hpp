@@ -1,7 +1,7 @@
 #pragma once
 /// Explicit cracks.
 
-#include "step/Effect.hpp"
+#include "plan/Effect.hpp"
 
 namespace Rhegma::cracks
 {

@@ -1,6 +1,6 @@
+#include "base/Numbers.hpp"
 #include "cracks/ReadCrack.hpp"
 #include "geometry/Cross.hpp"
-#include "scene/Numbers.hpp"
 #include "surface/Border.hpp"
 #include "surface/CutTriangles.hpp"
 #include "surface/NearestOnSimplex.hpp"

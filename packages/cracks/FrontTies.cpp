@@ -1,11 +1,11 @@
 #include "cracks/FrontTies.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
+#include "base/FewItems.hpp"
 #include "cracks/HoldingForce.hpp"
 #include "cracks/NearestFront.hpp"
 #include "material/MaterialTable.hpp"
-#include "parallel/Subdomain.hpp"
-#include "state/FewItems.hpp"
+#include "state/Subdomain.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "cracks/Ghosts.hpp"
 
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/ParticleViews.hpp"
 
 namespace Rhegma::cracks

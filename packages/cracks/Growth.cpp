@@ -1,10 +1,10 @@
 #include "cracks/Growth.hpp"
 
+#include "base/Numbers.hpp"
 #include "cracks/Chains.hpp"
 #include "cracks/CrackFrames.hpp"
 #include "cracks/CrackGeometry.hpp"
 #include "cracks/WayAhead.hpp"
-#include "scene/Numbers.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "cracks/HeldFaces.hpp"
 
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "cracks/IdleCracks.hpp"
 
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 
 namespace Rhegma::cracks
 {

@@ -1,9 +1,9 @@
 #include "cracks/Junctions.hpp"
 
-#include "checkpoint/Archive.hpp"
-#include "parallel/Subdomain.hpp"
-#include "scene/Numbers.hpp"
-#include "state/FewItems.hpp"
+#include "archive/Archive.hpp"
+#include "base/FewItems.hpp"
+#include "base/Numbers.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <string>

@@ -1,6 +1,6 @@
 #include "cracks/Nearest.hpp"
 
-#include "state/RelaxedLoad.hpp"
+#include "base/RelaxedLoad.hpp"
 
 namespace Rhegma::cracks
 {

@@ -1,7 +1,7 @@
 #pragma once
 /// Which front of a crack is nearest to a place.
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 #include "cracks/Overlap.hpp"
 
+#include "base/Numbers.hpp"
 #include "cracks/Opening.hpp"
-#include "parallel/Subdomain.hpp"
-#include "scene/Numbers.hpp"
+#include "state/Subdomain.hpp"
 
 #include <cmath>
 

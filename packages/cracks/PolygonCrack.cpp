@@ -1,6 +1,6 @@
+#include "base/Numbers.hpp"
 #include "cracks/ReadCrack.hpp"
 #include "geometry/Primitives.hpp"
-#include "scene/Numbers.hpp"
 #include "surface/Border.hpp"
 #include "surface/PlanarPolygon.hpp"
 #include "surface/Triangulation.hpp"

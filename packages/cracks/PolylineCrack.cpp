@@ -1,5 +1,5 @@
+#include "base/Numbers.hpp"
 #include "cracks/ReadCrack.hpp"
-#include "scene/Numbers.hpp"
 #include "surface/Polyline.hpp"
 
 #include <stdexcept>

@@ -1,6 +1,6 @@
 #include "cracks/RoomAhead.hpp"
 
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 
 #include <algorithm>
 #include <cmath>

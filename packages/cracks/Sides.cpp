@@ -1,7 +1,7 @@
 #include "cracks/Sides.hpp"
 
+#include "base/RelaxedLoad.hpp"
 #include "cracks/Nearest.hpp"
-#include "state/RelaxedLoad.hpp"
 
 #include <algorithm>
 #include <vector>

@@ -1,5 +1,6 @@
 #include "cracks/SurfaceGrowth.hpp"
 
+#include "base/Numbers.hpp"
 #include "cracks/CrackFrames.hpp"
 #include "cracks/CrackGeometry.hpp"
 #include "cracks/FacesAhead.hpp"
@@ -7,7 +8,6 @@
 #include "cracks/Layout.hpp"
 #include "cracks/RoomAhead.hpp"
 #include "geometry/Cross.hpp"
-#include "scene/Numbers.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
 #include "cracks/SurfaceGrowth.hpp"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 #include "cracks/SurfaceRelease.hpp"
 
+#include "base/FewItems.hpp"
 #include "cracks/Cohesion.hpp"
 #include "cracks/HoldingForce.hpp"
 #include "cracks/SurfaceGrowth.hpp"
-#include "parallel/Subdomain.hpp"
-#include "state/FewItems.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 /// Forces and energies of the ties behind fronts, and how they stretch.
 
+#include "base/FewItems.hpp"
 #include "cracks/FrontTies.hpp"
 #include "cracks/HoldingForce.hpp"
 #include "cracks/NearestFront.hpp"
-#include "parallel/Subdomain.hpp"
-#include "state/FewItems.hpp"
+#include "state/Subdomain.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,9 +1,9 @@
 #include "cracks/TieMemory.hpp"
 
-#include "checkpoint/Archive.hpp"
-#include "checkpoint/NodeNames.hpp"
+#include "archive/Archive.hpp"
 #include "cracks/Cohesion.hpp"
-#include "parallel/Subdomain.hpp"
+#include "state/NodeNames.hpp"
+#include "state/Subdomain.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,10 +1,10 @@
 /// The cohesive forces of nodes that fronts have passed.
 
+#include "base/FewItems.hpp"
 #include "cracks/FrontTies.hpp"
 #include "cracks/HoldingForce.hpp"
 #include "cracks/SurfaceRelease.hpp"
-#include "parallel/Subdomain.hpp"
-#include "state/FewItems.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>

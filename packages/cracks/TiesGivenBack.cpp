@@ -2,8 +2,8 @@
 
 #include "cracks/Cohesion.hpp"
 #include "cracks/FrontTies.hpp"
-#include "parallel/Subdomain.hpp"
 #include "state/State.hpp"
+#include "state/Subdomain.hpp"
 
 namespace Rhegma::cracks
 {

@@ -2,8 +2,8 @@
 
 #include "cracks/Junctions.hpp"
 
+#include "base/FewItems.hpp"
 #include "grid/Tree.hpp"
-#include "state/FewItems.hpp"
 
 namespace Rhegma::cracks
 {

@@ -1,6 +1,6 @@
 #include "cracks/WayAhead.hpp"
 
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 /// Damping: mass-proportional, viscous in the material, or both; and stopping when the run has settled.
 
-#include "step/Effect.hpp"
+#include "plan/Effect.hpp"
 
 namespace Rhegma::damping
 {

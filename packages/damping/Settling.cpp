@@ -1,6 +1,6 @@
 #include "damping/Settling.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
 
 #include <cmath>
 #include <limits>

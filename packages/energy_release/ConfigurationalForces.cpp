@@ -3,7 +3,7 @@
 #include "energy_release/ParticleHeat.hpp"
 #include "energy_release/ParticleMotion.hpp"
 #include "material/Materials.hpp"
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/ParticleViews.hpp"
 
 #include <algorithm>

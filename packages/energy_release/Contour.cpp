@@ -1,6 +1,6 @@
 #include "energy_release/Contour.hpp"
 
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/PushNodes.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Displacement, its gradient and stress at a crack tip, and the direction in which it runs on.
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 namespace Rhegma::energy_release
 {

@@ -8,7 +8,7 @@
 #include "energy_release/ParticleMotion.hpp"
 #include "material/MaterialTable.hpp"
 #include "material/Materials.hpp"
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/NearestMaterial.hpp"
 #include "transfer/ParticleViews.hpp"

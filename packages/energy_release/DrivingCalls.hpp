@@ -1,9 +1,9 @@
 #pragma once
 /// What drives fronts that grow, measured in every step.
 
-#include "checkpoint/Archive.hpp"
-#include "step/Effect.hpp"
-#include "step/LastStage.hpp"
+#include "archive/Archive.hpp"
+#include "plan/Effect.hpp"
+#include "plan/LastStage.hpp"
 
 #include <memory>
 

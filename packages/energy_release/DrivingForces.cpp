@@ -1,6 +1,6 @@
 #include "energy_release/DrivingForces.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
 #include "energy_release/CrackTipFields.hpp"
 #include "energy_release/DomainIntegral.hpp"
 #include "transfer/LocalSpacing.hpp"

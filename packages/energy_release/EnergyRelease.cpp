@@ -1,6 +1,10 @@
 #include "energy_release/EnergyRelease.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
+#include "base/Attempts.hpp"
+#include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
+#include "base/ShortNumber.hpp"
 #include "energy_release/Contour.hpp"
 #include "energy_release/CrackClosure.hpp"
 #include "energy_release/CrackTipFields.hpp"
@@ -11,10 +15,6 @@
 #include "energy_release/FrontsInSpace.hpp"
 #include "energy_release/LoadsInRing.hpp"
 #include "energy_release/ReadOptions.hpp"
-#include "scene/Attempts.hpp"
-#include "scene/Numbers.hpp"
-#include "scene/ReadList.hpp"
-#include "scene/ShortNumber.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>

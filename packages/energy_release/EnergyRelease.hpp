@@ -1,7 +1,7 @@
 #pragma once
 /// What crack fronts release.
 
-#include "step/Effect.hpp"
+#include "plan/Effect.hpp"
 
 namespace Rhegma::energy_release
 {

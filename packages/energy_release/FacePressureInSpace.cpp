@@ -1,7 +1,7 @@
 #include "energy_release/FacePressureInSpace.hpp"
 
 #include "geometry/Cross.hpp"
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/FacePoints.hpp"
 #include "transfer/PushNodes.hpp"
 #include "transfer/Stencils.hpp"

@@ -2,7 +2,7 @@
 
 #include "material/MaterialTable.hpp"
 #include "material/ThermoLaw.hpp"
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/NearestMaterial.hpp"
 
 namespace Rhegma::energy_release

@@ -1,6 +1,6 @@
 #include "energy_release/FrontDriving.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
 #include "energy_release/CrackTipFields.hpp"
 #include "energy_release/FrontIntegral.hpp"
 #include "energy_release/FrontOpening.hpp"

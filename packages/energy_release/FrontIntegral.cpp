@@ -3,7 +3,7 @@
 #include "energy_release/ConfigurationalForces.hpp"
 #include "energy_release/FacePressureInSpace.hpp"
 #include "geometry/Cross.hpp"
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/Stencils.hpp"
 

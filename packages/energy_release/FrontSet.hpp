@@ -1,7 +1,7 @@
 #pragma once
 /// Sets of fronts, each by its crack and its number there.
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
 
 #include <set>
 #include <utility>

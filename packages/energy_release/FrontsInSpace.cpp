@@ -1,14 +1,14 @@
 #include "energy_release/FrontsInSpace.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
+#include "base/Attempts.hpp"
+#include "base/Numbers.hpp"
 #include "energy_release/DrivingCalls.hpp"
 #include "energy_release/FrontDriving.hpp"
 #include "energy_release/FrontIntegral.hpp"
 #include "energy_release/FrontOpening.hpp"
 #include "energy_release/FrontSet.hpp"
 #include "energy_release/ReadOptions.hpp"
-#include "scene/Attempts.hpp"
-#include "scene/Numbers.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/NearestMaterial.hpp"
 

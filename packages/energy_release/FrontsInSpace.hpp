@@ -1,7 +1,7 @@
 #pragma once
 /// The effect Energy Release for 3D scenes.
 
-#include "step/Effect.hpp"
+#include "plan/Effect.hpp"
 
 namespace Rhegma::energy_release
 {

@@ -1,6 +1,6 @@
 #include "energy_release/InternalAcceleration.hpp"
 
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/ParticleViews.hpp"
 
 namespace Rhegma::energy_release

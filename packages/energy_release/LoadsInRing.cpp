@@ -1,8 +1,8 @@
 #include "energy_release/LoadsInRing.hpp"
 
-#include "scene/Numbers.hpp"
-#include "scene/ReadList.hpp"
-#include "scene/ShortNumber.hpp"
+#include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
+#include "base/ShortNumber.hpp"
 #include "scene/TimeFunction.hpp"
 #include "transfer/LocalSpacing.hpp"
 

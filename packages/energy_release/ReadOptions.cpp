@@ -1,8 +1,8 @@
 #include "energy_release/ReadOptions.hpp"
 
+#include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
 #include "energy_release/FrontTube.hpp"
-#include "scene/Numbers.hpp"
-#include "scene/ReadList.hpp"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 
 #include "energy_release/Contour.hpp"
 #include "energy_release/CrackClosure.hpp"
-#include "step/Effect.hpp"
+#include "plan/Effect.hpp"
 
 #include <set>
 #include <string>

@@ -1,6 +1,6 @@
 #include "energy_release/SharedNodes.hpp"
 
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/Stencils.hpp"
 
 namespace Rhegma::energy_release

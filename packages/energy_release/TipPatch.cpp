@@ -2,7 +2,7 @@
 
 #include "energy_release/CrackLine.hpp"
 #include "energy_release/WholeNodes.hpp"
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/TreeStencil.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "energy_release/WholeNodes.hpp"
 
 #include "grid/FineNodes.hpp"
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 
 #include <algorithm>
 #include <cmath>

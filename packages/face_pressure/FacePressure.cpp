@@ -1,9 +1,9 @@
 #include "face_pressure/FacePressure.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
+#include "base/ReadList.hpp"
+#include "plan/LastStage.hpp"
 #include "scene/CrackNames.hpp"
-#include "scene/ReadList.hpp"
-#include "step/LastStage.hpp"
 #include "transfer/FacePush.hpp"
 #include "transfer/PressureReport.hpp"
 

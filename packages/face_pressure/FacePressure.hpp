@@ -1,8 +1,8 @@
 #pragma once
 /// The effect `Face Pressure`: a pressure between the faces of a crack.
 
+#include "plan/Effect.hpp"
 #include "scene/TimeFunction.hpp"
-#include "step/Effect.hpp"
 #include "transfer/FacePoints.hpp"
 
 namespace Rhegma::face_pressure

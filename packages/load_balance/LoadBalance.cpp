@@ -1,7 +1,7 @@
 #include "load_balance/LoadBalance.hpp"
 
-#include "checkpoint/Archive.hpp"
-#include "parallel/Subdomain.hpp"
+#include "archive/Archive.hpp"
+#include "state/Subdomain.hpp"
 
 #include <Kokkos_Timer.hpp>
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 /// Load balance: ranks divide the domain anew where some of them have more to do than others.
 
-#include "step/Effect.hpp"
+#include "plan/Effect.hpp"
 
 namespace Rhegma::load_balance
 {

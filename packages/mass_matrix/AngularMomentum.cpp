@@ -1,6 +1,6 @@
 #include "mass_matrix/AngularMomentum.hpp"
 
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 
 namespace Rhegma::mass_matrix
 {

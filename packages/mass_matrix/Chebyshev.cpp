@@ -1,7 +1,7 @@
 #include "mass_matrix/Chebyshev.hpp"
 
-#include "parallel/Subdomain.hpp"
-#include "state/FewItems.hpp"
+#include "base/FewItems.hpp"
+#include "state/Subdomain.hpp"
 
 #include <algorithm>
 #include <utility>

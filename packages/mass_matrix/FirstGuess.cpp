@@ -1,7 +1,7 @@
 #include "mass_matrix/FirstGuess.hpp"
 
-#include "parallel/Subdomain.hpp"
-#include "state/FewItems.hpp"
+#include "base/FewItems.hpp"
+#include "state/Subdomain.hpp"
 
 namespace Rhegma::mass_matrix
 {

@@ -1,6 +1,6 @@
-#include "checkpoint/Archive.hpp"
-#include "checkpoint/NodeNames.hpp"
+#include "archive/Archive.hpp"
 #include "mass_matrix/NodalSolve.hpp"
+#include "state/NodeNames.hpp"
 
 namespace Rhegma::mass_matrix
 {

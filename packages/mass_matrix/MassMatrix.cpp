@@ -1,13 +1,13 @@
 #include "mass_matrix/MassMatrix.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
+#include "base/MemoryNeed.hpp"
 #include "mass_matrix/AngularMomentum.hpp"
 #include "mass_matrix/MassRows.hpp"
 #include "mass_matrix/MatrixMemory.hpp"
 #include "mass_matrix/NodalSolve.hpp"
 #include "mass_matrix/Series.hpp"
 #include "mass_matrix/SlotSolve.hpp"
-#include "step/MemoryNeed.hpp"
 
 #include <algorithm>
 #include <memory>

@@ -1,7 +1,7 @@
 #pragma once
 /// The mass matrix of the nodes: lumped, full, partly unlumped, or its inverse as a series.
 
-#include "step/Effect.hpp"
+#include "plan/Effect.hpp"
 
 namespace Rhegma::mass_matrix
 {

@@ -1,10 +1,10 @@
 #include "mass_matrix/MassRows.hpp"
 
+#include "base/FewItems.hpp"
 #include "mass_matrix/ChooseRows.hpp"
 #include "mass_matrix/HashedLists.hpp"
 #include "mass_matrix/RowLists.hpp"
-#include "parallel/Subdomain.hpp"
-#include "state/FewItems.hpp"
+#include "state/Subdomain.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 #include "mass_matrix/MassSystem.hpp"
 
+#include "base/FewItems.hpp"
 #include "mass_matrix/MassRows.hpp"
 #include "mass_matrix/ParticleMass.hpp"
 #include "mass_matrix/RowLists.hpp"
-#include "parallel/Subdomain.hpp"
-#include "state/FewItems.hpp"
+#include "state/Subdomain.hpp"
 
 namespace Rhegma::mass_matrix
 {

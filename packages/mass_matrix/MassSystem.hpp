@@ -1,7 +1,7 @@
 #pragma once
 /// The mass matrix that couples nodes: which nodes have a row, and what the rows hold.
 
-#include "state/Pack.hpp"
+#include "base/Pack.hpp"
 #include "state/State.hpp"
 
 namespace Rhegma::mass_matrix

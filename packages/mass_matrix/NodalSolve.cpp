@@ -1,9 +1,9 @@
 #include "mass_matrix/NodalSolve.hpp"
 
+#include "base/FewItems.hpp"
 #include "mass_matrix/FirstGuess.hpp"
-#include "parallel/Subdomain.hpp"
-#include "state/FewItems.hpp"
-#include "state/UnstableStep.hpp"
+#include "state/Subdomain.hpp"
+#include "step/UnstableStep.hpp"
 
 #include <algorithm>
 #include <sstream>

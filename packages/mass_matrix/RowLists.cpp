@@ -1,6 +1,6 @@
 #include "mass_matrix/RowLists.hpp"
 
-#include "state/FewItems.hpp"
+#include "base/FewItems.hpp"
 
 namespace Rhegma::mass_matrix
 {

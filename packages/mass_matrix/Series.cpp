@@ -1,6 +1,6 @@
 #include "mass_matrix/Series.hpp"
 
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/ParticleViews.hpp"
 
 namespace Rhegma::mass_matrix

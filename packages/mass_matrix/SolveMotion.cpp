@@ -1,7 +1,7 @@
 /// Right sides and first guesses of the velocities and accelerations of coupled nodes.
 
+#include "base/FewItems.hpp"
 #include "mass_matrix/NodalSolve.hpp"
-#include "state/FewItems.hpp"
 
 namespace Rhegma::mass_matrix
 {

@@ -1,6 +1,6 @@
 #include "propagation/FrontHistory.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Cracks of 3D scenes that run.
 
-#include "step/Effect.hpp"
+#include "plan/Effect.hpp"
 
 namespace Rhegma::propagation
 {

@@ -1,7 +1,7 @@
 #include "propagation/Options.hpp"
 
+#include "base/Numbers.hpp"
 #include "propagation/RayleighSpeed.hpp"
-#include "scene/Numbers.hpp"
 #include "transfer/NearestMaterial.hpp"
 
 #include <algorithm>

@@ -2,9 +2,9 @@
 /// What a scene says of cracks that run.
 
 #include "material/MaterialTable.hpp"
+#include "plan/Effect.hpp"
 #include "propagation/Direction.hpp"
 #include "propagation/FrontHistory.hpp"
-#include "step/Effect.hpp"
 
 #include <string>
 #include <vector>

@@ -1,12 +1,12 @@
 #include "propagation/Propagation.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
+#include "plan/LastStage.hpp"
 #include "propagation/Direction.hpp"
 #include "propagation/FrontHistory.hpp"
 #include "propagation/InSpace.hpp"
 #include "propagation/Options.hpp"
 #include "propagation/Report.hpp"
-#include "step/LastStage.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/NearestMaterial.hpp"
 

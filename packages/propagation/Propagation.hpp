@@ -1,7 +1,7 @@
 #pragma once
 /// Cracks that run.
 
-#include "step/Effect.hpp"
+#include "plan/Effect.hpp"
 
 namespace Rhegma::propagation
 {

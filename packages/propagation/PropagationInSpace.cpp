@@ -1,9 +1,9 @@
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
+#include "plan/LastStage.hpp"
 #include "propagation/FrontShape.hpp"
 #include "propagation/InSpace.hpp"
 #include "propagation/Options.hpp"
 #include "propagation/Report.hpp"
-#include "step/LastStage.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/NearestMaterial.hpp"
 

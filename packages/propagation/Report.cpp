@@ -1,7 +1,7 @@
 #include "propagation/Report.hpp"
 
-#include "scene/Numbers.hpp"
-#include "scene/ShortNumber.hpp"
+#include "base/Numbers.hpp"
+#include "base/ShortNumber.hpp"
 
 #include <cmath>
 #include <limits>

@@ -1,6 +1,6 @@
 #include "sub_cycling/FineParticles.hpp"
 
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "sub_cycling/TrialStress.hpp"
 
 namespace Rhegma::sub_cycling

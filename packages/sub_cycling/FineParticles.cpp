@@ -1,7 +1,7 @@
 #include "sub_cycling/FineParticles.hpp"
 
 #include "parallel/NeighbourSums.hpp"
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/ParticleViews.hpp"
 
 #include <algorithm>

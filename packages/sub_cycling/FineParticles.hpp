@@ -1,7 +1,7 @@
 #pragma once
 /// The particles that short steps move, and the nodes they touch, packed together for one long step.
 
-#include "state/FewItems.hpp"
+#include "base/FewItems.hpp"
 #include "state/State.hpp"
 
 #include <memory>

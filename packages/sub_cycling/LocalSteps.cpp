@@ -1,7 +1,7 @@
 #include "sub_cycling/LocalSteps.hpp"
 
-#include "checkpoint/Archive.hpp"
-#include "parallel/Subdomain.hpp"
+#include "archive/Archive.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/LaneHeat.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-#include "checkpoint/Archive.hpp"
-#include "checkpoint/NodeNames.hpp"
-#include "parallel/Subdomain.hpp"
+#include "archive/Archive.hpp"
+#include "state/NodeNames.hpp"
+#include "state/Subdomain.hpp"
 #include "sub_cycling/FineParticles.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include "grid/BlockCells.hpp"
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "sub_cycling/FineParticles.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 /// Smaller steps where cells are smaller.
 
-#include "step/Effect.hpp"
+#include "plan/Effect.hpp"
 
 namespace Rhegma::sub_cycling
 {

@@ -1,6 +1,6 @@
 #include "thermal/CellsForSources.hpp"
 
-#include "scene/ReadList.hpp"
+#include "base/ReadList.hpp"
 #include "scene/SceneBodies.hpp"
 #include "scene/Validation.hpp"
 

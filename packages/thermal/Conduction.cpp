@@ -1,7 +1,7 @@
 #include "thermal/Conduction.hpp"
 
-#include "parallel/Subdomain.hpp"
-#include "scene/Numbers.hpp"
+#include "base/Numbers.hpp"
+#include "state/Subdomain.hpp"
 #include "thermal/MeetingMaterials.hpp"
 #include "transfer/Stencils.hpp"
 

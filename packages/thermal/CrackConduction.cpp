@@ -1,9 +1,9 @@
 #include "thermal/CrackConduction.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
+#include "base/ReadList.hpp"
 #include "material/Tensors.hpp"
-#include "parallel/Subdomain.hpp"
-#include "scene/ReadList.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/PushNodes.hpp"
 #include "transfer/Stencils.hpp"
 

@@ -1,4 +1,4 @@
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "thermal/Conduction.hpp"
 #include "transfer/Stencils.hpp"
 

@@ -1,8 +1,8 @@
 #include "thermal/HeatBoundaries.hpp"
 
+#include "base/Attempts.hpp"
+#include "base/ReadList.hpp"
 #include "boundary/Contradictions.hpp"
-#include "scene/Attempts.hpp"
-#include "scene/ReadList.hpp"
 #include "thermal/Start.hpp"
 #include "transfer/PushNodes.hpp"
 

@@ -1,7 +1,7 @@
 #include "thermal/HeatNodes.hpp"
 
 #include "material/Tensors.hpp"
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "thermal/Insulators.hpp"
 #include "transfer/ParticleViews.hpp"
 

@@ -1,7 +1,7 @@
 /// Backward Euler steps of conduction.
 
-#include "parallel/Subdomain.hpp"
-#include "scene/Numbers.hpp"
+#include "base/Numbers.hpp"
+#include "state/Subdomain.hpp"
 #include "thermal/LongSteps.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "thermal/LongSteps.hpp"
 
-#include "checkpoint/Archive.hpp"
-#include "parallel/Subdomain.hpp"
+#include "archive/Archive.hpp"
+#include "state/Subdomain.hpp"
 #include "thermal/Insulators.hpp"
 
 #include <algorithm>

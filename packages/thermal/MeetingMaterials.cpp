@@ -1,6 +1,6 @@
 #include "thermal/MeetingMaterials.hpp"
 
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/ParticleViews.hpp"
 
 namespace Rhegma::thermal

@@ -1,8 +1,8 @@
 #include "thermal/Sources.hpp"
 
+#include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
 #include "material/Tensors.hpp"
-#include "scene/Numbers.hpp"
-#include "scene/ReadList.hpp"
 
 namespace Rhegma::thermal
 {

@@ -1,10 +1,10 @@
 #include "thermal/Start.hpp"
 
+#include "base/Numbers.hpp"
+#include "base/ShortNumber.hpp"
 #include "material/HistoryRoom.hpp"
 #include "material/ThermoLaw.hpp"
-#include "scene/Numbers.hpp"
 #include "scene/PlaceFunction.hpp"
-#include "scene/ShortNumber.hpp"
 
 #include <algorithm>
 #include <limits>

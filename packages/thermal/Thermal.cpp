@@ -1,10 +1,10 @@
 #include "thermal/Thermal.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
+#include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
 #include "material/MaterialTable.hpp"
 #include "material/ThermoMaterials.hpp"
-#include "scene/Numbers.hpp"
-#include "scene/ReadList.hpp"
 #include "step/CoreStep.hpp"
 #include "thermal/CellsForSources.hpp"
 #include "thermal/Conduction.hpp"

@@ -2,7 +2,7 @@
 /// Heat in the bodies: conduction, sources, surfaces, and what temperature does to stress and stress to
 /// temperature.
 
-#include "step/Effect.hpp"
+#include "plan/Effect.hpp"
 
 namespace Rhegma::thermal
 {

@@ -1,6 +1,6 @@
+#include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
 #include "scene/HeatWords.hpp"
-#include "scene/Numbers.hpp"
-#include "scene/ReadList.hpp"
 #include "scene/TimeFunction.hpp"
 #include "thermal/Thermal.hpp"
 

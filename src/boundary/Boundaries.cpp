@@ -1,13 +1,13 @@
 #include "boundary/Boundaries.hpp"
 
+#include "base/Attempts.hpp"
+#include "base/ReadList.hpp"
 #include "boundary/BodyForce.hpp"
 #include "boundary/Contradictions.hpp"
 #include "boundary/LoadForces.hpp"
 #include "boundary/ReadLoad.hpp"
 #include "boundary/Supports.hpp"
-#include "scene/Attempts.hpp"
-#include "scene/ReadList.hpp"
-#include "step/LastStage.hpp"
+#include "plan/LastStage.hpp"
 
 #include <memory>
 #include <stdexcept>

@@ -1,7 +1,7 @@
 #pragma once
 /// Prescribed motion, symmetry, loads and gravity.
 
-#include "step/Effect.hpp"
+#include "plan/Effect.hpp"
 
 namespace Rhegma
 {

@@ -1,7 +1,7 @@
 #include "boundary/Contradictions.hpp"
 
+#include "base/Numbers.hpp"
 #include "boundary/TouchedNodes.hpp"
-#include "scene/Numbers.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "boundary/DomainEdges.hpp"
 
+#include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
 #include "geometry/Shape.hpp"
-#include "scene/Numbers.hpp"
-#include "scene/ReadList.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "boundary/LoadForces.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
 
 #include <string>
 

@@ -2,7 +2,7 @@
 /// The forces of loads on their bodies, as the history and the summary tell them.
 
 #include "boundary/Loads.hpp"
-#include "step/Effect.hpp"
+#include "plan/Effect.hpp"
 
 #include <memory>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "boundary/Loads.hpp"
 
+#include "base/FewItems.hpp"
 #include "boundary/LoadVelocity.hpp"
-#include "state/FewItems.hpp"
 #include "transfer/PushNodes.hpp"
 #include "transfer/Stencils.hpp"
 

@@ -1,6 +1,6 @@
 #include "boundary/MirrorPlanes.hpp"
 
-#include "scene/ReadList.hpp"
+#include "base/ReadList.hpp"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #include "boundary/ReadLoad.hpp"
 
+#include "base/ReadList.hpp"
 #include "geometry/Cross.hpp"
-#include "scene/ReadList.hpp"
 
 #include <vector>
 

@@ -1,11 +1,11 @@
 #include "boundary/Supports.hpp"
 
+#include "archive/Archive.hpp"
+#include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
 #include "boundary/Boundaries.hpp"
 #include "boundary/HeldMarks.hpp"
-#include "checkpoint/Archive.hpp"
-#include "parallel/Subdomain.hpp"
-#include "scene/Numbers.hpp"
-#include "scene/ReadList.hpp"
+#include "state/Subdomain.hpp"
 
 #include <algorithm>
 #include <cmath>

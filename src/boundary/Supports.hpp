@@ -1,9 +1,9 @@
 #pragma once
 /// Prescribed motion and symmetry from the scene.
 
+#include "plan/Effect.hpp"
 #include "scene/PlaceFunction.hpp"
 #include "scene/TimeFunction.hpp"
-#include "step/Effect.hpp"
 
 #include <memory>
 #include <optional>

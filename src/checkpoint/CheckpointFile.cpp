@@ -1,6 +1,6 @@
 #include "checkpoint/CheckpointFile.hpp"
 
-#include "output/Hdf5Handle.hpp"
+#include "files/Hdf5Handle.hpp"
 
 #include <algorithm>
 #include <array>

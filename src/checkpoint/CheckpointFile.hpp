@@ -1,7 +1,7 @@
 #pragma once
 /// checkpoint.h5 on the disk: whole or not there, and known to be what was written.
 
-#include "checkpoint/Record.hpp"
+#include "archive/Record.hpp"
 
 #include <string>
 

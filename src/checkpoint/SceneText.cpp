@@ -1,7 +1,7 @@
 #include "checkpoint/SceneText.hpp"
 
-#include "scene/Numbers.hpp"
-#include "scene/ReadList.hpp"
+#include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
 #include "scene/Validation.hpp"
 
 #include <algorithm>

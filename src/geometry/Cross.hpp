@@ -1,7 +1,7 @@
 #pragma once
 /// The cross product.
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 namespace Rhegma
 {

@@ -1,7 +1,7 @@
 #pragma once
 /// The own axes of a body: a rotation about a point.
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 #include <array>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Finds the nearest of many points within a reach.
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 #include <array>
 #include <cstdint>

@@ -1,8 +1,8 @@
 #pragma once
 /// Blocks of cells: the order of the particles, and which of them may add to the nodes at the same time.
 
+#include "base/FieldTable.hpp"
 #include "grid/Grid.hpp"
-#include "state/FieldTable.hpp"
 
 #include <vector>
 

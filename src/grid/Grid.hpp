@@ -1,7 +1,7 @@
 #pragma once
 /// The lattice of cells and nodes.
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 namespace Rhegma
 {

@@ -1,7 +1,7 @@
 #pragma once
 /// What the nodes hold during a step.
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 namespace Rhegma
 {

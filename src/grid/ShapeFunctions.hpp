@@ -1,7 +1,7 @@
 #pragma once
 /// Shape functions along one axis: linear, and linear averaged over a particle's box (GIMP).
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 namespace Rhegma
 {

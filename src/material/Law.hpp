@@ -14,7 +14,7 @@
 /// on. `waveSpeed` and `energy` want the F that `stress` has completed. `waveSpeed` is an upper bound of the
 /// speed of every small plane wave in the deformed state, and is the dilatational wave speed where F = 1.
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 namespace Rhegma
 {

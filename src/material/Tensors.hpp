@@ -2,7 +2,7 @@
 /// Algebra of the tensors of a particle in the layouts of state/Types.hpp. In 2D a symmetric tensor carries
 /// zz, so that traces, invariants and determinants are always those of the solid.
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 // These are always inlined: a call in the loop over particles would keep it from being vectorised.
 

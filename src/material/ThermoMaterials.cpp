@@ -1,8 +1,8 @@
 #include "material/ThermoMaterials.hpp"
 
+#include "base/ReadList.hpp"
 #include "material/MaterialTable.hpp"
-#include "scene/ReadList.hpp"
-#include "scene/TemperatureTable.hpp"
+#include "material/TemperatureTable.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 /// The thickness stretch of plane stress.
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 namespace Rhegma
 {

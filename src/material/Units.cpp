@@ -1,7 +1,7 @@
 #include "material/Units.hpp"
 
+#include "base/ShortNumber.hpp"
 #include "material/MaterialTable.hpp"
-#include "scene/ShortNumber.hpp"
 
 #include <cmath>
 

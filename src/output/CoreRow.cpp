@@ -1,6 +1,6 @@
 #include "output/CoreRow.hpp"
 
-#include "output/ParticleEnergy.hpp"
+#include "state/ParticleEnergy.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,10 +1,10 @@
 #include "output/FieldWriter.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
+#include "base/OutputError.hpp"
 #include "checkpoint/CheckpointFile.hpp"
+#include "files/TextFile.hpp"
 #include "output/Hdf5.hpp"
-#include "output/OutputError.hpp"
-#include "output/TextFile.hpp"
 #include "output/Xdmf.hpp"
 #include "parallel/FirstRank.hpp"
 

@@ -1,6 +1,6 @@
 #include "output/Hdf5.hpp"
 
-#include "output/Hdf5Handle.hpp"
+#include "files/Hdf5Handle.hpp"
 #include "output/WriteParts.hpp"
 #include "parallel/FirstRank.hpp"
 

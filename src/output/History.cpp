@@ -1,6 +1,6 @@
 #include "output/History.hpp"
 
-#include "output/OutputError.hpp"
+#include "base/OutputError.hpp"
 
 #include <algorithm>
 #include <cerrno>

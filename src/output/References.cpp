@@ -1,6 +1,6 @@
 #include "output/References.hpp"
 
-#include "scene/Attempts.hpp"
+#include "base/Attempts.hpp"
 #include "scene/NearestName.hpp"
 
 #include <cmath>

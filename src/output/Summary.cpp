@@ -1,6 +1,6 @@
 #include "output/Summary.hpp"
 
-#include "output/TextFile.hpp"
+#include "files/TextFile.hpp"
 
 #include <sys/resource.h>
 

@@ -1,6 +1,6 @@
 #include "output/WriteParts.hpp"
 
-#include "output/Hdf5Handle.hpp"
+#include "files/Hdf5Handle.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <fcntl.h>

@@ -1,6 +1,6 @@
 #include "output/Xdmf.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
 
 #include <algorithm>
 #include <cstdio>

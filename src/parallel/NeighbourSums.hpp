@@ -1,8 +1,8 @@
 #pragma once
 /// Sums over ranks of numbers that each keeps for itself and few others have too.
 
+#include "base/Types.hpp"
 #include "parallel/Ranks.hpp"
-#include "state/Types.hpp"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #include "parallel/SendRows.hpp"
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 #include <Tpetra_Distributor.hpp>
 

@@ -1,8 +1,8 @@
 #include "program/Checkpoints.hpp"
 
-#include "output/OutputError.hpp"
+#include "base/Numbers.hpp"
+#include "base/OutputError.hpp"
 #include "parallel/FirstRank.hpp"
-#include "scene/Numbers.hpp"
 
 #include <cmath>
 #include <stdexcept>

@@ -1,6 +1,6 @@
 #include "program/EarlierPart.hpp"
 
-#include "output/OutputError.hpp"
+#include "base/OutputError.hpp"
 #include "output/OutputFolder.hpp"
 
 #include <filesystem>

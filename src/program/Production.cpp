@@ -1,9 +1,9 @@
 #include "program/Production.hpp"
 
-#include "output/OutputError.hpp"
+#include "base/Numbers.hpp"
+#include "base/OutputError.hpp"
 #include "output/OutputFolder.hpp"
 #include "parallel/FirstRank.hpp"
-#include "scene/Numbers.hpp"
 #include "step/Run.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "program/Retries.hpp"
 
-#include "scene/Numbers.hpp"
+#include "base/Numbers.hpp"
 
 #include <cmath>
 

@@ -1,15 +1,15 @@
 #include "program/RunScene.hpp"
 
 #include "Simulation.hpp"
-#include "output/OutputError.hpp"
+#include "base/Numbers.hpp"
+#include "base/OutputError.hpp"
 #include "output/OutputFolder.hpp"
 #include "output/References.hpp"
 #include "output/Summary.hpp"
 #include "parallel/FirstRank.hpp"
+#include "plan/EffectSchema.hpp"
 #include "program/Production.hpp"
-#include "scene/Numbers.hpp"
 #include "scene/Scene.hpp"
-#include "step/EffectSchema.hpp"
 
 #include <Kokkos_Core.hpp>
 #include <Teuchos_DefaultMpiComm.hpp>

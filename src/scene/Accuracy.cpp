@@ -1,6 +1,6 @@
 #include "scene/Accuracy.hpp"
 
-#include "scene/Numbers.hpp"
+#include "base/Numbers.hpp"
 #include "scene/SceneBodies.hpp"
 #include "scene/Validation.hpp"
 

@@ -1,6 +1,6 @@
 #include "scene/CrackNames.hpp"
 
-#include "scene/ReadList.hpp"
+#include "base/ReadList.hpp"
 
 namespace Rhegma
 {

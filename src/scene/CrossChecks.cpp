@@ -1,11 +1,11 @@
 #include "scene/CrossChecks.hpp"
 
+#include "base/Numbers.hpp"
 #include "geometry/Shape.hpp"
 #include "material/MaterialTable.hpp"
 #include "material/ThermoMaterials.hpp"
 #include "scene/HeatWords.hpp"
 #include "scene/NearestName.hpp"
-#include "scene/Numbers.hpp"
 #include "scene/PlaceFunction.hpp"
 #include "scene/TimeFunction.hpp"
 #include "scene/Validation.hpp"

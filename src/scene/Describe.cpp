@@ -1,6 +1,6 @@
+#include "base/Numbers.hpp"
 #include "scene/NearestName.hpp"
 #include "scene/NormaliseValue.hpp"
-#include "scene/Numbers.hpp"
 #include "scene/Scene.hpp"
 
 #include <algorithm>

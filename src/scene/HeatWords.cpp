@@ -1,7 +1,7 @@
 #include "scene/HeatWords.hpp"
 
+#include "base/ReadList.hpp"
 #include "material/ThermoMaterials.hpp"
-#include "scene/ReadList.hpp"
 
 namespace Rhegma
 {

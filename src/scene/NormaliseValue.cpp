@@ -1,8 +1,8 @@
 #include "scene/NormaliseValue.hpp"
 
+#include "base/Numbers.hpp"
+#include "material/TemperatureTable.hpp"
 #include "scene/NearestName.hpp"
-#include "scene/Numbers.hpp"
-#include "scene/TemperatureTable.hpp"
 #include "scene/TimeFunction.hpp"
 #include "scene/Validators.hpp"
 

@@ -1,8 +1,8 @@
 #include "scene/Overrides.hpp"
 
+#include "base/Numbers.hpp"
 #include "scene/NearestName.hpp"
 #include "scene/NormaliseValue.hpp"
-#include "scene/Numbers.hpp"
 #include "scene/Validation.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "scene/PlaceFunction.hpp"
 
-#include "scene/Numbers.hpp"
-#include "scene/PairTable.hpp"
+#include "base/Numbers.hpp"
+#include "base/PairTable.hpp"
 
 #include <muParser.h>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// A vector that the user gives as a function of place.
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 #include <memory>
 #include <string>

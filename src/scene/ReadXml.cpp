@@ -1,7 +1,7 @@
 #include "scene/ReadXml.hpp"
 
+#include "base/Numbers.hpp"
 #include "scene/NearestName.hpp"
-#include "scene/Numbers.hpp"
 
 #include <Teuchos_StringInputSource.hpp>
 #include <Teuchos_TestForException.hpp>

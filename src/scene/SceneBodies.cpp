@@ -1,6 +1,6 @@
 #include "scene/SceneBodies.hpp"
 
-#include "scene/ReadList.hpp"
+#include "base/ReadList.hpp"
 
 #include <algorithm>
 #include <cmath>

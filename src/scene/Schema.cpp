@@ -1,6 +1,6 @@
 #include "scene/Schema.hpp"
 
-#include "scene/Numbers.hpp"
+#include "base/Numbers.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "scene/Validators.hpp"
 
-#include "scene/Numbers.hpp"
+#include "base/Numbers.hpp"
 #include "scene/TimeFunction.hpp"
 
 #include <Teuchos_Array.hpp>

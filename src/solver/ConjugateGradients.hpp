@@ -2,8 +2,8 @@
 /// Belos' conjugate gradients on vectors of Tpetra, behind a wall: only one source file pays for their
 /// headers.
 
+#include "base/Types.hpp"
 #include "parallel/Ranks.hpp"
-#include "state/Types.hpp"
 
 #include <functional>
 #include <memory>

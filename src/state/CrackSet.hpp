@@ -1,7 +1,7 @@
 #pragma once
 /// The cracks as data: what the effects around cracks share.
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 #include "surface/BeyondFacet.hpp"
 
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 /// Prescribed motion as the nodes see it.
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 namespace Rhegma
 {

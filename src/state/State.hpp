@@ -1,18 +1,18 @@
 #pragma once
 /// Everything that a run holds, handed to every stage.
 
+#include "base/FieldTable.hpp"
 #include "grid/Blocks.hpp"
 #include "grid/Grid.hpp"
 #include "grid/Nodes.hpp"
 #include "grid/ShapeFunctions.hpp"
+#include "grid/StencilTable.hpp"
 #include "grid/Tree.hpp"
 #include "material/ThermoTables.hpp"
 #include "parallel/Ranks.hpp"
 #include "state/CrackSet.hpp"
 #include "state/Energy.hpp"
-#include "state/FieldTable.hpp"
 #include "state/NodeConstraint.hpp"
-#include "transfer/StencilTable.hpp"
 
 #include <functional>
 #include <limits>

@@ -2,9 +2,9 @@
 
 #include "grid/BlockCells.hpp"
 #include "material/Materials.hpp"
-#include "parallel/Subdomain.hpp"
-#include "state/UnstableStep.hpp"
+#include "state/Subdomain.hpp"
 #include "step/HeatTrouble.hpp"
+#include "step/UnstableStep.hpp"
 #include "transfer/Gather.hpp"
 #include "transfer/Motion.hpp"
 #include "transfer/Scatter.hpp"

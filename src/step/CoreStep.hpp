@@ -1,7 +1,7 @@
 #pragma once
 /// The method itself as calls of the stages.
 
-#include "step/Effect.hpp"
+#include "plan/Effect.hpp"
 
 namespace Rhegma
 {

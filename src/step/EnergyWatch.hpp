@@ -1,10 +1,10 @@
 #pragma once
 /// Notices a run that makes energy out of nothing, or loses it.
 
-#include "checkpoint/Archive.hpp"
-#include "scene/Numbers.hpp"
+#include "archive/Archive.hpp"
+#include "base/Numbers.hpp"
 #include "state/Energy.hpp"
-#include "state/UnstableStep.hpp"
+#include "step/UnstableStep.hpp"
 
 #include <algorithm>
 #include <cmath>

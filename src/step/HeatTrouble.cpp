@@ -1,6 +1,6 @@
 #include "step/HeatTrouble.hpp"
 
-#include "scene/Numbers.hpp"
+#include "base/Numbers.hpp"
 
 namespace Rhegma
 {

@@ -1,9 +1,9 @@
 #include "step/PlaceBodies.hpp"
 
+#include "base/Attempts.hpp"
+#include "base/MemoryNeed.hpp"
+#include "base/ReadList.hpp"
 #include "geometry/Overlap.hpp"
-#include "scene/Attempts.hpp"
-#include "scene/ReadList.hpp"
-#include "step/MemoryNeed.hpp"
 
 #include <algorithm>
 #include <sstream>

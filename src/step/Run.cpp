@@ -1,14 +1,14 @@
 #include "step/Run.hpp"
 
+#include "base/Attempts.hpp"
+#include "base/Numbers.hpp"
 #include "boundary/Boundaries.hpp"
 #include "boundary/DomainEdges.hpp"
-#include "checkpoint/StateArchive.hpp"
 #include "material/Units.hpp"
 #include "output/CoreRow.hpp"
 #include "parallel/FirstRank.hpp"
-#include "parallel/Subdomain.hpp"
-#include "scene/Attempts.hpp"
-#include "scene/Numbers.hpp"
+#include "state/StateArchive.hpp"
+#include "state/Subdomain.hpp"
 #include "step/CoreStep.hpp"
 #include "step/Setup.hpp"
 

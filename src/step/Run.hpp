@@ -1,9 +1,9 @@
 #pragma once
 /// A scene in motion.
 
-#include "RunError.hpp"
+#include "base/RunError.hpp"
+#include "plan/Plan.hpp"
 #include "step/EnergyWatch.hpp"
-#include "step/Plan.hpp"
 
 #include <functional>
 #include <limits>

@@ -1,8 +1,8 @@
 #include "step/Setup.hpp"
 
+#include "base/ReadList.hpp"
 #include "material/MaterialTable.hpp"
 #include "material/ThermoMaterials.hpp"
-#include "scene/ReadList.hpp"
 #include "step/PlaceBodies.hpp"
 #include "transfer/Box.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 /// From a validated scene to the state before the first step.
 
-#include "step/Effect.hpp"
+#include "plan/Effect.hpp"
 
 namespace Rhegma
 {

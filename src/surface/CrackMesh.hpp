@@ -1,7 +1,7 @@
 #pragma once
 /// A crack as vertices and simplices, in host memory.
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 #include "surface/BeyondFacet.hpp"
 
 #include <array>

@@ -1,7 +1,7 @@
 #pragma once
 /// The vertices of a front while its crack grows.
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 #include <algorithm>
 #include <vector>

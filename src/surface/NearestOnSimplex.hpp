@@ -1,7 +1,7 @@
 #pragma once
 /// The point of a segment or triangle that is nearest to another point.
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Polygons in a plane in space.
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 #include <vector>
 

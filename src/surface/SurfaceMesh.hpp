@@ -1,7 +1,7 @@
 #pragma once
 /// Triangles in space, made ready to be a crack.
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 #include <algorithm>
 #include <array>

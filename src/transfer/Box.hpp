@@ -1,7 +1,7 @@
 #pragma once
 /// The box of a particle, over which GIMP averages the shape functions.
 
-#include "state/Types.hpp"
+#include "base/Types.hpp"
 
 namespace Rhegma
 {

@@ -3,8 +3,8 @@
 
 #include "grid/Grid.hpp"
 #include "grid/ShapeFunctions.hpp"
+#include "grid/StencilTable.hpp"
 #include "transfer/LaneStencils.hpp"
-#include "transfer/StencilTable.hpp"
 
 namespace Rhegma
 {

@@ -1,8 +1,8 @@
 #include "transfer/FacePoints.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
 #include "geometry/Cross.hpp"
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/Stencils.hpp"
 
 #include <algorithm>

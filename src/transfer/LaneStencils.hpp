@@ -1,11 +1,11 @@
 #pragma once
 /// Stencils of a few particles at once, and what transfers do with one of them.
 
+#include "base/Pack.hpp"
 #include "grid/Blocks.hpp"
 #include "grid/Grid.hpp"
 #include "grid/ShapeFunctions.hpp"
-#include "state/Pack.hpp"
-#include "transfer/StencilTable.hpp"
+#include "grid/StencilTable.hpp"
 
 namespace Rhegma
 {

@@ -1,9 +1,9 @@
 #pragma once
 /// Stress of some particles that a step has strained.
 
+#include "base/Types.hpp"
 #include "grid/Blocks.hpp"
 #include "material/Materials.hpp"
-#include "state/Types.hpp"
 
 #include <limits>
 

@@ -1,6 +1,6 @@
 #include "transfer/LocalSpacing.hpp"
 
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 
 namespace Rhegma
 {

@@ -1,6 +1,6 @@
 #include "transfer/NearestMaterial.hpp"
 
-#include "parallel/Subdomain.hpp"
+#include "state/Subdomain.hpp"
 
 namespace Rhegma
 {

@@ -1,7 +1,7 @@
 #pragma once
 /// Loops over points that push nodes: loads, faces of cracks.
 
-#include "state/FewItems.hpp"
+#include "base/FewItems.hpp"
 
 namespace Rhegma
 {

@@ -1,7 +1,7 @@
 #include "transfer/Stencils.hpp"
 
-#include "parallel/Subdomain.hpp"
-#include "state/FewItems.hpp"
+#include "base/FewItems.hpp"
+#include "state/Subdomain.hpp"
 #include "transfer/TreeStencil.hpp"
 
 namespace Rhegma

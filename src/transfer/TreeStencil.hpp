@@ -2,8 +2,8 @@
 /// Stored stencils of points and boxes in refined cells.
 
 #include "grid/ShapeFunctions.hpp"
+#include "grid/StencilTable.hpp"
 #include "grid/Tree.hpp"
-#include "transfer/StencilTable.hpp"
 
 namespace Rhegma
 {

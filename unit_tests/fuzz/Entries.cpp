@@ -1,8 +1,8 @@
 #include "Entries.hpp"
 
 #include "checkpoint/CheckpointFile.hpp"
+#include "plan/EffectSchema.hpp"
 #include "scene/Scene.hpp"
-#include "step/EffectSchema.hpp"
 
 #include <cstdio>
 #include <cstdlib>

@@ -2,7 +2,7 @@
 /// Runs that are broken off and go on from a checkpoint, against runs that are not.
 
 #include "Simulation.hpp"
-#include "checkpoint/Record.hpp"
+#include "archive/Record.hpp"
 
 #include <string>
 #include <vector>

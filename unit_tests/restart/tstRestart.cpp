@@ -2,9 +2,9 @@
 
 #include "restart/ContinuedRun.hpp"
 
+#include "plan/Effect.hpp"
+#include "plan/EffectSchema.hpp"
 #include "scene/Scene.hpp"
-#include "step/Effect.hpp"
-#include "step/EffectSchema.hpp"
 
 #include <gtest/gtest.h>
 

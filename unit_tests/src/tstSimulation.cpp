@@ -1,8 +1,8 @@
 /// Where a run ends, and that it can come to rest.
 
 #include "Simulation.hpp"
+#include "plan/EffectSchema.hpp"
 #include "scene/Scene.hpp"
-#include "step/EffectSchema.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 

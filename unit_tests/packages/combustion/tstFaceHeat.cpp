@@ -2,7 +2,7 @@
 
 #include "../../src/step/Bodies.hpp"
 
-#include "scene/ReadList.hpp"
+#include "base/ReadList.hpp"
 
 #include <nlohmann/json.hpp>
 

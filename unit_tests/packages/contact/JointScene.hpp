@@ -1,8 +1,8 @@
 #pragma once
 /// A bar with a closed joint across it, at rest, after one step: all that contact acts on exists.
 
+#include "plan/EffectSchema.hpp"
 #include "scene/Scene.hpp"
-#include "step/EffectSchema.hpp"
 #include "step/Run.hpp"
 
 #include <gtest/gtest.h>

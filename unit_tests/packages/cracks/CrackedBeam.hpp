@@ -3,8 +3,8 @@
 /// to the middle, and the stencils of the particles beside it.
 
 #include "cracks/CrackGeometry.hpp"
+#include "plan/EffectSchema.hpp"
 #include "scene/Scene.hpp"
-#include "step/EffectSchema.hpp"
 #include "step/Run.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "face_pressure/FacePressure.hpp"
 
+#include "plan/EffectSchema.hpp"
 #include "scene/Scene.hpp"
-#include "step/EffectSchema.hpp"
 #include "step/Run.hpp"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 
 #include "packages/propagation/JunctionScenes.hpp"
 
-#include "checkpoint/Archive.hpp"
+#include "archive/Archive.hpp"
 #include "combustion/Cavity.hpp"
 #include "cracks/Growth.hpp"
 

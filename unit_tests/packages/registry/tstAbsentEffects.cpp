@@ -6,8 +6,8 @@
 /// the check can fail, and in no scene without.
 
 #include "KernelProfile.hpp"
+#include "plan/EffectSchema.hpp"
 #include "scene/Scene.hpp"
-#include "step/EffectSchema.hpp"
 #include "step/Run.hpp"
 
 #include <gtest/gtest.h>

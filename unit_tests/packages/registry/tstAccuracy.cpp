@@ -1,7 +1,7 @@
 /// Cells that Domain > Accuracy chooses.
 
+#include "plan/EffectSchema.hpp"
 #include "scene/Scene.hpp"
-#include "step/EffectSchema.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,8 +3,8 @@
 
 #include "Simulation.hpp"
 
+#include "plan/EffectSchema.hpp"
 #include "scene/Scene.hpp"
-#include "step/EffectSchema.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 /// What tells two scenes apart, and what may be different when a run goes on.
 
 #include "checkpoint/SceneText.hpp"
+#include "plan/EffectSchema.hpp"
 #include "scene/Scene.hpp"
-#include "step/EffectSchema.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include "Scenes.hpp"
 
+#include "base/Numbers.hpp"
 #include "scene/NearestName.hpp"
 #include "scene/NormaliseValue.hpp"
-#include "scene/Numbers.hpp"
 #include "scene/Validators.hpp"
 
 #include <Teuchos_ParameterListExceptions.hpp>

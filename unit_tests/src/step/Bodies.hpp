@@ -2,8 +2,8 @@
 /// Scenes that tests put together, and the particles of their runs.
 
 #include "output/CoreRow.hpp"
+#include "plan/EffectSchema.hpp"
 #include "scene/Scene.hpp"
-#include "step/EffectSchema.hpp"
 #include "step/Run.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 /// Effects of an application that say whether they know several ranks; run on one rank and on two.
 
 #include "Simulation.hpp"
-#include "step/KnownEffects.hpp"
+#include "plan/KnownEffects.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
 #include <Teuchos_XMLParameterListHelpers.hpp>

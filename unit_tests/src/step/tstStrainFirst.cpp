@@ -1,7 +1,7 @@
 /// USF strains particles in the middle of a step.
 
+#include "plan/EffectSchema.hpp"
 #include "scene/Scene.hpp"
-#include "step/EffectSchema.hpp"
 #include "step/Run.hpp"
 
 #include <gtest/gtest.h>

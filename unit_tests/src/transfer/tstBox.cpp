@@ -1,5 +1,5 @@
+#include "grid/StencilTable.hpp"
 #include "transfer/Box.hpp"
-#include "transfer/StencilTable.hpp"
 
 #include <gtest/gtest.h>
 

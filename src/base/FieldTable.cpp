@@ -1,0 +1,94 @@
+#include "base/FieldTable.hpp"
+
+namespace Rhegma
+{
+
+namespace
+{
+
+template <class T>
+View<T**> reordered(const View<T**>& old, const View<int*>& order)
+{
+  const int rows = static_cast<int>(order.extent(0));
+  const int columns = static_cast<int>(old.extent(1));
+  View<T**> fresh(Kokkos::view_alloc(old.label(), Kokkos::WithoutInitializing), rows, columns);
+  Kokkos::parallel_for(
+      "rhegma::reorderField", Kokkos::RangePolicy<ExecSpace>(0, rows), KOKKOS_LAMBDA(const int i) {
+        const int from = order(i);
+        for (int c = 0; c < columns; ++c)
+          fresh(i, c) = old(from, c);
+      });
+  return fresh;
+}
+
+} // namespace
+
+void FieldTable::add(const Field& field)
+{
+  if (has(field.name))
+    throw std::logic_error("the particle field \"" + field.name + "\" exists already");
+  Column column{field, {}, {}};
+  if (field.integer)
+    column.whole = View<int**>(field.name, size_, field.components);
+  else
+    column.real = View<double**>(field.name, size_, field.components);
+  columns_.push_back(column);
+}
+
+bool FieldTable::has(const std::string& name) const
+{
+  for (const Column& column : columns_)
+    if (column.field.name == name)
+      return true;
+  return false;
+}
+
+std::vector<Field> FieldTable::fields() const
+{
+  std::vector<Field> all;
+  for (const Column& column : columns_)
+    all.push_back(column.field);
+  return all;
+}
+
+const FieldTable::Column& FieldTable::find(const std::string& name, int components, bool integer) const
+{
+  for (const Column& column : columns_)
+    if (column.field.name == name)
+    {
+      if (column.field.integer != integer || (components != 0 && column.field.components != components))
+        throw std::logic_error("the particle field \"" + name + "\" has another shape than asked for");
+      return column;
+    }
+  throw std::logic_error("there is no particle field \"" + name + "\"");
+}
+
+void FieldTable::resize(int size)
+{
+  for (Column& column : columns_)
+    if (column.field.integer)
+      Kokkos::resize(column.whole, size, column.field.components);
+    else
+      Kokkos::resize(column.real, size, column.field.components);
+  size_ = size;
+}
+
+void FieldTable::reorder(const View<int*>& order)
+{
+  for (Column& column : columns_)
+    if (column.field.integer)
+      column.whole = reordered(column.whole, order);
+    else
+      column.real = reordered(column.real, order);
+  size_ = static_cast<int>(order.extent(0));
+}
+
+double FieldTable::bytes() const
+{
+  double sum = 0.0;
+  for (const Column& column : columns_)
+    sum += column.field.components * double(size_) * (column.field.integer ? sizeof(int) : sizeof(double));
+  return sum;
+}
+
+} // namespace Rhegma

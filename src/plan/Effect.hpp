@@ -1,0 +1,91 @@
+#pragma once
+/// An effect: a value that says which fields it needs and adds, and what to call in which stage.
+
+#include "base/Field.hpp"
+#include "scene/Schema.hpp"
+#include "state/State.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace Rhegma
+{
+
+class Archive;
+
+/// Stages of a step, in the order of MUSL. USF runs AfterProjection and OnParticles right after Scatter;
+/// USAVG runs their calls that are `ofEachPass` there too.
+enum class Stage
+{
+  BetweenSteps,    ///< before the length of the step is known
+  Scatter,         ///< particles to nodes
+  BeforeSolve,     ///< nodes have mass, momentum and force
+  Solve,           ///< nodes get their new velocity
+  AfterSolve,      ///< it may be changed
+  Gather,          ///< nodes to particles
+  AfterProjection, ///< nodes have the velocity that strains
+  OnParticles,     ///< strain, stress and what follows
+  Observe          ///< only in steps that end with a sample
+};
+
+/// Something that runs in a stage. Calls of one stage are ordered so that who writes a quantity runs before
+/// who reads it; quantities that several calls add to (nodal force) commute. Names of quantities are free
+/// text that calls share.
+template <int D>
+struct Call
+{
+  Stage stage;                        ///< when it runs
+  std::string label;                  ///< for plan and timings
+  std::vector<std::string> reads;     ///< quantities
+  std::vector<std::string> writes;    ///< quantities
+  std::vector<std::string> addsTo;    ///< quantities
+  std::function<void(State<D>&)> run; ///< what it does
+  /// Whether it belongs to each pass that strains particles (State::strainPass), and not to the step.
+  bool ofEachPass = false;
+};
+
+/// An effect of a scene, or a part of the core.
+template <int D>
+struct Effect
+{
+  std::string name;                       ///< its section's
+  std::vector<Field> adds;                ///< particle fields that it brings
+  std::vector<std::string> needs;         ///< particle fields that somebody else must bring
+  std::vector<Call<D>> calls;             ///< of all stages
+  std::function<void(State<D>&)> atStart; ///< once, when all fields exist and particles are seeded
+  std::function<void(const State<D>&, nlohmann::json&)> report; ///< adds to summary.json
+
+  std::function<double(const State<D>&)> timeStepLimit; ///< [s]; none if empty
+
+  /// Saves or loads what it keeps from one step to the next beside the fields of the particles
+  /// (checkpoint/Archive.hpp); empty if nothing. Loading comes after atStart and after the core's own, and
+  /// leaves all as it was when it was saved.
+  std::function<void(State<D>&, Archive&)> memory;
+
+  void call(Call<D> c) { calls.push_back(std::move(c)); } ///< adds to `calls`
+};
+
+/// What the registry knows of an effect: its section, and how to make it for each dimension.
+struct EffectEntry
+{
+  Section section;  ///< its schema; the section's name is the effect's name
+  CrossCheck check; ///< what no single parameter can show wrong; may be empty
+  std::function<Effect<2>(const Teuchos::ParameterList& scene)> make2; ///< 2D
+  std::function<Effect<3>(const Teuchos::ParameterList& scene)> make3; ///< 3D
+  bool onRanks = false; ///< whether it works on more than one rank
+  /// Whether a scene that has it leaves the motion out (State::mechanics); empty: never.
+  std::function<bool(const Teuchos::ParameterList& scene)> withoutMechanics{};
+  /// What it asks of the cells that Domain > Accuracy chooses.
+  CellHook cells{};
+};
+
+/// Every effect that the program knows (packages/Registry.cpp).
+const std::vector<EffectEntry>& knownEffects();
+
+/// Sections of effects that a later version will have (packages/Registry.cpp).
+const std::vector<std::string>& effectsToCome();
+
+} // namespace Rhegma

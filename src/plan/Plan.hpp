@@ -1,0 +1,52 @@
+#pragma once
+/// Which calls a scene's step makes, in order.
+
+#include "plan/Effect.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace Rhegma
+{
+
+constexpr int numStages = 9;
+const char* stageName(Stage stage);
+
+/// Stages of one step in the order of an update scheme.
+std::vector<Stage> stageOrder(UpdateScheme scheme);
+
+/// Calls of one stage, so ordered that who writes or adds to a quantity comes before who reads it.
+///
+/// Throws std::logic_error where two calls write one quantity and neither reads what the other writes, or
+/// where each of several calls waits for another.
+template <int D>
+std::vector<Call<D>> orderCalls(std::vector<Call<D>> calls);
+
+/// All effects of a run, resolved.
+template <int D>
+struct Plan
+{
+  std::vector<Effect<D>> effects;
+  std::array<std::vector<Call<D>>, numStages> calls;
+  std::vector<Field> fields; ///< that effects add
+
+  /// Runs the calls of one stage; the time that they take is added to the stage's seconds.
+  void run(Stage stage, State<D>& state);
+  /// Runs what of a stage belongs to each pass that strains particles.
+  void runPass(Stage stage, State<D>& state);
+  std::array<double, numStages> seconds{};
+
+private:
+  void run(Stage stage, State<D>& state, bool onlyOfEachPass);
+};
+
+/// Resolves the effects of a scene. Throws std::invalid_argument when a field is needed that nothing adds.
+template <int D>
+Plan<D> makePlan(std::vector<Effect<D>> effects);
+
+/// The plan for a person to read: effects, fields of the particles, calls of each stage.
+template <int D>
+std::string printPlan(const Plan<D>& plan, const State<D>& state);
+
+} // namespace Rhegma

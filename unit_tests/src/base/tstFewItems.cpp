@@ -1,0 +1,58 @@
+/// Loops over few items visit each of them once, however many there are.
+
+#include "base/FewItems.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace Rhegma
+{
+namespace Test
+{
+
+namespace
+{
+
+/// Visits of each item by the loop that writes.
+std::vector<int> visitsOf(int count)
+{
+  const View<int*> visits("visits", count);
+  forFew(
+      "visit", count, KOKKOS_LAMBDA(const int k) { visits(k) += 1; });
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, visits);
+  return {host.data(), host.data() + count};
+}
+
+/// Sum of 1 + k^2 over the items by the loop that adds: it tells items that are left out from items that are
+/// taken twice.
+long sumOf(int count)
+{
+  return sumFew<long>(
+      "sum", count, KOKKOS_LAMBDA(const int k, long& total) { total += 1 + static_cast<long>(k) * k; });
+}
+
+long closedForm(long n) { return n + (n - 1) * n * (2 * n - 1) / 6; }
+
+} // namespace
+
+TEST(FewItems, EachOnceWhereOneThreadDoesThem)
+{
+  for (const int count : {0, 1, fewItems})
+  {
+    EXPECT_EQ(visitsOf(count), std::vector<int>(count, 1));
+    EXPECT_EQ(sumOf(count), closedForm(count));
+  }
+}
+
+TEST(FewItems, EachOnceWhereThereAreMore)
+{
+  for (const int count : {fewItems + 1, 100 * fewItems})
+  {
+    EXPECT_EQ(visitsOf(count), std::vector<int>(count, 1));
+    EXPECT_EQ(sumOf(count), closedForm(count));
+  }
+}
+
+} // namespace Test
+} // namespace Rhegma
