@@ -7,6 +7,7 @@
 #include "output/CoreRow.hpp"
 #include "output/FieldWriter.hpp"
 #include "plan/EffectSchema.hpp"
+#include "state/EnergySums.hpp"
 #include "step/GiveHeat.hpp"
 #include "step/Run.hpp"
 

@@ -1,59 +1,16 @@
 #include "output/CoreRow.hpp"
 
-#include "state/ParticleEnergy.hpp"
+#include "state/EnergySums.hpp"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <cmath>
 
 namespace Rhegma
 {
 
 namespace
 {
-
-/// Heat is known to the rounding of absolute temperatures, of some that conduction adds up: this share of
-/// capacity times temperature.
-constexpr double roundingOfHeat = 1e-12;
-
-/// Sums of all particles: kinetic, strain, plastic, internal energy, what rounding may make of it, momentum.
-/// An array reduction, so that one pass over the particles gives all.
-template <int D>
-struct ParticleSums
-{
-  using value_type = double[];
-  using size_type = int;
-  using execution_space = ExecSpace;
-
-  static constexpr int momentumAt = 5, size = momentumAt + D;
-  int value_count = size;
-  ParticleEnergy<D> energy;
-  BorrowedView<double*> internal; ///< where somebody carries heat
-
-  KOKKOS_INLINE_FUNCTION void operator()(const int p, double* sum) const
-  {
-    sum[0] += energy.kinetic(p);
-    sum[1] += energy.strain(p);
-    sum[2] += energy.dissipated(p);
-    if (internal.extent(0) > 0)
-    {
-      sum[3] += energy.volume(p) * internal(p);
-      const double T = energy.temperature(p);
-      const double heat = ThermoPoint(energy.thermo, energy.material(p), T).capacity() * T;
-      // 1e-10: of sums over many particles.
-      sum[4] += energy.volume(p) * (1e-10 * std::fabs(internal(p)) + roundingOfHeat * heat);
-    }
-    for (int d = 0; d < D; ++d)
-      sum[momentumAt + d] += energy.mechanics ? energy.mass(p) * energy.velocity(p, d) : 0.0;
-  }
-
-  explicit ParticleSums(const State<D>& state) : energy(state)
-  {
-    if (!state.thermo.empty())
-      internal = state.particles.scalar(fields::internalEnergy);
-  }
-};
 
 bool canFlow(const std::vector<Properties>& materials)
 {
@@ -84,52 +41,6 @@ std::vector<Entry> entries(const EnergyLedger& energy)
 }
 
 } // namespace
-
-template <int D>
-void measureEnergy(State<D>& state)
-{
-  using Sums = ParticleSums<D>;
-  double sum[Sums::size] = {};
-  Kokkos::parallel_reduce("rhegma::measureEnergy", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-                          Sums(state), sum);
-  state.ranks.sum(sum, Sums::size);
-  state.energy.kinetic = sum[0];
-  state.energy.strain = sum[1] + state.ranks.sum(state.energy.ties);
-  state.energy.plastic = sum[2];
-  if (!state.thermo.empty())
-  {
-    state.energy.thermal = sum[3] - sum[1] - sum[2] - state.energy.thermalStart;
-    state.energy.roundOff = sum[4];
-  }
-  for (int d = 0; d < D; ++d)
-    state.momentum[d] = sum[Sums::momentumAt + d];
-}
-
-template <int D>
-EnergyLedger booksOfAll(const State<D>& state)
-{
-  constexpr double EnergyLedger::*booked[] = {
-      &EnergyLedger::externalWork, &EnergyLedger::damped,     &EnergyLedger::contact, &EnergyLedger::fracture,
-      &EnergyLedger::merged,       &EnergyLedger::combustion, &EnergyLedger::heat};
-  constexpr int count = sizeof(booked) / sizeof(*booked);
-  EnergyLedger all = state.energy;
-  if (!state.ranks.many())
-    return all;
-  double since[count];
-  for (int k = 0; k < count; ++k)
-    since[k] = state.energy.*booked[k] - state.sampledEnergy.*booked[k];
-  state.ranks.sum(since, count);
-  for (int k = 0; k < count; ++k)
-    all.*booked[k] = state.sampledEnergy.*booked[k] + since[k];
-  return all;
-}
-
-template <int D>
-void shareBooks(State<D>& state)
-{
-  if (state.ranks.many())
-    state.sampledEnergy = state.energy = booksOfAll(state);
-}
 
 template <int D>
 void coreRow(State<D>& state, const std::set<std::string>& effects)
@@ -163,12 +74,6 @@ void coreReport(const State<D>& state, nlohmann::json& summary)
     momentum.push_back(state.momentum[d]);
 }
 
-template void measureEnergy(State<2>&);
-template void measureEnergy(State<3>&);
-template EnergyLedger booksOfAll(const State<2>&);
-template EnergyLedger booksOfAll(const State<3>&);
-template void shareBooks(State<2>&);
-template void shareBooks(State<3>&);
 template void coreRow(State<2>&, const std::set<std::string>&);
 template void coreRow(State<3>&, const std::set<std::string>&);
 template void coreReport(const State<2>&, nlohmann::json&);

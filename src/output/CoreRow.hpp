@@ -10,22 +10,6 @@
 namespace Rhegma
 {
 
-/// Sums kinetic and strain energy, plastic dissipation [J] and momentum [kg m/s] of the particles into
-/// state.energy and state.momentum.
-///
-/// Kinetic energy is m v.v / 2 of the particles, strain energy the law's stored energy times the undeformed
-/// volume. In one kernel; reads velocity, mass, initial volume, deformation gradient, history.
-template <int D>
-void measureEnergy(State<D>& state);
-
-/// The ledger with the books of all ranks; this rank's own stay as they are. Collective.
-template <int D>
-EnergyLedger booksOfAll(const State<D>& state);
-
-/// Makes the books those of all ranks, in every rank's ledger. Collective; `coreRow` does so too.
-template <int D>
-void shareBooks(State<D>& state);
-
 /// Measures, and puts the columns of the ledger and of the momentum in front of those that the row has.
 ///
 /// Always kinetic, strain, external_work, residual, momentum_x..; `plastic` where a material can flow;

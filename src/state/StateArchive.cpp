@@ -1,7 +1,7 @@
 #include "state/StateArchive.hpp"
 
 #include "grid/LeafList.hpp"
-#include "output/CoreRow.hpp"
+#include "state/EnergySums.hpp"
 #include "state/Subdomain.hpp"
 
 #include <algorithm>
