@@ -38,31 +38,31 @@ public:
   void advance(double until) override
   {
     State<D>& state = run_->state();
-    while (state.time < until && !state.ended())
+    while (state.clock.time < until && !state.clock.ended())
     {
       const double dt = run_->stableTimeStep();
-      const bool ends = state.time + dt >= until || state.step + 1 >= state.maximumSteps;
-      const bool sample = interval > 0.0 && (ends || state.time + dt >= next_);
+      const bool ends = state.clock.time + dt >= until || state.clock.step + 1 >= state.clock.maximumSteps;
+      const bool sample = interval > 0.0 && (ends || state.clock.time + dt >= next_);
       run_->step(until, sample);
       if (sample)
       {
         // Samples missed by a long step are left out, not bunched up.
-        while (next_ <= state.time)
+        while (next_ <= state.clock.time)
           next_ += interval;
-        Engine::last = state.row;
+        Engine::last = state.sample.row;
         if (observer)
-          observer(state.time, state.row);
+          observer(state.clock.time, state.sample.row);
       }
       try
       {
         if (afterStep)
-          afterStep(state.time, state.step);
+          afterStep(state.clock.time, state.clock.step);
       }
       catch (...)
       {
         // Who stops the run, on all ranks at once, reads the books as they are now.
         measureEnergy(state);
-        shareBooks(state);
+        shareEnergyBalance(state);
         throw;
       }
     }
@@ -73,9 +73,9 @@ public:
     nlohmann::json summary = nlohmann::json::object();
     const State<D>& state = run_->state();
     summary["warnings"] = state.warnings;
-    const std::string ofEnergy =
-        run_->energyWatch().warning(state.picFraction > 0.0, state.step, state.subcycledLevels);
-    if (!ofEnergy.empty() && state.trouble.empty())
+    const std::string ofEnergy = run_->energyWatch().warning(state.method.picFraction > 0.0, state.clock.step,
+                                                             state.mesh.subcycledLevels);
+    if (!ofEnergy.empty() && state.failure.empty())
       summary["warnings"].push_back(ofEnergy);
     coreReport(state, summary);
     bodyReport(state, summary);
@@ -127,7 +127,8 @@ public:
   Progress progress() const override
   {
     const State<D>& state = run_->state();
-    return {state.time, state.step, state.settled, state.ended(), allParticles(state), state.particleSteps};
+    return {state.clock.time,    state.clock.step,    state.clock.settled,
+            state.clock.ended(), allParticles(state), state.particles.stepsTaken};
   }
 
   void syncFields() const override
@@ -240,7 +241,7 @@ private:
     state.energy.start = state.energy.kinetic + state.energy.strain;
     state.energy.thermalStart = state.energy.thermal;
     state.energy.thermal = 0.0;
-    state.row.clear();
+    state.sample.row.clear();
   }
 
   static void keep(Run<D>& run, double& next, Row& last, Archive& archive)

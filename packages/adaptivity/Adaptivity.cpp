@@ -145,7 +145,7 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 template <int D>
 int ownLevels(const State<D>& state)
 {
-  return std::min(state.tree.deepest, state.subcycledLevels);
+  return std::min(state.mesh.tree.deepest, state.mesh.subcycledLevels);
 }
 
 template <int D>
@@ -214,7 +214,7 @@ template <int D>
 Criteria<D> criteriaNow(const State<D>& state, const Options<D>& options)
 {
   Criteria<D> now = options.criteria;
-  const double since = state.time - options.startTime;
+  const double since = state.clock.time - options.startTime;
   if (since < options.levelTime * (now.maximumLevel - 1))
     now.maximumLevel = 1 + static_cast<int>(since / options.levelTime);
   for (auto& region : now.regions)
@@ -238,9 +238,10 @@ void adapt(State<D>& state, const Options<D>& options, Progress<D>& progress)
   progress.merged += merged.families;
   progress.kept = merged.kept;
   progress.split += splitParticles(state);
-  if (state.subdomain)
-    state.particlesOfAllRanks = static_cast<int>(state.ranks.sum(state.particles.size()));
-  progress.most = std::max(progress.most, state.subdomain ? allParticles(state) : state.particles.size());
+  if (state.mesh.subdomain)
+    state.particles.ofAllRanks = static_cast<int>(state.ranks.sum(state.particles.size()));
+  progress.most =
+      std::max(progress.most, state.mesh.subdomain ? allParticles(state) : state.particles.size());
 }
 
 template <int D>
@@ -258,9 +259,9 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     effect.adds.push_back({fields::rate, D * D, "1/s", "velocity gradient, row by row"});
   effect.atStart = [=](State<D>& state)
   {
-    checkRegions<D>(list, state.grid);
+    checkRegions<D>(list, state.mesh.grid);
     checkNumbers<D>(domain, list.get<int>("Maximum Level"));
-    *progress = std::make_shared<Progress<D>>(Progress<D>{Branches<D>(state.grid)});
+    *progress = std::make_shared<Progress<D>>(Progress<D>{Branches<D>(state.mesh.grid)});
     Kokkos::deep_copy(state.particles.integer(ancestor), state.particles.integer(fields::id));
     if (options.startTime == 0.0)
       adapt(state, options, **progress);
@@ -274,9 +275,9 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                {
                  // Steps of the smallest cells, so that no particle runs far into them unsplit.
                  const int interval = std::max(options.interval >> ownLevels(state), 1);
-                 if (state.time < options.startTime)
+                 if (state.clock.time < options.startTime)
                    return;
-                 if (state.step % interval == (state.step < interval ? 1 % interval : 0))
+                 if (state.clock.step % interval == (state.clock.step < interval ? 1 % interval : 0))
                    adapt(state, options, **progress);
                }});
   effect.memory = [=](State<D>& state, Archive& archive)
@@ -293,11 +294,13 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {
     const Progress<D>& done = **progress;
-    summary["adaptivity"] = {
-        {"deepest_level", state.tree.deepest}, {"leaves", LeafList<D>(done.branches).size()},
-        {"changes_of_cells", done.changes},    {"particles_added", done.split},
-        {"families_merged", done.merged},      {"families_kept", done.kept},
-        {"most_particles", done.most}};
+    summary["adaptivity"] = {{"deepest_level", state.mesh.tree.deepest},
+                             {"leaves", LeafList<D>(done.branches).size()},
+                             {"changes_of_cells", done.changes},
+                             {"particles_added", done.split},
+                             {"families_merged", done.merged},
+                             {"families_kept", done.kept},
+                             {"most_particles", done.most}};
   };
   return effect;
 }

@@ -156,7 +156,7 @@ void refineByChange(const State<D>& state, const Criteria<D>& criteria, double t
                     const std::string& gradient, Branches<D>& branches)
 {
   // Before the first step nobody knows a gradient.
-  if (!(threshold > 0.0) || state.step == 0)
+  if (!(threshold > 0.0) || state.clock.step == 0)
     return;
   const Grid<D>& grid = branches.grid();
   const double keeping = criteria.coarsening * threshold;

@@ -11,7 +11,7 @@ template <int D>
 View<int*> tooSmall(const State<D>& state)
 {
   const int n = state.particles.size();
-  const TreeSight<D> sight(state.grid, state.tree);
+  const TreeSight<D> sight(state.mesh.grid, state.mesh.tree);
   const auto position = state.particles.template real<D>(fields::position);
   const auto level = state.particles.integer(fields::level);
   const View<int*> all("rhegma::small", n);

@@ -238,11 +238,11 @@ MergeFamilies<D> mergerOf(State<D>& state, double tolerance, double mean)
 {
   FieldTable& table = state.particles;
   MergeFamilies<D> merge(state);
-  merge.sight = TreeSight<D>(state.grid, state.tree);
-  merge.axes = state.bodyAxes;
+  merge.sight = TreeSight<D>(state.mesh.grid, state.mesh.tree);
+  merge.axes = state.bodies.axes;
   merge.position = table.real<D>(fields::position);
   merge.reference = table.real<D>(fields::reference);
-  if (state.mechanics)
+  if (state.method.mechanics)
     merge.velocity = table.real<D>(fields::velocity);
   merge.edge = table.real<D>(fields::edge);
   merge.mass = table.scalar(fields::mass);
@@ -251,10 +251,10 @@ MergeFamilies<D> mergerOf(State<D>& state, double tolerance, double mean)
   merge.body = table.integer(fields::body);
   merge.level = table.integer(fields::level);
   merge.lineage = table.integer(lineage);
-  merge.boxes = state.shape == ShapeKind::Gimp;
+  merge.boxes = state.method.shape == ShapeKind::Gimp;
   if (merge.boxes)
     merge.box = table.real<D>(fields::box);
-  merge.largestBox = 0.5 * state.grid.spacing;
+  merge.largestBox = 0.5 * state.mesh.grid.spacing;
   merge.tolerance = tolerance;
   merge.meanEnergy = mean;
   return merge;
@@ -327,7 +327,7 @@ Merged mergeParticles(State<D>& state, double tolerance)
     all.kept = static_cast<int>(done[1]);
     if (done[0] == 0.0)
       break;
-    state.sorted = false;
+    state.particles.sorted = false;
   }
   return all;
 }

@@ -16,11 +16,11 @@ template <int D>
 View<int*> tooLarge(const State<D>& state)
 {
   const int n = state.particles.size();
-  const TreeSight<D> sight(state.grid, state.tree);
+  const TreeSight<D> sight(state.mesh.grid, state.mesh.tree);
   const auto position = state.particles.template real<D>(fields::position);
   const auto level = state.particles.integer(fields::level);
   BorrowedView<double* [D]> box;
-  const bool boxes = state.shape == ShapeKind::Gimp;
+  const bool boxes = state.method.shape == ShapeKind::Gimp;
   if (boxes)
     box = state.particles.template real<D>(fields::box);
   const View<int*> mark("rhegma::tooLarge", n);
@@ -138,7 +138,7 @@ void makeParts(State<D>& state, const View<int*>& list, int first)
   MakeParts<D> make;
   make.list = list;
   make.first = first;
-  make.axes = state.bodyAxes;
+  make.axes = state.bodies.axes;
   make.position = table.real<D>(fields::position);
   make.reference = table.real<D>(fields::reference);
   make.edge = table.real<D>(fields::edge);
@@ -149,8 +149,8 @@ void makeParts(State<D>& state, const View<int*>& list, int first)
   make.level = table.integer(fields::level);
   make.lineage = table.integer(lineage);
   make.id = table.integer(fields::id);
-  make.largestBox = 0.5 * state.grid.spacing;
-  make.boxes = state.shape == ShapeKind::Gimp;
+  make.largestBox = 0.5 * state.mesh.grid.spacing;
+  make.boxes = state.method.shape == ShapeKind::Gimp;
   if (make.boxes)
     make.box = table.real<D>(fields::box);
   Kokkos::parallel_for("rhegma::adaptivity::makeParts", Kokkos::RangePolicy<ExecSpace>(0, list.extent(0)),
@@ -162,7 +162,7 @@ void makeParts(State<D>& state, const View<int*>& list, int first)
 template <int D>
 int splitParticles(State<D>& state)
 {
-  if (!state.tree.refined())
+  if (!state.mesh.tree.refined())
     return 0;
   const int before = state.particles.size();
   for (;;)
@@ -173,14 +173,14 @@ int splitParticles(State<D>& state)
     const int first = state.particles.size();
     copyParticles(state, list);
     makeParts(state, list, first);
-    for (const auto& follow : state.afterSplit)
+    for (const auto& follow : state.particles.afterSplit)
       follow(state, {list, first});
   }
   const int added = static_cast<int>(ranksOf(state).sum(state.particles.size() - before));
   if (added > 0)
   {
     nameParticles(state);
-    state.sorted = false;
+    state.particles.sorted = false;
   }
   return added;
 }

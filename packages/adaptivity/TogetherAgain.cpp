@@ -79,7 +79,7 @@ using Parent = std::array<int, 3>; ///< ancestor, level of the parts, lineage of
 template <int D>
 void bringTogether(State<D>& state, const View<int*>& small)
 {
-  if (!state.subdomain)
+  if (!state.mesh.subdomain)
     return;
   const auto host = [](const auto& view)
   { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
@@ -88,7 +88,7 @@ void bringTogether(State<D>& state, const View<int*>& small)
              fromLineage = host(state.particles.integer(lineage)),
              fromLevel = host(state.particles.integer(fields::level));
   const auto position = host(state.particles.template real<D>(fields::position));
-  const Division<D>& division = state.subdomain->division;
+  const Division<D>& division = state.mesh.subdomain->division;
   std::map<Parent, std::vector<int>> own;
   for (std::size_t i = 0; i < list.extent(0); ++i)
     own[{fromAncestor(list(i)), fromLevel(list(i)), fromLineage(list(i)) >> D}].push_back(list(i));
@@ -128,7 +128,7 @@ void bringTogether(State<D>& state, const View<int*>& small)
       for (const int p : rows)
         owner[p] = static_cast<int>(found->second.first);
   sendParticles(state, owner);
-  state.sorted = false;
+  state.particles.sorted = false;
 }
 
 template void bringTogether(State<2>&, const View<int*>&);

@@ -40,7 +40,7 @@ View<int*> leavesOf(const State<D>& state)
 {
   const int n = state.particles.size();
   View<int*> leaf("rhegma::leafOfParticle", n);
-  const TreeSight<D> sight(state.grid, state.tree);
+  const TreeSight<D> sight(state.mesh.grid, state.mesh.tree);
   const auto position = state.particles.template real<D>(fields::position);
   Kokkos::parallel_for(
       "rhegma::adaptivity::findLeaves", Kokkos::RangePolicy<ExecSpace>(0, n), KOKKOS_LAMBDA(const int p) {
@@ -66,7 +66,7 @@ std::vector<LevelSums<D>> sumOverLeaves(const State<D>& state, const std::string
   const auto volume = host(state.particles.scalar(fields::volume));
   const auto rate = host(state.particles.table(gradient));
   const int components = static_cast<int>(rate.extent(1));
-  std::vector<GradientSum<D>> lattice(state.grid.numNodes), leaves(state.tree.leafLevel.extent(0));
+  std::vector<GradientSum<D>> lattice(state.mesh.grid.numNodes), leaves(state.mesh.tree.leafLevel.extent(0));
   for (int p = 0; p < state.particles.size(); ++p)
   {
     GradientSum<D>& sum = leafOf(p) < 0 ? lattice[-1 - leafOf(p)] : leaves[leafOf(p)];
@@ -74,24 +74,25 @@ std::vector<LevelSums<D>> sumOverLeaves(const State<D>& state, const std::string
     for (int k = 0; k < components; ++k)
       sum.gradient[k] += volume(p) * rate(p, k);
   }
-  std::vector<LevelSums<D>> sums(state.tree.deepest + 1);
-  for (int n = 0; n < state.grid.numNodes; ++n)
+  std::vector<LevelSums<D>> sums(state.mesh.tree.deepest + 1);
+  for (int n = 0; n < state.mesh.grid.numNodes; ++n)
     if (lattice[n].volume > 0.0)
     {
       int at[D];
-      state.grid.nodeCoordinates(n, at);
+      state.mesh.grid.nodeCoordinates(n, at);
       std::array<int, D> cell;
       std::copy(at, at + D, cell.begin());
       sums[0][cell] = lattice[n];
     }
-  const auto level = host(state.tree.leafLevel);
-  const auto corner = host(state.tree.leafCorner);
+  const auto level = host(state.mesh.tree.leafLevel);
+  const auto corner = host(state.mesh.tree.leafCorner);
   for (std::size_t l = 0; l < leaves.size(); ++l)
     if (leaves[l].volume > 0.0)
     {
       std::array<int, D> cell;
       for (int d = 0; d < D; ++d)
-        cell[d] = static_cast<int>(std::lround(std::ldexp(state.grid.inCells(corner(l, d), d), level(l))));
+        cell[d] =
+            static_cast<int>(std::lround(std::ldexp(state.mesh.grid.inCells(corner(l, d), d), level(l))));
       sums[level(l)][cell] = leaves[l];
     }
   return sums;
@@ -101,7 +102,7 @@ std::vector<LevelSums<D>> sumOverLeaves(const State<D>& state, const std::string
 template <int D>
 std::vector<LevelSums<D>> ofAllRanks(const State<D>& state, const std::vector<LevelSums<D>>& own)
 {
-  if (!state.subdomain)
+  if (!state.mesh.subdomain)
     return own;
   constexpr int width = 1 + D + 1 + D * D; // level, cell, volume, gradient
   std::vector<double> rows;
@@ -110,7 +111,7 @@ std::vector<LevelSums<D>> ofAllRanks(const State<D>& state, const std::vector<Le
     {
       rows.push_back(static_cast<double>(level));
       for (int d = 0; d < D; ++d)
-        rows.push_back(cell[d] + std::ldexp(state.grid.before[d], static_cast<int>(level)));
+        rows.push_back(cell[d] + std::ldexp(state.mesh.grid.before[d], static_cast<int>(level)));
       rows.push_back(sum.volume);
       rows.insert(rows.end(), sum.gradient, sum.gradient + D * D);
     }
@@ -138,9 +139,9 @@ std::vector<LevelCell<D>> cellsOfFastChange(const State<D>& state, double thresh
   const std::vector<LevelSums<D>> leaves = ofAllRanks<D>(state, sumOverLeaves(state, gradient));
   std::vector<LevelCell<D>> wanted;
   LevelSums<D> refined; // of the level that is looked at
-  for (int level = state.tree.deepest; level >= 0; --level)
+  for (int level = state.mesh.tree.deepest; level >= 0; --level)
   {
-    const double edge = std::ldexp(state.grid.spacing, -level);
+    const double edge = std::ldexp(state.mesh.grid.spacing, -level);
     LevelSums<D> parents;
     const auto look = [&](const LevelSums<D>& cells, double bound)
     {

@@ -42,8 +42,8 @@ void prepareFaces(const State<D>& state, const Work<D>& work, const Burning<D>& 
 {
   if (b.flows)
     return prepareFlow(state, work.points, b, work.fire.lit(), most, work.depth, work.heating);
-  const double middle = std::max(b.pressure + 0.5 * state.dt * b.slope, 0.0);
-  const double depth = std::min(b.density * b.rate(middle) * state.dt, most);
+  const double middle = std::max(b.pressure + 0.5 * state.clock.dt * b.slope, 0.0);
+  const double depth = std::min(b.density * b.rate(middle) * state.clock.dt, most);
   const View<int*> of = work.points.crack, lit = work.fire.lit();
   const View<double*> depths = work.depth;
   const FaceHeating heating = work.heating;
@@ -51,7 +51,7 @@ void prepareFaces(const State<D>& state, const Work<D>& work, const Burning<D>& 
   const bool burns = !b.spent;
   // Gas that is left alone with its walls comes to their temperature as exp(-h A t / (m c_v)).
   const double capacity = b.gas.mass() * b.gas.law().heatCapacity();
-  const double exchange = state.dt * b.transfer * b.faces / capacity;
+  const double exchange = state.clock.dt * b.transfer * b.faces / capacity;
   const double conductance = exchange > 0.0 ? -std::expm1(-exchange) * capacity / b.faces : 0.0;
   const double temperature = b.gas.temperature();
   Kokkos::parallel_for(
@@ -72,7 +72,7 @@ double massAsked(const State<D>& state, const Work<D>& work, int crack)
 {
   const View<int*> of = work.points.crack, acts = work.points.acts;
   const View<double*> depths = work.depth, size = work.points.currentSize;
-  const double thickness = state.thickness;
+  const double thickness = state.method.thickness;
   double mass = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::combustion::massAsked", Kokkos::RangePolicy<ExecSpace>(0, work.points.count()),
@@ -145,14 +145,14 @@ void burnStep(State<D>& state, Work<D>& work, Burning<D>& b)
     if (mass < leastFuel * asked)
     {
       b.spent = true;
-      const double apart = room.widest / state.smallestSpacing();
+      const double apart = room.widest / state.mesh.smallestSpacing();
       state.warnings.push_back(
           "Combustion > " + state.cracks.cracks[b.crack].name +
           (apart > farApart
                ? ": the faces had come " + formatReal(std::round(10.0 * apart) / 10.0) +
                      " of the smallest cells apart, too far for the solid beside them to be found"
                : ": the solid beside the faces had burnt away") +
-          " at time " + formatReal(state.time + state.dt) + " s; nothing burns from then on");
+          " at time " + formatReal(state.clock.time + state.clock.dt) + " s; nothing burns from then on");
     }
   }
   const double come = b.gas.mass() - gasBefore;
@@ -165,14 +165,15 @@ void burnStep(State<D>& state, Work<D>& work, Burning<D>& b)
   }
   else if (b.discharge > 0.0)
   {
-    gone = state.dt * b.gas.outflow(b.discharge * mouthArea(state, b.crack, b.mirrors), b.volume, b.outside);
+    gone = state.clock.dt *
+           b.gas.outflow(b.discharge * mouthArea(state, b.crack, b.mirrors), b.volume, b.outside);
     gone = std::min(gone, 0.5 * b.gas.mass());
     b.gas.vent(gone, b.volume);
   }
   b.gas.settle();
-  const double last = state.dt > 0.0 ? (come + gone) / state.dt : 0.0;
+  const double last = state.clock.dt > 0.0 ? (come + gone) / state.clock.dt : 0.0;
   // All faces may catch fire in the next step.
-  const bool lit = !b.spent && state.time + 3.0 * state.dt >= b.ignition.time;
+  const bool lit = !b.spent && state.clock.time + 3.0 * state.clock.dt >= b.ignition.time;
   const double next =
       lit ? b.density * b.rate(b.pressure) * (b.ignition.everywhere ? b.faces : b.burningArea) : 0.0;
   b.massRate = std::max(last, next);

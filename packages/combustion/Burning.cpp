@@ -65,7 +65,7 @@ Ignition<D> readIgnition(const State<D>& state, int crack, const Teuchos::Parame
   ignition.lower = readVector<D>(list, point ? "Ignition Point" : "Ignition Lower Corner");
   ignition.upper = readVector<D>(list, point ? "Ignition Point" : "Ignition Upper Corner");
   const double away = distanceFromCrack(state.cracks, crack, ignition.lower, ignition.upper);
-  if (away > state.grid.spacing)
+  if (away > state.mesh.grid.spacing)
     throw std::invalid_argument(path + (point ? " > Ignition Point" : " > Ignition Lower Corner") +
                                 ": it lies " + formatReal(away) +
                                 " m from the crack, more than a cell; write a place where its faces are");
@@ -87,7 +87,7 @@ Burning<D> readBurning(const State<D>& state, const Teuchos::ParameterList& scen
   const GasLaw law = readGas(list);
   b.gas = Gas(law);
   b.density = list.isParameter("Solid Density") ? list.get<double>("Solid Density")
-                                                : state.materialList.front().density;
+                                                : state.materials.list.front().density;
   b.gap = list.get<double>("Initial Gap");
   b.cavity = list.get<double>("Cavity Volume");
   b.outside = list.get<double>("Outside Pressure");
@@ -102,7 +102,7 @@ Burning<D> readBurning(const State<D>& state, const Teuchos::ParameterList& scen
   b.mirrors = mirrorPlanes(scene);
   b.flows = list.get<std::string>("Gas Model") == "Flow";
   b.flow = CrackFlow<D>(law, {list.get<double>("Viscosity"), list.get<double>("Friction Factor")},
-                        state.thickness);
+                        state.method.thickness);
   b.passageCoefficient = list.get<double>("Discharge Coefficient");
   if (list.get<bool>("Venting"))
   {

@@ -39,7 +39,7 @@ void forEachMouth(const State<D>& state, int crack, int beyond, const std::vecto
           {
             return std::all_of(std::begin(corner), std::end(corner),
                                [&](int v)
-                               { return isOn(plane, vertex(v, plane.axis), state.smallestSpacing()); });
+                               { return isOn(plane, vertex(v, plane.axis), state.mesh.smallestSpacing()); });
           });
       if (!mirrored)
         mouth(corner);
@@ -68,7 +68,7 @@ std::array<double, 2> endAreas(const State<D>& state, int crack, int beyond,
                      square += (vertex(v, d) - vertex(corner[0], d)) * (vertex(v, d) - vertex(corner[0], d));
                    }
                  area[corner[0] == first ? 0 : 1] +=
-                     std::max(opening, 0.0) * (D == 2 ? state.thickness : std::sqrt(square));
+                     std::max(opening, 0.0) * (D == 2 ? state.method.thickness : std::sqrt(square));
                });
   return area;
 }
@@ -80,7 +80,7 @@ Cavity measureCavity(const State<D>& state, const FacePoints<D>& points, int cra
 {
   const View<int*> of = points.crack, acts = points.acts;
   const View<double*> size = points.currentSize, separation = points.separation;
-  const double thickness = state.thickness;
+  const double thickness = state.method.thickness;
   Cavity cavity;
   Kokkos::parallel_reduce(
       "rhegma::combustion::measureCavity", Kokkos::RangePolicy<ExecSpace>(0, points.count()),

@@ -10,7 +10,7 @@ namespace Rhegma::combustion
 template <int D>
 void FaceHeat<D>::measure(const State<D>& state, const FacePoints<D>& points)
 {
-  const std::size_t rows = state.nodes.sums.extent(0);
+  const std::size_t rows = state.mesh.nodes.sums.extent(0);
   if (nodes_.extent(0) < rows)
   {
     nodes_ = View<double * [D + 3]>("rhegma::combustion::heatOfNodes", rows);
@@ -29,7 +29,7 @@ void FaceHeat<D>::measure(const State<D>& state, const FacePoints<D>& points)
 template <int D>
 void FaceHeat<D>::clear(const State<D>& state) const
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const auto sums = nodes_;
   const auto asked = asked_;
   Kokkos::parallel_for(
@@ -46,18 +46,19 @@ void FaceHeat<D>::clear(const State<D>& state) const
 template <int D>
 void FaceHeat<D>::weigh(const State<D>& state) const
 {
-  const StencilTable<D> table = state.stored;
-  const View<int*> particle = state.storedParticle;
-  const ThermoTables tables = state.thermo;
+  const StencilTable<D> table = state.stored.table;
+  const View<int*> particle = state.stored.particle;
+  const ThermoTables tables = state.materials.thermo;
   const auto sums = nodes_;
-  const Vector<D> origin = state.subdomain ? state.subdomain->division.lattice.origin : state.grid.origin;
+  const Vector<D> origin =
+      state.mesh.subdomain ? state.mesh.subdomain->division.lattice.origin : state.mesh.grid.origin;
   const auto volume = state.particles.scalar(fields::volume);
   const auto temperature = state.particles.scalar(fields::temperature);
   const auto gradient = state.particles.template real<D>(fields::temperatureGradient);
   const auto position = state.particles.template real<D>(fields::position);
   const auto material = state.particles.integer(fields::material);
   forEachPushing(
-      "rhegma::combustion::weighHeat", state.numStored, KOKKOS_LAMBDA(const int r) {
+      "rhegma::combustion::weighHeat", state.stored.count, KOKKOS_LAMBDA(const int r) {
         const int p = particle(r);
         const double c = volume(p) * ThermoPoint(tables, material(p), temperature(p)).capacity();
         double T = temperature(p);
@@ -78,10 +79,11 @@ void FaceHeat<D>::weigh(const State<D>& state) const
 template <int D>
 void FaceHeat<D>::findTemperatures(const State<D>& state) const
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const NodePlaces<D> places = nodePlaces(state);
   const auto sums = nodes_;
-  const Vector<D> origin = state.subdomain ? state.subdomain->division.lattice.origin : state.grid.origin;
+  const Vector<D> origin =
+      state.mesh.subdomain ? state.mesh.subdomain->division.lattice.origin : state.mesh.grid.origin;
   Kokkos::parallel_for(
       "rhegma::combustion::findTemperatures", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i) {
@@ -151,8 +153,8 @@ void FaceHeat<D>::ask(const State<D>& state, const FacePoints<D>& points, int cr
   const FacePoints<D> p = points;
   const FaceHeating heat = heating;
   const auto asked = asked_;
-  const double thickness = state.thickness;
-  const Nodes<D> nodes = state.nodes;
+  const double thickness = state.method.thickness;
+  const Nodes<D> nodes = state.mesh.nodes;
   Kokkos::parallel_for(
       "rhegma::combustion::clearAsked", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i) {
@@ -182,7 +184,7 @@ void FaceHeat<D>::ask(const State<D>& state, const FacePoints<D>& points, int cr
 template <int D>
 void FaceHeat<D>::change(const State<D>& state) const
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const auto sums = nodes_;
   const auto asked = asked_;
   Kokkos::parallel_for(
@@ -207,7 +209,7 @@ void FaceHeat<D>::charge(const State<D>& state, const FacePoints<D>& points, int
   const FaceHeating heat = heating;
   const auto sums = nodes_;
   const auto asked = asked_;
-  const double thickness = state.thickness;
+  const double thickness = state.method.thickness;
   Kokkos::parallel_for(
       "rhegma::combustion::chargeGas", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
       KOKKOS_LAMBDA(const int k) {
@@ -234,9 +236,9 @@ void FaceHeat<D>::charge(const State<D>& state, const FacePoints<D>& points, int
 template <int D>
 double FaceHeat<D>::toParticles(State<D>& state) const
 {
-  const StencilTable<D> table = state.stored;
-  const View<int*> particle = state.storedParticle;
-  const ThermoTables tables = state.thermo;
+  const StencilTable<D> table = state.stored.table;
+  const View<int*> particle = state.stored.particle;
+  const ThermoTables tables = state.materials.thermo;
   const auto asked = asked_;
   const auto volume = state.particles.scalar(fields::volume);
   const auto temperature = state.particles.scalar(fields::temperature);
@@ -244,7 +246,7 @@ double FaceHeat<D>::toParticles(State<D>& state) const
   const auto material = state.particles.integer(fields::material);
   double heat = 0.0;
   Kokkos::parallel_reduce(
-      "rhegma::combustion::heatParticles", Kokkos::RangePolicy<ExecSpace>(0, state.numStored),
+      "rhegma::combustion::heatParticles", Kokkos::RangePolicy<ExecSpace>(0, state.stored.count),
       KOKKOS_LAMBDA(const int r, double& sum) {
         const int p = particle(r);
         double rise = 0.0;

@@ -22,8 +22,8 @@ auto onHost(const AnyView& view)
 template <int D>
 void lookForTrouble(State<D>& state, const Burning<D>& b)
 {
-  if (!b.flow.channel().sound() && state.trouble.empty())
-    state.trouble =
+  if (!b.flow.channel().sound() && state.failure.empty())
+    state.failure =
         "Combustion > " + state.cracks.cracks[b.crack].name +
         ": the gas that flows in it has no room or no energy left in some place (a larger Initial "
         "Gap, or a smaller Time > CFL)";
@@ -46,7 +46,7 @@ void pushByFlow(State<D>& state, const FacePoints<D>& points, Burning<D>& b, con
   b.filled = true;
   b.volume = channel.allVolume();
   lookForTrouble(state, b);
-  if (!state.trouble.empty())
+  if (!state.failure.empty())
     return;
   const auto host = onHost(pressure);
   b.pressure = 0.0;
@@ -56,7 +56,7 @@ void pushByFlow(State<D>& state, const FacePoints<D>& points, Burning<D>& b, con
     host(b.flow.first() + k) = p - b.outside;
     b.pressure += p * channel.volume(k) / b.volume;
   }
-  b.slope = !first && state.dt > 0.0 ? (b.pressure - before) / state.dt : 0.0;
+  b.slope = !first && state.clock.dt > 0.0 ? (b.pressure - before) / state.clock.dt : 0.0;
   Kokkos::deep_copy(pressure, host);
   publishPressure("rhegma::combustion::publish", state.cracks, points, b.crack, pressure);
   pushFaces("rhegma::combustion::push", state, points, b.crack, pressure);
@@ -85,7 +85,7 @@ void bookFlow(State<D>& state, const FacePoints<D>& points, Burning<D>& b, const
   b.supply.work = work;
   b.gas.work(work);
   b.swept += volume;
-  b.volumeRate = state.dt > 0.0 ? volume / state.dt : 0.0;
+  b.volumeRate = state.clock.dt > 0.0 ? volume / state.clock.dt : 0.0;
 }
 
 template <int D>
@@ -100,14 +100,16 @@ void prepareFlow(const State<D>& state, const FacePoints<D>& points, const Burni
   for (int k = 0; k < channel.size(); ++k)
   {
     const int at = b.flow.first() + k;
-    const double middle = std::max(channel.pressure(k) + 0.5 * state.dt * b.slope, 0.0);
-    depths(at) = !b.spent && burns(at) != 0 ? std::min(b.density * b.rate(middle) * state.dt, most) : 0.0;
+    const double middle = std::max(channel.pressure(k) + 0.5 * state.clock.dt * b.slope, 0.0);
+    depths(at) =
+        !b.spent && burns(at) != 0 ? std::min(b.density * b.rate(middle) * state.clock.dt, most) : 0.0;
     given(at) = 0.0;
     // As in a gas of one pressure, of the gas in this cell.
-    const double area = 2.0 * size(at) * state.thickness;
+    const double area = 2.0 * size(at) * state.method.thickness;
     const double capacity = channel.mass(k) * b.gas.law().heatCapacity();
-    conductance(at) =
-        b.transfer > 0.0 ? -std::expm1(-state.dt * b.transfer * area / capacity) * capacity / area : 0.0;
+    conductance(at) = b.transfer > 0.0
+                          ? -std::expm1(-state.clock.dt * b.transfer * area / capacity) * capacity / area
+                          : 0.0;
     temperature(at) = channel.temperature(k);
   }
   Kokkos::deep_copy(depth, depths);
@@ -144,7 +146,7 @@ void moveFlow(State<D>& state, const FacePoints<D>& points, Burning<D>& b, const
     b.supply.first = {b.discharge * mouth[0], b.outside};
     b.supply.last = {b.discharge * mouth[1], b.outside};
   }
-  const ChannelLoss loss = channel.advance(state.dt, b.supply, b.density);
+  const ChannelLoss loss = channel.advance(state.clock.dt, b.supply, b.density);
   b.gas.takeOut(loss.mass, loss.energy);
   b.gas.heatWalls(loss.walls);
   lookForTrouble(state, b);

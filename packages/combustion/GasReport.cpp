@@ -29,7 +29,7 @@ std::vector<double> pressuresAlong(const Channel& channel)
 template <int D>
 double heatedDepth(const State<D>& state)
 {
-  const ThermoTables tables = state.thermo;
+  const ThermoTables tables = state.materials.thermo;
   const auto material = state.particles.integer(fields::material);
   const auto temperature = state.particles.scalar(fields::temperature);
   double diffusivity = 0.0;
@@ -43,16 +43,16 @@ double heatedDepth(const State<D>& state)
       Kokkos::Max<double>(diffusivity));
   diffusivity = std::max(diffusivity, 0.0);
   maxParts(state, &diffusivity, 1);
-  return std::sqrt(diffusivity * state.time);
+  return std::sqrt(diffusivity * state.clock.time);
 }
 
 /// Faces hotter than the mean over a cell are seen by smaller cells only.
 template <int D>
 void warnOfThinSkin(const State<D>& state, const Burning<D>& b, nlohmann::json& summary)
 {
-  if (!b.looksAtFaces() || state.step == 0 || b.hottestFace == 0.0)
+  if (!b.looksAtFaces() || state.clock.step == 0 || b.hottestFace == 0.0)
     return;
-  const double depth = heatedDepth(state), cell = state.smallestSpacing();
+  const double depth = heatedDepth(state), cell = state.mesh.smallestSpacing();
   if (depth >= cell)
     return;
   summary["warnings"].push_back("Combustion > " + state.cracks.cracks[b.crack].name +
@@ -82,17 +82,17 @@ void sampleGas(State<D>& state, const Work<D>& work)
   {
     const std::string& name = state.cracks.cracks[b.crack].name;
     samplePressure(state, b.crack, b.pressure);
-    state.row.emplace_back(name + ".burnt_mass", b.gas.burnt());
-    state.row.emplace_back(name + ".gas_temperature", b.gas.temperature());
+    state.sample.row.emplace_back(name + ".burnt_mass", b.gas.burnt());
+    state.sample.row.emplace_back(name + ".gas_temperature", b.gas.temperature());
     if (b.flows)
     {
       const std::vector<double> along = pressuresAlong(b.flow.channel());
       const auto ends = std::minmax_element(along.begin(), along.end());
-      state.row.emplace_back(name + ".pressure_lowest", along.empty() ? 0.0 : *ends.first);
-      state.row.emplace_back(name + ".pressure_highest", along.empty() ? 0.0 : *ends.second);
+      state.sample.row.emplace_back(name + ".pressure_lowest", along.empty() ? 0.0 : *ends.first);
+      state.sample.row.emplace_back(name + ".pressure_highest", along.empty() ? 0.0 : *ends.second);
     }
     if (b.looksAtFaces())
-      state.row.emplace_back(name + ".face_temperature", b.hottestFace);
+      state.sample.row.emplace_back(name + ".face_temperature", b.hottestFace);
   }
 }
 

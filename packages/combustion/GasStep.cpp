@@ -21,7 +21,7 @@ void warnOfWideOpening(State<D>& state, Burning<D>& b, double opening)
   bool ends = false; // halves that fly apart sweep what they move
   for (const CrackFront<D>& front : state.cracks.fronts)
     ends = ends || (front.crack == b.crack && !front.ended);
-  if (b.wide || !ends || opening < wideOpen * state.smallestSpacing())
+  if (b.wide || !ends || opening < wideOpen * state.mesh.smallestSpacing())
     return;
   b.wide = true;
   state.warnings.push_back(
@@ -41,11 +41,11 @@ void pushByGas(State<D>& state, const Work<D>& work, Burning<D>& b)
   b.faces = 2.0 * room.felt;
   b.felt = b.felt || room.felt > 0.0;
   if (!b.felt)
-    state.trouble = "Combustion > " + name + ": no face of this crack lies in a body, so nothing can burn";
+    state.failure = "Combustion > " + name + ": no face of this crack lies in a body, so nothing can burn";
   warnOfWideOpening(state, b, room.widest);
   if (b.flows)
   {
-    if (state.trouble.empty())
+    if (state.failure.empty())
       pushByFlow(state, points, b, work.pressure);
     return;
   }
@@ -54,15 +54,15 @@ void pushByGas(State<D>& state, const Work<D>& work, Burning<D>& b)
   if (!b.filled)
     b.gas.fill(b.startPressure, b.startTemperature, b.volume);
   if (!(b.volume > b.gas.leastVolume()))
-    state.trouble = "Combustion > " + name +
+    state.failure = "Combustion > " + name +
                     ": there is no room left for the gas, as the faces have come too near to each other "
                     "(a larger Initial Gap or Cavity Volume, or a section Contact)";
   b.pressure = b.gas.pressure(b.volume);
   if (!std::isfinite(b.pressure))
-    state.trouble = "Combustion > " + name + ": the pressure is no longer a number";
-  if (!state.trouble.empty())
+    state.failure = "Combustion > " + name + ": the pressure is no longer a number";
+  if (!state.failure.empty())
     return;
-  b.slope = b.filled && state.dt > 0.0 ? (b.pressure - before) / state.dt : 0.0;
+  b.slope = b.filled && state.clock.dt > 0.0 ? (b.pressure - before) / state.clock.dt : 0.0;
   b.filled = true;
   publishPressure("rhegma::combustion::publish", state.cracks, b.crack, b.pressure - b.outside);
   pushFaces("rhegma::combustion::push", state, points, b.crack, b.pressure - b.outside);
@@ -88,9 +88,9 @@ void bookGasWork(State<D>& state, const Work<D>& work, Burning<D>& b)
   sumParts(state, &swept, 1);
   b.gas.work(b.pressure * swept);
   b.swept += swept;
-  b.volumeRate = state.dt > 0.0 ? swept / state.dt : 0.0;
+  b.volumeRate = state.clock.dt > 0.0 ? swept / state.clock.dt : 0.0;
   if (!(b.gas.energy() > 0.0))
-    state.trouble = "Combustion > " + state.cracks.cracks[b.crack].name +
+    state.failure = "Combustion > " + state.cracks.cracks[b.crack].name +
                     ": the gas has done more work than it has energy (smaller Time > CFL)";
 }
 

@@ -22,13 +22,13 @@ template <int D>
 void Fire<D>::spread(const State<D>& state, const FacePoints<D>& points, int crack,
                      const Ignition<D>& ignition, const View<double* [2]>& temperature) const
 {
-  if (state.time < ignition.time)
+  if (state.clock.time < ignition.time)
     return;
   const View<int*> of = points.crack;
   const View<double* [D]> position = points.position;
   const Ignition<D> what = ignition;
   const View<int*> lit = lit_;
-  const double radius = ignition.flameSpeed * (state.time - ignition.time);
+  const double radius = ignition.flameSpeed * (state.clock.time - ignition.time);
   const bool hot = ignition.byTemperature() && temperature.extent(0) > 0;
   Kokkos::parallel_for(
       "rhegma::combustion::spread", Kokkos::RangePolicy<ExecSpace>(0, points.count()),

@@ -55,7 +55,7 @@ void followMeetings(State<D>& state, Work<D>& work)
   if (ended == work.endedFronts)
     return;
   work.endedFronts = ended;
-  for (const Meeting& found : findMeetings(state.cracks, state.smallestSpacing()))
+  for (const Meeting& found : findMeetings(state.cracks, state.mesh.smallestSpacing()))
     if (std::none_of(work.meetings.begin(), work.meetings.end(),
                      [&](const Meeting& known)
                      { return known.crack == found.crack && known.end == found.end; }))
@@ -77,7 +77,7 @@ void letGasesPass(const State<D>& state, Work<D>& work)
       area = std::min(area, joinedAreas(state, meeting.other)[meeting.otherEnd]);
     const bool out = one->gas.pressure(one->volume) > two->gas.pressure(two->volume);
     exchange(one->gas, one->volume, two->gas, two->volume, area * (out ? one : two)->passageCoefficient,
-             state.dt);
+             state.clock.dt);
   }
 }
 

@@ -11,7 +11,7 @@ template <int D>
 double Regression<D>::take(const State<D>& state, const FacePoints<D>& points, int crack,
                            const View<double*>& depth)
 {
-  const std::size_t nodes = state.nodes.sums.extent(0), rows = state.numStored;
+  const std::size_t nodes = state.mesh.nodes.sums.extent(0), rows = state.stored.count;
   if (demand_.extent(0) < nodes)
   {
     demand_ = View<double*>("rhegma::combustion::demand", nodes);
@@ -38,7 +38,7 @@ double Regression<D>::take(const State<D>& state, const FacePoints<D>& points, i
 template <int D>
 void Regression<D>::clear(const State<D>& state)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<double*> demand = demand_, present = present_;
   Kokkos::parallel_for(
       "rhegma::combustion::clear", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
@@ -49,7 +49,7 @@ template <int D>
 void Regression<D>::clearTouched(const State<D>& state, const FacePoints<D>& points)
 {
   const View<double*> demand = demand_, present = present_;
-  const StencilTable<D> table = state.stored, above = points.above, below = points.below;
+  const StencilTable<D> table = state.stored.table, above = points.above, below = points.below;
   const View<int*> giver = giver_;
   const int givers = givers_;
   forEachPushing(
@@ -71,7 +71,7 @@ void Regression<D>::demand(const State<D>& state, const FacePoints<D>& points, i
   const View<double*> size = points.currentSize;
   const StencilTable<D> above = points.above, below = points.below;
   const View<double*> demand = demand_;
-  const double thickness = state.thickness;
+  const double thickness = state.method.thickness;
   forEachPushing(
       "rhegma::combustion::demand", points.count(), KOKKOS_LAMBDA(const int k) {
         if (of(k) != crack || !(depth(k) > 0.0))
@@ -87,11 +87,11 @@ void Regression<D>::demand(const State<D>& state, const FacePoints<D>& points, i
 template <int D>
 void Regression<D>::findGivers(const State<D>& state)
 {
-  const StencilTable<D> table = state.stored;
+  const StencilTable<D> table = state.stored.table;
   const View<double*> demand = demand_;
   const View<int*> giver = giver_;
   Kokkos::parallel_scan(
-      "rhegma::combustion::findGivers", Kokkos::RangePolicy<ExecSpace>(0, state.numStored),
+      "rhegma::combustion::findGivers", Kokkos::RangePolicy<ExecSpace>(0, state.stored.count),
       KOKKOS_LAMBDA(const int r, int& at, const bool final) {
         bool asked = false;
         for (int e = 0; e < table.count(r) && !asked; ++e)
@@ -106,8 +106,8 @@ void Regression<D>::findGivers(const State<D>& state)
 template <int D>
 void Regression<D>::weighNodes(const State<D>& state)
 {
-  const StencilTable<D> table = state.stored;
-  const View<int*> particle = state.storedParticle;
+  const StencilTable<D> table = state.stored.table;
+  const View<int*> particle = state.stored.particle;
   const View<int*> giver = giver_;
   const View<double*> present = present_;
   const auto mass = state.particles.scalar(fields::mass);
@@ -123,8 +123,8 @@ void Regression<D>::weighNodes(const State<D>& state)
 template <int D>
 double Regression<D>::share(const State<D>& state)
 {
-  const StencilTable<D> table = state.stored;
-  const View<int*> particle = state.storedParticle;
+  const StencilTable<D> table = state.stored.table;
+  const View<int*> particle = state.stored.particle;
   const View<int*> giver = giver_;
   const View<double*> present = present_, demand = demand_, loss = loss_;
   const auto burnt = state.particles.scalar(burntOverLeft);
@@ -154,12 +154,12 @@ template <int D>
 typename Regression<D>::Loss Regression<D>::apply(State<D>& state, double coldest)
 {
   Loss lost;
-  const View<int*> particle = state.storedParticle;
+  const View<int*> particle = state.stored.particle;
   const View<int*> giver = giver_;
   const View<double*> loss = loss_;
   const auto burnt = state.particles.scalar(burntOverLeft);
   const ParticleEnergy<D> energy(state);
-  const bool heated = !state.thermo.empty();
+  const bool heated = !state.materials.thermo.empty();
   BorrowedView<double*> internal;
   if (heated)
     internal = state.particles.scalar(fields::internalEnergy);

@@ -29,7 +29,7 @@ double power(const Nodes<D>& nodes)
 }
 
 /// What loads, supports and burnt gas have done [J].
-double workIn(const EnergyLedger& energy) { return energy.externalWork + energy.combustion; }
+double workIn(const EnergyBalance& energy) { return energy.externalWork + energy.combustion; }
 
 } // namespace
 
@@ -37,19 +37,19 @@ template <int D>
 void Balance<D>::begin(const State<D>& state)
 {
   workBefore_ = workIn(state.energy);
-  if (!state.subdomain || !state.observing)
+  if (!state.mesh.subdomain || !state.clock.observing)
     return;
   // What was booked since the last sample is the ranks' own.
-  const double before = workIn(state.sampledEnergy);
+  const double before = workIn(state.sample.energy);
   workBefore_ = before + state.ranks.sum(workBefore_ - before);
 }
 
 template <int D>
 void Balance<D>::measure(const State<D>& state, double stored)
 {
-  double parts[2] = {power(state.nodes), totalEnergy(state)};
+  double parts[2] = {power(state.mesh.nodes), totalEnergy(state)};
   sumParts(state, parts, 2);
-  const double soon = state.dt * parts[0] - state.shortSteps.lateWork;
+  const double soon = state.clock.dt * parts[0] - state.motion.shortSteps.lateWork;
   found_ = parts[1] + 0.5 * soon + stored;
 }
 

@@ -60,9 +60,9 @@ void mendClosed(const ObservedPoints<2>& points, const FacePoints<2>& faces, con
 
 void ClosedVisibility::install(State<2>& state)
 {
-  cut_ = state.editor.edit;
-  state.editor.edit = [this](const State<2>& s, const ObservedPoints<2>& points, const StencilTable<2>& table)
-  { edit(s, points, table); };
+  cut_ = state.stored.editor.edit;
+  state.stored.editor.edit = [this](const State<2>& s, const ObservedPoints<2>& points,
+                                    const StencilTable<2>& table) { edit(s, points, table); };
 }
 
 void ClosedVisibility::edit(const State<2>& state, const ObservedPoints<2>& points,
@@ -85,7 +85,7 @@ void ClosedVisibility::prepare(const State<2>& state)
     separation_ = View<double*>("rhegma::closedSeparation", points_.count());
     makeRoom();
   }
-  placeAround(state.grid.spacing);
+  placeAround(state.mesh.grid.spacing);
   pointStencils(state, behind_, below_, true);
   pointStencils(state, ahead_, above_, true);
   whole_ = false;
@@ -136,7 +136,7 @@ void ClosedVisibility::advance(const State<2>& state, const Velocity& velocity)
   const FacePoints<2> points = points_;
   const StencilTable<2> below = below_, above = above_;
   const View<double*> separation = separation_, seen = seen_;
-  const double dt = state.dt;
+  const double dt = state.clock.dt;
   // What the two sides see lies on different ranks where a face between ranks runs along the crack.
   Kokkos::parallel_for(
       "rhegma::contact::seeFaces", Kokkos::RangePolicy<ExecSpace>(0, points_.count()),

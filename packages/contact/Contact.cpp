@@ -126,7 +126,7 @@ View<int*> watchedPoints(const FacePoints<D>& points, int crack, const WatchedCr
 template <int D>
 void observe(State<D>& state, Account<D>& account)
 {
-  const EnergyLedger& energy = state.energy;
+  const EnergyBalance& energy = state.energy;
   // New faces take what becomes no motion; heat that came in from outside leaves it alone.
   account.balance.compare(state, energy.damped + energy.plastic + energy.merged + energy.fracture +
                                      energy.thermal - energy.heat + account.contact.dissipated());
@@ -195,10 +195,10 @@ template <int D>
 double timeStepLimit(const State<D>& state, double alpha, bool extrapolated)
 {
   double fastest = 0.0;
-  for (const Properties& p : state.materialList)
+  for (const Properties& p : state.materials.list)
     fastest = std::max(fastest, std::sqrt(elasticity(p).constrainedModulus / p.density));
   const double square = extrapolated ? 25.0 + 16.0 * alpha : 4.0 * (D + alpha);
-  return 0.9 * 2.0 / std::sqrt(square) * state.stepSpacing() / fastest;
+  return 0.9 * 2.0 / std::sqrt(square) * state.mesh.stepSpacing() / fastest;
 }
 
 template <int D>
@@ -238,10 +238,10 @@ void advance(State<D>& state, Account<D>& account, const Velocity& velocity)
 template <int D>
 void advance(State<D>& state, Account<D>& account)
 {
-  if (state.scheme == UpdateScheme::Usl)
-    advance(state, account, state.nodes.motion);
+  if (state.method.scheme == UpdateScheme::Usl)
+    advance(state, account, state.mesh.nodes.motion);
   else
-    advance(state, account, state.nodes.projection);
+    advance(state, account, state.mesh.nodes.projection);
 }
 
 template <int D>
@@ -269,7 +269,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       if (account->visibility)
         account->visibility->install(state);
     if (!account->visibility)
-      state.followingForces.push_back(
+      state.motion.followingForces.push_back(
           {[account](const State<D>& s, const NodeSlots& slots, const View<double* [D]>& force)
            { account->contact.addFrozenForces(s, slots, force); },
            [account](const State<D>& s, const NodeSlots& slots, const View<double* [D]>& displacement,
@@ -298,7 +298,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                {},
                [account](State<D>& s)
                {
-                 if (s.observing)
+                 if (s.clock.observing)
                    account->balance.measure(s, account->contact.stored());
                }});
   effect.call(

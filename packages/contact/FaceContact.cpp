@@ -51,7 +51,7 @@ double FaceContact<D>::prepare(const State<D>& state)
   }
   if (stiffness_.extent(0) != state.cracks.cracks.size())
     findStiffness(state);
-  thickness_ = state.thickness;
+  thickness_ = state.method.thickness;
   return change;
 }
 
@@ -72,11 +72,11 @@ void FaceContact<D>::findStiffness(const State<D>& state)
   const double infinity = std::numeric_limits<double>::infinity();
   for (int c = 0; c < cracks; ++c)
     stiffness(c) = {infinity, infinity};
-  const double factor = alpha_ / state.grid.spacing;
+  const double factor = alpha_ / state.mesh.grid.spacing;
   for (int p = 0; p < state.particles.size(); ++p)
     if (side(p) != 0)
     {
-      const Elasticity e = elasticity(state.materialList[material(p)]);
+      const Elasticity e = elasticity(state.materials.list[material(p)]);
       Stiffness& s = stiffness(std::abs(side(p)) - 1);
       s.normal = std::min(s.normal, factor * e.constrainedModulus);
       s.tangential = std::min(s.tangential, factor * e.shear);
@@ -90,7 +90,7 @@ void FaceContact<D>::findStiffness(const State<D>& state)
   // A crack shorter than a cell may have no particle beside it yet; later it may meet any of the materials.
   for (int c = 0; c < cracks; ++c)
     if (stiffness(c).normal == infinity)
-      for (const Properties& any : state.materialList)
+      for (const Properties& any : state.materials.list)
       {
         const Elasticity e = elasticity(any);
         stiffness(c).normal = std::min(stiffness(c).normal, factor * e.constrainedModulus);
@@ -102,7 +102,7 @@ void FaceContact<D>::findStiffness(const State<D>& state)
 template <int D>
 void FaceContact<D>::addForces(const State<D>& state) const
 {
-  scatterTractions(state.nodes, points_, pressure_, shear_, thickness_);
+  scatterTractions(state.mesh.nodes, points_, pressure_, shear_, thickness_);
 }
 
 template <int D>
@@ -136,8 +136,8 @@ void FaceContact<D>::advance(const State<D>& state, const Velocity& velocity)
   const View<int*> closed = closed_;
   const View<Stiffness*> stiffness = stiffness_;
   const Law law = law_;
-  const double friction = friction_, dt = state.dt, thickness = thickness_;
-  const double threshold = noticeable * state.grid.spacing / alpha_;
+  const double friction = friction_, dt = state.clock.dt, thickness = thickness_;
+  const double threshold = noticeable * state.mesh.grid.spacing / alpha_;
   Kokkos::deep_copy(closed_, 0);
   double stored = 0.0, lost = 0.0;
   Kokkos::parallel_reduce(
@@ -196,7 +196,7 @@ void FaceContact<D>::note(const State<D>& state)
     if (closed(c) > 0 && cracks_[c].closedPoints == 0)
     {
       if (cracks_[c].touches++ == 0)
-        cracks_[c].firstTouch = state.time + state.dt;
+        cracks_[c].firstTouch = state.clock.time + state.clock.dt;
     }
     cracks_[c].closedPoints = closed(c);
     cracks_[c].largestPressure = peak(c);

@@ -46,7 +46,7 @@ double CarriedFronts<D>::carried(const State<D>& state, std::size_t front) const
   if (now.grown || now.ended || front >= start_.size())
     return 0.0;
   const double way = norm(now.position - start_[front]);
-  return way > farForTies * state.smallestSpacing() ? way / spacingAt(state, now.position) : 0.0;
+  return way > farForTies * state.mesh.smallestSpacing() ? way / spacingAt(state, now.position) : 0.0;
 }
 
 template <int D>

@@ -68,7 +68,7 @@ void keepChains(State<2>& state, Archive& archive)
     }
     chains.push_back(chain);
   }
-  writeChains(state.cracks, chains, state.grid.spacing);
+  writeChains(state.cracks, chains, state.mesh.grid.spacing);
   for (std::size_t f = 0; f < vertices.size(); ++f)
     state.cracks.fronts[f].vertex = vertices[f];
 }

@@ -96,11 +96,12 @@ void CrackMotion<D>::move(State<D>& state)
   }
   placePoints(cracks, points_);
   pointStencils(state, points_, stencils_, true);
-  findShifts(state.nodes, stencils_, points_.count, state.dt, state.scheme == UpdateScheme::Usl, shift_);
+  findShifts(state.mesh.nodes, stencils_, points_.count, state.clock.dt,
+             state.method.scheme == UpdateScheme::Usl, shift_);
   sumParts(state, shift_);
   const int lost = moveFaces(cracks, wholeLattice(state), shift_);
-  if (lost > 0 && state.trouble.empty())
-    state.trouble = "a crack left the domain (" + unstableStep(state.subcycledLevels) +
+  if (lost > 0 && state.failure.empty())
+    state.failure = "a crack left the domain (" + unstableStep(state.mesh.subcycledLevels) +
                     "; or make the Domain larger or stop the run before)";
   updateNormals(cracks);
   updateFronts(cracks);

@@ -73,7 +73,7 @@ void refuseNeighbours(const std::vector<surface::CrackMesh<D>>& all, const std::
 template <int D>
 void readCracks(const Teuchos::ParameterList& section, State<D>& state, double edge)
 {
-  const double spacing = state.grid.spacing;
+  const double spacing = state.mesh.grid.spacing;
   const BodyRegion<D> bodies(state);
   const ReadingContext<D> context{bodies, spacing, edge};
   std::vector<surface::CrackMesh<D>> meshes;
@@ -103,8 +103,8 @@ void readCracks(const Teuchos::ParameterList& section, State<D>& state, double e
   attempts.complain();
   refuseNeighbours(meshes, names, spacing);
   layOut(set, meshes, spacing);
-  set.nodeSide = View<int*>("rhegma::nodeSide", state.grid.numNodes);
-  set.second = View<int*>("rhegma::secondField", state.grid.numNodes);
+  set.nodeSide = View<int*>("rhegma::nodeSide", state.mesh.grid.numNodes);
+  set.second = View<int*>("rhegma::secondField", state.mesh.grid.numNodes);
   Kokkos::deep_copy(set.second, -1);
 }
 

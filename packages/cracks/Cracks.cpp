@@ -199,11 +199,11 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     state.cracks.dualField = formulation == Formulation::DualField;
     state.cracks.tied = tied;
     if (tied)
-      state.followingForces.push_back(ties->following());
-    readCracks(section, state, state.grid.spacing / pieces);
+      state.motion.followingForces.push_back(ties->following());
+    readCracks(section, state, state.mesh.grid.spacing / pieces);
     if (tied)
       carried->start(state);
-    state.editor.prepare = [=](State<D>& s, const View<int*>& row)
+    state.stored.editor.prepare = [=](State<D>& s, const View<int*>& row)
     {
       if constexpr (D == 2)
       {
@@ -222,7 +222,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
           carryNormals(s, row);
       }
     };
-    state.editor.edit = [=](const State<D>& s, const ObservedPoints<D>& points, const StencilTable<D>& table)
+    state.stored.editor.edit =
+        [=](const State<D>& s, const ObservedPoints<D>& points, const StencilTable<D>& table)
     {
       if constexpr (D == 2)
         junctions->hideNodes(s, points, table);
@@ -292,7 +293,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                {},
                [=](State<D>& s)
                {
-                 if (s.step == 0 && s.cracks.dualField)
+                 if (s.clock.step == 0 && s.cracks.dualField)
                    warnOfHeldFaces(s, *surroundings);
                  motion->move(s);
                  if (tied)
@@ -309,15 +310,15 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  {
                    const Opening opening = measureOpening(s.cracks, static_cast<int>(c));
                    const std::string& name = s.cracks.cracks[c].name;
-                   s.row.emplace_back(name + ".opening", opening.largest);
+                   s.sample.row.emplace_back(name + ".opening", opening.largest);
                    if constexpr (D == 3)
-                     s.row.emplace_back(name + ".area", opening.size);
+                     s.sample.row.emplace_back(name + ".area", opening.size);
                  }
                }});
   if constexpr (D == 2)
     if (formulation == Formulation::CorrectedBrokenCell)
       effect.timeStepLimit = [](const State<D>& state)
-      { return largestCfl(state.cracks) * state.grid.spacing / state.fastest; };
+      { return largestCfl(state.cracks) * state.mesh.grid.spacing / state.clock.fastestSpeed; };
   const bool touching = scene.isSublist("Contact");
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {

@@ -63,7 +63,7 @@ void FrontTies<D>::readMaterials(const State<D>& state)
   if (modulus_ > 0.0)
     return;
   modulus_ = std::numeric_limits<double>::infinity();
-  for (const Properties& material : state.materialList)
+  for (const Properties& material : state.materials.list)
   {
     modulus_ = std::min(modulus_, elasticity(material).effectiveModulus);
     density_ = std::max(density_, material.density);
@@ -103,20 +103,20 @@ void FrontTies<D>::prepare(State<D>& state, const Surroundings& surroundings)
 {
   memory_.makeRoom(state);
   readMaterials(state);
-  const Nodes<D> nodes = state.nodes;
-  const double spacing = state.grid.spacing;
+  const Nodes<D> nodes = state.mesh.nodes;
+  const double spacing = state.mesh.grid.spacing;
   const NodePlaces<D> places = nodePlaces(state);
-  const bool refined = state.tree.refined();
-  const View<int*> level = state.tree.nodeLevel;
+  const bool refined = state.mesh.tree.refined();
+  const View<int*> level = state.mesh.tree.nodeLevel;
   const int firstShort = firstOfShortSteps(state);
   const CrackSight<D> sight(state.cracks, spacing);
   const View<std::uint64_t*> nearest = surroundings.nearest;
   const View<int*> last = memory_.step();
   const View<double* [D]> jump = memory_.jump();
   const View<double * [D + 1]> tie = state.cracks.tie;
-  const double modulus = factor * modulus_, thickness = state.thickness;
+  const double modulus = factor * modulus_, thickness = state.method.thickness;
   [[maybe_unused]] const double density = density_;
-  const double limit = stable / (state.dt * state.dt);
+  const double limit = stable / (state.clock.dt * state.clock.dt);
   const int step = surroundings.stamp;
   const View<double*> stiffness = memory_.stiffness();
   const bool grows = grows_;

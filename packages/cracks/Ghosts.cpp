@@ -66,9 +66,9 @@ KOKKOS_INLINE_FUNCTION bool staysOnLattice(const Grid<2>& grid, int node, int st
 
 void findStandIns(const State<2>& state, const Ghosts& ghosts)
 {
-  const Nodes<2> nodes = state.nodes;
+  const Nodes<2> nodes = state.mesh.nodes;
   const View<int*> nodeSide = state.cracks.nodeSide;
-  const Towards towards{state.grid, state.cracks.vertex, state.cracks.simplex, state.cracks.crackOf};
+  const Towards towards{state.mesh.grid, state.cracks.vertex, state.cracks.simplex, state.cracks.crackOf};
   Kokkos::parallel_for(
       "rhegma::cracks::findStandIns", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
       KOKKOS_LAMBDA(const int i) {
@@ -131,7 +131,7 @@ void addMass(const State<2>& state, const View<int*>& row, const Ghosts& ghosts)
                                state.cracks.nodeSide,
                                state.particles.scalar(fields::mass),
                                state.particles.integer(fields::side)};
-  forEachBlock("rhegma::cracks::massAround", state.blocks, block);
+  forEachBlock("rhegma::cracks::massAround", state.mesh.blocks, block);
 }
 
 /// Mass that linear extrapolation to all ghosts would take from a node.
@@ -152,8 +152,8 @@ KOKKOS_INLINE_FUNCTION double takenFrom(const Grid<2>& grid, const Ghosts& ghost
 
 void limitShares(const State<2>& state, const Ghosts& ghosts)
 {
-  const Nodes<2> nodes = state.nodes;
-  const Grid<2> grid = state.grid;
+  const Nodes<2> nodes = state.mesh.nodes;
+  const Grid<2> grid = state.mesh.grid;
   Kokkos::parallel_for(
       "rhegma::cracks::limitShares", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
       KOKKOS_LAMBDA(const int i) {
@@ -172,8 +172,8 @@ void limitShares(const State<2>& state, const Ghosts& ghosts)
 void shareStandIns(const State<2>& state, const Ghosts& ghosts)
 {
   constexpr int width = Ghosts::toldWidth;
-  const Nodes<2> nodes = state.nodes;
-  const Grid<2> grid = state.grid;
+  const Nodes<2> nodes = state.mesh.nodes;
+  const Grid<2> grid = state.mesh.grid;
   const View<double*> told = ghosts.told;
   Kokkos::parallel_for(
       "rhegma::cracks::tellStandIns", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
@@ -207,8 +207,8 @@ KOKKOS_INLINE_FUNCTION double borneBy(const Grid<2>& grid, const Ghosts& ghosts,
 /// What limitShares does, where the far node of a ghost may be another rank's.
 void limitSharesOnRanks(const State<2>& state, const Ghosts& ghosts)
 {
-  const Nodes<2> nodes = state.nodes;
-  const Grid<2> grid = state.grid;
+  const Nodes<2> nodes = state.mesh.nodes;
+  const Grid<2> grid = state.mesh.grid;
   const View<double*> borne = ghosts.told;
   Kokkos::parallel_for(
       "rhegma::cracks::findBorne", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
@@ -254,7 +254,7 @@ double largestCfl(const CrackSet<2>& cracks)
 
 void findGhosts(const State<2>& state, const View<int*>& row, Ghosts& ghosts)
 {
-  const int n = state.grid.numNodes;
+  const int n = state.mesh.grid.numNodes;
   if (static_cast<int>(ghosts.step.extent(0)) != n)
   {
     ghosts.step = View<int*>("rhegma::cracks::ghostStep", n);
@@ -262,18 +262,18 @@ void findGhosts(const State<2>& state, const View<int*>& row, Ghosts& ghosts)
     ghosts.share = View<double*>("rhegma::cracks::ghostShare", n);
     ghosts.seen = View<double*>("rhegma::cracks::massSeen", n);
     ghosts.unseen = View<double*>("rhegma::cracks::massUnseen", n);
-    if (state.subdomain)
+    if (state.mesh.subdomain)
       ghosts.told = View<double*>("rhegma::cracks::toldOfGhosts", Ghosts::toldWidth * n);
   }
   Kokkos::deep_copy(ghosts.step, 0); // also at nodes that particles have left
   findStandIns(state, ghosts);
-  if (state.subdomain)
+  if (state.mesh.subdomain)
     shareStandIns(state, ghosts);
-  if (state.shape == ShapeKind::Linear)
+  if (state.method.shape == ShapeKind::Linear)
     addMass<ShapeKind::Linear>(state, row, ghosts);
   else
     addMass<ShapeKind::Gimp>(state, row, ghosts);
-  if (!state.subdomain)
+  if (!state.mesh.subdomain)
     return limitShares(state, ghosts);
   sumOverRanks(state, ghosts.seen);
   sumOverRanks(state, ghosts.unseen);

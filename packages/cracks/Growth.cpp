@@ -179,13 +179,13 @@ void lengthen(State<2>& state, Chain& chain, bool first, const FrontAdvance<2>& 
 {
   CrackFront<2>& front = state.cracks.fronts[advance.front];
   if (dot(advance.direction, front.direction) < 1.0 - 1e-12)
-    forgetSidesAhead(state, front, (bandWidth + 4.0) * state.grid.spacing + length);
+    forgetSidesAhead(state, front, (bandWidth + 4.0) * state.mesh.grid.spacing + length);
   // A piece too short to have a direction is left out.
   if (length > 1e-3 * advance.length)
     chain.links.insert(first ? chain.links.begin() : chain.links.end(),
                        closedLink(front.position + length * advance.direction));
   front.grown = true;
-  const double energy = advance.toughness * length * state.thickness;
+  const double energy = advance.toughness * length * state.method.thickness;
   front.taken += energy;
   front.unspent += energy;
 }
@@ -207,7 +207,7 @@ void end(State<2>& state, Chain& chain, bool first, int number, EndedOn on, cons
   front.speed = 0.0;
   front.driving = {};
   state.warnings.push_back("the front " + nameOf(state, front) + " " + how + " at time " +
-                           formatReal(state.time) + " s at " + placeOf(where));
+                           formatReal(state.clock.time) + " s at " + placeOf(where));
 }
 
 /// Two fronts meet where the one that was in the way is.
@@ -228,7 +228,7 @@ void grow(State<2>& state, std::vector<Chain>& chains, const FrontAdvance<2>& ad
           std::vector<Meeting>& meetings)
 {
   CrackFront<2>& front = state.cracks.fronts[advance.front];
-  const double spacing = state.grid.spacing, reach = lookAhead * spacing;
+  const double spacing = state.mesh.grid.spacing, reach = lookAhead * spacing;
   const bool first = atFirstEnd(state.cracks, front);
   Chain& chain = chains[front.crack];
   const Outcome outcome = findRoom(state, chain, first, front, advance);
@@ -279,8 +279,9 @@ void grow(State<2>& state, std::vector<Chain>& chains, const FrontAdvance<2>& ad
   }
   front.halted = true;
   front.speed = 0.0;
-  state.warnings.push_back("the front " + nameOf(state, front) + " halted at time " + formatReal(state.time) +
-                           " s at " + placeOf(front.position) + ": the crack " + name +
+  state.warnings.push_back("the front " + nameOf(state, front) + " halted at time " +
+                           formatReal(state.clock.time) + " s at " + placeOf(front.position) +
+                           ": the crack " + name +
                            " is less than three cells beside its way, and cells can't tell cracks apart that "
                            "are closer; smaller cells (Domain > Cell Size) let it come nearer");
 }
@@ -301,7 +302,7 @@ void growCracks(State<2>& state, Junctions& junctions)
     if (!set.fronts[advance.front].ended) // one that has been met goes no further
       grow(state, chains, advance, meetings);
   set.advances.clear();
-  writeChains(set, chains, state.grid.spacing);
+  writeChains(set, chains, state.mesh.grid.spacing);
   for (std::size_t f = 0; f < set.fronts.size(); ++f)
     if (set.fronts[f].ended)
     {

@@ -18,12 +18,12 @@ constexpr double alongSupport = 0.7072;
 template <int D>
 void warnOfHeldFaces(State<D>& state, const Surroundings& surroundings)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const NodePlaces<D> places = nodePlaces(state);
-  const CrackSight<D> sight(state.cracks, state.grid.spacing);
+  const CrackSight<D> sight(state.cracks, state.mesh.grid.spacing);
   const View<std::uint64_t*> nearest = surroundings.nearest;
   std::vector<double> held(state.cracks.cracks.size(), 0.0); // whether each is
-  for (const NodeConstraint<D>& constraint : state.constraints)
+  for (const NodeConstraint<D>& constraint : state.motion.constraints)
   {
     int found = -1;
     Kokkos::parallel_reduce(

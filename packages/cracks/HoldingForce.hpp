@@ -21,7 +21,7 @@ KOKKOS_INLINE_FUNCTION double signOf(int side) { return side > 0 ? 1.0 : -1.0; }
 template <int D>
 int firstOfShortSteps(const State<D>& state)
 {
-  return state.tree.deepest - std::min(state.subcycledLevels, state.tree.deepest) + 1;
+  return state.mesh.tree.deepest - std::min(state.mesh.subcycledLevels, state.mesh.tree.deepest) + 1;
 }
 
 /// The force with which side +1 would be held to side -1 [N], so that both fields of the i-th node with two

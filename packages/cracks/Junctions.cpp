@@ -52,7 +52,7 @@ struct Pieces
 template <class Junction>
 Pieces piecesAt(const State<2>& state, const Junction& j)
 {
-  return {CrackSight<2>(state.cracks, state.grid.spacing),
+  return {CrackSight<2>(state.cracks, state.mesh.grid.spacing),
           j.place,
           j.throughSimplex,
           j.through,
@@ -66,11 +66,11 @@ Pieces piecesAt(const State<2>& state, const Junction& j)
 /// that. \return how many knew of a third crack, which they go on with
 int learnSides(const State<2>& state, const Vector<2>& at, int known, int crack)
 {
-  const CrackSight<2> look(state.cracks, state.grid.spacing);
+  const CrackSight<2> look(state.cracks, state.mesh.grid.spacing);
   const auto position = state.particles.real<2>(fields::position);
   const auto side = state.particles.integer(fields::side);
   const auto other = state.particles.integer(otherSide);
-  const double reach = beside * state.grid.spacing, around = 2.0 * reach;
+  const double reach = beside * state.mesh.grid.spacing, around = 2.0 * reach;
   const int name = crack + 1, begin = state.cracks.cracks[crack].firstSimplex,
             end = begin + state.cracks.cracks[crack].numSimplices;
   int full = 0;
@@ -109,7 +109,7 @@ void warnOfCrowd(State<2>& state, int particles, int one, int two)
 {
   if (particles > 0)
     state.warnings.push_back("where the cracks " + state.cracks.cracks[one].name + " and " +
-                             state.cracks.cracks[two].name + " meet at time " + formatReal(state.time) +
+                             state.cracks.cracks[two].name + " meet at time " + formatReal(state.clock.time) +
                              " s, " + std::to_string(particles) +
                              " particles are beside a third crack too, and hold together across one of them; "
                              "smaller cells (Domain > Cell Size) keep junctions apart");
@@ -169,7 +169,7 @@ void Junctions::join(State<2>& state, int one, bool first, int two)
 
 void Junctions::claimNodes(const State<2>& state, const Surroundings& surroundings)
 {
-  const Nodes<2> nodes = state.nodes;
+  const Nodes<2> nodes = state.mesh.nodes;
   const NodePlaces<2> places = nodePlaces(state);
   const View<std::uint64_t*> nearest = surroundings.nearest;
   for (Junction& j : all_)
@@ -209,7 +209,7 @@ void Junctions::hideNodes(const State<2>& state, const ObservedPoints<2>& points
                           const StencilTable<2>& table) const
 {
   const NodePlaces<2> places = nodePlaces(state);
-  const int numLattice = state.nodes.numLattice;
+  const int numLattice = state.mesh.nodes.numLattice;
   for (const Junction& j : all_)
   {
     const Pieces pieces = piecesAt(state, j);

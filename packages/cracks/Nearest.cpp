@@ -45,12 +45,13 @@ template <int D>
 void findNearest(const State<D>& state, const Surroundings& around)
 {
   using Policy = Kokkos::TeamPolicy<ExecSpace>;
-  const Grid<D> grid = state.grid;
+  const Grid<D> grid = state.mesh.grid;
   const CrackSight<D> sight(state.cracks, grid.spacing);
   const View<std::uint64_t*> nearest = around.nearest;
   const NodePlaces<D> places = nodePlaces(state);
-  const bool refined = state.tree.refined();
-  const View<int*> root = state.tree.root, fineBegin = state.tree.fineBegin, fineIn = state.tree.fineIn;
+  const bool refined = state.mesh.tree.refined();
+  const View<int*> root = state.mesh.tree.root, fineBegin = state.mesh.tree.fineBegin,
+                   fineIn = state.mesh.tree.fineIn;
   const double band = bandWidth * grid.spacing;
   Kokkos::parallel_for(
       "rhegma::cracks::findNearest", Policy(static_cast<int>(sight.simplex.extent(0)), Kokkos::AUTO),

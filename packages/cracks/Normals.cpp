@@ -7,7 +7,7 @@ namespace Rhegma::cracks
 
 void carryNormals(const State<2>& state, const View<int*>& row)
 {
-  const CrackSight<2> sight(state.cracks, state.grid.spacing);
+  const CrackSight<2> sight(state.cracks, state.mesh.grid.spacing);
   const auto position = state.particles.real<2>(fields::position);
   const auto side = state.particles.integer(fields::side);
   const auto normal = state.particles.real<2>(crackNormal);

@@ -49,7 +49,7 @@ std::string complaintOfOverlap(const State<D>& state, int crack)
   const Opening opening = measureOpening(state.cracks, crack);
   const double length = D == 2 ? opening.size : std::sqrt(opening.size);
   const double overlap = -opening.smallest;
-  if (!(overlap > share * length * strainBeside(state, crack)) || !(overlap > 1e-9 * state.grid.spacing))
+  if (!(overlap > share * length * strainBeside(state, crack)) || !(overlap > 1e-9 * state.mesh.grid.spacing))
     return {};
   return "Cracks > " + state.cracks.cracks[crack].name + ": its faces overlap at the end, by up to " +
          formatReal(overlap) +

@@ -26,7 +26,7 @@ template <int D>
 std::vector<Reach<D>> reaches(const State<D>& state)
 {
   const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.vertex);
-  const double band = bandWidth * state.grid.spacing;
+  const double band = bandWidth * state.mesh.grid.spacing;
   std::vector<Reach<D>> all;
   for (const Crack<D>& crack : state.cracks.cracks)
   {
@@ -65,7 +65,7 @@ KOKKOS_INLINE_FUNCTION bool isNear(const Reach<D>& reach, const Grid<D>& grid, c
 template <int D>
 void clearNodeSides(const State<D>& state, const Surroundings& around)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> side = state.cracks.nodeSide;
   const View<int*> second = state.cracks.second;
   const View<std::uint64_t*> nearest = around.nearest;
@@ -92,11 +92,11 @@ KOKKOS_INLINE_FUNCTION double tiedTolerance(const CrackSight<D>& sight, int simp
 template <int D>
 void findNodeSides(const State<D>& state, const Surroundings& around)
 {
-  const Nodes<D> nodes = state.nodes;
-  const Grid<D> grid = state.grid;
+  const Nodes<D> nodes = state.mesh.nodes;
+  const Grid<D> grid = state.mesh.grid;
   const NodePlaces<D> places = nodePlaces(state);
-  const bool refined = state.tree.refined();
-  const View<int*> level = state.tree.nodeLevel;
+  const bool refined = state.mesh.tree.refined();
+  const View<int*> level = state.mesh.tree.nodeLevel;
   const CrackSight<D> sight(state.cracks, grid.spacing);
   const View<int*> side = state.cracks.nodeSide, cellMark = around.cellMark;
   const View<std::uint64_t*> nearest = around.nearest;
@@ -141,7 +141,7 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
 template <int D>
 int numberSecondFields(const State<D>& state)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> side = state.cracks.nodeSide;
   const View<int*> second = state.cracks.second;
   int count = 0;
@@ -162,12 +162,12 @@ int numberSecondFields(const State<D>& state)
 template <int D>
 void listParents(State<D>& state, int count)
 {
-  if (static_cast<int>(state.nodes.parent.extent(0)) < count)
-    state.nodes.parent = View<int*>("rhegma::secondFieldParent", 2 * count);
-  if (static_cast<int>(state.nodes.sums.extent(0)) < state.nodes.numLattice + count)
-    state.nodes.reserve(state.nodes.numLattice, 2 * count);
-  state.nodes.numSecond = count;
-  const Nodes<D> nodes = state.nodes;
+  if (static_cast<int>(state.mesh.nodes.parent.extent(0)) < count)
+    state.mesh.nodes.parent = View<int*>("rhegma::secondFieldParent", 2 * count);
+  if (static_cast<int>(state.mesh.nodes.sums.extent(0)) < state.mesh.nodes.numLattice + count)
+    state.mesh.nodes.reserve(state.mesh.nodes.numLattice, 2 * count);
+  state.mesh.nodes.numSecond = count;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> second = state.cracks.second;
   Kokkos::parallel_for(
       "rhegma::cracks::listParents", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
@@ -267,8 +267,8 @@ template <int D>
 void markParticles(const State<D>& state, const Surroundings& around, const Reach<D>& reach,
                    const View<int*>& row)
 {
-  const Grid<D> grid = state.grid;
-  const Blocks<D> blocks = state.blocks;
+  const Grid<D> grid = state.mesh.grid;
+  const Blocks<D> blocks = state.mesh.blocks;
   const auto position = state.particles.template real<D>(fields::position);
   const SideOfPlace<D> sideOf{grid, CrackSight<D>(state.cracks, grid.spacing), around.nearest};
   const MarkParticle<D> mark{grid,
@@ -304,16 +304,16 @@ void markParticles(const State<D>& state, const Surroundings& around, const Reac
 template <int D>
 void makeRoom(State<D>& state, Surroundings& around)
 {
-  const int nodes = state.nodes.numLattice, room = nodes + nodes / 4;
+  const int nodes = state.mesh.nodes.numLattice, room = nodes + nodes / 4;
   // Where the domain was divided anew, values would be other nodes'.
-  if (state.subdomain && around.generation != state.tree.generation)
+  if (state.mesh.subdomain && around.generation != state.mesh.tree.generation)
   {
     around.nearest = View<std::uint64_t*>();
     state.cracks.nodeSide = state.cracks.second = around.cellMark = View<int*>();
-    around.generation = state.tree.generation;
+    around.generation = state.mesh.tree.generation;
   }
-  if (static_cast<int>(around.cellMark.extent(0)) != state.grid.numNodes)
-    around.cellMark = View<int*>("rhegma::cracks::cellMark", state.grid.numNodes);
+  if (static_cast<int>(around.cellMark.extent(0)) != state.mesh.grid.numNodes)
+    around.cellMark = View<int*>("rhegma::cracks::cellMark", state.mesh.grid.numNodes);
   if (static_cast<int>(around.nearest.extent(0)) < nodes)
   {
     around.nearest = View<std::uint64_t*>("rhegma::cracks::nearest", room);

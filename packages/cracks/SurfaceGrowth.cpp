@@ -239,7 +239,7 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
   }
   smoothAlongFront(surface, lines, front.stations, cells, mirrored, asked);
   if (turns)
-    forgetSidesAhead(state, front, (bandWidth + 4.0) * state.grid.spacing + longest);
+    forgetSidesAhead(state, front, (bandWidth + 4.0) * state.mesh.grid.spacing + longest);
 
   std::vector<Way> ways;
   std::vector<std::size_t> moving;
@@ -265,7 +265,7 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
     if (!lands)
       x = x + aside[i];
     const auto [distance, other] = nearestOther(state.cracks, front.crack, x);
-    const bool near = distance < bandWidth * state.grid.spacing;
+    const bool near = distance < bandWidth * state.mesh.grid.spacing;
     if (near || (!lands && meetsItself(state.cracks, front.crack, x, ways[i].direction, cells[k])))
     {
       point.stopped = true;
@@ -273,8 +273,8 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
           near ? "the crack " + state.cracks.cracks[other].name + " is" : "faces of its own crack are";
       if (!toldHalted_[advance.front])
         state.warnings.push_back("the front " + nameOf(state, front) + " halted at time " +
-                                 formatReal(state.time) + " s at " + inWords(front.stations[k].position) +
-                                 ": " + which +
+                                 formatReal(state.clock.time) + " s at " +
+                                 inWords(front.stations[k].position) + ": " + which +
                                  " less than three cells ahead, and cells can't tell faces apart that are "
                                  "closer; smaller cells (Domain > Cell Size) let it come nearer");
       toldHalted_[advance.front] = true;
@@ -303,8 +303,8 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
   {
     told_[advance.front] = true;
     state.warnings.push_back("the front " + nameOf(state, front) +
-                             " reached the surface of its body at time " + formatReal(state.time) + " s at " +
-                             inWords(surface.vertices[lines[landed].vertex]));
+                             " reached the surface of its body at time " + formatReal(state.clock.time) +
+                             " s at " + inWords(surface.vertices[lines[landed].vertex]));
   }
 
   int names = 0; // no new station has the name of one that goes now: its past is another's
@@ -341,7 +341,7 @@ void SurfaceGrowth::grow(State<3>& state)
   for (const FrontAdvance<3>& advance : set.advances)
     growFront(state, cracks, advance);
   set.advances.clear();
-  write(set, cracks, state.grid.spacing);
+  write(set, cracks, state.mesh.grid.spacing);
 }
 
 } // namespace Rhegma::cracks

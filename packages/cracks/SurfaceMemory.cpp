@@ -128,7 +128,7 @@ void SurfaceGrowth::keep(State<3>& state, Archive& archive)
     cracks[set.fronts[f].crack].fronts.push_back(lines);
     cracks[set.fronts[f].crack].numbers.push_back(static_cast<int>(f));
   }
-  write(set, cracks, state.grid.spacing);
+  write(set, cracks, state.mesh.grid.spacing);
 }
 
 } // namespace Rhegma::cracks

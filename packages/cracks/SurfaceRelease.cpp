@@ -36,15 +36,15 @@ using Rows = View<double* [6]>;
 Rows look(const State<3>& state, const Surroundings& surroundings, const View<double* [3]>& whole,
           const View<double* [7]>& cohesive, double density)
 {
-  const Nodes<3> nodes = state.nodes;
+  const Nodes<3> nodes = state.mesh.nodes;
   Rows rows("rhegma::cracks::waitingNodes", nodes.numSecond);
   const NodePlaces<3> places = nodePlaces(state);
-  const CrackSight<3> sight(state.cracks, state.grid.spacing);
+  const CrackSight<3> sight(state.cracks, state.mesh.grid.spacing);
   const View<std::uint64_t*> nearest = surroundings.nearest;
   const HoldingForce<3> holding{nodes, state.cracks.nodeSide, state.cracks.normal, nearest, whole};
-  const bool refined = state.tree.refined();
-  const View<int*> level = state.tree.nodeLevel;
-  const double spacing = state.grid.spacing;
+  const bool refined = state.mesh.tree.refined();
+  const View<int*> level = state.mesh.tree.nodeLevel;
+  const double spacing = state.mesh.grid.spacing;
   forFew(
       "rhegma::cracks::waitingNodes", nodes.numSecond, KOKKOS_LAMBDA(const int i) {
         const int own = nodes.parent(i);
@@ -90,17 +90,17 @@ int nearestStation(const CrackFront<3>& front, const Vector<3>& x)
 std::vector<Waiting> list(const State<3>& state, const Rows& rows)
 {
   const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, rows);
-  const auto parent = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.parent);
+  const auto parent = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.parent);
   std::vector<Waiting> waiting;
-  for (int i = 0; i < state.nodes.numSecond; ++i)
+  for (int i = 0; i < state.mesh.nodes.numSecond; ++i)
   {
     if (!(host(i, 0) > 0.0))
       continue;
     // The nearest station of any front of its crack: FrontTies knows fronts by one place only.
     const int crack = state.cracks.fronts[static_cast<int>(host(i, 0)) - 1].crack;
     const Vector<3> x{host(i, 3), host(i, 4), host(i, 5)};
-    Waiting node{i,          static_cast<int>(host(i, 0)) - 1,  0, host(i, 1),
-                 host(i, 2), countsHere(state.nodes, parent(i))};
+    Waiting node{i,          static_cast<int>(host(i, 0)) - 1,       0, host(i, 1),
+                 host(i, 2), countsHere(state.mesh.nodes, parent(i))};
     double shortest = 1e300;
     for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
     {
@@ -131,7 +131,7 @@ void releaseBehind(const SurfaceGrowth& growth, State<3>& state, const Surroundi
 {
   std::vector<CrackFront<3>>& fronts = state.cracks.fronts;
   double density = 0.0; // bodies of several materials have nodes between them that look less than full
-  for (const Properties& material : state.materialList)
+  for (const Properties& material : state.materials.list)
     density = density > 0.0 ? std::min(density, material.density) : material.density;
   const std::vector<Waiting> waiting = list(state, look(state, surroundings, whole, cohesive, density));
   // Force and area of the nodes at each station, of all fronts one after another.
@@ -174,7 +174,7 @@ void releaseBehind(const SurfaceGrowth& growth, State<3>& state, const Surroundi
       front.unspent -= energy;
     }
   }
-  const Nodes<3> nodes = state.nodes;
+  const Nodes<3> nodes = state.mesh.nodes;
   const View<double*> rangeOf("rhegma::cracks::rangeOfNodes", nodes.numSecond);
   const auto host = Kokkos::create_mirror_view(rangeOf);
   for (const Waiting& node : waiting)
@@ -184,10 +184,10 @@ void releaseBehind(const SurfaceGrowth& growth, State<3>& state, const Surroundi
   const View<int*> side = state.cracks.nodeSide;
   const View<double* [4]> tie = state.cracks.tie;
   const HoldingForce<3> holding{nodes, side, state.cracks.normal, surroundings.nearest, whole};
-  const bool refined = state.tree.refined();
-  const View<int*> level = state.tree.nodeLevel;
+  const bool refined = state.mesh.tree.refined();
+  const View<int*> level = state.mesh.tree.nodeLevel;
   const int firstShort = firstOfShortSteps(state);
-  const double limit = stable / (state.dt * state.dt);
+  const double limit = stable / (state.clock.dt * state.clock.dt);
   forFew(
       "rhegma::cracks::releaseBehind", nodes.numSecond, KOKKOS_LAMBDA(const int i) {
         const int own = nodes.parent(i), other = nodes.numLattice + i;

@@ -33,7 +33,7 @@ template <int D>
 std::vector<double> tornAtFronts(const State<D>& state, const NearestFront<D>& frontOf,
                                  const View<double*>& of)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const NodePlaces<D> places = nodePlaces(state);
   const View<int*> side = state.cracks.nodeSide;
   std::vector<double> torn(state.cracks.fronts.size(), 0.0);
@@ -65,7 +65,7 @@ void FrontTies<D>::deduct(State<D>& state, std::vector<double> torn)
 template <int D>
 void FrontTies<D>::addForces(State<D>& state) const
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> side = state.cracks.nodeSide;
   const View<double* [D]> jump = memory_.jump();
   const View<double * [D + 1]> tie = state.cracks.tie;
@@ -90,7 +90,7 @@ FollowingForce<D> FrontTies<D>::following() const
   using Values = View<double* [D]>;
   const auto frozen = [](const State<D>& state, const NodeSlots& slots, const Values& force)
   {
-    const Nodes<D> nodes = state.nodes;
+    const Nodes<D> nodes = state.mesh.nodes;
     const View<double * [D + 1]> tie = state.cracks.tie;
     Kokkos::parallel_for(
         "rhegma::cracks::frozenTies", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
@@ -106,7 +106,7 @@ FollowingForce<D> FrontTies<D>::following() const
   const auto change =
       [this](const State<D>& state, const NodeSlots& slots, const Values& displacement, const Values& force)
   {
-    const Nodes<D> nodes = state.nodes;
+    const Nodes<D> nodes = state.mesh.nodes;
     const View<double * [D + 1]> tie = state.cracks.tie;
     const View<int*> side = state.cracks.nodeSide;
     const View<double* [D]> jump = memory_.jump();
@@ -145,14 +145,14 @@ FollowingForce<D> FrontTies<D>::following() const
 template <int D>
 void FrontTies<D>::advance(State<D>& state)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> side = state.cracks.nodeSide;
   const View<double* [D]> jump = memory_.jump();
   const View<double * [D + 1]> tie = state.cracks.tie;
   const View<double * [D + 4]> cohesive = memory_.cohesion();
   const bool grows = grows_;
-  const double dt = state.strainPass.share * state.dt;
-  const bool byMotion = state.scheme == UpdateScheme::Usl, early = state.strainPass.before;
+  const double dt = state.clock.strainPass.share * state.clock.dt;
+  const bool byMotion = state.method.scheme == UpdateScheme::Usl, early = state.clock.strainPass.before;
   double elastic = 0.0, spent = 0.0, beyond = 0.0;
   const View<double*> torn("rhegma::cracks::torn", grows ? nodes.numSecond : 0);
   sumFew(
@@ -220,7 +220,7 @@ void FrontTies<D>::advance(State<D>& state)
 template <int D>
 double FrontTies<D>::energyInFlight(const State<D>& state, int step) const
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<double* [D]> jump = memory_.jump();
   const View<int*> last = memory_.step();
   const View<double * [D + 4]> cohesive = memory_.cohesion();

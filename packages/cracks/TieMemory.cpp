@@ -46,11 +46,11 @@ void giveBack(State<D>& state, const Vector<D>& place, double energy)
 template <int D>
 void TieMemory<D>::makeRoom(State<D>& state)
 {
-  const int rows = state.nodes.numLattice;
-  if (state.subdomain && (generation_ != state.tree.generation || grid_.numNodes == 0))
+  const int rows = state.mesh.nodes.numLattice;
+  if (state.mesh.subdomain && (generation_ != state.mesh.tree.generation || grid_.numNodes == 0))
   {
     moveToNewNodes(state);
-    generation_ = state.tree.generation;
+    generation_ = state.mesh.tree.generation;
   }
   if (static_cast<int>(jump_.extent(0)) < rows)
   {
@@ -61,10 +61,10 @@ void TieMemory<D>::makeRoom(State<D>& state)
       Kokkos::resize(cohesion_, rows);
     state.cracks.tie = View<double * [D + 1]>("rhegma::ties", rows);
   }
-  if (generation_ != state.tree.generation)
+  if (generation_ != state.mesh.tree.generation)
   {
     carryOver(state);
-    generation_ = state.tree.generation;
+    generation_ = state.mesh.tree.generation;
   }
 }
 
@@ -100,7 +100,7 @@ void TieMemory<D>::moveToNewNodes(State<D>& state)
     }
   }
   ties = state.ranks.gatherOnAll(ties);
-  const int rows = state.nodes.numLattice;
+  const int rows = state.mesh.nodes.numLattice;
   jump_ = View<double* [D]>("rhegma::tieJump", rows);
   step_ = View<int*>("rhegma::tieStep", rows);
   stiffness_ = View<double*>("rhegma::tieStiffness", rows);
@@ -134,29 +134,30 @@ void TieMemory<D>::moveToNewNodes(State<D>& state)
   Kokkos::deep_copy(stiffness_, stiffness);
   Kokkos::deep_copy(cohesion_, cohesive);
   state.ranks.max(kept.data(), static_cast<int>(kept.size()));
-  const double unit = std::ldexp(state.grid.spacing, -deepestLevel);
+  const double unit = std::ldexp(state.mesh.grid.spacing, -deepestLevel);
   for (std::size_t k = 0; grows_ && k < kept.size(); ++k)
     if (kept[k] == 0.0)
     {
       Vector<D> place;
       for (int d = 0; d < D; ++d)
-        place[d] = state.grid.whole[d] + ties[k * width + d] * unit;
+        place[d] = state.mesh.grid.whole[d] + ties[k * width + d] * unit;
       giveBack(state, place, yetToTake(&ties[k * width + D + 2 + D]));
     }
-  grid_ = state.grid;
-  foreign_ = state.nodes.foreign;
-  finePlace_ = View<double* [D]>("rhegma::placesOfTies", state.tree.numFine);
-  if (state.tree.numFine > 0)
-    Kokkos::deep_copy(finePlace_, Kokkos::subview(state.tree.finePlace, std::make_pair(0, state.tree.numFine),
-                                                  Kokkos::ALL));
+  grid_ = state.mesh.grid;
+  foreign_ = state.mesh.nodes.foreign;
+  finePlace_ = View<double* [D]>("rhegma::placesOfTies", state.mesh.tree.numFine);
+  if (state.mesh.tree.numFine > 0)
+    Kokkos::deep_copy(finePlace_, Kokkos::subview(state.mesh.tree.finePlace,
+                                                  std::make_pair(0, state.mesh.tree.numFine), Kokkos::ALL));
 }
 
 template <int D>
 void TieMemory<D>::carryOver(State<D>& state)
 {
   using Key = std::array<long, D>;
-  const double unit = std::ldexp(state.grid.spacing, -deepestLevel); // the smallest cells that there can be
-  const int lattice = state.grid.numNodes;
+  const double unit =
+      std::ldexp(state.mesh.grid.spacing, -deepestLevel); // the smallest cells that there can be
+  const int lattice = state.mesh.grid.numNodes;
   const auto jump = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, jump_);
   const auto step = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, step_);
   const auto stiffness = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, stiffness_);
@@ -165,7 +166,7 @@ void TieMemory<D>::carryOver(State<D>& state)
   {
     Key key;
     for (int d = 0; d < D; ++d)
-      key[d] = std::lround((place(k, d) - state.grid.origin[d]) / unit);
+      key[d] = std::lround((place(k, d) - state.mesh.grid.origin[d]) / unit);
     return key;
   };
   struct Tie
@@ -195,11 +196,11 @@ void TieMemory<D>::carryOver(State<D>& state)
     for (int d = 0; d < D; ++d)
       tie.jump[d] = jump(n, d);
   }
-  const int fine = state.tree.numFine;
+  const int fine = state.mesh.tree.numFine;
   finePlace_ = View<double* [D]>("rhegma::placesOfTies", fine);
   if (fine > 0)
     Kokkos::deep_copy(finePlace_,
-                      Kokkos::subview(state.tree.finePlace, std::make_pair(0, fine), Kokkos::ALL));
+                      Kokkos::subview(state.mesh.tree.finePlace, std::make_pair(0, fine), Kokkos::ALL));
   const auto after = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, finePlace_);
   for (int n = lattice; n < static_cast<int>(step.extent(0)); ++n)
   {
@@ -225,7 +226,7 @@ void TieMemory<D>::carryOver(State<D>& state)
     {
       Vector<D> place;
       for (int d = 0; d < D; ++d)
-        place[d] = state.grid.origin[d] + double(key[d]) * unit;
+        place[d] = state.mesh.grid.origin[d] + double(key[d]) * unit;
       giveBack(state, place, yetToTake(tie.cohesion));
     }
   Kokkos::deep_copy(jump_, jump);
@@ -243,11 +244,11 @@ void TieMemory<D>::keep(State<D>& state, int step, Archive& archive)
   const auto last = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, step_);
   const auto stiffness = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, stiffness_);
   const auto cohesion = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cohesion_);
-  const auto foreign = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.foreign);
+  const auto foreign = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.foreign);
   const auto isOwn = [&](int n) { return foreign.extent(0) == 0 || foreign(n) == 0; };
   std::vector<int> nodes;
   std::vector<double> jumps, stiffnesses, cohesions;
-  for (int n = 0; n < state.nodes.numLattice && !archive.loads(); ++n)
+  for (int n = 0; n < state.mesh.nodes.numLattice && !archive.loads(); ++n)
     if (step > 0 && last(n) == step && isOwn(n))
     {
       names.append(n, nodes);

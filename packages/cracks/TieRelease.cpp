@@ -21,10 +21,10 @@ namespace
 template <int D>
 View<double* [D]> forcesOfAllRanks(const State<D>& state)
 {
-  if (!state.subdomain)
+  if (!state.mesh.subdomain)
     return {};
-  View<double* [D]> whole("rhegma::cracks::forcesOfAllRanks", state.nodes.sums.extent(0));
-  const auto sums = state.nodes.sums;
+  View<double* [D]> whole("rhegma::cracks::forcesOfAllRanks", state.mesh.nodes.sums.extent(0));
+  const auto sums = state.mesh.nodes.sums;
   Kokkos::parallel_for(
       "rhegma::cracks::forcesOfAllRanks", Kokkos::RangePolicy<ExecSpace>(0, whole.extent(0)),
       KOKKOS_LAMBDA(const int n) {
@@ -51,17 +51,17 @@ void FrontTies<D>::release(State<D>& state, const Surroundings& surroundings)
     waiting_ = 0;
     return;
   }
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> side = state.cracks.nodeSide;
   const View<double*[D]> jump = memory_.jump(), normal = state.cracks.normal;
   const View<std::uint64_t*> nearest = surroundings.nearest;
   const View<double * [D + 1]> tie = state.cracks.tie;
   const View<double * [D + 4]> cohesive = memory_.cohesion();
   const HoldingForce<D> holding{nodes, side, normal, nearest, whole};
-  const bool refined = state.tree.refined();
-  const View<int*> level = state.tree.nodeLevel;
+  const bool refined = state.mesh.tree.refined();
+  const View<int*> level = state.mesh.tree.nodeLevel;
   const int firstShort = firstOfShortSteps(state);
-  const double limit = stable / (state.dt * state.dt);
+  const double limit = stable / (state.clock.dt * state.clock.dt);
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     CrackFront<D>& front = state.cracks.fronts[f];
@@ -76,8 +76,9 @@ void FrontTies<D>::release(State<D>& state, const Surroundings& surroundings)
     // A node that the front passes by drifting through the cells takes what a cell of new face would: by the
     // toughness of its last advance, and not by what drives it, which may be far above that.
     const double known = f < toughness_.size() ? toughness_[f] : 0.0;
-    const double energy =
-        front.unspent > 0.0 ? front.unspent : known * state.thickness * spacingAt(state, front.position);
+    const double energy = front.unspent > 0.0
+                              ? front.unspent
+                              : known * state.method.thickness * spacingAt(state, front.position);
 
     const double owed = f < debt_.size() ? std::min(debt_[f], cohesion::repayment * energy) : 0.0;
     const double torn = f < torn_.size() ? std::min(torn_[f], cohesion::deduction * (energy - owed)) : 0.0;

@@ -35,7 +35,7 @@ KOKKOS_INLINE_FUNCTION int nearestOfAll(const View<double* [4]>& fronts, const V
 
 void giveBack(State<3>& state, const TieMemory<3>& memory, const View<double* [4]>& fronts, int stamp)
 {
-  const Nodes<3> nodes = state.nodes;
+  const Nodes<3> nodes = state.mesh.nodes;
   const NodePlaces<3> places = nodePlaces(state);
   const View<int*>& last = memory.step();
   const View<double* [3]>& jump = memory.jump();

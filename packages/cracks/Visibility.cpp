@@ -30,10 +30,10 @@ void useSecondFields(const State<D>& state, const ObservedPoints<D>& points, con
   const View<int*> second = state.cracks.second;
   // Particles beside two cracks that have joined know a side of each.
   BorrowedView<int*> otherSideOf;
-  const bool joined = state.particles.has(otherSide) && points.side.data() == state.storedPoints.side.data();
+  const bool joined = state.particles.has(otherSide) && points.side.data() == state.stored.points.side.data();
   if (joined)
     otherSideOf = state.particles.integer(otherSide);
-  const View<int*> particle = state.storedParticle;
+  const View<int*> particle = state.stored.particle;
   forFew(
       "rhegma::cracks::useSecondFields", points.count, KOKKOS_LAMBDA(const int r) {
         const int side = points.side(r), count = side != 0 ? table.count(r) : 0;
@@ -79,7 +79,7 @@ struct CellAround
 void breakCells(const State<2>& state, const ObservedPoints<2>& points, const StencilTable<2>& table)
 {
   const Blind blind{state.cracks.nodeSide};
-  const TreeSight<2> sight(state.grid, state.tree);
+  const TreeSight<2> sight(state.mesh.grid, state.mesh.tree);
   Kokkos::parallel_for(
       "rhegma::cracks::breakCells", Kokkos::RangePolicy<ExecSpace>(0, points.count),
       KOKKOS_LAMBDA(const int r) {

@@ -45,7 +45,7 @@ std::uint64_t filledPlaces(const State<2>& state, const Vector<2>& x, const Vect
             bits |= std::uint64_t(1) << k;
       },
       Kokkos::BOr<std::uint64_t>(filled));
-  if (!state.subdomain)
+  if (!state.mesh.subdomain)
     return filled;
   double found[places + 1];
   for (int k = 0; k <= places; ++k)
@@ -59,7 +59,7 @@ std::uint64_t filledPlaces(const State<2>& state, const Vector<2>& x, const Vect
 /// Whether two of these places are filled by particles of one body. Collective.
 bool ofOneBody(const State<2>& state, const Vector<2>& x, const Vector<2>& step, int one, int other)
 {
-  for (int b = 0; b < static_cast<int>(state.bodyAxes.extent(0)); ++b)
+  for (int b = 0; b < static_cast<int>(state.bodies.axes.extent(0)); ++b)
     if (const std::uint64_t filled = filledPlaces(state, x, step, b);
         (filled >> one & 1) != 0 && (filled >> other & 1) != 0)
       return true;

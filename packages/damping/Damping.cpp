@@ -17,7 +17,7 @@ double dampVelocity(State<D>& state, double rate)
 {
   const auto velocity = state.particles.template real<D>(fields::velocity);
   const auto mass = state.particles.scalar(fields::mass);
-  const double factor = std::exp(-rate * state.dt);
+  const double factor = std::exp(-rate * state.clock.dt);
   const int particles = state.particles.size();
   double loss = 0.0;
   // A sum for each lane: one sum would wait for itself at every particle.
@@ -46,8 +46,8 @@ double dampVelocity(State<D>& state, double rate)
 template <int D>
 void dampMomentum(const State<D>& state, double rate)
 {
-  const Nodes<D> nodes = state.nodes;
-  const double factor = std::exp(-rate * state.dt);
+  const Nodes<D> nodes = state.mesh.nodes;
+  const double factor = std::exp(-rate * state.clock.dt);
   Kokkos::parallel_for(
       "rhegma::dampMomentum", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i) {
@@ -59,11 +59,11 @@ void dampMomentum(const State<D>& state, double rate)
 template <int D>
 double lossToStresses(const State<D>& state, double rate, View<char**>& heldNodes)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const NodePlaces<D> places = nodePlaces(state);
   clearMarks(state, heldNodes);
   const View<char**> held = heldNodes;
-  for (const NodeConstraint<D>& constraint : state.constraints)
+  for (const NodeConstraint<D>& constraint : state.motion.constraints)
     Kokkos::parallel_for(
         "rhegma::markHeldNodes", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
         KOKKOS_LAMBDA(const int i) {
@@ -74,9 +74,9 @@ double lossToStresses(const State<D>& state, double rate, View<char**>& heldNode
         });
   // Where nodes move in short steps the stress at the start acts on the velocity that was damped in the first
   // of them only.
-  const NodeSlots brief = state.shortSteps.nodes;
-  const View<int*> coupledRow = state.coupledRow;
-  const double share = state.shortSteps.length / state.dt;
+  const NodeSlots brief = state.motion.shortSteps.nodes;
+  const View<int*> coupledRow = state.motion.coupledRow;
+  const double share = state.motion.shortSteps.length / state.clock.dt;
   double power = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::powerOfStresses", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
@@ -90,7 +90,7 @@ double lossToStresses(const State<D>& state, double rate, View<char**>& heldNode
                    nodes.sums(n, Nodes<D>::momentumAt + d) / mass;
       },
       power);
-  return 0.5 * std::expm1(rate * state.dt) * state.dt * power;
+  return 0.5 * std::expm1(rate * state.clock.dt) * state.clock.dt * power;
 }
 
 template <int D>
@@ -99,7 +99,7 @@ double addViscousStress(State<D>& state, double shearViscosity, double bulkVisco
   const auto rate = state.particles.table(fields::rate);
   const auto stress = state.particles.template real<symmetricSize<D>>(fields::stress);
   const auto volume = state.particles.scalar(fields::volume);
-  const double dt = state.strainPass.share * state.dt;
+  const double dt = state.clock.strainPass.share * state.clock.dt;
   double loss = 0.0;
   // With heat the work is no loss. In a step the stress at its start acts on half of the motion, that at its
   // end on the other (LaneHeat.hpp). Of the first half, which has the viscous stress of the step before, the
@@ -206,7 +206,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  {},
                  [=, held = std::make_shared<View<char**>>()](State<D>& s)
                  {
-                   if (s.time >= end)
+                   if (s.clock.time >= end)
                      return;
                    s.energy.damped += dampVelocity(s, rate);
                    dampMomentum(s, rate);
@@ -220,7 +220,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  {},
                  [=](State<D>& s)
                  {
-                   if (s.time < end)
+                   if (s.clock.time < end)
                      s.energy.damped += dampVelocity(s, rate);
                  }});
   if (rate > 0.0 && !between)
@@ -231,7 +231,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  {},
                  [=, held = std::make_shared<View<char**>>()](State<D>& s)
                  {
-                   if (s.time < end && s.scheme == UpdateScheme::Musl)
+                   if (s.clock.time < end && s.method.scheme == UpdateScheme::Musl)
                      s.energy.damped += lossToStresses(s, rate, *held);
                  }});
   if (shear > 0.0 || bulk > 0.0)
@@ -244,7 +244,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  {},
                  [=](State<D>& s)
                  {
-                   if (s.time < end)
+                   if (s.clock.time < end)
                      s.energy.damped += addViscousStress(s, shear, bulk);
                  },
                  true});
@@ -252,19 +252,20 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     // that of dilatation.
     effect.timeStepLimit = [=](const State<D>& s)
     {
-      double density = s.materialList.front().density;
-      for (const Properties& p : s.materialList)
+      double density = s.materials.list.front().density;
+      for (const Properties& p : s.materials.list)
         density = std::min(density, p.density);
-      return s.cfl * density * s.smallestSpacing() * s.smallestSpacing() / (2.0 * D * (2.0 * shear + bulk));
+      return s.method.cfl * density * s.mesh.smallestSpacing() * s.mesh.smallestSpacing() /
+             (2.0 * D * (2.0 * shear + bulk));
     };
   }
   const auto settling =
       std::make_shared<Settling>(list.get<double>("Settled Energy Ratio"), list.get<double>("Settled Drift"),
                                  list.get<int>("Settled Samples"));
   const bool stop = list.get<bool>("Stop When Settled");
-  effect.atStart = [stop](State<D>& s) { s.stopWhenSettled = stop; };
+  effect.atStart = [stop](State<D>& s) { s.clock.stopWhenSettled = stop; };
   effect.call({Stage::Observe, "settling", {"energies", "energy release"}, {}, {}, [settling](State<D>& s) {
-                 s.settled = settling->sample(s.energy.kinetic, s.energy.strain, s.row);
+                 s.clock.settled = settling->sample(s.energy.kinetic, s.energy.strain, s.sample.row);
                }});
   effect.memory = [settling](State<D>&, Archive& archive) { settling->keep(archive); };
   return effect;

@@ -168,7 +168,7 @@ struct ForceBlock
 View<double* [3]> configurationalForces(const State<3>& state, const Region<3>& box,
                                         const NodalAcceleration<3>& acceleration)
 {
-  View<double* [D]> force("rhegma::configurationalForce", state.nodes.sums.extent(0));
+  View<double* [D]> force("rhegma::configurationalForce", state.mesh.nodes.sums.extent(0));
   const MeanMotion mean = meanMotion(state, box);
   withConnectivity(state,
                    [&](const auto& connect)
@@ -187,12 +187,12 @@ View<double* [3]> configurationalForces(const State<3>& state, const Region<3>& 
                                                state.particles.real<symmetricSize<D>>(fields::stress),
                                                {},
                                                state.particles.integer(fields::material),
-                                               state.materials,
+                                               state.materials.device,
                                                ParticleHeat<D>(state),
-                                               state.step > 0}; // nodes are empty before the first step
+                                               state.clock.step > 0}; // nodes are empty before the first step
                      if (state.particles.has(fields::history))
                        block.history = state.particles.table(fields::history);
-                     forEachBlock("rhegma::configurationalForce", state.blocks, block);
+                     forEachBlock("rhegma::configurationalForce", state.mesh.blocks, block);
                    });
   return force;
 }

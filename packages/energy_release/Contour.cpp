@@ -17,10 +17,10 @@ namespace
 template <int D>
 void sumVolume(const State<D>& state, const Vector<D>& centre, double radius, const View<double*>& volume)
 {
-  const TreeSight<D> sight(state.grid, state.tree);
+  const TreeSight<D> sight(state.mesh.grid, state.mesh.tree);
   const auto position = state.particles.template real<D>(fields::position);
   const auto initial = state.particles.scalar(fields::volume);
-  const bool boxes = state.shape == ShapeKind::Gimp;
+  const bool boxes = state.method.shape == ShapeKind::Gimp;
   BorrowedView<double* [D]> box;
   if (boxes)
     box = state.particles.template real<D>(fields::box);
@@ -94,7 +94,7 @@ double clearBeside(const State<D>& state, const Vector<D>& centre, double radius
 {
   const NodePlaces<D> places = nodePlaces(state);
   const View<double*> cover = coverOfNodes(state, centre, radius);
-  const Nodes<D> numbers = state.nodes;
+  const Nodes<D> numbers = state.mesh.nodes;
   double nearest = radius;
   Kokkos::parallel_reduce(
       "rhegma::clearRadius", Kokkos::RangePolicy<ExecSpace>(0, cover.extent(0)),
@@ -116,14 +116,14 @@ double clearBeside(const State<D>& state, const Vector<D>& centre, double radius
 template <int D>
 View<double*> coverOfNodes(const State<D>& state, const Vector<D>& centre, double radius)
 {
-  View<double*> cover("rhegma::coverOfNodes", state.grid.numNodes + state.tree.numFine);
-  sumVolume(state, centre, radius + 3.0 * state.grid.spacing, cover);
+  View<double*> cover("rhegma::coverOfNodes", state.mesh.grid.numNodes + state.mesh.tree.numFine);
+  sumVolume(state, centre, radius + 3.0 * state.mesh.grid.spacing, cover);
   sumOverRanks(state, cover);
-  double cell = D == 2 ? state.thickness : 1.0;
+  double cell = D == 2 ? state.method.thickness : 1.0;
   for (int d = 0; d < D; ++d)
-    cell *= state.grid.spacing;
-  const bool refined = state.tree.refined();
-  const View<double*> share = state.tree.share;
+    cell *= state.mesh.grid.spacing;
+  const bool refined = state.mesh.tree.refined();
+  const View<double*> share = state.mesh.tree.share;
   Kokkos::parallel_for(
       "rhegma::coverOfNodes", Kokkos::RangePolicy<ExecSpace>(0, cover.extent(0)),
       KOKKOS_LAMBDA(const int n) { cover(n) /= cell * (refined ? share(n) : 1.0); });

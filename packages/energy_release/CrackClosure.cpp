@@ -62,7 +62,7 @@ public:
   Columns(const State<2>& state, const CrackFront<2>& front, double cell,
           const std::map<int, SideForces>& forces)
       : places_(state),
-        origin_(state.grid.whole),
+        origin_(state.mesh.grid.whole),
         cell_(cell),
         axis_(std::fabs(front.direction[0]) >= std::fabs(front.direction[1]) ? 0 : 1),
         sign_(front.direction[axis_] > 0.0 ? 1 : -1)
@@ -114,7 +114,7 @@ class TieForces
 public:
   /// Collective. \param radius around the front of the nodes that will be asked for [m]
   TieForces(const State<2>& state, const CrackFront<2>& front, double radius)
-      : known_(state.cracks.tie.extent(0) > 0), many_(static_cast<bool>(state.subdomain))
+      : known_(state.cracks.tie.extent(0) > 0), many_(static_cast<bool>(state.mesh.subdomain))
   {
     if (!known_)
       return;
@@ -213,7 +213,7 @@ CrackClosure closeCrack(const State<2>& state, const CrackFront<2>& front, int n
   if (!runsAlongGrid(front))
     return {none, none};
   const double cell = spacingAt(state, front.position);
-  const double radius = patchRadius * cell, beyond = radius + patchStencil * state.grid.spacing;
+  const double radius = patchRadius * cell, beyond = radius + patchStencil * state.mesh.grid.spacing;
   const std::vector<PatchParticle> particles = particlesAround(state, front, radius);
   const SplitNodes split(state, front, beyond);
   const std::map<int, SideForces> forces = nodeForces(particles);
@@ -225,9 +225,9 @@ CrackClosure closeCrack(const State<2>& state, const CrackFront<2>& front, int n
     matrix.radius += matrix.radiusCells * cell;
     matrix.edge += matrix.edgeCells * cell;
     const NodeDisplacement displacement =
-        recoverDisplacement(particles, split, matrix, cell * cell * state.thickness);
+        recoverDisplacement(particles, split, matrix, cell * cell * state.method.thickness);
     return work(forces, ties, split, columns, first, displacement, number) /
-           (2.0 * number * cell * state.thickness);
+           (2.0 * number * cell * state.method.thickness);
   };
   return {release(choice), release(lumpedMatrix())};
 }

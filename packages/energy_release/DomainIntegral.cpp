@@ -269,7 +269,7 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
 {
   constexpr int turns = 4;
   const double most = spacingAt(state, front.position), enough = 1e-3 * most;
-  const double scale = 0.5 * work.disk.effectiveModulus / state.thickness;
+  const double scale = 0.5 * work.disk.effectiveModulus / state.method.thickness;
   DomainIntegral sum;
   const Vector<D> middle = front.position + offsetAside(state, front, work.weight.radii) * front.normal;
   for (int turn = 1;; ++turn)
@@ -281,7 +281,7 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
                             sums[2], sums[3], sums[4]);
     sumParts(state, sums, 5);
     const double modeI = sums[1], modeII = sums[2], reciprocalI = sums[3], reciprocalII = sums[4];
-    sum.J = sums[0] / state.thickness;
+    sum.J = sums[0] / state.method.thickness;
     if (!work.intensities)
       return sum;
     sum.modeI = scale * modeI;
@@ -305,8 +305,8 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
 {
   Integrand<S, Stored> work;
   work.broken = broken;
-  work.parent = state.nodes.parent;
-  work.numFirst = state.nodes.numLattice;
+  work.parent = state.mesh.nodes.parent;
+  work.numFirst = state.mesh.nodes.numLattice;
   work.weight = {nodePlaces(state), front.position, radii};
   work.motion = NodalVelocity<D>(state);
   work.acceleration = acceleration;
@@ -322,7 +322,7 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
   work.sides = state.particles.has(fields::side);
   if (work.sides)
     work.side = state.particles.integer(fields::side);
-  work.materials = state.materials;
+  work.materials = state.materials.device;
   work.heat = ParticleHeat<D>(state);
   work.disk = describeDisk(state, front, radii);
   work.way = wayOf(state, front, radii.outer);
@@ -330,7 +330,8 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
   work.normal = front.normal;
   work.positive = front.crack + 1;
   work.negative = -front.crack - 1;
-  work.moving = state.step > 0 && state.nodes.motion.extent(0) > 0; // nodes are empty before the first step
+  work.moving =
+      state.clock.step > 0 && state.mesh.nodes.motion.extent(0) > 0; // nodes are empty before the first step
   // What pressure behind the front adds to J is known by its intensity.
   work.intensities = intensities || state.cracks.pressure.extent(0) > 0;
   DomainIntegral sum = integrateAboutTip(state, front, work);
@@ -365,7 +366,7 @@ double integrateRelease(const State<2>& state, const CrackFront<2>& front, const
 /// Particles in the integrals reach 3 cells beyond the disk, and nodes that they touch are touched by others.
 double accelerationReach(const State<2>& state, const ContourRadii& radii)
 {
-  return radii.outer + 6.0 * state.grid.spacing;
+  return radii.outer + 6.0 * state.mesh.grid.spacing;
 }
 
 DomainIntegral integrateDomain(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii)

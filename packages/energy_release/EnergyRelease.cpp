@@ -134,7 +134,7 @@ void warnOfContour(State<2>& state, const CrackFront<2>& front, const ContourRad
       largestContour(state, front, radii.outer) > radii.outer - spacingAt(state, front.position))
     return;
   samples.warned.insert({front.crack, front.number});
-  state.warnings.push_back("from time " + formatReal(state.time) +
+  state.warnings.push_back("from time " + formatReal(state.clock.time) +
                            " s on the contour of Energy Release round the front " + frontName(state, front) +
                            " leaves the body or reaches another front: G_J, K_I and K_II are less accurate");
 }
@@ -154,7 +154,7 @@ void warnOfClosure(State<2>& state, const CrackFront<2>& front, const CrackClosu
     return;
   state.warnings.push_back(
       "Energy Release: G_closure of the front " + frontName(state, front) + " can't be found at time " +
-      formatReal(state.time) +
+      formatReal(state.clock.time) +
       " s, and is no number there: no node in the columns behind the front has material "
       "of both faces in its reach, so that the crack is too short for Closure Cells, or its "
       "faces have parted by cells; G_J needs no such nodes");
@@ -172,7 +172,7 @@ CrackClosure tryToClose(State<2>& state, const CrackFront<2>& front, const Optio
   }
   catch (const std::runtime_error& error)
   {
-    state.trouble = error.what();
+    state.failure = error.what();
     return {notYet, notYet};
   }
 }
@@ -201,20 +201,20 @@ void sample(State<2>& state, const Options& options, Samples& samples)
 
     const std::string name = frontName(state, front) + ".";
     if (options.contour)
-      state.row.emplace_back(name + "G_J", s.integral.J);
+      state.sample.row.emplace_back(name + "G_J", s.integral.J);
     if (closure && options.openingKnown)
-      state.row.emplace_back(name + "G_closure", s.closure.chosen);
+      state.sample.row.emplace_back(name + "G_closure", s.closure.chosen);
     if (closure && options.lumped)
-      state.row.emplace_back(name + "G_closure_lumped", s.closure.lumped);
+      state.sample.row.emplace_back(name + "G_closure_lumped", s.closure.lumped);
     if (options.contour)
     {
-      state.row.emplace_back(name + "K_I", s.integral.modeI);
-      state.row.emplace_back(name + "K_II", s.integral.modeII);
+      state.sample.row.emplace_back(name + "K_I", s.integral.modeI);
+      state.sample.row.emplace_back(name + "K_II", s.integral.modeII);
     }
-    state.row.emplace_back(name + "length", front.length);
-    state.row.emplace_back(name + "speed", front.speed);
-    state.row.emplace_back(name + "x", front.position[0]);
-    state.row.emplace_back(name + "y", front.position[1]);
+    state.sample.row.emplace_back(name + "length", front.length);
+    state.sample.row.emplace_back(name + "speed", front.speed);
+    state.sample.row.emplace_back(name + "x", front.position[0]);
+    state.sample.row.emplace_back(name + "y", front.position[1]);
   }
 }
 
@@ -332,7 +332,7 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
                {"energy release"},
                [=](State<2>& state)
                {
-                 if (state.observing)
+                 if (state.clock.observing)
                    sample(state, options, *samples);
                }});
   const auto driving = std::make_shared<DrivingForces>();

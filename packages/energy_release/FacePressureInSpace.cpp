@@ -106,7 +106,7 @@ private:
 
 bool isPressed(const State<3>& state)
 {
-  return state.step > 0 && state.cracks.pressure.extent(0) > 0 &&
+  return state.clock.step > 0 && state.cracks.pressure.extent(0) > 0 &&
          state.cracks.pressure.extent(0) == state.cracks.simplex.extent(0);
 }
 
@@ -132,7 +132,7 @@ void addAccelerationByPressure(const State<3>& state, const NodalAcceleration<3>
         }
       });
   sumOverRanks(state, force.data(), 3, 0, 3);
-  const Nodes<3> nodes = state.nodes;
+  const Nodes<3> nodes = state.mesh.nodes;
   Kokkos::parallel_for(
       "rhegma::accelerationByFacePressure", Kokkos::RangePolicy<ExecSpace>(0, acceleration.extent(0)),
       KOKKOS_LAMBDA(const int n) {
@@ -148,7 +148,7 @@ void addForceOfPressure(const State<3>& state, int crack, const FrontLine& line,
   if (!isPressed(state) || line.empty())
     return;
   // Functions of nodes in the tube reach two of the largest cells further.
-  const PressedTriangles triangles(state.cracks, line, tube.radii.outer + 2.0 * state.grid.spacing);
+  const PressedTriangles triangles(state.cracks, line, tube.radii.outer + 2.0 * state.mesh.grid.spacing);
   const Crack<3>& own = state.cracks.cracks[crack];
   std::vector<Share> shares;
   for (int s = own.firstSimplex; s < own.firstSimplex + own.numSimplices; ++s)

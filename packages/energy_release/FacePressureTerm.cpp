@@ -68,7 +68,7 @@ private:
 double intensityLostAtFront(const State<2>& state, const CrackFront<2>& front, double tipOffset)
 {
   const CrackSet<2>& cracks = state.cracks;
-  if (cracks.pressure.extent(0) != cracks.simplex.extent(0) || state.step == 0)
+  if (cracks.pressure.extent(0) != cracks.simplex.extent(0) || state.clock.step == 0)
     return 0.0;
   const WayBack way(cracks, front);
   const double piece = spacingAt(state, front.position) / pieces;

@@ -44,10 +44,10 @@ void addMeanPlaces(const State<D>& state, const Vector<D>& centre, double reach,
 Properties lawAtFront(const State<D>& state, const CrackFront<D>& front)
 {
   const int number = materialAt(state, front.position);
-  Properties law = state.materialList[number];
-  if (state.thermo.empty() || !(front.temperature > 0.0))
+  Properties law = state.materials.list[number];
+  if (state.materials.thermo.empty() || !(front.temperature > 0.0))
     return law;
-  const ThermoTables tables = state.thermo;
+  const ThermoTables tables = state.materials.thermo;
   const double temperature = front.temperature;
   double moduli[4] = {}; // from the device
   Kokkos::parallel_reduce(
@@ -103,9 +103,9 @@ FrontDisk describeDisk(const State<2>& state, const CrackFront<2>& front, const 
   const Elasticity e = elasticity(lawAtFront(state, front));
   disk.moduli.shear = e.shear;
   disk.moduli.kolosov =
-      state.plane == Plane::Stress ? (3.0 - e.poisson) / (1.0 + e.poisson) : 3.0 - 4.0 * e.poisson;
+      state.method.plane == Plane::Stress ? (3.0 - e.poisson) / (1.0 + e.poisson) : 3.0 - 4.0 * e.poisson;
   disk.effectiveModulus = e.effectiveModulus;
-  disk.traceFactor = state.plane == Plane::Stress ? 1.0 : 1.0 + e.poisson;
+  disk.traceFactor = state.method.plane == Plane::Stress ? 1.0 : 1.0 + e.poisson;
   return disk;
 }
 

@@ -78,7 +78,7 @@ void FrontDriving::measureIntensities(State<3>& state)
     const FrontLine line = lineOf(front);
     if (!any || line.empty())
       continue;
-    const Elasticity e = elasticity(state.materialList[materialAt(state, front.position)]);
+    const Elasticity e = elasticity(state.materials.list[materialAt(state, front.position)]);
     const std::vector<Intensities> openings = openingsBehind(
         state.cracks, front, line, e, spacingAt(state, front.position), tubeOf(state, f, line).halfWidth);
     double largest = 0.0;

@@ -54,7 +54,7 @@ struct TubeNodes
 TubeNodes findNodes(const State<D>& state, const FrontSight& sight, const ContourRadii& radii,
                     const Region<D>& box, const View<double* [D]>& force)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const NodePlaces<D> places = nodePlaces(state);
   const int candidates = static_cast<int>(nodes.active.extent(0));
   TubeNodes found;
@@ -176,7 +176,7 @@ void addWidths(const State<D>& state, const FrontLine& line, const FrontSight& s
 /// Particles whose functions reach a node are at most 2.5 cells from it along each axis.
 double reachOf(const State<D>& state, const FrontTube& tube)
 {
-  return tube.radii.outer + 4.0 * state.grid.spacing;
+  return tube.radii.outer + 4.0 * state.mesh.grid.spacing;
 }
 
 /// J at every station, of the nodes' configurational forces [N].
@@ -218,7 +218,7 @@ std::vector<double> integrateAlongFront(const State<3>& state, int crack, const 
   if (line.empty())
     return std::vector<double>(line.stations.size(), 0.0);
   // Nodes that particles in the tube touch are touched by others.
-  internalAcceleration(state, regionAround(line, reachOf(state, tube) + 4.0 * state.grid.spacing),
+  internalAcceleration(state, regionAround(line, reachOf(state, tube) + 4.0 * state.mesh.grid.spacing),
                        acceleration);
   addAccelerationByPressure(state, acceleration);
   const View<double* [D]> force =

@@ -34,9 +34,9 @@ double clearOfSurfaces(const State<3>& state, const FrontLine& line, double radi
     extent = std::max(extent, norm(s.position - middle));
   const View<double*> cover = coverOfNodes(state, middle, extent + radius);
   const NodePlaces<3> places = nodePlaces(state);
-  const Nodes<3> numbers = state.nodes;
+  const Nodes<3> numbers = state.mesh.nodes;
   const FrontSight sight(line, radius);
-  const double cell = state.grid.spacing;
+  const double cell = state.mesh.grid.spacing;
   double most = 1e300;
   for (const double length : line.open)
     most = length > 0.0 ? std::min(most, atAnEnd * length) : most;

@@ -88,7 +88,7 @@ void measure(const State<3>& state, Sample& s)
 {
   NodalAcceleration<3> acceleration;
   s.J = integrateAlongFront(state, s.front.crack, s.line, s.tube, acceleration);
-  const Elasticity e = elasticity(state.materialList[materialAt(state, s.front.position)]);
+  const Elasticity e = elasticity(state.materials.list[materialAt(state, s.front.position)]);
   const std::vector<Intensities> openings =
       openingsBehind(state.cracks, s.front, s.line, e, spacingAt(state, s.front.position), s.tube.halfWidth);
   for (std::size_t k = 0; k < s.J.size(); ++k)
@@ -140,7 +140,7 @@ void warnOfTube(State<3>& state, const Sample& s, const Options& options, Sample
       roomAround(state, s.front, s.line, outer) > outer - cell)
     return;
   samples.warned.insert({s.front.crack, s.front.number});
-  state.warnings.push_back("from time " + formatReal(state.time) +
+  state.warnings.push_back("from time " + formatReal(state.clock.time) +
                            " s on the tube of Energy Release round the front " + frontName(state, s.front) +
                            " leaves the body or reaches another front: G_J and K are less accurate");
 }
@@ -160,15 +160,15 @@ void sample(State<3>& state, const Options& options, Samples& samples)
     const std::string name = frontName(state, front) + ".";
     for (const auto& [quantity, values] : quantitiesOf(s))
     {
-      state.row.emplace_back(name + quantity, meanOf(s.line, *values));
-      state.row.emplace_back(name + quantity + "_min", least(*values));
-      state.row.emplace_back(name + quantity + "_max", most(*values));
+      state.sample.row.emplace_back(name + quantity, meanOf(s.line, *values));
+      state.sample.row.emplace_back(name + quantity + "_min", least(*values));
+      state.sample.row.emplace_back(name + quantity + "_max", most(*values));
     }
-    state.row.emplace_back(name + "length", front.length);
-    state.row.emplace_back(name + "speed", front.speed);
-    state.row.emplace_back(name + "x", front.position[0]);
-    state.row.emplace_back(name + "y", front.position[1]);
-    state.row.emplace_back(name + "z", front.position[2]);
+    state.sample.row.emplace_back(name + "length", front.length);
+    state.sample.row.emplace_back(name + "speed", front.speed);
+    state.sample.row.emplace_back(name + "x", front.position[0]);
+    state.sample.row.emplace_back(name + "y", front.position[1]);
+    state.sample.row.emplace_back(name + "z", front.position[2]);
   }
 }
 
@@ -272,7 +272,7 @@ Effect<3> fronts3(const Teuchos::ParameterList& scene)
                {"energy release"},
                [=](State<3>& state)
                {
-                 if (state.observing)
+                 if (state.clock.observing)
                    sample(state, options, *samples);
                }});
   addDrivingCalls(effect, scene, driving);

@@ -58,7 +58,7 @@ void addTies(const State<D>& state, const NodalAcceleration<D>& force)
   const View<double * [D + 1]> tie = state.cracks.tie;
   if (tie.extent(0) == 0)
     return;
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   Kokkos::parallel_for(
       "rhegma::internalTies", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond), KOKKOS_LAMBDA(const int i) {
         const int n = nodes.parent(i), m = nodes.numLattice + i;
@@ -85,11 +85,11 @@ void divideByMass(const NodalAcceleration<D>& force)
 template <int D, class Place>
 void accelerate(const State<D>& state, const Place& place, NodalAcceleration<D>& force)
 {
-  if (force.extent(0) != state.nodes.sums.extent(0))
-    force = NodalAcceleration<D>("rhegma::internalForce", state.nodes.sums.extent(0));
+  if (force.extent(0) != state.mesh.nodes.sums.extent(0))
+    force = NodalAcceleration<D>("rhegma::internalForce", state.mesh.nodes.sums.extent(0));
   else
     Kokkos::deep_copy(force, 0.0);
-  if (state.step == 0 || force.extent(0) == 0) // nodes have no mass before the first step
+  if (state.clock.step == 0 || force.extent(0) == 0) // nodes have no mass before the first step
     return;
   withConnectivity(state,
                    [&](const auto& connect)
@@ -103,7 +103,7 @@ void accelerate(const State<D>& state, const Place& place, NodalAcceleration<D>&
                          state.particles.scalar(fields::mass),
                          state.particles.scalar(fields::volume),
                          state.particles.template real<symmetricSize<D>>(fields::stress)};
-                     forEachBlock("rhegma::internalForce", state.blocks, block);
+                     forEachBlock("rhegma::internalForce", state.mesh.blocks, block);
                    });
   sumOverRanks(state, force.data(), D + 1, 0, D + 1);
   addTies(state, force);

@@ -104,8 +104,8 @@ void warnOfLoads(State<2>& state, const CrackFront<2>& front, const ContourRadii
         .append(" to ")
         .append(shortly(radii.outer))
         .append(round);
-    if (state.time > 0.0)
-      warning.append("from time ").append(formatReal(state.time)).append(" s on, ");
+    if (state.clock.time > 0.0)
+      warning.append("from time ").append(formatReal(state.clock.time)).append(" s on, ");
     warning.append("where cells don't resolve the stress beside ")
         .append(held ? "them" : "it")
         .append(" and G_J can be off by 10 %; choose radii (Inner Radius, Outer Radius) with ")

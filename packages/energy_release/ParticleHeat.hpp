@@ -18,7 +18,7 @@ struct ParticleHeat
   BorrowedView<double* [D]> gradient;
 
   ParticleHeat() = default;
-  explicit ParticleHeat(const State<D>& state) : tables(state.thermo)
+  explicit ParticleHeat(const State<D>& state) : tables(state.materials.thermo)
   {
     if (tables.empty())
       return;

@@ -18,9 +18,9 @@ struct NodalVelocity
 
   NodalVelocity() = default;
   explicit NodalVelocity(const State<D>& state)
-      : motion(state.nodes.motion),
-        projection(state.nodes.projection),
-        byMotion(state.scheme == UpdateScheme::Usl)
+      : motion(state.mesh.nodes.motion),
+        projection(state.mesh.nodes.projection),
+        byMotion(state.method.scheme == UpdateScheme::Usl)
   {
   }
 

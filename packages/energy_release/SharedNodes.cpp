@@ -30,7 +30,7 @@ std::vector<double> shareOfNodes(const State<D>& state, int crack, const std::ve
   std::vector<double> shared(points.count, 0.0);
   for (int k = 0; k < points.count; ++k)
     for (int e = 0; e < count(k); ++e)
-      if (node(k, e) < state.nodes.numLattice && nodeSide(node(k, e)) == 0)
+      if (node(k, e) < state.mesh.nodes.numLattice && nodeSide(node(k, e)) == 0)
         shared[k] += weight(k, e);
   sumParts(state, shared.data(), points.count);
   return shared;

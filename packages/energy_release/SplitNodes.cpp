@@ -9,8 +9,8 @@ namespace Rhegma::energy_release
 
 std::vector<int> ownNodesAround(const State<2>& state, const Vector<2>& centre, double radius)
 {
-  const Grid<2>& grid = state.grid;
-  const auto foreign = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.foreign);
+  const Grid<2>& grid = state.mesh.grid;
+  const auto foreign = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.foreign);
   int first[2], last[2];
   for (int d = 0; d < 2; ++d)
   {
@@ -25,8 +25,8 @@ std::vector<int> ownNodesAround(const State<2>& state, const Vector<2>& centre, 
       if (foreign(n) == 0)
         nodes.push_back(n);
     }
-  const auto place = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.tree.finePlace);
-  for (int k = 0; k < state.tree.numFine; ++k)
+  const auto place = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.tree.finePlace);
+  for (int k = 0; k < state.mesh.tree.numFine; ++k)
     if (foreign(grid.numNodes + k) == 0 && std::fabs(place(k, 0) - centre[0]) <= radius &&
         std::fabs(place(k, 1) - centre[1]) <= radius)
       nodes.push_back(grid.numNodes + k);
@@ -35,7 +35,7 @@ std::vector<int> ownNodesAround(const State<2>& state, const Vector<2>& centre, 
 
 SplitNodes::SplitNodes(const State<2>& state, const CrackFront<2>& front, double radius)
     : side_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide)),
-      many_(static_cast<bool>(state.subdomain)),
+      many_(static_cast<bool>(state.mesh.subdomain)),
       places_(state),
       front_(front)
 {

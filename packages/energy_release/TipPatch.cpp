@@ -70,7 +70,7 @@ StencilTable<2> patchStencils(const State<2>& state, const View<int*>& list)
   const int n = static_cast<int>(list.extent(0));
   StencilTable<2> table;
   table.reserve(n);
-  const TreeStencils<2, S> stencils(state.grid, state.tree, table);
+  const TreeStencils<2, S> stencils(state.mesh.grid, state.mesh.tree, table);
   const auto position = state.particles.real<2>(fields::position);
   BorrowedView<double* [2]> box;
   if (S == ShapeKind::Gimp)
@@ -163,7 +163,7 @@ std::vector<PatchParticle> particlesAround(const State<2>& state, const CrackFro
 {
   const View<int*> list = listParticles(state, front.position, radius);
   const auto row = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, gatherRows(state, list));
-  const StencilTable<2> table = state.shape == ShapeKind::Linear
+  const StencilTable<2> table = state.method.shape == ShapeKind::Linear
                                     ? patchStencils<ShapeKind::Linear>(state, list)
                                     : patchStencils<ShapeKind::Gimp>(state, list);
   const auto count = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.count);
@@ -205,7 +205,7 @@ std::vector<PatchParticle> particlesAround(const State<2>& state, const CrackFro
         p.slope[p.count++] = {{slope(i, k, 0), slope(i, k, 1)}};
       }
   }
-  return state.subdomain ? ofAllRanks(state.ranks, particles) : particles;
+  return state.mesh.subdomain ? ofAllRanks(state.ranks, particles) : particles;
 }
 
 } // namespace Rhegma::energy_release

@@ -9,11 +9,11 @@
 namespace Rhegma::energy_release
 {
 
-WholeNodes::WholeNodes(const State<2>& state) : here_(state.grid), whole_(wholeLattice(state))
+WholeNodes::WholeNodes(const State<2>& state) : here_(state.mesh.grid), whole_(wholeLattice(state))
 {
-  const auto place = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.tree.finePlace);
-  const int count = state.tree.numFine;
-  if (!state.subdomain)
+  const auto place = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.tree.finePlace);
+  const int count = state.mesh.tree.numFine;
+  if (!state.mesh.subdomain)
   {
     for (int k = 0; k < count; ++k)
     {
@@ -22,9 +22,9 @@ WholeNodes::WholeNodes(const State<2>& state) : here_(state.grid), whole_(wholeL
     }
     return;
   }
-  if (!state.tree.refined())
+  if (!state.mesh.tree.refined())
     return;
-  const LeafList<2> leaves(state.subdomain->refined);
+  const LeafList<2> leaves(state.mesh.subdomain->refined);
   const std::vector<std::array<int, 2>> all = FineNodes<2>(leaves).places();
   for (const std::array<int, 2>& at : all)
     finePlace_.push_back({{leaves.position(at)[0], leaves.position(at)[1]}});

@@ -17,7 +17,7 @@ void FacePressure::keep(Archive& archive) { archive("pressure", now_); }
 template <int D>
 void FacePressure::apply(State<D>& state, const FacePoints<D>& points)
 {
-  now_ = history_(state.time + 0.5 * state.dt);
+  now_ = history_(state.clock.time + 0.5 * state.clock.dt);
   publishPressure("rhegma::face_pressure::publish", state.cracks, crack_, now_);
   pushFaces("rhegma::face_pressure::push", state, points, crack_, now_);
 }

@@ -84,7 +84,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                {},
                [=](State<D>& state)
                {
-                 if (state.step % interval == 0)
+                 if (state.clock.step % interval == 0)
                    look(state, threshold, *account);
                }});
   effect.memory = [account](State<D>&, Archive& archive)

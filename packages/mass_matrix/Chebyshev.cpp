@@ -58,7 +58,7 @@ template <int D>
 void Chebyshev<D>::apply(const State<D>* state, const MassSystem<D>& system, const View<double*>& inverse,
                          const double* r, double* z, double enough)
 {
-  const bool onRanks = state != nullptr && state->subdomain;
+  const bool onRanks = state != nullptr && state->mesh.subdomain;
   const int n = system.room * MassSystem<D>::width;
   if (static_cast<int>(other_.extent(0)) < n)
     other_ = View<double*>("rhegma::massChebyshev", n);

@@ -24,10 +24,10 @@ struct AroundFronts
 
   AroundFronts(const State<D>& state, const Unlumping& unlumping, const View<double* [D]>& places,
                const View<double* [2]>& zones, int fronts)
-      : grid(state.grid),
+      : grid(state.mesh.grid),
         front(places),
         zone(zones),
-        beyond(std::sqrt(double(D)) * 0.5 * (reachOf(state.shape) + 1) * grid.spacing),
+        beyond(std::sqrt(double(D)) * 0.5 * (reachOf(state.method.shape) + 1) * grid.spacing),
         half(std::min(
             *std::max_element(wholeLattice(state).cells, wholeLattice(state).cells + D),
             static_cast<int>(std::ceil((unlumping.radius + unlumping.edge + beyond) * grid.inverse)))),
@@ -79,8 +79,8 @@ void chooseLattice(const State<D>& state, const Unlumping& unlumping, const Mass
 {
   const AroundFronts<D> around(state, unlumping, system.front, system.zone, system.numFronts);
   const View<int*> rowOf = system.rowOf, second = state.cracks.second;
-  const auto sums = state.nodes.sums;
-  const bool seconds = state.nodes.numSecond > 0;
+  const auto sums = state.mesh.nodes.sums;
+  const bool seconds = state.mesh.nodes.numSecond > 0;
   forFew(
       "rhegma::mass::chooseAroundFronts", 0, around.size, KOKKOS_LAMBDA(const int i) {
         const int node = around(i);
@@ -98,12 +98,12 @@ void chooseLattice(const State<D>& state, const Unlumping& unlumping, const Mass
 template <int D>
 void chooseTouched(const State<D>& state, const ConsistentShare<D>& share, const MassSystem<D>& system)
 {
-  const View<int*> rowOf = system.rowOf, particle = state.storedParticle;
-  const StencilTable<D> table = state.stored;
-  const auto sums = state.nodes.sums;
+  const View<int*> rowOf = system.rowOf, particle = state.stored.particle;
+  const StencilTable<D> table = state.stored.table;
+  const auto sums = state.mesh.nodes.sums;
   const auto position = state.particles.template real<D>(fields::position);
   forFew(
-      "rhegma::mass::chooseTouched", 0, state.numStored, KOKKOS_LAMBDA(const int r) {
+      "rhegma::mass::chooseTouched", 0, state.stored.count, KOKKOS_LAMBDA(const int r) {
         if (share(&position(particle(r), 0)) == 0.0)
           return;
         for (int k = 0; k < table.count(r); ++k)
@@ -117,9 +117,9 @@ void chooseTouched(const State<D>& state, const ConsistentShare<D>& share, const
 template <int D>
 void chooseTogether(const State<D>& state, const MassSystem<D>& system)
 {
-  if (!state.subdomain)
+  if (!state.mesh.subdomain)
     return;
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> rowOf = system.rowOf;
   const View<double*> touched = system.touched;
   forFew(
@@ -152,7 +152,7 @@ template <int D>
 double largestRows(const State<D>& state, const Unlumping& unlumping)
 {
   const double most =
-      std::min<double>(state.grid.numNodes + state.tree.numFine, 1.5 * state.particles.size());
+      std::min<double>(state.mesh.grid.numNodes + state.mesh.tree.numFine, 1.5 * state.particles.size());
   if (unlumping.everywhere)
     return most;
   View<double* [D]> front;
@@ -160,7 +160,7 @@ double largestRows(const State<D>& state, const Unlumping& unlumping)
   int numFronts = 0;
   listFronts(state, unlumping, front, zone, numFronts);
   const AroundFronts<D> around(state, unlumping, front, zone, numFronts);
-  const View<char*> near("rhegma::massNearFronts", state.grid.numNodes);
+  const View<char*> near("rhegma::massNearFronts", state.mesh.grid.numNodes);
   forFew(
       "rhegma::mass::nearFronts", 0, around.size, KOKKOS_LAMBDA(const int i) {
         const int node = around(i);
@@ -169,12 +169,13 @@ double largestRows(const State<D>& state, const Unlumping& unlumping)
       });
   int count = 0;
   sumFew(
-      "rhegma::mass::countNearFronts", 0, state.grid.numNodes,
+      "rhegma::mass::countNearFronts", 0, state.mesh.grid.numNodes,
       KOKKOS_LAMBDA(const int node, int& sum) { sum += near(node); }, count);
   const NodePlaces<D> places = nodePlaces(state);
   int fine = 0;
   sumFew(
-      "rhegma::mass::countFineNearFronts", state.grid.numNodes, state.grid.numNodes + state.tree.numFine,
+      "rhegma::mass::countFineNearFronts", state.mesh.grid.numNodes,
+      state.mesh.grid.numNodes + state.mesh.tree.numFine,
       KOKKOS_LAMBDA(const int node, int& sum) { sum += around.holds(places(node)) ? 1 : 0; }, fine);
   count += fine;
   return std::min(most, 2.0 * count);

@@ -61,7 +61,7 @@ GuessSums<D> lookAtGuess(const State<D>& state, const MassSystem<D>& system, con
                          const View<double*>& x, const View<double*>& inverse, const View<double*>& image)
 {
   double sum[GuessSums<D>::size] = {};
-  const bool formed = static_cast<bool>(state.subdomain);
+  const bool formed = static_cast<bool>(state.mesh.subdomain);
   if (formed)
     multiplyWhole(state, system, x.data(), image.data());
   withReach(system,

@@ -13,7 +13,7 @@ namespace
 template <int D>
 View<double*> edgesOnRanks(const State<D>& state)
 {
-  if (!state.subdomain || !state.tree.refined())
+  if (!state.mesh.subdomain || !state.mesh.tree.refined())
     return {};
   const auto host = [](const auto& view)
   { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
@@ -28,7 +28,7 @@ View<double*> edgesOnRanks(const State<D>& state)
     Vector<D> x;
     for (int d = 0; d < D; ++d)
       x[d] = vertex(v, d);
-    edge(v) = spacingAt(state, x) / state.grid.spacing;
+    edge(v) = spacingAt(state, x) / state.mesh.grid.spacing;
   }
   Kokkos::deep_copy(edges, edge);
   return edges;
@@ -50,7 +50,7 @@ void listFronts(const State<D>& state, const Unlumping& unlumping, View<double* 
   }
   const View<double* [D]> list = places;
   const View<double* [2]> zone = zones;
-  const TreeSight<D> sight(state.grid, state.tree);
+  const TreeSight<D> sight(state.mesh.grid, state.mesh.tree);
   const View<double*> edges = edgesOnRanks(state);
   const Unlumping u = unlumping;
   count = 0;

@@ -32,8 +32,8 @@ void NodalSolve<D>::keepByName(const State<D>& state, Archive& archive)
   const auto host = [](const auto& view)
   { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
   const auto velocity = host(lastVelocity_), acceleration = host(lastAcceleration_);
-  const auto foreign = host(state.nodes.foreign);
-  const int count = state.nodes.numLattice;
+  const auto foreign = host(state.mesh.nodes.foreign);
+  const int count = state.mesh.nodes.numLattice;
   const int fields = static_cast<int>(velocity.extent(0)) >= 2 * count ? 2 : 1;
   for (int f = 0; f < 2; ++f)
   {
@@ -65,7 +65,7 @@ void NodalSolve<D>::keepByName(const State<D>& state, Archive& archive)
     return;
   Kokkos::deep_copy(lastVelocity_, velocity);
   Kokkos::deep_copy(lastAcceleration_, acceleration);
-  generation_ = state.tree.generation;
+  generation_ = state.mesh.tree.generation;
 }
 
 template void NodalSolve<2>::keep(const State<2>&, Archive&);

@@ -52,8 +52,8 @@ constexpr double largestCoupledCfl = 0.4, largestInShortSteps = 0.3;
 template <int D>
 double coupledTimeStep(const State<D>& state)
 {
-  const double largest = state.subcycledLevels > 0 ? largestInShortSteps : largestCoupledCfl;
-  return std::min(state.cfl, largest) * state.stepSpacing() / state.fastest;
+  const double largest = state.mesh.subcycledLevels > 0 ? largestInShortSteps : largestCoupledCfl;
+  return std::min(state.method.cfl, largest) * state.mesh.stepSpacing() / state.clock.fastestSpeed;
 }
 
 void addSolverParameters(Section& s)
@@ -192,15 +192,15 @@ struct Work
     Unlumping u = options.unlumping;
     u.radiusShrinks = !(options.radius > 0.0);
     u.edgeShrinks = !(options.edge >= 0.0);
-    u.radius = u.radiusShrinks ? radiusCells * state.grid.spacing : options.radius;
-    u.edge = u.edgeShrinks ? edgeCells * state.grid.spacing : options.edge;
+    u.radius = u.radiusShrinks ? radiusCells * state.mesh.grid.spacing : options.radius;
+    u.edge = u.edgeShrinks ? edgeCells * state.mesh.grid.spacing : options.edge;
     return u;
   }
 
   void prepare(State<D>& state)
   {
     assemble(state, unlumping(state), coupled);
-    state.coupledRow = coupled.rowOf;
+    state.motion.coupledRow = coupled.rowOf;
     solve.begin(state, coupled);
   }
 
@@ -259,12 +259,14 @@ template <int D>
 void offerSlots(State<D>& state, const std::shared_ptr<Work<D>>& work)
 {
   const auto none = [work] { return work->coupled.numCoupled == 0; };
-  state.coupledSlots.begin = [=](const State<D>& now, const NodeSlots& slots, const View<int* [D]>& held)
+  state.motion.coupledSlots.begin =
+      [=](const State<D>& now, const NodeSlots& slots, const View<int* [D]>& held)
   {
     if (!none())
       work->slots.begin(now, work->coupled, slots, held);
   };
-  state.coupledSlots.solve = [=](const View<double* [D]>& right, const View<double* [D]>& x, bool supports)
+  state.motion.coupledSlots.solve =
+      [=](const View<double* [D]>& right, const View<double* [D]>& x, bool supports)
   {
     if (!none())
       work->slots.solve(right, x, supports);
@@ -293,15 +295,16 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     if (work->options.coupled())
     {
       const Unlumping unlumping = work->unlumping(state);
-      refuseLargeMatrix(
-          largestRows(state, unlumping),
-          bytesPerRow<D>(state.shape, !unlumping.everywhere || state.tree.refined(), state.tree.refined()),
-          freeMemoryBytes(),
-          unlumping.everywhere ? "Lumped, FMPM or Partial, larger cells or a smaller body"
-                               : "Lumped or FMPM, a smaller Mass Matrix > Radius or larger cells");
+      refuseLargeMatrix(largestRows(state, unlumping),
+                        bytesPerRow<D>(state.method.shape, !unlumping.everywhere || state.mesh.tree.refined(),
+                                       state.mesh.tree.refined()),
+                        freeMemoryBytes(),
+                        unlumping.everywhere
+                            ? "Lumped, FMPM or Partial, larger cells or a smaller body"
+                            : "Lumped or FMPM, a smaller Mass Matrix > Radius or larger cells");
     }
     if (work->options.update != VelocityUpdate::Flip)
-      state.picFraction = 1.0;
+      state.method.picFraction = 1.0;
     if (work->options.coupled())
       offerSlots(state, work);
   };

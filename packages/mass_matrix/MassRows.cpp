@@ -39,18 +39,18 @@ void findSteps(const Grid<D>& grid, MassSystem<D>& system)
 template <int D>
 void reserveNodes(const State<D>& state, MassSystem<D>& system)
 {
-  const int nodes = static_cast<int>(state.nodes.sums.extent(0));
+  const int nodes = static_cast<int>(state.mesh.nodes.sums.extent(0));
   if (static_cast<int>(system.rowOf.extent(0)) < nodes)
   {
     system.rowOf = View<int*>("rhegma::massRowOf", nodes);
     Kokkos::deep_copy(system.rowOf, -1);
     system.last = system.first;
   }
-  if (state.subdomain && state.tree.refined() && static_cast<int>(system.touched.extent(0)) < nodes)
+  if (state.mesh.subdomain && state.mesh.tree.refined() && static_cast<int>(system.touched.extent(0)) < nodes)
     system.touched = View<double*>("rhegma::massTouched", nodes);
   if (system.slots == 0)
   {
-    system.reach = reachOf(state.shape);
+    system.reach = reachOf(state.method.shape);
     const int span = 2 * system.reach + 1;
     system.lines = D == 2 ? span : span * span;
     system.slots = system.lines * span;
@@ -59,8 +59,8 @@ void reserveNodes(const State<D>& state, MassSystem<D>& system)
     system.first = system.last = system.reach;
     system.step = View<int*>("rhegma::massStep", system.slots);
   }
-  if (!std::equal(system.strideOfNodes, system.strideOfNodes + D, state.grid.stride))
-    findSteps(state.grid, system);
+  if (!std::equal(system.strideOfNodes, system.strideOfNodes + D, state.mesh.grid.stride))
+    findSteps(state.mesh.grid, system);
 }
 
 /// Forgets the rows of the last step.
@@ -77,10 +77,10 @@ void clearRows(const MassSystem<D>& system)
 template <int D>
 void numberRows(const State<D>& state, bool everywhere, MassSystem<D>& system)
 {
-  const int active = state.nodes.numActive();
+  const int active = state.mesh.nodes.numActive();
   if (static_cast<int>(system.nodeOf.extent(0)) < active + 2 * system.reach)
     system.nodeOf = View<int*>("rhegma::massNodeOf", active + active / 8 + 2 * system.reach);
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> rowOf = system.rowOf, nodeOf = system.nodeOf;
   const int first = system.first;
   int count = 0;
@@ -128,10 +128,10 @@ struct OnlyStored
   Grid<D> grid;
   View<char*> near; ///< empty where no cell is refined
 
-  explicit OnlyStored(const State<D>& state) : grid(state.grid)
+  explicit OnlyStored(const State<D>& state) : grid(state.mesh.grid)
   {
-    if (state.tree.refined())
-      near = state.tree.nearRefined;
+    if (state.mesh.tree.refined())
+      near = state.mesh.tree.nearRefined;
   }
 
   KOKKOS_INLINE_FUNCTION bool operator()(int place) const
@@ -154,10 +154,10 @@ struct OnlyStored
 template <int D>
 void startRows(const State<D>& state, MassSystem<D>& system)
 {
-  const auto sums = state.nodes.sums;
-  const Nodes<D> nodes = state.nodes;
+  const auto sums = state.mesh.nodes.sums;
+  const Nodes<D> nodes = state.mesh.nodes;
   const MassSystem<D> s = system;
-  const Grid<D> grid = state.grid;
+  const Grid<D> grid = state.mesh.grid;
   const OnlyStored<D> onlyStored(state);
   forFew(
       "rhegma::mass::startRows", s.first, s.last, KOKKOS_LAMBDA(const int row) {
@@ -194,7 +194,7 @@ void startRows(const State<D>& state, MassSystem<D>& system)
 template <int D>
 void shareRows(const State<D>& state, MassSystem<D>& system)
 {
-  if (!state.subdomain)
+  if (!state.mesh.subdomain)
     return;
   if (static_cast<int>(system.share.extent(0)) != system.room)
     system.share = View<double*>("rhegma::massShare", system.room);
@@ -214,7 +214,7 @@ void beginRows(const State<D>& state, const Unlumping& unlumping, MassSystem<D>&
 {
   reserveNodes(state, system);
   clearRows(system);
-  chooseLists(state.tree.refined(), system);
+  chooseLists(state.mesh.tree.refined(), system);
   if (!unlumping.everywhere)
   {
     listFronts(state, unlumping, system.front, system.zone, system.numFronts);
@@ -230,7 +230,7 @@ template <int D>
 void finishRows(const State<D>& state, MassSystem<D>& system)
 {
   const MassSystem<D> s = system;
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> second = state.cracks.second;
   forFew(
       "rhegma::mass::finishRows", s.first, s.last, KOKKOS_LAMBDA(const int row) {

@@ -18,26 +18,26 @@ void addParticles(const State<D>& state, const Unlumping& unlumping, const MassS
   AssembleBlock<D, S, Stored> add;
   add.connect = connectivity<D, S, Stored>(state);
   add.system = system;
-  add.parent = state.nodes.parent;
-  add.first = state.blocks.first;
-  add.corner = state.blocks.corner;
+  add.parent = state.mesh.nodes.parent;
+  add.first = state.mesh.blocks.first;
+  add.corner = state.mesh.blocks.corner;
   add.mass = state.particles.scalar(fields::mass);
   add.volume = state.particles.scalar(fields::volume);
   add.share = consistentShare(unlumping, system);
-  add.nodeShare = state.tree.share;
-  add.numLattice = state.nodes.numLattice;
-  double cell = D == 2 ? state.thickness : 1.0;
+  add.nodeShare = state.mesh.tree.share;
+  add.numLattice = state.mesh.nodes.numLattice;
+  double cell = D == 2 ? state.method.thickness : 1.0;
   for (int d = 0; d < D; ++d)
-    cell *= state.grid.spacing;
+    cell *= state.mesh.grid.spacing;
   add.smallest = unlumping.smallestNode * cell;
   add.consistentShare = 1.0 - unlumping.lumpedShare;
   // Blocks of one colour share no node.
   for (int colour = 0; colour < Blocks<D>::colours; ++colour)
-    Kokkos::parallel_for(
-        "rhegma::mass::assemble",
-        Kokkos::RangePolicy<ExecSpace, Kokkos::Schedule<Kokkos::Dynamic>>(
-            state.blocks.colourStart[colour], state.blocks.colourStart[colour + 1], Kokkos::ChunkSize(1)),
-        add);
+    Kokkos::parallel_for("rhegma::mass::assemble",
+                         Kokkos::RangePolicy<ExecSpace, Kokkos::Schedule<Kokkos::Dynamic>>(
+                             state.mesh.blocks.colourStart[colour], state.mesh.blocks.colourStart[colour + 1],
+                             Kokkos::ChunkSize(1)),
+                         add);
 }
 
 } // namespace
@@ -45,11 +45,11 @@ void addParticles(const State<D>& state, const Unlumping& unlumping, const MassS
 template <int D>
 void assemble(const State<D>& state, const Unlumping& unlumping, MassSystem<D>& system)
 {
-  const bool stored = state.numStored > 0;
+  const bool stored = state.stored.count > 0;
   do
   {
     beginRows(state, unlumping, system);
-    if (state.shape == ShapeKind::Linear)
+    if (state.method.shape == ShapeKind::Linear)
       stored ? addParticles<D, ShapeKind::Linear, true>(state, unlumping, system)
              : addParticles<D, ShapeKind::Linear, false>(state, unlumping, system);
     else
@@ -85,7 +85,7 @@ template <int D>
 void multiplyWhole(const State<D>& state, const MassSystem<D>& system, const double* x, double* y,
                    const double* weight)
 {
-  if (!state.subdomain)
+  if (!state.mesh.subdomain)
     return multiply(system, x, y, weight);
   constexpr int W = MassSystem<D>::width;
   multiply(system, x, y);

@@ -83,10 +83,10 @@ void NodalSolve<D>::reserve(const State<D>& state, const MassSystem<D>& system)
     image_ = make("rhegma::massImage");
     velocity_ = make("rhegma::massVelocity");
     acceleration_ = make("rhegma::massAcceleration");
-    if (state.subdomain)
+    if (state.mesh.subdomain)
       plain_ = make("rhegma::massPlain");
   }
-  gradients_.resize(static_cast<int>(n), state.subdomain ? state.ranks : Ranks());
+  gradients_.resize(static_cast<int>(n), state.mesh.subdomain ? state.ranks : Ranks());
   reserveGuesses(state);
 }
 
@@ -94,7 +94,7 @@ template <int D>
 void NodalSolve<D>::reserveGuesses(const State<D>& state)
 {
   const bool seconds = state.cracks.dualField && !state.cracks.empty();
-  const std::size_t remembered = std::size_t(state.nodes.numLattice) * (seconds ? 2 : 1);
+  const std::size_t remembered = std::size_t(state.mesh.nodes.numLattice) * (seconds ? 2 : 1);
   if (lastAcceleration_.extent(0) < remembered)
   {
     lastVelocity_ = View<double* [D]>("rhegma::massLastVelocity", remembered);
@@ -107,20 +107,20 @@ void NodalSolve<D>::begin(const State<D>& state, const MassSystem<D>& system)
 {
   reserve(state, system);
   // In the first step there is nothing to remember.
-  renewed_ = generation_ != state.tree.generation && (generation_ >= 0 || state.step > 0);
-  generation_ = state.tree.generation;
+  renewed_ = generation_ != state.mesh.tree.generation && (generation_ >= 0 || state.clock.step > 0);
+  generation_ = state.mesh.tree.generation;
   holdRows(state, system);
 }
 
 template <int D>
 void NodalSolve<D>::holdRows(const State<D>& state, const MassSystem<D>& system)
 {
-  masked_ = !state.constraints.empty();
+  masked_ = !state.motion.constraints.empty();
   for (int d = 0; d < D; ++d)
-    heldAxis_[d] = std::any_of(state.constraints.begin(), state.constraints.end(),
+    heldAxis_[d] = std::any_of(state.motion.constraints.begin(), state.motion.constraints.end(),
                                [d](const NodeConstraint<D>& constraint) { return constraint.holds[d]; });
   const MassSystem<D> s = system;
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<double*> inverse = inverse_, free = freeOnly_, value = heldVelocity_, right = right_,
                       image = image_, velocity = velocity_, acceleration = acceleration_;
   // Vectors are zero outside of the rows and in unused numbers of them.
@@ -135,7 +135,7 @@ void NodalSolve<D>::holdRows(const State<D>& state, const MassSystem<D>& system)
             right(i) = image(i) = velocity(i) = acceleration(i) = 0.0;
         }
       });
-  for (const NodeConstraint<D>& constraint : state.constraints)
+  for (const NodeConstraint<D>& constraint : state.motion.constraints)
   {
     const NodeConstraint<D> c = constraint;
     const NodePlaces<D> places = nodePlaces(state);
@@ -161,19 +161,19 @@ void NodalSolve<D>::record(State<D>& state, const SolveResult& result, double sc
   count_.iterations += result.iterations;
   count_.mostIterations = std::max(count_.mostIterations, result.iterations);
   count_.worstResidual = std::max(count_.worstResidual, result.residual);
-  if (result.converged || !state.trouble.empty())
+  if (result.converged || !state.failure.empty())
     return;
   std::ostringstream reason;
   reason << "the mass matrix could not be solved for the " << what << ": ";
   if (!std::isfinite(scale))
-    reason << "the right side is not a number (" << unstableStep(state.subcycledLevels) << ")";
+    reason << "the right side is not a number (" << unstableStep(state.mesh.subcycledLevels) << ")";
   else if (result.singular)
     reason << "it is singular, and " << result.residual
            << " of the right side is left (raise Mass Matrix > Lumped Share above 0)";
   else
     reason << "after " << result.iterations << " iterations the residual is still " << result.residual
            << " of the right side (raise Mass Matrix > Maximum Iterations, Solver Tolerance or Lumped Share)";
-  state.trouble = reason.str();
+  state.failure = reason.str();
 }
 
 template <int D>
@@ -241,7 +241,7 @@ void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool hel
   if (norm <= gradients_.tolerance() || !std::isfinite(norm))
     return record(state, {norm <= gradients_.tolerance(), false, 0, norm}, scale, what);
 
-  const bool weighed = static_cast<bool>(state.subdomain);
+  const bool weighed = static_cast<bool>(state.mesh.subdomain);
   const auto precondition = [&](const BorrowedView<const double*>& from, const BorrowedView<double*>& to)
   {
     if (weighed)

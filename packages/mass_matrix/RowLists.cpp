@@ -9,13 +9,13 @@ template <int D>
 void startLists(const State<D>& state, const ConsistentShare<D>& share, MassSystem<D>& system)
 {
   system.numExtra = 0;
-  if (state.numStored == 0)
+  if (state.stored.count == 0)
     return;
-  const View<int*> extraOf = system.extraOf, rowOf = system.rowOf, particle = state.storedParticle;
-  const StencilTable<D> table = state.stored;
+  const View<int*> extraOf = system.extraOf, rowOf = system.rowOf, particle = state.stored.particle;
+  const StencilTable<D> table = state.stored.table;
   const auto position = state.particles.template real<D>(fields::position);
   forFew(
-      "rhegma::mass::chooseLists", 0, state.numStored, KOKKOS_LAMBDA(const int r) {
+      "rhegma::mass::chooseLists", 0, state.stored.count, KOKKOS_LAMBDA(const int r) {
         if (share(&position(particle(r), 0)) == 0.0)
           return;
         for (int k = 0; k < table.count(r); ++k)

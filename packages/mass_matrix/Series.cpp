@@ -40,7 +40,7 @@ void addMassTimes(const State<D>& state, const View<double* [Width]>& rows,
                      using Connect = std::decay_t<decltype(connect)>;
                      const MassTimesBlock<D, Width, Connect> block{connect, rows, image,
                                                                    state.particles.scalar(fields::mass)};
-                     forEachBlock("rhegma::mass::seriesProduct", state.blocks, block);
+                     forEachBlock("rhegma::mass::seriesProduct", state.mesh.blocks, block);
                    });
 }
 
@@ -49,13 +49,13 @@ template <int D, int Width>
 void addTerms(const State<D>& state, int order, const View<double* [Width]>& sum, View<double* [Width]>& term,
               View<double* [Width]>& image)
 {
-  if (image.extent(0) < state.nodes.sums.extent(0))
+  if (image.extent(0) < state.mesh.nodes.sums.extent(0))
   {
-    image = View<double* [Width]>("rhegma::seriesImage", state.nodes.sums.extent(0));
+    image = View<double* [Width]>("rhegma::seriesImage", state.mesh.nodes.sums.extent(0));
     if (order > 2)
-      term = View<double* [Width]>("rhegma::seriesTerm", state.nodes.sums.extent(0));
+      term = View<double* [Width]>("rhegma::seriesTerm", state.mesh.nodes.sums.extent(0));
   }
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<double*[Width]> next = term, product = image;
   for (int k = 1; k < order; ++k)
   {
@@ -85,17 +85,17 @@ void addTerms(const State<D>& state, int order, const View<double* [Width]>& sum
 template <int D>
 void Series<D>::motion(State<D>& state)
 {
-  addTerms<D, Nodes<D>::motionWidth>(state, order_, state.nodes.motion, motionTerm_, motionImage_);
+  addTerms<D, Nodes<D>::motionWidth>(state, order_, state.mesh.nodes.motion, motionTerm_, motionImage_);
 }
 
 template <int D>
 void Series<D>::updateVelocity(State<D>& state, bool withImpulse)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   if (filtered_.extent(0) < nodes.sums.extent(0))
     filtered_ = VelocityRows("rhegma::filteredVelocity", nodes.sums.extent(0));
   const VelocityRows filtered = filtered_;
-  const double dt = state.dt, impulse = withImpulse ? dt : 0.0, rest = withImpulse ? 0.0 : dt;
+  const double dt = state.clock.dt, impulse = withImpulse ? dt : 0.0, rest = withImpulse ? 0.0 : dt;
   Kokkos::parallel_for(
       "rhegma::mass::firstTerm", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i) {
@@ -118,7 +118,7 @@ void Series<D>::updateVelocity(State<D>& state, bool withImpulse)
 template <int D>
 void Series<D>::projection(State<D>& state)
 {
-  addTerms<D, Nodes<D>::projectionWidth>(state, order_, state.nodes.projection, term_, image_);
+  addTerms<D, Nodes<D>::projectionWidth>(state, order_, state.mesh.nodes.projection, term_, image_);
 }
 
 template class Series<2>;

@@ -26,8 +26,8 @@ void guessFromRowSums(const State<D>& state, const MassSystem<D>& system, const 
                       const View<double* [D]>& acceleration)
 {
   const MassSystem<D> s = system;
-  const Nodes<D> nodes = state.nodes;
-  const auto sums = state.nodes.sums;
+  const Nodes<D> nodes = state.mesh.nodes;
+  const auto sums = state.mesh.nodes.sums;
   forFew(
       "rhegma::mass::guessFromRowSums", system.first, system.last, KOKKOS_LAMBDA(const int row) {
         const int n = s.nodeOf(row), m = memoryOf(nodes, n);
@@ -45,20 +45,21 @@ template <int D>
 void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
 {
   const MassSystem<D> s = system;
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<double*> right = right_, prescribed = prescribed_, velocity = velocity_,
                       acceleration = acceleration_, heldVelocity = heldVelocity_, image = image_,
                       free = freeOnly_;
   const View<double*[D]> lastVelocity = lastVelocity_, last = lastAcceleration_;
   const bool masked = masked_;
-  const double dt = state.dt;
+  const double dt = state.clock.dt;
 
   // Velocity before the forces, held by nothing: it belongs to the particles. They take it over where there
   // is some PIC, and supports change it to theirs. Else what reads it are accounts of work and points that
   // ride on nodes: the last step's, brought nearer by the polynomial alone, leaves 1e-4 of it or less.
   // Where cells have changed there is no such guess.
-  const Accuracy accuracy = masked || renewed_ || state.picFraction > 0.0 ? Accuracy::Solved : Accuracy::Near;
-  if (renewed_ && state.subdomain)
+  const Accuracy accuracy =
+      masked || renewed_ || state.method.picFraction > 0.0 ? Accuracy::Solved : Accuracy::Near;
+  if (renewed_ && state.mesh.subdomain)
   {
     // Where the lattice was divided anew, what nodes have is others'; a node that is barely touched would
     // keep it, as solves don't feel it.
@@ -96,9 +97,9 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
   {
     // Impulses of the supports: what M a takes beyond the forces that are there.
     const std::size_t unknowns = static_cast<std::size_t>(system.room) * D;
-    if (state.coupledReaction.extent(0) < unknowns)
-      state.coupledReaction = View<double*>("rhegma::massReaction", unknowns);
-    const View<double*> reaction = state.coupledReaction;
+    if (state.motion.coupledReaction.extent(0) < unknowns)
+      state.motion.coupledReaction = View<double*>("rhegma::massReaction", unknowns);
+    const View<double*> reaction = state.motion.coupledReaction;
     multiplyWhole<D>(state, system, acceleration.data(), image.data());
     forFew(
         "rhegma::mass::reaction", system.first, system.last, KOKKOS_LAMBDA(const int row) {
@@ -127,11 +128,11 @@ template <int D>
 void NodalSolve<D>::solveProjection(State<D>& state, const MassSystem<D>& system)
 {
   const MassSystem<D> s = system;
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<double*> right = right_, prescribed = prescribed_, velocity = velocity_;
   const View<double* [D]> lastVelocity = lastVelocity_;
   const bool masked = masked_;
-  const bool afterSolve = projectsLast(state.scheme) && !state.strainPass.before;
+  const bool afterSolve = projectsLast(state.method.scheme) && !state.clock.strainPass.before;
   forFew(
       "rhegma::mass::projected", system.first, system.last, KOKKOS_LAMBDA(const int row) {
         const int n = s.nodeOf(row);

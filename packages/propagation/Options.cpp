@@ -172,7 +172,7 @@ template <int D>
 double fastestAt(const State<D>& state, const Vector<D>& place, const Options& options)
 {
   return options.speedLimit > 0.0 ? options.speedLimit
-                                  : rayleighSpeed(state.materialList[materialAt(state, place)]);
+                                  : rayleighSpeed(state.materials.list[materialAt(state, place)]);
 }
 
 AdvanceRule ruleAt(double temperature, const Options& options)
@@ -200,7 +200,7 @@ template <int D>
 void refuseWeak(const State<D>& state, const Options& options)
 {
   double fastest = options.speedLimit;
-  for (const Properties& material : state.materialList)
+  for (const Properties& material : state.materials.list)
     fastest = std::max(fastest, rayleighSpeed(material));
   try
   {

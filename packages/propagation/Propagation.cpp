@@ -48,7 +48,7 @@ struct Fronts
 /// only their stress intensities tell.
 void decide(State<2>& state, const Options& options, Fronts& fronts)
 {
-  const double now = state.time + state.dt;
+  const double now = state.clock.time + state.clock.dt;
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     CrackFront<2>& front = state.cracks.fronts[f];
@@ -65,7 +65,7 @@ void decide(State<2>& state, const Options& options, Fronts& fronts)
     const AdvanceRule rule = ruleAt(front.temperature, options);
     if (isWeak(rule, fronts.fastest[f]))
     {
-      state.trouble = complaintOfWeak(front.temperature);
+      state.failure = complaintOfWeak(front.temperature);
       return;
     }
     if (history.running())
@@ -98,11 +98,11 @@ void ask(State<2>& state, const Options& options, Fronts& fronts)
       continue;
     front.advances = false;
     FrontHistory& history = fronts.histories[f];
-    const Elasticity e = elasticity(state.materialList[materialAt(state, front.position)]);
+    const Elasticity e = elasticity(state.materials.list[materialAt(state, front.position)]);
     fronts.next[f] =
-        history.advance(ruleAt(front.temperature, options), state.time, openingRelease(front.driving, e),
-                        fronts.increment[f], fronts.fastest[f]);
-    front.speed = history.speed(state.time);
+        history.advance(ruleAt(front.temperature, options), state.clock.time,
+                        openingRelease(front.driving, e), fronts.increment[f], fronts.fastest[f]);
+    front.speed = history.speed(state.clock.time);
     if (fronts.next[f].increments == 0)
       continue;
     const double length = fronts.next[f].increments * fronts.increment[f];
@@ -120,7 +120,7 @@ void ask(State<2>& state, const Options& options, Fronts& fronts)
     fronts.paths[f].insert(fronts.paths[f].end(), {history.lastTime(), place[0], place[1]});
     // Cells and material may be others where it is going.
     fronts.increment[f] = 0.0;
-    if (state.materialList.size() > 1)
+    if (state.materials.list.size() > 1)
       fronts.fastest[f] = 0.0;
   }
 }

@@ -94,7 +94,7 @@ bool isNew(const CrackFront<3>& front, const std::map<int, Memory>& known)
 /// \return what is wrong; empty if nothing
 std::string decideAt(const State<3>& state, FrontStation<3>& station, const Options& options, Memory& memory)
 {
-  const double now = state.time + state.dt, release = station.driving.release;
+  const double now = state.clock.time + state.clock.dt, release = station.driving.release;
   if (memory.fastest == 0.0)
     memory.fastest = fastestAt(state, station.position, options);
   if (memory.increment == 0.0)
@@ -138,7 +138,7 @@ void decide(State<3>& state, const Options& options, Memories& memories)
       const std::string wrong = decideAt(state, station, options, memories[f].stations.at(station.name));
       if (!wrong.empty())
       {
-        state.trouble = wrong;
+        state.failure = wrong;
         return;
       }
       memories[f].fastest = std::max(memories[f].fastest, memories[f].stations.at(station.name).fastest);
@@ -199,7 +199,7 @@ void ask(State<3>& state, const Options& options, Memories& memories)
     front.advances = false;
     const std::vector<double> angle = turns(front, options, memories[f].stations);
     // That by which the intensities were found.
-    const Elasticity e = elasticity(state.materialList[materialAt(state, front.position)]);
+    const Elasticity e = elasticity(state.materials.list[materialAt(state, front.position)]);
     FrontAdvance<3> asked;
     asked.front = static_cast<int>(f);
     asked.stations.resize(front.stations.size());
@@ -211,16 +211,16 @@ void ask(State<3>& state, const Options& options, Memories& memories)
       to.direction = station.direction;
       if (!station.advances)
       {
-        to.toughness = resistanceAtRest(state.time, ruleAt(station.temperature, options),
+        to.toughness = resistanceAtRest(state.clock.time, ruleAt(station.temperature, options),
                                         memories[f].stations.at(station.name).history);
         continue;
       }
       station.advances = false;
       Memory& memory = memories[f].stations.at(station.name);
       const Advance made =
-          memory.history.advance(ruleAt(station.temperature, options), state.time,
+          memory.history.advance(ruleAt(station.temperature, options), state.clock.time,
                                  openingRelease(station.driving, e), memory.increment, memory.fastest);
-      station.speed = memory.history.speed(state.time);
+      station.speed = memory.history.speed(state.clock.time);
       if (made.increments == 0)
         continue;
       FrontMemory& whole = memories[f];
@@ -240,7 +240,7 @@ void ask(State<3>& state, const Options& options, Memories& memories)
             straightCells * memory.increment / (shareOfIncrement * options.cells) - to.length;
       // Cells and material may be others where it is going.
       memory.increment = 0.0;
-      if (state.materialList.size() > 1)
+      if (state.materials.list.size() > 1)
         memory.fastest = 0.0;
     }
     if (any)

@@ -31,7 +31,7 @@ template <int D>
 void reportRest(const State<D>& state, const CrackFront<D>& front, double closest, nlohmann::json& summary)
 {
   summary["cracks"][front.crack]["fronts"][front.number]["closest_to_setting_out"] = closest;
-  if (state.step == 0) // a scene that is only checked
+  if (state.clock.step == 0) // a scene that is only checked
     return;
   const double rounded = 0.001 * std::floor(1000.0 * closest); // below one
   summary["warnings"].push_back("the front " + nameOf(state, front) + " did not set out: G at most " +
@@ -72,7 +72,7 @@ void reportEnergy(const State<D>& state, double taken, nlohmann::json& summary)
 {
   constexpr double notYet = std::numeric_limits<double>::quiet_NaN(); // null in the summary
   // What the body has been given, and how much of it the ledger knows of now.
-  const EnergyLedger& energy = state.energy;
+  const EnergyBalance& energy = state.energy;
   const double given =
       energy.start + std::fabs(energy.externalWork) + std::fabs(energy.combustion) + std::fabs(energy.heat);
   const double inFlight = summary.value("energy_in_flight", 0.0);

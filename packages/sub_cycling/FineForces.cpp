@@ -78,7 +78,7 @@ void FineParticles<D>::sumSlots(const State<D>& state, const Values& values) con
 template <int D>
 void FineParticles<D>::load(const State<D>& state, const Values& force) const
 {
-  const auto sums = state.nodes.sums;
+  const auto sums = state.mesh.nodes.sums;
   const View<int*> nodeOf = nodeOf_;
   forFew<fewSlots>(
       "rhegma::subcycling::load", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
@@ -91,8 +91,8 @@ void FineParticles<D>::load(const State<D>& state, const Values& force) const
 template <int D>
 void FineParticles<D>::store(const State<D>& state, const Values& force, double factor) const
 {
-  const Nodes<D> nodes = state.nodes;
-  const auto sums = state.nodes.sums;
+  const Nodes<D> nodes = state.mesh.nodes;
+  const auto sums = state.mesh.nodes.sums;
   const View<int*> nodeOf = nodeOf_;
   // What is stored will be summed over the ranks.
   forFew<fewSlots>(
@@ -108,7 +108,7 @@ void FineParticles<D>::startVelocity(const State<D>& state, const Values& veloci
 {
   fit(before_, "rhegma::subcycling::before", numSlots_);
   fit(carried_, "rhegma::subcycling::carried", numSlots_);
-  const auto sums = state.nodes.sums;
+  const auto sums = state.mesh.nodes.sums;
   const View<int*> nodeOf = nodeOf_;
   const View<double*> mass = mass_;
   const View<int* [D]> held = held_;
@@ -123,10 +123,10 @@ void FineParticles<D>::startVelocity(const State<D>& state, const Values& veloci
           before(i, d) = inverse * momentum(i, d);
         }
       });
-  if (state.coupledSlots.begin)
+  if (state.motion.coupledSlots.begin)
   {
-    state.coupledSlots.begin(state, slots(), held_);
-    state.coupledSlots.solve(momentum, before, false);
+    state.motion.coupledSlots.begin(state, slots(), held_);
+    state.motion.coupledSlots.solve(momentum, before, false);
   }
   forFew<fewSlots>(
       "rhegma::subcycling::heldVelocity", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
@@ -175,7 +175,7 @@ template <int D>
 void FineParticles<D>::force(const State<D>& state, int level, const Values& displacement,
                              const Values& force)
 {
-  if (state.thermo.empty())
+  if (state.materials.thermo.empty())
     sumForces(state, level, displacement, LawStress<D>(state));
   else
     sumForces(state, level, displacement, HeatedStress<D>(state));
@@ -196,19 +196,19 @@ void FineParticles<D>::force(const State<D>& state, int level, const Values& dis
 template <int D>
 void FineParticles<D>::smooth(const State<D>& state, int kind, const Values& force, const Values& mean)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const int rows = nodes.numLattice;
   Mean& own = means_[kind];
-  if (own.generation != state.tree.generation || static_cast<int>(own.value.extent(0)) < 2 * rows)
+  if (own.generation != state.mesh.tree.generation || static_cast<int>(own.value.extent(0)) < 2 * rows)
   {
     fit(own.value, "rhegma::subcycling::meanForce", 2 * rows);
     fit(own.renewed, "rhegma::subcycling::meanRenewed", 2 * rows);
     Kokkos::deep_copy(own.renewed, -2);
-    own.generation = state.tree.generation;
+    own.generation = state.mesh.tree.generation;
   }
   const Values memory = own.value;
   const View<int*> renewed = own.renewed, nodeOf = nodeOf_;
-  const int now = static_cast<int>(state.step), inner = numInner_;
+  const int now = static_cast<int>(state.clock.step), inner = numInner_;
   forFew<fewSlots>(
       "rhegma::subcycling::smooth", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         const int n = nodeOf(i);
@@ -236,7 +236,7 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
   const View<double*> nodal = mass_;
   const View<double* [D]> heldVelocity = heldVelocity_;
   const auto mass = state.particles.scalar(fields::mass);
-  const bool coupled = static_cast<bool>(state.coupledSlots.solve);
+  const bool coupled = static_cast<bool>(state.motion.coupledSlots.solve);
   // A coupled mass moves nodes without a force too.
   const int lowest = coupled ? 0 : level;
   forFew<fewSlots>(
@@ -249,7 +249,7 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
             acceleration(i, d) = supports ? (heldVelocity(i, d) - before(i, d)) / duration : 0.0;
       });
   if (coupled)
-    state.coupledSlots.solve(force, acceleration, true);
+    state.motion.coupledSlots.solve(force, acceleration, true);
   sumInParts(
       "rhegma::subcycling::roundTrip", 0, numListed_, KOKKOS_LAMBDA(const int i, double* to) {
         if (reach(i) < lowest)
@@ -283,7 +283,7 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
           acceleration(i, d) = held(i, d) != 0 ? 0.0 : inverse * carried(i, d);
       });
   if (coupled)
-    state.coupledSlots.solve(carried, acceleration, true);
+    state.motion.coupledSlots.solve(carried, acceleration, true);
   forFew<fewSlots>(
       "rhegma::subcycling::kick", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         for (int d = 0; d < D; ++d)
@@ -295,7 +295,7 @@ template <int D>
 void FineParticles<D>::correctMotion(const State<D>& state, const Values& displacement, double duration,
                                      const Values& velocity) const
 {
-  const auto motion = state.nodes.motion;
+  const auto motion = state.mesh.nodes.motion;
   const View<int*> nodeOf = nodeOf_;
   const View<int* [D]> held = held_;
   forFew<fewSlots>(
@@ -310,7 +310,7 @@ template <int D>
 void FineParticles<D>::correctProjection(const State<D>& state, const Values& displacement, double duration,
                                          const Values& velocity) const
 {
-  const auto projection = state.nodes.projection;
+  const auto projection = state.mesh.nodes.projection;
   const View<int*> nodeOf = nodeOf_;
   const View<int* [D]> held = held_;
   forFew<fewSlots>(

@@ -139,7 +139,7 @@ void FineParticles<D>::list(const State<D>& state, int first)
   if (numParticles() == 0.0)
     return;
   // Shallow classes first: where two meet the deeper one stays.
-  for (int l = first; l <= state.tree.deepest; ++l)
+  for (int l = first; l <= state.mesh.tree.deepest; ++l)
     markNodes(state, particlesFrom_[l + 1], particlesFrom_[l], l, false);
   shareClasses(state);
   numberSlots(state, 0);
@@ -155,14 +155,14 @@ void FineParticles<D>::list(const State<D>& state, int first)
 template <int D>
 void FineParticles<D>::classifyNodes(const State<D>& state)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   fit(nodeClass_, "rhegma::subcycling::nodeClass", nodes.numLattice + nodes.numSecond);
   fit(slotOf_, "rhegma::subcycling::slot", nodes.numLattice + nodes.numSecond);
   fit(nodeOf_, "rhegma::subcycling::nodeOf", nodes.numActive());
   fit(class_, "rhegma::subcycling::class", numCandidates_);
-  const View<int*> nodeClass = nodeClass_, slotOf = slotOf_, nodeLevel = state.tree.nodeLevel,
-                   classOf = class_, candidate = candidate_, row = state.storedRow;
-  const StencilTable<D> table = state.stored;
+  const View<int*> nodeClass = nodeClass_, slotOf = slotOf_, nodeLevel = state.mesh.tree.nodeLevel,
+                   classOf = class_, candidate = candidate_, row = state.stored.row;
+  const StencilTable<D> table = state.stored.table;
   Kokkos::parallel_for(
       "rhegma::subcycling::clearNodes", Range(0, nodes.numActive()), KOKKOS_LAMBDA(const int i) {
         nodeClass(activeNode(nodes, i)) = -1;
@@ -181,7 +181,7 @@ void FineParticles<D>::classifyNodes(const State<D>& state)
         classOf(i) = deepest;
       });
   // One class after the other, so that whoever writes writes the same.
-  for (int l = first_; l <= state.tree.deepest; ++l)
+  for (int l = first_; l <= state.mesh.tree.deepest; ++l)
     Kokkos::parallel_for(
         "rhegma::subcycling::classifyNodes", Range(0, numCandidates_), KOKKOS_LAMBDA(const int i) {
           if (classOf(i) != l)
@@ -197,12 +197,12 @@ void FineParticles<D>::classifyNodes(const State<D>& state)
 template <int D>
 void FineParticles<D>::shareClasses(const State<D>& state)
 {
-  if (!state.subdomain)
+  if (!state.mesh.subdomain)
     return;
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   fit(told_, "rhegma::subcycling::classesOfRanks", nodes.numLattice + nodes.numSecond);
   const View<double*> told = told_;
-  const View<int*> nodeClass = nodeClass_, shared = state.subdomain->halo.nodes();
+  const View<int*> nodeClass = nodeClass_, shared = state.mesh.subdomain->halo.nodes();
   const SharedRows rows = sharedRows(state);
   const int number = static_cast<int>(shared.extent(0)), fields = rows.second.extent(0) > 0 ? 2 : 1;
   Kokkos::parallel_for(
@@ -236,7 +236,7 @@ void FineParticles<D>::listParticles(const State<D>& state)
                    { classifyParticles(connect, numCandidates_, candidate_, nodeClass_, class_); });
   for (int& number : particlesFrom_)
     number = 0;
-  for (int l = state.tree.deepest; l >= first_; --l)
+  for (int l = state.mesh.tree.deepest; l >= first_; --l)
   {
     const int before = particlesFrom_[l + 1];
     int more = 0;
@@ -264,7 +264,7 @@ void FineParticles<D>::markNodes(const State<D>& state, int begin, int end, int 
 template <int D>
 void FineParticles<D>::numberSlots(const State<D>& state, int from)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> nodeOf = nodeOf_, nodeClass = nodeClass_, slotOf = slotOf_;
   int more = 0;
   Kokkos::parallel_scan(
@@ -330,12 +330,12 @@ void FineParticles<D>::holdNodes(const State<D>& state)
   fit(held_, "rhegma::subcycling::held", numSlots_);
   fit(heldVelocity_, "rhegma::subcycling::heldVelocity", numSlots_);
   const NodePlaces<D> places = nodePlaces(state);
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> nodeOf = nodeOf_;
   const View<int* [D]> held = held_;
   const View<double* [D]> velocity = heldVelocity_;
   Kokkos::deep_copy(held_, 0);
-  for (const NodeConstraint<D>& constraint : state.constraints)
+  for (const NodeConstraint<D>& constraint : state.motion.constraints)
   {
     const NodeConstraint<D> c = constraint;
     Kokkos::parallel_for(
@@ -357,7 +357,7 @@ template <int D>
 void FineParticles<D>::writeFirstShares(const State<D>& state, const BorrowedView<double*>& share) const
 {
   const View<int*> particle = particle_;
-  for (int l = first_; l <= state.tree.deepest; ++l)
+  for (int l = first_; l <= state.mesh.tree.deepest; ++l)
   {
     const double own = std::ldexp(1.0, first_ - 1 - l);
     Kokkos::parallel_for(
@@ -372,7 +372,7 @@ void FineParticles<D>::weighNodes(const State<D>& state)
   fit(mass_, "rhegma::subcycling::mass", numSlots_);
   const View<double*> mass = mass_;
   const View<int*> nodeOf = nodeOf_;
-  const auto sums = state.nodes.sums;
+  const auto sums = state.mesh.nodes.sums;
   Kokkos::parallel_for(
       "rhegma::subcycling::massOfNodes", Range(0, numSlots_),
       KOKKOS_LAMBDA(const int i) { mass(i) = sums(nodeOf(i), Nodes<D>::massAt); });

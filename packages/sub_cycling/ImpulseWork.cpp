@@ -7,10 +7,10 @@ template <int D>
 typename FineParticles<D>::ImpulseWork FineParticles<D>::workOf(const State<D>& state,
                                                                 const Values& impulse) const
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> nodeOf = nodeOf_;
   const Values velocity = before_;
-  const View<int*> coupledRow = state.coupledRow;
+  const View<int*> coupledRow = state.motion.coupledRow;
   const View<int* [D]> held = held_;
   const View<double* [D]> heldVelocity = heldVelocity_;
   ImpulseWork work;

@@ -50,8 +50,8 @@ void LocalSteps<D>::begin(State<D>& state, int first, int last)
 {
   first_ = first;
   last_ = last;
-  active_ = first <= last && state.tree.refined();
-  state.shortSteps = {};
+  active_ = first <= last && state.mesh.tree.refined();
+  state.motion.shortSteps = {};
   if (state.particles.has(fields::firstShare))
     Kokkos::deep_copy(state.particles.scalar(fields::firstShare), 1.0);
   if (!active_)
@@ -60,8 +60,8 @@ void LocalSteps<D>::begin(State<D>& state, int first, int last)
   active_ = fine_.numParticles() > 0.0;
   if (!active_)
     return;
-  state.shortSteps.nodes = fine_.slots();
-  state.shortSteps.length = std::ldexp(state.dt, first - 1 - last);
+  state.motion.shortSteps.nodes = fine_.slots();
+  state.motion.shortSteps.length = std::ldexp(state.clock.dt, first - 1 - last);
   if (state.particles.has(fields::firstShare))
     fine_.writeFirstShares(state, state.particles.scalar(fields::firstShare));
   const int slots = fine_.numSlots();
@@ -102,7 +102,7 @@ void LocalSteps<D>::evolve(State<D>& state)
   fine_.load(state, force_);
   add<D>(loads_, 1.0, force_, slots);
   leaveOuterNodes();
-  for (const FollowingForce<D>& following : state.followingForces)
+  for (const FollowingForce<D>& following : state.motion.followingForces)
   {
     Kokkos::deep_copy(force_, 0.0);
     following.frozen(state, fine_.slots(), force_);
@@ -113,23 +113,23 @@ void LocalSteps<D>::evolve(State<D>& state)
   steady(state, first_ - 1, others_, mean_[first_ - 1]);
   add<D>(others_, -1.0, mean_[first_ - 1], slots);
   Kokkos::deep_copy(impulse_, 0.0);
-  add<D>(impulse_, state.dt, loads_, slots);
+  add<D>(impulse_, state.clock.dt, loads_, slots);
   fine_.startVelocity(state, velocity_);
   startWork_ = {};
   if (reckonsWork(state))
-    addStartWork(state, loads_, state.shortSteps.length);
+    addStartWork(state, loads_, state.motion.shortSteps.length);
   Kokkos::deep_copy(force_, 0.0);
   fine_.accelerate(state, 0, 1.0, loads_, force_);
   Kokkos::deep_copy(loads_, force_);
   Kokkos::deep_copy(waiting_, 0.0);
-  add<D>(waiting_, state.dt, others_, slots);
+  add<D>(waiting_, state.clock.dt, others_, slots);
   waitingFrom_ = 0;
   atFirst_ = true;
-  step(state, first_, 0.5 * state.dt);
-  step(state, first_, 0.5 * state.dt);
+  step(state, first_, 0.5 * state.clock.dt);
+  step(state, first_, 0.5 * state.clock.dt);
   if (reckonsWork(state))
     bookWork(state);
-  fine_.store(state, impulse_, 1.0 / state.dt);
+  fine_.store(state, impulse_, 1.0 / state.clock.dt);
 }
 
 template <int D>
@@ -151,7 +151,7 @@ void LocalSteps<D>::bookWork(State<D>& state)
   state.energy.externalWork -= all.held - startWork_.held;
   double late = all.free - startWork_.free;
   sumParts(state, &late, 1);
-  state.shortSteps.lateWork = late;
+  state.motion.shortSteps.lateWork = late;
 }
 
 template <int D>
@@ -186,7 +186,7 @@ template <int D>
 void LocalSteps<D>::addImpulse(const State<D>& state, int level, double length)
 {
   const double particles = fine_.particlesFrom(level) - fine_.particlesFrom(level + 1);
-  const bool followed = level == last_ && !state.followingForces.empty(), first = atStart_[level];
+  const bool followed = level == last_ && !state.motion.followingForces.empty(), first = atStart_[level];
   extraSteps_ += particles;
   atStart_[level] = false;
   if (particles == 0.0 && !followed)
@@ -196,7 +196,7 @@ void LocalSteps<D>::addImpulse(const State<D>& state, int level, double length)
   {
     fine_.force(state, level, displacement_, force);
     if (level == last_)
-      for (const FollowingForce<D>& following : state.followingForces)
+      for (const FollowingForce<D>& following : state.motion.followingForces)
         following.change(state, fine_.slots(), displacement_, force);
     fine_.sumSlots(state, force);
     if (level < last_)
@@ -237,14 +237,14 @@ template <int D>
 void LocalSteps<D>::correctMotion(State<D>& state) const
 {
   if (active_)
-    fine_.correctMotion(state, displacement_, state.dt, velocity_);
+    fine_.correctMotion(state, displacement_, state.clock.dt, velocity_);
 }
 
 template <int D>
 void LocalSteps<D>::correctProjection(State<D>& state) const
 {
   if (active_)
-    fine_.correctProjection(state, displacement_, state.dt, velocity_);
+    fine_.correctProjection(state, displacement_, state.clock.dt, velocity_);
 }
 
 template <int D>

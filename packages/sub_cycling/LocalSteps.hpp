@@ -63,7 +63,10 @@ public:
   /// Takes all of the force on nodes that no small particle touches for one of the long step.
   void leaveOuterNodes();
   /// Whether anybody asks for the work of impulses.
-  static bool reckonsWork(const State<D>& state) { return state.observing || !state.constraints.empty(); }
+  static bool reckonsWork(const State<D>& state)
+  {
+    return state.clock.observing || !state.motion.constraints.empty();
+  }
   /// Adds the work of a force at the start of the long step. \param duration that it acts by then [s]
   void addStartWork(const State<D>& state, const Values& force, double duration);
   /// Books what supports give in short steps, and leaves the rest with the state.

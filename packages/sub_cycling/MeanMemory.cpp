@@ -67,9 +67,9 @@ template <int D>
 void FineParticles<D>::keepMean(const State<D>& state, Mean& mean, Archive& archive)
 {
   NamedMeans<D> named;
-  if (!archive.loads() && mean.generation == state.tree.generation)
-    named = nameMeans<D>(mean, NodeNames<D>(state), state.nodes.foreign, state.nodes.numLattice,
-                         static_cast<int>(state.step) - 1);
+  if (!archive.loads() && mean.generation == state.mesh.tree.generation)
+    named = nameMeans<D>(mean, NodeNames<D>(state), state.mesh.nodes.foreign, state.mesh.nodes.numLattice,
+                         static_cast<int>(state.clock.step) - 1);
   archive.together("nodes", named.nodes, D);
   archive.together("second field", named.second);
   archive.together("value", named.values, D);
@@ -85,10 +85,10 @@ void FineParticles<D>::placeMean(const State<D>& state, Mean& mean, const std::v
                                  const std::vector<int>& second, const std::vector<double>& values)
 {
   const NodeNames<D> names(state);
-  const int rows = state.nodes.numLattice;
+  const int rows = state.mesh.nodes.numLattice;
   fit(mean.value, "rhegma::subcycling::meanForce", 2 * rows);
   fit(mean.renewed, "rhegma::subcycling::meanRenewed", 2 * rows);
-  mean.generation = state.tree.generation;
+  mean.generation = state.mesh.tree.generation;
   const auto value = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, mean.value);
   const auto renewed = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, mean.renewed);
   Kokkos::deep_copy(renewed, -2);
@@ -100,7 +100,7 @@ void FineParticles<D>::placeMean(const State<D>& state, Mean& mean, const std::v
     if (node < 0)
       throw std::invalid_argument("\"nodes\" of mean forces names a node that is not there");
     const int row = node + second[k] * rows;
-    renewed(row) = static_cast<int>(state.step) - 1;
+    renewed(row) = static_cast<int>(state.clock.step) - 1;
     for (int d = 0; d < D; ++d)
       value(row, d) = values[D * k + d];
   }
@@ -111,10 +111,10 @@ void FineParticles<D>::placeMean(const State<D>& state, Mean& mean, const std::v
 template <int D>
 void FineParticles<D>::followNodes(const State<D>& state)
 {
-  if (!state.subdomain || state.subdomain == subdomain_)
+  if (!state.mesh.subdomain || state.mesh.subdomain == subdomain_)
     return;
   // Where cells change means begin anew, on one rank too.
-  if (subdomain_ && subdomain_->refined == state.subdomain->refined)
+  if (subdomain_ && subdomain_->refined == state.mesh.subdomain->refined)
   {
     const Grid<D> window = subdomain_->division.window(state.ranks.rank());
     const NodeNames<D> names(window, finePlace_);
@@ -123,7 +123,7 @@ void FineParticles<D>::followNodes(const State<D>& state)
       if (mean.generation != nodesGeneration_)
         continue;
       const NamedMeans<D> own = nameMeans<D>(mean, names, subdomain_->halo.foreign(), names.size(),
-                                             static_cast<int>(state.step) - 1);
+                                             static_cast<int>(state.clock.step) - 1);
       placeMean(state, mean, gatherOnAll(state.ranks, own.nodes), gatherOnAll(state.ranks, own.second),
                 state.ranks.gatherOnAll(own.values));
     }
@@ -134,14 +134,14 @@ void FineParticles<D>::followNodes(const State<D>& state)
 template <int D>
 void FineParticles<D>::rememberNodes(const State<D>& state)
 {
-  subdomain_ = state.subdomain;
+  subdomain_ = state.mesh.subdomain;
   if (!subdomain_)
     return;
-  nodesGeneration_ = state.tree.generation;
-  finePlace_ = View<double* [D]>("rhegma::subcycling::finePlace", state.tree.numFine);
-  if (state.tree.numFine > 0)
-    Kokkos::deep_copy(finePlace_, Kokkos::subview(state.tree.finePlace, std::make_pair(0, state.tree.numFine),
-                                                  Kokkos::ALL));
+  nodesGeneration_ = state.mesh.tree.generation;
+  finePlace_ = View<double* [D]>("rhegma::subcycling::finePlace", state.mesh.tree.numFine);
+  if (state.mesh.tree.numFine > 0)
+    Kokkos::deep_copy(finePlace_, Kokkos::subview(state.mesh.tree.finePlace,
+                                                  std::make_pair(0, state.mesh.tree.numFine), Kokkos::ALL));
 }
 
 template void FineParticles<2>::keep(const State<2>&, Archive&);

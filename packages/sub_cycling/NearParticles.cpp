@@ -38,8 +38,8 @@ View<char*> widen(const Grid<D>& grid, const View<char*>& given, int axis)
 template <int D>
 View<char*> nearRefinedOfAllRanks(const State<D>& state)
 {
-  const Branches<D>& refined = state.subdomain->refined;
-  const Grid<D>& grid = state.grid;
+  const Branches<D>& refined = state.mesh.subdomain->refined;
+  const Grid<D>& grid = state.mesh.grid;
   View<char*> near("rhegma::subcycling::nearRefined", grid.numNodes);
   const auto host = Kokkos::create_mirror_view(near);
   constexpr int reach = farthest + 1;
@@ -72,25 +72,25 @@ View<char*> nearRefinedOfAllRanks(const State<D>& state)
 template <int D>
 void FineParticles<D>::listNearBlocks(const State<D>& state)
 {
-  const Grid<D> grid = state.grid;
-  const bool changed = generation_ != state.tree.generation;
+  const Grid<D> grid = state.mesh.grid;
+  const bool changed = generation_ != state.mesh.tree.generation;
   if (changed)
   {
-    near_ = state.subdomain ? nearRefinedOfAllRanks(state) : state.tree.nearRefined;
-    for (int axis = 0; axis < D && !state.subdomain; ++axis)
+    near_ = state.mesh.subdomain ? nearRefinedOfAllRanks(state) : state.mesh.tree.nearRefined;
+    for (int axis = 0; axis < D && !state.mesh.subdomain; ++axis)
       near_ = widen(grid, near_, axis);
-    generation_ = state.tree.generation;
+    generation_ = state.mesh.tree.generation;
   }
-  const View<int*> first = state.blocks.first;
+  const View<int*> first = state.mesh.blocks.first;
   if (!changed && sorted_.data() == first.data())
     return;
   sorted_ = first;
   fit(inBlocks_, "rhegma::subcycling::inBlocks", state.particles.size());
   const View<char*> near = near_;
   const View<int*> inBlocks = inBlocks_;
-  const View<int * [Blocks<D>::axes]> corner = state.blocks.corner;
+  const View<int * [Blocks<D>::axes]> corner = state.mesh.blocks.corner;
   Kokkos::parallel_scan(
-      "rhegma::subcycling::listNearBlocks", Range(0, state.blocks.numBlocks),
+      "rhegma::subcycling::listNearBlocks", Range(0, state.mesh.blocks.numBlocks),
       KOKKOS_LAMBDA(const int b, int& at, const bool final) {
         // Until the next sort particles are no more than a cell outside of their block.
         if (!anyCellMarked(grid, near, corner, b, 1))
@@ -106,7 +106,7 @@ template <int D>
 void FineParticles<D>::findCandidates(const State<D>& state)
 {
   listNearBlocks(state);
-  const Grid<D> grid = state.grid;
+  const Grid<D> grid = state.mesh.grid;
   fit(candidate_, "rhegma::subcycling::candidate", state.particles.size());
   const View<char*> near = near_;
   const View<int*> candidate = candidate_, inBlocks = inBlocks_;

@@ -60,7 +60,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   if (scene.isSublist("Thermal"))
     effect.adds.push_back(
         {fields::firstShare, 1, "-", "share of the long step that the force of its start acts"});
-  effect.atStart = [=](State<D>& state) { state.subcycledLevels = levels; };
+  effect.atStart = [=](State<D>& state) { state.mesh.subcycledLevels = levels; };
   effect.call({Stage::Scatter,
                "particles of small cells",
                {"nodal mass", "stiffness of ties", "prescribed values"},
@@ -68,7 +68,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                {},
                [=](State<D>& state)
                {
-                 const int last = state.tree.deepest, first = last - std::min(levels, last) + 1;
+                 const int last = state.mesh.tree.deepest, first = last - std::min(levels, last) + 1;
                  steps->begin(state, first, last);
                }});
   effect.call({Stage::Solve,
@@ -80,7 +80,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                {
                  const double before = steps->extraSteps();
                  steps->evolve(state);
-                 state.particleSteps += steps->extraSteps() - before;
+                 state.particles.stepsTaken += steps->extraSteps() - before;
                }});
   effect.call({Stage::Solve, "velocity of short steps", {"nodal motion"}, {}, {}, [=](State<D>& state) {
                  steps->correctMotion(state);
@@ -91,7 +91,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.memory = [=](State<D>& state, Archive& archive) { steps->keep(state, archive); };
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {
-    summary["subcycling"] = {{"levels", std::min(levels, state.tree.deepest)},
+    summary["subcycling"] = {{"levels", std::min(levels, state.mesh.tree.deepest)},
                              {"extra_particle_steps", steps->extraSteps()}};
   };
   return effect;

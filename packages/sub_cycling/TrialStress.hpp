@@ -15,7 +15,7 @@ class LawStress
 {
 public:
   explicit LawStress(const State<D>& state)
-      : materials_(state.materials),
+      : materials_(state.materials.device),
         deformation_(state.particles.template real<gradientSize<D>>(fields::deformation)),
         material_(state.particles.integer(fields::material))
   {
@@ -55,7 +55,7 @@ class HeatedStress : private LawStress<D>
 public:
   explicit HeatedStress(const State<D>& state)
       : LawStress<D>(state),
-        tables_(state.thermo),
+        tables_(state.materials.thermo),
         temperature_(state.particles.scalar(fields::temperature)),
         internal_(state.particles.scalar(fields::internalEnergy)),
         stress_(state.particles.template real<symmetricSize<D>>(fields::stress))

@@ -26,8 +26,9 @@ constexpr double joining = 9.8696044010893586;
 template <int D>
 void Conduction<D>::measure(const State<D>& state)
 {
-  const auto materials = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.thermo.material);
-  const auto knots = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.thermo.knot);
+  const auto materials =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.materials.thermo.material);
+  const auto knots = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.materials.thermo.knot);
   diffusivity = 0.0;
   leastCapacity = leastDiffusivity = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < materials.extent(0); ++m)
@@ -62,7 +63,7 @@ double Conduction<D>::stepLimit(const State<D>& state) const
 template <int D>
 double Conduction<D>::explicitLimit(const State<D>& state) const
 {
-  const double h = state.smallestSpacing();
+  const double h = state.mesh.smallestSpacing();
   double limit = boundaries.stepLimit(leastCapacity, h);
   if (diffusivity > 0.0)
     limit = std::min(limit, diffusionNumber * h * h / diffusivity);
@@ -75,7 +76,7 @@ double Conduction<D>::sourceLimit(const State<D>& state) const
   double limit = std::numeric_limits<double>::infinity();
   for (const Source<D>& source : sources)
     if (const double speed = std::sqrt(dot(source.velocity, source.velocity)); source.ball && speed > 0.0)
-      limit = std::min(limit, 0.5 * state.smallestSpacing() / speed);
+      limit = std::min(limit, 0.5 * state.mesh.smallestSpacing() / speed);
   return limit;
 }
 
@@ -119,7 +120,7 @@ double Conduction<D>::supplyAll(State<D>& state, double dt, double time)
 template <int D>
 void Conduction<D>::once(State<D>& state, double dt, double time, const View<double*>& supplied)
 {
-  const double h = state.smallestSpacing();
+  const double h = state.mesh.smallestSpacing();
   // What nodes can't see fades in the time that heat takes through a cell: ten times slower than waves of its
   // length would. By the least of the diffusivities, since particles of several materials share it.
   const double fading = -std::expm1(-leastDiffusivity * dt / (h * h));
@@ -155,40 +156,42 @@ void Conduction<D>::once(State<D>& state, double dt, double time, const View<dou
 template <int D>
 void Conduction<D>::step(State<D>& state)
 {
-  pending += state.dt;
+  pending += state.clock.dt;
   ++waited;
   const double limit = stepLimit(state);
-  const bool last = state.time + state.dt >= finalTime * (1.0 - 1e-12); // which leaves nothing undone
-  if (!last && state.mechanics && waited < longestWait && pending + state.dt <= waitingShare * limit)
+  const bool last =
+      state.clock.time + state.clock.dt >= finalTime * (1.0 - 1e-12); // which leaves nothing undone
+  if (!last && state.method.mechanics && waited < longestWait &&
+      pending + state.clock.dt <= waitingShare * limit)
     return;
-  if (cellsSeen != state.tree.generation)
+  if (cellsSeen != state.mesh.tree.generation)
   {
-    cellsSeen = state.tree.generation;
+    cellsSeen = state.mesh.tree.generation;
     const std::string wrong = boundaries.contradictions(state, finalTime);
     if (!wrong.empty())
     {
-      state.trouble = wrong;
+      state.failure = wrong;
       return;
     }
   }
   // Cells that adapt have had a look at the sources by then.
-  if (!warned && state.step >= 32)
+  if (!warned && state.clock.step >= 32)
   {
     warned = true;
     for (const Source<D>& source : sources)
       if (const std::string word = unresolved("Thermal > Sources > " + source.name + " > Radius",
-                                              source.radius, state.smallestSpacing());
+                                              source.radius, state.mesh.smallestSpacing());
           source.ball && !word.empty())
         state.warnings.push_back(word);
   }
   const double steps = substeps(state, pending);
   if (!(steps <= mostSubsteps))
   {
-    state.trouble = tooMany(state, steps);
+    state.failure = tooMany(state, steps);
     return;
   }
   const int count = static_cast<int>(steps);
-  const double dt = pending / count, begin = state.time + state.dt - pending;
+  const double dt = pending / count, begin = state.clock.time + state.clock.dt - pending;
   const View<double*> none;
   facesKnown = false;
   for (int k = 0; k < count; ++k)

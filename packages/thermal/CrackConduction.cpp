@@ -79,13 +79,13 @@ void CrackConduction<D>::update(const State<D>& state)
     return;
   points_.update(state);
   lookAround(state);
-  const std::size_t rows = state.nodes.sums.extent(0);
+  const std::size_t rows = state.mesh.nodes.sums.extent(0);
   if (faces_.extent(0) < rows)
   {
     faces_ = View<double * [D + 2]>("rhegma::thermal::faces", rows);
     conductance_ = View<double*>("rhegma::thermal::conductance", rows);
   }
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<double * [D + 2]> faces = faces_;
   Kokkos::parallel_for(
       "rhegma::thermal::clearFaces", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
@@ -96,13 +96,13 @@ void CrackConduction<D>::update(const State<D>& state)
   addFaces(state);
   const FieldTable& table = state.particles;
   const EndsBlock<D> block{faces_,
-                           state.storedRow,
-                           state.stored,
+                           state.stored.row,
+                           state.stored.table,
                            table.scalar(fields::volume),
                            table.real<gradientSize<D>>(fields::deformation),
-                           state.nodes.numLattice};
-  if (state.numStored > 0)
-    forEachBlock("rhegma::thermal::endsOfFields", state.blocks, block);
+                           state.mesh.nodes.numLattice};
+  if (state.stored.count > 0)
+    forEachBlock("rhegma::thermal::endsOfFields", state.mesh.blocks, block);
   sumOverRanks(state, faces_.data(), D + 2, 0, D + 2);
   findConductance(state);
 }
@@ -122,7 +122,7 @@ void CrackConduction<D>::lookAround(const State<D>& state)
   }
   const FacePoints<D> points = points_;
   const View<double* [D]> position = around_.position;
-  const double reach = 0.5 * state.smallestSpacing();
+  const double reach = 0.5 * state.mesh.smallestSpacing();
   Kokkos::parallel_for(
       "rhegma::thermal::lookAroundFaces", Kokkos::RangePolicy<ExecSpace>(0, count),
       KOKKOS_LAMBDA(const int k) {
@@ -142,7 +142,7 @@ void CrackConduction<D>::addFaces(const State<D>& state)
   const StencilTable<D> stencils = stencils_;
   const View<FaceLaw*> laws = laws_;
   const View<double * [D + 2]> faces = faces_;
-  const double gap = closedGap * state.smallestSpacing();
+  const double gap = closedGap * state.mesh.smallestSpacing();
   forEachPushing(
       "rhegma::thermal::facesAroundNodes", 2 * points_.count(), KOKKOS_LAMBDA(const int s) {
         const int k = s / 2;
@@ -163,7 +163,7 @@ void CrackConduction<D>::addFaces(const State<D>& state)
 template <int D>
 void CrackConduction<D>::findConductance(const State<D>& state)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> side = state.cracks.nodeSide;
   const View<double * [D + 2]> faces = faces_;
   const View<double*> conductance = conductance_;
@@ -190,7 +190,7 @@ void CrackConduction<D>::merge(const State<D>& state, const HeatNodes<D>& heat, 
 {
   if (!perfectContact_ || !active(state))
     return;
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<double * [D + 2]> faces = faces_;
   const View<double*> conductance = conductance_;
   const bool several = heat.meets.extent(0) > 0;
@@ -220,7 +220,7 @@ double CrackConduction<D>::exchange(const State<D>& state, const HeatNodes<D>& h
 {
   if (!active(state))
     return 0.0;
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<double*> conductance = conductance_;
   double taken = 0.0;
   Kokkos::parallel_reduce(

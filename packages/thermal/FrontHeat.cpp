@@ -50,7 +50,7 @@ double Conduction<D>::heatOfFronts(State<D>& state, double dt)
 {
   const std::vector<CrackFront<D>>& all = state.cracks.fronts;
   // What was booked since the last sample is the ranks' own.
-  const double before = state.ranks.many() ? state.sampledEnergy.fracture : 0.0;
+  const double before = state.ranks.many() ? state.sample.energy.fracture : 0.0;
   const double spent = before + state.ranks.sum(state.energy.fracture - before);
   const double since = spent - fractureSeen;
   frontHeat.resize(all.size(), 0.0);
@@ -74,7 +74,7 @@ double Conduction<D>::heatOfFronts(State<D>& state, double dt)
       added += given;
       if (given > 0.0)
       {
-        finestHeated = std::min(finestHeated, state.smallestSpacing());
+        finestHeated = std::min(finestHeated, state.mesh.smallestSpacing());
         frontHeat[f] += energy;
         fractureSeen += energy;
       }

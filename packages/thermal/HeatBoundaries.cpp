@@ -38,10 +38,10 @@ HeldTemperature<D> readHeld(const Teuchos::ParameterList& list, const State<D>& 
   // Nodes on the rim count whatever the rounding.
   for (int d = 0; d < D; ++d)
   {
-    held.lower[d] -= 1e-9 * state.grid.spacing;
-    held.upper[d] += 1e-9 * state.grid.spacing;
+    held.lower[d] -= 1e-9 * state.mesh.grid.spacing;
+    held.upper[d] += 1e-9 * state.mesh.grid.spacing;
   }
-  if (!holdsNode(state.grid, held))
+  if (!holdsNode(state.mesh.grid, held))
     throw std::invalid_argument("Boundaries > " + name +
                                 ": the box holds no node of the cells inside the domain, so nothing is "
                                 "prescribed; make it a cell thick or move it");
@@ -83,11 +83,11 @@ void HeatBoundaries<D>::read(const Teuchos::ParameterList& section, State<D>& st
   const auto warn = [&](const std::string& name, const char* what, double T)
   { warnOfCold(state.warnings, "Boundaries > " + name + ": " + what, T); };
   for (const HeldTemperature<D>& held : held_)
-    warn(held.name, "it starts at", held.temperature * held.history(state.time));
+    warn(held.name, "it starts at", held.temperature * held.history(state.clock.time));
   for (const HeatedSurface<D>& heated : surfaces_)
     if (heated.coefficient > 0.0)
       warn(heated.surface.points.name(), "Ambient Temperature starts at",
-           heated.ambient * heated.history(state.time));
+           heated.ambient * heated.history(state.clock.time));
 }
 
 template <int D>
@@ -112,7 +112,7 @@ std::string HeatBoundaries<D>::contradictions(const State<D>& state, double fina
 template <int D>
 void HeatBoundaries<D>::hold(const State<D>& state, const HeatNodes<D>& heat, double time) const
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const NodePlaces<D> places = nodePlaces(state);
   for (const HeldTemperature<D>& held : held_)
   {

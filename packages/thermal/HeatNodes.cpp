@@ -15,7 +15,7 @@ namespace
 template <int D>
 Vector<D> commonOrigin(const State<D>& state)
 {
-  return state.subdomain ? state.subdomain->division.lattice.origin : state.grid.origin;
+  return state.mesh.subdomain ? state.mesh.subdomain->division.lattice.origin : state.mesh.grid.origin;
 }
 
 template <int D, class Connect>
@@ -194,7 +194,7 @@ struct ChangeBlock
 template <int D>
 void HeatNodes<D>::clear(const State<D>& state, bool several)
 {
-  const std::size_t rows = state.nodes.sums.extent(0);
+  const std::size_t rows = state.mesh.nodes.sums.extent(0);
   if (sums.extent(0) < rows)
   {
     sums = View<double* [sumWidth]>("rhegma::thermal::sums", rows);
@@ -206,9 +206,9 @@ void HeatNodes<D>::clear(const State<D>& state, bool several)
   }
   if (several && static_cast<int>(joined.extent(0)) < state.particles.size())
     joined = View<double*>("rhegma::thermal::joined", state.particles.size());
-  if (state.numStored > 0 && static_cast<int>(aside.extent(0)) < state.particles.size())
+  if (state.stored.count > 0 && static_cast<int>(aside.extent(0)) < state.particles.size())
     aside = View<double*>("rhegma::thermal::aside", state.particles.size());
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const HeatNodes<D> heat = *this;
   Kokkos::parallel_for(
       "rhegma::thermal::clear", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
@@ -231,28 +231,28 @@ void heatToNodes(const State<D>& state, const HeatNodes<D>& nodes)
                      const FieldTable& table = state.particles;
                      const CapacityBlock<D, Connect> block{connect,
                                                            nodes,
-                                                           state.thermo,
+                                                           state.materials.thermo,
                                                            commonOrigin(state),
                                                            table.real<D>(fields::position),
                                                            table.real<D>(fields::temperatureGradient),
                                                            table.scalar(fields::volume),
                                                            table.scalar(fields::temperature),
                                                            table.integer(fields::material),
-                                                           state.nodes,
+                                                           state.mesh.nodes,
                                                            nodePlaces(state),
-                                                           state.numStored > 0 ? state.storedRow
-                                                                               : View<int*>()};
-                     forEachBlock("rhegma::thermal::heatToNodes", state.blocks, block);
+                                                           state.stored.count > 0 ? state.stored.row
+                                                                                  : View<int*>()};
+                     forEachBlock("rhegma::thermal::heatToNodes", state.mesh.blocks, block);
                    });
 }
 
 template <int D>
 void findTemperature(State<D>& state, const HeatNodes<D>& heat)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const NodePlaces<D> places = nodePlaces(state);
   const Vector<D> origin = commonOrigin(state);
-  const bool mechanics = state.mechanics;
+  const bool mechanics = state.method.mechanics;
   Kokkos::parallel_for(
       "rhegma::thermal::findTemperature", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i) {
@@ -281,14 +281,14 @@ void fluxToNodes(const State<D>& state, const HeatNodes<D>& nodes, const View<do
                      const FieldTable& table = state.particles;
                      const FluxBlock<D, Connect> block{connect, nodes, particleFlux(state),
                                                        table.real<D>(fields::temperatureGradient), supply};
-                     forEachBlock("rhegma::thermal::fluxToNodes", state.blocks, block);
+                     forEachBlock("rhegma::thermal::fluxToNodes", state.mesh.blocks, block);
                    });
 }
 
 template <int D>
 double changeTemperature(const State<D>& state, const HeatNodes<D>& heat, double dt)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   double taken = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::thermal::changeTemperature", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
@@ -315,7 +315,7 @@ void changeToParticles(State<D>& state, const HeatNodes<D>& nodes, double share,
                      const FieldTable& table = state.particles;
                      const ChangeBlock<D, Connect> block{connect,
                                                          nodes,
-                                                         state.thermo,
+                                                         state.materials.thermo,
                                                          table.scalar(fields::volume),
                                                          table.scalar(fields::temperature),
                                                          table.scalar(fields::internalEnergy),
@@ -323,9 +323,9 @@ void changeToParticles(State<D>& state, const HeatNodes<D>& nodes, double share,
                                                          supply,
                                                          share,
                                                          dt,
-                                                         state.mechanics,
-                                                         state.numStored > 0};
-                     forEachBlock("rhegma::thermal::changeToParticles", state.blocks, block);
+                                                         state.method.mechanics,
+                                                         state.stored.count > 0};
+                     forEachBlock("rhegma::thermal::changeToParticles", state.mesh.blocks, block);
                    });
 }
 

@@ -35,7 +35,7 @@ struct PairRows
 template <int D>
 void LongSteps<D>::numberUnknowns(const State<D>& state, const HeatNodes<D>& heat)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<char*> unknown = unknown_;
   Kokkos::parallel_for(
       "rhegma::thermal::findUnknowns", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
@@ -47,15 +47,15 @@ void LongSteps<D>::numberUnknowns(const State<D>& state, const HeatNodes<D>& hea
   // The number of nodes changes as bodies move and cracks grow: some room spares making the solver anew.
   if (room_ < nodes.numActive())
     room_ = nodes.numActive() + nodes.numActive() / 8 + 64;
-  gradients_.resize(room_, state.subdomain ? state.ranks : Ranks());
+  gradients_.resize(room_, state.mesh.subdomain ? state.ranks : Ranks());
 }
 
 template <int D>
 void LongSteps<D>::findPairs(const State<D>& state, const HeatNodes<D>& heat, const CrackConduction<D>& faces,
                              double dt)
 {
-  numPairs_ = faces.active(state) ? state.nodes.numSecond : 0;
-  const Nodes<D> nodes = state.nodes;
+  numPairs_ = faces.active(state) ? state.mesh.nodes.numSecond : 0;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<double*>& conductance = faces.conductance();
   const View<double* [pairWidth]> pairs = pairs_;
   Kokkos::parallel_for(
@@ -81,7 +81,7 @@ template <int D>
 void LongSteps<D>::spread(const State<D>& state, double jump)
 {
   sumOverRanks(state, change_.data(), 2, 0, 1);
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<char*> held = held_;
   const View<double* [2]> change = change_;
   const View<double* [pairWidth]> pairs = pairs_;
@@ -105,7 +105,7 @@ template <int D>
 void LongSteps<D>::residual(const State<D>& state, const HeatNodes<D>& heat, double dt,
                             const BorrowedView<double*>& to)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<char*> unknown = unknown_;
   const View<double*[2]> change = change_, flow = flow_;
   const View<double* [pairWidth]> pairs = pairs_;
@@ -140,7 +140,7 @@ template <int D>
 void LongSteps<D>::precondition(const State<D>& state, const HeatNodes<D>& heat, double dt,
                                 const BorrowedView<const double*>& from, const BorrowedView<double*>& to)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<char*> unknown = unknown_;
   const View<double*> diagonal = diagonal_;
   const View<double* [2]> flow = flow_;
@@ -176,7 +176,7 @@ void LongSteps<D>::precondition(const State<D>& state, const HeatNodes<D>& heat,
 template <int D>
 void LongSteps<D>::passThroughFaces(const State<D>& state, const HeatNodes<D>& heat, double dt)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<double* [pairWidth]> pairs = pairs_;
   Kokkos::parallel_for(
       "rhegma::thermal::passThroughFaces", Kokkos::RangePolicy<ExecSpace>(0, numPairs_),
@@ -197,7 +197,7 @@ double LongSteps<D>::implicitStep(State<D>& state, const HeatNodes<D>& heat,
   numberUnknowns(state, heat);
   findPairs(state, heat, faces, dt);
   held_ = heat.held;
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<char*> unknown = unknown_;
   const View<double*[2]> change = change_, flow = flow_;
   const View<double* [pairWidth]> pairs = pairs_;
@@ -248,7 +248,7 @@ double LongSteps<D>::implicitStep(State<D>& state, const HeatNodes<D>& heat,
       [&](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
       { precondition(state, heat, dt, x, y); });
   if (!result.converged)
-    state.trouble = "implicit conduction did not converge in a step of " + formatReal(dt) +
+    state.failure = "implicit conduction did not converge in a step of " + formatReal(dt) +
                     " s; take a smaller Thermal > Step Ratio";
   take(gradients_.solution(), scale);
   spread(state, 1.0);

@@ -114,14 +114,14 @@ void LongSteps<D>::keep(Archive& archive)
 template <int D>
 void LongSteps<D>::makeRoom(const State<D>& state)
 {
-  const std::size_t rows = state.nodes.sums.extent(0);
+  const std::size_t rows = state.mesh.nodes.sums.extent(0);
   if (change_.extent(0) >= rows)
     return;
   change_ = View<double* [2]>("rhegma::thermal::change", rows);
   flow_ = View<double* [2]>("rhegma::thermal::flow", rows);
   diagonal_ = View<double*>("rhegma::thermal::diagonal", rows);
   stage_ = View<double* [4]>("rhegma::thermal::stages", method == Method::SuperTimeStepping ? rows : 0);
-  const std::size_t second = rows - state.nodes.numLattice;
+  const std::size_t second = rows - state.mesh.nodes.numLattice;
   pairs_ = View<double* [pairWidth]>("rhegma::thermal::pairs", method == Method::Implicit ? second : 0);
   unknown_ = View<char*>("rhegma::thermal::unknown", method == Method::Implicit ? rows : 0);
 }
@@ -131,7 +131,7 @@ template <int D>
 double LongSteps<D>::findFlow(const State<D>& state, const HeatBoundaries<D>& boundaries)
 {
   ++products;
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<double* [2]> flow = flow_;
   Kokkos::parallel_for(
       "rhegma::thermal::clearFlow", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
@@ -141,7 +141,7 @@ double LongSteps<D>::findFlow(const State<D>& state, const HeatBoundaries<D>& bo
                    {
                      using Connect = std::decay_t<decltype(connect)>;
                      const ChangedFluxBlock<D, Connect> block{connect, change_, flow_, particleFlux(state)};
-                     forEachBlock("rhegma::thermal::changeOfFlux", state.blocks, block);
+                     forEachBlock("rhegma::thermal::changeOfFlux", state.mesh.blocks, block);
                    });
   const double power = boundaries.addResponse(change_, flow_);
   sumOverRanks(state, flow_.data(), 2, 0, 1);
@@ -158,14 +158,14 @@ void LongSteps<D>::addGradient(const State<D>& state, const HeatNodes<D>& nodes)
                      const GradientBlock<D, Connect> block{
                          connect, change_, state.particles.template real<D>(fields::temperatureGradient),
                          nodes, particleFlux(state)};
-                     forEachBlock("rhegma::thermal::changeOfGradient", state.blocks, block);
+                     forEachBlock("rhegma::thermal::changeOfGradient", state.mesh.blocks, block);
                    });
 }
 
 template <int D>
 void LongSteps<D>::findDiagonal(const State<D>& state, const HeatBoundaries<D>& boundaries)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<double*> diagonal = diagonal_;
   Kokkos::parallel_for(
       "rhegma::thermal::clearDiagonal", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
@@ -175,7 +175,7 @@ void LongSteps<D>::findDiagonal(const State<D>& state, const HeatBoundaries<D>& 
                    {
                      using Connect = std::decay_t<decltype(connect)>;
                      const DiagonalBlock<D, Connect> block{connect, diagonal_, particleFlux(state)};
-                     forEachBlock("rhegma::thermal::diagonal", state.blocks, block);
+                     forEachBlock("rhegma::thermal::diagonal", state.mesh.blocks, block);
                    });
   boundaries.addDiagonal(diagonal_);
   sumOverRanks(state, diagonal_.data(), 1, 0, 1);
@@ -195,7 +195,7 @@ template <int D>
 double LongSteps<D>::superTimeStep(State<D>& state, const HeatNodes<D>& heat,
                                    const HeatBoundaries<D>& boundaries, double dt, double explicitLimit)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const View<double* [4]> stage = stage_;
   const View<double*[2]> change = change_, flow = flow_;
   const View<double*> diagonal = diagonal_;

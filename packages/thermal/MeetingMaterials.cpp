@@ -78,7 +78,7 @@ struct JoinBlock
 template <int D>
 void markMaterials(const State<D>& state, const HeatNodes<D>& nodes, double share)
 {
-  const Nodes<D> all = state.nodes;
+  const Nodes<D> all = state.mesh.nodes;
   const HeatNodes<D> heat = nodes;
   Kokkos::parallel_for(
       "rhegma::thermal::clearMaterials", Kokkos::RangePolicy<ExecSpace>(0, all.numActive()),
@@ -90,10 +90,10 @@ void markMaterials(const State<D>& state, const HeatNodes<D>& nodes, double shar
                    [&](const auto& connect)
                    {
                      using Connect = std::decay_t<decltype(connect)>;
-                     const MarkBlock<D, Connect> block{connect, nodes, state.thermo,
+                     const MarkBlock<D, Connect> block{connect, nodes, state.materials.thermo,
                                                        state.particles.scalar(fields::temperature),
                                                        state.particles.integer(fields::material)};
-                     forEachBlock("rhegma::thermal::markMaterials", state.blocks, block);
+                     forEachBlock("rhegma::thermal::markMaterials", state.mesh.blocks, block);
                    });
   sumOverRanks(state, nodes.meets.data(), HeatNodes<D>::meetWidth, 0, HeatNodes<D>::joinAt);
   Kokkos::parallel_for(
@@ -114,14 +114,14 @@ void joinMaterials(const State<D>& state, const HeatNodes<D>& nodes)
                      const FieldTable& table = state.particles;
                      const JoinBlock<D, Connect> block{connect,
                                                        nodes,
-                                                       state.nodes,
+                                                       state.mesh.nodes,
                                                        nodePlaces(state),
-                                                       state.thermo,
+                                                       state.materials.thermo,
                                                        table.real<D>(fields::position),
                                                        table.real<D>(fields::temperatureGradient),
                                                        table.scalar(fields::temperature),
                                                        table.integer(fields::material)};
-                     forEachBlock("rhegma::thermal::joinMaterials", state.blocks, block);
+                     forEachBlock("rhegma::thermal::joinMaterials", state.mesh.blocks, block);
                    });
 }
 

@@ -54,8 +54,8 @@ template <int D>
 ParticleFlux<D> particleFlux(const State<D>& state)
 {
   const FieldTable& table = state.particles;
-  return {state.thermo,
-          state.bodyAxes,
+  return {state.materials.thermo,
+          state.bodies.axes,
           table.scalar(fields::volume),
           table.scalar(fields::temperature),
           table.template real<gradientSize<D>>(fields::deformation),

@@ -48,7 +48,7 @@ double addBall(const State<D>& state, const Vector<D>& centre, double radius, do
 template <int D>
 double smallestRadius(const State<D>& state)
 {
-  return state.smallestSpacing();
+  return state.mesh.smallestSpacing();
 }
 
 /// What to tell of a radius that cells of an edge do not resolve; empty where they do.

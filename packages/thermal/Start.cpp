@@ -46,9 +46,9 @@ void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, dou
   const auto body = host(state.particles.integer(fields::body));
   const auto place = host(state.particles.template real<D>(fields::position));
   const auto T = host(state.particles.scalar(fields::temperature));
-  for (std::size_t b = 0; b < state.bodies.size(); ++b)
+  for (std::size_t b = 0; b < state.bodies.list.size(); ++b)
   {
-    const std::string& name = state.bodies[b].name;
+    const std::string& name = state.bodies.list[b].name;
     const Teuchos::ParameterList& list = bodies.sublist(name);
     const double own = list.isParameter("Temperature") ? list.get<double>("Temperature") : initial;
     const bool varies = list.isParameter("Temperature Field");
@@ -81,18 +81,18 @@ void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, dou
 template <int D>
 void startEnergy(State<D>& state)
 {
-  const ThermoTables tables = state.thermo;
+  const ThermoTables tables = state.materials.thermo;
   const auto T = state.particles.scalar(fields::temperature);
   const auto internal = state.particles.scalar(fields::internalEnergy);
   const auto material = state.particles.integer(fields::material);
-  if (!state.mechanics)
+  if (!state.method.mechanics)
   {
     Kokkos::parallel_for(
         "rhegma::thermal::startHeat", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
         KOKKOS_LAMBDA(const int p) { internal(p) = ThermoPoint(tables, material(p), T(p)).heat(); });
     return;
   }
-  const View<Properties*> materials = state.materials;
+  const View<Properties*> materials = state.materials.device;
   const auto F = state.particles.template real<gradientSize<D>>(fields::deformation);
   const auto stress = state.particles.template real<symmetricSize<D>>(fields::stress);
   BorrowedView<double**> history;
@@ -116,7 +116,7 @@ void followGradient(State<D>& state, const SplitParts& parts)
   constexpr int number = 1 << D;
   const View<int*> whole = parts.whole;
   const int first = parts.first;
-  const ThermoTables tables = state.thermo;
+  const ThermoTables tables = state.materials.thermo;
   const auto T = state.particles.scalar(fields::temperature);
   const auto internal = state.particles.scalar(fields::internalEnergy);
   const auto material = state.particles.integer(fields::material);

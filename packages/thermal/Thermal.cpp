@@ -45,17 +45,17 @@ struct Run
 template <int D>
 void useReferenceProperties(State<D>& state, const Teuchos::ParameterList& materials, double initial)
 {
-  const auto host = Kokkos::create_mirror_view(state.materials);
-  for (std::size_t m = 0; m < state.materialList.size(); ++m)
+  const auto host = Kokkos::create_mirror_view(state.materials.device);
+  for (std::size_t m = 0; m < state.materials.list.size(); ++m)
   {
-    const std::string& name = state.materialNames[m];
+    const std::string& name = state.materials.names[m];
     const Teuchos::ParameterList& list = materials.sublist(name);
     const double reference =
         list.isParameter("Reference Temperature") ? list.get<double>("Reference Temperature") : initial;
-    state.materialList[m] = makeProperties(materialAt(list, reference), name, state.plane);
-    host(m) = state.materialList[m];
+    state.materials.list[m] = makeProperties(materialAt(list, reference), name, state.method.plane);
+    host(m) = state.materials.list[m];
   }
-  Kokkos::deep_copy(state.materials, host);
+  Kokkos::deep_copy(state.materials.device, host);
 }
 
 template <int D>
@@ -63,7 +63,7 @@ void readBoundaries(State<D>& state, const Teuchos::ParameterList& section, Run<
 {
   Conduction<D>& conduction = run.conduction;
   conduction.boundaries.read(section, state);
-  conduction.cellsSeen = state.tree.generation;
+  conduction.cellsSeen = state.mesh.tree.generation;
   const std::string wrong = conduction.boundaries.contradictions(state, run.finalTime);
   if (!wrong.empty())
     throw std::invalid_argument(wrong);
@@ -73,7 +73,8 @@ template <int D>
 void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
 {
   const Teuchos::ParameterList& list = scene.sublist("Thermal");
-  state.thermo = makeThermoTables(scene.sublist("Materials"), state.plane, run.initial, state.mechanics);
+  state.materials.thermo =
+      makeThermoTables(scene.sublist("Materials"), state.method.plane, run.initial, state.method.mechanics);
   useReferenceProperties(state, scene.sublist("Materials"), run.initial);
   run.conduction.measure(state);
   run.conduction.finalTime = run.finalTime;
@@ -95,10 +96,10 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
     readBoundaries(state, scene.sublist("Boundaries"), run);
   if (list.isSublist("Crack Faces"))
     run.conduction.faces.read(list.sublist("Crack Faces"), state);
-  if (state.mechanics)
+  if (state.method.mechanics)
   {
     const double steps =
-        run.conduction.substeps(state, state.cfl * state.stepSpacing() / fastestSpeed(state));
+        run.conduction.substeps(state, state.method.cfl * state.mesh.stepSpacing() / fastestSpeed(state));
     if (!(steps <= Conduction<D>::mostSubsteps))
       throw std::invalid_argument("Thermal: " + run.conduction.tooMany(state, steps));
   }
@@ -110,28 +111,29 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
     for (FrontStation<D>& station : front.stations)
       station.temperature = run.initial;
   }
-  state.afterSplit.push_back([](State<D>& s, const SplitParts& parts) { followGradient(s, parts); });
+  state.particles.afterSplit.push_back([](State<D>& s, const SplitParts& parts)
+                                       { followGradient(s, parts); });
 }
 
 template <int D>
 void observe(State<D>& state, Run<D>& run)
 {
   const Extremes<D> now = extremes(state);
-  if (state.time >= 0.95 * run.finalTime)
+  if (state.clock.time >= 0.95 * run.finalTime)
   {
     run.settledPeaks += now.highest;
     ++run.settledSamples;
   }
-  state.row.emplace_back("temperature_highest", now.highest);
-  state.row.emplace_back("temperature_lowest", now.lowest);
+  state.sample.row.emplace_back("temperature_highest", now.highest);
+  state.sample.row.emplace_back("temperature_lowest", now.lowest);
   for (const Probe<D>& probe : run.probes)
-    state.row.emplace_back(probe.name + ".temperature", temperatureAt(state, probe.place));
+    state.sample.row.emplace_back(probe.name + ".temperature", temperatureAt(state, probe.place));
   for (const CrackFront<D>& front : state.cracks.fronts)
-    state.row.emplace_back(state.cracks.cracks[front.crack].name + "." + std::to_string(front.number) +
-                               ".temperature",
-                           front.temperature);
-  if (!(now.lowest > 0.0) && state.trouble.empty())
-    state.trouble = "a particle is at " + formatReal(now.lowest) +
+    state.sample.row.emplace_back(state.cracks.cracks[front.crack].name + "." + std::to_string(front.number) +
+                                      ".temperature",
+                                  front.temperature);
+  if (!(now.lowest > 0.0) && state.failure.empty())
+    state.failure = "a particle is at " + formatReal(now.lowest) +
                     " K, and temperatures are absolute; look at the sources and at what flows out";
 }
 
@@ -205,7 +207,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.timeStepLimit = [run](const State<D>& state)
   {
     const double sources = run->conduction.sourceLimit(state);
-    if (state.mechanics)
+    if (state.method.mechanics)
       return sources;
     // Heat that goes nowhere still has sources that change with time.
     return std::min({run->conduction.stepLimit(state), sources, run->finalTime / 100.0});

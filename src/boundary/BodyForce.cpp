@@ -20,9 +20,9 @@ void addBodyForce(const Nodes<D>& nodes, const Vector<D>& acceleration)
 template <int D>
 double bodyForceWork(const State<D>& state, const Vector<D>& acceleration)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const LoadVelocity<D> velocity(state);
-  const double dt = state.dt;
+  const double dt = state.clock.dt;
   double work = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::bodyForceWork", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),

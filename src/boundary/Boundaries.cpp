@@ -29,9 +29,10 @@ void addGravity(Effect<D>& effect, const Teuchos::ParameterList& list, const Teu
 {
   const Vector<D> acceleration = readVector<D>(list, "Acceleration");
   const TimeFunction history = TimeFunction::parse(list.get<std::string>("History"));
-  const auto now = [=](const State<D>& state) { return history(state.time + 0.5 * state.dt) * acceleration; };
+  const auto now = [=](const State<D>& state)
+  { return history(state.clock.time + 0.5 * state.clock.dt) * acceleration; };
   effect.call({Stage::BeforeSolve, "gravity", {"nodal mass"}, {}, {"nodal force"}, [now](State<D>& state) {
-                 addBodyForce(state.nodes, now(state));
+                 addBodyForce(state.mesh.nodes, now(state));
                }});
   effect.call({stageOfWays(scene),
                "work of gravity",
@@ -54,12 +55,12 @@ void watchCells(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstr
                {},
                [=](State<D>& state)
                {
-                 if (*seen == state.tree.generation)
+                 if (*seen == state.mesh.tree.generation)
                    return;
-                 *seen = state.tree.generation;
+                 *seen = state.mesh.tree.generation;
                  const std::string wrong = contradictions(*constraints, state, finalTime);
-                 if (state.trouble.empty())
-                   state.trouble = wrong;
+                 if (state.failure.empty())
+                   state.failure = wrong;
                }});
 }
 

@@ -20,8 +20,8 @@ struct MeanOfHeld
   MeanOfHeld(const State<D>& state, const NodeConstraint<D>& constraint, const NodeConstraint<D>& earlier)
       : now(constraint),
         before(earlier),
-        shortSteps(state.shortSteps.nodes),
-        share(state.shortSteps.length / state.dt)
+        shortSteps(state.motion.shortSteps.nodes),
+        share(state.motion.shortSteps.length / state.clock.dt)
   {
   }
 
@@ -94,17 +94,17 @@ Reaction<D> constrainMotion(State<D>& state, const NodeConstraint<D>& constraint
                             const NodeConstraint<D>& earlier)
 {
   HoldNodes<D> hold;
-  hold.nodes = state.nodes;
+  hold.nodes = state.mesh.nodes;
   hold.places = nodePlaces(state);
   hold.constraint = constraint;
   hold.mean = MeanOfHeld<D>(state, constraint, earlier);
-  hold.coupledRow = state.coupledRow;
-  hold.coupledReaction = state.coupledReaction;
-  hold.dt = state.dt;
-  hold.bySmoothing = projectsLast(state.scheme);
+  hold.coupledRow = state.motion.coupledRow;
+  hold.coupledReaction = state.motion.coupledReaction;
+  hold.dt = state.clock.dt;
+  hold.bySmoothing = projectsLast(state.method.scheme);
   double sum[1 + D] = {};
   Kokkos::parallel_reduce("rhegma::constrainMotion",
-                          Kokkos::RangePolicy<ExecSpace>(0, state.nodes.numActive()), hold, sum);
+                          Kokkos::RangePolicy<ExecSpace>(0, state.mesh.nodes.numActive()), hold, sum);
   Reaction<D> reaction{sum[0], {}};
   for (int d = 0; d < D; ++d)
     reaction.impulse[d] = sum[1 + d];
@@ -115,10 +115,10 @@ template <int D>
 double constrainProjection(State<D>& state, const NodeConstraint<D>& constraint,
                            const NodeConstraint<D>& earlier, const View<char**>& held)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   const NodePlaces<D> places = nodePlaces(state);
-  const View<int*> coupledRow = state.coupledRow;
-  const bool afterMotion = projectsLast(state.scheme) && !state.strainPass.before;
+  const View<int*> coupledRow = state.motion.coupledRow;
+  const bool afterMotion = projectsLast(state.method.scheme) && !state.clock.strainPass.before;
   const MeanOfHeld<D> mean(state, constraint, earlier);
   double work = 0.0;
   Kokkos::parallel_reduce(

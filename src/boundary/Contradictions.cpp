@@ -185,7 +185,8 @@ std::string contradictions(const std::vector<TimedConstraint<D>>& constraints, c
       if (!mayMeet(constraints[a], constraints[b]))
         continue;
       Quarrel<D> quarrel;
-      const bool here = findQuarrel(motions[a], motions[b], places, state.grid.spacing, finalTime, quarrel);
+      const bool here =
+          findQuarrel(motions[a], motions[b], places, state.mesh.grid.spacing, finalTime, quarrel);
       const std::string sentence =
           state.ranks.firstText(here ? inWords(constraints[a], constraints[b], quarrel, what) : "");
       if (!sentence.empty())

@@ -10,7 +10,7 @@ namespace Rhegma
 template <int D>
 void clearMarks(const State<D>& state, View<char**>& held)
 {
-  const int rows = static_cast<int>(state.nodes.sums.extent(0));
+  const int rows = static_cast<int>(state.mesh.nodes.sums.extent(0));
   if (static_cast<int>(held.extent(0)) < rows)
     held = View<char**>("rhegma::heldNodes", rows, D);
   Kokkos::deep_copy(held, char(0));

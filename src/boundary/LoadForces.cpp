@@ -40,7 +40,7 @@ void addLoadForces(Effect<D>& effect, const std::shared_ptr<std::vector<Load<D>>
                {
                  known->resize(loads->size());
                  for (std::size_t k = 0; k < loads->size(); ++k)
-                   known->impulse[k] = known->impulse[k] + state.dt * (*loads)[k].force();
+                   known->impulse[k] = known->impulse[k] + state.clock.dt * (*loads)[k].force();
                }});
   effect.call({Stage::Observe,
                "forces of loads",
@@ -50,15 +50,15 @@ void addLoadForces(Effect<D>& effect, const std::shared_ptr<std::vector<Load<D>>
                [=](State<D>& state)
                {
                  const char* columns[] = {".force_x", ".force_y", ".force_z"};
-                 const double duration = state.time - known->last;
-                 known->last = state.time;
+                 const double duration = state.clock.time - known->last;
+                 known->last = state.clock.time;
                  known->resize(loads->size());
                  for (std::size_t k = 0; k < loads->size(); ++k)
                  {
                    known->force[k] = (duration > 0.0 ? 1.0 / duration : 0.0) * known->impulse[k];
                    known->impulse[k] = Vector<D>{};
                    for (int d = 0; d < D; ++d)
-                     state.row.emplace_back((*loads)[k].name() + columns[d], known->force[k][d]);
+                     state.sample.row.emplace_back((*loads)[k].name() + columns[d], known->force[k][d]);
                  }
                }});
   effect.memory = [=, before = effect.memory](State<D>& state, Archive& archive)

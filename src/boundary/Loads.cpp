@@ -19,11 +19,11 @@ template <int D>
 void followParticles(const State<D>& state, const View<int*>& id, const View<double* [D]>& start,
                      const View<double*>& share, const View<double*>& here, const ObservedPoints<D>& points)
 {
-  const Grid<D> grid = state.grid;
+  const Grid<D> grid = state.mesh.grid;
   const auto position = state.particles.template real<D>(fields::position);
   const auto deformation = state.particles.template real<gradientSize<D>>(fields::deformation);
   const auto reference = state.particles.template real<D>(fields::reference);
-  const View<int*> indexOf = state.indexOf;
+  const View<int*> indexOf = state.particles.indexOf;
   BorrowedView<int*> side;
   const bool sides = state.particles.has(fields::side);
   if (sides)
@@ -152,7 +152,7 @@ void Load<D>::followLevels(const State<D>& state)
   if (!state.particles.has(fields::level))
     return;
   const auto level = state.particles.integer(fields::level);
-  const View<int*> indexOf = state.indexOf, id = wholeId_, last = level_;
+  const View<int*> indexOf = state.particles.indexOf, id = wholeId_, last = level_;
   int changed = 0;
   Kokkos::parallel_reduce(
       "rhegma::levelsOfLoad", Kokkos::RangePolicy<ExecSpace>(0, id.extent(0)),
@@ -175,9 +175,9 @@ void Load<D>::followLevels(const State<D>& state)
 template <int D>
 void Load<D>::apply(State<D>& state)
 {
-  now_ = history_(state.time + 0.5 * state.dt);
+  now_ = history_(state.clock.time + 0.5 * state.clock.dt);
   place(state);
-  addToNodes(state.nodes, stencils_, here_, points_.count, now_ * force_);
+  addToNodes(state.mesh.nodes, stencils_, here_, points_.count, now_ * force_);
 }
 
 template <int D>
@@ -191,8 +191,8 @@ void Load<D>::place(State<D>& state)
   keepMassedNodes(state, points_.count, followed_, stencils_, 0.0);
   keepMassedNodes(state, points_.count, followed_, followed_);
   const double lost = lostShare(stencils_, here_, points_.count);
-  if (std::abs(lost) > 1e-10 && state.trouble.empty())
-    state.trouble = "the load Boundaries > " + name_ +
+  if (std::abs(lost) > 1e-10 && state.failure.empty())
+    state.failure = "the load Boundaries > " + name_ +
                     " no longer reaches its body: " + std::to_string(100.0 * lost) +
                     " % of it acts where there is no material";
 }
@@ -204,7 +204,7 @@ double Load<D>::work(const State<D>& state) const
   const StencilTable<D> stencils = followed_;
   const View<double*> share = here_;
   const Vector<D> force = now_ * force_;
-  const double dt = state.dt;
+  const double dt = state.clock.dt;
   return sumFew<double>(
       "rhegma::loadWork", points_.count, KOKKOS_LAMBDA(const int k, double& sum) {
         for (int e = 0; e < stencils.count(k); ++e)

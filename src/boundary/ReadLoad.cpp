@@ -96,7 +96,7 @@ Seeds<D> seedsOf(const State<D>& state, int body, std::vector<int>& ids)
   {
     seeds.volume *= seeds.edge[d];
     for (int e = 0; e < D; ++e)
-      seeds.axes[d][e] = state.bodies[body].axes[d][e];
+      seeds.axes[d][e] = state.bodies.list[body].axes[d][e];
   }
   return seeds;
 }
@@ -127,8 +127,8 @@ Load<D> readLoad(const Teuchos::ParameterList& list, const State<D>& state, cons
 {
   std::vector<int> ids;
   const Seeds<D> seeds = seedsOf(state, findBody(state, list.get<std::string>("Body")), ids);
-  const PlacedLoad<D> placed =
-      placeLoad<D>(list, list.get<std::string>("Type"), seeds, state.thickness, "Boundaries > " + name);
+  const PlacedLoad<D> placed = placeLoad<D>(list, list.get<std::string>("Type"), seeds,
+                                            state.method.thickness, "Boundaries > " + name);
   return onParticles(placed, seeds, ids, name, list.get<std::string>("History"));
 }
 
@@ -139,7 +139,7 @@ Surface<D> readSurface(const Teuchos::ParameterList& list, const State<D>& state
   const Seeds<D> seeds = seedsOf(state, findBody(state, list.get<std::string>("Body")), ids);
   Teuchos::ParameterList unit(list);
   unit.set("Pressure", 1.0);
-  const PlacedLoad<D> placed = placeTraction(unit, seeds, state.thickness, "Boundaries > " + name);
+  const PlacedLoad<D> placed = placeTraction(unit, seeds, state.method.thickness, "Boundaries > " + name);
   return {onParticles(placed, seeds, ids, name, "1"), norm(placed.force)};
 }
 

@@ -46,18 +46,18 @@ template <int D>
 View<double* [D]> fieldAtNodes(const PlaceFunction& function, const NodeConstraint<D>& constraint,
                                const State<D>& state, const std::string& where)
 {
-  const int count = state.grid.numNodes + state.tree.numFine;
+  const int count = state.mesh.grid.numNodes + state.mesh.tree.numFine;
   View<double* [D]> field("rhegma::prescribedField", count);
   const auto host = Kokkos::create_mirror_view(field);
-  const auto fine = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.tree.finePlace);
+  const auto fine = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.tree.finePlace);
   for (int n = 0; n < count; ++n)
   {
     Vector<D> place;
-    if (n < state.grid.numNodes)
-      place = state.grid.nodePosition(n);
+    if (n < state.mesh.grid.numNodes)
+      place = state.mesh.grid.nodePosition(n);
     else
       for (int d = 0; d < D; ++d)
-        place[d] = fine(n - state.grid.numNodes, d);
+        place[d] = fine(n - state.mesh.grid.numNodes, d);
     if (!constraint.appliesAt(place))
       continue;
     const Vector<D> value = function(place);
@@ -77,9 +77,9 @@ View<double* [D]> fieldAtNodes(const PlaceFunction& function, const NodeConstrai
 template <int D>
 void followCells(TimedConstraint<D>& timed, State<D>& state)
 {
-  if (!timed.field || timed.generation == state.tree.generation)
+  if (!timed.field || timed.generation == state.mesh.tree.generation)
     return;
-  timed.generation = state.tree.generation;
+  timed.generation = state.mesh.tree.generation;
   try
   {
     timed.constraint.field =
@@ -89,9 +89,9 @@ void followCells(TimedConstraint<D>& timed, State<D>& state)
   {
     // The run stops after this stage; until then the nodes are at rest.
     timed.constraint.field =
-        View<double* [D]>("rhegma::prescribedField", state.grid.numNodes + state.tree.numFine);
-    if (state.trouble.empty())
-      state.trouble = wrong.what();
+        View<double* [D]>("rhegma::prescribedField", state.mesh.grid.numNodes + state.mesh.tree.numFine);
+    if (state.failure.empty())
+      state.failure = wrong.what();
   }
 }
 
@@ -99,7 +99,7 @@ template <int D>
 TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const State<D>& state,
                                 const std::string& where)
 {
-  const Grid<D>& grid = state.grid;
+  const Grid<D>& grid = state.mesh.grid;
   TimedConstraint<D> timed{{}, {}, TimeFunction::parse(list.get<std::string>("History")), {}};
   timed.constraint.lower = readVector<D>(list, "Lower Corner");
   timed.constraint.upper = readVector<D>(list, "Upper Corner");
@@ -125,7 +125,7 @@ TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const State<
   else
   {
     timed.field = PlaceFunction::parse(list.get<std::string>("Field"), D);
-    timed.generation = state.tree.generation;
+    timed.generation = state.mesh.tree.generation;
     timed.constraint.field = fieldAtNodes<D>(*timed.field, timed.constraint, state, where);
   }
   return timed;
@@ -134,7 +134,7 @@ TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const State<
 template <int D>
 TimedConstraint<D> readSymmetry(const Teuchos::ParameterList& list, State<D>& state, const std::string& where)
 {
-  const Grid<D>& grid = state.grid;
+  const Grid<D>& grid = state.mesh.grid;
   TimedConstraint<D> timed{{}, {}, TimeFunction::parse("0"), {}};
   const int axis = axisNumber(list.get<std::string>("Axis")[0]);
   const double position = list.get<double>("Position");
@@ -195,8 +195,8 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
                [constraints, last](State<D>& state)
                {
                  const char* columns[] = {".force_x", ".force_y", ".force_z"};
-                 const double duration = state.time - *last;
-                 *last = state.time;
+                 const double duration = state.clock.time - *last;
+                 *last = state.clock.time;
                  for (auto& timed : *constraints)
                  {
                    state.ranks.sum(timed.impulse.c, D);
@@ -206,7 +206,7 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
                    timed.impulse = Vector<D>{};
                    for (int d = 0; d < D; ++d)
                      if (timed.constraint.holds[d])
-                       state.row.emplace_back(timed.name + columns[d], timed.force[d]);
+                       state.sample.row.emplace_back(timed.name + columns[d], timed.force[d]);
                  }
                }});
   effect.memory = [constraints, last](State<D>&, Archive& archive)
@@ -243,11 +243,11 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
                {},
                [constraints](State<D>& state)
                {
-                 state.constraints.clear();
+                 state.motion.constraints.clear();
                  for (auto& timed : *constraints)
                  {
                    followCells(timed, state);
-                   state.constraints.push_back(timed.at(state.time + state.dt));
+                   state.motion.constraints.push_back(timed.at(state.clock.time + state.clock.dt));
                  }
                }});
   effect.call({Stage::AfterSolve,
@@ -259,8 +259,8 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
                {
                  for (std::size_t c = 0; c < constraints->size(); ++c)
                  {
-                   const Reaction<D> reaction =
-                       constrainMotion(state, state.constraints[c], (*constraints)[c].at(state.time));
+                   const Reaction<D> reaction = constrainMotion(state, state.motion.constraints[c],
+                                                                (*constraints)[c].at(state.clock.time));
                    state.energy.externalWork += reaction.work;
                    (*constraints)[c].impulse = (*constraints)[c].impulse + reaction.impulse;
                  }
@@ -274,12 +274,12 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
                {
                  if (constraints->size() > 1)
                    clearMarks(state, *held);
-                 const bool atStart = state.strainPass.before;
+                 const bool atStart = state.clock.strainPass.before;
                  for (auto& timed : *constraints)
                  {
-                   const double work =
-                       constrainProjection(state, timed.at(atStart ? state.time : state.time + state.dt),
-                                           timed.at(state.time), *held);
+                   const double work = constrainProjection(
+                       state, timed.at(atStart ? state.clock.time : state.clock.time + state.clock.dt),
+                       timed.at(state.clock.time), *held);
                    state.energy.externalWork += work;
                    timed.taken -= work;
                  }

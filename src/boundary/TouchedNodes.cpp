@@ -14,7 +14,7 @@ namespace
 template <int D>
 std::vector<Vector<D>> ofLattice(const State<D>& state)
 {
-  const Grid<D>& grid = state.grid;
+  const Grid<D>& grid = state.mesh.grid;
   const auto position = Kokkos::create_mirror_view_and_copy(
       Kokkos::HostSpace{}, state.particles.template real<D>(fields::position));
   const auto edge = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{},
@@ -56,10 +56,10 @@ std::vector<Vector<D>> ofLattice(const State<D>& state)
 template <int D>
 View<int*> marksOfFine(const State<D>& state)
 {
-  View<int*> mark("rhegma::touchedNodes", state.tree.numFine);
-  const TreeSight<D> sight(state.grid, state.tree);
-  const int numNodes = state.grid.numNodes;
-  const bool boxes = state.shape == ShapeKind::Gimp;
+  View<int*> mark("rhegma::touchedNodes", state.mesh.tree.numFine);
+  const TreeSight<D> sight(state.mesh.grid, state.mesh.tree);
+  const int numNodes = state.mesh.grid.numNodes;
+  const bool boxes = state.method.shape == ShapeKind::Gimp;
   const auto position = state.particles.template real<D>(fields::position);
   BorrowedView<double* [D]> box;
   if (boxes)
@@ -89,11 +89,11 @@ template <int D>
 std::vector<Vector<D>> touchedNodes(const State<D>& state)
 {
   std::vector<Vector<D>> places = ofLattice(state);
-  if (!state.tree.refined())
+  if (!state.mesh.tree.refined())
     return places;
   const auto mark = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, marksOfFine(state));
-  const auto fine = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.tree.finePlace);
-  for (int n = 0; n < state.tree.numFine; ++n)
+  const auto fine = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.tree.finePlace);
+  for (int n = 0; n < state.mesh.tree.numFine; ++n)
   {
     if (mark(n) == 0)
       continue;

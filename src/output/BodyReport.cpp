@@ -38,7 +38,7 @@ struct BodySums
         volume(state.particles.scalar(fields::volume)),
         position(state.particles.template real<D>(fields::position)),
         deformation(state.particles.template real<gradientSize<D>>(fields::deformation)),
-        mechanics(state.mechanics)
+        mechanics(state.method.mechanics)
   {
     if (!mechanics)
       return;
@@ -95,19 +95,19 @@ void bodyReport(const State<D>& state, nlohmann::json& summary)
              : std::vector<const char*>{"xx", "yy", "zz", "xy", "yz", "xz"};
   nlohmann::json& bodies = summary["bodies"];
   bodies = nlohmann::json::array();
-  for (std::size_t b = 0; b < state.bodies.size(); ++b)
+  for (std::size_t b = 0; b < state.bodies.list.size(); ++b)
   {
     double sum[Sums::size] = {};
     Kokkos::parallel_reduce("rhegma::bodyReport", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
                             Sums(state, static_cast<int>(b)), sum);
     state.ranks.sum(sum, Sums::size);
     nlohmann::json body;
-    body["name"] = state.bodies[b].name;
+    body["name"] = state.bodies.list[b].name;
     body["mass"] = sum[0];
     body["centre"] = listed(sum + Sums::placeAt, D, 1.0 / sum[0]);
-    if (state.mechanics)
+    if (state.method.mechanics)
       body["velocity"] = listed(sum + Sums::velocityAt, D, 1.0 / sum[0]);
-    if (state.mechanics)
+    if (state.method.mechanics)
       body["stress"] = named(symmetric, sum + Sums::stressAt, 1.0 / sum[2]);
     body["deformation"] = named(gradient, sum + Sums::deformationAt, 1.0 / sum[1]);
     bodies.push_back(body);

@@ -24,9 +24,9 @@ using LeafKey = std::array<int, D + 1>;
 template <int D>
 std::vector<LeafKey<D>> leavesWithParticles(const State<D>& state)
 {
-  const TreeSight<D> sight(state.grid, state.tree);
+  const TreeSight<D> sight(state.mesh.grid, state.mesh.tree);
   const auto position = state.particles.template real<D>(fields::position);
-  const double perCell = std::ldexp(1.0, state.tree.deepest);
+  const double perCell = std::ldexp(1.0, state.mesh.tree.deepest);
   const View<int * [D + 1]> key("rhegma::leafKeys", state.particles.size());
   Kokkos::parallel_for(
       "rhegma::findLeaves", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
@@ -55,14 +55,14 @@ template <int D>
 Mesh cellMesh(const State<D>& state)
 {
   constexpr int perCell = D == 2 ? 4 : 8;
-  const Grid<D>& grid = state.grid;
+  const Grid<D>& grid = state.mesh.grid;
   const std::vector<LeafKey<D>> leaves = leavesWithParticles(state);
   std::map<std::array<int, D>, int> nodes;
   std::vector<std::array<int, D>> corner; // of one leaf after another
   DataSet level{"level", DataSet::Role::OnCells, 1, true, {}, {}};
   for (const LeafKey<D>& leaf : leaves)
   {
-    const int edge = 1 << (state.tree.deepest - leaf[D]);
+    const int edge = 1 << (state.mesh.tree.deepest - leaf[D]);
     for (int k = 0; k < perCell; ++k)
     {
       std::array<int, D> at;
@@ -82,7 +82,7 @@ Mesh cellMesh(const State<D>& state)
       const int axis = grid.axisOrder[d];
       points.real[3 * next + axis] =
           grid.origin[axis] +
-          std::ldexp(static_cast<double>(node.first[d]), -state.tree.deepest) * grid.spacing;
+          std::ldexp(static_cast<double>(node.first[d]), -state.mesh.tree.deepest) * grid.spacing;
     }
     node.second = next++;
   }

@@ -25,7 +25,7 @@ struct Entry
   const char* effect; ///< that gives it; empty: the method itself
 };
 
-std::vector<Entry> entries(const EnergyLedger& energy)
+std::vector<Entry> entries(const EnergyBalance& energy)
 {
   return {{"kinetic", energy.kinetic, ""},
           {"strain", energy.strain, ""},
@@ -46,17 +46,17 @@ template <int D>
 void coreRow(State<D>& state, const std::set<std::string>& effects)
 {
   measureEnergy(state);
-  shareBooks(state);
+  shareEnergyBalance(state);
   HistoryRow row;
   for (const Entry& entry : entries(state.energy))
     if (*entry.effect == '\0' || effects.count(entry.effect) > 0)
       row.emplace_back(entry.column, entry.value);
-  if (canFlow(state.materialList))
+  if (canFlow(state.materials.list))
     row.emplace_back("plastic", state.energy.plastic);
   const char* names[] = {"momentum_x", "momentum_y", "momentum_z"};
   for (int d = 0; d < D; ++d)
-    row.emplace_back(names[d], state.momentum[d]);
-  state.row.insert(state.row.begin(), row.begin(), row.end());
+    row.emplace_back(names[d], state.sample.momentum[d]);
+  state.sample.row.insert(state.sample.row.begin(), row.begin(), row.end());
 }
 
 template <int D>
@@ -65,13 +65,13 @@ void coreReport(const State<D>& state, nlohmann::json& summary)
   nlohmann::json& energy = summary["energy"];
   for (const Entry& entry : entries(state.energy))
     energy[entry.column] = entry.value;
-  if (canFlow(state.materialList))
+  if (canFlow(state.materials.list))
     energy["plastic"] = state.energy.plastic;
-  summary["cells"] = {{"largest", state.grid.spacing}, {"smallest", state.smallestSpacing()}};
+  summary["cells"] = {{"largest", state.mesh.grid.spacing}, {"smallest", state.mesh.smallestSpacing()}};
   nlohmann::json& momentum = summary["momentum"];
   momentum = nlohmann::json::array();
   for (int d = 0; d < D; ++d)
-    momentum.push_back(state.momentum[d]);
+    momentum.push_back(state.sample.momentum[d]);
 }
 
 template void coreRow(State<2>&, const std::set<std::string>&);

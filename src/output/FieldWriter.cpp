@@ -106,9 +106,9 @@ FieldWriter<D>& FieldWriter<D>::operator=(FieldWriter&&) noexcept = default;
 template <int D>
 void FieldWriter<D>::write(const State<D>& state)
 {
-  if (state.time == lastTime_)
+  if (state.clock.time == lastTime_)
     return;
-  lastTime_ = state.time;
+  lastTime_ = state.clock.time;
   files_->write(partOfAll(state.ranks, makeSnapshot(state)), state.ranks);
 }
 

@@ -121,7 +121,7 @@ DataSet edgeVectors(const State<D>& state)
   for (std::size_t p = 0; p < length.extent(0); ++p)
     for (int e = 0; e < D; ++e)
       for (int d = 0; d < D; ++d)
-        set.real[9 * p + 3 * e + d] = length(p, e) * state.bodies[body(p)].axes[e][d];
+        set.real[9 * p + 3 * e + d] = length(p, e) * state.bodies.list[body(p)].axes[e][d];
   return set;
 }
 
@@ -167,10 +167,10 @@ Mesh particleMesh(const State<D>& state)
     cells.whole.push_back(static_cast<int>(p));
   }
   mesh.data.push_back(std::move(cells));
-  if (state.mechanics)
+  if (state.method.mechanics)
     mesh.data.push_back(
         padded<D>("velocity", Role::OnPoints, onHost(particles.real<D>(fields::velocity)), n));
-  if (state.mechanics)
+  if (state.method.mechanics)
     addStress(cauchyStress<D>(particles), mesh);
   mesh.data.push_back(table("mass", onHost(particles.table(fields::mass))));
   mesh.data.push_back(std::move(firstEdge));
@@ -225,7 +225,7 @@ template <int D>
 Snapshot makeSnapshot(const State<D>& state)
 {
   Snapshot snapshot;
-  snapshot.time = state.time;
+  snapshot.time = state.clock.time;
   snapshot.meshes.push_back(particleMesh(state));
   snapshot.meshes.push_back(cellMesh(state));
   if (!state.cracks.empty())

@@ -153,8 +153,8 @@ std::string printPlan(const Plan<D>& plan, const State<D>& state)
     out << "  " << field.name << " (" << field.components << (field.unit.empty() ? "" : ", " + field.unit)
         << "): " << field.meaning << "\n";
   out << "Stages of a step:\n";
-  const bool twice = state.scheme == UpdateScheme::Usavg;
-  for (const Stage stage : stageOrder(state.scheme))
+  const bool twice = state.method.scheme == UpdateScheme::Usavg;
+  for (const Stage stage : stageOrder(state.method.scheme))
   {
     const auto& calls = plan.calls[static_cast<int>(stage)];
     if (calls.empty())

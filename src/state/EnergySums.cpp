@@ -47,7 +47,7 @@ struct ParticleSums
 
   explicit ParticleSums(const State<D>& state) : energy(state)
   {
-    if (!state.thermo.empty())
+    if (!state.materials.thermo.empty())
       internal = state.particles.scalar(fields::internalEnergy);
   }
 };
@@ -65,46 +65,47 @@ void measureEnergy(State<D>& state)
   state.energy.kinetic = sum[0];
   state.energy.strain = sum[1] + state.ranks.sum(state.energy.ties);
   state.energy.plastic = sum[2];
-  if (!state.thermo.empty())
+  if (!state.materials.thermo.empty())
   {
     state.energy.thermal = sum[3] - sum[1] - sum[2] - state.energy.thermalStart;
     state.energy.roundOff = sum[4];
   }
   for (int d = 0; d < D; ++d)
-    state.momentum[d] = sum[Sums::momentumAt + d];
+    state.sample.momentum[d] = sum[Sums::momentumAt + d];
 }
 
 template <int D>
-EnergyLedger booksOfAll(const State<D>& state)
+EnergyBalance energyOfAllRanks(const State<D>& state)
 {
-  constexpr double EnergyLedger::*booked[] = {
-      &EnergyLedger::externalWork, &EnergyLedger::damped,     &EnergyLedger::contact, &EnergyLedger::fracture,
-      &EnergyLedger::merged,       &EnergyLedger::combustion, &EnergyLedger::heat};
+  constexpr double EnergyBalance::*booked[] = {&EnergyBalance::externalWork, &EnergyBalance::damped,
+                                               &EnergyBalance::contact,      &EnergyBalance::fracture,
+                                               &EnergyBalance::merged,       &EnergyBalance::combustion,
+                                               &EnergyBalance::heat};
   constexpr int count = sizeof(booked) / sizeof(*booked);
-  EnergyLedger all = state.energy;
+  EnergyBalance all = state.energy;
   if (!state.ranks.many())
     return all;
   double since[count];
   for (int k = 0; k < count; ++k)
-    since[k] = state.energy.*booked[k] - state.sampledEnergy.*booked[k];
+    since[k] = state.energy.*booked[k] - state.sample.energy.*booked[k];
   state.ranks.sum(since, count);
   for (int k = 0; k < count; ++k)
-    all.*booked[k] = state.sampledEnergy.*booked[k] + since[k];
+    all.*booked[k] = state.sample.energy.*booked[k] + since[k];
   return all;
 }
 
 template <int D>
-void shareBooks(State<D>& state)
+void shareEnergyBalance(State<D>& state)
 {
   if (state.ranks.many())
-    state.sampledEnergy = state.energy = booksOfAll(state);
+    state.sample.energy = state.energy = energyOfAllRanks(state);
 }
 
 template void measureEnergy(State<2>&);
 template void measureEnergy(State<3>&);
-template EnergyLedger booksOfAll(const State<2>&);
-template EnergyLedger booksOfAll(const State<3>&);
-template void shareBooks(State<2>&);
-template void shareBooks(State<3>&);
+template EnergyBalance energyOfAllRanks(const State<2>&);
+template EnergyBalance energyOfAllRanks(const State<3>&);
+template void shareEnergyBalance(State<2>&);
+template void shareEnergyBalance(State<3>&);
 
 } // namespace Rhegma

@@ -7,7 +7,7 @@ namespace Rhegma
 {
 
 /// Sums kinetic and strain energy, plastic dissipation [J] and momentum [kg m/s] of the particles into
-/// state.energy and state.momentum.
+/// state.energy and state.sample.momentum.
 ///
 /// Kinetic energy is m v.v / 2 of the particles, strain energy the law's stored energy times the undeformed
 /// volume. In one kernel; reads velocity, mass, initial volume, deformation gradient, history.
@@ -16,10 +16,10 @@ void measureEnergy(State<D>& state);
 
 /// The ledger with the books of all ranks; this rank's own stay as they are. Collective.
 template <int D>
-EnergyLedger booksOfAll(const State<D>& state);
+EnergyBalance energyOfAllRanks(const State<D>& state);
 
 /// Makes the books those of all ranks, in every rank's ledger. Collective; `coreRow` does so too.
 template <int D>
-void shareBooks(State<D>& state);
+void shareEnergyBalance(State<D>& state);
 
 } // namespace Rhegma

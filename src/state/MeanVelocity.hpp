@@ -16,10 +16,10 @@ struct MeanVelocity
   double half, briefHalf; ///< of the step and of the shortest steps [s]
 
   explicit MeanVelocity(const State<D>& state)
-      : nodes(state.nodes),
-        brief(state.shortSteps.nodes),
-        half(0.5 * state.dt),
-        briefHalf(0.5 * state.shortSteps.length)
+      : nodes(state.mesh.nodes),
+        brief(state.motion.shortSteps.nodes),
+        half(0.5 * state.clock.dt),
+        briefHalf(0.5 * state.motion.shortSteps.length)
   {
   }
 

@@ -142,8 +142,8 @@ void sendParticles(State<D>& state, const std::vector<int>& owner)
 template <int D>
 void migrateParticles(State<D>& state)
 {
-  if (state.subdomain)
-    sendParticles(state, ownersOf(state, state.subdomain->division));
+  if (state.mesh.subdomain)
+    sendParticles(state, ownersOf(state, state.mesh.subdomain->division));
 }
 
 template std::vector<int> ownersOf(const State<2>&, const Division<2>&);

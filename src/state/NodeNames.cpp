@@ -6,7 +6,7 @@ namespace Rhegma
 {
 
 template <int D>
-NodeNames<D>::NodeNames(const State<D>& state) : NodeNames(state.grid, state.tree.finePlace)
+NodeNames<D>::NodeNames(const State<D>& state) : NodeNames(state.mesh.grid, state.mesh.tree.finePlace)
 {
 }
 

@@ -27,9 +27,9 @@ struct ParticleEnergy
         volume(state.particles.scalar(fields::volume)),
         deformation(state.particles.template real<gradientSize<D>>(fields::deformation)),
         material(state.particles.integer(fields::material)),
-        materials(state.materials),
-        thermo(state.thermo),
-        mechanics(state.mechanics)
+        materials(state.materials.device),
+        thermo(state.materials.thermo),
+        mechanics(state.method.mechanics)
   {
     if (mechanics)
       velocity = state.particles.template real<D>(fields::velocity);

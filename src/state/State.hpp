@@ -11,7 +11,7 @@
 #include "material/ThermoTables.hpp"
 #include "parallel/Ranks.hpp"
 #include "state/CrackSet.hpp"
-#include "state/Energy.hpp"
+#include "state/EnergyBalance.hpp"
 #include "state/NodeConstraint.hpp"
 
 #include <functional>
@@ -202,8 +202,8 @@ struct State
       indexOf; ///< index of the particle with each id, -1 where another rank has it; renewed by every sort
   double particleSteps = 0.0; ///< particles times steps, summed
 
-  EnergyLedger energy;          ///< of all ranks when a sample is taken; what is booked later is this rank's
-  EnergyLedger sampledEnergy;   ///< the same as it was at the last sample
+  EnergyBalance energy;         ///< of all ranks when a sample is taken; what is booked later is this rank's
+  EnergyBalance sampledEnergy;  ///< the same as it was at the last sample
   Vector<D> momentum;           ///< of all particles at the last sample [N s]
   HistoryRow row;               ///< filled by the Observe stage
   bool settled = false;         ///< at rest

@@ -13,7 +13,7 @@ namespace Rhegma
 namespace
 {
 
-void archiveLedger(EnergyLedger& energy, Archive& archive)
+void archiveLedger(EnergyBalance& energy, Archive& archive)
 {
   const Archive::Group group(archive, "energy");
   archive("kinetic", energy.kinetic);
@@ -36,23 +36,23 @@ void archiveLedger(EnergyLedger& energy, Archive& archive)
 template <int D>
 void archiveEnergies(State<D>& state, Archive& archive)
 {
-  EnergyLedger energy = archive.loads() ? EnergyLedger() : booksOfAll(state);
+  EnergyBalance energy = archive.loads() ? EnergyBalance() : energyOfAllRanks(state);
   archiveLedger(energy, archive);
   if (archive.loads())
-    state.energy = state.sampledEnergy = energy;
+    state.energy = state.sample.energy = energy;
 }
 
 template <int D>
 void archiveProgress(State<D>& state, Archive& archive)
 {
   const Archive::Group group(archive, "run");
-  archive("time", state.time);
-  archive("dt", state.dt);
-  archive("step", state.step);
-  archive("fastest", state.fastest);
-  archive("particle_steps", state.particleSteps);
-  archive("momentum", state.momentum);
-  archive("settled", state.settled);
+  archive("time", state.clock.time);
+  archive("dt", state.clock.dt);
+  archive("step", state.clock.step);
+  archive("fastest", state.clock.fastestSpeed);
+  archive("particle_steps", state.particles.stepsTaken);
+  archive("momentum", state.sample.momentum);
+  archive("settled", state.clock.settled);
   archive("warnings", state.warnings);
 }
 
@@ -61,7 +61,7 @@ template <int D>
 void archiveTree(State<D>& state, Archive& archive)
 {
   const Archive::Group group(archive, "leaves");
-  Tree<D>& tree = state.tree;
+  Tree<D>& tree = state.mesh.tree;
   std::vector<int> level, cell;
   if (!archive.loads())
   {
@@ -85,7 +85,7 @@ void archiveTree(State<D>& state, Archive& archive)
     leaves[l].level = level[l];
     std::copy_n(cell.begin() + D * l, D, leaves[l].cell.begin());
   }
-  buildTree(branchesOf(state.grid, leaves), tree);
+  buildTree(branchesOf(state.mesh.grid, leaves), tree);
   tree.generation = generation;
 }
 
@@ -160,11 +160,11 @@ void archiveBlocks(State<D>& state, Archive& archive)
   const Archive::Group group(archive, "order");
   if (!archive.sameOrder())
   {
-    state.sorted = false;
+    state.particles.sorted = false;
     return;
   }
-  Blocks<D>& blocks = state.blocks;
-  archive("sorted", state.sorted);
+  Blocks<D>& blocks = state.mesh.blocks;
+  archive("sorted", state.particles.sorted);
   archive("first", blocks.first);
   archive("corner", blocks.corner);
   archive("bundle first", blocks.bundleFirst);
@@ -175,14 +175,14 @@ void archiveBlocks(State<D>& state, Archive& archive)
   archive("colour start", blocks.colourStart);
   archive("blocks", blocks.numBlocks);
   archive("bundles", blocks.numBundles);
-  archive("active nodes", state.nodes.active);
-  archive("index of particle", state.indexOf);
+  archive("active nodes", state.mesh.nodes.active);
+  archive("index of particle", state.particles.indexOf);
   // Rows of nodal values that there is room for: caches of as many rows hang on it.
-  int rows = static_cast<int>(state.nodes.sums.extent(0));
+  int rows = static_cast<int>(state.mesh.nodes.sums.extent(0));
   archive("nodal rows", rows);
-  archive("second fields", state.nodes.numSecond);
+  archive("second fields", state.mesh.nodes.numSecond);
   if (archive.loads())
-    state.nodes.reserve(state.nodes.numLattice, rows - state.nodes.numLattice);
+    state.mesh.nodes.reserve(state.mesh.nodes.numLattice, rows - state.mesh.nodes.numLattice);
 }
 
 template <int D>
@@ -212,7 +212,7 @@ void archiveState(State<D>& state, Archive& archive)
   archiveParticles(state, archive);
   if (archive.loads())
   {
-    state.nodes.reserve(state.grid.numNodes + state.tree.numFine, 0);
+    state.mesh.nodes.reserve(state.mesh.grid.numNodes + state.mesh.tree.numFine, 0);
     divideState(state);
   }
   archiveBlocks(state, archive);

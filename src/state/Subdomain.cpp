@@ -53,7 +53,7 @@ std::vector<double> costsOf(const State<D>& state, long begin, long end)
 template <int D>
 void demandAllParticles(const State<D>& state)
 {
-  if (state.ranks.sum(state.particles.size()) != state.particlesOfAllRanks)
+  if (state.ranks.sum(state.particles.size()) != state.particles.ofAllRanks)
     throw std::logic_error("the ranks together do not hold every particle once");
 }
 
@@ -61,13 +61,14 @@ void demandAllParticles(const State<D>& state)
 template <int D>
 void settle(State<D>& state, const Division<D>& division, const Branches<D>& refined)
 {
-  state.grid = division.window(state.ranks.rank());
-  buildTree(refined.within(state.grid), state.tree); // who keeps values by node makes them anew
-  state.subdomain = std::make_shared<const Subdomain<D>>(state.ranks, division, refined, state.tree);
-  state.nodes = Nodes<D>();
-  state.nodes.reserve(state.grid.numNodes + state.tree.numFine, 0);
-  state.nodes.foreign = state.subdomain->halo.foreign();
-  state.sorted = false;
+  state.mesh.grid = division.window(state.ranks.rank());
+  buildTree(refined.within(state.mesh.grid), state.mesh.tree); // who keeps values by node makes them anew
+  state.mesh.subdomain =
+      std::make_shared<const Subdomain<D>>(state.ranks, division, refined, state.mesh.tree);
+  state.mesh.nodes = Nodes<D>();
+  state.mesh.nodes.reserve(state.mesh.grid.numNodes + state.mesh.tree.numFine, 0);
+  state.mesh.nodes.foreign = state.mesh.subdomain->halo.foreign();
+  state.particles.sorted = false;
   demandAllParticles(state);
 }
 
@@ -94,23 +95,23 @@ Subdomain<D>::Subdomain(const Ranks& ranks, const Division<D>& cells, const Bran
 template <int D>
 void refineCells(State<D>& state, const Branches<D>& refined)
 {
-  if (!state.subdomain)
-    buildTree(refined, state.tree);
+  if (!state.mesh.subdomain)
+    buildTree(refined, state.mesh.tree);
   else
   {
-    buildTree(refined.within(state.grid), state.tree);
-    state.subdomain =
-        std::make_shared<const Subdomain<D>>(state.ranks, state.subdomain->division, refined, state.tree);
-    state.nodes.foreign = state.subdomain->halo.foreign();
+    buildTree(refined.within(state.mesh.grid), state.mesh.tree);
+    state.mesh.subdomain = std::make_shared<const Subdomain<D>>(state.ranks, state.mesh.subdomain->division,
+                                                                refined, state.mesh.tree);
+    state.mesh.nodes.foreign = state.mesh.subdomain->halo.foreign();
   }
-  state.nodes.reserve(state.grid.numNodes + state.tree.numFine, state.nodes.numSecond);
-  state.sorted = false;
+  state.mesh.nodes.reserve(state.mesh.grid.numNodes + state.mesh.tree.numFine, state.mesh.nodes.numSecond);
+  state.particles.sorted = false;
 }
 
 template <int D>
 Branches<D> refinedCells(const State<D>& state)
 {
-  return state.subdomain ? state.subdomain->refined : branchesOf(state.grid, state.tree);
+  return state.mesh.subdomain ? state.mesh.subdomain->refined : branchesOf(state.mesh.grid, state.mesh.tree);
 }
 
 template <int D>
@@ -119,12 +120,12 @@ void divideState(State<D>& state)
   if (!state.ranks.many())
     return;
   const Branches<D> refined = refinedCells(state);
-  state.particlesOfAllRanks = state.particles.size();
+  state.particles.ofAllRanks = state.particles.size();
   // All ranks hold all particles; each answers for a part of them while they are divided.
   const long n = state.particles.size(), rank = state.ranks.rank(), size = state.ranks.size();
   const long begin = n * rank / size, end = n * (rank + 1) / size;
   const Division<D> division =
-      divide(state.ranks, state.grid, placesOf(state, begin, end), costsOf(state, begin, end));
+      divide(state.ranks, state.mesh.grid, placesOf(state, begin, end), costsOf(state, begin, end));
   const std::vector<int> owner = ownersOf(state, division);
   std::vector<int> stay;
   for (std::size_t p = 0; p < owner.size(); ++p)
@@ -137,53 +138,53 @@ void divideState(State<D>& state)
 template <int D>
 void gatherLattice(State<D>& state)
 {
-  if (!state.subdomain)
+  if (!state.mesh.subdomain)
     return;
-  state.grid = wholeLattice(state);
-  state.subdomain.reset();
-  state.nodes = Nodes<D>();
+  state.mesh.grid = wholeLattice(state);
+  state.mesh.subdomain.reset();
+  state.mesh.nodes = Nodes<D>();
 }
 
 template <int D>
 void redivideState(State<D>& state)
 {
-  if (!state.subdomain)
+  if (!state.mesh.subdomain)
     return;
   const long count = state.particles.size();
-  const Division<D> division = divide(state.ranks, state.subdomain->division.lattice,
+  const Division<D> division = divide(state.ranks, state.mesh.subdomain->division.lattice,
                                       placesOf(state, 0, count), costsOf(state, 0, count));
   sendParticles(state, ownersOf(state, division));
-  settle(state, division, Branches<D>(state.subdomain->refined));
+  settle(state, division, Branches<D>(state.mesh.subdomain->refined));
 }
 
 template <int D>
 void useSharedNodes(State<D>& state)
 {
-  if (!state.subdomain)
+  if (!state.mesh.subdomain)
     return;
-  const auto active = onHost(state.nodes.active), shared = onHost(state.subdomain->halo.nodes());
-  std::vector<char> used(state.grid.numNodes, 0);
+  const auto active = onHost(state.mesh.nodes.active), shared = onHost(state.mesh.subdomain->halo.nodes());
+  std::vector<char> used(state.mesh.grid.numNodes, 0);
   for (std::size_t i = 0; i < active.extent(0); ++i)
     used[active(i)] = 1;
   for (std::size_t i = 0; i < shared.extent(0); ++i)
-    if (shared(i) < state.grid.numNodes) // all of refined cells are in use
+    if (shared(i) < state.mesh.grid.numNodes) // all of refined cells are in use
       used[shared(i)] = 1;
   std::vector<int> list;
-  for (int n = 0; n < state.grid.numNodes; ++n)
+  for (int n = 0; n < state.mesh.grid.numNodes; ++n)
     if (used[n])
       list.push_back(n);
-  state.nodes.active = View<int*>("rhegma::activeNodes", list.size());
-  const auto host = Kokkos::create_mirror_view(state.nodes.active);
+  state.mesh.nodes.active = View<int*>("rhegma::activeNodes", list.size());
+  const auto host = Kokkos::create_mirror_view(state.mesh.nodes.active);
   std::copy(list.begin(), list.end(), host.data());
-  Kokkos::deep_copy(state.nodes.active, host);
+  Kokkos::deep_copy(state.mesh.nodes.active, host);
 }
 
 template <int D>
 void sumOverRanks(const State<D>& state, SharedSums what)
 {
-  if (!state.subdomain)
+  if (!state.mesh.subdomain)
     return;
-  const Nodes<D>& nodes = state.nodes;
+  const Nodes<D>& nodes = state.mesh.nodes;
   if (what == SharedSums::MassAndMomentum)
     sumOverRanks(state, nodes.sums.data(), Nodes<D>::sumWidth, Nodes<D>::massAt, 1 + D);
   else if (what == SharedSums::Force)
@@ -206,28 +207,28 @@ template <int D>
 void sumOverRanks(const State<D>& state, double* values, int width, int first, int count,
                   const View<int*>& rowOf)
 {
-  if (state.subdomain)
-    state.subdomain->halo.sum(sharedRows(state, rowOf), values, width, first, count);
+  if (state.mesh.subdomain)
+    state.mesh.subdomain->halo.sum(sharedRows(state, rowOf), values, width, first, count);
 }
 
 template <int D>
 void sumOverRanks(const State<D>& state, const View<double*>& ofNodes)
 {
-  if (state.subdomain)
-    state.subdomain->halo.sum({}, ofNodes.data(), 1, 0, 1);
+  if (state.mesh.subdomain)
+    state.mesh.subdomain->halo.sum({}, ofNodes.data(), 1, 0, 1);
 }
 
 template <int D>
 void sumParts(const State<D>& state, double* values, int count)
 {
-  if (state.subdomain)
+  if (state.mesh.subdomain)
     state.ranks.sum(values, count);
 }
 
 template <int D>
 void sumParts(const State<D>& state, const View<double*>& values)
 {
-  if (!state.subdomain)
+  if (!state.mesh.subdomain)
     return;
   const auto host = onHost(values);
   state.ranks.sum(host.data(), static_cast<int>(host.extent(0)));
@@ -237,14 +238,14 @@ void sumParts(const State<D>& state, const View<double*>& values)
 template <int D>
 void maxParts(const State<D>& state, double* values, int count)
 {
-  if (state.subdomain)
+  if (state.mesh.subdomain)
     state.ranks.max(values, count);
 }
 
 template <int D>
 const Grid<D>& wholeLattice(const State<D>& state)
 {
-  return state.subdomain ? state.subdomain->division.lattice : state.grid;
+  return state.mesh.subdomain ? state.mesh.subdomain->division.lattice : state.mesh.grid;
 }
 
 template void refineCells(State<2>&, const Branches<2>&);

@@ -37,7 +37,7 @@ Branches<D> refinedCells(const State<D>& state);
 template <int D>
 Ranks ranksOf(const State<D>& state)
 {
-  return state.subdomain ? state.ranks : Ranks();
+  return state.mesh.subdomain ? state.ranks : Ranks();
 }
 
 /// Leaves each rank the particles in its cells, of all that every rank holds, and the part of the lattice

@@ -20,7 +20,7 @@ struct WayVelocity
   bool projected;       ///< whether a step ends with a projection (MUSL, USAVG)
 
   /// Of a state after its solve; with MUSL and USAVG after its projection.
-  explicit WayVelocity(const State<D>& state) : mean(state), projected(projectsLast(state.scheme)) {}
+  explicit WayVelocity(const State<D>& state) : mean(state), projected(projectsLast(state.method.scheme)) {}
 
   /// Of a node along an axis [m/s].
   KOKKOS_INLINE_FUNCTION double operator()(int node, int axis) const

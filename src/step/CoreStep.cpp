@@ -22,17 +22,18 @@ namespace
 template <int D>
 void strain(State<D>& state, StrainVelocity velocity, bool alsoMove)
 {
-  state.fastest = strainAndMove(state, velocity, true, alsoMove);
+  state.clock.fastestSpeed = strainAndMove(state, velocity, true, alsoMove);
   // No stable step takes anything across two cells: who left the domain so did not walk out of it.
-  const bool flung = !state.trouble.empty() && state.fastest * state.dt > 2.0 * state.stepSpacing();
-  if (std::isfinite(state.fastest) && !flung)
+  const bool flung =
+      !state.failure.empty() && state.clock.fastestSpeed * state.clock.dt > 2.0 * state.mesh.stepSpacing();
+  if (std::isfinite(state.clock.fastestSpeed) && !flung)
     return;
   // Laws find no stress at temperatures that there are not.
   const std::string heat = heatTrouble(state);
-  state.trouble = !heat.empty()
+  state.failure = !heat.empty()
                       ? heat
                       : "a particle is turned inside out or its velocity is no longer a number (" +
-                            unstableStep(state.subcycledLevels) + ", smaller cells or a gentler load)";
+                            unstableStep(state.mesh.subcycledLevels) + ", smaller cells or a gentler load)";
 }
 
 template <int D>
@@ -45,7 +46,7 @@ Call<D> sortCall()
           {},
           [](State<D>& s)
           {
-            if (s.sorted)
+            if (s.particles.sorted)
               return;
             migrateParticles(s);
             sortState(s);
@@ -57,11 +58,11 @@ Call<D> sortCall()
 template <int D>
 Effect<D> makeCore(const State<D>& state)
 {
-  const UpdateScheme scheme = state.scheme;
+  const UpdateScheme scheme = state.method.scheme;
   const bool strainsFirst = scheme == UpdateScheme::Usf || scheme == UpdateScheme::Usavg;
   Effect<D> core;
   core.name = "Material Point Method";
-  if (!state.mechanics)
+  if (!state.method.mechanics)
   {
     core.name = "Material Points at Rest";
     core.call(sortCall<D>());
@@ -128,7 +129,7 @@ Effect<D> makeCore(const State<D>& state)
              [scheme](State<D>& s)
              {
                strain(s, scheme == UpdateScheme::Usl ? StrainVelocity::Motion : StrainVelocity::Projection,
-                      !s.strainPass.before);
+                      !s.clock.strainPass.before);
              },
              true});
   return core;
@@ -152,14 +153,14 @@ int largestId(const BorrowedView<int*>& id)
 template <int D>
 void addFineNodes(State<D>& state)
 {
-  const int lattice = static_cast<int>(state.nodes.active.extent(0)), fine = state.tree.numFine;
+  const int lattice = static_cast<int>(state.mesh.nodes.active.extent(0)), fine = state.mesh.tree.numFine;
   const View<int*> active("rhegma::activeNodes", lattice + fine);
-  Kokkos::deep_copy(Kokkos::subview(active, std::make_pair(0, lattice)), state.nodes.active);
-  const int first = state.grid.numNodes;
+  Kokkos::deep_copy(Kokkos::subview(active, std::make_pair(0, lattice)), state.mesh.nodes.active);
+  const int first = state.mesh.grid.numNodes;
   Kokkos::parallel_for(
       "rhegma::addFineNodes", Kokkos::RangePolicy<ExecSpace>(0, fine),
       KOKKOS_LAMBDA(const int k) { active(lattice + k) = first + k; });
-  state.nodes.active = active;
+  state.mesh.nodes.active = active;
 }
 
 /// Finds the blocks whose particles may touch a refined cell or one beside it: they are no more than a cell
@@ -168,10 +169,10 @@ template <int D>
 void markBlocks(State<D>& state)
 {
   constexpr int beyond = 2;
-  Blocks<D>& blocks = state.blocks;
+  Blocks<D>& blocks = state.mesh.blocks;
   blocks.refined = View<char*>("rhegma::refinedBlocks", blocks.numBlocks);
-  const Grid<D> grid = state.grid;
-  const View<char*> refined = blocks.refined, near = state.tree.nearRefined;
+  const Grid<D> grid = state.mesh.grid;
+  const View<char*> refined = blocks.refined, near = state.mesh.tree.nearRefined;
   const View<int * [Blocks<D>::axes]> corner = blocks.corner;
   Kokkos::parallel_for(
       "rhegma::markBlocks", Kokkos::RangePolicy<ExecSpace>(0, blocks.numBlocks),
@@ -183,9 +184,9 @@ void markBlocks(State<D>& state)
 template <int D>
 void sortState(State<D>& state)
 {
-  sortParticles(state.grid, state.particles, state.blocks, state.nodes.active);
+  sortParticles(state.mesh.grid, state.particles, state.mesh.blocks, state.mesh.nodes.active);
   useSharedNodes(state);
-  if (state.tree.refined())
+  if (state.mesh.tree.refined())
   {
     addFineNodes(state);
     markBlocks(state);
@@ -194,21 +195,21 @@ void sortState(State<D>& state)
   const auto id = state.particles.integer(fields::id);
   const bool gaps = state.particles.has(fields::level) || state.ranks.many();
   const int ids = gaps ? static_cast<int>(state.ranks.max(largestId(id))) + 1 : n;
-  if (static_cast<int>(state.indexOf.extent(0)) < ids)
-    state.indexOf = View<int*>("rhegma::indexOf", ids);
+  if (static_cast<int>(state.particles.indexOf.extent(0)) < ids)
+    state.particles.indexOf = View<int*>("rhegma::indexOf", ids);
   if (state.ranks.many())
-    Kokkos::deep_copy(state.indexOf, -1);
-  const View<int*> indexOf = state.indexOf;
+    Kokkos::deep_copy(state.particles.indexOf, -1);
+  const View<int*> indexOf = state.particles.indexOf;
   Kokkos::parallel_for(
       "rhegma::indexParticles", Kokkos::RangePolicy<ExecSpace>(0, n),
       KOKKOS_LAMBDA(const int p) { indexOf(id(p)) = p; });
-  state.sorted = true;
+  state.particles.sorted = true;
 }
 
 template <int D>
 double fastestSpeed(const State<D>& state)
 {
-  const auto materials = state.materials;
+  const auto materials = state.materials.device;
   const auto material = state.particles.integer(fields::material);
   const auto velocity = state.particles.template real<D>(fields::velocity);
   const auto F = state.particles.template real<gradientSize<D>>(fields::deformation);

@@ -3,7 +3,7 @@
 
 #include "archive/Archive.hpp"
 #include "base/Numbers.hpp"
-#include "state/Energy.hpp"
+#include "state/EnergyBalance.hpp"
 #include "step/UnstableStep.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ class EnergyWatch
 {
 public:
   /// To be called with every sample of a run.
-  void sample(const EnergyLedger& energy)
+  void sample(const EnergyBalance& energy)
   {
     given_ = std::max(given_, energy.start + std::fabs(energy.externalWork) + std::fabs(energy.combustion) +
                                   std::fabs(energy.heat) + energy.roundOff);

@@ -13,7 +13,7 @@ namespace
 template <int D>
 void refuse(const State<D>& state, const std::vector<double>& joules)
 {
-  if (state.thermo.empty())
+  if (state.materials.thermo.empty())
     throw std::invalid_argument("heat can't be given: the scene has no section Thermal");
   if (static_cast<int>(joules.size()) != state.particles.size())
     throw std::invalid_argument("heat can't be given: there are " + std::to_string(joules.size()) +
@@ -26,7 +26,7 @@ void refuse(const State<D>& state, const std::vector<double>& joules)
 template <int D>
 bool freezes(const State<D>& state, const View<double*>& heat)
 {
-  const ThermoTables tables = state.thermo;
+  const ThermoTables tables = state.materials.thermo;
   const auto volume = state.particles.scalar(fields::volume);
   const auto temperature = state.particles.scalar(fields::temperature);
   const auto material = state.particles.integer(fields::material);
@@ -45,8 +45,8 @@ bool freezes(const State<D>& state, const View<double*>& heat)
 template <int D>
 double giveToParticles(State<D>& state, const View<double*>& heat)
 {
-  const ThermoTables tables = state.thermo;
-  const bool mechanics = state.mechanics;
+  const ThermoTables tables = state.materials.thermo;
+  const bool mechanics = state.method.mechanics;
   const auto volume = state.particles.scalar(fields::volume);
   const auto temperature = state.particles.scalar(fields::temperature);
   const auto internal = state.particles.scalar(fields::internalEnergy);

@@ -8,11 +8,11 @@ namespace Rhegma
 template <int D>
 std::string heatTrouble(const State<D>& state)
 {
-  if (state.thermo.empty() || !state.particles.has(fields::temperature))
+  if (state.materials.thermo.empty() || !state.particles.has(fields::temperature))
     return {};
   const auto temperature = state.particles.scalar(fields::temperature);
   const auto material = state.particles.integer(fields::material);
-  const ThermoTables tables = state.thermo;
+  const ThermoTables tables = state.materials.thermo;
   double coldest = 1e300, smallest = 1e300;
   Kokkos::parallel_reduce(
       "rhegma::findColdest", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),

@@ -35,7 +35,7 @@ void refuseTooMuch(const std::vector<PlacedBody<D>>& bodies, const State<D>& sta
 {
   double particles = 0.0;
   for (const PlacedBody<D>& body : bodies)
-    particles += estimateSeeds(body.shape, state.grid.spacing, body.particlesPerCell());
+    particles += estimateSeeds(body.shape, state.mesh.grid.spacing, body.particlesPerCell());
   double fields = 0.0, largest = 0.0;
   for (const Field& field : state.particles.fields())
   {
@@ -49,7 +49,7 @@ void refuseTooMuch(const std::vector<PlacedBody<D>>& bodies, const State<D>& sta
   const double perNode =
       (Nodes<D>::sumWidth + Nodes<D>::motionWidth + Nodes<D>::projectionWidth) * sizeof(double) +
       2.0 * sizeof(int);
-  refuseWithoutMemory(state.grid.numNodes, perNode, particles, perParticle,
+  refuseWithoutMemory(state.mesh.grid.numNodes, perNode, particles, perParticle,
                       freeMemoryBytes() / state.ranks.onThisMachine());
 }
 
@@ -97,7 +97,7 @@ std::vector<PlacedBody<D>> placeBodies(const Teuchos::ParameterList& section, co
   refuseTooMuch(bodies, state);
   Attempts attempts;
   for (PlacedBody<D>& body : bodies)
-    attempts.attempt([&] { seed(body, state.grid); });
+    attempts.attempt([&] { seed(body, state.mesh.grid); });
   for (std::size_t a = 0; a < bodies.size(); ++a)
     for (std::size_t b = a + 1; b < bodies.size(); ++b)
       attempts.attempt([&] { refuseOverlap(bodies[a], bodies[b]); });

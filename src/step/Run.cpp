@@ -38,8 +38,8 @@ template <int D>
 [[noreturn]] void stop(const State<D>& state)
 {
   std::ostringstream reason;
-  reason << "the run stopped at time " << formatReal(state.time) << " s, step " << state.step << ": "
-         << state.trouble;
+  reason << "the run stopped at time " << formatReal(state.clock.time) << " s, step " << state.clock.step
+         << ": " << state.failure;
   throw RunError(reason.str());
 }
 
@@ -69,7 +69,7 @@ void Run<D>::makeAll()
     if (scene_.isSublist(entry.section.name))
     {
       if (entry.withoutMechanics && entry.withoutMechanics(scene_))
-        state_.mechanics = false;
+        state_.method.mechanics = false;
       effects.push_back(makeEffect<D>(entry, scene_));
       extra.insert(extra.end(), effects.back().adds.begin(), effects.back().adds.end());
     }
@@ -85,7 +85,7 @@ void Run<D>::makeAll()
     effects.insert(effects.begin() + 1, boundaries);
   // Where nothing constrains the motion, who waits for the constrained motion reads the solved one.
   plan_ = makePlan<D>(std::move(effects));
-  order_ = stageOrder(state_.scheme);
+  order_ = stageOrder(state_.method.scheme);
   // Boundaries are made from the bodies alone, so they and the first of the effects may both be wrong; an
   // effect may stand on those before it.
   Attempts attempts;
@@ -93,11 +93,11 @@ void Run<D>::makeAll()
   for (const Effect<D>& effect : plan_.effects)
     if (effect.atStart && on)
       on = attempts.attempt([&] { effect.atStart(state_); }) || effect.name == boundariesName;
-  if (state_.mechanics)
+  if (state_.method.mechanics)
   {
-    state_.fastest = fastestSpeed(state_);
+    state_.clock.fastestSpeed = fastestSpeed(state_);
     for (const auto& found :
-         {warningsOfUnits(state_.materialNames, state_.materialList), warningsOfEdges<D>(scene_)})
+         {warningsOfUnits(state_.materials.names, state_.materials.list), warningsOfEdges<D>(scene_)})
       state_.warnings.insert(state_.warnings.end(), found.begin(), found.end());
   }
   attempts.attempt([&] { refuseEndless(); });
@@ -107,7 +107,8 @@ void Run<D>::makeAll()
 template <int D>
 void Run<D>::refuseEndless() const
 {
-  if (state_.mechanics && (!std::isfinite(state_.fastest) || !(state_.fastest > 0.0)))
+  if (state_.method.mechanics &&
+      (!std::isfinite(state_.clock.fastestSpeed) || !(state_.clock.fastestSpeed > 0.0)))
     throw std::invalid_argument("Materials: the speed of waves and particles is not a finite positive "
                                 "number; write stiffness, density "
                                 "and the velocity of bodies in SI units");
@@ -125,8 +126,9 @@ void Run<D>::refuseEndless() const
 template <int D>
 double Run<D>::stableTimeStep() const
 {
-  double dt = state_.mechanics ? state_.cfl * state_.stepSpacing() / state_.fastest
-                               : std::numeric_limits<double>::infinity();
+  double dt = state_.method.mechanics
+                  ? state_.method.cfl * state_.mesh.stepSpacing() / state_.clock.fastestSpeed
+                  : std::numeric_limits<double>::infinity();
   for (const Effect<D>& effect : plan_.effects)
     if (effect.timeStepLimit)
       dt = std::min(dt, effect.timeStepLimit(state_));
@@ -137,17 +139,17 @@ template <int D>
 void Run<D>::runStage(Stage stage)
 {
   plan_.run(stage, state_);
-  if (!state_.trouble.empty() && !state_.ranks.many())
+  if (!state_.failure.empty() && !state_.ranks.many())
     stop(state_);
 }
 
 template <int D>
 void Run<D>::strainBeforeForces()
 {
-  state_.strainPass = {0.5, true};
+  state_.clock.strainPass = {0.5, true};
   for (const Stage stage : {Stage::AfterProjection, Stage::OnParticles})
     plan_.runPass(stage, state_);
-  state_.strainPass = {0.5, false};
+  state_.clock.strainPass = {0.5, false};
 }
 
 template <int D>
@@ -155,56 +157,57 @@ void Run<D>::agree()
 {
   if (!state_.ranks.many())
     return;
-  double most[] = {state_.fastest, state_.sorted ? 0.0 : 1.0, state_.trouble.empty() ? 0.0 : 1.0};
+  double most[] = {state_.clock.fastestSpeed, state_.particles.sorted ? 0.0 : 1.0,
+                   state_.failure.empty() ? 0.0 : 1.0};
   state_.ranks.max(most, 3);
-  state_.fastest = most[0];
-  state_.sorted = most[1] == 0.0;
+  state_.clock.fastestSpeed = most[0];
+  state_.particles.sorted = most[1] == 0.0;
   if (most[2] == 0.0)
     return;
-  state_.trouble = state_.ranks.firstText(state_.trouble);
-  shareBooks(state_);
+  state_.failure = state_.ranks.firstText(state_.failure);
+  shareEnergyBalance(state_);
   stop(state_);
 }
 
 template <int D>
 void Run<D>::step(double until, bool sample)
 {
-  const double left = until - state_.time;
-  state_.observing = sample;
+  const double left = until - state_.clock.time;
+  state_.clock.observing = sample;
   // First, since the step depends on the cells.
   runStage(Stage::BetweenSteps);
-  state_.dt = stableTimeStep();
-  if (!(state_.dt > 0.0) || !std::isfinite(state_.dt))
+  state_.clock.dt = stableTimeStep();
+  if (!(state_.clock.dt > 0.0) || !std::isfinite(state_.clock.dt))
   {
-    state_.trouble = "the stable step is not a positive number";
+    state_.failure = "the stable step is not a positive number";
     stop(state_);
   }
   // The last two steps share what is left, so that none is tiny.
-  if (state_.dt >= left)
-    state_.dt = left;
-  else if (2.0 * state_.dt > left)
-    state_.dt = 0.5 * left;
+  if (state_.clock.dt >= left)
+    state_.clock.dt = left;
+  else if (2.0 * state_.clock.dt > left)
+    state_.clock.dt = 0.5 * left;
   for (const Stage stage : order_)
     if (stage != Stage::Observe && stage != Stage::BetweenSteps)
     {
       runStage(stage);
-      if (stage == Stage::Scatter && state_.scheme == UpdateScheme::Usavg)
+      if (stage == Stage::Scatter && state_.method.scheme == UpdateScheme::Usavg)
         strainBeforeForces();
     }
   agree();
-  state_.time = state_.dt == left ? until : state_.time + state_.dt;
-  ++state_.step;
-  state_.particleSteps += allParticles(state_);
+  state_.clock.time = state_.clock.dt == left ? until : state_.clock.time + state_.clock.dt;
+  ++state_.clock.step;
+  state_.particles.stepsTaken += allParticles(state_);
   if (sample)
   {
-    state_.row.clear();
+    state_.sample.row.clear();
     if (beforeObserve)
       beforeObserve(state_);
     plan_.run(Stage::Observe, state_);
     energyWatch_.sample(state_.energy);
-    if (state_.trouble.empty())
-      state_.trouble = energyWatch_.trouble(state_.subcycledLevels);
-    if (!state_.trouble.empty())
+    if (state_.failure.empty())
+      state_.failure = energyWatch_.trouble(state_.mesh.subcycledLevels);
+    if (!state_.failure.empty())
       stop(state_);
   }
 }

@@ -27,20 +27,21 @@ void readMethod(const Teuchos::ParameterList& scene, State<D>& state)
 {
   const Teuchos::ParameterList& domain = scene.sublist("Domain");
   const Teuchos::ParameterList& time = scene.sublist("Time");
-  state.plane = readPlane<D>(domain);
-  state.thickness = D == 2 ? domain.get<double>("Thickness") : 1.0;
-  state.shape = domain.get<std::string>("Shape Functions") == "Linear" ? ShapeKind::Linear : ShapeKind::Gimp;
+  state.method.plane = readPlane<D>(domain);
+  state.method.thickness = D == 2 ? domain.get<double>("Thickness") : 1.0;
+  state.method.shape =
+      domain.get<std::string>("Shape Functions") == "Linear" ? ShapeKind::Linear : ShapeKind::Gimp;
   const std::string scheme = time.get<std::string>("Update Scheme");
-  state.scheme = scheme == "USF"     ? UpdateScheme::Usf
-                 : scheme == "USL"   ? UpdateScheme::Usl
-                 : scheme == "USAVG" ? UpdateScheme::Usavg
-                                     : UpdateScheme::Musl;
-  state.strainPass.before = state.scheme == UpdateScheme::Usf;
-  state.cfl = time.get<double>("CFL");
-  state.picFraction = time.get<double>("PIC Fraction");
-  state.maximumSteps = time.get<int>("Maximum Steps");
-  state.grid = makeGrid<D>(readVector<D>(domain, "Lower Corner"), readVector<D>(domain, "Upper Corner"),
-                           domain.get<double>("Cell Size"));
+  state.method.scheme = scheme == "USF"     ? UpdateScheme::Usf
+                        : scheme == "USL"   ? UpdateScheme::Usl
+                        : scheme == "USAVG" ? UpdateScheme::Usavg
+                                            : UpdateScheme::Musl;
+  state.clock.strainPass.before = state.method.scheme == UpdateScheme::Usf;
+  state.method.cfl = time.get<double>("CFL");
+  state.method.picFraction = time.get<double>("PIC Fraction");
+  state.clock.maximumSteps = time.get<int>("Maximum Steps");
+  state.mesh.grid = makeGrid<D>(readVector<D>(domain, "Lower Corner"), readVector<D>(domain, "Upper Corner"),
+                                domain.get<double>("Cell Size"));
 }
 
 template <int D>
@@ -49,16 +50,16 @@ void readMaterials(const Teuchos::ParameterList& scene, State<D>& state)
   const Teuchos::ParameterList& section = scene.sublist("Materials");
   for (const std::string& name : sublistNames(section))
   {
-    state.materialNames.push_back(name);
+    state.materials.names.push_back(name);
     // Where tables are, an effect takes them in place of these.
     const std::vector<double> tables = tableTemperatures(section.sublist(name));
-    state.materialList.push_back(makeProperties(
-        materialAt(section.sublist(name), tables.empty() ? 1.0 : tables.front()), name, state.plane));
+    state.materials.list.push_back(makeProperties(
+        materialAt(section.sublist(name), tables.empty() ? 1.0 : tables.front()), name, state.method.plane));
   }
-  state.materials = View<Properties*>("rhegma::materials", state.materialList.size());
-  const auto host = Kokkos::create_mirror_view(state.materials);
-  std::copy(state.materialList.begin(), state.materialList.end(), host.data());
-  Kokkos::deep_copy(state.materials, host);
+  state.materials.device = View<Properties*>("rhegma::materials", state.materials.list.size());
+  const auto host = Kokkos::create_mirror_view(state.materials.device);
+  std::copy(state.materials.list.begin(), state.materials.list.end(), host.data());
+  Kokkos::deep_copy(state.materials.device, host);
 }
 
 template <int D>
@@ -67,20 +68,20 @@ void addFields(State<D>& state, const std::vector<Field>& extra)
   FieldTable& table = state.particles;
   table.add({fields::position, D, "m", "where the particle is"});
   table.add({fields::reference, D, "m", "where it was at the start"});
-  if (state.mechanics)
+  if (state.method.mechanics)
     table.add({fields::velocity, D, "m/s", "its velocity"});
   table.add({fields::mass, 1, "kg", "its mass"});
   table.add({fields::volume, 1, "m3", "its undeformed volume"});
   table.add({fields::deformation, gradientSize<D>, "", "deformation gradient"});
-  if (state.mechanics)
+  if (state.method.mechanics)
     table.add({fields::stress, symmetricSize<D>, "Pa", "Kirchhoff stress"});
   table.add({fields::edge, D, "m", "undeformed edge lengths along its body's axes"});
-  if (state.shape == ShapeKind::Gimp)
+  if (state.method.shape == ShapeKind::Gimp)
     table.add({fields::box, D, "m", "half widths of the box that shape functions are averaged over"});
   int history = 0;
-  for (const Properties& properties : state.materialList)
+  for (const Properties& properties : state.materials.list)
     history = std::max(history, historySize(properties.kind, D));
-  if (history > 0 && state.mechanics)
+  if (history > 0 && state.method.mechanics)
     table.add({fields::history, history, "", "what the constitutive law remembers"});
   table.add({fields::material, 1, "", "number of its material", true});
   table.add({fields::body, 1, "", "number of its body", true});
@@ -114,9 +115,9 @@ void addBody(const PlacedBody<D>& body, State<D>& state)
   const Seeds<D>& seeds = body.seeds;
   BodyInfo<D> info;
   info.name = name;
-  const auto material =
-      std::find(state.materialNames.begin(), state.materialNames.end(), list.get<std::string>("Material"));
-  info.material = static_cast<int>(material - state.materialNames.begin());
+  const auto material = std::find(state.materials.names.begin(), state.materials.names.end(),
+                                  list.get<std::string>("Material"));
+  info.material = static_cast<int>(material - state.materials.names.begin());
   for (int e = 0; e < D; ++e)
     for (int d = 0; d < D; ++d)
       info.axes[e][d] = seeds.axes[e][d];
@@ -128,8 +129,8 @@ void addBody(const PlacedBody<D>& body, State<D>& state)
     centre = centre + (1.0 / count) * x;
   const Vector<D> velocity = readVector<D>(list, "Velocity");
   const Teuchos::Array<double> spin = list.get<Teuchos::Array<double>>("Angular Velocity");
-  const double density = state.materialList[info.material].density;
-  const double volume = seeds.volume * state.thickness;
+  const double density = state.materials.list[info.material].density;
+  const double volume = seeds.volume * state.method.thickness;
 
   FieldTable& table = state.particles;
   table.resize(first + count);
@@ -137,7 +138,7 @@ void addBody(const PlacedBody<D>& body, State<D>& state)
       Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.real<D>(fields::position));
   Kokkos::View<double* [D], Kokkos::LayoutRight, Kokkos::HostSpace> start("rhegma::startVelocity",
                                                                           first + count);
-  if (state.mechanics)
+  if (state.method.mechanics)
     Kokkos::deep_copy(start, table.real<D>(fields::velocity));
   const auto mass = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.scalar(fields::mass));
   const auto volumes = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.scalar(fields::volume));
@@ -164,12 +165,12 @@ void addBody(const PlacedBody<D>& body, State<D>& state)
     mass(p) = density * volume;
     volumes(p) = volume;
     materials(p) = info.material;
-    bodies(p) = static_cast<int>(state.bodies.size());
+    bodies(p) = static_cast<int>(state.bodies.list.size());
     id(p) = p;
   }
   Kokkos::deep_copy(table.real<D>(fields::position), position);
   Kokkos::deep_copy(table.real<D>(fields::reference), position);
-  if (state.mechanics)
+  if (state.method.mechanics)
     Kokkos::deep_copy(table.real<D>(fields::velocity), start);
   Kokkos::deep_copy(table.scalar(fields::mass), mass);
   Kokkos::deep_copy(table.scalar(fields::volume), volumes);
@@ -178,30 +179,30 @@ void addBody(const PlacedBody<D>& body, State<D>& state)
   Kokkos::deep_copy(table.integer(fields::material), materials);
   Kokkos::deep_copy(table.integer(fields::body), bodies);
   Kokkos::deep_copy(table.integer(fields::id), id);
-  state.bodies.push_back(info);
+  state.bodies.list.push_back(info);
 }
 
 template <int D>
 void makeBodyAxes(State<D>& state)
 {
-  state.bodyAxes = View<double* [D][D]>("rhegma::bodyAxes", state.bodies.size());
-  const auto host = Kokkos::create_mirror_view(state.bodyAxes);
-  for (std::size_t b = 0; b < state.bodies.size(); ++b)
+  state.bodies.axes = View<double* [D][D]>("rhegma::bodyAxes", state.bodies.list.size());
+  const auto host = Kokkos::create_mirror_view(state.bodies.axes);
+  for (std::size_t b = 0; b < state.bodies.list.size(); ++b)
     for (int e = 0; e < D; ++e)
       for (int d = 0; d < D; ++d)
-        host(b, e, d) = state.bodies[b].axes[e][d];
-  Kokkos::deep_copy(state.bodyAxes, host);
+        host(b, e, d) = state.bodies.list[b].axes[e][d];
+  Kokkos::deep_copy(state.bodies.axes, host);
 }
 
 template <int D>
 void makeBoxes(State<D>& state)
 {
-  const auto axes = state.bodyAxes;
+  const auto axes = state.bodies.axes;
   const auto body = state.particles.integer(fields::body);
   const auto edge = state.particles.template real<D>(fields::edge);
   const auto F = state.particles.template real<gradientSize<D>>(fields::deformation);
   const auto box = state.particles.template real<D>(fields::box);
-  const double largest = 0.5 * state.grid.spacing;
+  const double largest = 0.5 * state.mesh.grid.spacing;
   Kokkos::parallel_for(
       "rhegma::makeBoxes", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p) {
@@ -221,9 +222,9 @@ void makeState(const Teuchos::ParameterList& scene, const std::vector<Field>& ex
   for (const PlacedBody<D>& body : placeBodies<D>(bodies, state))
     addBody(body, state);
   makeBodyAxes(state);
-  if (state.shape == ShapeKind::Gimp)
+  if (state.method.shape == ShapeKind::Gimp)
     makeBoxes(state);
-  state.nodes.reserve(state.grid.numNodes, 0);
+  state.mesh.nodes.reserve(state.mesh.grid.numNodes, 0);
 }
 
 template void makeState(const Teuchos::ParameterList&, const std::vector<Field>&, State<2>&);

@@ -204,7 +204,7 @@ template <int D>
 bool FacePoints<D>::update(const State<D>& state)
 {
   const int simplices = static_cast<int>(state.cracks.simplex.extent(0));
-  const double spacing = state.smallestSpacing();
+  const double spacing = state.mesh.smallestSpacing();
   double taken = 0.0; // grows with every advance, of which one in 3D may but stretch triangles
   for (const CrackFront<D>& front : state.cracks.fronts)
     taken += front.taken;

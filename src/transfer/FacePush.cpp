@@ -55,8 +55,8 @@ void push(const char* label, const State<D>& state, const FacePoints<D>& points,
           const Pressure& pressure)
 {
   const Pushed<D> p(points);
-  const Nodes<D> nodes = state.nodes;
-  const double thickness = state.thickness;
+  const Nodes<D> nodes = state.mesh.nodes;
+  const double thickness = state.method.thickness;
   forEachPushing(
       label, points.count(), KOKKOS_LAMBDA(const int k) {
         if (p.crack(k) != crack)
@@ -96,7 +96,7 @@ void sweptVolumes(const char* label, const State<D>& state, const FacePoints<D>&
 {
   const Pushed<D> p(points);
   const WayVelocity<D> way(state);
-  const double thickness = state.thickness, dt = state.dt;
+  const double thickness = state.method.thickness, dt = state.clock.dt;
   Kokkos::parallel_for(
       label, Kokkos::RangePolicy<ExecSpace>(0, points.count()), KOKKOS_LAMBDA(const int k) {
         if (p.crack(k) == crack)
@@ -113,7 +113,7 @@ double work(const char* label, const State<D>& state, const FacePoints<D>& point
 {
   const Pushed<D> p(points);
   const WorkVelocity<D> velocity(state);
-  const double thickness = state.thickness, dt = state.dt;
+  const double thickness = state.method.thickness, dt = state.clock.dt;
   double all = 0.0;
   Kokkos::parallel_reduce(
       label, Kokkos::RangePolicy<ExecSpace>(0, points.count()),

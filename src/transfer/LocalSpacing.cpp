@@ -42,11 +42,12 @@ double spacingOfAllRanks(const Branches<D>& refined, const Vector<D>& x)
 template <int D>
 double spacingAt(const State<D>& state, const Vector<D>& x)
 {
-  if (!state.tree.refined() || !isInside(state.subdomain ? state.subdomain->refined.grid() : state.grid, x))
-    return state.grid.spacing;
-  if (state.subdomain)
-    return spacingOfAllRanks(state.subdomain->refined, x);
-  const TreeSight<D> sight(state.grid, state.tree);
+  if (!state.mesh.tree.refined() ||
+      !isInside(state.mesh.subdomain ? state.mesh.subdomain->refined.grid() : state.mesh.grid, x))
+    return state.mesh.grid.spacing;
+  if (state.mesh.subdomain)
+    return spacingOfAllRanks(state.mesh.subdomain->refined, x);
+  const TreeSight<D> sight(state.mesh.grid, state.mesh.tree);
   double spacing = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::spacingAt", Kokkos::RangePolicy<ExecSpace>(0, 1),

@@ -28,13 +28,13 @@ void divideByMass(const Nodes<D>& nodes, double dt, const char* label)
 template <int D>
 void solveLumped(State<D>& state)
 {
-  divideByMass(state.nodes, state.dt, "rhegma::solveLumped");
+  divideByMass(state.mesh.nodes, state.clock.dt, "rhegma::solveLumped");
 }
 
 template <int D>
 void nodalVelocity(State<D>& state)
 {
-  divideByMass(state.nodes, 0.0, "rhegma::nodalVelocity");
+  divideByMass(state.mesh.nodes, 0.0, "rhegma::nodalVelocity");
 }
 
 template void solveLumped(State<2>&);

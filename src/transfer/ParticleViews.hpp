@@ -12,14 +12,14 @@ template <int D, ShapeKind S, bool Stored>
 Connectivity<D, S, Stored> connectivity(const State<D>& state)
 {
   Connectivity<D, S, Stored> c;
-  c.grid = state.grid;
+  c.grid = state.mesh.grid;
   c.position = state.particles.template real<D>(fields::position);
   if (S == ShapeKind::Gimp)
     c.box = state.particles.template real<D>(fields::box);
   if (Stored)
   {
-    c.row = state.storedRow;
-    c.table = state.stored;
+    c.row = state.stored.row;
+    c.table = state.stored.table;
   }
   return c;
 }
@@ -29,8 +29,8 @@ Connectivity<D, S, Stored> connectivity(const State<D>& state)
 template <int D, class Work>
 void withConnectivity(const State<D>& state, const Work& work)
 {
-  const bool stored = state.numStored > 0;
-  if (state.shape == ShapeKind::Linear)
+  const bool stored = state.stored.count > 0;
+  if (state.method.shape == ShapeKind::Linear)
     stored ? work(connectivity<D, ShapeKind::Linear, true>(state))
            : work(connectivity<D, ShapeKind::Linear, false>(state));
   else

@@ -12,7 +12,7 @@ namespace Rhegma
 template <int D>
 void samplePressure(State<D>& state, int crack, double pressure)
 {
-  state.row.emplace_back(state.cracks.cracks[crack].name + ".pressure", pressure);
+  state.sample.row.emplace_back(state.cracks.cracks[crack].name + ".pressure", pressure);
 }
 
 /// What summary.json has of it. \param pressure [Pa]

@@ -61,12 +61,12 @@ void scatterWith(State<D>& state, const Connect& connect, const char* label)
 {
   ScatterBlock<D, Connect, Momentum, Force> block;
   block.connect = connect;
-  block.sums = state.nodes.sums;
+  block.sums = state.mesh.nodes.sums;
   block.mass = state.particles.scalar(fields::mass);
   block.volume = state.particles.scalar(fields::volume);
   block.velocity = state.particles.template real<D>(fields::velocity);
   block.stress = state.particles.template real<symmetricSize<D>>(fields::stress);
-  forEachBlock(label, state.blocks, block);
+  forEachBlock(label, state.mesh.blocks, block);
 }
 
 template <int D>
@@ -81,7 +81,7 @@ KOKKOS_INLINE_FUNCTION void clearProjectionOf(const Nodes<D>& nodes, int node)
 template <int D>
 void clearNodes(State<D>& state)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   Kokkos::parallel_for(
       "rhegma::clearNodes", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()), KOKKOS_LAMBDA(const int i) {
         const int n = activeNode(nodes, i);
@@ -94,7 +94,7 @@ void clearNodes(State<D>& state)
 template <int D>
 void clearProjection(State<D>& state)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   Kokkos::parallel_for(
       "rhegma::clearProjection", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i) { clearProjectionOf(nodes, activeNode(nodes, i)); });

@@ -14,14 +14,14 @@ namespace
 template <int D>
 OwnCells<D> cellsOfPoints(const State<D>& state, const ObservedPoints<D>& points)
 {
-  return points.onAllRanks && state.subdomain ? state.subdomain->own : OwnCells<D>();
+  return points.onAllRanks && state.mesh.subdomain ? state.mesh.subdomain->own : OwnCells<D>();
 }
 
 /// Stencils where cells are refined. \return the number of points that touch more nodes than a row holds
 template <int D, ShapeKind S>
 int writeTreeStencils(const State<D>& state, const ObservedPoints<D>& points, const StencilTable<D>& table)
 {
-  const TreeStencils<D, S> stencils(state.grid, state.tree, table);
+  const TreeStencils<D, S> stencils(state.mesh.grid, state.mesh.tree, table);
   const OwnCells<D> own = cellsOfPoints(state, points);
   return sumFew<int>(
       "rhegma::writeTreeStencils", points.count, KOKKOS_LAMBDA(const int r, int& number) {
@@ -43,7 +43,7 @@ int writeTreeStencils(const State<D>& state, const ObservedPoints<D>& points, co
 template <int D, ShapeKind S>
 void writeStencils(const State<D>& state, const ObservedPoints<D>& points, const StencilTable<D>& table)
 {
-  const Grid<D> grid = state.grid;
+  const Grid<D> grid = state.mesh.grid;
   const OwnCells<D> own = cellsOfPoints(state, points);
   forFew(
       "rhegma::writeStencils", points.count, KOKKOS_LAMBDA(const int r) {
@@ -66,7 +66,7 @@ template <int D>
 int writeUnbroken(const State<D>& state, ShapeKind shape, const ObservedPoints<D>& points,
                   const StencilTable<D>& table)
 {
-  if (state.tree.refined())
+  if (state.mesh.tree.refined())
     return shape == ShapeKind::Linear ? writeTreeStencils<D, ShapeKind::Linear>(state, points, table)
                                       : writeTreeStencils<D, ShapeKind::Gimp>(state, points, table);
   if (shape == ShapeKind::Linear)
@@ -80,16 +80,16 @@ int writeUnbroken(const State<D>& state, ShapeKind shape, const ObservedPoints<D
 template <int D>
 void markRefined(const State<D>& state, const View<int*>& row)
 {
-  const Grid<D> grid = state.grid;
-  const View<char*> near = state.tree.nearRefined, some = state.blocks.refined;
-  const View<int*> first = state.blocks.first;
+  const Grid<D> grid = state.mesh.grid;
+  const View<char*> near = state.mesh.tree.nearRefined, some = state.mesh.blocks.refined;
+  const View<int*> first = state.mesh.blocks.first;
   const auto position = state.particles.template real<D>(fields::position);
-  const bool boxes = state.shape == ShapeKind::Gimp;
+  const bool boxes = state.method.shape == ShapeKind::Gimp;
   BorrowedView<double* [D]> box;
   if (boxes)
     box = state.particles.template real<D>(fields::box);
   Kokkos::parallel_for(
-      "rhegma::markRefined", Kokkos::RangePolicy<ExecSpace>(0, state.blocks.numBlocks),
+      "rhegma::markRefined", Kokkos::RangePolicy<ExecSpace>(0, state.mesh.blocks.numBlocks),
       KOKKOS_LAMBDA(const int b) {
         for (int p = first(b); p < first(b + 1); ++p)
         {
@@ -145,26 +145,26 @@ int numberRows(const Blocks<D>& blocks, const View<int*>& row, View<int*>& parti
 template <int D>
 void gatherPoints(State<D>& state)
 {
-  const int count = state.numStored;
-  state.storedPoints.count = count;
-  if (static_cast<int>(state.storedPoints.side.extent(0)) < count)
+  const int count = state.stored.count;
+  state.stored.points.count = count;
+  if (static_cast<int>(state.stored.points.side.extent(0)) < count)
   {
     const int room = count + count / 4 + 16;
-    state.storedPoints.position = View<double* [D]>("rhegma::storedPosition", room);
-    state.storedPoints.half = View<double* [D]>("rhegma::storedHalf", room);
-    state.storedPoints.side = View<int*>("rhegma::storedSide", room);
+    state.stored.points.position = View<double* [D]>("rhegma::storedPosition", room);
+    state.stored.points.half = View<double* [D]>("rhegma::storedHalf", room);
+    state.stored.points.side = View<int*>("rhegma::storedSide", room);
   }
-  const ObservedPoints<D> points = state.storedPoints;
+  const ObservedPoints<D> points = state.stored.points;
   const auto position = state.particles.template real<D>(fields::position);
   BorrowedView<double* [D]> box;
-  const bool boxes = state.shape == ShapeKind::Gimp;
+  const bool boxes = state.method.shape == ShapeKind::Gimp;
   if (boxes)
     box = state.particles.template real<D>(fields::box);
   BorrowedView<int*> side;
   const bool sides = state.particles.has(fields::side);
   if (sides)
     side = state.particles.integer(fields::side);
-  const View<int*> particle = state.storedParticle;
+  const View<int*> particle = state.stored.particle;
   Kokkos::parallel_for(
       "rhegma::gatherStored", Kokkos::RangePolicy<ExecSpace>(0, count), KOKKOS_LAMBDA(const int r) {
         const int p = particle(r);
@@ -184,30 +184,30 @@ void gatherPoints(State<D>& state)
 template <int D>
 void storeStencils(State<D>& state)
 {
-  state.numStored = 0;
-  if (!state.editor.prepare && !state.tree.refined())
+  state.stored.count = 0;
+  if (!state.stored.editor.prepare && !state.mesh.tree.refined())
     return;
   const int n = state.particles.size();
-  if (static_cast<int>(state.storedRow.extent(0)) != n)
-    state.storedRow = View<int*>("rhegma::storedRow", n);
-  if (state.tree.refined())
-    markRefined(state, state.storedRow);
+  if (static_cast<int>(state.stored.row.extent(0)) != n)
+    state.stored.row = View<int*>("rhegma::storedRow", n);
+  if (state.mesh.tree.refined())
+    markRefined(state, state.stored.row);
   else
-    Kokkos::deep_copy(state.storedRow, -1);
-  if (state.editor.prepare)
-    state.editor.prepare(state, state.storedRow);
-  state.numStored = numberRows(state.blocks, state.storedRow, state.storedParticle);
-  if (state.numStored == 0)
+    Kokkos::deep_copy(state.stored.row, -1);
+  if (state.stored.editor.prepare)
+    state.stored.editor.prepare(state, state.stored.row);
+  state.stored.count = numberRows(state.mesh.blocks, state.stored.row, state.stored.particle);
+  if (state.stored.count == 0)
     return;
-  state.stored.reserve(state.numStored);
+  state.stored.table.reserve(state.stored.count);
   gatherPoints(state);
-  const ObservedPoints<D>& points = state.storedPoints;
-  if (writeUnbroken(state, state.shape, points, state.stored) > 0)
-    state.trouble =
+  const ObservedPoints<D>& points = state.stored.points;
+  if (writeUnbroken(state, state.method.shape, points, state.stored.table) > 0)
+    state.failure =
         "a particle touches more nodes than its stencil can hold: it is far larger than the cells "
         "around it";
-  if (state.editor.edit)
-    state.editor.edit(state, points, state.stored);
+  if (state.stored.editor.edit)
+    state.stored.editor.edit(state, points, state.stored.table);
 }
 
 template <int D>
@@ -215,8 +215,8 @@ void placeStencils(const State<D>& state, const ObservedPoints<D>& points, Stenc
 {
   table.reserve(points.count);
   writeUnbroken(state, ShapeKind::Linear, points, table);
-  if (state.editor.edit)
-    state.editor.edit(state, points, table);
+  if (state.stored.editor.edit)
+    state.stored.editor.edit(state, points, table);
 }
 
 template <int D>
@@ -225,7 +225,7 @@ int keepMassedNodes(const State<D>& state, int count, const StencilTable<D>& fro
 {
   to.reserve(count);
   const StencilTable<D> all = from, t = to;
-  const auto sums = state.nodes.sums;
+  const auto sums = state.mesh.nodes.sums;
   return sumFew<int>(
       "rhegma::keepMassedNodes", count, KOKKOS_LAMBDA(const int r, int& missing) {
         const int entries = all.count(r);

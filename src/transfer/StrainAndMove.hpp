@@ -247,7 +247,7 @@ double strainAndMoveWith(State<D>& state, const Connect& connect, const View<dou
   StrainAndMove<D, Connect, Width, Heat> work;
   if constexpr (Heat::on)
   {
-    work.heat.tables = state.thermo;
+    work.heat.tables = state.materials.thermo;
     work.heat.temperature = state.particles.scalar(fields::temperature);
     work.heat.internal = state.particles.scalar(fields::internalEnergy);
     if (state.particles.has(fields::firstShare))
@@ -255,14 +255,14 @@ double strainAndMoveWith(State<D>& state, const Connect& connect, const View<dou
   }
   work.connect = connect;
   work.nodal = nodal;
-  work.materials = state.materials;
-  work.axes = state.bodyAxes;
+  work.materials = state.materials.device;
+  work.axes = state.bodies.axes;
   work.material = state.particles.integer(fields::material);
   work.body = state.particles.integer(fields::body);
   work.position = state.particles.template real<D>(fields::position);
   work.velocity = state.particles.template real<D>(fields::velocity);
   work.edge = state.particles.template real<D>(fields::edge);
-  work.boxes = state.shape == ShapeKind::Gimp;
+  work.boxes = state.method.shape == ShapeKind::Gimp;
   if (work.boxes)
     work.box = state.particles.template real<D>(fields::box);
   work.deformation = state.particles.template real<gradientSize<D>>(fields::deformation);
@@ -273,22 +273,22 @@ double strainAndMoveWith(State<D>& state, const Connect& connect, const View<dou
     work.rate = state.particles.table(fields::rate);
   if (state.particles.has(fields::level))
     work.level = state.particles.integer(fields::level);
-  work.grid = state.grid;
-  work.blocks = state.blocks;
-  work.dt = state.dt;
-  work.strainTime = state.strainPass.share * state.dt;
-  work.largestBox = 0.5 * state.grid.spacing;
+  work.grid = state.mesh.grid;
+  work.blocks = state.mesh.blocks;
+  work.dt = state.clock.dt;
+  work.strainTime = state.clock.strainPass.share * state.clock.dt;
+  work.largestBox = 0.5 * state.mesh.grid.spacing;
   work.strain = strain;
   work.move = move;
   double fastest = 0.0;
   Kokkos::parallel_reduce(strain ? "rhegma::strainAndMove" : "rhegma::move",
-                          Kokkos::RangePolicy<ExecSpace>(0, state.blocks.numBundles), work,
+                          Kokkos::RangePolicy<ExecSpace>(0, state.mesh.blocks.numBundles), work,
                           Kokkos::Max<double>(fastest));
-  const auto strays = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.blocks.strays);
+  const auto strays = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.blocks.strays);
   if (strays(0) != 0)
-    state.sorted = false;
-  if (strays(1) != 0 && state.trouble.empty())
-    state.trouble =
+    state.particles.sorted = false;
+  if (strays(1) != 0 && state.failure.empty())
+    state.failure =
         "a particle left the domain; make the Domain larger or stop the run before (Domain > Lower Corner, "
         "Upper Corner)";
   return fastest;
@@ -303,8 +303,8 @@ double strainAndMoveAll(State<D>& state, StrainVelocity velocity, bool strain, b
       [&](const auto& connect)
       {
         fastest = velocity == StrainVelocity::Projection
-                      ? strainAndMoveWith<Heat, D>(state, connect, state.nodes.projection, strain, move)
-                      : strainAndMoveWith<Heat, D>(state, connect, state.nodes.motion, strain, move);
+                      ? strainAndMoveWith<Heat, D>(state, connect, state.mesh.nodes.projection, strain, move)
+                      : strainAndMoveWith<Heat, D>(state, connect, state.mesh.nodes.motion, strain, move);
       });
   return fastest;
 }

@@ -64,13 +64,13 @@ template <bool Gather, bool Project, int D, class Connect>
 void velocityWith(State<D>& state, const Connect& connect, const char* label)
 {
   const VelocityBlock<D, Connect, Gather, Project> block{connect,
-                                                         state.nodes.motion,
-                                                         state.nodes.projection,
+                                                         state.mesh.nodes.motion,
+                                                         state.mesh.nodes.projection,
                                                          state.particles.scalar(fields::mass),
                                                          state.particles.template real<D>(fields::velocity),
-                                                         state.dt,
-                                                         state.picFraction};
-  forEachBlock(label, state.blocks, block);
+                                                         state.clock.dt,
+                                                         state.method.picFraction};
+  forEachBlock(label, state.mesh.blocks, block);
 }
 
 } // namespace
@@ -93,7 +93,7 @@ void particleVelocity(State<D>& state, VelocityWhat what)
 template <int D>
 void finishProjection(State<D>& state)
 {
-  const Nodes<D> nodes = state.nodes;
+  const Nodes<D> nodes = state.mesh.nodes;
   Kokkos::parallel_for(
       "rhegma::finishProjection", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i) {

@@ -19,7 +19,7 @@ double pullBack(State<D>& state, double stiffness)
   const auto reference = state.particles.template real<D>(fields::reference);
   const auto velocity = state.particles.template real<D>(fields::velocity);
   const auto mass = state.particles.scalar(fields::mass), volume = state.particles.scalar(fields::volume);
-  const double push = -state.dt * stiffness;
+  const double push = -state.clock.dt * stiffness;
   double work = 0.0;
   Kokkos::parallel_reduce(
       "springs::pullBack", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
@@ -46,8 +46,8 @@ Effect<D> makeSprings(const Teuchos::ParameterList& scene)
                }});
   effect.timeStepLimit = [=](const State<D>& state) // a tenth of a radian of the lightest body's swing
   {
-    double lightest = state.materialList.front().density;
-    for (const Properties& material : state.materialList)
+    double lightest = state.materials.list.front().density;
+    for (const Properties& material : state.materials.list)
       lightest = std::min(lightest, material.density);
     return 0.1 * std::sqrt(lightest / stiffness);
   };

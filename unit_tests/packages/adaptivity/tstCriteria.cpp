@@ -30,7 +30,7 @@ Run<D> block()
   scene.sublist("Adaptivity").set("Velocity Change", 1e30);
   Run<D> run(validated(scene));
   run.initialize();
-  run.state().step = 1; // before the first step particles know no gradient
+  run.state().clock.step = 1; // before the first step particles know no gradient
   return run;
 }
 
@@ -59,9 +59,9 @@ template <int D>
 Branches<D> adapt(State<D>& state, const Criteria<D>& criteria, const Branches<D>& now)
 {
   Branches<D> wanted = wantedBranches(state, criteria, now);
-  buildTree(wanted, state.tree);
-  state.nodes.reserve(state.grid.numNodes + state.tree.numFine, state.nodes.numSecond);
-  state.sorted = false;
+  buildTree(wanted, state.mesh.tree);
+  state.mesh.nodes.reserve(state.mesh.grid.numNodes + state.mesh.tree.numFine, state.mesh.nodes.numSecond);
+  state.particles.sorted = false;
   followCells(state);
   return wanted;
 }
@@ -87,7 +87,7 @@ void refinesWhereTheVelocityChanges()
 {
   Run<D> run = block<D>();
   State<D>& state = run.state();
-  const Branches<D> none(state.grid);
+  const Branches<D> none(state.mesh.grid);
   const Vector<D> there = all<D>(3.5);
   const auto inCell = [&](const Vector<D>& x) { return norm(x - there) < 0.5 * std::sqrt(D) ? 1.0 : 0.0; };
   setRate<D>(state, inCell);
@@ -95,7 +95,7 @@ void refinesWhereTheVelocityChanges()
   EXPECT_EQ(count(wantedBranches(state, byVelocity<D>(1.1, 0), none), 0), 0);
   const Branches<D> one = wantedBranches(state, byVelocity<D>(0.9, 0), none);
   EXPECT_EQ(count(one, 0), 1);
-  EXPECT_TRUE(one.isRefined(0, cellAt(state.grid, 0, there)));
+  EXPECT_TRUE(one.isRefined(0, cellAt(state.mesh.grid, 0, there)));
   EXPECT_EQ(one.depth(), 1);
   // Rings around it.
   EXPECT_EQ(count(wantedBranches(state, byVelocity<D>(0.9, 1), none), 0), D == 2 ? 9 : 27);
@@ -103,7 +103,7 @@ void refinesWhereTheVelocityChanges()
   // By one level at a time, however large the gradient.
   EXPECT_EQ(wantedBranches(state, byVelocity<D>(1e-3, 0), none).depth(), 1);
   // Before the first step there is no gradient to look at.
-  state.step = 0;
+  state.clock.step = 0;
   EXPECT_EQ(count(wantedBranches(state, byVelocity<D>(0.9, 0), none), 0), 0);
 }
 
@@ -113,7 +113,7 @@ void ignoresNoise()
 {
   Run<D> run = block<D>();
   State<D>& state = run.state();
-  const Branches<D> none(state.grid);
+  const Branches<D> none(state.mesh.grid);
   setRate<D>(state,
              [](const Vector<D>& x) { return std::lround(2.0 * x[0] - 0.5) % 2 == 0 ? 100.0 : -100.0; });
   EXPECT_EQ(wantedBranches(state, byVelocity<D>(0.01, 0), none).depth(), 0);
@@ -125,7 +125,7 @@ void keepsCellsUntilTheChangeIsBelowItsShare()
   Run<D> run = block<D>();
   State<D>& state = run.state();
   const Criteria<D> criteria = byVelocity<D>(1.0, 0);
-  Branches<D> now(state.grid);
+  Branches<D> now(state.mesh.grid);
   double rate = 0.0;
   const auto look = [&](double value)
   {
@@ -155,7 +155,7 @@ void keepsByTheMeanOverTheLargeCell()
   Run<D> run = block<D>();
   State<D>& state = run.state();
   const Criteria<D> criteria = byVelocity<D>(1.0, 0, 1);
-  Branches<D> now(state.grid);
+  Branches<D> now(state.mesh.grid);
   const auto set = [&](double lower, double upper)
   {
     setRate<D>(state,
@@ -180,17 +180,17 @@ void refinesBoxes()
   Criteria<D> criteria;
   criteria.maximumLevel = 2;
   criteria.regions.push_back({all<D>(2.0), all<D>(4.0), 2});
-  const Branches<D> branches = wantedBranches(state, criteria, Branches<D>(state.grid));
+  const Branches<D> branches = wantedBranches(state, criteria, Branches<D>(state.mesh.grid));
   EXPECT_EQ(count(branches, 1), D == 2 ? 16 : 64); // all of 2^D cells of the lattice
   EXPECT_EQ(count(branches, 0), D == 2 ? 16 : 64); // and what balance needs around them
   // No deeper than the largest level.
   criteria.maximumLevel = 1;
-  const Branches<D> shallow = wantedBranches(state, criteria, Branches<D>(state.grid));
+  const Branches<D> shallow = wantedBranches(state, criteria, Branches<D>(state.mesh.grid));
   EXPECT_EQ(shallow.depth(), 1);
   EXPECT_EQ(count(shallow, 0), D == 2 ? 4 : 8);
   // What reaches out of the domain is cut off.
   criteria.regions = {{all<D>(-50.0), all<D>(-1.0), 1}};
-  EXPECT_EQ(count(wantedBranches(state, criteria, Branches<D>(state.grid)), 0), 1);
+  EXPECT_EQ(count(wantedBranches(state, criteria, Branches<D>(state.mesh.grid)), 0), 1);
 }
 
 /// A crack with one front, in 2D, or with a straight one.
@@ -232,11 +232,11 @@ void refinesNearFronts()
   Criteria<D> criteria;
   criteria.maximumLevel = 1;
   criteria.frontCells = 0.9;
-  const Branches<D> none(state.grid);
+  const Branches<D> none(state.mesh.grid);
   Branches<D> now = wantedBranches(state, criteria, none);
   // In 2D cells whose faces are nearer than 0.9 m: 3 x 3, whose corners are 0.71 m away.
   EXPECT_EQ(count(now, 0), D == 2 ? 9 : 9 * 4);
-  EXPECT_TRUE(now.isRefined(0, cellAt(state.grid, 0, tip)));
+  EXPECT_TRUE(now.isRefined(0, cellAt(state.mesh.grid, 0, tip)));
   // The cell at its left, 0.5 m away, stays as the front sways to 1.15 m from it; it would be refined from
   // 0.9 m on.
   const Vector<D> left = tip + (-1.0) * Vector<D>{1.0};
@@ -245,12 +245,12 @@ void refinesNearFronts()
   const Branches<D> fresh = wantedBranches(state, criteria, none);
   EXPECT_FALSE(now == fresh);
   const Branches<D> kept = wantedBranches(state, criteria, now);
-  EXPECT_TRUE(kept.isRefined(0, cellAt(state.grid, 0, left)));
-  EXPECT_FALSE(fresh.isRefined(0, cellAt(state.grid, 0, left)));
+  EXPECT_TRUE(kept.isRefined(0, cellAt(state.mesh.grid, 0, left)));
+  EXPECT_FALSE(fresh.isRefined(0, cellAt(state.mesh.grid, 0, left)));
   // Half a cell beyond, they become large again.
   tip[0] = 4.5;
   putFront(state, tip);
-  EXPECT_FALSE(wantedBranches(state, criteria, kept).isRefined(0, cellAt(state.grid, 0, left)));
+  EXPECT_FALSE(wantedBranches(state, criteria, kept).isRefined(0, cellAt(state.mesh.grid, 0, left)));
   criteria.frontCells = 0.0;
   EXPECT_EQ(wantedBranches(state, criteria, none).depth(), 0);
 }
@@ -272,13 +272,13 @@ TEST(Criteria, IntervalTellsWhenCellsAreLookedAt)
   std::vector<long> refined;
   for (int k = 0; k < 20; ++k)
   {
-    const int before = state.tree.generation;
+    const int before = state.mesh.tree.generation;
     // Refined and large in turn.
     setRate<2>(state, [&](const Vector<2>& x)
-               { return x[0] < 1.0 && state.tree.deepest == 0 && state.step > 0 ? 1.0 : 0.0; });
-    const long step = state.step;
+               { return x[0] < 1.0 && state.mesh.tree.deepest == 0 && state.clock.step > 0 ? 1.0 : 0.0; });
+    const long step = state.clock.step;
     run.step(1e30, false);
-    if (state.tree.generation != before)
+    if (state.mesh.tree.generation != before)
       refined.push_back(step);
   }
   EXPECT_EQ(refined, (std::vector<long>{1, 5, 10, 15}));

@@ -59,7 +59,7 @@ double unevenness(int level, int steps)
   Run<D> run(validated(pulledBlock<D>(level)));
   run.initialize();
   State<D>& state = run.state();
-  EXPECT_EQ(state.tree.deepest, level);
+  EXPECT_EQ(state.mesh.tree.deepest, level);
   {
     const HostParticles<D> particles(state);
     for (int p = 0; p < particles.size; ++p)

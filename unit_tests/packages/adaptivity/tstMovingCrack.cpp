@@ -32,7 +32,7 @@ TEST(MovingCrack, FliesWithoutAForce)
       State<2>& state = run.state();
       ASSERT_EQ(state.cracks.fronts.size(), 1u);
       const Vector<2> start = state.cracks.fronts[0].position;
-      const int generation = state.tree.generation;
+      const int generation = state.mesh.tree.generation;
       const auto massOf = [&state]
       {
         const HostParticles<2> particles(state);
@@ -42,11 +42,11 @@ TEST(MovingCrack, FliesWithoutAForce)
         return sum;
       };
       const double mass = massOf();
-      while (state.time < 50.0) // two cells and a half
+      while (state.clock.time < 50.0) // two cells and a half
         run.step(50.0, false);
-      EXPECT_GT(state.tree.generation, generation + 3);
+      EXPECT_GT(state.mesh.tree.generation, generation + 3);
       const Vector<2> front = state.cracks.fronts[0].position;
-      const TreeSight<2> sight(state.grid, state.tree);
+      const TreeSight<2> sight(state.mesh.grid, state.mesh.tree);
       EXPECT_EQ(sight.spacingAt(front), 0.25);
       EXPECT_EQ(sight.spacingAt(Vector<2>{{start[0] - 2.0, start[1]}}), 1.0) << "small cells stayed behind";
       EXPECT_NEAR(massOf(), mass, 1e-12 * mass);

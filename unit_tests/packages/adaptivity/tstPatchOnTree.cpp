@@ -21,8 +21,8 @@ double residual(State<D>& state, const Vector<D>& lower)
 {
   clearNodes(state);
   scatter(state, ScatterWhat::Force);
-  const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.sums);
-  const auto active = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.active);
+  const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.sums);
+  const auto active = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.active);
   const NodePlaces<D> places = nodePlaces(state);
   double largest = 0.0;
   int inside = 0, fine = 0;
@@ -35,7 +35,7 @@ double residual(State<D>& state, const Vector<D>& lower)
     if (!in)
       continue;
     ++inside;
-    fine += active(i) >= state.grid.numNodes ? 1 : 0;
+    fine += active(i) >= state.mesh.grid.numNodes ? 1 : 0;
     for (int d = 0; d < D; ++d)
       largest = std::max(largest, std::abs(sums(active(i), Nodes<D>::forceAt + d)));
   }

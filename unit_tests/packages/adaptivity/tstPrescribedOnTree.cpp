@@ -35,18 +35,18 @@ void checkEvenStretch()
   Run<D> run(validated(scene));
   run.initialize();
   State<D>& state = run.state();
-  const int generation = state.tree.generation;
+  const int generation = state.mesh.tree.generation;
   double stretch = 1.0;
   for (int k = 0; k < 20; ++k)
   {
     run.step(1e30, false);
-    stretch *= 1.0 + 0.01 * state.dt;
+    stretch *= 1.0 + 0.01 * state.clock.dt;
     const HostParticles<D> particles(state);
     for (int p = 0; p < particles.size; ++p)
       ASSERT_NEAR(particles.deformation(p, 0), stretch, 1e-13);
   }
-  EXPECT_GT(state.tree.generation, generation);
-  EXPECT_EQ(state.tree.deepest, 2);
+  EXPECT_GT(state.mesh.tree.generation, generation);
+  EXPECT_EQ(state.mesh.tree.deepest, 2);
 }
 
 } // namespace

@@ -97,7 +97,7 @@ Passed pass(const Levels& levels, double cfl, double width, const std::string& s
     }
     particles.store(state);
   }
-  while (state.time < until)
+  while (state.clock.time < until)
     run.step(until, false);
   Passed passed;
   const HostParticles<2> particles(state);

@@ -77,7 +77,7 @@ Kept keep(Run<D>& run, int steps, const Between& between)
   State<D>& state = run.state();
   measureEnergy(state);
   const double energy = state.energy.kinetic + state.energy.strain;
-  const Vector<D> momentum = state.momentum;
+  const Vector<D> momentum = state.sample.momentum;
   Kept kept;
   kept.fewest = kept.most = state.particles.size();
   double merged = 0.0;
@@ -88,9 +88,9 @@ Kept keep(Run<D>& run, int steps, const Between& between)
     measureEnergy(state);
     const double now =
         state.energy.kinetic + state.energy.strain + state.energy.merged + merged - state.energy.externalWork;
-    kept.dt = std::max(kept.dt, state.dt);
+    kept.dt = std::max(kept.dt, state.clock.dt);
     kept.energy = std::max(kept.energy, std::fabs(now / energy - 1.0));
-    kept.momentum = std::max(kept.momentum, norm(state.momentum - momentum) / norm(momentum));
+    kept.momentum = std::max(kept.momentum, norm(state.sample.momentum - momentum) / norm(momentum));
     kept.fewest = std::min(kept.fewest, state.particles.size());
     kept.most = std::max(kept.most, state.particles.size());
   }
@@ -109,7 +109,7 @@ void checkCorner(int level, int steps)
   addRegion(scene, all<D>(4.0 - edge), all<D>(4.0 + edge), level);
   Run<D> run(validated(scene));
   run.initialize();
-  EXPECT_EQ(run.state().tree.deepest, level);
+  EXPECT_EQ(run.state().mesh.tree.deepest, level);
   const int before = run.state().particles.size();
   const double stirred = stir(run.state());
   const Kept kept = keep(run, steps, nothing);
@@ -141,17 +141,17 @@ TEST(Robust, refinedAtABoundary)
   run.initialize();
   State<2>& state = run.state();
   const double stirred = stir(state);
-  const double energy = state.energy.kinetic + state.energy.strain, along = state.momentum[0];
+  const double energy = state.energy.kinetic + state.energy.strain, along = state.sample.momentum[0];
   double off = 0.0, drift = 0.0, lowest = 1.0, dt = 0.0;
   int most = 0, fewest = state.particles.size();
-  while (state.time < 15.0)
+  while (state.clock.time < 15.0)
   {
     run.step(1e30, false);
     measureEnergy(state);
-    dt = std::max(dt, state.dt);
+    dt = std::max(dt, state.clock.dt);
     const double now = state.energy.kinetic + state.energy.strain + state.energy.merged;
     off = std::max(off, std::fabs((now - state.energy.externalWork) / energy - 1.0));
-    drift = std::max(drift, std::fabs(state.momentum[0] / along - 1.0));
+    drift = std::max(drift, std::fabs(state.sample.momentum[0] / along - 1.0));
     const HostParticles<2> particles(state);
     for (int p = 0; p < particles.size; ++p)
       lowest = std::min(lowest, particles.position(p, 1));
@@ -194,7 +194,7 @@ TEST(Robust, aroundTwoFrontsCloseTogether)
     Rhegma::Run<2> run(validated(scene));
     run.initialize();
     State<2>& state = run.state();
-    EXPECT_EQ(state.tree.deepest, 3);
+    EXPECT_EQ(state.mesh.tree.deepest, 3);
     double most = 0.0; // work in a step
     for (int k = 0; k < 400; ++k)
     {
@@ -226,16 +226,16 @@ Kept toggled(bool on)
   stir(state);
   const auto toggle = [&](int k)
   {
-    Branches<2> branches(state.grid);
+    Branches<2> branches(state.mesh.grid);
     const int at = gridMargin + 3 + (k % 4 < 2 ? 0 : 2); // the cell at the corner (0, 0), or at (2, 2)
     if (on && k % 2 == 0)
       for (int x = 0; x < 2; ++x)
         for (int y = 0; y < 2; ++y)
           branches.refine(1, {2 * at + x, 2 * at + y});
     branches.balance();
-    buildTree(branches, state.tree);
-    state.nodes.reserve(state.grid.numNodes + state.tree.numFine, state.nodes.numSecond);
-    state.sorted = false;
+    buildTree(branches, state.mesh.tree);
+    state.mesh.nodes.reserve(state.mesh.grid.numNodes + state.mesh.tree.numFine, state.mesh.nodes.numSecond);
+    state.particles.sorted = false;
     return followCells(state).lost;
   };
   const Kept kept = keep(run, 400, toggle);
@@ -272,29 +272,29 @@ TEST(Robust, numbersOfNodesDoNotDependOnTheRun)
     Kokkos::deep_copy(host, view);
     return host;
   };
-  const auto place = copy(state.tree.finePlace);
-  const auto master = copy(state.tree.master);
-  Branches<2> branches(state.grid);
+  const auto place = copy(state.mesh.tree.finePlace);
+  const auto master = copy(state.mesh.tree.master);
+  Branches<2> branches(state.mesh.grid);
   for (const int k : {7, 2, 5})
     branches.refine(0, {k, k});
   branches.balance();
-  buildTree(branches, state.tree);
-  Branches<2> again(state.grid);          // in another order
+  buildTree(branches, state.mesh.tree);
+  Branches<2> again(state.mesh.grid);     // in another order
   const int first = 2 * (gridMargin + 4); // of level 1 in the box
   for (int x = first + 3; x >= first; --x)
     for (int y = first; y < first + 4; ++y)
       again.refine(1, {x, y});
   again.balance();
-  buildTree(again, state.tree);
-  ASSERT_EQ(state.tree.finePlace.extent(0), place.extent(0));
-  ASSERT_EQ(state.tree.master.extent(0), master.extent(0));
+  buildTree(again, state.mesh.tree);
+  ASSERT_EQ(state.mesh.tree.finePlace.extent(0), place.extent(0));
+  ASSERT_EQ(state.mesh.tree.master.extent(0), master.extent(0));
   for (std::size_t n = 0; n < place.extent(0); ++n)
     for (int d = 0; d < 2; ++d)
-      EXPECT_EQ(state.tree.finePlace(n, d), place(n, d));
+      EXPECT_EQ(state.mesh.tree.finePlace(n, d), place(n, d));
   for (std::size_t l = 0; l < master.extent(0); ++l)
     for (int k = 0; k < 4; ++k)
       for (int m = 0; m < 2; ++m)
-        EXPECT_EQ(state.tree.master(l, k, m), master(l, k, m));
+        EXPECT_EQ(state.mesh.tree.master(l, k, m), master(l, k, m));
 }
 
 } // namespace Test

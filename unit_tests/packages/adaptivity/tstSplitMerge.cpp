@@ -68,7 +68,7 @@ void shake(State<D>& state)
 template <int D>
 void setCells(State<D>& state, int level)
 {
-  Branches<D> branches(state.grid);
+  Branches<D> branches(state.mesh.grid);
   std::array<int, D> cell;
   for (int l = 0; l < level; ++l)
     for (int k = 0; k < (1 << l); ++k)
@@ -78,8 +78,8 @@ void setCells(State<D>& state, int level)
       branches.refine(l, cell);
     }
   branches.balance();
-  buildTree(branches, state.tree);
-  state.nodes.reserve(state.grid.numNodes + state.tree.numFine, 0);
+  buildTree(branches, state.mesh.tree);
+  state.mesh.nodes.reserve(state.mesh.grid.numNodes + state.mesh.tree.numFine, 0);
 }
 
 template <int D>

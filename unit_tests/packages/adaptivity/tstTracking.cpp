@@ -85,7 +85,7 @@ Effect<D> accountant(Books& books)
   const auto look = [](State<D>& state)
   {
     measureEnergy(state);
-    Before now{0.0, state.energy.kinetic + state.energy.strain, state.energy.merged, state.momentum};
+    Before now{0.0, state.energy.kinetic + state.energy.strain, state.energy.merged, state.sample.momentum};
     const HostParticles<D> particles(state);
     long double mass = 0.0; // many small ones, in another order each time
     for (int p = 0; p < particles.size; ++p)
@@ -140,7 +140,7 @@ Followed<D> follow(const Teuchos::ParameterList& scene, double cell)
   for (int k = 1; k <= samples; ++k)
   {
     const double until = end * k / samples;
-    while (state.time < until)
+    while (state.clock.time < until)
     {
       run.step(until, false);
       followed.most = std::max(followed.most, state.particles.size());
@@ -148,7 +148,7 @@ Followed<D> follow(const Teuchos::ParameterList& scene, double cell)
     followed.motion.push_back(motionOf<D>(state, cell));
   }
   followed.last = state.particles.size();
-  followed.particleSteps = state.particleSteps;
+  followed.particleSteps = state.particles.stepsTaken;
   return followed;
 }
 

@@ -62,7 +62,7 @@ void keepsMassMomentumAndEnergy(const std::string& model = "Uniform")
   run.initialize();
   State<D>& state = run.state();
   measureEnergy(state);
-  const Vector<D> before = state.momentum;
+  const Vector<D> before = state.sample.momentum;
   const double startEnergy = state.energy.kinetic + state.energy.strain;
   // The ledger of a body that moves wavers by half a step's power of its stresses; its mean does not.
   constexpr int samples = 16;
@@ -82,9 +82,9 @@ void keepsMassMomentumAndEnergy(const std::string& model = "Uniform")
   EXPECT_NEAR(summary.at("combustion").at("mass_kept").get<double>(), 1.0, 1e-12);
   EXPECT_NEAR(crack.at("gas").at("energy_kept").get<double>(), 1.0, 1e-10);
   // The impulse that each face got.
-  const double impulse = 1e-4 * (D == 2 ? 3.0 : 9.0) * state.time;
+  const double impulse = 1e-4 * (D == 2 ? 3.0 : 9.0) * state.clock.time;
   for (int d = 0; d < D; ++d)
-    EXPECT_NEAR(state.momentum[d], before[d], 1e-12 * impulse);
+    EXPECT_NEAR(state.sample.momentum[d], before[d], 1e-12 * impulse);
   EXPECT_GT(given, 0.0);
   std::printf("ledger open by %+.2f %% of what was given\n", 100.0 * open / given);
   EXPECT_LT(std::fabs(open), 0.01 * given);
@@ -115,9 +115,9 @@ TEST(Burning, FlowsToTheUniformPressure)
     burning.set("Initial Gap", 0.1);
     Rhegma::Run<2> run(validated(scene));
     run.initialize();
-    while (run.state().time < 20.0 && run.state().trouble.empty())
+    while (run.state().clock.time < 20.0 && run.state().failure.empty())
       run.step(20.0, false);
-    ASSERT_EQ(run.state().trouble, "");
+    ASSERT_EQ(run.state().failure, "");
     const nlohmann::json crack = summaryOf(run).at("cracks").at(0);
     pressure.push_back(crack.at("pressure").get<double>());
     burnt.push_back(crack.at("burnt_mass").get<double>());
@@ -147,10 +147,10 @@ TEST(Burning, SpreadsWithTheFlame)
   burning.set("Ignition Time", 1.0);
   Rhegma::Run<2> run(validated(scene));
   run.initialize();
-  while (run.state().time < 0.9)
+  while (run.state().clock.time < 0.9)
     run.step(1e9, false);
   EXPECT_EQ(summaryOf(run).at("cracks").at(0).at("gas").at("burning_area").get<double>(), 0.0);
-  while (run.state().time < 4.0)
+  while (run.state().clock.time < 4.0)
     run.step(1e9, false);
   EXPECT_NEAR(summaryOf(run).at("cracks").at(0).at("gas").at("burning_area").get<double>(), 2.0 * 1.5, 1.0);
 }
@@ -198,9 +198,9 @@ TEST(Burning, EndsWithTheFuel)
   Rhegma::Run<2> run(validated(scene));
   run.initialize();
   State<2>& state = run.state();
-  while (state.time < 10.0 && state.trouble.empty())
+  while (state.clock.time < 10.0 && state.failure.empty())
     run.step(1e9, false);
-  ASSERT_EQ(state.trouble, "");
+  ASSERT_EQ(state.failure, "");
   bool told = false;
   for (const std::string& warning : state.warnings)
     told = told || warning.find("burnt away") != std::string::npos;

@@ -98,12 +98,12 @@ void makesRoom(double height, double pressure, double cell, double opening)
   measureEnergy(state);
   const double start = state.energy.strain + state.energy.kinetic;
   Strip strip(state.cracks);
-  while (state.time < 60.0 && state.trouble.empty())
+  while (state.clock.time < 60.0 && state.failure.empty())
   {
-    run.step(60.0, state.time > 59.0);
+    run.step(60.0, state.clock.time > 59.0);
     strip.follow(state.cracks);
   }
-  ASSERT_EQ(state.trouble, "");
+  ASSERT_EQ(state.failure, "");
   measureEnergy(state);
   nlohmann::json summary = nlohmann::json::object();
   for (const Effect<2>& effect : run.plan().effects)

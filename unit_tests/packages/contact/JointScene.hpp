@@ -50,32 +50,33 @@ inline std::unique_ptr<Run<2>> barAtRest(std::vector<std::string> overrides = {}
 /// Gives the nodes a velocity: `upper` to those of the upper face and beyond, `lower` to the others.
 inline void moveSides(State<2>& state, const Vector<2>& upper, const Vector<2>& lower)
 {
-  const auto projection = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.projection);
+  const auto projection =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.projection);
   const auto side = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide);
   const auto second = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.second);
-  for (int n = 0; n < state.nodes.numLattice; ++n)
+  for (int n = 0; n < state.mesh.nodes.numLattice; ++n)
     for (int d = 0; d < 2; ++d)
     {
       // A second field belongs to the side on which its node is not.
-      const bool above = side(n) != 0 ? side(n) > 0 : state.grid.nodePosition(n)[1] >= height;
+      const bool above = side(n) != 0 ? side(n) > 0 : state.mesh.grid.nodePosition(n)[1] >= height;
       projection(n, d) = above ? upper[d] : lower[d];
       if (second(n) >= 0)
         projection(second(n), d) = above ? lower[d] : upper[d];
     }
-  Kokkos::deep_copy(state.nodes.projection, projection);
+  Kokkos::deep_copy(state.mesh.nodes.projection, projection);
 }
 
 /// Forces on nodes above (1) and below (0) the joint [N], counted by which face's nodes they act on.
 inline std::vector<Vector<2>> forcesOnSides(const State<2>& state)
 {
   std::vector<Vector<2>> sum{{0.0, 0.0}, {0.0, 0.0}};
-  const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.sums);
+  const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.sums);
   const auto side = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide);
   const auto second = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.second);
-  for (int n = 0; n < state.nodes.numLattice; ++n)
+  for (int n = 0; n < state.mesh.nodes.numLattice; ++n)
     for (int d = 0; d < 2; ++d)
     {
-      const bool above = side(n) != 0 ? side(n) > 0 : state.grid.nodePosition(n)[1] >= height;
+      const bool above = side(n) != 0 ? side(n) > 0 : state.mesh.grid.nodePosition(n)[1] >= height;
       sum[above ? 1 : 0][d] += sums(n, Nodes<2>::forceAt + d);
       if (second(n) >= 0)
         sum[above ? 0 : 1][d] += sums(second(n), Nodes<2>::forceAt + d);
@@ -85,11 +86,11 @@ inline std::vector<Vector<2>> forcesOnSides(const State<2>& state)
 
 inline void clearForces(State<2>& state)
 {
-  const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.sums);
+  const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.sums);
   for (std::size_t n = 0; n < sums.extent(0); ++n)
     for (int d = 0; d < 2; ++d)
       sums(n, Nodes<2>::forceAt + d) = 0.0;
-  Kokkos::deep_copy(state.nodes.sums, sums);
+  Kokkos::deep_copy(state.mesh.nodes.sums, sums);
 }
 
 } // namespace Rhegma::contact::test

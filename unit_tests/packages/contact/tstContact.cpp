@@ -89,17 +89,17 @@ TEST(ClosedVisibility, MendsCutsWhereFacesAreClosed)
     const auto weight = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.weight);
     double sum = 0.0;
     for (int e = 0; e < count(0); ++e)
-      sum += state.grid.nodePosition(node(0, e))[1] > height - 0.5 * cell ? weight(0, e) : 0.0;
+      sum += state.mesh.grid.nodePosition(node(0, e))[1] > height - 0.5 * cell ? weight(0, e) : 0.0;
     return sum;
   };
   ClosedVisibility visibility;
   visibility.install(state);
-  state.dt = 1e-7;
+  state.clock.dt = 1e-7;
   const auto move = [&](double velocity)
   {
     visibility.prepare(state);
     moveSides(state, {0.0, velocity}, {0.0, 0.0});
-    visibility.advance(state, state.nodes.projection);
+    visibility.advance(state, state.mesh.nodes.projection);
   };
   move(1.0);
   EXPECT_EQ(visibility.closedPoints(0), 0);

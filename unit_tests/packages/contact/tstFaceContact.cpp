@@ -12,12 +12,12 @@ namespace
 /// Closes the joint by `overlap` [m] in one step of 1e-7 s, then slides it by `slide` in another.
 void press(State<2>& state, FaceContact<2>& contact, double overlap, double slide)
 {
-  state.dt = 1e-7;
+  state.clock.dt = 1e-7;
   contact.prepare(state);
-  moveSides(state, {0.0, -overlap / state.dt}, {0.0, 0.0});
-  contact.advance(state, state.nodes.projection);
-  moveSides(state, {slide / state.dt, 0.0}, {0.0, 0.0});
-  contact.advance(state, state.nodes.projection);
+  moveSides(state, {0.0, -overlap / state.clock.dt}, {0.0, 0.0});
+  contact.advance(state, state.mesh.nodes.projection);
+  moveSides(state, {slide / state.clock.dt, 0.0}, {0.0, 0.0});
+  contact.advance(state, state.mesh.nodes.projection);
 }
 
 /// Area of the joint that has face points [m2].
@@ -106,7 +106,7 @@ TEST(FaceContact, SlipsBeyondCoulombsLimit)
               1e-13 * limit * slide * area(contact));
   // From now on the traction is constant, so that a further step dissipates it times the whole slip.
   const double before = contact.dissipated();
-  contact.advance(state, state.nodes.projection);
+  contact.advance(state, state.mesh.nodes.projection);
   EXPECT_NEAR(contact.dissipated() - before, limit * slide * area(contact),
               1e-13 * limit * slide * area(contact));
 }
@@ -119,8 +119,8 @@ TEST(FaceContact, ForgetsSlipWhenItOpens)
   FaceContact<2> contact(Law::Stick, 0.0, 1.0);
   press(state, contact, overlap, slide);
   const double sheared = 0.5 * shear / cell * slide * slide * area(contact);
-  moveSides(state, {0.0, 2.0 * overlap / state.dt}, {0.0, 0.0});
-  contact.advance(state, state.nodes.projection);
+  moveSides(state, {0.0, 2.0 * overlap / state.clock.dt}, {0.0, 0.0});
+  contact.advance(state, state.mesh.nodes.projection);
   EXPECT_EQ(contact.stored(), 0.0);
   EXPECT_NEAR(contact.dissipated(), sheared, 1e-13 * sheared);
 }
@@ -136,15 +136,15 @@ TEST(FaceContact, KeepsItsGapWhileItTurns)
   press(state, contact, -opening, 0.0);
   const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.vertex);
   const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.face);
-  const auto projection = Kokkos::create_mirror_view(state.nodes.projection);
+  const auto projection = Kokkos::create_mirror_view(state.mesh.nodes.projection);
   // Mass everywhere, so that no node is left out where the joint turns away from its particles.
-  Kokkos::deep_copy(state.nodes.sums, 1.0);
+  Kokkos::deep_copy(state.mesh.nodes.sums, 1.0);
   const int steps = 50;
-  const double omega = std::atan(1.0) / (steps * state.dt);
+  const double omega = std::atan(1.0) / (steps * state.clock.dt);
   const double middle[2] = {0.5 * width, height};
   for (int s = 0; s < steps; ++s)
   {
-    const double angle = omega * s * state.dt, c = std::cos(angle), d = std::sin(angle);
+    const double angle = omega * s * state.clock.dt, c = std::cos(angle), d = std::sin(angle);
     for (std::size_t v = 0; v < vertex.extent(0); ++v)
     {
       // Kept within the cells in which nodes have two fields.
@@ -162,23 +162,23 @@ TEST(FaceContact, KeepsItsGapWhileItTurns)
     Kokkos::deep_copy(state.cracks.face, face);
     for (std::size_t n = 0; n < projection.extent(0); ++n)
     {
-      const bool isSecond = static_cast<int>(n) >= state.nodes.numLattice;
-      if (isSecond && static_cast<int>(n) >= state.nodes.numLattice + state.nodes.numSecond)
+      const bool isSecond = static_cast<int>(n) >= state.mesh.nodes.numLattice;
+      if (isSecond && static_cast<int>(n) >= state.mesh.nodes.numLattice + state.mesh.nodes.numSecond)
         continue;
       int lattice = static_cast<int>(n);
       if (isSecond)
-        Kokkos::deep_copy(lattice, Kokkos::subview(state.nodes.parent, n - state.nodes.numLattice));
-      const Vector<2> x = state.grid.nodePosition(lattice);
+        Kokkos::deep_copy(lattice, Kokkos::subview(state.mesh.nodes.parent, n - state.mesh.nodes.numLattice));
+      const Vector<2> x = state.mesh.grid.nodePosition(lattice);
       projection(n, 0) = -omega * (x[1] - middle[1]);
       projection(n, 1) = omega * (x[0] - middle[0]);
     }
-    Kokkos::deep_copy(state.nodes.projection, projection);
+    Kokkos::deep_copy(state.mesh.nodes.projection, projection);
     contact.prepare(state);
-    contact.advance(state, state.nodes.projection);
+    contact.advance(state, state.mesh.nodes.projection);
   }
   const auto gap = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, contact.gap());
   // Nodal velocities of about omega times the bar's length are rounded, each step.
-  const double roundOff = 2.2e-16 * omega * 2.0 * height * state.dt * steps * 4.0;
+  const double roundOff = 2.2e-16 * omega * 2.0 * height * state.clock.dt * steps * 4.0;
   for (std::size_t k = 0; k < gap.extent(0); ++k)
     EXPECT_NEAR(gap(k), opening, roundOff);
 }

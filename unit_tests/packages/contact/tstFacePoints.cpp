@@ -40,7 +40,8 @@ TEST(FacePoints, SeeOnlyTheirOwnSide)
   FacePoints<2> points;
   points.update(state);
   moveSides(state, {1.0, 2.0}, {-3.0, 5.0});
-  const auto projection = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.projection);
+  const auto projection =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.projection);
   const auto count = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.above.count);
   const auto node = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.above.node);
   const auto weight = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.above.weight);

@@ -65,14 +65,14 @@ inline std::vector<Seeing> stencilsBesideCrack(const State<2>& state)
 {
   const auto copy = [](const auto& view)
   { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
-  const auto particle = copy(state.storedParticle), count = copy(state.stored.count);
-  const auto node = copy(state.stored.node);
-  const auto weight = copy(state.stored.weight);
-  const auto slope = copy(state.stored.slope);
+  const auto particle = copy(state.stored.particle), count = copy(state.stored.table.count);
+  const auto node = copy(state.stored.table.node);
+  const auto weight = copy(state.stored.table.weight);
+  const auto slope = copy(state.stored.table.slope);
   const auto position = copy(state.particles.real<2>(fields::position));
   const auto side = copy(state.particles.integer(fields::side));
   std::vector<Seeing> all;
-  for (int r = 0; r < state.numStored; ++r)
+  for (int r = 0; r < state.stored.count; ++r)
   {
     const int p = particle(r);
     Seeing one{p, side(p), {position(p, 0), position(p, 1)}, {}};
@@ -86,9 +86,9 @@ inline std::vector<Seeing> stencilsBesideCrack(const State<2>& state)
 /// Nodal masses [kg], and the mass of all particles.
 inline std::vector<double> nodalMasses(const State<2>& state)
 {
-  const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.sums);
+  const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.sums);
   std::vector<double> mass;
-  for (int n = 0; n < state.nodes.numLattice + state.nodes.numSecond; ++n)
+  for (int n = 0; n < state.mesh.nodes.numLattice + state.mesh.nodes.numSecond; ++n)
     mass.push_back(sums(n, Nodes<2>::massAt));
   return mass;
 }

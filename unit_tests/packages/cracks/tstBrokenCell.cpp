@@ -28,19 +28,20 @@ struct Cell
 Cell lookAt(const Corners& cornerSide, const Vector<2>& place, int side)
 {
   State<2> state;
-  state.grid = makeGrid<2>({0.0, 0.0}, {1.0, 1.0}, 1.0);
-  state.cracks.nodeSide = View<int*>("nodeSide", state.grid.numNodes);
+  state.mesh.grid = makeGrid<2>({0.0, 0.0}, {1.0, 1.0}, 1.0);
+  state.cracks.nodeSide = View<int*>("nodeSide", state.mesh.grid.numNodes);
   state.cracks.dualField = false;
   const auto nodeSide = Kokkos::create_mirror_view(state.cracks.nodeSide);
   int corner[4];
   for (int c = 0; c < 4; ++c)
   {
     const int at[2] = {gridMargin + c % 2, gridMargin + c / 2};
-    corner[c] = state.grid.nodeIndex(at);
+    corner[c] = state.mesh.grid.nodeIndex(at);
     nodeSide(corner[c]) = cornerSide[c];
   }
   Kokkos::deep_copy(state.cracks.nodeSide, nodeSide);
-  state.editor.edit = [](const State<2>& s, const ObservedPoints<2>& points, const StencilTable<2>& table)
+  state.stored.editor.edit =
+      [](const State<2>& s, const ObservedPoints<2>& points, const StencilTable<2>& table)
   { editStencils(s, Formulation::BrokenCell, {}, points, table); };
   ObservedPoints<2> points;
   points.count = 1;
@@ -208,10 +209,10 @@ TEST(BrokenCell, KeepsTheMassOfAParticleThatSeesNoNode)
     run->step(2e-15, false);
     bool seesNone = false;
     const auto nodeSide = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide);
-    const int at[2] = {static_cast<int>(state.grid.inCells(host(moved, 0), 0)),
-                       static_cast<int>(state.grid.inCells(0.0101, 1))};
-    seesNone = nodeSide(state.grid.nodeIndex(at)) == 1 &&
-               nodeSide(state.grid.nodeIndex({at[0] + 1, at[1] + 1})) == 1;
+    const int at[2] = {static_cast<int>(state.mesh.grid.inCells(host(moved, 0), 0)),
+                       static_cast<int>(state.mesh.grid.inCells(0.0101, 1))};
+    seesNone = nodeSide(state.mesh.grid.nodeIndex(at)) == 1 &&
+               nodeSide(state.mesh.grid.nodeIndex({at[0] + 1, at[1] + 1})) == 1;
     EXPECT_TRUE(seesNone);
     double mass = 0.0;
     for (const double m : nodalMasses(state))
@@ -233,9 +234,9 @@ TEST(BrokenCell, BreaksTiesTheSameWayEverywhere)
     const int up = points[1] == '0' && points[2] == ',' ? 1 : -1; // side of what lies above
     const auto sideAt = [&](double x, double y)
     {
-      const int at[2] = {static_cast<int>(std::lround(state.grid.inCells(x, 0))),
-                         static_cast<int>(std::lround(state.grid.inCells(y, 1)))};
-      return nodeSide(state.grid.nodeIndex(at));
+      const int at[2] = {static_cast<int>(std::lround(state.mesh.grid.inCells(x, 0))),
+                         static_cast<int>(std::lround(state.mesh.grid.inCells(y, 1)))};
+      return nodeSide(state.mesh.grid.nodeIndex(at));
     };
     for (double x = 0.0; x < 0.0487; x += cell)
     {
@@ -295,7 +296,7 @@ TEST(BrokenCell, BreaksRefinedCells)
         sum += entry.weight;
         for (int d = 0; d < 2; ++d)
           slope[d] += entry.slope[d];
-        fine = fine || entry.node >= state.grid.numNodes;
+        fine = fine || entry.node >= state.mesh.grid.numNodes;
         if (one.side == 0 || nodeSide(entry.node) != -one.side)
           continue;
         hidden = true;

@@ -46,11 +46,11 @@ Flight fly(const Vector<2>& velocity, bool ties)
 {
   Rhegma::Run<2> run(validated(plate(velocity, ties)));
   run.initialize();
-  EnergyLedger& energy = run.state().energy;
+  EnergyBalance& energy = run.state().energy;
   measureEnergy(run.state());
   energy.start = energy.kinetic + energy.strain;
   Flight flight{0.0, 0.0, 0.0};
-  while (run.state().time < 12.0)
+  while (run.state().clock.time < 12.0)
   {
     run.step(12.0, false);
     flight.largestTies = std::max(flight.largestTies, energy.ties);

@@ -20,10 +20,10 @@ double rotationStrain(const State<2>& state)
     double gradient[2][2] = {};
     for (const Entry& entry : one.entries)
     {
-      const int lattice = entry.node < state.nodes.numLattice
+      const int lattice = entry.node < state.mesh.nodes.numLattice
                               ? entry.node
-                              : state.nodes.parent(entry.node - state.nodes.numLattice);
-      const Vector<2> from = state.grid.nodePosition(lattice) - one.x;
+                              : state.mesh.nodes.parent(entry.node - state.mesh.nodes.numLattice);
+      const Vector<2> from = state.mesh.grid.nodePosition(lattice) - one.x;
       const double velocity[2] = {-from[1], from[0]};
       for (int i = 0; i < 2; ++i)
         for (int j = 0; j < 2; ++j)
@@ -41,7 +41,7 @@ void expectLinearlyComplete(const State<2>& state, const Seeing& one)
   double weight = 0.0, moment[2] = {}, gradient[2][2] = {};
   for (const Entry& entry : one.entries)
   {
-    const Vector<2> from = state.grid.nodePosition(entry.node) - one.x;
+    const Vector<2> from = state.mesh.grid.nodePosition(entry.node) - one.x;
     weight += entry.weight;
     for (int i = 0; i < 2; ++i)
     {
@@ -110,14 +110,14 @@ TEST(CorrectedBrokenCell, KeepsMassesOfHalfACell)
     const State<2>& state = run->state();
     const std::vector<double> mass = nodalMasses(state);
     double sum = 0.0, least = 1e300;
-    for (int n = 0; n < state.grid.numNodes; ++n)
+    for (int n = 0; n < state.mesh.grid.numNodes; ++n)
     {
       sum += mass[n];
-      const Vector<2> x = state.grid.nodePosition(n);
+      const Vector<2> x = state.mesh.grid.nodePosition(n);
       if (mass[n] != 0.0 && x[0] > 0.5 * cell && x[0] < 0.1 - 0.5 * cell)
         least = std::min(least, mass[n]);
     }
-    const double whole = 1200.0 * cell * cell * state.thickness;
+    const double whole = 1200.0 * cell * cell * state.method.thickness;
     EXPECT_NEAR(sum, bodyMass(state), 1e-13 * bodyMass(state));
     EXPECT_GE(least, 0.5 * whole * (1.0 - 1e-12)) << points;
   }
@@ -138,10 +138,10 @@ TEST(CorrectedBrokenCell, HasNoNegativeMassAtTheRim)
   run->step(2e-15, false);
   const std::vector<double> mass = nodalMasses(state);
   int beyond = 0;
-  for (int n = 0; n < state.grid.numNodes; ++n)
+  for (int n = 0; n < state.mesh.grid.numNodes; ++n)
   {
     EXPECT_GE(mass[n], 0.0);
-    beyond += mass[n] > 0.0 && state.grid.nodePosition(n)[0] < -0.5 * cell ? 1 : 0;
+    beyond += mass[n] > 0.0 && state.mesh.grid.nodePosition(n)[0] < -0.5 * cell ? 1 : 0;
   }
   EXPECT_GT(beyond, 0);
 }
@@ -151,10 +151,12 @@ TEST(CorrectedBrokenCell, LimitsTheStep)
 {
   const auto run = beamAtRest("Corrected Broken Cell", "GIMP", onRow);
   const State<2>& state = run->state();
-  EXPECT_NEAR(run->stableTimeStep(), 0.36 * cell / state.fastest, 1e-12 * cell / state.fastest);
+  EXPECT_NEAR(run->stableTimeStep(), 0.36 * cell / state.clock.fastestSpeed,
+              1e-12 * cell / state.clock.fastestSpeed);
   const auto diagonal = beamAtRest("Corrected Broken Cell", "GIMP", "{0, 0.01, 0.04, 0.01, 0.046, 0.015}");
-  EXPECT_NEAR(diagonal->stableTimeStep(), 0.18 * cell / diagonal->state().fastest,
-              1e-12 * cell / state.fastest);
+  EXPECT_NEAR(diagonal->stableTimeStep(), 0.18 * cell / diagonal->state().clock.fastestSpeed,
+              1e-12 * cell / state.clock.fastestSpeed);
   const auto dual = beamAtRest("Dual Field", "GIMP", onRow);
-  EXPECT_NEAR(dual->stableTimeStep(), 0.4 * cell / dual->state().fastest, 1e-12 * cell / state.fastest);
+  EXPECT_NEAR(dual->stableTimeStep(), 0.4 * cell / dual->state().clock.fastestSpeed,
+              1e-12 * cell / state.clock.fastestSpeed);
 }

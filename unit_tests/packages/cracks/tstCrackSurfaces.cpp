@@ -172,6 +172,6 @@ TEST(CrackSurfaces, CutCurvedNeighbourhoodsInTwo)
   for (int k = 0; k < 20; ++k)
     run->step(1.0, false);
   measureEnergy(state);
-  EXPECT_GT(measureOpening(state.cracks, 0).largest, 0.9 * 10.0 * state.time);
+  EXPECT_GT(measureOpening(state.cracks, 0).largest, 0.9 * 10.0 * state.clock.time);
   EXPECT_LT(state.energy.strain, 1e-3 * state.energy.kinetic);
 }

@@ -60,7 +60,7 @@ template <int D>
 void advance(Run<D>& run, int steps, double dt)
 {
   for (int k = 1; k <= steps; ++k)
-    run.step(run.state().time + dt, k == steps);
+    run.step(run.state().clock.time + dt, k == steps);
   measureEnergy(run.state());
 }
 
@@ -136,23 +136,23 @@ TEST(CracksInSpace, CutFunctionsThatReproduceLinearFields)
   storeStencils(state);
   const auto host = [](const auto& view)
   { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
-  const auto particle = host(state.storedParticle), count = host(state.stored.count);
-  const auto node = host(state.stored.node);
-  const auto weight = host(state.stored.weight);
-  const auto slope = host(state.stored.slope);
-  const auto parent = host(state.nodes.parent);
+  const auto particle = host(state.stored.particle), count = host(state.stored.table.count);
+  const auto node = host(state.stored.table.node);
+  const auto weight = host(state.stored.table.weight);
+  const auto slope = host(state.stored.table.slope);
+  const auto parent = host(state.mesh.nodes.parent);
   const auto x = host(state.particles.real<3>(fields::position));
   int second = 0;
-  ASSERT_GT(state.numStored, 0);
-  for (int r = 0; r < state.numStored; ++r)
+  ASSERT_GT(state.stored.count, 0);
+  for (int r = 0; r < state.stored.count; ++r)
   {
     double sum = 0.0, place[3] = {0.0, 0.0, 0.0}, gradient[3][3] = {};
     for (int k = 0; k < count(r); ++k)
     {
-      const bool isSecond = node(r, k) >= state.nodes.numLattice;
+      const bool isSecond = node(r, k) >= state.mesh.nodes.numLattice;
       second += isSecond ? 1 : 0;
-      const Vector<3> at =
-          state.grid.nodePosition(isSecond ? parent(node(r, k) - state.nodes.numLattice) : node(r, k));
+      const Vector<3> at = state.mesh.grid.nodePosition(
+          isSecond ? parent(node(r, k) - state.mesh.nodes.numLattice) : node(r, k));
       sum += weight(r, k);
       for (int i = 0; i < 3; ++i)
       {
@@ -195,7 +195,7 @@ TEST(CracksInSpace, TurnWithTheBody)
   const std::vector<Vector<3>> before = places();
   const Vector<3> normal = state.cracks.fronts[0].normal;
   setVelocity(state, [&](const Vector<3>& x) { return cross(omega, x - centre); });
-  while (norm(omega) * state.time < 0.5)
+  while (norm(omega) * state.clock.time < 0.5)
     run->step(1.0, false);
   const std::vector<Vector<3>> after = places();
   const double speed = std::sqrt(young / (2.0 * (1.0 + poisson)) / density); // of shear waves
@@ -205,7 +205,7 @@ TEST(CracksInSpace, TurnWithTheBody)
   for (std::size_t v = 0; v < after.size(); ++v)
     for (std::size_t w = 0; w < v; ++w)
       EXPECT_NEAR(norm(after[v] - after[w]), norm(before[v] - before[w]),
-                  0.25 * cell * norm(omega) * state.time)
+                  0.25 * cell * norm(omega) * state.clock.time)
           << v << " " << w;
   // It has turned: by 0.5 about an axis that leans from its normal.
   EXPECT_LT(dot(normal, state.cracks.fronts[0].normal), 0.95);
@@ -236,11 +236,11 @@ TEST(CracksInSpace, KeepMomentum)
   const Vector<3> drift{1.0, 2.0, -3.0};
   setVelocity(run->state(), [&](const Vector<3>& x) { return drift + 2e3 * Vector<3>{x[2], x[0], x[1]}; });
   advance(*run, 1, 1e-9);
-  const Vector<3> before = run->state().momentum;
+  const Vector<3> before = run->state().sample.momentum;
   advance(*run, 50, run->stableTimeStep());
   const double mass = density * std::pow(8e-3, 3);
   for (int d = 0; d < 3; ++d)
-    EXPECT_NEAR(run->state().momentum[d], before[d], 1e-12 * mass * (norm(drift) + 20.0));
+    EXPECT_NEAR(run->state().sample.momentum[d], before[d], 1e-12 * mass * (norm(drift) + 20.0));
   EXPECT_GT(measureOpening(run->state().cracks, 0).largest, 0.0);
 }
 
@@ -252,7 +252,7 @@ TEST(CracksInSpace, OnlyParticlesNearTheCrackPay)
   const State<3>& state = run->state();
   const auto x =
       Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.real<3>(fields::position));
-  const auto row = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.storedRow);
+  const auto row = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.stored.row);
   int stored = 0;
   for (int p = 0; p < state.particles.size(); ++p)
     if (row(p) >= 0)
@@ -262,7 +262,7 @@ TEST(CracksInSpace, OnlyParticlesNearTheCrackPay)
       EXPECT_LT(std::hypot(x(p, 0) - 4.2e-3, x(p, 1) - 3.9e-3), 2.4e-3 + 2.0 * std::sqrt(2.0) * cell);
     }
   EXPECT_GT(stored, 0);
-  EXPECT_EQ(state.numStored, stored);
+  EXPECT_EQ(state.stored.count, stored);
 }
 
 /// Inside the polygon a node belongs to a side, beyond the front to none; where the front meets a mouth it
@@ -275,12 +275,12 @@ TEST(CracksInSpace, FrontsDecideWhichNodesAreSplit)
   advance(*run, 1, 1e-9);
   const State<3>& state = run->state();
   const auto side = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide);
-  const auto active = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.active);
+  const auto active = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.active);
   // From the outside of the polygon, its order seen from +y is anticlockwise, so side +1 is above.
   int seen = 0;
   for (std::size_t i = 0; i < active.extent(0); ++i)
   {
-    const Vector<3> x = state.grid.nodePosition(active(i));
+    const Vector<3> x = state.mesh.grid.nodePosition(active(i));
     if (std::abs(x[1] - 4.4e-3) > 1.5 * cell || x[0] < -1.5 * cell || x[2] < -1.5 * cell || x[2] > 5.5 * cell)
       continue;
     ++seen;

@@ -58,7 +58,7 @@ Rhegma::Run<D> atRest(const Teuchos::ParameterList& scene, double time)
 {
   Rhegma::Run<D> run(validated(scene));
   run.initialize();
-  while (run.state().time < time)
+  while (run.state().clock.time < time)
     run.step(1e30, false);
   return run;
 }

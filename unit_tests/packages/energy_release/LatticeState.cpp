@@ -6,23 +6,23 @@ namespace Rhegma::energy_release::test
 State<2> makeBody(double half, double cell, Plane plane, ShapeKind shape, const Vector<2>& shift)
 {
   State<2> state;
-  state.plane = plane;
-  state.thickness = thickness;
-  state.shape = shape;
-  state.step = 1;
-  state.dt = 1e-6;
-  state.grid =
+  state.method.plane = plane;
+  state.method.thickness = thickness;
+  state.method.shape = shape;
+  state.clock.step = 1;
+  state.clock.dt = 1e-6;
+  state.mesh.grid =
       makeGrid<2>({{-half - 2.0 * cell, -half - 2.0 * cell}}, {{half + 2.0 * cell, half + 2.0 * cell}}, cell);
-  state.nodes.reserve(state.grid.numNodes, 0);
+  state.mesh.nodes.reserve(state.mesh.grid.numNodes, 0);
 
   Teuchos::ParameterList material;
   material.set<std::string>("Model", "Linear Elastic");
   material.set("Density", density);
   material.set("Young Modulus", young);
   material.set("Poisson Ratio", poisson);
-  state.materialList = {makeProperties(material, "Resin", plane)};
-  state.materials = View<Properties*>("rhegma::materials", 1);
-  Kokkos::deep_copy(state.materials, state.materialList[0]);
+  state.materials.list = {makeProperties(material, "Resin", plane)};
+  state.materials.device = View<Properties*>("rhegma::materials", 1);
+  Kokkos::deep_copy(state.materials.device, state.materials.list[0]);
 
   FieldTable& table = state.particles;
   table.add({fields::position, 2, "m", ""});
@@ -69,29 +69,29 @@ void deform(State<2>& state, const DisplacementField& field)
     for (int k = 0; k < 4; ++k)
       F(p, k) = d.gradient[k] + (k == 0 || k == 3 ? 1.0 : 0.0);
     F(p, 4) = 1.0;
-    updateStress<2>(state.materialList[0], &F(p, 0), &stress(p, 0), nullptr);
+    updateStress<2>(state.materials.list[0], &F(p, 0), &stress(p, 0), nullptr);
   }
 }
 
 void setMotion(State<2>& state, const std::function<Motion(const Vector<2>&)>& motion)
 {
-  for (int n = 0; n < state.grid.numNodes; ++n)
+  for (int n = 0; n < state.mesh.grid.numNodes; ++n)
   {
-    const Motion m = motion(state.grid.nodePosition(n));
+    const Motion m = motion(state.mesh.grid.nodePosition(n));
     for (int d = 0; d < 2; ++d)
     {
-      state.nodes.motion(n, d) = state.nodes.projection(n, d) = m.velocity[d];
-      state.nodes.motion(n, Nodes<2>::accelerationAt + d) = m.acceleration[d];
+      state.mesh.nodes.motion(n, d) = state.mesh.nodes.projection(n, d) = m.velocity[d];
+      state.mesh.nodes.motion(n, Nodes<2>::accelerationAt + d) = m.acceleration[d];
     }
   }
 }
 
 NodalAcceleration<2> nodalAcceleration(const State<2>& state)
 {
-  const NodalAcceleration<2> acceleration("rhegma::acceleration", state.grid.numNodes);
-  for (int n = 0; n < state.grid.numNodes; ++n)
+  const NodalAcceleration<2> acceleration("rhegma::acceleration", state.mesh.grid.numNodes);
+  for (int n = 0; n < state.mesh.grid.numNodes; ++n)
     for (int d = 0; d < 2; ++d)
-      acceleration(n, d) = state.nodes.motion(n, Nodes<2>::accelerationAt + d);
+      acceleration(n, d) = state.mesh.nodes.motion(n, Nodes<2>::accelerationAt + d);
   return acceleration;
 }
 
@@ -112,7 +112,7 @@ DisplacementField tipDisplacement(const State<2>& state, const CrackFront<2>& fr
                                   double modeII)
 {
   const double kolosov =
-      state.plane == Plane::Stress ? (3.0 - poisson) / (1.0 + poisson) : 3.0 - 4.0 * poisson;
+      state.method.plane == Plane::Stress ? (3.0 - poisson) / (1.0 + poisson) : 3.0 - 4.0 * poisson;
   const double shear = young / (2.0 * (1.0 + poisson));
   return [=](const Vector<2>& x)
   {

@@ -17,10 +17,10 @@ constexpr double fullCell = cell * cell * thickness;
 /// Marks the nodes behind the front that both sides can touch.
 void splitNodes(State<2>& state, const CrackFront<2>& front)
 {
-  state.cracks.nodeSide = View<int*>("rhegma::nodeSide", state.grid.numNodes);
-  for (int n = 0; n < state.grid.numNodes; ++n)
+  state.cracks.nodeSide = View<int*>("rhegma::nodeSide", state.mesh.grid.numNodes);
+  for (int n = 0; n < state.mesh.grid.numNodes; ++n)
   {
-    const Vector<2> from = state.grid.nodePosition(n) - front.position;
+    const Vector<2> from = state.mesh.grid.nodePosition(n) - front.position;
     if (dot(from, front.direction) < -0.1 * cell && std::fabs(dot(from, front.normal)) < 3.0 * cell)
       state.cracks.nodeSide(n) = dot(from, front.normal) > -0.1 * cell ? 1 : -1;
   }
@@ -29,7 +29,7 @@ void splitNodes(State<2>& state, const CrackFront<2>& front)
 /// Opening of a node behind the front, as a nodal field: `opening` times the number of its column to a power.
 double nodalOpening(const State<2>& state, const CrackFront<2>& front, int node, double power)
 {
-  const double behind = -dot(state.grid.nodePosition(node) - front.position, front.direction) / cell;
+  const double behind = -dot(state.mesh.grid.nodePosition(node) - front.position, front.direction) / cell;
   return opening * std::pow(std::ceil(behind - 0.1), power);
 }
 
@@ -62,13 +62,13 @@ CrackClosure closeUniform(ShapeKind shape, const Vector<2>& direction, double of
         for (int j = 0; j < width; ++j)
         {
           const int node =
-              (axisX.first + i) * state.grid.stride[0] + (axisY.first + j) * state.grid.stride[1];
+              (axisX.first + i) * state.mesh.grid.stride[0] + (axisY.first + j) * state.mesh.grid.stride[1];
           const bool split = state.cracks.nodeSide(node) != 0;
           value += axisX.weight[i] * axisY.weight[j] *
                    (split ? 0.5 * side * nodalOpening(state, front, node, power) : 0.0);
         }
     };
-    const double at[2] = {state.grid.inCells(x[0], 0), state.grid.inCells(x[1], 1)};
+    const double at[2] = {state.mesh.grid.inCells(x[0], 0), state.mesh.grid.inCells(x[1], 1)};
     if (shape == ShapeKind::Linear)
       add(linearStencil(at[0]), linearStencil(at[1]), 2);
     else
@@ -192,7 +192,7 @@ TEST(TipPatch, RecoversLinearDisplacement)
   EXPECT_GT(found.size(), 200u);
   for (const auto& entry : found)
   {
-    const Vector<2> x = state.grid.nodePosition(entry.first.first);
+    const Vector<2> x = state.mesh.grid.nodePosition(entry.first.first);
     if (norm(x - front.position) > 6.0 * cell)
       continue;
     // Particles are 1e-6 away from where they were, and 1e-3 of the lumped value at the faces is off by a

@@ -65,7 +65,7 @@ DisplacementField turned(const DisplacementField& field, double angle)
 double waveIntegral(double cell, double travelling, double direction, double& scale)
 {
   State<2> state = makeBody(half, cell, Plane::Strain, ShapeKind::Linear);
-  const double speed = std::sqrt(elasticity(state.materialList[0]).constrainedModulus / density);
+  const double speed = std::sqrt(elasticity(state.materials.list[0]).constrainedModulus / density);
   const double k = 250.0, w = k * speed, amplitude = 1e-10, phase = 0.7;
   deform(state,
          [=](const Vector<2>& x)
@@ -219,7 +219,7 @@ TEST(DomainIntegral, InertiaCancelsInSteadyMotion)
               return m;
             });
   const CrackFront<2> front = addFront(state, {{1.0e-3, 0.0}}, 0.0);
-  const double modulus = elasticity(state.materialList[0]).constrainedModulus;
+  const double modulus = elasticity(state.materials.list[0]).constrainedModulus;
   double expected = 0.0;
   const int n = 2000;
   const double step = 2.0 * radii.outer / n;
@@ -247,7 +247,7 @@ TEST(DomainIntegral, KnowsOfLoadsInsideTheDisk)
 {
   const double cell = 0.5e-3, slope = 1e6;
   State<2> state = makeBody(half, cell, Plane::Strain, ShapeKind::Linear);
-  const double modulus = elasticity(state.materialList[0]).constrainedModulus;
+  const double modulus = elasticity(state.materials.list[0]).constrainedModulus;
   deform(state,
          [=](const Vector<2>& x)
          {
@@ -256,23 +256,23 @@ TEST(DomainIntegral, KnowsOfLoadsInsideTheDisk)
            d.gradient[0] = slope * x[0] / modulus;
            return d;
          });
-  state.blocks.first = View<int*>("rhegma::blockFirst", 2);
-  state.blocks.first(1) = state.particles.size();
+  state.mesh.blocks.first = View<int*>("rhegma::blockFirst", 2);
+  state.mesh.blocks.first(1) = state.particles.size();
   for (int c = 1; c <= Blocks<2>::colours; ++c)
-    state.blocks.colourStart[c] = 1;
-  for (int n = 0; n < state.grid.numNodes; ++n)
-    state.nodes.sums(n, Nodes<2>::massAt) = density * cell * cell * thickness;
+    state.mesh.blocks.colourStart[c] = 1;
+  for (int n = 0; n < state.mesh.grid.numNodes; ++n)
+    state.mesh.nodes.sums(n, Nodes<2>::massAt) = density * cell * cell * thickness;
 
   const CrackFront<2> front = addFront(state, {{1.0e-3, 0.0}}, 0.0);
   const NodalAcceleration<2> acceleration = internalAcceleration(state, front.position, half);
-  int cells[2] = {static_cast<int>(state.grid.inCells(1e-3, 0)),
-                  static_cast<int>(state.grid.inCells(0.0, 1))};
-  const int middle = state.grid.nodeIndex(cells);
+  int cells[2] = {static_cast<int>(state.mesh.grid.inCells(1e-3, 0)),
+                  static_cast<int>(state.mesh.grid.inCells(0.0, 1))};
+  const int middle = state.mesh.grid.nodeIndex(cells);
   // Central differences are exact for a linear stress; strains of 2e-6 change it by as much.
   EXPECT_NEAR(acceleration(middle, 0), slope / density, 1e-4 * slope / density);
   EXPECT_NEAR(acceleration(middle, 1), 0.0, 1e-4 * slope / density);
 
-  const NodalAcceleration<2> none("rhegma::none", state.grid.numNodes);
+  const NodalAcceleration<2> none("rhegma::none", state.mesh.grid.numNodes);
   const double unaware = integrateDomain(state, front, radii, none).J;
   EXPECT_NEAR(integrateDomain(state, front, radii).J, 0.0, quadrature(cell) * std::fabs(unaware));
 }

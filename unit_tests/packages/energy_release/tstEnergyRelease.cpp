@@ -61,7 +61,7 @@ TEST(EnergyRelease, DrawsInAContourThatIsNotGiven)
     addFront(state, {{x, 0.0}}, 0.0);
     const Effect<2> effect = energyReleaseEntry().make2(scene);
     effect.atStart(state);
-    state.observing = true;
+    state.clock.observing = true;
     effect.calls[0].run(state);
     nlohmann::json summary;
     effect.report(state, summary);
@@ -118,14 +118,14 @@ TEST(EnergyRelease, GivesColumnsAndASummary)
   ASSERT_EQ(effect.calls.size(), 1u);
   EXPECT_EQ(effect.calls[0].stage, Stage::Observe);
 
-  state.observing = false;
+  state.clock.observing = false;
   effect.calls[0].run(state);
-  EXPECT_TRUE(state.row.empty());
+  EXPECT_TRUE(state.sample.row.empty());
 
-  state.observing = true;
+  state.clock.observing = true;
   effect.calls[0].run(state);
   std::vector<std::string> names;
-  for (const auto& entry : state.row)
+  for (const auto& entry : state.sample.row)
     names.push_back(entry.first);
   EXPECT_EQ(names, (std::vector<std::string>{"Notch.0.G_J", "Notch.0.K_I", "Notch.0.K_II", "Notch.0.length",
                                              "Notch.0.speed", "Notch.0.x", "Notch.0.y"}));
@@ -133,8 +133,8 @@ TEST(EnergyRelease, GivesColumnsAndASummary)
   effect.report(state, summary);
   const nlohmann::json& reported = summary["cracks"][0]["fronts"][0];
   EXPECT_EQ(summary["cracks"][0]["name"], "Notch");
-  EXPECT_EQ(reported["G_J"].get<double>(), state.row[0].second);
-  EXPECT_EQ(reported["K_I"].get<double>(), state.row[1].second);
+  EXPECT_EQ(reported["G_J"].get<double>(), state.sample.row[0].second);
+  EXPECT_EQ(reported["K_I"].get<double>(), state.sample.row[1].second);
   EXPECT_EQ(reported["length"].get<double>(), 0.01);
   EXPECT_FALSE(reported.contains("G_closure"));
   EXPECT_EQ(reported["inner_radius"].get<double>(), 1e-3);
@@ -152,10 +152,10 @@ TEST(EnergyRelease, DoesWithoutAContour)
   scene.sublist("Energy Release").set("Crack Closure", true);
   const Effect<2> effect = energyReleaseEntry().make2(scene);
   effect.atStart(state);
-  state.observing = true;
+  state.clock.observing = true;
   effect.calls[0].run(state);
   std::vector<std::string> names;
-  for (const auto& entry : state.row)
+  for (const auto& entry : state.sample.row)
     names.push_back(entry.first);
   EXPECT_EQ(names, (std::vector<std::string>{"Notch.0.G_closure", "Notch.0.length", "Notch.0.speed",
                                              "Notch.0.x", "Notch.0.y"}));
@@ -198,14 +198,14 @@ TEST(EnergyRelease, SaysWhenAFrontComesToALoad)
   }
   const Effect<2> effect = energyReleaseEntry().make2(scene);
   effect.atStart(state);
-  state.observing = true;
+  state.clock.observing = true;
   effect.calls[0].run(state);
   EXPECT_TRUE(state.warnings.empty());
   state.cracks.fronts[0].position = {{3.5e-3, 0.0}};
-  state.time = 0.5;
+  state.clock.time = 0.5;
   for (int sample = 0; sample < 2; ++sample)
   {
-    state.row.clear();
+    state.sample.row.clear();
     effect.calls[0].run(state);
     ASSERT_EQ(state.warnings.size(), 1u);
     EXPECT_NE(
@@ -226,9 +226,9 @@ TEST(EnergyRelease, SaysWhereThereIsNoCrackClosure)
   scene.sublist("Energy Release").set("Crack Closure", true);
   const Effect<2> effect = energyReleaseEntry().make2(scene);
   effect.atStart(state);
-  state.observing = true;
+  state.clock.observing = true;
   effect.calls[0].run(state);
-  EXPECT_TRUE(std::isfinite(state.row[0].second));
+  EXPECT_TRUE(std::isfinite(state.sample.row[0].second));
   EXPECT_TRUE(state.warnings.empty());
   deform(state,
          [](const Vector<2>& x)
@@ -238,10 +238,10 @@ TEST(EnergyRelease, SaysWhereThereIsNoCrackClosure)
          });
   for (int sample = 0; sample < 2; ++sample)
   {
-    state.row.clear();
+    state.sample.row.clear();
     effect.calls[0].run(state);
-    EXPECT_EQ(state.row[0].first, "Notch.0.G_closure");
-    EXPECT_FALSE(std::isfinite(state.row[0].second));
+    EXPECT_EQ(state.sample.row[0].first, "Notch.0.G_closure");
+    EXPECT_FALSE(std::isfinite(state.sample.row[0].second));
     ASSERT_EQ(state.warnings.size(), 1u);
     EXPECT_NE(state.warnings[0].find("G_closure of the front Notch.0 can't be found"), std::string::npos);
   }
@@ -262,14 +262,14 @@ TEST(EnergyRelease, TakesTheMatrixThatTheSceneChooses)
       scene.sublist("Mass Matrix") = matrix;
     const Effect<2> effect = energyReleaseEntry().make2(scene);
     effect.atStart(state);
-    state.cracks.nodeSide = View<int*>("rhegma::nodeSide", state.grid.numNodes);
-    for (int n = 0; n < state.grid.numNodes; ++n)
+    state.cracks.nodeSide = View<int*>("rhegma::nodeSide", state.mesh.grid.numNodes);
+    for (int n = 0; n < state.mesh.grid.numNodes; ++n)
     {
-      const Vector<2> from = state.grid.nodePosition(n) - front.position;
+      const Vector<2> from = state.mesh.grid.nodePosition(n) - front.position;
       state.cracks.nodeSide(n) = from[0] < -1e-4 && std::fabs(from[1]) < 2e-3 ? (from[1] > 0.0 ? 1 : -1) : 0;
     }
     deform(state, tipDisplacement(state, front, 1e6, 0.0));
-    state.observing = true;
+    state.clock.observing = true;
     effect.calls[0].run(state);
     nlohmann::json summary;
     effect.report(state, summary);
@@ -312,7 +312,7 @@ TEST(EnergyRelease, ReportsTheKinkCounterClockwise)
     const Effect<2> effect = energyReleaseEntry().make2(sceneWith(5e-3));
     effect.atStart(state);
     deform(state, field);
-    state.observing = true;
+    state.clock.observing = true;
     effect.calls[0].run(state);
     nlohmann::json summary;
     effect.report(state, summary);
@@ -334,9 +334,9 @@ TEST(EnergyRelease, LeavesOutClosureWhereItDoesNotHold)
     scene.sublist("Cracks").set("Formulation", formulation);
     const Effect<2> effect = energyReleaseEntry().make2(scene);
     effect.atStart(state);
-    state.observing = true;
+    state.clock.observing = true;
     effect.calls[0].run(state);
-    for (const auto& entry : state.row)
+    for (const auto& entry : state.sample.row)
       if (entry.first == "Notch.0.G_closure")
         return true;
     return false;

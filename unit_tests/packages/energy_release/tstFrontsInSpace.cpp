@@ -95,13 +95,13 @@ void deform(State<3>& state, const Field& field)
       for (int j = 0; j < 3; ++j)
         F(p, 3 * i + j) = d.gradient[i][j] + (i == j ? 1.0 : 0.0);
     }
-    updateStress<3>(state.materialList[0], &F(p, 0), &stress(p, 0), nullptr);
+    updateStress<3>(state.materials.list[0], &F(p, 0), &stress(p, 0), nullptr);
   }
 }
 
 NodalAcceleration<3> noAcceleration(const State<3>& state)
 {
-  return NodalAcceleration<3>("rhegma::none", state.nodes.sums.extent(0));
+  return NodalAcceleration<3>("rhegma::none", state.mesh.nodes.sums.extent(0));
 }
 
 /// The midpoint rule on particles of half a cell in an integrand that falls as 1 / r, where the ramp begins.
@@ -210,17 +210,17 @@ TEST(FrontsInSpace, FindTheReleaseByAPressure)
   const Intensities K{1.0, 0.0, 0.0};
   const double pressure = 3.0;
   openFaces(state, K);
-  state.step = 1;
+  state.clock.step = 1;
   state.cracks.pressure = View<double*>("pressure", state.cracks.simplex.extent(0));
   Kokkos::deep_copy(state.cracks.pressure, pressure);
   for (const ContourRadii& radii : {ContourRadii{2e-3, 4e-3}, ContourRadii{1.5e-3, 4.5e-3}})
   {
-    const View<double* [3]> force("force", state.nodes.sums.extent(0));
+    const View<double* [3]> force("force", state.mesh.nodes.sums.extent(0));
     addForceOfPressure(state, front.crack, lineOf(front), {radii, 2e-3}, force);
     double release = 0.0;
-    for (int n = 0; n < state.grid.numNodes; ++n)
+    for (int n = 0; n < state.mesh.grid.numNodes; ++n)
     {
-      const Vector<3> from = state.grid.nodePosition(n) - front.position;
+      const Vector<3> from = state.mesh.grid.nodePosition(n) - front.position;
       const double r = std::hypot(dot(from, front.direction), dot(from, front.normal));
       const double ramp = std::clamp((radii.outer - r) / (radii.outer - radii.inner), 0.0, 1.0);
       for (int d = 0; d < 3; ++d)
@@ -240,7 +240,7 @@ TEST(FrontsInSpace, FindNothingInAWave)
   const auto run = straightFront();
   State<3>& state = run->state();
   const double k = 250.0, amplitude = 1e-10, phase = 0.7;
-  const double speed = std::sqrt(elasticity(state.materialList[0]).constrainedModulus / density);
+  const double speed = std::sqrt(elasticity(state.materials.list[0]).constrainedModulus / density);
   deform(state,
          [&](const Vector<3>& x, int)
          {
@@ -249,11 +249,11 @@ TEST(FrontsInSpace, FindNothingInAWave)
            d.gradient[0][0] = amplitude * k * std::cos(k * x[0] - phase);
            return d;
          });
-  const auto motion = state.nodes.projection;
+  const auto motion = state.mesh.nodes.projection;
   NodalAcceleration<3> acceleration = noAcceleration(state);
-  for (int row = 0; row < state.nodes.numLattice + state.nodes.numSecond; ++row)
+  for (int row = 0; row < state.mesh.nodes.numLattice + state.mesh.nodes.numSecond; ++row)
   {
-    const double a = k * state.grid.nodePosition(latticeNode(state.nodes, row))[0] - phase;
+    const double a = k * state.mesh.grid.nodePosition(latticeNode(state.mesh.nodes, row))[0] - phase;
     motion(row, 0) = -speed * k * amplitude * std::cos(a);
     acceleration(row, 0) = -speed * speed * k * k * amplitude * std::sin(a);
     motion(row, 1) = motion(row, 2) = 0.0;
@@ -300,7 +300,7 @@ TEST(FrontsInSpace, ShareModesByTheOpenings)
   State<3>& state = run->state();
   const CrackFront<3>& front = state.cracks.fronts.at(0);
   openFaces(state, smallK);
-  const Elasticity e = elasticity(state.materialList[0]);
+  const Elasticity e = elasticity(state.materials.list[0]);
   const std::vector<Intensities> all =
       openingsBehind(state.cracks, front, lineOf(front), e, cell, tube.halfWidth);
   // A chord of the root over a cell, a cell behind the front, is low by less than 1 / 32 of it.

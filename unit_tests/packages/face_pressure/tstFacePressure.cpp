@@ -34,18 +34,18 @@ TEST(FacePressure, PushesFacesApartInBalance)
   State<2>& state = run.state();
   FacePoints<2> points;
   points.update(state);
-  const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.sums);
+  const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.sums);
   for (std::size_t n = 0; n < sums.extent(0); ++n)
     for (int d = 0; d < 2; ++d)
       sums(n, Nodes<2>::forceAt + d) = 0.0;
-  Kokkos::deep_copy(state.nodes.sums, sums);
+  Kokkos::deep_copy(state.mesh.nodes.sums, sums);
   FacePressure pressure(0, TimeFunction::parse("2e6"));
   pressure.apply(state, points);
-  Kokkos::deep_copy(sums, state.nodes.sums);
+  Kokkos::deep_copy(sums, state.mesh.nodes.sums);
   const auto side = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide);
   const auto second = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.second);
   double above = 0.0, all = 0.0, along = 0.0;
-  for (int n = 0; n < state.nodes.numLattice; ++n)
+  for (int n = 0; n < state.mesh.nodes.numLattice; ++n)
   {
     const auto add = [&](int row, bool isAbove)
     {
@@ -101,16 +101,16 @@ TEST(FacePressure, GivesFreundsSquareRootLaw)
   int samples = 0;
   for (double until = 1.5e-6; until < 1.0e-5; until += 0.5e-6)
   {
-    while (state.time < until)
-      run.step(until, state.time + run.stableTimeStep() >= until);
+    while (state.clock.time < until)
+      run.step(until, state.clock.time + run.stableTimeStep() >= until);
     const double expected = 2.0 * pressure *
-                            std::sqrt(speed * state.time * (1.0 - 2.0 * poisson) / std::acos(-1.0)) /
+                            std::sqrt(speed * state.clock.time * (1.0 - 2.0 * poisson) / std::acos(-1.0)) /
                             (1.0 - poisson);
-    for (const auto& [name, value] : state.row)
+    for (const auto& [name, value] : state.sample.row)
       if (name == "Edge.0.K_I")
       {
         ++samples;
-        EXPECT_NEAR(value, expected, 0.05 * expected) << "at " << state.time << " s";
+        EXPECT_NEAR(value, expected, 0.05 * expected) << "at " << state.clock.time << " s";
       }
   }
   EXPECT_GE(samples, 15);

@@ -110,7 +110,7 @@ TEST(MassMatrix, ChangesAngularMomentumByItsLumpedShareAlone)
                                connect.visit(p,
                                              [&](int node, double weight, const double*)
                                              {
-                                               const Vector<2> x = state.grid.nodePosition(node);
+                                               const Vector<2> x = state.mesh.grid.nodePosition(node);
                                                shares.push_back(
                                                    {node, particles.mass(p) * weight,
                                                     Vector<2>{{x[0] - particles.position(p, 0),
@@ -121,11 +121,11 @@ TEST(MassMatrix, ChangesAngularMomentumByItsLumpedShareAlone)
         const double before = mass_matrix::angularMomentum(state)[2];
         run.step(1e30, false);
         const double change = mass_matrix::angularMomentum(state)[2] - before;
-        const auto motion = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.motion);
+        const auto motion = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.motion);
         double derived = 0.0, size = 0.0;
         for (const Share& s : shares)
         {
-          const double turn = -state.dt * lumpedShare * s.m *
+          const double turn = -state.clock.dt * lumpedShare * s.m *
                               (s.arm[0] * motion(s.node, Nodes<2>::accelerationAt + 1) -
                                s.arm[1] * motion(s.node, Nodes<2>::accelerationAt));
           derived += turn;

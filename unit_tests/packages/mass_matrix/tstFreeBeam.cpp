@@ -49,7 +49,7 @@ double periodWith(const std::string& type, const std::string& shape)
       work(particles, p, number(p));
   };
   each([&](const auto& particles, int p, int k) { from[k] = particles.at(p); });
-  while (state.time < loading)
+  while (state.clock.time < loading)
     run.step(loading, false);
   each(
       [&](const auto& particles, int p, int k)
@@ -59,9 +59,9 @@ double periodWith(const std::string& type, const std::string& shape)
       });
 
   std::vector<double> crossings;
-  double before = 0.0, timeBefore = state.time;
+  double before = 0.0, timeBefore = state.clock.time;
   // The first crossing is that of the moment at which it is let go.
-  while (crossings.size() < 2 * periods + 1 && state.time < (periods + 2) * 1.3e-3 + loading)
+  while (crossings.size() < 2 * periods + 1 && state.clock.time < (periods + 2) * 1.3e-3 + loading)
   {
     // A 400th of a period: the straight line between two samples is off by less than 1e-5 of a period.
     for (int k = 0; k < 7; ++k)
@@ -73,10 +73,10 @@ double periodWith(const std::string& type, const std::string& shape)
           for (int d = 0; d < 2; ++d)
             modal += bent[k][d] * particles.velocity(p, d);
         });
-    if (modal * before < 0.0 && state.time > loading + 0.3e-3)
-      crossings.push_back(timeBefore + (state.time - timeBefore) * before / (before - modal));
+    if (modal * before < 0.0 && state.clock.time > loading + 0.3e-3)
+      crossings.push_back(timeBefore + (state.clock.time - timeBefore) * before / (before - modal));
     before = modal;
-    timeBefore = state.time;
+    timeBefore = state.clock.time;
   }
   EXPECT_EQ(crossings.size(), 2u * periods + 1u) << type;
   return crossings.size() > 1 ? 2.0 * (crossings.back() - crossings.front()) / double(crossings.size() - 1)

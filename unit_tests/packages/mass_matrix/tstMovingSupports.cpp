@@ -58,13 +58,13 @@ Books keep(const Teuchos::ParameterList& scene)
   run.initialize();
   State<2>& state = run.state();
   Books books;
-  while (state.time < end)
+  while (state.clock.time < end)
   {
     run.step(end, false);
     measureEnergy(state);
-    if (state.time > end - period)
-      books.open += state.dt * state.energy.residual() / period;
-    books.step = std::max(books.step, state.dt);
+    if (state.clock.time > end - period)
+      books.open += state.clock.dt * state.energy.residual() / period;
+    books.step = std::max(books.step, state.clock.dt);
   }
   books.work = state.energy.externalWork;
   return books;

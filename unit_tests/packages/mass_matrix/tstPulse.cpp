@@ -156,10 +156,10 @@ TEST(Pulse, TrailsAsTheDispersionOfItsMatrixHasIt)
       particles.store(state);
     }
     Modes modes(type);
-    while (state.time < travel)
+    while (state.clock.time < travel)
     {
       run.step(travel, false);
-      modes.step(state.dt);
+      modes.step(state.clock.dt);
     }
     Profile measured, derived;
     const HostParticles<2> particles(state);

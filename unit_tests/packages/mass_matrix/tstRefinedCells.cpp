@@ -72,13 +72,13 @@ bool isBarelyTouched(const State<D>& state, bool stored, int node, double weight
 {
   if (stored)
     return weight <= mass_matrix::barelyTouched;
-  const Vector<D> at = state.grid.nodePosition(node);
+  const Vector<D> at = state.mesh.grid.nodePosition(node);
   bool barely = false;
   for (int d = 0; d < D; ++d)
   {
     double along = 0.0;
     for (const auto& [other, share] : touched)
-      along += state.grid.nodePosition(other)[d] == at[d] ? share : 0.0;
+      along += state.mesh.grid.nodePosition(other)[d] == at[d] ? share : 0.0;
     barely = barely || along <= mass_matrix::barelyTouched;
   }
   return barely;
@@ -136,7 +136,7 @@ void checkProducts(int trees)
                                            if (weight != 0.0)
                                              touched.emplace_back(node, weight);
                                          });
-                           const bool stored = state.numStored > 0 && state.storedRow(p) >= 0;
+                           const bool stored = state.stored.count > 0 && state.stored.row(p) >= 0;
                            for (int d = 0; d < D; ++d)
                            {
                              double meanX = 0.0, meanY = 0.0, coupled = 0.0, sum = 0.0, rest = 0.0;
@@ -196,17 +196,17 @@ TEST(MassOnRefinedCells, KeepsMomentumWithEveryType)
       for (int p = 0; p < particles.size; ++p)
         size += particles.mass(p) * std::hypot(particles.velocity(p, 0), particles.velocity(p, 1));
       measureEnergy(state);
-      const Vector<2> start = state.momentum;
-      const int generation = state.tree.generation;
+      const Vector<2> start = state.sample.momentum;
+      const int generation = state.mesh.tree.generation;
       for (int k = 0; k < 40; ++k)
       {
         run.step(1e30, false);
         measureEnergy(state);
         for (int d = 0; d < 2; ++d)
-          EXPECT_NEAR(state.momentum[d], start[d], 1e-12 * size) << c.name << " " << shape;
+          EXPECT_NEAR(state.sample.momentum[d], start[d], 1e-12 * size) << c.name << " " << shape;
       }
-      EXPECT_EQ(state.tree.deepest, 2);
-      EXPECT_GT(state.tree.generation, generation + 2) << "the cells hardly changed";
+      EXPECT_EQ(state.mesh.tree.deepest, 2);
+      EXPECT_GT(state.mesh.tree.generation, generation + 2) << "the cells hardly changed";
     }
 }
 
@@ -263,12 +263,12 @@ TEST(MassOnRefinedCells, StretchesEvenlyWhereAllIsHeld)
   for (int k = 0; k < 20; ++k)
   {
     run.step(1e30, false);
-    stretch *= 1.0 + 0.01 * state.dt;
+    stretch *= 1.0 + 0.01 * state.clock.dt;
     const HostParticles<2> particles(state);
     for (int p = 0; p < particles.size; ++p)
       ASSERT_NEAR(particles.deformation(p, 0), stretch, 1e-13);
   }
-  EXPECT_EQ(state.tree.deepest, 2);
+  EXPECT_EQ(state.mesh.tree.deepest, 2);
 }
 
 /// The step is that of the smallest cells, at a CFL number of 0.4 or less.
@@ -284,8 +284,8 @@ TEST(MassOnRefinedCells, LimitsTheStepByItsSmallestCells)
     Rhegma::Run<2> run(validated(scene));
     run.initialize();
     run.step(1e30, false);
-    step[full ? 1 : 0] = run.state().dt * run.state().fastest;
-    EXPECT_EQ(run.state().tree.deepest, 2);
+    step[full ? 1 : 0] = run.state().clock.dt * run.state().clock.fastestSpeed;
+    EXPECT_EQ(run.state().mesh.tree.deepest, 2);
   }
   EXPECT_NEAR(step[0], 0.8 * 0.25, 1e-12);
   EXPECT_NEAR(step[1], 0.4 * 0.25, 1e-12);

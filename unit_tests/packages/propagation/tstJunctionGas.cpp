@@ -98,9 +98,9 @@ long warningsThatGasStays(const State<2>& state)
 
 void runOn(Rhegma::Run<2>& run, double time)
 {
-  while (run.state().time < time && run.state().trouble.empty())
+  while (run.state().clock.time < time && run.state().failure.empty())
     run.step(1.0, false);
-  ASSERT_EQ(run.state().trouble, "");
+  ASSERT_EQ(run.state().failure, "");
 }
 
 } // namespace

@@ -74,12 +74,12 @@ template <class Part>
 double forceOn(Rhegma::Run<2>& run, int axis, const Part& part)
 {
   const State<2>& state = run.state();
-  for (const double joined = state.time; state.time < joined + 1.5e-5;)
+  for (const double joined = state.clock.time; state.clock.time < joined + 1.5e-5;)
     run.step(1.0, false);
-  const double begin = state.time, before = momentum(state, axis, part);
-  while (state.time < begin + 2e-5)
+  const double begin = state.clock.time, before = momentum(state, axis, part);
+  while (state.clock.time < begin + 2e-5)
     run.step(1.0, false);
-  return (momentum(state, axis, part) - before) / (state.time - begin);
+  return (momentum(state, axis, part) - before) / (state.clock.time - begin);
 }
 
 } // namespace
@@ -101,7 +101,7 @@ TEST(Junctions, CrackEndsOnTheFaceOfTheOther)
   // The first increment is that of a front at rest.
   const double way = roof - 10e-3;
   EXPECT_NEAR(front.taken, 5.0 * (way - cell) + 1.0 * cell, 0.02 * front.taken);
-  while (state.time < piece.joined + 1e-5)
+  while (state.clock.time < piece.joined + 1e-5)
     piece.run.step(1.0, false);
   nlohmann::json summary;
   for (const Effect<2>& effect : piece.run.plan().effects)
@@ -216,7 +216,8 @@ TEST(Junctions, CrackEndsOnTheFirstCrackInItsWay)
     const auto front =
         std::find_if(fronts.begin(), fronts.end(),
                      [&](const CrackFront<2>& one) { return state.cracks.cracks[one.crack].name == name; });
-    for (const double begin = state.time; state.time < begin + 5e-5 && !front->ended && !front->halted;)
+    for (const double begin = state.clock.time;
+         state.clock.time < begin + 5e-5 && !front->ended && !front->halted;)
     {
       front->driving.release = 1.0 + speed / 100.0;
       run.step(1.0, false);

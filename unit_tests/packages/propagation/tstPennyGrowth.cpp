@@ -119,7 +119,7 @@ double overlapWhenSqueezed(bool touching, double rate)
             4.5e-3);
   stretch(state, -rate);
   double worst = 0.0;
-  for (const double begin = state.time; state.time < begin + 1e-5;)
+  for (const double begin = state.clock.time; state.clock.time < begin + 1e-5;)
   {
     run.step(1.0, false);
     worst = std::max(worst, overlap(state));
@@ -153,9 +153,9 @@ TEST(PennyGrowth, RunsAsItsToughnessSaysAndPaysForItsArea)
         state.cracks.fronts[0].stations[state.cracks.fronts[0].stations.size() / 2];
     const double at = std::hypot(middle.position[0], middle.position[1]);
     if (begin < 0.0 && at > radius + 0.5 * cell)
-      begin = state.time;
+      begin = state.clock.time;
     if (end < 0.0 && at > until - 0.5 * cell)
-      end = state.time;
+      end = state.clock.time;
   }
   ASSERT_GT(end, begin);
   // Increments are a quarter of a cell, so begin and end are late by up to one and the way is 2 cells.
@@ -248,7 +248,7 @@ TEST(PennyGrowth, PaysForItsAreaToTheEnd)
   EXPECT_GT(entry["last_advance"].get<double>(), entry["set_out"].get<double>());
   for (const char* name : {"increments", "set_out", "last_advance", "settled_speed", "speed_limit"})
     EXPECT_EQ(entry[name], ended[name]) << name;
-  EXPECT_NEAR(entry["speed_limit"].get<double>(), propagation::rayleighSpeed(state.materialList[0]), 1e-9);
+  EXPECT_NEAR(entry["speed_limit"].get<double>(), propagation::rayleighSpeed(state.materials.list[0]), 1e-9);
 }
 
 /// A crack like a C, whose arms grow towards each other: a front that meets itself. It halts before they are

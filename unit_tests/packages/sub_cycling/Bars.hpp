@@ -124,30 +124,30 @@ Outcome vibrate(int levels, bool subCycled, Start kind, double cfl, int periods,
   for (int p = 0; p < first.size; ++p)
     mass += first.mass(p);
   measureEnergy(state);
-  const Vector<D> momentum = state.momentum;
+  const Vector<D> momentum = state.sample.momentum;
   Outcome outcome;
   const double period = 2.0 * length;
   double energy[2] = {}, weight[2] = {};
-  while (state.time < periods * period)
+  while (state.clock.time < periods * period)
   {
     run.step(periods * period, false);
     measureEnergy(state);
     const double now = state.energy.kinetic + state.energy.strain + state.energy.thermal;
     outcome.most = std::max(outcome.most, now);
-    const double time = state.time;
+    const double time = state.clock.time;
     const int when = time < period ? 0 : (time > (periods - 1) * period ? 1 : -1);
     if (when >= 0)
     {
-      energy[when] += state.dt * now;
-      weight[when] += state.dt;
+      energy[when] += state.clock.dt * now;
+      weight[when] += state.clock.dt;
     }
     for (int d = 0; d < D; ++d)
       outcome.momentum =
-          std::max(outcome.momentum, std::fabs(state.momentum[d] - momentum[d]) / (mass * amplitude));
+          std::max(outcome.momentum, std::fabs(state.sample.momentum[d] - momentum[d]) / (mass * amplitude));
   }
   outcome.kept = energy[1] / weight[1] * weight[0] / energy[0];
   outcome.most *= weight[0] / energy[0];
-  outcome.steps = state.step;
+  outcome.steps = state.clock.step;
   if (!addition) // else cells may have changed
   {
     EXPECT_EQ(state.particles.size(), first.size);

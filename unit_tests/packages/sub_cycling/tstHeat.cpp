@@ -97,8 +97,8 @@ struct ViscousChange
       double* const old = &last[3 * id(p)];
       const double now[3] = {rate(p, 0), rate(p, 3), 0.5 * (rate(p, 1) + rate(p, 2))};
       const double x = now[0] - old[0], y = now[1] - old[1], xy = now[2] - old[2];
-      sum +=
-          state.dt * volume(p) * (2.0 * shear * (x * x + y * y + 2.0 * xy * xy) + bulk * (x + y) * (x + y));
+      sum += state.clock.dt * volume(p) *
+             (2.0 * shear * (x * x + y * y + 2.0 * xy * xy) + bulk * (x + y) * (x + y));
       std::copy(now, now + 3, old);
     }
   }
@@ -114,7 +114,7 @@ OpenBooks openBooks(const Teuchos::ParameterList& scene, double end, ViscousChan
   state.energy.thermalStart += state.energy.thermal;
   OpenBooks most;
   double before = state.energy.strain, cold = state.energy.thermal;
-  while (state.time < end && state.trouble.empty())
+  while (state.clock.time < end && state.failure.empty())
   {
     run.step(end, false);
     measureEnergy(state);
@@ -127,7 +127,7 @@ OpenBooks openBooks(const Teuchos::ParameterList& scene, double end, ViscousChan
     before = state.energy.strain;
     cold = state.energy.thermal;
   }
-  EXPECT_EQ(state.trouble, "");
+  EXPECT_EQ(state.failure, "");
   return most;
 }
 
@@ -172,10 +172,10 @@ TEST_P(HeatInShortSteps, movesAndWarmsAsInShortStepsOnly)
                                 [](Teuchos::ParameterList& scene) { addHeat(scene, 0.3); });
     State<2>& state = run.state();
     start(state, Start::Smooth);
-    while (state.time < 0.3 * period)
+    while (state.clock.time < 0.3 * period)
       run.step(0.3 * period, false);
     temperature[subCycled] = risesOf(state);
-    while (state.time < period)
+    while (state.clock.time < period)
       run.step(period, false);
     mode[subCycled] = shareOfMode(state);
   }

@@ -58,10 +58,10 @@ Outcome follow(Run<3>& run, bool apart, double end = 0.0)
               });
   measureEnergy(state);
   const double given = state.energy.kinetic, mass = density * 0.006 * height * 0.004;
-  const Vector<3> momentum = state.momentum;
+  const Vector<3> momentum = state.sample.momentum;
   Outcome o;
   int samples = 0;
-  for (int k = 0; end > 0.0 ? state.time < end : k < 60; ++k)
+  for (int k = 0; end > 0.0 ? state.clock.time < end : k < 60; ++k)
   {
     run.step(end > 0.0 ? end : 1.0, false);
     measureEnergy(state);
@@ -72,7 +72,7 @@ Outcome follow(Run<3>& run, bool apart, double end = 0.0)
     }
     o.layer = std::max(o.layer, state.energy.contact / given);
     o.ties = std::max(o.ties, state.energy.ties / given);
-    o.momentum = std::max(o.momentum, norm(state.momentum - momentum) / (mass * speed));
+    o.momentum = std::max(o.momentum, norm(state.sample.momentum - momentum) / (mass * speed));
   }
   o.mean /= samples;
   const auto copy = [](const auto& view)

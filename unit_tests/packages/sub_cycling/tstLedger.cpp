@@ -76,16 +76,16 @@ Books keep(const Teuchos::ParameterList& scene, double end)
   State<2>& state = run.state();
   Books books;
   double time = 0.0;
-  while (state.time < end)
+  while (state.clock.time < end)
   {
     const double before = state.energy.externalWork;
     run.step(end, false);
     measureEnergy(state);
     books.step = std::max(books.step, std::fabs(state.energy.externalWork - before));
-    if (state.time < 0.8 * end)
+    if (state.clock.time < 0.8 * end)
       continue;
-    books.mean += state.dt * state.energy.residual();
-    time += state.dt;
+    books.mean += state.clock.dt * state.energy.residual();
+    time += state.clock.dt;
   }
   books.mean /= time;
   return books;
@@ -98,7 +98,7 @@ double afterOneStep(const Teuchos::ParameterList& scene, double* length)
   run.initialize();
   run.step(1e9, false);
   measureEnergy(run.state());
-  *length = run.state().dt;
+  *length = run.state().clock.dt;
   return run.state().energy.residual();
 }
 

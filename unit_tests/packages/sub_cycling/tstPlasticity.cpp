@@ -63,10 +63,10 @@ void checkEvenFlow(int levels)
   {
     const double before = state.energy.externalWork;
     run.step(1e30, false);
-    stretch *= 1.0 + rate * state.dt;
+    stretch *= 1.0 + rate * state.clock.dt;
     step = std::max(step, std::fabs(state.energy.externalWork - before));
   }
-  ASSERT_EQ(state.tree.deepest, levels);
+  ASSERT_EQ(state.mesh.tree.deepest, levels);
   const HostParticles<D> particles(state);
   const auto history =
       Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.table(fields::history));
@@ -118,7 +118,7 @@ TEST(PlasticShortSteps, KeepTheBooks)
       Rhegma::Run<2> run(validated(scene));
       run.initialize();
       State<2>& state = run.state();
-      while (state.time < 12.0)
+      while (state.clock.time < 12.0)
       {
         const double before = state.energy.externalWork;
         run.step(12.0, false);

@@ -99,7 +99,7 @@ TEST_P(Levels, keepEnergyInFlight)
       const HostParticles<2> particles(state);
       for (int p = 0; p < particles.size; ++p)
         mass += particles.mass(p);
-      const double flight = 0.5 * dot(state.momentum, state.momentum) / mass;
+      const double flight = 0.5 * dot(state.sample.momentum, state.sample.momentum) / mass;
       return state.energy.kinetic + state.energy.strain - flight + state.energy.merged;
     };
     HostParticles<2> particles(state);
@@ -109,13 +109,13 @@ TEST_P(Levels, keepEnergyInFlight)
     const double first = vibration();
     double sum = 0.0, time = 0.0;
     const double period = 2.0 * length;
-    while (state.time < periods * period)
+    while (state.clock.time < periods * period)
     {
       run.step(periods * period, false);
-      if (state.time <= (periods - 1.0) * period)
+      if (state.clock.time <= (periods - 1.0) * period)
         continue;
-      sum += state.dt * vibration();
-      time += state.dt;
+      sum += state.clock.dt * vibration();
+      time += state.clock.dt;
     }
     return sum / time / first;
   };

@@ -105,7 +105,7 @@ void randomTemperature(State<D>& state)
   for (int p = 0; p < state.particles.size(); ++p)
   {
     hostT(p) = between(engine);
-    hostE(p) = ThermoPoint(state.thermo, 0, hostT(p)).heat();
+    hostE(p) = ThermoPoint(state.materials.thermo, 0, hostT(p)).heat();
   }
   Kokkos::deep_copy(T, hostT);
   Kokkos::deep_copy(e, hostE);

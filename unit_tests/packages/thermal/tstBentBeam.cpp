@@ -50,7 +50,7 @@ double inverseQuality(double expansion, double conductivity, double& frequency)
     double amplitude = 0.0;
     for (int p = 0; p < now.size; ++p)
       amplitude += now.velocity(p, 1) * mode(now.position(p, 0));
-    const double time = run.state().time;
+    const double time = run.state().clock.time;
     if (last * amplitude < 0.0)
     {
       crossings.push_back(before + (time - before) * last / (last - amplitude));

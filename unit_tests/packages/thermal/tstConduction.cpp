@@ -124,7 +124,7 @@ void checkPatch(const std::string& shape, int level, const Vector<D>& shift)
   const auto sums = host(nodes.sums);
   const auto value = host(nodes.value);
   const auto rate = host(nodes.rate);
-  const auto active = host(state.nodes.active);
+  const auto active = host(state.mesh.nodes.active);
   const NodePlaces<D> places = nodePlaces(state);
   int inside = 0;
   for (int i = 0; i < static_cast<int>(active.extent(0)); ++i)
@@ -155,7 +155,7 @@ double errorOfMode(double cell)
   scene.sublist("Bodies").sublist("Bar").set("Temperature Field", std::string("300 + 10 * cos(pi * x / 6)"));
   Run<2> run(validated(scene));
   run.initialize();
-  while (run.state().time < time)
+  while (run.state().clock.time < time)
     run.step(time, false);
   double worst = 0.0;
   forEach<2>(run.state(),
@@ -245,7 +245,7 @@ TEST(Conduction, OrthotropicAlongTheAxesOfTheBody)
                                                std::string("300 + 10 * cos(pi * x / 6)"));
     Rhegma::Run<2> run(validated(scene));
     run.initialize();
-    while (run.state().time < 2.0)
+    while (run.state().clock.time < 2.0)
       run.step(2.0, false);
     double most = 0.0;
     forEach<2>(run.state(), [&](const Vector<2>& x, double T)
@@ -294,7 +294,7 @@ TEST(Conduction, ConvectionCools)
   Rhegma::Run<2> run(validated(scene));
   run.initialize();
   const double time = 1000.0;
-  while (run.state().time < time)
+  while (run.state().clock.time < time)
     run.step(time, false);
   // Biot number h L / k = 0.002: so uneven is the temperature.
   const double rise = 100.0 * std::exp(-0.002 * time / (2.0 * 2.0));
@@ -311,7 +311,7 @@ TEST(Conduction, RoundingIsNoEnergyThatIsMade)
   hold<2>(scene, "Surroundings", -1.0, 0.0, start);
   Rhegma::Run<2> run(validated(scene));
   run.initialize();
-  EnergyLedger& energy = run.state().energy;
+  EnergyBalance& energy = run.state().energy;
   measureEnergy(run.state());
   energy.thermalStart += energy.thermal;
   EnergyWatch watch;
@@ -321,7 +321,7 @@ TEST(Conduction, RoundingIsNoEnergyThatIsMade)
     measureEnergy(run.state());
     watch.sample(energy);
   }
-  EXPECT_EQ(watch.warning(false, run.state().step), "") << energy.residual();
+  EXPECT_EQ(watch.warning(false, run.state().clock.step), "") << energy.residual();
   EXPECT_GT(energy.roundOff, std::fabs(energy.residual()));
 }
 
@@ -339,7 +339,7 @@ TEST(Conduction, AloneHasNoMechanics)
     for (const Call<2>& call : stage)
       labels.push_back(call.label);
   EXPECT_EQ(labels, (std::vector<std::string>{"sort particles", "stencils", "conduction", "temperatures"}));
-  EXPECT_DOUBLE_EQ(run.state().dt, 0.35);
+  EXPECT_DOUBLE_EQ(run.state().clock.dt, 0.35);
 }
 
 } // namespace Test

@@ -61,7 +61,7 @@ double halfPeriod(Rhegma::Run<2>& run)
     double amplitude = 0.0;
     for (int p = 0; p < particles.size; ++p)
       amplitude += particles.velocity(p, 0) * std::cos(pi / length * particles.position(p, 0));
-    const double time = run.state().time;
+    const double time = run.state().clock.time;
     if (last * amplitude < 0.0)
       crossings[found++] = before + (time - before) * last / (last - amplitude);
     before = time;
@@ -75,7 +75,7 @@ template <class AnyRun>
 double residualAfter(AnyRun& run, int steps)
 {
   measureEnergy(run.state());
-  EnergyLedger& energy = run.state().energy;
+  EnergyBalance& energy = run.state().energy;
   energy.start = energy.kinetic + energy.strain;
   energy.thermalStart += energy.thermal;
   const double given = energy.kinetic;
@@ -93,7 +93,7 @@ double halfStepOfStresses(const State<2>& state)
 {
   const auto volume = state.particles.scalar(fields::volume);
   const auto stress = state.particles.real<symmetricSize<2>>(fields::stress);
-  const auto projection = state.nodes.projection;
+  const auto projection = state.mesh.nodes.projection;
   double power = 0.0;
   withConnectivity(state,
                    [&](const auto& connect)
@@ -108,7 +108,7 @@ double halfStepOfStresses(const State<2>& state)
                                                     projection(node, i) * slope[j];
                                      });
                    });
-  return 0.5 * state.dt * power;
+  return 0.5 * state.clock.dt * power;
 }
 
 /// c^2 of waves without heat flow over that at constant temperature is 1 + T (E alpha)^2 / (rho c E) where
@@ -211,7 +211,7 @@ TEST(Coupling, TheBooksOfMotionStrainedTwiceAStepDoNotWaverByHalfAStep)
       open = std::max(open, std::fabs(state.energy.kinetic + state.energy.strain + state.energy.thermal -
                                       state.energy.start));
     }
-    const double phase = 0.5 * pi / length * std::sqrt(expansion > 0.0 ? 1.2 : 1.0) * state.dt;
+    const double phase = 0.5 * pi / length * std::sqrt(expansion > 0.0 ? 1.2 : 1.0) * state.clock.dt;
     std::printf("expansion %g: residual %.2e of the motion, sin^2 %.2e\n", expansion,
                 open / state.energy.start, std::pow(std::sin(phase), 2));
     EXPECT_LT(open, 1.1 * std::pow(std::sin(phase), 2) * state.energy.start);
@@ -230,7 +230,7 @@ TEST(Coupling, LargeStrainsMakeNoHeatThatNoLawAsksFor)
                  warmed = movingBar("Mooney-Rivlin", 0.0, 15.0, 0.3, true, entropic);
   const double mechanical = residualAfter(without, 200), both = residualAfter(with, 200),
                coupled = residualAfter(warmed, 200);
-  const EnergyLedger &own = without.state().energy, &heated = with.state().energy;
+  const EnergyBalance &own = without.state().energy, &heated = with.state().energy;
   std::printf("residual %.3e without heat, %.3e with, %.3e entropic; heat %.1e J and %.1e J of %.1e J\n",
               mechanical, both, coupled, heated.thermal, warmed.state().energy.thermal, own.start);
   EXPECT_NEAR(heated.kinetic, own.kinetic, 1e-12 * own.start);
@@ -305,7 +305,7 @@ TEST(Coupling, ViscousWorkIsHeat)
                    with = movingBar(model, 0.0, 0.15, 1e-3, true, viscous);
     const double mechanical = std::fabs(residualAfter(without, 1000)),
                  both = std::fabs(residualAfter(with, 1000));
-    const EnergyLedger &damped = without.state().energy, &warmed = with.state().energy;
+    const EnergyBalance &damped = without.state().energy, &warmed = with.state().energy;
     std::printf("%s: residual %.2e without heat, %.2e with; %.6e J damped, %.6e J heat\n", model.c_str(),
                 mechanical, both, damped.damped, warmed.thermal);
     EXPECT_GT(damped.damped, 1e-6); // of 8e-6 J
@@ -322,7 +322,7 @@ TEST(Coupling, AbsentHeatLeavesNoField)
   Rhegma::Run<2> run = movingBar("Linear Elastic", 0.0, 0.15, 1e-3, false);
   for (const std::string& name : {fields::temperature, fields::temperatureGradient, fields::internalEnergy})
     EXPECT_FALSE(run.state().particles.has(name)) << name;
-  EXPECT_TRUE(run.state().thermo.empty());
+  EXPECT_TRUE(run.state().materials.thermo.empty());
 }
 
 } // namespace Test

@@ -123,9 +123,9 @@ double afterMoving(double speed, const std::string& kind)
   Run<2> run(validated(scene));
   run.initialize();
   const double time = 0.2;
-  while (run.state().time < time)
+  while (run.state().clock.time < time)
     run.step(time, false);
-  EXPECT_EQ(run.state().trouble, "");
+  EXPECT_EQ(run.state().failure, "");
   return meanLeftOf(run.state(), 3.0);
 }
 
@@ -175,7 +175,7 @@ TEST(CrackConduction, TwoBlocksComeTogether)
   conducts(scene, h);
   Rhegma::Run<2> run(validated(scene));
   run.initialize();
-  while (run.state().time < time)
+  while (run.state().clock.time < time)
     run.step(time, false);
   // Biot number h L / (3 k) = 0.001: so much is the resistance of the halves.
   const double left = 350.0 + 50.0 * std::exp(-2.0 * h * time / (2.0 * 3.0));
@@ -197,7 +197,7 @@ TEST(CrackConduction, AStepSpreadsThroughPerfectContact)
     }
     Rhegma::Run<2> run(validated(scene));
     run.initialize();
-    while (run.state().time < 0.5)
+    while (run.state().clock.time < 0.5)
       run.step(0.5, false);
     found.emplace_back();
     forEach<2>(run.state(), [&](const Vector<2>&, double T) { found.back().push_back(T); });

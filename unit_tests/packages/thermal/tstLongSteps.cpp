@@ -41,7 +41,7 @@ void checkThatHeatIsKept(const std::string& method, const std::string& shape)
   randomTemperature(run.state());
   const auto before = heatOf(run.state());
   steps(run, 40);
-  EXPECT_EQ(run.state().trouble, "");
+  EXPECT_EQ(run.state().failure, "");
   EXPECT_NEAR(heatOf(run.state()).first, before.first, 1e-13 * before.second) << method;
   EXPECT_EQ(run.state().energy.heat, 0.0);
 }
@@ -67,7 +67,7 @@ void checkSteadyField(const std::string& method, int level, double h)
   Run<D> run(validated(scene));
   run.initialize();
   steps(run, 150 << (2 * level));
-  EXPECT_EQ(run.state().trouble, "");
+  EXPECT_EQ(run.state().failure, "");
   const double resistance = h > 0.0 && h < 1e9 ? 1.0 / h : 0.0, flux = 80.0 / (2.0 + resistance);
   const double worst = worstBetween<D>(
       run.state(), [&](const Vector<D>& place)
@@ -86,7 +86,7 @@ std::vector<double> temperatures(const std::string& method, double dt)
   conductBy(scene, method, std::max(1.0, dt / shortest));
   Run<2> run(validated(scene));
   run.initialize();
-  while (run.state().time < 1.0)
+  while (run.state().clock.time < 1.0)
     run.step(1.0, false);
   std::vector<double> all;
   forEach<2>(run.state(), [&](const Vector<2>&, double T) { all.push_back(T); });
@@ -127,7 +127,7 @@ TEST(LongSteps, WhereNothingConducts)
     std::vector<double> before, after;
     forEach<2>(run.state(), [&](const Vector<2>&, double T) { before.push_back(T); });
     steps(run, 5);
-    EXPECT_EQ(run.state().trouble, "");
+    EXPECT_EQ(run.state().failure, "");
     forEach<2>(run.state(), [&](const Vector<2>&, double T) { after.push_back(T); });
     std::sort(before.begin(), before.end()); // particles change places
     std::sort(after.begin(), after.end());
@@ -196,7 +196,7 @@ TEST(LongSteps, ConvectionCools)
     Rhegma::Run<2> run(validated(scene));
     run.initialize();
     const double time = 1000.0;
-    while (run.state().time < time)
+    while (run.state().clock.time < time)
       run.step(time, false);
     const double rise = 100.0 * std::exp(-0.002 * time / (2.0 * 2.0));
     forEach<2>(run.state(),

@@ -149,7 +149,7 @@ TEST(MeetingMaterials, AnInsulatorKeepsItsSupply)
   Rhegma::Run<2> run(validated(scene));
   run.initialize();
   const double before = heatOf(run.state()).first;
-  while (run.state().time < 10.0)
+  while (run.state().clock.time < 10.0)
     run.step(10.0, false);
   // 5 W/m3 in 2 m3 for 10 s.
   EXPECT_NEAR(run.state().energy.heat, 100.0, 1e-9);
@@ -229,7 +229,8 @@ TEST(MeetingMaterials, APoorConductorTakesNoMoreAtOnceThanItsNodesHold)
     forEach<2>(run.state(), [&](const Vector<2>& x, double T)
                { heat += x[0] > joint ? 0.25 * capacity * (T - 300.0) : 0.0; });
     const double cell = capacity * width * jump, pi = 3.14159265358979323846;
-    const double through = 2.0 * jump * width * std::sqrt(conductivity * capacity * run.state().time / pi);
+    const double through =
+        2.0 * jump * width * std::sqrt(conductivity * capacity * run.state().clock.time / pi);
     std::printf("nodes %.1f m beside the joint: the poor conductor has %.3f cells' heat, a half space %.3f\n",
                 shift, heat / cell, through / cell);
     EXPECT_GT(heat, through);

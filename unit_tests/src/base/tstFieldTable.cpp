@@ -1,5 +1,5 @@
 #include "base/FieldTable.hpp"
-#include "state/Energy.hpp"
+#include "state/EnergyBalance.hpp"
 #include "state/NodeConstraint.hpp"
 
 #include <gtest/gtest.h>
@@ -83,9 +83,9 @@ TEST(FieldTable, KnowsItsFieldsAndTheirRoom)
 
 /// Of 10 J of work and 2 J that burning gives, 3 + 4 - 1 J are stored since the start, 2 + 1 + 0.5 + 0.25 +
 /// 0.25 J went elsewhere: 2 J are unaccounted for.
-TEST(EnergyLedger, LeavesWhatItCannotAccountFor)
+TEST(EnergyBalance, LeavesWhatItCannotAccountFor)
 {
-  EnergyLedger energy;
+  EnergyBalance energy;
   EXPECT_EQ(energy.residual(), 0.0);
   energy.kinetic = 3.0;
   energy.strain = 4.0;

@@ -63,12 +63,12 @@ template <int D>
 State<D> smallState(int particles)
 {
   State<D> state;
-  state.plane = D == 2 ? Plane::Strain : Plane::Solid;
+  state.method.plane = D == 2 ? Plane::Strain : Plane::Solid;
   Vector<D> lower{};
   Vector<D> upper{};
   for (int d = 0; d < D; ++d)
     upper[d] = 4.0;
-  state.grid = makeGrid<D>(lower, upper, 1.0);
+  state.mesh.grid = makeGrid<D>(lower, upper, 1.0);
   FieldTable& table = state.particles;
   table.add({fields::position, D, "m", ""});
   table.add({fields::reference, D, "m", ""});
@@ -97,14 +97,14 @@ State<D> smallState(int particles)
     for (int e = 0; e < D; ++e)
       for (int d = 0; d < D; ++d)
         body.axes[e][d] = e == d ? 1.0 : 0.0;
-    state.bodies.push_back(body);
+    state.bodies.list.push_back(body);
   }
-  state.materialNames = {"Soft"};
-  state.materialList = {softSolid(D)};
-  state.materials = View<Properties*>("materials", 1);
-  const auto host = Kokkos::create_mirror_view(state.materials);
-  host(0) = state.materialList[0];
-  Kokkos::deep_copy(state.materials, host);
+  state.materials.names = {"Soft"};
+  state.materials.list = {softSolid(D)};
+  state.materials.device = View<Properties*>("materials", 1);
+  const auto host = Kokkos::create_mirror_view(state.materials.device);
+  host(0) = state.materials.list[0];
+  Kokkos::deep_copy(state.materials.device, host);
   return state;
 }
 

@@ -27,8 +27,8 @@ TEST(CoreRow, SumsKineticEnergyAndMomentum)
   measureEnergy(state);
   EXPECT_DOUBLE_EQ(state.energy.kinetic, 13.5);
   EXPECT_DOUBLE_EQ(state.energy.strain, 0.0);
-  EXPECT_DOUBLE_EQ(state.momentum[0], 1.0);
-  EXPECT_DOUBLE_EQ(state.momentum[1], 4.0);
+  EXPECT_DOUBLE_EQ(state.sample.momentum[0], 1.0);
+  EXPECT_DOUBLE_EQ(state.sample.momentum[1], 4.0);
 }
 
 /// Stretch 2 along z: E_zz = 3/2, W = (lambda/2 + mu) E_zz^2 = 3.5 * 9/4 J/m3 in a volume of 1/4 m3.
@@ -54,15 +54,16 @@ TEST(CoreRow, HasOnlyColumnsThatTheEffectsGive)
 {
   State<2> state = smallState<2>(1);
   coreRow(state, {});
-  EXPECT_EQ(names(state.row), (std::vector<std::string>{"kinetic", "strain", "external_work", "residual",
-                                                        "momentum_x", "momentum_y"}));
-  state.row.clear();
+  EXPECT_EQ(names(state.sample.row), (std::vector<std::string>{"kinetic", "strain", "external_work",
+                                                               "residual", "momentum_x", "momentum_y"}));
+  state.sample.row.clear();
   coreRow(state, {"Damping", "Contact", "Cracks"});
-  EXPECT_EQ(names(state.row), (std::vector<std::string>{"kinetic", "strain", "external_work", "damped",
-                                                        "contact", "residual", "momentum_x", "momentum_y"}));
+  EXPECT_EQ(names(state.sample.row),
+            (std::vector<std::string>{"kinetic", "strain", "external_work", "damped", "contact", "residual",
+                                      "momentum_x", "momentum_y"}));
   State<3> solid = smallState<3>(1);
   coreRow(solid, {"Thermal", "Damping", "Contact", "Propagation", "Adaptivity", "Combustion"});
-  EXPECT_EQ(names(solid.row),
+  EXPECT_EQ(names(solid.sample.row),
             (std::vector<std::string>{"kinetic", "strain", "thermal", "heat", "external_work", "damped",
                                       "contact", "fracture", "merged", "combustion", "residual", "momentum_x",
                                       "momentum_y", "momentum_z"}));
@@ -71,10 +72,10 @@ TEST(CoreRow, HasOnlyColumnsThatTheEffectsGive)
 TEST(CoreRow, ComesBeforeTheColumnsOfEffects)
 {
   State<2> state = smallState<2>(1);
-  state.row.emplace_back("Notch.0.G_J", 1.0);
+  state.sample.row.emplace_back("Notch.0.G_J", 1.0);
   coreRow(state, {});
-  EXPECT_EQ(state.row.front().first, "kinetic");
-  EXPECT_EQ(state.row.back().first, "Notch.0.G_J");
+  EXPECT_EQ(state.sample.row.front().first, "kinetic");
+  EXPECT_EQ(state.sample.row.back().first, "Notch.0.G_J");
 }
 
 /// 3 J/m3 and 5 J/m3 spent in 1/4 m3 each; the ledger balances what was spent against what was done.
@@ -87,20 +88,20 @@ TEST(CoreRow, BooksPlasticWork)
   history[dissipationIndex<3>] = 3.0;
   history[size + dissipationIndex<3>] = 5.0;
   fill(state.particles.table(fields::history), history);
-  state.materialList[0].kind = LawKind::J2Plastic;
-  state.materialList[0].yield = 1.0;
-  const auto host = Kokkos::create_mirror_view(state.materials);
-  host(0) = state.materialList[0];
-  Kokkos::deep_copy(state.materials, host);
+  state.materials.list[0].kind = LawKind::J2Plastic;
+  state.materials.list[0].yield = 1.0;
+  const auto host = Kokkos::create_mirror_view(state.materials.device);
+  host(0) = state.materials.list[0];
+  Kokkos::deep_copy(state.materials.device, host);
   state.energy.externalWork = 2.5;
   coreRow(state, {});
   EXPECT_DOUBLE_EQ(state.energy.plastic, 2.0);
-  const auto all = names(state.row);
+  const auto all = names(state.sample.row);
   const auto plastic = std::find(all.begin(), all.end(), "plastic");
   ASSERT_NE(plastic, all.end());
-  EXPECT_DOUBLE_EQ(state.row[plastic - all.begin()].second, 2.0);
+  EXPECT_DOUBLE_EQ(state.sample.row[plastic - all.begin()].second, 2.0);
   const auto residual = std::find(all.begin(), all.end(), "residual");
-  EXPECT_DOUBLE_EQ(state.row[residual - all.begin()].second, -0.5);
+  EXPECT_DOUBLE_EQ(state.sample.row[residual - all.begin()].second, -0.5);
 }
 
 TEST(CoreRow, ReportsTheWholeLedger)

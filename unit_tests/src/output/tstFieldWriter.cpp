@@ -26,7 +26,7 @@ TEST(FieldWriter, WritesParticles)
 {
   const Folder folder;
   State<2> state = twoParticles();
-  state.time = 0.125;
+  state.clock.time = 0.125;
   FieldWriter<2>(folder.path()).write(state);
   const Hdf5Reader file(folder.path("fields.h5"));
   EXPECT_EQ(file.attribute("/t00000", "time"), 0.125);
@@ -48,7 +48,7 @@ TEST(FieldWriter, WritesTheBoxesOfParticles)
   const Folder folder;
   State<2> state = twoParticles();
   fill(state.particles.table(fields::edge), {0.5, 0.25, 0.5, 0.25});
-  BodyInfo<2>& turned = state.bodies[1];
+  BodyInfo<2>& turned = state.bodies.list[1];
   turned.axes[0][0] = 0.0;
   turned.axes[0][1] = 1.0;
   turned.axes[1][0] = -1.0;
@@ -183,7 +183,7 @@ TEST(FieldWriter, AddsTimes)
   FieldWriter<2> writer(folder.path());
   for (int k = 0; k < 3; ++k)
   {
-    state.time = 0.5 * k;
+    state.clock.time = 0.5 * k;
     fill(state.particles.table(fields::mass), {k + 1.0, 1.0});
     writer.write(state);
     writer.write(state); // the same time

@@ -79,7 +79,7 @@ TEST_P(VtkReader, SeesTimesParticlesLeavesAndCracks)
     FieldWriter<2> writer(folder.path());
     for (int k = 0; k < 3; ++k)
     {
-      state.time = 0.1 * k;
+      state.clock.time = 0.1 * k;
       fill(state.particles.table("temperature"), {300.0 + k, 400.0});
       writer.write(state);
     }

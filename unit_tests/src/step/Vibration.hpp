@@ -71,17 +71,17 @@ Vibration vibrate(const Teuchos::ParameterList& scene, int j, double average)
   std::vector<double> crossings;
   double energy[11] = {}, weight[11] = {}, largest = 0.0, smallest = 1e300;
   double before = barAmplitude, timeBefore = 0.0;
-  while (state.time < 11.0 * average || (crossings.size() < 21 && state.time < 13.0 * average))
+  while (state.clock.time < 11.0 * average || (crossings.size() < 21 && state.clock.time < 13.0 * average))
   {
     run.step(1e30, false);
-    result.dt = state.dt;
+    result.dt = state.clock.dt;
     measureEnergy(state);
     const double now = state.energy.kinetic + state.energy.strain;
-    const int n = static_cast<int>(state.time / average);
+    const int n = static_cast<int>(state.clock.time / average);
     if (n < 11)
     {
-      energy[n] += state.dt * now;
-      weight[n] += state.dt;
+      energy[n] += state.clock.dt * now;
+      weight[n] += state.clock.dt;
     }
     if (n == 0)
     {
@@ -94,9 +94,9 @@ Vibration vibrate(const Teuchos::ParameterList& scene, int j, double average)
     for (int p = 0; p < particles.size; ++p)
       modal += particles.mass(p) * mode[id(p)] * particles.velocity(p, 0);
     if (modal * before < 0.0)
-      crossings.push_back(timeBefore + (state.time - timeBefore) * before / (before - modal));
+      crossings.push_back(timeBefore + (state.clock.time - timeBefore) * before / (before - modal));
     before = modal;
-    timeBefore = state.time;
+    timeBefore = state.clock.time;
   }
   const double first = energy[0] / weight[0];
   result.kept = energy[10] / weight[10] / first;

@@ -163,9 +163,9 @@ Effect<2> manufacturedForce(const Motion& motion)
                {"nodal force"},
                [motion](State<2>& state)
                {
-                 const Nodes<2> nodes = state.nodes;
-                 const Grid<2> grid = state.grid;
-                 const double t = state.time;
+                 const Nodes<2> nodes = state.mesh.nodes;
+                 const Grid<2> grid = state.mesh.grid;
+                 const double t = state.clock.time;
                  Kokkos::parallel_for(
                      "manufacturedForce", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
                      KOKKOS_LAMBDA(const int i) {
@@ -202,7 +202,7 @@ double error(const Motion& motion, int cells, const std::string& shape)
     }
     particles.store(state);
   }
-  while (state.time < 0.5)
+  while (state.clock.time < 0.5)
     run.step(0.5, false);
   const HostParticles<2> particles(state);
   const auto reference =
@@ -210,7 +210,8 @@ double error(const Motion& motion, int cells, const std::string& shape)
   double sum = 0.0;
   for (int p = 0; p < particles.size; ++p)
   {
-    const Vector<2> off = particles.at(p) - motion.place({{reference(p, 0), reference(p, 1)}}, state.time);
+    const Vector<2> off =
+        particles.at(p) - motion.place({{reference(p, 0), reference(p, 1)}}, state.clock.time);
     sum += dot(off, off);
   }
   return std::sqrt(sum / particles.size) / motion.amplitude;

@@ -15,9 +15,9 @@ namespace
 {
 
 /// Books of bodies to which 2 J were given and that hold so much.
-EnergyLedger holding(double energy)
+EnergyBalance holding(double energy)
 {
-  EnergyLedger ledger;
+  EnergyBalance ledger;
   ledger.start = 0.5;
   ledger.externalWork = 1.5;
   ledger.strain = energy;
@@ -87,7 +87,7 @@ TEST(EnergyWatch, IsSilentOnAFewSteps)
 TEST(EnergyWatch, RemembersTheMostThatWasGiven)
 {
   EnergyWatch watch;
-  EnergyLedger ledger;
+  EnergyBalance ledger;
   ledger.externalWork = ledger.kinetic = 100.0;
   watch.sample(ledger);
   ledger.externalWork = 0.0;

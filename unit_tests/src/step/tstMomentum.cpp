@@ -83,11 +83,11 @@ Flight collide(const std::string& scheme, const std::string& shape)
     for (int p = 0; p < particles.size; ++p)
       own += ids(p) < half ? particles.mass(p) * particles.velocity(p, 0) : 0.0;
   }
-  while (state.time < 60.0)
+  while (state.clock.time < 60.0)
   {
-    flight.sorts += state.sorted ? 0 : 1;
+    flight.sorts += state.particles.sorted ? 0 : 1;
     run.step(1e30, false);
-    if (state.step % 10 != 0)
+    if (state.clock.step % 10 != 0)
       continue;
     const Momentum now = momentumOf(state);
     for (int d = 0; d < D; ++d)
@@ -155,7 +155,7 @@ void flyAlong(int axis, const std::string& scheme, const std::string& shape)
   const double start = HostParticles<D>(state).position(0, axis);
   const int first =
       Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(fields::id))(0);
-  while (state.time < 60.0)
+  while (state.clock.time < 60.0)
     run.step(60.0, false);
   const HostParticles<D> particles(state);
   const auto id =

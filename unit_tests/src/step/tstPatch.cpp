@@ -54,19 +54,19 @@ void drift(State<D>& state, const Vector<D>& shift)
 template <int D>
 void strainBy(State<D>& state, const double (&L)[D][D])
 {
-  const auto motion = Kokkos::create_mirror_view(state.nodes.motion);
+  const auto motion = Kokkos::create_mirror_view(state.mesh.nodes.motion);
   Kokkos::deep_copy(motion, 0.0);
-  for (int n = 0; n < state.grid.numNodes; ++n)
+  for (int n = 0; n < state.mesh.grid.numNodes; ++n)
   {
-    const Vector<D> x = state.grid.nodePosition(n);
+    const Vector<D> x = state.mesh.grid.nodePosition(n);
     for (int i = 0; i < D; ++i)
       for (int j = 0; j < D; ++j)
         motion(n, i) += L[i][j] * x[j];
   }
-  Kokkos::deep_copy(state.nodes.motion, motion);
-  state.dt = 1.0;
+  Kokkos::deep_copy(state.mesh.nodes.motion, motion);
+  state.clock.dt = 1.0;
   ASSERT_TRUE(std::isfinite(strainAndMove(state, StrainVelocity::Motion, true, true)));
-  ASSERT_EQ(state.trouble, "");
+  ASSERT_EQ(state.failure, "");
   sortState(state);
 }
 
@@ -77,12 +77,12 @@ double residual(State<D>& state, const Vector<D>& lower, const Vector<D>& upper)
 {
   clearNodes(state);
   scatter(state, ScatterWhat::Force);
-  const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.nodes.sums);
+  const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.sums);
   double largest = 0.0;
   int inside = 0;
-  for (int n = 0; n < state.grid.numNodes; ++n)
+  for (int n = 0; n < state.mesh.grid.numNodes; ++n)
   {
-    const Vector<D> x = state.grid.nodePosition(n);
+    const Vector<D> x = state.mesh.grid.nodePosition(n);
     bool in = true;
     for (int d = 0; d < D; ++d)
       in = in && x[d] - 1.0 >= lower[d] - 1e-9 && x[d] + 1.0 <= upper[d] + 1e-9;
@@ -144,7 +144,7 @@ double stressSpread(const State<D>& state, const double (&L)[D][D])
   for (int i = 0; i < D; ++i)
     for (int j = 0; j < D; ++j)
       F[i * D + j] = L[i][j] + (i == j ? 1.0 : 0.0);
-  EXPECT_TRUE(updateStress<D>(state.materialList[0], F, tau, nullptr));
+  EXPECT_TRUE(updateStress<D>(state.materials.list[0], F, tau, nullptr));
   const HostParticles<D> particles(state);
   double spread = 0.0, size = 0.0;
   for (int k = 0; k < symmetricSize<D>; ++k)

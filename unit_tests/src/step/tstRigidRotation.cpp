@@ -46,19 +46,19 @@ void turn(State<D>& state, double angle, Velocity velocity)
 {
   const double cosine = velocity == Velocity::Chord ? std::cos(angle) - 1.0 : 0.0;
   const double sine = velocity == Velocity::Chord ? std::sin(angle) : angle;
-  const auto motion = Kokkos::create_mirror_view(state.nodes.motion);
+  const auto motion = Kokkos::create_mirror_view(state.mesh.nodes.motion);
   Kokkos::deep_copy(motion, 0.0);
-  for (int n = 0; n < state.grid.numNodes; ++n)
+  for (int n = 0; n < state.mesh.grid.numNodes; ++n)
   {
-    const Vector<D> x = state.grid.nodePosition(n);
+    const Vector<D> x = state.mesh.grid.nodePosition(n);
     motion(n, 0) = cosine * x[0] - sine * x[1];
     motion(n, 1) = sine * x[0] + cosine * x[1];
   }
-  Kokkos::deep_copy(state.nodes.motion, motion);
-  state.dt = 1.0;
+  Kokkos::deep_copy(state.mesh.nodes.motion, motion);
+  state.clock.dt = 1.0;
   ASSERT_TRUE(std::isfinite(strainAndMove(state, StrainVelocity::Motion, true, true)));
-  ASSERT_EQ(state.trouble, "");
-  if (!state.sorted)
+  ASSERT_EQ(state.failure, "");
+  if (!state.particles.sorted)
     sortState(state);
 }
 
@@ -185,19 +185,19 @@ TEST(RigidRotation, FreeBodyShakesAsARandomWalk)
   measureEnergy(state);
   const double start = state.energy.kinetic;
   double largest = 0.0;
-  while (state.time < 2.0 * pi / spin)
+  while (state.clock.time < 2.0 * pi / spin)
   {
     run.step(1e30, false);
-    if (state.step % 10 == 0)
+    if (state.clock.step % 10 == 0)
       largest = std::max(largest, largestStress(state));
   }
   measureEnergy(state);
-  const double speed = std::sqrt(state.materialList[0].lambda + 2.0 * state.materialList[0].mu);
+  const double speed = std::sqrt(state.materials.list[0].lambda + 2.0 * state.materials.list[0].mu);
   const double walk = speed * 0.375 * spin * std::sqrt(2.0 * pi * half);
   const double total = (state.energy.kinetic + state.energy.strain) / start;
   std::printf("free square, one turn in %ld steps: largest stress / E %.4f, random walk %.4f, spin %.4f; "
               "energy %.4f\n",
-              state.step, largest, walk, rim * rim, total);
+              state.clock.step, largest, walk, rim * rim, total);
   EXPECT_LT(largest, 3.0 * walk);
   EXPECT_NEAR(total, 1.0, 0.01);
 }

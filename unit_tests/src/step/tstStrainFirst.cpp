@@ -33,7 +33,7 @@ TEST(StrainFirst, MakesNoEnergyAtTheRim)
   Rhegma::Run<2> run(*scene("examples/dcb.xml", {"Time:Update Scheme=USF"}));
   run.initialize();
   State<2>& state = run.state();
-  while (state.time < 4e-5)
+  while (state.clock.time < 4e-5)
     run.step(4e-5, false);
   const auto velocity =
       Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.real<2>(fields::velocity));

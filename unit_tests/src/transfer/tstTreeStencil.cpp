@@ -171,19 +171,19 @@ TEST(TreeStencil, ProductsInThreeDimensions)
 TEST(LocalSpacing, OutsideOfTheDomainCellsAreTheLargest)
 {
   State<2> state;
-  state.grid = lattice<2>();
+  state.mesh.grid = lattice<2>();
   std::mt19937 engine(3);
   do
-    buildTree(randomBranches(state.grid, 3, engine), state.tree);
-  while (!state.tree.refined());
-  const Vector<2> middle = 0.5 * (state.grid.lower + state.grid.upper);
-  EXPECT_LE(spacingAt(state, middle), state.grid.spacing);
+    buildTree(randomBranches(state.mesh.grid, 3, engine), state.mesh.tree);
+  while (!state.mesh.tree.refined());
+  const Vector<2> middle = 0.5 * (state.mesh.grid.lower + state.mesh.grid.upper);
+  EXPECT_LE(spacingAt(state, middle), state.mesh.grid.spacing);
   for (const double far : {-1e3, 1e3, 1e30, -1e300, double(NAN), double(INFINITY)})
     for (int d = 0; d < 2; ++d)
     {
       Vector<2> x = middle;
       x[d] = far;
-      EXPECT_EQ(spacingAt(state, x), state.grid.spacing) << far;
+      EXPECT_EQ(spacingAt(state, x), state.mesh.grid.spacing) << far;
     }
 }
 

@@ -7,7 +7,7 @@ namespace Rhegma
 /// Energies of a run [J]. What the books cannot account for is the residual:
 /// (kinetic + strain) now - at the start + thermal - external work - heat + damped + plastic + contact +
 /// fracture + merged - combustion.
-struct EnergyLedger
+struct EnergyBalance
 {
   double kinetic = 0.0;      ///< of the motion, now
   double strain = 0.0;       ///< stored elastically, now
