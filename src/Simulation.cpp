@@ -25,8 +25,8 @@ void refuseOnRanks(const Teuchos::ParameterList& scene)
     if (scene.isSublist(entry.section.name) && !entry.onRanks)
       alone += (alone.empty() ? "" : ", ") + entry.section.name;
   if (!alone.empty())
-    throw std::invalid_argument(alone + ": this version runs such scenes on one rank; start it without "
-                                        "mpirun, or with mpirun -np 1");
+    throw std::invalid_argument(
+        alone + ": such scenes run on one rank only; start the program without mpirun, or with mpirun -np 1");
 }
 
 } // namespace

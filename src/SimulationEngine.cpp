@@ -179,11 +179,11 @@ public:
     }
     catch (const std::invalid_argument& error)
     {
-      throw CheckpointMisfit(std::string("has no scene: ") + error.what());
+      throw CheckpointMisfit(std::string("holds no scene: ") + error.what());
     }
     const std::string difference = differenceOfScenes(lines_, linesOf(scene));
     if (!difference.empty())
-      throw CheckpointMisfit("is of another scene: " + difference);
+      throw CheckpointMisfit("belongs to another scene: " + difference);
     // All is made anew, so that nothing of what has been done since is left, and what goes wrong changes
     // nothing.
     std::unique_ptr<Run<D>> run;
@@ -200,7 +200,7 @@ public:
     }
     catch (const std::invalid_argument& error)
     {
-      throw CheckpointMisfit(std::string("does not fit this program, though its scene is right: ") +
+      throw CheckpointMisfit(std::string("does not fit this program, although its scene is the same: ") +
                              error.what());
     }
     run_ = std::move(run);

@@ -29,8 +29,8 @@ void startKokkos(const char* program, const std::vector<std::string>& forKokkos)
   }
   catch (const std::exception& error)
   {
-    throw UsageError("Kokkos refuses its arguments (" + firstLine(error.what()) +
-                     "); write --kokkos-num-threads=2 or leave them out");
+    throw UsageError("Kokkos rejects its arguments (" + firstLine(error.what()) +
+                     "); write for example --kokkos-num-threads=2, or leave them out");
   }
 }
 
@@ -43,9 +43,8 @@ void endAlone(const std::exception& error)
     return;
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr)
   {
-    std::cerr << "rhegma: there is not enough memory for this scene on one of the ranks; take larger cells "
-                 "(Domain > "
-                 "Cell Size)\n";
+    std::cerr << "rhegma: there is not enough memory for this scene on one of the ranks; use larger cells "
+                 "(Domain > Cell Size)\n";
     MPI_Abort(MPI_COMM_WORLD, exitStopped);
   }
   std::cerr << "rhegma: a defect of the program: " << error.what() << "\n";

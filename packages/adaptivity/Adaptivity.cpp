@@ -41,68 +41,72 @@ struct Progress
 
 Section section()
 {
-  Section s("Adaptivity",
-            "Cells that become smaller where it matters and larger again, particles with them.");
+  Section s("Adaptivity", "Adaptive mesh refinement (AMR): cells are refined and coarsened during the run, "
+                          "and particles are split and merged with them.");
   s.integer("Maximum Level")
       .range(1, 6)
       .byDefault(2)
-      .meaning("The smallest cells are Domain > Cell Size / 2^level.");
+      .meaning("Deepest refinement level. The finest cells have the size Domain > Cell Size / 2^level.");
   s.real("Front Cells")
       .range(0.0, 64.0)
       .byDefault(3.0)
-      .meaning("A cell nearer to a crack front than this many of its own edges is refined. 0: fronts do not "
-               "matter.");
+      .meaning("A cell is refined if its distance to a crack front is below this number of its own edge "
+               "lengths. 0: no refinement at fronts.");
   s.real("Velocity Change")
       .unit("m/s")
       .positive()
-      .optional("the velocity does not matter")
-      .meaning("A cell over which the velocity changes by more than this is refined: its edge times the "
-               "mean velocity gradient of the particles in it.");
+      .optional("no refinement by velocity")
+      .meaning("A cell is refined if the velocity changes by more than this over it (edge length times mean "
+               "velocity gradient of its particles).");
   s.real("Temperature Change")
       .unit("K")
       .positive()
-      .optional("the temperature does not matter")
-      .meaning("With Thermal: a cell over which the temperature changes by more than this is refined: its "
-               "edge times "
-               "the mean temperature gradient of the particles in it.");
+      .optional("no refinement by temperature")
+      .meaning("A cell is refined if the temperature changes by more than this over it (edge length times "
+               "mean temperature gradient of its particles). Needs the section Thermal.");
   s.real("Coarsening")
       .above(0.0)
       .below(1.0)
       .byDefault(0.5)
-      .meaning("Cells become larger where the change over the larger cell is below this share of Velocity "
-               "Change or Temperature Change; near 1 cells switch back and forth.");
+      .meaning("Cells are coarsened where the change over the coarser cell is below this fraction of "
+               "Velocity Change or Temperature Change. Near 1, cells switch back and forth.");
   s.integer("Buffer Cells")
       .range(0, 16)
       .byDefault(1)
-      .meaning("Rings of cells that are refined around those over which velocity or temperature changes.");
+      .meaning("Layers of cells that are also refined around the cells refined by velocity or temperature.");
   s.integer("Interval")
       .atLeast(1)
       .byDefault(10)
-      .meaning("Steps of the smallest cells between two looks at the cells.");
+      .meaning("Number of time steps of the finest cells between two adaptations.");
   s.real("Start Time")
       .unit("s")
       .notNegative()
       .byDefault(0.0)
-      .meaning(
-          "Until then cells stay as large as they are, as for a body that is loaded before its crack runs.");
+      .meaning("No cell is refined by a criterion before this time, for example while a body is loaded "
+               "before its crack runs.");
   s.real("Level Time")
       .unit("s")
       .notNegative()
       .byDefault(0.0)
-      .meaning(
-          "Time from one level to the next after Start Time: each new level sends small waves out, which may "
-          "fade in large steps.");
+      .meaning("Delay between one level and the next after Start Time. Each new level emits small waves; the "
+               "delay lets them decay while steps are still large.");
   s.real("Merge Loss")
       .above(0.0)
       .atMost(1.0)
       .byDefault(0.1)
-      .meaning(
-          "Small particles stay where becoming one would lose more than this share of their energy. What is "
-          "lost is in the ledger under merged.");
-  Section region("region", "A box in which cells are refined from the start; its own name is up to you.");
-  region.realArray("Lower Corner").unit("m").perAxis().meaning("The corner with the smallest coordinates.");
-  region.realArray("Upper Corner").unit("m").perAxis().meaning("The corner with the largest coordinates.");
-  region.integer("Level").range(1, 6).meaning("Level of the cells in the box; no deeper than Maximum Level.");
+      .meaning("Particles are not merged if this would lose more than this fraction of their energy. The "
+               "energy lost is recorded in the energy balance as merged.");
+  Section region("region", "A box in which cells are refined from the start. You choose its name.");
+  region.realArray("Lower Corner")
+      .unit("m")
+      .perAxis()
+      .meaning("Corner of the box with the smallest coordinates.");
+  region.realArray("Upper Corner")
+      .unit("m")
+      .perAxis()
+      .meaning("Corner of the box with the largest coordinates.");
+  region.integer("Level").range(1, 6).meaning(
+      "Refinement level of the cells in the box, at most Maximum Level.");
   s.namedByUser(region);
   return s;
 }
@@ -114,13 +118,12 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
   const Teuchos::ParameterList& list = scene.sublist("Adaptivity");
   if (scene.isSublist("Cracks") && scene.sublist("Cracks").isType<std::string>("Formulation") &&
       scene.sublist("Cracks").get<std::string>("Formulation") == "Corrected Broken Cell")
-    errors.push_back({"Adaptivity", "it does not go with Cracks > Formulation = Corrected Broken Cell, which "
-                                    "extrapolates along equal cells; choose another formulation"});
+    errors.push_back({"Adaptivity", "it can't be combined with Cracks > Formulation = Corrected Broken Cell, "
+                                    "which needs cells of one size; choose another formulation"});
   if (scene.isSublist("Contact") && scene.sublist("Contact").isType<std::string>("Law") &&
       scene.sublist("Contact").get<std::string>("Law") == "Visibility")
-    errors.push_back({"Adaptivity",
-                      "it does not go with Contact > Law = Visibility, which looks half a cell to "
-                      "each side of a crack; choose another law"});
+    errors.push_back(
+        {"Adaptivity", "it can't be combined with Contact > Law = Visibility; choose another contact law"});
   if (list.isType<int>("Maximum Level"))
     for (const std::string& name : sublistNames(list))
       if (list.sublist(name).isType<int>("Level") &&
@@ -128,17 +131,16 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
         errors.push_back(
             {"Adaptivity > " + name + " > Level", "it is deeper than Maximum Level, which is " +
                                                       std::to_string(list.get<int>("Maximum Level")) +
-                                                      "; write one of the two anew"});
+                                                      "; raise Maximum Level or lower this level"});
   if (list.isParameter("Temperature Change") && !scene.isSublist("Thermal"))
     errors.push_back({"Adaptivity > Temperature Change",
-                      "the scene has no temperatures; add the section Thermal or leave it out"});
+                      "the scene has no temperature; add the section Thermal or leave this parameter out"});
   const bool fronts = scene.isSublist("Cracks") &&
                       !(list.isType<double>("Front Cells") && list.get<double>("Front Cells") == 0.0);
   if (!fronts && !list.isParameter("Velocity Change") && !list.isParameter("Temperature Change") &&
       sublistNames(list).empty())
-    errors.push_back({"Adaptivity", "nothing tells where cells should be refined; write Velocity Change or "
-                                    "Temperature Change, add a box, or have "
-                                    "Cracks with Front Cells above 0"});
+    errors.push_back({"Adaptivity", "there is no refinement criterion; write Velocity Change or Temperature "
+                                    "Change, add a box, or add the section Cracks with Front Cells above 0"});
 }
 
 /// How many levels take steps shorter than the run's.
@@ -203,9 +205,9 @@ void checkNumbers(const Teuchos::ParameterList& domain, int levels)
   const double most = std::ldexp(1.0, Branches<D>::bitsPerAxis - levels) - 4.0 * gridMargin;
   for (int d = 0; d < D; ++d)
     if ((upper[d] - lower[d]) / domain.get<double>("Cell Size") > most)
-      throw std::invalid_argument("Adaptivity > Maximum Level: there is room for " + formatReal(most) +
-                                  " of the largest cells along an axis with " + std::to_string(levels) +
-                                  " levels below them, and the domain has more; write a lower level, larger "
+      throw std::invalid_argument("Adaptivity > Maximum Level: the grid holds at most " + formatReal(most) +
+                                  " coarsest cells along an axis with " + std::to_string(levels) +
+                                  " refinement levels, and the domain has more; write a lower level, larger "
                                   "cells or a smaller domain");
 }
 
@@ -252,9 +254,9 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   const auto progress = std::make_shared<std::shared_ptr<Progress<D>>>();
   Effect<D> effect;
   effect.name = "Adaptivity";
-  effect.adds.push_back({fields::level, 1, "", "how often it was split", true});
-  effect.adds.push_back({ancestor, 1, "", "id of the particle of the start that it is part of", true});
-  effect.adds.push_back({lineage, 1, "", "which part of it", true});
+  effect.adds.push_back({fields::level, 1, "", "number of times it was split", true});
+  effect.adds.push_back({ancestor, 1, "", "id of the initial particle that it is part of", true});
+  effect.adds.push_back({lineage, 1, "", "which part of that particle", true});
   if (options.criteria.velocityChange > 0.0)
     effect.adds.push_back({fields::rate, D * D, "1/s", "velocity gradient, row by row"});
   effect.atStart = [=](State<D>& state)
@@ -267,7 +269,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       adapt(state, options, **progress);
   };
   effect.call({Stage::BetweenSteps,
-               "cells and particles adapt",
+               "adaptation of cells and particles",
                {"crack geometry"},
                {"cells"},
                {},

@@ -148,10 +148,9 @@ void burnStep(State<D>& state, Work<D>& work, Burning<D>& b)
       const double apart = room.widest / state.mesh.smallestSpacing();
       state.warnings.push_back(
           "Combustion > " + state.cracks.cracks[b.crack].name +
-          (apart > farApart
-               ? ": the faces had come " + formatReal(std::round(10.0 * apart) / 10.0) +
-                     " of the smallest cells apart, too far for the solid beside them to be found"
-               : ": the solid beside the faces had burnt away") +
+          (apart > farApart ? ": the faces are " + formatReal(std::round(10.0 * apart) / 10.0) +
+                                  " finest cells apart, too far for the solid next to them to be found"
+                            : ": the solid next to the faces has burnt away") +
           " at time " + formatReal(state.clock.time + state.clock.dt) + " s; nothing burns from then on");
     }
   }

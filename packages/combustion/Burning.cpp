@@ -68,7 +68,7 @@ Ignition<D> readIgnition(const State<D>& state, int crack, const Teuchos::Parame
   if (away > state.mesh.grid.spacing)
     throw std::invalid_argument(path + (point ? " > Ignition Point" : " > Ignition Lower Corner") +
                                 ": it lies " + formatReal(away) +
-                                " m from the crack, more than a cell; write a place where its faces are");
+                                " m from the crack, more than a cell; write a position on its faces");
   return ignition;
 }
 
@@ -108,13 +108,12 @@ Burning<D> readBurning(const State<D>& state, const Teuchos::ParameterList& scen
   {
     b.discharge = list.get<double>("Discharge Coefficient");
     if (!hasMouth(state, b.crack, {}))
-      throw std::invalid_argument(path +
-                                  " > Venting: the crack does not reach the surface of its body, so nothing "
-                                  "flows out; write false");
+      throw std::invalid_argument(path + " > Venting: the crack does not reach the surface of its body, so "
+                                         "no gas can flow out; write false");
     if (!hasMouth(state, b.crack, b.mirrors))
-      throw std::invalid_argument(path +
-                                  " > Venting: the crack reaches a plane of symmetry only, beyond which it "
-                                  "goes on, so nothing flows out; write false");
+      throw std::invalid_argument(
+          path +
+          " > Venting: the crack ends only at a plane of symmetry, so no gas can flow out; write false");
   }
   return b;
 }

@@ -37,7 +37,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   Effect<D> effect;
   effect.name = "Combustion";
   effect.needs = {fields::side};
-  effect.adds = {{burntOverLeft, 1, "", "mass that a particle has lost to gas over what is left of it"}};
+  effect.adds = {{burntOverLeft, 1, "", "mass of a particle lost to gas over its remaining mass"}};
   effect.atStart = [work, all = Teuchos::ParameterList(scene)](State<D>& state)
   {
     const Teuchos::ParameterList& list = all.sublist("Combustion");

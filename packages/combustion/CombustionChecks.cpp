@@ -34,9 +34,8 @@ void checkDensity(const Teuchos::ParameterList& scene, const Teuchos::ParameterL
     known.push_back(name + " has " + formatReal(other) + " kg/m3");
   }
   if (!known.empty())
-    errors.push_back({path + " > Solid Density", "no material of the scene has it, and what burns is one of "
-                                                 "them; " +
-                                                     joined(known)});
+    errors.push_back(
+        {path + " > Solid Density", "no material of the scene has this density; " + joined(known)});
 }
 
 void checkIgnition(const Teuchos::ParameterList& scene, const Teuchos::ParameterList& list,
@@ -45,25 +44,25 @@ void checkIgnition(const Teuchos::ParameterList& scene, const Teuchos::Parameter
   const bool point = list.isParameter("Ignition Point"), box = list.isParameter("Ignition Lower Corner");
   if (point && box)
     errors.push_back(
-        {path, "has both an Ignition Point and a box (Ignition Lower Corner); take one of the two out"});
+        {path, "both Ignition Point and a box (Ignition Lower Corner) are given; remove one of them"});
   if (point && !list.isParameter("Flame Speed"))
-    errors.push_back({path, "an Ignition Point without a Flame Speed lights nothing; write one"});
+    errors.push_back({path, "it needs a Flame Speed; write one"});
   if (!point && !box && list.isParameter("Flame Speed"))
-    errors.push_back({path, "a flame has a Flame Speed and nowhere to set out from; write an Ignition Point "
-                            "or a box (Ignition Lower Corner, Ignition Upper Corner)"});
+    errors.push_back({path, "it needs a start; write an Ignition Point or a box (Ignition Lower Corner, "
+                            "Ignition Upper Corner)"});
   if (!list.isParameter("Ignition Temperature"))
     return;
   if (!scene.isSublist("Thermal"))
   {
     errors.push_back({path + " > Ignition Temperature",
-                      "faces have no temperature without a section Thermal; add one or leave it out"});
+                      "it needs the section Thermal; add it or leave this parameter out"});
     return;
   }
   if (realOf(list, "Ignition Temperature", 1e300) <=
       realOf(scene.sublist("Thermal"), "Initial Temperature", 0.0))
     errors.push_back({path + " > Ignition Temperature",
-                      "is not above Thermal > Initial Temperature, so that all faces burn at once; leave "
-                      "it out for that"});
+                      "is not above Thermal > Initial Temperature, so all faces ignite "
+                      "at once; leave it out if this is intended"});
 }
 
 void checkHeat(const Teuchos::ParameterList& scene, const Teuchos::ParameterList& list,
@@ -74,12 +73,11 @@ void checkHeat(const Teuchos::ParameterList& scene, const Teuchos::ParameterList
     if (!(realOf(list, name, 0.0) > 0.0))
       continue;
     if (!scene.isSublist("Thermal"))
-      errors.push_back({path + " > " + name,
-                        "heat goes to the gas only without a section Thermal; add one or leave it out"});
+      errors.push_back(
+          {path + " > " + name, "it needs the section Thermal; add it or leave this parameter out"});
     if (list.isType<std::string>("Gas Temperature") && list.get<std::string>("Gas Temperature") == "Constant")
-      errors.push_back({path + " > " + name,
-                        "gas whose temperature is kept (Gas Temperature = Constant) loses no heat to the "
-                        "faces that is reckoned; write Energy Balance or leave it out"});
+      errors.push_back({path + " > " + name, "it can't be combined with Gas Temperature = Constant; write "
+                                             "Energy Balance or leave this parameter out"});
   }
 }
 
@@ -89,17 +87,14 @@ void checkModel(const Teuchos::ParameterList& scene, const Teuchos::ParameterLis
   const bool flows = list.isType<std::string>("Gas Model") && list.get<std::string>("Gas Model") == "Flow";
   if (flows && scene.isSublist("Domain") && scene.sublist("Domain").isType<int>("Dimension") &&
       scene.sublist("Domain").get<int>("Dimension") == 3)
-    errors.push_back({path + " > Gas Model", "gas flows along cracks in 2D only; write Uniform"});
+    errors.push_back({path + " > Gas Model", "Flow is available in 2D only; write Uniform"});
   for (const char* name : {"Viscosity", "Friction Factor"})
     if (!flows && realOf(list, name, 0.0) > 0.0)
-      errors.push_back(
-          {path + " > " + name,
-           "gas of one pressure does not flow along the faces; write Gas Model = Flow or leave it "
-           "out"});
+      errors.push_back({path + " > " + name,
+                        "it is used with Gas Model = Flow only; write that or leave this parameter out"});
   if (flows && !(realOf(list, "Initial Gap", 0.0) > 0.0))
-    errors.push_back({path + " > Initial Gap",
-                      "gas that flows needs room everywhere along the crack, also where its faces touch; "
-                      "write their roughness"});
+    errors.push_back({path + " > Initial Gap", "Gas Model = Flow needs a gap everywhere along the crack, "
+                                               "also where the faces touch; write their roughness"});
 }
 
 void checkCrack(const Teuchos::ParameterList& scene, const std::string& name, std::vector<SceneError>& errors)
@@ -108,13 +103,14 @@ void checkCrack(const Teuchos::ParameterList& scene, const std::string& name, st
   const std::string path = "Combustion > " + name;
   const auto real = [&](const char* parameter, double other) { return realOf(list, parameter, other); };
   if (scene.isSublist("Face Pressure") && scene.sublist("Face Pressure").isSublist(name))
-    errors.push_back({path, "Face Pressure gives this crack a pressure too; take one of the two out"});
+    errors.push_back({path, "Face Pressure prescribes a pressure in this crack too; remove one of the two"});
   if (!(real("Initial Gap", 0.0) > 0.0) && !(real("Cavity Volume", 0.0) > 0.0))
-    errors.push_back({path, "a closed crack has no room for gas; give an Initial Gap (the roughness of the "
-                            "faces) or a Cavity Volume"});
+    errors.push_back({path, "a closed crack has no gas volume; write an Initial Gap (roughness of the faces) "
+                            "or a Cavity Volume"});
   if (real("Flame Temperature", 1e300) < real("Initial Temperature", 293.0))
     errors.push_back(
-        {path + " > Flame Temperature", "is below Initial Temperature; burning would cool the gas"});
+        {path + " > Flame Temperature",
+         "is below Initial Temperature, so burning would cool the gas; write a higher flame temperature"});
   if (list.isType<std::string>("Burn Table"))
     try
     {
@@ -131,7 +127,7 @@ void checkCrack(const Teuchos::ParameterList& scene, const std::string& name, st
   if (!list.isParameter("Solid Density") && scene.isSublist("Materials") &&
       sublistNames(scene.sublist("Materials")).size() > 1)
     errors.push_back(
-        {path + " > Solid Density", "there are several materials; write the density of what burns"});
+        {path + " > Solid Density", "there are several materials; write the density of the burning solid"});
 }
 
 } // namespace
@@ -148,7 +144,7 @@ void checkCombustion(const Teuchos::ParameterList& scene, std::vector<SceneError
   if (scene.isSublist("Thermal") && scene.sublist("Thermal").isType<bool>("Mechanics") &&
       !scene.sublist("Thermal").get<bool>("Mechanics"))
     errors.push_back(
-        {"Combustion", "nothing moves, for Thermal > Mechanics is false; leave one of the two out"});
+        {"Combustion", "it can't be combined with Thermal > Mechanics = false; remove one of the two"});
   for (const std::string& name : sublistNames(scene.sublist("Combustion")))
     checkCrack(scene, name, errors);
 }

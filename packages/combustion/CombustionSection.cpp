@@ -5,51 +5,61 @@ namespace Rhegma::combustion
 
 Section combustionSection()
 {
-  Section s("Combustion", "Burns the faces of cracks: gas in the crack, and its pressure on the faces.");
-  Section crack("crack", "The burning of the crack of this name.");
-  crack.chosenBy("Burn Law").meaning("How fast a burning face recedes.");
-  Section vieille("Vieille", "r = a p^n.");
-  vieille.real("Burn Coefficient").unit("m/s/Pa^n").notNegative().meaning("The factor a of the law.");
+  Section s("Combustion", "Combustion of crack faces: gas production, gas pressure on the faces, venting.");
+  Section crack("crack", "Combustion of one crack. The sublist has the name of the crack.");
+  crack.chosenBy("Burn Law")
+      .meaning("Burn rate law: regression rate of a burning face as a function of pressure.");
+  Section vieille("Vieille", "Burn rate r = a p^n.");
+  vieille.real("Burn Coefficient").unit("m/s/Pa^n").notNegative().meaning("Coefficient a.");
   vieille.real("Burn Exponent")
       .notNegative()
-      .meaning("The exponent n of the law. Above 1 a closed crack runs away.");
+      .meaning("Exponent n. Above 1, the pressure in a closed crack grows without bound in finite time.");
   crack.variant(vieille);
-  Section table("Table", "Straight lines between points.");
+  Section table("Table", "Burn rate by linear interpolation in a table.");
   table.text("Burn Table")
       .unit("Pa:m/s")
       .notEmpty()
-      .meaning("Pressures and rates, such as \"1e5:1e-3, 1e6:5e-3\"; constant beyond the ends.");
+      .meaning("Table of pressure:rate, such as \"1e5:1e-3, 1e6:5e-3\". Constant beyond both ends.");
   crack.variant(table);
   crack.real("Solid Density")
       .unit("kg/m3")
       .positive()
-      .optional("that of the scene's only material")
-      .meaning("Density of what burns.");
-  crack.real("Gas Constant").unit("J/(kg K)").positive().meaning("R of the gas for a kilogram of it.");
-  crack.real("Heat Capacity Ratio").above(1.0).atMost(2.0).byDefault(1.25).meaning("c_p / c_v of the gas.");
+      .optional("density of the only material of the scene")
+      .meaning("Density of the burning solid.");
+  crack.real("Gas Constant").unit("J/(kg K)").positive().meaning("Specific gas constant R.");
+  crack.real("Heat Capacity Ratio")
+      .above(1.0)
+      .atMost(2.0)
+      .byDefault(1.25)
+      .meaning("Ratio of specific heats c_p / c_v of the gas.");
   crack.real("Covolume")
       .unit("m3/kg")
       .notNegative()
       .byDefault(0.0)
-      .meaning("b of p (V - b m) = m R T (Noble and Abel); 0 is the ideal gas.");
-  crack.real("Flame Temperature").unit("K").positive().meaning("Of solid that burns in a rigid cavity.");
+      .meaning("Covolume b of the Noble-Abel equation p (V - b m) = m R T; 0 is an ideal gas.");
+  crack.real("Flame Temperature")
+      .unit("K")
+      .positive()
+      .meaning("Flame temperature of the solid at constant volume.");
   crack.choice("Gas Model", {"Uniform", "Flow"})
       .byDefault("Uniform")
-      .meaning("Uniform: one pressure in the crack. Flow: gas that flows along the crack, in 2D.");
+      .meaning("Uniform: one pressure in the whole crack. Flow: one-dimensional gas flow along the crack (2D "
+               "only).");
   crack.real("Viscosity")
       .unit("Pa s")
       .notNegative()
       .byDefault(0.0)
-      .meaning("Of gas that flows: 12 mu u / w^2 is what the faces take of a laminar flow between them.");
+      .meaning("Viscosity mu of the gas, for Gas Model = Flow. Laminar wall friction is 12 mu u / w^2 per "
+               "volume, w being the opening.");
   crack.real("Friction Factor")
       .notNegative()
       .byDefault(0.0)
-      .meaning("Darcy's, of gas that flows between rough faces: f rho u^2 / 8 on each of them.");
+      .meaning("Darcy friction factor f, for Gas Model = Flow between rough faces. The wall shear stress is "
+               "f rho u^2 / 8 on each face.");
   crack.choice("Gas Temperature", {"Energy Balance", "Constant"})
       .byDefault("Energy Balance")
-      .meaning(
-          "Energy Balance: work on the faces and venting cool the gas. Constant: the walls keep it at the "
-          "flame temperature.");
+      .meaning("Energy Balance: the temperature follows from the energy balance of the gas; work on the "
+               "faces and venting cool it. Constant: the gas stays at the flame temperature.");
   crack.real("Initial Temperature")
       .unit("K")
       .positive()
@@ -64,62 +74,70 @@ Section combustionSection()
       .unit("Pa")
       .notNegative()
       .byDefault(101325.0)
-      .meaning("What the faces feel is the pressure of the gas less this one, which acts on the body from "
-               "all sides.");
+      .meaning(
+          "Ambient pressure around the body. The faces are loaded by the gas pressure minus this pressure.");
   crack.real("Initial Gap")
       .unit("m")
       .notNegative()
       .byDefault(0.0)
-      .meaning("Room between the faces where they touch: their roughness.");
+      .meaning("Gap between touching faces, from their roughness.");
   crack.real("Cavity Volume")
       .unit("m3")
       .notNegative()
       .byDefault(0.0)
-      .meaning("Room for gas beside that between the faces; in 2D for the whole thickness.");
-  crack.real("Ignition Time").unit("s").notNegative().byDefault(0.0).meaning("Nothing burns before it.");
+      .meaning("Additional gas volume besides that between the faces; in 2D for the whole thickness.");
+  crack.real("Ignition Time")
+      .unit("s")
+      .notNegative()
+      .byDefault(0.0)
+      .meaning("Nothing burns before this time.");
   crack.realArray("Ignition Point")
       .unit("m")
       .perAxis()
-      .optional("all faces at once")
-      .meaning("Where the flame sets out from.");
+      .optional("the whole crack ignites at once")
+      .meaning("Point where ignition starts. Needs Flame Speed.");
   crack.realArray("Ignition Lower Corner")
       .unit("m")
       .perAxis()
-      .optional("all faces at once")
-      .meaning("Of a box in which the faces catch fire.");
+      .optional("the whole crack ignites at once")
+      .meaning("Lower corner of a box in which the faces are ignited.");
   crack.realArray("Ignition Upper Corner")
       .unit("m")
       .perAxis()
-      .optional("all faces at once")
-      .meaning("Of the same box.");
+      .optional("the whole crack ignites at once")
+      .meaning("Upper corner of this box.");
   crack.allOrNoneOf({"Ignition Lower Corner", "Ignition Upper Corner"});
   crack.real("Ignition Temperature")
       .unit("K")
       .positive()
-      .optional("no face by its temperature")
-      .meaning("Of a face that catches fire by itself, with that opposite to it. Needs Thermal.");
+      .optional("no autoignition")
+      .meaning("Autoignition temperature of a crack face; the opposite face ignites with it. Needs the "
+               "section Thermal.");
   crack.real("Flame Speed")
       .unit("m/s")
       .positive()
-      .optional("the flame stays")
-      .meaning("How fast burning spreads from the ignition point or box, in a straight line.");
+      .optional("burning does not spread")
+      .meaning("Speed at which burning spreads from the ignition point or box, in a straight line.");
   crack.real("Wall Heat Fraction")
       .notNegative()
       .below(1.0)
       .byDefault(0.0)
-      .meaning("Share of the heat of what burns that goes into the faces that burn. Needs Thermal.");
+      .meaning(
+          "Fraction of the heat of combustion that goes into the burning faces. Needs the section Thermal.");
   crack.real("Heat Transfer Coefficient")
       .unit("W/(m2 K)")
       .notNegative()
       .byDefault(0.0)
-      .meaning("Between the gas and all faces of the crack. Needs Thermal.");
+      .meaning(
+          "Heat transfer coefficient between the gas and all faces of the crack. Needs the section Thermal.");
   crack.boolean("Venting").byDefault(false).meaning(
-      "Gas flows out where the crack opens at the surface of its body.");
+      "If true, gas vents where the crack opens at the surface of its body.");
   crack.real("Discharge Coefficient")
       .above(0.0)
       .atMost(1.0)
       .byDefault(0.85)
-      .meaning("Share of the opening at the surface, or into another crack, that the flow has.");
+      .meaning("Discharge coefficient: effective fraction of the opening for flow to the outside or into "
+               "another crack.");
   s.namedByUser(crack);
   return s;
 }

@@ -25,8 +25,7 @@ void lookForTrouble(State<D>& state, const Burning<D>& b)
   if (!b.flow.channel().sound() && state.failure.empty())
     state.failure =
         "Combustion > " + state.cracks.cracks[b.crack].name +
-        ": the gas that flows in it has no room or no energy left in some place (a larger Initial "
-        "Gap, or a smaller Time > CFL)";
+        ": the flowing gas has no volume or no energy left somewhere; raise Initial Gap or lower Time > CFL";
 }
 
 } // namespace

@@ -56,8 +56,8 @@ void warnOfThinSkin(const State<D>& state, const Burning<D>& b, nlohmann::json& 
   if (depth >= cell)
     return;
   summary["warnings"].push_back("Combustion > " + state.cracks.cracks[b.crack].name +
-                                ": heat has gone no more than " + formatReal(depth) +
-                                " m into the faces, less than the smallest cells of " + formatReal(cell) +
+                                ": heat has penetrated at most " + formatReal(depth) +
+                                " m into the faces, less than the finest cells of " + formatReal(cell) +
                                 " m: face_temperature is a mean over a cell, and faces are hotter");
 }
 

@@ -24,10 +24,9 @@ void warnOfWideOpening(State<D>& state, Burning<D>& b, double opening)
   if (b.wide || !ends || opening < wideOpen * state.mesh.smallestSpacing())
     return;
   b.wide = true;
-  state.warnings.push_back(
-      "Combustion > " + state.cracks.cracks[b.crack].name +
-      ": its faces are more than two of the smallest cells apart, from where on the room of "
-      "its gas may be more than 15 % too large; smaller cells find it better");
+  state.warnings.push_back("Combustion > " + state.cracks.cracks[b.crack].name +
+                           ": its faces are more than two of the finest cells apart; from there on its gas "
+                           "volume may be more than 15 % too large; use smaller cells");
 }
 
 } // namespace
@@ -41,7 +40,8 @@ void pushByGas(State<D>& state, const Work<D>& work, Burning<D>& b)
   b.faces = 2.0 * room.felt;
   b.felt = b.felt || room.felt > 0.0;
   if (!b.felt)
-    state.failure = "Combustion > " + name + ": no face of this crack lies in a body, so nothing can burn";
+    state.failure = "Combustion > " + name +
+                    ": no face of this crack lies in a body, so nothing can burn; move the crack into a body";
   warnOfWideOpening(state, b, room.widest);
   if (b.flows)
   {
@@ -55,11 +55,11 @@ void pushByGas(State<D>& state, const Work<D>& work, Burning<D>& b)
     b.gas.fill(b.startPressure, b.startTemperature, b.volume);
   if (!(b.volume > b.gas.leastVolume()))
     state.failure = "Combustion > " + name +
-                    ": there is no room left for the gas, as the faces have come too near to each other "
-                    "(a larger Initial Gap or Cavity Volume, or a section Contact)";
+                    ": there is no gas volume left, because the faces are too close; raise Initial Gap or "
+                    "Cavity Volume, or add the section Contact";
   b.pressure = b.gas.pressure(b.volume);
   if (!std::isfinite(b.pressure))
-    state.failure = "Combustion > " + name + ": the pressure is no longer a number";
+    state.failure = "Combustion > " + name + ": the pressure is not finite";
   if (!state.failure.empty())
     return;
   b.slope = b.filled && state.clock.dt > 0.0 ? (b.pressure - before) / state.clock.dt : 0.0;
@@ -91,7 +91,7 @@ void bookGasWork(State<D>& state, const Work<D>& work, Burning<D>& b)
   b.volumeRate = state.clock.dt > 0.0 ? swept / state.clock.dt : 0.0;
   if (!(b.gas.energy() > 0.0))
     state.failure = "Combustion > " + state.cracks.cracks[b.crack].name +
-                    ": the gas has done more work than it has energy (smaller Time > CFL)";
+                    ": the gas has done more work than it has energy; lower Time > CFL";
 }
 
 template void pushByGas(State<2>&, const Work<2>&, Burning<2>&);

@@ -25,7 +25,7 @@ std::string whyApart(const Burning<D>* one, const Burning<D>* two)
   if (one == nullptr || two == nullptr)
     return "one of them has no gas (Combustion)";
   if (one->flows || two->flows)
-    return "passing from one crack to another is of gas with one pressure (Gas Model = Uniform)";
+    return "gas passes from one crack to another only with Gas Model = Uniform";
   if (!mixes(one->gas.law(), two->gas.law()))
     return "they differ (Gas Constant, Heat Capacity Ratio or Covolume)";
   return "";
@@ -41,7 +41,7 @@ void tell(State<D>& state, Work<D>& work, Meeting& meeting)
   meeting.told = true;
   state.warnings.push_back("Combustion: the crack " + state.cracks.cracks[meeting.crack].name + " has met " +
                            state.cracks.cracks[meeting.other].name +
-                           "; their gases stay separate, and none flows out where they meet, as " + why);
+                           "; their gases stay separate and none flows out where they meet: " + why);
 }
 
 } // namespace

@@ -10,7 +10,7 @@ namespace Rhegma::combustion
 
 /// Mass that a particle has lost to gas over what is left of it: like all that is told per undeformed volume,
 /// its mean over the volumes of parts is that of the whole.
-inline const std::string burntOverLeft = "burnt over left";
+inline const std::string burntOverLeft = "burnt over remaining mass";
 
 /// No particle loses more than this share of its mass: what is left keeps its nodes apart from empty space.
 constexpr double mostBurnt = 0.9;

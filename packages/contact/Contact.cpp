@@ -19,16 +19,16 @@ namespace
 
 Section section()
 {
-  Section s("Contact", "Crack faces that close press against each other; without it they pass through.");
+  Section s("Contact", "Contact of crack faces. Without this section, closed faces overlap freely.");
   s.choice("Law", {"Stick", "Frictionless", "Coulomb", "Visibility"})
       .byDefault("Frictionless")
-      .meaning("What closed faces do along each other: nothing slips, all slips, or slip beyond friction. "
-               "Visibility, for comparison and for Cracks > Formulation Broken Cell only: particles see "
-               "through closed parts, which stick.");
-  s.real("Friction Coefficient").notNegative().optional().meaning("Of Coulomb's law, and only of it.");
+      .meaning("Tangential behaviour of closed faces: full stick, frictionless slip, or Coulomb friction. "
+               "Visibility (only with Cracks > Formulation = Broken Cell, for comparison): closed parts are "
+               "treated as uncracked.");
+  s.real("Friction Coefficient").notNegative().optional().meaning("Friction coefficient of Law = Coulomb.");
   s.real("Penalty").positive().byDefault(2.0).meaning(
-      "Stiffness of the faces against overlap, in units of the modulus of a dilatational wave over the cell "
-      "size. Above 3 it may ask for smaller time steps.");
+      "Penalty stiffness, in units of the P-wave modulus over the cell size. Above 3, a smaller time step "
+      "may be needed.");
   s.real("Watched Part")
       .above(0.0)
       .atMost(1.0)
@@ -46,8 +46,7 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
     return;
   const Teuchos::ParameterList& list = scene.sublist("Contact");
   if (!scene.isSublist("Cracks"))
-    errors.push_back({"Contact", "there are no crack faces that could touch; add a section Cracks or leave "
-                                 "Contact out"});
+    errors.push_back({"Contact", "there are no cracks; add the section Cracks or leave Contact out"});
   if (!list.isParameter("Law"))
     return;
   const bool coulomb = list.get<std::string>("Law") == "Coulomb";
@@ -55,16 +54,17 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
   if (list.get<std::string>("Law") == "Visibility" && scene.isSublist("Cracks") &&
       scene.sublist("Cracks").isParameter("Formulation") &&
       scene.sublist("Cracks").get<std::string>("Formulation") != "Broken Cell")
-    errors.push_back({"Contact > Law",
-                      "Visibility belongs to Cracks > Formulation Broken Cell; choose that, or "
-                      "another law"});
+    errors.push_back(
+        {"Contact > Law",
+         "Visibility needs Cracks > Formulation = Broken Cell; choose that formulation or another law"});
   if (coulomb && !given)
-    errors.push_back({"Contact > Friction Coefficient",
-                      "the law Coulomb needs it; write it, such as 0.3, or choose Law Frictionless"});
+    errors.push_back(
+        {"Contact > Friction Coefficient",
+         "is missing; Law = Coulomb needs it: write, for example, 0.3, or choose Law = Frictionless"});
   if (!coulomb && given)
     errors.push_back({"Contact > Friction Coefficient",
                       "the law " + list.get<std::string>("Law") +
-                          " has no friction coefficient; leave it out or choose Law Coulomb"});
+                          " has no friction coefficient; leave it out or choose Law = Coulomb"});
 }
 
 Law readLaw(const std::string& name)

@@ -31,63 +31,61 @@ namespace
 
 Section section()
 {
-  Section s("Cracks", "Explicit cracks that cut the body wherever they lie in the cells.");
+  Section s("Cracks",
+            "Explicit cracks: polylines (2D) or surfaces (3D) that cut bodies independently of the grid.");
   s.choice("Formulation", {"Dual Field", "Broken Cell", "Corrected Broken Cell"})
       .byDefault("Dual Field")
-      .meaning("How cells are cut: a velocity field on each side; shape functions broken by visibility; the "
-               "same made "
+      .meaning("How cracked cells are treated. Dual Field: one velocity field on each side of the crack. "
+               "Broken Cell: shape functions truncated by visibility. Corrected Broken Cell: the same, made "
                "linearly complete by extrapolation.");
-  s.boolean("Front Ties")
+  s.boolean("Front Springs")
+      .formerly("Front Ties")
       .byDefault(true)
-      .meaning("Dual Field only: springs between the two fields of nodes less than a cell behind a front, so "
-               "that the crack of the cells ends where its front is, and not at the next column of nodes.");
-  Section crack("crack", "One crack; its own name is up to you.");
+      .meaning("Penalty springs between the two fields of nodes less than a cell behind a front, so that the "
+               "crack on the grid ends at its front and not at the next column of nodes. Dual Field only.");
+  Section crack("crack", "A crack. You choose its name.");
   crack.realArray("Points")
       .unit("m")
       .perPoint(2)
       .optional("in 3D Radius or Surface File")
-      .meaning(
-          "In 2D the crack as a polyline, point after point; in 3D the corners of a flat polygon, convex or "
-          "not, in order around it, at least three. What lies outside of the body is cut off.");
+      .meaning("2D: points of a polyline. 3D: at least three corners of a plane polygon, convex or not, in "
+               "order around it. Parts outside the bodies are cut off.");
   crack.realArray("Centre").unit("m").perAxis().optional().onlyIn(3).meaning(
-      "Middle of a crack that is a disk or an ellipse.");
+      "Centre of a disk-shaped or elliptical crack.");
   crack.realArray("Normal").perAxis().optional().onlyIn(3).meaning(
-      "Direction normal to the disk, of any length, from its side -1 to its side +1.");
+      "Normal of the disk, of any non-zero length, from side -1 to side +1 of the crack.");
   crack.real("Radius")
       .unit("m")
       .positive()
       .optional("Points or Surface File")
       .onlyIn(3)
-      .meaning("Radius of the disk, or one of the two of an ellipse.");
+      .meaning("Radius of the disk, or one semi-axis of an ellipse.");
   crack.real("Second Radius")
       .unit("m")
       .positive()
       .optional("Radius")
       .onlyIn(3)
-      .meaning("The other radius of an ellipse, normal to Radius Direction.");
+      .meaning("Other semi-axis of the ellipse, normal to Radius Direction.");
   crack.realArray("Radius Direction")
       .perAxis()
-      .optional("the axis that Normal is furthest from")
+      .optional("the coordinate axis farthest from Normal")
       .onlyIn(3)
-      .meaning("Direction of Radius; what is normal to the plane of the crack is left out.");
+      .meaning("Direction of Radius. Its component normal to the crack plane is ignored.");
   crack.text("Surface File")
       .notEmpty()
       .optional("Points or Radius")
       .onlyIn(3)
-      .meaning(
-          "An STL (ascii or binary) or OBJ file with the crack as a surface of triangles, curved or not, in "
-          "metres; its path is relative to the scene. Its border is its front where there is material "
-          "ahead.");
+      .meaning("Path (relative to the scene) of an STL or OBJ file with the crack as a triangulated surface "
+               "in metres. Its edges inside material are crack fronts.");
   crack.choice("Fronts", {"Automatic", "First", "Last", "Both", "None"})
       .byDefault("Automatic")
       .onlyIn(2)
-      .meaning("Which ends are crack fronts. Automatic: those with material ahead of them.");
+      .meaning("Which ends of the polyline are crack fronts. Automatic: every end inside material.");
   crack.integerArray("Front Edges")
-      .optional("edges with material ahead of them")
+      .optional("edges inside material")
       .onlyIn(3)
-      .meaning(
-          "Edges of the polygon that are crack fronts, the others being mouths; edge k goes from point k "
-          "to the next, counted from 1.");
+      .meaning("Edges of the polygon that are crack fronts; the others are free edges. Edge k goes from "
+               "point k to the next, counted from 1.");
   s.namedByUser(crack);
   return s;
 }
@@ -175,7 +173,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 {
   const Teuchos::ParameterList section = scene.sublist("Cracks");
   const Formulation formulation = readFormulation(section);
-  const bool tied = formulation == Formulation::DualField && section.get<bool>("Front Ties");
+  const bool tied = formulation == Formulation::DualField && section.get<bool>("Front Springs");
   const auto surroundings = std::make_shared<Surroundings>();
   const auto ghosts = std::make_shared<Ghosts>();
   const auto motion = std::make_shared<CrackMotion<D>>();

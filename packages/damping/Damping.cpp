@@ -142,45 +142,48 @@ namespace
 
 Section section()
 {
-  Section s("Damping", "Takes kinetic energy out of the body, so that a suddenly loaded one comes to rest.");
+  Section s("Damping", "Damping, so that a suddenly loaded body settles to static equilibrium.");
   s.real("Mass Rate")
       .unit("1/s")
       .notNegative()
       .byDefault(0.0)
-      .meaning("Force -rate m v on all mass. A mode of angular frequency w is critically damped at 2 w.");
+      .meaning("Mass-proportional damping: force -rate m v. A mode of angular frequency w is critically "
+               "damped at 2 w.");
   s.real("Shear Viscosity")
       .unit("Pa s")
       .notNegative()
       .byDefault(0.0)
-      .meaning("Adds the stress 2 eta D to every material, D the rate of strain.");
-  s.real("Bulk Viscosity").unit("Pa s").notNegative().byDefault(0.0).meaning("Adds the stress zeta tr(D).");
+      .meaning("Shear viscosity eta: adds the stress 2 eta D to every material, D being the strain rate.");
+  s.real("Bulk Viscosity")
+      .unit("Pa s")
+      .notNegative()
+      .byDefault(0.0)
+      .meaning("Bulk viscosity zeta: adds the stress zeta tr(D) I.");
   s.real("End Time")
       .unit("s")
       .positive()
       .optional("never")
-      .meaning("From it on nothing is damped, for a body that comes to rest before something happens to it.");
+      .meaning("Damping is switched off at this time, for example after a static preload.");
   s.boolean("Stop When Settled")
       .mayChange()
       .byDefault(false)
-      .meaning(
-          "End the run as soon as it has settled; Time > Final Time is then the longest that it may take.");
+      .meaning("If true, the run ends as soon as it has settled; Time > Final Time is then the upper limit.");
   s.real("Settled Energy Ratio")
       .mayChange()
       .above(0.0)
       .byDefault(1e-4)
-      .meaning("Settled: kinetic over strain energy is below this, over the last samples.");
+      .meaning("Settled criterion: kinetic over strain energy is below this in the last Settled Samples.");
   s.real("Settled Drift")
       .mayChange()
       .above(0.0)
       .byDefault(1e-4)
-      .meaning("Settled: every energy release rate, or the strain energy where there is none, changed by "
-               "less than this share "
-               "over the last samples.");
+      .meaning("Settled criterion: relative change of every energy release rate, or of the strain energy if "
+               "there is none, over the last Settled Samples.");
   s.integer("Settled Samples")
       .mayChange()
       .atLeast(2)
       .byDefault(5)
-      .meaning("Samples of the history over which both must hold.");
+      .meaning("Number of history samples over which both criteria must hold.");
   return s;
 }
 
@@ -236,7 +239,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  }});
   if (shear > 0.0 || bulk > 0.0)
   {
-    effect.adds.push_back({fields::rate, D * D, "1/s", "velocity gradient, row by row"});
+    effect.adds.push_back({fields::rate, D * D, "1/s", "velocity gradient, by rows"});
     effect.call({Stage::OnParticles,
                  "viscous stress",
                  {"particle stress"},

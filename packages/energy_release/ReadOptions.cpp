@@ -11,54 +11,48 @@ namespace Rhegma::energy_release
 
 Section energyReleaseSection()
 {
-  Section s("Energy Release",
-            "Energy release rate and stress intensities of every crack front, at every sample.");
+  Section s(
+      "Energy Release",
+      "Energy release rate and stress intensity factors of every crack front, at every history sample.");
   s.real("Inner Radius")
       .unit("m")
       .positive()
-      .optional("3 cells in 2D and 2.5 in 3D, or half of Outer Radius where that is less")
-      .meaning("The weight of the domain integrals is 1 up to this distance from the front. Below two cells "
-               "in 2D G and K can be off by 10 % and more.");
+      .optional("3 cells in 2D, 2.5 in 3D; at most half of Outer Radius")
+      .meaning("Inner radius of the domain integrals: the weight function is 1 up to this distance from the "
+               "front. Below two cells in 2D, G and K can be wrong by 10 % or more.");
   s.real("Outer Radius")
       .unit("m")
       .positive()
-      .optional(
-          "6 cells in 2D and 5 in 3D, or twice a given Inner Radius, less where that leaves the body or "
-          "reaches another front or crack or, in 3D, the front's centre of curvature")
-      .meaning(
-          "The weight falls to 0 at this distance. One that is given must be inside the body and clear of "
-          "other fronts.");
+      .optional("6 cells in 2D, 5 in 3D, or twice a given Inner Radius; reduced if it leaves the body or "
+                "reaches another front or crack or, in 3D, the centre of curvature of the front")
+      .meaning("Outer radius of the domain integrals: the weight function is 0 from this distance on. A "
+               "given radius must stay inside the body and clear of other fronts.");
   s.boolean("Contour Integral")
       .onlyIn(2)
       .byDefault(true)
-      .meaning(
-          "Find J and the stress intensities by domain integrals. Without them crack closure works on cells "
-          "that are too large for a contour inside the body.");
+      .meaning("Computes J and the stress intensity factors by domain integrals. Set it to false to use "
+               "crack closure alone, where cells are too large for a contour inside the body.");
   s.boolean("Crack Closure")
       .onlyIn(2)
       .byDefault(true)
-      .meaning(
-          "Also find the energy release rate from the forces ahead of the front and the opening behind it, "
-          "where a front starts along a direction of the grid, Cracks > Formulation is not Broken Cell and "
-          "there "
-          "is no section Propagation.");
+      .meaning("Also computes G by crack closure, from the forces ahead of the front and the opening behind "
+               "it. Needs a front along a grid direction; not with Cracks > Formulation = Broken Cell nor "
+               "with Propagation.");
   s.boolean("Lumped Closure")
       .onlyIn(2)
       .byDefault(false)
-      .meaning("Also report crack closure with the opening of a lumped projection, which is 7 to 25 % low "
-               "whatever the "
-               "cells.");
+      .meaning("Also reports crack closure with openings from a lumped projection, for comparison. It is 7 "
+               "to 25 % low at any cell size.");
   s.integer("Closure Cells")
       .onlyIn(2)
       .range(1, 2)
       .byDefault(1)
-      .meaning("Columns of cells that crack closure closes.");
+      .meaning("Number of cell columns over which crack closure acts.");
   s.choice("Closure Recovery", {"Consistent", "Lumped", "Mass Matrix"})
       .onlyIn(2)
       .byDefault("Consistent")
-      .meaning("The matrix that crack closure recovers the displacement of nodes with: the consistent mass, "
-               "its row "
-               "sums, or what the section Mass Matrix says (row sums where there is none).");
+      .meaning("Mass matrix used to recover nodal displacements for crack closure: consistent, lumped, or "
+               "that of the section Mass Matrix (lumped without that section).");
   return s;
 }
 
@@ -101,9 +95,8 @@ void checkEnergyRelease(const Teuchos::ParameterList& scene, std::vector<SceneEr
   if (!scene.isSublist("Energy Release"))
     return;
   if (!scene.isSublist("Cracks"))
-    errors.push_back({"Energy Release",
-                      "there is no crack whose energy release could be found; add a section Cracks or "
-                      "take this section out"});
+    errors.push_back(
+        {"Energy Release", "there are no cracks; add the section Cracks or remove this section"});
   const Teuchos::ParameterList& list = scene.sublist("Energy Release");
   const auto refused = [&](const char* name) { return list.isType<bool>(name) && !list.get<bool>(name); };
   const bool contour = !refused("Contour Integral");
@@ -115,8 +108,8 @@ void checkEnergyRelease(const Teuchos::ParameterList& scene, std::vector<SceneEr
   };
   if (!contour && (refused("Crack Closure") || formulation() == "Broken Cell"))
     errors.push_back({"Energy Release > Contour Integral",
-                      "nothing is left to find without crack closure; set this to true or take the "
-                      "section Energy Release out"});
+                      "it must be true if crack closure is not available; set it to "
+                      "true or remove the section Energy Release"});
   if (!scene.isSublist("Domain"))
     return;
   const Teuchos::ParameterList& domain = scene.sublist("Domain");
@@ -130,7 +123,7 @@ void checkEnergyRelease(const Teuchos::ParameterList& scene, std::vector<SceneEr
   const auto [inner, outer] = usualRadii(given, cell);
   if (outer < inner + cell)
     errors.push_back({"Energy Release > Outer Radius",
-                      "the weight must fall over at least one cell of " + formatReal(cell) +
+                      "it must exceed Inner Radius by at least one cell of " + formatReal(cell) +
                           " m; write at least " + formatReal(inner + cell) + ", or a smaller Inner Radius"});
 }
 
@@ -152,17 +145,17 @@ RecoveryMatrix matrixOfTheMotion(const Teuchos::ParameterList& scene)
     matrix.terms = list.get<int>("Order");
     return matrix;
   }
-  matrix.lumpedShare = std::max(matrix.lumpedShare, list.get<double>("Lumped Share"));
-  matrix.smallestNode = list.get<double>("Smallest Node");
+  matrix.lumpedShare = std::max(matrix.lumpedShare, list.get<double>("Lumped Fraction"));
+  matrix.smallestNode = list.get<double>("Minimum Node Mass");
   if (type == "Partial")
   {
     const auto length = [&](const char* name)
     { return list.isParameter(name) ? list.get<double>(name) : 0.0; };
     matrix.radius = length("Radius");
-    matrix.edge = length("Edge Width");
+    matrix.edge = length("Transition Width");
     // As Mass Matrix has them where they are not given.
     matrix.radiusCells = list.isParameter("Radius") ? 0.0 : 3.0;
-    matrix.edgeCells = list.isParameter("Edge Width") ? 0.0 : 1.0;
+    matrix.edgeCells = list.isParameter("Transition Width") ? 0.0 : 1.0;
   }
   return matrix;
 }

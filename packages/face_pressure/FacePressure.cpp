@@ -33,11 +33,11 @@ namespace
 
 Section section()
 {
-  Section s("Face Pressure", "A pressure that is given in time and pushes the faces of cracks apart.");
-  Section crack("crack", "The pressure in the crack of this name.");
+  Section s("Face Pressure", "Prescribed pressure on crack faces.");
+  Section crack("crack", "Pressure in one crack. The sublist has the name of the crack.");
   crack.timeFunction("Pressure")
       .unit("Pa")
-      .meaning("Over time: an expression of t or a table \"0:0, 1e-5:1e6\".");
+      .meaning("Pressure as a function of time: an expression of t or a table \"0:0, 1e-5:1e6\".");
   s.namedByUser(crack);
   return s;
 }
@@ -59,7 +59,7 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
   if (!scene.isSublist("Face Pressure"))
     return;
-  if (!checkCrackNames(scene, "Face Pressure", "it could push", errors))
+  if (!checkCrackNames(scene, "Face Pressure", "it could load", errors))
     return;
   for (const std::string& name : sublistNames(scene.sublist("Face Pressure")))
     checkPressure(scene, name, errors);

@@ -28,16 +28,16 @@ constexpr double grown = 1.02;
 
 Section section()
 {
-  Section s(
-      "Load Balance",
-      "Divides the domain among the ranks anew when some of them have more to do than others. Without it "
-      "ranks keep the boxes that they got at the start.");
+  Section s("Load Balance", "Dynamic load balance: redistributes cells and particles over the MPI ranks. "
+                            "Without this section each rank keeps its initial subdomain.");
   s.real("Threshold")
       .range(1.0, 1000.0)
       .byDefault(1.1)
-      .meaning("The domain is divided anew when the largest cost of a rank is more than this many times the "
-               "mean.");
-  s.integer("Interval").atLeast(1).byDefault(20).meaning("Steps between two looks at the costs.");
+      .meaning("Cells are redistributed when the largest cost of a rank exceeds the mean by this factor.");
+  s.integer("Interval")
+      .atLeast(1)
+      .byDefault(20)
+      .meaning("Number of time steps between two checks of the costs.");
   return s;
 }
 

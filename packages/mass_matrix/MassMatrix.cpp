@@ -58,64 +58,64 @@ double coupledTimeStep(const State<D>& state)
 
 void addSolverParameters(Section& s)
 {
-  s.real("Lumped Share")
+  s.real("Lumped Fraction")
+      .formerly("Lumped Share")
       .atLeast(0.0)
       .below(1.0)
       .byDefault(0.1)
-      .meaning(
-          "eps of (1 - eps) M + eps lumped(M). With 0 the matrix can be singular, and the stable step far "
-          "smaller where a boundary cuts cells.");
-  s.real("Smallest Node")
+      .meaning("Fraction eps of lumping in the matrix (1 - eps) M + eps lumped(M). With 0 the matrix can be "
+               "singular, and the stable time step much smaller where a boundary cuts cells.");
+  s.real("Minimum Node Mass")
+      .formerly("Smallest Node")
       .range(0.0, 1.0)
       .byDefault(0.1)
-      .meaning("A particle that touches a node with less than this share of the mass that the node has in a "
-               "full body "
-               "stays lumped.");
+      .meaning("A particle is lumped if one of its nodes has less than this fraction of the nodal mass "
+               "inside a body.");
   s.real("Solver Tolerance")
       .above(0.0)
       .below(1.0)
       .byDefault(1e-7)
-      .meaning("Conjugate gradients stop when the residual is this small beside the right side, uniform "
-               "motion apart. "
-               "Times the number of steps it bounds what solves add to the energy or take from it.");
+      .meaning("Conjugate gradients stop when the residual is below this fraction of the right-hand side "
+               "(uniform motion removed). The energy error of a run is at most about this value times the "
+               "number of steps.");
   s.integer("Maximum Iterations")
       .atLeast(1)
       .byDefault(200)
-      .meaning("The run stops where more would be needed for one solve.");
+      .meaning("Largest number of iterations of one solve; the run stops if it is not enough.");
 }
 
 Section section()
 {
-  Section s(
-      "Mass Matrix",
-      "How the mass of particles is shared by nodes. Without this section each node has its own (lumped).");
-  s.chosenBy("Type").meaning("The mass matrix, or the series that stands for its inverse.");
+  Section s("Mass Matrix", "Mass matrix of the grid. Without this section it is lumped.");
+  s.chosenBy("Type").meaning("Kind of mass matrix, or a series for its inverse (FMPM).");
   s.choice("Velocity Update", {"FLIP", "PIC", "XPIC", "FMPM"})
       .byDefault("FLIP")
-      .meaning(
-          "What particles take from the nodes: accelerations (FLIP), velocities (PIC), velocities with the "
-          "momentum filtered by the series of Update Order (XPIC), or the series of momentum and impulse "
-          "(FMPM). "
-          "With Type Full, PIC is the limit of FMPM.");
-  s.integer("Update Order").atLeast(1).byDefault(2).meaning("Terms of the series of XPIC and FMPM updates.");
-  s.variant(Section("Lumped", "Row sums: no matrix to solve."));
-  Section full("Full", "Sum of m N N^T over all particles, solved by conjugate gradients. The step stays at "
-                       "a CFL number of 0.4 or "
-                       "less.");
+      .meaning("Velocity update of particles: from accelerations (FLIP), from velocities (PIC), from "
+               "velocities with filtered momentum (XPIC), or from the series of momentum and impulse (FMPM). "
+               "With Type = Full, PIC is the limit of FMPM.");
+  s.integer("Update Order")
+      .atLeast(1)
+      .byDefault(2)
+      .meaning("Number of terms of the series in XPIC and FMPM updates.");
+  s.variant(Section("Lumped", "Diagonal matrix of row sums; no linear solve."));
+  Section full("Full", "Consistent mass matrix, the sum of m N N^T over all particles, solved by conjugate "
+                       "gradients. The CFL number is limited to 0.4.");
   addSolverParameters(full);
   s.variant(full);
-  Section partial("Partial", "Full around crack fronts, lumped elsewhere.");
+  Section partial("Partial", "Consistent mass around crack fronts, lumped mass elsewhere.");
   partial.real("Radius").unit("m").positive().optional("3 cells").meaning(
-      "Full up to this distance from a front. Cells are those at the front.");
-  partial.real("Edge Width")
+      "The mass is consistent up to this distance from a front. The default counts cells at the front.");
+  partial.real("Transition Width")
+      .formerly("Edge Width")
       .unit("m")
       .notNegative()
       .optional("1 cell")
-      .meaning("The share of the full matrix falls to none over this width beyond the radius.");
+      .meaning("Width beyond Radius over which the matrix changes from consistent to lumped.");
   addSolverParameters(partial);
   s.variant(partial);
-  Section fmpm("FMPM", "The inverse of the full matrix as a series about the lumped one.");
-  fmpm.integer("Order").atLeast(1).byDefault(2).meaning("Terms of the series; 1 is Lumped.");
+  Section fmpm("FMPM", "Inverse of the consistent matrix as a series about the lumped one (FMPM).");
+  fmpm.integer("Order").atLeast(1).byDefault(2).meaning(
+      "Number of terms of the series; 1 is the lumped matrix.");
   s.variant(fmpm);
   return s;
 }
@@ -129,9 +129,8 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
   { return list.isType<std::string>(name) ? list.get<std::string>(name) : std::string(); };
   const std::string type = text("Type"), update = text("Velocity Update");
   if (type == "Partial" && !scene.isSublist("Cracks"))
-    errors.push_back({"Mass Matrix > Type",
-                      "Partial unlumps the mass around crack fronts and there are no cracks; "
-                      "add a section Cracks or choose another type"});
+    errors.push_back({"Mass Matrix > Type", "Partial uses consistent mass around crack fronts, and there are "
+                                            "no cracks; add the section Cracks or choose another type"});
   if ((type == "Full" || type == "Partial") && (update == "XPIC" || update == "FMPM"))
     errors.push_back(
         {"Mass Matrix > Velocity Update",
@@ -140,7 +139,7 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
       scene.sublist("Time").isType<double>("PIC Fraction") &&
       scene.sublist("Time").get<double>("PIC Fraction") > 0.0)
     errors.push_back({"Mass Matrix > Velocity Update",
-                      update + " leaves no room for Time > PIC Fraction; take one of them out"});
+                      update + " can't be combined with Time > PIC Fraction; remove one of them"});
 }
 
 Options readOptions(const Teuchos::ParameterList& scene)
@@ -158,8 +157,8 @@ Options readOptions(const Teuchos::ParameterList& scene)
     o.order = list.get<int>("Order");
   if (o.coupled())
   {
-    o.unlumping.lumpedShare = list.get<double>("Lumped Share");
-    o.unlumping.smallestNode = list.get<double>("Smallest Node");
+    o.unlumping.lumpedShare = list.get<double>("Lumped Fraction");
+    o.unlumping.smallestNode = list.get<double>("Minimum Node Mass");
     o.tolerance = list.get<double>("Solver Tolerance");
     o.iterations = list.get<int>("Maximum Iterations");
   }
@@ -168,8 +167,8 @@ Options readOptions(const Teuchos::ParameterList& scene)
     o.unlumping.everywhere = false;
     if (list.isParameter("Radius"))
       o.radius = list.get<double>("Radius");
-    if (list.isParameter("Edge Width"))
-      o.edge = list.get<double>("Edge Width");
+    if (list.isParameter("Transition Width"))
+      o.edge = list.get<double>("Transition Width");
   }
   return o;
 }
@@ -277,9 +276,7 @@ std::string nameOf(const Options& o)
 {
   if (o.series())
     return "FMPM(" + std::to_string(o.order) + ")";
-  return o.type == "Full"      ? "full mass matrix"
-         : o.type == "Partial" ? "partly unlumped mass matrix"
-                               : "lumped mass";
+  return o.type == "Full" ? "full mass matrix" : o.type == "Partial" ? "partial mass matrix" : "lumped mass";
 }
 
 template <int D>

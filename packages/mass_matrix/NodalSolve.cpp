@@ -166,13 +166,14 @@ void NodalSolve<D>::record(State<D>& state, const SolveResult& result, double sc
   std::ostringstream reason;
   reason << "the mass matrix could not be solved for the " << what << ": ";
   if (!std::isfinite(scale))
-    reason << "the right side is not a number (" << unstableStep(state.mesh.subcycledLevels) << ")";
+    reason << "the right-hand side is not finite (" << unstableStep(state.mesh.subcycledLevels) << ")";
   else if (result.singular)
     reason << "it is singular, and " << result.residual
-           << " of the right side is left (raise Mass Matrix > Lumped Share above 0)";
+           << " of the right-hand side is left (raise Mass Matrix > Lumped Fraction above 0)";
   else
     reason << "after " << result.iterations << " iterations the residual is still " << result.residual
-           << " of the right side (raise Mass Matrix > Maximum Iterations, Solver Tolerance or Lumped Share)";
+           << " of the right-hand side (raise Mass Matrix > Maximum Iterations, Solver Tolerance or Lumped "
+              "Fraction)";
   state.failure = reason.str();
 }
 

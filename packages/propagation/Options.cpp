@@ -14,53 +14,51 @@ namespace Rhegma::propagation
 
 Section propagationSection()
 {
-  Section s("Propagation", "Lets crack fronts advance where the energy release rate reaches the toughness.");
+  Section s("Propagation",
+            "Crack propagation: fronts advance when the energy release rate reaches the toughness.");
   s.text("Toughness")
       .unit("J/m2")
       .notEmpty()
-      .meaning(
-          "Energy that new faces take per area, as a function of the speed v of the front [m/s]: a number, "
-          "an expression such as \"100*(1 + v/500)\", or a table of speed:energy such as \"0:100, "
-          "500:200\".");
+      .meaning("Fracture energy per area Gc as a function of the front speed v [m/s]: a number, an "
+               "expression such as \"100*(1 + v/500)\", or a table of speed:energy such as \"0:100, "
+               "500:200\". With Thermal the expression may contain the temperature T [K].");
   s.real("Initiation Toughness")
       .unit("J/m2")
       .positive()
       .optional("Toughness at v = 0")
-      .meaning("Energy release rate at which a front at rest sets out.");
+      .meaning("Energy release rate at which a stationary front starts to advance.");
   s.real("Arrest Toughness")
       .unit("J/m2")
       .positive()
       .optional("Toughness at v = 0")
-      .meaning(
-          "Energy release rate below which a front that has almost stopped comes to rest, to set out again "
-          "at Initiation Toughness.");
+      .meaning("Energy release rate below which a slow front is arrested. It starts again at Initiation "
+               "Toughness.");
   s.choice("Direction", {"Maximum Hoop Stress", "Maximum Energy Release", "Straight"})
       .byDefault("Maximum Hoop Stress")
-      .meaning(
-          "Where a front goes on: across the largest hoop stress, where a short kink would release most, or "
-          "straight.");
+      .meaning("Direction of growth: of maximum hoop stress, of maximum energy release rate of a short kink, "
+               "or straight ahead.");
   s.real("Increment")
       .range(0.5, 4.0)
       .byDefault(1.0)
-      .meaning("Length of one advance, in cells as they are at the front.");
-  s.real("Start Time").unit("s").notNegative().byDefault(0.0).meaning("Before it no front advances.");
+      .meaning("Length of one crack increment, in cells at the front.");
+  s.real("Start Time").unit("s").notNegative().byDefault(0.0).meaning("No front advances before this time.");
   s.real("Speed Limit")
       .unit("m/s")
       .positive()
-      .optional("speed of Rayleigh waves")
-      .meaning("No increment is made faster.");
+      .optional("Rayleigh wave speed")
+      .meaning("Upper limit of the front speed.");
   s.realArray("Release Contour")
       .onlyIn(2)
       .length(2)
       .byDefault(std::vector<double>{5.0, 10.0})
-      .meaning(
-          "Inner and outer radius, in cells as they are at the front, of the contour for the energy release "
-          "rate. Closer than 5 cells it cuts the zone that is opening.");
+      .meaning("Inner and outer radius of the domain integral for the energy release rate, in cells at the "
+               "front. Below 5 cells it overlaps the cohesive zone.");
   s.realArray("Direction Contour")
       .onlyIn(2)
       .length(2)
       .byDefault(std::vector<double>{3.0, 6.0})
-      .meaning("The same for the stress intensities that turn a front.");
+      .meaning("Inner and outer radius of the domain integral for the stress intensity factors that "
+               "determine the direction, in cells at the front.");
   return s;
 }
 
@@ -108,8 +106,8 @@ void checkPropagation(const Teuchos::ParameterList& scene, std::vector<SceneErro
     const Teuchos::ParameterList& cracks = scene.sublist("Cracks");
     if (cracks.isType<std::string>("Formulation") && cracks.get<std::string>("Formulation") != "Dual Field")
       refuse("it goes with Cracks > Formulation = Dual Field alone, whose nodes can carry a cohesive force");
-    if (cracks.isType<bool>("Front Ties") && !cracks.get<bool>("Front Ties"))
-      refuse("it needs Cracks > Front Ties; leave that at true");
+    if (cracks.isType<bool>("Front Springs") && !cracks.get<bool>("Front Springs"))
+      refuse("it needs Cracks > Front Springs; leave that at true");
   }
   if (scene.isSublist("Mass Matrix") && scene.sublist("Mass Matrix").isType<std::string>("Type") &&
       scene.sublist("Mass Matrix").get<std::string>("Type") == "FMPM")

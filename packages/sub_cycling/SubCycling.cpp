@@ -14,11 +14,10 @@ namespace
 
 Section section()
 {
-  Section s("Sub-Cycling",
-            "Smaller steps where cells are smaller: the long step is that of the largest cells.");
+  Section s("Sub-Cycling", "Subcycling: fine cells take smaller time steps (substeps) than coarse cells.");
   s.integer("Levels").range(1, 6).byDefault(6).meaning(
-      "How many of the deepest levels take steps of their own, or all levels where there are fewer; the "
-      "long step is 2^Levels times that of the smallest cells.");
+      "Number of refinement levels with their own time step, from the finest up. The full step is 2^Levels "
+      "substeps of the finest cells.");
   return s;
 }
 
@@ -28,7 +27,7 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
     return;
   if (scene.isSublist("Time") && scene.sublist("Time").isType<std::string>("Update Scheme") &&
       scene.sublist("Time").get<std::string>("Update Scheme") != "MUSL")
-    errors.push_back({"Sub-Cycling", "short steps are those of Time > Update Scheme = MUSL; write that"});
+    errors.push_back({"Sub-Cycling", "substeps need Time > Update Scheme = MUSL; write that"});
   if (scene.isSublist("Mass Matrix"))
   {
     const Teuchos::ParameterList& mass = scene.sublist("Mass Matrix");
@@ -36,17 +35,17 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
     { return mass.isType<std::string>(name) ? mass.get<std::string>(name) : std::string(usual); };
     const std::string type = text("Type", "Lumped");
     if ((type != "Lumped" && type != "Partial") || text("Velocity Update", "FLIP") != "FLIP")
-      errors.push_back({"Sub-Cycling",
-                        "short steps are those of Mass Matrix > Type = Lumped or Partial with Velocity "
-                        "Update = FLIP; write these, or take one of the two sections out"});
+      errors.push_back({"Sub-Cycling", "substeps need Mass Matrix > Type = Lumped or Partial with Velocity "
+                                       "Update = FLIP; write these, or remove one of the two sections"});
     // The degree of the polynomial that stands for the inverse grows without bound towards 0.
-    if (type == "Partial" && mass.isType<double>("Lumped Share") && mass.get<double>("Lumped Share") < 0.05)
-      errors.push_back({"Mass Matrix > Lumped Share",
-                        "short steps (Sub-Cycling) need at least 0.05; write 0.1 or take Sub-Cycling out"});
+    if (type == "Partial" && mass.isType<double>("Lumped Fraction") &&
+        mass.get<double>("Lumped Fraction") < 0.05)
+      errors.push_back({"Mass Matrix > Lumped Fraction",
+                        "Sub-Cycling needs at least 0.05; write 0.1 or remove Sub-Cycling"});
   }
   if (!scene.isSublist("Adaptivity"))
     errors.push_back(
-        {"Sub-Cycling", "all cells are of one size; add a section Adaptivity or take this section out"});
+        {"Sub-Cycling", "all cells have one size; add the section Adaptivity or remove this section"});
 }
 
 template <int D>

@@ -58,8 +58,8 @@ void tellCells(const Teuchos::ParameterList& scene, CellNeeds& needs, std::vecto
     const std::string where = "Thermal > Sources > " + name;
     if (!(dimensionOf(scene) == 2 ? meetsMaterial<2>(source, scene) : meetsMaterial<3>(source, scene)))
       errors.push_back({where + " > Centre",
-                        "it meets no body while the run lasts, so that Domain > Accuracy can't choose cells "
-                        "for it; give a centre and a velocity that lead it into one, or write Cell Size"});
+                        "it meets no body during the run, so Domain > Accuracy can't choose cells "
+                        "for it; correct Centre or Velocity, or write Cell Size"});
     const double radius = source.get<double>("Radius");
     if (radius < std::min(needs.source, needs.atRest))
       needs.smallestSource = where;

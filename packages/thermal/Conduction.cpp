@@ -89,10 +89,9 @@ double Conduction<D>::substeps(const State<D>& state, double dt) const
 template <int D>
 std::string Conduction<D>::tooMany(const State<D>& state, double count) const
 {
-  return "conduction would need " + formatReal(count) + " steps of " + formatReal(stepLimit(state)) +
-         " s in one step of the run; look at Conductivity and Specific Heat, or leave the motion out "
-         "(Thermal > Mechanics "
-         "= false)";
+  return "explicit conduction would need " + formatReal(count) + " steps of " + formatReal(stepLimit(state)) +
+         " s in one step of the run; check Conductivity and Specific Heat, or switch the motion off (Thermal "
+         "> Mechanics = false)";
 }
 
 /// \return the power of the sources that this rank books

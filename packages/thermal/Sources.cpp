@@ -116,9 +116,9 @@ std::string unresolved(const std::string& what, double radius, double edge)
 {
   if (!(radius < edge))
     return {};
-  return what + ": the radius " + formatReal(radius) + " m is below the finest cells, " + formatReal(edge) +
-         " m, over which the heat is spread instead; cells of " + formatReal(0.5 * radius) +
-         " m would resolve it";
+  return what + ": the radius " + formatReal(radius) + " m is smaller than the finest cells of " +
+         formatReal(edge) + " m, so the heat is spread over a cell; use cells of " +
+         formatReal(0.5 * radius) + " m to resolve it";
 }
 
 template struct Source<2>;

@@ -133,8 +133,8 @@ void observe(State<D>& state, Run<D>& run)
                                       ".temperature",
                                   front.temperature);
   if (!(now.lowest > 0.0) && state.failure.empty())
-    state.failure = "a particle is at " + formatReal(now.lowest) +
-                    " K, and temperatures are absolute; look at the sources and at what flows out";
+    state.failure = "the temperature of a particle is " + formatReal(now.lowest) +
+                    " K, and it is absolute; check the heat sources and the outgoing heat fluxes";
 }
 
 template <int D>
@@ -193,7 +193,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.name = "Thermal";
   effect.adds.push_back({fields::temperature, 1, "K", "its temperature"});
   effect.adds.push_back({fields::temperatureGradient, D, "K/m", "gradient of the nodes' temperature"});
-  effect.adds.push_back({fields::internalEnergy, 1, "J/m3", "heat and elastic energy per undeformed volume"});
+  effect.adds.push_back(
+      {fields::internalEnergy, 1, "J/m3", "thermal and elastic energy per undeformed volume"});
   effect.atStart = [run, all = Teuchos::ParameterList(scene)](State<D>& state) { start(state, all, *run); };
   effect.call({Stage::BeforeSolve, "conduction", {"nodal mass"}, {"temperature"}, {}, [run](State<D>& state) {
                  run->conduction.step(state);
@@ -249,7 +250,7 @@ bool leavesMechanicsOut(const Teuchos::ParameterList& scene)
 EffectEntry thermalEntry()
 {
   EffectEntry entry{thermalSection(), checkThermal, make<2>, make<3>, true, leavesMechanicsOut};
-  entry.cells.knows = "round sources of heat";
+  entry.cells.knows = "round heat sources";
   entry.cells.tell = tellCells;
   return entry;
 }

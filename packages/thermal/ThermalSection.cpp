@@ -17,49 +17,57 @@ namespace
 
 Section sources()
 {
-  Section source("source", "One source; its own name is up to you.");
-  source.chosenBy("Type").meaning("Where it releases heat.");
-  Section box("Box", "Evenly in a box at rest.");
-  box.realArray("Lower Corner").unit("m").perAxis().meaning("The corner with the smallest coordinates.");
-  box.realArray("Upper Corner").unit("m").perAxis().meaning("The corner with the largest coordinates.");
-  box.real("Power Density").unit("W/m3").meaning("Per undeformed volume of material in the box.");
-  Section ball("Ball", "Evenly in a disk (2D) or ball (3D) that may move.");
-  ball.realArray("Centre").unit("m").perAxis().meaning("Its middle at time 0.");
-  ball.realArray("Velocity").unit("m/s").perAxis().byDefaultZeros().meaning("Of its middle.");
+  Section source("source", "A heat source. You choose its name.");
+  source.chosenBy("Type").meaning("Shape of the heated region.");
+  Section box("Box", "Uniform heat source in a fixed box.");
+  box.realArray("Lower Corner")
+      .unit("m")
+      .perAxis()
+      .meaning("Corner of the box with the smallest coordinates.");
+  box.realArray("Upper Corner")
+      .unit("m")
+      .perAxis()
+      .meaning("Corner of the box with the largest coordinates.");
+  box.real("Power Density").unit("W/m3").meaning("Power per undeformed volume of the material in the box.");
+  Section ball("Ball", "Uniform heat source in a disk (2D) or ball (3D) that may move.");
+  ball.realArray("Centre").unit("m").perAxis().meaning("Its centre at time 0.");
+  ball.realArray("Velocity").unit("m/s").perAxis().byDefaultZeros().meaning("Velocity of its centre.");
   ball.real("Radius").unit("m").positive().meaning("Its radius.");
   ball.real("Power").unit("W").meaning(
-      "In all, for what of it lies in material; in 2D for Domain > Thickness.");
+      "Total power, released in the part of the ball that lies in material; in 2D for Domain > Thickness.");
   for (Section* kind : {&box, &ball})
     kind->timeFunction("History").byDefault("1").meaning(
-        "Factor over time: an expression of t or a table \"0:0, 1e-3:5\".");
+        "Factor on the power as a function of time: an expression of t or a table \"0:0, 1e-3:5\".");
   source.variant(box);
   source.variant(ball);
-  Section s("Sources", "Heat that is released in the bodies.");
+  Section s("Sources", "Heat sources inside the bodies.");
   s.namedByUser(source);
   return s;
 }
 
 Section probes()
 {
-  Section probe("probe", "One place; its own name is up to you.");
-  probe.realArray("Point").unit("m").perAxis().meaning("Where; a fixed place that material may pass.");
-  Section s("Probes", "Places whose temperature is in the history, as NAME.temperature, and in the summary.");
+  Section probe("probe", "A temperature probe. You choose its name.");
+  probe.realArray("Point").unit("m").perAxis().meaning(
+      "Position of the probe, fixed in space; material may move through it.");
+  Section s("Probes",
+            "Temperature probes. Their values are in history.csv as NAME.temperature and in summary.json.");
   s.namedByUser(probe);
   return s;
 }
 
 Section crackFaces()
 {
-  Section faces("crack", "The faces of the crack of this name.");
+  Section faces("crack", "Faces of one crack. The sublist has the name of the crack.");
   faces.choice("Conduction", {"Insulating", "When Closed", "Always"})
       .byDefault("Insulating")
-      .meaning("Whether heat passes from face to face: never; where they touch; however far they are apart.");
+      .meaning("Heat conduction across the crack: never, where the faces touch, or always.");
   faces.real("Conductance")
       .unit("W/(m2 K)")
       .positive()
       .optional("perfect contact")
-      .meaning("Heat flux over the jump of temperature from face to face.");
-  Section s("Crack Faces", "Cracks whose faces conduct; those that are not named insulate.");
+      .meaning("Thermal contact conductance: heat flux per temperature jump between the faces.");
+  Section s("Crack Faces", "Cracks that conduct heat across their faces. All others insulate.");
   s.namedByUser(faces);
   return s;
 }
@@ -89,17 +97,18 @@ void checkAlone(const Teuchos::ParameterList& scene, std::vector<SceneError>& er
 {
   if (hasSection(scene, "Adaptivity") && scene.sublist("Adaptivity").isParameter("Velocity Change"))
     errors.push_back({"Adaptivity > Velocity Change",
-                      "nothing moves, for Thermal > Mechanics is false; write Temperature Change"});
+                      "it can't be combined with Thermal > Mechanics = false; write Temperature Change"});
   for (const char* name :
        {"Contact", "Damping", "Energy Release", "Face Pressure", "Mass Matrix", "Propagation", "Sub-Cycling"})
     if (hasSection(scene, name))
-      errors.push_back({name, "nothing moves, for Thermal > Mechanics is false; leave one of the two out"});
+      errors.push_back(
+          {name, "it can't be combined with Thermal > Mechanics = false; remove one of the two"});
   forEach(scene, "Boundaries",
           [&](const Teuchos::ParameterList& list, const std::string& where)
           {
             if (!isHeatBoundary(text(list, "Type")))
               errors.push_back(
-                  {where, "nothing moves, for Thermal > Mechanics is false; leave one of the two out"});
+                  {where, "it can't be combined with Thermal > Mechanics = false; remove one of the two"});
           });
   forEach(scene, "Bodies",
           [&](const Teuchos::ParameterList& list, const std::string& where)
@@ -111,7 +120,7 @@ void checkAlone(const Teuchos::ParameterList& scene, std::vector<SceneError>& er
                 if (std::any_of(values.begin(), values.end(), [](double v) { return v != 0.0; }))
                   errors.push_back(
                       {where + " > " + name,
-                       "nothing moves, for Thermal > Mechanics is false; leave one of the two out"});
+                       "it can't be combined with Thermal > Mechanics = false; remove one of the two"});
               }
           });
 }
@@ -142,9 +151,8 @@ void checkClosure(const Teuchos::ParameterList& scene, std::vector<SceneError>& 
           [&](const Teuchos::ParameterList& material, const std::string&)
           { strains = strains || strainsByHeat(material); });
   if (strains)
-    errors.push_back(
-        {"Energy Release > Crack Closure",
-         "stress depends on temperature here, which it does not count as yet; set it to false, J counts it"});
+    errors.push_back({"Energy Release > Crack Closure",
+                      "it does not yet include temperature-dependent stress; set it to false and use J"});
 }
 
 void checkCoupled(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
@@ -154,10 +162,8 @@ void checkCoupled(const Teuchos::ParameterList& scene, std::vector<SceneError>& 
           [&](const Teuchos::ParameterList& list, const std::string& where)
           {
             if (text(list, "Model") == "Rigid")
-              errors.push_back(
-                  {where + " > Model",
-                   "Rigid is for heat alone; choose a law with stress, or write Thermal > Mechanics = "
-                   "false"});
+              errors.push_back({where + " > Model", "Rigid is for scenes with heat only; choose a law with "
+                                                    "stress, or write Thermal > Mechanics = false"});
           });
 }
 
@@ -165,30 +171,36 @@ void checkCoupled(const Teuchos::ParameterList& scene, std::vector<SceneError>& 
 
 Section thermalSection()
 {
-  Section s("Thermal", "Heat: conduction, sources and surfaces, thermal strain, and the heat of straining.");
-  s.real("Initial Temperature").unit("K").positive().meaning("Of all bodies that do not say another.");
+  Section s("Thermal", "Heat conduction, heat sources, thermal strain and thermomechanical heating.");
+  s.real("Initial Temperature")
+      .unit("K")
+      .positive()
+      .meaning("Initial temperature of all bodies without a temperature of their own.");
   s.boolean("Mechanics")
       .byDefault(true)
-      .meaning(
-          "false: heat alone; nothing moves, there is no stress, and the steps are those of conduction.");
+      .meaning("If false, heat only: no motion, no stress, and the time step is that of conduction.");
   s.real("Diffusion Number")
       .above(0.0)
       .atMost(0.5)
       .byDefault(0.35)
-      .meaning("Largest step of conduction, times k / (rho c) over the squared edge of the smallest cells.");
+      .meaning("Largest conduction time step, as k dt / (rho c h^2) with h the edge of the finest cells.");
   s.choice("Conduction", {"Explicit", "Super Time Stepping", "Implicit"})
       .byDefault("Explicit")
-      .meaning("How conduction steps: explicitly; by stages of RKL2, which make steps far longer stable; by "
-               "backward Euler, solved with conjugate gradients.");
+      .meaning("Time integration of conduction: explicit; RKL2 super time stepping, stable for much larger "
+               "steps; or backward Euler with conjugate gradients.");
   s.real("Step Ratio")
       .atLeast(1.0)
       .byDefault(20.0)
-      .meaning("Super Time Stepping and Implicit: longest step over the longest explicit one.");
+      .meaning("For Super Time Stepping and Implicit: largest time step over the largest explicit one.");
   s.real("Front Heat Fraction")
       .range(0.0, 1.0)
       .byDefault(0.0)
-      .meaning("Share of the energy that growing cracks take which becomes heat around their fronts.");
-  s.real("Front Radius").unit("m").positive().optional().meaning("Of the disk or ball of that heat.");
+      .meaning("Fraction of the fracture energy of growing cracks that becomes heat around their fronts.");
+  s.real("Front Radius")
+      .unit("m")
+      .positive()
+      .optional()
+      .meaning("Radius of the disk (2D) or ball (3D) around a front point in which this heat is released.");
   s.subsection(sources());
   s.subsection(probes());
   s.subsection(crackFaces());
@@ -224,8 +236,8 @@ void checkCrackFaces(const Teuchos::ParameterList& scene, std::vector<SceneError
     return;
   if (!hasSection(scene, "Cracks"))
   {
-    errors.push_back({"Thermal > Crack Faces",
-                      "there are no crack faces that could conduct; add a section Cracks or leave it out"});
+    errors.push_back(
+        {"Thermal > Crack Faces", "there are no cracks; add the section Cracks or leave this section out"});
     return;
   }
   const Teuchos::ParameterList& cracks = scene.sublist("Cracks");
@@ -241,14 +253,17 @@ void checkCrackFaces(const Teuchos::ParameterList& scene, std::vector<SceneError
     if (!cracks.isSublist(name))
       errors.push_back({where, "there is no crack of this name; Cracks has " + known});
     if (!conducts && faces.isParameter("Conductance"))
-      errors.push_back({where + " > Conductance",
-                        "the faces insulate; write Conduction = Always or When Closed, or leave it out"});
+      errors.push_back(
+          {where + " > Conductance",
+           "the faces insulate; write Conduction = Always or When Closed, or leave this parameter out"});
     if (conducts && text(list, "Conduction") == "Super Time Stepping")
-      errors.push_back({where + " > Conduction", "Super Time Stepping is for cracks that insulate; write "
-                                                 "Thermal > Conduction = Implicit or Explicit"});
+      errors.push_back({where + " > Conduction",
+                        "conducting faces can't be combined with Super Time Stepping; write "
+                        "Thermal > Conduction = Implicit or Explicit"});
     if (conducts && text(cracks, "Formulation") != "" && text(cracks, "Formulation") != "Dual Field")
-      errors.push_back({where + " > Conduction", "faces conduct with two fields of nodes only; write Cracks "
-                                                 "> Formulation = Dual Field, or let them insulate"});
+      errors.push_back(
+          {where + " > Conduction",
+           "conducting faces need Cracks > Formulation = Dual Field; write that, or let them insulate"});
   }
 }
 
@@ -303,11 +318,10 @@ void checkThermal(const Teuchos::ParameterList& scene, std::vector<SceneError>& 
   if (list.isType<double>("Front Heat Fraction") && list.get<double>("Front Heat Fraction") > 0.0)
   {
     if (!list.isParameter("Front Radius"))
-      errors.push_back(
-          {"Thermal > Front Radius", "Front Heat Fraction is above 0, so a radius is needed; write one"});
+      errors.push_back({"Thermal > Front Radius", "is missing; Front Heat Fraction above 0 needs it"});
     if (!scene.isSublist("Propagation"))
-      errors.push_back(
-          {"Thermal > Front Heat Fraction", "no crack grows in this scene; add Propagation or leave it out"});
+      errors.push_back({"Thermal > Front Heat Fraction",
+                        "it needs the section Propagation; add it or leave this parameter out"});
   }
 }
 

@@ -72,7 +72,7 @@ const RecordTable* Archive::begin(const std::string& name, RecordTable::Type typ
   if (found->second.type != type)
     refuse(name, "is of another type");
   if (found->second.bytes.size() != found->second.size())
-    refuse(name, "has another size than it says");
+    refuse(name, "has another size than its header says");
   return &found->second;
 }
 

@@ -187,7 +187,7 @@ private:
     else
     {
       static_assert(std::is_integral_v<T> && (sizeof(T) == 4 || sizeof(T) == 8),
-                    "name what is in it by itself");
+                    "write the name of an entry in it");
       return sizeof(T) == 4 ? RecordTable::Type::Integer : RecordTable::Type::Long;
     }
   }

@@ -17,6 +17,24 @@ struct Field
   bool integer = false; ///< whole numbers
 };
 
+/// What becomes of a nodal field where cells are refined or coarsened. Nodes that are there before and after
+/// are known by their position.
+enum class OnRemesh
+{
+  Keep,        ///< nodes that stay keep their values; new ones begin with zero
+  Interpolate, ///< nodes that stay keep their values; new ones begin with what the cells before had there
+  Drop         ///< all begin with zero
+};
+
+/// A quantity that an effect keeps on nodes from step to step (grid/NodalFieldTable.hpp).
+struct NodalField
+{
+  Field field;                        ///< real numbers of each node; by its name it is found
+  OnRemesh onRemesh = OnRemesh::Keep; ///< where cells are refined or coarsened
+  bool enriched = false;              ///< whether the enriched field of a node has values of its own
+  bool reportsLost = false; ///< whether values of nodes that vanish are listed (NodalFieldTable::lost)
+};
+
 /// The fields that the method itself needs, whatever the effects.
 namespace fields
 {

@@ -57,7 +57,7 @@ const FieldTable::Column& FieldTable::find(const std::string& name, int componen
     if (column.field.name == name)
     {
       if (column.field.integer != integer || (components != 0 && column.field.components != components))
-        throw std::logic_error("the particle field \"" + name + "\" has another shape than asked for");
+        throw std::logic_error("the particle field \"" + name + "\" does not have the requested shape");
       return column;
     }
   throw std::logic_error("there is no particle field \"" + name + "\"");

@@ -73,7 +73,7 @@ void refuseWithoutMemory(double nodes, double bytesPerNode, double particles, do
   std::snprintf(count, sizeof count, "%.3g particles and %.3g nodes", particles, nodes);
   throw std::invalid_argument("Domain > Cell Size: the scene would have about " + std::string(count) +
                               ", which need " + inWords(needed) + " of memory where " + inWords(available) +
-                              " are free; take larger cells or a smaller domain");
+                              " are free; use larger cells or a smaller domain");
 }
 
 } // namespace Rhegma

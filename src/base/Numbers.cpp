@@ -96,6 +96,35 @@ std::string formatExactly(double value)
   return text;
 }
 
+namespace
+{
+
+/// The value in four digits, with the largest prefix of its unit that leaves at least 1 before the point.
+std::string withPrefix(double value, const char* unit, double largest)
+{
+  struct Prefix
+  {
+    double size;
+    const char* name;
+  };
+  char text[40];
+  for (const Prefix prefix :
+       {Prefix{1e3, "k"}, {1.0, ""}, {1e-3, "m"}, {1e-6, "u"}, {1e-9, "n"}, {1e-12, "p"}})
+    if (prefix.size <= largest && std::isfinite(value) && std::abs(value) >= 0.99995 * prefix.size)
+    {
+      std::snprintf(text, sizeof text, "%.4g %s%s", value / prefix.size, prefix.name, unit);
+      return text;
+    }
+  std::snprintf(text, sizeof text, "%.4g %s", value, unit);
+  return text;
+}
+
+} // namespace
+
+std::string readableTime(double seconds) { return withPrefix(seconds, "s", 1.0); }
+std::string readableLength(double metres) { return withPrefix(metres, "m", 1.0); }
+std::string readableEnergy(double joules) { return withPrefix(joules, "J", 1e3); }
+
 std::string formatReals(const std::vector<double>& values)
 {
   std::string text = "{";

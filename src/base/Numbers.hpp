@@ -33,4 +33,10 @@ std::string formatExactly(double value);
 /// "{1, 2}", each number with all of its digits, so that reading it gives the same numbers.
 std::string formatReals(const std::vector<double>& values);
 
+/// A time [s], length [m] or energy [J] for a message: four digits with a prefix of its unit, such as "473.6
+/// us", "1.25 mm" or "70.3 mJ".
+std::string readableTime(double seconds);
+std::string readableLength(double metres);
+std::string readableEnergy(double joules);
+
 } // namespace Rhegma

@@ -153,10 +153,10 @@ std::string inWords(const TimedConstraint<D>& a, const TimedConstraint<D>& b, co
   for (int d = 1; d < D; ++d)
     place += ", " + formatReal(quarrel.place[d]);
   const std::string along = what.hasAxes ? std::string(" along ") + "xyz"[quarrel.axis] : "";
-  return "Boundaries > " + a.name + ": this and Boundaries > " + b.name + " both hold the node {" + place +
-         "}" + along + ", at " + formatReal(quarrel.first) + " and " + formatReal(quarrel.second) + " " +
-         what.unit + " (at " + formatReal(quarrel.time) + " s); give them one " + what.name +
-         " there or let one of their boxes end a cell before it";
+  return "Boundaries > " + a.name + ": this and Boundaries > " + b.name + " both prescribe the node {" +
+         place + "}" + along + ", at " + formatReal(quarrel.first) + " and " + formatReal(quarrel.second) +
+         " " + what.unit + " (at " + formatReal(quarrel.time) + " s); give them one " + what.name +
+         " there, or end one of the boxes a cell before this node";
 }
 
 } // namespace

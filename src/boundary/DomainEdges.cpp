@@ -55,8 +55,8 @@ std::vector<std::string> warningsOfEdges(const ParameterList& scene)
           warnings.push_back(
               "Bodies > " + name + ": it touches the domain's edge at " + "xyz"[d] + " = " +
               formatReal(edge) +
-              " m and is not held there; the run ends where it moves beyond: enlarge the domain "
-              "by a few cells, or hold that face (Boundaries, Symmetry or Velocity)");
+              " m and is not supported there; the run stops if it moves outside: enlarge the domain by a few "
+              "cells, or support that face (Boundaries, Symmetry or Velocity)");
       }
   }
   return warnings;

@@ -193,7 +193,7 @@ void Load<D>::place(State<D>& state)
   const double lost = lostShare(stencils_, here_, points_.count);
   if (std::abs(lost) > 1e-10 && state.failure.empty())
     state.failure = "the load Boundaries > " + name_ +
-                    " no longer reaches its body: " + std::to_string(100.0 * lost) +
+                    " no longer acts on its body: " + std::to_string(100.0 * lost) +
                     " % of it acts where there is no material";
 }
 

@@ -66,7 +66,7 @@ View<double* [D]> fieldAtNodes(const PlaceFunction& function, const NodeConstrai
       host(n, d) = value[d];
       if (constraint.holds[d] && !std::isfinite(value[d]))
         throw std::invalid_argument(where + " > Field: it is not finite at the node {" + inWords<D>(place) +
-                                    "}; write a function that is finite at every node that is held");
+                                    "}; write a function that is finite at every prescribed node");
     }
   }
   Kokkos::deep_copy(field, host);
@@ -114,9 +114,8 @@ TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const State<
     timed.value[d] = 0.0;
   }
   if (!timed.constraint.outside && !holdsNode(grid, timed.constraint.lower, timed.constraint.upper))
-    throw std::invalid_argument(where +
-                                ": the box holds no node of the cells inside the domain, so nothing is "
-                                "prescribed; make it a cell thick or move it");
+    throw std::invalid_argument(where + ": the box contains no grid node inside the domain, so nothing is "
+                                        "prescribed; make it at least a cell thick or move it");
   for (const char letter : list.get<std::string>("Components"))
     if (letter >= 'x' && letter < 'x' + D)
       timed.constraint.holds[axisNumber(letter)] = true;
@@ -141,15 +140,15 @@ TimedConstraint<D> readSymmetry(const Teuchos::ParameterList& list, State<D>& st
   const double slack = 1e-6 * grid.spacing;
   if (position < grid.lower[axis] - slack || position > grid.upper[axis] + slack)
     throw std::invalid_argument(where +
-                                " > Position: the plane lies outside of the domain, which reaches from " +
+                                " > Position: the plane lies outside the domain, which reaches from " +
                                 formatReal(grid.lower[axis]) + " to " + formatReal(grid.upper[axis]) +
-                                " m along " + "xyz"[axis] + "; write a place between");
+                                " m along " + "xyz"[axis] + "; write a position between");
   const double cells = grid.inCells(position, axis), off = std::fabs(cells - std::round(cells));
   if (off > 1e-3)
     state.warnings.push_back(
         where + " > Position: the plane lies " + formatReal(off) +
-        " cells beside a plane of nodes, and nodes alone can be held, so the body meets its "
-        "mirror image up to a cell too late; move the plane, or Domain > Lower Corner");
+        " cells away from the nearest plane of grid nodes, so the body meets its mirror image up to a cell "
+        "too late; move the plane onto grid nodes, or move Domain > Lower Corner");
   const double huge = 1e300;
   for (int d = 0; d < D; ++d)
   {

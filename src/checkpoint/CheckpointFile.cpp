@@ -257,7 +257,7 @@ void shape(RecordTable& table, hid_t type, hid_t space, const Source& from)
   for (const hsize_t count : extent)
   {
     if (count > 0 && numbers > from.length / count)
-      refuse(from.path, "is damaged: a table in it is larger than the file; take an older one");
+      refuse(from.path, "is damaged: a table in it is larger than the file; use an older one");
     numbers *= count;
   }
   table.bytes.resize(table.size());
@@ -317,34 +317,33 @@ void verify(const std::string& path)
 {
   std::error_code none;
   if (std::filesystem::is_directory(path, none))
-    refuse(path, "can't be read: it is a folder; name the file in it");
+    refuse(path, "can't be read: it is a folder; write the path of the file in it");
   const File file(std::fopen(path.c_str(), "rb"));
   if (!file)
     refuse(path, std::string("can't be read: ") + std::strerror(errno));
   Block block{};
   const std::size_t got = std::fread(block.data(), 1, blockSize, file.get());
   if (got < sizeof magic || std::memcmp(block.data(), magic, sizeof magic) != 0)
-    refuse(path,
-           "is not one: it does not begin as rhegma's checkpoints do; name a checkpoint.h5 after --restart");
+    refuse(path, "is not a checkpoint of rhegma; write the path of a checkpoint.h5 after --restart");
   if (got < blockSize)
-    refuse(path, "is cut short: not even its first " + std::to_string(blockSize) +
-                     " bytes are there; take an older one");
+    refuse(path, "is truncated: it has fewer than the " + std::to_string(blockSize) +
+                     " bytes of a header; use an older one");
   if (take(block, blockCrcAt, 4) != blockCrc(block))
     refuse(path, "is damaged: its first " + std::to_string(blockSize) +
-                     " bytes have changed since it was written; take an older one");
+                     " bytes have changed since it was written; use an older one");
   const std::uint64_t schema = take(block, schemaAt, 4);
   if (schema != checkpointSchema)
     refuse(path, "is of schema " + std::to_string(schema) + " and this program reads schema " +
-                     std::to_string(checkpointSchema) + "; go on with the version that wrote it");
+                     std::to_string(checkpointSchema) + "; restart with the version that wrote it");
   const Body body = readBody(file.get());
   const std::uint64_t length = take(block, bodyLengthAt, 8);
   if (std::ferror(file.get()) != 0)
     refuse(path, "can't be read to its end");
   if (body.length < length)
-    refuse(path, "is cut short: " + std::to_string(body.length + blockSize) + " of " +
-                     std::to_string(length + blockSize) + " bytes are there; take an older one");
+    refuse(path, "is truncated: " + std::to_string(body.length + blockSize) + " of " +
+                     std::to_string(length + blockSize) + " bytes of a header; use an older one");
   if (body.length > length || body.crc != take(block, bodyCrcAt, 4))
-    refuse(path, "is damaged: its bytes have changed since it was written; take an older one");
+    refuse(path, "is damaged: its content has changed since it was written; use an older one");
 }
 
 } // namespace

@@ -107,7 +107,7 @@ std::string differenceOfScenes(const std::vector<std::string>& now, const std::v
       return placeOf(now[k]) + " is in the scene and not in the checkpoint";
     if (k < then.size() && !has(now, placeOf(then[k])))
       return placeOf(then[k]) + " is in the checkpoint and not in the scene";
-    return placeOf(now[k]) + " has another place among its neighbours in the scene than in the checkpoint";
+    return placeOf(now[k]) + " is at another position in the order of the scene than in the checkpoint";
   }
   return {};
 }

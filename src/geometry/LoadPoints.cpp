@@ -44,7 +44,7 @@ void refuseMany(double count, const std::string& section)
     return;
   std::ostringstream message;
   message << section << ": the load would need " << count
-          << " points, more than any body takes; write the ends of the loaded part of the surface in metres.";
+          << " points, which is too many; check that the ends of the loaded surface are in metres.";
   throw std::invalid_argument(message.str());
 }
 
@@ -88,10 +88,10 @@ std::vector<LoadPoint<D>> attach(const Seeds<D>& body, const std::vector<Weighte
     std::ostringstream message;
     message << section << ": ";
     if (load.size() == 1)
-      message << "the load catches no particle: the point ";
+      message << "the load misses the body: the point ";
     else if (points.empty())
-      message << "the load catches no particle: none of its " << load.size()
-              << " points is at the body; the first, ";
+      message << "the load misses the body: none of its " << load.size()
+              << " points is on the body; the first, ";
     else
       message << load.size() - points.size() << " of the load's " << load.size()
               << " points miss the body; the first of them, ";

@@ -111,7 +111,7 @@ template <int D>
 Cylinder<D> readCylinder(const ParameterList& list)
 {
   if (D == 2)
-    fail(list, "Shape", "a Cylinder needs three dimensions; write Ball for a disk or Box for a bar.");
+    fail(list, "Shape", "a Cylinder exists in 3D only; write Ball for a disk or Box for a bar.");
   Cylinder<D> cylinder{vector<D>(list, "From"), vector<D>(list, "To"), radius(list)};
   if (!(norm(cylinder.to - cylinder.from) > 0.0))
     fail(list, "To", "is the same point as From; give the two ends of the cylinder's axis.");
@@ -138,8 +138,7 @@ Polygon<D> readPolygon(const ParameterList& list)
     fail(list, "Points",
          "the edge after point " + std::to_string(crossing[0]) + " meets the edge after point " +
              std::to_string(crossing[1]) +
-             " (counted from 0); give the points in order round the "
-             "outline.");
+             " (counted from 0); write the points in order around the outline.");
   if (D == 3)
   {
     polygon.bottom = number(list, "Bottom");
@@ -177,7 +176,7 @@ Axes<D> readAxes(const ParameterList& list)
     const Vector<3> about =
         has(list, "Rotation Axis") ? vector<3>(list, "Rotation Axis") : Vector<3>{{0.0, 0.0, 1.0}};
     if (!(norm(about) > 0.0))
-      fail(list, "Rotation Axis", "must not be zero; 0 0 1 turns about z.");
+      fail(list, "Rotation Axis", "must not be zero; {0, 0, 1} rotates about z.");
     return turnedAxes(degrees, about);
   }
 }

@@ -132,8 +132,8 @@ Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell,
   if (seeds.position.empty())
   {
     std::ostringstream message;
-    message << section << ": the body catches no particle; it is smaller than a particle ("
-            << cell / particlesPerCell << " m) or cut away; make it larger or the cells smaller.";
+    message << section << ": the body contains no particle; it is smaller than a particle ("
+            << cell / particlesPerCell << " m) or fully cut away; make the body larger or the cells smaller.";
     throw std::invalid_argument(message.str());
   }
   return seeds;

@@ -55,7 +55,7 @@ Grid<D> makeGrid(const Vector<D>& lower, const Vector<D>& upper, double spacing)
   {
     std::ostringstream message;
     message << "Domain > Cell Size: the domain would have about " << nodes << " nodes, more than "
-            << mostNodes << "; take larger cells or a smaller domain";
+            << mostNodes << "; use larger cells or a smaller domain";
     throw std::invalid_argument(message.str());
   }
   numberNodes(grid);

@@ -20,6 +20,6 @@ constexpr int largestHistory()
 }
 
 constexpr int historyRoom = largestHistory();
-static_assert(historyRoom >= dissipationIndex<3> + 1, "the J2 law's memory must fit");
+static_assert(historyRoom >= dissipationIndex<3> + 1, "the history of the J2 law must fit");
 
 } // namespace Rhegma

@@ -26,10 +26,10 @@ public:
     if (!list_.isParameter(parameter))
       refuse(parameter, "a " + model() + " material needs it; give the " + meaning + ".");
     if (!list_.isType<double>(parameter))
-      refuse(parameter, "has to be a number; write type=\"double\".");
+      refuse(parameter, "must be a number; write type=\"double\".");
     const double value = list_.get<double>(parameter);
     if (!std::isfinite(value))
-      refuse(parameter, "has to be a finite number.");
+      refuse(parameter, "must be a finite number.");
     return value;
   }
 
@@ -80,7 +80,7 @@ void readHooke(const Reader& reader, double leastPoisson, Properties& m)
   if (!(poisson > leastPoisson || poisson == 0.0) || !(poisson < 0.5))
     reader.refuse("Poisson Ratio", "is " + Reader::text(poisson) + "; give a number " +
                                        (leastPoisson < 0.0 ? "above -1" : "from 0") +
-                                       " and below 0.5 (0.5 is incompressible; 0.49 comes near).");
+                                       " and below 0.5 (0.5 is incompressible; use for example 0.49).");
   m.mu = young / (2.0 * (1.0 + poisson));
   m.lambda = 2.0 * m.mu * poisson / (1.0 - 2.0 * poisson);
   m.bulk = young / (3.0 * (1.0 - 2.0 * poisson));
@@ -93,7 +93,7 @@ void readMooneyRivlin(const Reader& reader, Properties& m)
   m.bulk = reader.positive("Bulk Modulus", "bulk modulus [Pa]");
   m.mu = 2.0 * (m.c10 + m.c01);
   if (!(m.mu > 0.0))
-    reader.refuse("C10", "and C01 are both zero, which is a fluid; give at least one of them.");
+    reader.refuse("C10", "and C01 are both zero, which is a fluid; make at least one of them positive.");
   m.lambda = m.bulk - 2.0 / 3.0 * m.mu;
   if (m.lambda < 0.0)
     reader.refuse("Bulk Modulus",
@@ -105,7 +105,7 @@ void readPlastic(const Reader& reader, Properties& m)
 {
   m.yield = reader.positive("Yield Stress", "yield stress [Pa]");
   m.hardening = reader.optional("Hardening Modulus", "hardening modulus [Pa]");
-  const double saturation = reader.optional("Saturation Stress", "yield stress that hardening ends at [Pa]");
+  const double saturation = reader.optional("Saturation Stress", "saturation yield stress [Pa]");
   m.saturationRate = reader.optional("Saturation Rate", "rate of saturation");
   if ((saturation > 0.0) != (m.saturationRate > 0.0))
     reader.refuse(saturation > 0.0 ? "Saturation Rate" : "Saturation Stress",

@@ -134,8 +134,8 @@ MaterialTables tablesOf(const Teuchos::ParameterList& list, const std::string& n
   for (const char* modulus : {"Young Modulus", "Poisson Ratio", "C10", "C01"})
     if (entropic && list.isType<std::string>(modulus))
       throw std::invalid_argument(where + modulus +
-                                  ": the material is Entropic, so its shear modulus goes with "
-                                  "the temperature already; write a number");
+                                  ": the material is Entropic, so its shear modulus is already proportional "
+                                  "to temperature; write a number");
   const TemperatureTable heat = tableOf(list, "Specific Heat", 0.0),
                          conductivity = tableOf(list, "Conductivity", 0.0),
                          expansion = tableOf(list, "Thermal Expansion", 0.0);

@@ -17,10 +17,9 @@ std::vector<std::string> warningsOfUnits(const std::vector<std::string>& names,
   {
     const double speed = std::sqrt(elasticity(materials[m]).constrainedModulus / materials[m].density);
     if (speed < slowest || speed > fastest)
-      warnings.push_back(
-          "Materials > " + names[m] + ": waves run through it at " + shortly(speed) + " m/s, " +
-          (speed < slowest ? "slower than through almost any solid" : "faster than through diamond") +
-          "; moduli are in Pa and densities in kg/m3");
+      warnings.push_back("Materials > " + names[m] + ": its wave speed is " + shortly(speed) + " m/s, " +
+                         (speed < slowest ? "lower than in almost any solid" : "higher than in diamond") +
+                         "; moduli are in Pa and densities in kg/m3");
   }
   return warnings;
 }

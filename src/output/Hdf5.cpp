@@ -108,7 +108,7 @@ void keepSnapshots(const std::string& path, int count)
   Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, path);
   for (int k = 0; k < count; ++k)
     if (H5Lexists(file, snapshotName(k).c_str(), H5P_DEFAULT) <= 0)
-      throw OutputError(path + " has no snapshot " + snapshotName(k));
+      throw OutputError(path + " has no output " + snapshotName(k));
   for (int k = count; H5Lexists(file, snapshotName(k).c_str(), H5P_DEFAULT) > 0; ++k)
     file.require(H5Ldelete(file, snapshotName(k).c_str(), H5P_DEFAULT));
   file.close();

@@ -124,7 +124,7 @@ void History::setColumns(const Row& row)
   if (header_.empty())
     hold(header);
   else if (header != header_)
-    throw std::logic_error("the history goes on with other columns than it has: " + header_ + header);
+    throw std::logic_error("the history can't be continued with other columns: " + header_ + header);
 }
 
 void History::hold(const std::string& text)
@@ -147,7 +147,7 @@ void History::checkColumns(const Row& row) const
 void History::write(double time, const Row& row)
 {
   if (!file_)
-    throw std::logic_error("a row for a history that is closed");
+    throw std::logic_error("a row was written to a closed history");
   if (begun_ && time == lastTime_)
     return;
   if (columns_.empty())
@@ -178,7 +178,7 @@ void History::flush()
   lost_ = true;
   // A full disk takes what still fits; the half row goes again.
   if (ftruncate(fileno(file_.get()), written_) != 0)
-    throw OutputError(path_ + " can't be written and ends in half a row: " + std::strerror(reason));
+    throw OutputError(path_ + " can't be written; its last row is incomplete: " + std::strerror(reason));
   throw OutputError(path_ + " can't be written: " + std::strerror(reason));
 }
 
@@ -194,7 +194,7 @@ void History::sync()
   if (!held_.empty())
     flush();
   if (lost_)
-    throw OutputError(path_ + " can't be written: rows of it are missing");
+    throw OutputError(path_ + " can't be written: rows are missing");
   if (fsync(fileno(file_.get())) != 0 && errno != EINVAL)
     throw OutputError(path_ + " can't be written: " + std::strerror(errno));
 }

@@ -16,7 +16,7 @@ namespace
 [[noreturn]] void refuse(const std::string& folder, const std::string& why)
 {
   throw std::invalid_argument("the output folder " + folder + " can't be used: " + why +
-                              "; name another one with --output");
+                              "; choose another folder with --output");
 }
 
 /// Makes a file with a name of its own and removes it.
@@ -45,12 +45,12 @@ std::string defaultOutputFolder(const std::string& scene)
 std::string makeOutputFolder(const std::string& folder)
 {
   if (folder.empty())
-    throw std::invalid_argument("the output folder has no name; name one with --output");
+    throw std::invalid_argument("the output folder has no name; write one after --output");
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   std::error_code unreadable;
   if (!std::filesystem::is_directory(folder, unreadable))
-    refuse(folder, error ? error.message() : "there is a file of that name");
+    refuse(folder, error ? error.message() : "a file has that name");
   tryToWrite(folder);
   return folder;
 }

@@ -176,7 +176,7 @@ void refuseUnknownQuantities(const Teuchos::ParameterList& section, const nlohma
       std::string problem;
       const nlohmann::json* at = find(summary, quantity, problem);
       if (at != nullptr && (at->is_object() || at->is_array() || at->is_string()))
-        problem = quantity + " is not a number; write the path of one";
+        problem = quantity + " is not a number; write the path of a number";
       attempts.attempt(
           [&]
           {

@@ -73,7 +73,7 @@ void writeParts(const Ranks& ranks, const std::string& path, const Snapshot& sna
   // Files, unlike messages, return their errors.
   const bool opened = MPI_File_open(all, path.c_str(), MPI_MODE_WRONLY, MPI_INFO_NULL, &file) == MPI_SUCCESS;
   if (ranks.max(opened ? 0.0 : 1.0) > 0.0)
-    throw OutputError(path + " can't be opened by all ranks; is it in a folder that they share?");
+    throw OutputError(path + " can't be opened by all ranks; choose a folder that all ranks can write to");
   bool good = true;
   forEachTable(snapshot, places,
                [&](const DataSet& data, long long place) { good = writePart(file, data, place) && good; });

@@ -73,7 +73,7 @@ int Division<D>::ownerOf(const int (&cell)[D]) const
   for (std::size_t r = 0; r < boxes.size(); ++r)
     if (boxes[r].holds(cell))
       return static_cast<int>(r);
-  throw std::logic_error("a cell of the domain has no owner");
+  throw std::logic_error("a cell of the domain belongs to no rank");
 }
 
 template <int D>

@@ -105,7 +105,7 @@ void NeighbourSums::sum(const SharedRows& rows, double* values, int width, int f
     strange += add(rows, columns, neighbour);
   findShares(columns, true);
   if (strange > 0 && rows.rowOf.extent(0) > 0)
-    throw std::logic_error("two ranks differ about the rows of the nodes that they share");
+    throw std::logic_error("two ranks disagree about the rows of their common nodes");
 }
 
 void NeighbourSums::pack(const SharedRows& rows, const Columns& columns)

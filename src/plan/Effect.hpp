@@ -53,6 +53,7 @@ struct Effect
 {
   std::string name;                       ///< its section's
   std::vector<Field> adds;                ///< particle fields that it brings
+  std::vector<NodalField> addsNodal;      ///< nodal fields that it brings (parallel/NodalFieldTable.hpp)
   std::vector<std::string> needs;         ///< particle fields that somebody else must bring
   std::vector<Call<D>> calls;             ///< of all stages
   std::function<void(State<D>&)> atStart; ///< once, when all fields exist and particles are seeded
@@ -60,7 +61,7 @@ struct Effect
 
   std::function<double(const State<D>&)> timeStepLimit; ///< [s]; none if empty
 
-  /// Saves or loads what it keeps from one step to the next beside the fields of the particles
+  /// Saves or loads what it keeps from one step to the next in addition to fields of particles and nodes
   /// (checkpoint/Archive.hpp); empty if nothing. Loading comes after atStart and after the core's own, and
   /// leaves all as it was when it was saved.
   std::function<void(State<D>&, Archive&)> memory;

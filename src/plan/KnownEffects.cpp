@@ -38,11 +38,10 @@ void addEffect(EffectEntry entry)
   const auto ofEffect = [](const EffectEntry& effect) { return effect.section.name; };
   const auto ofSection = [](const Section& section) { return section.name; };
   if (has(all(), name, ofEffect) || has(coreSections(), name, ofSection))
-    throw std::invalid_argument("the effect \"" + name +
-                                "\" can't be added: a section of this name is there");
+    throw std::invalid_argument("the effect \"" + name + "\" can't be added: a section of this name exists");
   if (!entry.make2 || !entry.make3)
     throw std::invalid_argument("the effect \"" + name +
-                                "\" can't be added: say how it is made in 2D and in 3D");
+                                "\" can't be added: it needs functions that make it in 2D and in 3D");
   all().push_back(std::move(entry));
 }
 

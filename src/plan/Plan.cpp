@@ -40,6 +40,12 @@ void refuseAmbiguity(const std::vector<Call<D>>& calls)
                                  q + " and nothing says in which order");
 }
 
+void printField(const Field& field, std::ostream& out)
+{
+  out << "  " << field.name << " (" << field.components << (field.unit.empty() ? "" : ", " + field.unit)
+      << "): " << field.meaning << "\n";
+}
+
 } // namespace
 
 const char* stageName(Stage stage)
@@ -150,8 +156,11 @@ std::string printPlan(const Plan<D>& plan, const State<D>& state)
     out << (&effect == &plan.effects.front() ? " " : ", ") << effect.name;
   out << "\nFields of each of " << state.particles.size() << " particles:\n";
   for (const Field& field : state.particles.fields())
-    out << "  " << field.name << " (" << field.components << (field.unit.empty() ? "" : ", " + field.unit)
-        << "): " << field.meaning << "\n";
+    printField(field, out);
+  if (!state.mesh.nodalFields.empty())
+    out << "Fields that nodes keep from step to step:\n";
+  for (const NodalField& nodal : state.mesh.nodalFields.fields())
+    printField(nodal.field, out);
   out << "Stages of a step:\n";
   const bool twice = state.method.scheme == UpdateScheme::Usavg;
   for (const Stage stage : stageOrder(state.method.scheme))

@@ -107,7 +107,7 @@ std::string Checkpoints::atStop()
   }
   catch (const OutputError& error)
   {
-    return whereToGoOn() + "; its state could not be kept: " + error.what();
+    return whereToGoOn() + "; its state could not be saved: " + error.what();
   }
   return whereToGoOn();
 }
@@ -136,7 +136,7 @@ std::string Checkpoints::whereToGoOn() const
   if (written_ < 0.0)
     return {};
   const std::string folder = path_.substr(0, path_.rfind('/'));
-  return "; --output " + folder + " --restart " + path_ + " goes on from time " + formatReal(written_) + " s";
+  return "; --output " + folder + " --restart " + path_ + " continues from t = " + readableTime(written_);
 }
 
 Simulation::Notes notesOf(const HistorySoFar& soFar)

@@ -56,11 +56,11 @@ EarlierPart::EarlierPart(const std::string& checkpoint, const std::string& folde
       other = history;
   }
   if (!other.empty())
-    throw std::invalid_argument(other + " is not the history that the checkpoint " + checkpoint +
-                                " goes on from; put that one there, or take this one away to go on without");
+    throw std::invalid_argument(other + " is not the history that belongs to the checkpoint " + checkpoint +
+                                "; restore that one, or remove this one to continue without it");
   soFar_ = HistorySoFar();
-  warnings_.push_back("there is no history.csv beside the checkpoint " + checkpoint +
-                      ", so that of this run begins there");
+  warnings_.push_back("there is no history.csv next to the checkpoint " + checkpoint +
+                      ", so the history of this run begins there");
 }
 
 void EarlierPart::bring() const

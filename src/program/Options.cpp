@@ -43,7 +43,7 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
     {
       options.output = valueOf(k);
       if (options.output.empty())
-        throw UsageError("the folder after --output has no name; name one after --output, or leave it out");
+        throw UsageError("--output has no folder; write one after it, or leave --output out");
     }
     else if (a == "--set")
       options.overrides.push_back(valueOf(k));
@@ -68,14 +68,15 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
     {
       options.restart = valueOf(k);
       if (options.restart.empty())
-        throw UsageError("the checkpoint after --restart has no name; name one, or leave --restart out");
+        throw UsageError("--restart has no file; write one after it, or leave --restart out");
     }
     else if (startsWith(a, "-"))
       throw UsageError("there is no option " + a + "; see rhegma --help");
     else if (options.scene.empty())
       options.scene = a;
     else
-      throw UsageError("one scene at a time: \"" + options.scene + "\" and \"" + a + "\" were both given");
+      throw UsageError("only one scene can be run: \"" + options.scene + "\" and \"" + a +
+                       "\" were both given");
   }
   const bool needsScene = options.action == Options::Action::Run ||
                           options.action == Options::Action::Check ||
@@ -88,20 +89,16 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
 std::string usage()
 {
   return "rhegma SCENE.xml [--output DIR] [--set 'Section:Sub:Parameter=value']... [--restart FILE] "
-         "[--quiet]\n"
-         "                        run a scene; results go to DIR (default: the scene's name beside it, "
-         ".out);\n"
-         "                        --restart: go on from a checkpoint.h5 that a run of the scene left\n"
-         "rhegma SCENE.xml --check        every error of a scene, then stop\n"
-         "rhegma SCENE.xml --print-plan   the effects, fields and stages that the scene would run\n"
-         "rhegma --describe [Section]     every parameter: type, unit, default, allowed values, meaning;\n"
-         "                        of a part: --describe 'Thermal > Sources', --describe Domain:Accuracy\n"
-         "rhegma --describe-markdown      the same as a page of Markdown (docs/reference.md)\n"
-         "rhegma --version\n"
-         "\n"
-         "Threads: OMP_NUM_THREADS or --kokkos-num-threads=N (OpenMP back end).\n"
-         "Exit: 0 finished, 1 the scene is wrong, 2 the run can't go on, 3 a defect of the program,\n"
-         "      4 finished, but a value of the scene's Reference section is outside its tolerance.\n";
+         "[--quiet]\n                        run a scene; results go to DIR (default: SCENE.out next to the "
+         "scene);\n                        --restart: continue from a checkpoint.h5 of the same "
+         "scene\nrhegma SCENE.xml --check        check the scene, list every error, and stop\nrhegma "
+         "SCENE.xml --print-plan   list the effects, fields and stages of the scene\nrhegma --describe "
+         "[Section]     every parameter: type, unit, default, allowed values, meaning;\n                     "
+         "   of a part: --describe 'Thermal > Sources', --describe Domain:Accuracy\nrhegma "
+         "--describe-markdown      the same as a page of Markdown (docs/reference.md)\nrhegma "
+         "--version\n\nThreads: OMP_NUM_THREADS or --kokkos-num-threads=N (OpenMP back end).\nExit: 0 "
+         "finished, 1 the scene is wrong, 2 the run failed, 3 a defect of the program,\n      4 finished, "
+         "but a value of the scene's Reference section is outside its tolerance.\n";
 }
 
 } // namespace Rhegma::program

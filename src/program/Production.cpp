@@ -78,8 +78,8 @@ void Production::takeUpFields()
     return;
   if (ranks_.rank() == 0)
     std::filesystem::rename(data, aside, none);
-  warnings_.push_back(data + " has not the fields that the checkpoint goes on from; it is " + aside +
-                      " now, and the fields begin anew");
+  warnings_.push_back(data + " does not hold the fields of the run up to the checkpoint; it is renamed to " +
+                      aside + ", and new fields are written from here on");
 }
 
 void Production::observe()
@@ -138,7 +138,7 @@ std::string Production::toTheEnd()
   {
     if (ranks_.many())
       throw;
-    trouble = stoppedBy("there is no memory left; take larger cells (Domain > Cell Size)") +
+    trouble = stoppedBy("there is no memory left; use larger cells (Domain > Cell Size)") +
               checkpoints_.atTrouble();
   }
   try
@@ -231,7 +231,7 @@ bool Production::stopIfAsked(double time, long step)
 
 std::string Production::stoppedBy(const std::string& reason) const
 {
-  return "the run stopped at time " + formatReal(simulation_.time()) + " s, step " +
+  return "the run stopped at t = " + readableTime(simulation_.time()) + ", step " +
          std::to_string(simulation_.steps()) + ": " + reason;
 }
 

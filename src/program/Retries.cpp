@@ -30,15 +30,15 @@ bool Retries::mayHelp(const std::string& trouble, double from, double at)
 
 std::string Retries::inWords() const
 {
-  return trouble_ + "; it went back to time " + formatReal(from_) + " s, and on with steps of " +
-         formatReal(share_) + " of the stable length";
+  return trouble_ + "; the run returned to t = " + readableTime(from_) +
+         " and continues with time steps of " + formatReal(share_) + " of the stable length";
 }
 
 std::string Retries::inVain() const
 {
   return taken_ == 0 ? std::string()
-                     : "; steps of " + formatReal(share_) + " of the stable length from time " +
-                           formatReal(from_) + " s did not help";
+                     : "; time steps of " + formatReal(share_) +
+                           " of the stable length from t = " + readableTime(from_) + " did not help";
 }
 
 } // namespace Rhegma::program

@@ -113,7 +113,7 @@ EarlierPart initialize(Simulation& simulation, const Teuchos::ParameterList& sce
     onEachRank(Ranks(world()), [&] { earlier = EarlierPart(options.restart, folder, soFar); });
     if (simulation.time() > scene.sublist("Time").get<double>("Final Time"))
       throw std::invalid_argument("Time > Final Time: the checkpoint " + options.restart + " is of time " +
-                                  formatReal(simulation.time()) + " s already; write a later time");
+                                  readableTime(simulation.time()) + " already; write a later time");
   }
   refuseUnknownQuantities(references(scene),
                           makeSummary(facts(options, simulation, ""), simulation.report()));
@@ -180,9 +180,8 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
   for (const std::string& warning : production.warnings())
     summary["warnings"].push_back(warning);
   if (trouble.empty() && waitsForRest(*scene) && !simulation.settled())
-    summary["warnings"].push_back(
-        "the run ended before it had settled (Damping > Stop When Settled): its values are "
-        "those of a body in motion; raise Time > Final Time or the damping");
+    summary["warnings"].push_back("the run ended before it had settled (Damping > Stop When Settled), so its "
+                                  "results are not static; raise Time > Final Time or the damping");
   const bool within = addReferences(references(*scene), summary);
   const std::string unwritten = ranks.firstText(
       ranks.rank() == 0 ? writeWhereItCan(summary, production.folder() + "/summary.json") : std::string());
@@ -254,14 +253,14 @@ int run(const Options& options, std::ostream& out, std::ostream& err)
     }
     catch (const OutputError& error)
     {
-      err << "rhegma: " << error.what() << "; name another folder with --output\n";
+      err << "rhegma: " << error.what() << "; choose another folder with --output\n";
       return exitWrongScene;
     }
     catch (const std::bad_alloc&)
     {
       if (world()->getSize() > 1)
         throw;
-      err << "rhegma: there is not enough memory for this scene; take larger cells (Domain > Cell Size)\n";
+      err << "rhegma: there is not enough memory for this scene; use larger cells (Domain > Cell Size)\n";
       return exitWrongScene;
     }
   }

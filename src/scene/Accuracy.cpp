@@ -45,8 +45,8 @@ std::string complaintOfNothing(const SceneSchema& schema)
     if (!entry.second.knows.empty())
       known += (count++ > 0 ? " and for " : "") + entry.second.knows;
   if (count == 0)
-    return "is known for none of the effects that this program was built with; write Domain > Cell Size";
-  return "is known for " + known + ", and the scene has " + (count > 1 ? "neither" : "none") +
+    return "is supported by none of the effects in this program; write Domain > Cell Size";
+  return "is supported for " + known + ", but the scene has " + (count > 1 ? "neither" : "none") +
          "; write Domain > Cell Size";
 }
 
@@ -63,13 +63,12 @@ void refuseTiny(double cell, const ParameterList& scene, const CellNeeds& needs,
     return;
   const double radius = std::min(needs.source, needs.atRest);
   const bool crack = std::min(needs.across, needs.atFronts) <= radius;
-  throw std::invalid_argument(
-      std::string("is ") + rule.name + ", for which " +
-      (crack
-           ? needs.shortestAcross + ", with a length of " + formatReal(std::min(needs.across, needs.atFronts))
-           : needs.smallestSource + ", with a radius of " + formatReal(radius)) +
-      " m, asks for cells of " + formatReal(cell) +
-      " m, more than the domain can have; look at that length, or write Domain > Cell Size");
+  throw std::invalid_argument(std::string("is ") + rule.name + ", for which " +
+                              (crack ? needs.shortestAcross + ", with a length of " +
+                                           formatReal(std::min(needs.across, needs.atFronts))
+                                     : needs.smallestSource + ", with a radius of " + formatReal(radius)) +
+                              " m, needs cells of " + formatReal(cell) +
+                              " m, too many for this domain; check that length, or write Domain > Cell Size");
 }
 
 double fitted(const ParameterList& scene, double cell)
@@ -84,7 +83,7 @@ void refine(ParameterList& scene, const SceneSchema& schema, int levels, const A
   if (levels > mostLevels)
     throw std::invalid_argument(std::string("is ") + rule.name +
                                 ", for which Domain > Cell Size would need " + std::to_string(levels) +
-                                " levels of smaller cells at fronts, and there are " +
+                                " refinement levels at fronts, and there are only " +
                                 std::to_string(mostLevels) + "; write a smaller Cell Size, or leave it out");
   for (const auto& entry : schema.cellHooks())
     if (entry.second.refine)
@@ -97,7 +96,7 @@ void choose(ParameterList& scene, const ParameterList& read, const SceneSchema& 
 {
   if (needs.running && !rule.running)
     throw std::invalid_argument(std::string("is ") + rule.name +
-                                ", which cracks that run are not known to reach; write 3 %");
+                                ", which has not been verified for running cracks; write 3 %");
   double cell = std::min(needs.source / rule.perSource, needs.atRest / rule.perResting);
   if (needs.fronts())
     cell = std::min(cell, needs.across / (needs.running ? 16.0 : rule.perLigament));

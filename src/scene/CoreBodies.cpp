@@ -8,22 +8,25 @@ namespace
 
 void rotation(Section& s)
 {
-  s.real("Rotation").unit("degrees").byDefault(0.0).meaning("Turns the shape, against the clock in 2D.");
+  s.real("Rotation")
+      .unit("degrees")
+      .byDefault(0.0)
+      .meaning("Angle by which the shape is rotated; counter-clockwise in 2D.");
   s.realArray("Rotation Centre")
       .unit("m")
       .perAxis()
       .optional("the middle of the shape's bounding box")
-      .meaning("The point that stays where it is.");
+      .meaning("Fixed point of the rotation.");
   s.realArray("Rotation Axis")
       .onlyIn(3)
       .length(3)
       .byDefault({0.0, 0.0, 1.0})
-      .meaning("Direction of the axis, right-handed; of any length but zero.");
+      .meaning("Direction of the rotation axis (right-hand rule). Any non-zero length.");
 }
 
 Section box()
 {
-  Section s("Box", "A rectangle or a cuboid along the axes.");
+  Section s("Box", "A rectangle (2D) or cuboid (3D) aligned with the axes.");
   s.realArray("Lower Corner").unit("m").perAxis().meaning("The corner with the smallest coordinates.");
   s.realArray("Upper Corner").unit("m").perAxis().meaning("The corner with the largest coordinates.");
   return s;
@@ -31,8 +34,8 @@ Section box()
 
 Section ball()
 {
-  Section s("Ball", "A disk or a ball.");
-  s.realArray("Centre").unit("m").perAxis().meaning("Its middle.");
+  Section s("Ball", "A disk (2D) or a ball (3D).");
+  s.realArray("Centre").unit("m").perAxis().meaning("Its centre.");
   s.real("Radius").unit("m").positive().meaning("Its radius.");
   return s;
 }
@@ -41,25 +44,25 @@ Section cylinder()
 {
   Section s("Cylinder", "A circular cylinder; in 2D use Ball.");
   s.onlyIn(3);
-  s.realArray("From").unit("m").length(3).meaning("Middle of one end.");
-  s.realArray("To").unit("m").length(3).meaning("Middle of the other end.");
+  s.realArray("From").unit("m").length(3).meaning("Centre of one end face.");
+  s.realArray("To").unit("m").length(3).meaning("Centre of the other end face.");
   s.real("Radius").unit("m").positive().meaning("Its radius.");
   return s;
 }
 
 Section polygon()
 {
-  Section s("Polygon", "A simple polygon; in 3D a prism along z over it.");
+  Section s("Polygon", "A simple polygon; in 3D a prism along z with this cross section.");
   s.realArray("Points").unit("m").multipleOf(2, 6).meaning(
-      "Its corners x0, y0, x1, y1, ... in turn, the first not repeated.");
-  s.real("Bottom").unit("m").onlyIn(3).meaning("z of the prism's lower end.");
-  s.real("Top").unit("m").onlyIn(3).meaning("z of the prism's upper end.");
+      "Corners x0, y0, x1, y1, ... in order around the outline. Do not repeat the first.");
+  s.real("Bottom").unit("m").onlyIn(3).meaning("z of the lower end of the prism.");
+  s.real("Top").unit("m").onlyIn(3).meaning("z of the upper end of the prism.");
   return s;
 }
 
 void shapes(Section& s)
 {
-  s.chosenBy("Shape").meaning("What it looks like before it is turned.");
+  s.chosenBy("Shape").meaning("Shape before rotation.");
   s.variant(box());
   s.variant(ball());
   s.variant(cylinder());
@@ -68,14 +71,13 @@ void shapes(Section& s)
 
 Section operations()
 {
-  Section operation("operation", "One shape that is added to the body or cut from it.");
+  Section operation("operation", "A shape that is added to the body or cut from it.");
   operation.choice("Operation", {"Add", "Cut"}).meaning("Whether the shape is added or cut away.");
   shapes(operation);
   rotation(operation);
 
-  Section s("Operations",
-            "Changes of the body's shape, in the order of the file; the body's own rotation turns the "
-            "first shape alone.");
+  Section s("Operations", "Shapes that are added to or cut from the body, applied in the order of the file. "
+                          "The Rotation of the body applies to its first shape only.");
   s.namedByUser(operation);
   return s;
 }
@@ -84,36 +86,39 @@ Section operations()
 
 Section bodies()
 {
-  Section body("body", "One body: its shape, its material and how it starts.");
-  body.text("Material").notEmpty().meaning("The name of one of the Materials.");
+  Section body("body", "A body: its shape, its material and its initial state.");
+  body.text("Material").notEmpty().meaning("Name of a sublist of Materials.");
   shapes(body);
   rotation(body);
-  body.integer("Particles Per Cell").range(1, 8).byDefault(2).meaning("Particles along each axis of a cell.");
+  body.integer("Particles Per Cell")
+      .range(1, 8)
+      .byDefault(2)
+      .meaning("Number of particles along each axis of a cell.");
   body.real("Temperature")
       .unit("K")
       .positive()
       .optional("Thermal > Initial Temperature")
-      .meaning("With Thermal: at the start.");
+      .meaning("Initial temperature. Needs the section Thermal.");
   body.text("Temperature Field")
       .unit("K")
       .notEmpty()
       .optional()
-      .meaning(
-          "With Thermal: at the start, as an expression of the place x, y, z, such as \"300 + 1e4 * x\".");
+      .meaning("Initial temperature as an expression of the position x, y, z, such as \"300 + 1e4 * x\". "
+               "Needs the section Thermal.");
   body.realArray("Velocity")
       .unit("m/s")
       .perAxis()
       .byDefaultZeros()
-      .meaning("Of the centre of mass at the start.");
+      .meaning("Initial velocity of the centre of mass.");
   body.realArray("Angular Velocity")
       .unit("rad/s")
       .perRotationAxis()
       .byDefaultZeros()
-      .meaning("About the centre of mass at the start.");
+      .meaning("Initial angular velocity about the centre of mass.");
   body.atMostOneOf({"Temperature", "Temperature Field"});
   body.subsection(operations());
 
-  Section s("Bodies", "The solids.");
+  Section s("Bodies", "The solid bodies.");
   s.require();
   s.namedByUser(body);
   return s;

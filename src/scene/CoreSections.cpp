@@ -10,81 +10,79 @@ namespace
 
 Section domain()
 {
-  Section s("Domain", "The box of cells in which everything happens.");
+  Section s("Domain", "The computational domain: dimension, background grid and shape functions.");
   s.require();
-  s.integer("Dimension").range(2, 3).meaning("2 for a plane, 3 for space.");
+  s.integer("Dimension").range(2, 3).meaning("2 for plane problems, 3 for three-dimensional ones.");
   s.choice("Plane", {"Strain", "Stress"})
       .onlyIn(2)
       .byDefault("Strain")
-      .meaning("What is zero out of the plane: strain, or stress.");
+      .meaning("Plane strain or plane stress.");
   s.real("Thickness")
       .unit("m")
       .onlyIn(2)
       .positive()
       .byDefault(1.0)
-      .meaning("Out of the plane; masses and loads are for it.");
+      .meaning("Thickness normal to the plane. Masses, forces and energies are for this thickness.");
   s.realArray("Lower Corner").unit("m").perAxis().meaning("The corner with the smallest coordinates.");
   s.realArray("Upper Corner").unit("m").perAxis().meaning("The corner with the largest coordinates.");
   s.real("Cell Size")
       .unit("m")
       .positive()
-      .optional("what Accuracy chooses")
-      .meaning("Edge of the square or cubic cells.");
+      .optional("chosen by Accuracy")
+      .meaning(
+          "Edge length of the square (2D) or cubic (3D) cells of the background grid, before refinement.");
   s.choice("Accuracy", {"10 %", "3 %", "1 %", "0.3 %"})
       .optional()
-      .meaning(
-          "Error of G, K or a rise of temperature that cells are chosen for: Cell Size where that is absent, "
-          "and Adaptivity with Sub-Cycling at fronts where neither is in the scene "
-          "(docs/accuracy-and-cost.md). What the scene gives itself stays.");
+      .meaning("Target error of G, K or a temperature rise. The program chooses Cell Size if it is absent, "
+               "and adds Adaptivity and Sub-Cycling at crack fronts if the scene has neither. Values given "
+               "in the scene are kept (docs/accuracy-and-cost.md).");
   s.choice("Shape Functions", {"Linear", "GIMP"})
       .byDefault("GIMP")
-      .meaning("Linear: cheap, noisy when particles change cell. GIMP: every particle is a box of its own.");
+      .meaning("Linear: cheap, but stresses jump when particles cross cell boundaries. GIMP: shape functions "
+               "averaged over the particle domain; smoother.");
   return s;
 }
 
 Section time()
 {
-  Section s("Time", "How long and how finely the run steps.");
+  Section s("Time", "Duration, time step and update scheme.");
   s.require();
-  s.real("Final Time").unit("s").positive().mayChange().meaning("The run ends here.");
+  s.real("Final Time").unit("s").positive().mayChange().meaning("Physical time at which the run ends.");
   s.real("CFL").above(0.0).atMost(1.0).byDefault(0.4).mayChange().meaning(
-      "Share of a cell that a wave may cross in one step. Undamped bodies gain energy in "
-      "proportion to it: at 0.4 up to 1.5 % while a wave crosses a thousand cells (Update Scheme, MUSL).");
+      "Courant number: fraction of a cell that a wave crosses in one time step. Undamped bodies gain energy "
+      "in proportion to it: with MUSL at 0.4 up to 1.5 % while a wave crosses 1000 cells.");
   s.integer("Maximum Steps")
       .atLeast(1)
       .mayChange()
       .byDefault(2000000000)
-      .meaning("The run ends after so many steps, if not before.");
+      .meaning("Largest number of time steps. The run ends when it is reached.");
   s.integer("Retries").atLeast(0).mayChange().byDefault(3).meaning(
-      "How often a run that can't go on goes back to the last state in memory with a balanced ledger, "
-      "and on from there with steps of half the length. With Output > Checkpoints.");
+      "Number of retries after an instability. Each retry returns to the last state in memory whose energy "
+      "balance closed, and continues with half the time step. Needs Output > Checkpoints.");
   s.choice("Update Scheme", {"MUSL", "USF", "USL", "USAVG"})
       .byDefault("MUSL")
-      .meaning(
-          "When stresses are updated. MUSL: last, with velocities mapped anew. USF: first. USL: last, for "
-          "comparison only. USAVG: half first and half last, with velocities mapped anew; a step costs more, "
-          "and keeps the energy of undamped bodies over far more steps.");
+      .meaning("When stresses are updated within a step. MUSL: at the end, with particle velocities mapped "
+               "to the grid again. USF: at the start. USL: at the end; for comparison only. USAVG: half at "
+               "the start and half at the end; a step costs more, but the energy of undamped bodies is kept "
+               "over many more steps.");
   s.real("PIC Fraction")
       .range(0.0, 1.0)
       .byDefault(0.0)
-      .meaning("Share of the grid's velocity, against its change, that particles take over; it damps.");
+      .meaning("Fraction of PIC in the particle velocity update, the rest being FLIP. PIC damps all motion "
+               "below a few cells.");
   return s;
 }
 
 void elasticConstants(Section& s)
 {
-  s.real("Density").unit("kg/m3").positive().meaning("Of the undeformed material.");
-  s.real("Young Modulus").orTable().unit("Pa").positive().meaning("Stiffness in tension at small strain.");
-  s.real("Poisson Ratio")
-      .orTable()
-      .above(-1.0)
-      .below(0.5)
-      .meaning("Contraction over stretch at small strain.");
+  s.real("Density").unit("kg/m3").positive().meaning("Density of the undeformed material.");
+  s.real("Young Modulus").orTable().unit("Pa").positive().meaning("Young's modulus at small strain.");
+  s.real("Poisson Ratio").orTable().above(-1.0).below(0.5).meaning("Poisson's ratio at small strain.");
 }
 
 Section linearElastic()
 {
-  Section s("Linear Elastic", "Stress follows small strain; rotations may be large.");
+  Section s("Linear Elastic", "Isotropic linear elasticity for small strain; rotations may be large.");
   elasticConstants(s);
   return s;
 }
@@ -93,15 +91,14 @@ void entropic(Section& s)
 {
   s.boolean("Entropic")
       .byDefault(false)
-      .meaning("With Thermal: the shear modulus goes with the absolute temperature, as that of ideal rubber, "
-               "which "
-               "warms when it is stretched.");
+      .meaning("If true, the shear modulus is proportional to absolute temperature, as in ideal rubber, "
+               "which warms when stretched. Needs the section Thermal.");
 }
 
 Section rigid()
 {
-  Section s("Rigid", "No stress at all: for scenes of heat alone (Thermal > Mechanics = false).");
-  s.real("Density").unit("kg/m3").positive().meaning("Of the undeformed material.");
+  Section s("Rigid", "No stress: for scenes with heat only (Thermal > Mechanics = false).");
+  s.real("Density").unit("kg/m3").positive().meaning("Density of the undeformed material.");
   return s;
 }
 
@@ -113,34 +110,34 @@ void heat(Section& s)
       .unit("J/(kg K)")
       .positive()
       .optional()
-      .meaning("Heat capacity at constant strain; Thermal needs it.");
+      .meaning("Specific heat at constant strain. Required with the section Thermal.");
   s.real("Conductivity")
       .orTable()
       .unit("W/(m K)")
       .notNegative()
-      .optional("no heat flows")
-      .meaning("How well it conducts heat.");
+      .optional("0: no conduction")
+      .meaning("Thermal conductivity.");
   s.realArray("Conductivity Ratios")
       .perAxis()
       .optional("all 1")
-      .meaning("Factors of Conductivity along the axes of the body, which turn with it.");
+      .meaning("Factors on Conductivity along the axes of the body. They rotate with the material.");
   s.real("Thermal Expansion")
       .orTable()
       .unit("1/K")
       .above(-0.1)
       .below(0.1)
       .optional("none")
-      .meaning("Linear expansion per kelvin.");
+      .meaning("Coefficient of linear thermal expansion.");
   s.real("Reference Temperature")
       .unit("K")
       .positive()
       .optional("Thermal > Initial Temperature")
-      .meaning("Temperature of no thermal strain.");
+      .meaning("Temperature at which the thermal strain is zero.");
 }
 
 Section neoHookean()
 {
-  Section s("Neo-Hookean", "Compressible rubber-like solid for large strain.");
+  Section s("Neo-Hookean", "Compressible hyperelastic solid for large strain.");
   elasticConstants(s);
   entropic(s);
   return s;
@@ -148,58 +145,55 @@ Section neoHookean()
 
 Section mooneyRivlin()
 {
-  Section s("Mooney-Rivlin",
-            "Rubber with two shear constants; nearly incompressible if the bulk modulus is large.");
-  s.real("Density").unit("kg/m3").positive().meaning("Of the undeformed material.");
+  Section s(
+      "Mooney-Rivlin",
+      "Hyperelastic rubber with two shear constants; nearly incompressible if the bulk modulus is large.");
+  s.real("Density").unit("kg/m3").positive().meaning("Density of the undeformed material.");
   s.real("C10").orTable().unit("Pa").notNegative().meaning(
-      "Constant of the first invariant; C10 and C01 are not both zero.");
-  s.real("C01").orTable().unit("Pa").notNegative().meaning("Constant of the second invariant.");
-  s.real("Bulk Modulus").orTable().unit("Pa").positive().meaning("Stiffness against a change of volume.");
+      "Coefficient of the first invariant. C10 and C01 must not both be zero.");
+  s.real("C01").orTable().unit("Pa").notNegative().meaning("Coefficient of the second invariant.");
+  s.real("Bulk Modulus").orTable().unit("Pa").positive().meaning("Bulk modulus.");
   entropic(s);
   return s;
 }
 
 Section j2Plastic()
 {
-  Section s("J2 Plastic", "Metal: elastic up to the yield stress of von Mises, then hardening plastic flow.");
+  Section s("J2 Plastic", "Metal plasticity: von Mises yield condition with isotropic hardening.");
   elasticConstants(s);
-  s.real("Yield Stress")
-      .orTable()
-      .unit("Pa")
-      .positive()
-      .meaning("Stress in tension at which plastic flow begins.");
+  s.real("Yield Stress").orTable().unit("Pa").positive().meaning("Initial yield stress in tension.");
   s.real("Hardening Modulus")
       .orTable()
       .unit("Pa")
       .notNegative()
       .byDefault(0.0)
-      .meaning("Rise of the yield stress per plastic strain.");
+      .meaning("Linear isotropic hardening: increase of the yield stress per unit of plastic strain.");
   s.real("Saturation Stress")
       .orTable()
       .unit("Pa")
       .positive()
       .optional()
       .meaning(
-          "Yield stress that Voce hardening ends at; Hardening Modulus comes on top. At least Yield Stress.");
+          "Saturation yield stress of Voce hardening, at least Yield Stress. Hardening Modulus adds to it.");
   s.real("Saturation Rate")
       .orTable()
       .positive()
       .optional()
-      .meaning("How fast: the yield stress is Yield Stress + (Saturation Stress - Yield Stress) (1 - "
-               "exp(-Saturation Rate x "
-               "plastic strain)) + Hardening Modulus x plastic strain.");
+      .meaning("Rate of Voce hardening. Yield stress = Yield Stress + (Saturation Stress - Yield Stress) (1 "
+               "- exp(-Saturation Rate x plastic strain)) + Hardening Modulus x plastic strain.");
   s.allOrNoneOf({"Saturation Stress", "Saturation Rate"});
   s.real("Plastic Heat Fraction")
       .range(0.0, 1.0)
       .byDefault(0.9)
-      .meaning("With Thermal: share of the plastic work that becomes heat (Taylor and Quinney).");
+      .meaning("Fraction of the plastic work that becomes heat (Taylor-Quinney coefficient). Used with the "
+               "section Thermal.");
   return s;
 }
 
 Section materials()
 {
   Section material("material", "One material.");
-  material.chosenBy("Model").meaning("The constitutive law.");
+  material.chosenBy("Model").meaning("Constitutive law.");
   heat(material);
   material.variant(linearElastic());
   material.variant(neoHookean());
@@ -207,7 +201,7 @@ Section materials()
   material.variant(j2Plastic());
   material.variant(rigid());
 
-  Section s("Materials", "What the bodies are made of.");
+  Section s("Materials", "The materials of the bodies.");
   s.require();
   s.namedByUser(material);
   return s;
@@ -215,51 +209,49 @@ Section materials()
 
 Section output()
 {
-  Section s("Output", "What the run writes, and how often.");
+  Section s("Output", "Which results are written, and how often.");
   s.fill().mayChange();
   s.real("History Interval")
       .unit("s")
       .positive()
       .optional("1/200 of Final Time")
-      .meaning("Time between the rows of history.csv.");
+      .meaning("Time between two rows of history.csv.");
   s.real("Field Interval")
       .unit("s")
       .positive()
-      .optional("only the last fields")
-      .meaning("Time between the fields of particles.");
-  s.boolean("Fields").byDefault(true).meaning("Whether fields.h5 and fields.xdmf are written at all.");
+      .optional("fields at the end only")
+      .meaning("Time between two outputs of the fields (fields.h5, fields.xdmf).");
+  s.boolean("Fields").byDefault(true).meaning("Whether fields.h5 and fields.xdmf are written.");
   s.boolean("Checkpoints")
       .byDefault(true)
-      .meaning(
-          "Whether checkpoint.h5 is written, from which --restart goes on: at the intervals below, and where "
-          "a signal or trouble stops the run.");
+      .meaning("Whether checkpoint.h5 is written for --restart: at the intervals below, and when a signal or "
+               "a failure stops the run.");
   s.real("Checkpoint Interval")
       .unit("s")
       .positive()
-      .optional("by the clock alone")
-      .meaning("Simulated time between checkpoints; the end of the run gets one too.");
+      .optional("only by Checkpoint Minutes")
+      .meaning("Physical time between two checkpoints. One more is written at the end of the run.");
   s.real("Checkpoint Minutes")
       .unit("min")
       .notNegative()
       .byDefault(15.0)
-      .meaning(
-          "Minutes by the clock after which a checkpoint is written, if none was; 0: none by the clock.");
+      .meaning("Wall-clock minutes after which a checkpoint is written if none was written since. 0 switches "
+               "this off.");
   return s;
 }
 
 Section reference()
 {
-  Section entry("reference", "One value that the run is compared with at its end.");
+  Section entry("reference", "A value that a result is compared with at the end of the run.");
   entry.text("Quantity")
       .notEmpty()
-      .meaning("Path in summary.json, such as cracks.0.fronts.0.G_J or energy.kinetic.");
-  entry.real("Value").meaning("What it should be, in the unit of the quantity.");
-  entry.real("Tolerance")
-      .positive()
-      .meaning("Largest relative difference; where Value is 0, the largest absolute one.");
-  entry.text("Source").notEmpty().meaning("Where the value comes from.");
+      .meaning("Path of the result in summary.json, such as cracks.0.fronts.0.G_J or energy.kinetic.");
+  entry.real("Value").meaning("Expected value, in the unit of the quantity.");
+  entry.real("Tolerance").positive().meaning("Largest allowed relative error; absolute error if Value is 0.");
+  entry.text("Source").notEmpty().meaning("Source of the value, for example a book or a paper.");
 
-  Section s("Reference", "Values with which the run is compared at its end, so that a scene tests itself.");
+  Section s("Reference", "Expected results. At the end the run is compared with them; exit status 4 means "
+                         "that one is outside its tolerance.");
   s.mayChange();
   s.namedByUser(entry);
   return s;

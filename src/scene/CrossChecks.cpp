@@ -288,8 +288,8 @@ private:
         if (!shape.contains({{(*from)[0] + at * x - side * y, (*from)[1] + at * y + side * x}}))
           return;
       }
-    report(where,
-           "runs inside of " + body + ", and acts on surfaces; write a line along one, such as an edge.");
+    report(where, "lies inside " + body +
+                      ", but it acts on surfaces; write a line along a surface, such as an edge.");
   }
 
   void different(const ParameterList& list, const std::string& one, const std::string& other,
@@ -298,7 +298,7 @@ private:
     const auto a = reals(list, one);
     const auto b = reals(list, other);
     if (a && b && *a == *b)
-      report(scenePath(where, other), "is the same point as " + one + "; write the other end of the line.");
+      report(scenePath(where, other), "is the same point as " + one + "; write another end of the line.");
   }
 
   void parallelogram(const ParameterList& list, const std::string& where)
@@ -313,7 +313,7 @@ private:
         std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
     if (!(area > 1e-12 * std::hypot(u[0], u[1], u[2]) * std::hypot(v[0], v[1], v[2])))
       report(scenePath(where, "Edge 2"),
-             "does not span an area with Edge 1; write an edge in another direction.");
+             "is parallel to Edge 1 or zero; write an edge in another direction.");
   }
 
   void components(const ParameterList& boundary, const std::string& where)
@@ -360,16 +360,15 @@ private:
     const auto interval = real(output, "History Interval");
     if (end && interval && *end / *interval > 1e7)
       report("Output > History Interval",
-             "asks for more than ten million rows; write at least " + formatReal(*end * 1e-7) + " s.");
+             "gives more than ten million rows; write at least " + formatReal(*end * 1e-7) + " s.");
     const auto fields = real(output, "Field Interval");
     if (end && fields && *end / *fields > 1e5)
       report("Output > Field Interval",
-             "asks for more than a hundred thousand times of output; write at least " +
-                 formatReal(*end * 1e-5) + " s.");
+             "gives more than a hundred thousand outputs; write at least " + formatReal(*end * 1e-5) + " s.");
     const auto checkpoints = real(output, "Checkpoint Interval");
     if (end && checkpoints && *end / *checkpoints > 1e7)
       report("Output > Checkpoint Interval",
-             "asks for more than ten million checkpoints; write at least " + formatReal(*end * 1e-7) + " s.");
+             "gives more than ten million checkpoints; write at least " + formatReal(*end * 1e-7) + " s.");
   }
 
   const ParameterList& m_scene;
@@ -392,7 +391,7 @@ void deriveDefaults(Teuchos::ParameterList& scene)
   auto& output = scene.sublist("Output");
   const auto end = real(scene.sublist("Time"), "Final Time");
   if (end && !output.isParameter("History Interval"))
-    output.set("History Interval", *end / 200.0, "Time between the rows of history.csv. [s]");
+    output.set("History Interval", *end / 200.0, "Time between two rows of history.csv. [s]");
 }
 
 } // namespace Rhegma

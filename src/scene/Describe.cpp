@@ -146,7 +146,7 @@ private:
     for (const auto& rule : section.together)
       sentence(ruleInWords(rule));
     if (section.changeable)
-      sentence("All in this section may change on restart.");
+      sentence("All parameters of this section may change on restart.");
     for (const auto& variant : section.variants)
     {
       const std::string dimension =

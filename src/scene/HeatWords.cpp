@@ -20,9 +20,9 @@ void refuseInMaterial(const Teuchos::ParameterList& list, const std::string& whe
                       std::vector<SceneError>& errors)
 {
   if (!tableTemperatures(list).empty())
-    errors.push_back({where, "a property is a table of temperature, and the scene has no heat" + add});
+    errors.push_back({where, "it is a table of temperature, but the scene has no section Thermal" + add});
   if (text(list, "Model") == "Rigid")
-    errors.push_back({where + " > Model", "Rigid is for scenes of heat alone; choose a law with stress, or "
+    errors.push_back({where + " > Model", "Rigid is for scenes with heat only; choose a law with stress, or "
                                           "add Thermal with Mechanics = false"});
 }
 
@@ -30,7 +30,8 @@ void refuseInBoundary(const Teuchos::ParameterList& list, const std::string& whe
                       std::vector<SceneError>& errors)
 {
   if (isHeatBoundary(text(list, "Type")))
-    errors.push_back({where, "it is a boundary of heat, and the scene has none" + add});
+    errors.push_back(
+        {where, "it is a thermal boundary condition, but the scene has no section Thermal" + add});
 }
 
 void refuseInBody(const Teuchos::ParameterList& list, const std::string& where,
@@ -38,7 +39,7 @@ void refuseInBody(const Teuchos::ParameterList& list, const std::string& where,
 {
   for (const char* name : {"Temperature", "Temperature Field"})
     if (list.isParameter(name))
-      errors.push_back({where + " > " + name, "the scene has no heat" + add});
+      errors.push_back({where + " > " + name, "the scene has no section Thermal" + add});
 }
 
 } // namespace

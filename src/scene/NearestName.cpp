@@ -64,8 +64,13 @@ std::string suggestion(const std::string& given, const std::vector<std::string>&
   if (!nearest.empty())
     return "did you mean \"" + nearest + "\"?";
   if (names.empty())
-    return "nothing can stand here.";
+    return "nothing is allowed here.";
   return "possible here: " + inWords(names, ", ") + ".";
+}
+
+std::string renamedTo(const std::string& newName)
+{
+  return "this parameter is now named \"" + newName + "\"; write that name.";
 }
 
 std::string inWords(const std::vector<std::string>& names, const std::string& lastJoin)

@@ -17,6 +17,9 @@ std::string nearestName(const std::string& given, const std::vector<std::string>
 /// `did you mean "Young Modulus"?`, or all of the names if none is near.
 std::string suggestion(const std::string& given, const std::vector<std::string>& names);
 
+/// The message for a parameter that an earlier version called otherwise.
+std::string renamedTo(const std::string& newName);
+
 /// "A", "A or B", "A, B or C".
 std::string inWords(const std::vector<std::string>& names, const std::string& lastJoin = " or ");
 

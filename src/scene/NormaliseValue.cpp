@@ -237,7 +237,7 @@ std::string typeInWords(ParameterType type)
   case ParameterType::Text:
     return "a text";
   case ParameterType::Choice:
-    return "one of a few words";
+    return "one of the allowed values";
   case ParameterType::RealArray:
     return "an array of real numbers";
   case ParameterType::IntegerArray:

@@ -64,7 +64,7 @@ void setParameter(Teuchos::ParameterList& scene, const std::string& text, const 
         for (const auto& name : sublists(*list))
           possible.push_back(name);
       errors.push_back(
-          {where, quoted + "leads nowhere: there is no such section; " + suggestion(names[i], possible)});
+          {where, quoted + "can't be applied: there is no such section; " + suggestion(names[i], possible)});
       return;
     }
     list = &list->sublist(names[i]);
@@ -76,8 +76,12 @@ void setParameter(Teuchos::ParameterList& scene, const std::string& text, const 
   const Parameter* parameter = active.findParameter(names.back());
   if (!parameter)
   {
-    errors.push_back({where, quoted + "leads nowhere: there is no such parameter; " +
-                                 suggestion(names.back(), active.parameterNames(dimensionOf(scene)))});
+    const Parameter* renamed = section->findFormer(names.back());
+    errors.push_back(
+        {where, quoted + "can't be applied: " +
+                    (renamed ? renamedTo(renamed->name)
+                             : "there is no such parameter; " +
+                                   suggestion(names.back(), active.parameterNames(dimensionOf(scene))))});
     return;
   }
   const std::string given = text.substr(equals + 1);

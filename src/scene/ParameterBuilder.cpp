@@ -15,6 +15,12 @@ ParameterBuilder& ParameterBuilder::meaning(const std::string& m)
   return *this;
 }
 
+ParameterBuilder& ParameterBuilder::formerly(const std::string& oldName)
+{
+  p->formerNames.push_back(oldName);
+  return *this;
+}
+
 ParameterBuilder& ParameterBuilder::required()
 {
   p->required = true;

@@ -76,7 +76,7 @@ struct PlaceFunction::Form
     catch (const mu::Parser::exception_type& error)
     {
       throw std::invalid_argument("\"" + (name.empty() ? text : name + " = " + text) +
-                                  "\" is not a function of place: " + withoutStop(error.GetMsg()) + "." +
+                                  "\" is not a function of position: " + withoutStop(error.GetMsg()) + "." +
                                   advice);
     }
     pieces.back().name = name;
@@ -96,7 +96,7 @@ PlaceFunction PlaceFunction::parse(const std::string& text, int axes)
   }
   const std::string last = trimmed(text.substr(begin));
   if (last.empty())
-    throw std::invalid_argument("the function of place is empty." + advice);
+    throw std::invalid_argument("the function of position is empty." + advice);
   form->add("", last, axes);
   return PlaceFunction(form);
 }

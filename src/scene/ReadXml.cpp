@@ -78,7 +78,7 @@ std::string wrongValue(const std::string& type, const std::string& text)
   if (!finite)
     return found + "is not finite; write a finite number.";
   if (type == "int" || type == "Array(int)")
-    return values ? found + "is not a whole number of ordinary size; write a whole number."
+    return values ? found + "is out of the range of whole numbers; write a smaller number."
                   : found + (array ? "is not a list of whole numbers; write {1, 2}."
                                    : "is not a whole number; write digits only.");
   return array ? found + "is not a list of numbers; write {1.0, 2.0}."
@@ -175,7 +175,7 @@ private:
       const std::string line = trimmed(xml.getContentLine(i));
       if (line.empty())
         continue;
-      report(where, "the text \"" + line.substr(0, 40) + "\" stands outside of a parameter; " + howToWrite);
+      report(where, "the text \"" + line.substr(0, 40) + "\" is outside of any parameter; " + howToWrite);
       return true;
     }
     return false;

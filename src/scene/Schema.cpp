@@ -204,6 +204,19 @@ const Item* findByName(const std::vector<Item>& items, const std::string& name)
 } // namespace
 
 const Parameter* Section::findParameter(const std::string& n) const { return findByName(parameters, n); }
+
+const Parameter* Section::findFormer(const std::string& oldName) const
+{
+  for (const Parameter& parameter : parameters)
+    for (const std::string& former : parameter.formerNames)
+      if (former == oldName)
+        return &parameter;
+  for (const Section& variant : variants)
+    if (const Parameter* parameter = variant.findFormer(oldName))
+      return parameter;
+  return nullptr;
+}
+
 const Section* Section::findSection(const std::string& n) const { return findByName(sections, n); }
 const Section* Section::findVariant(const std::string& n) const { return findByName(variants, n); }
 

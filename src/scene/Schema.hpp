@@ -68,6 +68,8 @@ struct Parameter
   ParameterType type = ParameterType::Real;
   std::string unit; ///< SI; empty: a pure number or not a number
   std::string meaning;
+  std::vector<std::string>
+      formerNames; ///< names of earlier versions; a scene with one gets an error with the new name
 
   bool required = true;
   std::optional<ParameterValue> byDefault;
@@ -106,6 +108,8 @@ public:
 
   ParameterBuilder& unit(const std::string& u);
   ParameterBuilder& meaning(const std::string& m);
+  /// The name that the parameter had in an earlier version.
+  ParameterBuilder& formerly(const std::string& oldName);
 
   /// Must be given; so is every parameter that says nothing else.
   ParameterBuilder& required();
@@ -220,6 +224,9 @@ struct Section
   Section& allOrNoneOf(std::vector<std::string> names);
 
   const Parameter* findParameter(const std::string& name) const;
+  /// The parameter of the section or of any of its variants that had this name in an earlier version; or
+  /// null.
+  const Parameter* findFormer(const std::string& oldName) const;
   const Section* findSection(const std::string& name) const;
   const Section* findVariant(const std::string& name) const;
 

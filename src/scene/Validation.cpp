@@ -150,9 +150,8 @@ void Validation::checkEntry(Teuchos::ParameterList& list, const std::string& nam
     if (parameter)
       report(where, "is a parameter, not a section; write <Parameter name=\"" + name + "\" ...>.");
     else if (std::find(section.toCome.begin(), section.toCome.end(), name) != section.toCome.end())
-      report(where,
-             "is not in this program: it was switched off when it was built, or is for a later version; "
-             "leave the section out.");
+      report(where, "is not part of this program: it was switched off when the program was built; leave the "
+                    "section out.");
     else if (active.variantKnown)
     {
       const auto sectionNames = active.sectionNames();
@@ -190,6 +189,12 @@ void Validation::unknownParameter(const std::string& name, const Section& sectio
                                   const ActiveSection& active, const std::string& path)
 {
   const std::string where = scenePath(path, name);
+  if (const Parameter* renamed = section.findFormer(name))
+  {
+    report(where, renamedTo(renamed->name));
+    m_meant.insert(scenePath(path, renamed->name));
+    return;
+  }
   std::vector<std::string> owners;
   for (const auto& variant : section.variants)
     if (variant.findParameter(name))
@@ -213,10 +218,11 @@ void Validation::unknownParameter(const std::string& name, const Section& sectio
   }
   const auto names = active.parameterNames(m_dimension);
   if (names.empty() && active.entry)
-    report(where, "is a parameter; only sections stand here: write <ParameterList name=\"" + name +
+    report(where, "is a parameter, but only sections are allowed here: write <ParameterList name=\"" + name +
                       "\"> for one " + active.entry->name + ".");
   else if (names.empty())
-    report(where, "is a parameter; only sections stand here: " + suggestion(name, active.sectionNames()));
+    report(where,
+           "is a parameter, but only sections are allowed here: " + suggestion(name, active.sectionNames()));
   else
     report(where, "there is no such parameter; " + suggestion(name, names));
   m_meant.insert(scenePath(path, nearestName(name, names.empty() ? active.sectionNames() : names)));

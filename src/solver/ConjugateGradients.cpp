@@ -58,7 +58,7 @@ public:
   void apply(const MultiVector& x, MultiVector& y, Teuchos::ETransp, double alpha, double beta) const override
   {
     if (alpha != 1.0 || beta != 0.0 || x.getNumVectors() != 1)
-      throw std::logic_error("an operator is only ever applied to one vector, as y = A x");
+      throw std::logic_error("the operator supports y = A x for one vector only");
     if (function_)
       function_(read(x), overwrite(y));
     else

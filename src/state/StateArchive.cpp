@@ -218,6 +218,48 @@ void archiveState(State<D>& state, Archive& archive)
   archiveBlocks(state, archive);
 }
 
+template <int D>
+void archiveNodalFields(State<D>& state, Archive& archive)
+{
+  NodalFieldTable<D>& table = state.mesh.nodalFields;
+  const std::vector<NodalField> fields = table.fields();
+  const Archive::Group group(archive, "nodal fields");
+  if (archive.loads())
+    table.layOut(nodesOfFields(state));
+  for (std::size_t f = 0; f < fields.size(); ++f)
+  {
+    const Archive::Group own(archive, fields[f].field.name);
+    const std::size_t name = table.nameWidth, components = fields[f].field.components;
+    std::vector<int> nodes;
+    std::vector<double> values, rows;
+    if (!archive.loads())
+      rows = table.namedRows(static_cast<int>(f));
+    for (std::size_t k = 0; k < rows.size(); k += name + components)
+    {
+      nodes.insert(nodes.end(), &rows[k], &rows[k + name]);
+      values.insert(values.end(), &rows[k + name], &rows[k + name] + components);
+    }
+    archive.together("node", nodes, name);
+    archive.together("value", values, components);
+    if (!archive.loads())
+      continue;
+    if (nodes.size() / name != values.size() / components)
+      throw std::invalid_argument("\"node\" of the nodal field \"" + fields[f].field.name +
+                                  "\" has another number of rows than \"value\"");
+    for (std::size_t k = 0; k < nodes.size() / name; ++k)
+    {
+      rows.insert(rows.end(), &nodes[k * name], &nodes[k * name] + name);
+      rows.insert(rows.end(), &values[k * components], &values[k * components] + components);
+    }
+    const std::vector<double> found = table.place(static_cast<int>(f), rows);
+    if (!state.ranks.many() && std::count(found.begin(), found.end(), 0.0) > 0)
+      throw std::invalid_argument("the nodal field \"" + fields[f].field.name +
+                                  "\" names a node that is not there");
+  }
+}
+
+template void archiveNodalFields(State<2>&, Archive&);
+template void archiveNodalFields(State<3>&, Archive&);
 template void archiveState(State<2>&, Archive&);
 template void archiveState(State<3>&, Archive&);
 

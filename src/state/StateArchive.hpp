@@ -18,4 +18,9 @@ namespace Rhegma
 template <int D>
 void archiveState(State<D>& state, Archive& archive);
 
+/// Saves or loads the nodal fields of effects by the identities of their nodes, once the state and the
+/// cracks' formulation are there. Collective.
+template <int D>
+void archiveNodalFields(State<D>& state, Archive& archive);
+
 } // namespace Rhegma

@@ -54,7 +54,7 @@ template <int D>
 void demandAllParticles(const State<D>& state)
 {
   if (state.ranks.sum(state.particles.size()) != state.particles.ofAllRanks)
-    throw std::logic_error("the ranks together do not hold every particle once");
+    throw std::logic_error("a particle is missing or is on two ranks");
 }
 
 /// Takes this rank's part of the lattice, without anything on its nodes.
@@ -158,6 +158,27 @@ void redivideState(State<D>& state)
 }
 
 template <int D>
+NodalFieldNodes<D> nodesOfFields(const State<D>& state)
+{
+  NodalFieldNodes<D> nodes;
+  nodes.grid = state.mesh.grid;
+  nodes.finePlace = state.mesh.tree.finePlace;
+  nodes.foreign = state.mesh.nodes.foreign;
+  if (state.mesh.subdomain)
+    nodes.refined = {state.mesh.subdomain, &state.mesh.subdomain->refined};
+  nodes.generation = state.mesh.tree.generation;
+  nodes.perNode = state.cracks.dualField && !state.cracks.empty() ? 2 : 1;
+  return nodes;
+}
+
+template <int D>
+void moveNodalFields(State<D>& state)
+{
+  if (!state.mesh.nodalFields.empty())
+    state.mesh.nodalFields.move(nodesOfFields(state), state.clock.step, state.ranks);
+}
+
+template <int D>
 void useSharedNodes(State<D>& state)
 {
   if (!state.mesh.subdomain)
@@ -258,6 +279,10 @@ template void gatherLattice(State<2>&);
 template void gatherLattice(State<3>&);
 template void redivideState(State<2>&);
 template void redivideState(State<3>&);
+template NodalFieldNodes<2> nodesOfFields(const State<2>&);
+template NodalFieldNodes<3> nodesOfFields(const State<3>&);
+template void moveNodalFields(State<2>&);
+template void moveNodalFields(State<3>&);
 template void useSharedNodes(State<2>&);
 template void useSharedNodes(State<3>&);
 template SharedRows sharedRows(const State<2>&, const View<int*>&);

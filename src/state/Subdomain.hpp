@@ -60,6 +60,15 @@ void redivideState(State<D>& state);
 template <int D>
 void migrateParticles(State<D>& state);
 
+/// The nodes as they are now, for Mesh::nodalFields.
+template <int D>
+NodalFieldNodes<D> nodesOfFields(const State<D>& state);
+
+/// Moves the nodal fields of effects to the nodes as they are now. To be called once a step, when its cells
+/// are known. Collective.
+template <int D>
+void moveNodalFields(State<D>& state);
+
 /// Adds the nodes shared with other ranks to those in use: they have mass that is no particle's here.
 template <int D>
 void useSharedNodes(State<D>& state);

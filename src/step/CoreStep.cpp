@@ -30,10 +30,10 @@ void strain(State<D>& state, StrainVelocity velocity, bool alsoMove)
     return;
   // Laws find no stress at temperatures that there are not.
   const std::string heat = heatTrouble(state);
-  state.failure = !heat.empty()
-                      ? heat
-                      : "a particle is turned inside out or its velocity is no longer a number (" +
-                            unstableStep(state.mesh.subcycledLevels) + ", smaller cells or a gentler load)";
+  state.failure = !heat.empty() ? heat
+                                : "a particle has a negative volume or its velocity is not finite (" +
+                                      unstableStep(state.mesh.subcycledLevels) +
+                                      ", smaller cells or a lower load rate)";
 }
 
 template <int D>

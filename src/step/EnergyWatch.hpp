@@ -47,11 +47,11 @@ public:
   std::string trouble(int subcycledLevels = 0) const
   {
     if (!std::isfinite(residual_))
-      return "an energy is no longer a number" + advice(subcycledLevels);
+      return "an energy is not finite" + advice(subcycledLevels);
     if (bursts_ < burstsInARow)
       return {};
-    return "the bodies hold " + formatReal(now_) + " J, of which no more than " + formatReal(given_) +
-           " J were given to them" + advice(subcycledLevels);
+    return "the energy of the bodies is " + formatReal(now_) + " J, but at most " + formatReal(given_) +
+           " J was supplied" + advice(subcycledLevels);
   }
 
   /// \param losesByDesign whether the scene asks for a scheme that takes energy which nobody books
@@ -63,11 +63,11 @@ public:
     if (steps < fewSteps)
       return {};
     if (largest_ > noticeable * given_)
-      return "energy.residual: the run made " + percent(largest_) +
-             " % more energy than was given to the bodies" + advice(subcycledLevels);
+      return "energy.residual: the run gained " + percent(largest_) +
+             " % more energy than was supplied to the bodies" + advice(subcycledLevels);
     if (!losesByDesign && -residual_ > noticeable * given_)
       return "energy.residual: the run lost " + percent(-residual_) +
-             " % of the energy that was given to the bodies; smaller cells lose less";
+             " % of the energy supplied to the bodies; use smaller cells";
     return {};
   }
 
@@ -80,7 +80,7 @@ private:
   static std::string advice(int subcycledLevels)
   {
     return " (" + unstableStep(subcycledLevels) +
-           ", smaller cells, a gentler load or another Cracks > Formulation)";
+           ", smaller cells, a lower load rate or another Cracks > Formulation)";
   }
 
   std::string percent(double energy) const { return formatReal(std::round(1e3 * energy / given_) / 10.0); }

@@ -14,12 +14,12 @@ template <int D>
 void refuse(const State<D>& state, const std::vector<double>& joules)
 {
   if (state.materials.thermo.empty())
-    throw std::invalid_argument("heat can't be given: the scene has no section Thermal");
+    throw std::invalid_argument("heat can't be added: the scene has no section Thermal");
   if (static_cast<int>(joules.size()) != state.particles.size())
-    throw std::invalid_argument("heat can't be given: there are " + std::to_string(joules.size()) +
+    throw std::invalid_argument("heat can't be added: there are " + std::to_string(joules.size()) +
                                 " numbers for " + std::to_string(state.particles.size()) + " particles");
   if (!std::all_of(joules.begin(), joules.end(), [](double heat) { return std::isfinite(heat); }))
-    throw std::invalid_argument("heat can't be given: that of a particle is not a finite number");
+    throw std::invalid_argument("heat can't be added: that of a particle is not finite");
 }
 
 /// Whether a particle would come to zero kelvin or below, by the capacity that it has now.
@@ -78,7 +78,7 @@ void giveHeat(State<D>& state, const std::vector<double>& joules)
   std::copy(joules.begin(), joules.end(), host.data());
   Kokkos::deep_copy(heat, host);
   if (freezes(state, heat))
-    throw std::invalid_argument("heat can't be given: it would take a particle to zero kelvin or below");
+    throw std::invalid_argument("heat can't be added: a particle would reach zero kelvin or below");
   state.energy.heat += giveToParticles(state, heat);
 }
 

@@ -23,11 +23,11 @@ std::string heatTrouble(const State<D>& state)
       },
       Kokkos::Min<double>(coldest), Kokkos::Min<double>(smallest));
   if (!(coldest > 0.0))
-    return "a particle is at " + formatReal(coldest) +
-           " K, and temperatures are absolute; look at the sources, at what flows out and at Specific Heat";
+    return "the temperature of a particle is " + formatReal(coldest) +
+           " K, and it is absolute; check the heat sources, the outgoing heat fluxes and Specific Heat";
   if (!(smallest > 0.0))
-    return "thermal strain leaves " + formatReal(smallest) +
-           " of the length of a particle; look at Thermal Expansion and at the temperatures";
+    return "thermal strain shortens a particle to " + formatReal(smallest) +
+           " of its length; check Thermal Expansion and the temperatures";
   return {};
 }
 

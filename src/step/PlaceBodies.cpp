@@ -69,9 +69,8 @@ void seed(PlacedBody<D>& body, const Grid<D>& grid)
   body.seeds = seedParticles<D>(body.shape, grid.spacing, body.particlesPerCell(), body.where());
   for (const Vector<D>& x : body.seeds.position)
     if (!grid.inside(x))
-      throw std::invalid_argument(body.where() +
-                                  ": part of the body lies outside of the domain; move it or enlarge "
-                                  "Domain > Lower Corner, Upper Corner");
+      throw std::invalid_argument(body.where() + ": part of the body lies outside the domain; move it, or "
+                                                 "enlarge Domain > Lower Corner, Upper Corner");
 }
 
 template <int D>
@@ -84,8 +83,7 @@ void refuseOverlap(const PlacedBody<D>& one, const PlacedBody<D>& other)
   throw std::invalid_argument(
       other.where() + ": overlaps " + one.where() + ", such as at " +
       inWords<D>(inOther >= 0 ? one.seeds.position[inOther] : other.seeds.position[inOne]) +
-      ", so that the mass there would count twice; move one of them, or cut it with "
-      "Operations");
+      ", so the mass there would be counted twice; move one of them, or cut it with Operations");
 }
 
 } // namespace

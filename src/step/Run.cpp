@@ -38,7 +38,7 @@ template <int D>
 [[noreturn]] void stop(const State<D>& state)
 {
   std::ostringstream reason;
-  reason << "the run stopped at time " << formatReal(state.clock.time) << " s, step " << state.clock.step
+  reason << "the run stopped at t = " << readableTime(state.clock.time) << ", step " << state.clock.step
          << ": " << state.failure;
   throw RunError(reason.str());
 }
@@ -79,6 +79,9 @@ void Run<D>::makeAll()
     extra.insert(extra.end(), effect.adds.begin(), effect.adds.end());
   }
   makeState(scene_, extra, state_);
+  for (const Effect<D>& effect : effects)
+    for (const NodalField& field : effect.addsNodal)
+      state_.mesh.nodalFields.add(field);
   effects.insert(effects.begin(), makeCore(state_));
   Effect<D> boundaries = makeBoundaries<D>(scene_);
   if (!boundaries.calls.empty())
@@ -109,18 +112,17 @@ void Run<D>::refuseEndless() const
 {
   if (state_.method.mechanics &&
       (!std::isfinite(state_.clock.fastestSpeed) || !(state_.clock.fastestSpeed > 0.0)))
-    throw std::invalid_argument("Materials: the speed of waves and particles is not a finite positive "
-                                "number; write stiffness, density "
-                                "and the velocity of bodies in SI units");
+    throw std::invalid_argument("Materials: the speed of waves and particles is not finite and positive; "
+                                "check stiffness, density and the velocity of bodies (SI units)");
   const double step = stableTimeStep();
   const double steps = scene_.sublist("Time").get<double>("Final Time") / step;
   // A scene that limits its steps knows what it does.
   if (steps <= mostSteps || scene_.sublist("Time").get<int>("Maximum Steps") < mostSteps)
     return;
-  throw std::invalid_argument(
-      "Time > Final Time: the run would take about " + formatReal(std::round(steps)) + " steps of " +
-      formatReal(step) +
-      " s; write a shorter time, larger cells or fewer Maximum Steps, and materials in SI units");
+  throw std::invalid_argument("Time > Final Time: the run would take about " + formatReal(std::round(steps)) +
+                              " steps of " + formatReal(step) +
+                              " s; write a shorter time, larger cells or fewer Maximum Steps, and check that "
+                              "materials are in SI units");
 }
 
 template <int D>
@@ -176,6 +178,7 @@ void Run<D>::step(double until, bool sample)
   state_.clock.observing = sample;
   // First, since the step depends on the cells.
   runStage(Stage::BetweenSteps);
+  moveNodalFields(state_);
   state_.clock.dt = stableTimeStep();
   if (!(state_.clock.dt > 0.0) || !std::isfinite(state_.clock.dt))
   {
@@ -216,6 +219,7 @@ template <int D>
 void Run<D>::keep(Archive& archive)
 {
   archiveState(state_, archive);
+  archiveNodalFields(state_, archive);
   {
     const Archive::Group group(archive, "run");
     archive("stage_seconds", plan_.seconds);

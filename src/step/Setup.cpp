@@ -66,26 +66,26 @@ template <int D>
 void addFields(State<D>& state, const std::vector<Field>& extra)
 {
   FieldTable& table = state.particles;
-  table.add({fields::position, D, "m", "where the particle is"});
-  table.add({fields::reference, D, "m", "where it was at the start"});
+  table.add({fields::position, D, "m", "current position"});
+  table.add({fields::reference, D, "m", "reference position"});
   if (state.method.mechanics)
     table.add({fields::velocity, D, "m/s", "its velocity"});
   table.add({fields::mass, 1, "kg", "its mass"});
-  table.add({fields::volume, 1, "m3", "its undeformed volume"});
+  table.add({fields::volume, 1, "m3", "undeformed volume"});
   table.add({fields::deformation, gradientSize<D>, "", "deformation gradient"});
   if (state.method.mechanics)
     table.add({fields::stress, symmetricSize<D>, "Pa", "Kirchhoff stress"});
-  table.add({fields::edge, D, "m", "undeformed edge lengths along its body's axes"});
+  table.add({fields::edge, D, "m", "undeformed edge lengths along the axes of the body"});
   if (state.method.shape == ShapeKind::Gimp)
-    table.add({fields::box, D, "m", "half widths of the box that shape functions are averaged over"});
+    table.add({fields::box, D, "m", "half widths of the particle domain (GIMP)"});
   int history = 0;
   for (const Properties& properties : state.materials.list)
     history = std::max(history, historySize(properties.kind, D));
   if (history > 0 && state.method.mechanics)
-    table.add({fields::history, history, "", "what the constitutive law remembers"});
-  table.add({fields::material, 1, "", "number of its material", true});
-  table.add({fields::body, 1, "", "number of its body", true});
-  table.add({fields::id, 1, "", "its own number", true});
+    table.add({fields::history, history, "", "history variables of the constitutive law"});
+  table.add({fields::material, 1, "", "index of the material", true});
+  table.add({fields::body, 1, "", "index of the body", true});
+  table.add({fields::id, 1, "", "id of the particle", true});
   for (const Field& field : extra)
     if (!table.has(field.name))
       table.add(field);

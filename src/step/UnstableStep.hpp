@@ -10,7 +10,7 @@ namespace Rhegma
 /// take short steps of their own
 inline std::string unstableStep(int subcycledLevels)
 {
-  return std::string("an unstable step: try a smaller Time > CFL") +
+  return std::string("the time step is unstable; try a smaller Time > CFL") +
          (subcycledLevels > 0 ? ", fewer Sub-Cycling > Levels" : "");
 }
 

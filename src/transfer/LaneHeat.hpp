@@ -34,7 +34,7 @@ namespace Rhegma
 namespace fields
 {
 /// Of a step, the share that the force of its start acts [-]: without the field all of it.
-inline const std::string firstShare = "share of the first force";
+inline const std::string firstShare = "fraction of the first force";
 } // namespace fields
 
 namespace detail

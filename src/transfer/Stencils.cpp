@@ -204,8 +204,7 @@ void storeStencils(State<D>& state)
   const ObservedPoints<D>& points = state.stored.points;
   if (writeUnbroken(state, state.method.shape, points, state.stored.table) > 0)
     state.failure =
-        "a particle touches more nodes than its stencil can hold: it is far larger than the cells "
-        "around it";
+        "a particle overlaps more nodes than its stencil can hold: it is far larger than the cells around it";
   if (state.stored.editor.edit)
     state.stored.editor.edit(state, points, state.stored.table);
 }

@@ -288,9 +288,8 @@ double strainAndMoveWith(State<D>& state, const Connect& connect, const View<dou
   if (strays(0) != 0)
     state.particles.sorted = false;
   if (strays(1) != 0 && state.failure.empty())
-    state.failure =
-        "a particle left the domain; make the Domain larger or stop the run before (Domain > Lower Corner, "
-        "Upper Corner)";
+    state.failure = "a particle left the domain; enlarge the domain (Domain > Lower Corner, Upper Corner) or "
+                    "end the run earlier";
   return fastest;
 }
 

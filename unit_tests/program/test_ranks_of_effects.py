@@ -55,7 +55,7 @@ class Cracks(OnRanks):
             self.agree(self.write(scene), ranks=(3,))
 
     def test_without_ties(self):
-        self.agree(self.write(plate().set("Cracks > Front Ties", False)), ranks=(2,))
+        self.agree(self.write(plate().set("Cracks > Front Springs", False)), ranks=(2,))
 
     def test_cells_that_are_cut(self):
         for formulation in ("Broken Cell", "Corrected Broken Cell"):

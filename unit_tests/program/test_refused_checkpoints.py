@@ -56,13 +56,13 @@ class Refused(RestartTest):
         for length in (BLOCK - 1, BLOCK, BLOCK + 1, size // 2, size - 1):
             with self.subTest(length=length):
                 self.change(lambda data: whole[:length])
-                self.refused("checkpoint.h5", "is cut short")
+                self.refused("checkpoint.h5", "is truncated")
 
     def test_empty(self):
         self.change(lambda data: b"")
         with open(self.checkpoint, "wb"):
             pass
-        self.refused("checkpoint.h5", "is not one")
+        self.refused("checkpoint.h5", "is not a checkpoint")
 
     def test_bit_flipped_anywhere(self):
         """In the block, in HDF5's own structures and in the numbers."""
@@ -75,7 +75,7 @@ class Refused(RestartTest):
                 changed = bytearray(whole)
                 changed[place] ^= 1 << random.randrange(8)
                 self.change(lambda data: changed)
-                self.refused("checkpoint.h5", "is not one" if place < 16 else "is damaged")
+                self.refused("checkpoint.h5", "is not a checkpoint" if place < 16 else "is damaged")
 
     def test_longer_than_written(self):
         self.change(lambda data: data + b"\0")
@@ -91,7 +91,7 @@ class Refused(RestartTest):
 
     def test_another_file(self):
         shutil.copy(self.path("out", "fields.h5"), self.checkpoint)
-        self.refused("checkpoint.h5", "is not one", "--restart")
+        self.refused("checkpoint.h5", "is not a checkpoint", "--restart")
 
     def test_folder(self):
         self.checkpoint = self.path("out")
@@ -131,7 +131,7 @@ class Refused(RestartTest):
         with open(self.path("out", "history.csv"), "r+b") as file:
             file.seek(200)
             file.write(b"9")
-        self.refused("history.csv is not the history", "take this one away")
+        self.refused("history.csv is not the history", "remove this one")
 
 
 if __name__ == "__main__":

@@ -29,7 +29,7 @@ class GoesOn(RestartTest):
         complaint = run.stderr.read().decode()
         self.assertEqual(run.returncode, 2, complaint)
         checkpoint = os.path.join(broken, "checkpoint.h5")
-        self.assert_sentences(complaint, [("", ["stopped by " + name, "--restart " + checkpoint, "goes on from time"])])
+        self.assert_sentences(complaint, [("", ["stopped by " + name, "--restart " + checkpoint, "continues from t ="])])
         with h5py.File(checkpoint, "r") as file:
             stopped = float(file["run"].attrs["time"])
         with open(os.path.join(broken, "summary.json")) as file:
@@ -83,7 +83,7 @@ class GoesOn(RestartTest):
         os.remove(self.path("out", "history.csv"))
         answer = rhegma(self.path("scene.xml"), "--output", self.path("out"), "--quiet", "--restart", checkpoint)
         self.assertEqual(answer.status, 0, answer)
-        self.assertIn("there is no history.csv beside the checkpoint", answer.complaint)
+        self.assertIn("there is no history.csv next to the checkpoint", answer.complaint)
 
     def test_fields_that_cannot_be_read(self):
         checkpoint = self.checkpoint_of(self.path("out"))
@@ -114,7 +114,7 @@ class Trouble(RestartTest):
         answer = rhegma(path, "--output", self.path("out"), "--quiet")
         self.assertEqual(answer.status, 2, answer)
         checkpoint = self.path("out", "checkpoint.h5")
-        self.assertIn("--restart " + checkpoint + " goes on from time", answer.complaint)
+        self.assertIn("--restart " + checkpoint + " continues from t =", answer.complaint)
         with h5py.File(checkpoint, "r") as file:
             kept = float(file["run"].attrs["time"])
             for name, table in file["particles"].items():

@@ -64,7 +64,7 @@ class LeftFiles(ProgramTest):
             text = file.read()
         if not text:
             return []
-        self.assertTrue(text.endswith("\n"), "half a row: " + text[-80:])
+        self.assertTrue(text.endswith("\n"), "last row is incomplete: " + text[-80:])
         head, *rows = csv.reader(text.splitlines())
         for row in rows:
             self.assertEqual(len(row), len(head), row)
@@ -100,12 +100,13 @@ class UnstableRuns(LeftFiles):
         self.assertEqual(answer.status, 2, answer)
         self.assertEqual(answer.output, "")
         self.assert_sentences(answer.complaint, [("", words)])
-        found = re.match(r"rhegma: the run stopped at time (\S+) s, step (\d+): (.+)\n\Z", answer.complaint)
+        found = re.match(r"rhegma: the run stopped at t = (\S+) ([mun]?)s, step (\d+): (.+)\n\Z", answer.complaint)
         self.assertTrue(found, answer.complaint)
         summary = self.summary(self.path("scene.out"))
         self.assertEqual(summary["status"], answer.complaint[len("rhegma: ") :].strip())
-        self.assertAlmostEqual(summary["time"], float(found.group(1)), delta=1e-6 * abs(summary["time"]) + 1e-12)
-        self.assertEqual(summary["steps"], int(found.group(2)))
+        time = float(found.group(1)) * {"": 1.0, "m": 1e-3, "u": 1e-6, "n": 1e-9}[found.group(2)]
+        self.assertAlmostEqual(summary["time"], time, delta=1e-3 * abs(summary["time"]) + 1e-12)
+        self.assertEqual(summary["steps"], int(found.group(3)))
         self.assertLess(summary["time"], scene_end(scene))
         rows = self.rows(self.path("scene.out"))
         for row in rows:
@@ -122,12 +123,12 @@ class UnstableRuns(LeftFiles):
             "Boundaries",
             {"Blast": {"Type": "Gravity", "Acceleration": [1.0, 0.3], "History": "exp(1e3 * t) * sin(4e2 * t)"}},
         )
-        self.stops(scene, "a particle")  # turned inside out or gone, whichever comes first
+        self.stops(scene, "a particle")  # inverted or gone, whichever comes first
 
     def test_rubber_that_is_turned_inside_out(self):
         """Two walls that shut at once, further in a step than they are apart."""
         scene = block().set("Boundaries", {"Left": wall(0.0, 0.45, 1.0), "Right": wall(0.55, 1.0, -1.0)})
-        self.stops(scene, "inside out", "Time > CFL")
+        self.stops(scene, "negative volume", "Time > CFL")
 
     def test_a_body_that_is_cooled_below_absolute_zero(self):
         scene = block().set("Materials > Rubber > Specific Heat", 1000.0)
@@ -139,7 +140,7 @@ class UnstableRuns(LeftFiles):
     def test_short_steps_are_named_where_they_may_be_the_cause(self):
         scene = block().set("Boundaries", {"Left": wall(0.0, 0.45, 1.0), "Right": wall(0.55, 1.0, -1.0)})
         scene.set("Adaptivity", {"Velocity Change": 1.0}).set("Sub-Cycling", {"Levels": 1})
-        self.stops(scene, "inside out", "Time > CFL", "Sub-Cycling > Levels")
+        self.stops(scene, "negative volume", "Time > CFL", "Sub-Cycling > Levels")
 
     def test_step_at_the_limit_with_stresses_updated_last(self):
         """CFL 1 is allowed; with USL, which is unstable where nodes are light, a loaded plate does not bear it."""
@@ -162,10 +163,10 @@ class UnstableRuns(LeftFiles):
     def test_mass_matrix_that_is_singular(self):
         """Boxes of GIMP in rows along the cells give fewer equations than there are nodes."""
         scene = plate().set("Domain > Shape Functions", "GIMP")
-        scene.set("Mass Matrix", {"Type": "Full", "Lumped Share": 0.0, "Smallest Node": 0.0})
+        scene.set("Mass Matrix", {"Type": "Full", "Lumped Fraction": 0.0, "Minimum Node Mass": 0.0})
         answer = rhegma(self.write("scene.xml", scene.text()), "--quiet", timeout=300)
         self.assertEqual(answer.status, 2, answer)
-        self.assertRegex(answer.complaint, r"mass matrix could not be solved .* it is singular.* Lumped Share")
+        self.assertRegex(answer.complaint, r"mass matrix could not be solved .* it is singular.* Lumped Fraction")
 
     def test_load_that_loses_its_body(self):
         """A point load tears its particle off."""
@@ -241,7 +242,7 @@ class StoppedFromOutside(LeftFiles):
         run.wait(60)
         complaint = run.stderr.read().decode()
         self.assertEqual(run.returncode, 2, complaint)
-        self.assert_sentences(complaint, [("", ["stopped by " + name, "at time", "step"])])
+        self.assert_sentences(complaint, [("", ["stopped by " + name, "at t =", "step"])])
         self.assertIn("Results up to then are in " + folder, run.stdout.read().decode())
         summary = self.summary(folder)
         self.assertIn("stopped by " + name, summary["status"])
@@ -301,7 +302,7 @@ class NoRoom(LeftFiles):
 
     def told(self, answer, folder):
         self.assertEqual(answer.status, 2, answer)
-        self.assert_sentences(answer.complaint, [("", ["at time", "step", "can't be written", folder])])
+        self.assert_sentences(answer.complaint, [("", ["at t =", "step", "can't be written", folder])])
 
     def test_file_that_may_not_grow(self):
         answer = rhegma(self.scene(), "--output", self.path("out"), "--quiet", preexec=small_files)

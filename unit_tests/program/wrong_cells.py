@@ -29,9 +29,9 @@ ACCURACY = [
     ("accuracy_of_a_crack_with_a_point_twice", accurate(plate().set(NOTCH, [0.0, 0.5, 0.3, 0.5, 0.3, 0.5, 0.5, 0.5])),
      one(NOTCH, "no length", "leave")),
     ("accuracy_of_a_tiny_crack", accurate(plate().set(NOTCH, [0.5, 0.5, 0.5 + 1e-6, 0.5])),
-     one("Domain > Accuracy", "Cracks > Notch", "5e-07 m", "more than the domain can have")),
+     one("Domain > Accuracy", "Cracks > Notch", "5e-07 m", "too many for this domain")),
     ("accuracy_of_a_tiny_crack_at_the_edge", accurate(plate().set(NOTCH, [0.0, 0.5, 1e-6, 0.5])),
-     one("Domain > Accuracy", "Cracks > Notch", "more than the domain can have")),
+     one("Domain > Accuracy", "Cracks > Notch", "too many for this domain")),
     ("accuracy_of_a_crack_that_parts_the_body",
      accurate(plate().set(NOTCH, [-0.1, 0.5, 1.1, 0.5]).remove("Energy Release")),
      one("Domain > Accuracy", "front in material", "neither")),
@@ -53,7 +53,7 @@ ACCURACY = [
     ("accuracy_of_an_even_source",
      accurate(warm(Sources={"Oven": {"Type": "Box", "Lower Corner": [0.0, 0.0], "Upper Corner": [1.0, 1.0],
                                      "Power Density": 1.0}}).remove("Cracks").remove("Energy Release")),
-     one("Domain > Accuracy", "round sources of heat", "neither")),
+     one("Domain > Accuracy", "round heat sources", "neither")),
 ]
 
 MASS = [
@@ -73,7 +73,7 @@ BOX = {"Lower Corner": [0.0, 0.0], "Upper Corner": [0.02, 0.02], "Level": 1}
 
 ADAPTIVITY = [
     ("adaptivity_without_a_criterion", plate().set("Adaptivity", {"Front Cells": 0.0}),
-     one("Adaptivity", "nothing tells where", "Velocity Change")),
+     one("Adaptivity", "no refinement criterion", "Velocity Change")),
     ("adaptivity_that_starts_before_the_run", plate().set("Adaptivity", {"Start Time": -1.0}),
      one("Adaptivity > Start Time", "0")),
     ("levels_that_come_backwards", plate().set("Adaptivity", {"Level Time": -1.0}),
@@ -111,8 +111,10 @@ ADAPTIVITY = [
      plate().set("Adaptivity", {}).set("Sub-Cycling", {}).set("Mass Matrix", {"Type": "Full"}),
      one("Sub-Cycling", "Mass Matrix", "Lumped or Partial")),
     ("sub_cycling_and_a_matrix_that_may_be_singular",
-     plate().set("Adaptivity", {}).set("Sub-Cycling", {}).set("Mass Matrix", {"Type": "Partial", "Lumped Share": 0.01}),
-     one("Mass Matrix > Lumped Share", "at least 0.05")),
+     plate().set("Adaptivity", {}).set("Sub-Cycling", {}).set("Mass Matrix", {"Type": "Partial", "Lumped Fraction": 0.01}),
+     one("Mass Matrix > Lumped Fraction", "at least 0.05")),
+    ("parameter_by_its_former_name", plate().set("Mass Matrix", {"Type": "Full", "Lumped Share": 0.1}),
+     one("Mass Matrix > Lumped Share", "now named", "Lumped Fraction")),
     ("sub_cycling_of_cells_of_one_size", plate().set("Sub-Cycling", {}),
      one("Sub-Cycling", "one size", "Adaptivity")),
     ("sub_cycling_of_usl",
@@ -122,7 +124,7 @@ ADAPTIVITY = [
      one("Sub-Cycling > Levels", "from 1 to 6")),
     ("adaptivity_of_corrected_broken_cells",
      plate().set("Adaptivity", {}).set("Cracks > Formulation", "Corrected Broken Cell"),
-     one("Adaptivity", "Corrected Broken Cell", "equal cells")),
+     one("Adaptivity", "Corrected Broken Cell", "cells of one size")),
     ("adaptivity_of_contact_by_visibility",
      plate().set("Adaptivity", {}).set("Cracks > Formulation", "Broken Cell").set("Contact", {"Law": "Visibility"}),
      one("Adaptivity", "Visibility", "another law")),

@@ -21,7 +21,7 @@ HEAT = [
     ("field_below_absolute_zero", warm().set("Bodies > Plate > Temperature Field", "x - 10"),
      one("Bodies > Plate > Temperature Field", "absolute")),
     ("field_that_is_no_function", warm().set("Bodies > Plate > Temperature Field", "300 + * x"),
-     one("Bodies > Plate > Temperature Field", "not a function of place")),
+     one("Bodies > Plate > Temperature Field", "not a function of position")),
     ("two_temperatures_of_a_node", warm().set("Boundaries > Hot", {"Type": "Temperature", "Temperature": 400.0,
      "Lower Corner": [0.0, 0.0], "Upper Corner": [0.1, 0.1]}).set("Boundaries > Cold", {"Type": "Temperature",
      "Temperature": 300.0, "Lower Corner": [0.1, 0.0], "Upper Corner": [0.2, 0.1]}),
@@ -36,22 +36,22 @@ HEAT = [
     ("table_without_heat", plate().set(MODULUS, "300:3e9, 400:2e9"),
      one("Materials > Polymer", "table of temperature", "Thermal")),
     ("heat_alone_with_a_load", warm(Mechanics=False).remove("Energy Release"),
-     one("Boundaries > Pull", "nothing moves")),
+     one("Boundaries > Pull", "Mechanics = false")),
     ("rigid_with_motion", warm().remove("Energy Release").set("Materials > Stone", {"Model": "Rigid",
-     "Density": 1.0, "Specific Heat": 1.0}), one("Materials > Stone > Model", "heat alone")),
+     "Density": 1.0, "Specific Heat": 1.0}), one("Materials > Stone > Model", "heat only")),
     ("expansion_and_crack_closure", warm().set(POLYMER + "Thermal Expansion", 7e-5).set(
         "Energy Release > Crack Closure", True), one("Energy Release > Crack Closure", "set it to false")),
     ("front_heat_of_cracks_that_rest", warm(**{"Front Heat Fraction": 1.0, "Front Radius": 1e-3}),
-     one("Thermal > Front Heat Fraction", "no crack grows")),
+     one("Thermal > Front Heat Fraction", "needs the section Propagation")),
     ("conduction_in_far_too_short_steps", warm().set(POLYMER + "Conductivity", 1e14),
      one("Thermal", "conduction would need", "Conductivity")),
     ("surface_that_falls_below_absolute_zero", warm().set("Boundaries > Cold", {"Type": "Temperature",
      "Temperature": 300.0, "History": "1 - t/1e-9", "Lower Corner": [0.0, 0.0], "Upper Corner": [0.1, 0.1]}),
-     one("Boundaries > Cold > History", "temperatures are absolute")),
+     one("Boundaries > Cold > History", "absolute")),
     ("faces_that_conduct_of_no_crack", warm(**{"Crack Faces": {"Slit": {"Conduction": "Always"}}}),
      one("Thermal > Crack Faces > Slit", "no crack of this name", "Notch")),
     ("faces_that_conduct_without_cracks", warm(**{"Crack Faces": {"Notch": {"Conduction": "Always"}}}).remove(
-        "Cracks").remove("Energy Release"), one("Thermal > Crack Faces", "no crack faces")),
+        "Cracks").remove("Energy Release"), one("Thermal > Crack Faces", "there are no cracks")),
     ("conductance_of_insulating_faces", warm(**{"Crack Faces": {"Notch": {"Conductance": 5.0}}}),
      one("Thermal > Crack Faces > Notch > Conductance", "insulate")),
     ("conductance_below_zero", warm(**{"Crack Faces": {"Notch": {"Conduction": "Always", "Conductance": -5.0}}}),
@@ -66,7 +66,7 @@ HEAT = [
     ("steps_shorter_than_explicit_ones", warm(**{"Conduction": "Implicit", "Step Ratio": 0.5}),
      one("Thermal > Step Ratio", "1")),
     ("boundary_of_heat_without_it", plate().set("Boundaries > Hot", {"Type": "Temperature", "Temperature": 400.0,
-     "Lower Corner": [0.0, 0.0], "Upper Corner": [0.1, 0.1]}), one("Boundaries > Hot", "boundary of heat")),
+     "Lower Corner": [0.0, 0.0], "Upper Corner": [0.1, 0.1]}), one("Boundaries > Hot", "thermal boundary condition")),
 ]
 
 BURNING = {"Burn Law": "Vieille", "Burn Coefficient": 1e-8, "Burn Exponent": 0.9, "Gas Constant": 320.0,
@@ -81,11 +81,11 @@ def burning(**changes):
 
 COMBUSTION = [
     ("combustion_without_cracks", plate().remove("Cracks").remove("Energy Release").set("Combustion", {"Notch": BURNING}),
-     one("Combustion", "no crack faces")),
+     one("Combustion", "there are no cracks")),
     ("combustion_of_a_crack_that_is_not_there", burning().set("Combustion > Nutch", BURNING),
      one("Combustion > Nutch", "no crack of this name", "Notch")),
     ("combustion_without_room", burning(Initial_Gap=None),
-     one("Combustion > Notch", "no room for gas", "Initial Gap")),
+     one("Combustion > Notch", "no gas volume", "Initial Gap")),
     ("combustion_with_a_cold_flame", burning(Flame_Temperature=200.0),
      one("Combustion > Notch > Flame Temperature", "below Initial Temperature")),
     ("combustion_with_a_table_that_is_none", burning(Burn_Law="Table", Burn_Coefficient=None, Burn_Exponent=None,
@@ -119,15 +119,15 @@ COMBUSTION = [
         "Boundaries > Mirror", {"Type": "Symmetry", "Axis": "x", "Position": 0.0}),
      one("Combustion > Notch > Venting", "plane of symmetry")),
     ("combustion_with_friction_and_no_flow", burning(Viscosity=1e-5),
-     one("Combustion > Notch > Viscosity", "does not flow", "Gas Model")),
+     one("Combustion > Notch > Viscosity", "Gas Model = Flow only", "Gas Model")),
     ("combustion_with_a_flow_and_no_gap", burning(Gas_Model="Flow", Initial_Gap=None, Cavity_Volume=1e-6),
-     one("Combustion > Notch > Initial Gap", "room everywhere")),
+     one("Combustion > Notch > Initial Gap", "gap everywhere")),
     ("combustion_with_a_flow_in_3d", ball().set("Cracks", PENNY).set(
         "Combustion", {next(iter(PENNY)): {**BURNING, "Gas Model": "Flow"}}),
      one("Combustion > " + next(iter(PENNY)) + " > Gas Model", "2D only", "Uniform")),
     ("combustion_with_heat_alone", burning().remove("Energy Release").remove("Boundaries").set("Thermal", {
         "Initial Temperature": 300.0, "Mechanics": False}).set("Materials > Polymer > Specific Heat", 1e3).set(
-        "Materials > Polymer > Conductivity", 0.2), one("Combustion", "nothing moves")),
+        "Materials > Polymer > Conductivity", 0.2), one("Combustion", "Mechanics = false")),
     ("combustion_without_a_gas", burning(Gas_Constant=None),
      one("Combustion > Notch > Gas Constant", "is missing")),
 ]

@@ -132,7 +132,7 @@ void makesRoom(double height, double pressure, double cell, double opening)
   EXPECT_GT(given, start);
   bool warned = false;
   for (const std::string& warning : state.warnings)
-    warned = warned || warning.find("two of the smallest cells apart") != std::string::npos;
+    warned = warned || warning.find("two of the finest cells apart") != std::string::npos;
   EXPECT_EQ(warned, widest > 1.8 * cell); // on its way it was open by a tenth more
 }
 

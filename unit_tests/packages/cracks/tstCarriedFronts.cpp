@@ -31,7 +31,7 @@ Teuchos::ParameterList plate(const Vector<2>& velocity, bool ties)
         .set("Stress", array<2>({{0.0, y > 0.0 ? pull : -pull}}))
         .set("History", "t < 4 ? t / 4 : 1");
   scene.sublist("Cracks")
-      .set("Front Ties", ties)
+      .set("Front Springs", ties)
       .sublist("Edge")
       .set("Points", Teuchos::Array<double>(Teuchos::tuple(0.0, 1.013, 0.345, 1.013)));
   return scene;

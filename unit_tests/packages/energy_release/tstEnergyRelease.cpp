@@ -279,12 +279,12 @@ TEST(EnergyRelease, TakesTheMatrixThatTheSceneChooses)
   Teuchos::ParameterList none, row, full, partial, series;
   row.set<std::string>("Type", "Lumped");
   full.set<std::string>("Type", "Full");
-  full.set("Lumped Share", 0.0);
-  full.set("Smallest Node", 0.0);
+  full.set("Lumped Fraction", 0.0);
+  full.set("Minimum Node Mass", 0.0);
   partial = full;
   partial.set<std::string>("Type", "Partial");
   partial.set("Radius", 1e-9); // no particle
-  partial.set("Edge Width", 0.0);
+  partial.set("Transition Width", 0.0);
   series.set<std::string>("Type", "FMPM");
   series.set("Order", 1);
   const double consistent = release("Consistent", none).first, lumped = release("Lumped", none).first;

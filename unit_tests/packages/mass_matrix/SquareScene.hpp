@@ -62,7 +62,7 @@ inline Teuchos::ParameterList withMass(Teuchos::ParameterList scene, const Case&
     return scene;
   // Half of the square is unlumped, around the front of a crack that ends in its middle.
   list.set("Radius", 1.5);
-  list.set("Edge Width", 1.0);
+  list.set("Transition Width", 1.0);
   const double angle = 17.0 * M_PI / 180.0;
   scene.sublist("Cracks").sublist("Slit").set(
       "Points", Teuchos::Array<double>(std::vector<double>{0.13 - 2.5 * std::cos(angle),

@@ -82,8 +82,8 @@ TEST(MassMatrix, ChangesAngularMomentumByItsLumpedShareAlone)
       list.set("Type", lumpedShare < 1.0 ? "Full" : "Lumped");
       if (lumpedShare < 1.0)
       {
-        list.set("Lumped Share", lumpedShare);
-        list.set("Smallest Node", 0.0); // all particles alike
+        list.set("Lumped Fraction", lumpedShare);
+        list.set("Minimum Node Mass", 0.0); // all particles alike
         list.set("Solver Tolerance", 1e-12);
         list.set("Maximum Iterations", 2000);
       }

@@ -29,8 +29,8 @@ double growth(double lumpedShare, double smallestNode, double rotation, const ch
   Teuchos::ParameterList scene = squareScene("MUSL", shape, rotation);
   Teuchos::ParameterList& list = scene.sublist("Mass Matrix");
   list.set("Type", "Full");
-  list.set("Lumped Share", lumpedShare);
-  list.set("Smallest Node", smallestNode);
+  list.set("Lumped Fraction", lumpedShare);
+  list.set("Minimum Node Mass", smallestNode);
   list.set("Maximum Iterations", 2000);
   Rhegma::Run<2> run(validated(scene));
   run.initialize();
@@ -58,7 +58,7 @@ double growth(double lumpedShare, double smallestNode, double rotation, const ch
 
 } // namespace
 
-/// The cures (Lumped Share, Smallest Node) hold the energy where it is; what FLIP keeps in motions that the
+/// The cures (Lumped Fraction, Minimum Node Mass) hold the energy where it is; what FLIP keeps in motions that the
 /// nodes do not see stays too, and the rest may only fall.
 TEST(MassMatrix, IsStableOnCutCells)
 {

@@ -110,13 +110,13 @@ TEST(Contradictions, PassTwoSpellingsOfAHistory)
 TEST(Contradictions, RefuseWhatDiffersByMoreThanRounding)
 {
   EXPECT_NE(
-      refusalOfTwo("sin(6283.185307179586*t)", "sin(6283.185307179586*t) + 1e-6").find("both hold the node"),
+      refusalOfTwo("sin(6283.185307179586*t)", "sin(6283.185307179586*t) + 1e-6").find("both prescribe the node"),
       std::string::npos);
   const auto scene = plate();
   grip(*scene, "Grip", 0.25, 1.05).set<std::string>("Field", "0, y-0.3001");
   mirror(*scene);
   const std::string words = refusal(scene);
-  EXPECT_NE(words.find("both hold the node"), std::string::npos) << words;
+  EXPECT_NE(words.find("both prescribe the node"), std::string::npos) << words;
   EXPECT_NE(words.find("along y"), std::string::npos) << words;
 }
 
@@ -131,7 +131,7 @@ TEST(Contradictions, RefuseTwoVelocitiesOfANodeOfARefinedCell)
     if (refined)
       refine(*scene);
     const std::string words = refusal(scene);
-    EXPECT_EQ(words.find("Boundaries > Below: this and Boundaries > Above both hold the node") !=
+    EXPECT_EQ(words.find("Boundaries > Below: this and Boundaries > Above both prescribe the node") !=
                   std::string::npos,
               refined)
         << words;
@@ -145,7 +145,7 @@ TEST(Contradictions, RefuseTwoTemperaturesOfANode)
   warm(*scene, "Cold", 0.25, 0.65, 300.0);
   warm(*scene, "Hot", 0.55, 1.05, 400.0);
   const std::string words = refusal(scene);
-  EXPECT_NE(words.find("Boundaries > Cold: this and Boundaries > Hot both hold the node"), std::string::npos)
+  EXPECT_NE(words.find("Boundaries > Cold: this and Boundaries > Hot both prescribe the node"), std::string::npos)
       << words;
   EXPECT_NE(words.find("at 300 and 400 K"), std::string::npos) << words;
   EXPECT_NE(words.find("one temperature"), std::string::npos) << words;
@@ -169,7 +169,7 @@ TEST(Contradictions, RefuseTwoTemperaturesOfANodeOfARefinedCell)
     if (refined)
       refine(*scene);
     const std::string words = refusal(scene);
-    EXPECT_EQ(words.find("both hold the node") != std::string::npos, refined) << words;
+    EXPECT_EQ(words.find("both prescribe the node") != std::string::npos, refined) << words;
     EXPECT_EQ(words.empty(), !refined) << words;
   }
 }

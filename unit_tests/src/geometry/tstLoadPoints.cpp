@@ -91,7 +91,7 @@ TEST(LoadPoints, PointFarFromTheBodyIsAnError)
 {
   EXPECT_EQ(pointLoad<2>(sheet(4, 2), {{0.5, 2.9}}, "Load")[0].particle, 4);
   const auto message = complaint([] { pointLoad<2>(sheet(4, 2), {{0.5, 3.0}}, "Boundaries > Tip"); });
-  EXPECT_EQ(message.find("Boundaries > Tip: the load catches no particle: the point (0.5, 3) m"), 0u)
+  EXPECT_EQ(message.find("Boundaries > Tip: the load misses the body: the point (0.5, 3) m"), 0u)
       << message;
 }
 

@@ -126,7 +126,7 @@ TEST(Seeds, RefuseABodyThatCatchesNone)
   }
   catch (const std::invalid_argument& error)
   {
-    EXPECT_EQ(std::string(error.what()).find("Bodies > Beam: the body catches no particle"), 0u)
+    EXPECT_EQ(std::string(error.what()).find("Bodies > Beam: the body contains no particle"), 0u)
         << error.what();
   }
 }

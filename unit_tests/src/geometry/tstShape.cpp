@@ -212,7 +212,7 @@ TEST(Shape, RefusesWhatHasNoVolume)
 
   ParameterList cylinder("Pin");
   cylinder.set<std::string>("Shape", "Cylinder");
-  EXPECT_NE(complaint<2>(cylinder).find("three dimensions"), std::string::npos);
+  EXPECT_NE(complaint<2>(cylinder).find("in 3D only"), std::string::npos);
   ParameterList none("Pin");
   EXPECT_NE(complaint<2>(none).find("Pin > Shape: is missing"), std::string::npos);
 }

@@ -38,6 +38,34 @@ TEST(SceneMistakes, UnlikeNameListsThePossibleOnes)
                 {"no such parameter", "Final Time", "CFL", "Update Scheme"});
 }
 
+TEST(SceneMistakes, FormerNameOfAParameterNamesTheNewOne)
+{
+  std::vector<Section> sections = coreSections();
+  Section oven("Oven", "A section with parameters that had other names.");
+  oven.real("Power").formerly("Strength");
+  oven.chosenBy("Type");
+  Section gas("Gas", "One variant.");
+  gas.real("Gas Flow").formerly("Stream").byDefault(1.0);
+  oven.variant(gas);
+  oven.variant(Section("Electric", "The other variant."));
+  sections.push_back(oven);
+  const SceneSchema schema(sections);
+  const auto errorsOf =
+      [&](const std::string& type, const std::string& more, const std::vector<std::string>& overrides = {})
+  {
+    return readSceneText(with("Rhegma", "<ParameterList name=\"Oven\">" + parameter("Type", "string", type) +
+                                            more + "</ParameterList>"),
+                         overrides, schema)
+        .errors;
+  };
+  const std::string power = parameter("Power", "double", "1"), stream = parameter("Stream", "double", "2");
+  expectOnly(errorsOf("Gas", parameter("Strength", "double", "1")), "Oven > Strength",
+             {"now named \"Power\""});
+  for (const std::string type : {"Gas", "Electric"})
+    expectOnly(errorsOf(type, power + stream), "Oven > Stream", {"now named \"Gas Flow\""});
+  expectOnly(errorsOf("Gas", power, {"Oven:Stream=3"}), "Oven > Stream", {"now named \"Gas Flow\""});
+}
+
 TEST(SceneMistakes, CaseMatters)
 {
   expectMistake(changed("Final Time", "final time"), "Time > final time", {"Final Time"});

@@ -85,7 +85,7 @@ TEST(OnRanks, RefusesEffectsThatKnowOneRankOnly)
 {
   const bool many = allRanks()->getSize() > 1;
   const std::string alone = complaint({"Alone", "Anywhere"}), both = complaint({"Alone", "Apart"});
-  const std::string reason = ": this version runs such scenes on one rank; start it without mpirun, or with "
+  const std::string reason = ": such scenes run on one rank only; start the program without mpirun, or with "
                              "mpirun -np 1";
   EXPECT_EQ(alone, many ? "Alone" + reason : "");
   EXPECT_EQ(both, many ? "Alone, Apart" + reason : "");

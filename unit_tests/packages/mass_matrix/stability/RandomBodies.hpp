@@ -92,15 +92,15 @@ inline Teuchos::ParameterList bodiesScene(const std::string& type, const std::st
   mass.set("Type", type);
   if (type != "Lumped")
   {
-    mass.set("Lumped Share", settings.lumpedShare);
-    mass.set("Smallest Node", settings.smallestNode);
+    mass.set("Lumped Fraction", settings.lumpedShare);
+    mass.set("Minimum Node Mass", settings.smallestNode);
     mass.set("Solver Tolerance", settings.tolerance);
     mass.set("Maximum Iterations", 2000);
   }
   if (type == "Partial")
   {
     mass.set("Radius", 1.0);
-    mass.set("Edge Width", 0.7);
+    mass.set("Transition Width", 0.7);
   }
   for (std::size_t k = 0; k < bodies.size(); ++k)
   {

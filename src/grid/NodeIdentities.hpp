@@ -1,0 +1,46 @@
+#pragma once
+/// Identities of nodes that depend neither on their order nor on how many there are.
+
+#include "grid/Tree.hpp"
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace Rhegma
+{
+
+/// Identifies a node by its position on the lattice of the smallest cells that there can be, counted from
+/// node 0 of the whole lattice: the same on every rank, and before and after cells are refined.
+template <int D>
+class NodeIdentities
+{
+public:
+  using Identity = std::array<int, D>;
+
+  /// \param finePlace positions of the nodes of refined cells (Tree::finePlace)
+  NodeIdentities() = default;
+  NodeIdentities(const Grid<D>& grid, const View<double* [D]>& finePlace);
+
+  /// How many nodes there are.
+  int size() const { return grid_.numNodes + static_cast<int>(fine_.size()); }
+
+  /// \param node a primary field
+  Identity of(int node) const;
+
+  /// The node of this identity, or -1 where this rank has none.
+  int find(const Identity& identity) const;
+
+  /// Where a node of this identity is, or would be [m].
+  Vector<D> position(const Identity& identity) const;
+
+  /// Whether it is a node of the lattice, which no refining adds or takes away.
+  static bool isOfLattice(const Identity& identity);
+
+private:
+  Grid<D> grid_{};
+  std::vector<Identity> fine_;
+  std::vector<std::pair<Identity, int>> sorted_; ///< nodes of refined cells by identity
+};
+
+} // namespace Rhegma

@@ -1,0 +1,33 @@
+#pragma once
+/// Where a run is in time.
+
+#include <limits>
+
+namespace Rhegma
+{
+
+/// One of the passes in which a step strains its particles: USAVG has two, other schemes one.
+struct StrainPass
+{
+  double share = 1.0;  ///< fraction of the step that the pass strains over
+  bool before = false; ///< whether it comes before the forces of the step
+};
+
+/// Time, step and how the run ends.
+struct Clock
+{
+  double time = 0.0;                                    ///< at the start of the step [s]
+  double dt = 0.0;                                      ///< length of the step [s]
+  long step = 0;                                        ///< steps taken
+  long maximumSteps = std::numeric_limits<long>::max(); ///< the run ends after them, if not before
+  double fastestSpeed = 0.0;                            ///< largest wave speed plus particle speed [m/s]
+  StrainPass strainPass;                                ///< that is under way, or the next
+  bool observing = false;                               ///< a sample is taken at the end of this step
+  bool settled = false;                                 ///< the bodies are at rest
+  bool stopWhenSettled = false;                         ///< the scene ends the run once they are
+
+  /// Whether the run ends here, before its final time.
+  bool ended() const { return (settled && stopWhenSettled) || step >= maximumSteps; }
+};
+
+} // namespace Rhegma

@@ -1,0 +1,38 @@
+#pragma once
+/// How a run integrates the equations of motion.
+
+#include "base/Types.hpp"
+#include "grid/ShapeFunctions.hpp"
+
+namespace Rhegma
+{
+
+/// When stress is updated within a step (Bardenhagen, J. Comput. Phys. 180 (2002) 383; Nairn, CMES 4 (2003)
+/// 649).
+enum class UpdateScheme
+{
+  Musl, ///< last, with velocities projected anew
+  Usf,  ///< first
+  Usl,  ///< last
+  Usavg ///< half first, half last with velocities projected anew
+};
+
+/// Whether a step ends with velocities projected anew, which strain and move the particles.
+constexpr bool projectsLast(UpdateScheme scheme)
+{
+  return scheme == UpdateScheme::Musl || scheme == UpdateScheme::Usavg;
+}
+
+/// What the scene's Domain and Time sections choose.
+struct Method
+{
+  Plane plane = Plane::Solid;               ///< how 2D treats the third direction
+  double thickness = 1.0;                   ///< of 2D scenes [m]
+  ShapeKind shape = ShapeKind::Gimp;        ///< shape functions
+  UpdateScheme scheme = UpdateScheme::Musl; ///< when stress is updated
+  double picFraction = 0.0;                 ///< fraction of PIC in the velocity update
+  double cfl = 0.4;                         ///< fraction of the stable step that is used
+  bool mechanics = true; ///< false: nothing moves, and there is neither velocity nor stress
+};
+
+} // namespace Rhegma

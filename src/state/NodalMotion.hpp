@@ -1,0 +1,73 @@
+#pragma once
+/// What acts on the motion of nodes besides the forces of stresses and loads.
+
+#include "base/Types.hpp"
+#include "state/NodeConstraint.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace Rhegma
+{
+
+template <int D>
+struct State;
+
+/// Rows of the nodes that take part in substeps: those that move in substeps come first.
+struct NodeSlots
+{
+  View<int*> of; ///< of each node, or -1
+  int inner = 0; ///< how many move in substeps
+  KOKKOS_INLINE_FUNCTION bool moves(int node) const { return inner > 0 && of(node) >= 0 && of(node) < inner; }
+};
+
+/// The substeps of this step, for effects that account for work; without effect where there are none.
+struct ShortSteps
+{
+  NodeSlots nodes;     ///< nodes that move in substeps or next to such nodes
+  double length = 0.0; ///< of the shortest ones [s]
+  /// Impulses on subcycled nodes except those at the start of the step, times the velocity that the nodes had
+  /// before the step [J]. Nodes that supports hold don't count.
+  double lateWork = 0.0;
+};
+
+/// A displacement-dependent nodal force (contact, front springs), for effects that move nodes in substeps.
+/// Such forces are also among all others before the solve, as at the start of the step. `force` and
+/// `displacement` have a row a slot [N, m].
+template <int D>
+struct FollowingForce
+{
+  using Values = View<double* [D]>; ///< a row a slot
+  /// Adds the part, as at the start of the step, that does not change: it acts on a node that does not move
+  /// in substeps.
+  std::function<void(const State<D>&, const NodeSlots&, const Values& force)> frozen;
+  /// Adds the change of the part that depends on displacement.
+  std::function<void(const State<D>&, const NodeSlots&, const Values& displacement, const Values& force)>
+      change;
+};
+
+/// The mass of subcycled nodes where a mass matrix couples them. Values have a row a slot [N, m].
+template <int D>
+struct CoupledSlots
+{
+  using Values = View<double* [D]>; ///< a row a slot
+  /// Once a step, when nodes have their masses. \param held not 0 where a support holds a slot along an axis
+  std::function<void(const State<D>&, const NodeSlots&, const View<int* [D]>& held)> begin;
+  /// Solves M x = right for coupled nodes that move in substeps. \param x on entry given on all other slots
+  /// and, where `supports` is set, where these hold
+  std::function<void(const Values& right, const Values& x, bool supports)> solve;
+};
+
+/// Prescribed motion, displacement-dependent forces and coupled masses of nodes.
+template <int D>
+struct NodalMotion
+{
+  std::vector<NodeConstraint<D>> constraints; ///< prescribed motion at the end of this step
+  View<double*> coupledReaction; ///< impulse that holds each unknown (row, axis) of coupled nodes [N s]
+  View<int*> coupledRow;         ///< of each node, -1 where its mass is lumped; empty where all masses are
+  std::vector<FollowingForce<D>> followingForces; ///< of effects that have any
+  CoupledSlots<D> coupledSlots;                   ///< empty where all masses are lumped
+  ShortSteps shortSteps;                          ///< of this step
+};
+
+} // namespace Rhegma

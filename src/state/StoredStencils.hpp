@@ -1,0 +1,52 @@
+#pragma once
+/// Stencils that are stored because something edits them.
+
+#include "base/Types.hpp"
+#include "grid/StencilTable.hpp"
+
+#include <functional>
+
+namespace Rhegma
+{
+
+template <int D>
+struct State;
+
+/// Points that need stencils: positions, half widths of their boxes (zero for points), and the side of a
+/// crack from which each looks (CrackSet; 0 away from cracks).
+template <int D>
+struct ObservedPoints
+{
+  View<double* [D]> position; ///< [m]
+  View<double* [D]> half;     ///< [m]
+  View<int*> side;            ///< of a crack
+  int count = 0;              ///< how many there are; views may be longer
+  /// All ranks list the same points: each has a stencil on the rank that owns its cell, and none elsewhere.
+  bool onAllRanks = false;
+};
+
+/// What cuts the body: decides which particles need stored stencils, and edits stencils so that they end at
+/// the cut. The core knows nothing else of cracks.
+template <int D>
+struct StencilEditor
+{
+  /// Called once a step before any transfer: marks particles (row = 0 where a stored stencil is needed, -1
+  /// elsewhere) and sets up enriched fields of nodes.
+  std::function<void(State<D>&, const View<int*>& row)> prepare;
+  /// Edits unbroken stencils of points in rows 0 .. points.count - 1.
+  std::function<void(const State<D>&, const ObservedPoints<D>& points, const StencilTable<D>& table)> edit;
+};
+
+/// Stencils of the particles that the editor marked, one a row.
+template <int D>
+struct StoredStencils
+{
+  StencilEditor<D> editor;  ///< empty unless an effect cuts the body
+  View<int*> row;           ///< row of each particle, or -1; empty without an editor
+  View<int*> particle;      ///< particle of each row
+  ObservedPoints<D> points; ///< the particles of the rows as points
+  StencilTable<D> table;    ///< their stencils
+  int count = 0;            ///< number of rows
+};
+
+} // namespace Rhegma
