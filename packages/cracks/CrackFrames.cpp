@@ -90,11 +90,11 @@ typename V::HostMirror host(const V& view)
   return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
 }
 
-/// Shares, places and directions of the stations of 3D fronts.
-class StationFrames
+/// Shares, places and directions of the front nodes of 3D fronts.
+class FrontNodeFrames
 {
 public:
-  explicit StationFrames(const CrackSet<3>& cracks)
+  explicit FrontNodeFrames(const CrackSet<3>& cracks)
       : vertex_(host(cracks.vertex)),
         simplex_(host(cracks.simplex)),
         neighbour_(host(cracks.neighbour)),
@@ -107,40 +107,40 @@ public:
   void update(CrackFront<3>& front) const
   {
     const Vector<3> none{0.0, 0.0, 0.0};
-    std::vector<FrontStation<3>>& stations = front.stations;
-    for (FrontStation<3>& station : stations)
+    std::vector<FrontNode<3>>& frontNodes = front.nodes;
+    for (FrontNode<3>& frontNode : frontNodes)
     {
-      station.position = at(station.vertex);
-      station.share = 0.0;
-      station.direction = station.normal = none;
+      frontNode.position = at(frontNode.vertex);
+      frontNode.tributaryLength = 0.0;
+      frontNode.direction = frontNode.normal = none;
     }
-    std::vector<bool> ends(stations.size(), true);
+    std::vector<bool> ends(frontNodes.size(), true);
     int before = -1;
-    for (std::size_t k = 0; k < stations.size(); ++k)
+    for (std::size_t k = 0; k < frontNodes.size(); ++k)
     {
       if (before >= 0)
       {
-        add(stations[before].facet, stations[k]);
+        add(frontNodes[before].facet, frontNodes[k]);
         ends[k] = false;
       }
-      before = stations[k].facet >= 0 ? static_cast<int>(k) : -1;
-      if (stations[k].facet >= 0)
-        add(stations[k].facet, stations[k]);
+      before = frontNodes[k].facet >= 0 ? static_cast<int>(k) : -1;
+      if (frontNodes[k].facet >= 0)
+        add(frontNodes[k].facet, frontNodes[k]);
       else
         ends[k] = true;
     }
     if (before >= 0) // the line is closed
     {
-      add(stations[before].facet, stations[0]);
+      add(frontNodes[before].facet, frontNodes[0]);
       ends[0] = false;
     }
-    for (std::size_t k = 0; k < stations.size(); ++k)
+    for (std::size_t k = 0; k < frontNodes.size(); ++k)
     {
-      FrontStation<3>& station = stations[k];
-      station.normal = unit(station.normal);
-      station.direction = across(station.direction, station.normal);
+      FrontNode<3>& frontNode = frontNodes[k];
+      frontNode.normal = unit(frontNode.normal);
+      frontNode.direction = across(frontNode.direction, frontNode.normal);
       if (ends[k])
-        station.direction = alongSurface(station);
+        frontNode.direction = alongSurface(frontNode);
     }
   }
 
@@ -150,36 +150,37 @@ private:
   static Vector<3> across(const Vector<3>& a, const Vector<3>& n) { return unit(a - dot(a, n) * n); }
 
   /// Adds a piece's half length, and its direction and normal by that length.
-  void add(int facet, FrontStation<3>& station) const
+  void add(int facet, FrontNode<3>& frontNode) const
   {
     const int s = frontFacet_(facet, 0), opposite = frontFacet_(facet, 1);
     const Vector<3> a = at(simplex_(s, (opposite + 1) % 3)), b = at(simplex_(s, (opposite + 2) % 3)),
                     c = at(simplex_(s, opposite));
     const Vector<3> along = b - a, n = unit(cross(along, c - a));
-    station.share += 0.5 * norm(along);
-    station.normal = station.normal + norm(along) * n;
-    station.direction = station.direction + cross(along, n);
+    frontNode.tributaryLength += 0.5 * norm(along);
+    frontNode.normal = frontNode.normal + norm(along) * n;
+    frontNode.direction = frontNode.direction + cross(along, n);
   }
 
-  /// The direction in which the surface-breaking edge goes on at the end of a front; that across the front if
-  /// the two are almost one line.
-  Vector<3> alongSurface(const FrontStation<3>& station) const
+  /// The direction in which the surface-breaking edge goes on at the end of a front; that across the front if the two are
+  /// almost one line.
+  Vector<3> alongSurface(const FrontNode<3>& frontNode) const
   {
     constexpr double grazing = 0.25;
-    for (int k = starBegin_(station.vertex); k < starBegin_(station.vertex + 1); ++k)
+    for (int k = starBegin_(frontNode.vertex); k < starBegin_(frontNode.vertex + 1); ++k)
     {
       const int s = star_(k);
       for (int i = 0; i < 3; ++i)
       {
         const int a = simplex_(s, (i + 1) % 3), b = simplex_(s, (i + 2) % 3);
-        if (neighbour_(s, i) != facet::surfaceBreaking || (a != station.vertex && b != station.vertex))
+        if (neighbour_(s, i) != facet::surfaceBreaking || (a != frontNode.vertex && b != frontNode.vertex))
           continue;
-        const Vector<3> out = across(station.position - at(a == station.vertex ? b : a), station.normal);
-        if (dot(out, station.direction) > grazing)
+        const Vector<3> out =
+            across(frontNode.position - at(a == frontNode.vertex ? b : a), frontNode.normal);
+        if (dot(out, frontNode.direction) > grazing)
           return out;
       }
     }
-    return station.direction;
+    return frontNode.direction;
   }
 
   typename View<double* [3]>::HostMirror vertex_;
@@ -236,11 +237,20 @@ void updateFronts(CrackSet<D>& cracks)
   }
   if constexpr (D == 3)
   {
-    const StationFrames frames(cracks);
+    const FrontNodeFrames frames(cracks);
     for (CrackFront<3>& front : cracks.fronts)
       if (!front.ended)
         frames.update(front);
   }
+  else
+    for (CrackFront<2>& front : cracks.fronts)
+    {
+      FrontNode<2>& node = front.nodes[0];
+      node.vertex = front.vertex;
+      node.position = front.position;
+      node.direction = front.direction;
+      node.normal = front.normal;
+    }
 }
 
 template void updateNormals(const CrackSet<2>&);

@@ -22,15 +22,20 @@ void keepFronts(CrackSet<D>& set, Archive& archive)
     archive("vertex", front.vertex);
     archive("direction", front.direction); // those of a front that has ended are found no more
     archive("normal", front.normal);
-    archive("speed", front.speed);
-    archive("release", front.driving.release);
-    archive("K_I", front.driving.modeI);
-    archive("K_II", front.driving.modeII);
-    archive("K_III", front.driving.modeIII);
-    archive("hoop_angle", front.driving.hoopAngle);
-    archive("advances", front.advances);
+    if constexpr (D == 2) // those of 3D are kept with their surface
+    {
+      FrontNode<D>& node = front.nodes[0];
+      archive("speed", node.speed);
+      archive("temperature", node.temperature);
+      archive("release", node.driving.release);
+      archive("K_I", node.driving.modeI);
+      archive("K_II", node.driving.modeII);
+      archive("K_III", node.driving.modeIII);
+      archive("hoop_angle", node.driving.hoopAngle);
+      archive("advances", node.advances);
+      archive("stopped", node.stopped);
+    }
     archive("grown", front.grown);
-    archive("halted", front.halted);
     archive("ended", front.ended);
     archive("taken", front.taken);
     archive("unspent", front.unspent);

@@ -342,7 +342,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
       entry["position"] = std::vector<double>(front.position.c, front.position.c + D);
       entry["length"] = front.length;
-      entry["speed"] = front.speed;
+      entry["speed"] = front.speed();
     }
   };
   return effect;

@@ -14,7 +14,7 @@ std::pair<double, int> nearestOther(const CrackSet<3>& set, int own, const Vecto
 
 /// Whether a front that stands at x and goes along `direction` has faces of its own crack less than three
 /// cells ahead: seen from two cells ahead of it they are nearer than half of the way back to the front. A
-/// front that closes round a middle so halts before its stations pass each other. \param cell [m]
+/// front that closes round a middle so halts before its front nodes pass each other. \param cell [m]
 bool meetsItself(const CrackSet<3>& set, int own, const Vector<3>& x, const Vector<3>& direction,
                  double cell);
 

@@ -63,8 +63,8 @@ double handedOn(const GrowingSurface& surface, const FrontLines<3>& lines, std::
 } // namespace
 
 void smoothAlongFront(const GrowingSurface& surface, const FrontLines<3>& lines,
-                      const std::vector<FrontStation<3>>& nodes, const std::vector<double>& cells,
-                      const std::vector<bool>& mirrored, std::vector<StationAdvance<3>>& advances)
+                      const std::vector<FrontNode<3>>& nodes, const std::vector<double>& cells,
+                      const std::vector<bool>& mirrored, std::vector<FrontNodeAdvance<3>>& advances)
 {
   const std::size_t count = lines.size();
   std::vector<double> curved(count), hands(count), gives(count, 0.0), own(count, 0.0);
@@ -84,7 +84,7 @@ void smoothAlongFront(const GrowingSurface& surface, const FrontLines<3>& lines,
     if (forward ? !takes(k, to) : !takes(to, k))
       hands[k] = 0.0;
     gives[forward ? k : to] += std::fabs(hands[k]);
-    own[k] = advances[k].length * nodes[k].share;
+    own[k] = advances[k].length * nodes[k].tributaryLength;
   }
   std::vector<double> area = own, energy(count);
   for (std::size_t k = 0; k < count; ++k)
@@ -97,7 +97,7 @@ void smoothAlongFront(const GrowingSurface& surface, const FrontLines<3>& lines,
     const std::size_t giver = hands[k] > 0.0 ? k : to, taker = hands[k] > 0.0 ? to : k;
     const double most = mostGiven * own[giver], all = gives[giver];
     const double handed = std::fabs(hands[k]) * (all > most ? most / all : 1.0);
-    if (own[taker] == 0.0 && handed < leastTaken * cells[taker] * nodes[taker].share)
+    if (own[taker] == 0.0 && handed < leastTaken * cells[taker] * nodes[taker].tributaryLength)
       continue;
     area[giver] -= handed;
     area[taker] += handed;
@@ -107,7 +107,7 @@ void smoothAlongFront(const GrowingSurface& surface, const FrontLines<3>& lines,
   for (std::size_t k = 0; k < count; ++k)
     if (area[k] > 0.0)
     {
-      advances[k].length = area[k] / nodes[k].share;
+      advances[k].length = area[k] / nodes[k].tributaryLength;
       advances[k].toughness = energy[k] / area[k];
     }
 }

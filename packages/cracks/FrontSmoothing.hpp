@@ -24,7 +24,7 @@ namespace Rhegma::cracks
 /// \param advances what each point is asked to do, and what one that stays resists with; lengths and
 /// toughness change. The sum of length times share times toughness stays the same
 void smoothAlongFront(const surface::GrowingSurface& surface, const surface::FrontLines<3>& lines,
-                      const std::vector<FrontStation<3>>& nodes, const std::vector<double>& cells,
-                      const std::vector<bool>& mirrored, std::vector<StationAdvance<3>>& advances);
+                      const std::vector<FrontNode<3>>& nodes, const std::vector<double>& cells,
+                      const std::vector<bool>& mirrored, std::vector<FrontNodeAdvance<3>>& advances);
 
 } // namespace Rhegma::cracks

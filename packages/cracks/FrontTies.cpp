@@ -94,7 +94,7 @@ void FrontTies<D>::note(const std::vector<FrontAdvance<D>>& advances)
     const auto f = static_cast<std::size_t>(advance.front);
     if (toughness_.size() <= f)
       toughness_.resize(f + 1, 0.0);
-    toughness_[f] = advance.toughness;
+    toughness_[f] = advance.nodes[0].toughness;
   }
 }
 

@@ -170,22 +170,22 @@ bool isSolid(const State<2>& state, const Chain& chain, bool first, FrontAdvance
 {
   const CrackFront<2>& front = state.cracks.fronts[advance.front];
   const double length = norm(way);
-  advance.direction = (1.0 / length) * way;
-  advance.length = length - 1.5 * spacingAt(state, front.position);
-  return advance.length <= 0.0 || !findRoom(state, chain, first, front, advance).ends;
+  advance.nodes[0].direction = (1.0 / length) * way;
+  advance.nodes[0].length = length - 1.5 * spacingAt(state, front.position);
+  return advance.nodes[0].length <= 0.0 || !findRoom(state, chain, first, front, advance).ends;
 }
 
 void lengthen(State<2>& state, Chain& chain, bool first, const FrontAdvance<2>& advance, double length)
 {
   CrackFront<2>& front = state.cracks.fronts[advance.front];
-  if (dot(advance.direction, front.direction) < 1.0 - 1e-12)
+  if (dot(advance.nodes[0].direction, front.direction) < 1.0 - 1e-12)
     forgetSidesAhead(state, front, (bandWidth + 4.0) * state.mesh.grid.spacing + length);
   // A piece too short to have a direction is left out.
-  if (length > 1e-3 * advance.length)
+  if (length > 1e-3 * advance.nodes[0].length)
     chain.links.insert(first ? chain.links.begin() : chain.links.end(),
-                       closedLink(front.position + length * advance.direction));
+                       closedLink(front.position + length * advance.nodes[0].direction));
   front.grown = true;
-  const double energy = advance.toughness * length * state.method.thickness;
+  const double energy = advance.nodes[0].toughness * length * state.method.thickness;
   front.taken += energy;
   front.unspent += energy;
 }
@@ -204,8 +204,8 @@ void end(State<2>& state, Chain& chain, bool first, int number, EndedOn on, cons
   chain.front[first ? 0 : 1] = false;
   chain.joined[first ? 0 : 1] = on == EndedOn::Crack;
   front.ended = true;
-  front.speed = 0.0;
-  front.driving = {};
+  front.nodes[0].speed = 0.0;
+  front.nodes[0].driving = {};
   state.warnings.push_back("the front " + nameOf(state, front) + " " + how + " at time " +
                            formatReal(state.clock.time) + " s at " + placeOf(where));
 }
@@ -218,7 +218,7 @@ void meet(State<2>& state, std::vector<Chain>& chains, FrontAdvance<2> advance, 
   Chain &chain = chains[front.crack], &beyond = chains[tip.crack];
   const Vector<2> where = (tipFirst ? beyond.links.front() : beyond.links.back()).vertex;
   const Vector<2> way = where - front.position;
-  advance.direction = (1.0 / norm(way)) * way;
+  advance.nodes[0].direction = (1.0 / norm(way)) * way;
   lengthen(state, chain, first, advance, norm(way));
   end(state, chain, first, advance.front, EndedOn::Crack, "met the front " + nameOf(state, tip), where);
   end(state, beyond, tipFirst, met, EndedOn::Crack, "was met by the front " + nameOf(state, front), where);
@@ -233,16 +233,18 @@ void grow(State<2>& state, std::vector<Chain>& chains, const FrontAdvance<2>& ad
   Chain& chain = chains[front.crack];
   const Outcome outcome = findRoom(state, chain, first, front, advance);
   const Obstacles obstacles{chains, front.crack, first, (bandWidth + 3.0) * spacing};
-  const Neighbour across = obstacles.firstAlong(front.position, advance.direction);
+  const Neighbour across = obstacles.firstAlong(front.position, advance.nodes[0].direction);
   // No further than to the first crack in the way, so that a long increment leaps none.
-  const Vector<2> ahead = front.position + std::min(outcome.length, across.distance) * advance.direction;
+  const Vector<2> ahead =
+      front.position + std::min(outcome.length, across.distance) * advance.nodes[0].direction;
   const Neighbour other = obstacles.nearestTo(ahead);
   const bool isAlone = !(other.distance < tooClose * spacing);
   const int met =
-      isAlone ? -1 : frontInTheWay(state.cracks, obstacles, advance.front, advance.direction, reach);
+      isAlone ? -1 : frontInTheWay(state.cracks, obstacles, advance.front, advance.nodes[0].direction, reach);
   // The nearest crack is not always the first in the way, but if that is not in the way at all, it is beside.
-  const bool isAcross = !isAlone && across.distance < reach &&
-                        obstacles.firstAlong(front.position, advance.direction, other.crack).distance < reach;
+  const bool isAcross =
+      !isAlone && across.distance < reach &&
+      obstacles.firstAlong(front.position, advance.nodes[0].direction, other.crack).distance < reach;
   Vector<2> leap = {0.0, 0.0};
   if (met >= 0)
   {
@@ -251,7 +253,7 @@ void grow(State<2>& state, std::vector<Chain>& chains, const FrontAdvance<2>& ad
     leap = (atFirstEnd(state.cracks, tip) ? links.front() : links.back()).vertex - front.position;
   }
   else if (isAcross && across.crack != front.crack)
-    leap = across.distance * advance.direction;
+    leap = across.distance * advance.nodes[0].direction;
   const bool leaps = dot(leap, leap) > 0.0;
   // Where a gap lies before the other crack, that is none that this one can meet.
   if (isAlone || (leaps && !isSolid(state, chain, first, advance, leap)))
@@ -277,8 +279,8 @@ void grow(State<2>& state, std::vector<Chain>& chains, const FrontAdvance<2>& ad
     meetings.push_back({advance.front, obstacle, false});
     return;
   }
-  front.halted = true;
-  front.speed = 0.0;
+  front.nodes[0].stopped = true;
+  front.nodes[0].speed = 0.0;
   state.warnings.push_back("the front " + nameOf(state, front) + " halted at time " +
                            formatReal(state.clock.time) + " s at " + placeOf(front.position) +
                            ": the crack " + name +

@@ -141,7 +141,7 @@ void listStars(CrackSet<D>& set)
   Kokkos::deep_copy(set.star, star);
 }
 
-/// The pieces of a front whose stations are given, by vertices of its crack.
+/// The pieces of a front whose front nodes are given, by vertices of its crack.
 std::vector<Piece> piecesOf(const CrackFront<3>& front, const CrackMesh<3>& mesh)
 {
   std::map<std::pair<int, int>, Piece> border;
@@ -150,43 +150,43 @@ std::vector<Piece> piecesOf(const CrackFront<3>& front, const CrackMesh<3>& mesh
       if (mesh.beyond[s][i] == facet::front)
         border[{mesh.simplices[s][(i + 1) % 3], mesh.simplices[s][(i + 2) % 3]}] = {static_cast<int>(s), i};
   std::vector<Piece> pieces;
-  for (std::size_t k = 0; k < front.stations.size(); ++k)
+  for (std::size_t k = 0; k < front.nodes.size(); ++k)
   {
-    const FrontStation<3>& next = front.stations[k + 1 < front.stations.size() ? k + 1 : 0];
-    if (front.stations[k].facet >= 0)
-      pieces.push_back(border.at({front.stations[k].vertex, next.vertex}));
+    const FrontNode<3>& next = front.nodes[k + 1 < front.nodes.size() ? k + 1 : 0];
+    if (front.nodes[k].facet >= 0)
+      pieces.push_back(border.at({front.nodes[k].vertex, next.vertex}));
   }
   return pieces;
 }
 
-/// The stations of a front from its pieces, which are one line, by vertices of its crack.
-std::vector<FrontStation<3>> stationsOf(const CrackMesh<3>& mesh, const std::vector<Piece>& pieces)
+/// The front nodes of a front from its pieces, which are one line, by vertices of its crack.
+std::vector<FrontNode<3>> frontNodesOf(const CrackMesh<3>& mesh, const std::vector<Piece>& pieces)
 {
-  std::vector<FrontStation<3>> stations;
+  std::vector<FrontNode<3>> frontNodes;
   const auto add = [&](const Piece& piece, int end, int facet)
   {
-    FrontStation<3> station;
-    station.vertex = mesh.simplices[piece.simplex][(piece.facet + end) % 3];
-    station.name = static_cast<int>(stations.size());
-    station.facet = facet;
-    stations.push_back(station);
+    FrontNode<3> frontNode;
+    frontNode.vertex = mesh.simplices[piece.simplex][(piece.facet + end) % 3];
+    frontNode.name = static_cast<int>(frontNodes.size());
+    frontNode.facet = facet;
+    frontNodes.push_back(frontNode);
   };
   for (const Piece& piece : pieces)
     add(piece, 1, 0);
   add(pieces.back(), 2, -1);
-  if (stations.back().vertex == stations.front().vertex)
-    stations.pop_back();
-  return stations;
+  if (frontNodes.back().vertex == frontNodes.front().vertex)
+    frontNodes.pop_back();
+  return frontNodes;
 }
 
-/// Gives the stations of a front their numbers in the set.
-void numberStations(CrackFront<3>& front, int firstVertex)
+/// Gives the front nodes of a front their numbers in the set.
+void numberFrontNodes(CrackFront<3>& front, int firstVertex)
 {
   int facet = front.firstFacet;
-  for (FrontStation<3>& station : front.stations)
+  for (FrontNode<3>& frontNode : front.nodes)
   {
-    station.vertex += firstVertex;
-    station.facet = station.facet >= 0 ? facet++ : -1;
+    frontNode.vertex += firstVertex;
+    frontNode.facet = frontNode.facet >= 0 ? facet++ : -1;
   }
 }
 
@@ -207,17 +207,22 @@ std::vector<Piece> placeFronts(CrackSet<D>& set, const std::vector<CrackMesh<D>>
     if (front.ended)
       continue;
     std::vector<Piece> along;
-    if (D == 2 || front.stations.empty())
+    if (D == 2 || front.nodes.empty())
       along = fronts[front.crack][next[front.crack]++];
     const Crack<D>& crack = set.cracks[front.crack];
     if constexpr (D == 3)
     {
-      if (front.stations.empty())
-        front.stations = stationsOf(meshes[front.crack], along);
+      if (front.nodes.empty())
+        front.nodes = frontNodesOf(meshes[front.crack], along);
       along = piecesOf(front, meshes[front.crack]);
-      numberStations(front, crack.firstVertex);
+      numberFrontNodes(front, crack.firstVertex);
     }
     front.vertex = crack.firstVertex + surface::middleVertex(meshes[front.crack], along);
+    if constexpr (D == 2)
+    {
+      front.nodes[0].vertex = front.vertex;
+      front.nodes[0].facet = front.firstFacet;
+    }
     front.numFacets = static_cast<int>(along.size());
     for (const Piece& piece : along)
       pieces.push_back({crack.firstSimplex + piece.simplex, piece.facet});

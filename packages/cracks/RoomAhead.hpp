@@ -1,5 +1,5 @@
 #pragma once
-/// How much material is ahead of the stations of a front.
+/// How much material is ahead of the front nodes of a front.
 
 #include "state/State.hpp"
 

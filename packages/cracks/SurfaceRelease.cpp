@@ -24,7 +24,7 @@ constexpr double most = 1.5, least = 0.5;
 struct Waiting
 {
   int second; ///< counts nodes with two fields
-  int front, station;
+  int front, frontNode;
   double force, area;
   bool counts; ///< on this rank
 };
@@ -70,13 +70,13 @@ Rows look(const State<3>& state, const Surroundings& surroundings, const View<do
   return rows;
 }
 
-int nearestStation(const CrackFront<3>& front, const Vector<3>& x)
+int nearestFrontNode(const CrackFront<3>& front, const Vector<3>& x)
 {
   int found = 0;
   double shortest = 1e300;
-  for (std::size_t k = 0; k < front.stations.size(); ++k)
+  for (std::size_t k = 0; k < front.nodes.size(); ++k)
   {
-    const double distance = norm(x - front.stations[k].position);
+    const double distance = norm(x - front.nodes[k].position);
     if (distance < shortest)
     {
       shortest = distance;
@@ -86,7 +86,7 @@ int nearestStation(const CrackFront<3>& front, const Vector<3>& x)
   return found;
 }
 
-/// The fronts and stations of the nodes that wait on this rank.
+/// The fronts and front nodes of the nodes that wait on this rank.
 std::vector<Waiting> list(const State<3>& state, const Rows& rows)
 {
   const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, rows);
@@ -96,7 +96,7 @@ std::vector<Waiting> list(const State<3>& state, const Rows& rows)
   {
     if (!(host(i, 0) > 0.0))
       continue;
-    // The nearest station of any front of its crack: FrontTies knows fronts by one place only.
+    // The nearest front node of any front of its crack: FrontTies knows fronts by one place only.
     const int crack = state.cracks.fronts[static_cast<int>(host(i, 0)) - 1].crack;
     const Vector<3> x{host(i, 3), host(i, 4), host(i, 5)};
     Waiting node{i,          static_cast<int>(host(i, 0)) - 1,       0, host(i, 1),
@@ -108,14 +108,13 @@ std::vector<Waiting> list(const State<3>& state, const Rows& rows)
       if (front.crack != crack || !front.grown)
         continue;
       // One that has ended is known by where it did.
-      const int k = nearestStation(front, x);
-      const double distance =
-          norm(x - (front.stations.empty() ? front.position : front.stations[k].position));
+      const int k = nearestFrontNode(front, x);
+      const double distance = norm(x - (front.nodes.empty() ? front.position : front.nodes[k].position));
       if (distance < shortest)
       {
         shortest = distance;
         node.front = static_cast<int>(f);
-        node.station = k;
+        node.frontNode = k;
       }
     }
     waiting.push_back(node);
@@ -134,15 +133,15 @@ void releaseBehind(const SurfaceGrowth& growth, State<3>& state, const Surroundi
   for (const Properties& material : state.materials.list)
     density = density > 0.0 ? std::min(density, material.density) : material.density;
   const std::vector<Waiting> waiting = list(state, look(state, surroundings, whole, cohesive, density));
-  // Force and area of the nodes at each station, of all fronts one after another.
+  // Force and area of the nodes at each front node, of all fronts one after another.
   std::vector<std::size_t> first{0};
   for (const CrackFront<3>& front : fronts)
-    first.push_back(first.back() + std::max<std::size_t>(1, front.stations.size()));
+    first.push_back(first.back() + std::max<std::size_t>(1, front.nodes.size()));
   std::vector<double> sums(2 * first.back(), 0.0);
   for (const Waiting& node : waiting)
     if (node.counts)
     {
-      const std::size_t at = 2 * (first[node.front] + node.station);
+      const std::size_t at = 2 * (first[node.front] + node.frontNode);
       sums[at] += node.force;
       sums[at + 1] += node.area;
     }
@@ -160,8 +159,8 @@ void releaseBehind(const SurfaceGrowth& growth, State<3>& state, const Surroundi
     // A row of cells along the front is what it may be ahead or behind.
     double row = 0.0;
     const double cell = spacingAt(state, front.position);
-    for (std::size_t k = 0; k < front.stations.size(); ++k)
-      row += toughness[k] * front.stations[k].share * cell;
+    for (std::size_t k = 0; k < front.nodes.size(); ++k)
+      row += toughness[k] * front.nodes[k].tributaryLength * cell;
     // After a front has ended there is no row to come, and these nodes are the last to take what is left.
     const double ahead = front.unspent - wanted;
     const double share = std::clamp(1.0 + ahead / (row > 0.0 ? row : wanted), least, most);
@@ -178,7 +177,7 @@ void releaseBehind(const SurfaceGrowth& growth, State<3>& state, const Surroundi
   const View<double*> rangeOf("rhegma::cracks::rangeOfNodes", nodes.numSecond);
   const auto host = Kokkos::create_mirror_view(rangeOf);
   for (const Waiting& node : waiting)
-    host(node.second) = range[first[node.front] + node.station];
+    host(node.second) = range[first[node.front] + node.frontNode];
   Kokkos::deep_copy(rangeOf, host);
 
   const View<int*> side = state.cracks.nodeSide;

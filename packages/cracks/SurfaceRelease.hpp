@@ -11,11 +11,11 @@ class SurfaceGrowth;
 
 /// Gives nodes that wait for their cohesive force (Cohesion.hpp) one, as FrontTies::release does in 2D.
 ///
-/// The nodes that a step opens next to a station share the energy of the area that they stand for,
+/// The nodes that a step opens next to a front node share the energy of the area that they stand for,
 ///
 ///     E = Gc sum s dx^2 / n (1 - z),
 ///
-/// Gc of the station, s the share of a full node's mass that the node has, as little at a surface, n the
+/// Gc of the front node, s the share of a full node's mass that the node has, as little at a surface, n the
 /// largest component of the normal and z the distance from the crack along that axis in cells, so that the
 /// nodes of a column stand for the column. These areas add up to the crack's, and as they need not do so in
 /// every step, E is by up to half more or less, so that what the front has booked and the nodes have not yet

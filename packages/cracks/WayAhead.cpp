@@ -100,18 +100,18 @@ Outcome findRoom(const State<2>& state, const Chain& chain, bool first, const Cr
   // What lacks for no longer than this is the opening of the crack that the cells have, right at the front or
   // where it has drawn particles of a body apart. What lacks for longer, or between two bodies, is a surface.
   const double opening = std::max(leastLigament * cell, openingBehind(chain, first, cell));
-  const double enough = advance.length + leastLigament * cell, step = (enough + opening) / places;
-  const std::uint64_t filled = filledPlaces(state, front.position, step * advance.direction);
+  const double enough = advance.nodes[0].length + leastLigament * cell, step = (enough + opening) / places;
+  const std::uint64_t filled = filledPlaces(state, front.position, step * advance.nodes[0].direction);
   int last = 0;
   for (int i = 1; i <= places && (i - last) * step <= opening; ++i)
     if ((filled >> i & 1) != 0)
     {
       if (last > 0 && (i - last) * step > apart * cell &&
-          !ofOneBody(state, front.position, step * advance.direction, last, i))
+          !ofOneBody(state, front.position, step * advance.nodes[0].direction, last, i))
         break;
       last = i;
     }
-  return last * step < enough ? Outcome{last * step, true} : Outcome{advance.length, false};
+  return last * step < enough ? Outcome{last * step, true} : Outcome{advance.nodes[0].length, false};
 }
 
 } // namespace Rhegma::cracks

@@ -54,11 +54,11 @@ void DrivingForces::measureRelease(State<2>& state)
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     CrackFront<2>& front = state.cracks.fronts[f];
-    if (front.ended || front.halted)
+    if (front.ended || front.stopped())
       continue;
     const ContourRadii radii = contoursOf(state, f).release;
     internalAcceleration(state, front.position, accelerationReach(state, radii), acceleration_);
-    front.driving.release = integrateRelease(state, front, radii, acceleration_);
+    front.nodes[0].driving.release = integrateRelease(state, front, radii, acceleration_);
   }
 }
 
@@ -67,15 +67,15 @@ void DrivingForces::measureIntensities(State<2>& state)
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     CrackFront<2>& front = state.cracks.fronts[f];
-    if (!front.advances)
+    if (!front.advances())
       continue;
     const ContourRadii radii = contoursOf(state, f).intensity;
     internalAcceleration(state, front.position, accelerationReach(state, radii), acceleration_);
     const DomainIntegral integral = integrateDomain(state, front, radii, acceleration_);
-    front.driving.modeI = integral.modeI;
-    front.driving.modeII = integral.modeII;
+    front.nodes[0].driving.modeI = integral.modeI;
+    front.nodes[0].driving.modeII = integral.modeII;
     // Faces that touch do not overlap: a mode I that closes is none.
-    front.driving.hoopAngle = hoopStressAngle(std::max(integral.modeI, 0.0), integral.modeII);
+    front.nodes[0].driving.hoopAngle = hoopStressAngle(std::max(integral.modeI, 0.0), integral.modeII);
   }
 }
 

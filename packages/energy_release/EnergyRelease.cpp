@@ -212,7 +212,7 @@ void sample(State<2>& state, const Options& options, Samples& samples)
       state.sample.row.emplace_back(name + "K_II", s.integral.modeII);
     }
     state.sample.row.emplace_back(name + "length", front.length);
-    state.sample.row.emplace_back(name + "speed", front.speed);
+    state.sample.row.emplace_back(name + "speed", front.speed());
     state.sample.row.emplace_back(name + "x", front.position[0]);
     state.sample.row.emplace_back(name + "y", front.position[1]);
   }
@@ -236,7 +236,7 @@ void report(const State<2>& state, const Options& options, const Samples& sample
     nlohmann::json& entry = crack["fronts"][s.front.number];
     entry["position"] = {s.front.position[0], s.front.position[1]};
     entry["length"] = s.front.length;
-    entry["speed"] = s.front.speed;
+    entry["speed"] = s.front.speed();
     if (options.contour)
     {
       entry["G_J"] = s.integral.J;
@@ -265,7 +265,7 @@ void keepFront(CrackFront<2>& front, Archive& archive)
   archive("direction", front.direction);
   archive("normal", front.normal);
   archive("length", front.length);
-  archive("speed", front.speed);
+  archive("speed", front.nodes[0].speed);
 }
 
 void keepSample(Sample& s, Archive& archive)

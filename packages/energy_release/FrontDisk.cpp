@@ -45,10 +45,10 @@ Properties lawAtFront(const State<D>& state, const CrackFront<D>& front)
 {
   const int number = materialAt(state, front.position);
   Properties law = state.materials.list[number];
-  if (state.materials.thermo.empty() || !(front.temperature > 0.0))
+  if (state.materials.thermo.empty() || !(front.nodes[0].temperature > 0.0))
     return law;
   const ThermoTables tables = state.materials.thermo;
-  const double temperature = front.temperature;
+  const double temperature = front.nodes[0].temperature;
   double moduli[4] = {}; // from the device
   Kokkos::parallel_reduce(
       "rhegma::lawAtFront", Kokkos::RangePolicy<ExecSpace>(0, 1),

@@ -16,18 +16,17 @@ namespace Rhegma::energy_release
 namespace
 {
 
-/// Cells by which a station may move before its tube is fitted anew: less than four advances of a quarter of
-/// a cell, of which last digits would tell whether they are more.
+/// Cells by which a front node may move before its tube is fitted anew: less than four advances of a quarter
+/// of a cell, of which last digits would tell whether they are more.
 constexpr double lookAgain = 0.9;
 
 bool hasMoved(const std::vector<double>& at, const FrontLine& line, double cell)
 {
-  if (at.size() != 3 * line.stations.size())
+  if (at.size() != 3 * line.nodes.size())
     return true;
   double most = 0.0;
-  for (std::size_t k = 0; k < line.stations.size(); ++k)
-    most =
-        std::max(most, norm(line.stations[k].position - Vector<3>{at[3 * k], at[3 * k + 1], at[3 * k + 2]}));
+  for (std::size_t k = 0; k < line.nodes.size(); ++k)
+    most = std::max(most, norm(line.nodes[k].position - Vector<3>{at[3 * k], at[3 * k + 1], at[3 * k + 2]}));
   return most > lookAgain * cell;
 }
 
@@ -41,7 +40,7 @@ const FrontTube& FrontDriving::tubeOf(const State<3>& state, std::size_t f, cons
   if (!hasMoved(own.at, line, spacingAt(state, front.position)))
     return own.tube;
   own.at.clear();
-  for (const FrontStation<3>& s : line.stations)
+  for (const FrontNode<3>& s : line.nodes)
     own.at.insert(own.at.end(), s.position.c, s.position.c + 3);
   own.tube = fittingTube(state, front, line, radiiInSpace());
   return own.tube;
@@ -52,19 +51,15 @@ void FrontDriving::measureRelease(State<3>& state)
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     CrackFront<3>& front = state.cracks.fronts[f];
-    if (front.ended || front.halted)
+    if (front.ended || front.stopped())
       continue;
     const FrontLine line = lineOf(front);
     if (line.empty())
       continue;
     const FrontTube& tube = tubeOf(state, f, line);
     const std::vector<double> J = integrateAlongFront(state, front.crack, line, tube, acceleration_);
-    front.driving.release = 0.0;
     for (std::size_t k = 0; k < J.size(); ++k)
-    {
-      front.stations[k].driving.release = J[k];
-      front.driving.release += front.stations[k].share * J[k] / line.length;
-    }
+      front.nodes[k].driving.release = J[k];
   }
 }
 
@@ -73,30 +68,21 @@ void FrontDriving::measureIntensities(State<3>& state)
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     CrackFront<3>& front = state.cracks.fronts[f];
-    const bool any = front.advances || std::any_of(front.stations.begin(), front.stations.end(),
-                                                   [](const FrontStation<3>& s) { return s.advances; });
     const FrontLine line = lineOf(front);
-    if (!any || line.empty())
+    if (!front.advances() || line.empty())
       continue;
     const Elasticity e = elasticity(state.materials.list[materialAt(state, front.position)]);
     const std::vector<Intensities> openings = openingsBehind(
         state.cracks, front, line, e, spacingAt(state, front.position), tubeOf(state, f, line).halfWidth);
-    double largest = 0.0;
     for (std::size_t k = 0; k < openings.size(); ++k)
     {
-      DrivingForce& driving = front.stations[k].driving;
+      DrivingForce& driving = front.nodes[k].driving;
       const Intensities K = scaleTo(openings[k], driving.release, e);
       driving.modeI = K.modeI;
       driving.modeII = K.modeII;
       driving.modeIII = K.modeIII;
       // Faces that touch do not overlap: a mode I that closes is none.
       driving.hoopAngle = hoopStressAngle(std::max(K.modeI, 0.0), K.modeII);
-      if (driving.release <= largest)
-        continue;
-      largest = driving.release;
-      const double mean = front.driving.release;
-      front.driving = driving;
-      front.driving.release = mean;
     }
   }
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// What drives the stations of 3D fronts on, in every step, for who lets them grow.
+/// What drives the front nodes of 3D fronts on, in every step, for who lets them grow.
 
 #include "energy_release/FrontTube.hpp"
 #include "energy_release/InternalAcceleration.hpp"
@@ -14,16 +14,15 @@ class Archive;
 namespace Rhegma::energy_release
 {
 
-/// Measures FrontStation::driving: J by FrontIntegral.hpp, intensities by FrontOpening.hpp.
-/// CrackFront::driving gets the mean of J and the intensities of the station that J is largest at. Tubes are
-/// fitted anew when a front has moved on by a cell or has other stations.
+/// Measures FrontNode::driving: J by FrontIntegral.hpp, intensities by FrontOpening.hpp.
+/// Tubes are fitted anew when a front has moved on by a cell or has other front nodes.
 class FrontDriving
 {
 public:
-  /// J at every station of the fronts that are fronts still.
+  /// J at every front node of the fronts that are fronts still.
   void measureRelease(State<3>& state);
 
-  /// Stress intensities at the stations of fronts of which any is about to advance.
+  /// Stress intensities at the front nodes of fronts of which any is about to advance.
   void measureIntensities(State<3>& state);
 
   /// Saves or loads where the tubes were fitted.
@@ -32,7 +31,7 @@ public:
 private:
   struct Fitted
   {
-    std::vector<double> at; ///< places of the stations then, one after the other [m]
+    std::vector<double> at; ///< places of the front nodes then, one after the other [m]
     FrontTube tube{{0.0, 0.0}, 0.0};
   };
   const FrontTube& tubeOf(const State<3>& state, std::size_t front, const FrontLine& line);

@@ -19,8 +19,8 @@ constexpr int D = 3;
 
 Region<D> regionAround(const FrontLine& line, double reach)
 {
-  Region<D> box{line.stations[0].position, line.stations[0].position};
-  for (const FrontStation<D>& s : line.stations)
+  Region<D> box{line.nodes[0].position, line.nodes[0].position};
+  for (const FrontNode<D>& s : line.nodes)
     for (int d = 0; d < D; ++d)
     {
       box.lower[d] = std::min(box.lower[d], s.position[d]);
@@ -116,7 +116,7 @@ TubeNodes findNodes(const State<D>& state, const FrontSight& sight, const Contou
 /// Parts into which a cell's length of front is cut to integrate along it.
 constexpr int partsOfCell = 8;
 
-/// Adds to each station's sum the integral along the front of its weight as the cells interpolate it [m].
+/// Adds to each front node's sum the integral along the front of its weight as the cells interpolate it [m].
 void addWidths(const State<D>& state, const FrontLine& line, const FrontSight& sight, const FrontTube& tube,
                const TubeNodes& tubeNodes, std::vector<double>& width)
 {
@@ -128,9 +128,10 @@ void addWidths(const State<D>& state, const FrontLine& line, const FrontSight& s
   std::vector<Part> parts;
   for (const FrontPiece& piece : line.pieces)
   {
-    const FrontStation<D>&a = line.stations[piece.from], &b = line.stations[piece.to];
+    const FrontNode<D>&a = line.nodes[piece.from], &b = line.nodes[piece.to];
     const Vector<D> along = b.position - a.position;
-    // What sweeps an area is the advance across the piece, which may lean against its stations' directions.
+    // What sweeps an area is the advance across the piece, which may lean against its front nodes'
+    // directions.
     const Vector<D> swept = cross(along, a.normal + b.normal);
     if (!(norm(swept) > 0.0)) // no length, no area
       continue;
@@ -179,25 +180,25 @@ double reachOf(const State<D>& state, const FrontTube& tube)
   return tube.radii.outer + 4.0 * state.mesh.grid.spacing;
 }
 
-/// J at every station, of the nodes' configurational forces [N].
+/// J at every front node, of the nodes' configurational forces [N].
 std::vector<double> integrate(const State<D>& state, const FrontLine& line, const FrontTube& tube,
                               const View<double* [D]>& force)
 {
-  const std::size_t stations = line.stations.size();
+  const std::size_t frontNodes = line.nodes.size();
   const FrontSight sight(line, reachOf(state, tube));
   const TubeNodes nodes = findNodes(state, sight, tube.radii, regionAround(line, tube.radii.outer), force);
-  std::vector<double> sums(2 * stations, 0.0); // of the release, then of the width
-  for (std::size_t s = 0; s < stations; ++s)
+  std::vector<double> sums(2 * frontNodes, 0.0); // of the release, then of the width
+  for (std::size_t s = 0; s < frontNodes; ++s)
     for (const TubeNode& n : nodes.nodes)
       sums[s] += n.ramp * n.along * hatOf(sight, n.line, n.arc, static_cast<int>(s), tube.halfWidth);
-  std::vector<double> width(stations, 0.0);
+  std::vector<double> width(frontNodes, 0.0);
   addWidths(state, line, sight, tube, nodes, width);
-  std::copy(width.begin(), width.end(), sums.begin() + static_cast<long>(stations));
+  std::copy(width.begin(), width.end(), sums.begin() + static_cast<long>(frontNodes));
   sumParts(state, sums.data(), static_cast<int>(sums.size()));
-  std::vector<double> J(stations, 0.0);
-  for (std::size_t s = 0; s < stations; ++s)
-    if (sums[stations + s] > 0.0)
-      J[s] = sums[s] / sums[stations + s];
+  std::vector<double> J(frontNodes, 0.0);
+  for (std::size_t s = 0; s < frontNodes; ++s)
+    if (sums[frontNodes + s] > 0.0)
+      J[s] = sums[s] / sums[frontNodes + s];
   return J;
 }
 
@@ -207,7 +208,7 @@ std::vector<double> integrateWithAcceleration(const State<3>& state, const Front
                                               const FrontTube& tube, const NodalAcceleration<3>& acceleration)
 {
   if (line.empty())
-    return std::vector<double>(line.stations.size(), 0.0);
+    return std::vector<double>(line.nodes.size(), 0.0);
   return integrate(state, line, tube,
                    configurationalForces(state, regionAround(line, reachOf(state, tube)), acceleration));
 }
@@ -216,7 +217,7 @@ std::vector<double> integrateAlongFront(const State<3>& state, int crack, const 
                                         const FrontTube& tube, NodalAcceleration<3>& acceleration)
 {
   if (line.empty())
-    return std::vector<double>(line.stations.size(), 0.0);
+    return std::vector<double>(line.nodes.size(), 0.0);
   // Nodes that particles in the tube touch are touched by others.
   internalAcceleration(state, regionAround(line, reachOf(state, tube) + 4.0 * state.mesh.grid.spacing),
                        acceleration);

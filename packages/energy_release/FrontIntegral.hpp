@@ -9,7 +9,7 @@
 namespace Rhegma::energy_release
 {
 
-/// Dynamic J [J/m2] at every station of a front.
+/// Dynamic J [J/m2] at every front node of a front.
 ///
 ///     J_s = sum_n q_s(n) e(n) . G_n / int q_s ds
 ///     G_n = sum_p V0 [(F^T tau - (W + T) F^T) grad N_n + rho0 (F^T a - (grad v F)^T v) N_n] less the part of
@@ -18,7 +18,7 @@ namespace Rhegma::energy_release
 /// G_n are the nodes' configurational forces (Mueller and Maugin, Comput. Mech. 29 (2002) 52), e(n) is the
 /// direction of the front at the point of it that is nearest to the node, so that a virtual advance follows a
 /// curved front, and q_s = ramp(r) hat(s) with the ramp of ContourRadii and a hat of half width `halfWidth`
-/// in arc length about the station. q_s is interpolated by the functions of the motion, cuts included. The
+/// in arc length about the front node. q_s is interpolated by the functions of the motion, cuts included. The
 /// denominator is the integral along the front of q_s e as the cells interpolate it: with the hat's own area
 /// J would be low by as much as the ramp falls between the nodes next to the front.
 ///

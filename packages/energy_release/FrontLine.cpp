@@ -8,21 +8,21 @@ FrontLine lineOf(const CrackFront<3>& front)
   FrontLine all;
   if (front.ended)
     return all;
-  all.stations = front.stations;
-  const int count = static_cast<int>(front.stations.size());
+  all.nodes = front.nodes;
+  const int count = static_cast<int>(front.nodes.size());
   int first = 0; // of the current line
   double along = 0.0;
   for (int k = 0; k < count; ++k)
   {
     all.arc.push_back(along);
     all.line.push_back(static_cast<int>(all.loop.size()));
-    const bool ends = front.stations[k].facet < 0, closes = !ends && k + 1 == count;
+    const bool ends = front.nodes[k].facet < 0, closes = !ends && k + 1 == count;
     if (!ends)
     {
       const int to = closes ? first : k + 1;
-      const double length = norm(front.stations[to].position - front.stations[k].position);
+      const double length = norm(front.nodes[to].position - front.nodes[k].position);
       const bool open = !closes;
-      all.pieces.push_back({k, to, open && k == first, open && front.stations[to].facet < 0, length});
+      all.pieces.push_back({k, to, open && k == first, open && front.nodes[to].facet < 0, length});
       along += length;
     }
     if (ends || closes)
@@ -42,14 +42,14 @@ FrontLine lineOf(const CrackFront<3>& front)
 }
 
 FrontSight::FrontSight(const FrontLine& front, double extension)
-    : place("rhegma::frontPlace", front.stations.size()),
-      direction("rhegma::frontDirection", front.stations.size()),
-      normal("rhegma::frontNormal", front.stations.size()),
-      arc("rhegma::frontArc", front.stations.size()),
+    : place("rhegma::frontPlace", front.nodes.size()),
+      direction("rhegma::frontDirection", front.nodes.size()),
+      normal("rhegma::frontNormal", front.nodes.size()),
+      arc("rhegma::frontArc", front.nodes.size()),
       loop("rhegma::frontLoop", front.loop.size()),
       open("rhegma::frontOpen", front.open.size()),
       ends("rhegma::frontEnds", front.open.size()),
-      line("rhegma::frontLine", front.stations.size()),
+      line("rhegma::frontLine", front.nodes.size()),
       piece("rhegma::frontPiece", front.pieces.size()),
       pieceLength("rhegma::frontPieceLength", front.pieces.size()),
       beyond(extension)
@@ -61,9 +61,9 @@ FrontSight::FrontSight(const FrontLine& front, double extension)
   const auto lines = Kokkos::create_mirror_view(line);
   const auto lineEnds = Kokkos::create_mirror_view(ends);
   const auto pieces = Kokkos::create_mirror_view(piece);
-  for (std::size_t k = 0; k < front.stations.size(); ++k)
+  for (std::size_t k = 0; k < front.nodes.size(); ++k)
   {
-    const FrontStation<3>& s = front.stations[k];
+    const FrontNode<3>& s = front.nodes[k];
     for (int d = 0; d < 3; ++d)
     {
       places(k, d) = s.position[d];

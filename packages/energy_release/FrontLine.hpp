@@ -8,20 +8,21 @@
 namespace Rhegma::energy_release
 {
 
-/// A piece of front between two stations.
+/// A piece of front between two front nodes.
 struct FrontPiece
 {
-  int from, to;      ///< stations
+  int from, to;      ///< front nodes
   bool begins, ends; ///< whether its line does so with it, at the surface of the body
   double length;     ///< [m]
 };
 
-/// The stations of a front as lines: one, closed or not, or several where the surface of the body divides it.
+/// The front nodes of a front as lines: one, closed or not, or several where the surface of the body divides
+/// it.
 struct FrontLine
 {
-  std::vector<FrontStation<3>> stations;
-  std::vector<double> arc;  ///< of each station: length of its line up to there [m]
-  std::vector<int> line;    ///< of each station
+  std::vector<FrontNode<3>> nodes;
+  std::vector<double> arc;  ///< of each front node: length of its line up to there [m]
+  std::vector<int> line;    ///< of each front node
   std::vector<double> loop; ///< of each line: its length if it is closed, else 0 [m]
   std::vector<double> open; ///< of each line: its length if it is open, else 0 [m]
   std::vector<FrontPiece> pieces;
@@ -46,9 +47,9 @@ struct FrontFoot
 /// What kernels need to look at places from a front.
 struct FrontSight
 {
-  View<double*[3]> place, direction, normal; ///< of stations
+  View<double*[3]> place, direction, normal; ///< of front nodes
   View<double*> arc, loop, open;
-  View<int* [2]> ends; ///< of each line: its first and last station
+  View<int* [2]> ends; ///< of each line: its first and last front node
   View<int*> line;
   View<int* [4]> piece; ///< as FrontPiece
   View<double*> pieceLength;
@@ -90,12 +91,12 @@ struct FrontSight
     return foot;
   }
 
-  /// Length of front from a place on it to a station, the shorter way; huge on another line [m].
-  KOKKOS_INLINE_FUNCTION double apart(int onLine, double from, int station) const
+  /// Length of front from a place on it to a front node, the shorter way; huge on another line [m].
+  KOKKOS_INLINE_FUNCTION double apart(int onLine, double from, int frontNode) const
   {
-    if (onLine != line(station))
+    if (onLine != line(frontNode))
       return 1e300;
-    const double one = std::fabs(from - arc(station)), other = loop(onLine) - one;
+    const double one = std::fabs(from - arc(frontNode)), other = loop(onLine) - one;
     return loop(onLine) > 0.0 && other < one ? std::fabs(other) : one;
   }
 
@@ -165,11 +166,11 @@ private:
   }
 };
 
-/// Weight of a station at a place on its front: a hat of this half width [m] along the front.
-KOKKOS_INLINE_FUNCTION double hatOf(const FrontSight& sight, int line, double arc, int station,
+/// Weight of a front node at a place on its front: a hat of this half width [m] along the front.
+KOKKOS_INLINE_FUNCTION double hatOf(const FrontSight& sight, int line, double arc, int frontNode,
                                     double halfWidth)
 {
-  const double weight = 1.0 - sight.apart(line, arc, station) / halfWidth;
+  const double weight = 1.0 - sight.apart(line, arc, frontNode) / halfWidth;
   return weight > 0.0 ? weight : 0.0;
 }
 

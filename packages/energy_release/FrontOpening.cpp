@@ -137,12 +137,12 @@ std::vector<Intensities> openingsBehind(const CrackSet<3>& cracks, const CrackFr
                                          [](double most, const Part& p) { return std::max(most, p.behind); });
   const double from = std::min(nearest * cell, 0.5 * deepest);
   std::vector<Intensities> all;
-  for (int station = 0; station < static_cast<int>(line.stations.size()); ++station)
+  for (int frontNode = 0; frontNode < static_cast<int>(line.nodes.size()); ++frontNode)
   {
     double sums[3] = {}, squares = 0.0;
     for (const Part& p : parts)
     {
-      const double hat = hatOf(sight, p.line, p.arc, station, halfWidth);
+      const double hat = hatOf(sight, p.line, p.arc, frontNode, halfWidth);
       if (hat <= 0.0 || p.behind < from || p.behind > furthest * cell)
         continue;
       const double shape = std::sqrt(p.behind / (2.0 * std::acos(-1.0))), weight = p.area * hat * shape;

@@ -10,8 +10,8 @@
 namespace Rhegma::energy_release
 {
 
-/// Stress intensities [Pa m^0.5] in the frame of a station: K_I is positive where the faces open, K_II where
-/// side +1 slides ahead, K_III where side +1 slides along `direction` x `normal`.
+/// Stress intensities [Pa m^0.5] in the frame of a front node: K_I is positive where the faces open, K_II
+/// where side +1 slides ahead, K_III where side +1 slides along `direction` x `normal`.
 struct Intensities
 {
   double modeI = 0.0, modeII = 0.0, modeIII = 0.0;
@@ -20,11 +20,11 @@ struct Intensities
 /// E' J of intensities over E': (K_I^2 + K_II^2) / E' + K_III^2 / (2 mu) [J/m2].
 double releaseOf(const Intensities& K, const Elasticity& e);
 
-/// Intensities whose ratios are those of the openings behind the front, at every station.
+/// Intensities whose ratios are those of the openings behind the front, at every front node.
 ///
 /// The faces' openings at the distance r behind a front are (8 K_I, 8 K_II) / E' sqrt(r / 2 pi) and
 /// 4 K_III / mu sqrt(r / 2 pi) (Williams). These are fitted to the face places, between 1 and 3 cells behind
-/// the front, with the hat of half width `halfWidth` about the station. Their size is that of the cells'
+/// the front, with the hat of half width `halfWidth` about the front node. Their size is that of the cells'
 /// opening, which is not accurate; scaleTo mends it.
 ///
 /// \param cell edge of the cells at the front [m]

@@ -27,10 +27,10 @@ constexpr double atAnEnd = 0.4;
 double clearOfSurfaces(const State<3>& state, const FrontLine& line, double radius)
 {
   Vector<3> middle{{0.0, 0.0, 0.0}};
-  for (const FrontStation<3>& s : line.stations)
-    middle = middle + (1.0 / static_cast<double>(line.stations.size())) * s.position;
+  for (const FrontNode<3>& s : line.nodes)
+    middle = middle + (1.0 / static_cast<double>(line.nodes.size())) * s.position;
   double extent = 0.0;
-  for (const FrontStation<3>& s : line.stations)
+  for (const FrontNode<3>& s : line.nodes)
     extent = std::max(extent, norm(s.position - middle));
   const View<double*> cover = coverOfNodes(state, middle, extent + radius);
   const NodePlaces<3> places = nodePlaces(state);
@@ -65,7 +65,7 @@ double clearOfOthers(const State<3>& state, const CrackFront<3>& front, const Fr
   std::vector<Vector<3>> others;
   for (const CrackFront<3>& other : cracks.fronts)
     if (other.crack == front.crack && other.number != front.number)
-      for (const FrontStation<3>& s : other.stations)
+      for (const FrontNode<3>& s : other.nodes)
         others.push_back(s.position);
   for (int c = 0; c < static_cast<int>(cracks.cracks.size()); ++c)
     for (int k = 0; c != front.crack && k < cracks.cracks[c].numVertices; ++k)
@@ -74,7 +74,7 @@ double clearOfOthers(const State<3>& state, const CrackFront<3>& front, const Fr
       others.push_back({vertex(v, 0), vertex(v, 1), vertex(v, 2)});
     }
   double nearest = radius;
-  for (const FrontStation<3>& s : line.stations)
+  for (const FrontNode<3>& s : line.nodes)
     for (const Vector<3>& x : others)
       nearest = std::min(nearest, norm(x - s.position));
   return nearest;
@@ -85,13 +85,13 @@ double clearOfOthers(const State<3>& state, const CrackFront<3>& front, const Fr
 /// make of a distance.
 constexpr double curvatureFrom = 1.5, curvatureFully = 3.0;
 
-/// Directions of the stations, each the mean over two stations on both sides by weights that fall linearly:
-/// what a station alone is ahead or behind turns its neighbours, and a turn over cells is curvature, one over
-/// a station none. Those of a circle stay what they are.
+/// Directions of the front nodes, each the mean over two front nodes on both sides by weights that fall
+/// linearly: what a front node alone is ahead or behind turns its neighbours, and a turn over cells is
+/// curvature, one over a front node none. Those of a circle stay what they are.
 std::vector<Vector<3>> meanDirections(const FrontLine& line)
 {
   constexpr int reach = 2;
-  const int count = static_cast<int>(line.stations.size());
+  const int count = static_cast<int>(line.nodes.size());
   std::vector<Vector<3>> mean(count);
   for (int k = 0; k < count; ++k)
   {
@@ -105,25 +105,25 @@ std::vector<Vector<3>> meanDirections(const FrontLine& line)
     // The ends of an open line point along the surface.
     const int most = closed ? reach : std::clamp(std::min(k - first, last - k) - 1, 0, reach);
     Vector<3> sides[2] = {{{0.0, 0.0, 0.0}}, {{0.0, 0.0, 0.0}}};
-    double way[2] = {0.0, 0.0}; // weighted length of front to the stations of each side
+    double way[2] = {0.0, 0.0}; // weighted length of front to the front nodes of each side
     for (int side = 0; side < 2; ++side)
     {
       double along = 0.0;
       for (int j = 1, from = k; j <= most; ++j)
       {
         const int to = first + ((k - first + (side == 0 ? -j : j)) % size + size) % size;
-        along += norm(line.stations[to].position - line.stations[from].position);
+        along += norm(line.nodes[to].position - line.nodes[from].position);
         way[side] += double(reach + 1 - j) * along;
-        sides[side] = sides[side] + double(reach + 1 - j) * line.stations[to].direction;
+        sides[side] = sides[side] + double(reach + 1 - j) * line.nodes[to].direction;
         from = to;
       }
     }
     // As far on one side as on the other, so that pieces of unequal length do not turn an arc.
-    Vector<3> sum = double(reach + 1) * line.stations[k].direction;
+    Vector<3> sum = double(reach + 1) * line.nodes[k].direction;
     if (most > 0)
       sum = sum + (2.0 / (way[0] + way[1])) * (way[1] * sides[0] + way[0] * sides[1]);
     const double length = norm(sum);
-    mean[k] = length > 0.0 ? (1.0 / length) * sum : line.stations[k].direction;
+    mean[k] = length > 0.0 ? (1.0 / length) * sum : line.nodes[k].direction;
   }
   return mean;
 }
@@ -133,19 +133,19 @@ std::vector<Vector<3>> meanDirections(const FrontLine& line)
 double radiusOfCurvature(const FrontLine& line, double cell)
 {
   const std::vector<Vector<3>> direction = meanDirections(line);
-  std::vector<char> atSurface(line.stations.size(), 0);
+  std::vector<char> atSurface(line.nodes.size(), 0);
   for (const FrontPiece& piece : line.pieces)
   {
     atSurface[piece.from] |= piece.begins;
     atSurface[piece.to] |= piece.ends;
   }
   double largest = 0.0;
-  for (std::size_t s = 0; s < line.stations.size(); ++s)
-    for (std::size_t t = 0; t < line.stations.size(); ++t)
+  for (std::size_t s = 0; s < line.nodes.size(); ++s)
+    for (std::size_t t = 0; t < line.nodes.size(); ++t)
     {
       if (atSurface[s] || atSurface[t])
         continue;
-      const Vector<3> chord = line.stations[t].position - line.stations[s].position;
+      const Vector<3> chord = line.nodes[t].position - line.nodes[s].position;
       const double length = norm(chord), sagitta = std::fabs(dot(chord, direction[s]));
       const double says = (length / cell - curvatureFrom) / (curvatureFully - curvatureFrom);
       if (says > 0.0)

@@ -11,7 +11,7 @@ namespace Rhegma::energy_release
 struct FrontTube
 {
   ContourRadii radii;
-  double halfWidth; ///< of the hat along the front by which a station weighs [m]
+  double halfWidth; ///< of the hat along the front by which a front node weighs [m]
 };
 
 /// Largest outer radius of a tube that stays inside the body, clear of other fronts and cracks and, where the
@@ -21,7 +21,7 @@ double roomAround(const State<3>& state, const CrackFront<3>& front, const Front
 
 /// Radius of the largest ball that touches a front from behind or ahead and holds no other part of it; parts
 /// nearer than 1.5 cells are not looked at, those nearer than 3 count less, and the ends of an open front not
-/// at all, where the surface cuts its pieces and a station points along the crack's mouth. Infinite for a
+/// at all, where the surface cuts its pieces and a front node points along the crack's mouth. Infinite for a
 /// straight front.
 double radiusOfCurvature(const FrontLine& line, double cell);
 

@@ -25,7 +25,7 @@ namespace
 
 constexpr double notYet = std::numeric_limits<double>::quiet_NaN(); ///< null in the summary
 
-/// A quantity at the stations of a front.
+/// A quantity at the front nodes of a front.
 using Along = std::vector<double>;
 
 /// The last sample of a front.
@@ -55,12 +55,12 @@ std::string frontName(const State<3>& state, const CrackFront<3>& front)
   return state.cracks.cracks[front.crack].name + "." + std::to_string(front.number);
 }
 
-/// Mean along the front: of the straight lines between stations.
+/// Mean along the front: of the straight lines between front nodes.
 double meanOf(const FrontLine& line, const Along& values)
 {
   double sum = 0.0;
   for (std::size_t k = 0; k < values.size(); ++k)
-    sum += line.stations[k].share * values[k];
+    sum += line.nodes[k].tributaryLength * values[k];
   return line.length > 0.0 ? sum / line.length : 0.0;
 }
 
@@ -80,7 +80,7 @@ Sample unmeasured(const State<3>& state, const CrackFront<3>& front, const Optio
   s.line = lineOf(front);
   if (!s.line.empty())
     s.tube = fittingTube(state, front, s.line, options.radii);
-  s.J = s.modeI = s.modeII = s.modeIII = Along(s.line.stations.size(), notYet);
+  s.J = s.modeI = s.modeII = s.modeIII = Along(s.line.nodes.size(), notYet);
   return s;
 }
 
@@ -165,7 +165,7 @@ void sample(State<3>& state, const Options& options, Samples& samples)
       state.sample.row.emplace_back(name + quantity + "_max", most(*values));
     }
     state.sample.row.emplace_back(name + "length", front.length);
-    state.sample.row.emplace_back(name + "speed", front.speed);
+    state.sample.row.emplace_back(name + "speed", front.speed());
     state.sample.row.emplace_back(name + "x", front.position[0]);
     state.sample.row.emplace_back(name + "y", front.position[1]);
     state.sample.row.emplace_back(name + "z", front.position[2]);
@@ -181,24 +181,24 @@ void report(const State<3>& state, const Samples& samples, nlohmann::json& summa
     nlohmann::json& crack = summary["cracks"][s.front.crack];
     crack["name"] = state.cracks.cracks[s.front.crack].name;
     nlohmann::json& entry = crack["fronts"][s.front.number];
-    nlohmann::json& stations = entry["stations"];
+    nlohmann::json& frontNodes = entry["stations"];
     for (const auto& [quantity, values] : quantitiesOf(s))
     {
       entry[quantity] = meanOf(s.line, *values);
       entry[std::string(quantity) + "_min"] = least(*values);
       entry[std::string(quantity) + "_max"] = most(*values);
-      stations[quantity] = *values;
+      frontNodes[quantity] = *values;
     }
     for (const char* name : {"position", "direction", "normal", "arc_length"})
-      stations[name] = nlohmann::json::array();
-    for (const FrontStation<3>& station : s.line.stations)
+      frontNodes[name] = nlohmann::json::array();
+    for (const FrontNode<3>& frontNode : s.line.nodes)
     {
-      stations["position"].push_back(numbers(station.position));
-      stations["direction"].push_back(numbers(station.direction));
-      stations["normal"].push_back(numbers(station.normal));
+      frontNodes["position"].push_back(numbers(frontNode.position));
+      frontNodes["direction"].push_back(numbers(frontNode.direction));
+      frontNodes["normal"].push_back(numbers(frontNode.normal));
     }
-    stations["arc_length"] = s.line.arc;
-    stations["line"] = s.line.line;
+    frontNodes["arc_length"] = s.line.arc;
+    frontNodes["line"] = s.line.line;
     entry["inner_radius"] = s.tube.radii.inner;
     entry["outer_radius"] = s.tube.radii.outer;
     entry["half_width"] = s.tube.halfWidth;
@@ -225,25 +225,25 @@ void keep(Samples& samples, Archive& archive)
     archive("line", s.line.line);
     for (const auto& [quantity, values] : quantitiesOf(s))
       archive(quantity, *values);
-    std::vector<double> frames; // share, place, direction and normal of each station
-    for (const FrontStation<3>& station : s.line.stations)
+    std::vector<double> frames; // share, place, direction and normal of each front node
+    for (const FrontNode<3>& frontNode : s.line.nodes)
     {
-      frames.push_back(station.share);
-      for (const Vector<3>* v : {&station.position, &station.direction, &station.normal})
+      frames.push_back(frontNode.tributaryLength);
+      for (const Vector<3>* v : {&frontNode.position, &frontNode.direction, &frontNode.normal})
         frames.insert(frames.end(), v->c, v->c + 3);
     }
     archive("frames", frames, 10);
-    s.line.stations.resize(frames.size() / 10);
-    for (std::size_t i = 0; i < s.line.stations.size(); ++i)
+    s.line.nodes.resize(frames.size() / 10);
+    for (std::size_t i = 0; i < s.line.nodes.size(); ++i)
     {
-      FrontStation<3>& station = s.line.stations[i];
+      FrontNode<3>& frontNode = s.line.nodes[i];
       const double* frame = &frames[10 * i];
-      station.share = frame[0];
+      frontNode.tributaryLength = frame[0];
       for (int d = 0; d < 3; ++d)
       {
-        station.position[d] = frame[1 + d];
-        station.direction[d] = frame[4 + d];
-        station.normal[d] = frame[7 + d];
+        frontNode.position[d] = frame[1 + d];
+        frontNode.direction[d] = frame[4 + d];
+        frontNode.normal[d] = frame[7 + d];
       }
     }
   }

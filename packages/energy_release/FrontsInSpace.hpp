@@ -7,7 +7,7 @@ namespace Rhegma::energy_release
 {
 
 /// J and stress intensities along the fronts of 3D scenes, in the history as means and extremes, in the
-/// summary at every station.
+/// summary at every front node.
 Effect<3> fronts3(const Teuchos::ParameterList& scene);
 
 } // namespace Rhegma::energy_release

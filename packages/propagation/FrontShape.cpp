@@ -12,7 +12,7 @@ namespace Rhegma::propagation
 namespace
 {
 
-constexpr double off = 0.05; ///< how far a station of a circle may lie off it, in radii
+constexpr double off = 0.05; ///< how far a front node of a circle may lie off it, in radii
 
 /// Distances from the axis of a circle and from its plane.
 std::array<double, 2> seenFrom(const Circle& circle, const Vector<3>& x)
@@ -27,19 +27,19 @@ std::array<double, 2> seenFrom(const Circle& circle, const Vector<3>& x)
 Circle circleOf(const CrackFront<3>& front)
 {
   Circle circle;
-  const double count = static_cast<double>(front.stations.size());
+  const double count = static_cast<double>(front.nodes.size());
   if (count < 5.0)
     return circle;
   Vector<3> middle{0.0, 0.0, 0.0}, normal{0.0, 0.0, 0.0};
-  for (const FrontStation<3>& station : front.stations)
+  for (const FrontNode<3>& frontNode : front.nodes)
   {
-    middle = middle + (1.0 / count) * station.position;
-    normal = normal + station.normal;
+    middle = middle + (1.0 / count) * frontNode.position;
+    normal = normal + frontNode.normal;
   }
   if (!(norm(normal) > 0.0))
     return circle;
   normal = (1.0 / norm(normal)) * normal;
-  Vector<3> a = front.stations[0].direction;
+  Vector<3> a = front.nodes[0].direction;
   a = a - dot(a, normal) * normal;
   if (!(norm(a) > 0.0))
     return circle;
@@ -47,9 +47,9 @@ Circle circleOf(const CrackFront<3>& front)
   const Vector<3> b = cross(normal, a);
   // p^2 + q^2 = 2 p P + 2 q Q + c with the centre at (P, Q); sums about the middle.
   double pp = 0.0, pq = 0.0, qq = 0.0, p3 = 0.0, q3 = 0.0;
-  for (const FrontStation<3>& station : front.stations)
+  for (const FrontNode<3>& frontNode : front.nodes)
   {
-    const double p = dot(station.position - middle, a), q = dot(station.position - middle, b);
+    const double p = dot(frontNode.position - middle, a), q = dot(frontNode.position - middle, b);
     pp += p * p;
     pq += p * q;
     qq += q * q;
@@ -63,9 +63,9 @@ Circle circleOf(const CrackFront<3>& front)
   circle.centre = middle + P * a + Q * b;
   circle.normal = normal;
   circle.radius = std::sqrt(P * P + Q * Q + (pp + qq) / count);
-  for (const FrontStation<3>& station : front.stations)
+  for (const FrontNode<3>& frontNode : front.nodes)
   {
-    const auto [distance, above] = seenFrom(circle, station.position);
+    const auto [distance, above] = seenFrom(circle, frontNode.position);
     if (std::fabs(distance - circle.radius) > off * circle.radius || std::fabs(above) > off * circle.radius)
       return {};
   }
@@ -76,18 +76,18 @@ Shape shapeOf(const CrackFront<3>& front, const Circle& circle)
 {
   Shape shape;
   double length = 0.0;
-  for (const FrontStation<3>& station : front.stations)
+  for (const FrontNode<3>& frontNode : front.nodes)
   {
-    shape.radius += station.share * seenFrom(circle, station.position)[0];
-    length += station.share;
+    shape.radius += frontNode.tributaryLength * seenFrom(circle, frontNode.position)[0];
+    length += frontNode.tributaryLength;
   }
   if (!(length > 0.0))
     return shape;
   shape.radius /= length;
   double uneven = 0.0, outside = 0.0;
-  for (const FrontStation<3>& station : front.stations)
+  for (const FrontNode<3>& frontNode : front.nodes)
   {
-    const auto [distance, above] = seenFrom(circle, station.position);
+    const auto [distance, above] = seenFrom(circle, frontNode.position);
     uneven = std::max(uneven, std::fabs(distance - shape.radius));
     outside = std::max(outside, std::fabs(above));
   }

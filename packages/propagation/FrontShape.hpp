@@ -13,15 +13,15 @@ struct Circle
   double radius = 0.0; ///< [m]; 0: it was no circle
 };
 
-/// The circle through the stations of a front by least squares (Kasa, IEEE Trans. Instrum. Meas. 25 (1976) 8)
-/// in the plane of their mean normal; none where a station lies further than a twentieth of the radius off
-/// it.
+/// The circle through the front nodes of a front by least squares (Kasa, IEEE Trans. Instrum. Meas. 25 (1976)
+/// 8) in the plane of their mean normal; none where a front node lies further than a twentieth of the radius
+/// off it.
 Circle circleOf(const CrackFront<3>& front);
 
 /// A front seen from the middle of a circle.
 struct Shape
 {
-  double radius = 0.0;    ///< mean distance of its stations from the circle's axis, by their shares [m]
+  double radius = 0.0;    ///< mean distance of its front nodes from the circle's axis, by their shares [m]
   double roundness = 1.0; ///< 1 less the largest deviation from that mean, in parts of it
   double flatness = 1.0;  ///< 1 less the largest distance from the circle's plane, in parts of it
 };

@@ -6,7 +6,7 @@
 namespace Rhegma::propagation
 {
 
-/// As in 2D, with every station of a front for itself (PropagationInSpace.cpp).
+/// As in 2D, with every front node of a front for itself (PropagationInSpace.cpp).
 Effect<3> propagationInSpace(const Teuchos::ParameterList& scene);
 
 } // namespace Rhegma::propagation

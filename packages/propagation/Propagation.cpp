@@ -52,8 +52,9 @@ void decide(State<2>& state, const Options& options, Fronts& fronts)
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     CrackFront<2>& front = state.cracks.fronts[f];
-    front.advances = false;
-    if (front.ended || front.halted)
+    FrontNode<2>& node = front.nodes[0];
+    node.advances = false;
+    if (front.ended || node.stopped)
       continue;
     if (fronts.fastest[f] == 0.0)
       fronts.fastest[f] = fastestAt(state, front.position, options);
@@ -61,26 +62,26 @@ void decide(State<2>& state, const Options& options, Fronts& fronts)
     // Cells may become smaller round a front at rest.
     if (fronts.increment[f] == 0.0 || !history.running())
       fronts.increment[f] = options.cells * spacingAt(state, front.position);
-    const double release = front.driving.release;
-    const AdvanceRule rule = ruleAt(front.temperature, options);
+    const double release = node.driving.release;
+    const AdvanceRule rule = ruleAt(node.temperature, options);
     if (isWeak(rule, fronts.fastest[f]))
     {
-      state.failure = complaintOfWeak(front.temperature);
+      state.failure = complaintOfWeak(node.temperature);
       return;
     }
     if (history.running())
     {
       FrontHistory asItWouldBe = history;
-      front.advances =
+      node.advances =
           asItWouldBe.advance(rule, now, release, fronts.increment[f], fronts.fastest[f]).increments > 0;
-      if (!front.advances)
+      if (!node.advances)
         history = std::move(asItWouldBe);
     }
     else if (release >= rule.initiation && now >= rule.startTime)
-      front.advances = true;
+      node.advances = true;
     else
       history.wait(rule, now, release);
-    front.speed = history.speed(now);
+    node.speed = history.speed(now);
   }
 }
 
@@ -94,28 +95,28 @@ void ask(State<2>& state, const Options& options, Fronts& fronts)
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     CrackFront<2>& front = state.cracks.fronts[f];
-    if (!front.advances)
+    FrontNode<2>& node = front.nodes[0];
+    if (!node.advances)
       continue;
-    front.advances = false;
+    node.advances = false;
     FrontHistory& history = fronts.histories[f];
     const Elasticity e = elasticity(state.materials.list[materialAt(state, front.position)]);
-    fronts.next[f] =
-        history.advance(ruleAt(front.temperature, options), state.clock.time,
-                        openingRelease(front.driving, e), fronts.increment[f], fronts.fastest[f]);
-    front.speed = history.speed(state.clock.time);
+    fronts.next[f] = history.advance(ruleAt(node.temperature, options), state.clock.time,
+                                     openingRelease(node.driving, e), fronts.increment[f], fronts.fastest[f]);
+    node.speed = history.speed(state.clock.time);
     if (fronts.next[f].increments == 0)
       continue;
     const double length = fronts.next[f].increments * fronts.increment[f];
     const bool held = fronts.straightFor[f] > 0.0;
     const Vector<2> direction =
         held ? front.direction
-             : nextDirection(front.driving, front.direction, front.normal, options.direction);
+             : nextDirection(node.driving, front.direction, front.normal, options.direction);
     fronts.straightFor[f] -= length;
     if (dot(direction, front.direction) < sharp)
       fronts.straightFor[f] = straightCells * fronts.increment[f] / options.cells - length;
     if (!front.grown)
       fronts.origins[f] = {front.position, front.direction, direction};
-    state.cracks.advances.push_back({static_cast<int>(f), direction, length, fronts.next[f].toughness});
+    state.cracks.advances.push_back({static_cast<int>(f), {{direction, length, fronts.next[f].toughness}}});
     const Vector<2> place = front.position + length * direction;
     fronts.paths[f].insert(fronts.paths[f].end(), {history.lastTime(), place[0], place[1]});
     // Cells and material may be others where it is going.
@@ -170,9 +171,9 @@ void report(const State<2>& state, const Fronts& fronts, nlohmann::json& summary
     taken += front.taken;
     nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
     entry["increments"] = history.increments();
-    entry["running"] = history.running() && !front.ended && !front.halted;
+    entry["running"] = history.running() && !front.ended && !front.stopped();
     entry["ended"] = front.ended;
-    entry["halted"] = front.halted;
+    entry["halted"] = front.stopped();
     const Origin& origin = fronts.origins[f];
     const bool moved = history.increments() > 0;
     entry["set_out"] = moved ? history.firstTime() : notYet;
@@ -187,10 +188,10 @@ void report(const State<2>& state, const Fronts& fronts, nlohmann::json& summary
                                  settledMean(path, history.settled(), 2)};
     entry["speed_limit"] = fronts.fastest[f];
     entry["energy_of_new_faces"] = front.taken;
-    if (!moved && !front.ended && !front.halted)
+    if (!moved && !front.ended && !front.stopped())
       reportRest(state, front, history.closest(), summary);
-    reportRuns(state, front, history.runs(), history.running() && !front.ended && !front.halted, front.speed,
-               summary);
+    reportRuns(state, front, history.runs(), history.running() && !front.ended && !front.stopped(),
+               front.speed(), summary);
   }
   reportEnergy(state, taken, summary);
 }

@@ -21,14 +21,14 @@ namespace
 
 constexpr double notYet = std::numeric_limits<double>::quiet_NaN(); ///< null in the summary
 
-/// Stations advance by this share of the increment at a time, so that neighbours, which do so at different
+/// Front nodes advance by this share of the increment at a time, so that neighbours, which do so at different
 /// times, stay in line.
 constexpr double shareOfIncrement = 0.25;
 
-/// Cosine of a sharp turn, 15 degrees, and the cells that a station goes straight on behind one.
+/// Cosine of a sharp turn, 15 degrees, and the cells that a front node goes straight on behind one.
 constexpr double sharp = 0.966, straightCells = 3.0;
 
-/// What is known of a station from step to step.
+/// What is known of a front node from step to step.
 struct Memory
 {
   FrontHistory history;
@@ -37,16 +37,16 @@ struct Memory
   double straightFor = 0.0; ///< length for which it goes straight on [m]
 };
 
-/// What is known of a front: of its stations, by their names, and of what all of them have done, those too
+/// What is known of a front: of its front nodes, by their names, and of what all of them have done, those too
 /// that are no more.
 struct FrontMemory
 {
-  std::map<int, Memory> stations;
-  long increments = 0;      ///< of all stations together
+  std::map<int, Memory> nodes;
+  long increments = 0;      ///< of all front nodes together
   double first = 0.0;       ///< time of the first of them [s]
   double last = 0.0;        ///< and of the last [s]
-  double fastest = 0.0;     ///< the largest speed that its stations may have had [m/s]; 0: not known yet
-  double lastSettled = 0.0; ///< mean of the settled speeds of the stations that it had last [m/s]
+  double fastest = 0.0;     ///< the largest speed that its front nodes may have had [m/s]; 0: not known yet
+  double lastSettled = 0.0; ///< mean of the settled speeds of the front nodes that it had last [m/s]
 };
 
 using Memories = std::vector<FrontMemory>;
@@ -56,28 +56,28 @@ using Circles = std::vector<Circle>; ///< that the fronts were at the start
 double settledSpeed(const FrontMemory& front)
 {
   double sum = 0.0;
-  for (const auto& [name, memory] : front.stations)
+  for (const auto& [name, memory] : front.nodes)
     sum += memory.history.settledSpeed();
-  return front.stations.empty() ? front.lastSettled : sum / double(front.stations.size());
+  return front.nodes.empty() ? front.lastSettled : sum / double(front.nodes.size());
 }
 
-/// Stations that are new have the past of those that they came from; those that are no more are forgotten.
+/// Front nodes that are new have the past of those that they came from; those that are no more are forgotten.
 void follow(const State<3>& state, Memories& memories)
 {
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     memories[f].lastSettled = settledSpeed(memories[f]);
-    std::map<int, Memory>& known = memories[f].stations;
+    std::map<int, Memory>& known = memories[f].nodes;
     std::map<int, Memory> now;
-    for (const FrontStation<3>& station : state.cracks.fronts[f].stations)
+    for (const FrontNode<3>& frontNode : state.cracks.fronts[f].nodes)
     {
-      auto past = known.find(station.name);
+      auto past = known.find(frontNode.name);
       if (past == known.end())
-        past = known.find(station.from);
+        past = known.find(frontNode.from);
       if (past == known.end())
-        now[station.name] = {};
+        now[frontNode.name] = {};
       else
-        now[station.name] = past->second;
+        now[frontNode.name] = past->second;
     }
     known = std::move(now);
   }
@@ -85,37 +85,37 @@ void follow(const State<3>& state, Memories& memories)
 
 bool isNew(const CrackFront<3>& front, const std::map<int, Memory>& known)
 {
-  return front.stations.size() != known.size() ||
-         std::any_of(front.stations.begin(), front.stations.end(),
-                     [&](const FrontStation<3>& s) { return known.count(s.name) == 0; });
+  return front.nodes.size() != known.size() ||
+         std::any_of(front.nodes.begin(), front.nodes.end(),
+                     [&](const FrontNode<3>& s) { return known.count(s.name) == 0; });
 }
 
-/// Decides whether a station may advance after the step that ends, as Propagation.cpp does in 2D.
+/// Decides whether a front node may advance after the step that ends, as Propagation.cpp does in 2D.
 /// \return what is wrong; empty if nothing
-std::string decideAt(const State<3>& state, FrontStation<3>& station, const Options& options, Memory& memory)
+std::string decideAt(const State<3>& state, FrontNode<3>& frontNode, const Options& options, Memory& memory)
 {
-  const double now = state.clock.time + state.clock.dt, release = station.driving.release;
+  const double now = state.clock.time + state.clock.dt, release = frontNode.driving.release;
   if (memory.fastest == 0.0)
-    memory.fastest = fastestAt(state, station.position, options);
+    memory.fastest = fastestAt(state, frontNode.position, options);
   if (memory.increment == 0.0)
-    memory.increment = shareOfIncrement * options.cells * spacingAt(state, station.position);
-  const AdvanceRule rule = ruleAt(station.temperature, options);
+    memory.increment = shareOfIncrement * options.cells * spacingAt(state, frontNode.position);
+  const AdvanceRule rule = ruleAt(frontNode.temperature, options);
   if (isWeak(rule, memory.fastest))
-    return complaintOfWeak(station.temperature);
+    return complaintOfWeak(frontNode.temperature);
   FrontHistory& history = memory.history;
   if (history.running())
   {
     FrontHistory asItWouldBe = history;
-    station.advances =
+    frontNode.advances =
         asItWouldBe.advance(rule, now, release, memory.increment, memory.fastest).increments > 0;
-    if (!station.advances)
+    if (!frontNode.advances)
       history = std::move(asItWouldBe);
   }
   else if (release >= rule.initiation && now >= rule.startTime)
-    station.advances = true;
+    frontNode.advances = true;
   else
     history.wait(rule, now, release);
-  station.speed = history.speed(now);
+  frontNode.speed = history.speed(now);
   return "";
 }
 
@@ -124,39 +124,36 @@ void decide(State<3>& state, const Options& options, Memories& memories)
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     CrackFront<3>& front = state.cracks.fronts[f];
-    front.advances = false;
-    front.speed = 0.0;
     if (front.ended)
       continue;
-    if (isNew(front, memories[f].stations))
+    if (isNew(front, memories[f].nodes))
       follow(state, memories);
-    for (FrontStation<3>& station : front.stations)
+    for (FrontNode<3>& frontNode : front.nodes)
     {
-      station.advances = false;
-      if (station.halted)
+      frontNode.advances = false;
+      if (frontNode.stopped)
         continue;
-      const std::string wrong = decideAt(state, station, options, memories[f].stations.at(station.name));
+      const std::string wrong = decideAt(state, frontNode, options, memories[f].nodes.at(frontNode.name));
       if (!wrong.empty())
       {
         state.failure = wrong;
         return;
       }
-      memories[f].fastest = std::max(memories[f].fastest, memories[f].stations.at(station.name).fastest);
-      front.advances = front.advances || station.advances;
-      front.speed = std::max(front.speed, station.speed);
+      memories[f].fastest = std::max(memories[f].fastest, memories[f].nodes.at(frontNode.name).fastest);
     }
   }
 }
 
-/// Turns, smoothed along the front over those stations that go on with it: a hat two stations wide, twice.
+/// Turns, smoothed along the front over those front nodes that go on with it: a hat two front nodes wide,
+/// twice.
 std::vector<double> turns(const CrackFront<3>& front, const Options& options,
                           const std::map<int, Memory>& memories)
 {
-  const std::size_t count = front.stations.size();
+  const std::size_t count = front.nodes.size();
   std::vector<double> angle(count, 0.0);
   for (std::size_t k = 0; k < count; ++k)
-    if (front.stations[k].advances && !(memories.at(front.stations[k].name).straightFor > 0.0))
-      angle[k] = turningAngle(front.stations[k].driving, options.direction);
+    if (front.nodes[k].advances && !(memories.at(front.nodes[k].name).straightFor > 0.0))
+      angle[k] = turningAngle(front.nodes[k].driving, options.direction);
   for (int round = 0; round < 2; ++round)
   {
     std::vector<double> mean = angle;
@@ -164,12 +161,12 @@ std::vector<double> turns(const CrackFront<3>& front, const Options& options,
     {
       double sum = 2.0 * angle[k], weight = 2.0;
       const std::size_t last = k > 0 ? k - 1 : count - 1, next = k + 1 < count ? k + 1 : 0;
-      if (front.stations[last].facet >= 0 && front.stations[last].advances)
+      if (front.nodes[last].facet >= 0 && front.nodes[last].advances)
       {
         sum += angle[last];
         weight += 1.0;
       }
-      if (front.stations[k].facet >= 0 && front.stations[next].advances)
+      if (front.nodes[k].facet >= 0 && front.nodes[next].advances)
       {
         sum += angle[next];
         weight += 1.0;
@@ -181,7 +178,7 @@ std::vector<double> turns(const CrackFront<3>& front, const Options& options,
   return angle;
 }
 
-/// What a station that does not advance would have to be driven by [J/m2]; infinite before the start time.
+/// What a front node that does not advance would have to be driven by [J/m2]; infinite before the start time.
 double resistanceAtRest(double now, const AdvanceRule& rule, const FrontHistory& history)
 {
   if (now < rule.startTime)
@@ -194,33 +191,32 @@ void ask(State<3>& state, const Options& options, Memories& memories)
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     CrackFront<3>& front = state.cracks.fronts[f];
-    if (!front.advances)
+    if (!front.advances())
       continue;
-    front.advances = false;
-    const std::vector<double> angle = turns(front, options, memories[f].stations);
+    const std::vector<double> angle = turns(front, options, memories[f].nodes);
     // That by which the intensities were found.
     const Elasticity e = elasticity(state.materials.list[materialAt(state, front.position)]);
     FrontAdvance<3> asked;
     asked.front = static_cast<int>(f);
-    asked.stations.resize(front.stations.size());
+    asked.nodes.resize(front.nodes.size());
     bool any = false;
-    for (std::size_t k = 0; k < front.stations.size(); ++k)
+    for (std::size_t k = 0; k < front.nodes.size(); ++k)
     {
-      FrontStation<3>& station = front.stations[k];
-      StationAdvance<3>& to = asked.stations[k];
-      to.direction = station.direction;
-      if (!station.advances)
+      FrontNode<3>& frontNode = front.nodes[k];
+      FrontNodeAdvance<3>& to = asked.nodes[k];
+      to.direction = frontNode.direction;
+      if (!frontNode.advances)
       {
-        to.toughness = resistanceAtRest(state.clock.time, ruleAt(station.temperature, options),
-                                        memories[f].stations.at(station.name).history);
+        to.toughness = resistanceAtRest(state.clock.time, ruleAt(frontNode.temperature, options),
+                                        memories[f].nodes.at(frontNode.name).history);
         continue;
       }
-      station.advances = false;
-      Memory& memory = memories[f].stations.at(station.name);
+      frontNode.advances = false;
+      Memory& memory = memories[f].nodes.at(frontNode.name);
       const Advance made =
-          memory.history.advance(ruleAt(station.temperature, options), state.clock.time,
-                                 openingRelease(station.driving, e), memory.increment, memory.fastest);
-      station.speed = memory.history.speed(state.clock.time);
+          memory.history.advance(ruleAt(frontNode.temperature, options), state.clock.time,
+                                 openingRelease(frontNode.driving, e), memory.increment, memory.fastest);
+      frontNode.speed = memory.history.speed(state.clock.time);
       if (made.increments == 0)
         continue;
       FrontMemory& whole = memories[f];
@@ -233,9 +229,9 @@ void ask(State<3>& state, const Options& options, Memories& memories)
       to.toughness = made.toughness;
       const bool held = memory.straightFor > 0.0;
       if (!held)
-        to.direction = turned(station.direction, station.normal, angle[k]);
+        to.direction = turned(frontNode.direction, frontNode.normal, angle[k]);
       memory.straightFor -= to.length;
-      if (dot(to.direction, station.direction) < sharp)
+      if (dot(to.direction, frontNode.direction) < sharp)
         memory.straightFor =
             straightCells * memory.increment / (shareOfIncrement * options.cells) - to.length;
       // Cells and material may be others where it is going.
@@ -267,12 +263,13 @@ void report(const State<3>& state, const Memories& memories, const Circles& circ
     taken += front.taken;
     nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
     const FrontMemory& memory = memories[f];
-    const bool running = std::any_of(memory.stations.begin(), memory.stations.end(),
-                                     [](const auto& station) { return station.second.history.running(); });
+    const bool running =
+        std::any_of(memory.nodes.begin(), memory.nodes.end(),
+                    [](const auto& frontNode) { return frontNode.second.history.running(); });
     entry["increments"] = memory.increments;
-    entry["running"] = running && !front.ended && !front.halted;
+    entry["running"] = running && !front.ended && !front.stopped();
     entry["ended"] = front.ended;
-    entry["halted"] = front.halted;
+    entry["halted"] = front.stopped();
     entry["set_out"] = memory.increments > 0 ? memory.first : notYet;
     entry["last_advance"] = memory.increments > 0 ? memory.last : notYet;
     entry["settled_speed"] = settledSpeed(memory);
@@ -280,13 +277,13 @@ void report(const State<3>& state, const Memories& memories, const Circles& circ
     entry["energy_of_new_faces"] = front.taken;
     reportShape(front, circles[f], entry);
     double closest = 0.0;
-    for (const auto& [name, station] : memory.stations)
-      closest = std::max(closest, station.history.closest());
-    if (memory.increments == 0 && !front.ended && !front.halted)
+    for (const auto& [name, frontNode] : memory.nodes)
+      closest = std::max(closest, frontNode.history.closest());
+    if (memory.increments == 0 && !front.ended && !front.stopped())
       reportRest(state, front, closest, summary);
     else if (memory.increments > 0)
       reportRuns(state, front, {{memory.first, memory.last, notYet}},
-                 running && !front.ended && !front.halted, settledSpeed(memory), summary);
+                 running && !front.ended && !front.stopped(), settledSpeed(memory), summary);
   }
   reportEnergy(state, taken, summary);
 }
@@ -321,7 +318,7 @@ Effect<3> propagationInSpace(const Teuchos::ParameterList& scene)
                }});
   effect.memory = [=](State<3>& state, Archive& archive)
   {
-    follow(state, *memories); // the stations are those that they are now, and when loaded these
+    follow(state, *memories); // the front nodes are those that they are now, and when loaded these
     for (std::size_t f = 0; f < memories->size(); ++f)
     {
       FrontMemory& whole = (*memories)[f];
@@ -331,9 +328,9 @@ Effect<3> propagationInSpace(const Teuchos::ParameterList& scene)
       archive("last", whole.last);
       archive("fastest", whole.fastest);
       archive("last_settled_speed", whole.lastSettled);
-      for (auto& [name, memory] : whole.stations)
+      for (auto& [name, memory] : whole.nodes)
       {
-        const Archive::Group group(archive, "station " + std::to_string(name));
+        const Archive::Group group(archive, "frontNode " + std::to_string(name));
         memory.history.keep(archive);
         archive("fastest", memory.fastest);
         archive("next_increment", memory.increment);

@@ -20,7 +20,7 @@ void reportRest(const State<D>& state, const CrackFront<D>& front, double closes
 
 /// When and how far a front ran: `runs` in its entry of the summary, and a sentence among the answers.
 /// \param runs of FrontHistory, the last of which is over unless the front is running; in 3D one, of all
-/// stations, whose length is not a number \param speed now [m/s]
+/// front nodes, whose length is not a number \param speed now [m/s]
 template <int D>
 void reportRuns(const State<D>& state, const CrackFront<D>& front, const std::vector<CrackRun>& runs,
                 bool running, double speed, nlohmann::json& summary);

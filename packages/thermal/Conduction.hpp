@@ -30,12 +30,13 @@ struct Conduction
   double leastCapacity = 0.0;    ///< least of the materials [J/(m3 K)]
   double fractureSeen = 0.0;     ///< energy of the ledger's fracture that fronts have had their heat of [J]
   std::vector<double> frontHeat; ///< the part of it of each front [J]
+  std::vector<double> frontTemperature;                          ///< at the position of each front [K]
   double finestHeated = std::numeric_limits<double>::infinity(); ///< finest cells when fronts were heated [m]
   long stepsTaken = 0;                                           ///< steps of conduction
   bool warned = false;
   int cellsSeen = 0;        ///< generation of the cells on which supports were compared
   bool facesKnown = false;  ///< whether the faces' conductance is that of this step of the run
-  ObservedPoints<D> fronts; ///< of cracks, then their stations
+  ObservedPoints<D> fronts; ///< of cracks, then their front nodes
   StencilTable<D> frontStencils;
 
   /// Finds the largest diffusivity. To be called when the state's tables are there.

@@ -18,25 +18,26 @@ struct HeatedPlace
   double share;
 };
 
-/// In 2D the front itself. In 3D its stations, by the area that each is passing: the length of front that is
-/// its own times its speed; where none of them runs, as of one that has just stopped, by length alone.
+/// The nodes of a front, by the area that each is passing: its tributary length times its speed; where none
+/// of them runs, as of one that has just arrested, by length alone. Of a front that has ended, where it did.
 template <int D>
 std::vector<HeatedPlace<D>> heatedPlaces(const CrackFront<D>& front)
 {
-  if (front.stations.empty())
+  if (front.nodes.size() < 2)
     return {{front.position, 1.0}};
   double length = 0.0, swept = 0.0;
-  for (const FrontStation<D>& station : front.stations)
+  for (const FrontNode<D>& frontNode : front.nodes)
   {
-    length += station.share;
-    swept += station.share * station.speed;
+    length += frontNode.tributaryLength;
+    swept += frontNode.tributaryLength * frontNode.speed;
   }
   std::vector<HeatedPlace<D>> places;
-  for (const FrontStation<D>& station : front.stations)
+  for (const FrontNode<D>& frontNode : front.nodes)
   {
-    const double share = swept > 0.0 ? station.share * station.speed / swept : station.share / length;
+    const double share = swept > 0.0 ? frontNode.tributaryLength * frontNode.speed / swept
+                                     : frontNode.tributaryLength / length;
     if (share > 0.0)
-      places.push_back({station.position, share});
+      places.push_back({frontNode.position, share});
   }
   return places;
 }
@@ -83,22 +84,23 @@ double Conduction<D>::heatOfFronts(State<D>& state, double dt)
   return added;
 }
 
-/// Gives fronts and their stations the temperature of the nodes around them.
+/// Gives fronts and their front nodes the temperature of the nodes around them.
 template <int D>
 void Conduction<D>::tellFronts(State<D>& state)
 {
   std::vector<Vector<D>> at;
   std::vector<double*> temperature;
-  for (CrackFront<D>& front : state.cracks.fronts)
+  frontTemperature.resize(state.cracks.fronts.size(), 0.0);
+  for (const CrackFront<D>& front : state.cracks.fronts)
   {
     at.push_back(front.position);
-    temperature.push_back(&front.temperature);
+    temperature.push_back(&frontTemperature[at.size() - 1]);
   }
   for (CrackFront<D>& front : state.cracks.fronts)
-    for (FrontStation<D>& station : front.stations)
+    for (FrontNode<D>& frontNode : front.nodes)
     {
-      at.push_back(station.position);
-      temperature.push_back(&station.temperature);
+      at.push_back(frontNode.position);
+      temperature.push_back(&frontNode.temperature);
     }
   const int count = static_cast<int>(at.size());
   if (count == 0)

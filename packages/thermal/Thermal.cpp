@@ -105,12 +105,10 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
   }
   startTemperature(state, scene.sublist("Bodies"), run.initial);
   startEnergy(state);
+  run.conduction.frontTemperature.assign(state.cracks.fronts.size(), run.initial);
   for (CrackFront<D>& front : state.cracks.fronts)
-  {
-    front.temperature = run.initial;
-    for (FrontStation<D>& station : front.stations)
-      station.temperature = run.initial;
-  }
+    for (FrontNode<D>& frontNode : front.nodes)
+      frontNode.temperature = run.initial;
   state.particles.afterSplit.push_back([](State<D>& s, const SplitParts& parts)
                                        { followGradient(s, parts); });
 }
@@ -128,10 +126,13 @@ void observe(State<D>& state, Run<D>& run)
   state.sample.row.emplace_back("temperature_lowest", now.lowest);
   for (const Probe<D>& probe : run.probes)
     state.sample.row.emplace_back(probe.name + ".temperature", temperatureAt(state, probe.place));
-  for (const CrackFront<D>& front : state.cracks.fronts)
+  for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
+  {
+    const CrackFront<D>& front = state.cracks.fronts[f];
     state.sample.row.emplace_back(state.cracks.cracks[front.crack].name + "." + std::to_string(front.number) +
                                       ".temperature",
-                                  front.temperature);
+                                  run.conduction.frontTemperature[f]);
+  }
   if (!(now.lowest > 0.0) && state.failure.empty())
     state.failure = "the temperature of a particle is " + formatReal(now.lowest) +
                     " K, and it is absolute; check the heat sources and the outgoing heat fluxes";
@@ -170,16 +171,17 @@ void report(const State<D>& state, const Run<D>& run, nlohmann::json& summary)
 
 /// Adds the fronts' temperatures to the cracks of the summary, where their effect has written them.
 template <int D>
-void reportFronts(const State<D>& state, nlohmann::json& summary)
+void reportFronts(const State<D>& state, const std::vector<double>& temperature, nlohmann::json& summary)
 {
-  for (const CrackFront<D>& front : state.cracks.fronts)
+  for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
+    const CrackFront<D>& front = state.cracks.fronts[f];
     nlohmann::json& cracks = summary["cracks"];
     if (front.crack >= static_cast<int>(cracks.size()) || !cracks[front.crack].contains("fronts"))
       continue;
     nlohmann::json& fronts = cracks[front.crack]["fronts"];
     if (front.number < static_cast<int>(fronts.size()))
-      fronts[front.number]["temperature"] = front.temperature;
+      fronts[front.number]["temperature"] = temperature[f];
   }
 }
 
@@ -203,7 +205,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.report = [run](const State<D>& state, nlohmann::json& summary)
   {
     report(state, *run, summary);
-    reportFronts(state, summary);
+    reportFronts(state, run->conduction.frontTemperature, summary);
   };
   effect.timeStepLimit = [run](const State<D>& state)
   {
@@ -215,12 +217,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   };
   effect.memory = [run](State<D>& state, Archive& archive)
   {
-    std::vector<double> ofFronts;
-    for (const CrackFront<D>& front : state.cracks.fronts)
-      ofFronts.push_back(front.temperature);
-    archive("front temperatures", ofFronts);
-    for (std::size_t f = 0; f < std::min(state.cracks.fronts.size(), ofFronts.size()); ++f)
-      state.cracks.fronts[f].temperature = ofFronts[f];
+    archive("front temperatures", run->conduction.frontTemperature);
     archive("fracture seen", run->conduction.fractureSeen);
     archive("front heat", run->conduction.frontHeat);
     archive("settled peaks", run->settledPeaks);

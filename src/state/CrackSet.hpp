@@ -4,13 +4,14 @@
 #include "base/Types.hpp"
 #include "surface/BeyondFacet.hpp"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
 namespace Rhegma
 {
 
-/// What drives a front on, as last measured.
+/// Driving force of a front node, as last computed.
 struct DrivingForce
 {
   double release = 0.0;             ///< energy release rate [J/m2]
@@ -26,26 +27,27 @@ struct DrivingContours
   double intensityInner = 3.0, intensityOuter = 6.0;
 };
 
-/// A vertex of a 3D front. direction x normal runs along the front, against the order of its stations.
+/// A vertex of a front. In 3D direction x normal runs along the front, against the order of its nodes.
 template <int D>
-struct FrontStation
+struct FrontNode
 {
-  int vertex = 0;       ///< in CrackSet's numbering
-  int name = 0;         ///< a number that it keeps while the front grows, counted from 0 in its front
-  int from = -1;        ///< the station, by name, that it came from when the front grew; -1: it was there
-  int facet = -1;       ///< the piece of front from it to the next station, an index in CrackSet::frontFacet;
-                        ///< -1: none, its line ends here; the last of a closed line runs to the line's first
-  double share = 0.0;   ///< half the length of the pieces at it: the front that is its own [m]
-  Vector<D> position{}; ///< [m]
+  int vertex = 0; ///< in CrackSet's numbering
+  int name = 0;   ///< a number that it keeps while the front grows, counted from 0 in its front
+  int from = -1;  ///< the front node, by name, that it came from when the front grew; -1: it was there
+  int facet = -1; ///< the piece of front from it to the next front node, an index in
+                  ///< CrackSet::frontFacet; -1: none, its line ends here; the last of a closed line runs
+                  ///< to the line's first; in 2D the front's only facet
+  double tributaryLength = 1.0; ///< half the length of the pieces at it [m]; 1 in 2D
+  Vector<D> position{};         ///< [m]
   Vector<D> direction{}; ///< unit vector in which the crack would run straight on: across the front; at a
-                         ///< mouth along it
+                         ///< surface-breaking edge along it
   Vector<D> normal{};    ///< unit normal of the crack, from side -1 to side +1, normal to direction
 
-  DrivingForce driving;     ///< what drives it on, where CrackSet::driven asks for it
+  DrivingForce driving;     ///< where CrackSet::driven asks for it
   bool advances = false;    ///< it is about to advance: its stress intensities are wanted
-  bool halted = false;      ///< it does not go on
+  bool stopped = false;     ///< it never advances again: another crack is too near, or it is at a surface
   double speed = 0.0;       ///< [m/s]
-  double temperature = 0.0; ///< where an effect knows it [K]
+  double temperature = 0.0; ///< where an effect computes it [K]
 };
 
 /// An end of a crack inside the body: a vertex of a polyline (2D), a line of edges along the border of a
@@ -55,27 +57,43 @@ struct CrackFront
 {
   int crack = 0;         ///< index of its crack
   int number = 0;        ///< counts the fronts of its crack from 0
-  int vertex = 0;        ///< the vertex that it is, in CrackSet's numbering; in 3D the one midway along it
+  int vertex = 0;        ///< in CrackSet's numbering: that of its node (2D), the one midway along it (3D)
   int firstFacet = 0;    ///< its facets, in order along it, are firstFacet .. firstFacet + numFacets - 1
   int numFacets = 1;     ///< in CrackSet::frontFacet
   Vector<D> position{};  ///< of the vertex [m]
-  Vector<D> direction{}; ///< unit vector in which the crack would run straight on
-  Vector<D> normal{};    ///< unit normal of the crack at the front, from side -1 to side +1
+  Vector<D> direction{}; ///< unit vector in which the crack would run straight on from there
+  Vector<D> normal{};    ///< unit normal of the crack there, from side -1 to side +1
   double length = 0.0;   ///< length of the crack that ends here (2D) or of the front itself (3D) [m]
-  double speed = 0.0;    ///< [m/s]; in 3D the fastest of its stations'
 
-  /// 3D: its vertices in order along it. It is one line, closed or not, until the surface of the body divides
-  /// it into several. Empty in 2D, where the front itself is the only one.
-  std::vector<FrontStation<D>> stations;
+  /// In order along it. In 2D there is exactly one. In 3D they are one line, closed or not, until the surface
+  /// of the body divides it into several; none is left of a front that has ended.
+  std::vector<FrontNode<D>> nodes = std::vector<FrontNode<D>>(D == 2 ? 1 : 0);
 
-  DrivingForce driving;     ///< what drives it on, where CrackSet::driven asks for it
-  bool advances = false;    ///< it is about to advance: its stress intensities are wanted
-  bool grown = false;       ///< it has advanced since the start
-  bool halted = false;      ///< it does not go on, though it is a front: another crack is too near
-  bool ended = false;       ///< it has met the surface of its body; no facet is left of it
-  double taken = 0.0;       ///< energy that its new faces take, all of them together [J]
-  double unspent = 0.0;     ///< the part of it that nothing resists with as yet [J]
-  double temperature = 0.0; ///< where an effect knows it [K]
+  bool grown = false;   ///< it has advanced since the start
+  bool ended = false;   ///< it has met the surface of its body or another crack; no facet is left of it
+  double taken = 0.0;   ///< energy that its new faces take, all of them together [J]
+  double unspent = 0.0; ///< the part of it that nothing resists with as yet [J]
+
+  /// Whether any of its nodes is about to advance.
+  bool advances() const
+  {
+    return std::any_of(nodes.begin(), nodes.end(), [](const FrontNode<D>& n) { return n.advances; });
+  }
+
+  /// Whether none of its nodes can advance again.
+  bool stopped() const
+  {
+    return std::all_of(nodes.begin(), nodes.end(), [](const FrontNode<D>& n) { return n.stopped; });
+  }
+
+  /// Speed of its fastest node [m/s].
+  double speed() const
+  {
+    double fastest = 0.0;
+    for (const FrontNode<D>& node : nodes)
+      fastest = node.stopped ? fastest : std::max(fastest, node.speed);
+    return fastest;
+  }
 };
 
 /// One crack: a polyline (2D) or a triangulated surface (3D), a run of vertices and simplices in the set's
@@ -88,24 +106,21 @@ struct Crack
   int firstSimplex = 0, numSimplices = 0;
 };
 
-/// What a station of a 3D front is asked to do between two steps.
+/// The advance of a front node between two steps.
 template <int D>
-struct StationAdvance
+struct FrontNodeAdvance
 {
   Vector<D> direction{};  ///< unit vector
   double length = 0.0;    ///< [m]; 0: it stays
-  double toughness = 0.0; ///< energy that the new faces take [J/m2]
+  double toughness = 0.0; ///< energy that the new faces take [J/m2]; of a node that stays, what would move it
 };
 
-/// What a front is asked to do between two steps: all of it (2D), or each of its stations (3D).
+/// The advances of a front's nodes between two steps.
 template <int D>
 struct FrontAdvance
 {
-  int front = 0;                                ///< index in CrackSet::fronts
-  Vector<D> direction{};                        ///< unit vector
-  double length = 0.0;                          ///< [m]
-  double toughness = 0.0;                       ///< energy that the new faces take [J/m2]
-  std::vector<StationAdvance<D>> stations = {}; ///< what each station of it is to do (3D)
+  int front = 0;                            ///< index in CrackSet::fronts
+  std::vector<FrontNodeAdvance<D>> nodes{}; ///< in the order of CrackFront::nodes
 };
 
 /// What a vertex of a crack lies on; both where a front ends at the

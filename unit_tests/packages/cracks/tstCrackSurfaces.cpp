@@ -56,16 +56,16 @@ TEST(CrackSurfaces, AreDisksAndEllipses)
     const CrackSet<3>& cracks = run->state().cracks;
     ASSERT_EQ(cracks.fronts.size(), 1u);
     EXPECT_NEAR(measureOpening(cracks, 0).size, pi * 2.4e-3 * second, 1e-9 * pi * 2.4e-3 * second);
-    const std::vector<FrontStation<3>>& stations = cracks.fronts[0].stations;
-    ASSERT_GE(stations.size(), 10u);
+    const std::vector<FrontNode<3>>& nodes = cracks.fronts[0].nodes;
+    ASSERT_GE(nodes.size(), 10u);
     double length = 0.0;
-    for (const FrontStation<3>& s : stations)
+    for (const FrontNode<3>& s : nodes)
     {
       EXPECT_GE(s.facet, 0); // it is closed
       EXPECT_NEAR(dot(s.normal, Vector<3>{0.0, 1.0, 2.0}), std::sqrt(5.0), 1e-12);
       EXPECT_NEAR(dot(s.normal, s.direction), 0.0, 1e-12);
       EXPECT_GT(dot(s.direction, s.position - Vector<3>{4e-3, 4e-3, 4.2e-3}), 0.0);
-      length += s.share;
+      length += s.tributaryLength;
     }
     EXPECT_NEAR(length, cracks.fronts[0].length, 1e-12);
   }
@@ -113,14 +113,14 @@ TEST(CrackSurfaces, HaveFrontsThatEndAtTheSurface)
   const auto run = start<3>(scene);
   const CrackSet<3>& cracks = run->state().cracks;
   ASSERT_EQ(cracks.fronts.size(), 1u);
-  const std::vector<FrontStation<3>>& stations = cracks.fronts[0].stations;
-  ASSERT_GE(stations.size(), 5u);
-  EXPECT_EQ(stations.back().facet, -1);
-  for (std::size_t k = 0; k + 1 < stations.size(); ++k)
-    EXPECT_EQ(stations[k].facet, cracks.fronts[0].firstFacet + static_cast<int>(k));
+  const std::vector<FrontNode<3>>& nodes = cracks.fronts[0].nodes;
+  ASSERT_GE(nodes.size(), 5u);
+  EXPECT_EQ(nodes.back().facet, -1);
+  for (std::size_t k = 0; k + 1 < nodes.size(); ++k)
+    EXPECT_EQ(nodes[k].facet, cracks.fronts[0].firstFacet + static_cast<int>(k));
   // The rim goes round against its order of growth: from the x axis to the y axis seen from above.
-  EXPECT_NEAR(stations.front().direction[0], 1.0, 1e-6);
-  EXPECT_NEAR(stations.back().direction[1], 1.0, 1e-6);
+  EXPECT_NEAR(nodes.front().direction[0], 1.0, 1e-6);
+  EXPECT_NEAR(nodes.back().direction[1], 1.0, 1e-6);
   EXPECT_NEAR(measureOpening(cracks, 0).size, 4e-6 * pi, 0.01 * 4e-6 * pi);
 }
 

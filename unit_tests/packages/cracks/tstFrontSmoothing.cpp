@@ -18,8 +18,8 @@ struct Line
 {
   GrowingSurface surface;
   FrontLines<3> lines;
-  std::vector<FrontStation<3>> nodes;
-  std::vector<StationAdvance<3>> advances;
+  std::vector<FrontNode<3>> nodes;
+  std::vector<FrontNodeAdvance<3>> advances;
 
   Line(const std::vector<double>& y, const std::vector<double>& ahead, double length)
   {
@@ -27,12 +27,12 @@ struct Line
     {
       surface.vertices.push_back({ahead[k], y[k], 0.0});
       FrontPoint<3> point;
-      FrontStation<3> node;
+      FrontNode<3> node;
       point.vertex = static_cast<int>(k);
       point.joined = k + 1 < y.size();
       point.direction = {1.0, 0.0, 0.0};
       node.driving.release = 90.0;
-      node.share = 0.5 * ((k > 0 ? y[k] - y[k - 1] : 0.0) + (k + 1 < y.size() ? y[k + 1] - y[k] : 0.0));
+      node.tributaryLength = 0.5 * ((k > 0 ? y[k] - y[k - 1] : 0.0) + (k + 1 < y.size() ? y[k + 1] - y[k] : 0.0));
       lines.push_back(point);
       nodes.push_back(node);
       advances.push_back({point.direction, length, 100.0 + 10.0 * double(k)});
@@ -51,7 +51,7 @@ struct Line
     double all = 0.0;
     for (std::size_t k = 0; k < lines.size(); ++k)
       if (advances[k].length > 0.0)
-        all += advances[k].length * nodes[k].share * (energy ? advances[k].toughness : 1.0);
+        all += advances[k].length * nodes[k].tributaryLength * (energy ? advances[k].toughness : 1.0);
     return all;
   }
 };
@@ -67,7 +67,7 @@ std::vector<double> evenly(std::size_t count)
 
 } // namespace
 
-/// A station that stays and lies behind takes area, with the energy of those that give it, and takes none
+/// A front node that stays and lies behind takes area, with the energy of those that give it, and takes none
 /// where it resists with more than twice of what drives it, or without bound.
 TEST(FrontSmoothing, HandsOnAreaWithItsEnergy)
 {
@@ -80,7 +80,7 @@ TEST(FrontSmoothing, HandsOnAreaWithItsEnergy)
     front.smooth();
     EXPECT_NEAR(front.sum(false), area, 1e-14 * area);
     EXPECT_NEAR(front.sum(true), energy, 1e-14 * energy);
-    const StationAdvance<3>& taken = front.advances[4];
+    const FrontNodeAdvance<3>& taken = front.advances[4];
     if (resists > 180.0)
     {
       EXPECT_EQ(taken.length, 0.0);

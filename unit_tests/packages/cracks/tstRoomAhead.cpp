@@ -40,9 +40,7 @@ std::unique_ptr<Run<2>> strip(std::initializer_list<Piece> pieces, double front)
 void advance(State<2>& state, double length)
 {
   FrontAdvance<2> asked;
-  asked.direction = state.cracks.fronts[0].direction;
-  asked.length = length;
-  asked.toughness = 100.0;
+  asked.nodes = {{state.cracks.fronts[0].direction, length, 100.0}};
   state.cracks.advances.push_back(asked);
   Junctions none;
   growCracks(state, none);

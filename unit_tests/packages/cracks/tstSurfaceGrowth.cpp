@@ -27,8 +27,8 @@ Teuchos::ParameterList disk(const Vector<3>& centre, double radius, double size)
   return scene;
 }
 
-/// What a station is to do: a direction and a length.
-using Step = std::function<StationAdvance<3>(const FrontStation<3>&)>;
+/// What a front node is to do: a direction and a length.
+using Step = std::function<FrontNodeAdvance<3>(const FrontNode<3>&)>;
 
 void advance(State<3>& state, SurfaceGrowth& growth, const Step& step)
 {
@@ -36,9 +36,9 @@ void advance(State<3>& state, SurfaceGrowth& growth, const Step& step)
   {
     FrontAdvance<3> asked;
     asked.front = static_cast<int>(f);
-    for (const FrontStation<3>& station : state.cracks.fronts[f].stations)
-      asked.stations.push_back(step(station));
-    if (!asked.stations.empty())
+    for (const FrontNode<3>& frontNode : state.cracks.fronts[f].nodes)
+      asked.nodes.push_back(step(frontNode));
+    if (!asked.nodes.empty())
       state.cracks.advances.push_back(asked);
   }
   growth.grow(state);
@@ -46,10 +46,10 @@ void advance(State<3>& state, SurfaceGrowth& growth, const Step& step)
 
 Step straightBy(double length)
 {
-  return [=](const FrontStation<3>& s) { return StationAdvance<3>{s.direction, length, toughness}; };
+  return [=](const FrontNode<3>& s) { return FrontNodeAdvance<3>{s.direction, length, toughness}; };
 }
 
-double radiusOf(const FrontStation<3>& s, const Vector<3>& centre)
+double radiusOf(const FrontNode<3>& s, const Vector<3>& centre)
 {
   return std::hypot(s.position[0] - centre[0], s.position[1] - centre[1]);
 }
@@ -57,9 +57,10 @@ double radiusOf(const FrontStation<3>& s, const Vector<3>& centre)
 } // namespace
 
 /// A disk that grows evenly by a fifth of a cell at a time from 3 to 8 cells stays flat to rounding and
-/// round: between stations a polygon of pieces of up to 1.5 cells lies up to 1.5^2 / (8 r) cells inside of
-/// its circle, 0.1 here, and a station that comes between two others begins there. What it books is its new
-/// area to rounding, pieces keep within 0.5 and 1.5 cells, and each inner edge has a triangle on both sides.
+/// round: between front nodes a polygon of pieces of up to 1.5 cells lies up to 1.5^2 / (8 r) cells inside of
+/// its circle, 0.1 here, and a front node that comes between two others begins there. What it books is its
+/// new area to rounding, pieces keep within 0.5 and 1.5 cells, and each inner edge has a triangle on both
+/// sides.
 TEST(SurfaceGrowth, KeepsADiskRoundAndBooksItsArea)
 {
   const Vector<3> centre{10e-3, 10e-3, 10.3e-3};
@@ -75,15 +76,15 @@ TEST(SurfaceGrowth, KeepsADiskRoundAndBooksItsArea)
   EXPECT_NEAR(front.unspent, front.taken, 1e-12);
   // The polygon's area is less than the circle's by a share of up to (1.5 / 8)^2 / 6.
   EXPECT_NEAR(area, pi * 64e-6, 0.02 * pi * 64e-6);
-  ASSERT_GE(front.stations.size(), 34u); // the rim has 50 cells
-  ASSERT_LE(front.stations.size(), 100u);
+  ASSERT_GE(front.nodes.size(), 34u); // the rim has 50 cells
+  ASSERT_LE(front.nodes.size(), 100u);
   double mean = 0.0;
-  for (const FrontStation<3>& s : front.stations)
-    mean += radiusOf(s, centre) / double(front.stations.size());
+  for (const FrontNode<3>& s : front.nodes)
+    mean += radiusOf(s, centre) / double(front.nodes.size());
   EXPECT_NEAR(mean, 8e-3, 0.1 * cell);
-  for (std::size_t k = 0; k < front.stations.size(); ++k)
+  for (std::size_t k = 0; k < front.nodes.size(); ++k)
   {
-    const FrontStation<3>&s = front.stations[k], &next = front.stations[(k + 1) % front.stations.size()];
+    const FrontNode<3>&s = front.nodes[k], &next = front.nodes[(k + 1) % front.nodes.size()];
     EXPECT_NEAR(radiusOf(s, centre), mean, 0.12 * cell) << k;
     EXPECT_NEAR(s.position[2], centre[2], 1e-12);
     EXPECT_GE(s.facet, 0);
@@ -99,9 +100,9 @@ TEST(SurfaceGrowth, KeepsADiskRoundAndBooksItsArea)
   EXPECT_EQ(open, front.numFacets);
 }
 
-/// Stations that are left behind are caught up with: a front that was asked for a ripple of a fifth of a cell
-/// in every advance, at every other station, has less of it than one that would not smooth, 10 x 0.2 cells,
-/// and books what it gains all the same.
+/// Front nodes that are left behind are caught up with: a front that was asked for a ripple of a fifth of a
+/// cell in every advance, at every other front node, has less of it than one that would not smooth, 10 x 0.2
+/// cells, and books what it gains all the same.
 TEST(SurfaceGrowth, SmoothsRipplesWithoutLossOfArea)
 {
   const Vector<3> centre{10e-3, 10e-3, 10.3e-3};
@@ -110,17 +111,18 @@ TEST(SurfaceGrowth, SmoothsRipplesWithoutLossOfArea)
   SurfaceGrowth growth;
   const double before = measureOpening(state.cracks, 0).size;
   for (int k = 0; k < 10; ++k)
-    advance(state, growth,
-            [&](const FrontStation<3>& s)
-            {
-              const double around = std::atan2(s.position[1] - centre[1], s.position[0] - centre[0]);
-              return StationAdvance<3>{s.direction, (0.2 + 0.1 * std::sin(12.0 * around)) * cell, toughness};
-            });
+    advance(
+        state, growth,
+        [&](const FrontNode<3>& s)
+        {
+          const double around = std::atan2(s.position[1] - centre[1], s.position[0] - centre[0]);
+          return FrontNodeAdvance<3>{s.direction, (0.2 + 0.1 * std::sin(12.0 * around)) * cell, toughness};
+        });
   const CrackFront<3>& front = state.cracks.fronts[0];
   const double area = measureOpening(state.cracks, 0).size;
   EXPECT_NEAR(front.taken, toughness * (area - before), 1e-10 * toughness * area);
   double least = 1e300, largest = 0.0;
-  for (const FrontStation<3>& s : front.stations)
+  for (const FrontNode<3>& s : front.nodes)
   {
     least = std::min(least, radiusOf(s, centre));
     largest = std::max(largest, radiusOf(s, centre));
@@ -128,11 +130,11 @@ TEST(SurfaceGrowth, SmoothsRipplesWithoutLossOfArea)
   EXPECT_LT(largest - least, 0.9 * 2.0 * cell);
 }
 
-/// One station is never asked to advance. Driven by nine tenths of what the others pay it is taken along: in
-/// each advance by 0.375 of what it lies behind, by the smoothing of 0.25 and the curvatures of a lone point
-/// and its neighbours, that is by at least 0.375 of what these advance once they are ahead. Driven by a tenth
-/// it stays where it is. What the faces take is their area's toughness all the same.
-TEST(SurfaceGrowth, TakesAStationAlongThatNothingHoldsBack)
+/// One front node is never asked to advance. Driven by nine tenths of what the others pay it is taken along:
+/// in each advance by 0.375 of what it lies behind, by the smoothing of 0.25 and the curvatures of a lone
+/// point and its neighbours, that is by at least 0.375 of what these advance once they are ahead. Driven by a
+/// tenth it stays where it is. What the faces take is their area's toughness all the same.
+TEST(SurfaceGrowth, AdvancesANodeThatNothingHoldsBackWithItsNeighbours)
 {
   const Vector<3> centre{10e-3, 10e-3, 10.3e-3};
   for (const double driven : {0.9, 0.1})
@@ -141,11 +143,11 @@ TEST(SurfaceGrowth, TakesAStationAlongThatNothingHoldsBack)
     State<3>& state = run->state();
     SurfaceGrowth growth;
     const double before = measureOpening(state.cracks, 0).size;
-    const int alone = state.cracks.fronts[0].stations[5].name;
+    const int alone = state.cracks.fronts[0].nodes[5].name;
     const auto radii = [&]
     {
       std::pair<double, double> least(1e300, 0.0); // of the one alone, and of all
-      for (const FrontStation<3>& s : state.cracks.fronts[0].stations)
+      for (const FrontNode<3>& s : state.cracks.fronts[0].nodes)
       {
         least.second = std::max(least.second, radiusOf(s, centre));
         if (s.name == alone)
@@ -156,11 +158,11 @@ TEST(SurfaceGrowth, TakesAStationAlongThatNothingHoldsBack)
     const double start = radii().first;
     for (int k = 0; k < 8; ++k)
     {
-      for (FrontStation<3>& s : state.cracks.fronts[0].stations)
+      for (FrontNode<3>& s : state.cracks.fronts[0].nodes)
         s.driving.release = (s.name == alone ? driven : 1.0) * toughness;
       advance(state, growth,
-              [&](const FrontStation<3>& s) {
-                return StationAdvance<3>{s.direction, s.name == alone ? 0.0 : 0.25 * cell, toughness};
+              [&](const FrontNode<3>& s) {
+                return FrontNodeAdvance<3>{s.direction, s.name == alone ? 0.0 : 0.25 * cell, toughness};
               });
     }
     const auto [own, largest] = radii();
@@ -173,9 +175,9 @@ TEST(SurfaceGrowth, TakesAStationAlongThatNothingHoldsBack)
   }
 }
 
-/// A quarter of a disk between two planes of symmetry: the station that lies on one of them is asked for one
-/// advance of a quarter of a cell in each step, the others for a tenth of a cell. At a mirror it gives of it
-/// to the next as any other would, and where there is none it does not.
+/// A quarter of a disk between two planes of symmetry: the front node that lies on one of them is asked for
+/// one advance of a quarter of a cell in each step, the others for a tenth of a cell. At a mirror it gives of
+/// it to the next as any other would, and where there is none it does not.
 TEST(SurfaceGrowth, EvensAFrontAtAMirror)
 {
   double ahead[2] = {};
@@ -186,19 +188,19 @@ TEST(SurfaceGrowth, EvensAFrontAtAMirror)
     State<3>& state = run->state();
     SurfaceGrowth growth(mirrored ? std::vector<MirrorPlane>{{0, 0.0}, {1, 0.0}}
                                   : std::vector<MirrorPlane>{});
-    ASSERT_LT(state.cracks.fronts[0].stations.back().facet, 0); // an open line
-    const int end = state.cracks.fronts[0].stations.front().name;
+    ASSERT_LT(state.cracks.fronts[0].nodes.back().facet, 0); // an open line
+    const int end = state.cracks.fronts[0].nodes.front().name;
     const double before = measureOpening(state.cracks, 0).size;
     for (int k = 0; k < 6; ++k)
       advance(state, growth,
-              [&](const FrontStation<3>& s) {
-                return StationAdvance<3>{s.direction, (s.name == end ? 0.25 : 0.1) * cell, toughness};
+              [&](const FrontNode<3>& s) {
+                return FrontNodeAdvance<3>{s.direction, (s.name == end ? 0.25 : 0.1) * cell, toughness};
               });
     const CrackFront<3>& front = state.cracks.fronts[0];
     double mean = 0.0;
-    for (const FrontStation<3>& s : front.stations)
-      mean += radiusOf(s, {0.0, 0.0, 0.0}) / double(front.stations.size());
-    ahead[mirrored] = radiusOf(front.stations.front(), {0.0, 0.0, 0.0}) - mean;
+    for (const FrontNode<3>& s : front.nodes)
+      mean += radiusOf(s, {0.0, 0.0, 0.0}) / double(front.nodes.size());
+    ahead[mirrored] = radiusOf(front.nodes.front(), {0.0, 0.0, 0.0}) - mean;
     const double area = measureOpening(state.cracks, 0).size;
     EXPECT_NEAR(front.taken, toughness * (area - before), 1e-10 * toughness * area);
   }
@@ -207,9 +209,9 @@ TEST(SurfaceGrowth, EvensAFrontAtAMirror)
   EXPECT_LT(ahead[1], 0.75 * ahead[0]);
 }
 
-/// Stations of a straight front advance one after the other, always in the same order, so that each sees one
-/// neighbour ahead and the other behind, and its way leans by seven degrees: over ten cells that would take
-/// it more than a cell to one side. Pieces stay within 0.3 of what they were, and the area is booked.
+/// Front nodes of a straight front advance one after the other, always in the same order, so that each sees
+/// one neighbour ahead and the other behind, and its way leans by seven degrees: over ten cells that would
+/// take it more than a cell to one side. Pieces stay within 0.3 of what they were, and the area is booked.
 TEST(SurfaceGrowth, KeepsPointsApartThatAdvanceInTurn)
 {
   const double size = 16e-3;
@@ -222,28 +224,28 @@ TEST(SurfaceGrowth, KeepsPointsApartThatAdvanceInTurn)
   SurfaceGrowth growth;
   const auto pieces = [&]
   {
-    const std::vector<FrontStation<3>>& stations = state.cracks.fronts[0].stations;
+    const std::vector<FrontNode<3>>& frontNodes = state.cracks.fronts[0].nodes;
     std::vector<double> lengths;
-    lengths.reserve(stations.size());
-    for (std::size_t k = 0; k + 1 < stations.size(); ++k)
-      lengths.push_back(norm(stations[k + 1].position - stations[k].position));
+    lengths.reserve(frontNodes.size());
+    for (std::size_t k = 0; k + 1 < frontNodes.size(); ++k)
+      lengths.push_back(norm(frontNodes[k + 1].position - frontNodes[k].position));
     return lengths;
   };
   const double before = measureOpening(state.cracks, 0).size;
-  const std::size_t count = state.cracks.fronts[0].stations.size();
+  const std::size_t count = state.cracks.fronts[0].nodes.size();
   ASSERT_GE(count, 10u);
   const double usual = pieces()[count / 2];
   for (int turn = 0; turn < 40; ++turn)
     for (std::size_t k = 0; k < count; ++k)
     {
-      ASSERT_EQ(state.cracks.fronts[0].stations.size(), count) << turn;
+      ASSERT_EQ(state.cracks.fronts[0].nodes.size(), count) << turn;
       FrontAdvance<3> asked;
       asked.front = 0;
-      asked.stations.reserve(count);
-      for (const FrontStation<3>& station : state.cracks.fronts[0].stations)
-        asked.stations.push_back({station.direction, 0.0, 0.0});
-      asked.stations[k].length = 0.25 * cell;
-      asked.stations[k].toughness = toughness;
+      asked.nodes.reserve(count);
+      for (const FrontNode<3>& frontNode : state.cracks.fronts[0].nodes)
+        asked.nodes.push_back({frontNode.direction, 0.0, 0.0});
+      asked.nodes[k].length = 0.25 * cell;
+      asked.nodes[k].toughness = toughness;
       state.cracks.advances.push_back(asked);
       growth.grow(state);
     }
@@ -264,13 +266,13 @@ TEST(SurfaceGrowth, Kinks)
   SurfaceGrowth growth;
   for (int k = 0; k < 8; ++k)
     advance(state, growth,
-            [&](const FrontStation<3>& s)
+            [&](const FrontNode<3>& s)
             {
               const Vector<3> out{s.position[0] - centre[0], s.position[1] - centre[1], 0.0};
               const Vector<3> to = (std::cos(angle) / norm(out)) * out + std::sin(angle) * Vector<3>{0, 0, 1};
-              return StationAdvance<3>{to, 0.25 * cell, toughness};
+              return FrontNodeAdvance<3>{to, 0.25 * cell, toughness};
             });
-  for (const FrontStation<3>& s : state.cracks.fronts[0].stations)
+  for (const FrontNode<3>& s : state.cracks.fronts[0].nodes)
   {
     const double rise = s.position[2] - centre[2], out = radiusOf(s, centre) - radius;
     EXPECT_NEAR(rise, 2.0 * cell * std::sin(angle), 0.15 * cell);
@@ -293,11 +295,11 @@ TEST(SurfaceGrowth, EndsAtTheSurface)
   while (!state.cracks.fronts[0].ended && steps < 80)
   {
     advance(state, growth, straightBy(0.25 * cell));
-    for (const FrontStation<3>& s : state.cracks.fronts[0].stations)
+    for (const FrontNode<3>& s : state.cracks.fronts[0].nodes)
     {
       EXPECT_LT(s.position[0], size + 0.5 * cell);
       EXPECT_LT(s.position[1], size + 0.5 * cell);
-      parted = parted || s.halted;
+      parted = parted || s.stopped;
     }
     ++steps;
   }
@@ -311,8 +313,8 @@ TEST(SurfaceGrowth, EndsAtTheSurface)
   EXPECT_NE(state.warnings.back().find("reached the surface"), std::string::npos);
 }
 
-/// Two disks that grow towards each other halt three cells apart, station by station; of each it is said
-/// once.
+/// Two disks that grow towards each other halt three cells apart, front node by front node; of each it is
+/// said once.
 TEST(SurfaceGrowth, SaysOnceThatAFrontHalts)
 {
   Teuchos::ParameterList scene = disk({6e-3, 8e-3, 4.3e-3}, 3e-3, 22e-3);
@@ -331,31 +333,31 @@ TEST(SurfaceGrowth, SaysOnceThatAFrontHalts)
   EXPECT_EQ(said, 2);
   for (const CrackFront<3>& front : state.cracks.fronts)
   {
-    EXPECT_FALSE(front.halted);
-    EXPECT_TRUE(std::any_of(front.stations.begin(), front.stations.end(),
-                            [](const FrontStation<3>& s) { return s.halted; }));
+    EXPECT_FALSE(front.stopped());
+    EXPECT_TRUE(
+        std::any_of(front.nodes.begin(), front.nodes.end(), [](const FrontNode<3>& s) { return s.stopped; }));
   }
 }
 
 /// Where half of a front advances, nodes beside the other half are opened too, by the triangles between them:
-/// they take what the nearest station that has made a face takes.
-TEST(SurfaceGrowth, GivesStationsThatStayTheToughnessBesideThem)
+/// they take what the nearest front node that has made a face takes.
+TEST(SurfaceGrowth, GivesNodesThatStayTheToughnessOfTheirNeighbours)
 {
   const Vector<3> centre{10e-3, 10e-3, 10.3e-3};
   const auto run = start<3>(disk(centre, 4e-3, 20e-3));
   State<3>& state = run->state();
   SurfaceGrowth growth;
-  const auto isDriven = [&](const FrontStation<3>& s) { return s.position[1] > centre[1]; };
+  const auto isDriven = [&](const FrontNode<3>& s) { return s.position[1] > centre[1]; };
   for (int k = 0; k < 12; ++k)
     advance(state, growth,
-            [&](const FrontStation<3>& s) {
-              return StationAdvance<3>{s.direction, isDriven(s) ? 0.2 * cell : 0.0, toughness};
+            [&](const FrontNode<3>& s) {
+              return FrontNodeAdvance<3>{s.direction, isDriven(s) ? 0.2 * cell : 0.0, toughness};
             });
-  const std::vector<FrontStation<3>>& stations = state.cracks.fronts[0].stations;
-  EXPECT_TRUE(std::any_of(stations.begin(), stations.end(), isDriven));
-  EXPECT_FALSE(std::all_of(stations.begin(), stations.end(), isDriven));
+  const std::vector<FrontNode<3>>& frontNodes = state.cracks.fronts[0].nodes;
+  EXPECT_TRUE(std::any_of(frontNodes.begin(), frontNodes.end(), isDriven));
+  EXPECT_FALSE(std::all_of(frontNodes.begin(), frontNodes.end(), isDriven));
   const std::vector<double> along = growth.toughnessAlong(state.cracks, 0);
-  ASSERT_EQ(along.size(), stations.size());
+  ASSERT_EQ(along.size(), frontNodes.size());
   for (const double here : along)
     EXPECT_DOUBLE_EQ(here, toughness);
 }

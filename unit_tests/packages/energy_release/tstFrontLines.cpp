@@ -24,8 +24,8 @@ TEST(FrontLines, SeePlacesInsideOfACornerFromTheMiddleOfIt)
   const FrontSight sight(line, 0.0);
   for (int k : {0, 1, 7, 31}) // at the first the line begins
   {
-    const Vector<3> in = middle - line.stations[k].position, x = line.stations[k].position + 0.5 * in;
-    const Vector<3> along = line.stations[(k + 1) % 32].position - line.stations[(k + 31) % 32].position;
+    const Vector<3> in = middle - line.nodes[k].position, x = line.nodes[k].position + 0.5 * in;
+    const Vector<3> along = line.nodes[(k + 1) % 32].position - line.nodes[(k + 31) % 32].position;
     for (const double off : {0.0, 1e-14, -1e-14})
     {
       const FrontFoot foot = sight.look(x + off * along);
@@ -53,8 +53,8 @@ TEST(FrontLines, EndAtSurfacesThatLean)
   EXPECT_GT(roomAround(leaning->state(), front, line, 4.5e-3), 4.4e-3);
 }
 
-/// A station where the surface cuts an arc points along the mouth, here half a radian off the arc's radius:
-/// with it the arc would seem four times as curved.
+/// A front node where the surface cuts an arc points along the mouth, here half a radian off the arc's
+/// radius: with it the arc would seem four times as curved.
 TEST(FrontLines, LeaveTheSurfaceOutOfTheirCurvature)
 {
   Teuchos::ParameterList scene = blockScene({16e-3, 16e-3, 10e-3});
@@ -63,16 +63,16 @@ TEST(FrontLines, LeaveTheSurfaceOutOfTheirCurvature)
   const auto arc = start<3>(scene);
   const FrontLine line = lineOf(arc->state().cracks.fronts.at(0));
   ASSERT_EQ(line.loop, std::vector<double>{0.0});
-  ASSERT_GT(line.stations.size(), 6u);
-  // The station next to a cut piece points up to half a corner to the side, which adds that much of a chord
-  // to what the arc departs from it, c^2 / 2 R.
+  ASSERT_GT(line.nodes.size(), 6u);
+  // The front node next to a cut piece points up to half a corner to the side, which adds that much of a
+  // chord to what the arc departs from it, c^2 / 2 R.
   const double aside = pi / 32.0, found = radiusOfCurvature(line, cell);
   EXPECT_GT(found, radius / (1.0 + 2.0 * radius * aside / least));
   EXPECT_LT(found, radius * (1.0 + 1e-9));
 }
 
 /// The radius of a circle of pieces of 0.5 and 1.5 cells by turns, the shortest and the longest that a front
-/// has: each station points along its radius, so that all of them say the same.
+/// has: each front node points along its radius, so that all of them say the same.
 TEST(FrontLines, ArcsOfUnequalPiecesAreAsCurvedAsTheyAre)
 {
   const double radius = 5.0 * cell;
@@ -81,12 +81,12 @@ TEST(FrontLines, ArcsOfUnequalPiecesAreAsCurvedAsTheyAre)
   for (int k = 0; k < 2 * pairs; ++k)
   {
     const double around = pi * (k % 2 == 0 ? k : k - 0.5) / pairs;
-    FrontStation<3> station;
-    station.direction = {std::cos(around), std::sin(around), 0.0};
-    station.normal = {0.0, 0.0, 1.0};
-    station.position = radius * station.direction;
-    station.facet = k;
-    front.stations.push_back(station);
+    FrontNode<3> frontNode;
+    frontNode.direction = {std::cos(around), std::sin(around), 0.0};
+    frontNode.normal = {0.0, 0.0, 1.0};
+    frontNode.position = radius * frontNode.direction;
+    frontNode.facet = k;
+    front.nodes.push_back(frontNode);
   }
   const FrontLine line = lineOf(front);
   ASSERT_GT(line.loop.at(0), 0.0);

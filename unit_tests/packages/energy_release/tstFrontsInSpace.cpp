@@ -138,7 +138,7 @@ void openFaces(State<3>& state, const Intensities& K)
 
 } // namespace
 
-/// Every station of a straight front, those at the surface included: no traction of the field does work
+/// Every front node of a straight front, those at the surface included: no traction of the field does work
 /// there on a shift along the crack.
 TEST(FrontsInSpace, FindTheReleaseOfOpeningAndSliding)
 {
@@ -150,7 +150,7 @@ TEST(FrontsInSpace, FindTheReleaseOfOpeningAndSliding)
     EXPECT_NEAR(j, exactRelease(K), (quadrature() + 1e-7) * exactRelease(K));
 }
 
-/// Antiplane shear has a traction on the surface: only stations whose hat ends inside are its.
+/// Antiplane shear has a traction on the surface: only front nodes whose hat ends inside are its.
 TEST(FrontsInSpace, FindTheReleaseOfAllModes)
 {
   const auto run = straightFront();
@@ -166,10 +166,11 @@ TEST(FrontsInSpace, FindTheReleaseOfAllModes)
   EXPECT_EQ(inside, 1);
 }
 
-/// The station at the surface lies a quarter of a cell behind, so that its piece leans by atan(1/4) and the
-/// next station points half of that across the surface: the shift along the crack must not. That the front is
-/// not quite where it is thought to be moves feet on it by up to 0.25 sin(atan(1/4)) = 0.06 of a cell, where
-/// the hat of the station is one cell wide in the mean. A shift through the surface makes 0.1 of J.
+/// The front node at the surface lies a quarter of a cell behind, so that its piece leans by atan(1/4) and
+/// the next front node points half of that across the surface: the shift along the crack must not. That the
+/// front is not quite where it is thought to be moves feet on it by up to 0.25 sin(atan(1/4)) = 0.06 of a
+/// cell, where the hat of the front node is one cell wide in the mean. A shift through the surface makes 0.1
+/// of J.
 TEST(FrontsInSpace, ShiftNothingThroughTheSurfaceBehindAPieceThatLeans)
 {
   const auto run = straightFront();
@@ -178,7 +179,7 @@ TEST(FrontsInSpace, ShiftNothingThroughTheSurfaceBehindAPieceThatLeans)
   const CrackFront<3> front = state.cracks.fronts.at(0);
   deform(state, [&](const Vector<3>& x, int side) { return tipField(K, front, x, side); });
   CrackFront<3> leaning = front;
-  std::vector<FrontStation<3>>& s = leaning.stations;
+  std::vector<FrontNode<3>>& s = leaning.nodes;
   s[0].position = s[0].position - 0.25 * cell * s[0].direction;
   const Vector<3> lean = s[1].position - s[0].position, along = s[2].position - s[1].position;
   ASSERT_NEAR(dot(along, front.direction), 0.0, 1e-9 * cell);
@@ -326,11 +327,11 @@ TEST(FrontsInSpace, KnowHowMuchTheyAreCurved)
   ASSERT_EQ(line.loop.size(), 1u);
   EXPECT_NEAR(line.loop[0], 32 * 2.0 * radius * std::sin(pi / 32), 1e-12);
   EXPECT_NEAR(radiusOfCurvature(line, cell), radius, 1e-9);
-  // A station that points 15 degrees aside, as beside one that lies behind, hardly is curvature: a third of
-  // its turn counts, which over 3 cells or more has the sagitta of a circle of 3 / (2 sin(5 degrees)) = 17.2
-  // cells, where the station alone has that of one of 5.8 cells.
+  // A front node that points 15 degrees aside, as beside one that lies behind, hardly is curvature: a third
+  // of its turn counts, which over 3 cells or more has the sagitta of a circle of 3 / (2 sin(5 degrees))
+  // = 17.2 cells, where the front node alone has that of one of 5.8 cells.
   FrontLine aside = line;
-  Vector<3>& way = aside.stations[10].direction;
+  Vector<3>& way = aside.nodes[10].direction;
   const Vector<3> other{-way[1], way[0], 0.0};
   way = std::cos(pi / 12.0) * way + std::sin(pi / 12.0) * other;
   EXPECT_GT(radiusOfCurvature(aside, cell), 1.0 / (1.0 / radius + 1.0 / (17.2 * cell)));
@@ -342,8 +343,8 @@ TEST(FrontsInSpace, KnowHowMuchTheyAreCurved)
   EXPECT_EQ(open.loop, std::vector<double>{0.0});
   EXPECT_TRUE(std::isinf(radiusOfCurvature(open, cell)) || radiusOfCurvature(open, cell) > 1e3);
   double share = 0.0;
-  for (const FrontStation<3>& station : open.stations)
-    share += station.share;
+  for (const FrontNode<3>& frontNode : open.nodes)
+    share += frontNode.tributaryLength;
   EXPECT_NEAR(share, depth, 1e-12);
 }
 

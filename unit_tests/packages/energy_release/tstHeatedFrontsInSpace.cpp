@@ -32,7 +32,7 @@ Rhegma::Run<3> heldBlock(const std::string& temperature, const std::string& youn
   return atRest<3>(scene, 25.0);
 }
 
-/// At the station in the middle of the front.
+/// At the front node in the middle of the front.
 auto releaseIn(const State<3>& state)
 {
   return [&state](double inner, double outer)

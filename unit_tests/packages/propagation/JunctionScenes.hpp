@@ -84,9 +84,9 @@ Piece runWall(const Cut& cut, double increment = 1.0)
     if (state.cracks.cracks[state.cracks.fronts[f].crack].name == "Wall")
       piece.front = static_cast<int>(f);
   measureEnergy(state);
-  while (state.clock.time < 1e-4 && piece.joined < 0.0 && !state.cracks.fronts[piece.front].halted)
+  while (state.clock.time < 1e-4 && piece.joined < 0.0 && !state.cracks.fronts[piece.front].stopped())
   {
-    state.cracks.fronts[piece.front].driving.release = 1.0 + speed / 100.0;
+    state.cracks.fronts[piece.front].nodes[0].driving.release = 1.0 + speed / 100.0;
     piece.run.step(1.0, false);
     if (state.cracks.fronts[piece.front].ended)
       piece.joined = state.clock.time;

@@ -92,8 +92,8 @@ TEST(Junctions, CrackEndsOnTheFaceOfTheOther)
   ASSERT_GE(piece.front, 0);
   const CrackFront<2>& front = state.cracks.fronts[piece.front];
   ASSERT_TRUE(front.ended);
-  EXPECT_FALSE(front.halted);
-  EXPECT_EQ(front.speed, 0.0);
+  EXPECT_FALSE(front.stopped());
+  EXPECT_EQ(front.speed(), 0.0);
   EXPECT_NEAR(front.position[0], wall, 0.1 * cell);
   EXPECT_NEAR(front.position[1], roof, 0.1 * cell);
   ASSERT_FALSE(state.warnings.empty());
@@ -217,9 +217,9 @@ TEST(Junctions, CrackEndsOnTheFirstCrackInItsWay)
         std::find_if(fronts.begin(), fronts.end(),
                      [&](const CrackFront<2>& one) { return state.cracks.cracks[one.crack].name == name; });
     for (const double begin = state.clock.time;
-         state.clock.time < begin + 5e-5 && !front->ended && !front->halted;)
+         state.clock.time < begin + 5e-5 && !front->ended && !front->stopped();)
     {
-      front->driving.release = 1.0 + speed / 100.0;
+      front->nodes[0].driving.release = 1.0 + speed / 100.0;
       run.step(1.0, false);
     }
     return *front;
@@ -238,6 +238,6 @@ TEST(Junctions, CrackDoesNotCrossItself)
 {
   Piece piece = runWall(cutBelowItself, 4.0);
   const CrackFront<2>& front = piece.run.state().cracks.fronts[piece.front];
-  EXPECT_TRUE(front.halted);
+  EXPECT_TRUE(front.stopped());
   EXPECT_LT(front.position[1], earlier);
 }

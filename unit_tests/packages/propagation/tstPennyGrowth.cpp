@@ -68,11 +68,11 @@ void stretch(State<3>& state, double rate)
 /// radius.
 void drive(State<3>& state, double speed, double until, double fromAngle = -1.0)
 {
-  for (FrontStation<3>& station : state.cracks.fronts[0].stations)
+  for (FrontNode<3>& frontNode : state.cracks.fronts[0].nodes)
   {
-    const double at = std::hypot(station.position[0], station.position[1]);
-    const bool driven = at < until && std::atan2(station.position[1], station.position[0]) > fromAngle;
-    station.driving.release = driven ? 100.0 * (1.0 + speed / 100.0) : 0.0;
+    const double at = std::hypot(frontNode.position[0], frontNode.position[1]);
+    const bool driven = at < until && std::atan2(frontNode.position[1], frontNode.position[0]) > fromAngle;
+    frontNode.driving.release = driven ? 100.0 * (1.0 + speed / 100.0) : 0.0;
   }
 }
 
@@ -114,9 +114,9 @@ double overlapWhenSqueezed(bool touching, double rate)
     drive(state, 400.0, 5e-3);
     run.step(1.0, false);
   }
-  EXPECT_GT(std::hypot(state.cracks.fronts[0].stations[0].position[0],
-                       state.cracks.fronts[0].stations[0].position[1]),
-            4.5e-3);
+  EXPECT_GT(
+      std::hypot(state.cracks.fronts[0].nodes[0].position[0], state.cracks.fronts[0].nodes[0].position[1]),
+      4.5e-3);
   stretch(state, -rate);
   double worst = 0.0;
   for (const double begin = state.clock.time; state.clock.time < begin + 1e-5;)
@@ -149,8 +149,7 @@ TEST(PennyGrowth, RunsAsItsToughnessSaysAndPaysForItsArea)
     drive(state, speed, until);
     run.step(1.0, false);
     points.update(state);
-    const FrontStation<3>& middle =
-        state.cracks.fronts[0].stations[state.cracks.fronts[0].stations.size() / 2];
+    const FrontNode<3>& middle = state.cracks.fronts[0].nodes[state.cracks.fronts[0].nodes.size() / 2];
     const double at = std::hypot(middle.position[0], middle.position[1]);
     if (begin < 0.0 && at > radius + 0.5 * cell)
       begin = state.clock.time;
@@ -163,11 +162,11 @@ TEST(PennyGrowth, RunsAsItsToughnessSaysAndPaysForItsArea)
   const CrackFront<3>& front = state.cracks.fronts[0];
   const double area = cracks::measureOpening(state.cracks, 0).size - before;
   EXPECT_NEAR(area, 0.25 * pi * (until * until - radius * radius), 0.1 * area);
-  // The first increment of each station is that of a front at rest.
+  // The first increment of each front node is that of a front at rest.
   const double first = 0.25 * pi * (std::pow(radius + 0.25 * cell, 2) - radius * radius);
   EXPECT_NEAR(front.taken, 100.0 * ((1.0 + speed / 100.0) * area - speed / 100.0 * first),
               0.02 * front.taken);
-  for (const FrontStation<3>& s : front.stations)
+  for (const FrontNode<3>& s : front.nodes)
   {
     EXPECT_NEAR(s.position[2], 0.3 * cell, 0.1 * cell);
     EXPECT_NEAR(std::hypot(s.position[0], s.position[1]), until, 0.05 * until + 0.25 * cell);
@@ -184,11 +183,11 @@ TEST(PennyGrowth, RunsAsItsToughnessSaysAndPaysForItsArea)
   EXPECT_NEAR(state.energy.fracture + inFlight, front.taken, 0.01 * front.taken);
 }
 
-/// A front of which one half sets out and the other never does: nodes that it opens beside stations that have
-/// made no face resist as those beside the others do. What was booked is spent or in flight. What of it waits
-/// for nodes depends on where the front stands between them, here at five places within a cell: up to half a
-/// row of cells along the stretch that runs, since a node opens with all its area as the front passes its
-/// middle.
+/// A front of which one half sets out and the other never does: nodes that it opens beside front nodes that
+/// have made no face resist as those beside the others do. What was booked is spent or in flight. What of it
+/// waits for nodes depends on where the front stands between them, here at five places within a cell: up to
+/// half a row of cells along the stretch that runs, since a node opens with all its area as the front passes
+/// its middle.
 TEST(PennyGrowth, PaysForItsAreaWhereHalfOfItSetsOut)
 {
   for (const double until : {4.6e-3, 4.8e-3, 5.0e-3, 5.2e-3, 5.4e-3})
@@ -242,7 +241,7 @@ TEST(PennyGrowth, PaysForItsAreaToTheEnd)
   std::cout << "unspent " << front.unspent / front.taken << " of what was booked, all "
             << (state.energy.fracture + inFlight) / front.taken << "\n";
   EXPECT_LT(std::fabs(front.unspent), 0.01 * front.taken);
-  // What it has done is known after its stations are no more.
+  // What it has done is known after its front nodes are no more.
   const nlohmann::json& entry = summary["cracks"][0]["fronts"][0];
   EXPECT_GT(entry["increments"].get<long>(), 0);
   EXPECT_GT(entry["last_advance"].get<double>(), entry["set_out"].get<double>());
@@ -273,8 +272,8 @@ TEST(PennyGrowth, HaltsBeforeItsOwnFaces)
   const double before = cracks::measureOpening(state.cracks, 0).size;
   for (int k = 0; k < 80; ++k)
   {
-    for (FrontStation<3>& station : state.cracks.fronts[0].stations) // the spine stays where it is
-      station.driving.release = std::fabs(station.direction[1]) > 0.9 ? 500.0 : 0.0;
+    for (FrontNode<3>& frontNode : state.cracks.fronts[0].nodes) // the spine stays where it is
+      frontNode.driving.release = std::fabs(frontNode.direction[1]) > 0.9 ? 500.0 : 0.0;
     run.step(1.0, false);
   }
   const CrackFront<3>& front = state.cracks.fronts[0];
@@ -283,14 +282,14 @@ TEST(PennyGrowth, HaltsBeforeItsOwnFaces)
     told += warning.find("faces of its own crack are less than three cells ahead") != std::string::npos;
   EXPECT_EQ(told, 1);
   double below = 0.0, above = wide;
-  for (const FrontStation<3>& station : front.stations)
-    if (station.position[0] > 0.5 * wide)
+  for (const FrontNode<3>& frontNode : front.nodes)
+    if (frontNode.position[0] > 0.5 * wide)
     {
       ++arms;
-      EXPECT_TRUE(station.halted);
-      const bool upper = station.position[1] > 0.5 * wide;
-      below = upper ? below : std::max(below, station.position[1]);
-      above = upper ? std::min(above, station.position[1]) : above;
+      EXPECT_TRUE(frontNode.stopped);
+      const bool upper = frontNode.position[1] > 0.5 * wide;
+      below = upper ? below : std::max(below, frontNode.position[1]);
+      above = upper ? std::min(above, frontNode.position[1]) : above;
     }
   EXPECT_GE(arms, 8);
   // Both have gone at least a cell of the 2.3 that they may, a quarter at a time.

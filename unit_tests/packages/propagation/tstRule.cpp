@@ -143,13 +143,13 @@ TEST(Direction, TurnsInTheFrameOfTheFront)
   CrackFront<2> front;
   front.direction = {{0.0, 1.0}};
   front.normal = {{-1.0, 0.0}};
-  front.driving.hoopAngle = -30.0 * degree;
+  front.nodes[0].driving.hoopAngle = -30.0 * degree;
   const Vector<2> turned =
-      nextDirection(front.driving, front.direction, front.normal, DirectionRule::HoopStress);
+      nextDirection(front.nodes[0].driving, front.direction, front.normal, DirectionRule::HoopStress);
   EXPECT_NEAR(turned[0], 0.5, 1e-12);
   EXPECT_NEAR(turned[1], std::cos(30.0 * degree), 1e-12);
   const Vector<2> straight =
-      nextDirection(front.driving, front.direction, front.normal, DirectionRule::Straight);
+      nextDirection(front.nodes[0].driving, front.direction, front.normal, DirectionRule::Straight);
   EXPECT_NEAR(straight[1], 1.0, 1e-12);
 }
 
