@@ -161,8 +161,8 @@ private:
     frontNode.direction = frontNode.direction + cross(along, n);
   }
 
-  /// The direction in which the surface-breaking edge goes on at the end of a front; that across the front if the two are
-  /// almost one line.
+  /// The direction in which the surface-breaking edge goes on at the end of a front; that across the front if
+  /// the two are almost one line.
   Vector<3> alongSurface(const FrontNode<3>& frontNode) const
   {
     constexpr double grazing = 0.25;

@@ -5,10 +5,11 @@
 #include "cracks/CarriedFronts.hpp"
 #include "cracks/CellsForCracks.hpp"
 #include "cracks/CrackFrames.hpp"
+#include "cracks/CrackGrowth.hpp"
+#include "cracks/CrackMemory.hpp"
 #include "cracks/CrackMotion.hpp"
 #include "cracks/CrackSetup.hpp"
 #include "cracks/FrontTies.hpp"
-#include "cracks/Growth.hpp"
 #include "cracks/HeldFaces.hpp"
 #include "cracks/IdleCracks.hpp"
 #include "cracks/Junctions.hpp"
@@ -16,7 +17,6 @@
 #include "cracks/Opening.hpp"
 #include "cracks/Overlap.hpp"
 #include "cracks/Sides.hpp"
-#include "cracks/SurfaceGrowth.hpp"
 #include "cracks/Visibility.hpp"
 #include "plan/LastStage.hpp"
 
@@ -228,15 +228,15 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       editStencils(s, formulation, *ghosts, points, table);
     };
   };
-  const auto surface = std::make_shared<SurfaceGrowth>(mirrorPlanes(scene));
-  ties->follow(surface);
+  const auto growth = std::make_shared<CrackGrowth<D>>(mirrorPlanes(scene));
+  if constexpr (D == 3)
+    ties->follow(growth);
   effect.memory = [=](State<D>& state, Archive& archive)
   {
     archive("steps", surroundings->stamp);
-    if constexpr (D == 3)
-      if (grows)
-        surface->keep(state, archive);
     keepCracks(state, archive);
+    if (grows)
+      growth->keep(state.cracks, archive);
     if (join)
       junctions->keep(archive);
     const Archive::Group group(archive, "ties");
@@ -276,13 +276,12 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  {"advances of fronts"},
                  {"crack geometry"},
                  {},
-                 [surface, junctions, ties](State<D>& s)
+                 [growth, junctions, ties](State<D>& s)
                  {
                    ties->note(s.cracks.advances);
-                   if constexpr (D == 2)
-                     growCracks(s, *junctions);
-                   else
-                     surface->grow(s);
+                   for (const Meeting& meeting : growth->grow(s))
+                     if constexpr (D == 2)
+                       junctions->add(s, meeting);
                  }});
   effect.call({stageOfWays(scene),
                "cracks move",

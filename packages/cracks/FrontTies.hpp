@@ -18,7 +18,8 @@ class Archive;
 namespace Rhegma::cracks
 {
 
-class SurfaceGrowth;
+template <int D>
+class CrackGrowth;
 
 /// Ties of the dual field.
 ///
@@ -52,7 +53,7 @@ public:
   explicit FrontTies(bool grows) : grows_(grows), memory_(grows) {}
 
   /// Tells what 3D fronts do; needed before `release` where they grow.
-  void follow(std::shared_ptr<const SurfaceGrowth> surface) { surface_ = std::move(surface); }
+  void follow(std::shared_ptr<const CrackGrowth<3>> surface) { surface_ = std::move(surface); }
 
   /// Notes the toughness of the advances that fronts of 2D are about to make: faces that a body's motion
   /// opens later cost the same. To be called before cracks grow.
@@ -92,7 +93,7 @@ private:
 
   bool grows_;
   TieMemory<D> memory_;
-  std::shared_ptr<const SurfaceGrowth> surface_;
+  std::shared_ptr<const CrackGrowth<3>> surface_;
   std::vector<double> debt_; ///< energy that softened ties of each front take instead of its new faces [J]
   std::vector<double>
       torn_; ///< what nodes took beyond their energy, not yet deducted, of each front [J] (2D)

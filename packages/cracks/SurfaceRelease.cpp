@@ -2,8 +2,8 @@
 
 #include "base/FewItems.hpp"
 #include "cracks/Cohesion.hpp"
+#include "cracks/CrackGrowth.hpp"
 #include "cracks/HoldingForce.hpp"
-#include "cracks/SurfaceGrowth.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
 
@@ -124,7 +124,7 @@ std::vector<Waiting> list(const State<3>& state, const Rows& rows)
 
 } // namespace
 
-void releaseBehind(const SurfaceGrowth& growth, State<3>& state, const Surroundings& surroundings,
+void releaseBehind(const CrackGrowth<3>& growth, State<3>& state, const Surroundings& surroundings,
                    const View<double* [3]>& whole, const View<double* [3]>& jump,
                    const View<double* [7]>& cohesive)
 {

@@ -7,7 +7,8 @@
 namespace Rhegma::cracks
 {
 
-class SurfaceGrowth;
+template <int D>
+class CrackGrowth;
 
 /// Gives nodes that wait for their cohesive force (Cohesion.hpp) one, as FrontTies::release does in 2D.
 ///
@@ -22,7 +23,7 @@ class SurfaceGrowth;
 /// taken (CrackFront::unspent) stays near zero.
 ///
 /// \param whole forces of all ranks on nodes; empty where there is one rank
-void releaseBehind(const SurfaceGrowth& growth, State<3>& state, const Surroundings& surroundings,
+void releaseBehind(const CrackGrowth<3>& growth, State<3>& state, const Surroundings& surroundings,
                    const View<double* [3]>& whole, const View<double* [3]>& jump,
                    const View<double* [7]>& cohesive);
 

@@ -32,7 +32,8 @@ struct Line
       point.joined = k + 1 < y.size();
       point.direction = {1.0, 0.0, 0.0};
       node.driving.release = 90.0;
-      node.tributaryLength = 0.5 * ((k > 0 ? y[k] - y[k - 1] : 0.0) + (k + 1 < y.size() ? y[k + 1] - y[k] : 0.0));
+      node.tributaryLength =
+          0.5 * ((k > 0 ? y[k] - y[k - 1] : 0.0) + (k + 1 < y.size() ? y[k + 1] - y[k] : 0.0));
       lines.push_back(point);
       nodes.push_back(node);
       advances.push_back({point.direction, length, 100.0 + 10.0 * double(k)});

@@ -1,6 +1,6 @@
 #include "CubeScene.hpp"
 
-#include "cracks/Growth.hpp"
+#include "cracks/CrackGrowth.hpp"
 
 #include <initializer_list>
 
@@ -42,8 +42,8 @@ void advance(State<2>& state, double length)
   FrontAdvance<2> asked;
   asked.nodes = {{state.cracks.fronts[0].direction, length, 100.0}};
   state.cracks.advances.push_back(asked);
-  Junctions none;
-  growCracks(state, none);
+  CrackGrowth<2> growth;
+  growth.grow(state);
 }
 
 /// Lets the front run a cell at a time until it ends.
@@ -62,8 +62,8 @@ constexpr double beyond = 0.55 * 0.7072 - 0.25, step = 2.0 / 48;
 
 } // namespace
 
-/// A hole of one cell across the way is a surface, whatever part of an advance it lies in.
-TEST(RoomAhead, EndsAtASmallHole)
+/// A hole of one cell across the path is a surface, whatever part of an advance it lies in.
+TEST(LigamentAhead, EndsAtASmallHole)
 {
   for (const double front : {6.0, 6.25, 6.5, 6.75})
   {
@@ -75,7 +75,7 @@ TEST(RoomAhead, EndsAtASmallHole)
 }
 
 /// So is the edge of a body with another one half a cell further on.
-TEST(RoomAhead, EndsAtTheGapToAnotherBody)
+TEST(LigamentAhead, EndsAtTheGapToAnotherBody)
 {
   for (const double front : {6.0, 6.25, 6.5, 6.75})
   {
@@ -87,7 +87,7 @@ TEST(RoomAhead, EndsAtTheGapToAnotherBody)
 }
 
 /// Particles of one body that have been drawn apart by less than half a cell leave no surface.
-TEST(RoomAhead, PassesBetweenStretchedParticles)
+TEST(LigamentAhead, PassesBetweenStretchedParticles)
 {
   const auto run = strip({{0, 0, 20, 10}}, 6.1);
   State<2>& state = run->state();
@@ -105,7 +105,7 @@ TEST(RoomAhead, PassesBetweenStretchedParticles)
 
 /// What lacks right at a front that is as wide as the crack is open belongs to the crack: here 0.9 cells less
 /// what the particle beyond fills. A crack that is closed has no such opening and ends.
-TEST(RoomAhead, PassesOverTheOpeningOfItsCrack)
+TEST(LigamentAhead, PassesOverTheOpeningOfItsCrack)
 {
   for (const bool open : {false, true})
   {
