@@ -85,7 +85,7 @@ Section combustionSection()
       .unit("m3")
       .notNegative()
       .byDefault(0.0)
-      .meaning("Additional gas volume besides that between the faces; in 2D for the whole thickness.");
+      .meaning("Gas volume in addition to that between the faces; in 2D for the whole thickness.");
   crack.real("Ignition Time")
       .unit("s")
       .notNegative()

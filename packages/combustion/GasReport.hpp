@@ -12,7 +12,7 @@ namespace Rhegma::combustion
 template <int D>
 double massOfParticles(const State<D>& state);
 
-/// Writes a sample of history.csv (State::row).
+/// Writes a sample of history.csv (Sample::row).
 template <int D>
 void sampleGas(State<D>& state, const Work<D>& work);
 

@@ -7,7 +7,7 @@ namespace Rhegma::combustion
 {
 
 /// Finds the pressure of the gas in a crack, and pushes its faces with it. Gas that has no room, or no face
-/// to push, ends the run (State::trouble).
+/// to push, ends the run (State::failure).
 template <int D>
 void pushByGas(State<D>& state, const Work<D>& work, Burning<D>& b);
 

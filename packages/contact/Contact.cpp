@@ -34,9 +34,8 @@ Section section()
       .atMost(1.0)
       .byDefault(1.0)
       .onlyIn(2)
-      .meaning(
-          "Middle part of each crack beside which the summary adds up the energies on both sides; with 1 "
-          "all of the body counts.");
+      .meaning("Middle part of each crack next to which the summary adds up the energies on both sides. 1: "
+               "the whole body.");
   return s;
 }
 
@@ -305,7 +304,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       {Stage::AfterProjection, "gaps of crack faces", {"projection"}, {"gaps"}, {}, [account](State<D>& s) {
          advance(s, *account);
        }});
-  effect.call({Stage::Observe, "shares of energy", {"energies"}, {}, {}, [account](State<D>& s) {
+  effect.call({Stage::Observe, "fractions of energy", {"energies"}, {}, {}, [account](State<D>& s) {
                  observe(s, *account);
                }});
   effect.memory = [account](State<D>&, Archive& archive)

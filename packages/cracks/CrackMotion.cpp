@@ -3,7 +3,7 @@
 #include "base/FewItems.hpp"
 #include "cracks/CrackFrames.hpp"
 #include "state/Subdomain.hpp"
-#include "step/UnstableStep.hpp"
+#include "base/UnstableStep.hpp"
 #include "transfer/Stencils.hpp"
 
 namespace Rhegma::cracks

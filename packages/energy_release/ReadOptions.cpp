@@ -30,8 +30,8 @@ Section energyReleaseSection()
   s.boolean("Contour Integral")
       .onlyIn(2)
       .byDefault(true)
-      .meaning("Computes J and the stress intensity factors by domain integrals. Set it to false to use "
-               "crack closure alone, where cells are too large for a contour inside the body.");
+      .meaning("Computes J and the stress intensity factors by domain integrals. Set it to false where cells "
+               "are too large for a contour inside the body; crack closure is then used alone.");
   s.boolean("Crack Closure")
       .onlyIn(2)
       .byDefault(true)

@@ -3,7 +3,7 @@
 #include "base/FewItems.hpp"
 #include "mass_matrix/FirstGuess.hpp"
 #include "state/Subdomain.hpp"
-#include "step/UnstableStep.hpp"
+#include "base/UnstableStep.hpp"
 
 #include <algorithm>
 #include <sstream>

@@ -215,7 +215,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     // Heat that goes nowhere still has sources that change with time.
     return std::min({run->conduction.stepLimit(state), sources, run->finalTime / 100.0});
   };
-  effect.memory = [run](State<D>& state, Archive& archive)
+  effect.memory = [run](State<D>&, Archive& archive)
   {
     archive("front temperatures", run->conduction.frontTemperature);
     archive("fracture seen", run->conduction.fractureSeen);

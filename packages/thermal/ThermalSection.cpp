@@ -49,7 +49,7 @@ Section probes()
 {
   Section probe("probe", "A temperature probe. You choose its name.");
   probe.realArray("Point").unit("m").perAxis().meaning(
-      "Position of the probe, fixed in space; material may move through it.");
+      "Position of the probe. It is fixed; material may move through it.");
   Section s("Probes",
             "Temperature probes. Their values are in history.csv as NAME.temperature and in summary.json.");
   s.namedByUser(probe);

@@ -43,7 +43,7 @@ struct Call
   std::vector<std::string> writes;    ///< quantities
   std::vector<std::string> addsTo;    ///< quantities
   std::function<void(State<D>&)> run; ///< what it does
-  /// Whether it belongs to each pass that strains particles (State::strainPass), and not to the step.
+  /// Whether it belongs to each pass that strains particles (Clock::strainPass), and not to the step.
   bool ofEachPass = false;
 };
 
@@ -77,7 +77,7 @@ struct EffectEntry
   std::function<Effect<2>(const Teuchos::ParameterList& scene)> make2; ///< 2D
   std::function<Effect<3>(const Teuchos::ParameterList& scene)> make3; ///< 3D
   bool onRanks = false; ///< whether it works on more than one rank
-  /// Whether a scene that has it leaves the motion out (State::mechanics); empty: never.
+  /// Whether a scene that has it leaves the motion out (Method::mechanics); empty: never.
   std::function<bool(const Teuchos::ParameterList& scene)> withoutMechanics{};
   /// What it asks of the cells that Domain > Accuracy chooses.
   CellHook cells{};

@@ -133,7 +133,7 @@ private:
                                            (mentions(error, "Cell Size") || mentions(error, "Accuracy"));
                                   });
     if (!spacing && !told && !domain.isParameter("Accuracy"))
-      report("Domain > Cell Size", "is missing; write a real number [m], or Accuracy in its place.");
+      report("Domain > Cell Size", "is missing; write a real number [m], or write Accuracy instead.");
     if (!corners(domain, "Domain", false) || !spacing)
       return;
     const auto lower = *reals(domain, "Lower Corner");

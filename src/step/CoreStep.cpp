@@ -1,10 +1,10 @@
 #include "step/CoreStep.hpp"
 
+#include "base/UnstableStep.hpp"
 #include "grid/BlockCells.hpp"
 #include "material/Materials.hpp"
 #include "state/Subdomain.hpp"
 #include "step/HeatTrouble.hpp"
-#include "step/UnstableStep.hpp"
 #include "transfer/Gather.hpp"
 #include "transfer/Motion.hpp"
 #include "transfer/Scatter.hpp"
@@ -122,7 +122,7 @@ Effect<D> makeCore(const State<D>& state)
                  strainAndMove(s, StrainVelocity::Projection, false, true);
              }});
   core.call({Stage::OnParticles,
-             "strain, stress and place of particles",
+             "strain, stress and position of particles",
              {},
              {"particle stress"},
              {},

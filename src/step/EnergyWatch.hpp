@@ -4,7 +4,7 @@
 #include "archive/Archive.hpp"
 #include "base/Numbers.hpp"
 #include "state/EnergyBalance.hpp"
-#include "step/UnstableStep.hpp"
+#include "base/UnstableStep.hpp"
 
 #include <algorithm>
 #include <cmath>

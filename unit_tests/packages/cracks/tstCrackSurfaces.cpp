@@ -2,7 +2,7 @@
 
 #include "../../src/surface/StlFileOf.hpp"
 #include "cracks/Opening.hpp"
-#include "output/CoreRow.hpp"
+#include "state/EnergySums.hpp"
 
 #include <cmath>
 

@@ -2,6 +2,7 @@
 /// A plate in which a crack runs into another, whose front the test drives.
 
 #include "src/step/ElasticBox.hpp"
+#include "state/EnergySums.hpp"
 
 #include <string>
 #include <vector>

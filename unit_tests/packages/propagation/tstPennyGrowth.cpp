@@ -3,6 +3,7 @@
 #include "cracks/Opening.hpp"
 #include "output/CoreRow.hpp"
 #include "propagation/RayleighSpeed.hpp"
+#include "state/EnergySums.hpp"
 #include "src/step/ElasticBox.hpp"
 #include "transfer/FacePoints.hpp"
 
