@@ -1,7 +1,7 @@
 #include "combustion/Cavity.hpp"
 
 #include "base/ReadList.hpp"
-#include "surface/BeyondFacet.hpp"
+#include "state/CrackEnds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace
 {
 
 /// Calls mouth(vertices of the facet) for each facet of the crack beyond which there is the surface of the
-/// body (facet::surfaceBreaking) or another crack (facet::joined).
+/// body (facet::mouth) or another crack (facet::joined).
 template <int D, class Mouth>
 void forEachMouth(const State<D>& state, int crack, int beyond, const std::vector<MirrorPlane>& mirrors,
                   const Mouth& mouth)
@@ -100,7 +100,7 @@ Cavity measureCavity(const State<D>& state, const FacePoints<D>& points, int cra
 template <int D>
 std::array<double, 2> mouthAreas(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors)
 {
-  return endAreas(state, crack, facet::surfaceBreaking, mirrors);
+  return endAreas(state, crack, facet::mouth, mirrors);
 }
 
 template <int D>
@@ -120,7 +120,7 @@ template <int D>
 bool hasMouth(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors)
 {
   bool any = false;
-  forEachMouth(state, crack, facet::surfaceBreaking, mirrors, [&](const int(&)[D - 1]) { any = true; });
+  forEachMouth(state, crack, facet::mouth, mirrors, [&](const int(&)[D - 1]) { any = true; });
   return any;
 }
 

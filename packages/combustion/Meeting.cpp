@@ -2,7 +2,7 @@
 
 #include "archive/Archive.hpp"
 #include "combustion/Cavity.hpp"
-#include "surface/BeyondFacet.hpp"
+#include "state/CrackEnds.hpp"
 
 #include <limits>
 

@@ -2,12 +2,15 @@
 
 #include "base/FewItems.hpp"
 #include "geometry/Cross.hpp"
+#include "surface/BeyondFacet.hpp"
 
 #include <cmath>
 #include <vector>
 
 namespace Rhegma::cracks
 {
+
+namespace facet = surface::facet;
 
 namespace
 {

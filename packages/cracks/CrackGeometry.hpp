@@ -2,10 +2,13 @@
 /// Where a point lies with respect to a crack.
 
 #include "state/CrackSet.hpp"
+#include "surface/BeyondFacet.hpp"
 #include "surface/NearestOnSimplex.hpp"
 
 namespace Rhegma::cracks
 {
+
+namespace facet = surface::facet;
 
 /// Cells over which a crack matters to nodes: a particle a stencil away on the other side must find the
 /// node's side.

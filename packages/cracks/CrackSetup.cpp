@@ -50,7 +50,7 @@ bool areClose(const surface::CrackMesh<D>& a, const surface::CrackMesh<D>& b, do
       {
         Vector<D> corner[D];
         corners(b, static_cast<int>(t), corner);
-        if (distanceToSimplex(corner, x) < apart * spacing)
+        if (surface::distanceToSimplex(corner, x) < apart * spacing)
           return true;
       }
   return false;

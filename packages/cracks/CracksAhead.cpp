@@ -72,7 +72,7 @@ struct Obstacles
         [&](int crack, const Vector<2>& a, const Vector<2>& b)
         {
           const Vector<2> corner[2] = {a, b};
-          const double distance = distanceToSimplex(corner, x);
+          const double distance = surface::distanceToSimplex(corner, x);
           if (distance < found.distance)
             found = {distance, crack};
         });

@@ -9,6 +9,8 @@
 namespace Rhegma::cracks
 {
 
+namespace facet = surface::facet;
+
 namespace
 {
 

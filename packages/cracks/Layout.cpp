@@ -11,6 +11,8 @@
 namespace Rhegma::cracks
 {
 
+namespace facet = surface::facet;
+
 namespace
 {
 
@@ -60,7 +62,7 @@ void fill(CrackSet<D>& set, const std::vector<CrackMesh<D>>& meshes, const std::
         if (beyond < 0)
           for (int k = 1; k < D; ++k)
             kind(v0 + mesh.simplices[s][(i + k) % D]) |=
-                beyond == facet::front ? vertexKind::front : vertexKind::surfaceBreaking;
+                beyond == facet::front ? vertexKind::front : vertexKind::mouth;
       }
     }
   }
@@ -110,7 +112,7 @@ void markNearFront(CrackSet<D>& set, double spacing)
       if (crackOf(s) != crackOf(facet))
         continue;
       const Vector<D> front = at(simplex(facet, (frontFacet(f, 1) + 1) % D)), from = front - corner[0];
-      if (dot(from, from) < most && distanceToSimplex(corner, front) < reach)
+      if (dot(from, from) < most && surface::distanceToSimplex(corner, front) < reach)
         nearFront(s) = 1;
     }
   }

@@ -7,6 +7,8 @@
 namespace Rhegma::cracks
 {
 
+namespace facet = surface::facet;
+
 namespace
 {
 

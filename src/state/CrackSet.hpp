@@ -2,7 +2,6 @@
 /// The cracks as data: what the effects around cracks share.
 
 #include "base/Types.hpp"
-#include "surface/BeyondFacet.hpp"
 
 #include <algorithm>
 #include <string>
@@ -123,13 +122,19 @@ struct FrontAdvance
   std::vector<FrontNodeAdvance<D>> nodes{}; ///< in the order of CrackFront::nodes
 };
 
-/// What a vertex of a crack lies on; both where a front ends at the
-/// surface of the body.
+/// What lies beyond a facet of a simplex: another simplex, or nothing.
+namespace facet
+{
+constexpr int mouth = -1; ///< the surface of the body
+constexpr int front = -2; ///< whole material
+} // namespace facet
+
+/// What a vertex of a crack lies on; both at a front's end at a mouth.
 namespace vertexKind
 {
-constexpr int inner = 0;           ///< whole material all around
-constexpr int surfaceBreaking = 1; ///< the surface of the body
-constexpr int front = 2;           ///< a front
+constexpr int inner = 0; ///< whole material all around
+constexpr int mouth = 1; ///< the surface of the body
+constexpr int front = 2; ///< a front
 } // namespace vertexKind
 
 /// All cracks. A side is named +(c + 1) or -(c + 1), c the index of the crack; 0 is away from cracks. Each
@@ -147,7 +152,7 @@ struct CrackSet
   View<double* [2][D]> face; ///< places on the faces of side -1 (0) and +1 (1) [m]
   View<int* [D]> simplex;    ///< vertices of each segment or triangle
   View<int*> crackOf;        ///< crack of each simplex
-  View<int* [D]> neighbour;  ///< simplex beyond each facet of a simplex, or a constant of BeyondFacet.hpp
+  View<int* [D]> neighbour;  ///< simplex beyond each facet of a simplex, or facet::mouth or front
   View<int*> starBegin; ///< the simplices at vertex v are star(starBegin(v)) .. star(starBegin(v + 1) - 1)
   View<int*> star;      ///< see starBegin
   View<int*> kind;      ///< of each vertex: what it lies on (vertexKind, added)
