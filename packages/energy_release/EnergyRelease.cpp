@@ -56,16 +56,21 @@ std::string frontName(const State<2>& state, const CrackFront<2>& front)
   return state.cracks.cracks[front.crack].name + "." + std::to_string(front.number);
 }
 
+/// Its name in messages, such as "crack Notch, front 0".
+std::string messageName(const State<2>& state, const CrackFront<2>& front)
+{
+  return "crack " + state.cracks.cracks[front.crack].name + ", front " + std::to_string(front.number);
+}
+
 /// A node may come to lie this share of a cell inside of the contour as the body moves.
 constexpr double slack = 1e-6;
 
 void refuseContour(const State<2>& state, const CrackFront<2>& front, const std::string& where,
                    const std::string& contour, const std::string& advice)
 {
-  throw std::invalid_argument("Energy Release > " + where + ": the contour of " + contour +
-                              " m round the front " + frontName(state, front) +
-                              " leaves the body or reaches another " + advice +
-                              ", or take smaller cells (Domain > Cell Size)");
+  throw std::invalid_argument("Energy Release > " + where + ": the contour of " + contour + " m around " +
+                              messageName(state, front) + " leaves the body or reaches another " + advice +
+                              ", or use smaller cells (Domain > Cell Size)");
 }
 
 /// Refuses radii that the scene gives and that don't fit; says which ones are used where the usual ones
@@ -86,18 +91,17 @@ void checkContour(State<2>& state, const CrackFront<2>& front, const Options& op
   const double least = smallestOuter(given, cell);
   if (room < least - slack * cell)
     refuseContour(state, front, given.inner > 0.0 ? "Inner Radius" : "Outer Radius", formatReal(least),
-                  "front or crack; there is room for " + formatReal(room) + " m: " +
+                  "front or crack; at most " + formatReal(room) + " m fit: " +
                       (given.inner > 0.0 ? "write a smaller Inner Radius"
-                                         : "give both radii, or leave out Energy Release"));
+                                         : "write both radii, or leave out Energy Release"));
   if (room < usual - slack * cell)
   {
     const ContourRadii radii = fittingRadii(state, front, given);
-    state.warnings.push_back("Energy Release: G and K of the front " + frontName(state, front) +
-                             " are measured in a ring from " + shortly(radii.inner) + " to " +
-                             shortly(radii.outer) +
-                             " m round it, all the room that there is inside the body and clear of other "
-                             "fronts and cracks; one to " +
-                             shortly(usual) + " m is usual, and smaller cells need less");
+    state.warnings.push_back("Energy Release: for " + messageName(state, front) +
+                             ", the domain integral is reduced to radii of " + readableLength(radii.inner) +
+                             " to " + readableLength(radii.outer) + " (default: to " + readableLength(usual) +
+                             "), because of a surface, another front or another crack; G and K are less "
+                             "accurate: use smaller cells (Domain > Cell Size)");
   }
 }
 
@@ -108,8 +112,8 @@ void checkContours(State<2>& state, const Options& options)
 {
   if (state.cracks.fronts.empty())
     throw std::invalid_argument(
-        "Energy Release: no crack has a front inside a body; end a crack in material, choose "
-        "its front with Cracks > NAME > Fronts, or take this section out");
+        "Energy Release: no crack has a front inside a body; end a crack inside material, choose "
+        "its front with Cracks > NAME > Fronts, or remove this section");
   if (!options.contour)
     return;
   Attempts attempts;
@@ -120,8 +124,8 @@ void checkContours(State<2>& state, const Options& options)
   if (options.radii.inner > 0.0 && options.radii.inner < (leastInnerCells - slack) * cell)
     state.warnings.push_back(
         "Energy Release > Inner Radius is " + formatReal(options.radii.inner / cell) +
-        " cells: below two cells the contour runs through the cells of the front, and G and K "
-        "can be off by 10 % and more; take smaller cells or a larger radius");
+        " cells: below two cells the contour passes through the cells of the front, and G and K "
+        "can be wrong by 10 % or more; use smaller cells or a larger radius");
 }
 
 void warnOfContour(State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
@@ -134,9 +138,11 @@ void warnOfContour(State<2>& state, const CrackFront<2>& front, const ContourRad
       largestContour(state, front, radii.outer) > radii.outer - spacingAt(state, front.position))
     return;
   samples.warned.insert({front.crack, front.number});
-  state.warnings.push_back("from time " + formatReal(state.clock.time) +
-                           " s on the contour of Energy Release round the front " + frontName(state, front) +
-                           " leaves the body or reaches another front: G_J, K_I and K_II are less accurate");
+  state.warnings.push_back(
+      "Energy Release: from t = " + readableTime(state.clock.time) + " on, the contour around " +
+      messageName(state, front) +
+      " leaves the body or reaches another front, so G_J, K_I and K_II are less accurate; "
+      "use smaller cells or radii");
 }
 
 bool wantsClosure(const State<2>& state, const Options& options, const Samples& samples,
@@ -153,11 +159,10 @@ void warnOfClosure(State<2>& state, const CrackFront<2>& front, const CrackClosu
       !samples.unclosed.insert({front.crack, front.number}).second)
     return;
   state.warnings.push_back(
-      "Energy Release: G_closure of the front " + frontName(state, front) + " can't be found at time " +
-      formatReal(state.clock.time) +
-      " s, and is no number there: no node in the columns behind the front has material "
-      "of both faces in its reach, so that the crack is too short for Closure Cells, or its "
-      "faces have parted by cells; G_J needs no such nodes");
+      "Energy Release: G_closure of " + messageName(state, front) +
+      " is not available at t = " + readableTime(state.clock.time) +
+      ", because no node behind the front has material of both faces within reach: the crack is too short "
+      "for Closure Cells, or its faces are several cells apart; use G_J");
 }
 
 /// A front whose surroundings have fallen apart ends the run.

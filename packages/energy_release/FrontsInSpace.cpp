@@ -55,6 +55,12 @@ std::string frontName(const State<3>& state, const CrackFront<3>& front)
   return state.cracks.cracks[front.crack].name + "." + std::to_string(front.number);
 }
 
+/// Its name in messages, such as "crack Notch, front 0".
+std::string messageName(const State<3>& state, const CrackFront<3>& front)
+{
+  return "crack " + state.cracks.cracks[front.crack].name + ", front " + std::to_string(front.number);
+}
+
 /// Mean along the front: of the straight lines between front nodes.
 double meanOf(const FrontLine& line, const Along& values)
 {
@@ -112,19 +118,19 @@ void checkTube(const State<3>& state, const CrackFront<3>& front, const Options&
   const double room = roomAround(state, front, line, options.radii.outer);
   if (room < options.radii.outer - slack * spacingAt(state, front.position))
     throw std::invalid_argument(
-        "Energy Release > Outer Radius: the tube of " + formatReal(options.radii.outer) +
-        " m round the front " + frontName(state, front) +
-        " leaves the body, reaches another front or crack or is wider than the front is "
-        "curved; write at most " +
-        formatReal(room) + ", or take smaller cells (Domain > Cell Size)");
+        "Energy Release > Outer Radius: the integration tube of " + formatReal(options.radii.outer) +
+        " m around " + messageName(state, front) +
+        " leaves the body, reaches another front or crack, or exceeds the radius of curvature of the front; "
+        "write at most " +
+        formatReal(room) + ", or use smaller cells (Domain > Cell Size)");
 }
 
 void checkTubes(const State<3>& state, const Options& options)
 {
   if (state.cracks.fronts.empty())
     throw std::invalid_argument(
-        "Energy Release: no crack has a front inside a body; end a crack in material, choose "
-        "its front with Cracks > NAME > Front Edges, or take this section out");
+        "Energy Release: no crack has a front inside a body; end a crack inside material, choose "
+        "its front with Cracks > NAME > Front Edges, or remove this section");
   Attempts attempts;
   for (const CrackFront<3>& front : state.cracks.fronts)
     attempts.attempt([&] { checkTube(state, front, options); });
@@ -140,9 +146,10 @@ void warnOfTube(State<3>& state, const Sample& s, const Options& options, Sample
       roomAround(state, s.front, s.line, outer) > outer - cell)
     return;
   samples.warned.insert({s.front.crack, s.front.number});
-  state.warnings.push_back("from time " + formatReal(state.clock.time) +
-                           " s on the tube of Energy Release round the front " + frontName(state, s.front) +
-                           " leaves the body or reaches another front: G_J and K are less accurate");
+  state.warnings.push_back("Energy Release: from t = " + readableTime(state.clock.time) +
+                           " on, the integration tube around " + messageName(state, s.front) +
+                           " leaves the body or reaches another front, so G_J and K are less accurate; use "
+                           "smaller cells or radii");
 }
 
 void sample(State<3>& state, const Options& options, Samples& samples)
