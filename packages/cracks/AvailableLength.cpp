@@ -77,6 +77,22 @@ struct ParticleReach
   }
 };
 
+/// The points that are filled on any rank.
+template <int D>
+void uniteRanks(const State<D>& state, std::vector<std::uint64_t>& bits)
+{
+  if (!state.mesh.subdomain)
+    return;
+  std::vector<double> filled;
+  for (const std::uint64_t row : bits)
+    for (int i = 1; i <= points; ++i)
+      filled.push_back((row >> i & 1) != 0 ? 1.0 : 0.0);
+  maxParts(state, filled.data(), static_cast<int>(filled.size()));
+  for (std::size_t k = 0; k < bits.size(); ++k)
+    for (int i = 1; i <= points; ++i)
+      bits[k] |= filled[k * points + i - 1] > 0.0 ? std::uint64_t(1) << i : 0;
+}
+
 /// Which of the points k = 1 .. 48 along each path are filled by particles of a body, or of any for -1: a bit
 /// each. Collective.
 template <int D>
@@ -135,16 +151,7 @@ std::vector<std::uint64_t> filledPoints(const State<D>& state, const std::vector
       });
   const auto found = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, filled);
   std::vector<std::uint64_t> bits(found.data(), found.data() + count);
-  if (!state.mesh.subdomain)
-    return bits;
-  std::vector<double> ofRanks(static_cast<std::size_t>(count) * points, 0.0);
-  for (int k = 0; k < count; ++k)
-    for (int i = 1; i <= points; ++i)
-      ofRanks[k * points + i - 1] = (bits[k] >> i & 1) != 0 ? 1.0 : 0.0;
-  maxParts(state, ofRanks.data(), static_cast<int>(ofRanks.size()));
-  for (int k = 0; k < count; ++k)
-    for (int i = 1; i <= points; ++i)
-      bits[k] |= ofRanks[k * points + i - 1] > 0.0 ? std::uint64_t(1) << i : 0;
+  uniteRanks(state, bits);
   return bits;
 }
 

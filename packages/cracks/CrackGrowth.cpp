@@ -259,8 +259,7 @@ void CrackGrowth<D>::growFront(State<D>& state, std::vector<GrowingCrack<D>>& cr
   if (f.area > 0.0 && f.energy > 0.0)
     lastToughness_[f.number] = f.energy / (f.area * state.method.thickness);
   evenPieces(f);
-  front.taken += f.energy;
-  front.unspent += f.energy;
+  front.budget.require(f.energy);
   front.ended = f.lines.empty();
 }
 

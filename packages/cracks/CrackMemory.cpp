@@ -125,8 +125,13 @@ void keepCracks(State<D>& state, Archive& archive)
     archive("normal", front.normal);
     archive("grown", front.grown);
     archive("ended", front.ended);
-    archive("taken", front.taken);
-    archive("unspent", front.unspent);
+    archive("required", front.budget.required);
+    archive("pending", front.budget.pending);
+    archive("released", front.budget.released);
+    archive("carried_over", front.budget.carriedOver);
+    archive("over_dissipated", front.budget.overDissipated);
+    archive("advected", front.budget.advected);
+    archive("toughness", front.budget.toughness);
     keepNodes(front, set.cracks[front.crack].firstVertex, archive);
     vertices.push_back(front.vertex);
   }

@@ -168,7 +168,7 @@ void report(const State<2>& state, const Fronts& fronts, nlohmann::json& summary
   {
     const CrackFront<2>& front = state.cracks.fronts[f];
     const FrontHistory& history = fronts.histories[f];
-    taken += front.taken;
+    taken += front.budget.required;
     nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
     entry["increments"] = history.increments();
     entry["running"] = history.running() && !front.ended && !front.stopped();
@@ -187,7 +187,7 @@ void report(const State<2>& state, const Fronts& fronts, nlohmann::json& summary
     entry["settled_position"] = {settledMean(path, history.settled(), 1),
                                  settledMean(path, history.settled(), 2)};
     entry["speed_limit"] = fronts.fastest[f];
-    entry["energy_of_new_faces"] = front.taken;
+    entry["energy_of_new_faces"] = front.budget.required;
     if (!moved && !front.ended && !front.stopped())
       reportRest(state, front, history.closest(), summary);
     reportRuns(state, front, history.runs(), history.running() && !front.ended && !front.stopped(),

@@ -260,7 +260,7 @@ void report(const State<3>& state, const Memories& memories, const Circles& circ
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     const CrackFront<3>& front = state.cracks.fronts[f];
-    taken += front.taken;
+    taken += front.budget.required;
     nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
     const FrontMemory& memory = memories[f];
     const bool running =
@@ -274,7 +274,7 @@ void report(const State<3>& state, const Memories& memories, const Circles& circ
     entry["last_advance"] = memory.increments > 0 ? memory.last : notYet;
     entry["settled_speed"] = settledSpeed(memory);
     entry["speed_limit"] = memory.fastest;
-    entry["energy_of_new_faces"] = front.taken;
+    entry["energy_of_new_faces"] = front.budget.required;
     reportShape(front, circles[f], entry);
     double closest = 0.0;
     for (const auto& [name, frontNode] : memory.nodes)

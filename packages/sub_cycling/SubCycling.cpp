@@ -62,7 +62,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.atStart = [=](State<D>& state) { state.mesh.subcycledLevels = levels; };
   effect.call({Stage::Scatter,
                "particles of small cells",
-               {"nodal mass", "stiffness of ties", "prescribed values"},
+               {"nodal mass", "stiffness of springs", "prescribed values"},
                {"short steps"},
                {},
                [=](State<D>& state)

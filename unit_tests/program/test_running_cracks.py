@@ -37,7 +37,7 @@ class RunningCracks(ProgramTest):
         with open(self.path("scene.out", "summary.json")) as file:
             summary = json.load(file)
         self.assertAlmostEqual(summary["bodies"][0]["mass"], 1200.0, delta=1e-9 * 1200.0)
-        # Ties that a front leaves behind are paid for by the first of its new faces: 5 % where there are few.
+        # The energy of springs that soften is deducted from the first new faces: 5 % where there are few.
         share = summary["propagation"]["dissipated_share"]
         if summary["cracks"][0]["fronts"][0]["increments"] > 0 or share is not None:
             self.assertAlmostEqual(share, 1.0, delta=0.05)

@@ -146,7 +146,7 @@ TEST(Overlap, OfFacesIsReported)
       face(v, 1, 1) = height * cell + 0.5 * by;
     }
     Kokkos::deep_copy(state.cracks.face, face);
-    return complaintOfOverlap(state, 0);
+    return warningOfOverlap(state, 0);
   };
   EXPECT_EQ(shift(0.1 * cell), "");
   EXPECT_EQ(shift(0.0), "");
