@@ -2,7 +2,7 @@
 
 #include "../cracks/CubeScene.hpp"
 
-#include "output/CoreRow.hpp"
+#include "state/EnergySums.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "SmallState.hpp"
 #include "output/CoreRow.hpp"
+#include "state/EnergySums.hpp"
 
 #include <nlohmann/json.hpp>
 
