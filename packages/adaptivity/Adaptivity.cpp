@@ -39,10 +39,8 @@ struct Progress
   int most = 0, kept = 0;
 };
 
-Section section()
+void addCriteria(Section& s)
 {
-  Section s("Adaptivity", "Adaptive mesh refinement (AMR): cells are refined and coarsened during the run, "
-                          "and particles are split and merged with them.");
   s.integer("Maximum Level")
       .range(1, 6)
       .byDefault(2)
@@ -74,6 +72,10 @@ Section section()
       .range(0, 16)
       .byDefault(1)
       .meaning("Layers of cells that are also refined around the cells refined by velocity or temperature.");
+}
+
+void addTimes(Section& s)
+{
   s.integer("Interval")
       .atLeast(1)
       .byDefault(10)
@@ -96,6 +98,14 @@ Section section()
       .byDefault(0.1)
       .meaning("Particles are not merged if this would lose more than this fraction of their energy. The "
                "energy lost is recorded in the energy balance as merged.");
+}
+
+Section section()
+{
+  Section s("Adaptivity", "Adaptive mesh refinement (AMR): cells are refined and coarsened during the run, "
+                          "and particles are split and merged with them.");
+  addCriteria(s);
+  addTimes(s);
   Section region("region", "A box in which cells are refined from the start. You choose its name.");
   region.realArray("Lower Corner")
       .unit("m")

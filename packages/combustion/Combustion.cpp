@@ -30,6 +30,38 @@ void warnOfRunaway(State<D>& state, const std::string& name, const Teuchos::Para
         "bound in a finite time");
 }
 
+/// The longest step in which gas and volume of no crack change by more than largestChange [s].
+template <int D>
+double timeStepLimit(const Work<D>& work)
+{
+  double limit = std::numeric_limits<double>::max();
+  for (const Burning<D>& b : work.cracks)
+  {
+    if (b.massRate > 0.0)
+      limit = std::min(limit, largestChange * b.gas.mass() / b.massRate);
+    if (b.volumeRate != 0.0)
+      limit = std::min(limit, largestChange * b.volume / std::fabs(b.volumeRate));
+  }
+  return limit;
+}
+
+template <int D>
+void keep(Work<D>& work, Archive& archive)
+{
+  archive("start_mass", work.startMass);
+  keepMeetings(work.meetings, archive);
+  for (Burning<D>& b : work.cracks)
+  {
+    const Archive::Group group(archive, std::to_string(b.crack));
+    b.keep(archive);
+  }
+  {
+    const Archive::Group group(archive, "points");
+    work.points.keep(archive);
+  }
+  work.fire.keep(archive);
+}
+
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)
 {
@@ -75,33 +107,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                }});
   effect.call(
       {Stage::Observe, "gas in cracks", {"energies"}, {}, {}, [work](State<D>& s) { sampleGas(s, *work); }});
-  effect.timeStepLimit = [work](const State<D>&)
-  {
-    double limit = std::numeric_limits<double>::max();
-    for (const Burning<D>& b : work->cracks)
-    {
-      if (b.massRate > 0.0)
-        limit = std::min(limit, largestChange * b.gas.mass() / b.massRate);
-      if (b.volumeRate != 0.0)
-        limit = std::min(limit, largestChange * b.volume / std::fabs(b.volumeRate));
-    }
-    return limit;
-  };
-  effect.memory = [work](State<D>&, Archive& archive)
-  {
-    archive("start_mass", work->startMass);
-    keepMeetings(work->meetings, archive);
-    for (Burning<D>& b : work->cracks)
-    {
-      const Archive::Group group(archive, std::to_string(b.crack));
-      b.keep(archive);
-    }
-    {
-      const Archive::Group group(archive, "points");
-      work->points.keep(archive);
-    }
-    work->fire.keep(archive);
-  };
+  effect.timeStepLimit = [work](const State<D>&) { return timeStepLimit(*work); };
+  effect.memory = [work](State<D>&, Archive& archive) { keep(*work, archive); };
   effect.report = [work](const State<D>& state, nlohmann::json& summary)
   { reportGas(state, *work, summary); };
   return effect;

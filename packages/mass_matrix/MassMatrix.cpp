@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 namespace Rhegma::mass_matrix
 {
@@ -280,34 +281,45 @@ std::string nameOf(const Options& o)
 }
 
 template <int D>
+void begin(State<D>& state, const std::shared_ptr<Work<D>>& work)
+{
+  work->start = angularMomentum(state);
+  if (work->options.coupled())
+  {
+    const Unlumping unlumping = work->unlumping(state);
+    refuseLargeMatrix(largestRows(state, unlumping),
+                      bytesPerRow<D>(state.method.shape, !unlumping.everywhere || state.mesh.tree.refined(),
+                                     state.mesh.tree.refined()),
+                      freeMemoryBytes(),
+                      unlumping.everywhere
+                          ? "Lumped, FMPM or Partial, larger cells or a smaller body"
+                          : "Lumped or FMPM, a smaller Mass Matrix > Radius or larger cells");
+  }
+  if (work->options.update != VelocityUpdate::Flip)
+    state.method.picFraction = 1.0;
+  if (work->options.coupled())
+    offerSlots(state, work);
+}
+
+template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)
 {
   const auto work = std::make_shared<Work<D>>(readOptions(scene));
   const Options& options = work->options;
   Effect<D> effect;
   effect.name = "Mass Matrix";
-  effect.atStart = [work](State<D>& state)
-  {
-    work->start = angularMomentum(state);
-    if (work->options.coupled())
-    {
-      const Unlumping unlumping = work->unlumping(state);
-      refuseLargeMatrix(largestRows(state, unlumping),
-                        bytesPerRow<D>(state.method.shape, !unlumping.everywhere || state.mesh.tree.refined(),
-                                       state.mesh.tree.refined()),
-                        freeMemoryBytes(),
-                        unlumping.everywhere
-                            ? "Lumped, FMPM or Partial, larger cells or a smaller body"
-                            : "Lumped or FMPM, a smaller Mass Matrix > Radius or larger cells");
-    }
-    if (work->options.update != VelocityUpdate::Flip)
-      state.method.picFraction = 1.0;
-    if (work->options.coupled())
-      offerSlots(state, work);
-  };
+  effect.atStart = [work](State<D>& state) { begin(state, work); };
   effect.report = [work](const State<D>& state, nlohmann::json& summary) { work->report(state, summary); };
+  const auto addGuess = [&](const std::string& name, const char* unit) {
+    effect.addsNodal.push_back({{name, D, unit, "where the next solve starts"}, OnRemesh::Drop, true});
+  };
   if (options.coupled())
-    effect.memory = [work](State<D>& state, Archive& archive)
+  {
+    addGuess(velocityGuess, "m/s");
+    addGuess(accelerationGuess, "m/s2");
+  }
+  if (options.coupled())
+    effect.memory = [work](State<D>&, Archive& archive)
     {
       if (archive.sameOrder())
       {
@@ -316,7 +328,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
         archive("hashed", work->coupled.hashed);
       }
       archive("coupled_nodes", work->coupled.numCoupled);
-      work->solve.keep(state, archive);
+      work->solve.keep(archive);
     };
   if (!options.coupled() && !options.series() && !options.filtered())
     return effect;

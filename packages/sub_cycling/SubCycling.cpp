@@ -59,6 +59,13 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   if (scene.isSublist("Thermal"))
     effect.adds.push_back(
         {fields::firstShare, 1, "-", "share of the long step that the force of its start acts"});
+  for (int k = 0; k < levels; ++k)
+    effect.addsNodal.push_back(
+        {{meanForceField(k), D + 1, "N",
+          k == 0 ? "mean force of particles that take the whole step, and step number"
+                 : "the same of particles that take 2^-" + std::to_string(k) + " of it"},
+         OnRemesh::Drop,
+         true});
   effect.atStart = [=](State<D>& state) { state.mesh.subcycledLevels = levels; };
   effect.call({Stage::Scatter,
                "particles of small cells",
@@ -87,7 +94,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.call({Stage::AfterProjection, "motion of short steps", {}, {}, {"projection"}, [=](State<D>& state) {
                  steps->correctProjection(state);
                }});
-  effect.memory = [=](State<D>& state, Archive& archive) { steps->keep(state, archive); };
+  effect.memory = [=](State<D>&, Archive& archive) { steps->keep(archive); };
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {
     summary["subcycling"] = {{"levels", std::min(levels, state.mesh.tree.deepest)},

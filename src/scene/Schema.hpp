@@ -186,6 +186,9 @@ struct Section
   std::string key;
   std::vector<Section> variants;
 
+  /// Parameters of earlier versions, and where in the scene their like is now.
+  std::map<std::string, std::string> moved;
+
   /// Names of subsections that are planned but not there.
   std::vector<std::string> toCome;
 

@@ -5,6 +5,7 @@
 #include "state/ReleaseBudget.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -122,6 +123,13 @@ struct FrontAdvance
   std::vector<FrontNodeAdvance<D>> nodes{}; ///< in the order of CrackFront::nodes
 };
 
+/// Energy of the contact of the faces of a crack.
+struct ContactEnergy
+{
+  double stored = 0.0;     ///< in the layer between the faces now [J]
+  double dissipated = 0.0; ///< by friction so far [J]
+};
+
 /// What lies beyond a facet of a simplex: another simplex, or nothing.
 namespace facet
 {
@@ -173,6 +181,10 @@ struct CrackSet
   DrivingContours drivingContours;       ///< of the integrals that measure driving forces
   bool dualField = true;                 ///< whether nodes behind fronts have a second field
   bool frontSprings = false; ///< springs join the two fields of nodes just behind fronts
+
+  /// Energy of contact of a crack up to a distance from a middle [m], both along the undeformed crack, or all
+  /// of it in 3D; empty where no effect lets faces touch.
+  std::function<ContactEnergy(int crack, double middle, double reach)> contactEnergy;
 
   bool empty() const { return cracks.empty(); } ///< whether there is none
 };

@@ -53,6 +53,35 @@ Call<D> sortCall()
           }};
 }
 
+template <int D>
+void toNodes(State<D>& s, bool strainsFirst)
+{
+  storeStencils(s);
+  clearNodes(s);
+  scatter(s, strainsFirst ? ScatterWhat::MassAndMomentum : ScatterWhat::All);
+  sumOverRanks(s, SharedSums::MassAndMomentum);
+  if (!strainsFirst)
+    return;
+  particleVelocity(s, VelocityWhat::Project);
+  sumOverRanks(s, SharedSums::Projection);
+  finishProjection(s);
+}
+
+template <int D>
+void toParticles(State<D>& s, UpdateScheme scheme)
+{
+  if (scheme == UpdateScheme::Usavg)
+    clearProjection(s);
+  particleVelocity(s, projectsLast(scheme) ? VelocityWhat::GatherAndProject : VelocityWhat::Gather);
+  if (projectsLast(scheme))
+  {
+    sumOverRanks(s, SharedSums::Projection);
+    finishProjection(s);
+  }
+  if (scheme == UpdateScheme::Usf)
+    strainAndMove(s, StrainVelocity::Projection, false, true);
+}
+
 } // namespace
 
 template <int D>
@@ -75,19 +104,7 @@ Effect<D> makeCore(const State<D>& state)
              {"particle velocity"},
              {"nodal mass", "nodal momentum"},
              {},
-             [strainsFirst](State<D>& s)
-             {
-               storeStencils(s);
-               clearNodes(s);
-               scatter(s, strainsFirst ? ScatterWhat::MassAndMomentum : ScatterWhat::All);
-               sumOverRanks(s, SharedSums::MassAndMomentum);
-               if (strainsFirst)
-               {
-                 particleVelocity(s, VelocityWhat::Project);
-                 sumOverRanks(s, SharedSums::Projection);
-                 finishProjection(s);
-               }
-             }});
+             [strainsFirst](State<D>& s) { toNodes(s, strainsFirst); }});
   if (strainsFirst)
     core.call({Stage::BeforeSolve, "force to nodes", {}, {"force of stresses"}, {}, [](State<D>& s) {
                  scatter(s, ScatterWhat::Force);
@@ -107,20 +124,7 @@ Effect<D> makeCore(const State<D>& state)
              {"nodal motion"},
              {"particle velocity"},
              {},
-             [scheme](State<D>& s)
-             {
-               if (scheme == UpdateScheme::Usavg)
-                 clearProjection(s);
-               particleVelocity(s,
-                                projectsLast(scheme) ? VelocityWhat::GatherAndProject : VelocityWhat::Gather);
-               if (projectsLast(scheme))
-               {
-                 sumOverRanks(s, SharedSums::Projection);
-                 finishProjection(s);
-               }
-               if (scheme == UpdateScheme::Usf)
-                 strainAndMove(s, StrainVelocity::Projection, false, true);
-             }});
+             [scheme](State<D>& s) { toParticles(s, scheme); }});
   core.call({Stage::OnParticles,
              "strain, stress and position of particles",
              {},

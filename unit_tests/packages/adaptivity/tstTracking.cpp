@@ -2,6 +2,7 @@
 /// is from that with small cells everywhere and how far large cells are, and that remeshing keeps the books.
 
 #include "../../src/step/Bodies.hpp"
+#include "state/EnergySums.hpp"
 
 #include <cmath>
 #include <cstdio>

@@ -1,6 +1,9 @@
 /// A stretched plate with an edge crack that flies through the cells.
 
 #include "../../src/step/Bodies.hpp"
+#include "state/EnergySums.hpp"
+
+#include "state/EnergySums.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -25,7 +25,9 @@ struct Column
   NodalSprings<D> springs;
 
   explicit Column(const std::vector<double>& force, bool passed = true)
-      : rows("springs", force.size()), springs{{rows.data(), force.size()}, View<int*>("front", force.size())}
+      : rows("springs", force.size()),
+        springs{BorrowedView<double * [NodalSpring<D>::size]>(rows.data(), force.size()),
+                View<int*>("front", force.size())}
   {
     const int count = static_cast<int>(force.size());
     state.clock.dt = 0.5;

@@ -69,7 +69,9 @@ TEST(Sides, OfParticlesNextToACrack)
   {
     const int expected = x(p, 1) > height * cell ? 1 : -1;
     if (x(p, 0) < 3.0 * cell && std::abs(x(p, 1) - height * cell) < cell)
+    {
       EXPECT_EQ(side(p), expected);
+    }
     EXPECT_TRUE(side(p) == 0 || side(p) == expected);
     sided += side(p) != 0 ? 1 : 0;
   }
@@ -81,8 +83,10 @@ TEST(Visibility, OfSecondFields)
 {
   const auto run = crackedBlock();
   const State<2>& state = run->state();
-  const auto nodeSide = onHost(state.cracks.nodeSide), particle = onHost(state.stored.particle),
-             count = onHost(state.stored.table.count), side = onHost(state.particles.integer(fields::side));
+  const auto nodeSide = onHost(state.cracks.nodeSide);
+  const auto particle = onHost(state.stored.particle);
+  const auto count = onHost(state.stored.table.count);
+  const auto side = onHost(state.particles.integer(fields::side));
   const auto node = onHost(state.stored.table.node);
   const auto weight = onHost(state.stored.table.weight);
   int replaced = 0;
@@ -96,7 +100,9 @@ TEST(Visibility, OfSecondFields)
       const bool isSecond = node(r, k) >= state.mesh.nodes.numLattice;
       replaced += isSecond ? 1 : 0;
       if (!isSecond && nodeSide(node(r, k)) != 0)
+      {
         EXPECT_EQ(nodeSide(node(r, k)), side(particle(r)));
+      }
     }
     EXPECT_NEAR(sum, 1.0, 1e-12);
   }

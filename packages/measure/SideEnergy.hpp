@@ -3,21 +3,22 @@
 
 #include "state/State.hpp"
 
-namespace Rhegma::contact
+namespace Rhegma::measure
 {
 
-/// A crack as it was undeformed, and which part of it is watched: all of it in 3D.
+/// A crack as it was undeformed, and the part of it that counts: all of it in 3D.
 template <int D>
-struct WatchedCrack
+struct MeasuredCrack
 {
   View<double* [D]> vertex; ///< undeformed [m]
   double length = 0.0;      ///< undeformed; of a 2D crack [m]
   Vector<D> normal;         ///< undeformed unit normal; of a 3D crack
-  double part = 1.0;        ///< middle part of its length beside which material counts; 1: all of the body
+  double reach = 0.0;       ///< distance from the middle, along the crack, up to which material counts [m]
 };
 
+/// \param part of the length of a 2D crack, around its middle, that counts; 1: all of the body
 template <int D>
-WatchedCrack<D> watch(const CrackSet<D>& cracks, int crack, double part);
+MeasuredCrack<D> measuredCrack(const CrackSet<D>& cracks, int crack, double part);
 
 struct SideEnergy
 {
@@ -28,12 +29,8 @@ struct SideEnergy
 };
 
 /// Kinetic and strain energy of the particles that lay on either side of a crack, continued straight on, in
-/// the undeformed body, and beside the part of it that is watched.
+/// the undeformed body, next to the part of it that counts.
 template <int D>
-SideEnergy measureSides(const State<D>& state, const WatchedCrack<D>& crack);
+SideEnergy measureSides(const State<D>& state, const MeasuredCrack<D>& crack);
 
-/// Kinetic and strain energy of all particles [J].
-template <int D>
-double totalEnergy(const State<D>& state);
-
-} // namespace Rhegma::contact
+} // namespace Rhegma::measure

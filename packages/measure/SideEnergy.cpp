@@ -1,21 +1,21 @@
-#include "contact/SideEnergy.hpp"
+#include "measure/SideEnergy.hpp"
 
 #include "state/ParticleEnergy.hpp"
 #include "state/Subdomain.hpp"
 
 #include <cmath>
 
-namespace Rhegma::contact
+namespace Rhegma::measure
 {
 
 namespace
 {
 
-/// A place seen from a crack that is continued straight on.
+/// A position seen from a crack that is continued straight on.
 template <int D>
 struct Foot
 {
-  double along; ///< length of crack up to the nearest place on it; of a 2D crack [m]
+  double along; ///< length of crack up to the nearest point on it; of a 2D crack [m]
   bool above;
   Vector<D> normal; ///< of the crack there
 };
@@ -62,40 +62,39 @@ KOKKOS_INLINE_FUNCTION Foot<3> footOf(const View<double* [3]>& vertex, const Vec
 } // namespace
 
 template <int D>
-WatchedCrack<D> watch(const CrackSet<D>& cracks, int crack, double part)
+MeasuredCrack<D> measuredCrack(const CrackSet<D>& cracks, int crack, double part)
 {
-  WatchedCrack<D> watched;
-  watched.part = part;
+  MeasuredCrack<D> measured;
   const Crack<D>& c = cracks.cracks[crack];
-  watched.vertex = View<double* [D]>("rhegma::watchedVertex", c.numVertices);
+  measured.vertex = View<double* [D]>("rhegma::measuredVertex", c.numVertices);
   const auto all = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
   const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.normal);
-  const auto vertex = Kokkos::create_mirror_view(watched.vertex);
+  const auto vertex = Kokkos::create_mirror_view(measured.vertex);
   for (int d = 0; d < D; ++d)
-    watched.normal[d] = normal(c.firstSimplex, d);
+    measured.normal[d] = normal(c.firstSimplex, d);
   for (int k = 0; k < c.numVertices; ++k)
   {
     for (int d = 0; d < D; ++d)
       vertex(k, d) = all(c.firstVertex + k, d);
     if (D == 2 && k > 0)
-      watched.length += std::hypot(vertex(k, 0) - vertex(k - 1, 0), vertex(k, 1) - vertex(k - 1, 1));
+      measured.length += std::hypot(vertex(k, 0) - vertex(k - 1, 0), vertex(k, 1) - vertex(k - 1, 1));
   }
-  Kokkos::deep_copy(watched.vertex, vertex);
-  return watched;
+  Kokkos::deep_copy(measured.vertex, vertex);
+  measured.reach = part < 1.0 ? part * (0.5 * measured.length) : 1e300;
+  return measured;
 }
 
 template <int D>
-SideEnergy measureSides(const State<D>& state, const WatchedCrack<D>& crack)
+SideEnergy measureSides(const State<D>& state, const MeasuredCrack<D>& crack)
 {
   const auto reference = state.particles.template real<D>(fields::reference);
   const ParticleEnergy<D> energy(state);
   const View<double* [D]> vertex = crack.vertex;
   const Vector<D> normal = crack.normal;
-  const double middle = 0.5 * crack.length;
-  const double reach = crack.part < 1.0 ? crack.part * middle : 1e300;
+  const double middle = 0.5 * crack.length, reach = crack.reach;
   double sums[4] = {};
   Kokkos::parallel_reduce(
-      "rhegma::contact::measureSides", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      "rhegma::measure::sides", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p, double& below, double& above, double& alongBelow, double& alongAbove) {
         Vector<D> place, v;
         for (int d = 0; d < D; ++d)
@@ -120,22 +119,9 @@ SideEnergy measureSides(const State<D>& state, const WatchedCrack<D>& crack)
   return sum;
 }
 
-template <int D>
-double totalEnergy(const State<D>& state)
-{
-  const ParticleEnergy<D> energy(state);
-  double total = 0.0;
-  Kokkos::parallel_reduce(
-      "rhegma::contact::totalEnergy", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-      KOKKOS_LAMBDA(const int p, double& sum) { sum += energy.kinetic(p) + energy.strain(p); }, total);
-  return total;
-}
+template MeasuredCrack<2> measuredCrack(const CrackSet<2>&, int, double);
+template MeasuredCrack<3> measuredCrack(const CrackSet<3>&, int, double);
+template SideEnergy measureSides(const State<2>&, const MeasuredCrack<2>&);
+template SideEnergy measureSides(const State<3>&, const MeasuredCrack<3>&);
 
-template WatchedCrack<2> watch(const CrackSet<2>&, int, double);
-template WatchedCrack<3> watch(const CrackSet<3>&, int, double);
-template SideEnergy measureSides(const State<2>&, const WatchedCrack<2>&);
-template SideEnergy measureSides(const State<3>&, const WatchedCrack<3>&);
-template double totalEnergy(const State<2>&);
-template double totalEnergy(const State<3>&);
-
-} // namespace Rhegma::contact
+} // namespace Rhegma::measure
