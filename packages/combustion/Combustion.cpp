@@ -63,28 +63,29 @@ void keep(Work<D>& work, Archive& archive)
 }
 
 template <int D>
-Effect<D> make(const Teuchos::ParameterList& scene)
+Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 {
   const auto work = std::make_shared<Work<D>>();
   Effect<D> effect;
   effect.name = "Combustion";
+  effect.balance = {"combustion"};
   effect.needs = {fields::side};
   effect.adds = {{burntOverLeft, 1, "", "mass of a particle lost to gas over its remaining mass"}};
-  effect.atStart = [work, all = Teuchos::ParameterList(scene)](State<D>& state)
+  effect.atStart = [work, all = Teuchos::ParameterList(scene), options](State<D>& state)
   {
     const Teuchos::ParameterList& list = all.sublist("Combustion");
     for (const std::string& name : sublistNames(list))
     {
-      work->cracks.push_back(readBurning(state, all, name));
+      work->cracks.push_back(readBurning(state, all, options, name));
       warnOfRunaway(state, name, list.sublist(name));
     }
     work->startMass = massOfParticles(state);
   };
   effect.call({Stage::BeforeSolve,
                "push of gas",
-               {"nodal mass"},
+               {quantity::nodalMass, quantity::crackGeometry},
                {},
-               {"nodal force"},
+               {quantity::nodalForce, quantity::facePressure},
                [work](State<D>& s)
                {
                  work->follow(s);
@@ -94,7 +95,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                }});
   effect.call({stageOfWays(scene),
                "work of gas and burning of crack faces",
-               {projectsLast(scene) ? "projection" : "particle velocity"},
+               {projectsLast(scene) ? quantity::projection : quantity::particleVelocity},
                {},
                {},
                [work](State<D>& s)
@@ -105,8 +106,9 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                    burnStep(s, *work, b);
                  letGasesPass(s, *work);
                }});
-  effect.call(
-      {Stage::Observe, "gas in cracks", {"energies"}, {}, {}, [work](State<D>& s) { sampleGas(s, *work); }});
+  effect.call({Stage::Observe, "gas in cracks", {quantity::facePressure}, {}, {}, [work](State<D>& s) {
+                 sampleGas(s, *work);
+               }});
   effect.timeStepLimit = [work](const State<D>&) { return timeStepLimit(*work); };
   effect.memory = [work](State<D>&, Archive& archive) { keep(*work, archive); };
   effect.report = [work](const State<D>& state, nlohmann::json& summary)

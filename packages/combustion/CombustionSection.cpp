@@ -169,6 +169,16 @@ Section combustionSection()
   addIgnition(crack);
   addLosses(crack);
   s.namedByUser(crack);
+  s.namedAfter("Cracks", "there are no cracks; add the section Cracks or leave Combustion out");
+  s.refuse({when::present("Combustion"), when::is("Thermal", "Mechanics", {"false"})},
+           "it can't be combined with Thermal > Mechanics = false; remove one of the two");
+  s.refuse({when::present("Combustion > *"), when::present("Face Pressure > *")},
+           "Face Pressure prescribes a pressure in this crack too; remove one of the two");
+  s.refuse({when::given("Combustion > *", "Ignition Temperature"), when::unprovided(capability::heat)},
+           "it needs the section Thermal; add it or leave this parameter out");
+  for (const char* name : {"Wall Heat Fraction", "Heat Transfer Coefficient"})
+    s.refuse({when::above("Combustion > *", name, 0.0), when::unprovided(capability::heat)},
+             "it needs the section Thermal; add it or leave this parameter out");
   return s;
 }
 

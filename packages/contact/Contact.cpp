@@ -29,26 +29,20 @@ Section section()
       "Penalty stiffness, in units of the P-wave modulus over the cell size. Above 3, a smaller time step "
       "may be needed.");
   s.moved["Watched Part"] = "Measure > Side Energy > Part";
+  s.needs("Cracks", "there are no cracks; add the section Cracks or leave Contact out");
+  s.refuse(
+      {when::is("Contact", "Law", {"Visibility"}), when::isNot("Cracks", "Formulation", {"Broken Cell"})},
+      "Visibility needs Cracks > Formulation = Broken Cell; choose that formulation or another law");
   return s;
 }
 
 void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  if (!scene.isSublist("Contact"))
-    return;
   const Teuchos::ParameterList& list = scene.sublist("Contact");
-  if (!scene.isSublist("Cracks"))
-    errors.push_back({"Contact", "there are no cracks; add the section Cracks or leave Contact out"});
   if (!list.isParameter("Law"))
     return;
   const bool coulomb = list.get<std::string>("Law") == "Coulomb";
   const bool given = list.isParameter("Friction Coefficient");
-  if (list.get<std::string>("Law") == "Visibility" && scene.isSublist("Cracks") &&
-      scene.sublist("Cracks").isParameter("Formulation") &&
-      scene.sublist("Cracks").get<std::string>("Formulation") != "Broken Cell")
-    errors.push_back(
-        {"Contact > Law",
-         "Visibility needs Cracks > Formulation = Broken Cell; choose that formulation or another law"});
   if (coulomb && !given)
     errors.push_back(
         {"Contact > Friction Coefficient",
@@ -253,7 +247,7 @@ void keep(Account<D>& account, Archive& archive)
 }
 
 template <int D>
-Effect<D> make(const Teuchos::ParameterList& scene)
+Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 {
   const Teuchos::ParameterList& list = scene.sublist("Contact");
   const double alpha = list.get<double>("Penalty");
@@ -266,23 +260,25 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     account->visibility = std::make_unique<ClosedVisibility>();
   Effect<D> effect;
   effect.name = "Contact";
+  effect.balance = {"contact"};
   effect.needs = {fields::side};
-  const bool extrapolated = scene.isSublist("Cracks") && scene.sublist("Cracks").get<std::string>(
-                                                             "Formulation") == "Corrected Broken Cell";
   effect.atStart = [account](State<D>& state) { begin(state, account); };
-  effect.call({Stage::Scatter, "points on crack faces", {"nodal mass"}, {}, {}, [account](State<D>& s) {
-                 prepare(s, *account);
-               }});
+  effect.call({Stage::Scatter,
+               "points on crack faces",
+               {quantity::nodalMass, quantity::enrichedFields},
+               {},
+               {},
+               [account](State<D>& s) { prepare(s, *account); }});
   if (!visibility)
     effect.call({Stage::BeforeSolve,
                  "contact of crack faces",
-                 {"nodal mass"},
+                 {quantity::nodalMass, quantity::enrichedFields},
                  {},
-                 {"nodal force"},
+                 {quantity::nodalForce},
                  [account](State<D>& s) { account->contact.addForces(s); }});
   effect.call({Stage::AfterSolve,
                "balance of energy",
-               {"constrained motion"},
+               {quantity::nodalMotion, ifWritten(quantity::constrainedMotion)},
                {},
                {},
                [account](State<D>& s)
@@ -290,23 +286,33 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  if (s.clock.observing)
                    account->balance.measure(s, account->contact.stored());
                }});
-  effect.call(
-      {Stage::AfterProjection, "gaps of crack faces", {"projection"}, {"gaps"}, {}, [account](State<D>& s) {
-         advance(s, *account);
-       }});
-  effect.call({Stage::Observe, "fractions of energy", {"energies"}, {}, {}, [account](State<D>& s) {
-                 observe(s, *account);
-               }});
+  effect.call({Stage::AfterProjection,
+               "gaps of crack faces",
+               {quantity::nodalMotion, ifWritten(quantity::projection)},
+               {quantity::contactGaps},
+               {},
+               [account](State<D>& s) { advance(s, *account); }});
+  effect.call({Stage::Observe,
+               "fractions of energy",
+               {quantity::energyBalance, quantity::contactGaps},
+               {},
+               {},
+               [account](State<D>& s) { observe(s, *account); }});
   effect.memory = [account](State<D>&, Archive& archive) { keep(*account, archive); };
   effect.report = [account](const State<D>& state, nlohmann::json& summary)
   { report(state, *account, summary); };
-  effect.timeStepLimit = [alpha, extrapolated](const State<D>& state)
+  effect.timeStepLimit = [alpha, extrapolated = options.extrapolated](const State<D>& state)
   { return timeStepLimit(state, alpha, extrapolated); };
   return effect;
 }
 
 } // namespace
 
-EffectEntry contactEntry() { return {section(), check, make<2>, make<3>, true}; }
+EffectEntry contactEntry()
+{
+  return {section(), check,
+          make<2>,   make<3>,
+          true,      [](const Teuchos::ParameterList&, RunOptions& options) { options.contact = true; }};
+}
 
 } // namespace Rhegma::contact

@@ -39,8 +39,7 @@ void checkShape(const Teuchos::ParameterList& crack, const std::string& where, b
 
 void checkShapes(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  if (!scene.isSublist("Cracks") || !scene.isSublist("Domain") ||
-      !scene.sublist("Domain").isType<int>("Dimension"))
+  if (!scene.isSublist("Domain") || !scene.sublist("Domain").isType<int>("Dimension"))
     return;
   const bool flat = scene.sublist("Domain").get<int>("Dimension") == 2;
   for (const std::string& name : sublistNames(scene.sublist("Cracks")))
@@ -119,13 +118,13 @@ Section crackSection()
 
 void checkCracks(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  if (scene.isSublist("Cracks") && sublistNames(scene.sublist("Cracks")).empty())
+  if (sublistNames(scene.sublist("Cracks")).empty())
     errors.push_back({"Cracks",
                       "the section holds no crack; write one as <ParameterList name=\"...\"> or leave "
                       "the section out"});
   checkShapes(scene, errors);
-  if (!scene.isSublist("Cracks") || !scene.isSublist("Domain") ||
-      !scene.sublist("Domain").isType<int>("Dimension") || scene.sublist("Domain").get<int>("Dimension") != 3)
+  if (!scene.isSublist("Domain") || !scene.sublist("Domain").isType<int>("Dimension") ||
+      scene.sublist("Domain").get<int>("Dimension") != 3)
     return;
   const Teuchos::ParameterList& cracks = scene.sublist("Cracks");
   if (cracks.isType<std::string>("Formulation") && cracks.get<std::string>("Formulation") != "Dual Field")

@@ -35,16 +35,9 @@ Formulation readFormulation(const Teuchos::ParameterList& section)
                                            : Formulation::DualField;
 }
 
-/// How many times smaller than the large cells edges of a surface's triangles are: as the cells that
-/// `Adaptivity` makes at fronts, but no smaller than those of its second level, as there are four times as
-/// many with each.
-int piecesOfACell(const Teuchos::ParameterList& scene)
-{
-  if (!scene.isSublist("Adaptivity"))
-    return 1;
-  const Teuchos::ParameterList& cells = scene.sublist("Adaptivity");
-  return cells.get<double>("Front Cells") > 0.0 ? 1 << std::min(2, cells.get<int>("Maximum Level")) : 1;
-}
+/// How many times smaller than the coarse cells edges of a surface's triangles are: as the cells at fronts,
+/// but no smaller than those of the second level, as there are four times as many with each.
+int piecesOfACell(const RunOptions& options) { return 1 << std::min(2, options.frontLevels); }
 
 /// What the calls of the effect share.
 template <int D>
@@ -65,14 +58,14 @@ struct Parts
   Junctions junctions;
   CrackGrowth<D> growth;
 
-  explicit Parts(const Teuchos::ParameterList& scene)
+  Parts(const Teuchos::ParameterList& scene, const RunOptions& options)
       : section(scene.sublist("Cracks")),
         formulation(readFormulation(section)),
         hasSprings(formulation == Formulation::DualField && section.get<bool>("Front Springs")),
-        grows(scene.isSublist("Propagation")),
+        grows(options.growth),
         joins(D == 2 && grows && sublistNames(section).size() > 1),
-        touching(scene.isSublist("Contact")),
-        pieces(piecesOfACell(scene)),
+        touching(options.contact),
+        pieces(piecesOfACell(options)),
         springs(grows),
         growth(mirrorPlanes(scene))
   {
@@ -154,22 +147,22 @@ void callSprings(const Shared<D>& parts, Effect<D>& effect)
   // USF stretches springs before forces are summed.
   effect.call({Stage::Scatter,
                "stiffness of springs behind crack fronts",
-               {"nodal mass"},
-               {"stiffness of springs"},
+               {quantity::nodalMass, quantity::enrichedFields},
+               {quantity::springStiffness},
                {},
                [=](State<D>& s) { parts->springs.prepare(s, parts->surroundings); }});
   effect.call({Stage::BeforeSolve,
                "springs behind crack fronts",
-               {"stiffness of springs"},
-               {},
-               {"force of stresses"},
+               {quantity::springStiffness, quantity::springStretch},
+               {quantity::springForce},
+               {quantity::internalForce},
                [=](State<D>& s) { parts->springs.addForces(s); }});
   if (parts->grows)
     effect.call({Stage::Solve,
                  "cohesion of new crack faces",
-                 {},
-                 {},
-                 {"nodal force"},
+                 {quantity::springForce},
+                 {quantity::fractureEnergy},
+                 {quantity::nodalForce},
                  [=](State<D>& s)
                  {
                    parts->springs.release(s, parts->surroundings,
@@ -178,8 +171,8 @@ void callSprings(const Shared<D>& parts, Effect<D>& effect)
                  }});
   effect.call({Stage::AfterProjection,
                "stretch of springs behind crack fronts",
-               {"projection"},
-               {"springs"},
+               {quantity::nodalMotion, ifWritten(quantity::projection)},
+               {quantity::springStretch},
                {},
                [=](State<D>& s) { parts->springs.advance(s); },
                true});
@@ -250,9 +243,9 @@ void report(const Parts<D>& parts, const State<D>& state, nlohmann::json& summar
 }
 
 template <int D>
-Effect<D> make(const Teuchos::ParameterList& scene)
+Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 {
-  const auto parts = std::make_shared<Parts<D>>(scene);
+  const auto parts = std::make_shared<Parts<D>>(scene, options);
   Effect<D> effect;
   effect.name = "Cracks";
   addFields(*parts, effect);
@@ -271,17 +264,19 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   if (parts->grows)
     effect.call({Stage::BetweenSteps,
                  "cracks grow",
-                 {"advances of fronts"},
-                 {"crack geometry"},
+                 {quantity::frontAdvances},
+                 {quantity::crackGeometry, quantity::fractureEnergy},
                  {},
                  [=](State<D>& s) { grow(*parts, s); }});
   effect.call({stageOfWays(scene),
                "cracks move",
-               {projectsLast(scene) ? "projection" : "nodal motion"},
-               {"crack geometry"},
+               {projectsLast(scene) ? quantity::projection : quantity::nodalMotion},
+               {quantity::crackGeometry},
                {},
                [=](State<D>& s) { move(*parts, s); }});
-  effect.call({Stage::Observe, "opening of cracks", {"energies"}, {}, {}, [](State<D>& s) { observe(s); }});
+  effect.call({Stage::Observe, "opening of cracks", {quantity::crackGeometry}, {}, {}, [](State<D>& s) {
+                 observe(s);
+               }});
   if constexpr (D == 2)
     if (parts->formulation == Formulation::CorrectedBrokenCell)
       effect.timeStepLimit = [](const State<D>& state)
@@ -295,6 +290,12 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 EffectEntry cracksEntry()
 {
   EffectEntry entry{crackSection(), checkCracks, make<2>, make<3>, true};
+  entry.declare = [](const Teuchos::ParameterList& list, RunOptions& options)
+  {
+    const Formulation formulation = readFormulation(list);
+    options.openingKnown = formulation != Formulation::BrokenCell;
+    options.extrapolated = formulation == Formulation::CorrectedBrokenCell;
+  };
   entry.cells.knows = "cracks with a front in material";
   entry.cells.tell = tellCells;
   return entry;

@@ -196,8 +196,8 @@ void addMassDamping(Effect<D>& effect, double rate, double end, bool between)
   if (between)
     effect.call({Stage::BeforeSolve,
                  "mass damping",
-                 {"force of stresses"},
-                 {"nodal force"},
+                 {quantity::internalForce},
+                 {quantity::nodalForce},
                  {},
                  [=, held = std::make_shared<View<char**>>()](State<D>& s)
                  {
@@ -212,7 +212,7 @@ void addMassDamping(Effect<D>& effect, double rate, double end, bool between)
   effect.call({Stage::Scatter,
                "mass damping",
                {},
-               {"particle velocity"},
+               {quantity::particleVelocity},
                {},
                [=](State<D>& s)
                {
@@ -221,7 +221,8 @@ void addMassDamping(Effect<D>& effect, double rate, double end, bool between)
                }});
   effect.call({Stage::Scatter,
                "what mass damping takes from stresses",
-               {"nodal momentum", "prescribed values", "short steps", "mass matrix"},
+               {quantity::nodalMomentum, ifWritten(quantity::prescribedMotion), ifWritten(quantity::substeps),
+                ifWritten(quantity::massMatrix)},
                {},
                {},
                [=, held = std::make_shared<View<char**>>()](State<D>& s)
@@ -238,7 +239,7 @@ void addViscosity(Effect<D>& effect, double shear, double bulk, double end)
   effect.adds.push_back({fields::rate, D * D, "1/s", "velocity gradient, by rows"});
   effect.call({Stage::OnParticles,
                "viscous stress",
-               {"particle stress"},
+               {quantity::particleStress},
                {},
                {},
                [=](State<D>& s)
@@ -270,6 +271,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       list.isParameter("End Time") ? list.get<double>("End Time") : std::numeric_limits<double>::infinity();
   Effect<D> effect;
   effect.name = "Damping";
+  effect.balance = {"damped"};
   if (rate > 0.0)
     addMassDamping(effect, rate, end, scene.sublist("Time").get<std::string>("Update Scheme") == "USAVG");
   if (shear > 0.0 || bulk > 0.0)
@@ -279,9 +281,21 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                                  list.get<int>("Settled Samples"));
   const bool stop = list.get<bool>("Stop When Settled");
   effect.atStart = [stop](State<D>& s) { s.clock.stopWhenSettled = stop; };
-  effect.call({Stage::Observe, "settling", {"energies", "energy release"}, {}, {}, [settling](State<D>& s) {
-                 s.clock.settled = settling->sample(s.energy.kinetic, s.energy.strain, s.sample.row);
-               }});
+  effect.call({Stage::Observe,
+               "settling",
+               {quantity::energyBalance, ifWritten(quantity::energyRelease)},
+               {},
+               {},
+               [settling](State<D>& s)
+               { s.clock.settled = settling->sample(s.energy.kinetic, s.energy.strain, s.sample.row); }});
+  const double until = scene.sublist("Time").get<double>("Final Time");
+  effect.report = [stop, until](const State<D>& s, nlohmann::json& summary)
+  {
+    const bool over = s.clock.time >= until || s.clock.step >= s.clock.maximumSteps;
+    if (stop && over && !s.clock.settled && s.failure.empty())
+      summary["warnings"].push_back("the run ended before it had settled (Damping > Stop When Settled), so "
+                                    "its results are not static; raise Time > Final Time or the damping");
+  };
   effect.memory = [settling](State<D>&, Archive& archive) { settling->keep(archive); };
   return effect;
 }

@@ -10,24 +10,24 @@
 namespace Rhegma::energy_release
 {
 
-/// Adds the calls that measure what drives the fronts, where a scene has fronts that grow.
+/// Adds the calls that measure what drives the fronts of a scene in which they grow.
 /// \param driving DrivingForces in 2D, FrontDriving in 3D
 template <int D, class Driving>
 void addDrivingCalls(Effect<D>& effect, const Teuchos::ParameterList& scene,
                      const std::shared_ptr<Driving>& driving)
 {
-  if (!scene.isSublist("Propagation"))
-    return;
-  effect.call({lastStage(scene),
-               "driving forces of crack fronts",
-               {"particle stress", "particle velocity", "crack geometry"},
-               {"driving forces"},
-               {},
-               [driving](State<D>& state) { driving->measureRelease(state); }});
+  effect.call(
+      {lastStage(scene),
+       "driving forces of crack fronts",
+       {quantity::particleStress, quantity::particleVelocity, quantity::crackGeometry,
+        quantity::enrichedFields, ifWritten(quantity::springForce), ifWritten(quantity::facePressure)},
+       {quantity::drivingForces},
+       {},
+       [driving](State<D>& state) { driving->measureRelease(state); }});
   effect.call({lastStage(scene),
                "intensities at fronts that advance",
-               {"fronts that advance"},
-               {"intensities of fronts"},
+               {quantity::drivingForces, quantity::advancingFronts},
+               {quantity::stressIntensities},
                {},
                [driving](State<D>& state) { driving->measureIntensities(state); }});
 }

@@ -302,9 +302,9 @@ void keep(Samples& samples, Archive& archive)
   keepFronts(samples.unclosed, "unclosed", archive);
 }
 
-Effect<2> make2(const Teuchos::ParameterList& scene)
+Effect<2> make2(const Teuchos::ParameterList& scene, const RunOptions& run)
 {
-  const Options options = readOptions(scene);
+  const Options options = readOptions(scene, run);
   const auto samples = std::make_shared<Samples>();
   samples->loads = readLoads(scene);
   Effect<2> effect;
@@ -332,16 +332,18 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
   };
   effect.call({Stage::Observe,
                "energy release of crack fronts",
-               {"crack geometry", "particle stress"},
+               {quantity::crackGeometry, quantity::particleStress, quantity::enrichedFields,
+                ifWritten(quantity::springForce), ifWritten(quantity::facePressure)},
                {},
-               {"energy release"},
+               {quantity::energyRelease},
                [=](State<2>& state)
                {
                  if (state.clock.observing)
                    sample(state, options, *samples);
                }});
   const auto driving = std::make_shared<DrivingForces>();
-  addDrivingCalls(effect, scene, driving);
+  if (run.growth)
+    addDrivingCalls(effect, scene, driving);
   effect.memory = [=](State<2>&, Archive& archive) { keepBoth(*samples, *driving, archive); };
   effect.report = [=](const State<2>& state, nlohmann::json& summary)
   { report(state, options, *samples, summary); };

@@ -259,9 +259,9 @@ void keep(Samples& samples, Archive& archive)
 
 } // namespace
 
-Effect<3> fronts3(const Teuchos::ParameterList& scene)
+Effect<3> fronts3(const Teuchos::ParameterList& scene, const RunOptions& run)
 {
-  const Options options = readOptions(scene);
+  const Options options = readOptions(scene, run);
   const auto samples = std::make_shared<Samples>();
   const auto driving = std::make_shared<FrontDriving>();
   Effect<3> effect;
@@ -274,15 +274,17 @@ Effect<3> fronts3(const Teuchos::ParameterList& scene)
   };
   effect.call({Stage::Observe,
                "energy release of crack fronts",
-               {"crack geometry", "particle stress"},
+               {quantity::crackGeometry, quantity::particleStress, quantity::enrichedFields,
+                ifWritten(quantity::springForce), ifWritten(quantity::facePressure)},
                {},
-               {"energy release"},
+               {quantity::energyRelease},
                [=](State<3>& state)
                {
                  if (state.clock.observing)
                    sample(state, options, *samples);
                }});
-  addDrivingCalls(effect, scene, driving);
+  if (run.growth)
+    addDrivingCalls(effect, scene, driving);
   effect.memory = [=](State<3>&, Archive& archive) { keepBoth(*samples, *driving, archive); };
   effect.report = [=](const State<3>& state, nlohmann::json& summary) { report(state, *samples, summary); };
   return effect;

@@ -8,6 +8,6 @@ namespace Rhegma::energy_release
 
 /// J and stress intensities along the fronts of 3D scenes, in the history as means and extremes, in the
 /// summary at every front node.
-Effect<3> fronts3(const Teuchos::ParameterList& scene);
+Effect<3> fronts3(const Teuchos::ParameterList& scene, const RunOptions& run);
 
 } // namespace Rhegma::energy_release

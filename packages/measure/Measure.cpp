@@ -20,14 +20,8 @@ Section section()
   sides.real("Part").above(0.0).atMost(1.0).byDefault(1.0).onlyIn(2).meaning(
       "Middle part of each crack next to which material counts. 1: the whole body.");
   s.subsection(sides);
+  s.needs("Cracks", "there is no crack to measure at; add a section Cracks or leave Measure out");
   return s;
-}
-
-void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
-{
-  if (scene.isSublist("Measure") && !scene.isSublist("Cracks"))
-    errors.push_back(
-        {"Measure", "there is no crack to measure at; add a section Cracks or leave Measure out"});
 }
 
 /// The sides of each crack at the start.
@@ -101,6 +95,6 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 
 } // namespace
 
-EffectEntry measureEntry() { return {section(), check, make<2>, make<3>, true}; }
+EffectEntry measureEntry() { return {section(), {}, make<2>, make<3>, true}; }
 
 } // namespace Rhegma::measure

@@ -7,6 +7,6 @@ namespace Rhegma::propagation
 {
 
 /// As in 2D, with every front node of a front for itself (PropagationInSpace.cpp).
-Effect<3> propagationInSpace(const Teuchos::ParameterList& scene);
+Effect<3> propagationInSpace(const Teuchos::ParameterList& scene, const RunOptions& run);
 
 } // namespace Rhegma::propagation

@@ -196,22 +196,26 @@ void report(const State<2>& state, const Fronts& fronts, nlohmann::json& summary
   reportEnergy(state, taken, summary);
 }
 
-Effect<2> make2(const Teuchos::ParameterList& scene)
+Effect<2> make2(const Teuchos::ParameterList& scene, const RunOptions& run)
 {
-  const auto options = std::make_shared<Options>(readOptions(scene));
+  const auto options = std::make_shared<Options>(readOptions(scene, run));
   const auto fronts = std::make_shared<Fronts>();
   Effect<2> effect;
   effect.name = "Propagation";
+  effect.balance = {"fracture"};
   effect.atStart = [=](State<2>& state) { start(state, *options, *fronts); };
   effect.call({lastStage(scene),
                "fronts that advance",
-               {"driving forces"},
-               {"fronts that advance"},
+               {quantity::drivingForces, ifWritten(quantity::frontTemperature)},
+               {quantity::advancingFronts},
                {},
                [=](State<2>& state) { decide(state, *options, *fronts); }});
-  effect.call({Stage::BetweenSteps, "where fronts go", {}, {"advances of fronts"}, {}, [=](State<2>& state) {
-                 ask(state, *options, *fronts);
-               }});
+  effect.call({Stage::BetweenSteps,
+               "where fronts go",
+               {quantity::stressIntensities, quantity::advancingFronts},
+               {quantity::frontAdvances},
+               {},
+               [=](State<2>& state) { ask(state, *options, *fronts); }});
   effect.memory = [=](State<2>&, Archive& archive)
   {
     for (std::size_t f = 0; f < fronts->histories.size(); ++f)
@@ -241,7 +245,7 @@ Effect<2> make2(const Teuchos::ParameterList& scene)
 
 EffectEntry propagationEntry()
 {
-  EffectEntry entry{propagationSection(), checkPropagation, make2, propagationInSpace, true};
+  EffectEntry entry{propagationSection(), checkPropagation, make2, propagationInSpace, true, declareGrowth};
   entry.cells.tell = [](const auto&, CellNeeds& needs, auto&) { needs.running = needs.equal = true; };
   return entry;
 }

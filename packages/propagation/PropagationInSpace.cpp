@@ -290,13 +290,14 @@ void report(const State<3>& state, const Memories& memories, const Circles& circ
 
 } // namespace
 
-Effect<3> propagationInSpace(const Teuchos::ParameterList& scene)
+Effect<3> propagationInSpace(const Teuchos::ParameterList& scene, const RunOptions& run)
 {
-  const auto options = std::make_shared<Options>(readOptions(scene));
+  const auto options = std::make_shared<Options>(readOptions(scene, run));
   const auto memories = std::make_shared<Memories>();
   const auto circles = std::make_shared<Circles>();
   Effect<3> effect;
   effect.name = "Propagation";
+  effect.balance = {"fracture"};
   effect.atStart = [=](State<3>& state)
   {
     state.cracks.driven = true;
@@ -309,13 +310,16 @@ Effect<3> propagationInSpace(const Teuchos::ParameterList& scene)
   };
   effect.call({lastStage(scene),
                "fronts that advance",
-               {"driving forces"},
-               {"fronts that advance"},
+               {quantity::drivingForces, ifWritten(quantity::frontTemperature)},
+               {quantity::advancingFronts},
                {},
                [=](State<3>& state) { decide(state, *options, *memories); }});
-  effect.call({Stage::BetweenSteps, "where fronts go", {}, {"advances of fronts"}, {}, [=](State<3>& state) {
-                 ask(state, *options, *memories);
-               }});
+  effect.call({Stage::BetweenSteps,
+               "where fronts go",
+               {quantity::stressIntensities, quantity::advancingFronts},
+               {quantity::frontAdvances},
+               {},
+               [=](State<3>& state) { ask(state, *options, *memories); }});
   effect.memory = [=](State<3>& state, Archive& archive)
   {
     follow(state, *memories); // the front nodes are those that they are now, and when loaded these

@@ -7,6 +7,7 @@
 
 #include "KernelProfile.hpp"
 #include "plan/EffectSchema.hpp"
+#include "plan/KnownEffects.hpp"
 #include "scene/Scene.hpp"
 #include "step/Run.hpp"
 
@@ -212,7 +213,7 @@ Names fieldsOf(const std::string& effect)
       const SceneResult scene = readSceneText("<ParameterList name=\"Rhegma\">" + std::string(bare) +
                                                   sectionsOf.at(effect) + "</ParameterList>",
                                               {}, effectSchema());
-      for (const Field& field : entry.make2(*scene.list).adds)
+      for (const Field& field : entry.make2(*scene.list, declaredOptions(*scene.list)).adds)
         names.insert(field.name);
     }
   return names;
@@ -227,7 +228,7 @@ Names callsOf(const std::string& effect)
       const SceneResult scene = readSceneText("<ParameterList name=\"Rhegma\">" + std::string(bare) +
                                                   sectionsOf.at(effect) + "</ParameterList>",
                                               {}, effectSchema());
-      for (const Call<2>& call : entry.make2(*scene.list).calls)
+      for (const Call<2>& call : entry.make2(*scene.list, declaredOptions(*scene.list)).calls)
         names.insert(call.label);
     }
   return names;

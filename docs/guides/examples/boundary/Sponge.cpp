@@ -69,12 +69,13 @@ void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std:
 {
   const Sponge<D> sponge{readVector<D>(list, "Lower Corner"), readVector<D>(list, "Upper Corner"),
                          list.get<double>("Rate")};
-  parts.effect.call({Stage::BeforeSolve, "sponge", {"nodal mass"}, {}, {"nodal force"}, [=](State<D>& state) {
-                       push(state, sponge);
-                     }});
+  parts.effect.call(
+      {Stage::BeforeSolve, "sponge", {quantity::nodalMass}, {}, {quantity::nodalForce}, [=](State<D>& state) {
+         push(state, sponge);
+       }});
   parts.effect.call({stageOfWays(parts.scene),
                      "work of the sponge",
-                     {projectsLast(parts.scene) ? "projection" : "nodal motion"},
+                     {projectsLast(parts.scene) ? quantity::projection : quantity::nodalMotion},
                      {},
                      {},
                      [=](State<D>& state) { state.energy.externalWork += work(state, sponge); }});

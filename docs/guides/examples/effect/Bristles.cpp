@@ -61,12 +61,15 @@ Effect<D> makeBristles(const Teuchos::ParameterList& scene)
   Effect<D> effect;
   effect.name = "Bristles";
   effect.addsNodal.push_back({{deflection, D, "m", "how far the bristles are bent"}, OnRemesh::Interpolate});
-  effect.call({Stage::BeforeSolve, "bristles", {"nodal mass"}, {}, {"nodal force"}, [=](State<D>& state) {
-                 push(state, stiffness);
-               }});
+  effect.call({Stage::BeforeSolve,
+               "bristles",
+               {quantity::nodalMass},
+               {},
+               {quantity::nodalForce},
+               [=](State<D>& state) { push(state, stiffness); }});
   effect.call({stageOfWays(scene),
                "deflection of bristles",
-               {projectsLast(scene) ? "projection" : "nodal motion"},
+               {projectsLast(scene) ? quantity::projection : quantity::nodalMotion},
                {},
                {},
                [=](State<D>& state) { state.energy.externalWork += bend(state, stiffness); }});
