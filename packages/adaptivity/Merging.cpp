@@ -3,7 +3,6 @@
 #include "adaptivity/Families.hpp"
 #include "adaptivity/Lineage.hpp"
 #include "adaptivity/TogetherAgain.hpp"
-#include "material/HistoryRoom.hpp"
 #include "material/Materials.hpp"
 #include "material/Tensors.hpp"
 #include "state/ParticleEnergy.hpp"
@@ -83,8 +82,8 @@ struct MergeFamilies
     updateBox<D>(axes, body(to), edges, F, std::ldexp(largestBox, -depth), half);
     if (touchesFiner(x, half, depth))
       return;
-    double memory[historyRoom] = {};
-    meanHistory(i, memory);
+    double memory[historyCapacity] = {};
+    mergeHistory(i, law, m, memory);
     double square = 0.0;
     for (int d = 0; d < D; ++d)
       square += v[d] * v[d];
@@ -112,6 +111,8 @@ struct MergeFamilies
     }
     for (int c = 0; c < gradientSize<D>; ++c)
       deformation(to, c) = F[c];
+    for (int c = 0; c < static_cast<int>(before.history.extent(1)); ++c)
+      before.history(to, c) = memory[c];
     mass(to) = m;
     volume(to) = V;
     level(to) = depth;
@@ -129,14 +130,25 @@ struct MergeFamilies
     double T = 0.0;
     for (int k = 0; k < parts<D>; ++k)
       T += share(i, k) * before.temperature(family(i, k));
-    return withLaw<D>(law.kind, law.plane, ThermoEnergy{ThermoPoint(before.thermo, material, T), F, memory});
+    return withLaw<D>(law.law, law.plane, ThermoEnergy{ThermoPoint(before.thermo, material, T), F, memory});
   }
 
-  KOKKOS_INLINE_FUNCTION void meanHistory(int i, double (&memory)[historyRoom]) const
+  /// The history of the family as one. \param m mass of all parts
+  KOKKOS_INLINE_FUNCTION void mergeHistory(int i, const Properties& law, double m,
+                                           double (&memory)[historyCapacity]) const
   {
+    double value[parts<D>], byVolume[parts<D>], byMass[parts<D>];
+    for (int k = 0; k < parts<D>; ++k)
+    {
+      byVolume[k] = share(i, k);
+      byMass[k] = mass(family(i, k)) / m;
+    }
     for (int c = 0; c < static_cast<int>(before.history.extent(1)); ++c)
+    {
       for (int k = 0; k < parts<D>; ++k)
-        memory[c] += share(i, k) * before.history(family(i, k), c);
+        value[k] = before.history(family(i, k), c);
+      memory[c] = merged(meanOfHistory<D>(law, c), value, byVolume, byMass);
+    }
   }
 
   KOKKOS_INLINE_FUNCTION bool touchesFiner(const double (&x)[D], const double (&half)[D], int depth) const
@@ -178,9 +190,9 @@ double meanEnergy(const State<D>& state)
 /// undeformed volume, so that what is told per volume is kept.
 bool isFound(const std::string& name)
 {
-  static const std::vector<std::string> found = {fields::position, fields::reference,  fields::velocity,
-                                                 fields::mass,     fields::volume,     fields::edge,
-                                                 fields::box,      fields::deformation};
+  static const std::vector<std::string> found = {fields::position, fields::reference,   fields::velocity,
+                                                 fields::mass,     fields::volume,      fields::edge,
+                                                 fields::box,      fields::deformation, fields::history};
   return std::find(found.begin(), found.end(), name) != found.end();
 }
 

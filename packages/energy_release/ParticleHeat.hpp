@@ -38,7 +38,7 @@ struct ParticleHeat
   {
     if (!strains(material))
       return storedEnergy<D>(law, F, history);
-    return withLaw<D>(law.kind, law.plane,
+    return withLaw<D>(law.law, law.plane,
                       ThermoEnergy{ThermoPoint(tables, material, temperature(p)), F, history});
   }
 
@@ -51,7 +51,7 @@ struct ParticleHeat
     if (!strains(material))
       return 0.0;
     return alongImage(p, image) *
-           withLaw<D>(law.kind, law.plane,
+           withLaw<D>(law.law, law.plane,
                       ThermoSlope{ThermoPoint(tables, material, temperature(p)), F, tau, history});
   }
 

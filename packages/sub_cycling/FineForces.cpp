@@ -172,13 +172,13 @@ void FineParticles<D>::sumForces(const State<D>& state, int level, const Values&
 }
 
 template <int D>
-void FineParticles<D>::force(const State<D>& state, int level, const Values& displacement,
+void FineParticles<D>::force(const State<D>& state, int level, const Values& displacement, double duration,
                              const Values& force)
 {
   if (state.materials.thermo.empty())
-    sumForces(state, level, displacement, LawStress<D>(state));
+    sumForces(state, level, displacement, LawStress<D>(state, duration));
   else
-    sumForces(state, level, displacement, HeatedStress<D>(state));
+    sumForces(state, level, displacement, HeatedStress<D>(state, duration));
   const View<double** [D]> parts = parts_;
   const int number = numParts_;
   Kokkos::parallel_for(
@@ -326,7 +326,7 @@ template void FineParticles<3>::sumSlots(const State<3>&, const FineParticles<3>
 template void FineParticles<2>::load(const State<2>&, const FineParticles<2>::Values&) const;
 template void FineParticles<2>::store(const State<2>&, const FineParticles<2>::Values&, double) const;
 template void FineParticles<2>::startVelocity(const State<2>&, const FineParticles<2>::Values&);
-template void FineParticles<2>::force(const State<2>&, int, const FineParticles<2>::Values&,
+template void FineParticles<2>::force(const State<2>&, int, const FineParticles<2>::Values&, double,
                                       const FineParticles<2>::Values&);
 template void FineParticles<2>::smooth(const State<2>&, int, const FineParticles<2>::Values&,
                                        const FineParticles<2>::Values&);
@@ -339,7 +339,7 @@ template void FineParticles<2>::correctProjection(const State<2>&, const FinePar
 template void FineParticles<3>::load(const State<3>&, const FineParticles<3>::Values&) const;
 template void FineParticles<3>::store(const State<3>&, const FineParticles<3>::Values&, double) const;
 template void FineParticles<3>::startVelocity(const State<3>&, const FineParticles<3>::Values&);
-template void FineParticles<3>::force(const State<3>&, int, const FineParticles<3>::Values&,
+template void FineParticles<3>::force(const State<3>&, int, const FineParticles<3>::Values&, double,
                                       const FineParticles<3>::Values&);
 template void FineParticles<3>::smooth(const State<3>&, int, const FineParticles<3>::Values&,
                                        const FineParticles<3>::Values&);

@@ -60,8 +60,9 @@ public:
   /// Internal force of the particles of one class after the nodes moved by `displacement` [m] since the start
   /// of the step: -V0 tau (1 + grad u)^-T grad N, tau by the particle's law at (1 + grad u) F, and the
   /// temperature to which that brings it where there is heat, which for an elastic law is the gradient of its
-  /// energy and has no resultant and no torque. This rank's part.
-  void force(const State<D>& state, int level, const Values& displacement, const Values& force);
+  /// energy and has no resultant and no torque. This rank's part. \param duration of the motion [s]
+  void force(const State<D>& state, int level, const Values& displacement, double duration,
+             const Values& force);
 
   /// Impulses on inner nodes as they change the energy.
   struct ImpulseWork

@@ -67,6 +67,7 @@ void LocalSteps<D>::begin(State<D>& state, int first, int last)
   const int slots = fine_.numSlots();
   makeRoom(slots);
   Kokkos::deep_copy(displacement_, 0.0);
+  elapsed_ = 0.0;
   fine_.load(state, others_);
   Kokkos::deep_copy(loads_, 0.0);
   add<D>(loads_, -1.0, others_, slots); // all forces that are to come less these are the loads
@@ -74,7 +75,7 @@ void LocalSteps<D>::begin(State<D>& state, int first, int last)
   {
     if (fine_.particlesFrom(level) == fine_.particlesFrom(level + 1))
       continue;
-    fine_.force(state, level, displacement_, start_[level]);
+    fine_.force(state, level, displacement_, elapsed_, start_[level]);
     fine_.sumSlots(state, start_[level]);
     atStart_[level] = true;
     add<D>(others_, -1.0, start_[level], slots);
@@ -194,7 +195,7 @@ void LocalSteps<D>::addImpulse(const State<D>& state, int level, double length)
   const Values force = first ? start_[level] : force_;
   if (!first)
   {
-    fine_.force(state, level, displacement_, force);
+    fine_.force(state, level, displacement_, elapsed_, force);
     if (level == last_)
       for (const FollowingForce<D>& following : state.motion.followingForces)
         following.change(state, fine_.slots(), displacement_, force);
@@ -222,6 +223,7 @@ void LocalSteps<D>::kick(const State<D>& state)
 template <int D>
 void LocalSteps<D>::drift(double length)
 {
+  elapsed_ += length;
   const Values velocity = velocity_, displacement = displacement_, rate = loads_;
   forFew<fewSlots>(
       "rhegma::subcycling::drift", 0, fine_.numSlots(), KOKKOS_LAMBDA(const int i) {

@@ -91,6 +91,7 @@ private:
   bool atFirst_ = false;                ///< whether these are the first of the long step
   Values impulse_;                      ///< so far [N s]
   Values velocity_, displacement_;      ///< so far
+  double elapsed_ = 0.0;                ///< of the step so far [s]
   typename FineParticles<D>::ImpulseWork startWork_; ///< of the impulses at the start of the long step
 };
 

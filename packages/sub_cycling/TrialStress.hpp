@@ -14,8 +14,10 @@ template <int D>
 class LawStress
 {
 public:
-  explicit LawStress(const State<D>& state)
-      : materials_(state.materials.device),
+  /// \param duration of the motion since the start [s]
+  LawStress(const State<D>& state, double duration)
+      : duration_(duration),
+        materials_(state.materials.device),
         deformation_(state.particles.template real<gradientSize<D>>(fields::deformation)),
         material_(state.particles.integer(fields::material))
   {
@@ -27,19 +29,21 @@ public:
   /// \param tau out: Kirchhoff's stress [Pa]
   KOKKOS_INLINE_FUNCTION void operator()(int p, const double (&gradient)[D][D], double* tau) const
   {
-    double F[gradientSize<D>], memory[historyRoom];
+    double F[gradientSize<D>], before[gradientSize<D>], memory[historyCapacity];
     for (int k = 0; k < gradientSize<D>; ++k)
-      F[k] = deformation_(p, k);
+      F[k] = before[k] = deformation_(p, k);
     for (int a = 0; a < D; ++a)
       for (int b = 0; b < D; ++b)
         for (int c = 0; c < D; ++c)
           F[a * D + b] += gradient[a][c] * deformation_(p, c * D + b);
     for (int k = 0; k < static_cast<int>(history_.extent(1)); ++k)
       memory[k] = history_(p, k);
-    updateStress<D>(materials_(material_(p)), F, tau, memory);
+    const Properties& law = materials_(material_(p));
+    updateStress<D>({before, duration_, law.temperature}, law, F, tau, memory);
   }
 
 protected:
+  double duration_;
   View<Properties*> materials_;
   BorrowedView<double * [gradientSize<D>]> deformation_;
   BorrowedView<int*> material_;
@@ -53,8 +57,8 @@ template <int D>
 class HeatedStress : private LawStress<D>
 {
 public:
-  explicit HeatedStress(const State<D>& state)
-      : LawStress<D>(state),
+  HeatedStress(const State<D>& state, double duration)
+      : LawStress<D>(state, duration),
         tables_(state.materials.thermo),
         temperature_(state.particles.scalar(fields::temperature)),
         internal_(state.particles.scalar(fields::internalEnergy)),
@@ -77,7 +81,7 @@ public:
     heat.temperature[0] = temperature_(p);
     heat.internal[0] = internal_(p);
     heat.share[0] = 0.0;
-    double memory[historyRoom];
+    double memory[historyCapacity];
     const int width = static_cast<int>(this->history_.extent(1));
     for (int k = 0; k < width; ++k)
       memory[k] = this->history_(p, k);
@@ -85,11 +89,11 @@ public:
     const Properties& law = this->materials_(kind);
     const ThermoMaterial& thermal = tables_.material(kind);
     if (thermal.count == 1)
-      withLaw<D>(law.kind, law.plane,
+      withLaw<D>(law.law, law.plane,
                  detail::HeatOfLanes<D>{law, thermal, tables_.knot(thermal.first), at, heat, memory, width,
-                                        1.0, 0, 1});
+                                        1.0, this->duration_, 0, 1});
     else
-      detail::HeatByTables<D>{law, tables_, kind, at, heat, memory, width, 1.0, 0, 1}.run();
+      detail::HeatByTables<D>{law, tables_, kind, at, heat, memory, width, 1.0, this->duration_, 0, 1}.run();
     for (int k = 0; k < symmetricSize<D>; ++k)
       tau[k] = at.tau[k][0];
   }

@@ -2,7 +2,6 @@
 
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
-#include "material/HistoryRoom.hpp"
 #include "material/ThermoLaw.hpp"
 #include "scene/PlaceFunction.hpp"
 
@@ -103,9 +102,18 @@ void startEnergy(State<D>& state)
       KOKKOS_LAMBDA(const int p) {
         ThermoState says;
         const Properties& law = materials(material(p));
-        withLaw<D>(law.kind, law.plane,
-                   ThermoStress{ThermoPoint(tables, material(p), T(p)), T(p), &F(p, 0), &stress(p, 0),
-                                history.extent(1) > 0 ? &history(p, 0) : nullptr, says});
+        const ThermoPoint at(tables, material(p), T(p));
+        double before[gradientSize<D>]; // without thermal strain
+        for (int k = 0; k < gradientSize<D>; ++k)
+          before[k] = F(p, k) / at.stretch();
+        withLaw<D>(law.law, law.plane,
+                   ThermoStress{{before, 0.0, T(p)},
+                                at,
+                                T(p),
+                                &F(p, 0),
+                                &stress(p, 0),
+                                history.extent(1) > 0 ? &history(p, 0) : nullptr,
+                                says});
         internal(p) = says.internal;
       });
 }

@@ -3,7 +3,7 @@
 
 #include "material/AcousticBound.hpp"
 #include "material/J2Return.hpp"
-#include "material/Law.hpp"
+#include "material/LawParameters.hpp"
 #include "material/ThicknessRoot.hpp"
 
 namespace Rhegma
@@ -19,8 +19,67 @@ namespace Rhegma
 /// alpha and the energy dissipated per undeformed volume. Cp^-1 stands where box 9.1 stores be: the same
 /// state, but it changes only in plastic steps, needs no increment of F, and lets elastic steps leave no
 /// trace of round-off.
-struct J2Plastic
+struct J2Plastic : LawDefaults
 {
+  static constexpr const char* name = "J2 Plastic";
+  static constexpr const char* meaning =
+      "Metal plasticity: von Mises yield condition with isotropic hardening.";
+
+  template <int D>
+  static constexpr int plasticStrainIndex = symmetricSize<D>;
+  template <int D>
+  static constexpr int dissipationIndex = symmetricSize<D> + 1;
+  template <int D>
+  static constexpr int historySize = symmetricSize<D> + 2;
+
+  template <class Section>
+  static void describe(Section& s)
+  {
+    describeElasticity(s);
+    s.real("Yield Stress").orTable().unit("Pa").positive().meaning("Initial yield stress in tension.");
+    s.real("Hardening Modulus")
+        .orTable()
+        .unit("Pa")
+        .notNegative()
+        .byDefault(0.0)
+        .meaning("Linear isotropic hardening: increase of the yield stress per unit of plastic strain.");
+    s.real("Saturation Stress")
+        .orTable()
+        .unit("Pa")
+        .positive()
+        .optional()
+        .meaning("Saturation yield stress of Voce hardening, at least Yield Stress. Hardening Modulus adds "
+                 "to it.");
+    s.real("Saturation Rate")
+        .orTable()
+        .positive()
+        .optional()
+        .meaning(
+            "Rate of Voce hardening. Yield stress = Yield Stress + (Saturation Stress - Yield Stress) (1 "
+            "- exp(-Saturation Rate x plastic strain)) + Hardening Modulus x plastic strain.");
+    s.allOrNoneOf({"Saturation Stress", "Saturation Rate"});
+    describeHeatOfDissipation(s);
+  }
+
+  template <class Reader>
+  static void read(const Reader& reader, Properties& m)
+  {
+    using namespace J2Number;
+    readElasticity(reader, -1.0, m);
+    m.own[yield] = reader.positive("Yield Stress", "yield stress [Pa]");
+    m.own[hardening] = reader.optional("Hardening Modulus", "hardening modulus [Pa]");
+    const double limit = reader.optional("Saturation Stress", "saturation yield stress [Pa]");
+    m.own[saturationRate] = reader.optional("Saturation Rate", "rate of saturation");
+    if ((limit > 0.0) != (m.own[saturationRate] > 0.0))
+      reader.refuse(limit > 0.0 ? "Saturation Rate" : "Saturation Stress",
+                    "is missing; give both Saturation Stress and Saturation Rate, or neither.");
+    if (limit > 0.0 && limit < m.own[yield])
+      reader.refuse("Saturation Stress", "is " + Reader::text(limit) + ", below the yield stress " +
+                                             Reader::text(m.own[yield]) +
+                                             "; give at least the yield stress.");
+    m.own[saturation] = limit > 0.0 ? limit - m.own[yield] : 0.0;
+  }
+
   template <int D, Plane P>
   KOKKOS_INLINE_FUNCTION static bool stress(const Properties& m, double* F, double* tau, double* history)
   {

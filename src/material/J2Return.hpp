@@ -6,20 +6,35 @@
 namespace Rhegma
 {
 
+/// Indices in Properties::own of the J2 law.
+namespace J2Number
+{
+enum
+{
+  yield,         ///< initial yield stress [Pa]
+  hardening,     ///< linear isotropic hardening modulus [Pa]
+  saturation,    ///< by how much Voce hardening raises the yield stress in the end [Pa]
+  saturationRate ///< exponent of Voce hardening [-]
+};
+} // namespace J2Number
+
 /// sigma_y(alpha) = yield + hardening alpha + saturation (1 - exp(-rate alpha)), linear and Voce hardening
 /// [Pa].
 KOKKOS_INLINE_FUNCTION double yieldStress(const Properties& m, double alpha)
 {
-  const double linear = m.yield + m.hardening * alpha;
-  return m.saturation > 0.0 ? linear - m.saturation * std::expm1(-m.saturationRate * alpha) : linear;
+  using namespace J2Number;
+  const double linear = m.own[yield] + m.own[hardening] * alpha;
+  return m.own[saturation] > 0.0 ? linear - m.own[saturation] * std::expm1(-m.own[saturationRate] * alpha)
+                                 : linear;
 }
 
 /// Slope of the yield stress [Pa].
 KOKKOS_INLINE_FUNCTION double hardeningSlope(const Properties& m, double alpha)
 {
-  return m.saturation > 0.0
-             ? m.hardening + m.saturation * m.saturationRate * std::exp(-m.saturationRate * alpha)
-             : m.hardening;
+  using namespace J2Number;
+  return m.own[saturation] > 0.0 ? m.own[hardening] + m.own[saturation] * m.own[saturationRate] *
+                                                          std::exp(-m.own[saturationRate] * alpha)
+                                 : m.own[hardening];
 }
 
 /// Norm of the deviator on the yield surface, sqrt(2/3) sigma_y [Pa].
@@ -54,7 +69,7 @@ KOKKOS_INLINE_FUNCTION Return radialReturn(const Properties& m, double trial, do
     const double excess = trial - 2.0 * shear * multiplier - yieldNorm(m, now);
     const double step = excess / (2.0 * shear + hardening);
     multiplier += step;
-    if (!(step > 1.0e-14 * multiplier) || !(m.saturation > 0.0))
+    if (!(step > 1.0e-14 * multiplier) || !(m.own[J2Number::saturation] > 0.0))
       break;
   }
   return {multiplier, share * multiplier, trial - 2.0 * shear * multiplier,

@@ -1,63 +1,93 @@
 #pragma once
-/// What every constitutive law shares: its kind, its numbers, and the size of its history.
+/// What a constitutive law is given and what it gives; how to add one: docs/guides/add-a-material.md.
 ///
-/// A law is a struct with three static members, each a template of the dimension and of the plane:
+/// A law is a struct that inherits LawDefaults, with static members only. Each of these is a template of the
+/// dimension and of the plane:
 ///
-///     bool   stress<D, P>(properties, F, tau, history)     once per particle and step
-///     double energy<D, P>(properties, F, history)          [J/m3], stored, per undeformed volume
-///     double waveSpeed<D, P>(properties, F, history)       [m/s], in space, relative to the material
+///     bool   stress<D, P>([step,] numbers, F, tau, history)   once per particle and step
+///     double energy<D, P>(numbers, F, history)                [J/m3], stored, per undeformed volume
+///     double waveSpeed<D, P>(numbers, F, history)             [m/s], in space, relative to the material
 ///
 /// `F` is the deformation gradient (gradientSize<D>), `tau` the Kirchhoff stress J sigma [Pa]
 /// (symmetricSize<D>), so that the force of a particle on a node is -V0 tau grad N. In plane stress `stress`
-/// writes the thickness stretch that lets tau_zz vanish into F[4]; on entry F[4] is only the place where the
-/// search starts. `stress` returns false, with tau zero, when F is inverted or not a number: the run can't go
-/// on. `waveSpeed` and `energy` want the F that `stress` has completed. `waveSpeed` is an upper bound of the
+/// writes the thickness stretch that lets tau_zz vanish into F[4]; on entry F[4] is only where the search
+/// starts. `stress` returns false, with tau zero, when F is inverted or not a number: the run aborts.
+/// `waveSpeed` and `energy` get the F that `stress` has completed. `waveSpeed` is an upper bound of the
 /// speed of every small plane wave in the deformed state, and is the dilatational wave speed where F = 1.
+/// A law with `usesStep = true` gets a LawStep before the numbers.
+///
+/// For scenes a law has its `name`, the value of `Model`, its `meaning`, and two more templates, so that
+/// kernels need neither schema nor parameter lists:
+///
+///     void describe(section)         adds its parameters (scene/Schema.hpp)
+///     void read(reader, numbers)     checks them and sets the numbers (material/MaterialReader.hpp)
 
 #include "base/Types.hpp"
 
 namespace Rhegma
 {
 
-enum class LawKind : int
+/// How a history variable of a merged particle follows from those of its parts.
+enum class Mean
 {
-  LinearElastic,
-  NeoHookean,
-  MooneyRivlin,
-  J2Plastic
+  Volume, ///< mean weighted by undeformed volume: anything given per volume, tensors of strain
+  Mass,   ///< mean weighted by mass: anything given per mass
+  Largest ///< the largest: damage, a maximum over the past
 };
+
+/// Largest number of parameters that a law has for itself.
+constexpr int lawNumbers = 8;
 
 /// Numbers of one material; plain data for a View<Properties*>. `makeProperties` (MaterialTable.hpp) fills
 /// it. lambda, mu and bulk are set for every law: they are its moduli at small strain.
 struct Properties
 {
-  LawKind kind = LawKind::LinearElastic;
+  int law = 0; ///< index in the list of laws (Laws.hpp)
   Plane plane = Plane::Solid;
   double density = 0.0;        ///< of the undeformed material [kg/m3]
+  double temperature = 293.15; ///< at which a law is evaluated in scenes without heat [K]
   double lambda = 0.0;         ///< Lame's first parameter [Pa]
   double mu = 0.0;             ///< shear modulus [Pa]
   double bulk = 0.0;           ///< bulk modulus [Pa]
   double planeLambda = 0.0;    ///< lambda, in plane stress 2 lambda mu / (lambda + 2 mu) [Pa]
   double thicknessRatio = 0.0; ///< lambda / (lambda + 2 mu), contraction of the thickness in plane stress [-]
-  double c10 = 0.0;            ///< Mooney-Rivlin [Pa]
-  double c01 = 0.0;            ///< Mooney-Rivlin [Pa]
-  double yield = 0.0;          ///< J2: initial yield stress [Pa]
-  double hardening = 0.0;      ///< J2: linear isotropic hardening modulus [Pa]
-  double saturation = 0.0;     ///< J2: by how much Voce hardening raises the yield stress in the end [Pa]
-  double saturationRate = 0.0; ///< J2: exponent of Voce hardening [-]
+  double own[lawNumbers] = {}; ///< of the law alone; the law's header names them
 };
 
-/// Numbers that a law keeps per particle. All zero is the undeformed, unused material.
-/// J2: plastic deformation (symmetricSize<D>), equivalent plastic strain, dissipated energy.
-constexpr int historySize(LawKind kind, int dimension)
+/// Sets what follows from lambda and mu.
+KOKKOS_INLINE_FUNCTION void setPlaneModuli(Properties& m)
 {
-  return kind == LawKind::J2Plastic ? (dimension == 2 ? 4 : 6) + 2 : 0;
+  m.thicknessRatio = m.lambda / (m.lambda + 2.0 * m.mu);
+  m.planeLambda = m.plane == Plane::Stress ? 2.0 * m.mu * m.thicknessRatio : m.lambda;
 }
 
-/// Places in the history of the J2 law.
-template <int D>
-constexpr int plasticStrainIndex = symmetricSize<D>;
-template <int D>
-constexpr int dissipationIndex = symmetricSize<D> + 1;
+/// The step that leads to F, for laws with `usesStep`. Both F are without thermal strain.
+struct LawStep
+{
+  const double* before; ///< F at the start of the step; in plane stress with the thickness stretch of then
+  double dt;            ///< [s]; zero where stress is evaluated with nothing moving: F is then `before`
+  double temperature;   ///< [K]
+};
+
+/// What a law that does not say otherwise has.
+struct LawDefaults
+{
+  /// Whether `stress` gets a LawStep.
+  static constexpr bool usesStep = false;
+  /// Numbers that the law stores per particle. All zero is the undeformed, unused material.
+  template <int D>
+  static constexpr int historySize = 0;
+  /// Index in the history of the energy dissipated so far per undeformed volume [J/m3]; -1: none.
+  template <int D>
+  static constexpr int dissipationIndex = -1;
+  /// How a history variable averages when particles merge.
+  template <int D>
+  KOKKOS_INLINE_FUNCTION static constexpr Mean meanOf(int /*variable*/)
+  {
+    return Mean::Volume;
+  }
+  /// Multiplies those of `own` that are shear moduli, for materials that are `Entropic`.
+  static void scaleShear(Properties&, double /*factor*/) {}
+};
 
 } // namespace Rhegma

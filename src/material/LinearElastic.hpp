@@ -2,7 +2,7 @@
 /// Linear elasticity with finite rotations.
 
 #include "material/AcousticBound.hpp"
-#include "material/Law.hpp"
+#include "material/LawParameters.hpp"
 
 namespace Rhegma
 {
@@ -16,8 +16,23 @@ namespace Rhegma
 /// crushing to nothing with nothing: use Neo-Hookean where strains are large. In plane stress the thickness
 /// is used up at E_xx + E_yy = (1 - nu)/(2 nu), where `stress` returns false. Source: Holzapfel, Nonlinear
 /// Solid Mechanics, section 6.5.
-struct LinearElastic
+struct LinearElastic : LawDefaults
 {
+  static constexpr const char* name = "Linear Elastic";
+  static constexpr const char* meaning =
+      "Isotropic linear elasticity for small strain; rotations may be large.";
+
+  template <class Section>
+  static void describe(Section& s)
+  {
+    describeElasticity(s);
+  }
+  template <class Reader>
+  static void read(const Reader& reader, Properties& m)
+  {
+    readElasticity(reader, -1.0, m);
+  }
+
   template <int D, Plane P>
   KOKKOS_FORCEINLINE_FUNCTION static bool stress(const Properties& m, double* F, double* tau, double*)
   {

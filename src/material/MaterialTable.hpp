@@ -10,18 +10,9 @@
 namespace Rhegma
 {
 
-/// Reads one sublist of `Materials`: `Model` (Linear Elastic, Neo-Hookean, Mooney-Rivlin, J2 Plastic),
-/// `Density`, and
-///
-///     Linear Elastic, Neo-Hookean   Young Modulus, Poisson Ratio
-///     Mooney-Rivlin                 C10, C01, Bulk Modulus
-///     J2 Plastic                    Young Modulus, Poisson Ratio, Yield Stress, Hardening Modulus (0 if
-///     absent),
-///                                   Saturation Stress and Saturation Rate (both or neither)
-///
-/// `Saturation Stress` is the yield stress that Voce hardening ends at, `Hardening Modulus` comes on top;
-/// zero means absent. \param plane Solid in 3D. \throws std::invalid_argument one sentence: `Materials >
-/// Steel > Poisson Ratio`, what is wrong, what to write
+/// Reads one sublist of `Materials`: `Model`, the name of a law, `Density`, and what the law's `read` takes.
+/// \param plane Solid in 3D. \throws std::invalid_argument the path, such as `Materials > Steel > Poisson
+/// Ratio`, what is wrong, what to write
 Properties makeProperties(const Teuchos::ParameterList& material, const std::string& name, Plane plane);
 
 /// Moduli at small strain, the same for every law.

@@ -2,7 +2,7 @@
 /// Nearly incompressible rubber.
 
 #include "material/AcousticBound.hpp"
-#include "material/Law.hpp"
+#include "material/LawParameters.hpp"
 #include "material/ThicknessRoot.hpp"
 
 namespace Rhegma
@@ -12,8 +12,52 @@ namespace Rhegma
 /// tau = 2 C10 J^(-2/3) dev b + 2 C01 J^(-4/3) dev(tr b b - b b) + K J (J - 1) 1.
 /// Source: Holzapfel, Nonlinear Solid Mechanics, eq. 6.146-6.147 with the isochoric split of section 6.4.
 /// Wants C10, C01 >= 0, not both zero, and K > 0.
-struct MooneyRivlin
+struct MooneyRivlin : LawDefaults
 {
+  static constexpr const char* name = "Mooney-Rivlin";
+  static constexpr const char* meaning =
+      "Hyperelastic rubber with two shear constants; nearly incompressible if the bulk modulus is large.";
+
+  /// Indices in Properties::own [Pa].
+  enum
+  {
+    c10,
+    c01
+  };
+
+  template <class Section>
+  static void describe(Section& s)
+  {
+    describeDensity(s);
+    s.real("C10").orTable().unit("Pa").notNegative().meaning(
+        "Coefficient of the first invariant. C10 and C01 must not both be zero.");
+    s.real("C01").orTable().unit("Pa").notNegative().meaning("Coefficient of the second invariant.");
+    s.real("Bulk Modulus").orTable().unit("Pa").positive().meaning("Bulk modulus.");
+    describeEntropic(s);
+  }
+
+  template <class Reader>
+  static void read(const Reader& reader, Properties& m)
+  {
+    m.own[c10] = reader.zeroOrMore("C10", "constant [Pa]");
+    m.own[c01] = reader.zeroOrMore("C01", "constant [Pa]");
+    m.bulk = reader.positive("Bulk Modulus", "bulk modulus [Pa]");
+    m.mu = 2.0 * (m.own[c10] + m.own[c01]);
+    if (!(m.mu > 0.0))
+      reader.refuse("C10", "and C01 are both zero, which is a fluid; make at least one of them positive.");
+    m.lambda = m.bulk - 2.0 / 3.0 * m.mu;
+    if (m.lambda < 0.0)
+      reader.refuse("Bulk Modulus",
+                    "is " + Reader::text(m.bulk) + "; this law is for nearly incompressible material, " +
+                        "give at least 4/3 (C10 + C01) = " + Reader::text(2.0 / 3.0 * m.mu) + ".");
+  }
+
+  static void scaleShear(Properties& m, double factor)
+  {
+    m.own[c10] *= factor;
+    m.own[c01] *= factor;
+  }
+
   /// tau_zz as a function of the thickness stretch s. Each of its three terms has one zero and is
   /// negative below and positive above it, so that the zero of the sum is between the outermost of them.
   struct ThicknessStress
@@ -60,7 +104,7 @@ struct MooneyRivlin
       if (!(area > 0.0))
         return noStress<D>(tau);
       const double traceB = F[0] * F[0] + F[1] * F[1] + F[2] * F[2] + F[3] * F[3];
-      F[4] = ThicknessStress{m.c10, m.c01, m.bulk, area, traceB}.solve(F[4]);
+      F[4] = ThicknessStress{m.own[c10], m.own[c01], m.bulk, area, traceB}.solve(F[4]);
     }
     const double J = determinant<D>(F);
     if (!(J > 0.0))
@@ -73,8 +117,8 @@ struct MooneyRivlin
     leftStrain<D>(F, g);
     double gg[symmetricSize<D>];
     square<D>(g, gg);
-    const double second = 2.0 * m.c01 * scale * scale;
-    const double first = 2.0 * m.c10 * scale + second * (1.0 + trace<D>(g));
+    const double second = 2.0 * m.own[c01] * scale * scale;
+    const double first = 2.0 * m.own[c10] * scale + second * (1.0 + trace<D>(g));
     for (int i = 0; i < symmetricSize<D>; ++i)
       tau[i] = first * g[i] - second * gg[i];
     // In plane stress the pressure is the one that cancels tau_zz: no difference of large numbers.
@@ -96,8 +140,8 @@ struct MooneyRivlin
     const double dilatation = std::expm1(0.5 * twiceLogJ);    // J - 1
     const double traceG = trace<D>(g);
     const double cofactor = 2.0 * traceG + secondInvariant<D>(g); // tr cof b - 3
-    return m.c10 * ((1.0 + first) * traceG + 3.0 * first) +
-           m.c01 * ((1.0 + second) * cofactor + 3.0 * second) + 0.5 * m.bulk * dilatation * dilatation;
+    return m.own[c10] * ((1.0 + first) * traceG + 3.0 * first) +
+           m.own[c01] * ((1.0 + second) * cofactor + 3.0 * second) + 0.5 * m.bulk * dilatation * dilatation;
   }
 
   template <int D, Plane P>
@@ -111,8 +155,8 @@ struct MooneyRivlin
     for (int i = 0; i < 3; ++i)
       b[normalIndex<D>(i)] += 1.0;
     const EigenvalueRange range = directionalRange<D>(b);
-    const double first = m.c10 * scale;
-    const double second = m.c01 * scale * scale;
+    const double first = m.own[c10] * scale;
+    const double second = m.own[c01] * scale * scale;
     if constexpr (P == Plane::Stress)
       return speedOf(relaxedModulus(m, b, range, first, second, J), m.density);
 
@@ -135,7 +179,8 @@ private:
     const double traceB = b[0] + b[1];
     const double jj = J * J / ss; // j^2
     const double isochoric =
-        ThicknessStress{m.c10, m.c01, m.bulk, std::sqrt(jj), traceB}.thicknessStiffness(ss, first, second);
+        ThicknessStress{m.own[c10], m.own[c01], m.bulk, std::sqrt(jj), traceB}.thicknessStiffness(ss, first,
+                                                                                                  second);
     const double volumetric = m.bulk * J * (2.0 * J - 1.0);
     const double theta = relaxation(isochoric, volumetric);
 

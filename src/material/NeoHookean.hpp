@@ -2,7 +2,7 @@
 /// Compressible rubber.
 
 #include "material/AcousticBound.hpp"
-#include "material/Law.hpp"
+#include "material/LawParameters.hpp"
 #include "material/ThicknessRoot.hpp"
 
 namespace Rhegma
@@ -11,8 +11,23 @@ namespace Rhegma
 /// W = mu/2 (tr b - 3) - mu ln J + lambda/2 (ln J)^2, tau = mu (b - 1) + lambda ln J 1.
 /// Source: Bonet and Wood, Nonlinear Continuum Mechanics for Finite Element Analysis, eq. 6.27-6.29.
 /// Wants lambda >= 0 (a Poisson ratio from 0 to 1/2).
-struct NeoHookean
+struct NeoHookean : LawDefaults
 {
+  static constexpr const char* name = "Neo-Hookean";
+  static constexpr const char* meaning = "Compressible hyperelastic solid for large strain.";
+
+  template <class Section>
+  static void describe(Section& s)
+  {
+    describeElasticity(s);
+    describeEntropic(s);
+  }
+  template <class Reader>
+  static void read(const Reader& reader, Properties& m)
+  {
+    readElasticity(reader, 0.0, m);
+  }
+
   /// tau_zz as a function of the thickness stretch s: mu (s^2 - 1) + lambda ln(j s), which rises everywhere;
   /// its zero is between 1 and 1/j.
   struct ThicknessStress

@@ -46,6 +46,7 @@ struct ThermoState
 /// Stress and energies of one particle, F and history as the law's own `stress` has them.
 struct ThermoStress
 {
+  const LawStep& step; ///< its deformation gradient is without thermal strain
   const ThermoPoint& at;
   double temperature;
   double* F;
@@ -61,11 +62,11 @@ struct ThermoStress
     double own[gradientSize<D>]; // F without thermal strain
     for (int k = 0; k < gradientSize<D>; ++k)
       own[k] = inverse * F[k];
-    const bool good = Law::template stress<D, P>(law, own, tau, history);
+    const bool good = stressOfLaw<Law, D, P>(step, law, own, tau, history);
     if constexpr (P == Plane::Stress)
       F[4] = theta * own[4];
     says.stored = Law::template energy<D, P>(law, own, history);
-    says.dissipated = dissipatedEnergy<D>(law, history);
+    says.dissipated = dissipatedByLaw<Law, D>(history);
     says.slope = energySlope<Law, D, P>(at, own, tau, history);
     const double T0 = at.material.reference;
     says.internal = says.stored - temperature * says.slope + at.heat() +

@@ -2,6 +2,7 @@
 
 #include "base/ReadList.hpp"
 #include "material/MaterialTable.hpp"
+#include "material/Materials.hpp"
 #include "material/TemperatureTable.hpp"
 
 #include <algorithm>
@@ -14,20 +15,16 @@ namespace Rhegma
 namespace
 {
 
-const std::vector<std::string>& tabularNames()
+/// Names of the properties that are tables of temperature.
+std::vector<std::string> tablesIn(const Teuchos::ParameterList& material)
 {
-  static const std::vector<std::string> names = {"Young Modulus",
-                                                 "Poisson Ratio",
-                                                 "C10",
-                                                 "C01",
-                                                 "Bulk Modulus",
-                                                 "Yield Stress",
-                                                 "Hardening Modulus",
-                                                 "Saturation Stress",
-                                                 "Saturation Rate",
-                                                 "Specific Heat",
-                                                 "Conductivity",
-                                                 "Thermal Expansion"};
+  std::vector<std::string> names;
+  for (auto entry = material.begin(); entry != material.end(); ++entry)
+  {
+    const std::string name = material.name(entry);
+    if (material.isType<std::string>(name) && material.get<std::string>(name).find(':') != std::string::npos)
+      names.push_back(name);
+  }
   return names;
 }
 
@@ -65,15 +62,24 @@ std::vector<double> knotTemperatures(const Teuchos::ParameterList& material, dou
   return at;
 }
 
-/// Shear moduli go with the absolute temperature; the bulk modulus stays.
+struct ScaleShear
+{
+  Properties& law;
+  double factor;
+  template <class Law, int, Plane>
+  void run() const
+  {
+    Law::scaleShear(law, factor);
+  }
+};
+
+/// Makes shear moduli proportional to the absolute temperature; the bulk modulus stays.
 void scaleShear(Properties& law, double factor)
 {
   law.mu *= factor;
-  law.c10 *= factor;
-  law.c01 *= factor;
+  withLaw<3>(law.law, Plane::Solid, ScaleShear{law, factor});
   law.lambda = law.bulk - 2.0 / 3.0 * law.mu;
-  law.thicknessRatio = law.lambda / (law.lambda + 2.0 * law.mu);
-  law.planeLambda = law.plane == Plane::Stress ? 2.0 * law.mu * law.thicknessRatio : law.lambda;
+  setPlaneModuli(law);
 }
 
 /// What one material adds to the tables.
@@ -131,18 +137,20 @@ MaterialTables tablesOf(const Teuchos::ParameterList& list, const std::string& n
     }
   }
   const bool entropic = mechanics && list.isParameter("Entropic") && list.get<bool>("Entropic");
-  for (const char* modulus : {"Young Modulus", "Poisson Ratio", "C10", "C01"})
-    if (entropic && list.isType<std::string>(modulus))
-      throw std::invalid_argument(where + modulus +
+  bool varies = entropic;
+  for (const std::string& property : tablesIn(list))
+  {
+    const bool thermal =
+        property == "Specific Heat" || property == "Conductivity" || property == "Thermal Expansion";
+    if (entropic && !thermal && property != "Bulk Modulus")
+      throw std::invalid_argument(where + property +
                                   ": the material is Entropic, so its shear modulus is already proportional "
                                   "to temperature; write a number");
+    varies = varies || !thermal || property == "Thermal Expansion";
+  }
   const TemperatureTable heat = tableOf(list, "Specific Heat", 0.0),
                          conductivity = tableOf(list, "Conductivity", 0.0),
                          expansion = tableOf(list, "Thermal Expansion", 0.0);
-  bool varies = entropic;
-  for (const std::string& property : tabularNames())
-    if (property != "Specific Heat" && property != "Conductivity")
-      varies = varies || list.isType<std::string>(property);
   for (const double k : conductivity.value)
     m.conducts = m.conducts || k > 0.0;
   for (const double alpha : expansion.value)
@@ -188,12 +196,11 @@ View<T*> onDevice(const std::string& label, const std::vector<T>& values)
 std::vector<double> tableTemperatures(const Teuchos::ParameterList& material)
 {
   std::vector<double> at;
-  for (const std::string& name : tabularNames())
-    if (material.isType<std::string>(name))
-    {
-      const TemperatureTable table = TemperatureTable::parse(material.get<std::string>(name));
-      at.insert(at.end(), table.temperature.begin(), table.temperature.end());
-    }
+  for (const std::string& name : tablesIn(material))
+  {
+    const TemperatureTable table = TemperatureTable::parse(material.get<std::string>(name));
+    at.insert(at.end(), table.temperature.begin(), table.temperature.end());
+  }
   std::sort(at.begin(), at.end());
   at.erase(std::unique(at.begin(), at.end()), at.end());
   return at;
@@ -202,12 +209,11 @@ std::vector<double> tableTemperatures(const Teuchos::ParameterList& material)
 Teuchos::ParameterList materialAt(const Teuchos::ParameterList& material, double temperature)
 {
   Teuchos::ParameterList copy(material);
-  for (const std::string& name : tabularNames())
-    if (material.isType<std::string>(name))
-    {
-      copy.remove(name);
-      copy.set(name, TemperatureTable::parse(material.get<std::string>(name))(temperature));
-    }
+  for (const std::string& name : tablesIn(material))
+  {
+    copy.remove(name);
+    copy.set(name, TemperatureTable::parse(material.get<std::string>(name))(temperature));
+  }
   return copy;
 }
 

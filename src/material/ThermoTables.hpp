@@ -116,14 +116,9 @@ private:
     p.lambda = a * p.lambda + b * q.lambda;
     p.mu = a * p.mu + b * q.mu;
     p.bulk = a * p.bulk + b * q.bulk;
-    p.c10 = a * p.c10 + b * q.c10;
-    p.c01 = a * p.c01 + b * q.c01;
-    p.yield = a * p.yield + b * q.yield;
-    p.hardening = a * p.hardening + b * q.hardening;
-    p.saturation = a * p.saturation + b * q.saturation;
-    p.saturationRate = a * p.saturationRate + b * q.saturationRate;
-    p.thicknessRatio = p.lambda / (p.lambda + 2.0 * p.mu);
-    p.planeLambda = p.plane == Plane::Stress ? 2.0 * p.mu * p.thicknessRatio : p.lambda;
+    for (int k = 0; k < lawNumbers; ++k)
+      p.own[k] = a * p.own[k] + b * q.own[k];
+    setPlaneModuli(p);
   }
 };
 

@@ -1,5 +1,6 @@
 #include "output/CoreRow.hpp"
 
+#include "material/Materials.hpp"
 #include "state/EnergySums.hpp"
 
 #include <nlohmann/json.hpp>
@@ -12,10 +13,9 @@ namespace Rhegma
 namespace
 {
 
-bool canFlow(const std::vector<Properties>& materials)
+bool canDissipate(const std::vector<Properties>& materials)
 {
-  return std::any_of(materials.begin(), materials.end(),
-                     [](const Properties& m) { return m.kind == LawKind::J2Plastic; });
+  return std::any_of(materials.begin(), materials.end(), dissipates);
 }
 
 struct Entry
@@ -51,7 +51,7 @@ void coreRow(State<D>& state, const std::set<std::string>& effects)
   for (const Entry& entry : entries(state.energy))
     if (*entry.effect == '\0' || effects.count(entry.effect) > 0)
       row.emplace_back(entry.column, entry.value);
-  if (canFlow(state.materials.list))
+  if (canDissipate(state.materials.list))
     row.emplace_back("plastic", state.energy.plastic);
   const char* names[] = {"momentum_x", "momentum_y", "momentum_z"};
   for (int d = 0; d < D; ++d)
@@ -65,7 +65,7 @@ void coreReport(const State<D>& state, nlohmann::json& summary)
   nlohmann::json& energy = summary["energy"];
   for (const Entry& entry : entries(state.energy))
     energy[entry.column] = entry.value;
-  if (canFlow(state.materials.list))
+  if (canDissipate(state.materials.list))
     energy["plastic"] = state.energy.plastic;
   summary["cells"] = {{"largest", state.mesh.grid.spacing}, {"smallest", state.mesh.smallestSpacing()}};
   nlohmann::json& momentum = summary["momentum"];

@@ -1,3 +1,4 @@
+#include "material/Laws.hpp"
 #include "scene/CoreBodies.hpp"
 #include "scene/CoreBoundaries.hpp"
 #include "scene/Schema.hpp"
@@ -73,32 +74,10 @@ Section time()
   return s;
 }
 
-void elasticConstants(Section& s)
-{
-  s.real("Density").unit("kg/m3").positive().meaning("Density of the undeformed material.");
-  s.real("Young Modulus").orTable().unit("Pa").positive().meaning("Young's modulus at small strain.");
-  s.real("Poisson Ratio").orTable().above(-1.0).below(0.5).meaning("Poisson's ratio at small strain.");
-}
-
-Section linearElastic()
-{
-  Section s("Linear Elastic", "Isotropic linear elasticity for small strain; rotations may be large.");
-  elasticConstants(s);
-  return s;
-}
-
-void entropic(Section& s)
-{
-  s.boolean("Entropic")
-      .byDefault(false)
-      .meaning("If true, the shear modulus is proportional to absolute temperature, as in ideal rubber, "
-               "which warms when stretched. Needs the section Thermal.");
-}
-
 Section rigid()
 {
   Section s("Rigid", "No stress: for scenes with heat only (Thermal > Mechanics = false).");
-  s.real("Density").unit("kg/m3").positive().meaning("Density of the undeformed material.");
+  describeDensity(s);
   return s;
 }
 
@@ -135,59 +114,17 @@ void heat(Section& s)
       .meaning("Temperature at which the thermal strain is zero.");
 }
 
-Section neoHookean()
+/// One variant for each law of the list.
+template <class... Law>
+void addLaws(Section& material, LawList<Law...> /*list*/)
 {
-  Section s("Neo-Hookean", "Compressible hyperelastic solid for large strain.");
-  elasticConstants(s);
-  entropic(s);
-  return s;
-}
-
-Section mooneyRivlin()
-{
-  Section s(
-      "Mooney-Rivlin",
-      "Hyperelastic rubber with two shear constants; nearly incompressible if the bulk modulus is large.");
-  s.real("Density").unit("kg/m3").positive().meaning("Density of the undeformed material.");
-  s.real("C10").orTable().unit("Pa").notNegative().meaning(
-      "Coefficient of the first invariant. C10 and C01 must not both be zero.");
-  s.real("C01").orTable().unit("Pa").notNegative().meaning("Coefficient of the second invariant.");
-  s.real("Bulk Modulus").orTable().unit("Pa").positive().meaning("Bulk modulus.");
-  entropic(s);
-  return s;
-}
-
-Section j2Plastic()
-{
-  Section s("J2 Plastic", "Metal plasticity: von Mises yield condition with isotropic hardening.");
-  elasticConstants(s);
-  s.real("Yield Stress").orTable().unit("Pa").positive().meaning("Initial yield stress in tension.");
-  s.real("Hardening Modulus")
-      .orTable()
-      .unit("Pa")
-      .notNegative()
-      .byDefault(0.0)
-      .meaning("Linear isotropic hardening: increase of the yield stress per unit of plastic strain.");
-  s.real("Saturation Stress")
-      .orTable()
-      .unit("Pa")
-      .positive()
-      .optional()
-      .meaning(
-          "Saturation yield stress of Voce hardening, at least Yield Stress. Hardening Modulus adds to it.");
-  s.real("Saturation Rate")
-      .orTable()
-      .positive()
-      .optional()
-      .meaning("Rate of Voce hardening. Yield stress = Yield Stress + (Saturation Stress - Yield Stress) (1 "
-               "- exp(-Saturation Rate x plastic strain)) + Hardening Modulus x plastic strain.");
-  s.allOrNoneOf({"Saturation Stress", "Saturation Rate"});
-  s.real("Plastic Heat Fraction")
-      .range(0.0, 1.0)
-      .byDefault(0.9)
-      .meaning("Fraction of the plastic work that becomes heat (Taylor-Quinney coefficient). Used with the "
-               "section Thermal.");
-  return s;
+  const auto add = [&](auto law)
+  {
+    Section s(decltype(law)::name, decltype(law)::meaning);
+    decltype(law)::describe(s);
+    material.variant(s);
+  };
+  (add(Law{}), ...);
 }
 
 Section materials()
@@ -195,10 +132,7 @@ Section materials()
   Section material("material", "One material.");
   material.chosenBy("Model").meaning("Constitutive law.");
   heat(material);
-  material.variant(linearElastic());
-  material.variant(neoHookean());
-  material.variant(mooneyRivlin());
-  material.variant(j2Plastic());
+  addLaws(material, Laws{});
   material.variant(rigid());
 
   Section s("Materials", "The materials of the bodies.");

@@ -56,7 +56,7 @@ struct ParticleEnergy
     const Properties& law = materials(material(p));
     if (thermo.empty())
       return volume(p) * storedEnergy<D>(law, &deformation(p, 0), memory(p));
-    return volume(p) * withLaw<D>(law.kind, law.plane,
+    return volume(p) * withLaw<D>(law.law, law.plane,
                                   ThermoEnergy{ThermoPoint(thermo, material(p), temperature(p)),
                                                &deformation(p, 0), memory(p)});
   }

@@ -2,6 +2,7 @@
 
 #include "base/ReadList.hpp"
 #include "material/MaterialTable.hpp"
+#include "material/Materials.hpp"
 #include "material/ThermoMaterials.hpp"
 #include "step/PlaceBodies.hpp"
 #include "transfer/Box.hpp"
@@ -80,7 +81,7 @@ void addFields(State<D>& state, const std::vector<Field>& extra)
     table.add({fields::box, D, "m", "half widths of the particle domain (GIMP)"});
   int history = 0;
   for (const Properties& properties : state.materials.list)
-    history = std::max(history, historySize(properties.kind, D));
+    history = std::max(history, historySize<D>(properties));
   if (history > 0 && state.method.mechanics)
     table.add({fields::history, history, "", "history variables of the constitutive law"});
   table.add({fields::material, 1, "", "index of the material", true});

@@ -21,8 +21,6 @@
 /// viscosity in the law: half of the step moves against that stress and not against the law's, and the work
 /// of the difference is booked. (The force is that of the middle between two steps.)
 
-#include "material/HistoryRoom.hpp"
-#include "material/LawMemory.hpp"
 #include "material/ThermoLaw.hpp"
 #include "transfer/LaneStress.hpp"
 
@@ -87,7 +85,8 @@ struct HeatOfLanes
   HeatLanes<D>& heat;
   double* history; ///< of the first lane; null for laws without one
   int historyWidth;
-  double dt;
+  double dt;       ///< times the gradient: the strain
+  double duration; ///< of the strain [s]
   int from, to;
 
   template <class Law, int, Plane P>
@@ -104,24 +103,28 @@ struct HeatOfLanes
     {
       double F[gradientSize<D>], own[gradientSize<D>], tau[symmetricSize<D>], stretching = 0.0;
       // Laws without a memory let the compiler find several particles at once.
-      double* const memory = remembers<Law> ? history + l * historyWidth : nullptr;
+      double* const memory = hasHistory<Law> ? history + l * historyWidth : nullptr;
       const double before = heat.temperature[l];
       // What the law has at the start, at the temperature of now.
       const double expanded = 1.0 / (1.0 + alpha * (before - T0));
       for (int k = 0; k < gradientSize<D>; ++k)
         own[k] = expanded * at.F[k][l];
-      if constexpr (remembers<Law>)
+      if constexpr (hasHistory<Law>)
       {
-        double copy[historyRoom];
+        double copy[historyCapacity];
         for (int k = 0; k < historyWidth; ++k)
           copy[k] = memory[k];
-        Law::template stress<D, P>(properties, own, tau, copy);
+        stressOfLaw<Law, D, P>({own, 0.0, before}, properties, own, tau, copy);
       }
       else
-        Law::template stress<D, P>(properties, own, tau, nullptr);
+        stressOfLaw<Law, D, P>({own, 0.0, before}, properties, own, tau, nullptr);
+      double start[Law::usesStep ? gradientSize<D> : 1];
+      if constexpr (Law::usesStep)
+        for (int k = 0; k < gradientSize<D>; ++k)
+          start[k] = own[k];
       double work = -Law::template energy<D, P>(properties, own, memory);
-      if constexpr (remembers<Law>)
-        work -= dissipatedEnergy<D>(properties, memory);
+      if constexpr (hasHistory<Law>)
+        work -= dissipatedByLaw<Law, D>(memory);
       const double slope = alpha * expanded * trace<D>(tau);
       work += workOfLag<D>(at, heat, tau, l, dt);
 
@@ -133,16 +136,16 @@ struct HeatOfLanes
       const double theta = 1.0 + alpha * (T - T0), inverse = 1.0 / theta;
       for (int k = 0; k < gradientSize<D>; ++k)
         own[k] = inverse * F[k];
-      const bool good = Law::template stress<D, P>(properties, own, tau, memory);
+      const bool good = stressOfLaw<Law, D, P>({start, duration, T}, properties, own, tau, memory);
       if constexpr (P == Plane::Stress)
         F[4] = theta * own[4];
       const double now = alpha * inverse * trace<D>(tau);
       const double elastic = Law::template energy<D, P>(properties, own, memory);
       double has = elastic + T * now + (T - T0) * (capacity + 0.5 * material.coupling * (T + T0));
       work += elastic + 0.5 * (slope + now) * (T - before);
-      if constexpr (remembers<Law>)
+      if constexpr (hasHistory<Law>)
       {
-        const double flow = dissipatedEnergy<D>(properties, memory);
+        const double flow = dissipatedByLaw<Law, D>(memory);
         work += flow;
         has += (1.0 - material.plasticHeat) * flow;
       }
@@ -169,7 +172,8 @@ struct HeatByTables
   HeatLanes<D>& heat;
   double* history; ///< of the first lane; null for laws without one
   int historyWidth;
-  double dt;
+  double dt;       ///< times the gradient: the strain
+  double duration; ///< of the strain [s]
   int from, to;
 
   KOKKOS_INLINE_FUNCTION void run() const
@@ -181,25 +185,29 @@ struct HeatByTables
   KOKKOS_INLINE_FUNCTION void one(int l) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    double F[gradientSize<D>], tau[symmetricSize<D>], memory[historyRoom];
+    double F[gradientSize<D>], tau[symmetricSize<D>], memory[historyCapacity];
     double* const own = history == nullptr ? nullptr : history + l * historyWidth;
     double& T = heat.temperature[l];
     const double before = T;
     const ThermoPoint start(tables, material, before);
+    double strainedBefore[gradientSize<D>]; // without thermal strain
     for (int k = 0; k < gradientSize<D>; ++k)
+    {
       F[k] = at.F[k][l];
+      strainedBefore[k] = F[k] / start.stretch();
+    }
     ThermoState old, now;
-    look(start, before, F, tau, own, memory, old);
+    look(start, {strainedBefore, 0.0, before}, F, tau, own, memory, old);
     const double lag = workOfLag<D>(at, heat, tau, l, dt);
     strained<D>(at, l, dt, F);
     const bool finite = determinant<D>(F) < infinity;
-    bool good = look(start, before, F, tau, own, memory, now);
+    bool good = look(start, {strainedBefore, duration, before}, F, tau, own, memory, now);
     double work = lag + now.spent() - old.spent();
     T += (heat.internal[l] + work - now.internal) / start.capacity();
     if (start.material.coupled)
     {
       const ThermoPoint end(tables, material, T);
-      good = look(end, T, F, tau, own, memory, now) && good;
+      good = look(end, {strainedBefore, duration, T}, F, tau, own, memory, now) && good;
       work = lag + now.spent() - old.spent() - 0.5 * (old.slope + now.slope) * (T - before);
     }
     else
@@ -224,12 +232,13 @@ struct HeatByTables
   }
 
   /// What the law says of F at a temperature, starting from its history, which becomes `memory`.
-  KOKKOS_INLINE_FUNCTION bool look(const ThermoPoint& point, double T, double* F, double* tau,
+  KOKKOS_INLINE_FUNCTION bool look(const ThermoPoint& point, const LawStep& step, double* F, double* tau,
                                    const double* own, double* memory, ThermoState& says) const
   {
     for (int k = 0; k < historyWidth; ++k)
       memory[k] = own[k];
-    return withLaw<D>(properties.kind, properties.plane, ThermoStress{point, T, F, tau, memory, says});
+    return withLaw<D>(properties.law, properties.plane,
+                      ThermoStress{step, point, step.temperature, F, tau, memory, says});
   }
 };
 

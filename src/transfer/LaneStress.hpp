@@ -68,12 +68,15 @@ struct StressOfLanes
     constexpr double infinity = std::numeric_limits<double>::infinity();
     for (int l = from; l < to; ++l)
     {
-      double F[gradientSize<D>], tau[symmetricSize<D>];
+      double F[gradientSize<D>], tau[symmetricSize<D>], before[Law::usesStep ? gradientSize<D> : 1];
+      if constexpr (Law::usesStep)
+        for (int k = 0; k < gradientSize<D>; ++k)
+          before[k] = at.F[k][l];
       strained<D>(at, l, dt, F);
       // Finite only if every component is.
       const bool finite = determinant<D>(F) < infinity;
       double* const own = history == nullptr ? nullptr : history + l * historyWidth;
-      const bool good = Law::template stress<D, P>(properties, F, tau, own);
+      const bool good = stressOfLaw<Law, D, P>({before, dt, properties.temperature}, properties, F, tau, own);
       const double wave = Law::template waveSpeed<D, P>(properties, F, own);
       at.speed[l] = good && finite ? at.speed[l] + wave : infinity;
       storeLane(at, l, F, tau);

@@ -176,7 +176,7 @@ struct StrainAndMove
       while (next < end && material(next) == kind)
         ++next;
       const Properties& law = materials(kind);
-      withLaw<D>(law.kind, law.plane,
+      withLaw<D>(law.law, law.plane,
                  StressOfLanes<D>{law, at, memory, historyWidth, strainTime, p - begin, next - begin});
       p = next;
     }
@@ -207,12 +207,12 @@ struct StrainAndMove
         const Properties& law = materials(kind);
         const ThermoMaterial& thermal = heat.tables.material(kind);
         if (thermal.count == 1)
-          withLaw<D>(law.kind, law.plane,
+          withLaw<D>(law.law, law.plane,
                      HeatOfLanes<D>{law, thermal, heat.tables.knot(thermal.first), at, own, memory,
-                                    historyWidth, strainTime, p - begin, next - begin});
+                                    historyWidth, strainTime, strainTime, p - begin, next - begin});
         else
-          HeatByTables<D>{law,    heat.tables,  kind,       at,        own,
-                          memory, historyWidth, strainTime, p - begin, next - begin}
+          HeatByTables<D>{law,          heat.tables, kind,       at,        own,         memory,
+                          historyWidth, strainTime,  strainTime, p - begin, next - begin}
               .run();
         p = next;
       }

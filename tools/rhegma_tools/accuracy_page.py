@@ -1,4 +1,4 @@
-"""Tables of error and cost, and their places in a page of Markdown."""
+"""Tables of error and cost, and their positions in a page of Markdown."""
 
 import os
 
@@ -58,7 +58,7 @@ def renew(page, name, lines):
     begin = text.find(mark)
     stop = text.find(end, begin)
     if begin < 0 or stop < 0:
-        raise Problem(f"{page} has no place for the table {name}; write {mark.strip()} and {end} where it shall be.")
+        raise Problem(f"{page} has no position for the table {name}; write {mark.strip()} and {end} there.")
     renewed = text[: begin + len(mark)] + "\n" + "\n".join(lines) + "\n\n" + text[stop:]
     with open(page + ".part", "w", encoding="utf-8") as file:
         file.write(renewed)

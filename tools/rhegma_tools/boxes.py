@@ -1,4 +1,4 @@
-"""Outlines of particles' boxes: parallelograms in a plane, cuts of parallelepipeds with a plane in space."""
+"""Outlines of particles' boxes: parallelograms in a plane, cuts of parallelepipeds with a plane in 3D."""
 
 import itertools
 

@@ -11,7 +11,7 @@ from .field_picture import (QUANTITIES, choose_view, colour_scale, crack_segment
 from .style import plt
 
 SHADES = ["#F2F2F2", "#CFE3F2", "#8FC1E3", "#4492C6", "#1B669E", "#0B4271", "#062746"]  # of levels 0, 1, ...
-MOST_ACROSS = 14.0  # small cells across a close-up
+MOST_ACROSS = 14.0  # fine cells across a close-up
 
 
 def leaf_rectangles(leaves, view):
@@ -28,7 +28,7 @@ def rectangle_outlines(low, high):
 
 
 def close_up(low, high, level):
-    """Corners of a window with the shape 5:2 where most of the smallest cells are."""
+    """Corners of a window with the shape 5:2 where most of the finest cells are."""
     finest = level == level.max()
     edge = float((high[finest] - low[finest]).max())
     centres = 0.5 * (low[finest] + high[finest])
@@ -41,7 +41,7 @@ def close_up(low, high, level):
 
 
 def draw_cells(fields, title, path, stress="principal", asked=None):
-    """Writes the picture; returns how many leaves there are. Places are as they are: cells do not follow displacements
+    """Writes the picture; returns how many leaves there are. Positions are true ones: cells do not follow displacements
     that are drawn larger."""
     view = choose_view(fields, asked)
     low, high, level = leaf_rectangles(fields.leaves, view)
@@ -51,8 +51,8 @@ def draw_cells(fields, title, path, stress="principal", asked=None):
     body = low.min(axis=0), high.max(axis=0)
     length_factor, length_unit = style.scale(float(np.max(body[1] - body[0])), "m")
     corner, opposite = close_up(low, high, level)
-    place = view.flat(fields.position[drawn])
-    seen = values[drawn][np.all((place >= corner) & (place <= opposite), axis=1)]
+    position = view.flat(fields.position[drawn])
+    seen = values[drawn][np.all((position >= corner) & (position <= opposite), axis=1)]
     stress_factor, stress_unit = unit_of(stress, seen)
     colour_map, norm = (heat_scale if stress == "temperature" else colour_scale)(seen * stress_factor)
     rectangles = rectangle_outlines(low, high) * length_factor
@@ -80,7 +80,7 @@ def draw_cells(fields, title, path, stress="principal", asked=None):
     edge_factor, edge_unit = style.scale(max(edges.values()), "m")
     patches = [Patch(facecolor=SHADES[min(l, len(SHADES) - 1)], edgecolor=style.QUIET,
                      label=f"level {l}: {edge * edge_factor:.4g} {edge_unit}") for l, edge in sorted(edges.items())]
-    if extent[1] > extent[0]:  # a tall body leaves room beside it, and none above it
+    if extent[1] > extent[0]:  # a tall body leaves space next to it, and none above it
         whole.legend(handles=patches, loc="upper left", bbox_to_anchor=(1.03, 1.0), borderaxespad=0.0)
     else:
         whole.legend(handles=patches, loc="lower right", bbox_to_anchor=(1.0, 1.02), ncols=len(patches),
@@ -103,7 +103,7 @@ def draw_cells(fields, title, path, stress="principal", asked=None):
     draw_crack(close, [ratio * face for face in segments], [], 1.5)
     close.set_xlim(corner[0] * close_factor, opposite[0] * close_factor)
     close.set_ylim(corner[1] * close_factor, opposite[1] * close_factor)
-    close.set_title("the smallest cells and the particles in them", fontweight="normal", fontsize=10)
+    close.set_title("the finest cells and the particles in them", fontweight="normal", fontsize=10)
     names = ["xyz"[axis] for axis in view.axes]
     for axes, unit in ((whole, length_unit), (close, close_unit)):
         axes.set_aspect("equal")

@@ -38,14 +38,14 @@ class View:
 
 
 def read_slice(text):
-    """Axis and place [m], or None in its stead, of what --slice asks for: "z=0.012" or "z"."""
-    axis, equals, place = (text or "").partition("=")
+    """Axis and position [m], or None in its stead, of what --slice asks for: "z=0.012" or "z"."""
+    axis, equals, position = (text or "").partition("=")
     try:
-        where = float(place) if equals else None
+        where = float(position) if equals else None
     except ValueError:
         where = float("nan")
     if axis.strip() not in ("x", "y", "z") or (where is not None and not abs(where) < float("inf")):
-        raise Problem(f'--slice is "{text}"; write an axis and a place in metres such as z=0.012, or an axis alone.')
+        raise Problem(f'--slice is "{text}"; write an axis and a position in metres such as z=0.012, or an axis alone.')
     return "xyz".index(axis.strip()), where
 
 
@@ -56,14 +56,14 @@ def given_view(fields, normal, where):
     half = boxes.reach(fields.boxes(), normal)
     low = float((fields.position[:, normal] - half).min())
     high = float((fields.position[:, normal] + half).max())
-    place = middle_layer(fields, normal, 0.5 * (low + high)) if where is None else where
-    if not in_slice(fields, normal, place).any():
-        raise Problem(f"--slice {'xyz'[normal]}={place:g} cuts no particle; they lie from {low:g} to {high:g} m there.")
-    return View([axis for axis in range(3) if axis != normal], normal, place)
+    position = middle_layer(fields, normal, 0.5 * (low + high)) if where is None else where
+    if not in_slice(fields, normal, position).any():
+        raise Problem(f"--slice {'xyz'[normal]}={position:g} cuts no particle; they lie from {low:g} to {high:g} m there.")
+    return View([axis for axis in range(3) if axis != normal], normal, position)
 
 
 def choose_view(fields, asked=None):
-    """2D: the plane. 3D: the slice that is asked for (axis and place), else one through the middle, or through the
+    """2D: the plane. 3D: the slice that is asked for (axis and position), else one through the middle, or through the
     cracks, that shows the most and cuts the cracks."""
     if asked is not None:
         return given_view(fields, *asked)
@@ -83,7 +83,7 @@ def choose_view(fields, asked=None):
 
 
 def middle_layer(fields, normal, where):
-    """The middle of a layer of particles at a place: between two layers that part a little one would see through the
+    """The middle of a layer of particles at a position: between two layers that part a little one would see through the
     body."""
     heights = fields.position[:, normal]
     layer = in_slice(fields, normal, where) & (heights >= where)
@@ -126,13 +126,13 @@ def particle_outlines(fields, view, magnification):
     drawn = everyone if view.normal is None else everyone[in_slice(fields, view.normal, view.where)]
     stride = -(-len(drawn) // MOST)
     drawn = drawn[::stride]
-    place = fields.position[drawn] + (magnification - 1.0) * fields.displacement[drawn]
+    position = fields.position[drawn] + (magnification - 1.0) * fields.displacement[drawn]
     edges = fields.boxes(drawn, magnification)
     # Boxes grow a little, so that no white shows where the strain of neighbours differs, the more when magnified.
     by = np.sqrt(stride) * (1.03 if magnification == 1.0 else 1.08)
     if view.normal is None:
-        return list(boxes.grown(boxes.parallelograms(place[:, :2], edges[:, :2, :2]), by)), drawn
-    outlines, cut = boxes.cut(fields.position[drawn], fields.boxes(drawn), place, edges, view.normal, view.where)
+        return list(boxes.grown(boxes.parallelograms(position[:, :2], edges[:, :2, :2]), by)), drawn
+    outlines, cut = boxes.cut(fields.position[drawn], fields.boxes(drawn), position, edges, view.normal, view.where)
     return [boxes.grown(view.flat(outline)[None], by)[0] for outline in outlines], drawn[cut]
 
 
@@ -159,12 +159,12 @@ def crack_segments(fields, faces, view):
 
 
 class DrawnFront:
-    """A front as drawn. name: crack and number; ended: it has reached a surface or another crack; place: (2)."""
+    """A front as drawn. name: crack and number; ended: it has reached a surface or another crack; position: (2)."""
 
-    def __init__(self, name, ended, place):
+    def __init__(self, name, ended, position):
         self.name = name
         self.ended = ended
-        self.place = place
+        self.position = position
 
 
 def drawn_fronts(fields, faces, summary, view):
@@ -203,11 +203,11 @@ def draw_particles(axes, outlines, values, colour_map, norm):
     return particles
 
 
-def draw_crack(axes, segments, places, width):
+def draw_crack(axes, segments, positions, width):
     for face in segments:
         axes.add_collection(LineCollection(face, colors=style.INK, linewidths=width, capstyle="round"))
-    if places:
-        axes.plot(*np.array(places).T, ls="none", marker="o", ms=3.2 * width, mfc="white", mec=style.INK, mew=0.9 * width)
+    if positions:
+        axes.plot(*np.array(positions).T, ls="none", marker="o", ms=3.2 * width, mfc="white", mec=style.INK, mew=0.9 * width)
 
 
 def limits(axes, low, high, margin):
@@ -217,7 +217,7 @@ def limits(axes, low, high, margin):
 
 
 def picture_size(extent, zoom):
-    """Width and height of the figure [inch] for a body of this extent, with a close-up below or beside it."""
+    """Width and height of the figure [inch] for a body of this extent, with a close-up below or next to it."""
     width, height = extent
     tall = height > 1.2 * width
     aspect = height / width
@@ -249,7 +249,7 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
         faces = magnified_faces(fields.crack, fields.position, fields.displacement, magnification)
         segments = [face * length_factor for face in crack_segments(fields, faces, view)]
         fronts = drawn_fronts(fields, faces, summary, view)
-    places = [front.place * length_factor for front in fronts if not front.ended]
+    positions = [front.position * length_factor for front in fronts if not front.ended]
 
     names = ["xyz"[axis] for axis in view.axes]
     time_factor, time_unit = style.scale(fields.time, "s")
@@ -269,7 +269,7 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
     figure, axes = plt.subplots(rows, columns, figsize=size, squeeze=False, layout="constrained", gridspec_kw=ratios)
     whole = axes.flat[0]
     particles = draw_particles(whole, outlines, values, colour_map, norm)
-    draw_crack(whole, segments, places, 0.9)
+    draw_crack(whole, segments, positions, 0.9)
     limits(whole, low, high, 0.03)
     # A tall body without a close-up has a narrow panel: a line for each part, or they would run into the colour bar.
     narrow = tall and not zoom
@@ -284,10 +284,10 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
         close = axes.flat[1]
         half = max(0.06 * max(extent), 6.0 * fields.size * length_factor)
         draw_particles(close, outlines, values, colour_map, norm)
-        draw_crack(close, segments, places, 1.3)
+        draw_crack(close, segments, positions, 1.3)
         wide = half if tall else 2.9 * half  # the shape of the panel
         front, words = close_up(fronts)
-        middle = front.place * length_factor
+        middle = front.position * length_factor
         close.set_xlim(middle[0] - wide, middle[0] + wide)
         close.set_ylim(middle[1] - half, middle[1] + half)
         close.set_title(words, fontweight="normal", fontsize=10)

@@ -9,7 +9,7 @@ from .interpreter import Problem
 
 
 class Crack:
-    """points (v, 3) [m] as they are now, cells (s, 2 or 3), opening (v, 3) [m]: one face's place less the other's."""
+    """points (v, 3) [m] as they are now, cells (s, 2 or 3), opening (v, 3) [m]: position of one face minus that of the other."""
 
     def __init__(self, points, cells, opening):
         self.points = points

@@ -10,7 +10,7 @@ from .style import plt
 
 METHODS = [("G_J", "J integral", "-"), ("G_closure", "crack closure", (0, (5, 1.5)))]
 ENERGIES = [
-    # Sequence of the ledger; external work first, as the sum that the others share out.
+    # Order of the energy balance; external work first, as the sum of the others.
     ("external_work", "external work", "#000000"),
     ("strain", "strain", "#0072B2"),
     ("kinetic", "kinetic", "#D55E00"),
@@ -24,7 +24,7 @@ ENERGIES = [
     ("merged", "merged", "#999933"),
     ("residual", "residual", "#888888"),
 ]
-FEW = 4  # fronts that can be told apart in one panel; of more, the range and the mean are drawn
+FEW = 4  # fronts that can be distinguished in one panel; of more, the range and the mean are drawn
 
 
 def references(summary):
@@ -198,15 +198,15 @@ def temperatures(history):
     found = []
     for name, samples in history.column.items():
         if name.endswith(".temperature") and np.isfinite(samples).any():
-            place = name[: -len(".temperature")]
-            crack, _, number = place.rpartition(".")
+            column = name[: -len(".temperature")]
+            crack, _, number = column.rpartition(".")
             found.append((f"{crack}, front {number}" if (crack, number) in
-                          [(front[0], str(front[1])) for front in history.fronts] else place, samples))
+                          [(front[0], str(front[1])) for front in history.fronts] else column, samples))
     return found
 
 
-def draw_temperatures(axes, places, time):
-    for (name, samples), colour in zip(places, style.COLOURS):
+def draw_temperatures(axes, columns, time):
+    for (name, samples), colour in zip(columns, style.COLOURS):
         axes.plot(time, samples, color=colour, label=name)
     axes.set_title("Temperature")
     axes.set_ylabel("temperature [K]")

@@ -1,4 +1,4 @@
-"""Finds a Python that has the packages a tool needs, and turns a user's mistake into one sentence."""
+"""Finds a Python that has the packages a tool needs, and turns a user's mistake into a message."""
 
 import argparse
 import importlib
@@ -10,7 +10,7 @@ TRIED = "RHEGMA_TOOLS_TRIED_SYSTEM_PYTHON"
 
 
 class Problem(Exception):
-    """A mistake of the user, in one sentence."""
+    """A mistake of the user, as a message."""
 
 
 class Arguments(argparse.ArgumentParser):
@@ -53,7 +53,7 @@ def need(*packages):
 
 
 def run(main):
-    """Exits with what main returns; a Problem becomes a sentence and status 1."""
+    """Exits with what main returns; a Problem becomes a message and status 1."""
     tool = os.path.basename(sys.argv[0])
     try:
         sys.exit(main(sys.argv[1:]))

@@ -43,14 +43,14 @@ of all arrays together, then the second ones, so the arrays have one length; Pro
 may have a Scene of its own, and it may change the quantity (Error Of), its Reference Value, for example where the
 quantity is in other units, and the column Curve Of. A family with a Value, an expression of its runs' numbers At (an
 array, one for each run; "at" in the expression), of [paths] in their summary.json and of [[paths]] in that of the run of
-the same place in the family Beside, is drawn in values.png over At, or over Drawn At, an expression of the same kind whose
-value the Value may have too ("drawn"), beside True, an expression of "at". Values that are arrays themselves are written in braces:
+the same position in the family Compared With, is drawn in values.png over At, or over Drawn At, an expression of the same kind whose
+value the Value may have too ("drawn"), with True, an expression of "at". Values that are arrays themselves are written in braces:
 {{0, 0}, {1, 0}}.
 """
 
 STUDY_NAMES = ["Scene", "Title", "Error Of", "Error Label", "Reference Value", "Source", "Curve Of", "Curve Divided By", "Curve Label",
                "Value Label", "At Label", "Sweep"]
-FAMILY_NAMES = ["Combine", "Group", "Scene", "Error Of", "Reference Value", "Curve Of", "Value", "At", "Drawn At", "Beside",
+FAMILY_NAMES = ["Combine", "Group", "Scene", "Error Of", "Reference Value", "Curve Of", "Value", "At", "Drawn At", "Compared With",
                 "True"]
 
 
@@ -74,7 +74,7 @@ class Run:
         self.settings = settings
         self.quantities = quantities
         self.references = references
-        self.value = self.at = self.drawn = self.beside = self.true = None  # of values.png
+        self.value = self.at = self.drawn = self.twins = self.true = None  # of values.png
 
     @property
     def quantity(self):
@@ -183,8 +183,8 @@ def combine(values, how, where):
     elif how == "Zip":
         lengths = {path: len(value) for path, value in arrays.items()}
         if len(set(lengths.values())) > 1:
-            told = ", ".join(f"{path} has {n}" for path, n in lengths.items())
-            raise Problem(f"{where}: Zip needs arrays of one length, but {told} values; make them equal or "
+            lengths_text = ", ".join(f"{path} has {n}" for path, n in lengths.items())
+            raise Problem(f"{where}: Zip needs arrays of one length, but {lengths_text} values; make them equal or "
                           "set Combine to Product.")
         rows = zip(*arrays.values()) if arrays else [()]
     else:
@@ -234,9 +234,9 @@ def read_family(element, study, study_path):
 def read_values(own, runs, where):
     """What values.png has of a family."""
     if "Value" not in own:
-        for name in ("At", "Drawn At", "Beside", "True"):
+        for name in ("At", "Drawn At", "Compared With", "True"):
             if name in own:
-                raise Problem(f"{where} > {name}: there is no Value that it could go with; add one.")
+                raise Problem(f"{where} > {name}: there is no Value; add one.")
         return
     at = own.get("At")
     if not isinstance(at, list) or len(at) != len(runs):
@@ -245,7 +245,7 @@ def read_values(own, runs, where):
         run.value = read_text(own, "Value", where)
         run.at = read_number({"At": text}, "At", where)
         run.drawn = read_text(own, "Drawn At", where) if "Drawn At" in own else None
-        run.beside = read_text(own, "Beside", where) if "Beside" in own else None
+        run.twins = read_text(own, "Compared With", where) if "Compared With" in own else None
         run.true = read_text(own, "True", where) if "True" in own else None
 
 
@@ -264,7 +264,7 @@ def read_curve(values, runs):
 
 
 def read_study(path):
-    """A study from its file; throws a Problem with one sentence for any mistake in it."""
+    """A study from its file; raises a Problem with a message for any mistake in it."""
     if not os.path.exists(path):
         raise Problem(f"there is no file {path}; give the XML file of a study.")
     try:

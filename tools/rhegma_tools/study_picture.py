@@ -8,8 +8,8 @@ from .style import plt
 
 MARKERS = ["o", "s", "^", "D", "v", "P", "X"]
 DASHES = ["-", (0, (5, 1.5)), (0, (1.2, 1.2)), (0, (6, 1.5, 1.2, 1.5))]
-GAIN = 0.02  # an error that is lower by less than this share is not worth a higher cost
-SMALLEST = 1.0e-12  # an error of exactly zero has no place on a logarithmic axis
+GAIN = 0.02  # an error that is lower by less than this fraction is not worth a higher cost
+SMALLEST = 1.0e-12  # an error of exactly zero has no position on a logarithmic axis
 
 
 def frontier(points):
@@ -32,13 +32,13 @@ def by_chance(outcome, others, cell="Domain:Cell Size"):
         for o in others)
 
 
-def beside(one, other):
-    """Whether two points of a logarithmic picture are so near that labels beside them meet."""
+def overlaps(one, other):
+    """Whether two points of a logarithmic picture are so near that labels next to them overlap."""
     return all(max(a, b) < factor * min(a, b) for a, b, factor in zip(one, other, (2.3, 1.6)))  # labels are wide
 
 
 def short(run, swept):
-    """The run's swept values, for a label beside its point."""
+    """The run's swept values, for a label next to its point."""
     names = [path for path in swept if path in run.settings]
     if len(names) == 1:
         value = run.settings[names[0]]
@@ -52,7 +52,7 @@ def short(run, swept):
 
 
 def frontier_label(good, best, swept):
-    """Says what the numbers beside the frontier's points are, where they are all of one parameter."""
+    """Says what the numbers next to the frontier's points are, where they are all of one parameter."""
     names = {tuple(path for path in swept if path in good[i].run.settings) for i in best}
     only = next(iter(names)) if len(names) == 1 else ()
     return "efficient frontier" + (f"\n(numbers: {only[0].split(':')[-1]})" if len(only) == 1 else "")
@@ -101,7 +101,7 @@ def draw_cost(axes, study, good, costs, styles, name_axis):
                   mew=0.7, label=family, zorder=3)
     for before, i in zip([None, *best], best):
         text = short(good[i].run, study.swept)
-        if before is not None and text == short(good[before].run, study.swept) and beside(points[before], points[i]):
+        if before is not None and text == short(good[before].run, study.swept) and overlaps(points[before], points[i]):
             continue  # would lie on the label before it
         axes.annotate(text, points[i], (-7, -7), textcoords="offset points", ha="right",
                       va="top", fontsize=8, color=style.QUIET, zorder=4)
@@ -110,7 +110,7 @@ def draw_cost(axes, study, good, costs, styles, name_axis):
     low, high = [[f(p[axis] for p in points) for axis in (0, 1)] for f in (min, max)]
     for axis, set_limits in ((0, axes.set_xlim), (1, axes.set_ylim)):
         span = max(high[axis] / low[axis], 2.0) ** 0.12 if low[axis] > 0.0 else 2.0
-        low[axis], high[axis] = low[axis] / (span if axis == 1 else span**2), high[axis] * span  # room for labels
+        low[axis], high[axis] = low[axis] / (span if axis == 1 else span**2), high[axis] * span  # space for labels
         set_limits(low[axis], high[axis])
     sparse_ticks(axes.xaxis, low[0], high[0], seconds)
     relative = all(o.run.reference != 0.0 for o in good)
@@ -121,14 +121,14 @@ def draw_cost(axes, study, good, costs, styles, name_axis):
 
 def draw_study(study, outcomes, path, processor=False):
     """Writes study.png from the runs that finished; there must be one. Returns those on the frontier of wall time, or of
-    processor time if that shall be drawn in its place."""
+    processor time if that shall be drawn instead."""
     good = [o for o in outcomes if o.good]
     if processor and any(o.processor_seconds is None for o in good):
         raise Problem("--processor-time: it is not known of every run; run the study --again and without --launcher.")
     spent = [o.processor_seconds if processor else o.wall_seconds for o in good]
     styles = group_style([o.run for o in good])
     figure, (left, right) = plt.subplots(1, 2, sharey=True, figsize=(10.4, 4.6), layout="constrained")
-    # A run of no step or no measurable time still has a place on a logarithmic axis.
+    # A run of no step or no measurable time still has a position on a logarithmic axis.
     best = draw_cost(left, study, good, [max(t, 1.0e-3) for t in spent], styles,
                      "processor time [s]" if processor else "wall time [s]")
     draw_cost(right, study, good, [max(o.particle_steps, 1) * 1.0e-6 for o in good], styles, "particle-steps [million]")

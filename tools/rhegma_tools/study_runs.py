@@ -1,4 +1,4 @@
-"""Runs the scenes of a study, one after the other unless told otherwise so that their times compare, and collects what
+"""Runs the scenes of a study, one after the other unless asked otherwise so that their times compare, and collects what
 they give."""
 
 import csv
@@ -36,14 +36,14 @@ class Outcome:
 
 
 def find_program(given):
-    """The rhegma to run: the one given, else that on the PATH, else that of the build beside this tool."""
-    beside = os.path.join(os.path.dirname(os.path.realpath(sys.argv[0])), "..", "build", "rhegma")
-    program = given or shutil.which("rhegma") or beside
+    """The rhegma to run: the one given, else that on the PATH, else that of the build next to this tool."""
+    neighbour = os.path.join(os.path.dirname(os.path.realpath(sys.argv[0])), "..", "build", "rhegma")
+    program = given or shutil.which("rhegma") or neighbour
     if not (os.path.isfile(program) and os.access(program, os.X_OK)):
         raise Problem(
             f"there is no program {program}; give rhegma's path with --rhegma."
             if given
-            else "rhegma is neither on the PATH nor built beside this tool; give its path with --rhegma."
+            else "rhegma is neither on the PATH nor built next to this tool; give its path with --rhegma."
         )
     return os.path.abspath(program)
 
@@ -53,7 +53,7 @@ def plain(text):
 
 
 def run_folder(output, run):
-    """A folder that follows from scene and settings alone: the values and a digest that tells like ones apart. Families
+    """A folder that follows from scene and settings alone: the values and a digest that distinguishes similar ones. Families
     that look at different quantities of the same run share it."""
     digest = hashlib.sha256(json.dumps([run.scene, sorted(run.settings.items())]).encode()).hexdigest()[:8]
     values = "_".join(plain(f"{path.split(':')[-1]}-{value}") for path, value in run.settings.items())[:80]

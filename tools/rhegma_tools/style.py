@@ -1,4 +1,4 @@
-"""How all pictures look: colours that colour-blind readers can tell apart, SI units with prefixes, no clutter."""
+"""How all pictures look: colours that colour-blind readers can distinguish, SI units with prefixes, no clutter."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Draws what runs gave against a number of theirs, beside what is true."""
+"""Draws what runs gave over one of their numbers, with the true value."""
 
 import ast
 import csv
@@ -44,33 +44,33 @@ def calculate(text, where, names):
         raise Problem(f"{where}: {text} has no value ({error}).")
 
 
-def number_of(text, what, outcome, beside, names):
-    """An expression of names and of [path], of the run's summary, and [[path]], of that of the run beside it."""
+def number_of(text, what, outcome, twin_run, names):
+    """An expression of names and of [path], of the run's summary, and [[path]], of the run it is compared with."""
     where = f"Sweep > {outcome.run.family} > {what}"
     names = dict(names)
 
     def name(match):
         twin = match.group(1) is not None
-        if twin and beside is None:
-            raise Problem(f"{where}: [[{match.group(1)}]] needs a family Beside, whose run finished.")
+        if twin and twin_run is None:
+            raise Problem(f"{where}: [[{match.group(1)}]] needs a family Compared With, whose run finished.")
         key = f"_{len(names)}"
-        names[key] = look_up(read_summary((beside if twin else outcome).folder), (match.group(1) or match.group(2)).strip())
+        names[key] = look_up(read_summary((twin_run if twin else outcome).folder), (match.group(1) or match.group(2)).strip())
         return key
 
     return calculate(PATH.sub(name, text), where, names)
 
 
-def drawn_at(outcome, beside):
+def drawn_at(outcome, twin_run):
     """Where the Value of a run is drawn."""
     run = outcome.run
-    return number_of(run.drawn, "Drawn At", outcome, beside, {"at": run.at}) if run.drawn else run.at
+    return number_of(run.drawn, "Drawn At", outcome, twin_run, {"at": run.at}) if run.drawn else run.at
 
 
-def value_of(outcome, beside):
+def value_of(outcome, twin_run):
     """The Value of a run."""
     run = outcome.run
-    names = {"at": run.at, "drawn": drawn_at(outcome, beside)}
-    return number_of(run.value, "Value", outcome, beside, names)
+    names = {"at": run.at, "drawn": drawn_at(outcome, twin_run)}
+    return number_of(run.value, "Value", outcome, twin_run, names)
 
 
 def collect(outcomes):
@@ -83,15 +83,15 @@ def collect(outcomes):
         run = outcome.run
         if not (outcome.good and run.value):
             continue
-        place = numbers[run.family].index(outcome)
+        index = numbers[run.family].index(outcome)
         twin = None
-        if run.beside is not None:
-            if run.beside not in numbers:
-                raise Problem(f"Sweep > {run.family} > Beside: there is no family {run.beside} among those that run.")
-            twins = numbers[run.beside]
-            if place >= len(twins):
-                raise Problem(f"Sweep > {run.family} > Beside: {run.beside} has fewer runs.")
-            twin = twins[place] if twins[place].good else None
+        if run.twins is not None:
+            if run.twins not in numbers:
+                raise Problem(f"Sweep > {run.family} > Compared With: there is no family {run.twins} among those that run.")
+            twins = numbers[run.twins]
+            if index >= len(twins):
+                raise Problem(f"Sweep > {run.family} > Compared With: {run.twins} has fewer runs.")
+            twin = twins[index] if twins[index].good else None
             if twin is None:
                 continue
         at = drawn_at(outcome, twin)

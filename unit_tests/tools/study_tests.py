@@ -33,7 +33,7 @@ GIMP = """    <ParameterList name="GIMP, both">
 VALUES = """    <ParameterList name="warm">
       <Parameter name="At" type="Array(string)" value="{10, 20, 40}"/>
       <Parameter name="Value" type="string" value="at*[cracks.Notch.fronts.0.G_J]/[[cracks.Notch.fronts.0.G_J]]"/>
-      <Parameter name="Beside" type="string" value="cold"/>
+      <Parameter name="Compared With" type="string" value="cold"/>
       <Parameter name="True" type="string" value="at"/>
       <Parameter name="Domain:Cell Size" type="Array(string)" value="{5e-3, 2.5e-3, 1.25e-3}"/>
       <Parameter name="Domain:Shape Functions" type="string" value="GIMP"/>
@@ -215,7 +215,7 @@ class Study(ToolTest):
 
     def test_draws_values_where_runs_say(self):
         drawn = '<Parameter name="Drawn At" type="string" value="at + [cracks.Notch.fronts.0.G_J] + 1"/>\n      '
-        self.study(LINEAR.replace("linear", "cold") + VALUES.replace('<Parameter name="Beside"', drawn + '<Parameter name="Beside"')
+        self.study(LINEAR.replace("linear", "cold") + VALUES.replace('<Parameter name="Compared With"', drawn + '<Parameter name="Compared With"')
                    .replace('"at*[cracks', '"drawn*[cracks'))
         status, _, complaint = self.start()
         self.assertEqual((status, complaint), (0, ""))

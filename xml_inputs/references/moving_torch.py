@@ -2,9 +2,9 @@
 """The highest temperature under a disk of heat that moves over an infinite plate: the reference value of
 xml_inputs/studies/hot_spot.xml.
 
-The rise at x is the integral over the past s of P / (rho c) times the share of a disk's heat that has come to a
+The rise at x is the integral over the past s of P / (rho c) times the fraction of a disk's heat that has come to a
 point of it: of heat let go on a disk of radius r at distance d, after s, F / (pi r^2), F the chance that a normally
-distributed place around the point with variance 2 D s in each direction lies in the disk (noncentral chi-squared)."""
+distributed point around the point with variance 2 D s in each direction lies in the disk (noncentral chi-squared)."""
 
 import numpy
 from scipy.optimize import minimize_scalar
@@ -25,7 +25,7 @@ def share(distance, age):
 
 
 def rise(ahead):
-    """At a place ahead of the disk's middle when it has moved for TIME; age = u^2 for the square root at its start."""
+    """At a point ahead of the disk's middle when it has moved for TIME; age = u^2 for the square root at its start."""
     points, weights = numpy.polynomial.legendre.leggauss(200)
     edges = numpy.concatenate([[0.0], numpy.geomspace(1e-3, numpy.sqrt(TIME), 40)])
     total = 0.0

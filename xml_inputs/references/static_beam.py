@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """Static energy release rate of the double cantilever beam by a direct solve, apart from the program.
 
-Particles of linear functions sit at their starting places, as integration points. At rest K U = f holds whatever the
+Particles of linear functions sit at their initial positions, as integration points. At rest K U = f holds whatever the
 mass matrix, the damping and the order of the step, so a run that has settled must agree. Prints the error of J (weight
-interpolated like the motion, and by unbroken functions) and of the change of strain energy dU/da for three ways to cut
+interpolated like the motion, and by unbroken functions) and of the change of strain energy dU/da for three methods to cut
 cells; with --limit the largest stable CFL number of MUSL, from the eigenvalues of M^-1 Mc M^-1 K.
 
     xml_inputs/references/static_beam.py [--limit] CELLS_PER_ARM [CELLS_PER_ARM ...]        (needs numpy and scipy)

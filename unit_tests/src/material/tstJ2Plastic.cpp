@@ -72,13 +72,13 @@ TYPED_TEST(J2, StaysOnTheYieldSurface)
       F[4] = thickness;
     const History<D> before = history;
     const Symmetric<D> tau = stressOf<TypeParam>(m, F, history);
-    const double limit = yieldNorm(m, history[plasticStrainIndex<D>]);
+    const double limit = yieldNorm(m, history[J2Plastic::plasticStrainIndex<D>]);
     EXPECT_LE(deviatorNorm<D>(tau), limit * (1.0 + 1.0e-12));
-    if (history[plasticStrainIndex<D>] > before[plasticStrainIndex<D>])
+    if (history[J2Plastic::plasticStrainIndex<D>] > before[J2Plastic::plasticStrainIndex<D>])
     {
       ++yielded;
       EXPECT_NEAR(deviatorNorm<D>(tau), limit, 1.0e-12 * limit);
-      EXPECT_GT(history[dissipationIndex<D>], before[dissipationIndex<D>]);
+      EXPECT_GT(history[J2Plastic::dissipationIndex<D>], before[J2Plastic::dissipationIndex<D>]);
     }
     else
     {
@@ -126,8 +126,8 @@ double workError(int steps, const Properties& m)
       }
   }
   const double stored = C::Law::template energy<D, C::P>(m, F.data(), history.data());
-  EXPECT_GT(history[dissipationIndex<D>], stored);
-  return (work - stored - history[dissipationIndex<D>]) / work;
+  EXPECT_GT(history[J2Plastic::dissipationIndex<D>], stored);
+  return (work - stored - history[J2Plastic::dissipationIndex<D>]) / work;
 }
 
 TYPED_TEST(J2, WorkIsStoredOrDissipated)
@@ -153,7 +153,7 @@ TYPED_TEST(J2, UnloadsElastically)
   const Gradient<D> loaded = F;
   const Symmetric<D> top = stressOf<TypeParam>(m, F, history);
   const History<D> after = history;
-  EXPECT_GT(after[plasticStrainIndex<D>], 0.1);
+  EXPECT_GT(after[J2Plastic::plasticStrainIndex<D>], 0.1);
   for (const double stretch : {1.199, 1.195, 1.192})
   {
     F[0] = stretch;
@@ -210,8 +210,9 @@ TEST(J2PlaneStress, AgreesWithSolid)
     const Symmetric<3> expected = stressOf<Case<J2Plastic, 3, Plane::Solid>>(m3, F3, history3);
     for (int i = 0; i < 6; ++i)
       EXPECT_NEAR(tau[i], expected[i], 1.0e-13) << s;
-    EXPECT_NEAR(history[plasticStrainIndex<2>], history3[plasticStrainIndex<3>], 1.0e-13);
-    EXPECT_NEAR(history[dissipationIndex<2>], history3[dissipationIndex<3>], 1.0e-13);
+    EXPECT_NEAR(history[J2Plastic::plasticStrainIndex<2>], history3[J2Plastic::plasticStrainIndex<3>],
+                1.0e-13);
+    EXPECT_NEAR(history[J2Plastic::dissipationIndex<2>], history3[J2Plastic::dissipationIndex<3>], 1.0e-13);
   }
 }
 
@@ -241,7 +242,7 @@ Bar pullBar(const Properties& m, double strain, int steps)
       (tau[1] > 0.0 ? high : low) = middle;
     }
   }
-  return {tau[0], history[plasticStrainIndex<2>], history[dissipationIndex<2>],
+  return {tau[0], history[J2Plastic::plasticStrainIndex<2>], history[J2Plastic::dissipationIndex<2>],
           C::Law::energy<2, Plane::Stress>(m, F.data(), history.data())};
 }
 
@@ -297,10 +298,11 @@ TEST(J2Shear, ByTwo)
     F[1] = gamma * s / steps;
     tau = stressOf<C>(m, F, history);
   }
-  const double shear = m.yield / std::sqrt(3.0);
+  const double shear = m.own[J2Number::yield] / std::sqrt(3.0);
   EXPECT_NEAR(tau[3] / shear, 1.0, 0.003);
-  EXPECT_NEAR(history[plasticStrainIndex<3>] / ((gamma - shear / m.mu) / std::sqrt(3.0)), 1.0, 0.003);
-  EXPECT_NEAR(history[dissipationIndex<3>] / (shear * gamma), 1.0, 0.003);
+  EXPECT_NEAR(history[J2Plastic::plasticStrainIndex<3>] / ((gamma - shear / m.mu) / std::sqrt(3.0)), 1.0,
+              0.003);
+  EXPECT_NEAR(history[J2Plastic::dissipationIndex<3>] / (shear * gamma), 1.0, 0.003);
 }
 
 } // namespace Test

@@ -60,18 +60,18 @@ TEST(MaterialTable, ModuliOfRubber)
 
 TEST(MaterialTable, HistoryOnlyWhereALawNeedsIt)
 {
-  EXPECT_EQ(historySize(LawKind::LinearElastic, 3), 0);
-  EXPECT_EQ(historySize(LawKind::NeoHookean, 2), 0);
-  EXPECT_EQ(historySize(LawKind::MooneyRivlin, 2), 0);
-  EXPECT_EQ(historySize(LawKind::J2Plastic, 2), 6);
-  EXPECT_EQ(historySize(LawKind::J2Plastic, 3), 8);
+  EXPECT_EQ(LinearElastic::historySize<3>, 0);
+  EXPECT_EQ(NeoHookean::historySize<2>, 0);
+  EXPECT_EQ(MooneyRivlin::historySize<2>, 0);
+  EXPECT_EQ(J2Plastic::historySize<2>, 6);
+  EXPECT_EQ(J2Plastic::historySize<3>, 8);
 }
 
 TEST(MaterialTable, HardeningIsOptional)
 {
   const Properties m = makeProperties(steel(), "Steel", Plane::Solid);
-  EXPECT_EQ(m.hardening, 0.0);
-  EXPECT_EQ(m.saturation, 0.0);
+  EXPECT_EQ(m.own[J2Number::hardening], 0.0);
+  EXPECT_EQ(m.own[J2Number::saturation], 0.0);
   EXPECT_EQ(yieldStress(m, 3.0), 250.0e6);
 }
 
@@ -175,7 +175,7 @@ void checkKernel()
   const View<Properties*> materials("materials", 4);
   const View<double * [gradientSize<D>]> F("F", 4);
   const View<double * [symmetricSize<D>]> tau("tau", 4);
-  const View<double**> history("history", 4, historySize(LawKind::J2Plastic, D));
+  const View<double**> history("history", 4, J2Plastic::historySize<D>);
   const View<double*> speed("speed", 4);
   const auto hostMaterials = Kokkos::create_mirror_view(materials);
   const auto hostF = Kokkos::create_mirror_view(F);

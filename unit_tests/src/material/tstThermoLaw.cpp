@@ -1,7 +1,6 @@
 /// What temperature does to stress and energy, for every law: free expansion, the first law, and the rise
 /// that straining without heat flow brings.
 
-#include "material/HistoryRoom.hpp"
 #include "material/ThermoLaw.hpp"
 #include "material/ThermoMaterials.hpp"
 #include "transfer/LaneHeat.hpp"
@@ -51,7 +50,7 @@ struct Particle
 {
   ThermoTables tables;
   Properties law;
-  double T, F[gradientSize<D>] = {}, tau[symmetricSize<D>] = {}, history[historyRoom] = {}, energy = 0.0;
+  double T, F[gradientSize<D>] = {}, tau[symmetricSize<D>] = {}, history[historyCapacity] = {}, energy = 0.0;
 
   Particle(const Teuchos::ParameterList& list, Plane plane, double start)
       : tables(makeThermoTables(list, plane, reference, true)), law(makePropertiesAt(list, plane)), T(start)
@@ -72,8 +71,9 @@ struct Particle
   double evaluate(double at, double* stress, double* memory)
   {
     ThermoState says;
-    EXPECT_TRUE(withLaw<D>(law.kind, law.plane,
-                           ThermoStress{ThermoPoint(tables, 0, at), at, F, stress, memory, says}));
+    EXPECT_TRUE(
+        withLaw<D>(law.law, law.plane,
+                   ThermoStress{{F, 0.0, at}, ThermoPoint(tables, 0, at), at, F, stress, memory, says}));
     EXPECT_GT(says.wave, 0.0);
     return says.internal;
   }
@@ -94,12 +94,13 @@ struct Particle
     heat.internal[0] = energy;
     heat.share[0] = 1.0;
     const ThermoMaterial material = tables.material(0);
-    const int width = historySize(law.kind, D);
+    const int width = historySize<D>(law);
     if (material.count == 1)
-      withLaw<D>(law.kind, law.plane,
-                 detail::HeatOfLanes<D>{law, material, tables.knot(0), at, heat, history, width, 1.0, 0, 1});
+      withLaw<D>(
+          law.law, law.plane,
+          detail::HeatOfLanes<D>{law, material, tables.knot(0), at, heat, history, width, 1.0, 1.0, 0, 1});
     else
-      detail::HeatByTables<D>{law, tables, 0, at, heat, history, width, 1.0, 0, 1}.run();
+      detail::HeatByTables<D>{law, tables, 0, at, heat, history, width, 1.0, 1.0, 0, 1}.run();
     EXPECT_LT(at.speed[0], 1e300);
     T = heat.temperature[0];
     energy = heat.internal[0];
@@ -232,7 +233,7 @@ TEST(ThermoMaterials, TablesOfModuliCarryTheirHeat)
   solid.F[1] = 0.01;
   const auto stored = [&](double T)
   {
-    return withLaw<3>(solid.law.kind, solid.law.plane,
+    return withLaw<3>(solid.law.law, solid.law.plane,
                       ThermoEnergy{ThermoPoint(solid.tables, 0, T), solid.F, nullptr});
   };
   const double T = 300.0, slope = (stored(T + 0.5) - stored(T - 0.5)) / 1.0;

@@ -134,7 +134,7 @@ void checkYielding()
     Gradient<C::D> F = random.deformation<C::D>(0.8, 1.25);
     History<C::D> history{};
     stressOf<C>(m, F, history);
-    EXPECT_GT(history[plasticStrainIndex<C::D>], 0.0);
+    EXPECT_GT(history[J2Plastic::plasticStrainIndex<C::D>], 0.0);
     const double speed = C::Law::template waveSpeed<C::D, C::P>(m, F.data(), history.data());
     EXPECT_GE(speed, fastestWave<C>(m, F, history, random));
   }

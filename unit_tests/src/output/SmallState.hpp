@@ -1,6 +1,7 @@
 #pragma once
 /// A state of a few particles made by hand.
 
+#include "material/Laws.hpp"
 #include "state/State.hpp"
 
 #include <gtest/gtest.h>
@@ -46,7 +47,7 @@ void fillView(const AnyView& view, const std::vector<T>& values)
 inline Properties softSolid(int dimension)
 {
   Properties m;
-  m.kind = LawKind::LinearElastic;
+  m.law = lawIndex<LinearElastic>;
   m.plane = dimension == 2 ? Plane::Strain : Plane::Solid;
   m.density = 4.0;
   m.lambda = 3.0;

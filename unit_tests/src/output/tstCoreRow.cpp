@@ -82,14 +82,14 @@ TEST(CoreRow, ComesBeforeTheColumnsOfEffects)
 TEST(CoreRow, BooksPlasticWork)
 {
   State<3> state = smallState<3>(2);
-  constexpr int size = historySize(LawKind::J2Plastic, 3);
+  constexpr int size = J2Plastic::historySize<3>;
   state.particles.add({fields::history, size, "", ""});
   std::vector<double> history(2 * size, 0.0);
-  history[dissipationIndex<3>] = 3.0;
-  history[size + dissipationIndex<3>] = 5.0;
+  history[J2Plastic::dissipationIndex<3>] = 3.0;
+  history[size + J2Plastic::dissipationIndex<3>] = 5.0;
   fill(state.particles.table(fields::history), history);
-  state.materials.list[0].kind = LawKind::J2Plastic;
-  state.materials.list[0].yield = 1.0;
+  state.materials.list[0].law = lawIndex<J2Plastic>;
+  state.materials.list[0].own[J2Number::yield] = 1.0;
   const auto host = Kokkos::create_mirror_view(state.materials.device);
   host(0) = state.materials.list[0];
   Kokkos::deep_copy(state.materials.device, host);
