@@ -59,7 +59,7 @@ Section energyReleaseSection()
 namespace
 {
 
-bool inSpace(const Teuchos::ParameterList& scene)
+bool isThreeDimensional(const Teuchos::ParameterList& scene)
 {
   if (!scene.isSublist("Domain"))
     return false;
@@ -71,14 +71,15 @@ bool inSpace(const Teuchos::ParameterList& scene)
 GivenRadii readRadii(const Teuchos::ParameterList& scene)
 {
   const Teuchos::ParameterList& list = scene.sublist("Energy Release");
-  GivenRadii given = inSpace(scene) ? radiiInSpace() : GivenRadii();
+  GivenRadii given = isThreeDimensional(scene) ? usualCells<3>() : usualCells<2>();
   if (list.isType<double>("Inner Radius"))
     given.inner = list.get<double>("Inner Radius");
   if (list.isType<double>("Outer Radius"))
     given.outer = list.get<double>("Outer Radius");
   using Cells = Teuchos::Array<double>;
   const char* const name = "Release Contour";
-  if (inSpace(scene) || !scene.isSublist("Propagation") || !scene.sublist("Propagation").isType<Cells>(name))
+  if (isThreeDimensional(scene) || !scene.isSublist("Propagation") ||
+      !scene.sublist("Propagation").isType<Cells>(name))
     return given;
   const auto cells = scene.sublist("Propagation").get<Cells>(name);
   if (cells.size() != 2)
@@ -178,7 +179,7 @@ Options readOptions(const Teuchos::ParameterList& scene)
   if (cracks.isParameter("Formulation"))
     options.openingKnown = cracks.get<std::string>("Formulation") != "Broken Cell";
   options.radii = readRadii(scene);
-  if (inSpace(scene)) // there is no crack closure
+  if (isThreeDimensional(scene)) // there is no crack closure
     return options;
   options.contour = list.get<bool>("Contour Integral");
   // The opening behind a front that runs is that of its cohesive zone.
