@@ -3,7 +3,6 @@
 #include "archive/Archive.hpp"
 #include "base/Attempts.hpp"
 #include "base/Numbers.hpp"
-#include "base/ShortNumber.hpp"
 #include "energy_release/DomainIntegral.hpp"
 #include "energy_release/DrivingForces.hpp"
 #include "energy_release/FrontIntegral.hpp"
@@ -45,16 +44,22 @@ std::string frontName(const State<D>& state, const CrackFront<D>& front)
   return state.cracks.cracks[front.crack].name + "." + std::to_string(front.number);
 }
 
+/// Its name in messages, such as "crack Notch, front 0".
+template <int D>
+std::string messageName(const State<D>& state, const CrackFront<D>& front)
+{
+  return "crack " + state.cracks.cracks[front.crack].name + ", front " + std::to_string(front.number);
+}
+
 /// A node may come to lie this fraction of a cell inside of the tube as the body moves.
 constexpr double slack = 1e-6;
 
 void refuseContour(const State<2>& state, const CrackFront<2>& front, const std::string& where,
                    const std::string& contour, const std::string& advice)
 {
-  throw std::invalid_argument("Energy Release > " + where + ": the contour of " + contour +
-                              " m round the front " + frontName(state, front) +
-                              " leaves the body or reaches another " + advice +
-                              ", or take smaller cells (Domain > Cell Size)");
+  throw std::invalid_argument("Energy Release > " + where + ": the contour of " + contour + " m around " +
+                              messageName(state, front) + " leaves the body or reaches another " + advice +
+                              ", or use smaller cells (Domain > Cell Size)");
 }
 
 /// Refuses radii that the scene gives and that don't fit; says which ones are used where the usual ones
@@ -75,18 +80,17 @@ void checkTube(State<2>& state, const CrackFront<2>& front, const Options& optio
   const double least = smallestOuter(given, cell);
   if (room < least - slack * cell)
     refuseContour(state, front, given.inner > 0.0 ? "Inner Radius" : "Outer Radius", formatReal(least),
-                  "front or crack; there is room for " + formatReal(room) + " m: " +
+                  "front or crack; at most " + formatReal(room) + " m fit: " +
                       (given.inner > 0.0 ? "write a smaller Inner Radius"
-                                         : "give both radii, or leave out Energy Release"));
+                                         : "write both radii, or leave out Energy Release"));
   if (room < usual - slack * cell)
   {
     const ContourRadii radii = fittingTube(state, front, given).radii;
-    state.warnings.push_back("Energy Release: G and K of the front " + frontName(state, front) +
-                             " are measured in a ring from " + shortly(radii.inner) + " to " +
-                             shortly(radii.outer) +
-                             " m round it, all the room that there is inside the body and clear of other "
-                             "fronts and cracks; one to " +
-                             shortly(usual) + " m is usual, and smaller cells need less");
+    state.warnings.push_back("Energy Release: for " + messageName(state, front) +
+                             ", the domain integral is reduced to radii of " + readableLength(radii.inner) +
+                             " to " + readableLength(radii.outer) + " (default: to " + readableLength(usual) +
+                             "), because of a surface, another front or another crack; G and K are less "
+                             "accurate: use smaller cells (Domain > Cell Size)");
   }
 }
 
@@ -98,11 +102,11 @@ void checkTube(State<3>& state, const CrackFront<3>& front, const Options& optio
   const double clear = clearAround(state, front, options.radii.outer);
   if (clear < options.radii.outer - slack * spacingAt(state, front.position))
     throw std::invalid_argument(
-        "Energy Release > Outer Radius: the tube of " + formatReal(options.radii.outer) +
-        " m round the front " + frontName(state, front) +
-        " leaves the body, reaches another front or crack or is wider than the front is "
-        "curved; write at most " +
-        formatReal(clear) + ", or take smaller cells (Domain > Cell Size)");
+        "Energy Release > Outer Radius: the integration tube of " + formatReal(options.radii.outer) +
+        " m around " + messageName(state, front) +
+        " leaves the body, reaches another front or crack, or exceeds the radius of curvature of the front; "
+        "write at most " +
+        formatReal(clear) + ", or use smaller cells (Domain > Cell Size)");
 }
 
 /// Closer contours see the tip's own cells.
@@ -113,9 +117,9 @@ void checkTubes(State<D>& state, const Options& options)
 {
   if (state.cracks.fronts.empty())
     throw std::invalid_argument(
-        std::string("Energy Release: no crack has a front inside a body; end a crack in material, choose "
+        std::string("Energy Release: no crack has a front inside a body; end a crack inside material, choose "
                     "its front with Cracks > NAME > ") +
-        (D == 2 ? "Fronts" : "Front Edges") + ", or take this section out");
+        (D == 2 ? "Fronts" : "Front Edges") + ", or remove this section");
   if (!options.contour)
     return;
   Attempts attempts;
@@ -126,8 +130,8 @@ void checkTubes(State<D>& state, const Options& options)
   if (D == 2 && options.radii.inner > 0.0 && options.radii.inner < (leastInnerCells - slack) * cell)
     state.warnings.push_back(
         "Energy Release > Inner Radius is " + formatReal(options.radii.inner / cell) +
-        " cells: below two cells the contour runs through the cells of the front, and G and K "
-        "can be off by 10 % and more; take smaller cells or a larger radius");
+        " cells: below two cells the contour passes through the cells of the front, and G and K "
+        "can be wrong by 10 % or more; use smaller cells or a larger radius");
 }
 
 /// The outer radius that the surroundings of a front allow, for what is computed along it now.
@@ -152,10 +156,11 @@ void warnOfTube(State<D>& state, const CrackFront<D>& front, const ContourRadii&
       clearNow(state, front, radii.outer) > radii.outer - cell)
     return;
   samples.warned.insert({front.crack, front.number});
-  state.warnings.push_back("from time " + formatReal(state.clock.time) + " s on the " +
-                           (D == 2 ? "contour" : "tube") + " of Energy Release round the front " +
-                           frontName(state, front) + " leaves the body or reaches another front: " +
-                           (D == 2 ? "G_J, K_I and K_II" : "G_J and K") + " are less accurate");
+  state.warnings.push_back("Energy Release: from t = " + readableTime(state.clock.time) + " on, the " +
+                           (D == 2 ? "contour" : "integration tube") + " around " +
+                           messageName(state, front) + " leaves the body or reaches another front, so " +
+                           (D == 2 ? "G_J, K_I and K_II" : "G_J and K") +
+                           " are less accurate; use smaller cells or radii");
 }
 
 bool wantsClosure(const State<2>& state, const Options& options, const Samples<2>& samples,
@@ -173,11 +178,10 @@ void warnOfClosure(State<2>& state, const CrackFront<2>& front, const CrackClosu
       !samples.unclosed.insert({front.crack, front.number}).second)
     return;
   state.warnings.push_back(
-      "Energy Release: G_closure of the front " + frontName(state, front) + " can't be found at time " +
-      formatReal(state.clock.time) +
-      " s, and is no number there: no node in the columns behind the front has material "
-      "of both faces in its reach, so that the crack is too short for Closure Cells, or its "
-      "faces have parted by cells; G_J needs no such nodes");
+      "Energy Release: G_closure of " + messageName(state, front) +
+      " is not available at t = " + readableTime(state.clock.time) +
+      ", because no node behind the front has material of both faces within reach: the crack is too short "
+      "for Closure Cells, or its faces are several cells apart; use G_J");
 }
 
 /// A front whose surroundings have fallen apart ends the run.

@@ -140,8 +140,7 @@ FrontSample<D>::FrontSample(const CrackFront<D>& of, double value)
 }
 
 template <int D>
-void FrontSample<D>::addTo(HistoryRow& row, const std::string& name,
-                           const Options& options) const
+void FrontSample<D>::addTo(HistoryRow& row, const std::string& name, const Options& options) const
 {
   const auto add = [&](const std::string& quantity, double value)
   { row.emplace_back(name + "." + quantity, value); };

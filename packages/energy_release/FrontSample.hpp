@@ -36,8 +36,7 @@ struct FrontSample
   FrontSample(const CrackFront<D>& of, double value);
 
   /// Appends its columns to a row of the history. \param name of the front
-  void addTo(HistoryRow& row, const std::string& name,
-             const Options& options) const;
+  void addTo(HistoryRow& row, const std::string& name, const Options& options) const;
 
   /// Adds what it has to the entry of its front.
   void report(const Options& options, nlohmann::json& entry) const;
