@@ -64,12 +64,12 @@ Section combustionSection()
       .unit("K")
       .positive()
       .byDefault(293.0)
-      .meaning("Of the gas in the crack at the start.");
+      .meaning("Initial temperature of the gas in the crack.");
   crack.real("Initial Pressure")
       .unit("Pa")
       .positive()
       .optional("Outside Pressure")
-      .meaning("Of the gas in the crack at the start.");
+      .meaning("Initial pressure of the gas in the crack.");
   crack.real("Outside Pressure")
       .unit("Pa")
       .notNegative()

@@ -93,24 +93,23 @@ void warnOfLoads(State<2>& state, const CrackFront<2>& front, const ContourRadii
     const double slack = held ? 0.0 : cell;
     if (reach.nearest > radii.outer + slack || reach.furthest < radii.inner - slack)
       continue;
-    const std::string start = "Energy Release: Boundaries > " + load.name + (held ? " holds nodes" : " acts");
-    const std::string round = " m round the front " + state.cracks.cracks[front.crack].name + "." +
+    const std::string start =
+        "Energy Release: Boundaries > " + load.name + (held ? " prescribes nodes" : " acts");
+    const std::string round = " around crack " + state.cracks.cracks[front.crack].name + ", front " +
                               std::to_string(front.number) + ", ";
     if (isTold(state, start, round))
       continue;
     std::string warning = start;
-    warning.append(" in the ring from ")
-        .append(shortly(radii.inner))
+    warning.append(" in the domain integral from ")
+        .append(readableLength(radii.inner))
         .append(" to ")
-        .append(shortly(radii.outer))
+        .append(readableLength(radii.outer))
         .append(round);
     if (state.clock.time > 0.0)
-      warning.append("from time ").append(formatReal(state.clock.time)).append(" s on, ");
-    warning.append("where cells don't resolve the stress beside ")
-        .append(held ? "them" : "it")
-        .append(" and G_J can be off by 10 %; choose radii (Inner Radius, Outer Radius) with ")
-        .append(held ? "them" : "the load")
-        .append(" clear of the ring by a cell");
+      warning.append("from t = ").append(readableTime(state.clock.time)).append(" on, ");
+    warning.append("so G_J can be wrong by 10 %; choose Inner Radius and Outer Radius so that ")
+        .append(held ? "these nodes are" : "the load is")
+        .append(" at least a cell outside this ring");
     state.warnings.push_back(warning);
   }
 }

@@ -16,8 +16,8 @@ Section section()
 {
   Section s("Sub-Cycling", "Subcycling: fine cells take smaller time steps (substeps) than coarse cells.");
   s.integer("Levels").range(1, 6).byDefault(6).meaning(
-      "Number of refinement levels with their own time step, from the finest up. The full step is 2^Levels "
-      "substeps of the finest cells.");
+      "Number of refinement levels with their own time step, counted from the finest; at most all levels. "
+      "The full step is 2^Levels substeps of the finest cells.");
   return s;
 }
 

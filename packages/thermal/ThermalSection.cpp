@@ -1,5 +1,6 @@
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
+#include "plan/BoundaryType.hpp"
 #include "scene/HeatWords.hpp"
 #include "scene/TimeFunction.hpp"
 #include "thermal/Thermal.hpp"
@@ -106,7 +107,7 @@ void checkAlone(const Teuchos::ParameterList& scene, std::vector<SceneError>& er
   forEach(scene, "Boundaries",
           [&](const Teuchos::ParameterList& list, const std::string& where)
           {
-            if (!isHeatBoundary(text(list, "Type")))
+            if (text(list, "Type") != "" && boundaryType(text(list, "Type")).effect != "Thermal")
               errors.push_back(
                   {where, "it can't be combined with Thermal > Mechanics = false; remove one of the two"});
           });

@@ -2,11 +2,9 @@
 
 #include "base/Attempts.hpp"
 #include "base/ReadList.hpp"
-#include "boundary/BodyForce.hpp"
+#include "boundary/BoundaryParts.hpp"
 #include "boundary/Contradictions.hpp"
 #include "boundary/LoadForces.hpp"
-#include "boundary/ReadLoad.hpp"
-#include "boundary/Supports.hpp"
 #include "plan/LastStage.hpp"
 
 #include <memory>
@@ -17,30 +15,6 @@ namespace Rhegma
 
 namespace
 {
-
-/// What an effect that carries heat takes care of.
-bool isOfHeat(const std::string& type)
-{
-  return type == "Temperature" || type == "Heat Flux" || type == "Convection";
-}
-
-template <int D>
-void addGravity(Effect<D>& effect, const Teuchos::ParameterList& list, const Teuchos::ParameterList& scene)
-{
-  const Vector<D> acceleration = readVector<D>(list, "Acceleration");
-  const TimeFunction history = TimeFunction::parse(list.get<std::string>("History"));
-  const auto now = [=](const State<D>& state)
-  { return history(state.clock.time + 0.5 * state.clock.dt) * acceleration; };
-  effect.call({Stage::BeforeSolve, "gravity", {"nodal mass"}, {}, {"nodal force"}, [now](State<D>& state) {
-                 addBodyForce(state.mesh.nodes, now(state));
-               }});
-  effect.call({stageOfWays(scene),
-               "work of gravity",
-               {projectsLast(scene) ? "projection" : "nodal motion"},
-               {},
-               {},
-               [now](State<D>& state) { state.energy.externalWork += bodyForceWork(state, now(state)); }});
-}
 
 /// Compares supports again when cells have changed: refined ones have nodes of their own.
 template <int D>
@@ -77,28 +51,27 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
   const double finalTime = scene.sublist("Time").get<double>("Final Time");
   const auto constraints = std::make_shared<std::vector<TimedConstraint<D>>>();
   const auto loads = std::make_shared<std::vector<Load<D>>>();
-  std::vector<std::string> loadNames, constraintNames;
+  BoundaryParts<D> parts{effect, scene};
   for (const std::string& name : sublistNames(section))
   {
     const Teuchos::ParameterList& list = section.sublist(name);
-    const std::string type = list.get<std::string>("Type");
-    if (isOfHeat(type))
-      continue;
-    if (type == "Gravity")
-      addGravity(effect, list, scene);
-    else if (type == "Velocity" || type == "Symmetry")
-      constraintNames.push_back(name);
-    else
-      loadNames.push_back(name);
+    const BoundaryType& type = boundaryType(list.get<std::string>("Type"));
+    if constexpr (D == 2)
+    {
+      if (type.add2)
+        type.add2(parts, list, name);
+    }
+    else if (type.add3)
+      type.add3(parts, list, name);
   }
-  if (!constraintNames.empty())
+  if (!parts.supports.empty())
   {
     addConstraints(effect, constraints);
     addReactions(effect, constraints);
     if (scene.isSublist("Adaptivity"))
       watchCells(effect, constraints, finalTime);
   }
-  if (!loadNames.empty())
+  if (!parts.loads.empty())
   {
     effect.call({Stage::BeforeSolve,
                  "loads",
@@ -122,12 +95,14 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
                  }});
     addLoadForces(effect, loads);
   }
-  effect.atStart = [=, section = Teuchos::ParameterList(section)](State<D>& state)
+  effect.atStart = [constraints, loads, finalTime, before = effect.atStart, supports = parts.supports,
+                    placed = parts.loads](State<D>& state)
   {
     Attempts attempts;
-    for (const std::string& name : constraintNames)
-      attempts.attempt([&]
-                       { constraints->push_back(readConstraint<D>(section.sublist(name), state, name)); });
+    if (before)
+      before(state);
+    for (const auto& read : supports)
+      attempts.attempt([&] { constraints->push_back(read(state)); });
     attempts.attempt(
         [&]
         {
@@ -135,8 +110,8 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
           if (!wrong.empty())
             throw std::invalid_argument(wrong);
         });
-    for (const std::string& name : loadNames)
-      attempts.attempt([&] { loads->push_back(readLoad<D>(section.sublist(name), state, name)); });
+    for (const auto& read : placed)
+      attempts.attempt([&] { loads->push_back(read(state)); });
     attempts.complain();
   };
   return effect;

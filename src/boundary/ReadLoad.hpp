@@ -5,15 +5,31 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <functional>
 #include <string>
+#include <vector>
 
 namespace Rhegma
 {
 
-/// Reads a boundary of type Traction, Point Load or Line Load and places it on the particles of its body.
-/// Throws std::invalid_argument, with the section's path, for one that meets no particle.
+/// Points of a load on the particles of a body, and the whole force at history 1 [N].
 template <int D>
-Load<D> readLoad(const Teuchos::ParameterList& list, const State<D>& state, const std::string& name);
+struct PlacedLoad
+{
+  std::vector<LoadPoint<D>> points;
+  Vector<D> force;
+};
+
+/// Places a load on a body. \param thickness of 2D [m] \param where path of the list, for messages
+template <int D>
+using PlaceLoad = std::function<PlacedLoad<D>(const Teuchos::ParameterList& list, const Seeds<D>& seeds,
+                                              double thickness, const std::string& where)>;
+
+/// Places the load of a boundary with the parameter `Body`. Throws std::invalid_argument, with the section's
+/// path, for one that meets no particle. \param history factor over time
+template <int D>
+Load<D> readLoad(const Teuchos::ParameterList& list, const State<D>& state, const std::string& name,
+                 const std::string& history, const PlaceLoad<D>& place);
 
 /// A surface of a body, a line (2D) or a parallelogram (3D) as Traction has it, with points but without
 /// force.

@@ -17,20 +17,6 @@ namespace Rhegma
 namespace
 {
 
-int axisNumber(char letter) { return letter - 'x'; }
-
-template <int D>
-bool holdsNode(const Grid<D>& grid, const Vector<D>& lower, const Vector<D>& upper)
-{
-  for (int d = 0; d < D; ++d)
-  {
-    const double from = std::max(lower[d], grid.lower[d]), to = std::min(upper[d], grid.upper[d]);
-    if (!(std::ceil(grid.inCells(from, d) - 1e-9) <= grid.inCells(to, d) + 1e-9))
-      return false;
-  }
-  return true;
-}
-
 template <int D>
 std::string inWords(const Vector<D>& place)
 {
@@ -73,17 +59,28 @@ View<double* [D]> fieldAtNodes(const PlaceFunction& function, const NodeConstrai
   return field;
 }
 
+} // namespace
+
+template <int D>
+void setFieldAtNodes(TimedConstraint<D>& timed, const State<D>& state)
+{
+  timed.generation = state.mesh.tree.generation;
+  timed.constraint.field =
+      fieldAtNodes<D>(*timed.field, timed.constraint, state, "Boundaries > " + timed.name);
+}
+
+namespace
+{
+
 /// Gives the nodes of cells that have changed their velocities.
 template <int D>
 void followCells(TimedConstraint<D>& timed, State<D>& state)
 {
   if (!timed.field || timed.generation == state.mesh.tree.generation)
     return;
-  timed.generation = state.mesh.tree.generation;
   try
   {
-    timed.constraint.field =
-        fieldAtNodes<D>(*timed.field, timed.constraint, state, "Boundaries > " + timed.name);
+    setFieldAtNodes(timed, state);
   }
   catch (const std::invalid_argument& wrong)
   {
@@ -95,92 +92,7 @@ void followCells(TimedConstraint<D>& timed, State<D>& state)
   }
 }
 
-template <int D>
-TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const State<D>& state,
-                                const std::string& where)
-{
-  const Grid<D>& grid = state.mesh.grid;
-  TimedConstraint<D> timed{{}, {}, TimeFunction::parse(list.get<std::string>("History")), {}};
-  timed.constraint.lower = readVector<D>(list, "Lower Corner");
-  timed.constraint.upper = readVector<D>(list, "Upper Corner");
-  timed.constraint.outside = list.get<std::string>("Nodes") == "Outside";
-  // Nodes on the rim count as held whatever the rounding.
-  const double rim = (timed.constraint.outside ? -1e-9 : 1e-9) * grid.spacing;
-  for (int d = 0; d < D; ++d)
-  {
-    timed.constraint.lower[d] -= rim;
-    timed.constraint.upper[d] += rim;
-    timed.constraint.holds[d] = false;
-    timed.value[d] = 0.0;
-  }
-  if (!timed.constraint.outside && !holdsNode(grid, timed.constraint.lower, timed.constraint.upper))
-    throw std::invalid_argument(where + ": the box contains no grid node inside the domain, so nothing is "
-                                        "prescribed; make it at least a cell thick or move it");
-  for (const char letter : list.get<std::string>("Components"))
-    if (letter >= 'x' && letter < 'x' + D)
-      timed.constraint.holds[axisNumber(letter)] = true;
-  if (list.isParameter("Value"))
-    timed.value = readVector<D>(list, "Value");
-  else
-  {
-    timed.field = PlaceFunction::parse(list.get<std::string>("Field"), D);
-    timed.generation = state.mesh.tree.generation;
-    timed.constraint.field = fieldAtNodes<D>(*timed.field, timed.constraint, state, where);
-  }
-  return timed;
-}
-
-template <int D>
-TimedConstraint<D> readSymmetry(const Teuchos::ParameterList& list, State<D>& state, const std::string& where)
-{
-  const Grid<D>& grid = state.mesh.grid;
-  TimedConstraint<D> timed{{}, {}, TimeFunction::parse("0"), {}};
-  const int axis = axisNumber(list.get<std::string>("Axis")[0]);
-  const double position = list.get<double>("Position");
-  const double slack = 1e-6 * grid.spacing;
-  if (position < grid.lower[axis] - slack || position > grid.upper[axis] + slack)
-    throw std::invalid_argument(where +
-                                " > Position: the plane lies outside the domain, which reaches from " +
-                                formatReal(grid.lower[axis]) + " to " + formatReal(grid.upper[axis]) +
-                                " m along " + "xyz"[axis] + "; write a position between");
-  const double cells = grid.inCells(position, axis), off = std::fabs(cells - std::round(cells));
-  if (off > 1e-3)
-    state.warnings.push_back(
-        where + " > Position: the plane lies " + formatReal(off) +
-        " cells away from the nearest plane of grid nodes, so the body meets its mirror image up to a cell "
-        "too late; move the plane onto grid nodes, or move Domain > Lower Corner");
-  const double huge = 1e300;
-  for (int d = 0; d < D; ++d)
-  {
-    timed.constraint.lower[d] = -huge;
-    timed.constraint.upper[d] = huge;
-    timed.constraint.holds[d] = d == axis;
-    timed.value[d] = 0.0;
-  }
-  // The plane and all beyond it. The body lies on the side where the domain reaches further, unless the scene
-  // says.
-  const bool lower = list.isParameter("Side") ? list.get<std::string>("Side") == "Lower"
-                                              : position - grid.lower[axis] < grid.upper[axis] - position;
-  if (lower)
-    timed.constraint.upper[axis] = position + 1e-9 * grid.spacing;
-  else
-    timed.constraint.lower[axis] = position - 1e-9 * grid.spacing;
-  return timed;
-}
-
 } // namespace
-
-template <int D>
-TimedConstraint<D> readConstraint(const Teuchos::ParameterList& list, State<D>& state,
-                                  const std::string& name)
-{
-  const std::string where = "Boundaries > " + name;
-  TimedConstraint<D> timed = list.get<std::string>("Type") == "Velocity"
-                                 ? readVelocity<D>(list, state, where)
-                                 : readSymmetry<D>(list, state, where);
-  timed.name = name;
-  return timed;
-}
 
 template <int D>
 void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstraint<D>>>& constraints)
@@ -286,8 +198,8 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
                true});
 }
 
-template TimedConstraint<2> readConstraint(const Teuchos::ParameterList&, State<2>&, const std::string&);
-template TimedConstraint<3> readConstraint(const Teuchos::ParameterList&, State<3>&, const std::string&);
+template void setFieldAtNodes(TimedConstraint<2>&, const State<2>&);
+template void setFieldAtNodes(TimedConstraint<3>&, const State<3>&);
 template void addConstraints(Effect<2>&, const std::shared_ptr<std::vector<TimedConstraint<2>>>&);
 template void addConstraints(Effect<3>&, const std::shared_ptr<std::vector<TimedConstraint<3>>>&);
 template void addReactions(Effect<2>&, const std::shared_ptr<std::vector<TimedConstraint<2>>>&);

@@ -37,11 +37,10 @@ struct TimedConstraint
   }
 };
 
-/// Reads a boundary of type Velocity or Symmetry. Warns of a plane of symmetry that no nodes lie on. Throws
-/// std::invalid_argument, with the section's path, for one that is wrong in itself or holds no node.
+/// Evaluates the function of position at the nodes that the constraint holds, those of refined cells
+/// included. Throws std::invalid_argument where it is not finite.
 template <int D>
-TimedConstraint<D> readConstraint(const Teuchos::ParameterList& list, State<D>& state,
-                                  const std::string& name);
+void setFieldAtNodes(TimedConstraint<D>& timed, const State<D>& state);
 
 /// The calls that prescribe the motion.
 template <int D>

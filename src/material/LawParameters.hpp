@@ -28,9 +28,8 @@ void describeEntropic(Section& s)
 {
   s.boolean("Entropic")
       .byDefault(false)
-      .meaning(
-          "With Thermal: the shear modulus is proportional to the absolute temperature, as that of ideal "
-          "rubber, which warms when it is stretched.");
+      .meaning("If true, the shear modulus is proportional to absolute temperature, as in ideal rubber, "
+               "which warms when stretched. Needs the section Thermal.");
 }
 
 /// For laws that dissipate.

@@ -1,6 +1,8 @@
 #include "plan/EffectSchema.hpp"
 
+#include "plan/BoundaryType.hpp"
 #include "plan/KnownEffects.hpp"
+#include "scene/CoreSections.hpp"
 
 #include <map>
 
@@ -10,16 +12,27 @@ namespace Rhegma
 namespace
 {
 
-SceneSchema makeSchema()
+std::vector<Section> boundarySections()
 {
-  std::vector<Section> sections = coreSections();
-  for (const EffectEntry& entry : knownEffects())
+  std::vector<Section> sections;
+  for (const BoundaryType& type : boundaryTypes())
+    sections.push_back(type.section);
+  return sections;
+}
+
+} // namespace
+
+SceneSchema schemaOf(const std::vector<EffectEntry>& effects)
+{
+  std::vector<Section> sections = coreSections(boundarySections());
+  for (const EffectEntry& entry : effects)
     sections.push_back(entry.section);
   SceneSchema schema(sections);
   std::vector<std::string> missing = effectsToCome();
   missing.insert(missing.end(), effectsLeftOut().begin(), effectsLeftOut().end());
   schema.setSectionsToCome(missing);
-  for (const EffectEntry& entry : knownEffects())
+  schema.addCheck(checkBoundaries);
+  for (const EffectEntry& entry : effects)
   {
     if (entry.check)
       schema.addCheck(entry.check);
@@ -28,16 +41,14 @@ SceneSchema makeSchema()
   return schema;
 }
 
-} // namespace
-
 const SceneSchema& effectSchema()
 {
-  // Effects that an application adds make another schema; who has the one before keeps it.
+  // What an application adds makes another schema; who has the one before keeps it.
   static std::map<std::size_t, SceneSchema> schemas;
-  const std::size_t count = knownEffects().size();
+  const std::size_t count = knownEffects().size() + boundaryTypes().size();
   auto found = schemas.find(count);
   if (found == schemas.end())
-    found = schemas.emplace(count, makeSchema()).first;
+    found = schemas.emplace(count, schemaOf(knownEffects())).first;
   return found->second;
 }
 

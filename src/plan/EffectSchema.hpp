@@ -1,12 +1,15 @@
 #pragma once
 /// Everything that a scene may hold, the effects' sections included.
 
-#include "scene/Schema.hpp"
+#include "plan/Effect.hpp"
 
 namespace Rhegma
 {
 
-/// The core's sections and those of all known effects.
+/// The core's sections, all boundary types among them, and those of some effects.
+SceneSchema schemaOf(const std::vector<EffectEntry>& effects);
+
+/// That of all known effects.
 const SceneSchema& effectSchema();
 
 } // namespace Rhegma

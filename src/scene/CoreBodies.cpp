@@ -27,8 +27,8 @@ void rotation(Section& s)
 Section box()
 {
   Section s("Box", "A rectangle (2D) or cuboid (3D) aligned with the axes.");
-  s.realArray("Lower Corner").unit("m").perAxis().meaning("The corner with the smallest coordinates.");
-  s.realArray("Upper Corner").unit("m").perAxis().meaning("The corner with the largest coordinates.");
+  s.realArray("Lower Corner").unit("m").perAxis().meaning("Corner of the box with the smallest coordinates.");
+  s.realArray("Upper Corner").unit("m").perAxis().meaning("Corner of the box with the largest coordinates.");
   return s;
 }
 

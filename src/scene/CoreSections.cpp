@@ -1,6 +1,7 @@
+#include "scene/CoreSections.hpp"
+
 #include "material/Laws.hpp"
 #include "scene/CoreBodies.hpp"
-#include "scene/CoreBoundaries.hpp"
 #include "scene/Schema.hpp"
 
 namespace Rhegma
@@ -24,8 +25,14 @@ Section domain()
       .positive()
       .byDefault(1.0)
       .meaning("Thickness normal to the plane. Masses, forces and energies are for this thickness.");
-  s.realArray("Lower Corner").unit("m").perAxis().meaning("The corner with the smallest coordinates.");
-  s.realArray("Upper Corner").unit("m").perAxis().meaning("The corner with the largest coordinates.");
+  s.realArray("Lower Corner")
+      .unit("m")
+      .perAxis()
+      .meaning("Corner of the domain with the smallest coordinates.");
+  s.realArray("Upper Corner")
+      .unit("m")
+      .perAxis()
+      .meaning("Corner of the domain with the largest coordinates.");
   s.real("Cell Size")
       .unit("m")
       .positive()
@@ -105,7 +112,7 @@ void heat(Section& s)
       .unit("1/K")
       .above(-0.1)
       .below(0.1)
-      .optional("none")
+      .optional("0")
       .meaning("Coefficient of linear thermal expansion.");
   s.real("Reference Temperature")
       .unit("K")
@@ -129,7 +136,7 @@ void addLaws(Section& material, LawList<Law...> /*list*/)
 
 Section materials()
 {
-  Section material("material", "One material.");
+  Section material("material", "A material.");
   material.chosenBy("Model").meaning("Constitutive law.");
   heat(material);
   addLaws(material, Laws{});
@@ -138,6 +145,18 @@ Section materials()
   Section s("Materials", "The materials of the bodies.");
   s.require();
   s.namedByUser(material);
+  return s;
+}
+
+Section boundaries(const std::vector<Section>& types)
+{
+  Section boundary("boundary", "A load or a support.");
+  boundary.chosenBy("Type").meaning("Kind of load or support.");
+  for (const Section& type : types)
+    boundary.variant(type);
+
+  Section s("Boundaries", "Loads and supports.");
+  s.namedByUser(boundary);
   return s;
 }
 
@@ -193,9 +212,11 @@ Section reference()
 
 } // namespace
 
-std::vector<Section> coreSections()
+std::vector<Section> coreSections(const std::vector<Section>& boundaryTypes)
 {
-  return {domain(), time(), materials(), bodies(), boundaries(), output(), reference()};
+  return {domain(), time(), materials(), bodies(), boundaries(boundaryTypes), output(), reference()};
 }
+
+std::vector<Section> coreSections() { return coreSections({}); }
 
 } // namespace Rhegma

@@ -26,14 +26,6 @@ void refuseInMaterial(const Teuchos::ParameterList& list, const std::string& whe
                                           "add Thermal with Mechanics = false"});
 }
 
-void refuseInBoundary(const Teuchos::ParameterList& list, const std::string& where,
-                      std::vector<SceneError>& errors)
-{
-  if (isHeatBoundary(text(list, "Type")))
-    errors.push_back(
-        {where, "it is a thermal boundary condition, but the scene has no section Thermal" + add});
-}
-
 void refuseInBody(const Teuchos::ParameterList& list, const std::string& where,
                   std::vector<SceneError>& errors)
 {
@@ -43,11 +35,6 @@ void refuseInBody(const Teuchos::ParameterList& list, const std::string& where,
 }
 
 } // namespace
-
-bool isHeatBoundary(const std::string& type)
-{
-  return type == "Temperature" || type == "Heat Flux" || type == "Convection";
-}
 
 void refuseHeatWords(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
@@ -62,7 +49,6 @@ void refuseHeatWords(const Teuchos::ParameterList& scene, std::vector<SceneError
       refuse(list.sublist(name), std::string(section).append(" > ").append(name), errors);
   };
   inAll("Materials", refuseInMaterial);
-  inAll("Boundaries", refuseInBoundary);
   inAll("Bodies", refuseInBody);
 }
 

@@ -11,9 +11,6 @@
 namespace Rhegma
 {
 
-/// Whether a type of boundary is one of heat alone.
-bool isHeatBoundary(const std::string& type);
-
 /// Adds an error for all that a scene without Thermal must not have, for nobody would look at it.
 void refuseHeatWords(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors);
 

@@ -94,11 +94,11 @@ class OddCracks(ProgramTest):
 
     def test_forces_in_the_ring_of_the_contour(self):
         where = "Energy Release: Boundaries > "
-        self.told(self.wedged(0.2), "acts in the ring from 0.15 to 0.3 m round the front Notch.0",
-                  "acts in the ring", where=where)
+        self.told(self.wedged(0.2), "acts in the domain integral from 150 mm to 300 mm around crack Notch, front 0",
+                  "acts in the domain integral", where=where)
         self.told(self.wedged(0.0), where=where)  # within the ring: their work is in the integral
         self.told(self.wedged(0.4), where=where)
-        self.told(self.wedged(0.0, "Line Load"), "acts in the ring", "acts in the ring", where=where)
+        self.told(self.wedged(0.0, "Line Load"), "acts in the domain integral", "acts in the domain integral", where=where)
         self.told(self.wedged(0.4, "Line Load"), where=where)
         never = self.wedged(0.2)
         for name in ("Up", "Down"):
@@ -108,7 +108,8 @@ class OddCracks(ProgramTest):
     def test_supports_in_the_ring_of_the_contour(self):
         """The notch ends in the middle of the plate; J is of the ring from 0.15 to 0.3 m."""
         for lower, upper, words in (
-            ([0.69, 0.69], [0.71, 0.71], ["holds nodes in the ring from 0.15 to 0.3 m round the front Notch.0"]),
+            ([0.69, 0.69], [0.71, 0.71],
+             ["prescribes nodes in the domain integral from 150 mm to 300 mm around crack Notch, front 0"]),
             ([0.49, 0.59], [0.51, 0.61], []),  # within the ring
             ([0.79, 0.79], [0.81, 0.81], []),
         ):
@@ -116,7 +117,7 @@ class OddCracks(ProgramTest):
             self.told(plate().set("Boundaries > Pin", pin), *words, where="Energy Release: Boundaries > Pin")
         frame = {"Type": "Velocity", "Nodes": "Outside", "Lower Corner": [-0.2, 0.25], "Upper Corner": [0.85, 0.85],
                  "Value": [0.0, 0.0]}
-        self.told(plate().set("Boundaries > Frame", frame), "holds nodes",
+        self.told(plate().set("Boundaries > Frame", frame), "prescribes nodes",
                   where="Energy Release: Boundaries > Frame")
 
     def test_run_that_ends_before_it_rests(self):

@@ -1,6 +1,7 @@
 #pragma once
 /// A right scene and ways to make it wrong.
 
+#include "plan/EffectSchema.hpp"
 #include "scene/Scene.hpp"
 
 #include <gtest/gtest.h>
@@ -77,7 +78,7 @@ inline std::string with(const std::string& section, const std::string& more)
   return changed(opening, opening + more);
 }
 
-inline SceneSchema coreSchema() { return SceneSchema(coreSections()); }
+inline SceneSchema coreSchema() { return schemaOf({}); }
 
 inline SceneResult read(const std::string& xml, const std::vector<std::string>& overrides = {})
 {

@@ -1,0 +1,49 @@
+#include "base/ReadList.hpp"
+#include "boundary/BoundaryParts.hpp"
+
+namespace Rhegma
+{
+
+namespace
+{
+
+template <int D>
+PlacedLoad<D> place(const Teuchos::ParameterList& list, const Seeds<D>& seeds, double /*thickness*/,
+                    const std::string& where)
+{
+  const Profile profile =
+      list.get<std::string>("Profile") == "Parabolic" ? Profile::Parabolic : Profile::Uniform;
+  return {lineLoad<D>(seeds, readVector<D>(list, "From"), readVector<D>(list, "To"), profile, where),
+          readVector<D>(list, "Force")};
+}
+
+template <int D>
+void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std::string& name)
+{
+  parts.loads.push_back(
+      [=](const State<D>& state)
+      { return readLoad<D>(list, state, name, list.get<std::string>("History"), place<D>); });
+}
+
+void check(SectionChecks& checks, const Teuchos::ParameterList& boundary, const std::string& where)
+{
+  checks.different(boundary, "From", "To", where);
+}
+
+} // namespace
+
+BoundaryType BoundaryTypes::lineLoad()
+{
+  Section s("Line Load", "A force distributed over a straight line in a body. It moves with the body.");
+  describeLoadedBody(s);
+  s.realArray("From").unit("m").perAxis().meaning("One end of the line, in the undeformed body.");
+  s.realArray("To").unit("m").perAxis().meaning("Other end of the line.");
+  s.realArray("Force").unit("N").perAxis().meaning("Total force on the line.");
+  s.choice("Profile", {"Uniform", "Parabolic"})
+      .byDefault("Uniform")
+      .meaning("Distribution along the line: uniform, or a parabola that is zero at both ends.");
+  describeHistory(s);
+  return {s, check, add<2>, add<3>};
+}
+
+} // namespace Rhegma

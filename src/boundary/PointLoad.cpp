@@ -1,0 +1,37 @@
+#include "base/ReadList.hpp"
+#include "boundary/BoundaryParts.hpp"
+
+namespace Rhegma
+{
+
+namespace
+{
+
+template <int D>
+PlacedLoad<D> place(const Teuchos::ParameterList& list, const Seeds<D>& seeds, double /*thickness*/,
+                    const std::string& where)
+{
+  return {pointLoad<D>(seeds, readVector<D>(list, "Point"), where), readVector<D>(list, "Force")};
+}
+
+template <int D>
+void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std::string& name)
+{
+  parts.loads.push_back(
+      [=](const State<D>& state)
+      { return readLoad<D>(list, state, name, list.get<std::string>("History"), place<D>); });
+}
+
+} // namespace
+
+BoundaryType BoundaryTypes::pointLoad()
+{
+  Section s("Point Load", "A force at a material point of a body. The force moves with this point.");
+  describeLoadedBody(s);
+  s.realArray("Point").unit("m").perAxis().meaning("Position of the loaded point in the undeformed body.");
+  s.realArray("Force").unit("N").perAxis().meaning("The force vector.");
+  describeHistory(s);
+  return {s, {}, add<2>, add<3>};
+}
+
+} // namespace Rhegma

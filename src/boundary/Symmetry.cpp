@@ -1,0 +1,78 @@
+#include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
+#include "boundary/BoundaryParts.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+template <int D>
+TimedConstraint<D> readSymmetry(const Teuchos::ParameterList& list, State<D>& state, const std::string& name)
+{
+  const std::string where = "Boundaries > " + name;
+  const Grid<D>& grid = state.mesh.grid;
+  TimedConstraint<D> timed{{}, {}, TimeFunction::parse("0"), name};
+  const int axis = list.get<std::string>("Axis")[0] - 'x';
+  const double position = list.get<double>("Position");
+  const double slack = 1e-6 * grid.spacing;
+  if (position < grid.lower[axis] - slack || position > grid.upper[axis] + slack)
+    throw std::invalid_argument(where +
+                                " > Position: the plane lies outside the domain, which reaches from " +
+                                formatReal(grid.lower[axis]) + " to " + formatReal(grid.upper[axis]) +
+                                " m along " + "xyz"[axis] + "; write a position between");
+  const double cells = grid.inCells(position, axis), off = std::fabs(cells - std::round(cells));
+  if (off > 1e-3)
+    state.warnings.push_back(
+        where + " > Position: the plane lies " + formatReal(off) +
+        " cells away from the nearest plane of grid nodes, so the body meets its mirror image up to a cell "
+        "too late; move the plane onto grid nodes, or move Domain > Lower Corner");
+  const double huge = 1e300;
+  for (int d = 0; d < D; ++d)
+  {
+    timed.constraint.lower[d] = -huge;
+    timed.constraint.upper[d] = huge;
+    timed.constraint.holds[d] = d == axis;
+    timed.value[d] = 0.0;
+  }
+  // The plane and all beyond it. The body lies on the side where the domain reaches further, unless the scene
+  // says.
+  const bool lower = list.isParameter("Side") ? list.get<std::string>("Side") == "Lower"
+                                              : position - grid.lower[axis] < grid.upper[axis] - position;
+  if (lower)
+    timed.constraint.upper[axis] = position + 1e-9 * grid.spacing;
+  else
+    timed.constraint.lower[axis] = position - 1e-9 * grid.spacing;
+  return timed;
+}
+
+template <int D>
+void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std::string& name)
+{
+  parts.supports.push_back([=](State<D>& state) { return readSymmetry<D>(list, state, name); });
+}
+
+void check(SectionChecks& checks, const Teuchos::ParameterList& boundary, const std::string& where)
+{
+  if (checks.dimension() == 2 && SceneValues::text(boundary, "Axis") == "z")
+    checks.report(scenePath(where, "Axis"), "is z in a 2D scene; write x or y.");
+}
+
+} // namespace
+
+BoundaryType BoundaryTypes::symmetry()
+{
+  Section s("Symmetry", "A plane of symmetry: zero normal velocity, free sliding along the plane.");
+  s.choice("Axis", {"x", "y", "z"}).meaning("Axis normal to the plane.");
+  s.real("Position").unit("m").meaning("Coordinate of the plane on that axis.");
+  s.choice("Side", {"Lower", "Upper"})
+      .optional("the side of the nearer end of the domain")
+      .meaning("Side of the plane that is the mirror image and holds no material.");
+  return {s, check, add<2>, add<3>};
+}
+
+} // namespace Rhegma

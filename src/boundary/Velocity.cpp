@@ -1,0 +1,128 @@
+#include "base/ReadList.hpp"
+#include "boundary/BoundaryParts.hpp"
+
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+using SceneValues::text;
+using Teuchos::ParameterList;
+
+template <int D>
+bool holdsNode(const Grid<D>& grid, const Vector<D>& lower, const Vector<D>& upper)
+{
+  for (int d = 0; d < D; ++d)
+  {
+    const double from = std::max(lower[d], grid.lower[d]), to = std::min(upper[d], grid.upper[d]);
+    if (!(std::ceil(grid.inCells(from, d) - 1e-9) <= grid.inCells(to, d) + 1e-9))
+      return false;
+  }
+  return true;
+}
+
+template <int D>
+TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const State<D>& state,
+                                const std::string& name)
+{
+  const std::string where = "Boundaries > " + name;
+  const Grid<D>& grid = state.mesh.grid;
+  TimedConstraint<D> timed{{}, {}, TimeFunction::parse(list.get<std::string>("History")), name};
+  timed.constraint.lower = readVector<D>(list, "Lower Corner");
+  timed.constraint.upper = readVector<D>(list, "Upper Corner");
+  timed.constraint.outside = list.get<std::string>("Nodes") == "Outside";
+  // Nodes on the rim count as held whatever the rounding.
+  const double rim = (timed.constraint.outside ? -1e-9 : 1e-9) * grid.spacing;
+  for (int d = 0; d < D; ++d)
+  {
+    timed.constraint.lower[d] -= rim;
+    timed.constraint.upper[d] += rim;
+    timed.constraint.holds[d] = false;
+    timed.value[d] = 0.0;
+  }
+  if (!timed.constraint.outside && !holdsNode(grid, timed.constraint.lower, timed.constraint.upper))
+    throw std::invalid_argument(where + ": the box contains no grid node inside the domain, so nothing is "
+                                        "prescribed; make it at least a cell thick or move it");
+  for (const char letter : list.get<std::string>("Components"))
+    if (letter >= 'x' && letter < 'x' + D)
+      timed.constraint.holds[letter - 'x'] = true;
+  if (list.isParameter("Value"))
+    timed.value = readVector<D>(list, "Value");
+  else
+  {
+    timed.field = PlaceFunction::parse(list.get<std::string>("Field"), D);
+    setFieldAtNodes(timed, state);
+  }
+  return timed;
+}
+
+template <int D>
+void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std::string& name)
+{
+  parts.supports.push_back([=](State<D>& state) { return readVelocity<D>(list, state, name); });
+}
+
+void checkComponents(SectionChecks& checks, const ParameterList& boundary, const std::string& where)
+{
+  const std::string letters = text(boundary, "Components");
+  const std::string axes = checks.dimension() == 2 ? "xy" : "xyz";
+  std::set<char> seen;
+  bool good = !letters.empty() || !boundary.isParameter("Components");
+  for (const char letter : letters)
+    good = good && axes.find(letter) != std::string::npos && seen.insert(letter).second;
+  if (!good)
+    checks.report(scenePath(where, "Components"),
+                  "is \"" + letters + "\"; write each axis once, such as \"" + axes + "\" or \"y\".");
+}
+
+void checkField(SectionChecks& checks, const ParameterList& boundary, const std::string& where)
+{
+  if (!boundary.isParameter("Field"))
+    return;
+  try
+  {
+    PlaceFunction::parse(text(boundary, "Field"), checks.dimension());
+  }
+  catch (const std::invalid_argument& error)
+  {
+    checks.report(scenePath(where, "Field"), error.what());
+  }
+}
+
+void check(SectionChecks& checks, const ParameterList& boundary, const std::string& where)
+{
+  checks.corners(boundary, where, true);
+  checkComponents(checks, boundary, where);
+  checkField(checks, boundary, where);
+}
+
+} // namespace
+
+BoundaryType BoundaryTypes::velocity()
+{
+  Section s("Velocity", "Prescribes the velocity of all grid nodes in a box.");
+  s.realArray("Lower Corner").unit("m").perAxis().meaning("Corner of the box with the smallest coordinates.");
+  s.realArray("Upper Corner").unit("m").perAxis().meaning("Corner of the box with the largest coordinates.");
+  s.text("Components")
+      .byDefault("xy", "xyz")
+      .meaning("Axes along which the velocity is prescribed, such as \"y\" or \"xy\". Other axes are free.");
+  s.choice("Nodes", {"Inside", "Outside"})
+      .byDefault("Inside")
+      .meaning("Which nodes are prescribed: those inside the box or those outside it. Nodes on the edge of "
+               "the box belong to both.");
+  s.realArray("Value").unit("m/s").perAxis().optional().meaning(
+      "The velocity, the same at all nodes. Axes that are not in Components are ignored.");
+  s.text("Field").unit("m/s").notEmpty().optional().meaning(
+      "The velocity as a function of the nodal position x, y, z: one expression for each axis, such as "
+      "\"2*x, -y\". Common terms are defined first, as in \"r = sqrt(x*x + y*y); x / r, y / r\".");
+  s.exactlyOneOf({"Value", "Field"});
+  describeHistory(s);
+  return {s, check, add<2>, add<3>};
+}
+
+} // namespace Rhegma

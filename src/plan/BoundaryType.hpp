@@ -1,0 +1,51 @@
+#pragma once
+/// Types of boundary: what a scene may say of one, and what it does (docs/guides/add-a-boundary.md).
+
+#include "scene/Schema.hpp"
+#include "scene/SectionChecks.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace Rhegma
+{
+
+template <int D>
+struct BoundaryParts; // boundary/BoundaryParts.hpp
+
+struct BoundaryType
+{
+  /// Adds one boundary of a scene. \param list its parameters
+  template <int D>
+  using Add =
+      std::function<void(BoundaryParts<D>&, const Teuchos::ParameterList& list, const std::string& name)>;
+  /// What no single parameter can show wrong. \param where path of the list
+  using Check =
+      std::function<void(SectionChecks&, const Teuchos::ParameterList& list, const std::string& where)>;
+
+  Section section; ///< its parameters; its name is the value of Type
+  Check check{};   ///< may be empty; Body and History are checked for all types
+  Add<2> add2{};
+  Add<3> add3{};
+  /// Section of the effect that applies it, in place of `add`; the scene must have it. Empty: none.
+  std::string effect{};
+};
+
+/// Adds a type of the application's own. Call it before the schema or the Simulation that is to know it is
+/// made. Throws std::invalid_argument where there is a type of that name or it can't be made.
+void addBoundaryType(BoundaryType type);
+
+/// Those that scenes may ask for.
+const std::vector<BoundaryType>& boundaryTypes();
+
+/// By the value of Type. Throws std::invalid_argument if there is none.
+const BoundaryType& boundaryType(const std::string& name);
+
+/// The list of boundary/Types.cpp.
+std::vector<BoundaryType> builtInBoundaryTypes();
+
+/// Checks the section Boundaries, if there is one.
+void checkBoundaries(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors);
+
+} // namespace Rhegma
