@@ -151,7 +151,7 @@ void burnStep(State<D>& state, Work<D>& work, Burning<D>& b)
           (apart > farApart ? ": the faces are " + formatReal(std::round(10.0 * apart) / 10.0) +
                                   " finest cells apart, too far for the solid next to them to be found"
                             : ": the solid next to the faces has burnt away") +
-          " at time " + formatReal(state.clock.time + state.clock.dt) + " s; nothing burns from then on");
+          " at t = " + readableTime(state.clock.time + state.clock.dt) + "; nothing burns from then on");
     }
   }
   const double come = b.gas.mass() - gasBefore;

@@ -56,9 +56,9 @@ void warnOfThinSkin(const State<D>& state, const Burning<D>& b, nlohmann::json& 
   if (depth >= cell)
     return;
   summary["warnings"].push_back("Combustion > " + state.cracks.cracks[b.crack].name +
-                                ": heat has penetrated at most " + formatReal(depth) +
-                                " m into the faces, less than the finest cells of " + formatReal(cell) +
-                                " m: face_temperature is a mean over a cell, and faces are hotter");
+                                ": heat has penetrated at most " + readableLength(depth) +
+                                " into the faces, less than the finest cells of " + readableLength(cell) +
+                                ": face_temperature is a mean over a cell, and the faces are hotter");
 }
 
 } // namespace

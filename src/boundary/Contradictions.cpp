@@ -155,7 +155,7 @@ std::string inWords(const TimedConstraint<D>& a, const TimedConstraint<D>& b, co
   const std::string along = what.hasAxes ? std::string(" along ") + "xyz"[quarrel.axis] : "";
   return "Boundaries > " + a.name + ": this and Boundaries > " + b.name + " both prescribe the node {" +
          place + "}" + along + ", at " + formatReal(quarrel.first) + " and " + formatReal(quarrel.second) +
-         " " + what.unit + " (at " + formatReal(quarrel.time) + " s); give them one " + what.name +
+         " " + what.unit + " (at t = " + readableTime(quarrel.time) + "); give them one " + what.name +
          " there, or end one of the boxes a cell before this node";
 }
 

@@ -52,7 +52,7 @@ std::vector<LeafKey<D>> leavesWithParticles(const State<D>& state)
 } // namespace
 
 template <int D>
-Mesh cellMesh(const State<D>& state)
+OutputMesh cellMesh(const State<D>& state)
 {
   constexpr int perCell = D == 2 ? 4 : 8;
   const Grid<D>& grid = state.mesh.grid;
@@ -90,14 +90,14 @@ Mesh cellMesh(const State<D>& state)
   for (const std::array<int, D>& at : corner)
     cells.whole.push_back(nodes.at(at));
 
-  Mesh mesh{"leaves", D == 2 ? "Quadrilateral" : "Hexahedron", {}};
+  OutputMesh mesh{"leaves", D == 2 ? "Quadrilateral" : "Hexahedron", {}};
   mesh.data.push_back(std::move(points));
   mesh.data.push_back(std::move(cells));
   mesh.data.push_back(std::move(level));
   return mesh;
 }
 
-template Mesh cellMesh(const State<2>&);
-template Mesh cellMesh(const State<3>&);
+template OutputMesh cellMesh(const State<2>&);
+template OutputMesh cellMesh(const State<3>&);
 
 } // namespace Rhegma

@@ -10,6 +10,6 @@ namespace Rhegma
 /// Leaves with particles in them: quadrilaterals, counter-clockwise, or hexahedra, lower face first, with
 /// their level; each corner is one point.
 template <int D>
-Mesh cellMesh(const State<D>& state);
+OutputMesh cellMesh(const State<D>& state);
 
 } // namespace Rhegma

@@ -52,7 +52,7 @@ public:
         top_(H5Gcreate_anon(file_, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, path)
   {
     writeTime(top_, snapshot.time, path);
-    for (const Mesh& mesh : snapshot.meshes)
+    for (const OutputMesh& mesh : snapshot.meshes)
     {
       const Handle inner(H5Gcreate2(top_, mesh.name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
                          path);
@@ -120,7 +120,7 @@ void appendSnapshot(const std::string& path, const std::string& group, const Sna
   const Silence silence;
   std::unique_ptr<Unlinked> made;
   std::vector<double> places;
-  for (const Mesh& mesh : snapshot.meshes)
+  for (const OutputMesh& mesh : snapshot.meshes)
     places.resize(places.size() + mesh.data.size());
   onFirstRank<OutputError>(ranks,
                            [&]

@@ -7,7 +7,7 @@ Snapshot partOfAll(const Ranks& ranks, Snapshot own)
 {
   if (!ranks.many())
     return own;
-  for (Mesh& mesh : own.meshes)
+  for (OutputMesh& mesh : own.meshes)
   {
     // A row of numbers a rank: how many rows each table has there.
     const int tables = static_cast<int>(mesh.data.size());

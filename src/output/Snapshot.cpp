@@ -78,7 +78,7 @@ View<double* [7]> cauchyStress(const FieldTable& particles)
   return stress;
 }
 
-void addStress(const View<double* [7]>& device, Mesh& mesh)
+void addStress(const View<double* [7]>& device, OutputMesh& mesh)
 {
   const auto host = onHost(device);
   DataSet stress{"stress", Role::OnPoints, 6, false, {}, {}};
@@ -146,14 +146,14 @@ bool isCoreField(const std::string& name)
 }
 
 template <int D>
-Mesh particleMesh(const State<D>& state)
+OutputMesh particleMesh(const State<D>& state)
 {
   const FieldTable& particles = state.particles;
   const std::size_t n = particles.size();
   const auto position = onHost(particles.real<D>(fields::position));
   const auto reference = onHost(particles.real<D>(fields::reference));
   const auto edge = onHost(particles.real<D>(fields::edge));
-  Mesh mesh{"particles", "Polyvertex", {}};
+  OutputMesh mesh{"particles", "Polyvertex", {}};
   mesh.data.push_back(padded<D>("position", Role::Points, position, n));
   mesh.data.push_back(padded<D>("displacement", Role::OnPoints, position, n));
   std::vector<double>& displacement = mesh.data.back().real;
@@ -186,7 +186,7 @@ Mesh particleMesh(const State<D>& state)
 }
 
 template <int D>
-Mesh crackMesh(const CrackSet<D>& set)
+OutputMesh crackMesh(const CrackSet<D>& set)
 {
   std::size_t vertices = 0;
   std::size_t simplices = 0;
@@ -198,7 +198,7 @@ Mesh crackMesh(const CrackSet<D>& set)
   const auto face = onHost(set.face);
   const auto simplex = onHost(set.simplex);
   const auto crackOf = onHost(set.crackOf);
-  Mesh mesh{"cracks", D == 2 ? "Polyline" : "Triangle", {}};
+  OutputMesh mesh{"cracks", D == 2 ? "Polyline" : "Triangle", {}};
   mesh.onAllRanks = true;
   mesh.data.push_back(padded<D>("points", Role::Points, onHost(set.vertex), vertices));
   DataSet opening{"opening", Role::OnPoints, 3, false, std::vector<double>(3 * vertices, 0.0), {}};

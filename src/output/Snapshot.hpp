@@ -36,7 +36,7 @@ struct DataSet
 };
 
 /// Points, cells and what lies on them; each mesh has one table of points and one of cells.
-struct Mesh
+struct OutputMesh
 {
   std::string name;
   std::string topology; ///< XDMF's name for the kind of cell
@@ -47,7 +47,7 @@ struct Mesh
 struct Snapshot
 {
   double time = 0.0; ///< [s]
-  std::vector<Mesh> meshes;
+  std::vector<OutputMesh> meshes;
 };
 
 /// Particles, leaves and, where there are any, cracks as they are now; FieldWriter.hpp lists the tables.

@@ -22,7 +22,7 @@ template <class Call>
 void forEachTable(const Snapshot& snapshot, const std::vector<double>& places, const Call& call)
 {
   std::size_t k = 0;
-  for (const Mesh& mesh : snapshot.meshes)
+  for (const OutputMesh& mesh : snapshot.meshes)
     for (const DataSet& data : mesh.data)
     {
       const auto place = static_cast<long long>(places[k++]);

@@ -58,7 +58,7 @@ std::string attribute(const DataSet& data, const std::string& place)
          "</Attribute>\n";
 }
 
-std::string topology(const Mesh& mesh, const std::string& place)
+std::string topology(const OutputMesh& mesh, const std::string& place)
 {
   std::string text;
   for (const DataSet& data : mesh.data)
@@ -70,7 +70,7 @@ std::string topology(const Mesh& mesh, const std::string& place)
 }
 
 /// \param place file and group of the mesh
-std::string grid(const Mesh& mesh, double time, const std::string& place)
+std::string grid(const OutputMesh& mesh, double time, const std::string& place)
 {
   char digits[40];
   std::snprintf(digits, sizeof digits, "%.17g", time);
@@ -89,7 +89,7 @@ std::string grid(const Mesh& mesh, double time, const std::string& place)
 
 void XdmfDocument::add(const Snapshot& snapshot, const std::string& group)
 {
-  for (const Mesh& mesh : snapshot.meshes)
+  for (const OutputMesh& mesh : snapshot.meshes)
   {
     auto collection = std::find_if(collections_.begin(), collections_.end(),
                                    [&mesh](const Collection& c) { return c.name == mesh.name; });

@@ -224,7 +224,7 @@ bool Production::stopIfAsked(double time, long step)
     throw OutputError(why.substr(1));
   asked_ = !why.empty() && why[0] == 'S';
   if (asked_)
-    throw RunError("the run was stopped by " + why.substr(1) + " at time " + formatReal(time) + " s, step " +
+    throw RunError("the run was stopped by " + why.substr(1) + " at t = " + readableTime(time) + ", step " +
                    std::to_string(step) + checkpoints_.atStop());
   return !why.empty();
 }

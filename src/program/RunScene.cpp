@@ -130,8 +130,8 @@ void printWarnings(const nlohmann::json& summary, std::ostream& err)
 std::string cellsInWords(const nlohmann::json& summary, long particles)
 {
   const double largest = summary["cells"]["largest"], smallest = summary["cells"]["smallest"];
-  return std::to_string(particles) + " particles in cells of " + formatReal(largest) + " m" +
-         (smallest < largest ? ", the smallest of " + formatReal(smallest) + " m" : "");
+  return std::to_string(particles) + " particles in cells of " + readableLength(largest) +
+         (smallest < largest ? ", the finest of " + readableLength(smallest) : "");
 }
 
 /// How far away the end is, by the step that bodies and cells allow now: what a run will cost.
@@ -146,8 +146,8 @@ std::string stepsInWords(const Simulation& simulation, const Teuchos::ParameterL
   // Three digits: the step changes as bodies and cells do.
   const double digits = std::pow(10.0, std::max(0.0, std::floor(std::log10(steps)) - 2.0));
   char text[96];
-  std::snprintf(text, sizeof text, "; about %.0f steps of %.3g s to %s",
-                std::min(digits * std::round(steps / digits), most), step,
+  std::snprintf(text, sizeof text, "; about %.0f steps of %s to %s",
+                std::min(digits * std::round(steps / digits), most), readableTime(step).c_str(),
                 steps > most ? "Time > Maximum Steps" : "Time > Final Time");
   return text;
 }

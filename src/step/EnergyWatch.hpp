@@ -3,8 +3,8 @@
 
 #include "archive/Archive.hpp"
 #include "base/Numbers.hpp"
-#include "state/EnergyBalance.hpp"
 #include "base/UnstableStep.hpp"
+#include "state/EnergyBalance.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -50,8 +50,8 @@ public:
       return "an energy is not finite" + advice(subcycledLevels);
     if (bursts_ < burstsInARow)
       return {};
-    return "the energy of the bodies is " + formatReal(now_) + " J, but at most " + formatReal(given_) +
-           " J was supplied" + advice(subcycledLevels);
+    return "the energy of the bodies is " + readableEnergy(now_) + ", but at most " + readableEnergy(given_) +
+           " was supplied" + advice(subcycledLevels);
   }
 
   /// \param losesByDesign whether the scene asks for a scheme that takes energy which nobody books

@@ -217,7 +217,7 @@ class Words(ProgramTest):
 
     def test_check_tells_how_many_steps_a_run_takes(self):
         """To three digits and by the first step; those of an elastic plate hardly change."""
-        told = re.search(r"about (\d+) steps of \S+ s to Time > Final Time", rhegma(self.scene, "--check").output)
+        told = re.search(r"about (\d+) steps of \S+ [mun]?s to Time > Final Time", rhegma(self.scene, "--check").output)
         self.assertEqual(rhegma(self.scene, "--quiet").status, 0)
         with open(self.path("scene.out", "summary.json"), encoding="utf-8") as file:
             self.assertAlmostEqual(int(told[1]) / json.load(file)["steps"], 1.0, delta=0.02)

@@ -209,8 +209,8 @@ TEST(EnergyRelease, SaysWhenAFrontComesToALoad)
     effect.calls[0].run(state);
     ASSERT_EQ(state.warnings.size(), 1u);
     EXPECT_NE(
-        state.warnings[0].find("Boundaries > Pin acts in the reduced to radii of 2 mm to 3 mm the front "
-                               "Notch.0, from time 0.5 s on"),
+        state.warnings[0].find("Boundaries > Pin acts in the domain integral from 2 mm to 3 mm around crack "
+                               "Notch, front 0, from t = 500 ms on"),
         std::string::npos)
         << state.warnings[0];
   }
