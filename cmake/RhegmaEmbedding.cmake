@@ -1,4 +1,4 @@
-# The applications of docs/embedding as a stranger builds them: against a copy installed in an empty folder of the build
+# The applications of docs/embedding and docs/guides as a stranger builds them: against a copy installed in an empty folder of the build
 # tree, which find_package(Rhegma) is told of. One back end is enough, for what they try is the same in all.
 
 if(NOT RHEGMA_TESTS OR NOT TARGET rhegma_program OR RHEGMA_FOLDERS_LEFT_OUT OR NOT RHEGMA_BACKEND STREQUAL serial)
@@ -23,9 +23,10 @@ set(launcher) # one word: a list would end the options
 if(RHEGMA_CCACHE)
   set(launcher -DCMAKE_CXX_COMPILER_LAUNCHER=${RHEGMA_CCACHE})
 endif()
-foreach(application film own_effect)
+foreach(source docs/embedding/film docs/guides/examples/effect)
+  get_filename_component(application ${source} NAME)
   rhegma_add_embedding_test(${application}.build SETUP embedding_${application} NEEDS embedding_installed
-    COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${PROJECT_SOURCE_DIR}/docs/embedding/${application}
+    COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${PROJECT_SOURCE_DIR}/${source}
       ${folder}/${application} --build-generator ${CMAKE_GENERATOR} --build-options
       -DCMAKE_PREFIX_PATH=${folder}/prefix -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_COMPILER=${CMAKE_CXX_COMPILER}
       ${launcher} -DCMAKE_CXX_FLAGS=-Werror)
@@ -37,5 +38,5 @@ rhegma_add_embedding_test(film.ranks NEEDS embedding_film
   COMMAND ${MPIEXEC_EXECUTABLE} ${MPIEXEC_NUMPROC_FLAG} 2 ${film})
 set_tests_properties(embedding.film.ranks PROPERTIES PROCESSORS 2)
 set_property(TEST embedding.film.ranks APPEND PROPERTY ENVIRONMENT OMPI_MCA_rmaps_base_oversubscribe=1)
-rhegma_add_embedding_test(own_effect NEEDS embedding_own_effect
-  COMMAND ${folder}/own_effect/own_effect ${PROJECT_SOURCE_DIR}/docs/embedding/own_effect/block.xml)
+rhegma_add_embedding_test(effect NEEDS embedding_effect
+  COMMAND ${folder}/effect/bristles ${PROJECT_SOURCE_DIR}/docs/guides/examples/effect/block.xml)

@@ -26,8 +26,6 @@ public:
       : Engine(ranks), scene_(scene), lines_(sceneLines(scene, effectSchema()))
   {
     makeRun(run_);
-    const std::vector<std::string> names = run_->effectNames();
-    effects_.insert(names.begin(), names.end());
   }
 
   void initialize() override { initialize(*run_); }
@@ -230,14 +228,16 @@ private:
   void makeRun(std::unique_ptr<Run<D>>& run)
   {
     run = std::make_unique<Run<D>>(scene_, std::vector<Effect<D>>{}, ranks());
-    run->beforeObserve = [this](State<D>& state) { coreRow(state, effects_); };
+    run->beforeObserve = [this](State<D>& state) { coreRow(state, balance_); };
   }
 
   void initialize(Run<D>& run)
   {
     run.initialize();
+    for (const Effect<D>& effect : run.plan().effects)
+      balance_.insert(effect.balance.begin(), effect.balance.end());
     State<D>& state = run.state();
-    coreRow(state, effects_);
+    coreRow(state, balance_);
     state.energy.start = state.energy.kinetic + state.energy.strain;
     state.energy.thermalStart = state.energy.thermal;
     state.energy.thermal = 0.0;
@@ -298,7 +298,7 @@ private:
   Teuchos::ParameterList scene_;
   std::vector<std::string> lines_; ///< of the scene
   std::unique_ptr<Run<D>> run_;
-  std::set<std::string> effects_;
+  std::set<std::string> balance_; ///< columns of the energy balance that the effects give
   std::unique_ptr<FieldWriter<D>> writer_;
   Record fieldsBefore_; ///< what a checkpoint says of the fields, until they are gone on with
   double next_ = 0.0;

@@ -39,10 +39,23 @@ struct Progress
   int most = 0, kept = 0;
 };
 
-Section section()
+const char* const nothingRefines =
+    "there is no refinement criterion; write Velocity Change or Temperature Change, add a box, or add the "
+    "section Cracks with Front Cells above 0";
+
+bool refinesByItself(const Teuchos::ParameterList& list)
 {
-  Section s("Adaptivity", "Adaptive mesh refinement (AMR): cells are refined and coarsened during the run, "
-                          "and particles are split and merged with them.");
+  return list.isParameter("Velocity Change") || list.isParameter("Temperature Change") ||
+         !sublistNames(list).empty();
+}
+
+bool refinesAtFronts(const Teuchos::ParameterList& list)
+{
+  return !(list.isType<double>("Front Cells") && list.get<double>("Front Cells") == 0.0);
+}
+
+void addCriteria(Section& s)
+{
   s.integer("Maximum Level")
       .range(1, 6)
       .byDefault(2)
@@ -74,6 +87,10 @@ Section section()
       .range(0, 16)
       .byDefault(1)
       .meaning("Layers of cells that are also refined around the cells refined by velocity or temperature.");
+}
+
+void addTimes(Section& s)
+{
   s.integer("Interval")
       .atLeast(1)
       .byDefault(10)
@@ -96,6 +113,14 @@ Section section()
       .byDefault(0.1)
       .meaning("Particles are not merged if this would lose more than this fraction of their energy. The "
                "energy lost is recorded in the energy balance as merged.");
+}
+
+Section section()
+{
+  Section s("Adaptivity", "Adaptive mesh refinement (AMR): cells are refined and coarsened during the run, "
+                          "and particles are split and merged with them.");
+  addCriteria(s);
+  addTimes(s);
   Section region("region", "A box in which cells are refined from the start. You choose its name.");
   region.realArray("Lower Corner")
       .unit("m")
@@ -108,22 +133,24 @@ Section section()
   region.integer("Level").range(1, 6).meaning(
       "Refinement level of the cells in the box, at most Maximum Level.");
   s.namedByUser(region);
+  s.refuse({when::present("Adaptivity"), when::is("Cracks", "Formulation", {"Corrected Broken Cell"})},
+           "it can't be combined with Cracks > Formulation = Corrected Broken Cell, which needs cells of one "
+           "size; choose another formulation");
+  s.refuse({when::present("Adaptivity"), when::is("Contact", "Law", {"Visibility"})},
+           "it can't be combined with Contact > Law = Visibility; choose another contact law");
+  s.refuse({when::given("Adaptivity", "Temperature Change"), when::unprovided(capability::heat)},
+           "the scene has no temperature; add the section Thermal or leave this parameter out");
+  s.refuse({when::satisfies("Adaptivity", "without Velocity Change, Temperature Change and boxes",
+                            [](const Teuchos::ParameterList& list)
+                            { return !refinesByItself(list) && refinesAtFronts(list); }),
+            when::absent("Cracks")},
+           nothingRefines);
   return s;
 }
 
 void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  if (!scene.isSublist("Adaptivity"))
-    return;
   const Teuchos::ParameterList& list = scene.sublist("Adaptivity");
-  if (scene.isSublist("Cracks") && scene.sublist("Cracks").isType<std::string>("Formulation") &&
-      scene.sublist("Cracks").get<std::string>("Formulation") == "Corrected Broken Cell")
-    errors.push_back({"Adaptivity", "it can't be combined with Cracks > Formulation = Corrected Broken Cell, "
-                                    "which needs cells of one size; choose another formulation"});
-  if (scene.isSublist("Contact") && scene.sublist("Contact").isType<std::string>("Law") &&
-      scene.sublist("Contact").get<std::string>("Law") == "Visibility")
-    errors.push_back(
-        {"Adaptivity", "it can't be combined with Contact > Law = Visibility; choose another contact law"});
   if (list.isType<int>("Maximum Level"))
     for (const std::string& name : sublistNames(list))
       if (list.sublist(name).isType<int>("Level") &&
@@ -132,15 +159,8 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
             {"Adaptivity > " + name + " > Level", "it is deeper than Maximum Level, which is " +
                                                       std::to_string(list.get<int>("Maximum Level")) +
                                                       "; raise Maximum Level or lower this level"});
-  if (list.isParameter("Temperature Change") && !scene.isSublist("Thermal"))
-    errors.push_back({"Adaptivity > Temperature Change",
-                      "the scene has no temperature; add the section Thermal or leave this parameter out"});
-  const bool fronts = scene.isSublist("Cracks") &&
-                      !(list.isType<double>("Front Cells") && list.get<double>("Front Cells") == 0.0);
-  if (!fronts && !list.isParameter("Velocity Change") && !list.isParameter("Temperature Change") &&
-      sublistNames(list).empty())
-    errors.push_back({"Adaptivity", "there is no refinement criterion; write Velocity Change or Temperature "
-                                    "Change, add a box, or add the section Cracks with Front Cells above 0"});
+  if (!refinesByItself(list) && !refinesAtFronts(list))
+    errors.push_back({"Adaptivity", nothingRefines});
 }
 
 /// How many levels take steps shorter than the run's.
@@ -254,6 +274,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   const auto progress = std::make_shared<std::shared_ptr<Progress<D>>>();
   Effect<D> effect;
   effect.name = "Adaptivity";
+  effect.balance = {"merged"};
   effect.adds.push_back({fields::level, 1, "", "number of times it was split", true});
   effect.adds.push_back({ancestor, 1, "", "id of the initial particle that it is part of", true});
   effect.adds.push_back({lineage, 1, "", "which part of that particle", true});
@@ -270,8 +291,8 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   };
   effect.call({Stage::BetweenSteps,
                "adaptation of cells and particles",
-               {"crack geometry"},
-               {"cells"},
+               {ifWritten(quantity::crackGeometry)},
+               {quantity::cells},
                {},
                [=](State<D>& state)
                {
@@ -313,6 +334,11 @@ EffectEntry adaptivityEntry()
 {
   EffectEntry entry{section(), check, make<2>, make<3>, true};
   entry.cells.tell = [](const auto&, CellNeeds& needs, auto&) { needs.equal = true; };
+  entry.declare = [](const Teuchos::ParameterList& list, RunOptions& options)
+  {
+    options.adaptive = true;
+    options.frontLevels = list.get<double>("Front Cells") > 0.0 ? list.get<int>("Maximum Level") : 0;
+  };
   entry.cells.refine = [](Teuchos::ParameterList& scene, int levels)
   { scene.sublist("Adaptivity").set("Maximum Level", levels); };
   return entry;

@@ -71,10 +71,7 @@ struct MergeFamilies
       energy += before.kinetic(p) + before.strain(p);
       motion += before.kinetic(p);
     }
-    // The volume that the parts have now.
-    const double stretch = D == 2 ? std::sqrt(now / determinant<D>(F)) : std::cbrt(now / determinant<D>(F));
-    for (int c = 0; c < D * D; ++c)
-      F[c] *= stretch;
+    stretchTo(now, F);
     const int depth = level(to) - 1;
     double edges[D], half[D];
     for (int d = 0; d < D; ++d)
@@ -99,6 +96,20 @@ struct MergeFamilies
     accepted(i) = 1;
     // Where particles carry internal energy, what strain loses becomes heat.
     lost += before.thermo.empty() ? energy - after : motion - 0.5 * m * square;
+    for (int c = 0; c < static_cast<int>(before.history.extent(1)); ++c)
+      before.history(to, c) = memory[c];
+    mass(to) = m;
+    volume(to) = V;
+    write(to, F, v, x, X, edges, half);
+  }
+
+  KOKKOS_INLINE_FUNCTION void write(int to, const double* F, const double* v, const double* x,
+                                    const double* X, const double* edges, const double* half) const
+  {
+    --level(to);
+    lineage(to) = lineage(to) >> D;
+    for (int c = 0; c < gradientSize<D>; ++c)
+      deformation(to, c) = F[c];
     for (int d = 0; d < D; ++d)
     {
       if (before.mechanics)
@@ -109,14 +120,14 @@ struct MergeFamilies
       if (boxes)
         box(to, d) = half[d];
     }
-    for (int c = 0; c < gradientSize<D>; ++c)
-      deformation(to, c) = F[c];
-    for (int c = 0; c < static_cast<int>(before.history.extent(1)); ++c)
-      before.history(to, c) = memory[c];
-    mass(to) = m;
-    volume(to) = V;
-    level(to) = depth;
-    lineage(to) = lineage(to) >> D;
+  }
+
+  /// Gives a deformation gradient the determinant that is wanted: the volume that the parts have now.
+  KOKKOS_INLINE_FUNCTION static void stretchTo(double wanted, double* F)
+  {
+    const double ratio = wanted / determinant<D>(F), stretch = D == 2 ? std::sqrt(ratio) : std::cbrt(ratio);
+    for (int c = 0; c < D * D; ++c)
+      F[c] *= stretch;
   }
 
   /// Elastic energy of the family as one [J/m3], at its mean temperature where particles have one.

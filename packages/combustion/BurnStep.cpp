@@ -107,6 +107,18 @@ void heatFaces(State<D>& state, Work<D>& work, Burning<D>& b, double share)
   b.gas.heatWalls(all);
 }
 
+template <int D>
+void warnOfLastFuel(State<D>& state, int crack, double widest)
+{
+  const double apart = widest / state.mesh.smallestSpacing();
+  state.warnings.push_back(
+      "Combustion > " + state.cracks.cracks[crack].name +
+      (apart > farApart ? ": the faces are " + formatReal(std::round(10.0 * apart) / 10.0) +
+                              " finest cells apart, too far for the solid next to them to be found"
+                        : ": the solid next to the faces has burnt away") +
+      " at t = " + readableTime(state.clock.time + state.clock.dt) + "; nothing burns from then on");
+}
+
 } // namespace
 
 template <int D>
@@ -145,13 +157,7 @@ void burnStep(State<D>& state, Work<D>& work, Burning<D>& b)
     if (mass < leastFuel * asked)
     {
       b.spent = true;
-      const double apart = room.widest / state.mesh.smallestSpacing();
-      state.warnings.push_back(
-          "Combustion > " + state.cracks.cracks[b.crack].name +
-          (apart > farApart ? ": the faces are " + formatReal(std::round(10.0 * apart) / 10.0) +
-                                  " finest cells apart, too far for the solid next to them to be found"
-                            : ": the solid next to the faces has burnt away") +
-          " at t = " + readableTime(state.clock.time + state.clock.dt) + "; nothing burns from then on");
+      warnOfLastFuel(state, b.crack, room.widest);
     }
   }
   const double come = b.gas.mass() - gasBefore;

@@ -75,7 +75,8 @@ Ignition<D> readIgnition(const State<D>& state, int crack, const Teuchos::Parame
 } // namespace
 
 template <int D>
-Burning<D> readBurning(const State<D>& state, const Teuchos::ParameterList& scene, const std::string& name)
+Burning<D> readBurning(const State<D>& state, const Teuchos::ParameterList& scene, const RunOptions& options,
+                       const std::string& name)
 {
   const Teuchos::ParameterList& list = scene.sublist("Combustion").sublist(name);
   const std::string path = "Combustion > " + name;
@@ -96,8 +97,12 @@ Burning<D> readBurning(const State<D>& state, const Teuchos::ParameterList& scen
       law.constantTemperature ? law.flameTemperature : list.get<double>("Initial Temperature");
   b.wallFraction = list.get<double>("Wall Heat Fraction");
   b.transfer = list.get<double>("Heat Transfer Coefficient");
-  if (scene.isSublist("Thermal"))
-    b.solidTemperature = scene.sublist("Thermal").get<double>("Initial Temperature");
+  b.solidTemperature = options.initialTemperature.value_or(b.solidTemperature);
+  if (options.heat() && list.isParameter("Ignition Temperature") &&
+      list.get<double>("Ignition Temperature") <= b.solidTemperature)
+    throw std::invalid_argument(path +
+                                " > Ignition Temperature: is not above Thermal > Initial Temperature, so "
+                                "all faces ignite at once; leave it out if this is intended");
   b.ignition = readIgnition<D>(state, b.crack, list, path);
   b.mirrors = mirrorPlanes(scene);
   b.flows = list.get<std::string>("Gas Model") == "Flow";
@@ -120,7 +125,9 @@ Burning<D> readBurning(const State<D>& state, const Teuchos::ParameterList& scen
 
 template struct Burning<2>;
 template struct Burning<3>;
-template Burning<2> readBurning(const State<2>&, const Teuchos::ParameterList&, const std::string&);
-template Burning<3> readBurning(const State<3>&, const Teuchos::ParameterList&, const std::string&);
+template Burning<2> readBurning(const State<2>&, const Teuchos::ParameterList&, const RunOptions&,
+                                const std::string&);
+template Burning<3> readBurning(const State<3>&, const Teuchos::ParameterList&, const RunOptions&,
+                                const std::string&);
 
 } // namespace Rhegma::combustion

@@ -6,6 +6,7 @@
 #include "combustion/CrackFlow.hpp"
 #include "combustion/Gas.hpp"
 #include "combustion/Ignition.hpp"
+#include "plan/RunOptions.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -55,6 +56,7 @@ struct Burning
 /// What a scene says of the burning of a crack. Throws std::invalid_argument, with the path, for what the
 /// bodies and the crack show wrong.
 template <int D>
-Burning<D> readBurning(const State<D>& state, const Teuchos::ParameterList& scene, const std::string& name);
+Burning<D> readBurning(const State<D>& state, const Teuchos::ParameterList& scene, const RunOptions& options,
+                       const std::string& name);
 
 } // namespace Rhegma::combustion

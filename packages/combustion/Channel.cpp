@@ -196,13 +196,11 @@ void Channel::rub(double h)
   }
 }
 
-void Channel::flow(double h, const ChannelSupply& supply, ChannelLoss& loss)
+void Channel::reconstruct(double h)
 {
   const int n = size();
   left_.resize(n);
   right_.resize(n);
-  flux_.resize(n + 1);
-  passage_.resize(n + 1);
   for (int k = 0; k < n; ++k)
   {
     const State s = stateOf(k);
@@ -228,6 +226,14 @@ void Channel::flow(double h, const ChannelSupply& supply, ChannelLoss& loss)
       right_[k] = r;
     }
   }
+}
+
+void Channel::flow(double h, const ChannelSupply& supply, ChannelLoss& loss)
+{
+  const int n = size();
+  reconstruct(h);
+  flux_.resize(n + 1);
+  passage_.resize(n + 1);
   const auto section = [&](int k) { return volume_[k] / length_[k]; };
   for (int f = 1; f < n; ++f)
   {

@@ -112,6 +112,7 @@ private:
   double energyDensity(const State& s) const;
   Flux hllc(const State& left, const State& right) const;
   double longestStep() const;
+  void reconstruct(double h); ///< the gas at both ends of each cell, half a step on
   void flow(double h, const ChannelSupply& supply, ChannelLoss& loss);
   void rub(double h);
 

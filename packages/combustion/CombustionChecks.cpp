@@ -2,7 +2,7 @@
 #include "base/ReadList.hpp"
 #include "combustion/BurnRate.hpp"
 #include "combustion/Combustion.hpp"
-#include "scene/CrackNames.hpp"
+#include "scene/NearestName.hpp"
 
 #include <cmath>
 #include <stdexcept>
@@ -35,11 +35,11 @@ void checkDensity(const Teuchos::ParameterList& scene, const Teuchos::ParameterL
   }
   if (!known.empty())
     errors.push_back(
-        {path + " > Solid Density", "no material of the scene has this density; " + joined(known)});
+        {path + " > Solid Density", "no material of the scene has this density; " + inWords(known, ", ")});
 }
 
-void checkIgnition(const Teuchos::ParameterList& scene, const Teuchos::ParameterList& list,
-                   const std::string& path, std::vector<SceneError>& errors)
+void checkIgnition(const Teuchos::ParameterList& list, const std::string& path,
+                   std::vector<SceneError>& errors)
 {
   const bool point = list.isParameter("Ignition Point"), box = list.isParameter("Ignition Lower Corner");
   if (point && box)
@@ -50,31 +50,14 @@ void checkIgnition(const Teuchos::ParameterList& scene, const Teuchos::Parameter
   if (!point && !box && list.isParameter("Flame Speed"))
     errors.push_back({path, "it needs a start; write an Ignition Point or a box (Ignition Lower Corner, "
                             "Ignition Upper Corner)"});
-  if (!list.isParameter("Ignition Temperature"))
-    return;
-  if (!scene.isSublist("Thermal"))
-  {
-    errors.push_back({path + " > Ignition Temperature",
-                      "it needs the section Thermal; add it or leave this parameter out"});
-    return;
-  }
-  if (realOf(list, "Ignition Temperature", 1e300) <=
-      realOf(scene.sublist("Thermal"), "Initial Temperature", 0.0))
-    errors.push_back({path + " > Ignition Temperature",
-                      "is not above Thermal > Initial Temperature, so all faces ignite "
-                      "at once; leave it out if this is intended"});
 }
 
-void checkHeat(const Teuchos::ParameterList& scene, const Teuchos::ParameterList& list,
-               const std::string& path, std::vector<SceneError>& errors)
+void checkHeat(const Teuchos::ParameterList& list, const std::string& path, std::vector<SceneError>& errors)
 {
   for (const char* name : {"Wall Heat Fraction", "Heat Transfer Coefficient"})
   {
     if (!(realOf(list, name, 0.0) > 0.0))
       continue;
-    if (!scene.isSublist("Thermal"))
-      errors.push_back(
-          {path + " > " + name, "it needs the section Thermal; add it or leave this parameter out"});
     if (list.isType<std::string>("Gas Temperature") && list.get<std::string>("Gas Temperature") == "Constant")
       errors.push_back({path + " > " + name, "it can't be combined with Gas Temperature = Constant; write "
                                              "Energy Balance or leave this parameter out"});
@@ -102,8 +85,6 @@ void checkCrack(const Teuchos::ParameterList& scene, const std::string& name, st
   const Teuchos::ParameterList& list = scene.sublist("Combustion").sublist(name);
   const std::string path = "Combustion > " + name;
   const auto real = [&](const char* parameter, double other) { return realOf(list, parameter, other); };
-  if (scene.isSublist("Face Pressure") && scene.sublist("Face Pressure").isSublist(name))
-    errors.push_back({path, "Face Pressure prescribes a pressure in this crack too; remove one of the two"});
   if (!(real("Initial Gap", 0.0) > 0.0) && !(real("Cavity Volume", 0.0) > 0.0))
     errors.push_back({path, "a closed crack has no gas volume; write an Initial Gap (roughness of the faces) "
                             "or a Cavity Volume"});
@@ -121,8 +102,8 @@ void checkCrack(const Teuchos::ParameterList& scene, const std::string& name, st
       errors.push_back({path + " > Burn Table", problem.what()});
     }
   checkDensity(scene, list, path, errors);
-  checkIgnition(scene, list, path, errors);
-  checkHeat(scene, list, path, errors);
+  checkIgnition(list, path, errors);
+  checkHeat(list, path, errors);
   checkModel(scene, list, path, errors);
   if (!list.isParameter("Solid Density") && scene.isSublist("Materials") &&
       sublistNames(scene.sublist("Materials")).size() > 1)
@@ -134,17 +115,9 @@ void checkCrack(const Teuchos::ParameterList& scene, const std::string& name, st
 
 void checkCombustion(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  if (!scene.isSublist("Combustion"))
-    return;
-  if (!checkCrackNames(scene, "Combustion", "could burn", errors))
-    return;
   if (sublistNames(scene.sublist("Combustion")).empty())
-    errors.push_back({"Combustion", "the section names no crack; write one as <ParameterList name=\"" +
-                                        joined(sublistNames(scene.sublist("Cracks"))) + "\">"});
-  if (scene.isSublist("Thermal") && scene.sublist("Thermal").isType<bool>("Mechanics") &&
-      !scene.sublist("Thermal").get<bool>("Mechanics"))
-    errors.push_back(
-        {"Combustion", "it can't be combined with Thermal > Mechanics = false; remove one of the two"});
+    errors.push_back({"Combustion",
+                      "the section names no crack; write one as <ParameterList name=\"...\"> with its name"});
   for (const std::string& name : sublistNames(scene.sublist("Combustion")))
     checkCrack(scene, name, errors);
 }

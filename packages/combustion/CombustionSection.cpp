@@ -3,10 +3,11 @@
 namespace Rhegma::combustion
 {
 
-Section combustionSection()
+namespace
 {
-  Section s("Combustion", "Combustion of crack faces: gas production, gas pressure on the faces, venting.");
-  Section crack("crack", "Combustion of one crack. The sublist has the name of the crack.");
+
+void addBurnLaw(Section& crack)
+{
   crack.chosenBy("Burn Law")
       .meaning("Burn rate law: regression rate of a burning face as a function of pressure.");
   Section vieille("Vieille", "Burn rate r = a p^n.");
@@ -21,6 +22,10 @@ Section combustionSection()
       .notEmpty()
       .meaning("Table of pressure:rate, such as \"1e5:1e-3, 1e6:5e-3\". Constant beyond both ends.");
   crack.variant(table);
+}
+
+void addGas(Section& crack)
+{
   crack.real("Solid Density")
       .unit("kg/m3")
       .positive()
@@ -60,6 +65,10 @@ Section combustionSection()
       .byDefault("Energy Balance")
       .meaning("Energy Balance: the temperature follows from the energy balance of the gas; work on the "
                "faces and venting cool it. Constant: the gas stays at the flame temperature.");
+}
+
+void addCavity(Section& crack)
+{
   crack.real("Initial Temperature")
       .unit("K")
       .positive()
@@ -86,6 +95,10 @@ Section combustionSection()
       .notNegative()
       .byDefault(0.0)
       .meaning("Gas volume in addition to that between the faces; in 2D for the whole thickness.");
+}
+
+void addIgnition(Section& crack)
+{
   crack.real("Ignition Time")
       .unit("s")
       .notNegative()
@@ -118,6 +131,10 @@ Section combustionSection()
       .positive()
       .optional("burning does not spread")
       .meaning("Speed at which burning spreads from the ignition point or box, in a straight line.");
+}
+
+void addLosses(Section& crack)
+{
   crack.real("Wall Heat Fraction")
       .notNegative()
       .below(1.0)
@@ -138,7 +155,30 @@ Section combustionSection()
       .byDefault(0.85)
       .meaning("Discharge coefficient: effective fraction of the opening for flow to the outside or into "
                "another crack.");
+}
+
+} // namespace
+
+Section combustionSection()
+{
+  Section s("Combustion", "Combustion of crack faces: gas production, gas pressure on the faces, venting.");
+  Section crack("crack", "Combustion of one crack. The sublist has the name of the crack.");
+  addBurnLaw(crack);
+  addGas(crack);
+  addCavity(crack);
+  addIgnition(crack);
+  addLosses(crack);
   s.namedByUser(crack);
+  s.namedAfter("Cracks", "there are no cracks; add the section Cracks or leave Combustion out");
+  s.refuse({when::present("Combustion"), when::is("Thermal", "Mechanics", {"false"})},
+           "it can't be combined with Thermal > Mechanics = false; remove one of the two");
+  s.refuse({when::present("Combustion > *"), when::present("Face Pressure > *")},
+           "Face Pressure prescribes a pressure in this crack too; remove one of the two");
+  s.refuse({when::given("Combustion > *", "Ignition Temperature"), when::unprovided(capability::heat)},
+           "it needs the section Thermal; add it or leave this parameter out");
+  for (const char* name : {"Wall Heat Fraction", "Heat Transfer Coefficient"})
+    s.refuse({when::above("Combustion > *", name, 0.0), when::unprovided(capability::heat)},
+             "it needs the section Thermal; add it or leave this parameter out");
   return s;
 }
 

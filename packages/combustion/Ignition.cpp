@@ -1,6 +1,7 @@
 #include "combustion/Ignition.hpp"
 
 #include "archive/Archive.hpp"
+#include "base/RowOrder.hpp"
 
 namespace Rhegma::combustion
 {
@@ -10,12 +11,7 @@ void Fire<D>::follow(const FacePoints<D>& points, bool anew)
 {
   if (!anew && static_cast<int>(lit_.extent(0)) == points.count())
     return;
-  const View<int*> old = lit_, now("rhegma::combustion::lit", points.count()), before = points.before;
-  const int known = static_cast<int>(old.extent(0));
-  Kokkos::parallel_for(
-      "rhegma::combustion::followFire", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
-      KOKKOS_LAMBDA(const int k) { now(k) = before(k) >= 0 && before(k) < known ? old(before(k)) : 0; });
-  lit_ = now;
+  lit_ = inOrder(lit_, points.before);
 }
 
 template <int D>

@@ -1,7 +1,7 @@
 #include "contact/Balance.hpp"
 
 #include "archive/Archive.hpp"
-#include "contact/SideEnergy.hpp"
+#include "state/ParticleEnergy.hpp"
 #include "state/Subdomain.hpp"
 
 #include <algorithm>
@@ -25,6 +25,18 @@ double power(const Nodes<D>& nodes)
           sum += nodes.sums(n, Nodes<D>::momentumAt + d) * nodes.motion(n, Nodes<D>::accelerationAt + d);
       },
       total);
+  return total;
+}
+
+/// Kinetic and strain energy of all particles [J].
+template <int D>
+double totalEnergy(const State<D>& state)
+{
+  const ParticleEnergy<D> energy(state);
+  double total = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::contact::totalEnergy", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, double& sum) { sum += energy.kinetic(p) + energy.strain(p); }, total);
   return total;
 }
 

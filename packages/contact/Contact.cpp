@@ -4,7 +4,6 @@
 #include "contact/Balance.hpp"
 #include "contact/ClosedVisibility.hpp"
 #include "contact/FaceContact.hpp"
-#include "contact/SideEnergy.hpp"
 #include "material/MaterialTable.hpp"
 
 #include <algorithm>
@@ -29,33 +28,21 @@ Section section()
   s.real("Penalty").positive().byDefault(2.0).meaning(
       "Penalty stiffness, in units of the P-wave modulus over the cell size. Above 3, a smaller time step "
       "may be needed.");
-  s.real("Watched Part")
-      .above(0.0)
-      .atMost(1.0)
-      .byDefault(1.0)
-      .onlyIn(2)
-      .meaning("Middle part of each crack next to which the summary adds up the energies on both sides. 1: "
-               "the whole body.");
+  s.moved["Watched Part"] = "Measure > Side Energy > Part";
+  s.needs("Cracks", "there are no cracks; add the section Cracks or leave Contact out");
+  s.refuse(
+      {when::is("Contact", "Law", {"Visibility"}), when::isNot("Cracks", "Formulation", {"Broken Cell"})},
+      "Visibility needs Cracks > Formulation = Broken Cell; choose that formulation or another law");
   return s;
 }
 
 void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  if (!scene.isSublist("Contact"))
-    return;
   const Teuchos::ParameterList& list = scene.sublist("Contact");
-  if (!scene.isSublist("Cracks"))
-    errors.push_back({"Contact", "there are no cracks; add the section Cracks or leave Contact out"});
   if (!list.isParameter("Law"))
     return;
   const bool coulomb = list.get<std::string>("Law") == "Coulomb";
   const bool given = list.isParameter("Friction Coefficient");
-  if (list.get<std::string>("Law") == "Visibility" && scene.isSublist("Cracks") &&
-      scene.sublist("Cracks").isParameter("Formulation") &&
-      scene.sublist("Cracks").get<std::string>("Formulation") != "Broken Cell")
-    errors.push_back(
-        {"Contact > Law",
-         "Visibility needs Cracks > Formulation = Broken Cell; choose that formulation or another law"});
   if (coulomb && !given)
     errors.push_back(
         {"Contact > Friction Coefficient",
@@ -79,9 +66,6 @@ struct Account
   FaceContact<D> contact;
   std::unique_ptr<ClosedVisibility> visibility; ///< in place of `contact`, if a 2D scene asks for it
   double booked = 0.0;                          ///< energy that stands in the ledger [J]
-  double part = 1.0;
-  std::vector<WatchedCrack<D>> watched;
-  std::vector<SideEnergy> start;
   Balance<D> balance;
 };
 
@@ -101,11 +85,11 @@ void book(State<D>& state, Account<D>& account)
   account.booked = now;
 }
 
-/// Points of one crack beside its watched part.
+/// Marks the points of one crack up to a distance from a middle along it (CrackSet::contactEnergy).
 template <int D>
-View<int*> watchedPoints(const FacePoints<D>& points, int crack, const WatchedCrack<D>& watched)
+View<int*> pointsIn(const FacePoints<D>& points, int crack, double middle, double reach)
 {
-  View<int*> part("rhegma::watchedPoints", points.count());
+  View<int*> part("rhegma::contactPart", points.count());
   const auto host = Kokkos::create_mirror_view(part);
   const auto of = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.crack);
   const auto length = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.size);
@@ -114,12 +98,20 @@ View<int*> watchedPoints(const FacePoints<D>& points, int crack, const WatchedCr
     if (of(k) == crack)
     {
       const double along = passed + 0.5 * length(k);
-      host(k) =
-          D == 3 || std::abs(along - 0.5 * watched.length) <= 0.5 * watched.part * watched.length ? 1 : 0;
+      host(k) = D == 3 || std::abs(along - middle) <= reach ? 1 : 0;
       passed += length(k);
     }
   Kokkos::deep_copy(part, host);
   return part;
+}
+
+constexpr double everywhere = 1e300; ///< a distance that no body has [m]
+
+template <int D>
+ContactEnergy energyIn(const FaceContact<D>& contact, int crack, double middle, double reach)
+{
+  const View<int*> part = pointsIn(contact.points(), crack, middle, reach);
+  return {contact.storedIn(part), contact.dissipatedIn(part)};
 }
 
 template <int D>
@@ -141,35 +133,15 @@ void report(const State<D>& state, const Account<D>& account, nlohmann::json& su
   for (std::size_t c = 0; c < cracks.size(); ++c)
   {
     const CrackContact& crack = cracks[c];
-    const View<int*> part = watchedPoints(contact.points(), static_cast<int>(c), account.watched[c]);
-    const double stored = contact.storedIn(part), friction = contact.dissipatedIn(part);
-    SideEnergy now = measureSides(state, account.watched[c]);
-    // The layer between the faces belongs to both sides.
-    now.below += 0.5 * stored - account.start[c].below;
-    now.above += 0.5 * stored - account.start[c].above;
-    const double all = now.below + now.above + friction;
+    const ContactEnergy energy = energyIn(contact, static_cast<int>(c), 0.0, everywhere);
     nlohmann::json& entry = summary["cracks"][c]["contact"];
     entry["touches"] = crack.touches;
     // What has no value yet is there all the same, as null.
-    const auto where = [](bool known, double value)
-    { return known ? nlohmann::json(value) : nlohmann::json(); };
-    entry["first_touch"] = where(crack.touches > 0, crack.firstTouch);
+    entry["first_touch"] = crack.touches > 0 ? nlohmann::json(crack.firstTouch) : nlohmann::json();
     entry["closed_points"] = crack.closedPoints;
     entry["largest_pressure"] = crack.largestPressure;
-    entry["stored"] = stored;
-    entry["friction"] = friction;
-    entry["gain_below"] = now.below;
-    entry["gain_above"] = now.above;
-    // A travelling wave has as much strain as kinetic energy.
-    const double waves = 2.0 * (now.alongBelow + now.alongAbove) + friction;
-    entry["along_below"] = now.alongBelow;
-    entry["along_above"] = now.alongAbove;
-    entry["shear_share_below"] = where(waves > 0.0, 2.0 * now.alongBelow / waves);
-    entry["shear_share_above"] = where(waves > 0.0, 2.0 * now.alongAbove / waves);
-    entry["shear_share_friction"] = where(waves > 0.0, friction / waves);
-    entry["share_below"] = where(all != 0.0, now.below / all);
-    entry["share_above"] = where(all != 0.0, now.above / all);
-    entry["share_friction"] = where(all != 0.0, friction / all);
+    entry["stored"] = energy.stored;
+    entry["friction"] = energy.dissipated;
   }
   if (account.visibility)
     for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
@@ -244,7 +216,38 @@ void advance(State<D>& state, Account<D>& account)
 }
 
 template <int D>
-Effect<D> make(const Teuchos::ParameterList& scene)
+void begin(State<D>& state, const std::shared_ptr<Account<D>>& account)
+{
+  if constexpr (D == 2)
+    if (account->visibility)
+      account->visibility->install(state);
+  if (!account->visibility)
+    state.motion.followingForces.push_back(
+        {[account](const State<D>& s, const NodeSlots& slots, const View<double* [D]>& force)
+         { account->contact.addFrozenForces(s, slots, force); },
+         [account](const State<D>& s, const NodeSlots& slots, const View<double* [D]>& displacement,
+                   const View<double* [D]>& force)
+         { account->contact.addChange(s, slots, displacement, force); }});
+  state.cracks.contactEnergy = [account](int crack, double middle, double reach)
+  { return energyIn(account->contact, crack, middle, reach); };
+}
+
+template <int D>
+void keep(Account<D>& account, Archive& archive)
+{
+  archive("booked", account.booked);
+  {
+    const Archive::Group group(archive, "balance");
+    account.balance.keep(archive);
+  }
+  if (account.visibility)
+    account.visibility->keep(archive);
+  else
+    account.contact.keep(archive);
+}
+
+template <int D>
+Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 {
   const Teuchos::ParameterList& list = scene.sublist("Contact");
   const double alpha = list.get<double>("Penalty");
@@ -252,47 +255,30 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       list.isParameter("Friction Coefficient") ? list.get<double>("Friction Coefficient") : 0.0;
   const auto account =
       std::make_shared<Account<D>>(FaceContact<D>(readLaw(list.get<std::string>("Law")), friction, alpha));
-  if constexpr (D == 2)
-    account->part = list.get<double>("Watched Part");
   const bool visibility = list.get<std::string>("Law") == "Visibility";
   if (visibility)
     account->visibility = std::make_unique<ClosedVisibility>();
   Effect<D> effect;
   effect.name = "Contact";
+  effect.balance = {"contact"};
   effect.needs = {fields::side};
-  const bool extrapolated = scene.isSublist("Cracks") && scene.sublist("Cracks").get<std::string>(
-                                                             "Formulation") == "Corrected Broken Cell";
-  effect.atStart = [account](State<D>& state)
-  {
-    if constexpr (D == 2)
-      if (account->visibility)
-        account->visibility->install(state);
-    if (!account->visibility)
-      state.motion.followingForces.push_back(
-          {[account](const State<D>& s, const NodeSlots& slots, const View<double* [D]>& force)
-           { account->contact.addFrozenForces(s, slots, force); },
-           [account](const State<D>& s, const NodeSlots& slots, const View<double* [D]>& displacement,
-                     const View<double* [D]>& force)
-           { account->contact.addChange(s, slots, displacement, force); }});
-    for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
-    {
-      account->watched.push_back(watch(state.cracks, static_cast<int>(c), account->part));
-      account->start.push_back(measureSides(state, account->watched.back()));
-    }
-  };
-  effect.call({Stage::Scatter, "points on crack faces", {"nodal mass"}, {}, {}, [account](State<D>& s) {
-                 prepare(s, *account);
-               }});
+  effect.atStart = [account](State<D>& state) { begin(state, account); };
+  effect.call({Stage::Scatter,
+               "points on crack faces",
+               {quantity::nodalMass, quantity::enrichedFields},
+               {},
+               {},
+               [account](State<D>& s) { prepare(s, *account); }});
   if (!visibility)
     effect.call({Stage::BeforeSolve,
                  "contact of crack faces",
-                 {"nodal mass"},
+                 {quantity::nodalMass, quantity::enrichedFields},
                  {},
-                 {"nodal force"},
+                 {quantity::nodalForce},
                  [account](State<D>& s) { account->contact.addForces(s); }});
   effect.call({Stage::AfterSolve,
                "balance of energy",
-               {"constrained motion"},
+               {quantity::nodalMotion, ifWritten(quantity::constrainedMotion)},
                {},
                {},
                [account](State<D>& s)
@@ -300,34 +286,33 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  if (s.clock.observing)
                    account->balance.measure(s, account->contact.stored());
                }});
-  effect.call(
-      {Stage::AfterProjection, "gaps of crack faces", {"projection"}, {"gaps"}, {}, [account](State<D>& s) {
-         advance(s, *account);
-       }});
-  effect.call({Stage::Observe, "fractions of energy", {"energies"}, {}, {}, [account](State<D>& s) {
-                 observe(s, *account);
-               }});
-  effect.memory = [account](State<D>&, Archive& archive)
-  {
-    archive("booked", account->booked);
-    {
-      const Archive::Group group(archive, "balance");
-      account->balance.keep(archive);
-    }
-    if (account->visibility)
-      account->visibility->keep(archive);
-    else
-      account->contact.keep(archive);
-  };
+  effect.call({Stage::AfterProjection,
+               "gaps of crack faces",
+               {quantity::nodalMotion, ifWritten(quantity::projection)},
+               {quantity::contactGaps},
+               {},
+               [account](State<D>& s) { advance(s, *account); }});
+  effect.call({Stage::Observe,
+               "fractions of energy",
+               {quantity::energyBalance, quantity::contactGaps},
+               {},
+               {},
+               [account](State<D>& s) { observe(s, *account); }});
+  effect.memory = [account](State<D>&, Archive& archive) { keep(*account, archive); };
   effect.report = [account](const State<D>& state, nlohmann::json& summary)
   { report(state, *account, summary); };
-  effect.timeStepLimit = [alpha, extrapolated](const State<D>& state)
+  effect.timeStepLimit = [alpha, extrapolated = options.extrapolated](const State<D>& state)
   { return timeStepLimit(state, alpha, extrapolated); };
   return effect;
 }
 
 } // namespace
 
-EffectEntry contactEntry() { return {section(), check, make<2>, make<3>, true}; }
+EffectEntry contactEntry()
+{
+  return {section(), check,
+          make<2>,   make<3>,
+          true,      [](const Teuchos::ParameterList&, RunOptions& options) { options.contact = true; }};
+}
 
 } // namespace Rhegma::contact

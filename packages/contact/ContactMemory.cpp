@@ -1,6 +1,7 @@
 /// What contact remembers: at its points where these are placed anew, and in checkpoints.
 
 #include "archive/Archive.hpp"
+#include "base/RowOrder.hpp"
 #include "contact/FaceContact.hpp"
 
 #include <string>
@@ -11,31 +12,6 @@ namespace Rhegma::contact
 
 namespace
 {
-
-View<double*> inherit(const View<double*>& old, const View<int*>& before, const char* label)
-{
-  View<double*> fresh(std::string(label), before.extent(0));
-  if (old.extent(0) > 0)
-    Kokkos::parallel_for(
-        "rhegma::contact::inherit", Kokkos::RangePolicy<ExecSpace>(0, before.extent(0)),
-        KOKKOS_LAMBDA(const int k) { fresh(k) = before(k) >= 0 ? old(before(k)) : 0.0; });
-  return fresh;
-}
-
-/// Along the tangents of a point.
-template <int T>
-View<double* [T]> inherit(const View<double* [T]>& old, const View<int*>& before, const char* label)
-{
-  View<double* [T]> fresh(std::string(label), before.extent(0));
-  if (old.extent(0) > 0)
-    Kokkos::parallel_for(
-        "rhegma::contact::inheritTangents", Kokkos::RangePolicy<ExecSpace>(0, before.extent(0)),
-        KOKKOS_LAMBDA(const int k) {
-          for (int t = 0; t < T; ++t)
-            fresh(k, t) = before(k) >= 0 ? old(before(k), t) : 0.0;
-        });
-  return fresh;
-}
 
 /// Heat by size of points that were placed anew [J/m2]: what each earlier point had goes to the points that
 /// inherit from it by their sizes, or where none does to the one in its place. \param size of earlier points
@@ -69,10 +45,10 @@ View<double*> leaveHeat(const View<double*>& old, const View<double*>& size, con
 template <int D>
 void FaceContact<D>::keepHistory(const View<double*>& size)
 {
-  gap_ = inherit(gap_, points_.before, "rhegma::contactGap");
-  slip_ = inherit<D - 1>(slip_, points_.before, "rhegma::contactSlip");
-  pressure_ = inherit(pressure_, points_.before, "rhegma::contactPressure");
-  shear_ = inherit<D - 1>(shear_, points_.before, "rhegma::contactShear");
+  gap_ = inOrder(gap_, points_.before);
+  slip_ = inOrder(slip_, points_.before);
+  pressure_ = inOrder(pressure_, points_.before);
+  shear_ = inOrder(shear_, points_.before);
   heat_ = leaveHeat(heat_, size, points_);
 }
 

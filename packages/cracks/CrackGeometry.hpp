@@ -93,8 +93,8 @@ KOKKOS_INLINE_FUNCTION Vector<D> placeOf(const Vector<D> (&corner)[D], const Foo
 namespace nearFront
 {
 constexpr int away = 0;
-constexpr int tied = 1;  ///< its crack may have ties
-constexpr int loose = 2; ///< near a front as well, but its crack goes on without ties (CarriedFronts.hpp)
+constexpr int hasSprings = 1;      ///< its crack may have front springs
+constexpr int springsDisabled = 2; ///< near a front as well, its crack without springs (AdvectedFronts.hpp)
 } // namespace nearFront
 
 /// What kernels need to look at cracks.

@@ -37,8 +37,13 @@ void keepFronts(CrackSet<D>& set, Archive& archive)
     }
     archive("grown", front.grown);
     archive("ended", front.ended);
-    archive("taken", front.taken);
-    archive("unspent", front.unspent);
+    archive("required", front.budget.required);
+    archive("pending", front.budget.pending);
+    archive("released", front.budget.released);
+    archive("carried_over", front.budget.carriedOver);
+    archive("over_dissipated", front.budget.overDissipated);
+    archive("advected", front.budget.advected);
+    archive("toughness", front.budget.toughness);
   }
 }
 

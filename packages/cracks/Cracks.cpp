@@ -2,12 +2,12 @@
 
 #include "archive/Archive.hpp"
 #include "base/ReadList.hpp"
-#include "cracks/CarriedFronts.hpp"
+#include "cracks/AdvectedFronts.hpp"
 #include "cracks/CellsForCracks.hpp"
 #include "cracks/CrackFrames.hpp"
 #include "cracks/CrackMotion.hpp"
 #include "cracks/CrackSetup.hpp"
-#include "cracks/FrontTies.hpp"
+#include "cracks/FrontSprings.hpp"
 #include "cracks/Growth.hpp"
 #include "cracks/HeldFaces.hpp"
 #include "cracks/IdleCracks.hpp"
@@ -118,8 +118,7 @@ void checkShape(const Teuchos::ParameterList& crack, const std::string& where, b
 
 void checkShapes(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  if (!scene.isSublist("Cracks") || !scene.isSublist("Domain") ||
-      !scene.sublist("Domain").isType<int>("Dimension"))
+  if (!scene.isSublist("Domain") || !scene.sublist("Domain").isType<int>("Dimension"))
     return;
   const bool flat = scene.sublist("Domain").get<int>("Dimension") == 2;
   for (const std::string& name : sublistNames(scene.sublist("Cracks")))
@@ -135,13 +134,13 @@ void checkShapes(const Teuchos::ParameterList& scene, std::vector<SceneError>& e
 
 void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  if (scene.isSublist("Cracks") && sublistNames(scene.sublist("Cracks")).empty())
+  if (sublistNames(scene.sublist("Cracks")).empty())
     errors.push_back({"Cracks",
                       "the section holds no crack; write one as <ParameterList name=\"...\"> or leave "
                       "the section out"});
   checkShapes(scene, errors);
-  if (!scene.isSublist("Cracks") || !scene.isSublist("Domain") ||
-      !scene.sublist("Domain").isType<int>("Dimension") || scene.sublist("Domain").get<int>("Dimension") != 3)
+  if (!scene.isSublist("Domain") || !scene.sublist("Domain").isType<int>("Dimension") ||
+      scene.sublist("Domain").get<int>("Dimension") != 3)
     return;
   const Teuchos::ParameterList& cracks = scene.sublist("Cracks");
   if (cracks.isType<std::string>("Formulation") && cracks.get<std::string>("Formulation") != "Dual Field")
@@ -157,30 +156,23 @@ Formulation readFormulation(const Teuchos::ParameterList& section)
                                            : Formulation::DualField;
 }
 
-/// How many times smaller than the large cells edges of a surface's triangles are: as the cells that
-/// `Adaptivity` makes at fronts, but no smaller than those of its second level, as there are four times as
-/// many with each.
-int piecesOfACell(const Teuchos::ParameterList& scene)
-{
-  if (!scene.isSublist("Adaptivity"))
-    return 1;
-  const Teuchos::ParameterList& cells = scene.sublist("Adaptivity");
-  return cells.get<double>("Front Cells") > 0.0 ? 1 << std::min(2, cells.get<int>("Maximum Level")) : 1;
-}
+/// How many times smaller than the coarse cells edges of a surface's triangles are: as the cells at fronts,
+/// but no smaller than those of the second level, as there are four times as many with each.
+int piecesOfACell(const RunOptions& options) { return 1 << std::min(2, options.frontLevels); }
 
 template <int D>
-Effect<D> make(const Teuchos::ParameterList& scene)
+Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 {
   const Teuchos::ParameterList section = scene.sublist("Cracks");
   const Formulation formulation = readFormulation(section);
-  const bool tied = formulation == Formulation::DualField && section.get<bool>("Front Springs");
+  const bool hasSprings = formulation == Formulation::DualField && section.get<bool>("Front Springs");
   const auto surroundings = std::make_shared<Surroundings>();
   const auto ghosts = std::make_shared<Ghosts>();
   const auto motion = std::make_shared<CrackMotion<D>>();
-  const auto carried = std::make_shared<CarriedFronts<D>>();
-  const bool grows = scene.isSublist("Propagation");
-  const int pieces = piecesOfACell(scene);
-  const auto ties = std::make_shared<FrontTies<D>>(grows);
+  const auto advected = std::make_shared<AdvectedFronts<D>>();
+  const bool grows = options.growth;
+  const int pieces = piecesOfACell(options);
+  const auto springs = std::make_shared<FrontSprings<D>>(grows);
   const bool join = D == 2 && grows && sublistNames(section).size() > 1;
   const auto junctions = std::make_shared<Junctions>();
   Effect<D> effect;
@@ -195,12 +187,12 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.atStart = [=](State<D>& state)
   {
     state.cracks.dualField = formulation == Formulation::DualField;
-    state.cracks.tied = tied;
-    if (tied)
-      state.motion.followingForces.push_back(ties->following());
+    state.cracks.frontSprings = hasSprings;
+    if (hasSprings)
+      state.motion.followingForces.push_back(springs->following());
     readCracks(section, state, state.mesh.grid.spacing / pieces);
-    if (tied)
-      carried->start(state);
+    if (hasSprings)
+      advected->start(state);
     state.stored.editor.prepare = [=](State<D>& s, const View<int*>& row)
     {
       if constexpr (D == 2)
@@ -229,7 +221,6 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     };
   };
   const auto surface = std::make_shared<SurfaceGrowth>(mirrorPlanes(scene));
-  ties->follow(surface);
   effect.memory = [=](State<D>& state, Archive& archive)
   {
     archive("steps", surroundings->stamp);
@@ -239,67 +230,82 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     keepCracks(state, archive);
     if (join)
       junctions->keep(archive);
-    const Archive::Group group(archive, "ties");
-    if (tied)
-      ties->keep(state, surroundings->stamp, archive);
   };
-  if (tied)
+  if (hasSprings)
   {
-    // USF stretches ties before forces are summed.
+    effect.addsNodal.push_back(springField<D>());
+    // USF stretches springs before forces are summed.
     effect.call({Stage::Scatter,
-                 "stiffness of ties behind crack fronts",
-                 {"nodal mass"},
-                 {"stiffness of ties"},
+                 "stiffness of springs behind crack fronts",
+                 {quantity::nodalMass, quantity::enrichedFields},
+                 {quantity::springStiffness},
                  {},
-                 [ties, surroundings](State<D>& s) { ties->prepare(s, *surroundings); }});
+                 [=](State<D>& s) { springs->prepare(s, *surroundings); }});
     effect.call({Stage::BeforeSolve,
-                 "ties behind crack fronts",
-                 {"stiffness of ties"},
-                 {},
-                 {"force of stresses"},
-                 [ties](State<D>& s) { ties->addForces(s); }});
+                 "springs behind crack fronts",
+                 {quantity::springStiffness, quantity::springStretch},
+                 {quantity::springForce},
+                 {quantity::internalForce},
+                 [=](State<D>& s) { springs->addForces(s); }});
     if (grows)
-      effect.call({Stage::Solve, "cohesion of new crack faces", {}, {}, {"nodal force"}, [=](State<D>& s) {
-                     ties->release(s, *surroundings);
+      effect.call({Stage::Solve,
+                   "cohesion of new crack faces",
+                   {quantity::springForce},
+                   {quantity::fractureEnergy},
+                   {quantity::nodalForce},
+                   [=](State<D>& s)
+                   {
+                     springs->release(s, *surroundings,
+                                      [&](const CrackSet<D>& set, int front) -> std::vector<double>
+                                      {
+                                        if constexpr (D == 3)
+                                          return surface->toughnessAlong(set, front);
+                                        else
+                                          return {set.fronts[front].budget.toughness};
+                                      });
                    }});
     effect.call({Stage::AfterProjection,
-                 "stretch of ties behind crack fronts",
-                 {"projection"},
-                 {"ties"},
+                 "stretch of springs behind crack fronts",
+                 {quantity::nodalMotion, ifWritten(quantity::projection)},
+                 {quantity::springStretch},
                  {},
-                 [ties](State<D>& s) { ties->advance(s); },
+                 [=](State<D>& s) { springs->advance(s); },
                  true});
   }
   if (grows)
     effect.call({Stage::BetweenSteps,
                  "cracks grow",
-                 {"advances of fronts"},
-                 {"crack geometry"},
+                 {quantity::frontAdvances},
+                 {quantity::crackGeometry, quantity::fractureEnergy},
                  {},
-                 [surface, junctions, ties](State<D>& s)
+                 [surface, junctions](State<D>& s)
                  {
-                   ties->note(s.cracks.advances);
                    if constexpr (D == 2)
+                   {
+                     // Faces that the motion of a body opens later require the same energy.
+                     for (const FrontAdvance<D>& advance : s.cracks.advances)
+                       s.cracks.fronts[advance.front].budget.toughness = advance.nodes[0].toughness;
                      growCracks(s, *junctions);
+                   }
                    else
                      surface->grow(s);
                  }});
   effect.call({stageOfWays(scene),
                "cracks move",
-               {projectsLast(scene) ? "projection" : "nodal motion"},
-               {"crack geometry"},
+               {projectsLast(scene) ? quantity::projection : quantity::nodalMotion},
+               {quantity::crackGeometry},
                {},
                [=](State<D>& s)
                {
                  if (s.clock.step == 0 && s.cracks.dualField)
                    warnOfHeldFaces(s, *surroundings);
                  motion->move(s);
-                 if (tied)
-                   carried->update(s);
+                 if (hasSprings)
+                   advected->update(s);
                }});
   effect.call({Stage::Observe,
                "opening of cracks",
-               {"energies"},
+               {quantity::crackGeometry},
                {},
                {},
                [](State<D>& s)
@@ -317,11 +323,11 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     if (formulation == Formulation::CorrectedBrokenCell)
       effect.timeStepLimit = [](const State<D>& state)
       { return largestCfl(state.cracks) * state.mesh.grid.spacing / state.clock.fastestSpeed; };
-  const bool touching = scene.isSublist("Contact");
+  const bool touching = options.contact;
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {
-    if (tied)
-      carried->report(state, summary);
+    if (hasSprings)
+      advected->report(state, summary);
     for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
     {
       summary["cracks"][c]["name"] = state.cracks.cracks[c].name;
@@ -336,7 +342,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       summary["cracks"][c][D == 2 ? "length" : "area"] = opening.size;
     }
     if (grows)
-      summary["energy_in_flight"] = ties->energyInFlight(state, surroundings->stamp);
+      summary["energy_in_flight"] = springs->pendingEnergy(state, surroundings->stamp);
     for (const CrackFront<D>& front : state.cracks.fronts)
     {
       nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
@@ -353,6 +359,12 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 EffectEntry cracksEntry()
 {
   EffectEntry entry{section(), check, make<2>, make<3>, true};
+  entry.declare = [](const Teuchos::ParameterList& list, RunOptions& options)
+  {
+    const Formulation formulation = readFormulation(list);
+    options.openingKnown = formulation != Formulation::BrokenCell;
+    options.extrapolated = formulation == Formulation::CorrectedBrokenCell;
+  };
   entry.cells.knows = "cracks with a front in material";
   entry.cells.tell = tellCells;
   return entry;

@@ -185,9 +185,7 @@ void lengthen(State<2>& state, Chain& chain, bool first, const FrontAdvance<2>& 
     chain.links.insert(first ? chain.links.begin() : chain.links.end(),
                        closedLink(front.position + length * advance.nodes[0].direction));
   front.grown = true;
-  const double energy = advance.nodes[0].toughness * length * state.method.thickness;
-  front.taken += energy;
-  front.unspent += energy;
+  front.budget.require(advance.nodes[0].toughness * length * state.method.thickness);
 }
 
 /// What a front has ended on.

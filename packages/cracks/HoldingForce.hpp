@@ -1,31 +1,53 @@
 #pragma once
-/// What would hold the two fields of a node together.
+/// What holds the two fields of a node together, and how stiff a spring between them may be.
 
 #include "cracks/Nearest.hpp"
 #include "cracks/Sides.hpp"
+#include "cracks/SpringConstants.hpp"
 #include "state/State.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace Rhegma::cracks
 {
 
-/// Share of mass / dt^2 that the stiffness may have: an explicit step of two masses on a spring is stable up
-/// to 4, of which the material needs its part.
-constexpr double stable = 1.0;
-
-/// Sign of a node's own field.
+/// Sign of a node's primary field.
 KOKKOS_INLINE_FUNCTION double signOf(int side) { return side > 0 ? 1.0 : -1.0; }
 
-/// The first level of cells whose nodes take steps of their own.
+/// The largest stiffness of a spring between the fields of the i-th node with two that is stable in the step
+/// that this node takes, a substep where it is subcycled [N/m]. Zero where a field has no mass.
 template <int D>
-int firstOfShortSteps(const State<D>& state)
+struct StableStiffness
 {
-  return state.mesh.tree.deepest - std::min(state.mesh.subcycledLevels, state.mesh.tree.deepest) + 1;
-}
+  Nodes<D> nodes;
+  bool refined;
+  View<int*> level;
+  int firstSubcycled; ///< level of the first cells whose nodes take substeps
+  double limit;       ///< stiffness per reduced mass [1/s2]
+
+  explicit StableStiffness(const State<D>& state)
+      : nodes(state.mesh.nodes),
+        refined(state.mesh.tree.refined()),
+        level(state.mesh.tree.nodeLevel),
+        firstSubcycled(state.mesh.tree.deepest -
+                       std::min(state.mesh.subcycledLevels, state.mesh.tree.deepest) + 1),
+        limit(springs::stableStiffness / (state.clock.dt * state.clock.dt))
+  {
+  }
+
+  KOKKOS_INLINE_FUNCTION double operator()(int i) const
+  {
+    const int own = nodes.parent(i);
+    const double a = nodes.sums(own, Nodes<D>::massAt),
+                 b = nodes.sums(nodes.numLattice + i, Nodes<D>::massAt);
+    const int halvings = refined && level(own) >= firstSubcycled ? level(own) - firstSubcycled + 1 : 0;
+    return a > 0.0 && b > 0.0 ? std::ldexp(limit, 2 * halvings) * a * b / (a + b) : 0.0;
+  }
+};
 
 /// The force with which side +1 would be held to side -1 [N], so that both fields of the i-th node with two
-/// get one acceleration; without what pushes the faces apart.
+/// get one acceleration; without what pushes the faces together.
 template <int D>
 struct HoldingForce
 {
@@ -33,7 +55,7 @@ struct HoldingForce
   View<int*> side;
   View<double* [D]> normal;
   View<std::uint64_t*> nearest;
-  View<double* [D]> whole; ///< forces of all ranks on nodes; empty where there is one rank
+  View<double* [D]> forceSum; ///< forces of all ranks on nodes; empty where there is one rank
 
   KOKKOS_INLINE_FUNCTION Vector<D> operator()(int i) const
   {
@@ -43,9 +65,9 @@ struct HoldingForce
     Vector<D> force, n;
     for (int d = 0; d < D; ++d)
     {
-      const bool ranks = whole.extent(0) > 0;
-      const double f = ranks ? whole(own, d) : nodes.sums(own, Nodes<D>::forceAt + d),
-                   g = ranks ? whole(other, d) : nodes.sums(other, Nodes<D>::forceAt + d);
+      const bool ranks = forceSum.extent(0) > 0;
+      const double f = ranks ? forceSum(own, d) : nodes.sums(own, Nodes<D>::forceAt + d),
+                   g = ranks ? forceSum(other, d) : nodes.sums(other, Nodes<D>::forceAt + d);
       force[d] = signOf(side(own)) * (f * b - g * a) / (a + b);
       n[d] = normal(s, d);
     }

@@ -1,37 +1,75 @@
 #pragma once
-/// Which front of a crack is nearest to a place.
+/// Which front is nearest to a position.
 
-#include "base/Types.hpp"
+#include "state/CrackSet.hpp"
 
-#include <cmath>
+#include <vector>
 
 namespace Rhegma::cracks
 {
 
-/// The front of a crack that is nearest to a place, or -1 if that has not grown.
+constexpr int noFront = -1;  ///< for the index of a front where there is none
+constexpr int anyCrack = -1; ///< for the index of a crack
+
+/// A front as one point.
+template <int D>
+struct FrontPoint
+{
+  Vector<D> position{}; ///< [m]
+  int crack = 0;
+  bool grown = false; ///< it has advanced since the start
+};
+
+template <int D>
+std::vector<FrontPoint<D>> frontPoints(const CrackSet<D>& set)
+{
+  std::vector<FrontPoint<D>> points;
+  for (const CrackFront<D>& front : set.fronts)
+    points.push_back({front.position, front.crack, front.grown});
+  return points;
+}
+
+/// The front of a crack that is nearest to a position, if it has grown, else `noFront`. Of any crack the
+/// nearest that has grown: what is joined again may be near none of the crack that it belonged to.
+template <int D>
+KOKKOS_INLINE_FUNCTION int nearestGrownFront(const FrontPoint<D>* points, int count, const Vector<D>& x,
+                                             int crack)
+{
+  int found = noFront;
+  double least = 1e300;
+  for (int f = 0; f < count; ++f)
+  {
+    if (crack == anyCrack ? !points[f].grown : points[f].crack != crack)
+      continue;
+    const Vector<D> away = x - points[f].position;
+    const double square = dot(away, away);
+    if (square < least)
+    {
+      least = square;
+      found = f;
+    }
+  }
+  return found != noFront && points[found].grown ? found : noFront;
+}
+
+/// The same in kernels.
 template <int D>
 struct NearestFront
 {
-  View<double * [D + 1]> fronts; ///< place of each [m], and 1 + its crack, negative if it has not grown
+  View<FrontPoint<D>*> points;
+
+  NearestFront() = default;
+  explicit NearestFront(const CrackSet<D>& set) : points("rhegma::cracks::frontPoints", set.fronts.size())
+  {
+    const std::vector<FrontPoint<D>> all = frontPoints(set);
+    const Kokkos::View<const FrontPoint<D>*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged> host(all.data(),
+                                                                                              all.size());
+    Kokkos::deep_copy(points, host);
+  }
 
   KOKKOS_INLINE_FUNCTION int operator()(const Vector<D>& x, int crack) const
   {
-    int found = -1;
-    double least = 1e300;
-    for (int f = 0; f < static_cast<int>(fronts.extent(0)); ++f)
-    {
-      if (std::fabs(fronts(f, D)) != 1.0 + crack)
-        continue;
-      double square = 0.0;
-      for (int d = 0; d < D; ++d)
-        square += (x[d] - fronts(f, d)) * (x[d] - fronts(f, d));
-      if (square < least)
-      {
-        least = square;
-        found = f;
-      }
-    }
-    return found >= 0 && fronts(found, D) > 0.0 ? found : -1;
+    return nearestGrownFront(points.data(), static_cast<int>(points.extent(0)), x, crack);
   }
 };
 

@@ -53,8 +53,8 @@ std::string complaintOfOverlap(const State<D>& state, int crack)
     return {};
   return "Cracks > " + state.cracks.cracks[crack].name + ": its faces overlap at the end, by up to " +
          formatReal(overlap) +
-         " m, as nothing keeps them apart, and G is that of a crack which closes further; add a section "
-         "Contact";
+         " m, as nothing keeps them apart, and G is that of a crack which closes further; "
+         "add a section Contact";
 }
 
 template std::string complaintOfOverlap(const State<2>&, int);

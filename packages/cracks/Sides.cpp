@@ -79,14 +79,14 @@ void clearNodeSides(const State<D>& state, const Surroundings& around)
       });
 }
 
-/// How far behind a front a node must lie to open, with ties, seen from a simplex [cells].
+/// How far behind a front a node must lie to open, with springs, seen from a simplex [cells].
 template <int D>
-KOKKOS_INLINE_FUNCTION double tiedTolerance(const CrackSight<D>& sight, int simplex)
+KOKKOS_INLINE_FUNCTION double toleranceWithSprings(const CrackSight<D>& sight, int simplex)
 {
   bool aligned = false;
   for (int d = 0; d < D; ++d)
     aligned = aligned || std::fabs(sight.normal(simplex, d)) > alongTheCells;
-  return aligned ? tiedToleranceAligned : tiedToleranceInclined;
+  return aligned ? springToleranceAligned : springToleranceInclined;
 }
 
 template <int D>
@@ -100,7 +100,7 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
   const CrackSight<D> sight(state.cracks, grid.spacing);
   const View<int*> side = state.cracks.nodeSide, cellMark = around.cellMark;
   const View<std::uint64_t*> nearest = around.nearest;
-  const bool tied = state.cracks.tied;
+  const bool frontSprings = state.cracks.frontSprings;
   const int stamp = around.stamp;
   Kokkos::parallel_for(
       "rhegma::cracks::findNodeSides", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
@@ -112,8 +112,8 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
         const Vector<D> x = places(n);
         const double cell = refined ? grid.spacing / (1 << level(n)) : grid.spacing;
         const Sight seen = sight.look(s, x);
-        const bool ties = tied && sight.nearFront(s) != nearFront::loose;
-        if (seen.behind <= (ties ? tiedTolerance<D>(sight, s) : frontTolerance) * cell)
+        const bool springs = frontSprings && sight.nearFront(s) != nearFront::springsDisabled;
+        if (seen.behind <= (springs ? toleranceWithSprings<D>(sight, s) : frontTolerance) * cell)
           return;
         const int name = sight.crackOf(s) + 1;
         side(n) = seen.distance > -tieTolerance * cell ? name : -name;

@@ -19,10 +19,10 @@ constexpr double tieTolerance = 0.1;
 /// the mean (unit test InclinedCracks; with a tenth of a cell it was 0.14 cells too long).
 constexpr double frontTolerance = 0.25;
 
-/// The same with ties behind fronts (FrontTies.hpp), which make up for what is too long. Where a crack runs
-/// along the cells, within five degrees, only a node at the front itself stays closed, as crack closure wants
-/// it; elsewhere nodes open a little before the front passes them, which measures better.
-constexpr double tiedToleranceAligned = 0.02, tiedToleranceInclined = -0.03;
+/// The same with springs behind fronts (FrontSprings.hpp), which make up for what is too long. Where a crack
+/// runs along the cells, within five degrees, only a node at the front itself stays closed, as crack closure
+/// wants it; elsewhere nodes open a little before the front passes them, which measures better.
+constexpr double springToleranceAligned = 0.02, springToleranceInclined = -0.03;
 constexpr double alongTheCells = 0.99619; ///< cosine of five degrees
 
 /// What each step finds out about the surroundings of the cracks.

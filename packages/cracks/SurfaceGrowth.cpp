@@ -314,8 +314,7 @@ void SurfaceGrowth::growFront(State<3>& state, std::vector<Crack>& cracks, const
       if (surface.collapse(lines, k, added))
         energy += toughness * added;
     }
-  front.taken += energy;
-  front.unspent += energy;
+  front.budget.require(energy);
   front.ended = lines.empty();
 }
 

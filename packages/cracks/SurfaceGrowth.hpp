@@ -22,8 +22,8 @@ namespace Rhegma::cracks
 /// of them is as high as a cell, then a new row begins. Pieces of front longer than 1.5 cells are split,
 /// those shorter than half a cell taken away. Ripples of the front are smoothed by giving of what a front
 /// node is to advance to its neighbours, at a plane of symmetry to its mirror image too; no front node goes
-/// back for that. Whatever happens to the front, the area that the crack gains times the toughness is what is
-/// booked in CrackFront::taken and unspent, to the last digit.
+/// back for that. Whatever happens to the front, the area that the crack gains times the toughness is what
+/// CrackFront::budget requires, to the last digit.
 ///
 /// A front node that comes within half a cell of the surface of its body runs on to it and stays there;
 /// pieces between two such front nodes become mouths. An end of a front that lies on the surface slides along

@@ -187,6 +187,79 @@ Section section()
   return s;
 }
 
+/// \param rate of mass damping [1/s] \param end of damping [s] \param between whether the scheme is USAVG
+template <int D>
+void addMassDamping(Effect<D>& effect, double rate, double end, bool between)
+{
+  // Between its two strains, so that one velocity does the second of a step and the first of the next, and
+  // moves the particles; before other forces than those of stresses.
+  if (between)
+    effect.call({Stage::BeforeSolve,
+                 "mass damping",
+                 {quantity::internalForce},
+                 {quantity::nodalForce},
+                 {},
+                 [=, held = std::make_shared<View<char**>>()](State<D>& s)
+                 {
+                   if (s.clock.time >= end)
+                     return;
+                   s.energy.damped += dampVelocity(s, rate);
+                   dampMomentum(s, rate);
+                   s.energy.damped += lossToStresses(s, rate, *held);
+                 }});
+  if (between)
+    return;
+  effect.call({Stage::Scatter,
+               "mass damping",
+               {},
+               {quantity::particleVelocity},
+               {},
+               [=](State<D>& s)
+               {
+                 if (s.clock.time < end)
+                   s.energy.damped += dampVelocity(s, rate);
+               }});
+  effect.call({Stage::Scatter,
+               "what mass damping takes from stresses",
+               {quantity::nodalMomentum, ifWritten(quantity::prescribedMotion), ifWritten(quantity::substeps),
+                ifWritten(quantity::massMatrix)},
+               {},
+               {},
+               [=, held = std::make_shared<View<char**>>()](State<D>& s)
+               {
+                 if (s.clock.time < end && s.method.scheme == UpdateScheme::Musl)
+                   s.energy.damped += lossToStresses(s, rate, *held);
+               }});
+}
+
+/// \param shear viscosity \param bulk viscosity [Pa s] \param end of damping [s]
+template <int D>
+void addViscosity(Effect<D>& effect, double shear, double bulk, double end)
+{
+  effect.adds.push_back({fields::rate, D * D, "1/s", "velocity gradient, by rows"});
+  effect.call({Stage::OnParticles,
+               "viscous stress",
+               {quantity::particleStress},
+               {},
+               {},
+               [=](State<D>& s)
+               {
+                 if (s.clock.time < end)
+                   s.energy.damped += addViscousStress(s, shear, bulk);
+               },
+               true});
+  // An explicit step resolves diffusion of momentum only below h^2 / (2 D nu); the largest viscosity is
+  // that of dilatation.
+  effect.timeStepLimit = [=](const State<D>& s)
+  {
+    double density = s.materials.list.front().density;
+    for (const Properties& p : s.materials.list)
+      density = std::min(density, p.density);
+    return s.method.cfl * density * s.mesh.smallestSpacing() * s.mesh.smallestSpacing() /
+           (2.0 * D * (2.0 * shear + bulk));
+  };
+}
+
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)
 {
@@ -198,78 +271,31 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       list.isParameter("End Time") ? list.get<double>("End Time") : std::numeric_limits<double>::infinity();
   Effect<D> effect;
   effect.name = "Damping";
-  const bool between = scene.sublist("Time").get<std::string>("Update Scheme") == "USAVG";
-  // Between its two strains, so that one velocity does the second of a step and the first of the next, and
-  // moves the particles; before other forces than those of stresses.
-  if (rate > 0.0 && between)
-    effect.call({Stage::BeforeSolve,
-                 "mass damping",
-                 {"force of stresses"},
-                 {"nodal force"},
-                 {},
-                 [=, held = std::make_shared<View<char**>>()](State<D>& s)
-                 {
-                   if (s.clock.time >= end)
-                     return;
-                   s.energy.damped += dampVelocity(s, rate);
-                   dampMomentum(s, rate);
-                   s.energy.damped += lossToStresses(s, rate, *held);
-                 }});
-  if (rate > 0.0 && !between)
-    effect.call({Stage::Scatter,
-                 "mass damping",
-                 {},
-                 {"particle velocity"},
-                 {},
-                 [=](State<D>& s)
-                 {
-                   if (s.clock.time < end)
-                     s.energy.damped += dampVelocity(s, rate);
-                 }});
-  if (rate > 0.0 && !between)
-    effect.call({Stage::Scatter,
-                 "what mass damping takes from stresses",
-                 {"nodal momentum", "prescribed values", "short steps", "mass matrix"},
-                 {},
-                 {},
-                 [=, held = std::make_shared<View<char**>>()](State<D>& s)
-                 {
-                   if (s.clock.time < end && s.method.scheme == UpdateScheme::Musl)
-                     s.energy.damped += lossToStresses(s, rate, *held);
-                 }});
+  effect.balance = {"damped"};
+  if (rate > 0.0)
+    addMassDamping(effect, rate, end, scene.sublist("Time").get<std::string>("Update Scheme") == "USAVG");
   if (shear > 0.0 || bulk > 0.0)
-  {
-    effect.adds.push_back({fields::rate, D * D, "1/s", "velocity gradient, by rows"});
-    effect.call({Stage::OnParticles,
-                 "viscous stress",
-                 {"particle stress"},
-                 {},
-                 {},
-                 [=](State<D>& s)
-                 {
-                   if (s.clock.time < end)
-                     s.energy.damped += addViscousStress(s, shear, bulk);
-                 },
-                 true});
-    // An explicit step resolves diffusion of momentum only below h^2 / (2 D nu); the largest viscosity is
-    // that of dilatation.
-    effect.timeStepLimit = [=](const State<D>& s)
-    {
-      double density = s.materials.list.front().density;
-      for (const Properties& p : s.materials.list)
-        density = std::min(density, p.density);
-      return s.method.cfl * density * s.mesh.smallestSpacing() * s.mesh.smallestSpacing() /
-             (2.0 * D * (2.0 * shear + bulk));
-    };
-  }
+    addViscosity(effect, shear, bulk, end);
   const auto settling =
       std::make_shared<Settling>(list.get<double>("Settled Energy Ratio"), list.get<double>("Settled Drift"),
                                  list.get<int>("Settled Samples"));
   const bool stop = list.get<bool>("Stop When Settled");
   effect.atStart = [stop](State<D>& s) { s.clock.stopWhenSettled = stop; };
-  effect.call({Stage::Observe, "settling", {"energies", "energy release"}, {}, {}, [settling](State<D>& s) {
-                 s.clock.settled = settling->sample(s.energy.kinetic, s.energy.strain, s.sample.row);
-               }});
+  effect.call({Stage::Observe,
+               "settling",
+               {quantity::energyBalance, ifWritten(quantity::energyRelease)},
+               {},
+               {},
+               [settling](State<D>& s)
+               { s.clock.settled = settling->sample(s.energy.kinetic, s.energy.strain, s.sample.row); }});
+  const double until = scene.sublist("Time").get<double>("Final Time");
+  effect.report = [stop, until](const State<D>& s, nlohmann::json& summary)
+  {
+    const bool over = s.clock.time >= until || s.clock.step >= s.clock.maximumSteps;
+    if (stop && over && !s.clock.settled && s.failure.empty())
+      summary["warnings"].push_back("the run ended before it had settled (Damping > Stop When Settled), so "
+                                    "its results are not static; raise Time > Final Time or the damping");
+  };
   effect.memory = [settling](State<D>&, Archive& archive) { settling->keep(archive); };
   return effect;
 }

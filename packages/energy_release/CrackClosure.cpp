@@ -107,20 +107,20 @@ std::map<int, int> firstClosed(const std::map<int, SideForces>& forces, const Sp
   return first;
 }
 
-/// Forces with which ties behind the front pull each node's side +1 towards side -1 [N]; zero of nodes
+/// Forces with which springs behind the front pull each node's side +1 towards side -1 [N]; zero of nodes
 /// without.
-class TieForces
+class SpringForces
 {
 public:
   /// Collective. \param radius around the front of the nodes that will be asked for [m]
-  TieForces(const State<2>& state, const CrackFront<2>& front, double radius)
-      : known_(state.cracks.tie.extent(0) > 0), many_(static_cast<bool>(state.mesh.subdomain))
+  SpringForces(const State<2>& state, const CrackFront<2>& front, double radius)
+      : known_(state.cracks.spring.extent(0) > 0), many_(static_cast<bool>(state.mesh.subdomain))
   {
     if (!known_)
       return;
     const auto host = [](const auto& view)
     { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
-    force_ = host(state.cracks.tie);
+    force_ = host(state.cracks.spring);
     side_ = host(state.cracks.nodeSide);
     second_ = host(state.cracks.second);
     if (many_)
@@ -164,7 +164,7 @@ private:
   View<int*>::HostMirror side_, second_;
 };
 
-double work(const std::map<int, SideForces>& forces, const TieForces& ties, const SplitNodes& split,
+double work(const std::map<int, SideForces>& forces, const SpringForces& springs, const SplitNodes& split,
             const Columns& columns, const std::map<int, int>& first, const NodeDisplacement& displacement,
             int number)
 {
@@ -179,17 +179,17 @@ double work(const std::map<int, SideForces>& forces, const TieForces& ties, cons
     if (row == first.end())
       continue;
     const int ahead = columns.column(node) - row->second;
-    const bool tied = split(node) && ahead == -1;
-    if (!tied && (split(node) || ahead < 0 || ahead >= number))
+    const bool held = split(node) && ahead == -1;
+    if (!held && (split(node) || ahead < 0 || ahead >= number))
       continue;
     const int open = columns.behind(node, number);
     const auto plus = displacement.find({open, 1}), minus = displacement.find({open, -1});
     if (plus == displacement.end() || minus == displacement.end())
       continue;
     const Vector<2> opening = plus->second - minus->second;
-    if (tied)
+    if (held)
     {
-      sum += dot(ties(node), opening);
+      sum += dot(springs(node), opening);
       continue;
     }
     found = true;
@@ -217,7 +217,7 @@ CrackClosure closeCrack(const State<2>& state, const CrackFront<2>& front, int n
   const std::vector<ParticleAroundTip> particles = particlesAround(state, front, radius);
   const SplitNodes split(state, front, beyond);
   const std::map<int, SideForces> forces = nodeForces(particles);
-  const TieForces ties(state, front, beyond);
+  const SpringForces springs(state, front, beyond);
   const Columns columns(state, front, cell, forces);
   const std::map<int, int> first = firstClosed(forces, split, columns);
   const auto release = [&](RecoveryMatrix matrix)
@@ -226,7 +226,7 @@ CrackClosure closeCrack(const State<2>& state, const CrackFront<2>& front, int n
     matrix.edge += matrix.edgeCells * cell;
     const NodeDisplacement displacement =
         recoverDisplacement(particles, split, matrix, cell * cell * state.method.thickness);
-    return work(forces, ties, split, columns, first, displacement, number) /
+    return work(forces, springs, split, columns, first, displacement, number) /
            (2.0 * number * cell * state.method.thickness);
   };
   return {release(choice), release(lumpedMatrix())};

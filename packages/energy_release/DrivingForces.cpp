@@ -177,18 +177,18 @@ template <int D>
 void addDrivingCalls(Effect<D>& effect, const Teuchos::ParameterList& scene,
                      const std::shared_ptr<DrivingForces<D>>& driving)
 {
-  if (!scene.isSublist("Propagation"))
-    return;
-  effect.call({lastStage(scene),
-               "driving forces of crack fronts",
-               {"particle stress", "particle velocity", "crack geometry"},
-               {"driving forces"},
-               {},
-               [driving](State<D>& state) { driving->computeRelease(state); }});
+  effect.call(
+      {lastStage(scene),
+       "driving forces of crack fronts",
+       {quantity::particleStress, quantity::particleVelocity, quantity::crackGeometry,
+        quantity::enrichedFields, ifWritten(quantity::springForce), ifWritten(quantity::facePressure)},
+       {quantity::drivingForces},
+       {},
+       [driving](State<D>& state) { driving->computeRelease(state); }});
   effect.call({lastStage(scene),
                "intensities at fronts that advance",
-               {"fronts that advance"},
-               {"intensities of fronts"},
+               {quantity::drivingForces, quantity::advancingFronts},
+               {quantity::stressIntensities},
                {},
                [driving](State<D>& state) { driving->computeIntensities(state); }});
 }

@@ -39,7 +39,7 @@ private:
   NodalAcceleration<D> acceleration_;
 };
 
-/// Adds the calls that compute the driving forces, in a scene with fronts that grow.
+/// Adds the calls that compute the driving forces, of a scene with fronts that grow.
 template <int D>
 void addDrivingCalls(Effect<D>& effect, const Teuchos::ParameterList& scene,
                      const std::shared_ptr<DrivingForces<D>>& driving);

@@ -302,9 +302,9 @@ void store(Samples<D>& samples, Archive& archive)
 }
 
 template <int D>
-Effect<D> make(const Teuchos::ParameterList& scene)
+Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
 {
-  const Options options = readOptions(scene);
+  const Options options = readOptions(scene, run);
   const auto samples = std::make_shared<Samples<D>>();
   if constexpr (D == 2)
     samples->loads = readLoads(scene);
@@ -314,15 +314,17 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.atStart = [=](State<D>& state) { start(state, options, *samples); };
   effect.call({Stage::Observe,
                "energy release of crack fronts",
-               {"crack geometry", "particle stress"},
+               {quantity::crackGeometry, quantity::particleStress, quantity::enrichedFields,
+                ifWritten(quantity::springForce), ifWritten(quantity::facePressure)},
                {},
-               {"energy release"},
+               {quantity::energyRelease},
                [=](State<D>& state)
                {
                  if (state.clock.observing)
                    sample(state, options, *samples);
                }});
-  addDrivingCalls(effect, scene, driving);
+  if (run.growth)
+    addDrivingCalls(effect, scene, driving);
   effect.memory = [=](State<D>&, Archive& archive)
   {
     store(*samples, archive);

@@ -51,21 +51,22 @@ struct ForceBlock
   }
 };
 
-/// Ties hold the front together, as the material does.
+/// Springs hold the front together, as the material does.
 template <int D>
-void addTies(const State<D>& state, const NodalAcceleration<D>& force)
+void addSprings(const State<D>& state, const NodalAcceleration<D>& force)
 {
-  const View<double * [D + 1]> tie = state.cracks.tie;
-  if (tie.extent(0) == 0)
+  const View<double * [D + 1]> spring = state.cracks.spring;
+  if (spring.extent(0) == 0)
     return;
   const Nodes<D> nodes = state.mesh.nodes;
   Kokkos::parallel_for(
-      "rhegma::internalTies", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond), KOKKOS_LAMBDA(const int i) {
+      "rhegma::internalSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
+      KOKKOS_LAMBDA(const int i) {
         const int n = nodes.parent(i), m = nodes.numLattice + i;
         for (int d = 0; d < D; ++d)
         {
-          force(n, d) += tie(n, d);
-          force(m, d) -= tie(n, d);
+          force(n, d) += spring(n, d);
+          force(m, d) -= spring(n, d);
         }
       });
 }
@@ -106,7 +107,7 @@ void accelerate(const State<D>& state, const Place& place, NodalAcceleration<D>&
                      forEachBlock("rhegma::internalForce", state.mesh.blocks, block);
                    });
   sumOverRanks(state, force.data(), D + 1, 0, D + 1);
-  addTies(state, force);
+  addSprings(state, force);
   divideByMass<D>(force);
 }
 

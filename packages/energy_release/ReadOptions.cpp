@@ -9,6 +9,14 @@
 namespace Rhegma::energy_release
 {
 
+namespace
+{
+
+const char* const nothingLeft =
+    "it must be true if crack closure is not available; set it to true or remove the section Energy Release";
+
+} // namespace
+
 Section energyReleaseSection()
 {
   Section s(
@@ -53,6 +61,11 @@ Section energyReleaseSection()
       .byDefault("Consistent")
       .meaning("Mass matrix used to recover nodal displacements for crack closure: consistent, lumped, or "
                "that of the section Mass Matrix (lumped without that section).");
+  s.needs("Cracks", "there are no cracks; add the section Cracks or remove this section");
+  // The opening of Broken Cell is not known.
+  s.refuse({when::is("Energy Release", "Contour Integral", {"false"}),
+            when::is("Cracks", "Formulation", {"Broken Cell"})},
+           nothingLeft);
   return s;
 }
 
@@ -67,7 +80,6 @@ bool isThreeDimensional(const Teuchos::ParameterList& scene)
   return domain.isType<int>("Dimension") && domain.get<int>("Dimension") == 3;
 }
 
-/// Round cracks that run the usual radii are those by which they run.
 GivenRadii readRadii(const Teuchos::ParameterList& scene)
 {
   const Teuchos::ParameterList& list = scene.sublist("Energy Release");
@@ -76,16 +88,6 @@ GivenRadii readRadii(const Teuchos::ParameterList& scene)
     given.inner = list.get<double>("Inner Radius");
   if (list.isType<double>("Outer Radius"))
     given.outer = list.get<double>("Outer Radius");
-  using Cells = Teuchos::Array<double>;
-  const char* const name = "Release Contour";
-  if (isThreeDimensional(scene) || !scene.isSublist("Propagation") ||
-      !scene.sublist("Propagation").isType<Cells>(name))
-    return given;
-  const auto cells = scene.sublist("Propagation").get<Cells>(name);
-  if (cells.size() != 2)
-    return given;
-  given.innerCells = cells[0];
-  given.outerCells = cells[1];
   return given;
 }
 
@@ -93,24 +95,11 @@ GivenRadii readRadii(const Teuchos::ParameterList& scene)
 
 void checkEnergyRelease(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  if (!scene.isSublist("Energy Release"))
-    return;
-  if (!scene.isSublist("Cracks"))
-    errors.push_back(
-        {"Energy Release", "there are no cracks; add the section Cracks or remove this section"});
   const Teuchos::ParameterList& list = scene.sublist("Energy Release");
   const auto refused = [&](const char* name) { return list.isType<bool>(name) && !list.get<bool>(name); };
   const bool contour = !refused("Contour Integral");
-  const auto formulation = [&] // the opening of Broken Cell is not known
-  {
-    const bool given =
-        scene.isSublist("Cracks") && scene.sublist("Cracks").isType<std::string>("Formulation");
-    return given ? scene.sublist("Cracks").get<std::string>("Formulation") : std::string();
-  };
-  if (!contour && (refused("Crack Closure") || formulation() == "Broken Cell"))
-    errors.push_back({"Energy Release > Contour Integral",
-                      "it must be true if crack closure is not available; set it to "
-                      "true or remove the section Energy Release"});
+  if (!contour && refused("Crack Closure"))
+    errors.push_back({"Energy Release > Contour Integral", nothingLeft});
   if (!scene.isSublist("Domain"))
     return;
   const Teuchos::ParameterList& domain = scene.sublist("Domain");
@@ -131,65 +120,47 @@ void checkEnergyRelease(const Teuchos::ParameterList& scene, std::vector<SceneEr
 namespace
 {
 
-/// What the section Mass Matrix says.
-RecoveryMatrix matrixOfTheMotion(const Teuchos::ParameterList& scene)
+/// What the nodes move with.
+RecoveryMatrix matrixOfTheMotion(const NodalMass& mass)
 {
-  if (!scene.isSublist("Mass Matrix"))
-    return lumpedMatrix();
-  const Teuchos::ParameterList& list = scene.sublist("Mass Matrix");
-  const auto type = list.get<std::string>("Type");
-  if (type == "Lumped")
-    return lumpedMatrix();
-  RecoveryMatrix matrix = consistentMatrix();
-  if (type == "FMPM")
-  {
-    matrix.terms = list.get<int>("Order");
-    return matrix;
-  }
-  matrix.lumpedShare = std::max(matrix.lumpedShare, list.get<double>("Lumped Fraction"));
-  matrix.smallestNode = list.get<double>("Minimum Node Mass");
-  if (type == "Partial")
-  {
-    const auto length = [&](const char* name)
-    { return list.isParameter(name) ? list.get<double>(name) : 0.0; };
-    matrix.radius = length("Radius");
-    matrix.edge = length("Transition Width");
-    // As Mass Matrix has them where they are not given.
-    matrix.radiusCells = list.isParameter("Radius") ? 0.0 : 3.0;
-    matrix.edgeCells = list.isParameter("Transition Width") ? 0.0 : 1.0;
-  }
-  return matrix;
+  return {std::max(mass.lumpedFraction, consistentMatrix().lumpedShare),
+          mass.smallestNode,
+          mass.radius,
+          mass.edge,
+          mass.terms,
+          mass.radiusCells,
+          mass.edgeCells};
 }
 
-RecoveryMatrix readRecovery(const Teuchos::ParameterList& scene)
+RecoveryMatrix recoveryOf(const std::string& choice, const NodalMass& mass)
 {
-  const auto choice = scene.sublist("Energy Release").get<std::string>("Closure Recovery");
-  if (choice == "Mass Matrix")
-    return matrixOfTheMotion(scene);
-  return choice == "Lumped" ? lumpedMatrix() : consistentMatrix();
+  return choice == "Mass Matrix" ? matrixOfTheMotion(mass)
+         : choice == "Lumped"    ? lumpedMatrix()
+                                 : consistentMatrix();
 }
 
 } // namespace
 
-Options readOptions(const Teuchos::ParameterList& scene)
+Options readOptions(const Teuchos::ParameterList& scene, const RunOptions& run)
 {
   const Teuchos::ParameterList& list = scene.sublist("Energy Release");
-  const Teuchos::ParameterList& cracks = scene.sublist("Cracks");
   Options options;
-  if (cracks.isParameter("Formulation"))
-    options.openingKnown = cracks.get<std::string>("Formulation") != "Broken Cell";
+  options.openingKnown = run.openingKnown;
   options.radii = readRadii(scene);
   if (isThreeDimensional(scene)) // there is no crack closure
     return options;
+  if (run.growth) // round cracks that run the usual radii are those by which they run
+  {
+    options.radii.innerCells = run.contours.releaseInner;
+    options.radii.outerCells = run.contours.releaseOuter;
+  }
   options.contour = list.get<bool>("Contour Integral");
   // The opening behind a front that runs is that of its cohesive zone.
-  options.closure = list.get<bool>("Crack Closure") && !scene.isSublist("Propagation");
-  if (scene.isSublist("Face Pressure"))
-    for (const std::string& name : sublistNames(scene.sublist("Face Pressure")))
-      options.pushed.insert(name);
+  options.closure = list.get<bool>("Crack Closure") && !run.growth;
+  options.pushed = run.pressedCracks;
   options.lumped = list.get<bool>("Lumped Closure");
   options.columns = list.get<int>("Closure Cells");
-  options.recovery = readRecovery(scene);
+  options.recovery = recoveryOf(list.get<std::string>("Closure Recovery"), run.nodalMass);
   return options;
 }
 

@@ -30,6 +30,6 @@ Section energyReleaseSection();
 /// What of it does not go with the rest of the scene.
 void checkEnergyRelease(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors);
 
-Options readOptions(const Teuchos::ParameterList& scene);
+Options readOptions(const Teuchos::ParameterList& scene, const RunOptions& run);
 
 } // namespace Rhegma::energy_release

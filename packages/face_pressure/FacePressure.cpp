@@ -3,7 +3,6 @@
 #include "archive/Archive.hpp"
 #include "base/ReadList.hpp"
 #include "plan/LastStage.hpp"
-#include "scene/CrackNames.hpp"
 #include "transfer/FacePush.hpp"
 #include "transfer/PressureReport.hpp"
 
@@ -39,6 +38,7 @@ Section section()
       .unit("Pa")
       .meaning("Pressure as a function of time: an expression of t or a table \"0:0, 1e-5:1e6\".");
   s.namedByUser(crack);
+  s.namedAfter("Cracks", "there are no cracks; add the section Cracks or leave Face Pressure out");
   return s;
 }
 
@@ -57,10 +57,6 @@ void checkPressure(const Teuchos::ParameterList& scene, const std::string& name,
 
 void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  if (!scene.isSublist("Face Pressure"))
-    return;
-  if (!checkCrackNames(scene, "Face Pressure", "it could load", errors))
-    return;
   for (const std::string& name : sublistNames(scene.sublist("Face Pressure")))
     checkPressure(scene, name, errors);
 }
@@ -89,9 +85,9 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   };
   effect.call({Stage::BeforeSolve,
                "pressure on crack faces",
-               {"nodal mass"},
+               {quantity::nodalMass, quantity::crackGeometry},
                {},
-               {"nodal force"},
+               {quantity::nodalForce, quantity::facePressure},
                [account](State<D>& s)
                {
                  account->points.update(s);
@@ -100,7 +96,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                }});
   effect.call({stageOfWays(scene),
                "work of pressure on crack faces",
-               {projectsLast(scene) ? "projection" : "nodal motion"},
+               {projectsLast(scene) ? quantity::projection : quantity::nodalMotion},
                {},
                {},
                [account](State<D>& s)
@@ -110,7 +106,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                }});
   effect.call({Stage::Observe,
                "pressure in cracks",
-               {"energies"},
+               {quantity::facePressure},
                {},
                {},
                [account](State<D>& s)
@@ -138,7 +134,19 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 
 } // namespace
 
-EffectEntry facePressureEntry() { return {section(), check, make<2>, make<3>, true}; }
+EffectEntry facePressureEntry()
+{
+  return {section(),
+          check,
+          make<2>,
+          make<3>,
+          true,
+          [](const Teuchos::ParameterList& list, RunOptions& options)
+          {
+            for (const std::string& name : sublistNames(list))
+              options.pressedCracks.insert(name);
+          }};
+}
 
 template void FacePressure::apply(State<2>&, const FacePoints<2>&);
 template void FacePressure::apply(State<3>&, const FacePoints<3>&);

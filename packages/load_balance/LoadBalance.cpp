@@ -79,8 +79,9 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.name = "Load Balance";
   effect.call({Stage::BetweenSteps,
                "balance of ranks",
-               {"cells", "crack geometry"}, // fronts are measured by the nodes of the last step
-               {"owners of cells"},
+               {ifWritten(quantity::cells),
+                ifWritten(quantity::crackGeometry)}, // fronts are measured by the nodes of the last step
+               {quantity::ownership},
                {},
                [=](State<D>& state)
                {

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 namespace Rhegma::mass_matrix
 {
@@ -117,29 +118,26 @@ Section section()
   fmpm.integer("Order").atLeast(1).byDefault(2).meaning(
       "Number of terms of the series; 1 is the lumped matrix.");
   s.variant(fmpm);
+  s.refuse(
+      {when::is("Mass Matrix", "Type", {"Partial"}), when::absent("Cracks")},
+      "Partial uses consistent mass around crack fronts, and there are no cracks; add the section Cracks or "
+      "choose another type");
+  s.refuse({when::is("Mass Matrix", "Velocity Update", {"PIC", "XPIC", "FMPM"}),
+            when::above("Time", "PIC Fraction", 0.0)},
+           "it can't be combined with Time > PIC Fraction; remove one of them");
   return s;
 }
 
 void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  if (!scene.isSublist("Mass Matrix"))
-    return;
   const Teuchos::ParameterList& list = scene.sublist("Mass Matrix");
   const auto text = [&](const char* name)
   { return list.isType<std::string>(name) ? list.get<std::string>(name) : std::string(); };
   const std::string type = text("Type"), update = text("Velocity Update");
-  if (type == "Partial" && !scene.isSublist("Cracks"))
-    errors.push_back({"Mass Matrix > Type", "Partial uses consistent mass around crack fronts, and there are "
-                                            "no cracks; add the section Cracks or choose another type"});
   if ((type == "Full" || type == "Partial") && (update == "XPIC" || update == "FMPM"))
     errors.push_back(
         {"Mass Matrix > Velocity Update",
          update + " is a series about the lumped mass; with Type " + type + " write FLIP or PIC"});
-  if (!update.empty() && update != "FLIP" && scene.isSublist("Time") &&
-      scene.sublist("Time").isType<double>("PIC Fraction") &&
-      scene.sublist("Time").get<double>("PIC Fraction") > 0.0)
-    errors.push_back({"Mass Matrix > Velocity Update",
-                      update + " can't be combined with Time > PIC Fraction; remove one of them"});
 }
 
 Options readOptions(const Teuchos::ParameterList& scene)
@@ -171,6 +169,32 @@ Options readOptions(const Teuchos::ParameterList& scene)
       o.edge = list.get<double>("Transition Width");
   }
   return o;
+}
+
+/// What effects that look at the nodes' motion must know.
+void declareMass(const Teuchos::ParameterList& list, RunOptions& options)
+{
+  const auto type = list.get<std::string>("Type");
+  if (type == "Lumped")
+    return;
+  NodalMass& mass = options.nodalMass;
+  mass.lumpedFraction = 0.0;
+  if (type == "FMPM")
+  {
+    mass.terms = list.get<int>("Order");
+    return;
+  }
+  mass.lumpedFraction = list.get<double>("Lumped Fraction");
+  mass.smallestNode = list.get<double>("Minimum Node Mass");
+  if (type != "Partial")
+    return;
+  const auto length = [&](const char* name, double& metres, double& cells, double usual)
+  {
+    metres = list.isParameter(name) ? list.get<double>(name) : 0.0;
+    cells = list.isParameter(name) ? 0.0 : usual;
+  };
+  length("Radius", mass.radius, mass.radiusCells, radiusCells);
+  length("Transition Width", mass.edge, mass.edgeCells, edgeCells);
 }
 
 /// What the calls of a run share.
@@ -280,34 +304,45 @@ std::string nameOf(const Options& o)
 }
 
 template <int D>
+void begin(State<D>& state, const std::shared_ptr<Work<D>>& work)
+{
+  work->start = angularMomentum(state);
+  if (work->options.coupled())
+  {
+    const Unlumping unlumping = work->unlumping(state);
+    refuseLargeMatrix(largestRows(state, unlumping),
+                      bytesPerRow<D>(state.method.shape, !unlumping.everywhere || state.mesh.tree.refined(),
+                                     state.mesh.tree.refined()),
+                      freeMemoryBytes(),
+                      unlumping.everywhere
+                          ? "Lumped, FMPM or Partial, larger cells or a smaller body"
+                          : "Lumped or FMPM, a smaller Mass Matrix > Radius or larger cells");
+  }
+  if (work->options.update != VelocityUpdate::Flip)
+    state.method.picFraction = 1.0;
+  if (work->options.coupled())
+    offerSlots(state, work);
+}
+
+template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)
 {
   const auto work = std::make_shared<Work<D>>(readOptions(scene));
   const Options& options = work->options;
   Effect<D> effect;
   effect.name = "Mass Matrix";
-  effect.atStart = [work](State<D>& state)
-  {
-    work->start = angularMomentum(state);
-    if (work->options.coupled())
-    {
-      const Unlumping unlumping = work->unlumping(state);
-      refuseLargeMatrix(largestRows(state, unlumping),
-                        bytesPerRow<D>(state.method.shape, !unlumping.everywhere || state.mesh.tree.refined(),
-                                       state.mesh.tree.refined()),
-                        freeMemoryBytes(),
-                        unlumping.everywhere
-                            ? "Lumped, FMPM or Partial, larger cells or a smaller body"
-                            : "Lumped or FMPM, a smaller Mass Matrix > Radius or larger cells");
-    }
-    if (work->options.update != VelocityUpdate::Flip)
-      state.method.picFraction = 1.0;
-    if (work->options.coupled())
-      offerSlots(state, work);
-  };
+  effect.atStart = [work](State<D>& state) { begin(state, work); };
   effect.report = [work](const State<D>& state, nlohmann::json& summary) { work->report(state, summary); };
+  const auto addGuess = [&](const std::string& name, const char* unit) {
+    effect.addsNodal.push_back({{name, D, unit, "where the next solve starts"}, OnRemesh::Drop, true});
+  };
   if (options.coupled())
-    effect.memory = [work](State<D>& state, Archive& archive)
+  {
+    addGuess(velocityGuess, "m/s");
+    addGuess(accelerationGuess, "m/s2");
+  }
+  if (options.coupled())
+    effect.memory = [work](State<D>&, Archive& archive)
     {
       if (archive.sameOrder())
       {
@@ -316,7 +351,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
         archive("hashed", work->coupled.hashed);
       }
       archive("coupled_nodes", work->coupled.numCoupled);
-      work->solve.keep(state, archive);
+      work->solve.keep(archive);
     };
   if (!options.coupled() && !options.series() && !options.filtered())
     return effect;
@@ -327,21 +362,21 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   if (options.coupled())
     effect.call({Stage::Scatter,
                  "assemble the mass matrix",
-                 {"nodal mass"},
-                 {"mass matrix"},
+                 {quantity::nodalMass, quantity::enrichedFields},
+                 {quantity::massMatrix},
                  {},
                  [work](State<D>& s) { work->prepare(s); }});
   effect.call({Stage::Solve,
                options.filtered() ? "filtered velocity" : "solve with the " + nameOf(options),
-               {"nodal motion", "mass matrix"},
-               {"nodal motion"},
+               {quantity::nodalMotion, ifWritten(quantity::massMatrix)},
+               {quantity::nodalMotion},
                {},
                [work](State<D>& s) { work->motion(s); }});
   if (options.coupled() || options.series())
     effect.call({Stage::AfterProjection,
                  "project with the " + nameOf(options),
-                 {"projection"},
-                 {"projection"},
+                 {ifWritten(quantity::projection)},
+                 {quantity::projection},
                  {},
                  [work](State<D>& s) { work->projection(s); },
                  true});
@@ -353,6 +388,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 EffectEntry massMatrixEntry()
 {
   EffectEntry entry{section(), check, make<2>, make<3>, true};
+  entry.declare = declareMass;
   entry.cells.tell = [](const auto&, CellNeeds& needs, auto&) { needs.equal = true; };
   return entry;
 }

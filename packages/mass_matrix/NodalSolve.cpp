@@ -1,5 +1,6 @@
 #include "mass_matrix/NodalSolve.hpp"
 
+#include "archive/Archive.hpp"
 #include "base/FewItems.hpp"
 #include "mass_matrix/FirstGuess.hpp"
 #include "state/Subdomain.hpp"
@@ -87,28 +88,13 @@ void NodalSolve<D>::reserve(const State<D>& state, const MassSystem<D>& system)
       plain_ = make("rhegma::massPlain");
   }
   gradients_.resize(static_cast<int>(n), state.mesh.subdomain ? state.ranks : Ranks());
-  reserveGuesses(state);
-}
-
-template <int D>
-void NodalSolve<D>::reserveGuesses(const State<D>& state)
-{
-  const bool seconds = state.cracks.dualField && !state.cracks.empty();
-  const std::size_t remembered = std::size_t(state.mesh.nodes.numLattice) * (seconds ? 2 : 1);
-  if (lastAcceleration_.extent(0) < remembered)
-  {
-    lastVelocity_ = View<double* [D]>("rhegma::massLastVelocity", remembered);
-    lastAcceleration_ = View<double* [D]>("rhegma::massLastAcceleration", remembered);
-  }
 }
 
 template <int D>
 void NodalSolve<D>::begin(const State<D>& state, const MassSystem<D>& system)
 {
   reserve(state, system);
-  // In the first step there is nothing to remember.
-  renewed_ = generation_ != state.mesh.tree.generation && (generation_ >= 0 || state.clock.step > 0);
-  generation_ = state.mesh.tree.generation;
+  renewed_ = state.mesh.nodalFields.lastRemesh() == state.clock.step;
   holdRows(state, system);
 }
 
@@ -178,10 +164,9 @@ void NodalSolve<D>::record(State<D>& state, const SolveResult& result, double sc
 }
 
 template <int D>
-void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool held, const View<double*>& x,
-                          const std::string& what, Accuracy accuracy)
+typename NodalSolve<D>::Start NodalSolve<D>::findStart(const State<D>& state, const MassSystem<D>& system,
+                                                       bool masked, const View<double*>& x)
 {
-  const bool masked = held && masked_;
   const View<double*> inverse = masked ? freeOnly_ : inverse_, image = image_, prescribed = prescribed_;
   const MassSystem<D> s = system;
   if (masked)
@@ -205,16 +190,27 @@ void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool hel
   const double roundOff = leastResidual / gradients_.tolerance();
   square = std::max(square, roundOff * roundOff * guess.rightSquare);
   // Where supports alone move a body at rest, the right side of the free nodes is zero.
-  const double scale = std::sqrt(masked ? std::max(square, guess.residualSquare) : square);
+  Start start;
+  start.scale = std::sqrt(masked ? std::max(square, guess.residualSquare) : square);
   // The multiple of the guess that is nearest to the solution in the norm of M: damping scales velocities.
   const bool scalable = !masked && guess.energy > 0.0;
-  const double multiple = masked ? 1.0 : scalable ? guess.along / guess.energy : 0.0;
+  start.multiple = masked ? 1.0 : scalable ? guess.along / guess.energy : 0.0;
   // A shift of x by a constant leaves a residual without a sum, as M 1 = L 1. Axes along which nothing is
   // held keep their momentum so; without a mask all do.
-  Vector<D> shift{};
   for (int d = 0; d < D; ++d)
     if (freeAxis(d))
-      shift[d] = (guess.right[d] - multiple * guess.image[d]) / system.coupledMass;
+      start.shift[d] = (guess.right[d] - start.multiple * guess.image[d]) / system.coupledMass;
+  return start;
+}
+
+template <int D>
+double NodalSolve<D>::findResidual(const State<D>& state, const MassSystem<D>& system, bool masked,
+                                   const Start& start, const View<double*>& x)
+{
+  const View<double*> inverse = masked ? freeOnly_ : inverse_, image = image_;
+  const MassSystem<D> s = system;
+  const double scale = start.scale, multiple = start.multiple;
+  const Vector<D> shift = start.shift;
   const BorrowedView<double*> right = gradients_.right();
   const View<double*> asked = right_;
   const double inverseScale = scale > 0.0 ? 1.0 / scale : 0.0;
@@ -238,7 +234,18 @@ void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool hel
       },
       remains);
   sumParts(state, &remains, 1);
-  const double norm = std::sqrt(remains);
+  return std::sqrt(remains);
+}
+
+template <int D>
+void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool held, const View<double*>& x,
+                          const std::string& what, Accuracy accuracy)
+{
+  const bool masked = held && masked_;
+  const View<double*> inverse = masked ? freeOnly_ : inverse_, image = image_;
+  const BorrowedView<double*> right = gradients_.right();
+  const Start start = findStart(state, system, masked, x);
+  const double scale = start.scale, norm = findResidual(state, system, masked, start, x);
   if (norm <= gradients_.tolerance() || !std::isfinite(norm))
     return record(state, {norm <= gradients_.tolerance(), false, 0, norm}, scale, what);
 
@@ -271,6 +278,15 @@ void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool hel
   const SolveResult result = gradients_.solve(apply, precondition);
   addScaled(system, scale, gradients_.solution(), x);
   record(state, result, scale, what);
+}
+
+template <int D>
+void NodalSolve<D>::keep(Archive& archive)
+{
+  archive("solves", count_.solves);
+  archive("iterations", count_.iterations);
+  archive("most_iterations", count_.mostIterations);
+  archive("worst_residual", count_.worstResidual);
 }
 
 template class NodalSolve<2>;

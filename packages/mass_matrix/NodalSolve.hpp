@@ -24,6 +24,10 @@ struct SolveCount
   double worstResidual = 0.0;
 };
 
+/// Nodal fields in which what was solved is kept, where the next solves start.
+inline const std::string velocityGuess = "first guess of velocity";         ///< [m/s]
+inline const std::string accelerationGuess = "first guess of acceleration"; ///< [m/s2]
+
 /// How well a solve has to hit.
 enum class Accuracy
 {
@@ -55,8 +59,8 @@ public:
 
   const SolveCount& count() const { return count_; }
 
-  /// Saves or loads the count and where the next solves start.
-  void keep(const State<D>& state, Archive& archive);
+  /// Saves or loads the count.
+  void keep(Archive& archive);
 
   // Parts of the above; public because compilers for devices want kernels in public functions.
 
@@ -65,20 +69,30 @@ public:
   void solve(State<D>& state, const MassSystem<D>& system, bool held, const View<double*>& x,
              const std::string& what, Accuracy accuracy);
 
+  /// Where a solve starts: at `multiple` times the guess, shifted by a constant.
+  struct Start
+  {
+    double scale = 0.0;    ///< that residuals are measured by
+    double multiple = 0.0; ///< of the guess
+    Vector<D> shift{};     ///< along each axis
+  };
+  /// Sets x where supports prescribe it, and finds where to start from the guess in x.
+  Start findStart(const State<D>& state, const MassSystem<D>& system, bool masked, const View<double*>& x);
+  /// Takes x to the start and leaves the residual, by its scale, to the solver. \return its norm
+  double findResidual(const State<D>& state, const MassSystem<D>& system, bool masked, const Start& start,
+                      const View<double*>& x);
+
   /// Finds rows that boundaries hold, and the inverse of the lumped mass elsewhere.
   void holdRows(const State<D>& state, const MassSystem<D>& system);
 
 private:
   void reserve(const State<D>& state, const MassSystem<D>& system);
-  void reserveGuesses(const State<D>& state);
-  void keepByName(const State<D>& state, Archive& archive);
   void record(State<D>& state, const SolveResult& result, double scale, const std::string& what);
 
   ConjugateGradients gradients_;
   Chebyshev<D> chebyshev_;
   SolveCount count_;
-  int generation_ = -1;    ///< of the nodes at the last step; negative: there was none
-  bool renewed_ = false;   ///< whether nodes are others than at the last step
+  bool renewed_ = false;   ///< whether cells are others than at the last step: there are no first guesses
   bool masked_ = false;    ///< whether any boundary holds a motion
   bool heldAxis_[D] = {};  ///< whether any boundary holds motion along the axis
   View<double*> inverse_;  ///< 1/L
@@ -87,8 +101,6 @@ private:
   View<double*> right_, prescribed_, image_;
   View<double*> velocity_, acceleration_;
   View<double*> plain_; ///< a vector of the solver as the matrix takes it, where there are several ranks
-  // Of every node, and then of their second fields: where the next solves start.
-  View<double*[D]> lastVelocity_, lastAcceleration_;
 };
 
 } // namespace Rhegma::mass_matrix

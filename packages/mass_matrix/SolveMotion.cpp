@@ -12,29 +12,44 @@ namespace
 template <int D>
 constexpr int width = MassSystem<D>::width;
 
-/// Where what a node or a second field has is remembered: second fields by their nodes, as their own numbers
-/// are others after every sort, and on every rank.
-template <int D>
-KOKKOS_INLINE_FUNCTION int memoryOf(const Nodes<D>& nodes, int node)
-{
-  return node < nodes.numLattice ? node : nodes.numLattice + latticeNode(nodes, node);
-}
-
 /// Velocity before the forces, and acceleration, of the lumped mass.
 template <int D>
-void guessFromRowSums(const State<D>& state, const MassSystem<D>& system, const View<double* [D]>& velocity,
-                      const View<double* [D]>& acceleration)
+void guessFromRowSums(const State<D>& state, const MassSystem<D>& system,
+                      const BorrowedView<double* [D]>& velocity,
+                      const BorrowedView<double* [D]>& acceleration)
 {
   const MassSystem<D> s = system;
-  const Nodes<D> nodes = state.mesh.nodes;
+  const NodalFieldRow<D> guessRow = state.mesh.nodalFields.rowsOf(state.mesh.nodes);
   const auto sums = state.mesh.nodes.sums;
   forFew(
       "rhegma::mass::guessFromRowSums", system.first, system.last, KOKKOS_LAMBDA(const int row) {
-        const int n = s.nodeOf(row), m = memoryOf(nodes, n);
+        const int n = s.nodeOf(row), m = guessRow(n);
         for (int d = 0; d < D; ++d)
         {
           velocity(m, d) = sums(n, Nodes<D>::momentumAt + d) / s.lumped(row);
           acceleration(m, d) = sums(n, Nodes<D>::forceAt + d) / s.lumped(row);
+        }
+      });
+}
+
+/// Impulses of the supports: what M a takes beyond the forces that are there.
+template <int D>
+void findReaction(State<D>& state, const MassSystem<D>& system, const View<double*>& acceleration,
+                  const View<double*>& image, const View<double*>& right, const View<double*>& free)
+{
+  const MassSystem<D> s = system;
+  const double dt = state.clock.dt;
+  const std::size_t unknowns = static_cast<std::size_t>(system.room) * D;
+  if (state.motion.coupledReaction.extent(0) < unknowns)
+    state.motion.coupledReaction = View<double*>("rhegma::massReaction", unknowns);
+  const View<double*> reaction = state.motion.coupledReaction;
+  multiplyWhole<D>(state, system, acceleration.data(), image.data());
+  forFew(
+      "rhegma::mass::reaction", system.first, system.last, KOKKOS_LAMBDA(const int row) {
+        for (int d = 0; d < D; ++d)
+        {
+          const int i = row * width<D> + d;
+          reaction(row * D + d) = free(i) == 0.0 && s.coupled(row) ? dt * (image(i) - right(i)) : 0.0;
         }
       });
 }
@@ -47,9 +62,10 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
   const MassSystem<D> s = system;
   const Nodes<D> nodes = state.mesh.nodes;
   const View<double*> right = right_, prescribed = prescribed_, velocity = velocity_,
-                      acceleration = acceleration_, heldVelocity = heldVelocity_, image = image_,
-                      free = freeOnly_;
-  const View<double*[D]> lastVelocity = lastVelocity_, last = lastAcceleration_;
+                      acceleration = acceleration_, heldVelocity = heldVelocity_, free = freeOnly_;
+  const auto lastVelocity = state.mesh.nodalFields.template real<D>(velocityGuess);
+  const auto last = state.mesh.nodalFields.template real<D>(accelerationGuess);
+  const NodalFieldRow<D> guessRow = state.mesh.nodalFields.rowsOf(nodes);
   const bool masked = masked_;
   const double dt = state.clock.dt;
 
@@ -59,14 +75,7 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
   // Where cells have changed there is no such guess.
   const Accuracy accuracy =
       masked || renewed_ || state.method.picFraction > 0.0 ? Accuracy::Solved : Accuracy::Near;
-  if (renewed_ && state.mesh.subdomain)
-  {
-    // Where the lattice was divided anew, what nodes have is others'; a node that is barely touched would
-    // keep it, as solves don't feel it.
-    Kokkos::deep_copy(lastVelocity, 0.0);
-    Kokkos::deep_copy(last, 0.0);
-  }
-  else if (renewed_)
+  if (renewed_)
     guessFromRowSums(state, system, lastVelocity, last);
   forFew(
       "rhegma::mass::momentum", system.first, system.last, KOKKOS_LAMBDA(const int row) {
@@ -74,7 +83,7 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
         for (int d = 0; d < D; ++d)
         {
           right(row * width<D> + d) = nodes.sums(n, Nodes<D>::momentumAt + d);
-          velocity(row * width<D> + d) = lastVelocity(memoryOf(nodes, n), d);
+          velocity(row * width<D> + d) = lastVelocity(guessRow(n), d);
         }
       });
   solve(state, system, false, velocity, "velocity of the nodes", accuracy);
@@ -86,7 +95,7 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
         {
           const int i = row * width<D> + d;
           right(i) = nodes.sums(n, Nodes<D>::forceAt + d);
-          acceleration(i) = last(memoryOf(nodes, n), d);
+          acceleration(i) = last(guessRow(n), d);
           if (masked && free(i) == 0.0)
             prescribed(i) = (heldVelocity(i) - velocity(i)) / dt;
         }
@@ -94,22 +103,7 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
   solve(state, system, true, acceleration, "acceleration of the nodes", Accuracy::Solved);
 
   if (masked)
-  {
-    // Impulses of the supports: what M a takes beyond the forces that are there.
-    const std::size_t unknowns = static_cast<std::size_t>(system.room) * D;
-    if (state.motion.coupledReaction.extent(0) < unknowns)
-      state.motion.coupledReaction = View<double*>("rhegma::massReaction", unknowns);
-    const View<double*> reaction = state.motion.coupledReaction;
-    multiplyWhole<D>(state, system, acceleration.data(), image.data());
-    forFew(
-        "rhegma::mass::reaction", system.first, system.last, KOKKOS_LAMBDA(const int row) {
-          for (int d = 0; d < D; ++d)
-          {
-            const int i = row * width<D> + d;
-            reaction(row * D + d) = free(i) == 0.0 && s.coupled(row) ? dt * (image(i) - right(i)) : 0.0;
-          }
-        });
-  }
+    findReaction(state, system, acceleration, image_, right, free);
   forFew(
       "rhegma::mass::motion", system.first, system.last, KOKKOS_LAMBDA(const int row) {
         const int n = s.nodeOf(row);
@@ -118,8 +112,8 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
           const int i = row * width<D> + d;
           nodes.motion(n, d) = velocity(i) + dt * acceleration(i);
           nodes.motion(n, Nodes<D>::accelerationAt + d) = acceleration(i);
-          lastVelocity(memoryOf(nodes, n), d) = velocity(i);
-          last(memoryOf(nodes, n), d) = acceleration(i);
+          lastVelocity(guessRow(n), d) = velocity(i);
+          last(guessRow(n), d) = acceleration(i);
         }
       });
 }
@@ -130,7 +124,8 @@ void NodalSolve<D>::solveProjection(State<D>& state, const MassSystem<D>& system
   const MassSystem<D> s = system;
   const Nodes<D> nodes = state.mesh.nodes;
   const View<double*> right = right_, prescribed = prescribed_, velocity = velocity_;
-  const View<double* [D]> lastVelocity = lastVelocity_;
+  const auto lastVelocity = state.mesh.nodalFields.template real<D>(velocityGuess);
+  const NodalFieldRow<D> guessRow = state.mesh.nodalFields.rowsOf(nodes);
   const bool masked = masked_;
   const bool afterSolve = projectsLast(state.method.scheme) && !state.clock.strainPass.before;
   forFew(
@@ -140,7 +135,7 @@ void NodalSolve<D>::solveProjection(State<D>& state, const MassSystem<D>& system
         {
           const int i = row * width<D> + d;
           right(i) = s.lumped(row) * nodes.projection(n, d);
-          velocity(i) = afterSolve ? nodes.motion(n, d) : lastVelocity(memoryOf(nodes, n), d);
+          velocity(i) = afterSolve ? nodes.motion(n, d) : lastVelocity(guessRow(n), d);
           // Supports have set it: before the forces to their velocity at the start of the step.
           if (masked)
             prescribed(i) = nodes.projection(n, d);
@@ -151,7 +146,7 @@ void NodalSolve<D>::solveProjection(State<D>& state, const MassSystem<D>& system
   forFew(
       "rhegma::mass::projection", system.first, system.last, KOKKOS_LAMBDA(const int row) {
         for (int d = 0; d < D && s.coupled(row); ++d)
-          nodes.projection(s.nodeOf(row), d) = lastVelocity(memoryOf(nodes, s.nodeOf(row)), d) =
+          nodes.projection(s.nodeOf(row), d) = lastVelocity(guessRow(s.nodeOf(row)), d) =
               velocity(row * width<D> + d);
       });
 }

@@ -12,6 +12,46 @@
 namespace Rhegma::propagation
 {
 
+namespace
+{
+
+/// What growing cracks need, and what they do not go with.
+void addRules(Section& s)
+{
+  const Condition self = when::present("Propagation");
+  s.needs("Cracks", "there are no cracks that could run; add a section Cracks or leave this one out");
+  s.needs("Energy Release",
+          "nothing measures what drives the fronts; add a section Energy Release, which may be empty");
+  s.refuse({self, when::isNot("Cracks", "Formulation", {"Dual Field"})},
+           "it goes with Cracks > Formulation = Dual Field alone, whose nodes can carry a cohesive force");
+  s.refuse({self, when::is("Cracks", "Front Springs", {"false"})},
+           "it needs Cracks > Front Springs; leave that at true");
+  s.refuse({self, when::is("Mass Matrix", "Type", {"FMPM"})},
+           "cracks run too fast with Mass Matrix > Type = FMPM, which does not move nodes as the forces that "
+           "hold new faces ask for; write Partial or Full");
+  s.refuse({self, when::isNot("Mass Matrix", "Type", {"Partial"})},
+           "in 3D it goes with Mass Matrix > Type = Partial alone as yet; write that or take one of the two "
+           "sections out",
+           0, 3);
+  // Cells that follow a front place the points of its faces anew, and faces that open gain contact energy.
+  s.refuse({self, when::present("Contact"), when::present("Adaptivity")},
+           "in 3D it goes with Contact or with Adaptivity, not with both as yet; take one of the two out", 0,
+           3);
+  Condition temperature = when::given("Propagation", "Toughness");
+  temperature.words = " of the temperature T";
+  temperature.holds = [](const Teuchos::ParameterList& list)
+  {
+    return list.isType<std::string>("Toughness") &&
+           Toughness::namesTemperature(list.get<std::string>("Toughness"));
+  };
+  s.refuse(
+      {temperature, when::unprovided(capability::heat)},
+      "it names the temperature T, and there is no heat in this scene; add a section Thermal or write it "
+      "without T");
+}
+
+} // namespace
+
 Section propagationSection()
 {
   Section s("Propagation",
@@ -59,6 +99,7 @@ Section propagationSection()
       .byDefault(std::vector<double>{3.0, 6.0})
       .meaning("Inner and outer radius of the domain integral for the stress intensity factors that "
                "determine the direction, in cells at the front.");
+  addRules(s);
   return s;
 }
 
@@ -77,53 +118,17 @@ void refuseContour(const Teuchos::ParameterList& list, const std::string& name,
          "the radii must be at least 1 and a cell apart, the inner one first; write such as {5, 10}"});
 }
 
-/// What cracks of 3D scenes can't run with as yet.
-void refuseInSpace(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
-{
-  if (scene.isSublist("Mass Matrix") && scene.sublist("Mass Matrix").isType<std::string>("Type") &&
-      scene.sublist("Mass Matrix").get<std::string>("Type") != "Partial")
-    errors.push_back({"Propagation",
-                      "in 3D it goes with Mass Matrix > Type = Partial alone as yet; write that or take one "
-                      "of the two sections out"});
-  // Cells that follow a front place the points of its faces anew, and faces that open gain contact energy.
-  if (scene.isSublist("Contact") && scene.isSublist("Adaptivity"))
-    errors.push_back({"Propagation", "in 3D it goes with Contact or with Adaptivity, not with both as yet; "
-                                     "take one of the two out"});
-}
-
 } // namespace
 
 void checkPropagation(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  if (!scene.isSublist("Propagation"))
-    return;
   const Teuchos::ParameterList& list = scene.sublist("Propagation");
-  const auto refuse = [&](const std::string& why) { errors.push_back({"Propagation", why}); };
-  if (!scene.isSublist("Cracks"))
-    refuse("there are no cracks that could run; add a section Cracks or leave this one out");
-  else
-  {
-    const Teuchos::ParameterList& cracks = scene.sublist("Cracks");
-    if (cracks.isType<std::string>("Formulation") && cracks.get<std::string>("Formulation") != "Dual Field")
-      refuse("it goes with Cracks > Formulation = Dual Field alone, whose nodes can carry a cohesive force");
-    if (cracks.isType<bool>("Front Springs") && !cracks.get<bool>("Front Springs"))
-      refuse("it needs Cracks > Front Springs; leave that at true");
-  }
-  if (scene.isSublist("Mass Matrix") && scene.sublist("Mass Matrix").isType<std::string>("Type") &&
-      scene.sublist("Mass Matrix").get<std::string>("Type") == "FMPM")
-    refuse("cracks run too fast with Mass Matrix > Type = FMPM, which does not move nodes as the forces that "
-           "hold new faces ask for; write Partial or Full");
-  if (!scene.isSublist("Energy Release"))
-    refuse("nothing measures what drives the fronts; add a section Energy Release, which may be empty");
-  if (scene.isSublist("Domain") && scene.sublist("Domain").isType<int>("Dimension") &&
-      scene.sublist("Domain").get<int>("Dimension") == 3)
-    refuseInSpace(scene, errors);
   refuseContour(list, "Release Contour", errors);
   refuseContour(list, "Direction Contour", errors);
   if (list.isType<std::string>("Toughness"))
     try
     {
-      Toughness::parse(list.get<std::string>("Toughness"), scene.isSublist("Thermal"));
+      Toughness::parse(list.get<std::string>("Toughness"), true);
     }
     catch (const std::invalid_argument& error)
     {
@@ -144,11 +149,20 @@ DirectionRule readDirection(const Teuchos::ParameterList& list)
 
 } // namespace
 
-Options readOptions(const Teuchos::ParameterList& scene)
+void declareGrowth(const Teuchos::ParameterList& list, RunOptions& run)
+{
+  run.growth = true;
+  if (!list.isParameter("Release Contour")) // in 3D
+    return;
+  const auto release = list.get<Teuchos::Array<double>>("Release Contour");
+  const auto intensity = list.get<Teuchos::Array<double>>("Direction Contour");
+  run.contours = {release[0], release[1], intensity[0], intensity[1]};
+}
+
+Options readOptions(const Teuchos::ParameterList& scene, const RunOptions& run)
 {
   const Teuchos::ParameterList& list = scene.sublist("Propagation");
-  const bool heated = scene.isSublist("Thermal");
-  const Toughness toughness = Toughness::parse(list.get<std::string>("Toughness"), heated);
+  const Toughness toughness = Toughness::parse(list.get<std::string>("Toughness"), run.heat());
   const auto orAtRest = [&](const char* name)
   { return list.isParameter(name) ? list.get<double>(name) : 0.0; };
   Options options{{toughness, orAtRest("Initiation Toughness"), orAtRest("Arrest Toughness"),
@@ -156,13 +170,9 @@ Options readOptions(const Teuchos::ParameterList& scene)
                   readDirection(list),
                   list.get<double>("Increment"),
                   list.isParameter("Speed Limit") ? list.get<double>("Speed Limit") : 0.0,
-                  heated ? scene.sublist("Thermal").get<double>("Initial Temperature") : 0.0,
+                  run.initialTemperature.value_or(0.0),
                   {}};
-  if (!list.isParameter("Release Contour")) // in 3D
-    return options;
-  const auto release = list.get<Teuchos::Array<double>>("Release Contour");
-  const auto intensity = list.get<Teuchos::Array<double>>("Direction Contour");
-  options.contours = {release[0], release[1], intensity[0], intensity[1]};
+  options.contours = run.contours;
   return options;
 }
 

@@ -26,7 +26,10 @@ Section propagationSection();
 void checkPropagation(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors);
 
 /// \param scene validated
-Options readOptions(const Teuchos::ParameterList& scene);
+Options readOptions(const Teuchos::ParameterList& scene, const RunOptions& run);
+
+/// Has the other effects know that cracks may grow, and of the contours.
+void declareGrowth(const Teuchos::ParameterList& list, RunOptions& run);
 
 /// Speed that no front exceeds at a position [m/s].
 template <int D>

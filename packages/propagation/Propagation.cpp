@@ -39,22 +39,25 @@ void start(State<D>& state, Run<D>& run)
 }
 
 template <int D>
-Effect<D> make(const Teuchos::ParameterList& scene)
+Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 {
-  const auto run = std::make_shared<Run<D>>(Run<D>{readOptions(scene), {}, {}});
+  const auto run = std::make_shared<Run<D>>(Run<D>{readOptions(scene, options), {}, {}});
   Effect<D> effect;
   effect.name = "Propagation";
+  effect.balance = {"fracture"};
   effect.atStart = [run](State<D>& state) { start(state, *run); };
   effect.call({lastStage(scene),
                "fronts that advance",
-               {"driving forces"},
-               {"fronts that advance"},
+               {quantity::drivingForces, ifWritten(quantity::frontTemperature)},
+               {quantity::advancingFronts},
                {},
                [run](State<D>& state) { selectAdvancing(state, run->options, run->fronts); }});
-  effect.call(
-      {Stage::BetweenSteps, "advances of fronts", {}, {"advances of fronts"}, {}, [run](State<D>& state) {
-         advanceSelected(state, run->options, run->fronts);
-       }});
+  effect.call({Stage::BetweenSteps,
+               "advances of fronts",
+               {quantity::stressIntensities, quantity::advancingFronts},
+               {quantity::frontAdvances},
+               {},
+               [run](State<D>& state) { advanceSelected(state, run->options, run->fronts); }});
   effect.memory = [run](State<D>& state, Archive& archive)
   {
     for (std::size_t f = 0; f < run->fronts.size(); ++f)
@@ -76,7 +79,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 
 EffectEntry propagationEntry()
 {
-  EffectEntry entry{propagationSection(), checkPropagation, make<2>, make<3>, true};
+  EffectEntry entry{propagationSection(), checkPropagation, make<2>, make<3>, true, declareGrowth};
   entry.cells.tell = [](const auto&, CellNeeds& needs, auto&) { needs.running = needs.equal = true; };
   return entry;
 }

@@ -149,7 +149,7 @@ void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& front
   {
     const CrackFront<D>& front = state.cracks.fronts[f];
     const FrontState<D>& own = fronts[f];
-    required += front.taken;
+    required += front.budget.required;
     const bool moved = own.increments > 0, canAdvance = !front.ended && !front.stopped();
     nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
     entry["increments"] = own.increments;
@@ -160,7 +160,7 @@ void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& front
     entry["last_advance"] = moved ? own.lastTime : notYet;
     entry["settled_speed"] = own.settledSpeed();
     entry["speed_limit"] = own.speedLimit;
-    entry["energy_of_new_faces"] = front.taken;
+    entry["energy_of_new_faces"] = front.budget.required;
     std::vector<CrackRun> runs;
     double speed = own.settledSpeed();
     if constexpr (D == 2)

@@ -78,6 +78,22 @@ Toughness Toughness::parse(const std::string& text, bool heated)
   return Toughness(form);
 }
 
+bool Toughness::namesTemperature(const std::string& text)
+{
+  const auto parses = [&](bool heated)
+  {
+    try
+    {
+      return parse(text, heated), true;
+    }
+    catch (const std::invalid_argument&)
+    {
+      return false;
+    }
+  };
+  return parses(true) && !parses(false);
+}
+
 double Toughness::operator()(double speed, double temperature) const
 {
   const Form& form = *form_;

@@ -16,6 +16,8 @@ public:
   /// \param heated whether there is a temperature that it may name
   /// \throws std::invalid_argument with one sentence on what is wrong with the text
   static Toughness parse(const std::string& text, bool heated = false);
+  /// Whether it is one of heated fronts alone: it names T.
+  static bool namesTemperature(const std::string& text);
 
   double operator()(double speed, double temperature = 0.0) const;
 

@@ -194,32 +194,23 @@ void FineParticles<D>::force(const State<D>& state, int level, const Values& dis
 }
 
 template <int D>
-void FineParticles<D>::smooth(const State<D>& state, int kind, const Values& force, const Values& mean)
+void FineParticles<D>::smooth(const State<D>& state, int level, const Values& force, const Values& mean)
 {
-  const Nodes<D> nodes = state.mesh.nodes;
-  const int rows = nodes.numLattice;
-  Mean& own = means_[kind];
-  if (own.generation != state.mesh.tree.generation || static_cast<int>(own.value.extent(0)) < 2 * rows)
-  {
-    fit(own.value, "rhegma::subcycling::meanForce", 2 * rows);
-    fit(own.renewed, "rhegma::subcycling::meanRenewed", 2 * rows);
-    Kokkos::deep_copy(own.renewed, -2);
-    own.generation = state.mesh.tree.generation;
-  }
-  const Values memory = own.value;
-  const View<int*> renewed = own.renewed, nodeOf = nodeOf_;
-  const int now = static_cast<int>(state.clock.step), inner = numInner_;
+  const auto kept = state.mesh.nodalFields.template real<D + 1>(meanForceField(level + 1 - first_));
+  const NodalFieldRow<D> rowOf = state.mesh.nodalFields.rowsOf(state.mesh.nodes);
+  const View<int*> nodeOf = nodeOf_;
+  const auto now = static_cast<double>(state.clock.step);
+  const int inner = numInner_;
   forFew<fewSlots>(
       "rhegma::subcycling::smooth", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
-        const int n = nodeOf(i);
-        const int row = n < rows ? n : rows + nodes.parent(n - rows);
+        const int row = rowOf(nodeOf(i));
         for (int d = 0; d < D; ++d)
         {
-          const double before = renewed(row) == now - 1 ? memory(row, d) : 0.0;
-          memory(row, d) = before + (force(i, d) - before) / meanOver;
-          mean(i, d) = i < inner ? memory(row, d) : 0.0;
+          const double before = kept(row, D) == now - 1.0 ? kept(row, d) : 0.0;
+          kept(row, d) = before + (force(i, d) - before) / meanOver;
+          mean(i, d) = i < inner ? kept(row, d) : 0.0;
         }
-        renewed(row) = now;
+        kept(row, D) = now;
       });
 }
 
@@ -237,16 +228,14 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
   const View<double* [D]> heldVelocity = heldVelocity_;
   const auto mass = state.particles.scalar(fields::mass);
   const bool coupled = static_cast<bool>(state.motion.coupledSlots.solve);
-  // A coupled mass moves nodes without a force too.
-  const int lowest = coupled ? 0 : level;
+  const int lowest = coupled ? 0 : level; // a coupled mass moves nodes without a force too
   forFew<fewSlots>(
       "rhegma::subcycling::accelerate", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         const double inverse = nodal(i) > 0.0 ? 1.0 / nodal(i) : 0.0;
         for (int d = 0; d < D; ++d)
-          if (held(i, d) == 0)
-            acceleration(i, d) = inverse * force(i, d);
-          else
-            acceleration(i, d) = supports ? (heldVelocity(i, d) - before(i, d)) / duration : 0.0;
+          acceleration(i, d) = held(i, d) == 0 ? inverse * force(i, d)
+                               : supports      ? (heldVelocity(i, d) - before(i, d)) / duration
+                                               : 0.0;
       });
   if (coupled)
     state.motion.coupledSlots.solve(force, acceleration, true);

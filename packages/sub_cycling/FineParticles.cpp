@@ -129,7 +129,6 @@ template <int D>
 void FineParticles<D>::list(const State<D>& state, int first)
 {
   first_ = first;
-  followNodes(state);
   findCandidates(state);
   classifyNodes(state);
   listParticles(state);

@@ -8,16 +8,18 @@
 #include <string>
 #include <vector>
 
-namespace Rhegma
-{
-class Archive;
-}
-
 namespace Rhegma::sub_cycling
 {
 
 /// Slots that one thread is through with sooner than others could be told to help, a few numbers each.
 constexpr int fewSlots = 1500;
+
+/// The nodal field in which the mean of the force of a class of particles is kept: D numbers and that of the
+/// step that renewed it. \param classFromFirst 0: all particles that take the whole step
+inline std::string meanForceField(int classFromFirst)
+{
+  return "mean force of class " + std::to_string(classFromFirst);
+}
 
 /// Listed are particles of classes `first` and deeper, the deepest first, and after them their neighbours,
 /// which touch one of the same nodes. The class of a node is the level of the smallest leaf that a particle
@@ -81,8 +83,9 @@ public:
   void writeFirstShares(const State<D>& state, const BorrowedView<double*>& share) const;
 
   /// Mean of a force over the last long steps, on inner nodes that had a slot in all of them; it grows from
-  /// zero elsewhere, and everywhere after cells changed. \param kind which force it is, 0 .. deepestLevel
-  void smooth(const State<D>& state, int kind, const Values& force, const Values& mean);
+  /// zero elsewhere, and everywhere after cells changed. \param level of the particles whose force it is, or
+  /// one below the first: of all others
+  void smooth(const State<D>& state, int level, const Values& force, const Values& mean);
 
   /// velocity += duration B force, of a force on nodes of particles of class `level` and deeper. B is what a
   /// step of MUSL makes of a force: to accelerations of nodes, to the particles, and back to the nodes by
@@ -100,22 +103,8 @@ public:
   void correctProjection(const State<D>& state, const Values& displacement, double duration,
                          const Values& velocity) const;
 
-  /// Saves or loads the means. Collective.
-  void keep(const State<D>& state, Archive& archive);
-
   // What follows is public because compilers for devices want kernels in public functions.
 
-  /// A running mean on every node and then on every node's second field.
-  struct Mean
-  {
-    Values value;        ///< [N]
-    View<int*> renewed;  ///< number of the step in which it was
-    int generation = -1; ///< of the tree, then
-  };
-
-  /// Takes the means along where ranks have divided the domain anew: with their nodes to all of these.
-  /// Collective.
-  void followNodes(const State<D>& state);
   void listNearBlocks(const State<D>& state);
   void findCandidates(const State<D>& state);
   void classifyNodes(const State<D>& state);
@@ -144,12 +133,6 @@ public:
   }
 
 private:
-  void keepMean(const State<D>& state, Mean& mean, Archive& archive);
-  /// Gives nodes of this rank what `nodes` names, as of the last step.
-  void placeMean(const State<D>& state, Mean& mean, const std::vector<int>& nodes,
-                 const std::vector<int>& second, const std::vector<double>& values);
-  void rememberNodes(const State<D>& state);
-
   int first_ = 0;
   int numCandidates_ = 0;
   int numListed_ = 0; ///< with neighbours
@@ -176,10 +159,6 @@ private:
   View<double*> mass_; ///< of every slot [kg]
   View<int* [D]> held_;
   View<double* [D]> heldVelocity_;
-  Mean means_[deepestLevel + 1];
-  std::shared_ptr<const Subdomain<D>> subdomain_; ///< whose nodes the means have, and
-  int nodesGeneration_ = -1;                      ///< that of the tree, then, and
-  View<double* [D]> finePlace_;                   ///< the places of its nodes
   Values before_; ///< velocity at the start of the long step before supports hold [m/s]
   Values acceleration_, carried_;
   View<double** [D]> parts_;

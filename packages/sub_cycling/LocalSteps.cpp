@@ -250,10 +250,9 @@ void LocalSteps<D>::correctProjection(State<D>& state) const
 }
 
 template <int D>
-void LocalSteps<D>::keep(const State<D>& state, Archive& archive)
+void LocalSteps<D>::keep(Archive& archive)
 {
   archive("extra_steps", extraSteps_);
-  fine_.keep(state, archive);
 }
 
 template class LocalSteps<2>;

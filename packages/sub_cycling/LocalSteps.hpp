@@ -4,6 +4,11 @@
 #include "state/State.hpp"
 #include "sub_cycling/FineParticles.hpp"
 
+namespace Rhegma
+{
+class Archive;
+}
+
 namespace Rhegma::sub_cycling
 {
 
@@ -47,8 +52,8 @@ public:
   /// Steps of particles beyond the long ones' so far.
   double extraSteps() const { return extraSteps_; }
 
-  /// Saves or loads what they remember.
-  void keep(const State<D>& state, Archive& archive);
+  /// Saves or loads their number.
+  void keep(Archive& archive);
 
   // What follows is public because compilers for devices want kernels in public functions.
 

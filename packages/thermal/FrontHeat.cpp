@@ -57,7 +57,7 @@ double Conduction<D>::heatOfFronts(State<D>& state, double dt)
   frontHeat.resize(all.size(), 0.0);
   double owed = 0.0;
   for (std::size_t f = 0; f < all.size(); ++f)
-    owed += std::max(0.0, all[f].taken - frontHeat[f]);
+    owed += std::max(0.0, all[f].budget.required - frontHeat[f]);
   // Faces that close give back what they took; the next that open take it again.
   if (!(since > 0.0) || !(owed > 0.0))
     return 0.0;
@@ -65,7 +65,7 @@ double Conduction<D>::heatOfFronts(State<D>& state, double dt)
   double added = 0.0;
   for (std::size_t f = 0; f < all.size(); ++f)
   {
-    const double ofFront = since * std::max(0.0, all[f].taken - frontHeat[f]) / owed;
+    const double ofFront = since * std::max(0.0, all[f].budget.required - frontHeat[f]) / owed;
     if (!(ofFront > 0.0))
       continue;
     for (const HeatedPlace<D>& place : heatedPlaces(all[f]))

@@ -189,6 +189,26 @@ void LongSteps<D>::passThroughFaces(const State<D>& state, const HeatNodes<D>& h
       });
 }
 
+namespace
+{
+
+/// Takes a vector to unit length, and to its opposite. \return its length; 1 where it is zero
+double normalise(const Ranks& ranks, const BorrowedView<double*>& right)
+{
+  double size = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::thermal::sizeOfRight", Kokkos::RangePolicy<ExecSpace>(0, right.extent(0)),
+      KOKKOS_LAMBDA(const int i, double& sum) { sum += right(i) * right(i); }, size);
+  size = std::sqrt(ranks.sum(size));
+  const double scale = size > 0.0 ? size : 1.0;
+  Kokkos::parallel_for(
+      "rhegma::thermal::scaleRight", Kokkos::RangePolicy<ExecSpace>(0, right.extent(0)),
+      KOKKOS_LAMBDA(const int i) { right(i) /= -scale; });
+  return scale;
+}
+
+} // namespace
+
 template <int D>
 double LongSteps<D>::implicitStep(State<D>& state, const HeatNodes<D>& heat,
                                   const HeatBoundaries<D>& boundaries, const CrackConduction<D>& faces,
@@ -200,7 +220,6 @@ double LongSteps<D>::implicitStep(State<D>& state, const HeatNodes<D>& heat,
   const Nodes<D> nodes = state.mesh.nodes;
   const View<char*> unknown = unknown_;
   const View<double*[2]> change = change_, flow = flow_;
-  const View<double* [pairWidth]> pairs = pairs_;
   const int active = nodes.numActive();
   const auto take = [&](const BorrowedView<const double*>& from, double scale)
   {
@@ -228,15 +247,7 @@ double LongSteps<D>::implicitStep(State<D>& state, const HeatNodes<D>& heat,
         flow(n, 0) += heat.rate(n, 0);
       });
   residual(state, heat, dt, right);
-  double size = 0.0;
-  Kokkos::parallel_reduce(
-      "rhegma::thermal::sizeOfRight", Kokkos::RangePolicy<ExecSpace>(0, right.extent(0)),
-      KOKKOS_LAMBDA(const int i, double& sum) { sum += right(i) * right(i); }, size);
-  size = std::sqrt(state.ranks.sum(size));
-  const double scale = size > 0.0 ? size : 1.0;
-  Kokkos::parallel_for(
-      "rhegma::thermal::scaleRight", Kokkos::RangePolicy<ExecSpace>(0, right.extent(0)),
-      KOKKOS_LAMBDA(const int i) { right(i) /= -scale; });
+  const double scale = normalise(state.ranks, right);
   const SolveResult result = gradients_.solve(
       [&](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
       {

@@ -193,15 +193,24 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   run->finalTime = scene.sublist("Time").get<double>("Final Time");
   Effect<D> effect;
   effect.name = "Thermal";
+  effect.balance = {"thermal", "heat"};
   effect.adds.push_back({fields::temperature, 1, "K", "its temperature"});
   effect.adds.push_back({fields::temperatureGradient, D, "K/m", "gradient of the nodes' temperature"});
   effect.adds.push_back(
       {fields::internalEnergy, 1, "J/m3", "thermal and elastic energy per undeformed volume"});
   effect.atStart = [run, all = Teuchos::ParameterList(scene)](State<D>& state) { start(state, all, *run); };
-  effect.call({Stage::BeforeSolve, "conduction", {"nodal mass"}, {"temperature"}, {}, [run](State<D>& state) {
-                 run->conduction.step(state);
-               }});
-  effect.call({Stage::Observe, "temperatures", {}, {}, {}, [run](State<D>& state) { observe(state, *run); }});
+  effect.call({Stage::BeforeSolve,
+               "conduction",
+               {quantity::stencils, ifWritten(quantity::fractureEnergy)},
+               {quantity::temperature, quantity::frontTemperature},
+               {},
+               [run](State<D>& state) { run->conduction.step(state); }});
+  effect.call({Stage::Observe,
+               "temperatures",
+               {quantity::temperature, quantity::frontTemperature},
+               {},
+               {},
+               [run](State<D>& state) { observe(state, *run); }});
   effect.report = [run](const State<D>& state, nlohmann::json& summary)
   {
     report(state, *run, summary);
@@ -237,16 +246,17 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   return effect;
 }
 
-bool leavesMechanicsOut(const Teuchos::ParameterList& scene)
+void declareHeat(const Teuchos::ParameterList& list, RunOptions& options)
 {
-  return !scene.sublist("Thermal").get<bool>("Mechanics");
+  options.mechanics = list.get<bool>("Mechanics");
+  options.initialTemperature = list.get<double>("Initial Temperature");
 }
 
 } // namespace
 
 EffectEntry thermalEntry()
 {
-  EffectEntry entry{thermalSection(), checkThermal, make<2>, make<3>, true, leavesMechanicsOut};
+  EffectEntry entry{thermalSection(), checkThermal, make<2>, make<3>, true, declareHeat};
   entry.cells.knows = "round heat sources";
   entry.cells.tell = tellCells;
   return entry;

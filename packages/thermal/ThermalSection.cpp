@@ -70,12 +70,8 @@ Section crackFaces()
       .meaning("Thermal contact conductance: heat flux per temperature jump between the faces.");
   Section s("Crack Faces", "Cracks that conduct heat across their faces. All others insulate.");
   s.namedByUser(faces);
+  s.namesOf = "Cracks";
   return s;
-}
-
-bool hasSection(const Teuchos::ParameterList& scene, const std::string& name)
-{
-  return scene.isSublist(name);
 }
 
 std::string text(const Teuchos::ParameterList& list, const std::string& name)
@@ -94,22 +90,16 @@ void forEach(const Teuchos::ParameterList& scene, const std::string& section, co
     work(list.sublist(name), std::string(section).append(" > ").append(name));
 }
 
+const char* const nothingMoves =
+    "it can't be combined with Thermal > Mechanics = false; remove one of the two";
+
 void checkAlone(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  if (hasSection(scene, "Adaptivity") && scene.sublist("Adaptivity").isParameter("Velocity Change"))
-    errors.push_back({"Adaptivity > Velocity Change",
-                      "it can't be combined with Thermal > Mechanics = false; write Temperature Change"});
-  for (const char* name :
-       {"Contact", "Damping", "Energy Release", "Face Pressure", "Mass Matrix", "Propagation", "Sub-Cycling"})
-    if (hasSection(scene, name))
-      errors.push_back(
-          {name, "it can't be combined with Thermal > Mechanics = false; remove one of the two"});
   forEach(scene, "Boundaries",
           [&](const Teuchos::ParameterList& list, const std::string& where)
           {
-            if (text(list, "Type") != "" && boundaryType(text(list, "Type")).effect != "Thermal")
-              errors.push_back(
-                  {where, "it can't be combined with Thermal > Mechanics = false; remove one of the two"});
+            if (text(list, "Type") != "" && boundaryType(text(list, "Type")).capability != capability::heat)
+              errors.push_back({where, nothingMoves});
           });
   forEach(scene, "Bodies",
           [&](const Teuchos::ParameterList& list, const std::string& where)
@@ -119,9 +109,7 @@ void checkAlone(const Teuchos::ParameterList& scene, std::vector<SceneError>& er
               {
                 const auto& values = list.get<Teuchos::Array<double>>(name);
                 if (std::any_of(values.begin(), values.end(), [](double v) { return v != 0.0; }))
-                  errors.push_back(
-                      {where + " > " + name,
-                       "it can't be combined with Thermal > Mechanics = false; remove one of the two"});
+                  errors.push_back({where + " > " + name, nothingMoves});
               }
           });
 }
@@ -136,29 +124,8 @@ bool strainsByHeat(const Teuchos::ParameterList& material)
          (material.isType<bool>("Entropic") && material.get<bool>("Entropic"));
 }
 
-/// The opening that crack closure recovers is off where temperature strains the faces unlike (by a fifth of G
-/// round an insulating crack). In 3D there is none.
-void checkClosure(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
-{
-  if (!hasSection(scene, "Energy Release") || hasSection(scene, "Propagation"))
-    return; // where cracks run nobody looks at it
-  const Teuchos::ParameterList& list = scene.sublist("Energy Release");
-  const bool inSpace = hasSection(scene, "Domain") && scene.sublist("Domain").isType<int>("Dimension") &&
-                       scene.sublist("Domain").get<int>("Dimension") == 3;
-  if (inSpace || (list.isType<bool>("Crack Closure") && !list.get<bool>("Crack Closure")))
-    return;
-  bool strains = false;
-  forEach(scene, "Materials",
-          [&](const Teuchos::ParameterList& material, const std::string&)
-          { strains = strains || strainsByHeat(material); });
-  if (strains)
-    errors.push_back({"Energy Release > Crack Closure",
-                      "it does not yet include temperature-dependent stress; set it to false and use J"});
-}
-
 void checkCoupled(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  checkClosure(scene, errors);
   forEach(scene, "Materials",
           [&](const Teuchos::ParameterList& list, const std::string& where)
           {
@@ -166,6 +133,38 @@ void checkCoupled(const Teuchos::ParameterList& scene, std::vector<SceneError>& 
               errors.push_back({where + " > Model", "Rigid is for scenes with heat only; choose a law with "
                                                     "stress, or write Thermal > Mechanics = false"});
           });
+}
+
+} // namespace
+
+namespace
+{
+
+void addRules(Section& s)
+{
+  const Condition alone = when::is("Thermal", "Mechanics", {"false"});
+  for (const Condition& other :
+       {when::present("Contact"), when::present("Damping"), when::present("Energy Release"),
+        when::present("Face Pressure"), when::present("Mass Matrix"), when::present("Propagation"),
+        when::present("Sub-Cycling")})
+    s.refuse({alone, other}, nothingMoves, 1);
+  s.refuse({alone, when::given("Adaptivity", "Velocity Change")},
+           "it can't be combined with Thermal > Mechanics = false; write Temperature Change", 1);
+  // The opening that crack closure recovers is off where temperature strains the faces unlike (by a fifth of
+  // G round an insulating crack). Where cracks run nobody looks at it.
+  s.refuse({when::is("Thermal", "Mechanics", {"true"}), when::is("Energy Release", "Crack Closure", {"true"}),
+            when::absent("Propagation"),
+            when::satisfies("Materials > *", "with thermal strain or moduli that change with temperature",
+                            strainsByHeat)},
+           "it does not yet include temperature-dependent stress; set it to false and use J", 1);
+  s.refuse({when::present("Thermal > Crack Faces"), when::absent("Cracks")},
+           "there are no cracks; add the section Cracks or leave this section out");
+  s.refuse({when::isNot("Thermal > Crack Faces > *", "Conduction", {"Insulating"}),
+            when::isNot("Cracks", "Formulation", {"Dual Field"})},
+           "conducting faces need Cracks > Formulation = Dual Field; write that, or let them insulate");
+  s.refuse({when::above("Thermal", "Front Heat Fraction", 0.0), when::absent("Propagation")},
+           "it needs the section Propagation; add it or leave this parameter out");
+  s.provide(capability::heat);
 }
 
 } // namespace
@@ -205,6 +204,7 @@ Section thermalSection()
   s.subsection(sources());
   s.subsection(probes());
   s.subsection(crackFaces());
+  addRules(s);
   return s;
 }
 
@@ -229,30 +229,16 @@ void checkHistories(const Teuchos::ParameterList& scene, std::vector<SceneError>
   }
 }
 
-/// Faces that conduct are those of a crack with two fields of nodes.
-void checkCrackFaces(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
+void checkCrackFaces(const Teuchos::ParameterList& list, std::vector<SceneError>& errors)
 {
-  const Teuchos::ParameterList& list = scene.sublist("Thermal");
   if (!list.isSublist("Crack Faces"))
     return;
-  if (!hasSection(scene, "Cracks"))
-  {
-    errors.push_back(
-        {"Thermal > Crack Faces", "there are no cracks; add the section Cracks or leave this section out"});
-    return;
-  }
-  const Teuchos::ParameterList& cracks = scene.sublist("Cracks");
-  std::string known;
-  for (const std::string& name : sublistNames(cracks))
-    known += (known.empty() ? "" : ", ") + name;
   for (const std::string& name : sublistNames(list.sublist("Crack Faces")))
   {
     const std::string where = "Thermal > Crack Faces > " + name;
     const Teuchos::ParameterList& faces = list.sublist("Crack Faces").sublist(name);
     const bool conducts =
         faces.isType<std::string>("Conduction") && faces.get<std::string>("Conduction") != "Insulating";
-    if (!cracks.isSublist(name))
-      errors.push_back({where, "there is no crack of this name; Cracks has " + known});
     if (!conducts && faces.isParameter("Conductance"))
       errors.push_back(
           {where + " > Conductance",
@@ -261,10 +247,6 @@ void checkCrackFaces(const Teuchos::ParameterList& scene, std::vector<SceneError
       errors.push_back({where + " > Conduction",
                         "conducting faces can't be combined with Super Time Stepping; write "
                         "Thermal > Conduction = Implicit or Explicit"});
-    if (conducts && text(cracks, "Formulation") != "" && text(cracks, "Formulation") != "Dual Field")
-      errors.push_back(
-          {where + " > Conduction",
-           "conducting faces need Cracks > Formulation = Dual Field; write that, or let them insulate"});
   }
 }
 
@@ -306,24 +288,17 @@ void checkSurfaces(const Teuchos::ParameterList& scene, std::vector<SceneError>&
 
 void checkThermal(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
-  if (!scene.isSublist("Thermal"))
-    return; // scene/HeatWords.hpp
   const Teuchos::ParameterList& list = scene.sublist("Thermal");
   checkHistories(scene, errors);
   checkSurfaces(scene, errors);
-  checkCrackFaces(scene, errors);
+  checkCrackFaces(list, errors);
   if (list.isType<bool>("Mechanics") && !list.get<bool>("Mechanics"))
     checkAlone(scene, errors);
   else
     checkCoupled(scene, errors);
   if (list.isType<double>("Front Heat Fraction") && list.get<double>("Front Heat Fraction") > 0.0)
-  {
     if (!list.isParameter("Front Radius"))
       errors.push_back({"Thermal > Front Radius", "is missing; Front Heat Fraction above 0 needs it"});
-    if (!scene.isSublist("Propagation"))
-      errors.push_back({"Thermal > Front Heat Fraction",
-                        "it needs the section Propagation; add it or leave this parameter out"});
-  }
 }
 
 } // namespace Rhegma::thermal

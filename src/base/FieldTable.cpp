@@ -1,27 +1,9 @@
 #include "base/FieldTable.hpp"
 
+#include "base/RowOrder.hpp"
+
 namespace Rhegma
 {
-
-namespace
-{
-
-template <class T>
-View<T**> reordered(const View<T**>& old, const View<int*>& order)
-{
-  const int rows = static_cast<int>(order.extent(0));
-  const int columns = static_cast<int>(old.extent(1));
-  View<T**> fresh(Kokkos::view_alloc(old.label(), Kokkos::WithoutInitializing), rows, columns);
-  Kokkos::parallel_for(
-      "rhegma::reorderField", Kokkos::RangePolicy<ExecSpace>(0, rows), KOKKOS_LAMBDA(const int i) {
-        const int from = order(i);
-        for (int c = 0; c < columns; ++c)
-          fresh(i, c) = old(from, c);
-      });
-  return fresh;
-}
-
-} // namespace
 
 void FieldTable::add(const Field& field)
 {
@@ -77,9 +59,9 @@ void FieldTable::reorder(const View<int*>& order)
 {
   for (Column& column : columns_)
     if (column.field.integer)
-      column.whole = reordered(column.whole, order);
+      column.whole = inOrder(column.whole, order);
     else
-      column.real = reordered(column.real, order);
+      column.real = inOrder(column.real, order);
   size_ = static_cast<int>(order.extent(0));
 }
 

@@ -24,7 +24,7 @@ void watchCells(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstr
   const auto seen = std::make_shared<int>(0);
   effect.call({Stage::Scatter,
                "supports of changed cells",
-               {},
+               {ifWritten(quantity::cells)},
                {},
                {},
                [=](State<D>& state)
@@ -41,7 +41,7 @@ void watchCells(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstr
 } // namespace
 
 template <int D>
-Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
+Effect<D> makeBoundaries(const Teuchos::ParameterList& scene, bool cellsChange)
 {
   Effect<D> effect;
   effect.name = boundariesName;
@@ -68,16 +68,16 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
   {
     addConstraints(effect, constraints);
     addReactions(effect, constraints);
-    if (scene.isSublist("Adaptivity"))
+    if (cellsChange)
       watchCells(effect, constraints, finalTime);
   }
   if (!parts.loads.empty())
   {
     effect.call({Stage::BeforeSolve,
                  "loads",
-                 {"nodal mass"},
+                 {quantity::nodalMass},
                  {},
-                 {"nodal force"},
+                 {quantity::nodalForce},
                  [loads](State<D>& state)
                  {
                    for (Load<D>& load : *loads)
@@ -85,7 +85,7 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
                  }});
     effect.call({stageOfWays(scene),
                  "work of loads",
-                 {projectsLast(scene) ? "projection" : "nodal motion"},
+                 {projectsLast(scene) ? quantity::projection : quantity::nodalMotion},
                  {},
                  {},
                  [loads](State<D>& state)
@@ -117,7 +117,7 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene)
   return effect;
 }
 
-template Effect<2> makeBoundaries(const Teuchos::ParameterList&);
-template Effect<3> makeBoundaries(const Teuchos::ParameterList&);
+template Effect<2> makeBoundaries(const Teuchos::ParameterList&, bool);
+template Effect<3> makeBoundaries(const Teuchos::ParameterList&, bool);
 
 } // namespace Rhegma

@@ -11,7 +11,7 @@ constexpr const char* boundariesName = "Boundaries";
 
 /// The boundaries of a scene (its section `Boundaries`) as a part of the core.
 template <int D>
-Effect<D> makeBoundaries(const Teuchos::ParameterList& scene);
+Effect<D> makeBoundaries(const Teuchos::ParameterList& scene, bool cellsChange);
 
 /// What the forces that hold a motion did over a step.
 template <int D>

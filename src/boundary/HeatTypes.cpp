@@ -6,9 +6,6 @@ namespace Rhegma
 namespace
 {
 
-/// Section of the effect that applies these types.
-const char* const heat = "Thermal";
-
 /// A line (2D) or a parallelogram (3D) on a body.
 void surface(Section& s)
 {
@@ -41,7 +38,7 @@ BoundaryType BoundaryTypes::temperature()
   s.realArray("Upper Corner").unit("m").perAxis().meaning("Corner of the box with the largest coordinates.");
   s.real("Temperature").unit("K").positive().meaning("The prescribed temperature.");
   describeHistory(s);
-  return {s, checkBox, {}, {}, heat};
+  return {s, checkBox, {}, {}, capability::heat};
 }
 
 BoundaryType BoundaryTypes::heatFlux()
@@ -50,7 +47,7 @@ BoundaryType BoundaryTypes::heatFlux()
   surface(s);
   s.real("Flux").unit("W/m2").meaning("Heat flux into the body per undeformed area.");
   describeHistory(s);
-  return {s, checkSurface, {}, {}, heat};
+  return {s, checkSurface, {}, {}, capability::heat};
 }
 
 BoundaryType BoundaryTypes::convection()
@@ -67,7 +64,7 @@ BoundaryType BoundaryTypes::convection()
       .positive()
       .meaning("Temperature of the surroundings; History multiplies it.");
   describeHistory(s);
-  return {s, checkSurface, {}, {}, heat};
+  return {s, checkSurface, {}, {}, capability::heat};
 }
 
 } // namespace Rhegma

@@ -100,7 +100,7 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
   const auto last = std::make_shared<double>(0.0);
   effect.call({Stage::Observe,
                "forces of supports",
-               {},
+               {quantity::constrainedMotion},
                {},
                {},
                [constraints, last](State<D>& state)
@@ -150,7 +150,7 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
   effect.call({Stage::Scatter,
                "values of prescribed motion",
                {},
-               {"prescribed values"},
+               {quantity::prescribedMotion},
                {},
                [constraints](State<D>& state)
                {
@@ -163,8 +163,8 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
                }});
   effect.call({Stage::AfterSolve,
                "prescribed motion",
-               {"nodal motion"},
-               {"constrained motion"},
+               {quantity::nodalMotion, quantity::prescribedMotion, ifWritten(quantity::massMatrix)},
+               {quantity::constrainedMotion},
                {},
                [constraints](State<D>& state)
                {
@@ -179,7 +179,7 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
   effect.call({Stage::AfterProjection,
                "prescribed strain velocity",
                {},
-               {"projection"},
+               {quantity::projection},
                {},
                [constraints, held = std::make_shared<View<char**>>()](State<D>& state)
                {

@@ -9,7 +9,7 @@ namespace Rhegma
 {
 
 /// Number of the layout of a checkpoint; another number is refused.
-constexpr int checkpointSchema = 1;
+constexpr int checkpointSchema = 2;
 
 /// Writes a record as an HDF5 file: tables as datasets in groups, single numbers as attributes of their
 /// groups.

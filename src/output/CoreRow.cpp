@@ -22,34 +22,34 @@ struct Entry
 {
   const char* column;
   double value;
-  const char* effect; ///< that gives it; empty: the method itself
+  bool ofEffect = true; ///< there only where an effect gives it (Effect::balance)
 };
 
 std::vector<Entry> entries(const EnergyBalance& energy)
 {
-  return {{"kinetic", energy.kinetic, ""},
-          {"strain", energy.strain, ""},
-          {"thermal", energy.thermal, "Thermal"},
-          {"heat", energy.heat, "Thermal"},
-          {"external_work", energy.externalWork, ""},
-          {"damped", energy.damped, "Damping"},
-          {"contact", energy.contact, "Contact"},
-          {"fracture", energy.fracture, "Propagation"},
-          {"merged", energy.merged, "Adaptivity"},
-          {"combustion", energy.combustion, "Combustion"},
-          {"residual", energy.residual(), ""}};
+  return {{"kinetic", energy.kinetic, false},
+          {"strain", energy.strain, false},
+          {"thermal", energy.thermal},
+          {"heat", energy.heat},
+          {"external_work", energy.externalWork, false},
+          {"damped", energy.damped},
+          {"contact", energy.contact},
+          {"fracture", energy.fracture},
+          {"merged", energy.merged},
+          {"combustion", energy.combustion},
+          {"residual", energy.residual(), false}};
 }
 
 } // namespace
 
 template <int D>
-void coreRow(State<D>& state, const std::set<std::string>& effects)
+void coreRow(State<D>& state, const std::set<std::string>& given)
 {
   measureEnergy(state);
   shareEnergyBalance(state);
   HistoryRow row;
   for (const Entry& entry : entries(state.energy))
-    if (*entry.effect == '\0' || effects.count(entry.effect) > 0)
+    if (!entry.ofEffect || given.count(entry.column) > 0)
       row.emplace_back(entry.column, entry.value);
   if (canDissipate(state.materials.list))
     row.emplace_back("plastic", state.energy.plastic);

@@ -13,11 +13,10 @@ namespace Rhegma
 /// Measures, and puts the columns of the ledger and of the momentum in front of those that the row has.
 ///
 /// Always kinetic, strain, external_work, residual, momentum_x..; `plastic` where a material can flow;
-/// thermal, damped, contact, fracture, merged and combustion only where the effect that gives them is in the
-/// scene. \param effects names of the scene's effects: Thermal, Damping, Contact, Propagation, Adaptivity,
-/// Combustion
+/// thermal, heat, damped, contact, fracture, merged and combustion only where an effect of the scene gives
+/// them. \param given columns that the scene's effects give (Effect::balance)
 template <int D>
-void coreRow(State<D>& state, const std::set<std::string>& effects);
+void coreRow(State<D>& state, const std::set<std::string>& given);
 
 /// `energy` (every entry of the ledger, zero where no effect gives it; `plastic` where a material can flow)
 /// and `momentum` of summary.json, as last measured.

@@ -29,7 +29,7 @@ void addBoundaryType(BoundaryType type)
   const std::string start = "the boundary type \"" + type.section.name + "\" can't be added: ";
   if (find(type.section.name) != nullptr)
     throw std::invalid_argument(start + "a type of this name is there");
-  if (type.effect.empty() && (!type.add2 || !type.add3))
+  if (type.capability.empty() && (!type.add2 || !type.add3))
     throw std::invalid_argument(start + "set what it does in 2D and in 3D");
   all().push_back(std::move(type));
 }
@@ -54,10 +54,6 @@ void checkBoundaries(const Teuchos::ParameterList& scene, std::vector<SceneError
                    checks.history(list, where);
                    if (type != nullptr && type->check)
                      type->check(checks, list, where);
-                   if (type != nullptr && !type->effect.empty() && !scene.isSublist(type->effect))
-                     checks.report(where,
-                                   "its type needs the section " + type->effect +
-                                       ", but the scene has none; add the section or remove this boundary");
                  });
 }
 

@@ -28,8 +28,9 @@ struct BoundaryType
   Check check{};   ///< may be empty; Body and History are checked for all types
   Add<2> add2{};
   Add<3> add3{};
-  /// Section of the effect that applies it, in place of `add`; the scene must have it. Empty: none.
-  std::string effect{};
+  /// Capability of the effect that applies it, in place of `add` (scene/Compatibility.hpp); a section of the
+  /// scene must provide it. Empty: none.
+  std::string capability{};
 };
 
 /// Adds a type of the application's own. Call it before the schema or the Simulation that is to know it is

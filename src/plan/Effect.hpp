@@ -2,6 +2,8 @@
 /// An effect: a value that says which fields it needs and adds, and what to call in which stage.
 
 #include "base/Field.hpp"
+#include "plan/Quantity.hpp"
+#include "plan/RunOptions.hpp"
 #include "scene/Schema.hpp"
 #include "state/State.hpp"
 
@@ -9,6 +11,7 @@
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace Rhegma
@@ -32,16 +35,16 @@ enum class Stage
 };
 
 /// Something that runs in a stage. Calls of one stage are ordered so that who writes a quantity runs before
-/// who reads it; quantities that several calls add to (nodal force) commute. Names of quantities are free
-/// text that calls share.
+/// who reads it; quantities that several calls add to (nodal force) commute. What a call reads must be
+/// written by some call of the plan, in any stage, unless it is read `ifWritten`.
 template <int D>
 struct Call
 {
   Stage stage;                        ///< when it runs
   std::string label;                  ///< for plan and timings
-  std::vector<std::string> reads;     ///< quantities
-  std::vector<std::string> writes;    ///< quantities
-  std::vector<std::string> addsTo;    ///< quantities
+  std::vector<Read> reads;            ///< quantities
+  Quantities writes;                  ///< quantities
+  Quantities addsTo;                  ///< quantities
   std::function<void(State<D>&)> run; ///< what it does
   /// Whether it belongs to each pass that strains particles (Clock::strainPass), and not to the step.
   bool ofEachPass = false;
@@ -56,6 +59,8 @@ struct Effect
   std::vector<NodalField> addsNodal;      ///< nodal fields that it brings (parallel/NodalFieldTable.hpp)
   std::vector<std::string> needs;         ///< particle fields that somebody else must bring
   std::vector<Call<D>> calls;             ///< of all stages
+  Quantities provides;                    ///< what it writes outside of calls
+  std::vector<std::string> balance;       ///< entries of the energy balance that it gives, as columns
   std::function<void(State<D>&)> atStart; ///< once, when all fields exist and particles are seeded
   std::function<void(const State<D>&, nlohmann::json&)> report; ///< adds to summary.json
 
@@ -69,16 +74,45 @@ struct Effect
   void call(Call<D> c) { calls.push_back(std::move(c)); } ///< adds to `calls`
 };
 
+/// Makes an effect from a scene, which has its section and those of the core, and from what other effects
+/// declare. A function that takes the scene alone will do.
+template <int D>
+class MakeEffect
+{
+public:
+  MakeEffect() = default;
+  template <class Function>
+  MakeEffect(const Function& make)
+      : make_(
+            [make](const Teuchos::ParameterList& scene, const RunOptions& options)
+            {
+              if constexpr (std::is_invocable_v<Function, const Teuchos::ParameterList&, const RunOptions&>)
+                return make(scene, options);
+              else
+                return (void)options, make(scene);
+            })
+  {
+  }
+  Effect<D> operator()(const Teuchos::ParameterList& scene, const RunOptions& options = {}) const
+  {
+    return make_(scene, options);
+  }
+  explicit operator bool() const { return static_cast<bool>(make_); }
+
+private:
+  std::function<Effect<D>(const Teuchos::ParameterList&, const RunOptions&)> make_;
+};
+
 /// What the registry knows of an effect: its section, and how to make it for each dimension.
 struct EffectEntry
 {
-  Section section;  ///< its schema; the section's name is the effect's name
-  CrossCheck check; ///< what no single parameter can show wrong; may be empty
-  std::function<Effect<2>(const Teuchos::ParameterList& scene)> make2; ///< 2D
-  std::function<Effect<3>(const Teuchos::ParameterList& scene)> make3; ///< 3D
+  Section section;      ///< its schema; the section's name is the effect's name
+  CrossCheck check;     ///< what no single parameter can show wrong; may be empty
+  MakeEffect<2> make2;  ///< 2D
+  MakeEffect<3> make3;  ///< 3D
   bool onRanks = false; ///< whether it works on more than one rank
-  /// Whether a scene that has it leaves the motion out (Method::mechanics); empty: never.
-  std::function<bool(const Teuchos::ParameterList& scene)> withoutMechanics{};
+  /// Sets what other effects must know of its section; may be empty.
+  std::function<void(const Teuchos::ParameterList& section, RunOptions&)> declare{};
   /// What it asks of the cells that Domain > Accuracy chooses.
   CellHook cells{};
 };

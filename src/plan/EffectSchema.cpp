@@ -4,6 +4,7 @@
 #include "plan/KnownEffects.hpp"
 #include "scene/CoreSections.hpp"
 
+#include <algorithm>
 #include <map>
 
 namespace Rhegma
@@ -20,6 +21,28 @@ std::vector<Section> boundarySections()
   return sections;
 }
 
+/// Adds rules to the section Boundaries for types that an effect applies.
+void addBoundaryRules(std::vector<Section>& sections)
+{
+  const auto boundaries =
+      std::find_if(sections.begin(), sections.end(), [](const Section& s) { return s.name == "Boundaries"; });
+  for (const BoundaryType& type : boundaryTypes())
+  {
+    if (type.capability.empty())
+      continue;
+    std::string provider = "an effect for " + type.capability;
+    for (const Section& s : sections)
+      if (std::find(s.provides.begin(), s.provides.end(), type.capability) != s.provides.end())
+        provider = "the section " + s.name;
+    boundaries->refuse({when::satisfies("Boundaries > *", "of Type " + type.section.name,
+                                        [name = type.section.name](const Teuchos::ParameterList& list)
+                                        { return SceneValues::text(list, "Type") == name; }),
+                        when::unprovided(type.capability)},
+                       "its type needs " + provider +
+                           ", but the scene has none; add the section or remove this boundary");
+  }
+}
+
 } // namespace
 
 SceneSchema schemaOf(const std::vector<EffectEntry>& effects)
@@ -27,17 +50,14 @@ SceneSchema schemaOf(const std::vector<EffectEntry>& effects)
   std::vector<Section> sections = coreSections(boundarySections());
   for (const EffectEntry& entry : effects)
     sections.push_back(entry.section);
+  addBoundaryRules(sections);
   SceneSchema schema(sections);
   std::vector<std::string> missing = effectsToCome();
   missing.insert(missing.end(), effectsLeftOut().begin(), effectsLeftOut().end());
   schema.setSectionsToCome(missing);
   schema.addCheck(checkBoundaries);
   for (const EffectEntry& entry : effects)
-  {
-    if (entry.check)
-      schema.addCheck(entry.check);
-    schema.addCellHook(entry.section.name, entry.cells);
-  }
+    schema.addEffect(entry.section.name, entry.check, entry.cells);
   return schema;
 }
 

@@ -26,6 +26,15 @@ bool has(const List& list, const std::string& name, const NameOf& nameOf)
 
 const std::vector<EffectEntry>& knownEffects() { return all(); }
 
+RunOptions declaredOptions(const Teuchos::ParameterList& scene)
+{
+  RunOptions options;
+  for (const EffectEntry& entry : knownEffects())
+    if (entry.declare && scene.isSublist(entry.section.name))
+      entry.declare(scene.sublist(entry.section.name), options);
+  return options;
+}
+
 const std::vector<std::string>& effectsToCome()
 {
   static const std::vector<std::string> names = {};

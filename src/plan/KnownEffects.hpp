@@ -16,6 +16,9 @@ void addEffect(EffectEntry entry);
 /// The effects of packages/ (made by CMake from packages/Packages.cmake).
 const std::vector<EffectEntry>& builtInEffects();
 
+/// What the effects of a scene declare.
+RunOptions declaredOptions(const Teuchos::ParameterList& scene);
+
 /// Sections of effects that were switched off when this program was built (the same).
 const std::vector<std::string>& effectsLeftOut();
 

@@ -1,6 +1,7 @@
 #include "plan/Plan.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -11,19 +12,24 @@ namespace Rhegma
 namespace
 {
 
-bool contains(const std::vector<std::string>& names, const std::string& name)
+bool contains(const Quantities& list, const Quantity& quantity)
 {
-  return std::find(names.begin(), names.end(), name) != names.end();
+  return std::any_of(list.begin(), list.end(), [&](const Quantity& q) { return &q == &quantity; });
+}
+
+bool contains(const std::vector<Read>& list, const Quantity& quantity)
+{
+  return std::any_of(list.begin(), list.end(), [&](const Read& r) { return r.quantity == &quantity; });
 }
 
 /// Whether a must run before b.
 template <int D>
 bool precedes(const Call<D>& a, const Call<D>& b)
 {
-  for (const std::string& q : a.writes)
+  for (const Quantity& q : a.writes)
     if (contains(b.reads, q) || contains(b.addsTo, q))
       return true;
-  for (const std::string& q : a.addsTo)
+  for (const Quantity& q : a.addsTo)
     if (contains(b.reads, q) && !contains(b.writes, q))
       return true;
   return false;
@@ -34,10 +40,74 @@ void refuseAmbiguity(const std::vector<Call<D>>& calls)
 {
   for (std::size_t a = 0; a < calls.size(); ++a)
     for (std::size_t b = a + 1; b < calls.size(); ++b)
-      for (const std::string& q : calls[a].writes)
+      for (const Quantity& q : calls[a].writes)
         if (contains(calls[b].writes, q) && !contains(calls[a].reads, q) && !contains(calls[b].reads, q))
           throw std::logic_error("\"" + calls[a].label + "\" and \"" + calls[b].label + "\" both write the " +
-                                 q + " and nothing says in which order");
+                                 q.name + " and nothing says in which order");
+}
+
+/// The quantities of a call, by reads, writes and additions.
+template <int D>
+std::array<std::vector<const Quantity*>, 3> listed(const Call<D>& call)
+{
+  std::array<std::vector<const Quantity*>, 3> lists;
+  for (const Read& read : call.reads)
+    lists[0].push_back(read.quantity);
+  for (const Quantity& q : call.writes)
+    lists[1].push_back(&q);
+  for (const Quantity& q : call.addsTo)
+    lists[2].push_back(&q);
+  return lists;
+}
+
+/// Refuses what calls declare wrongly: a read that nothing writes, and duplicates.
+template <int D>
+void checkQuantities(const std::vector<Effect<D>>& effects)
+{
+  std::set<const Quantity*> written;
+  for (const Effect<D>& effect : effects)
+  {
+    for (const Quantity& q : effect.provides)
+      written.insert(&q);
+    for (const Call<D>& call : effect.calls)
+      for (const Quantities& list : {call.writes, call.addsTo})
+        for (const Quantity& q : list)
+          written.insert(&q);
+  }
+  std::map<std::string, const Quantity*> named;
+  for (const Effect<D>& effect : effects)
+    for (const Call<D>& call : effect.calls)
+    {
+      const auto refuse = [&](const Quantity& q, const std::string& why)
+      {
+        throw std::logic_error("effect " + effect.name + ", stage " + stageName(call.stage) + ", call \"" +
+                               call.label + "\", quantity \"" + q.name + "\": " + why);
+      };
+      for (const Read& read : call.reads)
+        if (!read.optional && written.count(read.quantity) == 0)
+          refuse(*read.quantity, "it is read and no call of the plan writes it");
+      for (const auto& list : listed(call))
+        for (auto q = list.begin(); q != list.end(); ++q)
+        {
+          if (std::count(list.begin(), q, *q) > 0)
+            refuse(**q, "the call lists it twice");
+          if (named.emplace((*q)->name, *q).first->second != *q)
+            refuse(**q, "another quantity has this name");
+        }
+    }
+}
+
+/// ": reads a, b; writes c", or nothing.
+template <int D>
+std::string describeQuantities(const Call<D>& call)
+{
+  static const char* const verbs[] = {"reads ", "writes ", "adds to "};
+  std::string text;
+  const auto lists = listed(call);
+  for (int k = 0; k < 3; ++k)
+    for (const Quantity* q : lists[k])
+      text += (q != lists[k].front() ? ", " : (text.empty() ? ": " : "; ") + std::string(verbs[k])) + q->name;
+  return text;
 }
 
 void printField(const Field& field, std::ostream& out)
@@ -134,6 +204,7 @@ Plan<D> makePlan(std::vector<Effect<D>> effects)
       if (names.count(field) == 0)
         throw std::invalid_argument("the effect \"" + effect.name + "\" needs the field \"" + field +
                                     "\", which nothing in this scene adds");
+  checkQuantities(effects);
   for (int s = 0; s < numStages; ++s)
   {
     std::vector<Call<D>> calls;
@@ -168,11 +239,10 @@ std::string printPlan(const Plan<D>& plan, const State<D>& state)
     const auto& calls = plan.calls[static_cast<int>(stage)];
     if (calls.empty())
       continue;
-    out << "  " << stageName(stage) << ":";
+    out << "  " << stageName(stage) << ":\n";
     for (const Call<D>& call : calls)
-      out << (&call == &calls.front() ? " " : "; ") << call.label
-          << (twice && call.ofEachPass ? " (before the forces too)" : "");
-    out << "\n";
+      out << "    " << call.label << (twice && call.ofEachPass ? " (before the forces too)" : "")
+          << describeQuantities(call) << "\n";
   }
   return out.str();
 }

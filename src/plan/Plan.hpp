@@ -41,11 +41,14 @@ private:
   void run(Stage stage, State<D>& state, bool onlyOfEachPass);
 };
 
-/// Resolves the effects of a scene. Throws std::invalid_argument when a field is needed that nothing adds.
+/// Resolves the effects of a scene. Throws std::invalid_argument when a field is needed that nothing adds;
+/// std::logic_error, with effect, stage and quantity, where a call reads what no call writes, lists a
+/// quantity twice, or where two quantities have one name.
 template <int D>
 Plan<D> makePlan(std::vector<Effect<D>> effects);
 
-/// The plan for a person to read: effects, fields of the particles, calls of each stage.
+/// The plan for a person to read: effects, fields of the particles, calls of each stage and what they read
+/// and write.
 template <int D>
 std::string printPlan(const Plan<D>& plan, const State<D>& state);
 

@@ -152,12 +152,6 @@ std::string stepsInWords(const Simulation& simulation, const Teuchos::ParameterL
   return text;
 }
 
-/// Whether the scene asks for a body at rest.
-bool waitsForRest(const Teuchos::ParameterList& scene)
-{
-  return scene.isSublist("Damping") && scene.sublist("Damping").get<bool>("Stop When Settled");
-}
-
 int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>& scene, std::ostream& out,
              std::ostream& err)
 {
@@ -179,9 +173,6 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
   summary["checkpoints"] = {{"written", cost.written}, {"copies", cost.copies}, {"seconds", cost.seconds}};
   for (const std::string& warning : production.warnings())
     summary["warnings"].push_back(warning);
-  if (trouble.empty() && waitsForRest(*scene) && !simulation.settled())
-    summary["warnings"].push_back("the run ended before it had settled (Damping > Stop When Settled), so its "
-                                  "results are not static; raise Time > Final Time or the damping");
   const bool within = addReferences(references(*scene), summary);
   const std::string unwritten = ranks.firstText(
       ranks.rank() == 0 ? writeWhereItCan(summary, production.folder() + "/summary.json") : std::string());

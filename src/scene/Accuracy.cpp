@@ -27,9 +27,9 @@ constexpr double mostCells = 2e9;
 CellNeeds needsOf(const ParameterList& scene, const SceneSchema& schema, std::vector<SceneError>& errors)
 {
   CellNeeds needs;
-  for (const auto& [section, hook] : schema.cellHooks())
-    if (hook.tell && scene.isSublist(section))
-      hook.tell(scene, needs, errors);
+  for (const auto& [section, effect] : schema.effects())
+    if (effect.cells.tell && scene.isSublist(section))
+      effect.cells.tell(schema.partFor(section, scene), needs, errors);
   const ParameterList& time = scene.sublist("Time");
   if (time.isType<std::string>("Update Scheme") && time.get<std::string>("Update Scheme") != "MUSL")
     needs.equal = true; // short steps are those of MUSL
@@ -41,9 +41,9 @@ std::string complaintOfNothing(const SceneSchema& schema)
 {
   std::string known;
   int count = 0;
-  for (const auto& entry : schema.cellHooks())
-    if (!entry.second.knows.empty())
-      known += (count++ > 0 ? " and for " : "") + entry.second.knows;
+  for (const auto& entry : schema.effects())
+    if (!entry.second.cells.knows.empty())
+      known += (count++ > 0 ? " and for " : "") + entry.second.cells.knows;
   if (count == 0)
     return "is supported by none of the effects in this program; write Domain > Cell Size";
   return "is supported for " + known + ", but the scene has " + (count > 1 ? "neither" : "none") +
@@ -85,9 +85,9 @@ void refine(ParameterList& scene, const SceneSchema& schema, int levels, const A
                                 ", for which Domain > Cell Size would need " + std::to_string(levels) +
                                 " refinement levels at fronts, and there are only " +
                                 std::to_string(mostLevels) + "; write a smaller Cell Size, or leave it out");
-  for (const auto& entry : schema.cellHooks())
-    if (entry.second.refine)
-      entry.second.refine(scene, levels);
+  for (const auto& entry : schema.effects())
+    if (entry.second.cells.refine)
+      entry.second.cells.refine(scene, levels);
 }
 
 /// Size of the cells, and levels below it at fronts.
@@ -106,8 +106,8 @@ void choose(ParameterList& scene, const ParameterList& read, const SceneSchema& 
   const double atFront = 1.6 * rule.share * needs.atFronts;
   const bool mayRefine =
       needs.fronts() && !needs.running && !needs.equal &&
-      std::any_of(schema.cellHooks().begin(), schema.cellHooks().end(),
-                  [](const auto& entry) { return static_cast<bool>(entry.second.refine); });
+      std::any_of(schema.effects().begin(), schema.effects().end(),
+                  [](const auto& entry) { return static_cast<bool>(entry.second.cells.refine); });
   if (needs.fronts() && !needs.running && !mayRefine)
     cell = std::min(cell, atFront);
   ParameterList& domain = scene.sublist("Domain");

@@ -2,6 +2,7 @@
 
 #include "material/Laws.hpp"
 #include "scene/CoreBodies.hpp"
+#include "scene/HeatWords.hpp"
 #include "scene/Schema.hpp"
 
 namespace Rhegma
@@ -214,7 +215,10 @@ Section reference()
 
 std::vector<Section> coreSections(const std::vector<Section>& boundaryTypes)
 {
-  return {domain(), time(), materials(), bodies(), boundaries(boundaryTypes), output(), reference()};
+  std::vector<Section> sections = {domain(), time(),     materials(), bodies(), boundaries(boundaryTypes),
+                                   output(), reference()};
+  addHeatRules(sections);
+  return sections;
 }
 
 std::vector<Section> coreSections() { return coreSections({}); }

@@ -4,7 +4,6 @@
 #include "geometry/Shape.hpp"
 #include "material/MaterialTable.hpp"
 #include "material/ThermoMaterials.hpp"
-#include "scene/HeatWords.hpp"
 #include "scene/SectionChecks.hpp"
 #include "scene/Validation.hpp"
 
@@ -39,7 +38,6 @@ public:
             [this](const ParameterList& body, const std::string& where) { this->body(body, where); });
     if (scene().isSublist("Output") && scene().isSublist("Time"))
       output(scene().sublist("Output"), scene().sublist("Time"));
-    refuseHeatWords(scene(), errors());
   }
 
 private:

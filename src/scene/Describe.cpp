@@ -135,6 +135,7 @@ protected:
   virtual void heading(const std::string& path, const std::string& note, const std::string& meaning) = 0;
   virtual void table(const std::vector<Parameter>& parameters) = 0;
   virtual void sentence(const std::string& text) = 0;
+  virtual void rules(const std::vector<Rule>& rules) = 0;
 
   std::ostringstream out;
 
@@ -145,6 +146,8 @@ private:
       table(section.parameters);
     for (const auto& rule : section.together)
       sentence(ruleInWords(rule));
+    if (!section.rules.empty())
+      rules(section.rules);
     if (section.changeable)
       sentence("All parameters of this section may change on restart.");
     for (const auto& variant : section.variants)
@@ -184,6 +187,13 @@ protected:
     out << "\n";
   }
   void sentence(const std::string& text) override { out << "  " << text << "\n\n"; }
+  void rules(const std::vector<Rule>& rules) override
+  {
+    out << "  Refused together:\n";
+    for (const Rule& rule : rules)
+      out << "    " << rule.inWords() << ":\n      " << rule.reason << "\n";
+    out << "\n";
+  }
 
 public:
   /// Parameters of a section alone.
@@ -314,6 +324,13 @@ protected:
     out << "\n";
   }
   void sentence(const std::string& text) override { out << text << "\n\n"; }
+  void rules(const std::vector<Rule>& rules) override
+  {
+    out << "| Refused together | Why |\n|:--|:--|\n";
+    for (const Rule& rule : rules)
+      out << "| " << cell(rule.inWords()) << " | " << cell(rule.reason) << " |\n";
+    out << "\n";
+  }
 };
 
 } // namespace

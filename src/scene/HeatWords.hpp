@@ -1,17 +1,14 @@
 #pragma once
-/// What a scene says of heat outside of the section Thermal.
+/// What a scene says of heat outside of the section that provides it.
 
-#include "scene/SceneError.hpp"
+#include "scene/Schema.hpp"
 
-#include <Teuchos_ParameterList.hpp>
-
-#include <string>
 #include <vector>
 
 namespace Rhegma
 {
 
-/// Adds an error for all that a scene without Thermal must not have, for nobody would look at it.
-void refuseHeatWords(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors);
+/// Adds rules to the sections of the core for what has no effect in a scene without heat.
+void addHeatRules(std::vector<Section>& core);
 
 } // namespace Rhegma

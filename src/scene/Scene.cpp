@@ -24,16 +24,24 @@ void validateInPlace(Teuchos::ParameterList& list, const SceneSchema& schema, st
   Validation(dimensionOf(list), errors).check(list, schema.root(), "");
   deriveDefaults(list);
   crossCheckCore(list, errors);
-  for (const auto& check : schema.checks())
+  checkRules(list, schema, errors);
+  const auto run = [&](const CrossCheck& check, const Teuchos::ParameterList& part)
+  {
     try
     {
-      check(list, errors);
+      check(part, errors);
     }
     catch (const std::exception&)
     {
       if (errors.empty()) // else it missed an entry that is reported as wrong
         throw;
     }
+  };
+  for (const CrossCheck& check : schema.checks())
+    run(check, list);
+  for (const auto& [name, effect] : schema.effects())
+    if (effect.check && list.isSublist(name))
+      run(effect.check, schema.partFor(name, list));
 }
 
 /// A text whose name ends in File is a path relative to the folder of the scene.

@@ -203,6 +203,29 @@ const Item* findByName(const std::vector<Item>& items, const std::string& name)
 
 } // namespace
 
+Section& Section::refuse(std::vector<Condition> conditions, const std::string& reason, int at, int dimension)
+{
+  rules.push_back({std::move(conditions), reason, at, dimension});
+  return *this;
+}
+
+Section& Section::needs(const std::string& other, const std::string& reason)
+{
+  return refuse({when::present(name), when::absent(other)}, reason);
+}
+
+Section& Section::namedAfter(const std::string& other, const std::string& reason)
+{
+  namesOf = other;
+  return needs(other, reason);
+}
+
+Section& Section::provide(const std::string& capability)
+{
+  provides.push_back(capability);
+  return *this;
+}
+
 const Parameter* Section::findParameter(const std::string& n) const { return findByName(parameters, n); }
 
 const Parameter* Section::findFormer(const std::string& oldName) const
@@ -223,6 +246,16 @@ const Section* Section::findVariant(const std::string& n) const { return findByN
 SceneSchema::SceneSchema(std::vector<Section> sections) : m_root("Rhegma", "A scene.")
 {
   m_root.sections = std::move(sections);
+}
+
+Teuchos::ParameterList SceneSchema::partFor(const std::string& effect,
+                                            const Teuchos::ParameterList& scene) const
+{
+  Teuchos::ParameterList part(scene);
+  for (const auto& other : m_effects)
+    if (other.first != effect)
+      part.remove(other.first, false);
+  return part;
 }
 
 } // namespace Rhegma

@@ -10,6 +10,7 @@
 ///     used.");
 
 #include "scene/CellNeeds.hpp"
+#include "scene/Compatibility.hpp"
 #include "scene/SceneError.hpp"
 
 #include <Teuchos_ParameterList.hpp>
@@ -186,6 +187,12 @@ struct Section
   std::string key;
   std::vector<Section> variants;
 
+  std::vector<Rule> rules;           ///< what it does not go with; only those of whole sections count
+  std::vector<std::string> provides; ///< capabilities (scene/Compatibility.hpp)
+  std::string namesOf; ///< the section after whose lists those that the user names are named; empty: any name
+  /// Parameters of earlier versions, and where in the scene their like is now.
+  std::map<std::string, std::string> moved;
+
   /// Names of subsections that are planned but not there.
   std::vector<std::string> toCome;
 
@@ -223,6 +230,15 @@ struct Section
   Section& atMostOneOf(std::vector<std::string> names);
   Section& allOrNoneOf(std::vector<std::string> names);
 
+  /// A scene is refused where all conditions hold. \sa Rule
+  Section& refuse(std::vector<Condition> conditions, const std::string& reason, int at = 0,
+                  int onlyDimension = 0);
+  /// The section needs another one.
+  Section& needs(const std::string& other, const std::string& reason);
+  /// The section needs another one, after whose lists those that the user names in it are named.
+  Section& namedAfter(const std::string& other, const std::string& reason);
+  Section& provide(const std::string& capability);
+
   const Parameter* findParameter(const std::string& name) const;
   /// The parameter of the section or of any of its variants that had this name in an earlier version; or
   /// null.
@@ -234,9 +250,9 @@ private:
   ParameterBuilder add(const std::string& parameter, ParameterType type);
 };
 
-/// A check that no single parameter can make; it adds what it finds. It sees the list with its defaults
-/// filled in and types normalised, but without the entries that are wrong on their own: it must ask before it
-/// gets.
+/// A check that no single parameter can make; it adds what it finds. It sees the sections of the core and its
+/// own, which is there, with defaults filled in and types normalised, but without the entries that are wrong
+/// on their own: it must ask before it gets. What does not go with other effects is said by rules.
 using CrossCheck = std::function<void(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)>;
 
 /// Everything a scene may hold: the core's sections and those of the effects.
@@ -250,19 +266,28 @@ public:
   /// Names of sections that a later version will have, for a plain word to who asks for one now.
   void setSectionsToCome(std::vector<std::string> names) { m_root.toCome = std::move(names); }
 
-  /// An effect's own cross check.
+  /// A cross check of the core.
   void addCheck(CrossCheck check) { m_checks.push_back(std::move(check)); }
   const std::vector<CrossCheck>& checks() const { return m_checks; }
-
-  /// What the effect of a section asks of the cells that Domain > Accuracy chooses.
-  void addCellHook(const std::string& section, CellHook hook) { m_cellHooks[section] = std::move(hook); }
+  /// The cross check of an effect, and what it asks of the cells that Domain > Accuracy chooses.
+  void addEffect(const std::string& section, CrossCheck check, CellHook hook)
+  {
+    m_effects[section] = {std::move(check), std::move(hook)};
+  }
   /// By section.
-  const std::map<std::string, CellHook>& cellHooks() const { return m_cellHooks; }
+  struct OfEffect
+  {
+    CrossCheck check;
+    CellHook cells;
+  };
+  const std::map<std::string, OfEffect>& effects() const { return m_effects; }
+  /// A scene without the sections of effects but one: all that an effect may look at.
+  Teuchos::ParameterList partFor(const std::string& effect, const Teuchos::ParameterList& scene) const;
 
 private:
   Section m_root;
   std::vector<CrossCheck> m_checks;
-  std::map<std::string, CellHook> m_cellHooks;
+  std::map<std::string, OfEffect> m_effects;
 };
 
 /// The sections of the material point method itself: Domain, Time, Materials, Bodies, Boundaries, Output,

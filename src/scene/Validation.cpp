@@ -195,6 +195,11 @@ void Validation::unknownParameter(const std::string& name, const Section& sectio
     m_meant.insert(scenePath(path, renamed->name));
     return;
   }
+  if (const auto now = section.moved.find(name); now != section.moved.end())
+  {
+    report(where, renamedTo(now->second));
+    return;
+  }
   std::vector<std::string> owners;
   for (const auto& variant : section.variants)
     if (variant.findParameter(name))

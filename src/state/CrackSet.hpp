@@ -2,8 +2,10 @@
 /// The cracks as data: what the effects around cracks share.
 
 #include "base/Types.hpp"
+#include "state/ReleaseBudget.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -70,8 +72,7 @@ struct CrackFront
 
   bool grown = false;   ///< it has advanced since the start
   bool ended = false;   ///< it has met the surface of its body or another crack; no facet is left of it
-  double taken = 0.0;   ///< energy that its new faces take, all of them together [J]
-  double unspent = 0.0; ///< the part of it that nothing resists with as yet [J]
+  ReleaseBudget budget; ///< energy of its new faces
 
   /// Whether any of its nodes is about to advance.
   bool advances() const
@@ -122,6 +123,13 @@ struct FrontAdvance
   std::vector<FrontNodeAdvance<D>> nodes{}; ///< in the order of CrackFront::nodes
 };
 
+/// Energy of the contact of the faces of a crack.
+struct ContactEnergy
+{
+  double stored = 0.0;     ///< in the layer between the faces now [J]
+  double dissipated = 0.0; ///< by friction so far [J]
+};
+
 /// What lies beyond a facet of a simplex: another simplex, or nothing.
 namespace facet
 {
@@ -165,14 +173,18 @@ struct CrackSet
   View<int*> nodeSide;    ///< of each node: its side where the node lies behind a front, else 0
   View<int*> second;      ///< second field of each node, or -1 (dual field only)
   View<double*> pressure; ///< that pushes the faces of each segment apart [Pa]; empty where nothing does
-  /// Ties and cohesive forces behind fronts, of each lattice node: force on its own field, opposite on its
-  /// second [N], and stiffness [N/m]. Holds for nodes with a second field; empty without ties.
-  View<double * [D + 1]> tie;
+  /// Springs and cohesive tractions behind fronts, of each lattice node: force on its primary field, opposite
+  /// on its enriched field [N], and stiffness [N/m]. Holds for nodes with both; empty without springs.
+  View<double * [D + 1]> spring;
   std::vector<FrontAdvance<D>> advances; ///< that fronts are to make before the next step
   bool driven = false;                   ///< whether the driving forces of fronts are wanted in every step
   DrivingContours drivingContours;       ///< of the integrals that measure driving forces
   bool dualField = true;                 ///< whether nodes behind fronts have a second field
-  bool tied = false;                     ///< springs tie the two fields of nodes just behind fronts
+  bool frontSprings = false; ///< springs join the two fields of nodes just behind fronts
+
+  /// Energy of contact of a crack up to a distance from a middle [m], both along the undeformed crack, or all
+  /// of it in 3D; empty where no effect lets faces touch.
+  std::function<ContactEnergy(int crack, double middle, double reach)> contactEnergy;
 
   bool empty() const { return cracks.empty(); } ///< whether there is none
 };

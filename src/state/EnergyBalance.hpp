@@ -17,11 +17,11 @@ struct EnergyBalance
   double heat = 0.0;         ///< that came through the surface, from sources or from fronts of cracks
   double roundOff = 0.0;     ///< what rounding may make of the largest energies in the books
   double externalWork = 0.0; ///< done by loads, supports and body forces
-  double ties = 0.0;         ///< elastic, of ties just behind crack fronts; a part of `strain`
+  double springs = 0.0;      ///< elastic, of springs just behind crack fronts; a part of `strain`
   double damped = 0.0;       ///< by the damping effect
   double plastic = 0.0;      ///< spent in plastic flow, less what became heat
   double contact = 0.0;      ///< lost by friction and impact of faces
-  double fracture = 0.0;     ///< taken by new crack faces
+  double fracture = 0.0;     ///< dissipated by new crack faces
   double merged = 0.0;       ///< lost where particles merged
   double combustion = 0.0;   ///< given to the body by burnt gas
 

@@ -63,7 +63,7 @@ void measureEnergy(State<D>& state)
                           Sums(state), sum);
   state.ranks.sum(sum, Sums::size);
   state.energy.kinetic = sum[0];
-  state.energy.strain = sum[1] + state.ranks.sum(state.energy.ties);
+  state.energy.strain = sum[1] + state.ranks.sum(state.energy.springs);
   state.energy.plastic = sum[2];
   if (!state.materials.thermo.empty())
   {

@@ -24,7 +24,7 @@ void archiveLedger(EnergyBalance& energy, Archive& archive)
   archive("heat", energy.heat);
   archive("round_off", energy.roundOff);
   archive("external_work", energy.externalWork);
-  archive.parts("ties", energy.ties);
+  archive.parts("springs", energy.springs);
   archive("damped", energy.damped);
   archive("plastic", energy.plastic);
   archive("contact", energy.contact);

@@ -41,8 +41,8 @@ Call<D> sortCall()
 {
   return {Stage::BetweenSteps,
           "sort particles",
-          {"cells", "owners of cells"},
-          {"order"},
+          {ifWritten(quantity::cells), ifWritten(quantity::ownership)},
+          {quantity::particleOrder},
           {},
           [](State<D>& s)
           {
@@ -51,6 +51,35 @@ Call<D> sortCall()
             migrateParticles(s);
             sortState(s);
           }};
+}
+
+template <int D>
+void toNodes(State<D>& s, bool strainsFirst)
+{
+  storeStencils(s);
+  clearNodes(s);
+  scatter(s, strainsFirst ? ScatterWhat::MassAndMomentum : ScatterWhat::All);
+  sumOverRanks(s, SharedSums::MassAndMomentum);
+  if (!strainsFirst)
+    return;
+  particleVelocity(s, VelocityWhat::Project);
+  sumOverRanks(s, SharedSums::Projection);
+  finishProjection(s);
+}
+
+template <int D>
+void toParticles(State<D>& s, UpdateScheme scheme)
+{
+  if (scheme == UpdateScheme::Usavg)
+    clearProjection(s);
+  particleVelocity(s, projectsLast(scheme) ? VelocityWhat::GatherAndProject : VelocityWhat::Gather);
+  if (projectsLast(scheme))
+  {
+    sumOverRanks(s, SharedSums::Projection);
+    finishProjection(s);
+  }
+  if (scheme == UpdateScheme::Usf)
+    strainAndMove(s, StrainVelocity::Projection, false, true);
 }
 
 } // namespace
@@ -62,69 +91,59 @@ Effect<D> makeCore(const State<D>& state)
   const bool strainsFirst = scheme == UpdateScheme::Usf || scheme == UpdateScheme::Usavg;
   Effect<D> core;
   core.name = "Material Point Method";
+  core.provides = {quantity::energyBalance}; // by Run, when all stages before Observe have run
   if (!state.method.mechanics)
   {
     core.name = "Material Points at Rest";
+    core.provides = {quantity::energyBalance, quantity::nodalMass, quantity::nodalMotion,
+                     quantity::projection}; // but for the energies zero: nothing moves
     core.call(sortCall<D>());
-    core.call({Stage::Scatter, "stencils", {}, {"stencils"}, {}, [](State<D>& s) { storeStencils(s); }});
+    core.call(
+        {Stage::Scatter, "stencils", {}, {quantity::stencils, quantity::enrichedFields}, {}, [](State<D>& s) {
+           storeStencils(s);
+         }});
     return core;
   }
   core.call(sortCall<D>());
+  Quantities scattered = {quantity::stencils, quantity::enrichedFields, quantity::nodalMass,
+                          quantity::nodalMomentum,
+                          strainsFirst ? quantity::projection : quantity::internalForce};
   core.call({Stage::Scatter,
              strainsFirst ? "mass and momentum to nodes" : "mass, momentum and force to nodes",
-             {"particle velocity"},
-             {"nodal mass", "nodal momentum"},
+             {quantity::particleVelocity},
+             scattered,
              {},
-             [strainsFirst](State<D>& s)
-             {
-               storeStencils(s);
-               clearNodes(s);
-               scatter(s, strainsFirst ? ScatterWhat::MassAndMomentum : ScatterWhat::All);
-               sumOverRanks(s, SharedSums::MassAndMomentum);
-               if (strainsFirst)
-               {
-                 particleVelocity(s, VelocityWhat::Project);
-                 sumOverRanks(s, SharedSums::Projection);
-                 finishProjection(s);
-               }
-             }});
+             [strainsFirst](State<D>& s) { toNodes(s, strainsFirst); }});
   if (strainsFirst)
-    core.call({Stage::BeforeSolve, "force to nodes", {}, {"force of stresses"}, {}, [](State<D>& s) {
-                 scatter(s, ScatterWhat::Force);
-               }});
+    core.call({Stage::BeforeSolve,
+               "force to nodes",
+               {quantity::nodalMass},
+               {quantity::internalForce},
+               {},
+               [](State<D>& s) { scatter(s, ScatterWhat::Force); }});
   core.call({Stage::Solve,
              "lumped solve",
-             {"nodal force"},
-             {"nodal motion"},
+             {quantity::internalForce, ifWritten(quantity::nodalForce)},
+             {quantity::nodalMotion},
              {},
              [](State<D>& s)
              {
                sumOverRanks(s, SharedSums::Force);
                solveLumped(s);
              }});
+  Quantities gathered = {quantity::particleVelocity};
+  if (projectsLast(scheme))
+    gathered.push_back(quantity::projection);
   core.call({Stage::Gather,
              "velocity to particles",
-             {"nodal motion"},
-             {"particle velocity"},
+             {quantity::nodalMotion},
+             gathered,
              {},
-             [scheme](State<D>& s)
-             {
-               if (scheme == UpdateScheme::Usavg)
-                 clearProjection(s);
-               particleVelocity(s,
-                                projectsLast(scheme) ? VelocityWhat::GatherAndProject : VelocityWhat::Gather);
-               if (projectsLast(scheme))
-               {
-                 sumOverRanks(s, SharedSums::Projection);
-                 finishProjection(s);
-               }
-               if (scheme == UpdateScheme::Usf)
-                 strainAndMove(s, StrainVelocity::Projection, false, true);
-             }});
+             [scheme](State<D>& s) { toParticles(s, scheme); }});
   core.call({Stage::OnParticles,
              "strain, stress and position of particles",
-             {},
-             {"particle stress"},
+             {quantity::nodalMotion, ifWritten(quantity::projection), ifWritten(quantity::temperature)},
+             {quantity::particleStress},
              {},
              [scheme](State<D>& s)
              {

@@ -6,6 +6,8 @@
 #include "boundary/DomainEdges.hpp"
 #include "material/Units.hpp"
 #include "parallel/FirstRank.hpp"
+#include "plan/EffectSchema.hpp"
+#include "plan/KnownEffects.hpp"
 #include "state/EnergySums.hpp"
 #include "state/StateArchive.hpp"
 #include "state/Subdomain.hpp"
@@ -23,12 +25,13 @@ namespace
 {
 
 template <int D>
-Effect<D> makeEffect(const EffectEntry& entry, const Teuchos::ParameterList& scene)
+Effect<D> makeEffect(const EffectEntry& entry, const Teuchos::ParameterList& scene, const RunOptions& options)
 {
+  const Teuchos::ParameterList part = effectSchema().partFor(entry.section.name, scene);
   if constexpr (D == 2)
-    return entry.make2(scene);
+    return entry.make2(part, options);
   else
-    return entry.make3(scene);
+    return entry.make3(part, options);
 }
 
 /// No run takes more steps; as many as Time > Maximum Steps allows by default.
@@ -63,14 +66,14 @@ void Run<D>::initialize()
 template <int D>
 void Run<D>::makeAll()
 {
+  const RunOptions options = declaredOptions(scene_);
+  state_.method.mechanics = options.mechanics;
   std::vector<Effect<D>> effects;
   std::vector<Field> extra;
   for (const EffectEntry& entry : knownEffects())
     if (scene_.isSublist(entry.section.name))
     {
-      if (entry.withoutMechanics && entry.withoutMechanics(scene_))
-        state_.method.mechanics = false;
-      effects.push_back(makeEffect<D>(entry, scene_));
+      effects.push_back(makeEffect<D>(entry, scene_, options));
       extra.insert(extra.end(), effects.back().adds.begin(), effects.back().adds.end());
     }
   for (const Effect<D>& effect : own_)
@@ -83,7 +86,7 @@ void Run<D>::makeAll()
     for (const NodalField& field : effect.addsNodal)
       state_.mesh.nodalFields.add(field);
   effects.insert(effects.begin(), makeCore(state_));
-  Effect<D> boundaries = makeBoundaries<D>(scene_);
+  Effect<D> boundaries = makeBoundaries<D>(scene_, options.adaptive);
   if (!boundaries.calls.empty())
     effects.insert(effects.begin() + 1, boundaries);
   // Where nothing constrains the motion, who waits for the constrained motion reads the solved one.

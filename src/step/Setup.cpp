@@ -108,52 +108,43 @@ Vector<D> startVelocity(const Vector<D>& velocity, const std::vector<double>& sp
   return v;
 }
 
-template <int D>
-void addBody(const PlacedBody<D>& body, State<D>& state)
+/// A copy of a column of particles on the host.
+template <class V>
+auto onHost(const V& column)
 {
-  const Teuchos::ParameterList& list = body.list;
-  const std::string& name = body.name;
-  const Seeds<D>& seeds = body.seeds;
-  BodyInfo<D> info;
-  info.name = name;
-  const auto material = std::find(state.materials.names.begin(), state.materials.names.end(),
-                                  list.get<std::string>("Material"));
-  info.material = static_cast<int>(material - state.materials.names.begin());
-  for (int e = 0; e < D; ++e)
-    for (int d = 0; d < D; ++d)
-      info.axes[e][d] = seeds.axes[e][d];
+  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, column);
+}
 
-  const int first = state.particles.size();
+/// Writes particles first .. of a body into the table, which has rows for them.
+template <int D>
+void writeParticles(const PlacedBody<D>& body, int material, int first, State<D>& state)
+{
+  const Seeds<D>& seeds = body.seeds;
   const int count = static_cast<int>(seeds.position.size());
   Vector<D> centre{};
   for (const Vector<D>& x : seeds.position)
     centre = centre + (1.0 / count) * x;
-  const Vector<D> velocity = readVector<D>(list, "Velocity");
-  const Teuchos::Array<double> spin = list.get<Teuchos::Array<double>>("Angular Velocity");
-  const double density = state.materials.list[info.material].density;
+  const Vector<D> velocity = readVector<D>(body.list, "Velocity");
+  const auto spin = body.list.template get<Teuchos::Array<double>>("Angular Velocity").toVector();
+  const double density = state.materials.list[material].density;
   const double volume = seeds.volume * state.method.thickness;
-
   FieldTable& table = state.particles;
-  table.resize(first + count);
-  const auto position =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.real<D>(fields::position));
+  const auto position = onHost(table.real<D>(fields::position));
   Kokkos::View<double* [D], Kokkos::LayoutRight, Kokkos::HostSpace> start("rhegma::startVelocity",
                                                                           first + count);
   if (state.method.mechanics)
     Kokkos::deep_copy(start, table.real<D>(fields::velocity));
-  const auto mass = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.scalar(fields::mass));
-  const auto volumes = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.scalar(fields::volume));
-  const auto F = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{},
-                                                     table.real<gradientSize<D>>(fields::deformation));
-  const auto edge = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.real<D>(fields::edge));
-  const auto materials =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.integer(fields::material));
-  const auto bodies = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.integer(fields::body));
-  const auto id = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.integer(fields::id));
+  const auto mass = onHost(table.scalar(fields::mass));
+  const auto volumes = onHost(table.scalar(fields::volume));
+  const auto F = onHost(table.real<gradientSize<D>>(fields::deformation));
+  const auto edge = onHost(table.real<D>(fields::edge));
+  const auto materials = onHost(table.integer(fields::material));
+  const auto bodies = onHost(table.integer(fields::body));
+  const auto id = onHost(table.integer(fields::id));
   for (int k = 0; k < count; ++k)
   {
     const int p = first + k;
-    const Vector<D> v = startVelocity<D>(velocity, spin.toVector(), seeds.position[k] - centre);
+    const Vector<D> v = startVelocity<D>(velocity, spin, seeds.position[k] - centre);
     for (int d = 0; d < D; ++d)
     {
       position(p, d) = seeds.position[k][d];
@@ -165,7 +156,7 @@ void addBody(const PlacedBody<D>& body, State<D>& state)
       F(p, 4) = 1.0;
     mass(p) = density * volume;
     volumes(p) = volume;
-    materials(p) = info.material;
+    materials(p) = material;
     bodies(p) = static_cast<int>(state.bodies.list.size());
     id(p) = p;
   }
@@ -180,6 +171,22 @@ void addBody(const PlacedBody<D>& body, State<D>& state)
   Kokkos::deep_copy(table.integer(fields::material), materials);
   Kokkos::deep_copy(table.integer(fields::body), bodies);
   Kokkos::deep_copy(table.integer(fields::id), id);
+}
+
+template <int D>
+void addBody(const PlacedBody<D>& body, State<D>& state)
+{
+  BodyInfo<D> info;
+  info.name = body.name;
+  const auto material = std::find(state.materials.names.begin(), state.materials.names.end(),
+                                  body.list.template get<std::string>("Material"));
+  info.material = static_cast<int>(material - state.materials.names.begin());
+  for (int e = 0; e < D; ++e)
+    for (int d = 0; d < D; ++d)
+      info.axes[e][d] = body.seeds.axes[e][d];
+  const int first = state.particles.size();
+  state.particles.resize(first + static_cast<int>(body.seeds.position.size()));
+  writeParticles(body, info.material, first, state);
   state.bodies.list.push_back(info);
 }
 

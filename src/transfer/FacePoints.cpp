@@ -207,7 +207,7 @@ bool FacePoints<D>::update(const State<D>& state)
   const double spacing = state.mesh.smallestSpacing();
   double taken = 0.0; // grows with every advance, of which one in 3D may but stretch triangles
   for (const CrackFront<D>& front : state.cracks.fronts)
-    taken += front.taken;
+    taken += front.budget.required;
   const bool anew = simplices != simplices_ || taken != taken_ || spacing != spacing_;
   if (anew)
     place(state.cracks, spacing);

@@ -9,7 +9,7 @@ import re
 
 ENERGIES = {"kinetic", "strain", "external_work", "damped", "residual", "contact", "fracture", "combustion", "heat", "thermal",
             "merged"}
-# What hangs on the machine or on words, and is no result.
+# What depends on the machine, and is no result.
 NO_RESULT = ("wall_seconds", "ns_per_particle_step", "peak_memory_bytes*", "bytes_per_particle", "checkpoints.*", "stages.*",
              "*.seconds", "*_seconds", "version", "scene")
 NONE = (0.0, "")
@@ -87,7 +87,7 @@ def compare_histories(before, after, cut, ignore):
 
 
 def numbers_of(value, path="", found=None):
-    """All numbers of a summary by their paths; null is NaN, a boolean 0 or 1, words are left out but for the status."""
+    """All numbers of a summary by their paths; null is NaN, a boolean 0 or 1, text is left out but for the status."""
     found = {} if found is None else found
     if isinstance(value, dict):
         for key, entry in value.items():

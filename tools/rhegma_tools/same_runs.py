@@ -20,7 +20,7 @@ GOOD = (0, 4)  # exit statuses of a finished run; 4: a reference of the scene wa
 KEPT = ("history.csv", "summary.json", "rhegma.log", "run.json")
 
 
-def scenes_beside(program):
+def scenes_of(program):
     """xml_inputs of the tree that a program was built in, or None."""
     folder = os.path.dirname(os.path.realpath(program))
     while folder != os.path.dirname(folder):

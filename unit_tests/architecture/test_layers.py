@@ -54,7 +54,7 @@ def includes(root):
 
 
 def violations(root, arrows):
-    """One sentence for each include that the table does not allow."""
+    """One message for each include that the table does not allow."""
     wrong = []
     for path, source, target, to in includes(root):
         row = "packages/*" if source.startswith(EFFECT) else source

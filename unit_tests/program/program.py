@@ -33,13 +33,13 @@ PATIENCE = 60
 
 
 class Answer:
-    def __init__(self, status, output, complaint):
+    def __init__(self, status, output, messages):
         self.status = status
         self.output = output
-        self.complaint = complaint
+        self.messages = messages
 
     def __str__(self):
-        return f"exit status {self.status}\nstdout: {self.output}\nstderr: {self.complaint}"
+        return f"exit status {self.status}\nstdout: {self.output}\nstderr: {self.messages}"
 
 
 def environment(more=None):
@@ -78,7 +78,7 @@ def fingerprint(folder):
 
 
 class ProgramTest(OwnFolder):
-    """Its scene lies beside the results of an older run."""
+    """Its scene lies next to the results of an older run."""
 
     def leave_an_older_run(self, *names):
         """Results that no wrong scene may touch."""
@@ -86,27 +86,27 @@ class ProgramTest(OwnFolder):
         for name in ("summary.json", "history.csv", "fields.h5", "fields.xdmf", "notes.txt"):
             self.write(os.path.join(*names, name), f"an older {name}\n")
 
-    def assert_sentences(self, complaint, mistakes):
+    def assert_messages(self, messages, mistakes):
         """One line on standard error for each (where, words), in any order."""
-        lines = complaint.splitlines()
-        self.assertEqual(len(lines), len(mistakes), complaint)
+        lines = messages.splitlines()
+        self.assertEqual(len(lines), len(mistakes), messages)
         for line in lines:
-            self.assertTrue(line.startswith("rhegma: "), complaint)
-            self.assertFalse(line.startswith("rhegma: rhegma"), complaint)
-            self.assertLess(len(line), 600, "not a sentence but a page")
+            self.assertTrue(line.startswith("rhegma: "), messages)
+            self.assertFalse(line.startswith("rhegma: rhegma"), messages)
+            self.assertLess(len(line), 600, "not a message but a page")
         for noise in NOISE:
-            self.assertNotIn(noise, complaint)
+            self.assertNotIn(noise, messages)
         for where, words in mistakes:
             start = f"rhegma: {where}: " if where else "rhegma: "
             fitting = [line for line in lines if line.startswith(start) and all(word in line for word in words)]
-            self.assertEqual(len(fitting), 1, f"one sentence {start!r} with {words}, in\n{complaint}")
+            self.assertEqual(len(fitting), 1, f"one message {start!r} with {words}, in\n{messages}")
 
     def assert_refused(self, arguments, mistakes):
-        """Exit status 1, one sentence a mistake, no other word, and no trace in the file system."""
+        """Exit status 1, one message a mistake, no other word, and no trace in the file system."""
         before = fingerprint(self.folder)
         answer = rhegma(*arguments, cwd=self.folder)
         self.assertEqual(answer.status, 1, answer)
         self.assertEqual(answer.output, "", answer)
-        self.assert_sentences(answer.complaint, mistakes)
+        self.assert_messages(answer.messages, mistakes)
         self.assertEqual(fingerprint(self.folder), before, answer)
         return answer

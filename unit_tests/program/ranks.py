@@ -1,4 +1,4 @@
-"""Runs on several ranks beside those on one."""
+"""Runs on several ranks compared with one."""
 
 import csv
 import json
@@ -29,7 +29,7 @@ ENERGIES = ("kinetic", "strain", "external_work", "residual", "damped", "contact
 
 
 def kind_of(name):
-    """Columns of one kind are compared beside the largest of all."""
+    """Columns of one kind are compared relative to the largest of all."""
     if name in ENERGIES:
         return "energy"
     if name.startswith("momentum"):
@@ -43,9 +43,9 @@ def kind_of(name):
     return "length" if last in ("x", "y", "length") else name
 
 
-def without_numbers(sentence):
+def without_numbers(message):
     """They differ by round-off."""
-    return re.sub(r"[0-9.]+(e[-+][0-9]+)?", "#", sentence)
+    return re.sub(r"[0-9.]+(e[-+][0-9]+)?", "#", message)
 
 
 @unittest.skipUnless(shutil.which("mpirun"), "without mpirun")
@@ -90,7 +90,7 @@ class OnRanks(unittest.TestCase):
         return summary, history, {name: values[order] for name, values in fields.items()}
 
     def scales_of(self, summary, history):
-        """The size beside which round-off in each column of the history counts."""
+        """The size relative to which round-off in each column of the history counts."""
         energy = max(numpy.max(numpy.abs(history[name])) for name in ("kinetic", "strain"))
         mass = sum(body["mass"] for body in summary["bodies"])
         kinds = {}

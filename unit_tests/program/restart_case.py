@@ -26,7 +26,7 @@ def damped():
 class RestartTest(ProgramTest):
     def run_to_its_end(self, path, folder, *more):
         answer = rhegma(path, "--output", folder, "--quiet", *more)
-        self.assertEqual((answer.status, answer.complaint), (0, ""), answer)
+        self.assertEqual((answer.status, answer.messages), (0, ""), answer)
 
     def file(self, folder, name):
         with open(os.path.join(folder, name), "rb") as file:

@@ -74,7 +74,7 @@ class Scene:
         return self
 
     def again(self, place, name=None):
-        """A copy of an entry beside it, under the same name or another."""
+        """A copy of an entry next to it, under the same name or another."""
         parent, _ = self._parent(place)
         copy = ElementTree.fromstring(ElementTree.tostring(self.find(place)))
         if name:

@@ -17,7 +17,7 @@ from scenes import plate  # noqa: E402
 
 SECTIONS = ("Domain", "Time", "Materials", "Bodies", "Boundaries", "Output", "Reference")
 EFFECTS = ("Cracks", "Contact", "Energy Release", "Damping", "Face Pressure", "Mass Matrix",
-           "Adaptivity", "Sub-Cycling", "Load Balance", "Propagation", "Combustion", "Thermal")
+           "Adaptivity", "Sub-Cycling", "Load Balance", "Propagation", "Combustion", "Thermal", "Measure")
 
 
 class WrongArguments(ProgramTest):
@@ -45,7 +45,7 @@ class WrongArguments(ProgramTest):
         self.refuse("scene.xml", "--restart", words=["--restart", "needs a value"])
 
     def test_restart_from_no_name(self):
-        self.refuse("scene.xml", "--restart", "", words=["--restart", "has no name"])
+        self.refuse("scene.xml", "--restart", "", words=["--restart", "has no file"])
 
     def test_restart_from_a_file_that_is_not_there(self):
         self.refuse("scene.xml", "--restart", "checkpoint.h5", words=["checkpoint.h5", "No such file"])
@@ -77,19 +77,19 @@ class WrongArguments(ProgramTest):
         answer = rhegma(path, "--check")
         self.assertEqual(answer.status, 0, answer)
         for words in ("warning: Bodies > Plate: it touches the domain's edge at x = 0 m", "enlarge the domain"):
-            self.assertIn(words, answer.complaint)
+            self.assertIn(words, answer.messages)
         held = tight.set("Boundaries > Mirror", {"Type": "Symmetry", "Axis": "x", "Position": 0.0})
         answer = rhegma(self.write("held.xml", held.text()), "--check")
-        self.assertEqual((answer.status, answer.complaint), (0, ""), answer)
+        self.assertEqual((answer.status, answer.messages), (0, ""), answer)
         answer = rhegma(self.write("room.xml", plate().text()), "--check")
-        self.assertEqual((answer.status, answer.complaint), (0, ""), answer)
+        self.assertEqual((answer.status, answer.messages), (0, ""), answer)
 
     def test_check_doubts_units(self):
         """A modulus in GPa and a temperature in degrees Celsius are possible, and hardly meant."""
         scene = plate().set("Materials > Polymer > Young Modulus", 3.0)
         answer = rhegma(self.write("soft.xml", scene.text()), "--check")
         self.assertEqual(answer.status, 0, answer)
-        self.assertIn("warning: Materials > Polymer: its wave speed is", answer.complaint)
+        self.assertIn("warning: Materials > Polymer: its wave speed is", answer.messages)
         heat = {"Specific Heat": 1400.0, "Conductivity": 0.2, "Thermal Expansion": 7e-5}
         for temperature, words in ((20.0, "warning: Bodies > Plate: it starts at 20 K"), (293.0, "")):
             scene = plate().set("Thermal", {"Initial Temperature": temperature})
@@ -98,8 +98,8 @@ class WrongArguments(ProgramTest):
                 scene.set("Materials > Polymer > " + name, value)
             answer = rhegma(self.write("cold.xml", scene.text()), "--check")
             self.assertEqual(answer.status, 0, answer)
-            self.assertIn(words, answer.complaint)
-            self.assertEqual(answer.complaint == "", words == "", answer)
+            self.assertIn(words, answer.messages)
+            self.assertEqual(answer.messages == "", words == "", answer)
         scene.set("Bodies > Plate > Temperature Field", "20+x")
         cooled = {"Type": "Temperature", "Lower Corner": [0.0, 0.0], "Upper Corner": [0.05, 1.0]}
         scene.set("Boundaries > Cooled", dict(cooled, Temperature=20.0))
@@ -112,7 +112,7 @@ class WrongArguments(ProgramTest):
             "Boundaries > Cooled: it starts at 20 K",
             "Boundaries > Blown: Ambient Temperature starts at 25 K",
         ):
-            self.assertIn("warning: " + words, answer.complaint)
+            self.assertIn("warning: " + words, answer.messages)
 
     def test_set_to_a_wrong_type(self):
         self.refuse("scene.xml", "--set", "Time:CFL=fast", where="Time > CFL", words=['"fast"', "a real number"])
@@ -123,7 +123,7 @@ class WrongArguments(ProgramTest):
     def test_set_to_nothing(self):
         self.refuse("scene.xml", "--set", "Time:CFL=", where="Time > CFL", words=['""', "a real number"])
 
-    def test_every_wrong_set_is_told(self):
+    def test_every_wrong_set_is_reported(self):
         self.assert_refused(
             ["scene.xml", "--set", "Time:CLF=0.3", "--set", "Domain:Cell Size=-1"],
             [("Time > CLF", ['"CFL"']), ("Domain > Cell Size", ["above 0"])],
@@ -142,7 +142,7 @@ class WrongArguments(ProgramTest):
 class Information(ProgramTest):
     def said(self, *arguments):
         answer = rhegma(*arguments, cwd=self.folder)
-        self.assertEqual((answer.status, answer.complaint), (0, ""), answer)
+        self.assertEqual((answer.status, answer.messages), (0, ""), answer)
         self.assertEqual(os.listdir(self.folder), [])
         return answer.output
 
@@ -187,7 +187,7 @@ class Information(ProgramTest):
 
 
 class Words(ProgramTest):
-    """Results go to files, progress and answers to stdout, complaints to stderr."""
+    """Results go to files, progress and answers to stdout, messages to stderr."""
 
     def setUp(self):
         super().setUp()
@@ -195,39 +195,39 @@ class Words(ProgramTest):
 
     def test_a_run_says_where_its_results_are(self):
         answer = rhegma(self.scene)
-        self.assertEqual((answer.status, answer.complaint), (0, ""), answer)
+        self.assertEqual((answer.status, answer.messages), (0, ""), answer)
         self.assertIn(f"Results are in {self.path('scene.out')}\n", answer.output)
         self.assertIn("100 %", answer.output)
 
     def test_a_quiet_run_says_nothing(self):
         answer = rhegma(self.scene, "--quiet")
-        self.assertEqual((answer.status, answer.output, answer.complaint), (0, "", ""), answer)
+        self.assertEqual((answer.status, answer.output, answer.messages), (0, "", ""), answer)
         self.assertEqual(
             sorted(os.listdir(self.path("scene.out"))), ["fields.h5", "fields.xdmf", "history.csv", "summary.json"]
         )
 
-    def test_quiet_does_not_swallow_complaints(self):
+    def test_quiet_does_not_swallow_messages(self):
         self.assert_refused([self.scene, "--quiet", "--set", "Time:CFL=2"], [("Time > CFL", ["at most 1"])])
 
     def test_check_of_a_right_scene(self):
         answer = rhegma(self.scene, "--check")
-        self.assertEqual((answer.status, answer.complaint), (0, ""), answer)
+        self.assertEqual((answer.status, answer.messages), (0, ""), answer)
         self.assertIn("valid", answer.output)
         self.assertEqual(os.listdir(self.folder), ["scene.xml"])
 
     def test_check_tells_how_many_steps_a_run_takes(self):
         """To three digits and by the first step; those of an elastic plate hardly change."""
-        told = re.search(r"about (\d+) steps of \S+ [mun]?s to Time > Final Time", rhegma(self.scene, "--check").output)
+        found = re.search(r"about (\d+) steps of \S+ [mun]?s to Time > Final Time", rhegma(self.scene, "--check").output)
         self.assertEqual(rhegma(self.scene, "--quiet").status, 0)
         with open(self.path("scene.out", "summary.json"), encoding="utf-8") as file:
-            self.assertAlmostEqual(int(told[1]) / json.load(file)["steps"], 1.0, delta=0.02)
+            self.assertAlmostEqual(int(found[1]) / json.load(file)["steps"], 1.0, delta=0.02)
         fewer = rhegma(self.scene, "--check", "--set", "Time:Maximum Steps=3").output
         self.assertIn("about 3 steps of", fewer)
         self.assertIn("to Time > Maximum Steps", fewer)
 
     def test_plan_of_a_right_scene(self):
         answer = rhegma(self.scene, "--print-plan")
-        self.assertEqual((answer.status, answer.complaint), (0, ""), answer)
+        self.assertEqual((answer.status, answer.messages), (0, ""), answer)
         self.assertIn("Stages of a step:", answer.output)
         self.assertEqual(os.listdir(self.folder), ["scene.xml"])
 
@@ -236,7 +236,7 @@ class Words(ProgramTest):
             "Reference", {"Late": {"Quantity": "time", "Value": 1.0, "Tolerance": 0.1, "Source": "a guess"}}
         )
         answer = rhegma(self.write("missed.xml", missed.text()))
-        self.assertEqual((answer.status, answer.complaint), (4, ""), answer)
+        self.assertEqual((answer.status, answer.messages), (4, ""), answer)
         self.assertIn("OUTSIDE", answer.output)
         self.assertIn("a guess", answer.output)
 
@@ -251,13 +251,13 @@ class Ranks(ProgramTest):
 
     def test_one_rank_is_as_none(self):
         answer = self.start(1, self.write("scene.xml", plate().text()), "--quiet")
-        self.assertEqual((answer.status, answer.output, answer.complaint), (0, "", ""), answer)
+        self.assertEqual((answer.status, answer.output, answer.messages), (0, "", ""), answer)
 
-    def test_a_mistake_is_told_once(self):
+    def test_a_mistake_is_reported_once(self):
         self.write("scene.xml", plate().set("Time > CFL", 3.0).text())
         answer = self.start(2, "scene.xml")
         self.assertEqual(answer.status, 1, answer)
-        self.assertEqual(answer.complaint.count("rhegma:"), 1, answer)
+        self.assertEqual(answer.messages.count("rhegma:"), 1, answer)
 
     def test_help_is_printed_once(self):
         answer = self.start(2, "--help")
@@ -271,11 +271,11 @@ class ClosedPipe(ProgramTest):
             [PROGRAM, "--describe"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=environment()
         )
         describe.stdout.close()
-        complaint = describe.stderr.read().decode()
+        messages = describe.stderr.read().decode()
         describe.stderr.close()
         describe.wait(60)
         for noise in NOISE:
-            self.assertNotIn(noise, complaint)
+            self.assertNotIn(noise, messages)
 
 
 if __name__ == "__main__":

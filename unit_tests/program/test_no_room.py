@@ -29,7 +29,7 @@ class NoRoom(RestartTest):
         arguments = (self.path("scene.xml"), "--output", folder, "--quiet", "--restart", checkpoint)
         answer = rhegma(*arguments, "--set", "Output:Fields=false", preexec=preexec)
         self.assertEqual(answer.status, 2, answer)
-        self.assert_sentences(answer.complaint, [("", ["can't be written", "at t =", "step"])])
+        self.assert_messages(answer.messages, [("", ["can't be written", "at t =", "step"])])
         self.assertEqual(self.file(folder, "checkpoint.h5"), before)
         self.assertEqual([name for name in os.listdir(folder) if name.endswith(".part")], [])
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Cracks that the cells are too coarse for: the run goes on, and its user is told."""
+"""Cracks that the cells are too coarse for: the run goes on, and warns."""
 
 import csv
 import json
@@ -38,11 +38,11 @@ def supported(points, position=0.0):
 
 
 class OddCracks(ProgramTest):
-    def told(self, scene, *words, where="Cracks > Notch"):
+    def reports(self, scene, *words, where="Cracks > Notch"):
         """Finishes with finite numbers and warnings with these words, one for each."""
         answer = rhegma(self.write("scene.xml", scene.text()), "--quiet")
         self.assertEqual(answer.status, 0, answer)
-        lines = answer.complaint.splitlines()
+        lines = answer.messages.splitlines()
         self.assertEqual(len(lines), len(words), answer)
         for line, word in zip(lines, words):
             self.assertTrue(line.startswith("rhegma: warning: " + where), line)
@@ -57,31 +57,31 @@ class OddCracks(ProgramTest):
     def test_crack_shorter_than_a_cell(self):
         for formulation in FORMULATIONS:
             with self.subTest(formulation=formulation):
-                self.told(cracked([0.51, 0.52, 0.53, 0.52], formulation), "parts nothing")
+                self.reports(cracked([0.51, 0.52, 0.53, 0.52], formulation), "parts nothing")
 
     def test_faces_without_particles_that_stick(self):
         for formulation in FORMULATIONS:
             with self.subTest(formulation=formulation):
                 scene = cracked([0.5, 0.5, 0.51, 0.5], formulation).set("Contact", {"Law": "Stick"})
-                self.told(scene, "parts nothing")
+                self.reports(scene, "parts nothing")
 
     def test_crack_beyond_the_last_particles(self):
-        self.told(cracked([0.0, 0.002, 0.5, 0.002]), "parts nothing")
+        self.reports(cracked([0.0, 0.002, 0.5, 0.002]), "parts nothing")
 
     def test_crack_that_leaves_a_bridge_thinner_than_a_cell(self):
-        self.told(cracked([0.03, 0.5, 0.97, 0.5]), "0.03, 0.5", "0.97, 0.5")
+        self.reports(cracked([0.03, 0.5, 0.97, 0.5]), "0.03, 0.5", "0.97, 0.5")
 
     def test_crack_along_the_diagonal_of_the_cells(self):
-        """Pulled across: a burst of energy would stop the run, and a gain of a tenth would be told."""
+        """Pulled across: a burst of energy would stop the run, and a gain of a tenth would be reported."""
         for formulation in FORMULATIONS:
             with self.subTest(formulation=formulation):
                 scene = cracked([-0.1, -0.1, 0.5, 0.5], formulation).set("Time > Final Time", 6e-3)
                 scene.set("Boundaries > Pull > Stress", [1e5, -1e5])
-                self.told(scene)
+                self.reports(scene)
 
     def test_contour_through_the_cells_of_the_front(self):
         scene = plate().set("Energy Release", {"Inner Radius": 0.06, "Outer Radius": 0.2})
-        self.told(scene, "below two cells", where="Energy Release > Inner Radius")
+        self.reports(scene, "below two cells", where="Energy Release > Inner Radius")
 
     def wedged(self, behind, kind="Point Load"):
         """The plate with its notch opened by two forces this far behind the front. J is of the ring from 0.15 to 0.3 m."""
@@ -94,16 +94,16 @@ class OddCracks(ProgramTest):
 
     def test_forces_in_the_ring_of_the_contour(self):
         where = "Energy Release: Boundaries > "
-        self.told(self.wedged(0.2), "acts in the domain integral from 150 mm to 300 mm around crack Notch, front 0",
+        self.reports(self.wedged(0.2), "acts in the domain integral from 150 mm to 300 mm around crack Notch, front 0",
                   "acts in the domain integral", where=where)
-        self.told(self.wedged(0.0), where=where)  # within the ring: their work is in the integral
-        self.told(self.wedged(0.4), where=where)
-        self.told(self.wedged(0.0, "Line Load"), "acts in the domain integral", "acts in the domain integral", where=where)
-        self.told(self.wedged(0.4, "Line Load"), where=where)
+        self.reports(self.wedged(0.0), where=where)  # within the ring: their work is in the integral
+        self.reports(self.wedged(0.4), where=where)
+        self.reports(self.wedged(0.0, "Line Load"), "acts in the domain integral", "acts in the domain integral", where=where)
+        self.reports(self.wedged(0.4, "Line Load"), where=where)
         never = self.wedged(0.2)
         for name in ("Up", "Down"):
             never.set("Boundaries > " + name + " > History", "0")
-        self.told(never, where=where)
+        self.reports(never, where=where)
 
     def test_supports_in_the_ring_of_the_contour(self):
         """The notch ends in the middle of the plate; J is of the ring from 0.15 to 0.3 m."""
@@ -114,39 +114,39 @@ class OddCracks(ProgramTest):
             ([0.79, 0.79], [0.81, 0.81], []),
         ):
             pin = {"Type": "Velocity", "Lower Corner": lower, "Upper Corner": upper, "Value": [0.0, 0.0]}
-            self.told(plate().set("Boundaries > Pin", pin), *words, where="Energy Release: Boundaries > Pin")
+            self.reports(plate().set("Boundaries > Pin", pin), *words, where="Energy Release: Boundaries > Pin")
         frame = {"Type": "Velocity", "Nodes": "Outside", "Lower Corner": [-0.2, 0.25], "Upper Corner": [0.85, 0.85],
                  "Value": [0.0, 0.0]}
-        self.told(plate().set("Boundaries > Frame", frame), "prescribes nodes",
+        self.reports(plate().set("Boundaries > Frame", frame), "prescribes nodes",
                   where="Energy Release: Boundaries > Frame")
 
     def test_run_that_ends_before_it_rests(self):
         scene = plate().set("Damping", {"Mass Rate": 1.0, "Stop When Settled": True})
-        self.told(scene, "Stop When Settled", where="the run ended before it had settled")
+        self.reports(scene, "Stop When Settled", where="the run ended before it had settled")
 
     def test_faces_that_pass_through_each_other(self):
-        self.told(pressed(-1e5), "overlap")
+        self.reports(pressed(-1e5), "overlap")
 
     def test_faces_that_do_not(self):
-        self.told(pressed(1e5))
-        self.told(pressed(-1e5).set("Contact", {"Law": "Stick"}))
+        self.reports(pressed(1e5))
+        self.reports(pressed(-1e5).set("Contact", {"Law": "Stick"}))
 
     def test_crack_whose_faces_are_both_held(self):
-        self.told(supported([0.25, 0.02, 0.75, 0.02]), "along a support")
+        self.reports(supported([0.25, 0.02, 0.75, 0.02]), "along a support")
         box = {"Type": "Velocity", "Lower Corner": [-0.1, -0.1], "Upper Corner": [1.1, 0.0], "Value": [0.0, 0.0]}
-        self.told(cracked([0.25, 0.02, 0.75, 0.02]).set("Boundaries > Clamp", box), "along a support")
+        self.reports(cracked([0.25, 0.02, 0.75, 0.02]).set("Boundaries > Clamp", box), "along a support")
 
-    def test_cracks_beside_supports_that_hold_one_face_or_rightly_both(self):
-        self.told(supported([0.25, 0.07, 0.75, 0.07]))
-        self.told(supported([0.51, 0.0, 0.51, 0.5]))
+    def test_cracks_next_to_supports_that_hold_one_face_or_rightly_both(self):
+        self.reports(supported([0.25, 0.07, 0.75, 0.07]))
+        self.reports(supported([0.51, 0.0, 0.51, 0.5]))
 
     def test_mirror_between_planes_of_nodes(self):
-        self.told(supported([0.25, 0.5, 0.75, 0.5], 0.02), "0.4 cells", where="Boundaries > Wall > Position")
+        self.reports(supported([0.25, 0.5, 0.75, 0.5], 0.02), "0.4 cells", where="Boundaries > Wall > Position")
 
     def test_cracks_that_the_cells_see(self):
         for points in ([0.0, 0.5, 0.5, 0.5], [0.0, 0.5, 1.0, 0.5], [-3.0, 0.47, 7.0, 0.49], [0.3, 0.31, 0.6, 0.72]):
             with self.subTest(points=points):
-                self.told(cracked(points))
+                self.reports(cracked(points))
 
 
 if __name__ == "__main__":

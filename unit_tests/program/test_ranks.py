@@ -103,14 +103,14 @@ class Ranks(OnRanks):
         scene = self.write(whole_plate())
         answer = rhegma(scene, "--output", out, launcher=(*LAUNCHER, "-np", "3"), **ROOT)
         self.assertEqual(answer.status, 1, answer)
-        self.assertEqual(answer.complaint.count("rhegma:"), 1, answer)
+        self.assertEqual(answer.messages.count("rhegma:"), 1, answer)
 
     def test_a_scene_that_one_rank_can_not_read(self):
         scene = self.write(whole_plate())
         launcher = (*LAUNCHER, "-np", "1", PROGRAM, scene, ":", "-np", "1")
         answer = rhegma(os.path.join(self.folder, "missing.xml"), launcher=launcher, **ROOT)
         self.assertEqual(answer.status, 1, answer)
-        self.assertIn("does not exist", answer.complaint)
+        self.assertIn("does not exist", answer.messages)
 
     def test_more_ranks_than_cells_along_the_body(self):
         self.agree(self.write(whole_plate()), "--set", "Time:Maximum Steps=20", ranks=(12,))
@@ -155,9 +155,9 @@ class Ranks(OnRanks):
         children = subprocess.run(["pgrep", "-P", str(run.pid)], stdout=subprocess.PIPE, check=True).stdout.split()
         self.assertEqual(len(children), 3)
         os.kill(int(children[-1]), signal.SIGTERM)
-        _, complaint = run.communicate(timeout=60)
-        self.assertEqual(run.returncode, 2, complaint)
-        self.assertEqual(complaint.decode().count("the run was stopped by SIGTERM"), 1, complaint)
+        _, messages = run.communicate(timeout=60)
+        self.assertEqual(run.returncode, 2, messages)
+        self.assertEqual(messages.decode().count("the run was stopped by SIGTERM"), 1, messages)
         with open(os.path.join(self.folder, "out", "summary.json"), encoding="utf-8") as file:
             self.assertIn("SIGTERM", json.load(file)["status"])
 
@@ -165,7 +165,7 @@ class Ranks(OnRanks):
         scene = whole_plate().set("Boundaries > Pull > Stress", [1e13, 0.0]).set("Time > Retries", 0)
         answer = rhegma(self.write(scene), "--quiet", launcher=(*LAUNCHER, "-np", "3"), timeout=300, **ROOT)
         self.assertEqual(answer.status, 2, answer)
-        self.assertEqual(answer.complaint.count("the run stopped at t ="), 1, answer)
+        self.assertEqual(answer.messages.count("the run stopped at t ="), 1, answer)
 
 
 class Fields(OnRanks):
@@ -198,7 +198,7 @@ class Fields(OnRanks):
         out = os.path.join(disk, "out")
         answer = rhegma(self.scene(), "--output", out, "--quiet", launcher=(*LAUNCHER, "-np", "3"), timeout=120, **ROOT)
         self.assertEqual(answer.status, 2, answer)
-        ours = [line for line in answer.complaint.splitlines() if line.startswith("rhegma:")]
+        ours = [line for line in answer.messages.splitlines() if line.startswith("rhegma:")]
         self.assertEqual(len(ours), 1, answer)
         self.assertIn(os.path.join(out, "fields.h5") + " can't be written; is the disk full", ours[0])
         with h5py.File(os.path.join(out, "fields.h5"), "r") as file:

@@ -92,7 +92,7 @@ class BetweenFaces(OnRanks):
             scene.set("Cracks > Notch > Points", [0.5, -0.1, 0.5, 0.7])
             scene.set("Boundaries > Pull > Stress", [-1e6, 3e5])
             # Points that are about to slip do so a little more or less: the motion is as stable as before, but
-            # stresses beside the crack hang on what last digits made of it.
+            # stresses next to the crack hang on what last digits made of it.
             self.agree(self.write(scene), "--set", "Time:Maximum Steps=60", within=1e-8)
 
     def test_contact_by_visibility(self):

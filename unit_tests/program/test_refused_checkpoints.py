@@ -18,7 +18,7 @@ BLOCK = 512  # bytes ahead of HDF5's
 
 
 class Refused(RestartTest):
-    """Exit status 1, one sentence that says what is wrong, and no trace in the file system."""
+    """Exit status 1, one message that says what is wrong, and no trace in the file system."""
 
     @classmethod
     def setUpClass(cls):
@@ -87,7 +87,7 @@ class Refused(RestartTest):
             data[BLOCK - 4 : BLOCK] = struct.pack("<I", zlib.crc32(bytes(data[: BLOCK - 4])))
 
         self.change(older)
-        self.refused("checkpoint.h5", "is of schema 7", "reads schema 1")
+        self.refused("checkpoint.h5", "is of schema 7", "reads schema 2")
 
     def test_another_file(self):
         shutil.copy(self.path("out", "fields.h5"), self.checkpoint)
@@ -125,9 +125,9 @@ class Refused(RestartTest):
             (self.path("scene.xml"), "--restart", self.checkpoint, "--set", "Time:Final Time=1e-5"),
             [("Time > Final Time", ["is of time", "later"])],
         )
-        self.assertIn("checkpoint.h5", answer.complaint)
+        self.assertIn("checkpoint.h5", answer.messages)
 
-    def test_another_history_beside_it(self):
+    def test_another_history_next_to_it(self):
         with open(self.path("out", "history.csv"), "r+b") as file:
             file.seek(200)
             file.write(b"9")

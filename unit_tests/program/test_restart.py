@@ -26,10 +26,10 @@ class GoesOn(RestartTest):
         self.wait_for(run, os.path.join(broken, "fields.xdmf"))
         run.send_signal(number)
         run.wait(60)
-        complaint = run.stderr.read().decode()
-        self.assertEqual(run.returncode, 2, complaint)
+        messages = run.stderr.read().decode()
+        self.assertEqual(run.returncode, 2, messages)
         checkpoint = os.path.join(broken, "checkpoint.h5")
-        self.assert_sentences(complaint, [("", ["stopped by " + name, "--restart " + checkpoint, "continues from t ="])])
+        self.assert_messages(messages, [("", ["stopped by " + name, "--restart " + checkpoint, "continues from t ="])])
         with h5py.File(checkpoint, "r") as file:
             stopped = float(file["run"].attrs["time"])
         with open(os.path.join(broken, "summary.json")) as file:
@@ -83,21 +83,21 @@ class GoesOn(RestartTest):
         os.remove(self.path("out", "history.csv"))
         answer = rhegma(self.path("scene.xml"), "--output", self.path("out"), "--quiet", "--restart", checkpoint)
         self.assertEqual(answer.status, 0, answer)
-        self.assertIn("there is no history.csv next to the checkpoint", answer.complaint)
+        self.assertIn("there is no history.csv next to the checkpoint", answer.messages)
 
     def test_fields_that_cannot_be_read(self):
         checkpoint = self.checkpoint_of(self.path("out"))
         self.write(os.path.join("out", "fields.h5"), "half a file")
         answer = rhegma(self.path("scene.xml"), "--output", self.path("out"), "--quiet", "--restart", checkpoint)
         self.assertEqual(answer.status, 0, answer)
-        self.assertIn("fields.unread.h5", answer.complaint)
+        self.assertIn("fields.unread.h5", answer.messages)
         self.assertEqual(self.file(self.path("out"), "fields.unread.h5"), b"half a file")
         self.assertGreater(len(self.fields(self.path("out"))), 0)
 
     def test_check(self):
         checkpoint = self.checkpoint_of(self.path("out"))
         answer = rhegma(self.path("scene.xml"), "--check", "--restart", checkpoint)
-        self.assertEqual((answer.status, answer.complaint), (0, ""), answer)
+        self.assertEqual((answer.status, answer.messages), (0, ""), answer)
         self.assertIn(checkpoint, answer.output)
 
 
@@ -114,7 +114,7 @@ class Trouble(RestartTest):
         answer = rhegma(path, "--output", self.path("out"), "--quiet")
         self.assertEqual(answer.status, 2, answer)
         checkpoint = self.path("out", "checkpoint.h5")
-        self.assertIn("--restart " + checkpoint + " continues from t =", answer.complaint)
+        self.assertIn("--restart " + checkpoint + " continues from t =", answer.messages)
         with h5py.File(checkpoint, "r") as file:
             kept = float(file["run"].attrs["time"])
             for name, table in file["particles"].items():

@@ -130,11 +130,11 @@ class Stopped(OnRanks):
         while time.monotonic() < end and not self.catches(rank, signal.SIGTERM):
             time.sleep(0.05)
         os.kill(rank, signal.SIGTERM)
-        complaint = run.communicate(timeout=120)[1].decode()
-        self.assertEqual(run.returncode, 2, complaint)
+        messages = run.communicate(timeout=120)[1].decode()
+        self.assertEqual(run.returncode, 2, messages)
         checkpoint = os.path.join(out, "checkpoint.h5")
-        self.assertEqual(complaint.count("rhegma: the run was stopped by SIGTERM"), 1, complaint)
-        self.assertIn("--restart " + checkpoint + " continues from t =", complaint)
+        self.assertEqual(messages.count("rhegma: the run was stopped by SIGTERM"), 1, messages)
+        self.assertIn("--restart " + checkpoint + " continues from t =", messages)
         with h5py.File(checkpoint, "r") as file:
             stopped = float(file["run"].attrs["time"])
         more = ("--set", f"Time:Final Time={stopped + 1e-4!r}")
@@ -152,7 +152,7 @@ class Stopped(OnRanks):
         out = os.path.join(self.folder, "out")
         answer = rhegma(self.write(late), "--output", out, "--quiet", launcher=(*LAUNCHER, "-np", "2"), **ROOT)
         self.assertEqual(answer.status, 2, answer)
-        self.assertIn("--restart " + os.path.join(out, "checkpoint.h5") + " continues from t =", answer.complaint)
+        self.assertIn("--restart " + os.path.join(out, "checkpoint.h5") + " continues from t =", answer.messages)
         with h5py.File(os.path.join(out, "checkpoint.h5"), "r") as file:
             self.assertLess(float(file["run"].attrs["time"]), 6e-4)
             for name, table in file["particles"].items():
@@ -179,7 +179,7 @@ class Stopped(OnRanks):
         before = sorted(os.listdir(self.folder))
         answer = rhegma(path, "--restart", checkpoint, launcher=(*LAUNCHER, "-np", "3"), **ROOT)
         self.assertEqual(answer.status, 1, answer)
-        ours = [line for line in answer.complaint.splitlines() if line.startswith("rhegma:")]
+        ours = [line for line in answer.messages.splitlines() if line.startswith("rhegma:")]
         self.assertEqual(len(ours), 1, answer)
         self.assertIn("is damaged", ours[0])
         self.assertEqual(sorted(os.listdir(self.folder)), before)

@@ -99,11 +99,11 @@ class UnstableRuns(LeftFiles):
         answer = rhegma(path, "--quiet", timeout=300)
         self.assertEqual(answer.status, 2, answer)
         self.assertEqual(answer.output, "")
-        self.assert_sentences(answer.complaint, [("", words)])
-        found = re.match(r"rhegma: the run stopped at t = (\S+) ([mun]?)s, step (\d+): (.+)\n\Z", answer.complaint)
-        self.assertTrue(found, answer.complaint)
+        self.assert_messages(answer.messages, [("", words)])
+        found = re.match(r"rhegma: the run stopped at t = (\S+) ([mun]?)s, step (\d+): (.+)\n\Z", answer.messages)
+        self.assertTrue(found, answer.messages)
         summary = self.summary(self.path("scene.out"))
-        self.assertEqual(summary["status"], answer.complaint[len("rhegma: ") :].strip())
+        self.assertEqual(summary["status"], answer.messages[len("rhegma: ") :].strip())
         time = float(found.group(1)) * {"": 1.0, "m": 1e-3, "u": 1e-6, "n": 1e-9}[found.group(2)]
         self.assertAlmostEqual(summary["time"], time, delta=1e-3 * abs(summary["time"]) + 1e-12)
         self.assertEqual(summary["steps"], int(found.group(3)))
@@ -135,7 +135,7 @@ class UnstableRuns(LeftFiles):
         drain = {"Type": "Box", "Lower Corner": [0.4, 0.4], "Upper Corner": [0.5, 0.5], "Power Density": -1e10}
         scene.set("Thermal", {"Initial Temperature": 300.0, "Sources": {"Drain": drain}})
         scene.set("Output > History Interval", 0.25)
-        self.stops(scene, "K, and temperatures are absolute", "sources")
+        self.stops(scene, "K, and it is absolute", "sources")
 
     def test_short_steps_are_named_where_they_may_be_the_cause(self):
         scene = block().set("Boundaries", {"Left": wall(0.0, 0.45, 1.0), "Right": wall(0.55, 1.0, -1.0)})
@@ -158,7 +158,7 @@ class UnstableRuns(LeftFiles):
         path = self.write("scene.xml", plate().set("Mass Matrix", {"Type": "Full", "Maximum Iterations": 1}).text())
         answer = rhegma(path, "--quiet", timeout=300)
         self.assertEqual(answer.status, 2, answer)
-        self.assertRegex(answer.complaint, r"mass matrix could not be solved .* residual")
+        self.assertRegex(answer.messages, r"mass matrix could not be solved .* residual")
 
     def test_mass_matrix_that_is_singular(self):
         """Boxes of GIMP in rows along the cells give fewer equations than there are nodes."""
@@ -166,7 +166,7 @@ class UnstableRuns(LeftFiles):
         scene.set("Mass Matrix", {"Type": "Full", "Lumped Fraction": 0.0, "Minimum Node Mass": 0.0})
         answer = rhegma(self.write("scene.xml", scene.text()), "--quiet", timeout=300)
         self.assertEqual(answer.status, 2, answer)
-        self.assertRegex(answer.complaint, r"mass matrix could not be solved .* it is singular.* Lumped Fraction")
+        self.assertRegex(answer.messages, r"mass matrix could not be solved .* it is singular.* Lumped Fraction")
 
     def test_load_that_loses_its_body(self):
         """A point load tears its particle off."""
@@ -228,7 +228,7 @@ class StoppedFromOutside(LeftFiles):
         path = self.write("short.xml", plate().text())
         for place in (folder, self.path("new")):
             answer = rhegma(path, "--output", place, "--quiet")
-            self.assertEqual((answer.status, answer.complaint), (0, ""), answer)
+            self.assertEqual((answer.status, answer.messages), (0, ""), answer)
         self.assertEqual(sorted(os.listdir(folder)), sorted(os.listdir(self.path("new"))))
         self.assertEqual(self.rows(folder), self.rows(self.path("new")))
         self.assertEqual(self.snapshots(folder), self.snapshots(self.path("new")))
@@ -240,9 +240,9 @@ class StoppedFromOutside(LeftFiles):
         self.wait_for_fields(run, folder)
         run.send_signal(number)
         run.wait(60)
-        complaint = run.stderr.read().decode()
-        self.assertEqual(run.returncode, 2, complaint)
-        self.assert_sentences(complaint, [("", ["stopped by " + name, "at t =", "step"])])
+        messages = run.stderr.read().decode()
+        self.assertEqual(run.returncode, 2, messages)
+        self.assert_messages(messages, [("", ["stopped by " + name, "at t =", "step"])])
         self.assertIn("Results up to then are in " + folder, run.stdout.read().decode())
         summary = self.summary(folder)
         self.assertIn("stopped by " + name, summary["status"])
@@ -290,7 +290,7 @@ class StoppedFromOutside(LeftFiles):
 
 
 def small_files():
-    """The program may write no file larger than this; it is told so like of a full disk."""
+    """The program may write no file larger than this; it gets the error of a full disk."""
     signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
     resource.setrlimit(resource.RLIMIT_FSIZE, (200_000, 200_000))
 
@@ -300,17 +300,17 @@ class NoRoom(LeftFiles):
         scene = plate().set("Time > Final Time", FOREVER)
         return self.write("scene.xml", scene.set("Output", {"History Interval": 1e-4, "Field Interval": 1e-3}).text())
 
-    def told(self, answer, folder):
+    def reports(self, answer, folder):
         self.assertEqual(answer.status, 2, answer)
-        self.assert_sentences(answer.complaint, [("", ["at t =", "step", "can't be written", folder])])
+        self.assert_messages(answer.messages, [("", ["at t =", "step", "can't be written", folder])])
 
     def test_file_that_may_not_grow(self):
         answer = rhegma(self.scene(), "--output", self.path("out"), "--quiet", preexec=small_files)
-        self.told(answer, self.path("out"))
+        self.reports(answer, self.path("out"))
         self.rows(self.path("out"))
         self.assertIn("can't be written", self.summary(self.path("out"))["status"])
         for noise in NOISE:
-            self.assertNotIn(noise, answer.complaint)
+            self.assertNotIn(noise, answer.messages)
 
     def test_history_that_may_not_grow(self):
         path = self.write(
@@ -320,8 +320,8 @@ class NoRoom(LeftFiles):
             .set("Output", {"History Interval": 1e-6, "Fields": False}).text(),
         )
         answer = rhegma(path, "--output", self.path("out"), "--quiet", preexec=small_files)
-        self.told(answer, self.path("out"))
-        self.assertIn("history.csv", answer.complaint)
+        self.reports(answer, self.path("out"))
+        self.assertIn("history.csv", answer.messages)
         self.assertGreater(len(self.rows(self.path("out"))), 100)
 
     def test_full_disk(self):
@@ -332,7 +332,7 @@ class NoRoom(LeftFiles):
             self.skipTest("only root can mount a small disk here: " + mounted.stderr.decode().strip())
         self.addCleanup(subprocess.run, ["umount", disk], check=True)
         answer = rhegma(self.scene(), "--output", os.path.join(disk, "out"), "--quiet")
-        self.told(answer, disk)
+        self.reports(answer, disk)
         self.rows(os.path.join(disk, "out"))
         for leftover in os.listdir(os.path.join(disk, "out")):
             self.assertFalse(leftover.endswith(".part"), leftover)

@@ -71,7 +71,7 @@ class WrongFiles(ProgramTest):
     def test_device_without_end(self):
         self.assert_refused(["/dev/zero"], [("", ["/dev/zero", "16 MB"])])
 
-    def test_text_beside_the_tags(self):
+    def test_text_next_to_the_tags(self):
         self.leave_an_older_run("scene.out")
         self.write("scene.xml", plate().text().replace("</ParameterList>", "steel</ParameterList>", 1))
         self.assert_refused(["scene.xml"], [("Domain", ['"steel"', "<Parameter name"])])
@@ -114,7 +114,7 @@ class WrongOutput(ProgramTest):
         self.refuse("/proc/rhegma", "/proc/rhegma")
 
     def test_without_a_name(self):
-        self.refuse("", "no name")
+        self.refuse("", "no folder")
 
     def test_name_that_is_too_long(self):
         self.refuse("x" * 300, "too long")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Every wrong scene of the table: refused in one sentence a mistake, and nothing written."""
+"""Every wrong scene of the table: refused in one message a mistake, and nothing written."""
 
 import os
 import sys
@@ -20,7 +20,7 @@ class RightScenes(ProgramTest):
         for name, scene in (("plate", plate()), ("ball", ball())):
             path = self.write(f"{name}.xml", scene.text())
             answer = rhegma(path, "--quiet")
-            self.assertEqual((answer.status, answer.output, answer.complaint), (0, "", ""), answer)
+            self.assertEqual((answer.status, answer.output, answer.messages), (0, "", ""), answer)
             self.assertTrue(os.path.exists(self.path(f"{name}.out", "summary.json")))
 
 

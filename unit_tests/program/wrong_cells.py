@@ -127,5 +127,5 @@ ADAPTIVITY = [
      one("Adaptivity", "Corrected Broken Cell", "cells of one size")),
     ("adaptivity_of_contact_by_visibility",
      plate().set("Adaptivity", {}).set("Cracks > Formulation", "Broken Cell").set("Contact", {"Law": "Visibility"}),
-     one("Adaptivity", "Visibility", "another law")),
+     one("Adaptivity", "Visibility", "another contact law")),
 ]

@@ -49,7 +49,7 @@ NOT_IN_3D = [
     ("crack_closure_in_3d", ball().set("Cracks", PENNY).set("Energy Release", {"Crack Closure": True}),
      one("Energy Release > Crack Closure", "2D", "leave it out")),
     ("tube_outside_of_the_body", ball().set("Cracks", PENNY).set("Energy Release", {"Outer Radius": 0.06}),
-     one("Energy Release > Outer Radius", "tube", "Penny.0", "at most")),
+     one("Energy Release > Outer Radius", "tube", "crack Penny, front 0", "at most")),
     ("tube_of_no_width",
      ball().set("Cracks", PENNY).set("Energy Release", {"Inner Radius": 0.02, "Outer Radius": 0.03}),
      one("Energy Release > Outer Radius", "one cell", "at least 0.04")),

@@ -8,7 +8,7 @@ POLYMER = "Materials > Polymer > "
 
 
 def warm(**thermal):
-    """The plate with heat, and without what this version does not have beside it."""
+    """The plate with heat, and without what this version can not combine with it."""
     return (plate().set("Thermal", dict({"Initial Temperature": 300.0}, **thermal))
             .set(POLYMER + "Specific Heat", 1400.0).set(POLYMER + "Conductivity", 0.2))
 
@@ -25,7 +25,7 @@ HEAT = [
     ("two_temperatures_of_a_node", warm().set("Boundaries > Hot", {"Type": "Temperature", "Temperature": 400.0,
      "Lower Corner": [0.0, 0.0], "Upper Corner": [0.1, 0.1]}).set("Boundaries > Cold", {"Type": "Temperature",
      "Temperature": 300.0, "Lower Corner": [0.1, 0.0], "Upper Corner": [0.2, 0.1]}),
-     one("Boundaries > Hot", "Boundaries > Cold both hold the node", "400 and 300 K", "one temperature")),
+     one("Boundaries > Hot", "Boundaries > Cold both prescribe the node", "400 and 300 K", "one temperature")),
     ("table_that_is_not_monotone", warm().set(POLYMER + "Conductivity", "300:0.2, 300:0.3"),
      one(POLYMER + "Conductivity", "must increase")),
     ("table_below_absolute_zero", warm().set(POLYMER + "Conductivity", "-3:0.2, 300:0.3"),
@@ -66,7 +66,7 @@ HEAT = [
     ("steps_shorter_than_explicit_ones", warm(**{"Conduction": "Implicit", "Step Ratio": 0.5}),
      one("Thermal > Step Ratio", "1")),
     ("boundary_of_heat_without_it", plate().set("Boundaries > Hot", {"Type": "Temperature", "Temperature": 400.0,
-     "Lower Corner": [0.0, 0.0], "Upper Corner": [0.1, 0.1]}), one("Boundaries > Hot", "thermal boundary condition")),
+     "Lower Corner": [0.0, 0.0], "Upper Corner": [0.1, 0.1]}), one("Boundaries > Hot", "needs the section Thermal")),
 ]
 
 BURNING = {"Burn Law": "Vieille", "Burn Coefficient": 1e-8, "Burn Exponent": 0.9, "Gas Constant": 320.0,
@@ -81,7 +81,7 @@ def burning(**changes):
 
 COMBUSTION = [
     ("combustion_without_cracks", plate().remove("Cracks").remove("Energy Release").set("Combustion", {"Notch": BURNING}),
-     one("Combustion", "there are no cracks")),
+     one("Combustion", "no crack faces")),
     ("combustion_of_a_crack_that_is_not_there", burning().set("Combustion > Nutch", BURNING),
      one("Combustion > Nutch", "no crack of this name", "Notch")),
     ("combustion_without_room", burning(Initial_Gap=None),
@@ -104,7 +104,7 @@ COMBUSTION = [
      one("Combustion > Notch > Ignition Point", "from the crack")),
     ("combustion_in_a_box_far_from_the_crack", burning(Ignition_Lower_Corner=[0.5, 0.5], Ignition_Upper_Corner=[0.6, 0.6]),
      one("Combustion > Notch > Ignition Lower Corner", "from the crack")),
-    ("combustion_lit_beside_the_body", burning(Ignition_Point=[-0.15, 0.01], Flame_Speed=10.0).set(
+    ("combustion_lit_next_to_the_body", burning(Ignition_Point=[-0.15, 0.01], Flame_Speed=10.0).set(
         "Cracks > Notch > Points", [-0.18, 0.01, 0.3, 0.01]),
      one("Combustion > Notch > Ignition Point", "from the crack")),
     ("combustion_of_a_density_that_nothing_has", burning(Solid_Density=123.0),

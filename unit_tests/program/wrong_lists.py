@@ -100,7 +100,7 @@ SEVERAL = [
         .set("Cracks > Other", {"Points": [0.2, 0.2, 0.2, 0.2]}),
         [
             ("Boundaries > Pull", ["miss the body"]),
-            ("Boundaries > Poke", ["no particle"]),
+            ("Boundaries > Poke", ["misses the body"]),
             (NOTCH, ["outside of all bodies"]),
             ("Cracks > Other > Points", ["no length"]),
         ],
@@ -109,6 +109,6 @@ SEVERAL = [
         "contours_all_at_once",
         plate().set("Domain > Cell Size", 0.02).set(NOTCH, [0.2, 0.5, 0.8, 0.5]).set("Energy Release > Inner Radius",
         0.06),
-        [("Energy Release > Outer Radius", ["Notch.0"]), ("Energy Release > Outer Radius", ["Notch.1"])],
+        [("Energy Release > Outer Radius", ["crack Notch, front 0"]), ("Energy Release > Outer Radius", ["crack Notch, front 1"])],
     ),
 ]

@@ -1,6 +1,6 @@
 """What rows of wrong scenes are made of.
 
-Each row is a name, a scene, and the sentences that are expected: the path of the section and words of the sentence, by
+Each row is a name, a scene, and the messages that are expected: the path of the section and words of the message, by
 which it says what is wrong and what to write instead.
 """
 

@@ -1,4 +1,4 @@
-"""The table of wrong scenes: what is done to a right one, and what a user must be told."""
+"""The table of wrong scenes: what is done to a right one, and what a user must read."""
 
 from wrong_bodies import BODIES, DOMAIN, LOADS, MATERIALS, TIME
 from wrong_cells import ACCURACY, ADAPTIVITY, MASS

@@ -59,7 +59,7 @@ def long_functions(root, limit):
 def spread_classes(root, limit):
     """{class: its .cpp files} of all that more .cpp files implement than the limit allows.
 
-    Classes of one name in several folders are told apart."""
+    Classes of one name in several folders are distinguished."""
     files = collections.defaultdict(set)
     for path in sources(root, ".cpp"):
         for line in read_lines(path):

@@ -79,7 +79,7 @@ class Outcome:
 class HardCase(ProgramTest):
     """Runs a scene and asks of it what is asked of every hard case.
 
-    energy    the most by which the residual of the ledger may change after the first two tenths of the run, as a share
+    energy    the most by which the residual of the energy balance may change after the first two tenths of the run, as a fraction
               of the largest energy that the bodies were given or hold; gains and losses, of means over a tenth
     gain      the same for gains alone, where a case loses energy by its nature
     momentum  whether nothing acts from outside: momentum is then kept to 1e-12 of the sum of all |m v|, for each
@@ -92,7 +92,7 @@ class HardCase(ProgramTest):
         self.assertEqual(answer.status, status, answer)
         outcome = Outcome(self.path("scene.out"))
         self.assert_numbers(outcome)
-        self.assert_books(outcome, energy, gain)
+        self.assert_energy_balance(outcome, energy, gain)
         self.assert_matter(outcome, scene)
         self.assert_fronts(outcome, float(scene.find("Domain > Cell Size").get("value")))
         if momentum:
@@ -105,7 +105,7 @@ class HardCase(ProgramTest):
         for name, data in outcome.particles.items():
             self.assertTrue(np.isfinite(data).all(), name)
 
-    def assert_books(self, outcome, energy, gain):
+    def assert_energy_balance(self, outcome, energy, gain):
         given = abs(outcome.energy()[0])
         for name in ("external_work", "combustion"):
             if name in outcome.history:

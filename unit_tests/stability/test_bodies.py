@@ -104,7 +104,7 @@ class Bodies(HardCase):
         self.survives(flying([0.02, 0.02], [0.07, 0.06], time=2.0), momentum=True)
 
     def test_body_that_crosses_many_cells(self):
-        """GIMP books lose a little at each crossing of a spinning body; nothing may be gained."""
+        """With GIMP the energy balance loses a little at each crossing of a spinning body; nothing may be gained."""
         scene = flying([0.0, 0.0], [0.4, 0.3], velocity=(0.5, 0.35), time=sized(10.0, 100.0))
         scene.set("Bodies > Body > Angular Velocity", [1.0])
         self.survives(scene.set("Time > Update Scheme", TWICE), energy=0.01, momentum=True)
@@ -119,7 +119,7 @@ class Bodies(HardCase):
         self.survives(scene, energy=0.05, gain=0.02, momentum=True)
 
     def test_supersonic_impact(self):
-        """Half again as fast as waves; the dissipation of the shock is a loss of the books, never a gain."""
+        """Half again as fast as waves; the dissipation of the shock is a loss of the energy balance, never a gain."""
         outcome = self.survives(towards_each_other(0.8, sized(1.5, 3.0)), energy=1.0, gain=0.02, momentum=True)
         self.assertGreater(outcome.history["strain"].max(), 0.05 * outcome.history["kinetic"][0])
 
@@ -168,7 +168,7 @@ class Bodies(HardCase):
         )
         self.survives(scene, energy=0.02)
 
-    def test_stiff_beside_soft(self):
+    def test_stiff_next_to_soft(self):
         """Two halves of a bar, one a million times as stiff as the other, pulled."""
         scene = Scene(
             {
@@ -236,8 +236,8 @@ class Bodies(HardCase):
         self.survives(scene, energy=0.1, gain=0.05)
 
     def test_supports_that_hold_the_same_nodes(self):
-        """A bar pulled under damping; the same support three times is one support, and one in all books."""
-        books = []
+        """A bar pulled under damping; the same support three times is one support, and one in the energy balance."""
+        balance = []
         for copies in (1, 3):
             scene = Scene(
                 {
@@ -253,9 +253,9 @@ class Bodies(HardCase):
             for k in range(copies):
                 scene.set(f"Boundaries > Pulled {k}", walls([9.5, -1.0], [11.0, 4.0], "x", [1e-3, 0.0]))
             outcome = self.survives(scene)
-            books.append([outcome.history[name] for name in ("damped", "external_work", "residual")])
-        for one, three in zip(*books):
-            self.assertLess(np.abs(one - three).max(), 1e-12 * np.abs(books[0][1]).max())
+            balance.append([outcome.history[name] for name in ("damped", "external_work", "residual")])
+        for one, three in zip(*balance):
+            self.assertLess(np.abs(one - three).max(), 1e-12 * np.abs(balance[0][1]).max())
 
 
 if __name__ == "__main__":

@@ -31,8 +31,8 @@ class AccuracyPage(ToolTest):
                    "--studies", self.path("studies"), "--jobs", "2")
 
     def test_renews_tables_and_pictures(self):
-        status, output, complaint = self.renew(PAGE)
-        self.assertEqual((status, complaint), (0, ""), output)
+        status, output, messages = self.renew(PAGE)
+        self.assertEqual((status, messages), (0, ""), output)
         with open(self.path("page.md"), encoding="utf-8") as file:
             lines = file.read().splitlines()
         self.assertNotIn("old", lines)
@@ -48,9 +48,9 @@ class AccuracyPage(ToolTest):
         self.assertGreater(picture_size(self.path("pictures", "accuracy_beam.png"))[0], 900)
 
     def test_a_page_without_a_place_for_the_table(self):
-        status, _, complaint = self.renew(PAGE.replace("table beam cheapest", "table beam dearest"))
+        status, _, messages = self.renew(PAGE.replace("table beam cheapest", "table beam dearest"))
         self.assertEqual(status, 1)
-        self.assertIn("<!-- table beam cheapest -->", complaint)
+        self.assertIn("<!-- table beam cheapest -->", messages)
 
 
 class Jobs(ToolTest):
@@ -63,8 +63,8 @@ class Jobs(ToolTest):
         return run("rhegma-study", self.path("study.xml"), "--rhegma", PROGRAM, *more)
 
     def test_the_same_runs_two_at_a_time(self):
-        status, output, complaint = self.study("--jobs", "2", "--processor-time")
-        self.assertEqual((status, complaint), (0, ""))
+        status, output, messages = self.study("--jobs", "2", "--processor-time")
+        self.assertEqual((status, messages), (0, ""))
         self.assertIn("study.csv: 5 runs.", output)
         with open(self.path("study.out", "study.csv"), newline="", encoding="utf-8") as file:
             errors = [float(row["error"]) for row in csv.DictReader(file)]

@@ -112,7 +112,7 @@ class History(ToolTest):
         self.assertEqual([line.get_ydata()[-1] for line in axes.lines], [300.0, 350.0])
         plt.close(figure)
 
-    def test_draws_all_of_the_ledger(self):
+    def test_draws_the_whole_energy_balance(self):
         """Plastic work and heat from outside too, without which the rest does not add up."""
         names = ["external_work", "strain", "kinetic", "damped", "fracture", "contact", "plastic", "heat", "thermal",
                  "combustion", "merged", "residual"]

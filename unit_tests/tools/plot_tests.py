@@ -19,8 +19,8 @@ from rhegma_tools.fields import Crack, read_fields
 class Plot(ToolTest):
     def test_draws_a_beam(self):
         made_up_run.beam(self.folder)
-        status, output, complaint = run("rhegma-plot", self.folder)
-        self.assertEqual((status, complaint), (0, ""))
+        status, output, messages = run("rhegma-plot", self.folder)
+        self.assertEqual((status, messages), (0, ""))
         self.assertIn(f"Wrote {self.path('history.png')}: 400 samples, 1 crack fronts.", output)
         # The ends part by 8 um on a beam of 100 mm; 2000 times 4 um is 8 mm, 8 % of it.
         self.assertIn(f"Wrote {self.path('fields.png')}: 5120 particles at 0.003 s, displacement times 2000.", output)
@@ -31,21 +31,21 @@ class Plot(ToolTest):
 
     def test_draws_a_slice_of_3d(self):
         made_up_run.penny(self.folder)
-        status, output, complaint = run("rhegma-plot", self.folder, "--stress", "mises", "--magnify", "10",
+        status, output, messages = run("rhegma-plot", self.folder, "--stress", "mises", "--magnify", "10",
                                         "--output", self.path("pictures"))
-        self.assertEqual((status, complaint), (0, ""))
+        self.assertEqual((status, messages), (0, ""))
         self.assertIn("displacement times 10.", output)
         self.assertGreater(picture_size(self.path("pictures", "fields.png"))[1], 500)
         self.assertFalse(os.path.exists(self.path("fields.png")))
 
     def test_draws_cells_where_some_are_refined(self):
         made_up_run.refined_plate(self.folder, levels=(0, 0))
-        status, output, complaint = run("rhegma-plot", self.folder)
-        self.assertEqual((status, complaint), (0, ""))
+        status, output, messages = run("rhegma-plot", self.folder)
+        self.assertEqual((status, messages), (0, ""))
         self.assertNotIn("cells.png", output)  # all alike
         made_up_run.refined_plate(self.folder, levels=(0, 1))
-        status, output, complaint = run("rhegma-plot", self.folder)
-        self.assertEqual((status, complaint), (0, ""))
+        status, output, messages = run("rhegma-plot", self.folder)
+        self.assertEqual((status, messages), (0, ""))
         self.assertIn(f"Wrote {self.path('cells.png')}: 5 cells at 0.002 s.", output)
         self.assertGreater(picture_size(self.path("cells.png"))[0], 900)
 
@@ -203,19 +203,19 @@ class FieldPicture(ToolTest):
         self.assertEqual((view.normal, view.axes, view.where), (2, [0, 1], 0.31))
         self.assertEqual(in_slice(fields, 2, view.where).sum(), 1600)
         self.assertAlmostEqual(choose_view(fields, read_slice("x")).where, 0.0125)
-        status, output, complaint = run("rhegma-plot", self.folder, "--slice", "z=0.31")
-        self.assertEqual((status, complaint), (0, ""))
+        status, output, messages = run("rhegma-plot", self.folder, "--slice", "z=0.31")
+        self.assertEqual((status, messages), (0, ""))
 
     def test_slices_that_there_are_not(self):
         made_up_run.penny(self.folder)
         for asked, words in (("w=1", "z=0.012"), ("z=", "z=0.012"), ("z=nan", "z=0.012"), ("z=0.7", "cuts no particle")):
-            status, _, complaint = run("rhegma-plot", self.folder, "--slice", asked)
-            self.assertEqual(status, 1, complaint)
-            self.assertIn(words, complaint)
+            status, _, messages = run("rhegma-plot", self.folder, "--slice", asked)
+            self.assertEqual(status, 1, messages)
+            self.assertIn(words, messages)
         made_up_run.beam(self.path("flat"))
-        status, _, complaint = run("rhegma-plot", self.path("flat"), "--slice", "z")
-        self.assertEqual(status, 1, complaint)
-        self.assertIn("3D", complaint)
+        status, _, messages = run("rhegma-plot", self.path("flat"), "--slice", "z")
+        self.assertEqual(status, 1, messages)
+        self.assertIn("3D", messages)
 
     def test_close_up_is_of_a_front_that_still_is_one(self):
         """Of two fronts the second is in material; before the first one ended, that was the one to look at."""

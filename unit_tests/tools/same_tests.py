@@ -41,8 +41,8 @@ class Same(ToolTest):
 
     def test_the_same(self):
         self.program("after")
-        status, output, complaint = self.compare()
-        self.assertEqual((status, complaint), (0, ""), output)
+        status, output, messages = self.compare()
+        self.assertEqual((status, messages), (0, ""), output)
         self.assertIn("verification/notch  same (3 rows)", output)
         self.assertIn("3 of 3 scenes are the same, bit for bit.", output)
 

@@ -76,8 +76,8 @@ class Study(ToolTest):
 
     def test_measures_every_run(self):
         self.study(LINEAR + GIMP)
-        status, output, complaint = self.start()
-        self.assertEqual((status, complaint), (0, ""))
+        status, output, messages = self.start()
+        self.assertEqual((status, messages), (0, ""))
         rows = self.table()
         self.assertEqual([row["family"] for row in rows], ["linear"] * 3 + ["GIMP, both"] * 2)
         self.assertEqual([row["Domain:Cell Size"] for row in rows], ["5e-3", "2.5e-3", "1.25e-3", "5e-3", "2.5e-3"])
@@ -121,12 +121,12 @@ class Study(ToolTest):
         self.start()
         self.assertEqual(self.runs(), 6)
 
-    def test_a_failed_run_is_told_and_tried_again(self):
+    def test_a_failed_run_is_reported_and_tried_again(self):
         self.study(LINEAR.replace("5e-3, ", "9.5e-3, ", 1))
-        status, output, complaint = self.start()
+        status, output, messages = self.start()
         self.assertEqual(status, 2)
         self.assertIn("failed with status 2: The step is unstable at 1e-5 s.", output)
-        self.assertIn("1 of 3 runs failed", complaint)
+        self.assertIn("1 of 3 runs failed", messages)
         rows = self.table()
         self.assertEqual((rows[0]["error"], rows[0]["exit"]), ("", "2"))
         self.assertAlmostEqual(float(rows[1]["error"]), 0.25)
@@ -194,15 +194,15 @@ class Study(ToolTest):
 
     def test_draws_curves(self):
         self.study(LINEAR + GIMP, with_curve(HEAD))
-        status, output, complaint = self.start()
-        self.assertEqual((status, complaint), (0, ""))
+        status, output, messages = self.start()
+        self.assertEqual((status, messages), (0, ""))
         self.assertIn(f"Wrote {self.path('study.out', 'curves.png')}: 5 curves.", output)
         self.assertGreater(picture_size(self.path("study.out", "curves.png"))[0], 900)
 
-    def test_draws_values_beside_what_is_true(self):
+    def test_draws_values_with_true_values(self):
         self.study(LINEAR.replace("linear", "cold") + VALUES)
-        status, output, complaint = self.start()
-        self.assertEqual((status, complaint), (0, ""))
+        status, output, messages = self.start()
+        self.assertEqual((status, messages), (0, ""))
         self.assertGreater(picture_size(self.path("study.out", "values.png"))[0], 900)
         with open(self.path("study.out", "values.csv"), newline="") as file:
             rows = list(csv.DictReader(file))
@@ -217,8 +217,8 @@ class Study(ToolTest):
         drawn = '<Parameter name="Drawn At" type="string" value="at + [cracks.Notch.fronts.0.G_J] + 1"/>\n      '
         self.study(LINEAR.replace("linear", "cold") + VALUES.replace('<Parameter name="Compared With"', drawn + '<Parameter name="Compared With"')
                    .replace('"at*[cracks', '"drawn*[cracks'))
-        status, _, complaint = self.start()
-        self.assertEqual((status, complaint), (0, ""))
+        status, _, messages = self.start()
+        self.assertEqual((status, messages), (0, ""))
         with open(self.path("study.out", "values.csv"), newline="") as file:
             for row, at, cell in zip(csv.DictReader(file), (10.0, 20.0, 40.0), (0.5, 0.25, 0.125)):
                 place = float(row["drawn at"])
@@ -226,30 +226,30 @@ class Study(ToolTest):
                 self.assertGreater(place, at + 1.0)  # G is above zero
                 self.assertAlmostEqual(float(row["value"]), place * (1 + cell**2) / (1 + cell), 12)
 
-    def test_a_value_that_can_not_be_found_is_told(self):
+    def test_a_value_that_can_not_be_found_is_reported(self):
         for wrong, words in ((("[[cracks", "[[crack"), "crack"), (("at*[", "to*["), "has what is no number"),
                              (("at*[", "at*(["), "is no expression"), (("{10, 20, 40}", "{10, 20}"), "for each of the 3 runs"),
                              (('value="cold"', 'value="ice"'), "there is no family ice")):
             self.study(LINEAR.replace("linear", "cold") + VALUES.replace(*wrong))
-            status, _, complaint = self.start()
+            status, _, messages = self.start()
             self.assertEqual(status, 1, wrong)
-            self.assertIn(words, complaint)
+            self.assertIn(words, messages)
 
     def test_without_a_column_there_are_no_curves(self):
         self.study(LINEAR)
         self.start()
         self.assertFalse(os.path.exists(self.path("study.out", "curves.png")))
 
-    def test_a_column_that_is_not_there_is_told(self):
+    def test_a_column_that_is_not_there_is_reported(self):
         self.study(LINEAR, with_curve(HEAD, CURVE.replace("Notch.0.G_J", "Notch.0.G")))
-        status, _, complaint = self.start()
+        status, _, messages = self.start()
         self.assertEqual(status, 1)
-        self.assertIn("Curve Of Notch.0.G: history.csv has no such column; it has time, Notch.0.G_J.", complaint)
+        self.assertIn("Curve Of Notch.0.G: history.csv has no such column; it has time, Notch.0.G_J.", messages)
         self.study(LINEAR.replace("</", '  <Parameter name="Output:History" type="string" value="none"/>\n    </', 1),
                    with_curve(HEAD))
-        status, _, complaint = self.start()
+        status, _, messages = self.start()
         self.assertEqual(status, 1)
-        self.assertIn("has no history.csv for Curve Of", complaint)
+        self.assertIn("has no history.csv for Curve Of", messages)
 
     def test_runs_a_family_alone(self):
         self.study(LINEAR + GIMP)
@@ -281,9 +281,9 @@ class Study(ToolTest):
         self.assertEqual({row["processor_seconds"] for row in self.table()}, {""})
 
     def assert_complains_at_the_end(self, answer, words):
-        status, _, complaint = answer
-        self.assertEqual((status, complaint.count("\n")), (1, 1), complaint)
-        self.assertIn(words, complaint)
+        status, _, messages = answer
+        self.assertEqual((status, messages.count("\n")), (1, 1), messages)
+        self.assertIn(words, messages)
 
     def test_an_interrupted_study_keeps_what_is_done(self):
         """The second run kills the study as Ctrl-C would; the third never starts."""
@@ -297,8 +297,8 @@ if "--check" not in sys.argv and "Domain:Cell Size=2.5e-3" in sys.argv:
 sys.exit(subprocess.call([{PROGRAM!r}] + sys.argv[1:]))
 """)
         os.chmod(killer, 0o755)
-        status, output, complaint = run("rhegma-study", self.path("study.xml"), "--rhegma", killer)
-        self.assertEqual((status, complaint), (130, "rhegma-study: interrupted.\n"))
+        status, output, messages = run("rhegma-study", self.path("study.xml"), "--rhegma", killer)
+        self.assertEqual((status, messages), (130, "rhegma-study: interrupted.\n"))
         self.assertEqual(self.runs(), 1)
         status, output, _ = self.start()
         self.assertEqual((status, self.runs(), output.count("(done before)")), (0, 3, 1))

@@ -38,14 +38,14 @@ def picture_size(path):
 
 
 class ToolTest(OwnFolder):
-    """Refuses complaints of more than one line."""
+    """Refuses messages of more than one line."""
 
     def assert_complains(self, answer, *words):
         """Exit status 1, nothing on standard output, one line with these words on standard error."""
-        status, output, complaint = answer
-        self.assertEqual(status, 1, complaint)
+        status, output, messages = answer
+        self.assertEqual(status, 1, messages)
         self.assertEqual(output, "")
-        self.assertEqual(complaint.count("\n"), 1, complaint)
-        self.assertTrue(complaint.startswith("rhegma-"), complaint)
+        self.assertEqual(messages.count("\n"), 1, messages)
+        self.assertTrue(messages.startswith("rhegma-"), messages)
         for word in words:
-            self.assertIn(word, complaint)
+            self.assertIn(word, messages)

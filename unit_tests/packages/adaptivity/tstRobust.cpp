@@ -2,6 +2,7 @@
 /// fronts close together, cells that come and go with every step.
 
 #include "Refined.hpp"
+#include "state/EnergySums.hpp"
 
 #include <cmath>
 #include <cstdio>

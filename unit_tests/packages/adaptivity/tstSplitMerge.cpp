@@ -4,7 +4,7 @@
 
 #include "adaptivity/Lineage.hpp"
 #include "cracks/Junctions.hpp"
-#include "output/CoreRow.hpp"
+#include "state/EnergySums.hpp"
 
 namespace Rhegma
 {

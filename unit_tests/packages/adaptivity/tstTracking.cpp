@@ -2,6 +2,7 @@
 /// is from that with small cells everywhere and how far large cells are, and that remeshing keeps the books.
 
 #include "../../src/step/Bodies.hpp"
+#include "state/EnergySums.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -96,12 +97,12 @@ Effect<D> accountant(Books& books)
   const auto before = std::make_shared<Before>();
   Effect<D> effect;
   effect.name = "Accountant";
-  effect.call({Stage::BetweenSteps, "books before", {}, {"crack geometry"}, {}, [=](State<D>& state) {
+  effect.call({Stage::BetweenSteps, "books before", {}, {quantity::crackGeometry}, {}, [=](State<D>& state) {
                  *before = look(state);
                }});
   effect.call({Stage::BetweenSteps,
                "books after",
-               {"cells"},
+               {ifWritten(quantity::cells)},
                {},
                {},
                [=, &books](State<D>& state)

@@ -1,6 +1,7 @@
 /// Burning cracks in bodies: what is conserved, how the flame spreads, how it ends.
 
 #include "../../src/step/Bodies.hpp"
+#include "state/EnergySums.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -3,6 +3,7 @@
 #include "../../src/step/Bodies.hpp"
 
 #include "base/ReadList.hpp"
+#include "state/EnergySums.hpp"
 
 #include <nlohmann/json.hpp>
 

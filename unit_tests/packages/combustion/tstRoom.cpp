@@ -1,6 +1,7 @@
 /// The room between the faces of a crack that gas opens as far as cells are wide.
 
 #include "../../src/step/Bodies.hpp"
+#include "state/EnergySums.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -40,7 +40,7 @@ TEST(Contact, RefusesWhatDoesNotFit)
   Teuchos::ParameterList scene;
   scene.sublist("Contact");
   std::vector<SceneError> errors;
-  contactEntry().check(scene, errors);
+  checkRules(scene, effectSchema(), errors);
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_EQ(errors[0].where, "Contact");
 }

@@ -2,7 +2,7 @@
 
 #include "cracks/CrackGeometry.hpp"
 #include "cracks/Opening.hpp"
-#include "output/CoreRow.hpp"
+#include "state/EnergySums.hpp"
 #include "transfer/Stencils.hpp"
 
 #include <algorithm>

@@ -72,8 +72,8 @@ TEST(SurfaceGrowth, KeepsADiskRoundAndBooksItsArea)
     advance(state, growth, straightBy(0.2 * cell));
   const CrackFront<3>& front = state.cracks.fronts[0];
   const double area = measureOpening(state.cracks, 0).size;
-  EXPECT_NEAR(front.taken, toughness * (area - before), 1e-10 * toughness * area);
-  EXPECT_NEAR(front.unspent, front.taken, 1e-12);
+  EXPECT_NEAR(front.budget.required, toughness * (area - before), 1e-10 * toughness * area);
+  EXPECT_NEAR(front.budget.pending, front.budget.required, 1e-12);
   // The polygon's area is less than the circle's by a share of up to (1.5 / 8)^2 / 6.
   EXPECT_NEAR(area, pi * 64e-6, 0.02 * pi * 64e-6);
   ASSERT_GE(front.nodes.size(), 34u); // the rim has 50 cells
@@ -120,7 +120,7 @@ TEST(SurfaceGrowth, SmoothsRipplesWithoutLossOfArea)
         });
   const CrackFront<3>& front = state.cracks.fronts[0];
   const double area = measureOpening(state.cracks, 0).size;
-  EXPECT_NEAR(front.taken, toughness * (area - before), 1e-10 * toughness * area);
+  EXPECT_NEAR(front.budget.required, toughness * (area - before), 1e-10 * toughness * area);
   double least = 1e300, largest = 0.0;
   for (const FrontNode<3>& s : front.nodes)
   {
@@ -171,7 +171,7 @@ TEST(SurfaceGrowth, AdvancesANodeThatNothingHoldsBackWithItsNeighbours)
     else
       EXPECT_GT(own - start, 0.375 * (largest - start - 0.25 * cell));
     const double area = measureOpening(state.cracks, 0).size;
-    EXPECT_NEAR(state.cracks.fronts[0].taken, toughness * (area - before), 1e-10 * toughness * area);
+    EXPECT_NEAR(state.cracks.fronts[0].budget.required, toughness * (area - before), 1e-10 * toughness * area);
   }
 }
 
@@ -202,7 +202,7 @@ TEST(SurfaceGrowth, EvensAFrontAtAMirror)
       mean += radiusOf(s, {0.0, 0.0, 0.0}) / double(front.nodes.size());
     ahead[mirrored] = radiusOf(front.nodes.front(), {0.0, 0.0, 0.0}) - mean;
     const double area = measureOpening(state.cracks, 0).size;
-    EXPECT_NEAR(front.taken, toughness * (area - before), 1e-10 * toughness * area);
+    EXPECT_NEAR(front.budget.required, toughness * (area - before), 1e-10 * toughness * area);
   }
   // Six advances by 0.15 cells more than the others.
   EXPECT_GT(ahead[0], 0.75 * 0.9 * cell);
@@ -252,7 +252,7 @@ TEST(SurfaceGrowth, KeepsPointsApartThatAdvanceInTurn)
   for (const double piece : pieces())
     EXPECT_NEAR(piece, usual, 0.3 * usual);
   const double area = measureOpening(state.cracks, 0).size;
-  EXPECT_NEAR(state.cracks.fronts[0].taken, toughness * (area - before), 1e-10 * toughness * area);
+  EXPECT_NEAR(state.cracks.fronts[0].budget.required, toughness * (area - before), 1e-10 * toughness * area);
   EXPECT_NEAR(area, before + 10.0 * cell * size, 0.02 * area);
 }
 

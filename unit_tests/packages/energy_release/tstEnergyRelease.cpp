@@ -2,6 +2,8 @@
 
 #include "energy_release/EnergyRelease.hpp"
 #include "energy_release/LoadsInRing.hpp"
+#include "mass_matrix/MassMatrix.hpp"
+#include "plan/EffectSchema.hpp"
 
 #include <Teuchos_ParameterList.hpp>
 #include <gtest/gtest.h>
@@ -85,6 +87,7 @@ TEST(EnergyRelease, RefusesSectionsThatDoNotFit)
   const auto wrong = [&](const Teuchos::ParameterList& scene)
   {
     std::vector<SceneError> errors;
+    checkRules(scene, effectSchema(), errors);
     entry.check(scene, errors);
     std::vector<std::string> places;
     places.reserve(errors.size());
@@ -259,9 +262,10 @@ TEST(EnergyRelease, TakesTheMatrixThatTheSceneChooses)
     scene.sublist("Energy Release").set("Crack Closure", true);
     scene.sublist("Energy Release").set("Lumped Closure", true);
     scene.sublist("Energy Release").set("Closure Recovery", recovery);
+    RunOptions options;
     if (matrix.numParams() > 0)
-      scene.sublist("Mass Matrix") = matrix;
-    const Effect<2> effect = energyReleaseEntry().make2(scene);
+      mass_matrix::massMatrixEntry().declare(matrix, options);
+    const Effect<2> effect = energyReleaseEntry().make2(scene, options);
     effect.atStart(state);
     state.cracks.nodeSide = View<int*>("rhegma::nodeSide", state.mesh.grid.numNodes);
     for (int n = 0; n < state.mesh.grid.numNodes; ++n)

@@ -66,7 +66,7 @@ struct Errors
 } // namespace
 
 /// What is asked of every tip: K within 1 %, the direction of the largest hoop stress within 0.5 degrees, at
-/// 8 cells a half length. Without ties behind the fronts (Cracks > Front Springs) the crack of the cells is
+/// 8 cells a half length. Without springs behind the fronts (Cracks > Front Springs) the crack of the cells is
 /// longer or shorter by up to half a cell an end, and 1.2 % and 1.3 degrees are reached.
 TEST(InclinedCracks, MeetTheClosedForm)
 {

@@ -76,12 +76,12 @@ TEST(FacePressure, NamesCracksThatAreThere)
   Teuchos::ParameterList list;
   list.sublist("Face Pressure").sublist("Ege");
   std::vector<SceneError> errors;
-  facePressureEntry().check(list, errors);
+  checkRules(list, effectSchema(), errors);
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_EQ(errors[0].where, "Face Pressure");
   list.sublist("Cracks").sublist("Edge");
   errors.clear();
-  facePressureEntry().check(list, errors);
+  checkRules(list, effectSchema(), errors);
   ASSERT_EQ(errors.size(), 1u);
   EXPECT_EQ(errors[0].where, "Face Pressure > Ege");
   EXPECT_NE(errors[0].message.find("Edge"), std::string::npos);

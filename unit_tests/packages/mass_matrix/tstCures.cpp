@@ -2,7 +2,7 @@
 
 #include "SquareScene.hpp"
 
-#include "output/CoreRow.hpp"
+#include "state/EnergySums.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -58,8 +58,8 @@ double growth(double lumpedShare, double smallestNode, double rotation, const ch
 
 } // namespace
 
-/// The cures (Lumped Fraction, Minimum Node Mass) hold the energy where it is; what FLIP keeps in motions that the
-/// nodes do not see stays too, and the rest may only fall.
+/// The cures (Lumped Fraction, Minimum Node Mass) hold the energy where it is; what FLIP keeps in motions
+/// that the nodes do not see stays too, and the rest may only fall.
 TEST(MassMatrix, IsStableOnCutCells)
 {
   for (const char* shape : {"Linear", "GIMP"})

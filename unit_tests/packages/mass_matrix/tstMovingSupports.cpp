@@ -1,6 +1,7 @@
 /// Supports that move nodes whose mass is coupled: what damping takes there, and how they strain particles.
 
 #include "../../src/step/Bodies.hpp"
+#include "state/EnergySums.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 
 #include "mass_matrix/MassRows.hpp"
 #include "mass_matrix/ParticleMass.hpp"
-#include "output/CoreRow.hpp"
+#include "state/EnergySums.hpp"
 #include "transfer/ParticleViews.hpp"
 
 #include <algorithm>

@@ -100,7 +100,7 @@ TEST(Junctions, CrackEndsOnTheFaceOfTheOther)
   EXPECT_NE(state.warnings.back().find("joined the crack Roof"), std::string::npos) << state.warnings.back();
   // The first increment is that of a front at rest.
   const double way = roof - 10e-3;
-  EXPECT_NEAR(front.taken, 5.0 * (way - cell) + 1.0 * cell, 0.02 * front.taken);
+  EXPECT_NEAR(front.budget.required, 5.0 * (way - cell) + 1.0 * cell, 0.02 * front.budget.required);
   while (state.clock.time < piece.joined + 1e-5)
     piece.run.step(1.0, false);
   nlohmann::json summary;
@@ -108,9 +108,9 @@ TEST(Junctions, CrackEndsOnTheFaceOfTheOther)
     if (effect.report)
       effect.report(piece.run.state(), summary);
   const double inFlight = summary["energy_in_flight"];
-  std::cout << "spent " << state.energy.fracture / front.taken << ", in flight " << inFlight / front.taken
-            << "\n";
-  EXPECT_NEAR(state.energy.fracture + inFlight, front.taken, 0.02 * front.taken);
+  std::cout << "spent " << state.energy.fracture / front.budget.required << ", in flight "
+            << inFlight / front.budget.required << "\n";
+  EXPECT_NEAR(state.energy.fracture + inFlight, front.budget.required, 0.02 * front.budget.required);
 }
 
 /// No crack joins another through the gap between two bodies: it ends at the surface of its own.

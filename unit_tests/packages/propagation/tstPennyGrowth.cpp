@@ -165,8 +165,8 @@ TEST(PennyGrowth, RunsAsItsToughnessSaysAndPaysForItsArea)
   EXPECT_NEAR(area, 0.25 * pi * (until * until - radius * radius), 0.1 * area);
   // The first increment of each front node is that of a front at rest.
   const double first = 0.25 * pi * (std::pow(radius + 0.25 * cell, 2) - radius * radius);
-  EXPECT_NEAR(front.taken, 100.0 * ((1.0 + speed / 100.0) * area - speed / 100.0 * first),
-              0.02 * front.taken);
+  EXPECT_NEAR(front.budget.required, 100.0 * ((1.0 + speed / 100.0) * area - speed / 100.0 * first),
+              0.02 * front.budget.required);
   for (const FrontNode<3>& s : front.nodes)
   {
     EXPECT_NEAR(s.position[2], 0.3 * cell, 0.1 * cell);
@@ -181,7 +181,7 @@ TEST(PennyGrowth, RunsAsItsToughnessSaysAndPaysForItsArea)
   EXPECT_NEAR(all, before + area, 0.01 * area);
   const double inFlight = report(run)["energy_in_flight"];
   EXPECT_GT(state.energy.fracture, 0.0);
-  EXPECT_NEAR(state.energy.fracture + inFlight, front.taken, 0.01 * front.taken);
+  EXPECT_NEAR(state.energy.fracture + inFlight, front.budget.required, 0.01 * front.budget.required);
 }
 
 /// A front of which one half sets out and the other never does: nodes that it opens beside front nodes that
@@ -205,13 +205,13 @@ TEST(PennyGrowth, PaysForItsAreaWhereHalfOfItSetsOut)
     }
     const CrackFront<3>& front = state.cracks.fronts[0];
     EXPECT_FALSE(front.ended);
-    ASSERT_GT(front.taken, 0.0);
+    ASSERT_GT(front.budget.required, 0.0);
     const double inFlight = report(run)["energy_in_flight"];
-    EXPECT_NEAR(state.energy.fracture + inFlight, front.taken, 0.01 * front.taken);
+    EXPECT_NEAR(state.energy.fracture + inFlight, front.budget.required, 0.01 * front.budget.required);
     const double row = 500.0 * cell * 0.25 * pi * until;
-    std::cout << "until " << until / cell << " cells: unspent " << front.unspent / front.taken
-              << " of what was booked, " << front.unspent / row << " of a row\n";
-    EXPECT_LT(std::fabs(front.unspent), 0.5 * row);
+    std::cout << "until " << until / cell << " cells: unspent " << front.budget.pending / front.budget.required
+              << " of what was booked, " << front.budget.pending / row << " of a row\n";
+    EXPECT_LT(std::fabs(front.budget.pending), 0.5 * row);
   }
 }
 
@@ -237,11 +237,11 @@ TEST(PennyGrowth, PaysForItsAreaToTheEnd)
   const CrackFront<3>& front = state.cracks.fronts[0];
   const nlohmann::json summary = report(run);
   const double inFlight = summary["energy_in_flight"], area = half * half - before;
-  EXPECT_NEAR(front.taken, 500.0 * area, 0.1 * front.taken);
-  EXPECT_NEAR(state.energy.fracture + inFlight, front.taken, 0.01 * front.taken);
-  std::cout << "unspent " << front.unspent / front.taken << " of what was booked, all "
-            << (state.energy.fracture + inFlight) / front.taken << "\n";
-  EXPECT_LT(std::fabs(front.unspent), 0.01 * front.taken);
+  EXPECT_NEAR(front.budget.required, 500.0 * area, 0.1 * front.budget.required);
+  EXPECT_NEAR(state.energy.fracture + inFlight, front.budget.required, 0.01 * front.budget.required);
+  std::cout << "unspent " << front.budget.pending / front.budget.required << " of what was booked, all "
+            << (state.energy.fracture + inFlight) / front.budget.required << "\n";
+  EXPECT_LT(std::fabs(front.budget.pending), 0.01 * front.budget.required);
   // What it has done is known after its front nodes are no more.
   const nlohmann::json& entry = summary["cracks"][0]["fronts"][0];
   EXPECT_GT(entry["increments"].get<long>(), 0);
@@ -298,7 +298,7 @@ TEST(PennyGrowth, HaltsBeforeItsOwnFaces)
   EXPECT_LT(above, other - cell);
   EXPECT_GT(above - below, 2.5 * cell);
   EXPECT_GT(cracks::measureOpening(state.cracks, 0).size, before + wide * cell);
-  EXPECT_TRUE(std::isfinite(front.taken) && front.taken > 0.0);
+  EXPECT_TRUE(std::isfinite(front.budget.required) && front.budget.required > 0.0);
 }
 
 /// With Contact new faces that are pressed together hold against each other: the layer between them gives by

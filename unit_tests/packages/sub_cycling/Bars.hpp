@@ -3,7 +3,7 @@
 
 #include "../../src/step/Bodies.hpp"
 
-#include "output/CoreRow.hpp"
+#include "state/EnergySums.hpp"
 
 #include <functional>
 #include <random>

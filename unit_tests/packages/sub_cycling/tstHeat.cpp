@@ -1,6 +1,7 @@
 /// Bars whose motion heats and cools them while the small cells in their middle take short steps.
 
 #include "Bars.hpp"
+#include "state/EnergySums.hpp"
 
 #include <algorithm>
 

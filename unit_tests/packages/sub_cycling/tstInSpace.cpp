@@ -1,8 +1,8 @@
-/// Cracks in 3D whose ties and contact follow the short steps of small cells.
+/// Cracks in 3D whose springs and contact follow the short steps of small cells.
 
 #include "../cracks/CubeScene.hpp"
 
-#include "output/CoreRow.hpp"
+#include "state/EnergySums.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ struct Outcome
 {
   double mean = 0.0;     ///< energy over the last third of the steps, over that in the beginning
   double layer = 0.0;    ///< most energy of contact
-  double ties = 0.0;     ///< most energy of ties
+  double springs = 0.0;  ///< most energy of springs
   double momentum = 0.0; ///< largest change, over mass times speed
   double half = 0.0;     ///< momentum of the upper half in the end, over that in the beginning
 };
@@ -71,7 +71,7 @@ Outcome follow(Run<3>& run, bool apart, double end = 0.0)
       ++samples;
     }
     o.layer = std::max(o.layer, state.energy.contact / given);
-    o.ties = std::max(o.ties, state.energy.ties / given);
+    o.springs = std::max(o.springs, state.energy.springs / given);
     o.momentum = std::max(o.momentum, norm(state.sample.momentum - momentum) / (mass * speed));
   }
   o.mean /= samples;
@@ -97,17 +97,17 @@ TEST(ShortStepsInSpace, HoldWithContact)
   for (const int levels : {1, 2})
   {
     const Outcome o = follow(*crackedBlock(levels, true, true), false);
-    std::printf("%d levels: %.4f of the energy in the end, %.4f in the layer between faces, %.1e in ties; "
+    std::printf("%d levels: %.4f of the energy in the end, %.4f in the layer between faces, %.1e in springs; "
                 "momentum by %.1e\n",
-                levels, o.mean, o.layer, o.ties, o.momentum);
+                levels, o.mean, o.layer, o.springs, o.momentum);
     EXPECT_GT(o.layer, 0.01);
     EXPECT_LT(o.mean, 1.03);
     EXPECT_LT(o.momentum, 1e-12);
   }
 }
 
-/// Halves that run apart and are held by the material before the front and by ties. A motion of frequency w
-/// is seen by steps dt at a frequency off by the share (w dt)^2 / 24; that of the halves is no faster than
+/// Halves that run apart and are held by the material before the front and by springs. A motion of frequency
+/// w is seen by steps dt at a frequency off by the share (w dt)^2 / 24; that of the halves is no faster than
 /// waves that cross the block's height and back, pi c / height, for which half a period is followed.
 TEST(ShortStepsInSpace, HoldWithTies)
 {
@@ -119,12 +119,12 @@ TEST(ShortStepsInSpace, HoldWithTies)
     const auto some = crackedBlock(levels, false, true), all = crackedBlock(levels, false, false);
     const double steps = frequency * some->stableTimeStep();
     const Outcome a = follow(*some, true, end), b = follow(*all, true, end);
-    EXPECT_TRUE(some->state().cracks.tied);
+    EXPECT_TRUE(some->state().cracks.frontSprings);
     std::printf(
-        "%d levels: upper half %.5f, in short steps only %.5f, may differ by %.1e; %.1e in ties; momentum "
+        "%d levels: upper half %.5f, in short steps only %.5f, may differ by %.1e; %.1e in springs; momentum "
         "by %.1e\n",
-        levels, a.half, b.half, std::acos(-1.0) * steps * steps / 24.0, a.ties, a.momentum);
-    EXPECT_GT(a.ties, 0.0);
+        levels, a.half, b.half, std::acos(-1.0) * steps * steps / 24.0, a.springs, a.momentum);
+    EXPECT_GT(a.springs, 0.0);
     EXPECT_NEAR(a.half, b.half, std::acos(-1.0) * steps * steps / 24.0);
     EXPECT_LT(a.momentum, 1e-12);
   }

@@ -1,6 +1,7 @@
 /// What the ledger says of small cells that move in short steps: the work of supports, loads and gravity.
 
 #include "../../src/step/Bodies.hpp"
+#include "state/EnergySums.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 /// Metal that flows while small cells take short steps, moved by supports.
 
 #include "../../src/step/Bodies.hpp"
+#include "state/EnergySums.hpp"
 
 #include <algorithm>
 #include <cmath>

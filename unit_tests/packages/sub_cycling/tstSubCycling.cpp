@@ -2,6 +2,7 @@
 /// motion of the same bar in short steps only.
 
 #include "Bars.hpp"
+#include "state/EnergySums.hpp"
 
 namespace Rhegma
 {

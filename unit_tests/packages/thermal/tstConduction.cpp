@@ -3,6 +3,7 @@
 
 #include "adaptivity/Splitting.hpp"
 #include "packages/thermal/HeatedBars.hpp"
+#include "state/EnergySums.hpp"
 #include "step/CoreStep.hpp"
 #include "thermal/HeatNodes.hpp"
 #include "transfer/Stencils.hpp"

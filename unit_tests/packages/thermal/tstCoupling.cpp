@@ -1,6 +1,7 @@
 /// Motion and heat together: the books of both close, and waves run at the adiabatic speed.
 
 #include "src/step/Bodies.hpp"
+#include "state/EnergySums.hpp"
 #include "transfer/ParticleViews.hpp"
 
 #include <algorithm>

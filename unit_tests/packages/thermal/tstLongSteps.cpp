@@ -2,6 +2,7 @@
 /// order in time is what it should be, and cracks insulate or conduct as they do in short steps.
 
 #include "packages/thermal/HeatedBars.hpp"
+#include "state/EnergySums.hpp"
 #include "step/CoreStep.hpp"
 #include "thermal/LongSteps.hpp"
 

@@ -40,7 +40,6 @@ TEST(SceneMistakes, UnlikeNameListsThePossibleOnes)
 
 TEST(SceneMistakes, FormerNameOfAParameterNamesTheNewOne)
 {
-  std::vector<Section> sections = coreSections();
   Section oven("Oven", "A section with parameters that had other names.");
   oven.real("Power").formerly("Strength");
   oven.chosenBy("Type");
@@ -48,8 +47,7 @@ TEST(SceneMistakes, FormerNameOfAParameterNamesTheNewOne)
   gas.real("Gas Flow").formerly("Stream").byDefault(1.0);
   oven.variant(gas);
   oven.variant(Section("Electric", "The other variant."));
-  sections.push_back(oven);
-  const SceneSchema schema(sections);
+  const SceneSchema schema = schemaOf({EffectEntry{oven, {}, {}, {}}});
   const auto errorsOf =
       [&](const std::string& type, const std::string& more, const std::vector<std::string>& overrides = {})
   {

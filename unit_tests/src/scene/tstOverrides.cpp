@@ -70,11 +70,9 @@ TEST(SceneOverrides, ThatLeadNowhereLeaveNoSectionBehind)
 {
   Section strict("Strict", "Has something to give.");
   strict.real("Needed").meaning("Must be given.");
-  auto sections = coreSections();
-  sections.push_back(strict);
-  expectOnly(readSceneText(goodScene(), {"Strict:Neded=1"}, SceneSchema(sections)).errors, "Strict > Neded",
-             {"\"Needed\""});
-  EXPECT_TRUE(readSceneText(goodScene(), {"Strict:Needed=1"}, SceneSchema(sections)).errors.empty());
+  const SceneSchema schema = schemaOf({EffectEntry{strict, {}, {}, {}}});
+  expectOnly(readSceneText(goodScene(), {"Strict:Neded=1"}, schema).errors, "Strict > Neded", {"\"Needed\""});
+  EXPECT_TRUE(readSceneText(goodScene(), {"Strict:Needed=1"}, schema).errors.empty());
 }
 
 TEST(SceneOverrides, OfAnotherForm)

@@ -2,6 +2,7 @@
 /// A bar that vibrates freely, for tests of what steps make of its energy and of its period.
 
 #include "Bodies.hpp"
+#include "state/EnergySums.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -158,9 +158,9 @@ Effect<2> manufacturedForce(const Motion& motion)
   effect.name = "Manufactured Force";
   effect.call({Stage::BeforeSolve,
                "manufactured force",
-               {"nodal mass"},
+               {quantity::nodalMass},
                {},
-               {"nodal force"},
+               {quantity::nodalForce},
                [motion](State<2>& state)
                {
                  const Nodes<2> nodes = state.mesh.nodes;

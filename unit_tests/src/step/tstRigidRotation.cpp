@@ -2,6 +2,7 @@
 
 #include "Bodies.hpp"
 
+#include "state/EnergySums.hpp"
 #include "step/CoreStep.hpp"
 #include "transfer/Gather.hpp"
 

@@ -41,7 +41,7 @@ TEST_P(MassFlight, IsSolvedAsWellAsRest)
 }
 
 /// A body with a crack in flight, of which a particle gives mass to a field behind the front that had none:
-/// what the ties there are stretched by is no flight. (Where it was, the energy of the shaking grew a
+/// what the springs there are stretched by is no flight. (Where it was, the energy of the shaking grew a
 /// thousandfold.)
 TEST(MassFlightWithACrack, GainsNothingFromTies)
 {

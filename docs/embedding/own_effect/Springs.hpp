@@ -1,6 +1,0 @@
-#pragma once
-
-#include <step/Effect.hpp>
-
-/// The effect `Springs`: a bed of springs that pulls all material back to where it was at the start.
-Rhegma::EffectEntry springs();

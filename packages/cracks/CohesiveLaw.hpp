@@ -1,0 +1,136 @@
+#pragma once
+/// The laws of the springs behind a front and of the traction of new faces, without state: what replaces them
+/// replaces this file and SpringConstants.hpp.
+
+#include "base/Types.hpp"
+#include "cracks/SpringConstants.hpp"
+
+#include <cmath>
+
+namespace Rhegma::cracks
+{
+
+/// How the two fields of a split node are joined.
+enum class SpringState : int
+{
+  Bonded = 0,    ///< by a front spring; without stiffness away from fronts
+  Releasing = 1, ///< by a cohesive traction
+  Open = 2       ///< not at all: the traction has fallen to zero
+};
+
+/// Stiffness of the spring between the two fields of a node just behind a front [N/m]:
+///
+///     k = 0.1 E' b (1 - xi) / xi (1 - z),   xi = sqrt(c) behind + 0.05,
+///
+/// so that the node opens by as much as it lies behind the front; zero from a cell on.
+///
+/// \param modulus E' of fracture mechanics [Pa] \param width b: thickness (2D), filled part of a cell (3D)
+/// [m] \param behind distance behind the front [cells] \param away z: distance from the crack along the axis
+/// nearest to its normal [cells]; the nodes above and below share one spring \param steepest c: largest
+/// component of the normal, as springs reach a little further across the cells
+KOKKOS_INLINE_FUNCTION double frontSpringStiffness(double modulus, double width, double behind, double away,
+                                                   double steepest)
+{
+  const double xi = behind * std::sqrt(steepest) + springs::distanceOffset;
+  return xi < 1.0 && away < 1.0
+             ? springs::stiffnessFraction * modulus * width * (1.0 - xi) / xi * (1.0 - away)
+             : 0.0;
+}
+
+/// The cohesive traction of a node, as a nodal force: falls linearly from T at an onset T / k to zero at an
+/// opening w further on; unloading and reloading follow the secant. It dissipates T w / 2.
+///
+/// The two fields of a node that a front passes are held together at first by the force T that gives both one
+/// acceleration. The opening is counted from -T / k, so that the traction can turn with it and has a finite
+/// stiffness k at first. A force that pushes the faces together is no cohesion and is left out
+/// (HoldingForce.hpp).
+struct CohesiveLaw
+{
+  double strength = 0.0; ///< T [N]
+  double range = 0.0;    ///< w [m]
+  double onset = 0.0;    ///< T / k [m]
+
+  /// Force per opening [N/m] where the largest opening so far is `largest` [m].
+  KOKKOS_INLINE_FUNCTION double secant(double largest) const
+  {
+    const double left = 1.0 - (largest - onset) / range;
+    return left > 0.0 ? strength * left / largest : 0.0;
+  }
+
+  /// Force at an opening [N]. \param largest opening so far [m]
+  KOKKOS_INLINE_FUNCTION double traction(double opening, double largest) const
+  {
+    return secant(opening > largest ? opening : largest) * opening;
+  }
+
+  /// Whether the fields are apart for good. \param largest opening so far [m]
+  KOKKOS_INLINE_FUNCTION bool isOpen(double largest) const { return !(traction(largest, largest) > 0.0); }
+
+  /// What the traction dissipates from its onset to zero [J].
+  KOKKOS_INLINE_FUNCTION double energy() const { return 0.5 * strength * range; }
+
+  /// Work of the traction from an opening until the node is open [J], including what it stores elastically.
+  /// \param square of the opening now [m2]
+  KOKKOS_INLINE_FUNCTION double pendingEnergy(double largest, double square) const
+  {
+    const double force = traction(largest, largest);
+    return force > 0.0 ? 0.5 * force * (onset + range - largest) +
+                             0.5 * force / largest * (largest * largest - square)
+                       : 0.0;
+  }
+};
+
+/// Opening over which nodes that a front passes together release an energy [m]: w = 2 E / sum T, all with the
+/// same. They dissipate E together, each a part in proportion to its force (two rows of nodes next to a crack
+/// that runs between them).
+/// \param energy [J] \param holding sum of the forces that would hold the fields [N]
+inline double releaseRange(double energy, double holding)
+{
+  return 2.0 * energy / (springs::initialFraction * holding);
+}
+
+/// Fraction phi of the holding force that a node starts with.
+///
+/// Where w is so short that the fields would pass it within a step or two, T would act to the end of a step
+/// in which the faces are apart already. There the node starts with less force and a longer range of the same
+/// energy, so that the fields reach w as the step ends:
+///
+///     w = 2 E / (phi T) = (1 - phi) T / m dt^2,   phi below a half, m = m1 m2 / (m1 + m2).
+///
+/// The last step overshoots w. Where it opens the fields by s w with a fraction x <= s of w left, it
+/// dissipates x T s w / 2 instead of x T x w / 2: too much by x (s - x) of the energy T w / 2, at most s^2 /
+/// 4, s^2 / 6 in the mean of all x. A node that over-dissipates by a twentieth has opened by s > 0.45 in its
+/// last step: its traction falls within little more than two steps. From there on, `toleratedExcess`, the
+/// excess is deducted from the energy of nodes that the front passes next; slower ones dissipate 3 % too much
+/// in the mean at most.
+///
+/// \param range as of releaseRange [m] \param apart how far the fields would move apart within the step if
+/// nothing held them [m]
+KOKKOS_INLINE_FUNCTION double startingFraction(double range, double apart)
+{
+  const double product = springs::initialFraction * range / apart; // phi (1 - phi)
+  return product < 0.25 ? 2.0 * product / (1.0 + std::sqrt(1.0 - 4.0 * product)) : springs::initialFraction;
+}
+
+/// The law of a node that a front has passed. \param strength its initial traction [N] \param fraction phi
+/// \param stiffness k [N/m]
+KOKKOS_INLINE_FUNCTION CohesiveLaw releaseLaw(double strength, double range, double fraction,
+                                              double stiffness)
+{
+  return {strength, range * springs::initialFraction / fraction, strength / stiffness};
+}
+
+/// The law that a stretched front spring follows from when its front is initiated: its force falls to zero
+/// over another stretch. \param stretch now, larger than zero [m]
+KOKKOS_INLINE_FUNCTION CohesiveLaw softeningLaw(double stiffness, double stretch)
+{
+  return {stiffness * stretch, springs::softeningStretch * stretch, stretch};
+}
+
+/// Energy that a softening spring dissipates in all, with what it stored when it began to soften [J].
+KOKKOS_INLINE_FUNCTION double softenedEnergy(const CohesiveLaw& law)
+{
+  return 0.5 * law.strength * law.onset + law.energy();
+}
+
+} // namespace Rhegma::cracks

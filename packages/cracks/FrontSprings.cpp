@@ -1,0 +1,238 @@
+#include "cracks/FrontSprings.hpp"
+
+#include "base/FewItems.hpp"
+#include "cracks/HoldingForce.hpp"
+#include "cracks/NearestFront.hpp"
+#include "cracks/Release.hpp"
+#include "material/MaterialTable.hpp"
+#include "state/Subdomain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Rhegma::cracks
+{
+
+namespace
+{
+
+/// Finds the spring of the i-th node with two fields.
+template <int D>
+struct FindSpring
+{
+  Nodes<D> nodes;
+  NodePlaces<D> positions;
+  CrackSight<D> sight;
+  View<std::uint64_t*> nearest;
+  NodalSprings<D> springs;
+  View<double * [D + 1]> spring; ///< CrackSet::spring
+  NearestFront<D> frontOf;
+  View<double*> softened; ///< energy that springs dissipate which began to soften now [J]
+  StableStiffness<D> stable;
+  bool refined, grows;
+  View<int*> level;
+  double spacing, thickness, modulus, density;
+  int step;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int i, int& passed, double& converted) const
+  {
+    const int own = nodes.parent(i);
+    const NodalSpring<D> node = springs(own);
+    const bool fresh = static_cast<int>(node.step()) != step - 1;
+    for (int k = 0; k < NodalSpring<D>::size && fresh; ++k) // another node of this number may have left some
+      node.row[k] = 0.0;
+    node.step() = step;
+    springs.front(own) = noFront;
+    spring(own, D) = 0.0;
+    const double most = stable(i);
+    if (node.isReleased())
+    {
+      node.stiffness() = 0.0;
+      if (node.state() == SpringState::Releasing)
+        spring(own, D) = atMost(node.law().secant(node.largest()), most);
+      return;
+    }
+    const int s = simplexOf(nearest(own));
+    const int front = grows ? frontOf(positions(own), sight.crackOf(s)) : noFront;
+    if (front != noFront)
+    {
+      spring(own, D) = atMost(node.stiffness(), most);
+      if (fresh && most > 0.0)
+      {
+        springs.front(own) = front;
+        ++passed;
+      }
+      else if (node.stiffness() > 0.0)
+        soften(i, front, converted);
+      node.stiffness() = 0.0;
+      return;
+    }
+    if (sight.nearFront(s) != nearFront::hasSprings)
+    {
+      node.stiffness() = 0.0;
+      return;
+    }
+    double stiffness = atMost(wanted(i, s), most);
+    if (stiffness > node.stiffness() && isStretched(node, cellAt(own))) // to stiffen would make energy
+      stiffness = node.stiffness();
+    spring(own, D) = node.stiffness() = stiffness;
+  }
+
+private:
+  static KOKKOS_INLINE_FUNCTION double atMost(double value, double limit)
+  {
+    return value < limit ? value : limit;
+  }
+
+  static KOKKOS_INLINE_FUNCTION double square(const NodalSpring<D>& node)
+  {
+    double sum = 0.0;
+    for (int d = 0; d < D; ++d)
+      sum += node.jump(d) * node.jump(d);
+    return sum;
+  }
+
+  KOKKOS_INLINE_FUNCTION double cellAt(int own) const
+  {
+    return refined ? spacing / (1 << level(own)) : spacing;
+  }
+
+  static KOKKOS_INLINE_FUNCTION bool isStretched(const NodalSpring<D>& node, double cell)
+  {
+    return square(node) > springs::unstretched * springs::unstretched * cell * cell;
+  }
+
+  /// Makes a cohesive traction of a stretched spring. \param converted gets what it stores, which no longer
+  /// is elastic energy of springs [J]
+  KOKKOS_INLINE_FUNCTION void soften(int i, int front, double& converted) const
+  {
+    const int own = nodes.parent(i);
+    const NodalSpring<D> node = springs(own);
+    const double stretch = square(node);
+    if (!(stretch > 0.0))
+      return;
+    const CohesiveLaw law = softeningLaw(node.stiffness(), std::sqrt(stretch));
+    node.release(law, Vector<D>{});
+    springs.front(own) = front;
+    if (!countsHere(nodes, own))
+      return;
+    softened(i) = softenedEnergy(law);
+    converted += 0.5 * node.stiffness() * stretch;
+  }
+
+  /// Stiffness by the law of springs [N/m].
+  KOKKOS_INLINE_FUNCTION double wanted(int i, int s) const
+  {
+    const int own = nodes.parent(i);
+    const double cell = cellAt(own);
+    const Sight seen = sight.look(s, positions(own));
+    double steepest = 0.0;
+    for (int d = 0; d < D; ++d)
+      steepest = std::fmax(steepest, std::fabs(sight.normal(s, d)));
+    double width = thickness;
+    if constexpr (D == 3) // less at the surface, by what of the node's cells is filled
+    {
+      const double mass =
+          nodes.sums(own, Nodes<D>::massAt) + nodes.sums(nodes.numLattice + i, Nodes<D>::massAt);
+      const double filled = mass / (density * cell * cell * cell);
+      width = cell * (filled > springs::fullCells ? 1.0 : filled);
+    }
+    return frontSpringStiffness(modulus, width, seen.behind / cell,
+                                std::fabs(seen.distance) / (cell * steepest), steepest);
+  }
+};
+
+} // namespace
+
+template <int D>
+std::vector<double> sumByFront(const State<D>& state, const NodalSprings<D>& springs,
+                               const View<double*>& energyOfNode)
+{
+  const Nodes<D> nodes = state.mesh.nodes;
+  std::vector<double> sums(state.cracks.fronts.size(), 0.0);
+  for (std::size_t f = 0; f < sums.size(); ++f)
+    sums[f] = sumFew<double>(
+        "rhegma::cracks::sumByFront", nodes.numSecond, KOKKOS_LAMBDA(const int i, double& sum) {
+          if (energyOfNode(i) > 0.0 && springs.front(nodes.parent(i)) == static_cast<int>(f))
+            sum += energyOfNode(i);
+        });
+  sumParts(state, sums.data(), static_cast<int>(sums.size()));
+  return sums;
+}
+
+template <int D>
+void FrontSprings<D>::readMaterials(const State<D>& state)
+{
+  if (modulus_ > 0.0)
+    return;
+  modulus_ = std::numeric_limits<double>::infinity();
+  for (const Properties& material : state.materials.list)
+  {
+    modulus_ = std::min(modulus_, elasticity(material).effectiveModulus);
+    density_ = std::max(density_, material.density);
+  }
+}
+
+template <int D>
+void FrontSprings<D>::fitToNodes(State<D>& state)
+{
+  const int count = state.mesh.nodes.numLattice;
+  if (static_cast<int>(front_.extent(0)) >= count && state.cracks.spring.extent(0) > 0)
+    return;
+  front_ = View<int*>("rhegma::springFronts", count);
+  state.cracks.spring = View<double * [D + 1]>("rhegma::springs", count);
+}
+
+template <int D>
+void FrontSprings<D>::prepare(State<D>& state, const Surroundings& surroundings)
+{
+  fitToNodes(state);
+  readMaterials(state);
+  const Nodes<D> nodes = state.mesh.nodes;
+  if (grows_)
+    frontOf_ = NearestFront<D>(state.cracks);
+  const View<double*> softened("rhegma::cracks::softened", grows_ ? nodes.numSecond : 0);
+  const FindSpring<D> find{nodes,
+                           nodePlaces(state),
+                           CrackSight<D>(state.cracks, state.mesh.grid.spacing),
+                           surroundings.nearest,
+                           springs(state),
+                           state.cracks.spring,
+                           frontOf_,
+                           softened,
+                           StableStiffness<D>(state),
+                           state.mesh.tree.refined(),
+                           grows_,
+                           state.mesh.tree.nodeLevel,
+                           state.mesh.grid.spacing,
+                           state.method.thickness,
+                           modulus_,
+                           density_,
+                           surroundings.stamp};
+  double converted = 0.0;
+  sumFew("rhegma::cracks::findSprings", 0, nodes.numSecond, find, passed_, converted);
+  state.energy.fracture += converted;
+  if (!grows_)
+    return;
+  returnPendingOfLostNodes(state, surroundings.stamp);
+  if constexpr (D == 3)
+    returnPendingEnergy(state, springs(state), frontOf_, surroundings.stamp);
+  sumParts(state, &converted, 1);
+  if (!(converted > 0.0))
+    return;
+  // What these springs stored and will dissipate is part of the energy of new faces.
+  const std::vector<double> energy = sumByFront(state, springs(state), softened);
+  for (std::size_t f = 0; f < energy.size(); ++f)
+    if constexpr (D == 2)
+      state.cracks.fronts[f].budget.carryOver(energy[f]);
+    else
+      state.cracks.fronts[f].budget.release(energy[f]);
+}
+
+template class FrontSprings<2>;
+template class FrontSprings<3>;
+template std::vector<double> sumByFront(const State<2>&, const NodalSprings<2>&, const View<double*>&);
+template std::vector<double> sumByFront(const State<3>&, const NodalSprings<3>&, const View<double*>&);
+
+} // namespace Rhegma::cracks

@@ -1,0 +1,87 @@
+#pragma once
+/// Springs and cohesive tractions between the two fields of nodes behind a front.
+
+#include "cracks/NodalSprings.hpp"
+#include "cracks/Sides.hpp"
+#include "state/State.hpp"
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+namespace Rhegma::cracks
+{
+
+/// Energy per area of the last face that each node of a front made [J/m2], at least one number.
+/// \param front its index
+template <int D>
+using ToughnessAlong = std::function<std::vector<double>(const CrackSet<D>&, int front)>;
+
+/// Front springs of the dual field.
+///
+/// Nodes open one by one, so that without springs the crack of the cells ends up to half a cell before or
+/// behind its front. A spring between the two fields of a node that lies less than a cell behind the front
+/// lets it open by as much as it lies behind (frontSpringStiffness). None is stiffer than its two masses
+/// allow in the step that their node takes. Two opposite forces: momentum is exact. Measured: test
+/// InclinedCracks.
+///
+/// A spring follows the jump of the velocity that strains the particles, from the step in which its node gets
+/// two fields; it is unstretched then, as a node that a front has just passed is closed. Where refined cells
+/// change, a spring stays at its position if there is still a node. Its elastic energy counts as strain
+/// energy. A stretched spring becomes softer as its front moves on, but never stiffer, as this would make
+/// energy. Cracks whose fronts a moving body advects through the cells go on without springs
+/// (AdvectedFronts.hpp).
+///
+/// Where fronts grow, a node that a front passes gets a cohesive traction instead (CohesiveLaw.hpp), and
+/// springs of a front that is initiated soften to such tractions.
+template <int D>
+class FrontSprings
+{
+public:
+  /// \param grows whether fronts may grow
+  explicit FrontSprings(bool grows) : grows_(grows) {}
+
+  /// Finds the springs of this step, once nodes have masses, and leaves their stiffness in
+  /// state.cracks.spring.
+  void prepare(State<D>& state, const Surroundings& surroundings);
+
+  /// Adds the forces of the springs to both fields of their nodes and leaves them in state.cracks.spring.
+  void addForces(State<D>& state) const;
+
+  /// Gives nodes that have got two fields behind a front that grows their traction, once all other forces on
+  /// nodes are known (Release.hpp).
+  void release(State<D>& state, const Surroundings& surroundings, const ToughnessAlong<D>& toughness);
+
+  /// Energy of new faces that is not yet dissipated, of nodes and of fronts [J].
+  /// \param step number of the last step, from 1
+  double pendingEnergy(const State<D>& state, int step) const;
+
+  /// How the forces follow nodes that move in substeps: springs by their stiffness, cohesive tractions by
+  /// their law. These springs must outlive what is returned.
+  FollowingForce<D> following() const;
+
+  /// Stretches the springs over the step.
+  void advance(State<D>& state);
+
+private:
+  void readMaterials(const State<D>& state);
+  void fitToNodes(State<D>& state);
+  NodalSprings<D> springs(const State<D>& state) const
+  {
+    return {state.mesh.nodalFields.template real<NodalSpring<D>::size>(springField<D>().field.name), front_};
+  }
+
+  bool grows_;
+  View<int*> front_;        ///< see NodalSprings
+  int passed_ = 0;          ///< nodes of this rank that wait for `release`
+  NearestFront<D> frontOf_; ///< of this step
+  double modulus_ = 0.0;    ///< the smallest E' of the scene [Pa]
+  double density_ = 0.0;    ///< the largest of the scene [kg/m3]
+};
+
+/// Sums an energy of nodes with two fields by the front that NodalSprings::front says, over all ranks [J].
+template <int D>
+std::vector<double> sumByFront(const State<D>& state, const NodalSprings<D>& springs,
+                               const View<double*>& energyOfNode);
+
+} // namespace Rhegma::cracks

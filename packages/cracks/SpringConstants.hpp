@@ -1,0 +1,53 @@
+#pragma once
+/// Every constant of the springs behind a front and of the release of new faces.
+
+namespace Rhegma::cracks::springs
+{
+
+/// Stiffness of a front spring as a fraction of E' times its width [-]. Measured: with it G is the same
+/// wherever the front lies in its cell (test InclinedCracks).
+constexpr double stiffnessFraction = 0.1;
+
+/// Added to the distance of a node behind its front [cells]: keeps the stiffness finite at the front.
+constexpr double distanceOffset = 0.05;
+
+/// Filled fraction of a node's cells from which they count as full [-]: strain changes it by less.
+constexpr double fullCells = 0.9;
+
+/// A spring with less stretch than this stores no energy worth counting and may stiffen [cells]. Larger than
+/// round-off, so that springs are the same on any number of ranks.
+constexpr double unstretched = 1e-6;
+
+/// Largest stiffness in units of reduced mass / dt^2 [-]: an explicit step of two masses on a spring is
+/// stable up to 4, of which the material needs its part.
+constexpr double stableStiffness = 1.0;
+
+/// Distance over which a moving body may advect a front before its springs are disabled [cells]: half a cell,
+/// as the springs then belong to other nodes.
+constexpr double advectionLimit = 0.5;
+
+/// Further opening over which the traction of a softening spring falls to zero, as a fraction of the stretch
+/// that it has when its front is initiated [-].
+constexpr double softeningStretch = 1.0;
+
+/// Initial traction of a released node as a fraction of the force that would hold its fields together [-]. A
+/// node that is held exactly is in an unstable equilibrium, which only noise would end.
+constexpr double initialFraction = 0.95;
+
+/// Largest part of the energy of a release that goes to softened springs instead of new faces [-]. Chosen.
+constexpr double carriedFraction = 0.25;
+
+/// Part of its energy by which a node may dissipate more than required without deduction [-]: where the
+/// traction falls within more than some two steps the last step overshoots by less (CohesiveLaw.hpp).
+constexpr double toleratedExcess = 0.05;
+
+/// Largest part of the rest that is deducted for nodes that over-dissipated [-]. A node keeps
+/// (1 - 1/4) (1 - 9/10) = 7.5 % of its energy, and with that a traction, however much is to be deducted. The
+/// nine tenths are chosen: with another value the same energy is deducted from more nodes or fewer.
+constexpr double deductedFraction = 0.9;
+
+/// Largest and smallest energy of a node at a 3D front as fractions of toughness times area [-]: the areas of
+/// nodes add up to that of the crack, but need not do so in every step.
+constexpr double largestByArea = 1.5, smallestByArea = 0.5;
+
+} // namespace Rhegma::cracks::springs

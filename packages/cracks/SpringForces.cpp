@@ -1,0 +1,267 @@
+/// Forces and energies of the springs behind fronts, and how they stretch.
+
+#include "base/FewItems.hpp"
+#include "cracks/FrontSprings.hpp"
+#include "cracks/HoldingForce.hpp"
+#include "cracks/Release.hpp"
+#include "state/Subdomain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace Rhegma::cracks
+{
+
+namespace
+{
+
+/// Force of a spring on its node's primary field [N]. \param stiffness now [N/m] \param sign of the node's
+/// side
+template <int D>
+KOKKOS_INLINE_FUNCTION Vector<D> pullOf(double stiffness, const Vector<D>& opening, double sign)
+{
+  return (-sign * stiffness) * opening;
+}
+
+template <int D>
+KOKKOS_INLINE_FUNCTION Vector<D> forceOf(const View<double * [D + 1]>& spring, int own)
+{
+  Vector<D> force;
+  for (int d = 0; d < D; ++d)
+    force[d] = spring(own, d);
+  return force;
+}
+
+template <int D>
+KOKKOS_INLINE_FUNCTION void setForce(const View<double * [D + 1]>& spring, int own, const Vector<D>& force)
+{
+  for (int d = 0; d < D; ++d)
+    spring(own, d) = force[d];
+}
+
+/// Stretches the spring of the i-th node with two fields over a step.
+template <int D>
+struct StretchSpring
+{
+  Nodes<D> nodes;
+  NodePlaces<D> positions;
+  View<int*> side;
+  NodalSprings<D> springs;
+  View<double * [D + 1]> spring; ///< CrackSet::spring
+  NearestFront<D> frontOf;
+  View<double*> excess; ///< energy that nodes dissipated beyond theirs [J]
+  double dt;
+  bool byMotion; ///< the nodal motion strains the particles, not the projection
+  bool early;    ///< before the forces of this step
+
+  /// \param elastic energy of springs \param work dissipated by tractions \param beyond sum of excess [J]
+  KOKKOS_INLINE_FUNCTION void operator()(int i, double& elastic, double& work, double& beyond) const
+  {
+    const int own = nodes.parent(i), other = nodes.numLattice + i;
+    const double sign = signOf(side(own));
+    const bool counts = countsHere(nodes, own);
+    // A field without mass moves nowhere: the flight of the other is no stretch.
+    const bool both = nodes.sums(own, Nodes<D>::massAt) > 0.0 && nodes.sums(other, Nodes<D>::massAt) > 0.0;
+    const NodalSpring<D> node = springs(own);
+    const Vector<D> from = node.opening();
+    // Where strain comes first no force is of this step yet, and that of the last is in no checkpoint.
+    const Vector<D> before = early ? pullOf(spring(own, D), from, sign) : forceOf<D>(spring, own);
+    Vector<D> more;
+    for (int d = 0; d < D; ++d)
+    {
+      const double moved = byMotion ? nodes.motion(own, d) - nodes.motion(other, d)
+                                    : nodes.projection(own, d) - nodes.projection(other, d);
+      more[d] = both ? sign * dt * moved : -node.jump(d);
+      node.jump(d) += more[d];
+    }
+    if (!node.isReleased())
+    {
+      const Vector<D> stretch = node.opening();
+      setForce(spring, own, pullOf(spring(own, D), stretch, sign));
+      for (int d = 0; d < D && counts; ++d)
+        elastic += 0.5 * spring(own, D) * stretch[d] * stretch[d];
+      return;
+    }
+    const double pending = node.pendingEnergy(from);
+    open(own, node);
+    const Vector<D> after = pullOf(spring(own, D), node.opening(), sign);
+    setForce(spring, own, after);
+    double dissipated = 0.0;
+    for (int d = 0; d < D; ++d)
+      dissipated -= 0.5 * sign * (before[d] + after[d]) * more[d];
+    if (!both || !counts)
+      return;
+    work += dissipated;
+    if (pending > 0.0 && node.state() == SpringState::Open &&
+        dissipated > pending + springs::toleratedExcess * node.law().energy())
+    {
+      beyond += excess(i) = dissipated - pending;
+      springs.front(own) = frontOf(positions(own), (side(own) > 0 ? side(own) : -side(own)) - 1);
+    }
+  }
+
+private:
+  /// Follows the law of a traction where its node has opened more than ever.
+  KOKKOS_INLINE_FUNCTION void open(int own, const NodalSpring<D>& node) const
+  {
+    const Vector<D> u = node.opening();
+    const double square = dot(u, u);
+    if (!(square > node.largest() * node.largest()))
+      return;
+    node.largest() = std::sqrt(square);
+    const CohesiveLaw law = node.law();
+    const double now = law.secant(node.largest());
+    spring(own, D) = now < spring(own, D) ? now : spring(own, D);
+    if (law.isOpen(node.largest()))
+      node.setState(SpringState::Open);
+  }
+};
+
+} // namespace
+
+template <int D>
+void FrontSprings<D>::addForces(State<D>& state) const
+{
+  const Nodes<D> nodes = state.mesh.nodes;
+  const View<int*> side = state.cracks.nodeSide;
+  const NodalSprings<D> all = springs(state);
+  const View<double * [D + 1]> spring = state.cracks.spring;
+  forFew(
+      "rhegma::cracks::addSprings", nodes.numSecond, KOKKOS_LAMBDA(const int i) {
+        const int own = nodes.parent(i), other = nodes.numLattice + i;
+        setForce(spring, own, pullOf(spring(own, D), all(own).opening(), signOf(side(own))));
+        for (int d = 0; d < D && countsHere(nodes, own); ++d)
+        {
+          nodes.sums(own, Nodes<D>::forceAt + d) += spring(own, d);
+          nodes.sums(other, Nodes<D>::forceAt + d) -= spring(own, d);
+        }
+      });
+}
+
+template <int D>
+void FrontSprings<D>::release(State<D>& state, const Surroundings& surroundings,
+                              const ToughnessAlong<D>& toughness)
+{
+  double passed = passed_;
+  maxParts(state, &passed, 1);
+  if (passed > 0.0)
+    releasePassedNodes(state, surroundings, springs(state), toughness);
+  passed_ = 0;
+}
+
+template <int D>
+FollowingForce<D> FrontSprings<D>::following() const
+{
+  using Values = View<double* [D]>;
+  const auto frozen = [](const State<D>& state, const NodeSlots& slots, const Values& force)
+  {
+    const Nodes<D> nodes = state.mesh.nodes;
+    const View<double * [D + 1]> spring = state.cracks.spring;
+    Kokkos::parallel_for(
+        "rhegma::cracks::frozenSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
+        KOKKOS_LAMBDA(const int i) {
+          const int own = nodes.parent(i), other = nodes.numLattice + i;
+          if (slots.moves(own) == slots.moves(other) || !countsHere(nodes, own))
+            return;
+          const int at = slots.of(slots.moves(own) ? own : other);
+          for (int d = 0; d < D; ++d)
+            force(at, d) += slots.moves(own) ? spring(own, d) : -spring(own, d);
+        });
+  };
+  const auto change =
+      [this](const State<D>& state, const NodeSlots& slots, const Values& displacement, const Values& force)
+  {
+    const Nodes<D> nodes = state.mesh.nodes;
+    const View<double * [D + 1]> spring = state.cracks.spring;
+    const View<int*> side = state.cracks.nodeSide;
+    const NodalSprings<D> all = springs(state);
+    Kokkos::parallel_for(
+        "rhegma::cracks::followSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
+        KOKKOS_LAMBDA(const int i) {
+          const int own = nodes.parent(i), other = nodes.numLattice + i;
+          if (spring(own, D) == 0.0 || !slots.moves(own) || !slots.moves(other) || !countsHere(nodes, own))
+            return;
+          const int a = slots.of(own), b = slots.of(other);
+          const double sign = signOf(side(own));
+          const NodalSpring<D> node = all(own);
+          Vector<D> u;
+          for (int d = 0; d < D; ++d)
+            u[d] = node.jump(d) + sign * (displacement(a, d) - displacement(b, d)) + node.offset(d);
+          double stiffness = spring(own, D);
+          if (node.isReleased() && dot(u, u) > node.largest() * node.largest())
+            stiffness = std::fmin(stiffness, node.law().secant(norm(u)));
+          const Vector<D> more = pullOf(stiffness, u, sign) - forceOf<D>(spring, own);
+          for (int d = 0; d < D; ++d)
+          {
+            force(a, d) += more[d];
+            force(b, d) -= more[d];
+          }
+        });
+  };
+  return {frozen, change};
+}
+
+template <int D>
+void FrontSprings<D>::advance(State<D>& state)
+{
+  const View<double*> excess("rhegma::cracks::excess", grows_ ? state.mesh.nodes.numSecond : 0);
+  const StretchSpring<D> stretch{state.mesh.nodes,
+                                 nodePlaces(state),
+                                 state.cracks.nodeSide,
+                                 springs(state),
+                                 state.cracks.spring,
+                                 frontOf_,
+                                 excess,
+                                 state.clock.strainPass.share * state.clock.dt,
+                                 state.method.scheme == UpdateScheme::Usl,
+                                 state.clock.strainPass.before};
+  double elastic = 0.0, dissipated = 0.0, beyond = 0.0;
+  sumFew("rhegma::cracks::stretchSprings", 0, state.mesh.nodes.numSecond, stretch, elastic, dissipated,
+         beyond);
+  state.energy.springs = elastic;
+  state.energy.fracture += dissipated;
+  std::vector<CrackFront<D>>& fronts = state.cracks.fronts;
+  const bool any = std::any_of(fronts.begin(), fronts.end(), [](const CrackFront<D>& f) { return f.grown; });
+  if (!grows_ || !any)
+    return;
+  sumParts(state, &beyond, 1);
+  if (!(beyond > 0.0))
+    return;
+  const std::vector<double> energy = sumByFront(state, springs(state), excess);
+  for (std::size_t f = 0; f < fronts.size(); ++f)
+    if constexpr (D == 2)
+      fronts[f].budget.overDissipate(energy[f]);
+    else
+      fronts[f].budget.release(energy[f]);
+}
+
+template <int D>
+double FrontSprings<D>::pendingEnergy(const State<D>& state, int step) const
+{
+  const Nodes<D> nodes = state.mesh.nodes;
+  const NodalSprings<D> all = springs(state);
+  double sum = sumFew<double>(
+      "rhegma::cracks::pendingEnergy", nodes.numLattice, KOKKOS_LAMBDA(const int n, double& sumHere) {
+        const NodalSpring<D> node = all(n);
+        if (step > 0 && static_cast<int>(node.step()) == step && countsHere(nodes, n))
+          sumHere += node.pendingEnergy(node.opening());
+      });
+  sumParts(state, &sum, 1);
+  for (const CrackFront<D>& front : state.cracks.fronts)
+    sum += front.budget.pending;
+  return sum;
+}
+
+template void FrontSprings<2>::addForces(State<2>&) const;
+template void FrontSprings<3>::addForces(State<3>&) const;
+template void FrontSprings<2>::release(State<2>&, const Surroundings&, const ToughnessAlong<2>&);
+template void FrontSprings<3>::release(State<3>&, const Surroundings&, const ToughnessAlong<3>&);
+template FollowingForce<2> FrontSprings<2>::following() const;
+template FollowingForce<3> FrontSprings<3>::following() const;
+template void FrontSprings<2>::advance(State<2>&);
+template void FrontSprings<3>::advance(State<3>&);
+template double FrontSprings<2>::pendingEnergy(const State<2>&, int) const;
+template double FrontSprings<3>::pendingEnergy(const State<3>&, int) const;
+
+} // namespace Rhegma::cracks

@@ -1,0 +1,100 @@
+#include "measure/Measure.hpp"
+
+#include "measure/SideEnergy.hpp"
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+namespace Rhegma::measure
+{
+
+namespace
+{
+
+Section section()
+{
+  Section s(
+      "Measure",
+      "Additional results in summary.json that only few scenes need, such as those that verify a method.");
+  Section sides("Side Energy", "Energy on each side of each crack: reflected, transmitted and dissipated.");
+  sides.real("Part").above(0.0).atMost(1.0).byDefault(1.0).onlyIn(2).meaning(
+      "Middle part of each crack next to which material counts. 1: the whole body.");
+  s.subsection(sides);
+  s.needs("Cracks", "there is no crack to measure at; add a section Cracks or leave Measure out");
+  return s;
+}
+
+/// The sides of each crack at the start.
+template <int D>
+struct Sides
+{
+  std::vector<MeasuredCrack<D>> cracks;
+  std::vector<SideEnergy> start;
+};
+
+template <int D>
+void begin(const State<D>& state, double part, Sides<D>& sides)
+{
+  for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
+  {
+    sides.cracks.push_back(measuredCrack(state.cracks, static_cast<int>(c), part));
+    sides.start.push_back(measureSides(state, sides.cracks.back()));
+  }
+}
+
+/// A number, or null where it has no value.
+nlohmann::json where(bool known, double value) { return known ? nlohmann::json(value) : nlohmann::json(); }
+
+template <int D>
+void reportSides(const State<D>& state, const Sides<D>& sides, nlohmann::json& summary)
+{
+  for (std::size_t c = 0; c < sides.cracks.size(); ++c)
+  {
+    const MeasuredCrack<D>& crack = sides.cracks[c];
+    ContactEnergy layer;
+    if (state.cracks.contactEnergy)
+      layer = state.cracks.contactEnergy(static_cast<int>(c), 0.5 * crack.length, crack.reach);
+    SideEnergy now = measureSides(state, crack);
+    // The layer between the faces belongs to both sides.
+    now.below += 0.5 * layer.stored - sides.start[c].below;
+    now.above += 0.5 * layer.stored - sides.start[c].above;
+    const double friction = layer.dissipated, all = now.below + now.above + friction;
+    // A travelling wave has as much strain as kinetic energy.
+    const double waves = 2.0 * (now.alongBelow + now.alongAbove) + friction;
+    nlohmann::json& entry = summary["cracks"][c]["contact"];
+    entry["gain_below"] = now.below;
+    entry["gain_above"] = now.above;
+    entry["along_below"] = now.alongBelow;
+    entry["along_above"] = now.alongAbove;
+    entry["shear_share_below"] = where(waves > 0.0, 2.0 * now.alongBelow / waves);
+    entry["shear_share_above"] = where(waves > 0.0, 2.0 * now.alongAbove / waves);
+    entry["shear_share_friction"] = where(waves > 0.0, friction / waves);
+    entry["share_below"] = where(all != 0.0, now.below / all);
+    entry["share_above"] = where(all != 0.0, now.above / all);
+    entry["share_friction"] = where(all != 0.0, friction / all);
+  }
+}
+
+template <int D>
+Effect<D> make(const Teuchos::ParameterList& scene)
+{
+  const Teuchos::ParameterList& list = scene.sublist("Measure");
+  Effect<D> effect;
+  effect.name = "Measure";
+  if (!list.isSublist("Side Energy"))
+    return effect;
+  double part = 1.0;
+  if constexpr (D == 2)
+    part = list.sublist("Side Energy").get<double>("Part");
+  const auto sides = std::make_shared<Sides<D>>();
+  effect.atStart = [part, sides](State<D>& state) { begin(state, part, *sides); };
+  effect.report = [sides](const State<D>& state, nlohmann::json& summary)
+  { reportSides(state, *sides, summary); };
+  return effect;
+}
+
+} // namespace
+
+EffectEntry measureEntry() { return {section(), {}, make<2>, make<3>, true}; }
+
+} // namespace Rhegma::measure

@@ -1,0 +1,47 @@
+#pragma once
+/// What effects let one another know of their sections: each value is set by the effect that owns it, before
+/// any effect is made (EffectEntry::declare), so that none reads the section of another.
+
+#include "state/CrackSet.hpp"
+
+#include <limits>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace Rhegma
+{
+
+/// The nodal mass that a scene chooses.
+struct NodalMass
+{
+  double lumpedFraction = 1.0; ///< of (1 - f) M + f diag(M 1)
+  double smallestNode = 0.0; ///< particles that touch a lighter node stay lumped, in fractions of a full cell
+  int terms = 0;             ///< of the series about the row sums that stands for the inverse; 0: solved
+  /// M is consistent up to this distance from a front and lumped beyond the edge, each the sum of a length
+  /// [m] and of cells as they are at the front.
+  double radius = std::numeric_limits<double>::infinity(), radiusCells = 0.0;
+  double edge = 0.0, edgeCells = 0.0;
+};
+
+/// All as in a scene without effects.
+struct RunOptions
+{
+  bool mechanics = true; ///< false: nothing moves
+  /// [K]; none where nobody finds temperatures.
+  std::optional<double> initialTemperature;
+  bool heat() const { return initialTemperature.has_value(); }
+
+  bool adaptive = false; ///< cells change
+  int frontLevels = 0;   ///< levels of finer cells at crack fronts
+
+  bool openingKnown = true;            ///< stencils at cracks have linear completeness
+  bool extrapolated = false;           ///< they extrapolate from nodes on one side
+  bool contact = false;                ///< faces that close press against each other
+  std::set<std::string> pressedCracks; ///< with a given pressure
+  bool growth = false;                 ///< cracks may grow
+  DrivingContours contours;            ///< where they do: for what drives them, given in 2D
+  NodalMass nodalMass;
+};
+
+} // namespace Rhegma

@@ -1,0 +1,207 @@
+#include "scene/Compatibility.hpp"
+
+#include "base/ReadList.hpp"
+#include "base/ShortNumber.hpp"
+#include "scene/NearestName.hpp"
+#include "scene/Validation.hpp"
+
+#include <algorithm>
+#include <optional>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+using Teuchos::ParameterList;
+
+/// A text, or true or false, as a text.
+std::optional<std::string> textOf(const ParameterList& list, const std::string& name)
+{
+  if (list.isType<bool>(name))
+    return list.get<bool>(name) ? "true" : "false";
+  return list.isType<std::string>(name) ? std::optional(list.get<std::string>(name)) : std::nullopt;
+}
+
+bool contains(const std::vector<std::string>& values, const std::optional<std::string>& value)
+{
+  return value && std::find(values.begin(), values.end(), *value) != values.end();
+}
+
+} // namespace
+
+namespace when
+{
+
+Condition satisfies(const std::string& section, const std::string& words,
+                    std::function<bool(const ParameterList&)> holds)
+{
+  return {section, "", " " + words, false, std::move(holds)};
+}
+
+Condition present(const std::string& section)
+{
+  return {section, "", "", false, [](const ParameterList&) { return true; }};
+}
+
+Condition absent(const std::string& section) { return {section, "", "", true, {}}; }
+
+Condition given(const std::string& section, const std::string& parameter)
+{
+  return {section, parameter, "", false, [=](const ParameterList& s) { return s.isParameter(parameter); }};
+}
+
+Condition is(const std::string& section, const std::string& parameter, std::vector<std::string> values)
+{
+  return {section, parameter, " = " + inWords(values), false,
+          [=](const ParameterList& s) { return contains(values, textOf(s, parameter)); }};
+}
+
+Condition isNot(const std::string& section, const std::string& parameter, std::vector<std::string> values)
+{
+  return {section, parameter, " other than " + inWords(values), false, [=](const ParameterList& s) {
+            return textOf(s, parameter) && !contains(values, textOf(s, parameter));
+          }};
+}
+
+Condition above(const std::string& section, const std::string& parameter, double bound)
+{
+  return {section, parameter, " above " + shortly(bound), false, [=](const ParameterList& s) {
+            return s.isType<double>(parameter) && s.get<double>(parameter) > bound;
+          }};
+}
+
+Condition below(const std::string& section, const std::string& parameter, double bound)
+{
+  return {section, parameter, " below " + shortly(bound), false, [=](const ParameterList& s) {
+            return s.isType<double>(parameter) && s.get<double>(parameter) < bound;
+          }};
+}
+
+Condition unprovided(const std::string& capability) { return {"", "", "", false, {}, capability}; }
+
+} // namespace when
+
+std::string Rule::inWords() const
+{
+  std::string text;
+  for (const Condition& c : conditions)
+  {
+    const std::string path = c.parameter.empty() ? c.section : scenePath(c.section, c.parameter);
+    text +=
+        (text.empty() ? "" : ", ") +
+        (!c.capability.empty() ? "without " + c.capability : (c.absent ? "without " : "") + path + c.words);
+  }
+  return text + (onlyDimension > 0 ? " (" + std::to_string(onlyDimension) + "D)" : "");
+}
+
+namespace
+{
+
+/// Where a condition holds, with the name that "*" stands for there.
+struct Place
+{
+  std::string path, name;
+};
+
+/// The lists of a path of names, those before `at` aside. \param name that "*" stands for; empty: any
+void findLists(const ParameterList& list, const std::string& rest, const Place& here,
+               const std::function<void(const ParameterList&, const Place&)>& found)
+{
+  if (rest.empty())
+    return found(list, here);
+  const auto end = rest.find(" > ");
+  const std::string first = rest.substr(0, end);
+  const std::string next = end == std::string::npos ? "" : rest.substr(end + 3);
+  for (const std::string& name : sublistNames(list))
+  {
+    const bool any = first == "*" && (here.name.empty() || here.name == name);
+    if (any || first == name)
+      findLists(list.sublist(name), next, {scenePath(here.path, name), any ? name : here.name}, found);
+  }
+}
+
+bool provided(const ParameterList& scene, const SceneSchema& schema, const std::string& capability)
+{
+  return std::any_of(schema.root().sections.begin(), schema.root().sections.end(),
+                     [&](const Section& s)
+                     {
+                       return scene.isSublist(s.name) &&
+                              std::find(s.provides.begin(), s.provides.end(), capability) != s.provides.end();
+                     });
+}
+
+/// Checks one scene.
+struct RuleCheck
+{
+  const ParameterList& scene;
+  const SceneSchema& schema;
+  std::vector<SceneError>& errors;
+
+  /// The places where a condition holds. \param name that "*" stands for; empty: any
+  std::vector<Place> places(const Condition& condition, const std::string& name) const
+  {
+    std::vector<Place> all;
+    if (!condition.capability.empty())
+    {
+      if (!provided(scene, schema, condition.capability))
+        all.push_back({"", name});
+      return all;
+    }
+    bool any = false;
+    findLists(scene, condition.section, {"", name},
+              [&](const ParameterList& list, const Place& place)
+              {
+                any = true;
+                if (!condition.absent && condition.holds(list))
+                  all.push_back(
+                      {condition.parameter.empty() ? place.path : scenePath(place.path, condition.parameter),
+                       place.name});
+              });
+    if (condition.absent && !any)
+      all.push_back({condition.section, name});
+    return all;
+  }
+
+  void check(const Rule& rule)
+  {
+    if (rule.onlyDimension != 0 && rule.onlyDimension != dimensionOf(scene))
+      return;
+    for (const Place& place : places(rule.conditions[rule.at], ""))
+      if (std::all_of(rule.conditions.begin(), rule.conditions.end(),
+                      [&](const Condition& c) { return !places(c, place.name).empty(); }))
+        errors.push_back({place.path, rule.reason});
+  }
+
+  /// Lists that are named after those of another section.
+  void checkNames(const ParameterList& list, const Section& section, const std::string& path)
+  {
+    if (!section.namesOf.empty() && scene.isSublist(section.namesOf))
+      for (const std::string& name : sublistNames(list))
+        if (!scene.sublist(section.namesOf).isSublist(name))
+          errors.push_back(
+              {scenePath(path, name), "there is no " + section.entry.front().name + " of this name; " +
+                                          section.namesOf + " has " +
+                                          inWords(sublistNames(scene.sublist(section.namesOf)), ", ")});
+    for (const Section& sub : section.sections)
+      if (list.isSublist(sub.name))
+        checkNames(list.sublist(sub.name), sub, scenePath(path, sub.name));
+  }
+};
+
+} // namespace
+
+void checkRules(const ParameterList& scene, const SceneSchema& schema, std::vector<SceneError>& errors)
+{
+  RuleCheck check{scene, schema, errors};
+  for (const Section& section : schema.root().sections)
+  {
+    for (const Rule& rule : section.rules)
+      check.check(rule);
+    if (scene.isSublist(section.name))
+      check.checkNames(scene.sublist(section.name), section, section.name);
+  }
+}
+
+} // namespace Rhegma

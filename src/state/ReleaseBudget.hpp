@@ -1,0 +1,81 @@
+#pragma once
+/// The energy of new crack faces at one front: what they require, and what becomes of it.
+
+#include <algorithm>
+
+namespace Rhegma
+{
+
+/// Energies at one front [J]. All that is released is required by some face:
+///
+///     released + pending = required + advected + carriedOver + overDissipated.
+struct ReleaseBudget
+{
+  double required = 0.0;       ///< toughness times area of all faces that the front has made
+  double pending = 0.0;        ///< part of it for which no node has a traction as yet
+  double released = 0.0;       ///< given to nodes, which dissipate it as they open
+  double carriedOver = 0.0;    ///< released by softened springs, to be deducted from the next nodes
+  double overDissipated = 0.0; ///< released by nodes beyond their energy, to be deducted likewise
+  double advected = 0.0;       ///< released at nodes that the front reached while it made no new face
+  double toughness = 0.0;      ///< of the last advance; 2D [J/m2]
+
+  /// New faces require an energy.
+  void require(double energy)
+  {
+    required += energy;
+    pending += energy;
+  }
+
+  /// Nodes get tractions that dissipate an energy.
+  void release(double energy)
+  {
+    pending -= energy;
+    released += energy;
+  }
+
+  /// Nodes that are whole again, or are no more, have not dissipated this part of what they were given.
+  void returnPending(double energy) { release(-energy); }
+
+  /// Springs or nodes dissipate what is not theirs: deducted from the nodes that come next.
+  void carryOver(double energy)
+  {
+    carriedOver += energy;
+    released += energy;
+  }
+  void overDissipate(double energy)
+  {
+    overDissipated += energy;
+    released += energy;
+  }
+
+  /// Releases all that is pending, less what is to be deducted.
+  /// \param ofAdvection energy of these nodes where nothing is pending: the front reached them only because
+  /// material moves through the grid [J] \param carriedFraction, deductedFraction largest parts that are
+  /// deducted for carriedOver and, of the rest, for overDissipated \return the energy of the nodes [J]
+  double releaseAll(double ofAdvection, double carriedFraction, double deductedFraction)
+  {
+    const bool isPending = pending > 0.0;
+    const double energy = isPending ? pending : ofAdvection;
+    const double carried = std::min(carriedOver, carriedFraction * energy);
+    const double deducted = std::min(overDissipated, deductedFraction * (energy - carried));
+    const double ofNodes = energy - carried - deducted;
+    if (!(ofNodes > 0.0))
+      return 0.0;
+    advected += isPending ? 0.0 : energy - pending;
+    pending = 0.0;
+    released += ofNodes;
+    carriedOver -= carried;
+    overDissipated -= deducted;
+    return ofNodes;
+  }
+
+  /// Fraction of toughness times area that nodes get, so that the energy that is pending stays near zero.
+  /// \param wanted toughness times area of these nodes [J] \param ofRow the same of a row of cells along the
+  /// front, by which nodes may be ahead of its faces or behind them; zero where no more nodes follow [J]
+  double fractionOfArea(double wanted, double ofRow, double least, double most) const
+  {
+    return std::clamp(1.0 + (pending - wanted) / (ofRow > 0.0 ? ofRow : wanted), least, most);
+  }
+};
+
+} // namespace Rhegma

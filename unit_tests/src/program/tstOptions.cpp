@@ -1,0 +1,91 @@
+/// The command line.
+
+#include "program/Options.hpp"
+
+#include <gtest/gtest.h>
+
+namespace Rhegma
+{
+namespace program
+{
+
+namespace
+{
+
+Options read(const std::vector<std::string>& arguments)
+{
+  std::vector<std::string> forKokkos;
+  return readOptions(arguments, forKokkos);
+}
+
+std::string mistake(const std::vector<std::string>& arguments)
+{
+  try
+  {
+    read(arguments);
+  }
+  catch (const UsageError& error)
+  {
+    return error.what();
+  }
+  return {};
+}
+
+} // namespace
+
+TEST(Options, RunsASceneByDefault)
+{
+  const Options options = read({"dcb.xml"});
+  EXPECT_EQ(options.action, Options::Action::Run);
+  EXPECT_EQ(options.scene, "dcb.xml");
+  EXPECT_TRUE(options.output.empty() && options.restart.empty() && options.overrides.empty());
+  EXPECT_FALSE(options.quiet);
+}
+
+TEST(Options, TakesValuesInAnyOrder)
+{
+  const Options options = read({"--set", "Time:CFL=0.2", "--output", "out", "dcb.xml", "--quiet", "--restart",
+                                "checkpoint.h5", "--set", "Domain:Cell Size=1"});
+  EXPECT_EQ(options.scene, "dcb.xml");
+  EXPECT_EQ(options.output, "out");
+  EXPECT_EQ(options.restart, "checkpoint.h5");
+  EXPECT_EQ(options.overrides, (std::vector<std::string>{"Time:CFL=0.2", "Domain:Cell Size=1"}));
+  EXPECT_TRUE(options.quiet);
+}
+
+TEST(Options, JoinsTheWordsOfASection)
+{
+  EXPECT_EQ(read({"--describe"}).section, "");
+  EXPECT_EQ(read({"--describe", "Energy", "Release"}).section, "Energy Release");
+  const Options options = read({"--describe", "Thermal", ">", "Sources", "--quiet"});
+  EXPECT_EQ(options.action, Options::Action::Describe);
+  EXPECT_EQ(options.section, "Thermal > Sources");
+}
+
+TEST(Options, NeedNoSceneWhereNothingRuns)
+{
+  for (const char* option : {"--describe", "--describe-markdown", "--version", "--help", "-h"})
+    EXPECT_EQ(mistake({option}), "") << option;
+  for (const char* option : {"--check", "--print-plan", "--quiet"})
+    EXPECT_NE(mistake({option}).find("no scene"), std::string::npos) << option;
+}
+
+TEST(Options, LeaveKokkosItsOwn)
+{
+  std::vector<std::string> forKokkos;
+  const Options options = readOptions({"--kokkos-map-device-id-by=random", "dcb.xml"}, forKokkos);
+  EXPECT_EQ(options.scene, "dcb.xml");
+  EXPECT_EQ(forKokkos, std::vector<std::string>{"--kokkos-map-device-id-by=random"});
+}
+
+TEST(Options, SayWhatIsWrong)
+{
+  EXPECT_NE(mistake({"dcb.xml", "--output"}).find("--output needs a value"), std::string::npos);
+  EXPECT_NE(mistake({"dcb.xml", "--output", ""}).find("--output"), std::string::npos);
+  EXPECT_NE(mistake({"dcb.xml", "--restart", ""}).find("--restart"), std::string::npos);
+  EXPECT_NE(mistake({"dcb.xml", "--fast"}).find("no option --fast"), std::string::npos);
+  EXPECT_NE(mistake({"one.xml", "two.xml"}).find("\"two.xml\""), std::string::npos);
+}
+
+} // namespace program
+} // namespace Rhegma
