@@ -53,7 +53,7 @@ class RunningCracks(ProgramTest):
         with open(os.path.join(out, "summary.json")) as file:
             summary = json.load(file)
         self.assertAlmostEqual(summary["propagation"]["accounted_for"], 1.0, delta=0.003)
-        self.assertGreater(summary["boundaries"][0]["energy_taken_from_short_waves"], 0.0)
+        self.assertGreater(summary["boundaries"][0]["energy_absorbed_from_short_waves"], 0.0)
 
     def test_crack_that_cuts_the_body_in_two(self):
         summary, said = self.run_to_the_end(torn([0.0, 0.52, 0.4, 0.52]))
@@ -166,7 +166,7 @@ class RunningCracks(ProgramTest):
         for part in ("combustion", "fracture"):
             self.assertGreater(energy[part], 0.02 * given, f"{part} of {given}")  # what each would be seen by if it were forgotten
         # As far as the energy balance of the run is open itself.
-        for share in ("smallest_share", "largest_share", "last_share"):
+        for share in ("smallest_fraction", "largest_fraction", "last_fraction"):
             self.assertAlmostEqual(energy[share], 1.0, delta=0.01, msg=share)
 
     def test_gases_of_cracks_that_have_met_come_to_one_pressure(self):
