@@ -20,7 +20,6 @@ struct Run
 {
   Options options;
   std::vector<FrontState<D>> fronts;
-  std::vector<Circle> circles; ///< that the fronts were at the start (3D)
 };
 
 template <int D>
@@ -31,17 +30,13 @@ void start(State<D>& state, Run<D>& run)
   refuseWeak(state, run.options);
   run.fronts.resize(state.cracks.fronts.size());
   for (std::size_t f = 0; f < run.fronts.size(); ++f)
-  {
     run.fronts[f].matchNodes(state.cracks.fronts[f]);
-    if constexpr (D == 3)
-      run.circles.push_back(circleOf(state.cracks.fronts[f]));
-  }
 }
 
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 {
-  const auto run = std::make_shared<Run<D>>(Run<D>{readOptions(scene, options), {}, {}});
+  const auto run = std::make_shared<Run<D>>(Run<D>{readOptions(scene, options), {}});
   Effect<D> effect;
   effect.name = "Propagation";
   effect.balance = {"fracture"};
@@ -69,7 +64,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   };
   effect.report = [run](const State<D>& state, nlohmann::json& summary)
   {
-    reportFronts(state, run->fronts, run->circles, summary);
+    reportFronts(state, run->fronts, summary);
     reportToughness(run->options, summary);
   };
   return effect;

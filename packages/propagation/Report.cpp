@@ -105,16 +105,6 @@ void reportPath(const CrackFront<2>& front, const FrontState<2>& own, nlohmann::
   entry["settled_position"] = {mean.position[0], mean.position[1]};
 }
 
-void reportShape(const CrackFront<3>& front, const Circle& circle, nlohmann::json& entry)
-{
-  if (circle.radius == 0.0 || front.ended)
-    return;
-  const Shape shape = shapeOf(front, circle);
-  entry["radius"] = shape.radius;
-  entry["roundness"] = shape.roundness;
-  entry["flatness"] = shape.flatness;
-}
-
 /// What became of the energy of new faces. \param required by all fronts [J]
 template <int D>
 void reportEnergy(const State<D>& state, double required, nlohmann::json& summary)
@@ -141,8 +131,7 @@ void reportEnergy(const State<D>& state, double required, nlohmann::json& summar
 } // namespace
 
 template <int D>
-void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& fronts,
-                  [[maybe_unused]] const std::vector<Circle>& circles, nlohmann::json& summary)
+void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& fronts, nlohmann::json& summary)
 {
   double required = 0.0;
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
@@ -169,12 +158,8 @@ void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& front
       runs = own.nodes.at(front.nodes[0].name).history.runs();
       speed = front.speed();
     }
-    else
-    {
-      reportShape(front, circles[f], entry);
-      if (moved) // nodes initiate and arrest one by one, and the length is not one number
-        runs = {{own.firstTime, own.lastTime, notYet}};
-    }
+    else if (moved) // nodes initiate and arrest one by one, and the length is not one number
+      runs = {{own.firstTime, own.lastTime, notYet}};
     if (!moved && canAdvance)
       reportRest(state, front, own.closest(), summary);
     reportRuns(state, front, runs, own.running() && canAdvance, speed, summary);
@@ -187,9 +172,7 @@ void reportToughness(const Options& options, nlohmann::json& summary)
   summary["propagation"]["initiation_toughness"] = ruleAt(options.temperature, options).initiation;
 }
 
-template void reportFronts(const State<2>&, const std::vector<FrontState<2>>&, const std::vector<Circle>&,
-                           nlohmann::json&);
-template void reportFronts(const State<3>&, const std::vector<FrontState<3>>&, const std::vector<Circle>&,
-                           nlohmann::json&);
+template void reportFronts(const State<2>&, const std::vector<FrontState<2>>&, nlohmann::json&);
+template void reportFronts(const State<3>&, const std::vector<FrontState<3>>&, nlohmann::json&);
 
 } // namespace Rhegma::propagation

@@ -1,7 +1,6 @@
 #pragma once
 /// What became of fronts and of the energy of their new faces, for the summary.
 
-#include "propagation/FrontShape.hpp"
 #include "propagation/FrontState.hpp"
 #include "propagation/Options.hpp"
 
@@ -12,12 +11,10 @@
 namespace Rhegma::propagation
 {
 
-/// The entries of all fronts: whether each runs, when it initiated and arrested, its path (2D), its shape
-/// (3D); a warning of each that has not initiated; and what became of the energy of new faces.
-/// \param circles that the fronts were at the start (3D)
+/// The entries of all fronts: whether each runs, when it initiated and arrested, its path (2D); a
+/// warning of each that has not initiated; and what became of the energy of new faces.
 template <int D>
-void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& fronts,
-                  const std::vector<Circle>& circles, nlohmann::json& summary);
+void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& fronts, nlohmann::json& summary);
 
 /// The energy release rate at which a front initiates, at the temperature of the start:
 /// `propagation.initiation_toughness` [J/m2].
