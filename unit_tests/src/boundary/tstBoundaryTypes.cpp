@@ -28,8 +28,8 @@ TEST(BoundaryTypes, HaveNamesOfTheirOwnAndAct)
   for (const BoundaryType& type : boundaryTypes())
   {
     EXPECT_TRUE(names.insert(type.section.name).second) << type.section.name;
-    EXPECT_EQ(type.effect.empty(), static_cast<bool>(type.add2)) << type.section.name;
-    EXPECT_EQ(type.effect.empty(), static_cast<bool>(type.add3)) << type.section.name;
+    EXPECT_EQ(type.capability.empty(), static_cast<bool>(type.add2)) << type.section.name;
+    EXPECT_EQ(type.capability.empty(), static_cast<bool>(type.add3)) << type.section.name;
   }
   EXPECT_EQ(names.count("Velocity"), 1u);
 }
