@@ -10,7 +10,7 @@ namespace Rhegma::energy_release
 /// nearest to the node, so that no shift has a component across a face; in the front's own direction ahead of
 /// it. Outside of a bend all places in a wedge have the bend as their nearest: they go with the piece that is
 /// nearer to the front, whatever last digits say.
-struct CrackWay
+struct CrackPath
 {
   View<double* [2]> vertex;
   View<int* [2]> simplex;
@@ -45,7 +45,7 @@ struct CrackWay
   }
 };
 
-/// The way along the crack inside of a disk round its front.
-CrackWay wayOf(const State<2>& state, const CrackFront<2>& front, double radius);
+/// The path of the crack inside of a disk round its front.
+CrackPath crackPathBehind(const State<2>& state, const CrackFront<2>& front, double radius);
 
 } // namespace Rhegma::energy_release

@@ -1,4 +1,4 @@
-#include "energy_release/FacePressureTerm.hpp"
+#include "energy_release/FacePressureNearTip.hpp"
 
 #include "energy_release/SharedNodes.hpp"
 #include "transfer/LocalSpacing.hpp"
@@ -23,10 +23,10 @@ struct Place
   double pressure;
 };
 
-class WayBack
+class PathBehind
 {
 public:
-  WayBack(const CrackSet<2>& cracks, const CrackFront<2>& front)
+  PathBehind(const CrackSet<2>& cracks, const CrackFront<2>& front)
   {
     const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
     const auto pressure = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.pressure);
@@ -70,11 +70,11 @@ double intensityLostAtFront(const State<2>& state, const CrackFront<2>& front, d
   const CrackSet<2>& cracks = state.cracks;
   if (cracks.pressure.extent(0) != cracks.simplex.extent(0) || state.clock.step == 0)
     return 0.0;
-  const WayBack way(cracks, front);
+  const PathBehind path(cracks, front);
   const double piece = spacingAt(state, front.position) / pieces;
   std::vector<Place> places;
   Place place;
-  while (static_cast<int>(places.size()) < cells * pieces && way.find((places.size() + 0.5) * piece, place))
+  while (static_cast<int>(places.size()) < cells * pieces && path.find((places.size() + 0.5) * piece, place))
     places.push_back(place);
 
   std::vector<Vector<2>> at;
@@ -83,7 +83,7 @@ double intensityLostAtFront(const State<2>& state, const CrackFront<2>& front, d
     at.push_back(on.at);
   const std::vector<double> shared = shareOfNodes(state, front.crack, at);
 
-  // int s^-1/2 ds over a piece of the way back, s the distance from the tip that the cells have.
+  // int s^-1/2 ds over a piece of the path behind, s the distance from the tip that the cells have.
   const auto weighed = [tipOffset](double from, double to)
   { return 2.0 * (std::sqrt(std::max(to + tipOffset, 0.0)) - std::sqrt(std::max(from + tipOffset, 0.0))); };
   double intensity = places.empty() ? 0.0 : places[0].pressure * weighed(-std::fabs(tipOffset), 0.0);

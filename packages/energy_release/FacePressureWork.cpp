@@ -1,4 +1,4 @@
-#include "energy_release/FacePressureInSpace.hpp"
+#include "energy_release/FacePressureWork.hpp"
 
 #include "geometry/Cross.hpp"
 #include "state/Subdomain.hpp"
