@@ -49,7 +49,8 @@ void reportRuns(const State<D>& state, const CrackFront<D>& front, const std::ve
   nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number]["runs"];
   entry = nlohmann::json::array();
   for (const CrackRun& run : runs)
-    entry.push_back({{"initiated", run.initiation}, {"last_advance", run.lastAdvance}, {"length", run.length}});
+    entry.push_back(
+        {{"initiated", run.initiation}, {"last_advance", run.lastAdvance}, {"length", run.length}});
   for (std::size_t r = 0; r < runs.size(); ++r)
   {
     const bool isLast = r + 1 == runs.size();
@@ -135,7 +136,7 @@ void reportEnergy(const State<D>& state, double required, nlohmann::json& summar
         "Propagation: new faces dissipated " + readableEnergy(energy.fracture) +
         ", more than their toughness times their area, " + readableEnergy(required) +
         ": faces opened within one step, or the front passed nodes because the body moved through its cells; "
-        "ramp the load, take smaller cells (Domain > Cell Size), or hold the body in place");
+        "ramp the load, take smaller cells (Domain > Cell Size), or support the body");
 }
 
 } // namespace
