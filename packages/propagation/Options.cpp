@@ -32,7 +32,7 @@ void addRules(Section& s)
            "in 3D it can only be combined with Mass Matrix > Type = Partial; write that or remove one of the "
            "two sections",
            0, 3);
-  // Cells that follow a front place the points of its faces anew, and faces that open gain contact energy.
+  // Cells that follow a front position the points of its faces anew, and faces that open gain contact energy.
   s.refuse({self, when::present("Contact"), when::present("Adaptivity")},
            "in 3D it can't be combined with both Contact and Adaptivity; remove one of the two", 0, 3);
   Condition temperature = when::given("Propagation", "Toughness");
@@ -175,10 +175,10 @@ Options readOptions(const Teuchos::ParameterList& scene, const RunOptions& run)
 }
 
 template <int D>
-double speedLimitAt(const State<D>& state, const Vector<D>& place, const Options& options)
+double speedLimitAt(const State<D>& state, const Vector<D>& position, const Options& options)
 {
   return options.speedLimit > 0.0 ? options.speedLimit
-                                  : rayleighSpeed(state.materials.list[materialAt(state, place)]);
+                                  : rayleighSpeed(state.materials.list[materialAt(state, position)]);
 }
 
 AdvanceRule ruleAt(double temperature, const Options& options)
