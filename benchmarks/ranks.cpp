@@ -45,7 +45,7 @@ void printRanks(const nlohmann::json& all)
               << entry.at("us_per_step").get<double>() << std::setw(16)
               << entry.at("us_to_neighbours").get<double>() << std::setw(11)
               << entry.at("us_over_all").get<double>() << std::setprecision(3) << std::setw(16)
-              << entry.at("work_share").get<double>() << std::setprecision(1) << "\n";
+              << entry.at("work_fraction").get<double>() << std::setprecision(1) << "\n";
 }
 
 void run(const std::vector<std::string>& arguments, bool first)

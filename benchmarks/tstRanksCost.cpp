@@ -37,12 +37,12 @@ TEST(RanksCost, writesAllRanksBesideOneAndWhatTheyTellEachOther)
   double before = 2.0;
   for (const nlohmann::json& entry : all.at("model"))
   {
-    const auto share = entry.at("work_share").get<double>();
+    const auto share = entry.at("work_fraction").get<double>();
     EXPECT_LT(share, before) << entry;
     EXPECT_GT(share, 0.0);
     before = share;
   }
-  EXPECT_EQ(all.at("model")[0].at("work_share").get<double>(), 1.0);
+  EXPECT_EQ(all.at("model")[0].at("work_fraction").get<double>(), 1.0);
   EXPECT_EQ(all.at("model").back().at("ranks"), 1000);
 }
 

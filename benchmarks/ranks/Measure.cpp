@@ -78,7 +78,7 @@ nlohmann::json modelOf(double work, const nlohmann::json& messages, const RanksE
                      {"us_per_step", 1e6 * step},
                      {"us_to_neighbours", 1e6 * neighbours},
                      {"us_over_all", 1e6 * all},
-                     {"work_share", work / step}});
+                     {"work_fraction", work / step}});
   }
   return model;
 }

@@ -58,7 +58,7 @@ nlohmann::json result(const Runner& runner, int threads)
   for (const auto& [stage, seconds] : runner.run.simulation->stageSeconds())
     all += seconds - runner.stages.at(stage);
   for (const auto& [stage, seconds] : runner.run.simulation->stageSeconds())
-    entry["stage_share"][stage] = (seconds - runner.stages.at(stage)) / all;
+    entry["stage_fraction"][stage] = (seconds - runner.stages.at(stage)) / all;
   return entry;
 }
 

@@ -148,9 +148,9 @@ void report(const State<D>& state, const Account<D>& account, nlohmann::json& su
       summary["cracks"][c]["contact"]["closed_points"] =
           account.visibility->closedPoints(static_cast<int>(c));
   summary["energy"]["friction"] = contact.dissipated();
-  summary["energy"]["last_share"] = account.balance.lastShare();
-  summary["energy"]["smallest_share"] = account.balance.smallestShare();
-  summary["energy"]["largest_share"] = account.balance.largestShare();
+  summary["energy"]["last_fraction"] = account.balance.lastShare();
+  summary["energy"]["smallest_fraction"] = account.balance.smallestShare();
+  summary["energy"]["largest_fraction"] = account.balance.largestShare();
 }
 
 /// An explicit step resolves frequencies w only below 2 / w. Cells have w^2 <= 8 c^2 / h^2; the layer adds

@@ -1,7 +1,7 @@
 #include "cracks/CellsForCracks.hpp"
 
 #include "base/ReadList.hpp"
-#include "cracks/CrackMesh.hpp"
+#include "cracks/ReadCrack.hpp"
 #include "geometry/Cross.hpp"
 #include "scene/SceneBodies.hpp"
 #include "scene/Validation.hpp"
@@ -18,8 +18,8 @@ namespace
 
 using Teuchos::ParameterList;
 
-/// Share of a crack's length at which what is nearer to a surface is its mouth.
-constexpr double mouth = 0.01;
+/// Fraction of a crack's length: an end that is nearer to a surface is surface-breaking.
+constexpr double surfaceBreaking = 0.01;
 
 /// What is known of one crack.
 struct Lengths
@@ -92,7 +92,7 @@ Lengths measureLine(const ParameterList& crack, const SceneBodies<2>& bodies)
   for (const bool first : {true, false})
   {
     const double depth = bodies.depth(first ? places.front() : places.back());
-    if (depth <= mouth * length || wanted == "None" || wanted == (first ? "Last" : "First"))
+    if (depth <= surfaceBreaking * length || wanted == "None" || wanted == (first ? "Last" : "First"))
       continue;
     ++fronts;
     found.front(depth);
@@ -157,7 +157,7 @@ Lengths measureRim(const Rim& rim, const SceneBodies<3>& bodies)
   {
     const double depth = bodies.depth(place);
     found.inside = found.inside || depth > 0.0;
-    if (depth > mouth * rim.radius)
+    if (depth > surfaceBreaking * rim.radius)
       found.front(depth);
   };
   for (const Vector<3>& place : rim.places)

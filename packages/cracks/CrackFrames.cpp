@@ -2,12 +2,15 @@
 
 #include "base/FewItems.hpp"
 #include "geometry/Cross.hpp"
+#include "surface/BeyondFacet.hpp"
 
 #include <cmath>
 #include <vector>
 
 namespace Rhegma::cracks
 {
+
+namespace facet = surface::facet;
 
 namespace
 {
@@ -140,7 +143,7 @@ public:
       frontNode.normal = unit(frontNode.normal);
       frontNode.direction = across(frontNode.direction, frontNode.normal);
       if (ends[k])
-        frontNode.direction = alongMouth(frontNode);
+        frontNode.direction = alongSurface(frontNode);
     }
   }
 
@@ -161,9 +164,9 @@ private:
     frontNode.direction = frontNode.direction + cross(along, n);
   }
 
-  /// The direction in which the mouth goes on at the end of a front; that across the front if the two are
-  /// almost one line.
-  Vector<3> alongMouth(const FrontNode<3>& frontNode) const
+  /// The direction in which the surface-breaking edge goes on at the end of a front; that across the front if
+  /// the two are almost one line.
+  Vector<3> alongSurface(const FrontNode<3>& frontNode) const
   {
     constexpr double grazing = 0.25;
     for (int k = starBegin_(frontNode.vertex); k < starBegin_(frontNode.vertex + 1); ++k)
@@ -172,7 +175,7 @@ private:
       for (int i = 0; i < 3; ++i)
       {
         const int a = simplex_(s, (i + 1) % 3), b = simplex_(s, (i + 2) % 3);
-        if (neighbour_(s, i) != facet::mouth || (a != frontNode.vertex && b != frontNode.vertex))
+        if (neighbour_(s, i) != facet::surfaceBreaking || (a != frontNode.vertex && b != frontNode.vertex))
           continue;
         const Vector<3> out =
             across(frontNode.position - at(a == frontNode.vertex ? b : a), frontNode.normal);

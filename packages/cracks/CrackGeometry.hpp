@@ -1,93 +1,30 @@
 #pragma once
-/// Where a place lies with respect to a crack.
+/// Where a point lies with respect to a crack.
 
 #include "state/CrackSet.hpp"
+#include "surface/BeyondFacet.hpp"
+#include "surface/NearestOnSimplex.hpp"
 
 namespace Rhegma::cracks
 {
+
+namespace facet = surface::facet;
 
 /// Cells over which a crack matters to nodes: a particle a stencil away on the other side must find the
 /// node's side.
 constexpr double bandWidth = 3.0;
 
-/// A place seen from a crack that is continued straight on beyond its mouths and fronts.
+/// A point seen from a crack that is continued straight on beyond its surface-breaking ends and its fronts.
 struct Sight
 {
   double distance; ///< from the continued crack, positive on side +1 [m]
-  double behind; ///< by how far the place lies behind the nearest front, negative ahead of it; huge away from
+  double behind; ///< by how far the point lies behind the nearest front, negative ahead of it; huge away from
                  ///< fronts [m]
 };
 
-/// The point of a simplex that is nearest to a place.
-template <int D>
-struct Foot
-{
-  double weight[D]; ///< of the simplex's vertices
-  int vertex;       ///< the point is this vertex of the simplex; -1: it is none
-  int facet;        ///< else it lies on this facet; -1: inside
-};
-
-/// Nearest point of a segment.
-KOKKOS_INLINE_FUNCTION Foot<2> footOn(const Vector<2> (&corner)[2], const Vector<2>& x)
-{
-  const Vector<2> along = corner[1] - corner[0];
-  const double at = dot(x - corner[0], along) / dot(along, along);
-  if (at <= 0.0)
-    return {{1.0, 0.0}, 0, -1};
-  if (at >= 1.0)
-    return {{0.0, 1.0}, 1, -1};
-  return {{1.0 - at, at}, -1, -1};
-}
-
-/// Nearest point of a triangle, by the regions of its plane (Ericson, Real-Time Collision Detection, Morgan
-/// Kaufmann 2005, section 5.1.5).
-KOKKOS_INLINE_FUNCTION Foot<3> footOn(const Vector<3> (&corner)[3], const Vector<3>& x)
-{
-  const Vector<3> ab = corner[1] - corner[0], ac = corner[2] - corner[0];
-  const Vector<3> ax = x - corner[0], bx = x - corner[1], cx = x - corner[2];
-  const double a1 = dot(ab, ax), a2 = dot(ac, ax);
-  if (a1 <= 0.0 && a2 <= 0.0)
-    return {{1.0, 0.0, 0.0}, 0, -1};
-  const double b1 = dot(ab, bx), b2 = dot(ac, bx);
-  if (b1 >= 0.0 && b2 <= b1)
-    return {{0.0, 1.0, 0.0}, 1, -1};
-  const double c1 = dot(ab, cx), c2 = dot(ac, cx);
-  if (c2 >= 0.0 && c1 <= c2)
-    return {{0.0, 0.0, 1.0}, 2, -1};
-  const double wc = a1 * b2 - b1 * a2;
-  if (wc <= 0.0 && a1 >= 0.0 && b1 <= 0.0)
-  {
-    const double t = a1 / (a1 - b1);
-    return {{1.0 - t, t, 0.0}, -1, 2};
-  }
-  const double wb = c1 * a2 - a1 * c2;
-  if (wb <= 0.0 && a2 >= 0.0 && c2 <= 0.0)
-  {
-    const double t = a2 / (a2 - c2);
-    return {{1.0 - t, 0.0, t}, -1, 1};
-  }
-  const double wa = b1 * c2 - c1 * b2;
-  if (wa <= 0.0 && b2 - b1 >= 0.0 && c1 - c2 >= 0.0)
-  {
-    const double t = (b2 - b1) / ((b2 - b1) + (c1 - c2));
-    return {{0.0, 1.0 - t, t}, -1, 0};
-  }
-  const double sum = wa + wb + wc;
-  return {{wa / sum, wb / sum, wc / sum}, -1, -1};
-}
-
-template <int D>
-KOKKOS_INLINE_FUNCTION Vector<D> placeOf(const Vector<D> (&corner)[D], const Foot<D>& foot)
-{
-  Vector<D> x;
-  for (int d = 0; d < D; ++d)
-  {
-    x[d] = 0.0;
-    for (int i = 0; i < D; ++i)
-      x[d] += foot.weight[i] * corner[i][d];
-  }
-  return x;
-}
+using surface::Foot;
+using surface::footOn;
+using surface::pointAt;
 
 /// What CrackSet::nearFront says of a simplex.
 namespace nearFront
@@ -105,7 +42,7 @@ struct CrackSight
   View<int*[D]> simplex, neighbour;
   View<int* [2]> frontFacet;
   View<int*> crackOf, kind, nearFront;
-  double extension; ///< how far a front's line goes straight on beyond a mouth [m]
+  double extension; ///< how far a front's line goes straight on beyond the surface [m]
 
   CrackSight(const CrackSet<D>& cracks, double spacing)
       : vertex(cracks.vertex),
@@ -133,7 +70,7 @@ struct CrackSight
   {
     Vector<D> corner[D];
     corners(s, corner);
-    const Vector<D> away = x - placeOf<D>(corner, footOn(corner, x));
+    const Vector<D> away = x - pointAt<D>(corner, footOn(corner, x));
     return dot(away, away);
   }
 
@@ -145,17 +82,20 @@ struct CrackSight
     Vector<D> corner[D];
     corners(s, corner);
     const Foot<D> foot = footOn(corner, x);
-    const Vector<D> away = x - placeOf<D>(corner, foot);
+    const Vector<D> away = x - pointAt<D>(corner, foot);
     Vector<D> n, m;
     for (int d = 0; d < D; ++d)
       n[d] = m[d] = normal(s, d);
-    int beyond = 0; // what is beyond the nearest point: facet::mouth or facet::front; 0: the point is inside
+    int beyond =
+        0; // what is beyond the nearest point: facet::surfaceBreaking or front; 0: the point is inside
     if (foot.vertex >= 0)
     {
       const int v = simplex(s, foot.vertex);
       for (int d = 0; d < D; ++d)
         m[d] = vertexNormal(v, d);
-      beyond = kind(v) == vertexKind::inner ? 0 : kind(v) == vertexKind::front ? facet::front : facet::mouth;
+      beyond = kind(v) == vertexKind::inner   ? 0
+               : kind(v) == vertexKind::front ? facet::front
+                                              : facet::surfaceBreaking;
     }
     else if (foot.facet >= 0)
     {
@@ -192,7 +132,7 @@ private:
       {
         const Vector<D> along = corner[(opposite + 2) % D] - a;
         const double square = dot(along, along), reach = extension / std::sqrt(square);
-        // Where a front ends at a mouth, its line goes on beyond.
+        // Where a front ends at the surface, its line goes on beyond.
         const double low = kind(simplex(t, (opposite + 1) % D)) == vertexKind::front ? 0.0 : -reach;
         const double high = kind(simplex(t, (opposite + 2) % D)) == vertexKind::front ? 1.0 : 1.0 + reach;
         double at = dot(from, along) / square;
@@ -207,7 +147,7 @@ private:
         inward = dot(from, in) >= 0.0;
       }
     }
-    const bool isBehind = beyond == 0 || (beyond == facet::mouth && inward);
+    const bool isBehind = beyond == 0 || (beyond == facet::surfaceBreaking && inward);
     return isBehind ? nearest : -nearest;
   }
 };

@@ -1,7 +1,8 @@
+#include "cracks/CrackMemory.hpp"
+
 #include "archive/Archive.hpp"
-#include "cracks/Chains.hpp"
 #include "cracks/CrackFrames.hpp"
-#include "cracks/Growth.hpp"
+#include "cracks/Layout.hpp"
 
 #include <string>
 #include <vector>
@@ -12,9 +13,109 @@ namespace Rhegma::cracks
 namespace
 {
 
+/// Vertices and simplices of all cracks, one after another, as numbers of a crack of its own.
 template <int D>
-void keepFronts(CrackSet<D>& set, Archive& archive)
+struct Meshes
 {
+  std::vector<int> sizes; ///< of each crack, vertices and simplices
+  std::vector<int> simplices, beyond;
+  std::vector<double> positions;
+
+  explicit Meshes(const CrackSet<D>& set)
+  {
+    const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.vertex);
+    const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.simplex);
+    const auto neighbour = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.neighbour);
+    for (const Crack<D>& crack : set.cracks)
+    {
+      sizes.insert(sizes.end(), {crack.numVertices, crack.numSimplices});
+      for (int v = crack.firstVertex; v < crack.firstVertex + crack.numVertices; ++v)
+        for (int d = 0; d < D; ++d)
+          positions.push_back(vertex(v, d));
+      for (int s = crack.firstSimplex; s < crack.firstSimplex + crack.numSimplices; ++s)
+        for (int i = 0; i < D; ++i)
+        {
+          simplices.push_back(simplex(s, i) - crack.firstVertex);
+          beyond.push_back(neighbour(s, i) < 0 ? neighbour(s, i) : neighbour(s, i) - crack.firstSimplex);
+        }
+    }
+  }
+
+  void keep(Archive& archive)
+  {
+    archive("sizes", sizes, 2);
+    archive("simplices", simplices, D);
+    archive("beyond", beyond, D);
+    archive("positions", positions, D);
+  }
+
+  std::vector<surface::CrackMesh<D>> meshes() const
+  {
+    std::vector<surface::CrackMesh<D>> all(sizes.size() / 2);
+    std::size_t v = 0, s = 0;
+    for (std::size_t c = 0; c < all.size(); ++c)
+    {
+      all[c].vertices.resize(sizes[2 * c]);
+      all[c].simplices.resize(sizes[2 * c + 1]);
+      all[c].beyond.resize(sizes[2 * c + 1]);
+      for (Vector<D>& x : all[c].vertices)
+        for (int d = 0; d < D; ++d)
+          x[d] = positions.at(v++);
+      for (std::size_t k = 0; k < all[c].simplices.size(); ++k)
+        for (int i = 0; i < D; ++i, ++s)
+        {
+          all[c].simplices[k][i] = simplices.at(s);
+          all[c].beyond[k][i] = beyond.at(s);
+        }
+    }
+    return all;
+  }
+};
+
+template <int D>
+void keepNodes(CrackFront<D>& front, int firstVertex, Archive& archive)
+{
+  constexpr std::size_t whole = 6, real = 7; // numbers of a node
+  std::vector<int> integers;
+  std::vector<double> reals;
+  for (const FrontNode<D>& n : front.nodes)
+  {
+    integers.insert(integers.end(), {n.vertex - firstVertex, n.facet >= 0 ? 0 : -1, n.name, n.from,
+                                     n.stopped ? 1 : 0, n.advances ? 1 : 0});
+    reals.insert(reals.end(), {n.speed, n.temperature, n.driving.release, n.driving.modeI, n.driving.modeII,
+                               n.driving.modeIII, n.driving.hoopAngle});
+  }
+  archive("nodes", integers, whole);
+  archive("node_values", reals, real);
+  if (!archive.loads())
+    return;
+  front.nodes.assign(integers.size() / whole, {});
+  for (std::size_t k = 0; k < front.nodes.size(); ++k)
+  {
+    FrontNode<D>& n = front.nodes[k];
+    const int* of = &integers[whole * k];
+    const double* value = &reals.at(real * k);
+    n.vertex = of[0];
+    n.facet = of[1];
+    n.name = of[2];
+    n.from = of[3];
+    n.stopped = of[4] != 0;
+    n.advances = of[5] != 0;
+    n.speed = value[0];
+    n.temperature = value[1];
+    n.driving = {value[2], value[3], value[4], value[5], value[6]};
+  }
+}
+
+} // namespace
+
+template <int D>
+void keepCracks(State<D>& state, Archive& archive)
+{
+  CrackSet<D>& set = state.cracks;
+  Meshes<D> all(set);
+  all.keep(archive);
+  std::vector<int> vertices;
   for (std::size_t f = 0; f < set.fronts.size(); ++f)
   {
     CrackFront<D>& front = set.fronts[f];
@@ -22,19 +123,6 @@ void keepFronts(CrackSet<D>& set, Archive& archive)
     archive("vertex", front.vertex);
     archive("direction", front.direction); // those of a front that has ended are found no more
     archive("normal", front.normal);
-    if constexpr (D == 2) // those of 3D are kept with their surface
-    {
-      FrontNode<D>& node = front.nodes[0];
-      archive("speed", node.speed);
-      archive("temperature", node.temperature);
-      archive("release", node.driving.release);
-      archive("K_I", node.driving.modeI);
-      archive("K_II", node.driving.modeII);
-      archive("K_III", node.driving.modeIII);
-      archive("hoop_angle", node.driving.hoopAngle);
-      archive("advances", node.advances);
-      archive("stopped", node.stopped);
-    }
     archive("grown", front.grown);
     archive("ended", front.ended);
     archive("required", front.budget.required);
@@ -44,61 +132,21 @@ void keepFronts(CrackSet<D>& set, Archive& archive)
     archive("over_dissipated", front.budget.overDissipated);
     archive("advected", front.budget.advected);
     archive("toughness", front.budget.toughness);
-  }
-}
-
-/// What a chain's end is as one number: a mouth 0, a front 1, joined to another crack 2.
-int codeOf(const Chain& chain, int end) { return chain.front[end] ? 1 : chain.joined[end] ? 2 : 0; }
-
-/// Saves or loads how many vertices each crack has and what its ends are.
-void keepChains(State<2>& state, Archive& archive)
-{
-  std::vector<int> sizes;
-  if (!archive.loads())
-    for (const Chain& chain : readChains(state.cracks))
-      sizes.insert(sizes.end(), {static_cast<int>(chain.links.size()), codeOf(chain, 0), codeOf(chain, 1)});
-  archive("chains", sizes, 3);
-  keepFronts(state.cracks, archive);
-  if (!archive.loads())
-    return;
-  // The places of the vertices are in the views that are loaded next.
-  std::vector<int> vertices;
-  for (const CrackFront<2>& front : state.cracks.fronts)
+    keepNodes(front, set.cracks[front.crack].firstVertex, archive);
     vertices.push_back(front.vertex);
-  std::vector<Chain> chains;
-  for (std::size_t c = 0; c + 2 < sizes.size(); c += 3)
-  {
-    Chain chain;
-    for (int v = 0; v < sizes[c]; ++v)
-      chain.links.push_back(closedLink({{double(v), double(c)}}));
-    for (int end = 0; end < 2; ++end)
-    {
-      chain.front[end] = sizes[c + 1 + end] == 1;
-      chain.joined[end] = sizes[c + 1 + end] == 2;
-    }
-    chains.push_back(chain);
   }
-  writeChains(state.cracks, chains, state.mesh.grid.spacing);
-  for (std::size_t f = 0; f < vertices.size(); ++f)
-    state.cracks.fronts[f].vertex = vertices[f];
-}
-
-} // namespace
-
-template <int D>
-void keepCracks(State<D>& state, Archive& archive)
-{
-  if constexpr (D == 2)
-    keepChains(state, archive);
-  else
-    keepFronts(state.cracks, archive);
-  archive("vertex", state.cracks.vertex);
-  archive("face", state.cracks.face);
-  archive("near_front", state.cracks.nearFront);
+  if (archive.loads())
+  {
+    layOut(set, all.meshes(), state.mesh.grid.spacing);
+    for (std::size_t f = 0; f < vertices.size(); ++f)
+      set.fronts[f].vertex = vertices[f];
+  }
+  archive("face", set.face);
+  archive("near_front", set.nearFront);
   if (!archive.loads())
     return;
-  updateNormals(state.cracks);
-  updateFronts(state.cracks);
+  updateNormals(set);
+  updateFronts(set);
 }
 
 template void keepCracks(State<2>&, Archive&);

@@ -1,9 +1,9 @@
 #include "cracks/CrackMotion.hpp"
 
 #include "base/FewItems.hpp"
+#include "base/UnstableStep.hpp"
 #include "cracks/CrackFrames.hpp"
 #include "state/Subdomain.hpp"
-#include "base/UnstableStep.hpp"
 #include "transfer/Stencils.hpp"
 
 namespace Rhegma::cracks

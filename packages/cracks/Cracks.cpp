@@ -4,19 +4,17 @@
 #include "base/ReadList.hpp"
 #include "cracks/AdvectedFronts.hpp"
 #include "cracks/CellsForCracks.hpp"
-#include "cracks/CrackFrames.hpp"
+#include "cracks/CrackGrowth.hpp"
+#include "cracks/CrackMemory.hpp"
 #include "cracks/CrackMotion.hpp"
+#include "cracks/CrackSection.hpp"
 #include "cracks/CrackSetup.hpp"
 #include "cracks/FrontSprings.hpp"
-#include "cracks/Growth.hpp"
 #include "cracks/HeldFaces.hpp"
 #include "cracks/IdleCracks.hpp"
-#include "cracks/Junctions.hpp"
 #include "cracks/Normals.hpp"
 #include "cracks/Opening.hpp"
 #include "cracks/Overlap.hpp"
-#include "cracks/Sides.hpp"
-#include "cracks/SurfaceGrowth.hpp"
 #include "cracks/Visibility.hpp"
 #include "plan/LastStage.hpp"
 
@@ -28,125 +26,6 @@ namespace Rhegma::cracks
 
 namespace
 {
-
-Section section()
-{
-  Section s("Cracks",
-            "Explicit cracks: polylines (2D) or surfaces (3D) that cut bodies independently of the grid.");
-  s.choice("Formulation", {"Dual Field", "Broken Cell", "Corrected Broken Cell"})
-      .byDefault("Dual Field")
-      .meaning("How cracked cells are treated. Dual Field: one velocity field on each side of the crack. "
-               "Broken Cell: shape functions truncated by visibility. Corrected Broken Cell: the same, made "
-               "linearly complete by extrapolation.");
-  s.boolean("Front Springs")
-      .formerly("Front Ties")
-      .byDefault(true)
-      .meaning("Penalty springs between the two fields of nodes less than a cell behind a front, so that the "
-               "crack on the grid ends at its front and not at the next column of nodes. Dual Field only.");
-  Section crack("crack", "A crack. You choose its name.");
-  crack.realArray("Points")
-      .unit("m")
-      .perPoint(2)
-      .optional("in 3D Radius or Surface File")
-      .meaning("2D: points of a polyline. 3D: at least three corners of a plane polygon, convex or not, in "
-               "order around it. Parts outside the bodies are cut off.");
-  crack.realArray("Centre").unit("m").perAxis().optional().onlyIn(3).meaning(
-      "Centre of a disk-shaped or elliptical crack.");
-  crack.realArray("Normal").perAxis().optional().onlyIn(3).meaning(
-      "Normal of the disk, of any non-zero length, from side -1 to side +1 of the crack.");
-  crack.real("Radius")
-      .unit("m")
-      .positive()
-      .optional("Points or Surface File")
-      .onlyIn(3)
-      .meaning("Radius of the disk, or one semi-axis of an ellipse.");
-  crack.real("Second Radius")
-      .unit("m")
-      .positive()
-      .optional("Radius")
-      .onlyIn(3)
-      .meaning("Other semi-axis of the ellipse, normal to Radius Direction.");
-  crack.realArray("Radius Direction")
-      .perAxis()
-      .optional("the coordinate axis farthest from Normal")
-      .onlyIn(3)
-      .meaning("Direction of Radius. Its component normal to the crack plane is ignored.");
-  crack.text("Surface File")
-      .notEmpty()
-      .optional("Points or Radius")
-      .onlyIn(3)
-      .meaning("Path (relative to the scene) of an STL or OBJ file with the crack as a triangulated surface "
-               "in metres. Its edges inside material are crack fronts.");
-  crack.choice("Fronts", {"Automatic", "First", "Last", "Both", "None"})
-      .byDefault("Automatic")
-      .onlyIn(2)
-      .meaning("Which ends of the polyline are crack fronts. Automatic: every end inside material.");
-  crack.integerArray("Front Edges")
-      .optional("edges inside material")
-      .onlyIn(3)
-      .meaning("Edges of the polygon that are crack fronts; the others are free edges. Edge k goes from "
-               "point k to the next, counted from 1.");
-  s.namedByUser(crack);
-  return s;
-}
-
-/// A crack has one shape, and all that belongs to it.
-void checkShape(const Teuchos::ParameterList& crack, const std::string& where, bool flat,
-                std::vector<SceneError>& errors)
-{
-  const auto has = [&](const char* name) { return crack.isParameter(name); };
-  const int shapes = (has("Points") ? 1 : 0) + (has("Radius") ? 1 : 0) + (has("Surface File") ? 1 : 0);
-  if (shapes == 0 && flat)
-    errors.push_back({where + " > Points", "is missing; write the crack as a polyline, point after point"});
-  else if (shapes == 0)
-    errors.push_back({where + " > Points",
-                      "is missing; write the corners of a polygon, or Centre, Normal and Radius of a disk, "
-                      "or a Surface File"});
-  else if (shapes > 1)
-    errors.push_back({where, "it has more than one shape; keep one of Points, Radius and Surface File"});
-  if (shapes == 0)
-    return;
-  for (const char* name : {"Centre", "Normal"})
-    if (has("Radius") && !has(name))
-      errors.push_back({where + " > " + name, "is missing; a disk has Centre, Normal and Radius"});
-  for (const char* name : {"Centre", "Normal", "Second Radius", "Radius Direction"})
-    if (!has("Radius") && has(name))
-      errors.push_back({where + " > " + name, "belongs to a disk; write its Radius too, or leave this out"});
-  if (has("Front Edges") && !has("Points"))
-    errors.push_back({where + " > Front Edges", "is for polygons, which have Points; leave it out"});
-}
-
-void checkShapes(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
-{
-  if (!scene.isSublist("Domain") || !scene.sublist("Domain").isType<int>("Dimension"))
-    return;
-  const bool flat = scene.sublist("Domain").get<int>("Dimension") == 2;
-  for (const std::string& name : sublistNames(scene.sublist("Cracks")))
-  {
-    const std::string where = "Cracks > " + name;
-    bool wrong = false; // then what follows from it says nothing
-    for (const SceneError& error : errors)
-      wrong = wrong || error.where.rfind(where + " > ", 0) == 0;
-    if (!wrong)
-      checkShape(scene.sublist("Cracks").sublist(name), where, flat, errors);
-  }
-}
-
-void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
-{
-  if (sublistNames(scene.sublist("Cracks")).empty())
-    errors.push_back({"Cracks",
-                      "the section holds no crack; write one as <ParameterList name=\"...\"> or leave "
-                      "the section out"});
-  checkShapes(scene, errors);
-  if (!scene.isSublist("Domain") || !scene.sublist("Domain").isType<int>("Dimension") ||
-      scene.sublist("Domain").get<int>("Dimension") != 3)
-    return;
-  const Teuchos::ParameterList& cracks = scene.sublist("Cracks");
-  if (cracks.isType<std::string>("Formulation") && cracks.get<std::string>("Formulation") != "Dual Field")
-    errors.push_back({"Cracks > Formulation",
-                      cracks.get<std::string>("Formulation") + " is for 2D scenes as yet; write Dual Field"});
-}
 
 Formulation readFormulation(const Teuchos::ParameterList& section)
 {
@@ -160,197 +39,249 @@ Formulation readFormulation(const Teuchos::ParameterList& section)
 /// but no smaller than those of the second level, as there are four times as many with each.
 int piecesOfACell(const RunOptions& options) { return 1 << std::min(2, options.frontLevels); }
 
+/// What the calls of the effect share.
+template <int D>
+struct Parts
+{
+  Teuchos::ParameterList section;
+  Formulation formulation;
+  bool hasSprings; ///< behind fronts
+  bool grows;
+  bool joins;    ///< cracks may end on others
+  bool touching; ///< contact keeps faces apart
+  int pieces;    ///< of a cell, for edges of surfaces
+  Surroundings surroundings;
+  Ghosts ghosts;
+  CrackMotion<D> motion;
+  AdvectedFronts<D> advected;
+  FrontSprings<D> springs;
+  Junctions junctions;
+  CrackGrowth<D> growth;
+
+  Parts(const Teuchos::ParameterList& scene, const RunOptions& options)
+      : section(scene.sublist("Cracks")),
+        formulation(readFormulation(section)),
+        hasSprings(formulation == Formulation::DualField && section.get<bool>("Front Springs")),
+        grows(options.growth),
+        joins(D == 2 && grows && sublistNames(section).size() > 1),
+        touching(options.contact),
+        pieces(piecesOfACell(options)),
+        springs(grows),
+        growth(mirrorPlanes(scene))
+  {
+  }
+};
+
+template <int D>
+using Shared = std::shared_ptr<Parts<D>>;
+
+/// Finds sides before the transfers of each step.
+template <int D>
+void prepareStencils(Parts<D>& parts, State<D>& state, const View<int*>& row)
+{
+  if constexpr (D == 2)
+  {
+    findSides(state, parts.surroundings, row, [&] { parts.junctions.claimNodes(state, parts.surroundings); });
+    parts.junctions.markParticles(state, row);
+  }
+  else
+    findSides(state, parts.surroundings, row);
+  if (parts.surroundings.stamp == 1)
+    warnOfIdleCracks(state);
+  if constexpr (D == 2) // a 3D scene with another formulation is refused
+  {
+    if (parts.formulation == Formulation::CorrectedBrokenCell)
+      findGhosts(state, row, parts.ghosts);
+    if (parts.formulation == Formulation::BrokenCell)
+      carryNormals(state, row);
+  }
+}
+
+template <int D>
+void start(const Shared<D>& parts, State<D>& state)
+{
+  state.cracks.dualField = parts->formulation == Formulation::DualField;
+  state.cracks.frontSprings = parts->hasSprings;
+  if (parts->hasSprings)
+    state.motion.followingForces.push_back(parts->springs.following());
+  readCracks(parts->section, state, state.mesh.grid.spacing / parts->pieces);
+  if (parts->hasSprings)
+    parts->advected.start(state);
+  state.stored.editor.prepare = [=](State<D>& s, const View<int*>& row) { prepareStencils(*parts, s, row); };
+  state.stored.editor.edit =
+      [=](const State<D>& s, const ObservedPoints<D>& points, const StencilTable<D>& table)
+  {
+    if constexpr (D == 2)
+      parts->junctions.hideNodes(s, points, table);
+    editStencils(s, parts->formulation, parts->ghosts, points, table);
+  };
+}
+
+template <int D>
+void addFields(const Parts<D>& parts, Effect<D>& effect)
+{
+  effect.adds.push_back(
+      {fields::side, 1, "", "side of the nearest crack: its number + 1, negative on side -1", true});
+  if (parts.formulation == Formulation::BrokenCell)
+    effect.adds.push_back(
+        {crackNormal, 2, "", "unit normal of the face near the particle, out of its material"});
+  if (parts.joins)
+    effect.adds.push_back({otherSide, 1, "", "the same of another crack that has joined it, or 0", true});
+  if (parts.hasSprings)
+    effect.addsNodal.push_back(springField<D>());
+}
+
+/// Energy per area that the last faces at a front require.
+template <int D>
+std::vector<double> toughnessOf(const Parts<D>& parts, const CrackSet<D>& set, int front)
+{
+  if constexpr (D == 3)
+    return parts.growth.toughnessAlong(set, front);
+  else
+    return {set.fronts[front].budget.toughness};
+}
+
+template <int D>
+void callSprings(const Shared<D>& parts, Effect<D>& effect)
+{
+  // USF stretches springs before forces are summed.
+  effect.call({Stage::Scatter,
+               "stiffness of springs behind crack fronts",
+               {quantity::nodalMass, quantity::enrichedFields},
+               {quantity::springStiffness},
+               {},
+               [=](State<D>& s) { parts->springs.prepare(s, parts->surroundings); }});
+  effect.call({Stage::BeforeSolve,
+               "springs behind crack fronts",
+               {quantity::springStiffness, quantity::springStretch},
+               {quantity::springForce},
+               {quantity::internalForce},
+               [=](State<D>& s) { parts->springs.addForces(s); }});
+  if (parts->grows)
+    effect.call({Stage::Solve,
+                 "cohesion of new crack faces",
+                 {quantity::springForce},
+                 {quantity::fractureEnergy},
+                 {quantity::nodalForce},
+                 [=](State<D>& s)
+                 {
+                   parts->springs.release(s, parts->surroundings,
+                                          [&](const CrackSet<D>& set, int front)
+                                          { return toughnessOf(*parts, set, front); });
+                 }});
+  effect.call({Stage::AfterProjection,
+               "stretch of springs behind crack fronts",
+               {quantity::nodalMotion, ifWritten(quantity::projection)},
+               {quantity::springStretch},
+               {},
+               [=](State<D>& s) { parts->springs.advance(s); },
+               true});
+}
+
+template <int D>
+void grow(Parts<D>& parts, State<D>& state)
+{
+  if constexpr (D == 2) // faces that the motion of a body opens later require the same energy
+    for (const FrontAdvance<D>& advance : state.cracks.advances)
+      state.cracks.fronts[advance.front].budget.toughness = advance.nodes[0].toughness;
+  for (const Meeting& meeting : parts.growth.grow(state))
+    if constexpr (D == 2)
+      parts.junctions.add(state, meeting);
+}
+
+template <int D>
+void move(Parts<D>& parts, State<D>& state)
+{
+  if (state.clock.step == 0 && state.cracks.dualField)
+    warnOfHeldFaces(state, parts.surroundings);
+  parts.motion.move(state);
+  if (parts.hasSprings)
+    parts.advected.update(state);
+}
+
+template <int D>
+void observe(State<D>& state)
+{
+  for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
+  {
+    const Opening opening = measureOpening(state.cracks, static_cast<int>(c));
+    const std::string& name = state.cracks.cracks[c].name;
+    state.sample.row.emplace_back(name + ".opening", opening.largest);
+    if constexpr (D == 3)
+      state.sample.row.emplace_back(name + ".area", opening.size);
+  }
+}
+
+template <int D>
+void report(const Parts<D>& parts, const State<D>& state, nlohmann::json& summary)
+{
+  if (parts.hasSprings)
+    parts.advected.report(state, summary);
+  for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
+  {
+    nlohmann::json& entry = summary["cracks"][c];
+    entry["name"] = state.cracks.cracks[c].name;
+    if (!entry.contains("fronts"))
+      entry["fronts"] = nlohmann::json::array();
+    const Opening opening = measureOpening(state.cracks, static_cast<int>(c));
+    const std::string warning = parts.touching ? "" : warningOfOverlap(state, static_cast<int>(c));
+    if (!warning.empty())
+      summary["warnings"].push_back(warning);
+    entry["opening"] = opening.largest;
+    entry[D == 2 ? "opening_area" : "opening_volume"] = opening.volume;
+    entry[D == 2 ? "length" : "area"] = opening.size;
+  }
+  if (parts.grows)
+    summary["energy_in_flight"] = parts.springs.pendingEnergy(state, parts.surroundings.stamp);
+  for (const CrackFront<D>& front : state.cracks.fronts)
+  {
+    nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
+    entry["position"] = std::vector<double>(front.position.c, front.position.c + D);
+    entry["length"] = front.length;
+    entry["speed"] = front.speed();
+  }
+}
+
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 {
-  const Teuchos::ParameterList section = scene.sublist("Cracks");
-  const Formulation formulation = readFormulation(section);
-  const bool hasSprings = formulation == Formulation::DualField && section.get<bool>("Front Springs");
-  const auto surroundings = std::make_shared<Surroundings>();
-  const auto ghosts = std::make_shared<Ghosts>();
-  const auto motion = std::make_shared<CrackMotion<D>>();
-  const auto advected = std::make_shared<AdvectedFronts<D>>();
-  const bool grows = options.growth;
-  const int pieces = piecesOfACell(options);
-  const auto springs = std::make_shared<FrontSprings<D>>(grows);
-  const bool join = D == 2 && grows && sublistNames(section).size() > 1;
-  const auto junctions = std::make_shared<Junctions>();
+  const auto parts = std::make_shared<Parts<D>>(scene, options);
   Effect<D> effect;
   effect.name = "Cracks";
-  effect.adds.push_back(
-      {fields::side, 1, "", "side of the nearest crack: its number + 1, negative on side -1", true});
-  if (formulation == Formulation::BrokenCell)
-    effect.adds.push_back(
-        {crackNormal, 2, "", "unit normal of the face near the particle, out of its material"});
-  if (join)
-    effect.adds.push_back({otherSide, 1, "", "the same of another crack that has joined it, or 0", true});
-  effect.atStart = [=](State<D>& state)
-  {
-    state.cracks.dualField = formulation == Formulation::DualField;
-    state.cracks.frontSprings = hasSprings;
-    if (hasSprings)
-      state.motion.followingForces.push_back(springs->following());
-    readCracks(section, state, state.mesh.grid.spacing / pieces);
-    if (hasSprings)
-      advected->start(state);
-    state.stored.editor.prepare = [=](State<D>& s, const View<int*>& row)
-    {
-      if constexpr (D == 2)
-      {
-        findSides(s, *surroundings, row, [&] { junctions->claimNodes(s, *surroundings); });
-        junctions->markParticles(s, row);
-      }
-      else
-        findSides(s, *surroundings, row);
-      if (surroundings->stamp == 1)
-        warnOfIdleCracks(s);
-      if constexpr (D == 2) // a 3D scene with another formulation is refused
-      {
-        if (formulation == Formulation::CorrectedBrokenCell)
-          findGhosts(s, row, *ghosts);
-        if (formulation == Formulation::BrokenCell)
-          carryNormals(s, row);
-      }
-    };
-    state.stored.editor.edit =
-        [=](const State<D>& s, const ObservedPoints<D>& points, const StencilTable<D>& table)
-    {
-      if constexpr (D == 2)
-        junctions->hideNodes(s, points, table);
-      editStencils(s, formulation, *ghosts, points, table);
-    };
-  };
-  const auto surface = std::make_shared<SurfaceGrowth>(mirrorPlanes(scene));
+  addFields(*parts, effect);
+  effect.atStart = [=](State<D>& state) { start(parts, state); };
   effect.memory = [=](State<D>& state, Archive& archive)
   {
-    archive("steps", surroundings->stamp);
-    if constexpr (D == 3)
-      if (grows)
-        surface->keep(state, archive);
+    archive("steps", parts->surroundings.stamp);
     keepCracks(state, archive);
-    if (join)
-      junctions->keep(archive);
+    if (parts->grows)
+      parts->growth.keep(state.cracks, archive);
+    if (parts->joins)
+      parts->junctions.keep(archive);
   };
-  if (hasSprings)
-  {
-    effect.addsNodal.push_back(springField<D>());
-    // USF stretches springs before forces are summed.
-    effect.call({Stage::Scatter,
-                 "stiffness of springs behind crack fronts",
-                 {quantity::nodalMass, quantity::enrichedFields},
-                 {quantity::springStiffness},
-                 {},
-                 [=](State<D>& s) { springs->prepare(s, *surroundings); }});
-    effect.call({Stage::BeforeSolve,
-                 "springs behind crack fronts",
-                 {quantity::springStiffness, quantity::springStretch},
-                 {quantity::springForce},
-                 {quantity::internalForce},
-                 [=](State<D>& s) { springs->addForces(s); }});
-    if (grows)
-      effect.call({Stage::Solve,
-                   "cohesion of new crack faces",
-                   {quantity::springForce},
-                   {quantity::fractureEnergy},
-                   {quantity::nodalForce},
-                   [=](State<D>& s)
-                   {
-                     springs->release(s, *surroundings,
-                                      [&](const CrackSet<D>& set, int front) -> std::vector<double>
-                                      {
-                                        if constexpr (D == 3)
-                                          return surface->toughnessAlong(set, front);
-                                        else
-                                          return {set.fronts[front].budget.toughness};
-                                      });
-                   }});
-    effect.call({Stage::AfterProjection,
-                 "stretch of springs behind crack fronts",
-                 {quantity::nodalMotion, ifWritten(quantity::projection)},
-                 {quantity::springStretch},
-                 {},
-                 [=](State<D>& s) { springs->advance(s); },
-                 true});
-  }
-  if (grows)
+  if (parts->hasSprings)
+    callSprings(parts, effect);
+  if (parts->grows)
     effect.call({Stage::BetweenSteps,
                  "cracks grow",
                  {quantity::frontAdvances},
                  {quantity::crackGeometry, quantity::fractureEnergy},
                  {},
-                 [surface, junctions](State<D>& s)
-                 {
-                   if constexpr (D == 2)
-                   {
-                     // Faces that the motion of a body opens later require the same energy.
-                     for (const FrontAdvance<D>& advance : s.cracks.advances)
-                       s.cracks.fronts[advance.front].budget.toughness = advance.nodes[0].toughness;
-                     growCracks(s, *junctions);
-                   }
-                   else
-                     surface->grow(s);
-                 }});
+                 [=](State<D>& s) { grow(*parts, s); }});
   effect.call({stageOfWays(scene),
                "cracks move",
                {projectsLast(scene) ? quantity::projection : quantity::nodalMotion},
                {quantity::crackGeometry},
                {},
-               [=](State<D>& s)
-               {
-                 if (s.clock.step == 0 && s.cracks.dualField)
-                   warnOfHeldFaces(s, *surroundings);
-                 motion->move(s);
-                 if (hasSprings)
-                   advected->update(s);
-               }});
-  effect.call({Stage::Observe,
-               "opening of cracks",
-               {quantity::crackGeometry},
-               {},
-               {},
-               [](State<D>& s)
-               {
-                 for (std::size_t c = 0; c < s.cracks.cracks.size(); ++c)
-                 {
-                   const Opening opening = measureOpening(s.cracks, static_cast<int>(c));
-                   const std::string& name = s.cracks.cracks[c].name;
-                   s.sample.row.emplace_back(name + ".opening", opening.largest);
-                   if constexpr (D == 3)
-                     s.sample.row.emplace_back(name + ".area", opening.size);
-                 }
+               [=](State<D>& s) { move(*parts, s); }});
+  effect.call({Stage::Observe, "opening of cracks", {quantity::crackGeometry}, {}, {}, [](State<D>& s) {
+                 observe(s);
                }});
   if constexpr (D == 2)
-    if (formulation == Formulation::CorrectedBrokenCell)
+    if (parts->formulation == Formulation::CorrectedBrokenCell)
       effect.timeStepLimit = [](const State<D>& state)
       { return largestCfl(state.cracks) * state.mesh.grid.spacing / state.clock.fastestSpeed; };
-  const bool touching = options.contact;
-  effect.report = [=](const State<D>& state, nlohmann::json& summary)
-  {
-    if (hasSprings)
-      advected->report(state, summary);
-    for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
-    {
-      summary["cracks"][c]["name"] = state.cracks.cracks[c].name;
-      if (!summary["cracks"][c].contains("fronts"))
-        summary["cracks"][c]["fronts"] = nlohmann::json::array();
-      const Opening opening = measureOpening(state.cracks, static_cast<int>(c));
-      const std::string complaint = touching ? "" : complaintOfOverlap(state, static_cast<int>(c));
-      if (!complaint.empty())
-        summary["warnings"].push_back(complaint);
-      summary["cracks"][c]["opening"] = opening.largest;
-      summary["cracks"][c][D == 2 ? "opening_area" : "opening_volume"] = opening.volume;
-      summary["cracks"][c][D == 2 ? "length" : "area"] = opening.size;
-    }
-    if (grows)
-      summary["energy_in_flight"] = springs->pendingEnergy(state, surroundings->stamp);
-    for (const CrackFront<D>& front : state.cracks.fronts)
-    {
-      nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
-      entry["position"] = std::vector<double>(front.position.c, front.position.c + D);
-      entry["length"] = front.length;
-      entry["speed"] = front.speed();
-    }
-  };
+  effect.report = [=](const State<D>& state, nlohmann::json& summary) { report(*parts, state, summary); };
   return effect;
 }
 
@@ -358,7 +289,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 
 EffectEntry cracksEntry()
 {
-  EffectEntry entry{section(), check, make<2>, make<3>, true};
+  EffectEntry entry{crackSection(), checkCracks, make<2>, make<3>, true};
   entry.declare = [](const Teuchos::ParameterList& list, RunOptions& options)
   {
     const Formulation formulation = readFormulation(list);

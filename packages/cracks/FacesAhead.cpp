@@ -1,8 +1,8 @@
-#include "cracks/FacesAhead.hpp"
-
 #include "cracks/CrackGeometry.hpp"
+#include "cracks/Encounter.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace Rhegma::cracks
 {
@@ -10,7 +10,7 @@ namespace Rhegma::cracks
 namespace
 {
 
-/// The nearest of the triangles that are of a crack, or of all but that.
+/// The nearest of the triangles that are of a crack, or of all but that: distance [m], and crack.
 std::pair<double, int> nearest(const CrackSet<3>& set, int crack, bool others, const Vector<3>& x)
 {
   const CrackSight<3> sight(set, 1.0);
@@ -30,21 +30,29 @@ std::pair<double, int> nearest(const CrackSet<3>& set, int crack, bool others, c
   return {std::sqrt(found.val), found.loc};
 }
 
-/// Cells ahead of a front from where it is looked at, and the part of the way back within which faces are
-/// others than those behind the front.
+/// Cells ahead of a front from which its own faces are looked for, and the part of the way back within which
+/// faces are others than those behind the front. A front that closes round a middle so stops before its nodes
+/// pass each other.
 constexpr double ahead = 2.0, nearer = 0.5;
 
 } // namespace
 
-std::pair<double, int> nearestOther(const CrackSet<3>& set, int own, const Vector<3>& x)
+template <>
+Encounter<3> findEncounter(const State<3>& state, const std::vector<GrowingCrack<3>>&,
+                           const AdvancingNode<3>& node)
 {
-  return set.cracks.size() == 1 ? std::pair<double, int>{1e300, -1} : nearest(set, own, true, x);
-}
-
-bool meetsItself(const CrackSet<3>& set, int own, const Vector<3>& x, const Vector<3>& direction, double cell)
-{
-  const double way = ahead * cell;
-  return nearest(set, own, false, x + way * direction).first < nearer * way;
+  using Kind = Encounter<3>::Kind;
+  const CrackSet<3>& set = state.cracks;
+  const int own = set.fronts[node.front].crack;
+  if (set.cracks.size() > 1)
+    if (const auto [distance, other] = nearest(set, own, true, node.to);
+        distance < bandWidth * state.mesh.grid.spacing)
+      return {Kind::Stops, other, -1, 0.0, {}};
+  const double from = ahead * node.path.cell;
+  if (!node.ligament.ends &&
+      nearest(set, own, false, node.to + from * node.path.direction).first < nearer * from)
+    return {Kind::Stops, own, -1, 0.0, {}};
+  return {};
 }
 
 } // namespace Rhegma::cracks

@@ -9,6 +9,8 @@ namespace Rhegma::cracks
 namespace
 {
 
+using namespace surface;
+
 /// Share of a ripple that a step takes away; the most that a point gives of its advance; the least that makes
 /// one advance, in cells, so that no row of faces begins with slivers.
 constexpr double smoothing = 0.25, mostGiven = 0.5, leastTaken = 0.01;
@@ -18,39 +20,40 @@ constexpr double leastDriven = 0.5;
 /// How far a point of a front lies ahead of its neighbours' middle, by its own direction, over the product of
 /// its distances from these, which is half of a circle's curvature [1/m]: so unequal pieces of a circle bulge
 /// alike. At a mirror the other neighbour is the image of the one; 0 at other ends.
-double bulge(const GrowingSurface& surface, const FrontLines& lines, std::size_t k, bool mirrored)
+double bulge(const GrowingSurface& surface, const FrontLines<3>& lines, std::size_t k, bool mirrored)
 {
-  const int last = before(lines, k);
+  const int last = previousPoint(lines, k);
   if (last < 0 || !lines[k].joined)
   {
     if (!mirrored || (last < 0 && !lines[k].joined))
       return 0.0;
-    const std::size_t only = last < 0 ? GrowingSurface::next(lines, k) : last;
+    const std::size_t only = last < 0 ? nextPoint(lines, k) : last;
     const Vector<3> from = surface.vertices[lines[k].vertex] - surface.vertices[lines[only].vertex];
-    return dot(from, lines[k].node.direction) / dot(from, from);
+    return dot(from, lines[k].direction) / dot(from, from);
   }
   const Vector<3>&a = surface.vertices[lines[last].vertex], &x = surface.vertices[lines[k].vertex],
-        &b = surface.vertices[lines[GrowingSurface::next(lines, k)].vertex];
+        &b = surface.vertices[lines[nextPoint(lines, k)].vertex];
   const double u = norm(x - a), w = norm(b - x);
   const Vector<3> middle = (w / (u + w)) * a + (u / (u + w)) * b;
-  return dot(x - middle, lines[k].node.direction) / (u * w);
+  return dot(x - middle, lines[k].direction) / (u * w);
 }
 
 /// Area that the k-th point of a front hands to the one after it, negative if it takes [m2].
 ///
 /// What bulges more gives. Area that runs down the differences of curvature flattens ripples and leaves
 /// circles as they are (as surface diffusion does; Mullins, J. Appl. Phys. 28 (1957) 333).
-double handedOn(const GrowingSurface& surface, const FrontLines& lines, std::size_t k,
+double handedOn(const GrowingSurface& surface, const FrontLines<3>& lines, std::size_t k,
                 const std::vector<double>& curved, const std::vector<bool>& mirrored)
 {
-  const std::size_t to = GrowingSurface::next(lines, k);
-  const bool fromEnd = before(lines, k) < 0 && !mirrored[k], toEnd = !lines[to].joined && !mirrored[to];
+  const std::size_t to = nextPoint(lines, k);
+  const bool fromEnd = previousPoint(lines, k) < 0 && !mirrored[k],
+             toEnd = !lines[to].joined && !mirrored[to];
   if (!lines[k].joined || fromEnd || toEnd)
     return 0.0;
   // The shortest of the pieces that the two curvatures are of: by a longer one a ripple of short ones would
   // be taken away more than once.
   double piece = surface.pieceAt(lines, k);
-  if (const int last = before(lines, k); last >= 0)
+  if (const int last = previousPoint(lines, k); last >= 0)
     piece = std::min(piece, surface.pieceAt(lines, last));
   if (lines[to].joined)
     piece = std::min(piece, surface.pieceAt(lines, to));
@@ -59,9 +62,9 @@ double handedOn(const GrowingSurface& surface, const FrontLines& lines, std::siz
 
 } // namespace
 
-void smoothAlongFront(const GrowingSurface& surface, const FrontLines& lines,
-                      const std::vector<double>& cells, const std::vector<bool>& mirrored,
-                      std::vector<FrontNodeAdvance<3>>& advances)
+void smoothAlongFront(const GrowingSurface& surface, const FrontLines<3>& lines,
+                      const std::vector<FrontNode<3>>& nodes, const std::vector<double>& cells,
+                      const std::vector<bool>& mirrored, std::vector<FrontNodeAdvance<3>>& advances)
 {
   const std::size_t count = lines.size();
   std::vector<double> curved(count), hands(count), gives(count, 0.0), own(count, 0.0);
@@ -69,19 +72,19 @@ void smoothAlongFront(const GrowingSurface& surface, const FrontLines& lines,
     curved[k] = bulge(surface, lines, k, mirrored[k]);
   const auto takes = [&](std::size_t from, std::size_t to)
   {
-    const LinePoint& point = lines[to];
-    return advances[from].length > 0.0 && !point.landed && !point.node.stopped &&
-           (advances[to].length > 0.0 || point.node.driving.release >= leastDriven * advances[to].toughness);
+    const FrontPoint<3>& point = lines[to];
+    return advances[from].length > 0.0 && !point.landed && !point.stopped &&
+           (advances[to].length > 0.0 || nodes[to].driving.release >= leastDriven * advances[to].toughness);
   };
   for (std::size_t k = 0; k < count; ++k)
   {
-    const std::size_t to = GrowingSurface::next(lines, k);
+    const std::size_t to = nextPoint(lines, k);
     hands[k] = handedOn(surface, lines, k, curved, mirrored);
     const bool forward = hands[k] > 0.0;
     if (forward ? !takes(k, to) : !takes(to, k))
       hands[k] = 0.0;
     gives[forward ? k : to] += std::fabs(hands[k]);
-    own[k] = advances[k].length * lines[k].node.tributaryLength;
+    own[k] = advances[k].length * nodes[k].tributaryLength;
   }
   std::vector<double> area = own, energy(count);
   for (std::size_t k = 0; k < count; ++k)
@@ -90,11 +93,11 @@ void smoothAlongFront(const GrowingSurface& surface, const FrontLines& lines,
   {
     if (hands[k] == 0.0)
       continue;
-    const std::size_t to = GrowingSurface::next(lines, k);
+    const std::size_t to = nextPoint(lines, k);
     const std::size_t giver = hands[k] > 0.0 ? k : to, taker = hands[k] > 0.0 ? to : k;
     const double most = mostGiven * own[giver], all = gives[giver];
     const double handed = std::fabs(hands[k]) * (all > most ? most / all : 1.0);
-    if (own[taker] == 0.0 && handed < leastTaken * cells[taker] * lines[taker].node.tributaryLength)
+    if (own[taker] == 0.0 && handed < leastTaken * cells[taker] * nodes[taker].tributaryLength)
       continue;
     area[giver] -= handed;
     area[taker] += handed;
@@ -104,7 +107,7 @@ void smoothAlongFront(const GrowingSurface& surface, const FrontLines& lines,
   for (std::size_t k = 0; k < count; ++k)
     if (area[k] > 0.0)
     {
-      advances[k].length = area[k] / lines[k].node.tributaryLength;
+      advances[k].length = area[k] / nodes[k].tributaryLength;
       advances[k].toughness = energy[k] / area[k];
     }
 }

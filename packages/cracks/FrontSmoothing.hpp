@@ -1,8 +1,8 @@
 #pragma once
 /// Ripples of a front in 3D.
 
-#include "cracks/GrowingSurface.hpp"
 #include "state/CrackSet.hpp"
+#include "surface/GrowingSurface.hpp"
 
 #include <vector>
 
@@ -17,14 +17,14 @@ namespace Rhegma::cracks
 /// driven by less than half of what it resists with at rest is held by more than that: its mean has half of
 /// its weight where its neighbours' have.
 ///
-/// \param lines what the front was before; nothing of them changes
+/// \param lines the front before it advances \param nodes its front nodes, in the same order
 /// \param cells size of the cells at each point [m]
 /// \param mirrored whether each point lies on a plane of symmetry, where a front is square to it; other ends
 /// have no curvature to compare with and stay as they are
 /// \param advances what each point is asked to do, and what one that stays resists with; lengths and
 /// toughness change. The sum of length times share times toughness stays the same
-void smoothAlongFront(const GrowingSurface& surface, const FrontLines& lines,
-                      const std::vector<double>& cells, const std::vector<bool>& mirrored,
-                      std::vector<FrontNodeAdvance<3>>& advances);
+void smoothAlongFront(const surface::GrowingSurface& surface, const surface::FrontLines<3>& lines,
+                      const std::vector<FrontNode<3>>& nodes, const std::vector<double>& cells,
+                      const std::vector<bool>& mirrored, std::vector<FrontNodeAdvance<3>>& advances);
 
 } // namespace Rhegma::cracks

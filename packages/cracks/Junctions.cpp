@@ -130,7 +130,7 @@ void Junctions::place(const State<2>& state, Junction& j)
   {
     const int v = through.firstVertex + s;
     const Vector<2> corner[2] = {{vertex(v, 0), vertex(v, 1)}, {vertex(v + 1, 0), vertex(v + 1, 1)}};
-    const double distance = norm(j.place - placeOf<2>(corner, footOn(corner, j.place)));
+    const double distance = surface::distanceToSimplex(corner, j.place);
     if (distance < shortest)
     {
       shortest = distance;

@@ -17,6 +17,15 @@ namespace Rhegma::cracks
 /// join.
 constexpr const char* otherSide = "side_of_other_crack";
 
+/// A crack that has ended on another (2D).
+struct Meeting
+{
+  int crack;    ///< that ended
+  bool first;   ///< at its first end
+  int other;    ///< crack
+  bool atFront; ///< at a front of that, not at its face
+};
+
 /// The T junctions of a 2D scene: a crack that has ended on the face of another which goes through. Three
 /// pieces of material meet there, and nodes have but two fields. So within two cells of a junction
 ///
@@ -32,6 +41,15 @@ class Junctions
 public:
   /// Whether there are any.
   bool empty() const { return all_.empty(); }
+
+  /// Adds one, or joins two cracks, once they are laid out.
+  void add(State<2>& state, const Meeting& meeting)
+  {
+    if (meeting.atFront)
+      join(state, meeting.crack, meeting.first, meeting.other);
+    else
+      add(state, meeting.crack, meeting.first, meeting.other);
+  }
 
   /// Adds one where a front has ended on another crack, once that is laid out: particles beside the last six
   /// cells of the one that ended, on its side of the other, learn on which side of it they are.

@@ -2,7 +2,7 @@
 
 #include "cracks/CrackFrames.hpp"
 #include "cracks/CrackGeometry.hpp"
-#include "cracks/FrontPieces.hpp"
+#include "surface/FrontPieces.hpp"
 
 #include <algorithm>
 #include <map>
@@ -11,8 +11,13 @@
 namespace Rhegma::cracks
 {
 
+namespace facet = surface::facet;
+
 namespace
 {
+
+using surface::CrackMesh;
+using surface::Piece;
 
 template <int D>
 void allocate(CrackSet<D>& set, int vertices, int simplices, int facets)
@@ -107,7 +112,7 @@ void markNearFront(CrackSet<D>& set, double spacing)
       if (crackOf(s) != crackOf(facet))
         continue;
       const Vector<D> front = at(simplex(facet, (frontFacet(f, 1) + 1) % D)), from = front - corner[0];
-      if (dot(from, from) < most && norm(front - placeOf<D>(corner, footOn(corner, front))) < reach)
+      if (dot(from, from) < most && surface::distanceToSimplex(corner, front) < reach)
         nearFront(s) = 1;
     }
   }
@@ -195,7 +200,7 @@ std::vector<Piece> placeFronts(CrackSet<D>& set, const std::vector<CrackMesh<D>>
   std::vector<std::vector<std::vector<Piece>>> fronts;
   fronts.reserve(meshes.size());
   for (const CrackMesh<D>& mesh : meshes)
-    fronts.push_back(frontsOf(mesh));
+    fronts.push_back(surface::frontsOf(mesh));
   std::vector<std::size_t> next(meshes.size(), 0);
   for (CrackFront<D>& front : set.fronts)
   {
@@ -214,7 +219,7 @@ std::vector<Piece> placeFronts(CrackSet<D>& set, const std::vector<CrackMesh<D>>
       along = piecesOf(front, meshes[front.crack]);
       numberFrontNodes(front, crack.firstVertex);
     }
-    front.vertex = crack.firstVertex + middleVertex(meshes[front.crack], along);
+    front.vertex = crack.firstVertex + surface::middleVertex(meshes[front.crack], along);
     if constexpr (D == 2)
     {
       front.nodes[0].vertex = front.vertex;

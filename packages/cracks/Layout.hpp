@@ -1,7 +1,8 @@
 #pragma once
 /// The views of a set of cracks from their vertices and simplices.
 
-#include "cracks/CrackMesh.hpp"
+#include "state/CrackSet.hpp"
+#include "surface/CrackMesh.hpp"
 
 namespace Rhegma::cracks
 {
@@ -12,6 +13,6 @@ namespace Rhegma::cracks
 /// fronts that have front nodes keep them: each is on a vertex of its crack, counted from the crack's first,
 /// and has a facet that is not negative where a piece of front runs from it to the next.
 template <int D>
-void layOut(CrackSet<D>& set, const std::vector<CrackMesh<D>>& meshes, double spacing);
+void layOut(CrackSet<D>& set, const std::vector<surface::CrackMesh<D>>& meshes, double spacing);
 
 } // namespace Rhegma::cracks

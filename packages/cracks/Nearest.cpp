@@ -32,7 +32,7 @@ struct TellNode
     const double apart = norm(x - middle) - radius;
     if (apart > band || (apart > 0.0 && relaxedLoad(nearest(n)) < pack(apart * apart * scale, 0)))
       return;
-    const Vector<D> away = x - placeOf<D>(corner, footOn(corner, x));
+    const Vector<D> away = x - pointAt<D>(corner, footOn(corner, x));
     const double square = dot(away, away) * scale;
     if (square <= 1.0)
       Kokkos::atomic_fetch_min(&nearest(n), pack(square, simplex));

@@ -12,16 +12,16 @@ namespace Rhegma::cracks
 namespace
 {
 
-/// Root mean square of Green's strain of the particles beside a crack.
+/// Root mean square of Green's strain of the particles next to a crack.
 template <int D>
-double strainBeside(const State<D>& state, int crack)
+double strainNextTo(const State<D>& state, int crack)
 {
   const auto side = state.particles.integer(fields::side);
   const auto F = state.particles.template real<gradientSize<D>>(fields::deformation);
   const int name = crack + 1;
   double found[2] = {0.0, 0.0}; // sum of squares, number of particles
   Kokkos::parallel_reduce(
-      "rhegma::cracks::strainBeside", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      "rhegma::cracks::strainNextTo", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p, double& sum, double& number) {
         if (side(p) != name && side(p) != -name)
           return;
@@ -43,21 +43,23 @@ double strainBeside(const State<D>& state, int crack)
 } // namespace
 
 template <int D>
-std::string complaintOfOverlap(const State<D>& state, int crack)
+std::string warningOfOverlap(const State<D>& state, int crack)
 {
-  constexpr double share = 1.0;
+  constexpr double fraction = 1.0; ///< of length times strain
   const Opening opening = measureOpening(state.cracks, crack);
   const double length = D == 2 ? opening.size : std::sqrt(opening.size);
   const double overlap = -opening.smallest;
-  if (!(overlap > share * length * strainBeside(state, crack)) || !(overlap > 1e-9 * state.mesh.grid.spacing))
+  if (!(overlap > fraction * length * strainNextTo(state, crack)) ||
+      !(overlap > 1e-9 * state.mesh.grid.spacing))
     return {};
-  return "Cracks > " + state.cracks.cracks[crack].name + ": its faces overlap at the end, by up to " +
-         formatReal(overlap) +
-         " m, as nothing keeps them apart, and G is that of a crack which closes further; "
+  return "crack " + state.cracks.cracks[crack].name +
+         ": its faces overlap at t = " + readableTime(state.clock.time) + " by up to " +
+         readableLength(overlap) +
+         ", as nothing keeps them apart, and G is that of a crack which closes further; "
          "add a section Contact";
 }
 
-template std::string complaintOfOverlap(const State<2>&, int);
-template std::string complaintOfOverlap(const State<3>&, int);
+template std::string warningOfOverlap(const State<2>&, int);
+template std::string warningOfOverlap(const State<3>&, int);
 
 } // namespace Rhegma::cracks

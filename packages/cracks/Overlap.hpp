@@ -8,10 +8,10 @@
 namespace Rhegma::cracks
 {
 
-/// One sentence where the faces of a crack overlap by more than strains of the size beside it make over its
-/// length; else nothing. A crack that is closed by a stress s overlaps by 4 s a / E', twice s / E' times its
-/// length 2 a; passing waves and cells' errors make a few tenths of that.
+/// A warning where the faces of a crack overlap by more than the strains next to it make over its length;
+/// else nothing. A crack that is closed by a stress s overlaps by 4 s a / E', twice s / E' times its length 2
+/// a; passing waves and cells' errors make a few tenths of that.
 template <int D>
-std::string complaintOfOverlap(const State<D>& state, int crack);
+std::string warningOfOverlap(const State<D>& state, int crack);
 
 } // namespace Rhegma::cracks

@@ -169,7 +169,7 @@ double distanceToOtherCracks(const CrackSet<2>& cracks, const CrackFront<2>& fro
 namespace
 {
 
-constexpr double smallestOuterCells = 2.0, wantedInnerCells = 2.0;
+constexpr double smallestOuterCells = 2.0;
 
 } // namespace
 
@@ -184,24 +184,6 @@ ContourRadii usualRadii(const GivenRadii& given, double cell)
 double smallestOuter(const GivenRadii& given, double cell)
 {
   return given.inner > 0.0 ? given.inner + cell : smallestOuterCells * cell;
-}
-
-double roomAround(const State<2>& state, const CrackFront<2>& front, double radius)
-{
-  return std::min(largestContour(state, front, radius), distanceToOtherCracks(state.cracks, front));
-}
-
-ContourRadii fittingRadii(const State<2>& state, const CrackFront<2>& front, const GivenRadii& given)
-{
-  const double cell = spacingAt(state, front.position);
-  ContourRadii radii = usualRadii(given, cell);
-  if (given.outer > 0.0)
-    return radii;
-  const double usual = radii.outer;
-  radii.outer = std::max(roomAround(state, front, usual), smallestOuter(given, cell));
-  if (given.inner == 0.0 && radii.outer < usual)
-    radii.inner = std::max(0.5 * radii.outer, std::min(wantedInnerCells * cell, radii.outer - cell));
-  return radii;
 }
 
 template View<double*> coverOfNodes(const State<2>&, const Vector<2>&, double);

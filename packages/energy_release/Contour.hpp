@@ -67,18 +67,10 @@ struct GivenRadii
   double innerCells = 3.0, outerCells = 6.0; ///< what the program takes [cells]
 };
 
-/// Radii where there is room: 3 and 6 cells (more round cracks that run), or so that a given one fits.
+/// Radii where nothing is near: those in cells, or so that a given one fits.
 ContourRadii usualRadii(const GivenRadii& given, double cell);
-
-/// Radii of a front. An outer radius that the scene does not give is drawn in to what stays inside the body
-/// and clear of other fronts and cracks, but not below smallestOuter; the inner one to half of it, and to no
-/// less than 2 cells where a cell is left for the weight to fall.
-ContourRadii fittingRadii(const State<2>& state, const CrackFront<2>& front, const GivenRadii& given);
 
 /// Smallest outer radius that is chosen: 2 cells, or a cell beyond a given inner radius.
 double smallestOuter(const GivenRadii& given, double cell);
-
-/// Largest outer radius that is clear of everything, at most `radius` [m].
-double roomAround(const State<2>& state, const CrackFront<2>& front, double radius);
 
 } // namespace Rhegma::energy_release

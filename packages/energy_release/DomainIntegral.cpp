@@ -1,8 +1,8 @@
 #include "energy_release/DomainIntegral.hpp"
 
+#include "energy_release/CrackPath.hpp"
 #include "energy_release/CrackTipFields.hpp"
-#include "energy_release/CrackWay.hpp"
-#include "energy_release/FacePressureTerm.hpp"
+#include "energy_release/FacePressureNearTip.hpp"
 #include "energy_release/FrontDisk.hpp"
 #include "energy_release/ParticleHeat.hpp"
 #include "energy_release/ParticleMotion.hpp"
@@ -65,7 +65,7 @@ struct Integrand
   int positive, negative; ///< names of the crack's sides
   bool sides, moving;
   bool intensities; ///< false: only J is wanted
-  CrackWay way;
+  CrackPath path;
 
   KOKKOS_INLINE_FUNCTION void operator()(int p, double& J, double& modeI, double& modeII, double& reciprocalI,
                                          double& reciprocalII) const
@@ -111,7 +111,7 @@ struct Integrand
     const double* own = history.extent(1) > 0 ? &history(p, 0) : nullptr;
     const Properties& law = materials(material(p));
     const double energy = heat.energy(p, material(p), law, F, own) + 0.5 * density * dot(v, v);
-    if (way.count == 0)
+    if (path.count == 0)
       J += volume(p) * (dot(flux, du) - energy * dot(dq, image) +
                         (density * (dot(a, du) - dot(v, dv1)) -
                          heat.energyAlong(p, material(p), law, F, tau, own, image)) *
@@ -141,7 +141,7 @@ struct Integrand
                    const double at = weight(own);
                    if (at == 0.0)
                      return;
-                   const Vector<D> shift = at * way(weight.places(own));
+                   const Vector<D> shift = at * path(weight.places(own));
                    for (int k = 0; k < D; ++k)
                    {
                      Q[k] += share * shift[k];
@@ -325,7 +325,7 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
   work.materials = state.materials.device;
   work.heat = ParticleHeat<D>(state);
   work.disk = describeDisk(state, front, radii);
-  work.way = wayOf(state, front, radii.outer);
+  work.path = crackPathBehind(state, front, radii.outer);
   work.direction = front.direction;
   work.normal = front.normal;
   work.positive = front.crack + 1;

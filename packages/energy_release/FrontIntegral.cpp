@@ -1,7 +1,7 @@
 #include "energy_release/FrontIntegral.hpp"
 
 #include "energy_release/ConfigurationalForces.hpp"
-#include "energy_release/FacePressureInSpace.hpp"
+#include "energy_release/FacePressureWork.hpp"
 #include "geometry/Cross.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"

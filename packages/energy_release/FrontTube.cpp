@@ -1,5 +1,6 @@
 #include "energy_release/FrontTube.hpp"
 
+#include "archive/Archive.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
 
@@ -13,7 +14,7 @@ namespace Rhegma::energy_release
 namespace
 {
 
-constexpr double halfWidthCells = 2.0;
+constexpr double halfWidthCells = 2.0, wantedInnerCells = 2.0;
 
 /// By how much a surface at which a front ends may lean towards it: a node of that surface has its foot on
 /// the front by this share of its distance, and a cell, from the end.
@@ -154,15 +155,22 @@ double radiusOfCurvature(const FrontLine& line, double cell)
   return largest > 0.0 ? 1.0 / largest : std::numeric_limits<double>::infinity();
 }
 
-double roomAround(const State<3>& state, const CrackFront<3>& front, const FrontLine& line, double radius)
+void FrontTube::store(const std::string& name, Archive& archive)
 {
-  const double cell = spacingAt(state, front.position);
-  radius = std::min(radius, radiusOfCurvature(line, cell));
-  radius = clearOfOthers(state, front, line, radius);
-  return clearOfSurfaces(state, line, radius);
+  const Archive::Group group(archive, name);
+  archive("inner", radii.inner);
+  archive("outer", radii.outer);
+  archive("half_width", halfWidth);
 }
 
-GivenRadii radiiInSpace()
+template <>
+GivenRadii usualCells<2>()
+{
+  return {};
+}
+
+template <>
+GivenRadii usualCells<3>()
 {
   GivenRadii radii;
   radii.innerCells = 2.5;
@@ -170,19 +178,39 @@ GivenRadii radiiInSpace()
   return radii;
 }
 
-FrontTube fittingTube(const State<3>& state, const CrackFront<3>& front, const FrontLine& line,
-                      const GivenRadii& given)
+double clearAround(const State<2>& state, const CrackFront<2>& front, double radius)
+{
+  return std::min(largestContour(state, front, radius), distanceToOtherCracks(state.cracks, front));
+}
+
+double clearAround(const State<3>& state, const CrackFront<3>& front, double radius)
+{
+  const FrontLine line = lineOf(front);
+  radius = std::min(radius, radiusOfCurvature(line, spacingAt(state, front.position)));
+  radius = clearOfOthers(state, front, line, radius);
+  return clearOfSurfaces(state, line, radius);
+}
+
+template <int D>
+FrontTube fittingTube(const State<D>& state, const CrackFront<D>& front, const GivenRadii& given)
 {
   const double cell = spacingAt(state, front.position);
   FrontTube tube{usualRadii(given, cell), 0.0};
-  tube.halfWidth = std::min(halfWidthCells * cell, std::max(0.5 * radiusOfCurvature(line, cell), cell));
+  if constexpr (D == 3)
+    tube.halfWidth =
+        std::min(halfWidthCells * cell, std::max(0.5 * radiusOfCurvature(lineOf(front), cell), cell));
   if (given.outer > 0.0)
     return tube;
   const double usual = tube.radii.outer;
-  tube.radii.outer = std::max(roomAround(state, front, line, usual), smallestOuter(given, cell));
-  if (given.inner == 0.0)
-    tube.radii.inner = std::min(tube.radii.inner, 0.5 * tube.radii.outer);
+  double &inner = tube.radii.inner, &outer = tube.radii.outer;
+  outer = std::max(clearAround(state, front, usual), smallestOuter(given, cell));
+  if (given.inner == 0.0 && outer < usual)
+    inner = D == 2 ? std::max(0.5 * outer, std::min(wantedInnerCells * cell, outer - cell))
+                   : std::min(inner, 0.5 * outer);
   return tube;
 }
+
+template FrontTube fittingTube(const State<2>&, const CrackFront<2>&, const GivenRadii&);
+template FrontTube fittingTube(const State<3>&, const CrackFront<3>&, const GivenRadii&);
 
 } // namespace Rhegma::energy_release

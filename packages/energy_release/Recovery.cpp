@@ -23,26 +23,27 @@ namespace
 struct Normal
 {
   std::vector<std::pair<int, int>> nodes; ///< and their sides (0 where a node is not split), in order
-  std::vector<std::array<int, PatchParticle::capacity>> at; ///< places of each particle's nodes among them
-  Teuchos::SerialSymDenseMatrix<int, double> coupling;      ///< sum of theta m N N^T, lower triangle
-  std::vector<double> own;                                  ///< sum of (1 - theta) m N
-  std::vector<double> lumped;                               ///< row sums of both
+  std::vector<std::array<int, ParticleAroundTip::capacity>>
+      at;                                              ///< places of each particle's nodes among them
+  Teuchos::SerialSymDenseMatrix<int, double> coupling; ///< sum of theta m N N^T, lower triangle
+  std::vector<double> own;                             ///< sum of (1 - theta) m N
+  std::vector<double> lumped;                          ///< row sums of both
   Teuchos::SerialDenseMatrix<int, double> right;
 
-  Normal(const std::vector<PatchParticle>& particles, const SplitNodes& split);
+  Normal(const std::vector<ParticleAroundTip>& particles, const SplitNodes& split);
   int size() const { return static_cast<int>(nodes.size()); }
-  void listNodes(const std::vector<PatchParticle>& particles, const SplitNodes& split);
-  void couple(const std::vector<PatchParticle>& particles, const RecoveryMatrix& choice, double fullCell);
+  void listNodes(const std::vector<ParticleAroundTip>& particles, const SplitNodes& split);
+  void couple(const std::vector<ParticleAroundTip>& particles, const RecoveryMatrix& choice, double fullCell);
 };
 
-Normal::Normal(const std::vector<PatchParticle>& particles, const SplitNodes& split)
+Normal::Normal(const std::vector<ParticleAroundTip>& particles, const SplitNodes& split)
 {
   listNodes(particles, split);
   lumped.assign(size(), 0.0);
   right.shape(size(), 2);
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    const PatchParticle& p = particles[i];
+    const ParticleAroundTip& p = particles[i];
     for (int k = 0; k < p.count; ++k)
     {
       lumped[at[i][k]] += p.mass * p.weight[k];
@@ -53,10 +54,10 @@ Normal::Normal(const std::vector<PatchParticle>& particles, const SplitNodes& sp
 }
 
 /// Nodes of a patch are near each other in their numbering, so a table over it is smaller than a tree.
-void Normal::listNodes(const std::vector<PatchParticle>& particles, const SplitNodes& split)
+void Normal::listNodes(const std::vector<ParticleAroundTip>& particles, const SplitNodes& split)
 {
   int lowest = std::numeric_limits<int>::max(), highest = -1;
-  for (const PatchParticle& p : particles)
+  for (const ParticleAroundTip& p : particles)
     for (int k = 0; k < p.count; ++k)
     {
       lowest = std::min(lowest, p.node[k]);
@@ -67,14 +68,14 @@ void Normal::listNodes(const std::vector<PatchParticle>& particles, const SplitN
   std::vector<std::array<int, 3>> slot(highest - lowest + 1, {-1, -1, -1}); // by side + 1
   std::vector<signed char> splits(slot.size(), -1);
   at.resize(particles.size());
-  const auto slotOf = [&](const PatchParticle& p, int k) -> int&
+  const auto slotOf = [&](const ParticleAroundTip& p, int k) -> int&
   {
     const int n = p.node[k] - lowest;
     if (splits[n] < 0)
       splits[n] = split(p.node[k]) ? 1 : 0;
     return slot[n][splits[n] != 0 ? p.side + 1 : 1];
   };
-  for (const PatchParticle& p : particles)
+  for (const ParticleAroundTip& p : particles)
     for (int k = 0; k < p.count; ++k)
       slotOf(p, k) = 0;
   for (std::size_t n = 0; n < slot.size(); ++n)
@@ -101,14 +102,14 @@ double consistentShare(double fromFront, const RecoveryMatrix& choice)
   return 1.0 - s * s * (3.0 - 2.0 * s);
 }
 
-void Normal::couple(const std::vector<PatchParticle>& particles, const RecoveryMatrix& choice,
+void Normal::couple(const std::vector<ParticleAroundTip>& particles, const RecoveryMatrix& choice,
                     double fullCell)
 {
   coupling.shape(size());
   own.assign(size(), 0.0);
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    const PatchParticle& p = particles[i];
+    const ParticleAroundTip& p = particles[i];
     double theta = consistentShare(p.fromFront, choice);
     for (int k = 0; k < p.count; ++k)
       if (lumped[at[i][k]] < choice.smallestNode * p.density * fullCell)
@@ -160,7 +161,7 @@ void sumSeries(const Normal& normal, int terms, Teuchos::SerialDenseMatrix<int, 
 
 } // namespace
 
-NodeDisplacement recoverDisplacement(const std::vector<PatchParticle>& particles, const SplitNodes& split,
+NodeDisplacement recoverDisplacement(const std::vector<ParticleAroundTip>& particles, const SplitNodes& split,
                                      const RecoveryMatrix& choice, double fullCell)
 {
   Normal normal(particles, split);

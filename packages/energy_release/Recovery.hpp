@@ -1,8 +1,8 @@
 #pragma once
 /// The displacement of nodes around a front, recovered from its particles.
 
+#include "energy_release/ParticlesAroundTip.hpp"
 #include "energy_release/SplitNodes.hpp"
-#include "energy_release/TipPatch.hpp"
 
 #include <map>
 #include <utility>
@@ -39,7 +39,7 @@ RecoveryMatrix lumpedMatrix();
 
 /// Least-squares nodal displacement of the particles, M_eps u = sum_p m_p N_p u_p.
 /// \param fullCell volume of a cell [m3]. Throws std::runtime_error where M_eps can't be factored.
-NodeDisplacement recoverDisplacement(const std::vector<PatchParticle>& particles, const SplitNodes& split,
+NodeDisplacement recoverDisplacement(const std::vector<ParticleAroundTip>& particles, const SplitNodes& split,
                                      const RecoveryMatrix& choice, double fullCell);
 
 } // namespace Rhegma::energy_release

@@ -66,12 +66,12 @@ void reportSides(const State<D>& state, const Sides<D>& sides, nlohmann::json& s
     entry["gain_above"] = now.above;
     entry["along_below"] = now.alongBelow;
     entry["along_above"] = now.alongAbove;
-    entry["shear_share_below"] = where(waves > 0.0, 2.0 * now.alongBelow / waves);
-    entry["shear_share_above"] = where(waves > 0.0, 2.0 * now.alongAbove / waves);
-    entry["shear_share_friction"] = where(waves > 0.0, friction / waves);
-    entry["share_below"] = where(all != 0.0, now.below / all);
-    entry["share_above"] = where(all != 0.0, now.above / all);
-    entry["share_friction"] = where(all != 0.0, friction / all);
+    entry["shear_fraction_below"] = where(waves > 0.0, 2.0 * now.alongBelow / waves);
+    entry["shear_fraction_above"] = where(waves > 0.0, 2.0 * now.alongAbove / waves);
+    entry["shear_fraction_friction"] = where(waves > 0.0, friction / waves);
+    entry["fraction_below"] = where(all != 0.0, now.below / all);
+    entry["fraction_above"] = where(all != 0.0, now.above / all);
+    entry["fraction_friction"] = where(all != 0.0, friction / all);
   }
 }
 

@@ -177,7 +177,7 @@ Options readOptions(const Teuchos::ParameterList& scene, const RunOptions& run)
 }
 
 template <int D>
-double fastestAt(const State<D>& state, const Vector<D>& place, const Options& options)
+double speedLimitAt(const State<D>& state, const Vector<D>& place, const Options& options)
 {
   return options.speedLimit > 0.0 ? options.speedLimit
                                   : rayleighSpeed(state.materials.list[materialAt(state, place)]);
@@ -198,7 +198,7 @@ bool isWeak(const AdvanceRule& rule, double fastest)
   return !(rule.toughness(0.0, rule.temperature) > 0.0 && rule.toughness(fastest, rule.temperature) > 0.0);
 }
 
-std::string complaintOfWeak(double temperature)
+std::string failureOfWeak(double temperature)
 {
   return "the toughness is no longer positive at the temperature of a crack front, " +
          formatReal(temperature) + " K (Propagation > Toughness)";
@@ -230,8 +230,8 @@ double openingRelease(const DrivingForce& driving, const Elasticity& e)
   return driving.release * sliding / (closing + sliding);
 }
 
-template double fastestAt(const State<2>&, const Vector<2>&, const Options&);
-template double fastestAt(const State<3>&, const Vector<3>&, const Options&);
+template double speedLimitAt(const State<2>&, const Vector<2>&, const Options&);
+template double speedLimitAt(const State<3>&, const Vector<3>&, const Options&);
 template void refuseWeak(const State<2>&, const Options&);
 template void refuseWeak(const State<3>&, const Options&);
 

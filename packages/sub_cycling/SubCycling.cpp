@@ -45,7 +45,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   effect.name = "Sub-Cycling";
   if (options.heat())
     effect.adds.push_back(
-        {fields::firstShare, 1, "-", "share of the long step that the force of its start acts"});
+        {fields::firstShare, 1, "-", "fraction of the full step in which its initial force acts"});
   for (int k = 0; k < levels; ++k)
     effect.addsNodal.push_back(
         {{meanForceField(k), D + 1, "N",
@@ -56,7 +56,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   effect.atStart = [=](State<D>& state) { state.mesh.subcycledLevels = levels; };
   effect.call(
       {Stage::Scatter,
-       "particles of small cells",
+       "particles of fine cells",
        {quantity::nodalMass, ifWritten(quantity::springStiffness), ifWritten(quantity::prescribedMotion)},
        {quantity::substeps},
        {},
@@ -66,7 +66,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
          steps->begin(state, first, last);
        }});
   effect.call({Stage::Solve,
-               "short steps of small cells",
+               "substeps of fine cells",
                {quantity::substeps},
                {},
                {quantity::nodalForce},
@@ -77,13 +77,13 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
                  state.particles.stepsTaken += steps->extraSteps() - before;
                }});
   effect.call({Stage::Solve,
-               "velocity of short steps",
+               "velocity of substeps",
                {quantity::nodalMotion, quantity::substeps},
                {},
                {},
                [=](State<D>& state) { steps->correctMotion(state); }});
   effect.call({Stage::AfterProjection,
-               "motion of short steps",
+               "motion of substeps",
                {quantity::substeps},
                {},
                {quantity::projection},

@@ -139,7 +139,7 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
     for (const auto& timed : *constraints)
       boundaries.push_back({{"name", timed.name},
                             {"force", std::vector<double>(timed.force.c, timed.force.c + D)},
-                            {"energy_taken_from_short_waves", timed.takenInAll}});
+                            {"energy_absorbed_from_short_waves", timed.takenInAll}});
   };
 }
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <sstream>
 #include <vector>
 
@@ -37,14 +38,32 @@ std::string nearest(const std::string& given, const std::vector<std::string>& po
   return name.empty() ? "" : " (did you mean \"" + name + "\"?)";
 }
 
-bool isPlace(const std::string& part)
+/// Entries of the summary that earlier versions named otherwise, and their names now.
+const std::map<std::string, std::string>& renamedEntries()
+{
+  static const std::map<std::string, std::string> renamed = {
+      {"smallest_share", "smallest_fraction"},
+      {"largest_share", "largest_fraction"},
+      {"last_share", "last_fraction"},
+      {"shear_share_below", "shear_fraction_below"},
+      {"shear_share_above", "shear_fraction_above"},
+      {"shear_share_friction", "shear_fraction_friction"},
+      {"share_below", "fraction_below"},
+      {"share_above", "fraction_above"},
+      {"share_friction", "fraction_friction"},
+      {"energy_taken_from_short_waves", "energy_absorbed_from_short_waves"},
+  };
+  return renamed;
+}
+
+bool isIndex(const std::string& part)
 {
   return !part.empty() && part.size() < 10 && part.find_first_not_of("0123456789") == std::string::npos;
 }
 
 const nlohmann::json* entryOf(const nlohmann::json& list, const std::string& part)
 {
-  if (isPlace(part))
+  if (isIndex(part))
     return std::stoul(part) < list.size() ? &list[std::stoul(part)] : nullptr;
   for (const nlohmann::json& entry : list)
     if (entry.is_object() && entry.contains("name") && entry["name"] == part)
@@ -69,7 +88,10 @@ const nlohmann::json* find(const nlohmann::json& summary, const std::string& pat
     {
       problem = place;
       problem.append(" has no \"").append(part).append("\"; it ");
-      if (at->is_object())
+      const auto renamed = renamedEntries().find(part);
+      if (renamed != renamedEntries().end())
+        problem += "is now named \"" + renamed->second + "\"";
+      else if (at->is_object())
         problem +=
             at->empty() ? "is empty" : "has " + inWords(names(*at), " and ") + nearest(part, names(*at));
       else if (at->is_array())

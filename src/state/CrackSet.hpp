@@ -180,7 +180,7 @@ struct CrackSet
   bool driven = false;                   ///< whether the driving forces of fronts are wanted in every step
   DrivingContours drivingContours;       ///< of the integrals that measure driving forces
   bool dualField = true;                 ///< whether nodes behind fronts have a second field
-  bool frontSprings = false; ///< springs join the two fields of nodes just behind fronts
+  bool frontSprings = false;             ///< springs join the two fields of nodes just behind fronts
 
   /// Energy of contact of a crack up to a distance from a middle [m], both along the undeformed crack, or all
   /// of it in 3D; empty where no effect lets faces touch.

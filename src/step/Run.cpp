@@ -226,7 +226,7 @@ void Run<D>::keep(Archive& archive)
   {
     const Archive::Group group(archive, "run");
     archive("stage_seconds", plan_.seconds);
-    archive("step_share", stepShare_);
+    archive("step_fraction", stepShare_);
   }
   {
     const Archive::Group group(archive, "run/energy watch");

@@ -24,6 +24,13 @@ def is_ignored(name, patterns):
     return any(fnmatch.fnmatch(name, pattern) for pattern in patterns)
 
 
+def name_now(name, renamed):
+    """A name of the program before as the program after writes it. renamed: [(old part, new part)]"""
+    for old, new in renamed:
+        name = name.replace(old, new)
+    return name
+
+
 def number(text):
     try:
         return float(text)
@@ -57,11 +64,12 @@ def read_rows(folder):
     return (rows[0], rows[1:]) if rows else ([], [])
 
 
-def compare_histories(before, after, cut, ignore):
+def compare_histories(before, after, cut, ignore, renamed=()):
     """The largest difference of two runs' histories, and the number of rows compared.
 
     cut: one run was stopped, so that only the rows that both have count, less the last of them, which a run that stops adds."""
     (names, rows), (names_after, rows_after) = read_rows(before), read_rows(after)
+    names = [name_now(name, renamed) for name in names]
     if cut:
         count = max(0, min(len(rows), len(rows_after)) - 1)
         rows, rows_after = rows[:count], rows_after[:count]
@@ -102,16 +110,18 @@ def numbers_of(value, path="", found=None):
     return found
 
 
-def compare_summaries(before, after, ignore):
+def compare_summaries(before, after, ignore, renamed=()):
     """The largest difference of two runs' summaries."""
     found = []
     for folder in (before, after):
         try:
             with open(os.path.join(folder, "summary.json"), encoding="utf-8") as file:
                 found.append({path: value for path, value in numbers_of(json.load(file)).items()
-                              if not is_ignored(path, NO_RESULT) and not is_ignored(path, ignore)})
+                              if not is_ignored(path, NO_RESULT)})
         except OSError:
             found.append({})
+    found[0] = {name_now(path, renamed): value for path, value in found[0].items()}
+    found = [{path: value for path, value in numbers.items() if not is_ignored(path, ignore)} for numbers in found]
     worst = only_in_one(*found)
     scales = {}
     for path, value in [*found[0].items(), *found[1].items()]:

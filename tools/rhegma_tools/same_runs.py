@@ -133,9 +133,9 @@ def compare(name, options):
         if not record["stopped"] and record["status"] not in GOOD and before["status"] != after["status"]:
             return False, f"FAILED {which} with status {record['status']}: {last_line(folder)}"
     cut = before["stopped"] or after["stopped"]
-    worst, rows = compare_histories(folders[0], folders[1], cut, options.ignore)
+    worst, rows = compare_histories(folders[0], folders[1], cut, options.ignore, options.renamed)
     if not cut:
-        worst = max(worst, compare_summaries(folders[0], folders[1], options.ignore))
+        worst = max(worst, compare_summaries(folders[0], folders[1], options.ignore, options.renamed))
     part = f"{rows} rows" + (" before one was stopped" if cut else "")
     if worst[0] == 0.0:
         return True, f"same ({part})"

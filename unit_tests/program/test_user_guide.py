@@ -52,7 +52,7 @@ class OwnCrack(ProgramTest):
         command = re.search(r"^ +rhegma (my_crack.xml --output calm.out .*)$", self.text, re.M).group(1)
         answer = rhegma(*shlex.split(command), "--quiet", cwd=self.folder, timeout=600)
         self.assertEqual(answer.status, 0, answer)
-        self.assertIn(re.search(r"`(the front Notch.0 did not set out: [^`]*)`", self.text).group(1), answer.messages)
+        self.assertIn(re.search(r"`(crack Notch, front 0: not initiated; [^`]*)`", self.text).group(1), answer.messages)
 
 
 if __name__ == "__main__":

@@ -72,6 +72,10 @@ class Same(ToolTest):
         self.assertIn("lost mass new weight", output)
         self.assertEqual(self.compare("beam", "--ignore", "mass", "--ignore", "weight")[0], 0)
 
+    def test_columns_that_were_renamed(self):
+        self.program("after", column="weight")
+        self.assertEqual(self.compare("beam", "--renamed", "mass=weight")[0], 0)
+
     def test_a_run_that_fails(self):
         self.program("after", status=2)
         status, output, _ = self.compare("beam")

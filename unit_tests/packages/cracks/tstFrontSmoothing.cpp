@@ -6,6 +6,7 @@
 
 using namespace Rhegma;
 using namespace Rhegma::cracks;
+using namespace Rhegma::surface;
 
 namespace
 {
@@ -16,7 +17,8 @@ constexpr double cell = 1e-3;
 struct Line
 {
   GrowingSurface surface;
-  FrontLines lines;
+  FrontLines<3> lines;
+  std::vector<FrontNode<3>> nodes;
   std::vector<FrontNodeAdvance<3>> advances;
 
   Line(const std::vector<double>& y, const std::vector<double>& ahead, double length)
@@ -24,21 +26,23 @@ struct Line
     for (std::size_t k = 0; k < y.size(); ++k)
     {
       surface.vertices.push_back({ahead[k], y[k], 0.0});
-      LinePoint point{};
+      FrontPoint<3> point;
+      FrontNode<3> node;
       point.vertex = static_cast<int>(k);
       point.joined = k + 1 < y.size();
-      point.node.direction = {1.0, 0.0, 0.0};
-      point.node.driving.release = 90.0;
-      point.node.tributaryLength =
+      point.direction = {1.0, 0.0, 0.0};
+      node.driving.release = 90.0;
+      node.tributaryLength =
           0.5 * ((k > 0 ? y[k] - y[k - 1] : 0.0) + (k + 1 < y.size() ? y[k + 1] - y[k] : 0.0));
       lines.push_back(point);
-      advances.push_back({point.node.direction, length, 100.0 + 10.0 * double(k)});
+      nodes.push_back(node);
+      advances.push_back({point.direction, length, 100.0 + 10.0 * double(k)});
     }
   }
 
   void smooth()
   {
-    smoothAlongFront(surface, lines, std::vector<double>(lines.size(), cell),
+    smoothAlongFront(surface, lines, nodes, std::vector<double>(lines.size(), cell),
                      std::vector<bool>(lines.size(), false), advances);
   }
 
@@ -48,7 +52,7 @@ struct Line
     double all = 0.0;
     for (std::size_t k = 0; k < lines.size(); ++k)
       if (advances[k].length > 0.0)
-        all += advances[k].length * lines[k].node.tributaryLength * (energy ? advances[k].toughness : 1.0);
+        all += advances[k].length * nodes[k].tributaryLength * (energy ? advances[k].toughness : 1.0);
     return all;
   }
 };
@@ -72,7 +76,7 @@ TEST(FrontSmoothing, HandsOnAreaWithItsEnergy)
   for (const double resists : {80.0, 200.0, std::numeric_limits<double>::infinity()})
   {
     Line front(evenly(9), {d, d, d, d, 0.0, d, d, d, d}, 0.25 * cell);
-    front.advances[4] = {front.lines[4].node.direction, 0.0, resists};
+    front.advances[4] = {front.lines[4].direction, 0.0, resists};
     const double area = front.sum(false), energy = front.sum(true);
     front.smooth();
     EXPECT_NEAR(front.sum(false), area, 1e-14 * area);

@@ -50,7 +50,7 @@ TEST(FrontLines, EndAtSurfacesThatLean)
   const CrackFront<3>& front = leaning->state().cracks.fronts.at(0);
   const FrontLine line = lineOf(front);
   ASSERT_EQ(line.loop, std::vector<double>{0.0});
-  EXPECT_GT(roomAround(leaning->state(), front, line, 4.5e-3), 4.4e-3);
+  EXPECT_GT(clearAround(leaning->state(), front, 4.5e-3), 4.4e-3);
 }
 
 /// A front node where the surface cuts an arc points along the mouth, here half a radian off the arc's

@@ -91,7 +91,7 @@ TEST(SideEnergy, IsInTheReportOfTheEffect)
       effect.report(run->state(), summary);
   // Nothing has been gained, so that there is nothing to have a share of.
   EXPECT_EQ(summary["cracks"][0]["contact"]["gain_above"], 0.0);
-  EXPECT_TRUE(summary["cracks"][0]["contact"]["share_below"].is_null());
+  EXPECT_TRUE(summary["cracks"][0]["contact"]["fraction_below"].is_null());
 }
 
 TEST(SideEnergy, AnOldParameterSaysItsNewPlace)

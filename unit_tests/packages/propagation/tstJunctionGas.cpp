@@ -4,7 +4,7 @@
 
 #include "archive/Archive.hpp"
 #include "combustion/Cavity.hpp"
-#include "cracks/Growth.hpp"
+#include "cracks/CrackMemory.hpp"
 
 #include <algorithm>
 #include <array>

@@ -97,7 +97,7 @@ TEST(Junctions, CrackEndsOnTheFaceOfTheOther)
   EXPECT_NEAR(front.position[0], wall, 0.1 * cell);
   EXPECT_NEAR(front.position[1], roof, 0.1 * cell);
   ASSERT_FALSE(state.warnings.empty());
-  EXPECT_NE(state.warnings.back().find("joined the crack Roof"), std::string::npos) << state.warnings.back();
+  EXPECT_NE(state.warnings.back().find("joined crack Roof"), std::string::npos) << state.warnings.back();
   // The first increment is that of a front at rest.
   const double way = roof - 10e-3;
   EXPECT_NEAR(front.budget.required, 5.0 * (way - cell) + 1.0 * cell, 0.02 * front.budget.required);
@@ -230,7 +230,7 @@ TEST(Junctions, CrackEndsOnTheFirstCrackInItsWay)
   EXPECT_NEAR(front.position[1], beam, 0.1 * cell);
   EXPECT_TRUE(std::any_of(state.warnings.begin(), state.warnings.end(),
                           [](const std::string& warning)
-                          { return warning.find("joined the crack Beam") != std::string::npos; }));
+                          { return warning.find("joined crack Beam") != std::string::npos; }));
 }
 
 /// An earlier part of its own, before another crack, halts it.

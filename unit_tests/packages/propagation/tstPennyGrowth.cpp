@@ -280,7 +280,7 @@ TEST(PennyGrowth, HaltsBeforeItsOwnFaces)
   const CrackFront<3>& front = state.cracks.fronts[0];
   int told = 0, arms = 0;
   for (const std::string& warning : state.warnings)
-    told += warning.find("faces of its own crack are less than three cells ahead") != std::string::npos;
+    told += warning.find("stopped less than three cells from faces of its own crack") != std::string::npos;
   EXPECT_EQ(told, 1);
   double below = 0.0, above = wide;
   for (const FrontNode<3>& frontNode : front.nodes)

@@ -134,6 +134,8 @@ TEST(References, OfWhatIsNotThereAreOutsideAndSayWhy)
             "energy has no \"heat\"; it has kinetic and residual");
   EXPECT_EQ(judged("cracks.2.length", 1.0, 1.0)["problem"], "cracks has no \"2\"; it is a list of 2");
   EXPECT_EQ(judged("cracks.Top.length", 1.0, 1.0)["problem"], "cracks has no \"Top\"; it is a list of 2");
+  EXPECT_EQ(judged("energy.last_share", 1.0, 1.0)["problem"],
+            "energy has no \"last_share\"; it is now named \"last_fraction\"");
   EXPECT_EQ(judged("settled.really", 1.0, 1.0)["problem"], "settled has no \"really\"; it is one value");
   EXPECT_EQ(judged("empty", 1.0, 1.0)["problem"], "empty is not a number");
   EXPECT_EQ(judged("status", 1.0, 1.0)["problem"], "status is not a number");

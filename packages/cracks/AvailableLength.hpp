@@ -1,0 +1,42 @@
+#pragma once
+/// How much material is ahead of front nodes.
+
+#include "state/State.hpp"
+
+#include <vector>
+
+namespace Rhegma::cracks
+{
+
+/// A front node that has less than this ahead of it goes on to the surface [cells].
+constexpr double leastLigament = 0.5;
+
+/// The straight path of a front node.
+template <int D>
+struct Path
+{
+  Vector<D> from;      ///< [m]
+  Vector<D> direction; ///< unit vector
+  double length;       ///< of its advance [m]
+  double cell;         ///< size of the cells there [m]
+  /// Gaps in the material that are no longer than this are the opening that the cells have of the crack,
+  /// right at the front or where it has drawn particles of one body apart; longer ones are surfaces [m].
+  double gap = 0.0;
+};
+
+/// What a path has.
+struct Ligament
+{
+  double length; ///< of the advance, or up to the surface [m]
+  bool ends;     ///< whether it ends at the surface: less than half a cell of material is left beyond it
+};
+
+/// Whether front nodes can make their advances, or go on to a surface. Collective.
+///
+/// Of each advance and half a cell beyond it 48 points are looked at. A point is filled that lies within 0.55
+/// of the diagonal of a particle of that particle's centre. Particles count in 2D as they are deformed, in 3D
+/// as they were at the start. Two bodies further apart than an eighth of a cell are not joined over a gap.
+template <int D>
+std::vector<Ligament> ligamentsAhead(const State<D>& state, const std::vector<Path<D>>& paths);
+
+} // namespace Rhegma::cracks

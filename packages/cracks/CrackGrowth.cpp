@@ -1,0 +1,344 @@
+#include "cracks/CrackGrowth.hpp"
+
+#include "archive/Archive.hpp"
+#include "base/Numbers.hpp"
+#include "cracks/CrackGeometry.hpp"
+#include "cracks/ForgetSides.hpp"
+#include "cracks/FrontSmoothing.hpp"
+#include "geometry/Cross.hpp"
+#include "transfer/LocalSpacing.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace Rhegma::cracks
+{
+
+using namespace surface;
+
+namespace
+{
+
+/// Lengths in cells.
+constexpr double longestPiece = 1.5, shortestPiece = 0.5, rowHeight = 1.0;
+/// Most that a front node moves along its front, as a fraction of its advance: less than a turn that begins a
+/// row.
+constexpr double sideways = 0.15;
+/// Cosine of a turn that is none. Directions of 3D fronts are known less well.
+template <int D>
+constexpr double straight = D == 2 ? 1.0 - 1e-12 : 1.0 - 1e-6;
+/// A piece shorter than this fraction of its advance has no direction.
+constexpr double leastPiece = 1e-3;
+
+template <int D>
+std::string nameOf(const State<D>& state, int f)
+{
+  const CrackFront<D>& front = state.cracks.fronts[f];
+  return "crack " + state.cracks.cracks[front.crack].name + ", front " + std::to_string(front.number);
+}
+
+template <int D>
+std::string textOf(const Vector<D>& x)
+{
+  std::string text;
+  for (int d = 0; d < D; ++d)
+    text += formatReal(x[d]) + (d + 1 < D ? ", " : " m");
+  return text;
+}
+
+/// How far a front node moves along its front in addition to its advance, towards the middle of its
+/// neighbours [m].
+///
+/// Neighbours advance one after the other, so that a front is never quite normal to the paths of its nodes.
+/// What that moves them sideways does not even out where one neighbour is always the first.
+Vector<3> evening(const GrowingSurface& mesh, const FrontLines<3>& lines, std::size_t k, double length)
+{
+  const int last = previousPoint(lines, k);
+  if (last < 0 || !lines[k].joined)
+    return {0.0, 0.0, 0.0};
+  const Vector<3>&a = mesh.vertices[lines[last].vertex], &x = mesh.vertices[lines[k].vertex],
+        &b = mesh.vertices[lines[nextPoint(lines, k)].vertex];
+  const Vector<3> along = cross(lines[k].direction, lines[k].normal);
+  const double uneven = std::clamp(0.5 * (norm(b - x) - norm(x - a)), -sideways * length, sideways * length);
+  return (dot(along, b - a) < 0.0 ? -uneven : uneven) * along;
+}
+
+} // namespace
+
+template <int D>
+void CrackGrowth<D>::report(State<D>& state, int front, Event event, const std::string& what,
+                            const Vector<D>& where)
+{
+  if (std::exchange(reported_[front][static_cast<int>(event)], true))
+    return;
+  state.warnings.push_back(nameOf(state, front) + ": " + what + " at t = " + readableTime(state.clock.time) +
+                           ", at " + textOf(where) +
+                           (event == Event::Stopped
+                                ? "; cells can't tell faces apart that are closer; smaller "
+                                  "cells (Domain > Cell Size) let it come nearer"
+                                : ""));
+}
+
+/// Sizes of cells, and lengths smoothed along the front. \return whether the front turns \param longest of
+/// the lengths before smoothing [m]
+template <int D>
+bool CrackGrowth<D>::prepare(const State<D>& state, Advancing& f, double& longest) const
+{
+  const std::size_t count = f.lines.size();
+  f.cells.resize(count);
+  std::vector<bool> mirrored(count, false);
+  bool turns = false;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    const Vector<D>& x = f.front.nodes[k].position;
+    f.cells[k] = spacingAt(state, x);
+    mirrored[k] =
+        std::any_of(mirrors_.begin(), mirrors_.end(),
+                    [&](const MirrorPlane& plane) { return isOn(plane, x[plane.axis], f.cells[k]); });
+    if (f.lines[k].landed || f.lines[k].stopped)
+      f.asked[k].length = 0.0;
+    longest = std::max(longest, f.asked[k].length);
+    turns =
+        turns || (f.asked[k].length > 0.0 && dot(f.asked[k].direction, f.lines[k].direction) < straight<D>);
+  }
+  if constexpr (D == 3)
+    smoothAlongFront(f.crack.mesh, f.lines, f.front.nodes, f.cells, mirrored, f.asked);
+  return turns;
+}
+
+/// Where each node goes that advances, as far as there is material.
+template <int D>
+std::vector<AdvancingNode<D>> CrackGrowth<D>::findPaths(const State<D>& state, const Advancing& f) const
+{
+  std::vector<AdvancingNode<D>> nodes;
+  std::vector<Path<D>> paths;
+  for (std::size_t k = 0; k < f.lines.size(); ++k)
+  {
+    if (!(f.asked[k].length > 0.0))
+      continue;
+    Path<D> path{f.front.nodes[k].position, f.asked[k].direction, f.asked[k].length, f.cells[k]};
+    if constexpr (D == 2)
+      path.gap =
+          std::max(leastLigament * path.cell, f.crack.mesh.openingBehind(f.lines[k].vertex, path.cell));
+    nodes.push_back({f.number, static_cast<int>(k), f.lines[k].vertex, path, {}, {}});
+    paths.push_back(path);
+  }
+  const std::vector<Ligament> ligaments = ligamentsAhead(state, paths);
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    AdvancingNode<D>& node = nodes[i];
+    node.ligament = ligaments[i];
+    node.to = node.path.from + ligaments[i].length * node.path.direction;
+    if constexpr (D == 3)
+      if (!node.ligament.ends)
+        node.to = node.to + evening(f.crack.mesh, f.lines, node.node, node.path.length);
+  }
+  return nodes;
+}
+
+/// The front that a front has met ends too.
+template <int D>
+void CrackGrowth<D>::endMet(State<D>& state, std::vector<GrowingCrack<D>>& cracks, const Advancing& f,
+                            int met)
+{
+  if constexpr (D == 2)
+  {
+    CrackFront<D>& front = state.cracks.fronts[met];
+    GrowingCrack<D>& crack = cracks[front.crack];
+    const std::size_t i = std::find(crack.numbers.begin(), crack.numbers.end(), met) - crack.numbers.begin();
+    const int vertex = crack.fronts[i].at(0).vertex;
+    crack.mesh.joined[crack.mesh.isFirst(vertex) ? 0 : 1] = true;
+    crack.ends[i].vertex = vertex;
+    crack.fronts[i].clear();
+    front.ended = true;
+    report(state, met, Event::Landed, "was met by " + nameOf(state, f.number), crack.mesh.vertices[vertex]);
+  }
+}
+
+/// Advances one node, or stops it. \return whether it has advanced
+template <int D>
+bool CrackGrowth<D>::advanceNode(State<D>& state, std::vector<GrowingCrack<D>>& cracks, Advancing& f,
+                                 const AdvancingNode<D>& node, std::vector<Meeting>& meetings)
+{
+  using Kind = typename Encounter<D>::Kind;
+  FrontPoint<D>& point = f.lines[node.node];
+  const Encounter<D> encounter = findEncounter(state, cracks, node);
+  const std::string& other = encounter.crack < 0 ? "" : state.cracks.cracks[encounter.crack].name;
+  if (encounter.kind == Kind::Stops)
+  {
+    point.stopped = true;
+    report(state, f.number, Event::Stopped,
+           encounter.crack == f.front.crack ? "stopped less than three cells from faces of its own crack"
+                                            : "stopped less than three cells from crack " + other,
+           node.path.from);
+    return false;
+  }
+  const bool joins = encounter.kind != Kind::None;
+  const double length = joins ? encounter.length : node.ligament.length;
+  const Vector<D> to = joins ? node.path.from + length * encounter.direction : node.to;
+  const bool first = [&]
+  {
+    if constexpr (D == 2)
+      return f.crack.mesh.isFirst(point.vertex);
+    return false;
+  }();
+  point.toughness = f.asked[node.node].toughness;
+  if (length > leastPiece * f.asked[node.node].length)
+  {
+    const double more =
+        f.crack.mesh.advance(f.lines, node.node, to, D == 2 ? length : rowHeight * f.cells[node.node]);
+    f.area += more;
+    f.energy += point.toughness * more * state.method.thickness;
+  }
+  point.landed = joins || node.ligament.ends;
+  if (!point.landed)
+    return true;
+  f.landed = node.node;
+  f.end.vertex = point.vertex;
+  if constexpr (D == 2)
+    f.crack.mesh.joined[first ? 0 : 1] = joins;
+  report(state, f.number, Event::Landed,
+         encounter.kind == Kind::Meets   ? "met " + nameOf(state, encounter.front)
+         : encounter.kind == Kind::Joins ? "joined crack " + other
+                                         : "reached the surface of its body",
+         to);
+  if (encounter.kind == Kind::Meets)
+    endMet(state, cracks, f, encounter.front);
+  if (joins)
+    meetings.push_back({f.front.crack, first, encounter.crack, encounter.kind == Kind::Meets});
+  return true;
+}
+
+/// Splits long pieces of a front and takes short ones away.
+template <int D>
+void CrackGrowth<D>::evenPieces(Advancing& f)
+{
+  int names = 0; // no new node has the name of one that goes now: its past is another's
+  for (const FrontPoint<D>& point : f.lines)
+    names = std::max(names, point.name + 1);
+  cutLanded(f.lines);
+  if constexpr (D == 3)
+  {
+    GrowingSurface& mesh = f.crack.mesh;
+    const double cell = *std::min_element(f.cells.begin(), f.cells.end());
+    for (std::size_t k = 0; k < f.lines.size(); ++k)
+      if (f.lines[k].joined && mesh.pieceAt(f.lines, k) > longestPiece * cell)
+        mesh.split(f.lines, k, names++);
+    for (std::size_t k = 0; k < f.lines.size(); ++k)
+      if (f.lines[k].joined && mesh.pieceAt(f.lines, k) < shortestPiece * cell)
+      {
+        const double toughness = meanToughness(f.lines[k], f.lines[nextPoint(f.lines, k)]);
+        double added = 0.0;
+        if (mesh.collapse(f.lines, k, added))
+          f.energy += toughness * added;
+      }
+  }
+}
+
+template <int D>
+void CrackGrowth<D>::growFront(State<D>& state, std::vector<GrowingCrack<D>>& cracks,
+                               const FrontAdvance<D>& advance, std::vector<Meeting>& meetings)
+{
+  CrackFront<D>& front = state.cracks.fronts[advance.front];
+  GrowingCrack<D>& crack = cracks[front.crack];
+  const std::size_t i =
+      std::find(crack.numbers.begin(), crack.numbers.end(), advance.front) - crack.numbers.begin();
+  Advancing f{advance.front, front, crack, crack.fronts[i], crack.ends[i], advance.nodes, {}};
+  double longest = 0.0;
+  const bool turns = prepare(state, f, longest);
+  bool moves = false;
+  for (const AdvancingNode<D>& node : findPaths(state, f))
+  {
+    const double before = f.area;
+    moves = advanceNode(state, cracks, f, node, meetings) || moves;
+    longest = std::max(longest, D == 2 ? f.area - before : 0.0);
+  }
+  if (moves && turns)
+    forgetSidesAhead(state, front, (bandWidth + 4.0) * state.mesh.grid.spacing + longest);
+  front.grown = front.grown || moves;
+  if (f.area > 0.0 && f.energy > 0.0)
+    lastToughness_[f.number] = f.energy / (f.area * state.method.thickness);
+  evenPieces(f);
+  front.budget.require(f.energy);
+  front.ended = f.lines.empty();
+}
+
+template <int D>
+std::vector<Meeting> CrackGrowth<D>::grow(State<D>& state)
+{
+  CrackSet<D>& set = state.cracks;
+  std::vector<Meeting> meetings;
+  if (set.advances.empty())
+    return meetings;
+  lastToughness_.resize(set.fronts.size(), 0.0);
+  reported_.resize(set.fronts.size());
+  std::vector<GrowingCrack<D>> cracks = readGrowing(set, marks_);
+  for (const FrontAdvance<D>& advance : set.advances)
+    if (!set.fronts[advance.front].ended) // one that has been met goes no further
+      growFront(state, cracks, advance, meetings);
+  set.advances.clear();
+  writeGrowing(set, cracks, marks_, state.mesh.grid.spacing);
+  return meetings;
+}
+
+template <int D>
+std::vector<double> CrackGrowth<D>::toughnessAlong(const CrackSet<D>& set, int front) const
+{
+  const std::vector<FrontNode<D>>& nodes = set.fronts[front].nodes;
+  const std::size_t f = front;
+  const double last = f < lastToughness_.size() ? lastToughness_[f] : 0.0;
+  std::vector<double> along(std::max<std::size_t>(1, nodes.size()), last);
+  if (f >= marks_.size())
+    return along;
+  const std::vector<FrontMark>& marks = marks_[f];
+  for (std::size_t k = 0; k < marks.size(); ++k)
+  {
+    double shortest = 1e300;
+    for (std::size_t other = 0; other < marks.size(); ++other)
+    {
+      const double distance = norm(nodes[other].position - nodes[k].position);
+      if (marks[other].toughness > 0.0 && (other == k || distance < shortest))
+      {
+        shortest = other == k ? -1.0 : distance;
+        along[k] = marks[other].toughness;
+      }
+    }
+  }
+  return along;
+}
+
+template <int D>
+void CrackGrowth<D>::keep(const CrackSet<D>& set, Archive& archive)
+{
+  std::vector<int> landed;
+  std::vector<double> toughness;
+  for (const std::vector<FrontMark>& marks : marks_)
+    for (const FrontMark& mark : marks)
+    {
+      landed.push_back(mark.landed ? 1 : 0);
+      toughness.push_back(mark.toughness);
+    }
+  archive("landed", landed);
+  archive("node_toughness", toughness);
+  archive("last_toughness", lastToughness_);
+  if (!archive.loads())
+    return;
+  marks_.assign(set.fronts.size(), {});
+  reported_.assign(set.fronts.size(), {});
+  std::size_t row = 0;
+  for (std::size_t f = 0; f < set.fronts.size(); ++f)
+    for (const FrontNode<D>& node : set.fronts[f].nodes)
+      if (!set.fronts[f].ended && row < landed.size())
+      {
+        const FrontMark mark{toughness[row], landed[row] != 0};
+        reported_[f][0] = reported_[f][0] || mark.landed;
+        reported_[f][1] = reported_[f][1] || (node.stopped && !mark.landed);
+        marks_[f].push_back(mark);
+        ++row;
+      }
+}
+
+template class CrackGrowth<2>;
+template class CrackGrowth<3>;
+
+} // namespace Rhegma::cracks

@@ -1,0 +1,18 @@
+#pragma once
+/// Cracks in checkpoints.
+
+#include "state/State.hpp"
+
+namespace Rhegma
+{
+class Archive;
+}
+
+namespace Rhegma::cracks
+{
+
+/// Saves or loads the vertices and simplices of the cracks, their fronts and what these have done.
+template <int D>
+void keepCracks(State<D>& state, Archive& archive);
+
+} // namespace Rhegma::cracks

@@ -1,0 +1,14 @@
+#pragma once
+/// Sides of particles ahead of a front that turns.
+
+#include "state/State.hpp"
+
+namespace Rhegma::cracks
+{
+
+/// Sets the side of particles to none that are of the front's crack, within a reach [m] of its front nodes,
+/// and ahead of the nearest: they get it anew, for they lie next to the crack that will be there.
+template <int D>
+void forgetSidesAhead(const State<D>& state, const CrackFront<D>& front, double reach);
+
+} // namespace Rhegma::cracks

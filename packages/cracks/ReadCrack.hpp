@@ -1,0 +1,54 @@
+#pragma once
+/// The cracks of a scene, cut to the bodies.
+
+#include "cracks/BodyRegion.hpp"
+#include "surface/CrackMesh.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <string>
+#include <vector>
+
+namespace Rhegma::cracks
+{
+
+/// The message for a crack none of which is in a body.
+inline constexpr char outsideOfBodies[] =
+    "the crack lies outside of all bodies; give points inside one of them";
+
+/// The message for a polyline that has a point twice.
+inline constexpr char samePoints[] =
+    "two points in a row are the same, so a piece of the crack has no length; leave one of them out";
+
+/// What a crack is read with.
+template <int D>
+struct ReadingContext
+{
+  const BodyRegion<D>& bodies;
+  double cell; ///< size of the coarse cells [m]
+  double edge; ///< length that edges of triangles have about [m]
+};
+
+/// Reads one crack, cuts off what lies outside of the bodies, and finds which of its ends or border edges are
+/// fronts (material ahead of them) and which are surface-breaking.
+///
+/// In 2D a polyline, whose long segments are split. In 3D a flat polygon, a disk or an ellipse, or a surface
+/// from a file, covered with triangles.
+///
+/// \param where section's path, for messages \param warnings are added to
+/// \throws std::invalid_argument for a crack that has no size, crosses itself, is far too large, or lies
+/// outside of all bodies
+template <int D>
+surface::CrackMesh<D> readCrack(const Teuchos::ParameterList& list, const std::string& where,
+                                const ReadingContext<D>& context, std::vector<std::string>& warnings);
+
+/// The 3D ones. A polygon must be flat to a hundredth of a cell; the rim of a disk is a polygon of its area
+/// with edges of about `edge`; points of a file closer than a thousandth of a cell are made one.
+surface::CrackMesh<3> readPolygon(const Teuchos::ParameterList& list, const std::string& where,
+                                  const ReadingContext<3>& context);
+surface::CrackMesh<3> readDisk(const Teuchos::ParameterList& list, const std::string& where,
+                               const ReadingContext<3>& context);
+surface::CrackMesh<3> readSurface(const Teuchos::ParameterList& list, const std::string& where,
+                                  const ReadingContext<3>& context);
+
+} // namespace Rhegma::cracks

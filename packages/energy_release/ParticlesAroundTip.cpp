@@ -1,0 +1,212 @@
+#include "energy_release/ParticlesAroundTip.hpp"
+
+#include "energy_release/CrackSide.hpp"
+#include "energy_release/WholeNodes.hpp"
+#include "state/Subdomain.hpp"
+#include "transfer/TreeStencil.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace Rhegma::energy_release
+{
+
+namespace
+{
+
+/// Numbers of one particle that the host needs: place, displacement, mass, volume, four stresses.
+constexpr int rowWidth = 10;
+
+View<int*> listParticles(const State<2>& state, const Vector<2>& centre, double radius)
+{
+  const int n = state.particles.size();
+  const auto position = state.particles.real<2>(fields::position);
+  const View<int*> all("rhegma::patchParticles", n);
+  int count = 0;
+  Kokkos::parallel_scan(
+      "rhegma::listPatchParticles", Kokkos::RangePolicy<ExecSpace>(0, n),
+      KOKKOS_LAMBDA(const int p, int& at, const bool final) {
+        const double x = position(p, 0) - centre[0], y = position(p, 1) - centre[1];
+        if (x * x + y * y > radius * radius)
+          return;
+        if (final)
+          all(at) = p;
+        ++at;
+      },
+      count);
+  View<int*> list("rhegma::patchList", count);
+  Kokkos::deep_copy(list, Kokkos::subview(all, std::make_pair(0, count)));
+  return list;
+}
+
+View<double* [rowWidth]> gatherRows(const State<2>& state, const View<int*>& list)
+{
+  const int n = static_cast<int>(list.extent(0));
+  const auto position = state.particles.real<2>(fields::position);
+  const auto reference = state.particles.real<2>(fields::reference);
+  const auto mass = state.particles.scalar(fields::mass);
+  const auto volume = state.particles.scalar(fields::volume);
+  const auto stress = state.particles.real<symmetricSize<2>>(fields::stress);
+  View<double* [rowWidth]> row("rhegma::patchRows", n);
+  Kokkos::parallel_for(
+      "rhegma::gatherPatch", Kokkos::RangePolicy<ExecSpace>(0, n), KOKKOS_LAMBDA(const int i) {
+        const int p = list(i);
+        for (int d = 0; d < 2; ++d)
+        {
+          row(i, d) = position(p, d);
+          row(i, 2 + d) = position(p, d) - reference(p, d);
+        }
+        row(i, 4) = mass(p);
+        row(i, 5) = volume(p);
+        for (int k = 0; k < symmetricSize<2>; ++k)
+          row(i, 6 + k) = stress(p, k);
+      });
+  return row;
+}
+
+template <ShapeKind S>
+StencilTable<2> patchStencils(const State<2>& state, const View<int*>& list)
+{
+  const int n = static_cast<int>(list.extent(0));
+  StencilTable<2> table;
+  table.reserve(n);
+  const TreeStencils<2, S> stencils(state.mesh.grid, state.mesh.tree, table);
+  const auto position = state.particles.real<2>(fields::position);
+  BorrowedView<double* [2]> box;
+  if (S == ShapeKind::Gimp)
+    box = state.particles.real<2>(fields::box);
+  Kokkos::parallel_for(
+      "rhegma::patchStencils", Kokkos::RangePolicy<ExecSpace>(0, n), KOKKOS_LAMBDA(const int i) {
+        Vector<2> x, half;
+        for (int d = 0; d < 2; ++d)
+        {
+          x[d] = position(list(i), d);
+          half[d] = S == ShapeKind::Gimp ? box(list(i), d) : 0.0;
+        }
+        stencils.write(i, x, half);
+      });
+  return table;
+}
+
+std::vector<int> namedSides(const State<2>& state, const View<int*>& list)
+{
+  const int n = static_cast<int>(list.extent(0));
+  std::vector<int> named(n, 0);
+  if (!state.particles.has(fields::side))
+    return named;
+  const auto side = state.particles.integer(fields::side);
+  const View<int*> some("rhegma::patchSides", n);
+  Kokkos::parallel_for(
+      "rhegma::gatherPatchSides", Kokkos::RangePolicy<ExecSpace>(0, n),
+      KOKKOS_LAMBDA(const int i) { some(i) = side(list(i)); });
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, some);
+  for (int i = 0; i < n; ++i)
+    named[i] = host(i);
+  return named;
+}
+
+/// Numbers of a particle as ranks tell them to each other.
+constexpr int toldWidth = 13 + 4 * ParticleAroundTip::capacity;
+
+void tell(const ParticleAroundTip& p, std::vector<double>& numbers)
+{
+  numbers.insert(numbers.end(), {p.place[0], p.place[1], p.displacement[0], p.displacement[1], p.mass,
+                                 p.density, p.fromFront, p.force[0][0], p.force[0][1], p.force[1][0],
+                                 p.force[1][1], double(p.side), double(p.count)});
+  for (int k = 0; k < ParticleAroundTip::capacity; ++k)
+  {
+    const bool has = k < p.count;
+    numbers.insert(numbers.end(), {has ? double(p.node[k]) : 0.0, has ? p.weight[k] : 0.0,
+                                   has ? p.slope[k][0] : 0.0, has ? p.slope[k][1] : 0.0});
+  }
+}
+
+ParticleAroundTip hear(const double* at)
+{
+  ParticleAroundTip p;
+  p.place = {{at[0], at[1]}};
+  p.displacement = {{at[2], at[3]}};
+  p.mass = at[4];
+  p.density = at[5];
+  p.fromFront = at[6];
+  for (int k = 0; k < 4; ++k)
+    p.force[k / 2][k % 2] = at[7 + k];
+  p.side = static_cast<int>(at[11]);
+  p.count = static_cast<int>(at[12]);
+  for (int k = 0; k < p.count; ++k)
+  {
+    const double* const of = at + 13 + 4 * k;
+    p.node[k] = static_cast<int>(of[0]);
+    p.weight[k] = of[1];
+    p.slope[k] = {{of[2], of[3]}};
+  }
+  return p;
+}
+
+/// The particles of all ranks, on every rank.
+std::vector<ParticleAroundTip> ofAllRanks(const Ranks& ranks, const std::vector<ParticleAroundTip>& own)
+{
+  std::vector<double> numbers;
+  numbers.reserve(own.size() * toldWidth);
+  for (const ParticleAroundTip& p : own)
+    tell(p, numbers);
+  numbers = ranks.gatherOnAll(numbers);
+  std::vector<ParticleAroundTip> all;
+  for (std::size_t at = 0; at < numbers.size(); at += toldWidth)
+    all.push_back(hear(&numbers[at]));
+  return all;
+}
+
+} // namespace
+
+std::vector<ParticleAroundTip> particlesAround(const State<2>& state, const CrackFront<2>& front,
+                                               double radius)
+{
+  const View<int*> list = listParticles(state, front.position, radius);
+  const auto row = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, gatherRows(state, list));
+  const StencilTable<2> table = state.method.shape == ShapeKind::Linear
+                                    ? patchStencils<ShapeKind::Linear>(state, list)
+                                    : patchStencils<ShapeKind::Gimp>(state, list);
+  const auto count = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.count);
+  const auto node = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.node);
+  const auto weight = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.weight);
+  const auto slope = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.slope);
+  const std::vector<int> named = namedSides(state, list);
+  const CrackSide line(state.cracks, front);
+  const WholeNodes whole(state);
+
+  std::vector<ParticleAroundTip> particles(list.extent(0));
+  for (std::size_t i = 0; i < particles.size(); ++i)
+  {
+    ParticleAroundTip& p = particles[i];
+    for (int d = 0; d < 2; ++d)
+    {
+      p.place[d] = row(i, d);
+      p.displacement[d] = row(i, 2 + d);
+      for (int e = 0; e < 2; ++e)
+        p.force[d][e] = -row(i, 5) * row(i, 6 + symmetricIndex<2>(d, e));
+    }
+    p.mass = row(i, 4);
+    p.density = row(i, 4) / row(i, 5);
+    p.fromFront = std::numeric_limits<double>::infinity();
+    for (const CrackFront<2>& other : state.cracks.fronts)
+      p.fromFront = std::min(p.fromFront, norm(p.place - other.position));
+    if (named[i] == front.crack + 1)
+      p.side = 1;
+    else if (named[i] == -front.crack - 1)
+      p.side = -1;
+    else
+      p.side = line.side(p.place);
+    p.count = 0;
+    for (int k = 0; k < count(i); ++k)
+      if (weight(i, k) > 0.0)
+      {
+        p.node[p.count] = whole(node(i, k));
+        p.weight[p.count] = weight(i, k);
+        p.slope[p.count++] = {{slope(i, k, 0), slope(i, k, 1)}};
+      }
+  }
+  return state.mesh.subdomain ? ofAllRanks(state.ranks, particles) : particles;
+}
+
+} // namespace Rhegma::energy_release

@@ -1,0 +1,11 @@
+#pragma once
+/// What lies beyond a facet of a simplex where no other simplex does.
+
+namespace Rhegma::surface::facet
+{
+
+constexpr int surfaceBreaking = -1; ///< the surface of the body
+constexpr int front = -2;           ///< whole material
+constexpr int joined = -3;          ///< another crack, on which this one has ended
+
+} // namespace Rhegma::surface::facet

@@ -1,0 +1,25 @@
+#pragma once
+/// Which edges of a crack surface's border are fronts.
+
+#include "surface/CrackMesh.hpp"
+
+#include <functional>
+
+namespace Rhegma::surface
+{
+
+enum class BorderKind
+{
+  SurfaceBreaking,
+  FrontIfMaterialAhead, ///< for a cell, as in 2D; else surface-breaking
+  Front
+};
+
+/// The kind of a border edge by its middle [m].
+using KindOfBorder = std::function<BorderKind(const Vector<3>&)>;
+
+/// Finds what lies beyond the edges of a surface whose triangles have one orientation.
+/// \param bodies where there is material \param cell its size [m]
+void markBorder(CrackMesh<3>& mesh, const KindOfBorder& kindOf, const Region<3>& bodies, double cell);
+
+} // namespace Rhegma::surface

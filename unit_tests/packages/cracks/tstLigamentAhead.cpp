@@ -1,0 +1,135 @@
+#include "CubeScene.hpp"
+
+#include "cracks/CrackGrowth.hpp"
+
+#include <initializer_list>
+
+using namespace Rhegma;
+using namespace Rhegma::cracks;
+using namespace Rhegma::cracks::test;
+
+namespace
+{
+
+constexpr double line = 5.2; ///< the height of the crack [cells]
+
+/// A rectangle [cells].
+struct Piece
+{
+  double left, bottom, right, top;
+};
+
+/// A strip of 20 x 10 cells of these pieces, and a crack from its left edge on.
+std::unique_ptr<Run<2>> strip(std::initializer_list<Piece> pieces, double front)
+{
+  Teuchos::ParameterList scene = blockScene({20.0 * cell, 10.0 * cell});
+  scene.remove("Bodies");
+  int number = 0;
+  for (const Piece& piece : pieces)
+  {
+    Teuchos::ParameterList& body = scene.sublist("Bodies").sublist("Piece " + std::to_string(number++));
+    body.set("Material", std::string("Solid"));
+    body.set("Shape", std::string("Box"));
+    body.set("Lower Corner", numbers({piece.left * cell, piece.bottom * cell}));
+    body.set("Upper Corner", numbers({piece.right * cell, piece.top * cell}));
+  }
+  setCrack(scene, {0.0, line * cell, (front - 1.0) * cell, line * cell, front * cell, line * cell});
+  return start<2>(scene);
+}
+
+void advance(State<2>& state, double length)
+{
+  FrontAdvance<2> asked;
+  asked.nodes = {{state.cracks.fronts[0].direction, length, 100.0}};
+  state.cracks.advances.push_back(asked);
+  CrackGrowth<2> growth;
+  growth.grow(state);
+}
+
+/// Lets the front run a cell at a time until it ends.
+/// \return where [cells]
+double endOf(State<2>& state)
+{
+  for (int k = 0; k < 30 && !state.cracks.fronts[0].ended; ++k)
+    advance(state, cell);
+  EXPECT_TRUE(state.cracks.fronts[0].ended);
+  return state.cracks.fronts[0].position[0] / cell;
+}
+
+// Particles are half a cell wide, so the places that they fill reach 0.55 x 0.71 cells from their centres,
+// which lie a quarter of a cell behind the edge; places are up to 2 / 48 cells apart.
+constexpr double beyond = 0.55 * 0.7072 - 0.25, step = 2.0 / 48;
+
+} // namespace
+
+/// A hole of one cell across the path is a surface, whatever part of an advance it lies in.
+TEST(LigamentAhead, EndsAtASmallHole)
+{
+  for (const double front : {6.0, 6.25, 6.5, 6.75})
+  {
+    const auto run = strip({{0, 0, 10, 10}, {11, 0, 20, 10}, {10, 0, 11, 5}, {10, 6, 11, 10}}, front);
+    const double end = endOf(run->state());
+    EXPECT_GE(end, 10.0 - step) << front;
+    EXPECT_LE(end, 10.0 + beyond) << front;
+  }
+}
+
+/// So is the edge of a body with another one half a cell further on.
+TEST(LigamentAhead, EndsAtTheGapToAnotherBody)
+{
+  for (const double front : {6.0, 6.25, 6.5, 6.75})
+  {
+    const auto run = strip({{0, 0, 10, 10}, {10.5, 0, 20, 10}}, front);
+    const double end = endOf(run->state());
+    EXPECT_GE(end, 10.0 - step) << front;
+    EXPECT_LE(end, 10.0 + beyond) << front;
+  }
+}
+
+/// Particles of one body that have been drawn apart by less than half a cell leave no surface.
+TEST(LigamentAhead, PassesBetweenStretchedParticles)
+{
+  const auto run = strip({{0, 0, 20, 10}}, 6.1);
+  State<2>& state = run->state();
+  // Places are filled up to 0.139 cells beyond the edges of particles.
+  const auto x = state.particles.real<2>(fields::position);
+  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, x);
+  for (int p = 0; p < state.particles.size(); ++p)
+    if (host(p, 0) > 6.5 * cell)
+      host(p, 0) += (2.0 * beyond + 0.25) * cell;
+  Kokkos::deep_copy(x, host);
+  advance(state, cell);
+  EXPECT_FALSE(state.cracks.fronts[0].ended);
+  EXPECT_NEAR(state.cracks.fronts[0].position[0], 7.1 * cell, 1e-12);
+}
+
+/// What lacks right at a front that is as wide as the crack is open belongs to the crack: here 0.9 cells less
+/// what the particle beyond fills. A crack that is closed has no such opening and ends.
+TEST(LigamentAhead, PassesOverTheOpeningOfItsCrack)
+{
+  for (const bool open : {false, true})
+  {
+    const auto run = strip({{0, 0, 20, 10}}, 6.6);
+    State<2>& state = run->state();
+    ASSERT_EQ(state.cracks.fronts.size(), 1u);
+    // Particles near the line draw back from it by three quarters of a cell, as far as 0.9 cells beyond the
+    // front.
+    const auto x = state.particles.real<2>(fields::position);
+    const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, x);
+    for (int p = 0; p < state.particles.size(); ++p)
+      if (host(p, 0) < 7.5 * cell && std::fabs(host(p, 1) - line * cell) < cell)
+        host(p, 1) += (host(p, 1) > line * cell ? 0.75 : -0.75) * cell;
+    Kokkos::deep_copy(x, host);
+    const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.face);
+    for (std::size_t v = 0; open && v < face.extent(0); ++v)
+      if (static_cast<int>(v) != state.cracks.fronts[0].vertex)
+      {
+        face(v, 0, 1) -= 0.5 * cell;
+        face(v, 1, 1) += 0.5 * cell;
+      }
+    Kokkos::deep_copy(state.cracks.face, face);
+    advance(state, cell);
+    EXPECT_EQ(state.cracks.fronts[0].ended, !open);
+    EXPECT_NEAR(state.cracks.fronts[0].position[0], (open ? 7.6 : 6.6) * cell, 1e-12);
+  }
+}

@@ -1,0 +1,29 @@
+#include "surface/Border.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace Rhegma;
+using namespace Rhegma::surface;
+
+/// A unit square of two triangles in a body that ends at x = 1.5: the edge at x = 1 has half a cell of
+/// material ahead of it, too little to be a front; the others have more.
+TEST(Border, IsAFrontWhereMaterialIsAhead)
+{
+  CrackMesh<3> mesh;
+  mesh.vertices = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}, {1.0, 1.0, 0.0}, {0.0, 1.0, 0.0}};
+  mesh.simplices = {{0, 1, 2}, {0, 2, 3}};
+  const auto isIn = [](const Vector<3>& x) { return x[0] < 1.5; };
+  markBorder(
+      mesh, [](const Vector<3>&) { return BorderKind::FrontIfMaterialAhead; }, isIn, 1.0);
+  EXPECT_EQ(mesh.beyond[0][0], facet::surfaceBreaking); // edge 1-2
+  EXPECT_EQ(mesh.beyond[0][1], 1);                      // the diagonal
+  EXPECT_EQ(mesh.beyond[0][2], facet::front);
+  EXPECT_EQ(mesh.beyond[1][0], facet::front);
+  EXPECT_EQ(mesh.beyond[1][1], facet::front);
+  markBorder(
+      mesh, [](const Vector<3>&) { return BorderKind::Front; }, isIn, 1.0);
+  EXPECT_EQ(mesh.beyond[0][0], facet::front);
+  markBorder(
+      mesh, [](const Vector<3>&) { return BorderKind::SurfaceBreaking; }, isIn, 1.0);
+  EXPECT_EQ(mesh.beyond[1][1], facet::surfaceBreaking);
+}
