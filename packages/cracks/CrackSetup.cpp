@@ -100,7 +100,7 @@ void readCracks(const Teuchos::ParameterList& section, State<D>& state, double e
     }
     set.cracks.push_back(crack);
   }
-  attempts.complain();
+  attempts.throwIfAny();
   refuseNeighbours(meshes, names, spacing);
   layOut(set, meshes, spacing);
   set.nodeSide = View<int*>("rhegma::nodeSide", state.mesh.grid.numNodes);

@@ -90,9 +90,9 @@ Gap<D> gapOf(const State<D>& state, const CrackFront<D>& front)
 
 /// clearRadius without the nodes in a gap.
 template <int D>
-double clearBeside(const State<D>& state, const Vector<D>& centre, double radius, const Gap<D>& gap)
+double clearAdjacent(const State<D>& state, const Vector<D>& centre, double radius, const Gap<D>& gap)
 {
-  const NodePlaces<D> places = nodePlaces(state);
+  const NodePositions<D> positions = nodePositions(state);
   const View<double*> cover = coverOfNodes(state, centre, radius);
   const Nodes<D> numbers = state.mesh.nodes;
   double nearest = radius;
@@ -101,8 +101,8 @@ double clearBeside(const State<D>& state, const Vector<D>& centre, double radius
       KOKKOS_LAMBDA(const int n, double& smallest) {
         if (!isOpen(numbers, cover, n))
           return;
-        const double r = norm(places(n) - centre);
-        if (r < smallest && !gap.holds(places(n)))
+        const double r = norm(positions(n) - centre);
+        if (r < smallest && !gap.holds(positions(n)))
           smallest = r;
       },
       Kokkos::Min<double>(nearest));
@@ -133,13 +133,13 @@ View<double*> coverOfNodes(const State<D>& state, const Vector<D>& centre, doubl
 template <int D>
 double clearRadius(const State<D>& state, const Vector<D>& centre, double radius)
 {
-  return clearBeside(state, centre, radius, Gap<D>{});
+  return clearAdjacent(state, centre, radius, Gap<D>{});
 }
 
 template <int D>
 double largestContour(const State<D>& state, const CrackFront<D>& front, double radius)
 {
-  double clear = clearBeside(state, front.position, radius, gapOf(state, front));
+  double clear = clearAdjacent(state, front.position, radius, gapOf(state, front));
   for (const CrackFront<D>& other : state.cracks.fronts)
     if (!other.ended && (other.crack != front.crack || other.number != front.number))
       clear = std::min(clear, norm(other.position - front.position));

@@ -19,7 +19,7 @@ struct ContourRadii
 template <int D>
 struct NodalWeight
 {
-  NodePlaces<D> places;
+  NodePositions<D> places;
   Vector<D> centre;
   ContourRadii radii;
 
@@ -40,11 +40,11 @@ constexpr double surrounded = 0.6;
 template <int D>
 KOKKOS_INLINE_FUNCTION bool isOpen(const Nodes<D>& nodes, const View<double*>& cover, int node)
 {
-  return countsHere(nodes, node) && cover(node) <= surrounded;
+  return isOwnedByThisRank(nodes, node) && cover(node) <= surrounded;
 }
 
-/// Share of each node's cells that particles cover, on the lattice and in refined cells, for nodes within
-/// `radius` [m] of a place. Collective.
+/// Fraction of each node's cells that particles cover, on the lattice and in refined cells, for nodes within
+/// `radius` [m] of a position. Collective.
 template <int D>
 View<double*> coverOfNodes(const State<D>& state, const Vector<D>& centre, double radius);
 

@@ -61,7 +61,7 @@ class Columns
 public:
   Columns(const State<2>& state, const CrackFront<2>& front, double cell,
           const std::map<int, SideForces>& forces)
-      : places_(state),
+      : positions_(state),
         origin_(state.mesh.grid.whole),
         cell_(cell),
         axis_(std::fabs(front.direction[0]) >= std::fabs(front.direction[1]) ? 0 : 1),
@@ -82,10 +82,10 @@ public:
 private:
   int count(int node, int axis) const
   {
-    return static_cast<int>(std::lround((places_.placeOf(node)[axis] - origin_[axis]) / cell_));
+    return static_cast<int>(std::lround((positions_.positionOf(node)[axis] - origin_[axis]) / cell_));
   }
 
-  WholeNodes places_;
+  WholeNodes positions_;
   Vector<2> origin_;
   double cell_;
   int axis_, sign_;

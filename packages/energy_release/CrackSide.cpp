@@ -41,8 +41,8 @@ int CrackSide::side(const Vector<2>& x) const
   {
     const Vector<2> along = s.end - s.begin;
     const double square = dot(along, along);
-    const double share = square > 0.0 ? std::clamp(dot(x - s.begin, along) / square, 0.0, 1.0) : 0.0;
-    const double r = norm(x - (s.begin + share * along));
+    const double fraction = square > 0.0 ? std::clamp(dot(x - s.begin, along) / square, 0.0, 1.0) : 0.0;
+    const double r = norm(x - (s.begin + fraction * along));
     if (r < nearest)
     {
       nearest = r;

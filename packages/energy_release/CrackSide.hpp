@@ -1,5 +1,5 @@
 #pragma once
-/// On which side of a crack a place lies.
+/// On which side of a crack a position lies.
 
 #include "state/CrackSet.hpp"
 

@@ -21,7 +21,7 @@ namespace
 
 constexpr int D = 2;
 
-/// Angle of a place around the front in the front's frame; the side of a particle decides on which face it
+/// Angle of a position around the front in the front's frame; the side of a particle decides on which face it
 /// is.
 KOKKOS_INLINE_FUNCTION double tipAngle(double along, double across, int side)
 {
@@ -75,15 +75,15 @@ struct Integrand
     if (distance(position, p, centre) > weight.radii.outer + 4.0 * weight.places.grid.spacing)
       return;
     // Interpolated like the motion, a weighted shift of the body is a motion that the cells can make:
-    // stresses in equilibrium do no work on it, however much the body beside the crack turns
+    // stresses in equilibrium do no work on it, however much the body next to the crack turns
     // (docs/broken_cells.md).
     double q = 0.0;
     Vector<D> dq{{0.0, 0.0}};
     broken.visit(p,
-                 [&](int node, double share, const double* slope)
+                 [&](int node, double fraction, const double* slope)
                  {
                    const double at = weight(node < numFirst ? node : parent(node - numFirst));
-                   q += share * at;
+                   q += fraction * at;
                    for (int d = 0; d < D; ++d)
                      dq[d] += slope[d] * at;
                  });
@@ -104,7 +104,7 @@ struct Integrand
     const Vector<D> du = image - direction;
     const Vector<D> dv1{
         {dv[0][0] * image[0] + dv[0][1] * image[1], dv[1][0] * image[0] + dv[1][1] * image[1]}};
-    // P_iJ q,J in undeformed space is tau_ij q,j in space.
+    // P_iJ q,J in undeformed space is tau_ij q,j in 3D.
     const double* tau = &stress(p, 0);
     const Vector<D> flux{{tau[0] * dq[0] + tau[2] * dq[1], tau[2] * dq[0] + tau[1] * dq[1]}};
     const double density = mass(p) / volume(p);
@@ -135,7 +135,7 @@ struct Integrand
   {
     double Q[D] = {}, dQ[D][D] = {};
     broken.visit(p,
-                 [&](int node, double share, const double* slope)
+                 [&](int node, double fraction, const double* slope)
                  {
                    const int own = node < numFirst ? node : parent(node - numFirst);
                    const double at = weight(own);
@@ -144,7 +144,7 @@ struct Integrand
                    const Vector<D> shift = at * path(weight.places(own));
                    for (int k = 0; k < D; ++k)
                    {
-                     Q[k] += share * shift[k];
+                     Q[k] += fraction * shift[k];
                      for (int d = 0; d < D; ++d)
                        dQ[k][d] += slope[d] * shift[k];
                    }
@@ -232,10 +232,10 @@ struct Integrand
   }
 };
 
-/// How far beside the crack, along the front's normal, the cut lies that the particles have, where the weight
-/// falls: particles stand for their boxes, so that it is midway between the nearest above and the nearest
-/// below. With the hat (1 - |z| / h) about the crack, the sums of volume on its two sides differ by 2 h times
-/// the offset per h^2. Zero where particles have no sides.
+/// How far next to the crack, along the front's normal, the cut lies that the particles have, where the
+/// weight falls: particles stand for their boxes, so that it is midway between the nearest above and the
+/// nearest below. With the hat (1 - |z| / h) about the crack, the sums of volume on its two sides differ by 2
+/// h times the offset per h^2. Zero where particles have no sides.
 double offsetAside(const State<D>& state, const CrackFront<D>& front, const ContourRadii& radii)
 {
   if (!state.particles.has(fields::side))
@@ -307,7 +307,7 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
   work.broken = broken;
   work.parent = state.mesh.nodes.parent;
   work.numFirst = state.mesh.nodes.numLattice;
-  work.weight = {nodePlaces(state), front.position, radii};
+  work.weight = {nodePositions(state), front.position, radii};
   work.motion = NodalVelocity<D>(state);
   work.acceleration = acceleration;
   work.position = state.particles.template real<D>(fields::position);

@@ -76,14 +76,14 @@ void checkTube(State<2>& state, const CrackFront<2>& front, const Options& optio
                     "front; write at most " + formatReal(clear));
     return;
   }
-  const double usual = usualRadii(given, cell).outer, room = clearAround(state, front, usual);
+  const double usual = usualRadii(given, cell).outer, capacity = clearAround(state, front, usual);
   const double least = smallestOuter(given, cell);
-  if (room < least - slack * cell)
+  if (capacity < least - slack * cell)
     refuseContour(state, front, given.inner > 0.0 ? "Inner Radius" : "Outer Radius", formatReal(least),
-                  "front or crack; at most " + formatReal(room) + " m fit: " +
+                  "front or crack; at most " + formatReal(capacity) + " m fit: " +
                       (given.inner > 0.0 ? "write a smaller Inner Radius"
                                          : "write both radii, or leave out Energy Release"));
-  if (room < usual - slack * cell)
+  if (capacity < usual - slack * cell)
   {
     const ContourRadii radii = fittingTube(state, front, given).radii;
     state.warnings.push_back("Energy Release: for " + messageName(state, front) +
@@ -125,7 +125,7 @@ void checkTubes(State<D>& state, const Options& options)
   Attempts attempts;
   for (const CrackFront<D>& front : state.cracks.fronts)
     attempts.attempt([&] { checkTube(state, front, options); });
-  attempts.complain();
+  attempts.throwIfAny();
   const double cell = spacingAt(state, state.cracks.fronts.front().position);
   if (D == 2 && options.radii.inner > 0.0 && options.radii.inner < (leastInnerCells - slack) * cell)
     state.warnings.push_back(

@@ -17,7 +17,7 @@ namespace
 constexpr double halfWidthCells = 2.0, wantedInnerCells = 2.0;
 
 /// By how much a surface at which a front ends may lean towards it: a node of that surface has its foot on
-/// the front by this share of its distance, and a cell, from the end.
+/// the front by this fraction of its distance, and a cell, from the end.
 constexpr double leans = 0.6;
 
 /// So much of an open front is left out at each end at most.
@@ -34,7 +34,7 @@ double clearOfSurfaces(const State<3>& state, const FrontLine& line, double radi
   for (const FrontNode<3>& s : line.nodes)
     extent = std::max(extent, norm(s.position - middle));
   const View<double*> cover = coverOfNodes(state, middle, extent + radius);
-  const NodePlaces<3> places = nodePlaces(state);
+  const NodePositions<3> positions = nodePositions(state);
   const Nodes<3> numbers = state.mesh.nodes;
   const FrontSight sight(line, radius);
   const double cell = state.mesh.grid.spacing;
@@ -45,9 +45,9 @@ double clearOfSurfaces(const State<3>& state, const FrontLine& line, double radi
   Kokkos::parallel_reduce(
       "rhegma::clearOfSurfaces", Kokkos::RangePolicy<ExecSpace>(0, cover.extent(0)),
       KOKKOS_LAMBDA(const int n, double& smallest) {
-        if (!isOpen(numbers, cover, n) || norm(places(n) - middle) > extent + radius)
+        if (!isOpen(numbers, cover, n) || norm(positions(n) - middle) > extent + radius)
           return;
-        const FrontFoot foot = sight.look(places(n));
+        const FrontFoot foot = sight.look(positions(n));
         const double end = std::fmin(cell + leans * foot.distance, std::fmax(cell, most));
         if (foot.inside >= end && foot.distance < smallest)
           smallest = foot.distance;
@@ -81,9 +81,9 @@ double clearOfOthers(const State<3>& state, const CrackFront<3>& front, const Fr
   return nearest;
 }
 
-/// Cells between places of a front that begin to tell its curvature, and that tell it fully: nearer ones tell
-/// the corners of its pieces. What a pair says grows in between, so that no tube jumps by what last digits
-/// make of a distance.
+/// Cells between positions of a front that begin to tell its curvature, and that tell it fully: nearer ones
+/// tell the corners of its pieces. What a pair says grows in between, so that no tube jumps by what last
+/// digits make of a distance.
 constexpr double curvatureFrom = 1.5, curvatureFully = 3.0;
 
 /// Directions of the front nodes, each the mean over two front nodes on both sides by weights that fall

@@ -14,7 +14,7 @@ namespace Rhegma::energy_release
 namespace
 {
 
-/// Numbers of one particle that the host needs: place, displacement, mass, volume, four stresses.
+/// Numbers of one particle that the host needs: position, displacement, mass, volume, four stresses.
 constexpr int rowWidth = 10;
 
 View<int*> listParticles(const State<2>& state, const Vector<2>& centre, double radius)
@@ -106,9 +106,9 @@ std::vector<int> namedSides(const State<2>& state, const View<int*>& list)
 }
 
 /// Numbers of a particle as ranks tell them to each other.
-constexpr int toldWidth = 13 + 4 * ParticleAroundTip::capacity;
+constexpr int reportedWidth = 13 + 4 * ParticleAroundTip::capacity;
 
-void tell(const ParticleAroundTip& p, std::vector<double>& numbers)
+void report(const ParticleAroundTip& p, std::vector<double>& numbers)
 {
   numbers.insert(numbers.end(), {p.place[0], p.place[1], p.displacement[0], p.displacement[1], p.mass,
                                  p.density, p.fromFront, p.force[0][0], p.force[0][1], p.force[1][0],
@@ -147,12 +147,12 @@ ParticleAroundTip hear(const double* at)
 std::vector<ParticleAroundTip> ofAllRanks(const Ranks& ranks, const std::vector<ParticleAroundTip>& own)
 {
   std::vector<double> numbers;
-  numbers.reserve(own.size() * toldWidth);
+  numbers.reserve(own.size() * reportedWidth);
   for (const ParticleAroundTip& p : own)
-    tell(p, numbers);
+    report(p, numbers);
   numbers = ranks.gatherOnAll(numbers);
   std::vector<ParticleAroundTip> all;
-  for (std::size_t at = 0; at < numbers.size(); at += toldWidth)
+  for (std::size_t at = 0; at < numbers.size(); at += reportedWidth)
     all.push_back(hear(&numbers[at]));
   return all;
 }

@@ -123,7 +123,7 @@ namespace
 /// What the nodes move with.
 RecoveryMatrix matrixOfTheMotion(const NodalMass& mass)
 {
-  return {std::max(mass.lumpedFraction, consistentMatrix().lumpedShare),
+  return {std::max(mass.lumpedFraction, consistentMatrix().lumpedFraction),
           mass.smallestNode,
           mass.radius,
           mass.edge,

@@ -24,7 +24,7 @@ struct Normal
 {
   std::vector<std::pair<int, int>> nodes; ///< and their sides (0 where a node is not split), in order
   std::vector<std::array<int, ParticleAroundTip::capacity>>
-      at;                                              ///< places of each particle's nodes among them
+      at;                                              ///< positions of each particle's nodes among them
   Teuchos::SerialSymDenseMatrix<int, double> coupling; ///< sum of theta m N N^T, lower triangle
   std::vector<double> own;                             ///< sum of (1 - theta) m N
   std::vector<double> lumped;                          ///< row sums of both
@@ -91,7 +91,7 @@ void Normal::listNodes(const std::vector<ParticleAroundTip>& particles, const Sp
 }
 
 /// theta: 1 up to the radius, a cubic with flat ends over the edge, 0 beyond.
-double consistentShare(double fromFront, const RecoveryMatrix& choice)
+double consistentFraction(double fromFront, const RecoveryMatrix& choice)
 {
   const double beyond = fromFront - choice.radius;
   if (beyond <= 0.0)
@@ -110,7 +110,7 @@ void Normal::couple(const std::vector<ParticleAroundTip>& particles, const Recov
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
     const ParticleAroundTip& p = particles[i];
-    double theta = consistentShare(p.fromFront, choice);
+    double theta = consistentFraction(p.fromFront, choice);
     for (int k = 0; k < p.count; ++k)
       if (lumped[at[i][k]] < choice.smallestNode * p.density * fullCell)
         theta = 0.0;
@@ -169,13 +169,13 @@ NodeDisplacement recoverDisplacement(const std::vector<ParticleAroundTip>& parti
   if (normal.size() == 0)
     return result;
   Teuchos::SerialDenseMatrix<int, double> solution(normal.size(), 2);
-  const bool rowSums = choice.lumpedShare >= 1.0;
+  const bool rowSums = choice.lumpedFraction >= 1.0;
   if (!rowSums)
     normal.couple(particles, choice, fullCell);
   if (rowSums || choice.terms > 0)
     sumSeries(normal, rowSums ? 1 : choice.terms, solution);
   else
-    solve(normal, choice.lumpedShare, solution);
+    solve(normal, choice.lumpedFraction, solution);
   for (int i = 0; i < normal.size(); ++i)
     result.emplace_hint(result.end(), normal.nodes[i], Vector<2>{{solution(i, 0), solution(i, 1)}});
   return result;

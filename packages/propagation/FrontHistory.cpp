@@ -36,8 +36,8 @@ Advance FrontHistory::advance(const AdvanceRule& rule, double time, double relea
       return made;
     }
     const double rise = release - releaseAtBegin;
-    const double share = rise > 0.0 ? std::min(1.0, (release - rule.initiation) / rise) : 0.0;
-    last_ = std::max(time - share * (time - begin), rule.startTime);
+    const double fraction = rise > 0.0 ? std::min(1.0, (release - rule.initiation) / rise) : 0.0;
+    last_ = std::max(time - fraction * (time - begin), rule.startTime);
     lastSpeed_ = 0.0;
     running_ = true;
     starts_.push_back(static_cast<int>(times_.size()));

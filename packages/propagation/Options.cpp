@@ -33,7 +33,7 @@ void addRules(Section& s)
            "in 3D it goes with Mass Matrix > Type = Partial alone as yet; write that or take one of the two "
            "sections out",
            0, 3);
-  // Cells that follow a front place the points of its faces anew, and faces that open gain contact energy.
+  // Cells that follow a front position the points of its faces anew, and faces that open gain contact energy.
   s.refuse({self, when::present("Contact"), when::present("Adaptivity")},
            "in 3D it goes with Contact or with Adaptivity, not with both as yet; take one of the two out", 0,
            3);
@@ -177,10 +177,10 @@ Options readOptions(const Teuchos::ParameterList& scene, const RunOptions& run)
 }
 
 template <int D>
-double speedLimitAt(const State<D>& state, const Vector<D>& place, const Options& options)
+double speedLimitAt(const State<D>& state, const Vector<D>& position, const Options& options)
 {
   return options.speedLimit > 0.0 ? options.speedLimit
-                                  : rayleighSpeed(state.materials.list[materialAt(state, place)]);
+                                  : rayleighSpeed(state.materials.list[materialAt(state, position)]);
 }
 
 AdvanceRule ruleAt(double temperature, const Options& options)

@@ -48,7 +48,7 @@ template <int D>
 void refuseWeak(const State<D>& state, const Options& options);
 
 /// The energy release rate without what closes the crack: a front that is pressed together does not break,
-/// though J is positive. Its share of J is that of sliding, K_II^2/E' + K_III^2/(2 mu), in what the
+/// though J is positive. Its fraction of J is that of sliding, K_II^2/E' + K_III^2/(2 mu), in what the
 /// intensities release (Irwin), K_I^2/E' being what closes. \param e of the material at the front
 double openingRelease(const DrivingForce& driving, const Elasticity& e);
 

@@ -4,7 +4,7 @@
 #include "grid/BlockCells.hpp"
 #include "material/Materials.hpp"
 #include "state/Subdomain.hpp"
-#include "step/HeatTrouble.hpp"
+#include "step/HeatFailure.hpp"
 #include "transfer/Gather.hpp"
 #include "transfer/Motion.hpp"
 #include "transfer/Scatter.hpp"
@@ -29,7 +29,7 @@ void strain(State<D>& state, StrainVelocity velocity, bool alsoMove)
   if (std::isfinite(state.clock.fastestSpeed) && !flung)
     return;
   // Laws find no stress at temperatures that there are not.
-  const std::string heat = heatTrouble(state);
+  const std::string heat = heatFailure(state);
   state.failure = !heat.empty() ? heat
                                 : "a particle has a negative volume or its velocity is not finite (" +
                                       unstableStep(state.mesh.subcycledLevels) +
@@ -186,7 +186,7 @@ void addFineNodes(State<D>& state)
   state.mesh.nodes.active = active;
 }
 
-/// Finds the blocks whose particles may touch a refined cell or one beside it: they are no more than a cell
+/// Finds the blocks whose particles may touch a refined cell or one next to it: they are no more than a cell
 /// outside of their block, and their boxes reach no more than half a cell further.
 template <int D>
 void markBlocks(State<D>& state)

@@ -19,7 +19,7 @@ using Triangle = std::array<int, 3>;
 
 std::string number(std::size_t t) { return std::to_string(t + 1); }
 
-std::string inWords(const Vector<3>& x)
+std::string asText(const Vector<3>& x)
 {
   return std::to_string(x[0]) + ", " + std::to_string(x[1]) + ", " + std::to_string(x[2]) + " m";
 }
@@ -33,7 +33,7 @@ void refuseDegenerate(const SurfaceMesh& mesh)
           &c = mesh.points[mesh.triangles[t][2]];
     const double longest = std::max({norm(b - a), norm(c - b), norm(a - c)});
     if (!(norm(cross(b - a, c - a)) > flat * longest * longest))
-      throw std::invalid_argument("triangle " + number(t) + " (counted from 1), at " + inWords(a) +
+      throw std::invalid_argument("triangle " + number(t) + " (counted from 1), at " + asText(a) +
                                   ", has no area");
   }
 }
@@ -48,7 +48,7 @@ std::map<Edge, std::vector<int>> trianglesAtEdges(const SurfaceMesh& mesh)
       at.push_back(static_cast<int>(t));
       if (at.size() > 2)
         throw std::invalid_argument("three triangles share the edge at " +
-                                    inWords(mesh.points[mesh.triangles[t][i]]) +
+                                    asText(mesh.points[mesh.triangles[t][i]]) +
                                     "; a crack is one sheet, so give its branches as cracks of their own");
     }
   return triangles;

@@ -1,7 +1,7 @@
 #include "LatticeState.hpp"
 
-#include "energy_release/FrontTube.hpp"
 #include "energy_release/CrackPath.hpp"
+#include "energy_release/FrontTube.hpp"
 
 #include <gtest/gtest.h>
 
@@ -82,7 +82,7 @@ TEST(Contour, StaysClearOfOtherCracks)
   expectRadii(fittingTube(state, front, {}).radii, 2e-3, 4e-3);
 }
 
-/// Outside of a bend places have it as the nearest of both pieces: the last digits of where the crack lies
+/// Outside of a bend positions have it as the nearest of both pieces: the last digits of where the crack lies
 /// must not decide with which they go.
 TEST(CrackPath, OutsideOfABendPlacesGoWithThePieceNearerToTheFront)
 {

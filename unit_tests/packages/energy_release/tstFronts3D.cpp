@@ -327,7 +327,7 @@ TEST(Fronts3D, KnowHowMuchTheyAreCurved)
   ASSERT_EQ(line.loop.size(), 1u);
   EXPECT_NEAR(line.loop[0], 32 * 2.0 * radius * std::sin(pi / 32), 1e-12);
   EXPECT_NEAR(radiusOfCurvature(line, cell), radius, 1e-9);
-  // A front node that points 15 degrees aside, as beside one that lies behind, hardly is curvature: a third
+  // A front node that points 15 degrees aside, as next to one that lies behind, hardly is curvature: a third
   // of its turn counts, which over 3 cells or more has the sagitta of a circle of 3 / (2 sin(5 degrees))
   // = 17.2 cells, where the front node alone has that of one of 5.8 cells.
   FrontLine aside = line;
@@ -342,10 +342,10 @@ TEST(Fronts3D, KnowHowMuchTheyAreCurved)
   const FrontLine open = lineOf(straight->state().cracks.fronts.at(0));
   EXPECT_EQ(open.loop, std::vector<double>{0.0});
   EXPECT_TRUE(std::isinf(radiusOfCurvature(open, cell)) || radiusOfCurvature(open, cell) > 1e3);
-  double share = 0.0;
+  double fraction = 0.0;
   for (const FrontNode<3>& frontNode : open.nodes)
-    share += frontNode.tributaryLength;
-  EXPECT_NEAR(share, depth, 1e-12);
+    fraction += frontNode.tributaryLength;
+  EXPECT_NEAR(fraction, depth, 1e-12);
 }
 
 /// What docs/theory.md says of the tube.

@@ -89,7 +89,7 @@ TEST(FrontHistory, SetsOutAtInitiationAndArrestsWhereItHasAlmostStopped)
   EXPECT_EQ(history.increments(), 1);
 }
 
-/// A front that rests and sets out anew: its means are over the longer run, and do not count the rest.
+/// A front that rests and is initiated anew: its means are over the longer run, and do not count the rest.
 TEST(FrontHistory, TellsItsRunsApart)
 {
   const AdvanceRule rule = ruleOf("100*(1 + v/500)", 100.0);
