@@ -118,7 +118,7 @@ Rim rimOfPolygon(const ParameterList& crack)
   for (const Vector<3>& position : rim.places)
     rim.radius = std::min(rim.radius, norm(position - rim.middle));
   if (!(rim.radius > 0.0))
-    throw std::invalid_argument("the polygon has no area; give points that go round one");
+    throw std::invalid_argument("the polygon has no area; write the corners of a polygon with an area");
   return rim;
 }
 
@@ -180,7 +180,7 @@ Lengths measureRim(const Rim& rim, const SceneBodies<3>& bodies)
 Lengths measure(const ParameterList& crack, const ParameterList& scene)
 {
   if (crack.isParameter("Surface File"))
-    throw std::domain_error("does not know the size of a crack from a file; write Domain > Cell Size");
+    throw std::domain_error("can't be used with a crack from a file; write Domain > Cell Size");
   if (dimensionOf(scene) == 2)
     return measureLine(crack, SceneBodies<2>(scene));
   return measureRim(crack.isType<double>("Radius") ? rimOfDisk(crack) : rimOfPolygon(crack),

@@ -102,7 +102,7 @@ void CrackMotion<D>::move(State<D>& state)
   const int lost = moveFaces(cracks, wholeLattice(state), shift_);
   if (lost > 0 && state.failure.empty())
     state.failure = "a crack left the domain (" + unstableStep(state.mesh.subcycledLevels) +
-                    "; or make the Domain larger or stop the run before)";
+                    "; or enlarge the domain, or end the run earlier)";
   updateNormals(cracks);
   updateFronts(cracks);
 }

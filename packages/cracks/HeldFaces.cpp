@@ -56,8 +56,8 @@ void warnOfHeldFaces(State<D>& state, const Surroundings& surroundings)
     if (held[c] != 0.0)
       state.warnings.push_back(
           "Cracks > " + state.cracks.cracks[c].name +
-          ": the crack runs along a support less than a cell away, which holds both crack faces and reduces "
-          "the opening; leave a cell between them or use smaller cells (Domain > Cell Size)");
+          ": it runs along a support less than a cell away, which restrains both of its faces and reduces "
+          "its opening; keep a cell between them, or use smaller cells (Domain > Cell Size)");
 }
 
 template void warnOfHeldFaces(State<2>&, const Surroundings&);

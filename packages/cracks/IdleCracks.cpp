@@ -24,8 +24,8 @@ void warnOfIdleCracks(State<D>& state)
     if (adjacent[2 * c] * adjacent[2 * c + 1] == 0.0)
       state.warnings.push_back(
           "Cracks > " + state.cracks.cracks[c].name +
-          ": it parts nothing, as there are no particles on one of its sides: it is too short "
-          "or too close to a surface for the cells; take smaller ones (Domain > Cell Size)");
+          ": it separates nothing, because there are no particles on one of its sides: it is too short or "
+          "too close to a surface; use smaller cells (Domain > Cell Size)");
 }
 
 template void warnOfIdleCracks(State<2>&);

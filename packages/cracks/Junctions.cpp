@@ -111,8 +111,8 @@ void warnOfCrowd(State<2>& state, int particles, int one, int two)
     state.warnings.push_back("where the cracks " + state.cracks.cracks[one].name + " and " +
                              state.cracks.cracks[two].name + " meet at time " + formatReal(state.clock.time) +
                              " s, " + std::to_string(particles) +
-                             " particles are beside a third crack too, and hold together across one of them; "
-                             "smaller cells (Domain > Cell Size) keep junctions apart");
+                             " particles are next to a third crack too, and hold together across one of "
+                             "them; use smaller cells (Domain > Cell Size) to separate junctions");
 }
 
 } // namespace

@@ -86,7 +86,7 @@ nlohmann::json numbers(const Vector<3>& x) { return {x[0], x[1], x[2]}; }
 
 void reportFront(const FrontSample<3>& s, const Options&, nlohmann::json& entry)
 {
-  nlohmann::json& nodes = entry["stations"];
+  nlohmann::json& nodes = entry["front_nodes"];
   nodes["G_J"] = s.J;
   nodes["K_I"] = s.modeI;
   nodes["K_II"] = s.modeII;

@@ -32,7 +32,7 @@ std::string nameOf(const State<D>& state, const CrackFront<D>& front)
 template <int D>
 void reportRest(const State<D>& state, const CrackFront<D>& front, double closest, nlohmann::json& summary)
 {
-  summary["cracks"][front.crack]["fronts"][front.number]["closest_to_setting_out"] = closest;
+  summary["cracks"][front.crack]["fronts"][front.number]["closest_to_initiation"] = closest;
   if (state.clock.step == 0) // a scene that is only checked
     return;
   const double rounded = 0.001 * std::floor(1000.0 * closest); // below one
@@ -49,7 +49,8 @@ void reportRuns(const State<D>& state, const CrackFront<D>& front, const std::ve
   nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number]["runs"];
   entry = nlohmann::json::array();
   for (const CrackRun& run : runs)
-    entry.push_back({{"set_out", run.initiation}, {"last_advance", run.lastAdvance}, {"length", run.length}});
+    entry.push_back(
+        {{"initiated", run.initiation}, {"last_advance", run.lastAdvance}, {"length", run.length}});
   for (std::size_t r = 0; r < runs.size(); ++r)
   {
     const bool isLast = r + 1 == runs.size();
@@ -128,14 +129,14 @@ void reportEnergy(const State<D>& state, double required, nlohmann::json& summar
       {"in_flight", inFlight},
       {"dissipated", energy.fracture},
       {"accounted_for", given > 0.0 ? 1.0 - energy.residual() / given : notYet},
-      {"dissipated_share", required > inFlight ? energy.fracture / (required - inFlight) : notYet},
-      {"residual_share", required > 0.0 ? energy.residual() / required : notYet}};
+      {"dissipated_fraction", required > inFlight ? energy.fracture / (required - inFlight) : notYet},
+      {"residual_fraction", required > 0.0 ? energy.residual() / required : notYet}};
   if (required > inFlight && energy.fracture > (1.0 + mostTooMuch) * required)
     summary["warnings"].push_back(
         "Propagation: new faces dissipated " + readableEnergy(energy.fracture) +
         ", more than their toughness times their area, " + readableEnergy(required) +
         ": faces opened within one step, or the front passed nodes because the body moved through its cells; "
-        "ramp the load, take smaller cells (Domain > Cell Size), or hold the body in place");
+        "ramp the load, take smaller cells (Domain > Cell Size), or support the body");
 }
 
 } // namespace
@@ -155,8 +156,8 @@ void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& front
     entry["increments"] = own.increments;
     entry["running"] = own.running() && canAdvance;
     entry["ended"] = front.ended;
-    entry["halted"] = front.stopped();
-    entry["set_out"] = moved ? own.firstTime : notYet;
+    entry["stopped"] = front.stopped();
+    entry["initiated"] = moved ? own.firstTime : notYet;
     entry["last_advance"] = moved ? own.lastTime : notYet;
     entry["settled_speed"] = own.settledSpeed();
     entry["speed_limit"] = own.speedLimit;

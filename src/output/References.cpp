@@ -42,6 +42,12 @@ std::string nearest(const std::string& given, const std::vector<std::string>& po
 const std::map<std::string, std::string>& renamedEntries()
 {
   static const std::map<std::string, std::string> renamed = {
+      {"stations", "front_nodes"},
+      {"set_out", "initiated"},
+      {"halted", "stopped"},
+      {"closest_to_setting_out", "closest_to_initiation"},
+      {"dissipated_share", "dissipated_fraction"},
+      {"residual_share", "residual_fraction"},
       {"smallest_share", "smallest_fraction"},
       {"largest_share", "largest_fraction"},
       {"last_share", "last_fraction"},

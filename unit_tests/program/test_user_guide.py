@@ -44,7 +44,7 @@ class OwnCrack(ProgramTest):
         self.assertEqual(summary["propagation"]["initiation_toughness"], 403.0)
         self.assertEqual(front["increments"], self.stated(r"ran (\d+) cells"))
         # Of the last digits that the guide has.
-        self.assertAlmostEqual(1e6 * front["set_out"], self.stated(r"`set_out` after (\d+) us"), delta=0.5)
+        self.assertAlmostEqual(1e6 * front["initiated"], self.stated(r"`initiated` after (\d+) us"), delta=0.5)
         self.assertAlmostEqual(front["settled_speed"], self.stated(r"cells at (\d+) m/s"), delta=5.0)
         self.assertAlmostEqual(summary["energy"]["fracture"], self.stated(r"`energy > fracture`,\s+([0-9.]+) J"), delta=5e-4)
 

@@ -246,8 +246,8 @@ TEST(PennyGrowth, PaysForItsAreaToTheEnd)
   // What it has done is known after its front nodes are no more.
   const nlohmann::json& entry = summary["cracks"][0]["fronts"][0];
   EXPECT_GT(entry["increments"].get<long>(), 0);
-  EXPECT_GT(entry["last_advance"].get<double>(), entry["set_out"].get<double>());
-  for (const char* name : {"increments", "set_out", "last_advance", "settled_speed", "speed_limit"})
+  EXPECT_GT(entry["last_advance"].get<double>(), entry["initiated"].get<double>());
+  for (const char* name : {"increments", "initiated", "last_advance", "settled_speed", "speed_limit"})
     EXPECT_EQ(entry[name], ended[name]) << name;
   EXPECT_NEAR(entry["speed_limit"].get<double>(), propagation::rayleighSpeed(state.materials.list[0]), 1e-9);
 }
