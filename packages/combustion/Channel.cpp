@@ -21,7 +21,7 @@ double sum(const std::vector<double>& values) { return std::accumulate(values.be
 
 } // namespace
 
-void Channel::position(const std::vector<double>& length, const std::vector<double>& fixedCapacity)
+void Channel::place(const std::vector<double>& length, const std::vector<double>& fixedCapacity)
 {
   length_ = length;
   fixed_ = fixedCapacity;

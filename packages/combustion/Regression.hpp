@@ -50,7 +50,7 @@ public:
   void demand(const State<D>& state, const FacePoints<D>& points, int crack, const View<double*>& depth);
   void findGivers(const State<D>& state);
   void weighNodes(const State<D>& state);
-  double share(const State<D>& state);
+  double fraction(const State<D>& state);
 
 private:
   View<double*> demand_;  ///< of each node [kg]; on one rank zero between calls

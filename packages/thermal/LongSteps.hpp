@@ -88,7 +88,7 @@ private:
   View<double* [pairWidth]> pairs_; ///< of each second field
   int numPairs_ = 0;                ///< second fields while faces conduct, else 0
   ConjugateGradients gradients_{1e-8, 1000};
-  int room_ = 0; ///< unknowns that there is room for
+  int capacity_ = 0; ///< number of unknowns that fit
 };
 
 } // namespace Rhegma::thermal

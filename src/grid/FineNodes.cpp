@@ -97,7 +97,7 @@ std::vector<typename FineNodes<D>::Cell> FineNodes<D>::mastersOf(const LeafList<
 }
 
 template <int D>
-std::vector<typename FineNodes<D>::Cell> FineNodes<D>::positions() const
+std::vector<typename FineNodes<D>::Cell> FineNodes<D>::places() const
 {
   std::vector<Cell> all;
   all.reserve(row_.size());
