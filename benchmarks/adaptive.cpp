@@ -1,11 +1,11 @@
-/// What a scene costs whose cells refine, beside the same scene with small cells everywhere, or with short
+/// What a scene costs whose cells refine, next to the same scene with small cells everywhere, or with short
 /// steps everywhere, in one process and turn by turn.
 ///
 ///     adaptive SCENE.xml [--json] [--rounds N] [--interval SECONDS] [--finer N]
 ///     adaptive SCENE.xml --levels N [--front-cells N] [--json] [--rounds N] [--interval SECONDS]
 ///
-/// The second times, for Adaptivity > Maximum Level = 1 ... N, short steps in small cells only (Sub-Cycling)
-/// beside short steps in all cells. Threads: OMP_NUM_THREADS.
+/// The second times, for Adaptivity > Maximum Level = 1 ... N, substeps in small cells only (Sub-Cycling)
+/// next to substeps in all cells. Threads: OMP_NUM_THREADS.
 
 #include "adaptive/Measure.hpp"
 #include "common/CommandLine.hpp"

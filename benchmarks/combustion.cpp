@@ -1,4 +1,4 @@
-/// What burning costs beside the same cracks without it, in one process and turn by turn.
+/// What burning costs next to the same cracks without it, in one process and turn by turn.
 ///
 ///     combustion SCENE.xml [--json] [--steps N] [--rounds N] [--warm-up N]
 ///

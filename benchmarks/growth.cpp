@@ -1,4 +1,4 @@
-/// What growth costs beside the same run with the crack held, in one process and turn by turn.
+/// What growth costs next to the same run with the crack held, in one process and turn by turn.
 ///
 ///     growth SCENE.xml [--json] [--cell EDGE] [--steps N] [--rounds N] [--warm-up N]
 ///

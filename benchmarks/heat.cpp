@@ -1,4 +1,4 @@
-/// What heat costs beside the same motion without it, or, for a scene of heat alone, what each method of
+/// What heat costs next to the same motion without it, or, for a scene of heat alone, what each method of
 /// conduction costs, in one process and turn by turn.
 ///
 ///     heat SCENE.xml [--json] [--cell EDGE] [--steps N] [--rounds N] [--warm-up N]

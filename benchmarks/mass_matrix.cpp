@@ -1,4 +1,4 @@
-/// What a step costs with each mass matrix, beside the lumped one, in one process and turn by turn.
+/// What a step costs with each mass matrix, next to the lumped one, in one process and turn by turn.
 ///
 ///     mass_matrix SCENE.xml [--json] [--steps N] [--rounds N] [--warm-up N]
 ///

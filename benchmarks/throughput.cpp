@@ -1,4 +1,4 @@
-/// Nanoseconds per particle and step of the program's own step, beside the memory bandwidth of the machine.
+/// Nanoseconds per particle and step of the program's own step, next to the memory bandwidth of the machine.
 ///
 ///     throughput [--json] [--particles N] [--flow N] [--steps N] [--rounds N] [--triad N] [--threads N]
 ///

@@ -37,10 +37,10 @@ TEST(RanksCost, writesAllRanksBesideOneAndWhatTheyTellEachOther)
   double before = 2.0;
   for (const nlohmann::json& entry : all.at("model"))
   {
-    const auto share = entry.at("work_fraction").get<double>();
-    EXPECT_LT(share, before) << entry;
-    EXPECT_GT(share, 0.0);
-    before = share;
+    const auto fraction = entry.at("work_fraction").get<double>();
+    EXPECT_LT(fraction, before) << entry;
+    EXPECT_GT(fraction, 0.0);
+    before = fraction;
   }
   EXPECT_EQ(all.at("model")[0].at("work_fraction").get<double>(), 1.0);
   EXPECT_EQ(all.at("model").back().at("ranks"), 1000);

@@ -2,7 +2,7 @@
 
 tribits_package(Rhegma)
 
-set(RHEGMA_VERSION 0.1.0)
+set(RHEGMA_VERSION 0.2.0)
 list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 include(RhegmaDefaults)
 include(RhegmaFindLibraries)

@@ -98,7 +98,7 @@ Simulation::Notes Simulation::goBack() { return engine_->goBack(); }
 bool Simulation::sound() const { return engine_->sound(); }
 double Simulation::wallSeconds() const { return engine_->wallSeconds(); }
 bool Simulation::continueFields(const std::string& folder) { return engine_->continueFields(folder); }
-double Simulation::stepShare() const { return engine_->stepShare(); }
+double Simulation::stepFraction() const { return engine_->stepFraction(); }
 double Simulation::stableTimeStep() const { return engine_->stableTimeStep(); }
 void Simulation::advance(double time) { engine_->advance(time); }
 

@@ -43,7 +43,7 @@ public:
   /// Makes the particles and the plan. Call once, before all that follows.
   void initialize();
 
-  /// What an application wants kept beside the state, by names of its own.
+  /// What an application wants kept next to the state, by names of its own.
   using Notes = std::map<std::string, std::string>;
 
   /// Writes the state as it is now to an HDF5 file (checkpoint/CheckpointFile.hpp): under another name first,
@@ -76,8 +76,8 @@ public:
   /// state worth keeping.
   bool sound() const;
 
-  /// Share of the stable step that is taken: 1, or less after goBack().
-  double stepShare() const;
+  /// Fraction of the stable step that is taken: 1, or less after goBack().
+  double stepFraction() const;
 
   /// The time step that the state allows now, times that share [s].
   double stableTimeStep() const;
@@ -105,9 +105,9 @@ public:
   /// Throws std::invalid_argument, naming those that there are, where no field has the name.
   ParticleCopy particleField(const std::string& name) const;
 
-  /// Gives heat to the particles that this rank has now, between steps: at constant strain, and booked in the
-  /// ledger's `heat`. The particles then hold just as much more; their temperatures rise by heat over
-  /// capacity.
+  /// Gives heat to the particles that this rank has now, between steps: at constant strain, and recorded in
+  /// the energy balance's `heat`. The particles then hold just as much more; their temperatures rise by heat
+  /// over capacity.
   ///
   /// \param joules of each particle, in the order of particleField() [J]; negative: taken away
   /// Throws std::invalid_argument, and gives nothing, where the scene has no section Thermal, where there are

@@ -31,7 +31,7 @@ public:
   void initialize() override { initialize(*run_); }
 
   double stableTimeStep() const override { return run_->stableTimeStep(); }
-  double stepShare() const override { return run_->stepShare(); }
+  double stepFraction() const override { return run_->stepFraction(); }
 
   void advance(double until) override
   {
@@ -44,7 +44,7 @@ public:
       run_->step(until, sample);
       if (sample)
       {
-        // Samples missed by a long step are left out, not bunched up.
+        // Samples missed by a step are left out, not bunched up.
         while (next_ <= state.clock.time)
           next_ += interval;
         Engine::last = state.sample.row;
@@ -58,7 +58,7 @@ public:
       }
       catch (...)
       {
-        // Who stops the run, on all ranks at once, reads the books as they are now.
+        // Who stops the run, on all ranks at once, reads the energy balance as they are now.
         measureEnergy(state);
         shareEnergyBalance(state);
         throw;
@@ -216,11 +216,11 @@ public:
 
   Notes goBack() override
   {
-    const double share = 0.5 * run_->stepShare();
+    const double fraction = 0.5 * run_->stepFraction();
     shareRecord(ranks(), held);
     Notes notes = load(held);
     keepOnFirst();
-    run_->takeShareOfStep(share);
+    run_->setStepFraction(fraction);
     return notes;
   }
 

@@ -35,7 +35,7 @@ public:
   const Ranks& ranks() const { return ranks_; }
   virtual void initialize() = 0;
   virtual double stableTimeStep() const = 0;
-  virtual double stepShare() const = 0;
+  virtual double stepFraction() const = 0;
   virtual void advance(double until) = 0;
   virtual nlohmann::json report() const = 0;
   virtual std::string plan() const = 0;

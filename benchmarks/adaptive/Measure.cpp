@@ -30,7 +30,7 @@ TimedRun uniform(const std::string& file, int parts)
   return sampledRun("uniform, cells / " + std::to_string(parts), scene);
 }
 
-/// \param everywhere whether large cells take short steps too
+/// \param everywhere whether large cells take substeps too
 TimedRun withLevels(const std::string& file, int levels, bool everywhere, double frontCells)
 {
   const Scene scene = readRefined(file);

@@ -1,5 +1,5 @@
 #pragma once
-/// Times a scene with cells that refine, beside the same scene without what makes it cheap.
+/// Times a scene with cells that refine, next to the same scene without what makes it cheap.
 
 #include <nlohmann/json.hpp>
 
@@ -13,7 +13,7 @@ struct AdaptiveEffort
 {
   int rounds = 5;         ///< batches of each run, of which the best counts
   int finer = 2;          ///< uniform runs: with cells of 1/2, 1/4, ... of the scene's
-  int levels = 0;         ///< if not 0, instead of uniform runs: up to how many levels short steps are timed
+  int levels = 0;         ///< if not 0, instead of uniform runs: up to how many levels substeps are timed
   double frontCells = 0;  ///< if not 0: Adaptivity > Front Cells in place of the scene's
   double interval = 2e-5; ///< simulated time of a batch [s]
 };
@@ -25,8 +25,8 @@ struct AdaptiveEffort
 /// \return {threads, runs} with the best round of each run
 nlohmann::json measureAdaptive(const std::string& sceneFile, const AdaptiveEffort& effort);
 
-/// Runs the scene with Adaptivity > Maximum Level = 1, 2, ... `levels`, each with short steps in all its
-/// small cells and with short steps everywhere (no Sub-Cycling), by turns and as above. \return {threads,
+/// Runs the scene with Adaptivity > Maximum Level = 1, 2, ... `levels`, each with substeps in all its
+/// small cells and with substeps everywhere (no Sub-Cycling), by turns and as above. \return {threads,
 /// levels} with the best round of both at each level
 nlohmann::json measureShortSteps(const std::string& sceneFile, const AdaptiveEffort& effort);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Times one scene whose cracks burn beside the same scene without.
+/// Times one scene whose cracks burn next to the same scene without.
 
 #include <nlohmann/json.hpp>
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Scenes as benchmarks run them, and what they say of runs beside each other.
+/// Scenes as benchmarks run them, and what they say of runs next to each other.
 
 #include "common/TimedRun.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Runs that are timed beside each other in one process.
+/// Runs that are timed next to each other in one process.
 
 #include "Simulation.hpp"
 
@@ -19,7 +19,7 @@ struct Batch
   double processorSeconds; ///< that the processors worked for this process, all threads together
   double simulated;        ///< time of the run that it covers [s]
   double steps;
-  double particleSteps; ///< short steps of small cells counted too
+  double particleSteps; ///< substeps of small cells counted too
 };
 
 /// A simulation and the times of its batches.

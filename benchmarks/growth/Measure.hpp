@@ -1,5 +1,5 @@
 #pragma once
-/// Times one scene whose cracks run beside the same scene with its cracks held.
+/// Times one scene whose cracks run next to the same scene with its cracks held.
 
 #include <nlohmann/json.hpp>
 

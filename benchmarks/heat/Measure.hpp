@@ -1,5 +1,5 @@
 #pragma once
-/// Times one scene with heat beside the same without, or heat alone by each method of conduction.
+/// Times one scene with heat next to the same without, or heat alone by each method of conduction.
 
 #include <nlohmann/json.hpp>
 
@@ -18,8 +18,8 @@ struct HeatEffort
 };
 
 /// Runs the scene in turn, round by round, so that whatever else the machine does strikes all runs alike:
-/// where bodies move with and without its heat, a step beside a step; with heat alone explicitly, by super
-/// time stepping and implicitly, time of the run beside time of the run. Kokkos must be running. Throws
+/// where bodies move with and without its heat, a step next to a step; with heat alone explicitly, by super
+/// time stepping and implicitly, time of the run next to time of the run. Kokkos must be running. Throws
 /// std::runtime_error where the scene's file can't be read and std::invalid_argument where it has no heat.
 /// \return {particles, threads, runs} with name, us (of a step, or of what an explicit step simulates) and
 /// ratio to the first

@@ -1,5 +1,5 @@
 #pragma once
-/// Times a scene on all ranks beside the same scene on one of them.
+/// Times a scene on all ranks next to the same scene on one of them.
 
 #include <nlohmann/json.hpp>
 
@@ -21,8 +21,8 @@ struct RanksEffort
 /// Runs the scene on the first rank alone, while the others sleep, and on all ranks, by turns. A batch takes
 /// as many samples of the history as the scene asks for in its time. MPI and Kokkos must be running.
 /// Collective. \return {ranks, runs, times_faster, messages, model}; messages: of the rank that sends the
-/// most of them, a step; model: how long a step takes, and which share of it is work, where each of P ranks
-/// has as much to do as the one run alone and as many neighbours as the ranks here
+/// most of them, a step; model: how long a step takes, and which fraction of it is work, where each of P
+/// ranks has as much to do as the one run alone and as many neighbours as the ranks here
 nlohmann::json measureRanks(const std::string& sceneFile, const RanksEffort& effort);
 
 } // namespace Rhegma::benchmarks

@@ -24,7 +24,7 @@ struct Criteria
   double frontCells = 0.0;        ///< 0: crack fronts do not matter
   double velocityChange = 0.0;    ///< over a cell; 0: it does not matter [m/s]
   double temperatureChange = 0.0; ///< over a cell; 0: it does not matter [K]
-  double coarsening = 0.5;        ///< share of the threshold below which cells become larger
+  double coarsening = 0.5;        ///< fraction of the threshold below which cells become larger
   int buffer = 1;                 ///< rings of cells round those that a change wants
   std::vector<Region<D>> regions;
 };

@@ -68,9 +68,9 @@ public:
     std::vector<int> mine(static_cast<std::size_t>(wanted[ranks_.rank()]));
     for (std::size_t k = 0; k < mine.size(); ++k)
       mine[k] = end_ + static_cast<int>(first + double(k) - all);
-    const std::vector<double> told = sendRows(ranks_, to, rows, 2);
-    for (std::size_t row = 0; row < told.size(); row += 2)
-      mine[static_cast<std::size_t>(told[row] - first)] = static_cast<int>(told[row + 1]);
+    const std::vector<double> reported = sendRows(ranks_, to, rows, 2);
+    for (std::size_t row = 0; row < reported.size(); row += 2)
+      mine[static_cast<std::size_t>(reported[row] - first)] = static_cast<int>(reported[row + 1]);
     return mine;
   }
 

@@ -25,7 +25,7 @@ struct MergeFamilies
   View<int * [parts<D>]> family;
   View<int*> accepted; ///< 1: merged, 2: kept for its energy
   View<int*> unlike;   ///< of each family: 1 where its parts differ in something that has no mean
-  /// Of each part of each family: its share of the undeformed volume. Parts may have burnt by different
+  /// Of each part of each family: its fraction of the undeformed volume. Parts may have burnt by different
   /// shares.
   View<double * [parts<D>]> share;
   TreeSight<D> sight;

@@ -17,10 +17,10 @@ struct Merged
 /// Merges whole families (the 2^D parts of one particle) whose particle would touch no leaf of a deeper level
 /// than its own, as long as one is found; families on two sides of a crack stay. Mass, volume now and before
 /// deformation and momentum are kept to round-off; stress and all that effects add becomes the mean. Kinetic
-/// and strain energy fall: the loss is returned, for the ledger. Leaves the particles unsorted. Families
-/// whose parts are on several ranks come together on that of the first part before. Collective.
+/// and strain energy fall: the loss is returned, for the energy balance. Leaves the particles unsorted.
+/// Families whose parts are on several ranks come together on that of the first part before. Collective.
 ///
-/// \param tolerance largest loss, or gain by rounding of a law with memory, as a share of what the family
+/// \param tolerance largest loss, or gain by rounding of a law with memory, as a fraction of what the family
 /// holds or, where that is more, of what its mass would hold at the mean of all particles
 template <int D>
 Merged mergeParticles(State<D>& state, double tolerance);

@@ -92,7 +92,7 @@ void bringTogether(State<D>& state, const View<int*>& small)
   std::map<Parent, std::vector<int>> own;
   for (std::size_t i = 0; i < list.extent(0); ++i)
     own[{fromAncestor(list(i)), fromLevel(list(i)), fromLineage(list(i)) >> D}].push_back(list(i));
-  std::vector<double> told;
+  std::vector<double> reported;
   for (const auto& [parent, rows] : own)
   {
     if (rows.size() == 1 << D)
@@ -112,14 +112,14 @@ void bringTogether(State<D>& state, const View<int*>& small)
         one.low[d] = one.high[d] = cell[d];
       parts.add(one);
     }
-    told.insert(told.end(), parent.begin(), parent.end());
-    parts.append(told);
+    reported.insert(reported.end(), parent.begin(), parent.end());
+    parts.append(reported);
   }
-  told = state.ranks.gatherOnAll(told);
+  reported = state.ranks.gatherOnAll(reported);
   std::map<Parent, Parts<D>> all;
-  for (std::size_t k = 0; k < told.size(); k += 3 + Parts<D>::width)
-    all[{static_cast<int>(told[k]), static_cast<int>(told[k + 1]), static_cast<int>(told[k + 2])}].add(
-        Parts<D>(&told[k + 3]));
+  for (std::size_t k = 0; k < reported.size(); k += 3 + Parts<D>::width)
+    all[{static_cast<int>(reported[k]), static_cast<int>(reported[k + 1]), static_cast<int>(reported[k + 2])}]
+        .add(Parts<D>(&reported[k + 3]));
   if (std::none_of(all.begin(), all.end(), [&](const auto& one) { return one.second.mayMeet(division); }))
     return;
   std::vector<int> owner(state.particles.size(), state.ranks.rank());

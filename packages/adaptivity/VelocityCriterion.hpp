@@ -27,7 +27,7 @@ struct LevelCell
 /// \param keeping of a cell that is refined already: the mean is that over all of it
 /// \param deepest leaves of this level and deeper are left as they are
 /// \param gradient field of the particles that holds it
-/// \return leaves above `threshold` and refined cells above `keeping`, by level and place
+/// \return leaves above `threshold` and refined cells above `keeping`, by level and position
 template <int D>
 std::vector<LevelCell<D>> cellsOfFastChange(const State<D>& state, double threshold, double keeping,
                                             int deepest, const std::string& gradient = fields::rate);

@@ -52,8 +52,8 @@ double BurnRate::operator()(double pressure) const
   if (above == points_.end())
     return points_.back().second;
   const auto below = above - 1;
-  const double share = (p - below->first) / (above->first - below->first);
-  return below->second + share * (above->second - below->second);
+  const double fraction = (p - below->first) / (above->first - below->first);
+  return below->second + fraction * (above->second - below->second);
 }
 
 } // namespace Rhegma::combustion

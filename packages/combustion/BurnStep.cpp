@@ -16,7 +16,7 @@ namespace
 /// Of what a face should burn, what the particles must have for it to go on.
 constexpr double leastFuel = 0.5;
 
-/// Smallest cells that faces are apart when the particles beside them may be too far from the crack's own
+/// Smallest cells that faces are apart when the particles next to them may be too far from the crack's own
 /// line to have stored stencils.
 constexpr double farApart = 2.0;
 
@@ -84,14 +84,14 @@ double massAsked(const State<D>& state, const Work<D>& work, int crack)
   return mass;
 }
 
-/// Gives the faces their share of the heat of the mass that has burnt there, and what passes by the
-/// difference of temperatures. \param share of what was asked for that has burnt
+/// Gives the faces their fraction of the heat of the mass that has burnt there, and what passes by the
+/// difference of temperatures. \param fraction of what was asked for that has burnt
 template <int D>
-void heatFaces(State<D>& state, Work<D>& work, Burning<D>& b, double share)
+void heatFaces(State<D>& state, Work<D>& work, Burning<D>& b, double fraction)
 {
   const FacePoints<D> p = work.points;
   const View<double*> depths = work.depth, given = work.heating.given, taken = work.taken;
-  const double heat = b.wallFraction * share * b.gas.law().heatCapacity() * b.gas.law().flameTemperature;
+  const double heat = b.wallFraction * fraction * b.gas.law().heatCapacity() * b.gas.law().flameTemperature;
   const int crack = b.crack;
   Kokkos::parallel_for(
       "rhegma::combustion::givenHeat", Kokkos::RangePolicy<ExecSpace>(0, p.count()),
@@ -125,7 +125,7 @@ template <int D>
 void burnStep(State<D>& state, Work<D>& work, Burning<D>& b)
 {
   const double gasBefore = b.gas.mass();
-  const bool heated = b.looksAtFaces();
+  const bool heated = b.usesFaces();
   if (heated)
     work.heat.measure(state, work.points);
   if (heated)
@@ -171,7 +171,7 @@ void burnStep(State<D>& state, Work<D>& work, Burning<D>& b)
   else if (b.discharge > 0.0)
   {
     gone = state.clock.dt *
-           b.gas.outflow(b.discharge * mouthArea(state, b.crack, b.mirrors), b.volume, b.outside);
+           b.gas.outflow(b.discharge * surfaceEndArea(state, b.crack, b.mirrors), b.volume, b.outside);
     gone = std::min(gone, 0.5 * b.gas.mass());
     b.gas.vent(gone, b.volume);
   }

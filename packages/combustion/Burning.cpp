@@ -112,10 +112,10 @@ Burning<D> readBurning(const State<D>& state, const Teuchos::ParameterList& scen
   if (list.get<bool>("Venting"))
   {
     b.discharge = list.get<double>("Discharge Coefficient");
-    if (!hasMouth(state, b.crack, {}))
+    if (!hasSurfaceEnd(state, b.crack, {}))
       throw std::invalid_argument(path + " > Venting: the crack does not reach the surface of its body, so "
                                          "no gas can flow out; write false");
-    if (!hasMouth(state, b.crack, b.mirrors))
+    if (!hasSurfaceEnd(state, b.crack, b.mirrors))
       throw std::invalid_argument(
           path +
           " > Venting: the crack ends only at a plane of symmetry, so no gas can flow out; write false");

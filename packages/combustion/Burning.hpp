@@ -49,7 +49,7 @@ struct Burning
   double hottestFace = 0.0; ///< at the start of the step [K]
 
   bool heatsFaces() const { return wallFraction > 0.0 || transfer > 0.0; }
-  bool looksAtFaces() const { return heatsFaces() || ignition.byTemperature(); }
+  bool usesFaces() const { return heatsFaces() || ignition.byTemperature(); }
   void keep(Archive& archive);
 };
 

@@ -14,11 +14,11 @@ namespace Rhegma::combustion
 namespace
 {
 
-/// Calls mouth(vertices of the facet) for each facet of the crack beyond which there is the surface of the
-/// body (facet::mouth) or another crack (facet::joined).
-template <int D, class Mouth>
-void forEachMouth(const State<D>& state, int crack, int beyond, const std::vector<MirrorPlane>& mirrors,
-                  const Mouth& mouth)
+/// Calls surface-breaking end(vertices of the facet) for each facet of the crack beyond which there is the
+/// surface of the body (facet::mouth) or another crack (facet::joined).
+template <int D, class SurfaceEnd>
+void forEachSurfaceEnd(const State<D>& state, int crack, int beyond, const std::vector<MirrorPlane>& mirrors,
+                       const SurfaceEnd& surfaceEnd)
 {
   const CrackSet<D>& cracks = state.cracks;
   const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
@@ -42,7 +42,7 @@ void forEachMouth(const State<D>& state, int crack, int beyond, const std::vecto
                                { return isOn(plane, vertex(v, plane.axis), state.mesh.smallestSpacing()); });
           });
       if (!mirrored)
-        mouth(corner);
+        surfaceEnd(corner);
     }
 }
 
@@ -57,19 +57,20 @@ std::array<double, 2> endAreas(const State<D>& state, int crack, int beyond,
   const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertexNormal);
   const int first = cracks.cracks[crack].firstVertex;
   std::array<double, 2> area{};
-  forEachMouth(state, crack, beyond, mirrors,
-               [&](const int(&corner)[D - 1])
-               {
-                 double opening = 0.0, square = 0.0;
-                 for (const int v : corner)
-                   for (int d = 0; d < D; ++d)
-                   {
-                     opening += normal(v, d) * (face(v, 1, d) - face(v, 0, d)) / (D - 1);
-                     square += (vertex(v, d) - vertex(corner[0], d)) * (vertex(v, d) - vertex(corner[0], d));
-                   }
-                 area[corner[0] == first ? 0 : 1] +=
-                     std::max(opening, 0.0) * (D == 2 ? state.method.thickness : std::sqrt(square));
-               });
+  forEachSurfaceEnd(state, crack, beyond, mirrors,
+                    [&](const int(&corner)[D - 1])
+                    {
+                      double opening = 0.0, square = 0.0;
+                      for (const int v : corner)
+                        for (int d = 0; d < D; ++d)
+                        {
+                          opening += normal(v, d) * (face(v, 1, d) - face(v, 0, d)) / (D - 1);
+                          square +=
+                              (vertex(v, d) - vertex(corner[0], d)) * (vertex(v, d) - vertex(corner[0], d));
+                        }
+                      area[corner[0] == first ? 0 : 1] +=
+                          std::max(opening, 0.0) * (D == 2 ? state.method.thickness : std::sqrt(square));
+                    });
   return area;
 }
 
@@ -98,9 +99,10 @@ Cavity measureCavity(const State<D>& state, const FacePoints<D>& points, int cra
 }
 
 template <int D>
-std::array<double, 2> mouthAreas(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors)
+std::array<double, 2> surfaceEndAreas(const State<D>& state, int crack,
+                                      const std::vector<MirrorPlane>& mirrors)
 {
-  return endAreas(state, crack, facet::mouth, mirrors);
+  return endAreas(state, crack, facet::surfaceEnd, mirrors);
 }
 
 template <int D>
@@ -110,17 +112,17 @@ std::array<double, 2> joinedAreas(const State<D>& state, int crack)
 }
 
 template <int D>
-double mouthArea(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors)
+double surfaceEndArea(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors)
 {
-  const std::array<double, 2> ends = mouthAreas(state, crack, mirrors);
+  const std::array<double, 2> ends = surfaceEndAreas(state, crack, mirrors);
   return ends[0] + ends[1];
 }
 
 template <int D>
-bool hasMouth(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors)
+bool hasSurfaceEnd(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors)
 {
   bool any = false;
-  forEachMouth(state, crack, facet::mouth, mirrors, [&](const int(&)[D - 1]) { any = true; });
+  forEachSurfaceEnd(state, crack, facet::surfaceEnd, mirrors, [&](const int(&)[D - 1]) { any = true; });
   return any;
 }
 
@@ -131,7 +133,7 @@ double distanceFromCrack(const CrackSet<D>& cracks, int crack, const Vector<D>& 
   const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
   const Crack<D>& c = cracks.cracks[crack];
   double least = std::numeric_limits<double>::max();
-  // From enough places in each simplex: a tenth of its edges apart.
+  // From enough positions in each simplex: a tenth of its edges apart.
   constexpr int cuts = 10;
   for (int s = c.firstSimplex; s < c.firstSimplex + c.numSimplices; ++s)
     for (int i = 0; i <= cuts; ++i)
@@ -155,12 +157,12 @@ double distanceFromCrack(const CrackSet<D>& cracks, int crack, const Vector<D>& 
 
 template Cavity measureCavity(const State<2>&, const FacePoints<2>&, int, const View<int*>&);
 template Cavity measureCavity(const State<3>&, const FacePoints<3>&, int, const View<int*>&);
-template double mouthArea(const State<2>&, int, const std::vector<MirrorPlane>&);
-template double mouthArea(const State<3>&, int, const std::vector<MirrorPlane>&);
-template std::array<double, 2> mouthAreas(const State<2>&, int, const std::vector<MirrorPlane>&);
-template std::array<double, 2> mouthAreas(const State<3>&, int, const std::vector<MirrorPlane>&);
-template bool hasMouth(const State<2>&, int, const std::vector<MirrorPlane>&);
-template bool hasMouth(const State<3>&, int, const std::vector<MirrorPlane>&);
+template double surfaceEndArea(const State<2>&, int, const std::vector<MirrorPlane>&);
+template double surfaceEndArea(const State<3>&, int, const std::vector<MirrorPlane>&);
+template std::array<double, 2> surfaceEndAreas(const State<2>&, int, const std::vector<MirrorPlane>&);
+template std::array<double, 2> surfaceEndAreas(const State<3>&, int, const std::vector<MirrorPlane>&);
+template bool hasSurfaceEnd(const State<2>&, int, const std::vector<MirrorPlane>&);
+template bool hasSurfaceEnd(const State<3>&, int, const std::vector<MirrorPlane>&);
 template std::array<double, 2> joinedAreas(const State<2>&, int);
 template std::array<double, 2> joinedAreas(const State<3>&, int);
 template double distanceFromCrack(const CrackSet<2>&, int, const Vector<2>&, const Vector<2>&);

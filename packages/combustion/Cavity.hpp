@@ -23,22 +23,23 @@ struct Cavity
 template <int D>
 Cavity measureCavity(const State<D>& state, const FacePoints<D>& points, int crack, const View<int*>& lit);
 
-/// Area through which a crack opens at the surface of the body [m2]: the opening at its mouths, those on
-/// mirror planes left out.
+/// Area through which a crack opens at the surface of the body [m2]: the opening at its surface-breaking
+/// ends, those on mirror planes left out.
 template <int D>
-double mouthArea(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors);
+double surfaceEndArea(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors);
 /// The same of the first and the last end of a crack in 2D.
 template <int D>
-std::array<double, 2> mouthAreas(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors);
+std::array<double, 2> surfaceEndAreas(const State<D>& state, int crack,
+                                      const std::vector<MirrorPlane>& mirrors);
 
 /// Area through which the first and the last end of a crack in 2D open into another crack, on which it has
 /// ended [m2].
 template <int D>
 std::array<double, 2> joinedAreas(const State<D>& state, int crack);
 
-/// Whether the crack has a mouth, those on mirror planes left out.
+/// Whether the crack has a surface-breaking end, those on mirror planes left out.
 template <int D>
-bool hasMouth(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors);
+bool hasSurfaceEnd(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors);
 
 /// Distance of a box from a crack [m]; 0 where it meets it.
 template <int D>

@@ -21,10 +21,10 @@ double sum(const std::vector<double>& values) { return std::accumulate(values.be
 
 } // namespace
 
-void Channel::place(const std::vector<double>& length, const std::vector<double>& fixedRoom)
+void Channel::place(const std::vector<double>& length, const std::vector<double>& fixedCapacity)
 {
   length_ = length;
-  fixed_ = fixedRoom;
+  fixed_ = fixedCapacity;
   const std::size_t n = length.size();
   for (std::vector<double>* field : {&volume_, &mass_, &momentum_, &energy_, &swept_, &burnt_})
     field->assign(n, 0.0);
@@ -92,15 +92,15 @@ void Channel::cutAnew(const std::vector<double>& length, double from, double to,
       with.push_back(static_cast<int>(k));
   const auto spread = [&](int source, int first, int last) // cells first .. last, of which source has gas
   {
-    double room = 0.0;
+    double capacity = 0.0;
     for (int k = first; k <= last; ++k)
-      room += volume_[k];
+      capacity += volume_[k];
     const double m = mass_[source], P = momentum_[source], E = energy_[source];
     for (int k = first; k <= last; ++k)
     {
-      mass_[k] = m * volume_[k] / room;
-      momentum_[k] = P * volume_[k] / room;
-      energy_[k] = E * volume_[k] / room;
+      mass_[k] = m * volume_[k] / capacity;
+      momentum_[k] = P * volume_[k] / capacity;
+      energy_[k] = E * volume_[k] / capacity;
     }
   };
   if (with.empty())
@@ -265,7 +265,7 @@ void Channel::flow(double h, const ChannelSupply& supply, ChannelLoss& loss)
   wall(0, -1.0, supply.first, 0);
   wall(n - 1, 1.0, supply.last, n);
   for (int k = 0; k < n; ++k)
-    left_[k].pressure = pressure(k); // of the walls beside the passages
+    left_[k].pressure = pressure(k); // of the walls next to the passages
   for (int k = 0; k < n; ++k)
   {
     const double a = passage_[k], b = passage_[k + 1];

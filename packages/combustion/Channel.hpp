@@ -32,7 +32,7 @@ struct ChannelSupply
 {
   std::vector<double> opened; ///< by the faces [m3]
   std::vector<double> burnt;  ///< [kg]
-  std::vector<double> heat;   ///< with what burns, beside that of its flame, less what walls take [J]
+  std::vector<double> heat;   ///< with what burns, next to that of its flame, less what walls take [J]
   double work = 0.0;          ///< that the faces got for what they opened [J]
   ChannelEnd first{}, last{}; ///< of the channel
 };
@@ -64,7 +64,7 @@ public:
   }
 
   /// Cells of the lengths [m] in which there is nothing, with room that no face opens [m3].
-  void place(const std::vector<double>& length, const std::vector<double>& fixedRoom);
+  void place(const std::vector<double>& length, const std::vector<double>& fixedCapacity);
   /// Fills the room there is.
   void fill(double pressure, double temperature);
 

@@ -89,11 +89,11 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
                [work](State<D>& s)
                {
                  work->follow(s);
-                 followMeetings(s, *work);
+                 updateMeetings(s, *work);
                  for (Burning<D>& b : work->cracks)
                    pushByGas(s, *work, b);
                }});
-  effect.call({stageOfWays(scene),
+  effect.call({stageOfFaceVelocity(scene),
                "work of gas and burning of crack faces",
                {projectsLast(scene) ? quantity::projection : quantity::particleVelocity},
                {},
@@ -101,7 +101,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
                [work](State<D>& s)
                {
                  for (Burning<D>& b : work->cracks)
-                   bookGasWork(s, *work, b);
+                   recordGasWork(s, *work, b);
                  for (Burning<D>& b : work->cracks)
                    burnStep(s, *work, b);
                  letGasesPass(s, *work);

@@ -35,7 +35,7 @@ void checkDensity(const Teuchos::ParameterList& scene, const Teuchos::ParameterL
   }
   if (!known.empty())
     errors.push_back(
-        {path + " > Solid Density", "no material of the scene has this density; " + inWords(known, ", ")});
+        {path + " > Solid Density", "no material of the scene has this density; " + asText(known, ", ")});
 }
 
 void checkIgnition(const Teuchos::ParameterList& list, const std::string& path,

@@ -12,12 +12,12 @@ namespace Rhegma::combustion
 namespace
 {
 
-/// Ends of the old cells this share of a cell from those of the new ones are the same.
+/// Ends of the old cells this fraction of a cell from those of the new ones are the same.
 constexpr double sameEnd = 0.25;
 
 } // namespace
 
-/// Place along the cells as they are now that is the nearest to one in space [m].
+/// Place along the cells as they are now that is the nearest to one in 3D [m].
 template <int D>
 double CrackFlow<D>::arcAt(const FacePoints<D>& points, const Vector<D>& place) const
 {
@@ -62,10 +62,10 @@ void CrackFlow<D>::follow(const FacePoints<D>& points, int crack, double cavity,
   const double whole = std::accumulate(length_.begin(), length_.end(), 0.0);
   if (before.empty())
   {
-    std::vector<double> room(length_.size());
-    for (std::size_t k = 0; k < room.size(); ++k)
-      room[k] = cavity * length_[k] / whole;
-    channel_.place(length_, room);
+    std::vector<double> capacity(length_.size());
+    for (std::size_t k = 0; k < capacity.size(); ++k)
+      capacity[k] = cavity * length_[k] / whole;
+    channel_.place(length_, capacity);
   }
   else
   {

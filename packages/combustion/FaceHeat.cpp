@@ -22,7 +22,7 @@ void FaceHeat<D>::measure(const State<D>& state, const FacePoints<D>& points)
   weigh(state);
   sumOverRanks(state, nodes_.data(), D + 3, 0, D + 2);
   findTemperatures(state);
-  lookAtFaces(state, points);
+  checkFaces(state, points);
   sumParts(state, View<double*>(atFaces_.data(), 2 * points.count()));
 }
 
@@ -67,11 +67,11 @@ void FaceHeat<D>::weigh(const State<D>& state) const
         for (int e = 0; e < table.count(r); ++e)
         {
           const int n = table.node(r, e);
-          const double share = table.weight(r, e) * c;
-          Kokkos::atomic_add(&sums(n, capacityAt), share);
-          Kokkos::atomic_add(&sums(n, heatAt), share * T);
+          const double fraction = table.weight(r, e) * c;
+          Kokkos::atomic_add(&sums(n, capacityAt), fraction);
+          Kokkos::atomic_add(&sums(n, heatAt), fraction * T);
           for (int d = 0; d < D; ++d)
-            Kokkos::atomic_add(&sums(n, momentAt + d), share * gradient(p, d));
+            Kokkos::atomic_add(&sums(n, momentAt + d), fraction * gradient(p, d));
         }
       });
 }
@@ -80,7 +80,7 @@ template <int D>
 void FaceHeat<D>::findTemperatures(const State<D>& state) const
 {
   const Nodes<D> nodes = state.mesh.nodes;
-  const NodePlaces<D> places = nodePlaces(state);
+  const NodePositions<D> positions = nodePositions(state);
   const auto sums = nodes_;
   const Vector<D> origin =
       state.mesh.subdomain ? state.mesh.subdomain->division.lattice.origin : state.mesh.grid.origin;
@@ -90,7 +90,7 @@ void FaceHeat<D>::findTemperatures(const State<D>& state) const
         const int n = activeNode(nodes, i);
         if (!(sums(n, capacityAt) > 0.0))
           return;
-        const Vector<D> x = places(latticeNode(nodes, n)) - origin;
+        const Vector<D> x = positions(latticeNode(nodes, n)) - origin;
         double heat = sums(n, heatAt);
         for (int d = 0; d < D; ++d)
           heat += x[d] * sums(n, momentAt + d);
@@ -121,7 +121,7 @@ KOKKOS_INLINE_FUNCTION double atFace(const StencilTable<D>& face, int k, const T
 } // namespace
 
 template <int D>
-void FaceHeat<D>::lookAtFaces(const State<D>&, const FacePoints<D>& points) const
+void FaceHeat<D>::checkFaces(const State<D>&, const FacePoints<D>& points) const
 {
   const FacePoints<D> p = points;
   const auto sums = nodes_;
@@ -194,9 +194,9 @@ void FaceHeat<D>::change(const State<D>& state) const
         const double C = sums(n, capacityAt), H = asked(n, 0);
         if (!(C > 0.0))
           return;
-        const double share = H > 0.0 ? -std::expm1(-H / C) * C / H : 0.0;
-        const double heat = share * (asked(n, 1) - H * sums(n, temperatureAt)) + asked(n, 2);
-        asked(n, shareAt) = share;
+        const double fraction = H > 0.0 ? -std::expm1(-H / C) * C / H : 0.0;
+        const double heat = fraction * (asked(n, 1) - H * sums(n, temperatureAt)) + asked(n, 2);
+        asked(n, fractionAt) = fraction;
         asked(n, changeAt) = heat / C;
       });
 }
@@ -225,7 +225,7 @@ void FaceHeat<D>::charge(const State<D>& state, const FacePoints<D>& points, int
             const int n = face.node(k, e);
             if (sums(n, capacityAt) > 0.0)
               taken(k) += face.weight(k, e) * area *
-                          (asked(n, shareAt) * heat.conductance(k) *
+                          (asked(n, fractionAt) * heat.conductance(k) *
                                (heat.gasTemperature(k) - sums(n, temperatureAt)) +
                            heat.given(k));
           }

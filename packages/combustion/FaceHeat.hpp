@@ -32,7 +32,7 @@ public:
   /// Of the faces at each point, below and above [K]; 0 where a face has no nodes. All ranks have all.
   const View<double* [2]>& temperature() const { return atFaces_; }
 
-  /// Heats the faces of a crack after `measure`; books it under `heat`. Collective.
+  /// Heats the faces of a crack after `measure`; records it under `heat`. Collective.
   /// \param taken by both faces at each point, of all ranks [J]
   void give(State<D>& state, const FacePoints<D>& points, int crack, const FaceHeating& heating,
             const View<double*>& taken);
@@ -41,7 +41,7 @@ public:
   void clear(const State<D>& state) const;
   void weigh(const State<D>& state) const;
   void findTemperatures(const State<D>& state) const;
-  void lookAtFaces(const State<D>& state, const FacePoints<D>& points) const;
+  void checkFaces(const State<D>& state, const FacePoints<D>& points) const;
   void ask(const State<D>& state, const FacePoints<D>& points, int crack, const FaceHeating& heating) const;
   void change(const State<D>& state) const;
   void charge(const State<D>& state, const FacePoints<D>& points, int crack, const FaceHeating& heating,
@@ -53,10 +53,10 @@ private:
   /// [K].
   View<double * [D + 3]> nodes_;
   static constexpr int capacityAt = 0, heatAt = 1, momentAt = 2, temperatureAt = D + 2;
-  /// Of each node: H [J/K], H T_gas [J], heat that is given [J]; then share of H that acts [-], change of
+  /// Of each node: H [J/K], H T_gas [J], heat that is given [J]; then fraction of H that acts [-], change of
   /// temperature [K].
   View<double* [5]> asked_;
-  static constexpr int shareAt = 3, changeAt = 4;
+  static constexpr int fractionAt = 3, changeAt = 4;
   View<double* [2]> atFaces_;
 };
 

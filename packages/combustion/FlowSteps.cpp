@@ -20,7 +20,7 @@ auto onHost(const AnyView& view)
 
 /// Says what has become of a gas that can't go on.
 template <int D>
-void lookForTrouble(State<D>& state, const Burning<D>& b)
+void findFailure(State<D>& state, const Burning<D>& b)
 {
   if (!b.flow.channel().sound() && state.failure.empty())
     state.failure =
@@ -44,7 +44,7 @@ void pushByFlow(State<D>& state, const FacePoints<D>& points, Burning<D>& b, con
   const bool first = !b.filled;
   b.filled = true;
   b.volume = channel.allVolume();
-  lookForTrouble(state, b);
+  findFailure(state, b);
   if (!state.failure.empty())
     return;
   const auto host = onHost(pressure);
@@ -62,10 +62,10 @@ void pushByFlow(State<D>& state, const FacePoints<D>& points, Burning<D>& b, con
 }
 
 template <int D>
-void bookFlow(State<D>& state, const FacePoints<D>& points, Burning<D>& b, const View<double*>& pressure,
-              const View<double*>& swept)
+void recordFlow(State<D>& state, const FacePoints<D>& points, Burning<D>& b, const View<double*>& pressure,
+                const View<double*>& swept)
 {
-  // Each rank books its own part.
+  // Each rank records its own part.
   state.energy.combustion += workOnFaces("rhegma::combustion::work", state, points, b.crack, pressure);
   Kokkos::deep_copy(swept, 0.0);
   sweptVolumes("rhegma::combustion::sweep", state, points, b.crack, swept);
@@ -134,29 +134,29 @@ void moveFlow(State<D>& state, const FacePoints<D>& points, Burning<D>& b, const
   b.supply.heat.assign(count, 0.0);
   for (int k = 0; k < count; ++k)
   {
-    const double share =
+    const double fraction =
         asked > 0.0 && acts(first + k) != 0 ? depths(first + k) * size(first + k) / asked : 0.0;
-    b.supply.burnt[k] = share * mass;
-    b.supply.heat[k] = share * heat - (b.heatsFaces() ? gone(first + k) : 0.0);
+    b.supply.burnt[k] = fraction * mass;
+    b.supply.heat[k] = fraction * heat - (b.heatsFaces() ? gone(first + k) : 0.0);
   }
   if (b.discharge > 0.0)
   {
-    const std::array<double, 2> mouth = mouthAreas(state, b.crack, b.mirrors);
-    b.supply.first = {b.discharge * mouth[0], b.outside};
-    b.supply.last = {b.discharge * mouth[1], b.outside};
+    const std::array<double, 2> surfaceEnd = surfaceEndAreas(state, b.crack, b.mirrors);
+    b.supply.first = {b.discharge * surfaceEnd[0], b.outside};
+    b.supply.last = {b.discharge * surfaceEnd[1], b.outside};
   }
   const ChannelLoss loss = channel.advance(state.clock.dt, b.supply, b.density);
   b.gas.takeOut(loss.mass, loss.energy);
   b.gas.heatWalls(loss.walls);
-  lookForTrouble(state, b);
+  findFailure(state, b);
 }
 
 template void pushByFlow(State<2>&, const FacePoints<2>&, Burning<2>&, const View<double*>&);
 template void pushByFlow(State<3>&, const FacePoints<3>&, Burning<3>&, const View<double*>&);
-template void bookFlow(State<2>&, const FacePoints<2>&, Burning<2>&, const View<double*>&,
-                       const View<double*>&);
-template void bookFlow(State<3>&, const FacePoints<3>&, Burning<3>&, const View<double*>&,
-                       const View<double*>&);
+template void recordFlow(State<2>&, const FacePoints<2>&, Burning<2>&, const View<double*>&,
+                         const View<double*>&);
+template void recordFlow(State<3>&, const FacePoints<3>&, Burning<3>&, const View<double*>&,
+                         const View<double*>&);
 template void prepareFlow(const State<2>&, const FacePoints<2>&, const Burning<2>&, const View<int*>&, double,
                           const View<double*>&, const FaceHeating&);
 template void prepareFlow(const State<3>&, const FacePoints<3>&, const Burning<3>&, const View<int*>&, double,

@@ -14,8 +14,8 @@ void pushByFlow(State<D>& state, const FacePoints<D>& points, Burning<D>& b, con
 
 /// Books what they did on the faces, and what room these opened. \param swept of each face point [m3]
 template <int D>
-void bookFlow(State<D>& state, const FacePoints<D>& points, Burning<D>& b, const View<double*>& pressure,
-              const View<double*>& swept);
+void recordFlow(State<D>& state, const FacePoints<D>& points, Burning<D>& b, const View<double*>& pressure,
+                const View<double*>& swept);
 
 /// What burns at each face point in this step, if it burns, and how the gas there warms it. \param most that
 /// may burn anywhere [kg/m2]

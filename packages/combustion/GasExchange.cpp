@@ -10,8 +10,8 @@ namespace Rhegma::combustion
 namespace
 {
 
-/// Share of what is left to flow that flows in one step, by the rate and the enthalpy in its middle.
-constexpr double stepShare = 0.05;
+/// Fraction of what is left to flow that flows in one step, by the rate and the enthalpy in its middle.
+constexpr double stepFraction = 0.05;
 /// Difference of the pressures over the larger below which the rate goes with its root, as that of a fluid
 /// that keeps its density: to first order in this.
 constexpr double small = 1e-3;
@@ -78,11 +78,11 @@ void exchange(Gas& one, double volumeOne, Gas& two, double volumeTwo, double are
     if (from.pressure() - to.pressure() < small * from.pressure())
     {
       // Of dx/dt = - q (x / x0)^(1/2), which comes to rest after 2 x0 / q.
-      const double share = std::max(1.0 - 0.5 * rate * time / left, 0.0);
-      move(from, to, left * (1.0 - share * share), enthalpy);
+      const double fraction = std::max(1.0 - 0.5 * rate * time / left, 0.0);
+      move(from, to, left * (1.0 - fraction * fraction), enthalpy);
       break;
     }
-    const double step = std::min(time, stepShare * left / rate);
+    const double step = std::min(time, stepFraction * left / rate);
     Filled fromThen = from, toThen = to;
     move(fromThen, toThen, 0.5 * step * rate, enthalpy);
     move(from, to, step * fromThen.gas.outflow(area, from.volume, toThen.pressure()),

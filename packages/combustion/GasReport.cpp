@@ -50,7 +50,7 @@ double heatedDepth(const State<D>& state)
 template <int D>
 void warnOfThinSkin(const State<D>& state, const Burning<D>& b, nlohmann::json& summary)
 {
-  if (!b.looksAtFaces() || state.clock.step == 0 || b.hottestFace == 0.0)
+  if (!b.usesFaces() || state.clock.step == 0 || b.hottestFace == 0.0)
     return;
   const double depth = heatedDepth(state), cell = state.mesh.smallestSpacing();
   if (depth >= cell)
@@ -91,7 +91,7 @@ void sampleGas(State<D>& state, const Work<D>& work)
       state.sample.row.emplace_back(name + ".pressure_lowest", along.empty() ? 0.0 : *ends.first);
       state.sample.row.emplace_back(name + ".pressure_highest", along.empty() ? 0.0 : *ends.second);
     }
-    if (b.looksAtFaces())
+    if (b.usesFaces())
       state.sample.row.emplace_back(name + ".face_temperature", b.hottestFace);
   }
 }
@@ -108,7 +108,8 @@ void reportGas(const State<D>& state, const Work<D>& work, nlohmann::json& summa
     entry["burnt_mass"] = gas.burnt();
     const double released = gas.burnt() * gas.law().heatCapacity() * gas.law().flameTemperature;
     const double given = gas.startEnergy() + released + gas.solidHeat() + gas.passedEnergy();
-    // What flows has its mass and energy in its cells: that they are the books' is no matter of course.
+    // What flows has its mass and energy in its cells: that they are the energy balance' is no matter of
+    // course.
     const double mass = b.flows ? b.flow.channel().allMass() : gas.mass();
     const double energy = b.flows ? b.flow.channel().allEnergy() : gas.energy();
     const double taken = gas.workDone() + gas.ventedEnergy() + gas.wallHeat();
@@ -128,7 +129,7 @@ void reportGas(const State<D>& state, const Work<D>& work, nlohmann::json& summa
                     {"energy_kept", given > 0.0 ? (energy + taken) / given : 1.0}};
     if (b.flows)
       entry["gas"]["pressures"] = pressuresAlong(b.flow.channel());
-    if (b.looksAtFaces())
+    if (b.usesFaces())
       entry["gas"]["hottest_face"] = b.hottestFace;
     warnOfThinSkin(state, b, summary);
     total += gas.startMass();

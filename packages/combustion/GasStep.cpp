@@ -35,21 +35,21 @@ template <int D>
 void pushByGas(State<D>& state, const Work<D>& work, Burning<D>& b)
 {
   const FacePoints<D>& points = work.points;
-  const Cavity room = measureCavity(state, points, b.crack, work.fire.lit());
+  const Cavity capacity = measureCavity(state, points, b.crack, work.fire.lit());
   const std::string& name = state.cracks.cracks[b.crack].name;
-  b.faces = 2.0 * room.felt;
-  b.felt = b.felt || room.felt > 0.0;
+  b.faces = 2.0 * capacity.felt;
+  b.felt = b.felt || capacity.felt > 0.0;
   if (!b.felt)
     state.failure = "Combustion > " + name +
                     ": no face of this crack lies in a body, so nothing can burn; move the crack into a body";
-  warnOfWideOpening(state, b, room.widest);
+  warnOfWideOpening(state, b, capacity.widest);
   if (b.flows)
   {
     if (state.failure.empty())
       pushByFlow(state, points, b, work.pressure);
     return;
   }
-  b.volume = b.cavity + b.gap * room.area + b.swept + b.gas.burnt() / b.density;
+  b.volume = b.cavity + b.gap * capacity.area + b.swept + b.gas.burnt() / b.density;
   const double before = b.pressure;
   if (!b.filled)
     b.gas.fill(b.startPressure, b.startTemperature, b.volume);
@@ -69,12 +69,12 @@ void pushByGas(State<D>& state, const Work<D>& work, Burning<D>& b)
 }
 
 template <int D>
-void bookGasWork(State<D>& state, const Work<D>& work, Burning<D>& b)
+void recordGasWork(State<D>& state, const Work<D>& work, Burning<D>& b)
 {
   const FacePoints<D>& points = work.points;
   if (b.flows)
-    return bookFlow(state, points, b, work.pressure, work.swept);
-  // Each rank books its own part.
+    return recordFlow(state, points, b, work.pressure, work.swept);
+  // Each rank records its own part.
   state.energy.combustion +=
       workOnFaces("rhegma::combustion::work", state, points, b.crack, b.pressure - b.outside);
   sweptVolumes("rhegma::combustion::sweep", state, points, b.crack, work.swept);
@@ -96,7 +96,7 @@ void bookGasWork(State<D>& state, const Work<D>& work, Burning<D>& b)
 
 template void pushByGas(State<2>&, const Work<2>&, Burning<2>&);
 template void pushByGas(State<3>&, const Work<3>&, Burning<3>&);
-template void bookGasWork(State<2>&, const Work<2>&, Burning<2>&);
-template void bookGasWork(State<3>&, const Work<3>&, Burning<3>&);
+template void recordGasWork(State<2>&, const Work<2>&, Burning<2>&);
+template void recordGasWork(State<3>&, const Work<3>&, Burning<3>&);
 
 } // namespace Rhegma::combustion

@@ -14,6 +14,6 @@ void pushByGas(State<D>& state, const Work<D>& work, Burning<D>& b);
 /// Books what the gas did on the faces in this step; the atmosphere takes the part that it presses against.
 /// Collective.
 template <int D>
-void bookGasWork(State<D>& state, const Work<D>& work, Burning<D>& b);
+void recordGasWork(State<D>& state, const Work<D>& work, Burning<D>& b);
 
 } // namespace Rhegma::combustion

@@ -21,7 +21,7 @@ struct Ignition
   double temperature = std::numeric_limits<double>::infinity(); ///< of a face that catches fire [K]
 
   bool byTemperature() const { return temperature < std::numeric_limits<double>::infinity(); }
-  /// Distance of a place from the box [m].
+  /// Distance of a position from the box [m].
   KOKKOS_INLINE_FUNCTION double distance(const Vector<D>& place) const
   {
     double square = 0.0;

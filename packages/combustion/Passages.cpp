@@ -32,7 +32,7 @@ std::string whyApart(const Burning<D>* one, const Burning<D>* two)
 }
 
 template <int D>
-void tell(State<D>& state, Work<D>& work, Meeting& meeting)
+void report(State<D>& state, Work<D>& work, Meeting& meeting)
 {
   const Burning<D>*one = gasOf(work, meeting.crack), *two = gasOf(work, meeting.other);
   const std::string why = whyApart(one, two);
@@ -47,7 +47,7 @@ void tell(State<D>& state, Work<D>& work, Meeting& meeting)
 } // namespace
 
 template <int D>
-void followMeetings(State<D>& state, Work<D>& work)
+void updateMeetings(State<D>& state, Work<D>& work)
 {
   const std::vector<CrackFront<D>>& fronts = state.cracks.fronts;
   const auto ended = static_cast<int>(
@@ -61,7 +61,7 @@ void followMeetings(State<D>& state, Work<D>& work)
                      { return known.crack == found.crack && known.end == found.end; }))
       work.meetings.push_back(found);
   for (Meeting& meeting : work.meetings)
-    tell(state, work, meeting);
+    report(state, work, meeting);
 }
 
 template <int D>
@@ -81,8 +81,8 @@ void letGasesPass(const State<D>& state, Work<D>& work)
   }
 }
 
-template void followMeetings(State<2>&, Work<2>&);
-template void followMeetings(State<3>&, Work<3>&);
+template void updateMeetings(State<2>&, Work<2>&);
+template void updateMeetings(State<3>&, Work<3>&);
 template void letGasesPass(const State<2>&, Work<2>&);
 template void letGasesPass(const State<3>&, Work<3>&);
 

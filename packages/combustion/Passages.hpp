@@ -10,7 +10,7 @@ namespace Rhegma::combustion
 /// other from then on; of others a warning says once that they stay apart. Only the ends of fronts are looked
 /// at, and only where one more has ended.
 template <int D>
-void followMeetings(State<D>& state, Work<D>& work);
+void updateMeetings(State<D>& state, Work<D>& work);
 
 /// Lets gas flow through the openings where cracks have met, after it has burnt and done its work in this
 /// step. All ranks find the same.

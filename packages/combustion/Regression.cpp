@@ -29,7 +29,7 @@ double Regression<D>::take(const State<D>& state, const FacePoints<D>& points, i
   findGivers(state);
   weighNodes(state);
   sumOverRanks(state, present_.data(), 1, 0, 1);
-  const double given = share(state);
+  const double given = fraction(state);
   if (!state.ranks.many())
     clearTouched(state, points);
   return given;
@@ -121,7 +121,7 @@ void Regression<D>::weighNodes(const State<D>& state)
 }
 
 template <int D>
-double Regression<D>::share(const State<D>& state)
+double Regression<D>::fraction(const State<D>& state)
 {
   const StencilTable<D> table = state.stored.table;
   const View<int*> particle = state.stored.particle;

@@ -12,10 +12,11 @@ namespace Rhegma::combustion
 /// its mean over the volumes of parts is that of the whole.
 inline const std::string burntOverLeft = "burnt over remaining mass";
 
-/// No particle loses more than this share of its mass: what is left keeps its nodes apart from empty space.
+/// No particle loses more than this fraction of its mass: what is left keeps its nodes apart from empty
+/// space.
 constexpr double mostBurnt = 0.9;
 
-/// What burning faces take from the particles beside them.
+/// What burning faces take from the particles next to them.
 ///
 /// A face that recedes by r dt takes rho r dt A from its nodes, which take it from the particles with a
 /// stored stencil on them as these give their mass: the mass of the gas is that of the particles to
@@ -49,14 +50,14 @@ public:
   void demand(const State<D>& state, const FacePoints<D>& points, int crack, const View<double*>& depth);
   void findGivers(const State<D>& state);
   void weighNodes(const State<D>& state);
-  double share(const State<D>& state);
+  double fraction(const State<D>& state);
 
 private:
   View<double*> demand_;  ///< of each node [kg]; on one rank zero between calls
   View<double*> present_; ///< mass that givers give each node of which something is asked [kg]; likewise
   View<int*> giver_;      ///< rows of the stored stencils that touch such a node
   int givers_ = 0;        ///< how many of them
-  View<double*> loss_;    ///< of each giver, as a share of its mass
+  View<double*> loss_;    ///< of each giver, as a fraction of its mass
 };
 
 } // namespace Rhegma::combustion

@@ -11,7 +11,7 @@
 namespace Rhegma::combustion
 {
 
-/// Share of the gas that may come or go in a step, and of its room.
+/// Fraction of the gas that may come or go in a step, and of its room.
 constexpr double largestChange = 0.1;
 
 template <int D>

@@ -21,7 +21,7 @@ double power(const Nodes<D>& nodes)
       "rhegma::contact::power", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i, double& sum) {
         const int n = activeNode(nodes, i);
-        for (int d = 0; d < D && countsHere(nodes, n); ++d)
+        for (int d = 0; d < D && isOwnedByThisRank(nodes, n); ++d)
           sum += nodes.sums(n, Nodes<D>::momentumAt + d) * nodes.motion(n, Nodes<D>::accelerationAt + d);
       },
       total);
@@ -51,7 +51,7 @@ void Balance<D>::begin(const State<D>& state)
   workBefore_ = workIn(state.energy);
   if (!state.mesh.subdomain || !state.clock.observing)
     return;
-  // What was booked since the last sample is the ranks' own.
+  // What was recorded since the last sample is the ranks' own.
   const double before = workIn(state.sample.energy);
   workBefore_ = before + state.ranks.sum(workBefore_ - before);
 }
@@ -61,7 +61,7 @@ void Balance<D>::measure(const State<D>& state, double stored)
 {
   double parts[2] = {power(state.mesh.nodes), totalEnergy(state)};
   sumParts(state, parts, 2);
-  const double soon = state.clock.dt * parts[0] - state.motion.shortSteps.lateWork;
+  const double soon = state.clock.dt * parts[0] - state.motion.substeps.lateWork;
   found_ = parts[1] + 0.5 * soon + stored;
 }
 

@@ -14,11 +14,11 @@ namespace Rhegma::contact
 /// Energy in the body against energy put in.
 ///
 /// Velocities and stresses of an explicit step belong to times half a step apart, so that their energies,
-/// simply added, waver by the share w dt / 2 of what moves at the frequency w: by percents after a slap,
-/// without any being lost. What the step keeps is v_before . v_after m / 2 beside the strain energy that made
-/// the forces between the two (the leapfrog's own invariant: Hairer, Lubich and Wanner, Acta Numerica 12
+/// simply added, waver by the fraction w dt / 2 of what moves at the frequency w: by percents after a slap,
+/// without any being lost. What the step keeps is v_before . v_after m / 2 next to the strain energy that
+/// made the forces between the two (the leapfrog's own invariant: Hairer, Lubich and Wanner, Acta Numerica 12
 /// (2003) 399); that is what is measured here, from the nodes' momentum and acceleration. Where nodes move in
-/// short steps, v_after is that after the impulses at the start of the step.
+/// substeps, v_after is that after the impulses at the start of the step.
 template <int D>
 class Balance
 {
@@ -35,9 +35,9 @@ public:
   void keep(Archive& archive);
 
   /// Smallest, largest and last energy found, where the largest energy ever put in stands for 1.
-  double smallestShare() const { return share(smallest_); }
-  double largestShare() const { return share(largest_); }
-  double lastShare() const { return share(last_); }
+  double smallestFraction() const { return share(smallest_); }
+  double largestFraction() const { return share(largest_); }
+  double lastFraction() const { return share(last_); }
 
 private:
   double share(double excess) const { return scale_ > 0.0 ? 1.0 + excess / scale_ : 1.0; }

@@ -83,7 +83,7 @@ void ClosedVisibility::prepare(const State<2>& state)
   if (points_.update(state))
   {
     separation_ = View<double*>("rhegma::closedSeparation", points_.count());
-    makeRoom();
+    reserveRows();
   }
   placeAround(state.mesh.grid.spacing);
   pointStencils(state, behind_, below_, true);
@@ -91,7 +91,7 @@ void ClosedVisibility::prepare(const State<2>& state)
   whole_ = false;
 }
 
-void ClosedVisibility::makeRoom()
+void ClosedVisibility::reserveRows()
 {
   seen_ = View<double*>("rhegma::seenOfFaces", 4 * points_.count());
   for (ObservedPoints<2>* side : {&behind_, &ahead_})
@@ -112,7 +112,7 @@ void ClosedVisibility::keep(Archive& archive)
   }
   archive("separation", separation_);
   if (archive.loads())
-    makeRoom();
+    reserveRows();
 }
 
 void ClosedVisibility::placeAround(double cell)

@@ -10,7 +10,7 @@ namespace Rhegma::contact
 ///
 /// Whether it is closed is judged by the unmodified strain interpolation: the separation of a face point
 /// follows h n . L n, L the mean velocity gradient by unbroken shape functions over a cell around the point,
-/// that is the relative motion of two places half a cell away on either side. It is zero in the undeformed
+/// that is the relative motion of two positions half a cell away on either side. It is zero in the undeformed
 /// state; below, the faces are closer than undeformed. A particle goes by the face point that is nearest to
 /// it.
 ///
@@ -38,7 +38,7 @@ public:
   void placeAround(double cell);
 
 private:
-  void makeRoom();
+  void reserveRows();
   void edit(const State<2>& state, const ObservedPoints<2>& points, const StencilTable<2>& table);
 
   std::function<void(const State<2>&, const ObservedPoints<2>&, const StencilTable<2>&)> cut_;

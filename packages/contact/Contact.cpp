@@ -65,24 +65,24 @@ struct Account
   explicit Account(FaceContact<D> c) : contact(std::move(c)) {}
   FaceContact<D> contact;
   std::unique_ptr<ClosedVisibility> visibility; ///< in place of `contact`, if a 2D scene asks for it
-  double booked = 0.0;                          ///< energy that stands in the ledger [J]
+  double recorded = 0.0;                        ///< energy that stands in the energy balance [J]
   Balance<D> balance;
 };
 
-/// Whether this rank books what all know.
+/// Whether this rank records what all know.
 template <int D>
-bool booksForAll(const State<D>& state)
+bool recordsForAllRanks(const State<D>& state)
 {
   return state.ranks.rank() == 0;
 }
 
 template <int D>
-void book(State<D>& state, Account<D>& account)
+void record(State<D>& state, Account<D>& account)
 {
   const double now = account.contact.stored() + account.contact.dissipated();
-  if (booksForAll(state))
-    state.energy.contact += now - account.booked;
-  account.booked = now;
+  if (recordsForAllRanks(state))
+    state.energy.contact += now - account.recorded;
+  account.recorded = now;
 }
 
 /// Marks the points of one crack up to a distance from a middle along it (CrackSet::contactEnergy).
@@ -148,16 +148,16 @@ void report(const State<D>& state, const Account<D>& account, nlohmann::json& su
       summary["cracks"][c]["contact"]["closed_points"] =
           account.visibility->closedPoints(static_cast<int>(c));
   summary["energy"]["friction"] = contact.dissipated();
-  summary["energy"]["last_fraction"] = account.balance.lastShare();
-  summary["energy"]["smallest_fraction"] = account.balance.smallestShare();
-  summary["energy"]["largest_fraction"] = account.balance.largestShare();
+  summary["energy"]["last_fraction"] = account.balance.lastFraction();
+  summary["energy"]["smallest_fraction"] = account.balance.smallestFraction();
+  summary["energy"]["largest_fraction"] = account.balance.largestFraction();
 }
 
 /// An explicit step resolves frequencies w only below 2 / w. Cells have w^2 <= 8 c^2 / h^2; the layer adds
 /// 4 alpha c^2 / h^2 on nodes with half a cell's mass on each side, and no more where it cuts cells, because
 /// mass and stiffness of a node both go with the square of its distance from the crack. A tenth is kept in
 /// hand. In 3D cells have w^2 <= 12 c^2 / h^2. In refined cells the layer is as stiff as between the largest
-/// ones, so that it adds less; with Sub-Cycling it follows the short steps of the nodes.
+/// ones, so that it adds less; with Sub-Cycling it follows the substeps of the nodes.
 ///
 /// Extrapolated weights (Cracks > Formulation Corrected Broken Cell) see a face at up to 2 and -1 times two
 /// nodes and feed back up to 3.2 times what is scattered (docs/broken_cells.md): at worst, a crack a tenth of
@@ -184,12 +184,12 @@ void prepare(State<D>& state, Account<D>& account)
     }
   // What points that are placed anew keep of the energy of the layer differs; no force worked.
   const double change = account.contact.prepare(state);
-  if (booksForAll(state))
+  if (recordsForAllRanks(state))
   {
     state.energy.merged -= change;
     state.energy.contact += change;
   }
-  account.booked += change;
+  account.recorded += change;
 }
 
 template <int D, class Velocity>
@@ -202,7 +202,7 @@ void advance(State<D>& state, Account<D>& account, const Velocity& velocity)
       return;
     }
   account.contact.advance(state, velocity);
-  book(state, account);
+  record(state, account);
 }
 
 /// The velocity that strains the particles moves the gaps.
@@ -222,7 +222,7 @@ void begin(State<D>& state, const std::shared_ptr<Account<D>>& account)
     if (account->visibility)
       account->visibility->install(state);
   if (!account->visibility)
-    state.motion.followingForces.push_back(
+    state.motion.displacementDependentForces.push_back(
         {[account](const State<D>& s, const NodeSlots& slots, const View<double* [D]>& force)
          { account->contact.addFrozenForces(s, slots, force); },
          [account](const State<D>& s, const NodeSlots& slots, const View<double* [D]>& displacement,
@@ -235,7 +235,7 @@ void begin(State<D>& state, const std::shared_ptr<Account<D>>& account)
 template <int D>
 void keep(Account<D>& account, Archive& archive)
 {
-  archive("booked", account.booked);
+  archive("booked", account.recorded);
   {
     const Archive::Group group(archive, "balance");
     account.balance.keep(archive);

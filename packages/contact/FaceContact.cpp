@@ -117,7 +117,7 @@ void FaceContact<D>::findStiffness(const State<D>& state)
   maxParts(state, softest.data(), 2 * cracks);
   for (int c = 0; c < cracks; ++c)
     stiffness(c) = {-softest[2 * c], -softest[2 * c + 1]};
-  // A crack shorter than a cell may have no particle beside it yet; later it may meet any of the materials.
+  // A crack shorter than a cell may have no particle next to it yet; later it may meet any of the materials.
   for (int c = 0; c < cracks; ++c)
     if (stiffness(c).normal == infinity)
       for (const Properties& any : state.materials.list)

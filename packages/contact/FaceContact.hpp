@@ -22,8 +22,8 @@ struct CrackContact
 ///
 /// The gap of a point, zero in the undeformed state, follows the normal jump of the velocity that strains the
 /// particles, and so does its elastic slip the tangential jump: contact is an elastic layer in series with
-/// the cells beside it and keeps energy as they do. Where the gap is negative the faces press each other with
-/// p = kn <-gap>; the shear traction kt s is limited to mu p, what goes beyond it slips for good (return
+/// the cells next to it and keeps energy as they do. Where the gap is negative the faces press each other
+/// with p = kn <-gap>; the shear traction kt s is limited to mu p, what goes beyond it slips for good (return
 /// mapping: Wriggers, Computational Contact Mechanics, 2nd ed., Springer 2006, ch. 5). Gap and slip are
 /// counted along the crack's own normal and tangents as they turn.
 template <int D>
@@ -41,7 +41,7 @@ public:
   /// Adds the tractions' forces [N]: opposite ones on the two faces, so momentum is kept to round-off.
   void addForces(const State<D>& state) const;
 
-  /// How the forces follow nodes that move in short steps: those of points all of whose nodes do.
+  /// How the forces follow nodes that move in substeps: those of points all of whose nodes do.
   void addFrozenForces(const State<D>& state, const NodeSlots& slots, const View<double* [D]>& force) const;
   void addChange(const State<D>& state, const NodeSlots& slots, const View<double* [D]>& displacement,
                  const View<double* [D]>& force) const;

@@ -1,4 +1,4 @@
-/// Contact of faces whose nodes move in short steps.
+/// Contact of faces whose nodes move in substeps.
 
 #include "contact/FaceContact.hpp"
 #include "contact/FaceTraction.hpp"
@@ -10,8 +10,8 @@ namespace Rhegma::contact
 namespace
 {
 
-/// Whether all nodes of a point move in short steps. Faces that are apart may lie on two ranks, of which each
-/// knows one: these meet at the next long step.
+/// Whether all nodes of a point move in substeps. Faces that are apart may lie on two ranks, of which each
+/// knows one: these meet at the next step.
 template <int D>
 KOKKOS_INLINE_FUNCTION bool follows(const FacePoints<D>& points, const NodeSlots& slots, int k)
 {
@@ -24,7 +24,7 @@ KOKKOS_INLINE_FUNCTION bool follows(const FacePoints<D>& points, const NodeSlots
   return points.above.count(k) > 0 && points.below.count(k) > 0;
 }
 
-/// Adds a force [N] on one face of a point to the nodes of it that move in short steps.
+/// Adds a force [N] on one face of a point to the nodes of it that move in substeps.
 template <int D>
 KOKKOS_INLINE_FUNCTION void addToSlots(const StencilTable<D>& face, const NodeSlots& slots, int k,
                                        const Vector<D>& force, const View<double* [D]>& forces)
@@ -35,7 +35,7 @@ KOKKOS_INLINE_FUNCTION void addToSlots(const StencilTable<D>& face, const NodeSl
         Kokkos::atomic_add(&forces(slots.of(face.node(k, e)), d), face.weight(k, e) * force[d]);
 }
 
-/// Movement of side +1 against side -1 at a point all of whose nodes move in short steps.
+/// Movement of side +1 against side -1 at a point all of whose nodes move in substeps.
 template <int D>
 KOKKOS_INLINE_FUNCTION Vector<D> jumpOfSlots(const FacePoints<D>& points, const NodeSlots& slots, int k,
                                              const View<double* [D]>& displacement)

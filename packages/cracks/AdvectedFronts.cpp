@@ -1,7 +1,7 @@
 #include "cracks/AdvectedFronts.hpp"
 
-#include "base/FewItems.hpp"
 #include "base/Numbers.hpp"
+#include "base/SmallLoops.hpp"
 #include "cracks/CrackGeometry.hpp"
 #include "cracks/SpringConstants.hpp"
 #include "transfer/LocalSpacing.hpp"
@@ -19,7 +19,7 @@ template <int D>
 void disableSprings(const State<D>& state, int crack)
 {
   const View<int*> near = state.cracks.nearFront, crackOf = state.cracks.crackOf;
-  forFew(
+  parallelForSmall(
       "rhegma::cracks::disableSprings", static_cast<int>(near.extent(0)), KOKKOS_LAMBDA(const int s) {
         if (crackOf(s) == crack && near(s) == nearFront::hasSprings)
           near(s) = nearFront::springsDisabled;

@@ -32,7 +32,7 @@ struct Lengths
 };
 
 template <int D>
-std::vector<Vector<D>> readPlaces(const ParameterList& crack)
+std::vector<Vector<D>> readPositions(const ParameterList& crack)
 {
   const auto& values = crack.get<Teuchos::Array<double>>("Points");
   std::vector<Vector<D>> places(values.size() / D);
@@ -42,7 +42,7 @@ std::vector<Vector<D>> readPlaces(const ParameterList& crack)
   return places;
 }
 
-/// What is in bodies of the first of two places: itself, or where the way to the second enters one.
+/// What is in bodies of the first of two positions: itself, or where the way to the second enters one.
 Vector<2> enter(const Vector<2>& from, const Vector<2>& to, const SceneBodies<2>& bodies)
 {
   double outside = 0.0, inside = 1.0;
@@ -59,7 +59,7 @@ Vector<2> enter(const Vector<2>& from, const Vector<2>& to, const SceneBodies<2>
 /// A polyline is cut off at the surface at both ends.
 Lengths measureLine(const ParameterList& crack, const SceneBodies<2>& bodies)
 {
-  std::vector<Vector<2>> places = readPlaces<2>(crack);
+  std::vector<Vector<2>> places = readPositions<2>(crack);
   for (std::size_t k = 1; k < places.size(); ++k)
     if (!(norm(places[k] - places[k - 1]) > 0.0))
       throw std::invalid_argument(samePoints);
@@ -102,7 +102,7 @@ Lengths measureLine(const ParameterList& crack, const SceneBodies<2>& bodies)
   return found;
 }
 
-/// Some places in order round a crack, of a polygon all corners.
+/// Some positions in order round a crack, of a polygon all corners.
 struct Rim
 {
   std::vector<Vector<3>> places;
@@ -112,13 +112,13 @@ struct Rim
 
 Rim rimOfPolygon(const ParameterList& crack)
 {
-  Rim rim{readPlaces<3>(crack), {}, CellNeeds::none};
-  for (const Vector<3>& place : rim.places)
-    rim.middle = rim.middle + (1.0 / rim.places.size()) * place;
-  for (const Vector<3>& place : rim.places)
-    rim.radius = std::min(rim.radius, norm(place - rim.middle));
+  Rim rim{readPositions<3>(crack), {}, CellNeeds::none};
+  for (const Vector<3>& position : rim.places)
+    rim.middle = rim.middle + (1.0 / rim.places.size()) * position;
+  for (const Vector<3>& position : rim.places)
+    rim.radius = std::min(rim.radius, norm(position - rim.middle));
   if (!(rim.radius > 0.0))
-    throw std::invalid_argument("the polygon has no area; give points that go round one");
+    throw std::invalid_argument("the polygon has no area; write the corners of a polygon with an area");
   return rim;
 }
 
@@ -153,15 +153,15 @@ Lengths measureRim(const Rim& rim, const SceneBodies<3>& bodies)
 {
   Lengths found;
   found.inside = bodies.contain(rim.middle);
-  const auto look = [&](const Vector<3>& place)
+  const auto look = [&](const Vector<3>& position)
   {
-    const double depth = bodies.depth(place);
+    const double depth = bodies.depth(position);
     found.inside = found.inside || depth > 0.0;
     if (depth > surfaceBreaking * rim.radius)
       found.front(depth);
   };
-  for (const Vector<3>& place : rim.places)
-    look(place);
+  for (const Vector<3>& position : rim.places)
+    look(position);
   found.crack = rim.radius;
   if (found.ligament < CellNeeds::none)
     return found;
@@ -180,7 +180,7 @@ Lengths measureRim(const Rim& rim, const SceneBodies<3>& bodies)
 Lengths measure(const ParameterList& crack, const ParameterList& scene)
 {
   if (crack.isParameter("Surface File"))
-    throw std::domain_error("does not know the size of a crack from a file; write Domain > Cell Size");
+    throw std::domain_error("can't be used with a crack from a file; write Domain > Cell Size");
   if (dimensionOf(scene) == 2)
     return measureLine(crack, SceneBodies<2>(scene));
   return measureRim(crack.isType<double>("Radius") ? rimOfDisk(crack) : rimOfPolygon(crack),
@@ -196,7 +196,7 @@ bool isWhole(const ParameterList& crack)
 
 } // namespace
 
-void tellCells(const ParameterList& scene, CellNeeds& needs, std::vector<SceneError>& errors)
+void reportCells(const ParameterList& scene, CellNeeds& needs, std::vector<SceneError>& errors)
 {
   const ParameterList& cracks = scene.sublist("Cracks");
   if (cracks.get<std::string>("Formulation") == "Corrected Broken Cell")

@@ -11,6 +11,6 @@ namespace Rhegma::cracks
 /// lies outside of all bodies is an error.
 ///
 /// Throws std::invalid_argument where the size of a crack is not known.
-void tellCells(const Teuchos::ParameterList& scene, CellNeeds& needs, std::vector<SceneError>& errors);
+void reportCells(const Teuchos::ParameterList& scene, CellNeeds& needs, std::vector<SceneError>& errors);
 
 } // namespace Rhegma::cracks

@@ -1,6 +1,6 @@
 #include "cracks/CrackFrames.hpp"
 
-#include "base/FewItems.hpp"
+#include "base/SmallLoops.hpp"
 #include "geometry/Cross.hpp"
 #include "surface/BeyondFacet.hpp"
 
@@ -58,7 +58,7 @@ void updateNormals(const CrackSet<D>& cracks)
       for (int d = 0; d < D; ++d)
         corner[i][d] = vertex(simplex(s, i), d);
   };
-  forFew(
+  parallelForSmall(
       "rhegma::cracks::normals", static_cast<int>(simplex.extent(0)), KOKKOS_LAMBDA(const int s) {
         Vector<D> corner[D];
         corners(s, corner);
@@ -66,7 +66,7 @@ void updateNormals(const CrackSet<D>& cracks)
         for (int d = 0; d < D; ++d)
           normal(s, d) = n[d];
       });
-  forFew(
+  parallelForSmall(
       "rhegma::cracks::vertexNormals", static_cast<int>(vertex.extent(0)), KOKKOS_LAMBDA(const int v) {
         Vector<D> sum{};
         for (int k = starBegin(v); k < starBegin(v + 1); ++k)
@@ -93,7 +93,7 @@ typename V::HostMirror host(const V& view)
   return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
 }
 
-/// Shares, places and directions of the front nodes of 3D fronts.
+/// Fractions, positions and directions of the front nodes of 3D fronts.
 class FrontNodeFrames
 {
 public:

@@ -71,12 +71,12 @@ void CrackGrowth<D>::report(State<D>& state, int front, Event event, const std::
 {
   if (std::exchange(reported_[front][static_cast<int>(event)], true))
     return;
-  state.warnings.push_back(nameOf(state, front) + ": " + what + " at t = " + readableTime(state.clock.time) +
-                           ", at " + textOf(where) +
-                           (event == Event::Stopped
-                                ? "; cells can't tell faces apart that are closer; smaller "
-                                  "cells (Domain > Cell Size) let it come nearer"
-                                : ""));
+  state.warnings.push_back(
+      nameOf(state, front) + ": " + what + " at t = " + readableTime(state.clock.time) + ", at " +
+      textOf(where) +
+      (event == Event::Stopped
+           ? "; cells can't resolve faces that are closer: use smaller cells (Domain > Cell Size)"
+           : ""));
 }
 
 /// Sizes of cells, and lengths smoothed along the front. \return whether the front turns \param longest of

@@ -1,6 +1,6 @@
 #include "cracks/CrackMotion.hpp"
 
-#include "base/FewItems.hpp"
+#include "base/SmallLoops.hpp"
 #include "base/UnstableStep.hpp"
 #include "cracks/CrackFrames.hpp"
 #include "state/Subdomain.hpp"
@@ -17,7 +17,7 @@ void placePoints(const CrackSet<D>& cracks, const ObservedPoints<D>& points)
 {
   const View<double* [2][D]> face = cracks.face;
   const View<int*> starBegin = cracks.starBegin, star = cracks.star, crackOf = cracks.crackOf;
-  forFew(
+  parallelForSmall(
       "rhegma::cracks::placeFaces", points.count, KOKKOS_LAMBDA(const int k) {
         const int v = k / 2, side = k % 2, name = crackOf(star(starBegin(v))) + 1;
         points.side(k) = side == 1 ? name : -name;
@@ -32,7 +32,7 @@ template <int D>
 void findShifts(const Nodes<D>& nodes, const StencilTable<D>& stencils, int count, double dt, bool byMotion,
                 const View<double*>& shift)
 {
-  forFew(
+  parallelForSmall(
       "rhegma::cracks::findShifts", count, KOKKOS_LAMBDA(const int k) {
         const int entries = stencils.count(k);
         for (int d = 0; d < D; ++d)
@@ -56,7 +56,7 @@ int moveFaces(const CrackSet<D>& cracks, const Grid<D>& grid, const View<double*
   const View<double* [2][D]> face = cracks.face;
   const View<double* [D]> vertex = cracks.vertex;
   const View<int*> kind = cracks.kind;
-  return sumFew<int>(
+  return parallelSumSmall<int>(
       "rhegma::cracks::moveFaces", static_cast<int>(vertex.extent(0)), KOKKOS_LAMBDA(const int v, int& lost) {
         bool in = true;
         for (int d = 0; d < D; ++d)
@@ -102,7 +102,7 @@ void CrackMotion<D>::move(State<D>& state)
   const int lost = moveFaces(cracks, wholeLattice(state), shift_);
   if (lost > 0 && state.failure.empty())
     state.failure = "a crack left the domain (" + unstableStep(state.mesh.subcycledLevels) +
-                    "; or make the Domain larger or stop the run before)";
+                    "; or enlarge the domain, or end the run earlier)";
   updateNormals(cracks);
   updateFronts(cracks);
 }

@@ -6,8 +6,8 @@
 namespace Rhegma::cracks
 {
 
-/// Moves each vertex's two places with the faces of the crack and puts the crack midway. A front has one
-/// place: it moves with the mean of both sides.
+/// Moves each vertex's two positions with the faces of the crack and puts the crack midway. A front has one
+/// position: it moves with the mean of both sides.
 ///
 /// Faces move by the velocity that strains and moves the particles: what it adds up to is the displacement of
 /// the cells at rest (K U = f), whereas the nodes' motion before the projection is strewn about it by the

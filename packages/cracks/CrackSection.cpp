@@ -24,7 +24,7 @@ void checkShape(const Teuchos::ParameterList& crack, const std::string& where, b
                       "is missing; write the corners of a polygon, or Centre, Normal and Radius of a disk, "
                       "or a Surface File"});
   else if (shapes > 1)
-    errors.push_back({where, "it has more than one shape; keep one of Points, Radius and Surface File"});
+    errors.push_back({where, "it has more than one shape; keep only one of Points, Radius and Surface File"});
   if (shapes == 0)
     return;
   for (const char* name : {"Centre", "Normal"})
@@ -129,7 +129,7 @@ void checkCracks(const Teuchos::ParameterList& scene, std::vector<SceneError>& e
   const Teuchos::ParameterList& cracks = scene.sublist("Cracks");
   if (cracks.isType<std::string>("Formulation") && cracks.get<std::string>("Formulation") != "Dual Field")
     errors.push_back({"Cracks > Formulation",
-                      cracks.get<std::string>("Formulation") + " is for 2D scenes as yet; write Dual Field"});
+                      cracks.get<std::string>("Formulation") + " is available in 2D only; write Dual Field"});
 }
 
 } // namespace Rhegma::cracks

@@ -63,9 +63,9 @@ void refuseNeighbours(const std::vector<surface::CrackMesh<D>>& all, const std::
   for (std::size_t a = 0; a < all.size(); ++a)
     for (std::size_t b = 0; b < all.size(); ++b)
       if (a != b && areClose(all[a], all[b], spacing))
-        throw std::invalid_argument(
-            "Cracks > " + names[a] + ": it comes closer than three cells to Cracks > " + names[b] +
-            ", which this version can't tell apart; take smaller cells (Domain > Cell Size)");
+        throw std::invalid_argument("Cracks > " + names[a] +
+                                    ": it comes closer than three cells to Cracks > " + names[b] +
+                                    ", which cells can't separate; use smaller cells (Domain > Cell Size)");
 }
 
 } // namespace
@@ -100,7 +100,7 @@ void readCracks(const Teuchos::ParameterList& section, State<D>& state, double e
     }
     set.cracks.push_back(crack);
   }
-  attempts.complain();
+  attempts.throwIfAny();
   refuseNeighbours(meshes, names, spacing);
   layOut(set, meshes, spacing);
   set.nodeSide = View<int*>("rhegma::nodeSide", state.mesh.grid.numNodes);

@@ -103,7 +103,7 @@ void start(const Shared<D>& parts, State<D>& state)
   state.cracks.dualField = parts->formulation == Formulation::DualField;
   state.cracks.frontSprings = parts->hasSprings;
   if (parts->hasSprings)
-    state.motion.followingForces.push_back(parts->springs.following());
+    state.motion.displacementDependentForces.push_back(parts->springs.following());
   readCracks(parts->section, state, state.mesh.grid.spacing / parts->pieces);
   if (parts->hasSprings)
     parts->advected.start(state);
@@ -268,7 +268,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
                  {quantity::crackGeometry, quantity::fractureEnergy},
                  {},
                  [=](State<D>& s) { grow(*parts, s); }});
-  effect.call({stageOfWays(scene),
+  effect.call({stageOfFaceVelocity(scene),
                "cracks move",
                {projectsLast(scene) ? quantity::projection : quantity::nodalMotion},
                {quantity::crackGeometry},
@@ -297,7 +297,7 @@ EffectEntry cracksEntry()
     options.extrapolated = formulation == Formulation::CorrectedBrokenCell;
   };
   entry.cells.knows = "cracks with a front in material";
-  entry.cells.tell = tellCells;
+  entry.cells.tell = reportCells;
   return entry;
 }
 

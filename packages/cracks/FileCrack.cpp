@@ -46,7 +46,7 @@ void refuseLarge(const SurfaceMesh& mesh, double cell)
              (cell * cell);
   if (!(cells <= mostCells))
     throw std::invalid_argument("the surface covers " + formatReal(cells) +
-                                " cells; its points are taken to be in metres, so scale them");
+                                " cells; check that its points are in metres");
 }
 
 /// Runs a step of reading; what is wrong is said of a file.
@@ -85,7 +85,7 @@ surface::CrackMesh<3> readSurface(const Teuchos::ParameterList& list, const std:
   surface::cutTriangles(sheet.points, sheet.triangles, isIn);
   if (sheet.triangles.empty())
     throw std::invalid_argument(
-        name + ": " + path + ": the crack lies outside of all bodies; its points are taken to be in metres");
+        name + ": " + path + ": the crack lies outside of all bodies; check that its points are in metres");
   surface::CrackMesh<3> mesh;
   mesh.vertices = sheet.points;
   mesh.simplices = sheet.triangles;

@@ -11,10 +11,10 @@ namespace
 
 using namespace surface;
 
-/// Share of a ripple that a step takes away; the most that a point gives of its advance; the least that makes
-/// one advance, in cells, so that no row of faces begins with slivers.
+/// Fraction of a ripple that a step takes away; the most that a point gives of its advance; the least that
+/// makes one advance, in cells, so that no row of faces begins with slivers.
 constexpr double smoothing = 0.25, mostGiven = 0.5, leastTaken = 0.01;
-/// Least share of its own resistance that drives a point that is taken along.
+/// Least fraction of its own resistance that drives a point that is taken along.
 constexpr double leastDriven = 0.5;
 
 /// How far a point of a front lies ahead of its neighbours' middle, by its own direction, over the product of

@@ -1,6 +1,6 @@
 #include "cracks/FrontSprings.hpp"
 
-#include "base/FewItems.hpp"
+#include "base/SmallLoops.hpp"
 #include "cracks/HoldingForce.hpp"
 #include "cracks/NearestFront.hpp"
 #include "cracks/Release.hpp"
@@ -22,7 +22,7 @@ template <int D>
 struct FindSpring
 {
   Nodes<D> nodes;
-  NodePlaces<D> positions;
+  NodePositions<D> positions;
   CrackSight<D> sight;
   View<std::uint64_t*> nearest;
   NodalSprings<D> springs;
@@ -115,7 +115,7 @@ private:
     const CohesiveLaw law = softeningLaw(node.stiffness(), std::sqrt(stretch));
     node.release(law, Vector<D>{});
     springs.front(own) = front;
-    if (!countsHere(nodes, own))
+    if (!isOwnedByThisRank(nodes, own))
       return;
     softened(i) = softenedEnergy(law);
     converted += 0.5 * node.stiffness() * stretch;
@@ -152,7 +152,7 @@ std::vector<double> sumByFront(const State<D>& state, const NodalSprings<D>& spr
   const Nodes<D> nodes = state.mesh.nodes;
   std::vector<double> sums(state.cracks.fronts.size(), 0.0);
   for (std::size_t f = 0; f < sums.size(); ++f)
-    sums[f] = sumFew<double>(
+    sums[f] = parallelSumSmall<double>(
         "rhegma::cracks::sumByFront", nodes.numSecond, KOKKOS_LAMBDA(const int i, double& sum) {
           if (energyOfNode(i) > 0.0 && springs.front(nodes.parent(i)) == static_cast<int>(f))
             sum += energyOfNode(i);
@@ -194,7 +194,7 @@ void FrontSprings<D>::prepare(State<D>& state, const Surroundings& surroundings)
     frontOf_ = NearestFront<D>(state.cracks);
   const View<double*> softened("rhegma::cracks::softened", grows_ ? nodes.numSecond : 0);
   const FindSpring<D> find{nodes,
-                           nodePlaces(state),
+                           nodePositions(state),
                            CrackSight<D>(state.cracks, state.mesh.grid.spacing),
                            surroundings.nearest,
                            springs(state),
@@ -211,7 +211,7 @@ void FrontSprings<D>::prepare(State<D>& state, const Surroundings& surroundings)
                            density_,
                            surroundings.stamp};
   double converted = 0.0;
-  sumFew("rhegma::cracks::findSprings", 0, nodes.numSecond, find, passed_, converted);
+  parallelSumSmall("rhegma::cracks::findSprings", 0, nodes.numSecond, find, passed_, converted);
   state.energy.fracture += converted;
   if (!grows_)
     return;

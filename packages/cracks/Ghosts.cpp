@@ -79,7 +79,7 @@ void findStandIns(const State<2>& state, const Ghosts& ghosts)
           return;
         int steps[2];
         towards.steps(n, from, steps);
-        // Beside a kink the far node along one axis may be beyond the crack again.
+        // Next to a kink the far node along one axis may be beyond the crack again.
         for (int pass = 0; pass < 2; ++pass)
           for (const int step : steps)
           {
@@ -150,7 +150,7 @@ KOKKOS_INLINE_FUNCTION double takenFrom(const Grid<2>& grid, const Ghosts& ghost
   return taken;
 }
 
-void limitShares(const State<2>& state, const Ghosts& ghosts)
+void limitFractions(const State<2>& state, const Ghosts& ghosts)
 {
   const Nodes<2> nodes = state.mesh.nodes;
   const Grid<2> grid = state.mesh.grid;
@@ -171,7 +171,7 @@ void limitShares(const State<2>& state, const Ghosts& ghosts)
 /// Gives nodes that ranks share what their owners, which see far enough around them, have found.
 void shareStandIns(const State<2>& state, const Ghosts& ghosts)
 {
-  constexpr int width = Ghosts::toldWidth;
+  constexpr int width = Ghosts::reportedWidth;
   const Nodes<2> nodes = state.mesh.nodes;
   const Grid<2> grid = state.mesh.grid;
   const View<double*> told = ghosts.told;
@@ -179,7 +179,7 @@ void shareStandIns(const State<2>& state, const Ghosts& ghosts)
       "rhegma::cracks::tellStandIns", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
       KOKKOS_LAMBDA(const int i) {
         const int n = nodes.active(i), step = ghosts.step(n);
-        const bool tells = countsHere(nodes, n) && step != 0;
+        const bool tells = isOwnedByThisRank(nodes, n) && step != 0;
         // Nodes are numbered otherwise on other ranks: 1 and 2 are the axes.
         const double axis = step == grid.stride[0] || step == -grid.stride[0] ? 1.0 : 2.0;
         told(width * n) = tells ? (step > 0 ? axis : -axis) : 0.0;
@@ -204,8 +204,8 @@ KOKKOS_INLINE_FUNCTION double borneBy(const Grid<2>& grid, const Ghosts& ghosts,
   return taken > allowed ? allowed / taken : 1.0;
 }
 
-/// What limitShares does, where the far node of a ghost may be another rank's.
-void limitSharesOnRanks(const State<2>& state, const Ghosts& ghosts)
+/// What limitFractions does, where the far node of a ghost may be another rank's.
+void limitFractionsOnRanks(const State<2>& state, const Ghosts& ghosts)
 {
   const Nodes<2> nodes = state.mesh.nodes;
   const Grid<2> grid = state.mesh.grid;
@@ -214,7 +214,7 @@ void limitSharesOnRanks(const State<2>& state, const Ghosts& ghosts)
       "rhegma::cracks::findBorne", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
       KOKKOS_LAMBDA(const int i) {
         const int n = nodes.active(i);
-        borne(n) = countsHere(nodes, n) ? borneBy(grid, ghosts, n) : 0.0;
+        borne(n) = isOwnedByThisRank(nodes, n) ? borneBy(grid, ghosts, n) : 0.0;
       });
   sumOverRanks(state, borne.data(), 1, 0, 1);
   Kokkos::parallel_for(
@@ -263,7 +263,7 @@ void findGhosts(const State<2>& state, const View<int*>& row, Ghosts& ghosts)
     ghosts.seen = View<double*>("rhegma::cracks::massSeen", n);
     ghosts.unseen = View<double*>("rhegma::cracks::massUnseen", n);
     if (state.mesh.subdomain)
-      ghosts.told = View<double*>("rhegma::cracks::toldOfGhosts", Ghosts::toldWidth * n);
+      ghosts.told = View<double*>("rhegma::cracks::toldOfGhosts", Ghosts::reportedWidth * n);
   }
   Kokkos::deep_copy(ghosts.step, 0); // also at nodes that particles have left
   findStandIns(state, ghosts);
@@ -274,10 +274,10 @@ void findGhosts(const State<2>& state, const View<int*>& row, Ghosts& ghosts)
   else
     addMass<ShapeKind::Gimp>(state, row, ghosts);
   if (!state.mesh.subdomain)
-    return limitShares(state, ghosts);
+    return limitFractions(state, ghosts);
   sumOverRanks(state, ghosts.seen);
   sumOverRanks(state, ghosts.unseen);
-  limitSharesOnRanks(state, ghosts);
+  limitFractionsOnRanks(state, ghosts);
 }
 
 } // namespace Rhegma::cracks

@@ -16,14 +16,14 @@ struct Ghosts
   View<double*> share;  ///< 1: linear extrapolation; 0: the near node's value
   View<double*> seen;   ///< mass around the node, by unbroken functions, of particles that see it [kg]
   View<double*> unseen; ///< the same of particles on the other side of the crack [kg]
-  static constexpr int toldWidth = 3;
+  static constexpr int reportedWidth = 3;
   View<double*> told; ///< what ranks tell each other of a node; empty where there is one
 };
 
 /// Nodes over which the nearest visible one is looked for.
 constexpr int ghostReach = 3;
 
-/// Share of a node's own mass that extrapolation may take away. Extrapolated weights (1 + k near, -k far)
+/// Fraction of a node's own mass that extrapolation may take away. Extrapolated weights (1 + k near, -k far)
 /// take k times the mass that lies beyond from the far node; inside of a body this is at most 0.6 of what the
 /// node has, but at its rim, where few particles touch a column of nodes, it may be more than all. There the
 /// extrapolation becomes gradually constant, so that no mass is ever negative.
@@ -44,7 +44,7 @@ constexpr double largestCflOfDiagonalGhosts = 0.18;
 /// Slope against the nearer axis from which a segment counts as diagonal (35 degrees).
 constexpr double diagonalSlope = 0.7;
 
-/// Largest CFL number with extrapolated weights beside these cracks, as they lie now.
+/// Largest CFL number with extrapolated weights next to these cracks, as they lie now.
 double largestCfl(const CrackSet<2>& cracks);
 
 /// Finds what stands in for each node that lies behind a front. Call after findSides. Collective.

@@ -19,7 +19,7 @@ template <int D>
 void warnOfHeldFaces(State<D>& state, const Surroundings& surroundings)
 {
   const Nodes<D> nodes = state.mesh.nodes;
-  const NodePlaces<D> places = nodePlaces(state);
+  const NodePositions<D> positions = nodePositions(state);
   const CrackSight<D> sight(state.cracks, state.mesh.grid.spacing);
   const View<std::uint64_t*> nearest = surroundings.nearest;
   std::vector<double> held(state.cracks.cracks.size(), 0.0); // whether each is
@@ -30,7 +30,7 @@ void warnOfHeldFaces(State<D>& state, const Surroundings& surroundings)
         "rhegma::cracks::heldFaces", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
         KOKKOS_LAMBDA(const int i, int& last) {
           const int n = nodes.parent(i);
-          const Vector<D> x = places(n);
+          const Vector<D> x = positions(n);
           if (!(nodes.sums(n, Nodes<D>::massAt) > 0.0) ||
               !(nodes.sums(nodes.numLattice + i, Nodes<D>::massAt) > 0.0) || !constraint.appliesAt(x))
             return;
@@ -56,9 +56,8 @@ void warnOfHeldFaces(State<D>& state, const Surroundings& surroundings)
     if (held[c] != 0.0)
       state.warnings.push_back(
           "Cracks > " + state.cracks.cracks[c].name +
-          ": it runs along a support less than a cell away, which so holds both of its faces "
-          "and lets it open less than it should; keep a cell between them, or take smaller "
-          "cells (Domain > Cell Size)");
+          ": it runs along a support less than a cell away, which restrains both of its faces and reduces "
+          "its opening; keep a cell between them, or use smaller cells (Domain > Cell Size)");
 }
 
 template void warnOfHeldFaces(State<2>&, const Surroundings&);

@@ -1,5 +1,5 @@
 #pragma once
-/// Supports that hold both faces of a crack beside them.
+/// Supports that hold both faces of a crack next to them.
 
 #include "cracks/Sides.hpp"
 #include "state/State.hpp"
@@ -7,9 +7,9 @@
 namespace Rhegma::cracks
 {
 
-/// Warns where a support holds the second field of nodes whose crack runs along it: what lies across the
-/// crack is not the support's, but the node is in its stencils, and the crack can't open there. To be called
-/// once nodes have their masses.
+/// Warns where a support holds the enriched field of nodes whose crack runs along it: the material across the
+/// crack is not supported, but its stencils reach the node, so the crack can't open there. Belongs after
+/// nodes have their masses.
 template <int D>
 void warnOfHeldFaces(State<D>& state, const Surroundings& surroundings);
 

@@ -1,8 +1,8 @@
 #include "cracks/Junctions.hpp"
 
 #include "archive/Archive.hpp"
-#include "base/FewItems.hpp"
 #include "base/Numbers.hpp"
+#include "base/SmallLoops.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
 
@@ -16,7 +16,7 @@ namespace
 
 /// Lengths in cells: round a junction within which nodes are given to cracks, beyond that within which
 /// particles see such nodes, and from the crack that ended within which particles learn its side.
-constexpr double zone = 2.0, sight = 2.5, beside = bandWidth + 2.0;
+constexpr double zone = 2.0, sight = 2.5, adjacent = bandWidth + 2.0;
 
 /// Shape functions that are seen sum to at least this; a point that sees less keeps its stencil.
 constexpr double leastSeen = 0.05;
@@ -29,7 +29,7 @@ struct Pieces
   int throughSimplex, through, ended, side;
   double radius, tolerance;
 
-  /// Whether a place lies on the side on which the other crack ends.
+  /// Whether a position lies on the side on which the other crack ends.
   KOKKOS_INLINE_FUNCTION bool near(const Vector<2>& x) const
   {
     const int sideOfX = cracks.look(throughSimplex, x).distance > -tolerance ? 1 : -1;
@@ -39,7 +39,7 @@ struct Pieces
   {
     return dot(x - place, x - place) < reach * reach;
   }
-  /// Whether a point of this side belongs to the piece across: 1, to the pieces beside the crack that ended:
+  /// Whether a point of this side belongs to the piece across: 1, to the pieces next to the crack that ended:
   /// 0, or to none that is known: -1.
   KOKKOS_INLINE_FUNCTION int across(int sideOfPoint) const
   {
@@ -62,15 +62,15 @@ Pieces piecesAt(const State<2>& state, const Junction& j)
           tieTolerance * j.radius / zone};
 }
 
-/// Tells particles of one side near a place on which side of another crack they are, where they are beside
-/// that. \return how many knew of a third crack, which they go on with
+/// Tells particles of one side near a position on which side of another crack they are, where they are next
+/// to that. \return how many knew of a third crack, which they go on with
 int learnSides(const State<2>& state, const Vector<2>& at, int known, int crack)
 {
   const CrackSight<2> look(state.cracks, state.mesh.grid.spacing);
   const auto position = state.particles.real<2>(fields::position);
   const auto side = state.particles.integer(fields::side);
   const auto other = state.particles.integer(otherSide);
-  const double reach = beside * state.mesh.grid.spacing, around = 2.0 * reach;
+  const double reach = adjacent * state.mesh.grid.spacing, around = 2.0 * reach;
   const int name = crack + 1, begin = state.cracks.cracks[crack].firstSimplex,
             end = begin + state.cracks.cracks[crack].numSimplices;
   int full = 0;
@@ -111,8 +111,8 @@ void warnOfCrowd(State<2>& state, int particles, int one, int two)
     state.warnings.push_back("where the cracks " + state.cracks.cracks[one].name + " and " +
                              state.cracks.cracks[two].name + " meet at time " + formatReal(state.clock.time) +
                              " s, " + std::to_string(particles) +
-                             " particles are beside a third crack too, and hold together across one of them; "
-                             "smaller cells (Domain > Cell Size) keep junctions apart");
+                             " particles are next to a third crack too, and hold together across one of "
+                             "them; use smaller cells (Domain > Cell Size) to separate junctions");
 }
 
 } // namespace
@@ -170,7 +170,7 @@ void Junctions::join(State<2>& state, int one, bool first, int two)
 void Junctions::claimNodes(const State<2>& state, const Surroundings& surroundings)
 {
   const Nodes<2> nodes = state.mesh.nodes;
-  const NodePlaces<2> places = nodePlaces(state);
+  const NodePositions<2> positions = nodePositions(state);
   const View<std::uint64_t*> nearest = surroundings.nearest;
   for (Junction& j : all_)
   {
@@ -178,10 +178,10 @@ void Junctions::claimNodes(const State<2>& state, const Surroundings& surroundin
     const Pieces pieces = piecesAt(state, j);
     const auto end = static_cast<std::uint64_t>(j.endSimplex),
                through = static_cast<std::uint64_t>(j.throughSimplex);
-    forFew(
+    parallelForSmall(
         "rhegma::cracks::claimNodes", static_cast<int>(nodes.active.extent(0)), KOKKOS_LAMBDA(const int i) {
           const int n = nodes.active(i);
-          const Vector<2> x = places(n);
+          const Vector<2> x = positions(n);
           if (pieces.within(x, pieces.radius))
             nearest(n) = pieces.near(x) ? end : through;
         });
@@ -208,13 +208,13 @@ void Junctions::markParticles(const State<2>& state, const View<int*>& row) cons
 void Junctions::hideNodes(const State<2>& state, const ObservedPoints<2>& points,
                           const StencilTable<2>& table) const
 {
-  const NodePlaces<2> places = nodePlaces(state);
+  const NodePositions<2> positions = nodePositions(state);
   const int numLattice = state.mesh.nodes.numLattice;
   for (const Junction& j : all_)
   {
     const Pieces pieces = piecesAt(state, j);
     const double reach = j.radius / zone * (zone + sight);
-    forFew(
+    parallelForSmall(
         "rhegma::cracks::hideNodes", points.count, KOKKOS_LAMBDA(const int r) {
           const Vector<2> x{points.position(r, 0), points.position(r, 1)};
           const int across = pieces.within(x, reach) ? pieces.across(points.side(r)) : -1;
@@ -227,7 +227,7 @@ void Junctions::hideNodes(const State<2>& state, const ObservedPoints<2>& points
             const int n = table.node(r, k);
             if (n >= numLattice)
               return false;
-            const Vector<2> node = places(n);
+            const Vector<2> node = positions(n);
             return pieces.within(node, pieces.radius) && pieces.near(node) == (across == 1);
           };
           for (int k = 0; k < table.count(r); ++k)

@@ -29,13 +29,13 @@ struct Meeting
 /// The T junctions of a 2D scene: a crack that has ended on the face of another which goes through. Three
 /// pieces of material meet there, and nodes have but two fields. So within two cells of a junction
 ///
-///   - nodes on the side on which the crack ends are that crack's: their fields are of the two pieces beside
+///   - nodes on the side on which the crack ends are that crack's: their fields are of the two pieces next to
 ///     it. Particles of the third piece, across the crack that goes through, do not see them;
 ///   - nodes of the third piece are not seen by particles of the other two.
 ///
 /// What a particle so no longer sees is made up for by the others that it does, in proportion to their shape
 /// functions (Shepard): they sum to one, and their slopes to zero, but are not linearly complete there, as in
-/// broken cells (Visibility.hpp). Particles beside both cracks know a side of each (`otherSide`).
+/// broken cells (Visibility.hpp). Particles next to both cracks know a side of each (`otherSide`).
 class Junctions
 {
 public:
@@ -51,12 +51,12 @@ public:
       add(state, meeting.crack, meeting.first, meeting.other);
   }
 
-  /// Adds one where a front has ended on another crack, once that is laid out: particles beside the last six
+  /// Adds one where a front has ended on another crack, once that is laid out: particles next to the last six
   /// cells of the one that ended, on its side of the other, learn on which side of it they are.
   /// \param ended the crack that ended \param first whether at its first end \param through the other crack
   void add(State<2>& state, int ended, bool first, int through);
 
-  /// Joins two cracks whose fronts have met, once they are laid out: particles beside one of them near the
+  /// Joins two cracks whose fronts have met, once they are laid out: particles next to one of them near the
   /// other learn on which side of that they are. There are two pieces of material, and no nodes to be given.
   /// \param one a crack \param first whether it ends at its first end \param two the other
   static void join(State<2>& state, int one, bool first, int two);

@@ -19,7 +19,7 @@ KOKKOS_INLINE_FUNCTION std::uint64_t pack(double square, int simplex)
 
 /// What a simplex tells a node: that it is that near, unless another is nearer.
 template <int D>
-struct TellNode
+struct ReportNode
 {
   View<std::uint64_t*> nearest;
   Vector<D> corner[D], middle;
@@ -48,7 +48,7 @@ void findNearest(const State<D>& state, const Surroundings& around)
   const Grid<D> grid = state.mesh.grid;
   const CrackSight<D> sight(state.cracks, grid.spacing);
   const View<std::uint64_t*> nearest = around.nearest;
-  const NodePlaces<D> places = nodePlaces(state);
+  const NodePositions<D> positions = nodePositions(state);
   const bool refined = state.mesh.tree.refined();
   const View<int*> root = state.mesh.tree.root, fineBegin = state.mesh.tree.fineBegin,
                    fineIn = state.mesh.tree.fineIn;
@@ -56,24 +56,24 @@ void findNearest(const State<D>& state, const Surroundings& around)
   Kokkos::parallel_for(
       "rhegma::cracks::findNearest", Policy(static_cast<int>(sight.simplex.extent(0)), Kokkos::AUTO),
       KOKKOS_LAMBDA(const typename Policy::member_type& team) {
-        TellNode<D> tell;
-        tell.nearest = nearest;
-        tell.simplex = team.league_rank();
-        tell.band = band;
-        tell.scale = 1.0 / (band * band);
-        tell.radius = 0.0;
-        sight.corners(tell.simplex, tell.corner);
+        ReportNode<D> report;
+        report.nearest = nearest;
+        report.simplex = team.league_rank();
+        report.band = band;
+        report.scale = 1.0 / (band * band);
+        report.radius = 0.0;
+        sight.corners(report.simplex, report.corner);
         int first[D], count[D], all = 1;
         for (int d = 0; d < D; ++d)
         {
-          double low = tell.corner[0][d], high = tell.corner[0][d];
+          double low = report.corner[0][d], high = report.corner[0][d];
           for (int i = 1; i < D; ++i)
           {
-            low = tell.corner[i][d] < low ? tell.corner[i][d] : low;
-            high = tell.corner[i][d] > high ? tell.corner[i][d] : high;
+            low = report.corner[i][d] < low ? report.corner[i][d] : low;
+            high = report.corner[i][d] > high ? report.corner[i][d] : high;
           }
-          tell.middle[d] = 0.5 * (low + high);
-          tell.radius += 0.25 * (high - low) * (high - low);
+          report.middle[d] = 0.5 * (low + high);
+          report.radius += 0.25 * (high - low) * (high - low);
           // The cell below the first node has nodes of its own in the band.
           int last = static_cast<int>(grid.inCells(high, d) + bandWidth);
           first[d] = static_cast<int>(grid.inCells(low, d) - bandWidth);
@@ -82,7 +82,7 @@ void findNearest(const State<D>& state, const Surroundings& around)
           count[d] = last < first[d] ? 0 : last - first[d] + 1;
           all *= count[d];
         }
-        tell.radius = std::sqrt(tell.radius);
+        report.radius = std::sqrt(report.radius);
         Kokkos::parallel_for(Kokkos::TeamThreadRange(team, all),
                              [&](const int k)
                              {
@@ -93,12 +93,12 @@ void findNearest(const State<D>& state, const Surroundings& around)
                                  rest /= count[d];
                                }
                                const int n = grid.nodeIndex(at);
-                               const Vector<D> x = grid.placeOf(at);
-                               tell(n, x);
+                               const Vector<D> x = grid.positionOf(at);
+                               report(n, x);
                                const int branch = refined ? root(n) : -1;
                                for (int i = branch < 0 ? 0 : fineBegin(branch);
                                     branch >= 0 && i < fineBegin(branch + 1); ++i)
-                                 tell(fineIn(i), places(fineIn(i)));
+                                 report(fineIn(i), positions(fineIn(i)));
                              });
       });
 }

@@ -71,16 +71,16 @@ Plane readPlane(const std::vector<Vector<3>>& points, const std::string& where, 
     longest = std::max(longest, norm(x - points[0]));
   const Plane plane = surface::planeOf(points, area);
   if (area < 1e-6 * longest * longest)
-    throw std::invalid_argument(where + ": the polygon has no area; give points that go round one");
+    throw std::invalid_argument(where +
+                                ": the polygon has no area; write the corners of a polygon with an area");
   refuseLarge(area, where, cell);
   for (std::size_t k = 0; k < points.size(); ++k)
   {
     const double off = std::abs(dot(points[k] - plane.origin, plane.normal));
     if (off > flatness * cell)
-      throw std::invalid_argument(
-          where + ": point " + number(k) + " lies " + formatReal(off) +
-          " m off the plane of the polygon, which must be flat to a hundredth of a cell; "
-          "move it, or give several cracks");
+      throw std::invalid_argument(where + ": point " + number(k) + " lies " + formatReal(off) +
+                                  " m off the plane of the polygon, which must be plane to a hundredth of a "
+                                  "cell; move it, or write several cracks");
   }
   return plane;
 }

@@ -62,9 +62,10 @@ int beyondEnd(const Vector<2>& end, const Vector<2>& before, const Vector<2>& ou
   if (surface::goesOn<2>(isIn, end, ahead, context.cell))
     return facet::front;
   if (isIn(end + (0.5 * context.cell) * ahead))
-    warnings.push_back(where + ": less than a cell of material is left ahead of the end at " +
-                       formatReal(end[0]) + ", " + formatReal(end[1]) +
-                       ", so it counts as broken; take smaller cells (Domain > Cell Size), or choose Fronts");
+    warnings.push_back(
+        where + ": less than a cell of material is left ahead of the end at " + formatReal(end[0]) + ", " +
+        formatReal(end[1]) +
+        ", so it is treated as broken through; use smaller cells (Domain > Cell Size), or set Fronts");
   return facet::surfaceBreaking;
 }
 

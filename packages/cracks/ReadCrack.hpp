@@ -14,11 +14,11 @@ namespace Rhegma::cracks
 
 /// The message for a crack none of which is in a body.
 inline constexpr char outsideOfBodies[] =
-    "the crack lies outside of all bodies; give points inside one of them";
+    "the crack lies outside of all bodies; write points inside one of them";
 
 /// The message for a polyline that has a point twice.
 inline constexpr char samePoints[] =
-    "two points in a row are the same, so a piece of the crack has no length; leave one of them out";
+    "two consecutive points are the same, so a segment of the crack has no length; remove one of them";
 
 /// What a crack is read with.
 template <int D>

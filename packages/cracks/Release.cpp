@@ -1,6 +1,6 @@
 #include "cracks/Release.hpp"
 
-#include "base/FewItems.hpp"
+#include "base/SmallLoops.hpp"
 #include "cracks/HoldingForce.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
@@ -79,13 +79,13 @@ View<double* [D + 3]> measurePassed(const State<D>& state, const Surroundings& s
 {
   const Nodes<D> nodes = state.mesh.nodes;
   View<double * [D + 3]> rows("rhegma::cracks::passedNodes", nodes.numSecond);
-  const NodePlaces<D> positions = nodePlaces(state);
+  const NodePositions<D> positions = nodePositions(state);
   const View<std::uint64_t*> nearest = surroundings.nearest;
   const bool refined = state.mesh.tree.refined();
   const View<int*> level = state.mesh.tree.nodeLevel;
   const double spacing = state.mesh.grid.spacing;
   const NodeArea<D> areaOf{CrackSight<D>(state.cracks, spacing), smallestDensity(state.materials.list)};
-  forFew(
+  parallelForSmall(
       "rhegma::cracks::passedNodes", nodes.numSecond, KOKKOS_LAMBDA(const int i) {
         const int own = nodes.parent(i);
         if (!springs.isPassed(own))
@@ -159,7 +159,7 @@ std::vector<PassedNode> listPassed(const State<D>& state, const View<double * [D
     Vector<D> x;
     for (int d = 0; d < D; ++d)
       x[d] = host(i, 3 + d);
-    passed.push_back({i, host(i, 1), host(i, 2), countsHere(state.mesh.nodes, parent(i)),
+    passed.push_back({i, host(i, 1), host(i, 2), isOwnedByThisRank(state.mesh.nodes, parent(i)),
                       nearestPoint(state.cracks, first, state.cracks.fronts[front].crack, x, first[front])});
   }
   return passed;
@@ -257,7 +257,7 @@ void releasePassedNodes(State<D>& state, const Surroundings& surroundings, const
       releaseRanges(state, measurePassed(state, surroundings, springs, holding), toughness);
   const View<double * [D + 1]> spring = state.cracks.spring;
   const StableStiffness<D> stable(state);
-  forFew(
+  parallelForSmall(
       "rhegma::cracks::releasePassedNodes", nodes.numSecond, KOKKOS_LAMBDA(const int i) {
         const int own = nodes.parent(i), other = nodes.numLattice + i;
         if (!springs.isPassed(own))
@@ -278,7 +278,7 @@ void releasePassedNodes(State<D>& state, const Surroundings& surroundings, const
         for (int d = 0; d < D; ++d)
         {
           spring(own, d) = -signOf(side(own)) * force[d];
-          if (!countsHere(nodes, own))
+          if (!isOwnedByThisRank(nodes, own))
             continue;
           nodes.sums(own, Nodes<D>::forceAt + d) += spring(own, d);
           nodes.sums(other, Nodes<D>::forceAt + d) -= spring(own, d);
@@ -291,13 +291,13 @@ void returnPendingEnergy(State<D>& state, const NodalSprings<D>& springs, const 
                          int stamp)
 {
   const Nodes<D> nodes = state.mesh.nodes;
-  const NodePlaces<D> positions = nodePlaces(state);
+  const NodePositions<D> positions = nodePositions(state);
   const int before = stamp - 1;
   const auto pending = KOKKOS_LAMBDA(const int i)
   {
     const int n = nodes.active(i);
     const NodalSpring<D> node = springs(n);
-    return before > 0 && static_cast<int>(node.step()) == before && countsHere(nodes, n)
+    return before > 0 && static_cast<int>(node.step()) == before && isOwnedByThisRank(nodes, n)
                ? node.pendingEnergy(node.opening())
                : 0.0;
   };

@@ -94,7 +94,7 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
 {
   const Nodes<D> nodes = state.mesh.nodes;
   const Grid<D> grid = state.mesh.grid;
-  const NodePlaces<D> places = nodePlaces(state);
+  const NodePositions<D> positions = nodePositions(state);
   const bool refined = state.mesh.tree.refined();
   const View<int*> level = state.mesh.tree.nodeLevel;
   const CrackSight<D> sight(state.cracks, grid.spacing);
@@ -109,7 +109,7 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
         if (nearest(n) == noSimplex)
           return;
         const int s = simplexOf(nearest(n));
-        const Vector<D> x = places(n);
+        const Vector<D> x = positions(n);
         const double cell = refined ? grid.spacing / (1 << level(n)) : grid.spacing;
         const Sight seen = sight.look(s, x);
         const bool springs = frontSprings && sight.nearFront(s) != nearFront::springsDisabled;
@@ -124,16 +124,16 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
           at[d] = static_cast<int>(grid.inCells(x[d], d) + 1e-6);
         for (int k = 0; k < (1 << (2 * D)); ++k)
         {
-          int beside[D];
+          int adjacent[D];
           bool exists =
               true; // where a crack begins at the rim of the domain, a cell may be beyond the lattice
           for (int d = 0; d < D; ++d)
           {
-            beside[d] = at[d] + ((k >> (2 * d)) & 3) - 2;
-            exists = exists && beside[d] >= 0 && beside[d] < grid.cells[d];
+            adjacent[d] = at[d] + ((k >> (2 * d)) & 3) - 2;
+            exists = exists && adjacent[d] >= 0 && adjacent[d] < grid.cells[d];
           }
-          if (exists && relaxedLoad(cellMark(grid.nodeIndex(beside))) != stamp)
-            Kokkos::atomic_exchange(&cellMark(grid.nodeIndex(beside)), stamp);
+          if (exists && relaxedLoad(cellMark(grid.nodeIndex(adjacent))) != stamp)
+            Kokkos::atomic_exchange(&cellMark(grid.nodeIndex(adjacent)), stamp);
         }
       });
 }
@@ -178,12 +178,12 @@ void listParents(State<D>& state, int count)
       });
 }
 
-/// Cells: a place nearer to the crack than this lies on side +1. Rounding would else strew a row of particles
-/// on a crack over both sides, and nodes that few of them reach would fly.
+/// Cells: a position nearer to the crack than this lies on side +1. Rounding would else strew a row of
+/// particles on a crack over both sides, and nodes that few of them reach would fly.
 constexpr double onCrack = 1e-6;
 
-/// The side of a place in a cell: that of the simplex, of those nearest to the cell's nodes, which is nearest
-/// to the place. 0 where no crack is near.
+/// The side of a position in a cell: that of the simplex, of those nearest to the cell's nodes, which is
+/// nearest to the position. 0 where no crack is near.
 template <int D>
 struct SideOfPlace
 {
@@ -302,9 +302,9 @@ void markParticles(const State<D>& state, const Surroundings& around, const Reac
 
 /// Arrays over nodes and cells, grown where cells have been refined since.
 template <int D>
-void makeRoom(State<D>& state, Surroundings& around)
+void reserveRows(State<D>& state, Surroundings& around)
 {
-  const int nodes = state.mesh.nodes.numLattice, room = nodes + nodes / 4;
+  const int nodes = state.mesh.nodes.numLattice, capacity = nodes + nodes / 4;
   // Where the domain was divided anew, values would be other nodes'.
   if (state.mesh.subdomain && around.generation != state.mesh.tree.generation)
   {
@@ -316,14 +316,14 @@ void makeRoom(State<D>& state, Surroundings& around)
     around.cellMark = View<int*>("rhegma::cracks::cellMark", state.mesh.grid.numNodes);
   if (static_cast<int>(around.nearest.extent(0)) < nodes)
   {
-    around.nearest = View<std::uint64_t*>("rhegma::cracks::nearest", room);
+    around.nearest = View<std::uint64_t*>("rhegma::cracks::nearest", capacity);
     Kokkos::deep_copy(around.nearest, noSimplex);
   }
   CrackSet<D>& cracks = state.cracks;
   if (static_cast<int>(cracks.nodeSide.extent(0)) < nodes)
   {
-    cracks.nodeSide = View<int*>("rhegma::nodeSide", room);
-    cracks.second = View<int*>("rhegma::secondField", room);
+    cracks.nodeSide = View<int*>("rhegma::nodeSide", capacity);
+    cracks.second = View<int*>("rhegma::secondField", capacity);
     Kokkos::deep_copy(cracks.second, -1);
   }
 }
@@ -334,7 +334,7 @@ template <int D>
 void findSides(State<D>& state, Surroundings& surroundings, const View<int*>& row,
                const std::function<void()>& claim)
 {
-  makeRoom(state, surroundings);
+  reserveRows(state, surroundings);
   ++surroundings.stamp;
   clearNodeSides(state, surroundings);
   findNearest(state, surroundings);

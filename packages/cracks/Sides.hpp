@@ -10,13 +10,13 @@
 namespace Rhegma::cracks
 {
 
-/// A node less than this share of a cell below a crack counts as above it, so that a crack on a row of nodes
-/// stays so while the body deforms a little.
+/// A node less than this fraction of a cell below a crack counts as above it, so that a crack on a row of
+/// nodes stays so while the body deforms a little.
 constexpr double tieTolerance = 0.1;
 
-/// A node less than this share of a cell behind a front counts as at the front and stays closed: so a front
-/// on a column of nodes stays there, and the crack that the cells have is neither too long nor too short in
-/// the mean (unit test InclinedCracks; with a tenth of a cell it was 0.14 cells too long).
+/// A node less than this fraction of a cell behind a front counts as at the front and stays closed: so a
+/// front on a column of nodes stays there, and the crack that the cells have is neither too long nor too
+/// short in the mean (unit test InclinedCracks; with a tenth of a cell it was 0.14 cells too long).
 constexpr double frontTolerance = 0.25;
 
 /// The same with springs behind fronts (FrontSprings.hpp), which make up for what is too long. Where a crack

@@ -1,6 +1,6 @@
 /// Forces and energies of the springs behind fronts, and how they stretch.
 
-#include "base/FewItems.hpp"
+#include "base/SmallLoops.hpp"
 #include "cracks/FrontSprings.hpp"
 #include "cracks/HoldingForce.hpp"
 #include "cracks/Release.hpp"
@@ -45,7 +45,7 @@ template <int D>
 struct StretchSpring
 {
   Nodes<D> nodes;
-  NodePlaces<D> positions;
+  NodePositions<D> positions;
   View<int*> side;
   NodalSprings<D> springs;
   View<double * [D + 1]> spring; ///< CrackSet::spring
@@ -60,7 +60,7 @@ struct StretchSpring
   {
     const int own = nodes.parent(i), other = nodes.numLattice + i;
     const double sign = signOf(side(own));
-    const bool counts = countsHere(nodes, own);
+    const bool counts = isOwnedByThisRank(nodes, own);
     // A field without mass moves nowhere: the flight of the other is no stretch.
     const bool both = nodes.sums(own, Nodes<D>::massAt) > 0.0 && nodes.sums(other, Nodes<D>::massAt) > 0.0;
     const NodalSpring<D> node = springs(own);
@@ -127,11 +127,11 @@ void FrontSprings<D>::addForces(State<D>& state) const
   const View<int*> side = state.cracks.nodeSide;
   const NodalSprings<D> all = springs(state);
   const View<double * [D + 1]> spring = state.cracks.spring;
-  forFew(
+  parallelForSmall(
       "rhegma::cracks::addSprings", nodes.numSecond, KOKKOS_LAMBDA(const int i) {
         const int own = nodes.parent(i), other = nodes.numLattice + i;
         setForce(spring, own, pullOf(spring(own, D), all(own).opening(), signOf(side(own))));
-        for (int d = 0; d < D && countsHere(nodes, own); ++d)
+        for (int d = 0; d < D && isOwnedByThisRank(nodes, own); ++d)
         {
           nodes.sums(own, Nodes<D>::forceAt + d) += spring(own, d);
           nodes.sums(other, Nodes<D>::forceAt + d) -= spring(own, d);
@@ -151,7 +151,7 @@ void FrontSprings<D>::release(State<D>& state, const Surroundings& surroundings,
 }
 
 template <int D>
-FollowingForce<D> FrontSprings<D>::following() const
+DisplacementDependentForce<D> FrontSprings<D>::following() const
 {
   using Values = View<double* [D]>;
   const auto frozen = [](const State<D>& state, const NodeSlots& slots, const Values& force)
@@ -162,7 +162,7 @@ FollowingForce<D> FrontSprings<D>::following() const
         "rhegma::cracks::frozenSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
         KOKKOS_LAMBDA(const int i) {
           const int own = nodes.parent(i), other = nodes.numLattice + i;
-          if (slots.moves(own) == slots.moves(other) || !countsHere(nodes, own))
+          if (slots.moves(own) == slots.moves(other) || !isOwnedByThisRank(nodes, own))
             return;
           const int at = slots.of(slots.moves(own) ? own : other);
           for (int d = 0; d < D; ++d)
@@ -180,7 +180,8 @@ FollowingForce<D> FrontSprings<D>::following() const
         "rhegma::cracks::followSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
         KOKKOS_LAMBDA(const int i) {
           const int own = nodes.parent(i), other = nodes.numLattice + i;
-          if (spring(own, D) == 0.0 || !slots.moves(own) || !slots.moves(other) || !countsHere(nodes, own))
+          if (spring(own, D) == 0.0 || !slots.moves(own) || !slots.moves(other) ||
+              !isOwnedByThisRank(nodes, own))
             return;
           const int a = slots.of(own), b = slots.of(other);
           const double sign = signOf(side(own));
@@ -207,7 +208,7 @@ void FrontSprings<D>::advance(State<D>& state)
 {
   const View<double*> excess("rhegma::cracks::excess", grows_ ? state.mesh.nodes.numSecond : 0);
   const StretchSpring<D> stretch{state.mesh.nodes,
-                                 nodePlaces(state),
+                                 nodePositions(state),
                                  state.cracks.nodeSide,
                                  springs(state),
                                  state.cracks.spring,
@@ -217,8 +218,8 @@ void FrontSprings<D>::advance(State<D>& state)
                                  state.method.scheme == UpdateScheme::Usl,
                                  state.clock.strainPass.before};
   double elastic = 0.0, dissipated = 0.0, beyond = 0.0;
-  sumFew("rhegma::cracks::stretchSprings", 0, state.mesh.nodes.numSecond, stretch, elastic, dissipated,
-         beyond);
+  parallelSumSmall("rhegma::cracks::stretchSprings", 0, state.mesh.nodes.numSecond, stretch, elastic,
+                   dissipated, beyond);
   state.energy.springs = elastic;
   state.energy.fracture += dissipated;
   std::vector<CrackFront<D>>& fronts = state.cracks.fronts;
@@ -241,10 +242,10 @@ double FrontSprings<D>::pendingEnergy(const State<D>& state, int step) const
 {
   const Nodes<D> nodes = state.mesh.nodes;
   const NodalSprings<D> all = springs(state);
-  double sum = sumFew<double>(
+  double sum = parallelSumSmall<double>(
       "rhegma::cracks::pendingEnergy", nodes.numLattice, KOKKOS_LAMBDA(const int n, double& sumHere) {
         const NodalSpring<D> node = all(n);
-        if (step > 0 && static_cast<int>(node.step()) == step && countsHere(nodes, n))
+        if (step > 0 && static_cast<int>(node.step()) == step && isOwnedByThisRank(nodes, n))
           sumHere += node.pendingEnergy(node.opening());
       });
   sumParts(state, &sum, 1);
@@ -257,8 +258,8 @@ template void FrontSprings<2>::addForces(State<2>&) const;
 template void FrontSprings<3>::addForces(State<3>&) const;
 template void FrontSprings<2>::release(State<2>&, const Surroundings&, const ToughnessAlong<2>&);
 template void FrontSprings<3>::release(State<3>&, const Surroundings&, const ToughnessAlong<3>&);
-template FollowingForce<2> FrontSprings<2>::following() const;
-template FollowingForce<3> FrontSprings<3>::following() const;
+template DisplacementDependentForce<2> FrontSprings<2>::following() const;
+template DisplacementDependentForce<3> FrontSprings<3>::following() const;
 template void FrontSprings<2>::advance(State<2>&);
 template void FrontSprings<3>::advance(State<3>&);
 template double FrontSprings<2>::pendingEnergy(const State<2>&, int) const;

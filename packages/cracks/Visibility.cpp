@@ -2,7 +2,7 @@
 
 #include "cracks/Junctions.hpp"
 
-#include "base/FewItems.hpp"
+#include "base/SmallLoops.hpp"
 #include "grid/Tree.hpp"
 
 namespace Rhegma::cracks
@@ -28,13 +28,13 @@ void useSecondFields(const State<D>& state, const ObservedPoints<D>& points, con
 {
   const Blind blind{state.cracks.nodeSide};
   const View<int*> second = state.cracks.second;
-  // Particles beside two cracks that have joined know a side of each.
+  // Particles next to two cracks that have joined know a side of each.
   BorrowedView<int*> otherSideOf;
   const bool joined = state.particles.has(otherSide) && points.side.data() == state.stored.points.side.data();
   if (joined)
     otherSideOf = state.particles.integer(otherSide);
   const View<int*> particle = state.stored.particle;
-  forFew(
+  parallelForSmall(
       "rhegma::cracks::useSecondFields", points.count, KOKKOS_LAMBDA(const int r) {
         const int side = points.side(r), count = side != 0 ? table.count(r) : 0;
         const int other = joined ? otherSideOf(particle(r)) : 0;

@@ -60,7 +60,7 @@ template <int D>
 double lossToStresses(const State<D>& state, double rate, View<char**>& heldNodes)
 {
   const Nodes<D> nodes = state.mesh.nodes;
-  const NodePlaces<D> places = nodePlaces(state);
+  const NodePositions<D> positions = nodePositions(state);
   clearMarks(state, heldNodes);
   const View<char**> held = heldNodes;
   for (const NodeConstraint<D>& constraint : state.motion.constraints)
@@ -68,15 +68,15 @@ double lossToStresses(const State<D>& state, double rate, View<char**>& heldNode
         "rhegma::markHeldNodes", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
         KOKKOS_LAMBDA(const int i) {
           const int n = activeNode(nodes, i);
-          if (constraint.appliesAt(places(latticeNode(nodes, n))))
+          if (constraint.appliesAt(positions(latticeNode(nodes, n))))
             for (int d = 0; d < D; ++d)
               held(n, d) = constraint.holds[d] ? char(1) : held(n, d);
         });
-  // Where nodes move in short steps the stress at the start acts on the velocity that was damped in the first
+  // Where nodes move in substeps the stress at the start acts on the velocity that was damped in the first
   // of them only.
-  const NodeSlots brief = state.motion.shortSteps.nodes;
+  const NodeSlots subcycled = state.motion.substeps.nodes;
   const View<int*> coupledRow = state.motion.coupledRow;
-  const double share = state.motion.shortSteps.length / state.clock.dt;
+  const double share = state.motion.substeps.length / state.clock.dt;
   double power = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::powerOfStresses", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
@@ -86,7 +86,7 @@ double lossToStresses(const State<D>& state, double rate, View<char**>& heldNode
         const bool coupled = coupledRow.extent(0) > 0 && coupledRow(n) >= 0;
         for (int d = 0; d < D && mass > 0.0; ++d)
           if (coupled || held(n, d) == 0)
-            sum += (brief.moves(n) ? share : 1.0) * nodes.sums(n, Nodes<D>::forceAt + d) *
+            sum += (subcycled.moves(n) ? share : 1.0) * nodes.sums(n, Nodes<D>::forceAt + d) *
                    nodes.sums(n, Nodes<D>::momentumAt + d) / mass;
       },
       power);
@@ -103,16 +103,16 @@ double addViscousStress(State<D>& state, double shearViscosity, double bulkVisco
   double loss = 0.0;
   // With heat the work is no loss. In a step the stress at its start acts on half of the motion, that at its
   // end on the other (LaneHeat.hpp). Of the first half, which has the viscous stress of the step before, the
-  // law takes up what acts in the first short step: all of it where there are none. The impulse of a viscous
-  // stress is that of the long step even so, and what the law leaves is booked here by the new stress, off by
+  // law takes up what acts in the first substep: all of it where there are none. The impulse of a viscous
+  // stress is that of the step even so, and what the law leaves is recorded here by the new stress, off by
   // a quarter of the change of its work in a step at most, which does not add up.
   const bool heats = state.particles.has(fields::internalEnergy);
-  const bool brief = heats && state.particles.has(fields::firstShare);
-  BorrowedView<double*> internal, firstShare;
+  const bool subcycled = heats && state.particles.has(fields::firstFraction);
+  BorrowedView<double*> internal, firstFraction;
   if (heats)
     internal = state.particles.scalar(fields::internalEnergy);
-  if (brief)
-    firstShare = state.particles.scalar(fields::firstShare);
+  if (subcycled)
+    firstFraction = state.particles.scalar(fields::firstFraction);
   Kokkos::parallel_reduce(
       "rhegma::viscousStress", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p, double& sum) {
@@ -129,7 +129,7 @@ double addViscousStress(State<D>& state, double shearViscosity, double bulkVisco
             power += (i == j ? 1.0 : 2.0) * viscous * strainRate;
           }
         if (heats)
-          internal(p) += (1.0 - 0.5 * (brief ? firstShare(p) : 1.0)) * dt * power;
+          internal(p) += (1.0 - 0.5 * (subcycled ? firstFraction(p) : 1.0)) * dt * power;
         else
           sum += dt * volume(p) * power;
       },

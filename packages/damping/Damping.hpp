@@ -21,7 +21,7 @@ double dampVelocity(State<D>& state, double rate);
 template <int D>
 void dampMomentum(const State<D>& state, double rate);
 
-/// What mass damping takes from stresses beside what dampVelocity returned [J], for MUSL and USAVG, once
+/// What mass damping takes from stresses next to what dampVelocity returned [J], for MUSL and USAVG, once
 /// nodes have the forces of stresses f and no others. Damped velocities are v exp(-rate dt), but particles
 /// have been strained by v: in between stresses have given, in the mean of the steps' starts and ends,
 /// f (v - v exp(-rate dt)) dt / 2 to a motion that is no more. At supports it is in their work, but where

@@ -154,11 +154,11 @@ struct ForceBlock
     }
     const double V = volume(p);
     connect.visit(p,
-                  [&](int node, double share, const double* slope)
+                  [&](int node, double fraction, const double* slope)
                   {
                     for (int k = 0; k < D; ++k)
                       force(node, k) += V * (flux[k][0] * slope[0] + flux[k][1] * slope[1] +
-                                             flux[k][2] * slope[2] + inertia[k] * share);
+                                             flux[k][2] * slope[2] + inertia[k] * fraction);
                   });
   }
 };

@@ -90,9 +90,9 @@ Gap<D> gapOf(const State<D>& state, const CrackFront<D>& front)
 
 /// clearRadius without the nodes in a gap.
 template <int D>
-double clearBeside(const State<D>& state, const Vector<D>& centre, double radius, const Gap<D>& gap)
+double clearAdjacent(const State<D>& state, const Vector<D>& centre, double radius, const Gap<D>& gap)
 {
-  const NodePlaces<D> places = nodePlaces(state);
+  const NodePositions<D> positions = nodePositions(state);
   const View<double*> cover = coverOfNodes(state, centre, radius);
   const Nodes<D> numbers = state.mesh.nodes;
   double nearest = radius;
@@ -101,8 +101,8 @@ double clearBeside(const State<D>& state, const Vector<D>& centre, double radius
       KOKKOS_LAMBDA(const int n, double& smallest) {
         if (!isOpen(numbers, cover, n))
           return;
-        const double r = norm(places(n) - centre);
-        if (r < smallest && !gap.holds(places(n)))
+        const double r = norm(positions(n) - centre);
+        if (r < smallest && !gap.holds(positions(n)))
           smallest = r;
       },
       Kokkos::Min<double>(nearest));
@@ -133,13 +133,13 @@ View<double*> coverOfNodes(const State<D>& state, const Vector<D>& centre, doubl
 template <int D>
 double clearRadius(const State<D>& state, const Vector<D>& centre, double radius)
 {
-  return clearBeside(state, centre, radius, Gap<D>{});
+  return clearAdjacent(state, centre, radius, Gap<D>{});
 }
 
 template <int D>
 double largestContour(const State<D>& state, const CrackFront<D>& front, double radius)
 {
-  double clear = clearBeside(state, front.position, radius, gapOf(state, front));
+  double clear = clearAdjacent(state, front.position, radius, gapOf(state, front));
   for (const CrackFront<D>& other : state.cracks.fronts)
     if (!other.ended && (other.crack != front.crack || other.number != front.number))
       clear = std::min(clear, norm(other.position - front.position));
@@ -169,7 +169,7 @@ double distanceToOtherCracks(const CrackSet<2>& cracks, const CrackFront<2>& fro
 namespace
 {
 
-constexpr double smallestOuterCells = 2.0, wantedInnerCells = 2.0;
+constexpr double smallestOuterCells = 2.0;
 
 } // namespace
 
@@ -184,24 +184,6 @@ ContourRadii usualRadii(const GivenRadii& given, double cell)
 double smallestOuter(const GivenRadii& given, double cell)
 {
   return given.inner > 0.0 ? given.inner + cell : smallestOuterCells * cell;
-}
-
-double roomAround(const State<2>& state, const CrackFront<2>& front, double radius)
-{
-  return std::min(largestContour(state, front, radius), distanceToOtherCracks(state.cracks, front));
-}
-
-ContourRadii fittingRadii(const State<2>& state, const CrackFront<2>& front, const GivenRadii& given)
-{
-  const double cell = spacingAt(state, front.position);
-  ContourRadii radii = usualRadii(given, cell);
-  if (given.outer > 0.0)
-    return radii;
-  const double usual = radii.outer;
-  radii.outer = std::max(roomAround(state, front, usual), smallestOuter(given, cell));
-  if (given.inner == 0.0 && radii.outer < usual)
-    radii.inner = std::max(0.5 * radii.outer, std::min(wantedInnerCells * cell, radii.outer - cell));
-  return radii;
 }
 
 template View<double*> coverOfNodes(const State<2>&, const Vector<2>&, double);

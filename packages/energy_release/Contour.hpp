@@ -19,7 +19,7 @@ struct ContourRadii
 template <int D>
 struct NodalWeight
 {
-  NodePlaces<D> places;
+  NodePositions<D> places;
   Vector<D> centre;
   ContourRadii radii;
 
@@ -40,11 +40,11 @@ constexpr double surrounded = 0.6;
 template <int D>
 KOKKOS_INLINE_FUNCTION bool isOpen(const Nodes<D>& nodes, const View<double*>& cover, int node)
 {
-  return countsHere(nodes, node) && cover(node) <= surrounded;
+  return isOwnedByThisRank(nodes, node) && cover(node) <= surrounded;
 }
 
-/// Share of each node's cells that particles cover, on the lattice and in refined cells, for nodes within
-/// `radius` [m] of a place. Collective.
+/// Fraction of each node's cells that particles cover, on the lattice and in refined cells, for nodes within
+/// `radius` [m] of a position. Collective.
 template <int D>
 View<double*> coverOfNodes(const State<D>& state, const Vector<D>& centre, double radius);
 
@@ -67,18 +67,10 @@ struct GivenRadii
   double innerCells = 3.0, outerCells = 6.0; ///< what the program takes [cells]
 };
 
-/// Radii where there is room: 3 and 6 cells (more round cracks that run), or so that a given one fits.
+/// Radii where nothing is near: those in cells, or so that a given one fits.
 ContourRadii usualRadii(const GivenRadii& given, double cell);
-
-/// Radii of a front. An outer radius that the scene does not give is drawn in to what stays inside the body
-/// and clear of other fronts and cracks, but not below smallestOuter; the inner one to half of it, and to no
-/// less than 2 cells where a cell is left for the weight to fall.
-ContourRadii fittingRadii(const State<2>& state, const CrackFront<2>& front, const GivenRadii& given);
 
 /// Smallest outer radius that is chosen: 2 cells, or a cell beyond a given inner radius.
 double smallestOuter(const GivenRadii& given, double cell);
-
-/// Largest outer radius that is clear of everything, at most `radius` [m].
-double roomAround(const State<2>& state, const CrackFront<2>& front, double radius);
 
 } // namespace Rhegma::energy_release

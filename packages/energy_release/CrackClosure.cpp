@@ -28,17 +28,17 @@ struct SideForces
   bool both() const { return touched[0] && touched[1]; }
 };
 
-std::map<int, SideForces> nodeForces(const std::vector<PatchParticle>& particles)
+std::map<int, SideForces> nodeForces(const std::vector<ParticleAroundTip>& particles)
 {
   int lowest = std::numeric_limits<int>::max(), highest = -1;
-  for (const PatchParticle& p : particles)
+  for (const ParticleAroundTip& p : particles)
     for (int k = 0; k < p.count; ++k)
     {
       lowest = std::min(lowest, p.node[k]);
       highest = std::max(highest, p.node[k]);
     }
   std::vector<SideForces> table(highest < 0 ? 0 : highest - lowest + 1);
-  for (const PatchParticle& p : particles)
+  for (const ParticleAroundTip& p : particles)
     for (int k = 0; k < p.count; ++k)
     {
       SideForces& f = table[p.node[k] - lowest];
@@ -61,7 +61,7 @@ class Columns
 public:
   Columns(const State<2>& state, const CrackFront<2>& front, double cell,
           const std::map<int, SideForces>& forces)
-      : places_(state),
+      : positions_(state),
         origin_(state.mesh.grid.whole),
         cell_(cell),
         axis_(std::fabs(front.direction[0]) >= std::fabs(front.direction[1]) ? 0 : 1),
@@ -82,10 +82,10 @@ public:
 private:
   int count(int node, int axis) const
   {
-    return static_cast<int>(std::lround((places_.placeOf(node)[axis] - origin_[axis]) / cell_));
+    return static_cast<int>(std::lround((positions_.positionOf(node)[axis] - origin_[axis]) / cell_));
   }
 
-  WholeNodes places_;
+  WholeNodes positions_;
   Vector<2> origin_;
   double cell_;
   int axis_, sign_;
@@ -214,7 +214,7 @@ CrackClosure closeCrack(const State<2>& state, const CrackFront<2>& front, int n
     return {none, none};
   const double cell = spacingAt(state, front.position);
   const double radius = patchRadius * cell, beyond = radius + patchStencil * state.mesh.grid.spacing;
-  const std::vector<PatchParticle> particles = particlesAround(state, front, radius);
+  const std::vector<ParticleAroundTip> particles = particlesAround(state, front, radius);
   const SplitNodes split(state, front, beyond);
   const std::map<int, SideForces> forces = nodeForces(particles);
   const SpringForces springs(state, front, beyond);

@@ -21,10 +21,10 @@ struct CrackClosure
 /// f_plus is the force of the particles of side +1 alone and f_minus that of side -1 (equal and opposite at
 /// rest). On the node m columns behind in the same row, [u] is the displacement of side +1 less that of side
 /// -1. A crack along a line of nodes has one row of such nodes, one between lines has two, and their works
-/// add. Where a spring holds the last column half open (cracks/FrontSprings.hpp), its force counts like that of a
-/// closed node: by Betti's theorem the energy that a crack longer by m columns has less is half of the forces
-/// of all nodes that are held now times what these are open then, which is what is open m columns behind
-/// them now.
+/// add. Where a spring holds the last column half open (cracks/FrontSprings.hpp), its force counts like that
+/// of a closed node: by Betti's theorem the energy that a crack longer by m columns has less is half of the
+/// forces of all nodes that are held now times what these are open then, which is what is open m columns
+/// behind them now.
 ///
 /// Not a number where the front's direction is more than 5 degrees off a direction of the grid: nodes then
 /// open one by one and not in columns (counted all the same, between 0.01 and 1.2 times J at 30, 45 and 60

@@ -1,8 +1,8 @@
 #include "energy_release/DomainIntegral.hpp"
 
+#include "energy_release/CrackPath.hpp"
 #include "energy_release/CrackTipFields.hpp"
-#include "energy_release/CrackWay.hpp"
-#include "energy_release/FacePressureTerm.hpp"
+#include "energy_release/FacePressureNearTip.hpp"
 #include "energy_release/FrontDisk.hpp"
 #include "energy_release/ParticleHeat.hpp"
 #include "energy_release/ParticleMotion.hpp"
@@ -21,7 +21,7 @@ namespace
 
 constexpr int D = 2;
 
-/// Angle of a place around the front in the front's frame; the side of a particle decides on which face it
+/// Angle of a position around the front in the front's frame; the side of a particle decides on which face it
 /// is.
 KOKKOS_INLINE_FUNCTION double tipAngle(double along, double across, int side)
 {
@@ -65,7 +65,7 @@ struct Integrand
   int positive, negative; ///< names of the crack's sides
   bool sides, moving;
   bool intensities; ///< false: only J is wanted
-  CrackWay way;
+  CrackPath path;
 
   KOKKOS_INLINE_FUNCTION void operator()(int p, double& J, double& modeI, double& modeII, double& reciprocalI,
                                          double& reciprocalII) const
@@ -75,15 +75,15 @@ struct Integrand
     if (distance(position, p, centre) > weight.radii.outer + 4.0 * weight.places.grid.spacing)
       return;
     // Interpolated like the motion, a weighted shift of the body is a motion that the cells can make:
-    // stresses in equilibrium do no work on it, however much the body beside the crack turns
+    // stresses in equilibrium do no work on it, however much the body next to the crack turns
     // (docs/broken_cells.md).
     double q = 0.0;
     Vector<D> dq{{0.0, 0.0}};
     broken.visit(p,
-                 [&](int node, double share, const double* slope)
+                 [&](int node, double fraction, const double* slope)
                  {
                    const double at = weight(node < numFirst ? node : parent(node - numFirst));
-                   q += share * at;
+                   q += fraction * at;
                    for (int d = 0; d < D; ++d)
                      dq[d] += slope[d] * at;
                  });
@@ -104,14 +104,14 @@ struct Integrand
     const Vector<D> du = image - direction;
     const Vector<D> dv1{
         {dv[0][0] * image[0] + dv[0][1] * image[1], dv[1][0] * image[0] + dv[1][1] * image[1]}};
-    // P_iJ q,J in undeformed space is tau_ij q,j in space.
+    // P_iJ q,J in undeformed space is tau_ij q,j in 3D.
     const double* tau = &stress(p, 0);
     const Vector<D> flux{{tau[0] * dq[0] + tau[2] * dq[1], tau[2] * dq[0] + tau[1] * dq[1]}};
     const double density = mass(p) / volume(p);
     const double* own = history.extent(1) > 0 ? &history(p, 0) : nullptr;
     const Properties& law = materials(material(p));
     const double energy = heat.energy(p, material(p), law, F, own) + 0.5 * density * dot(v, v);
-    if (way.count == 0)
+    if (path.count == 0)
       J += volume(p) * (dot(flux, du) - energy * dot(dq, image) +
                         (density * (dot(a, du) - dot(v, dv1)) -
                          heat.energyAlong(p, material(p), law, F, tau, own, image)) *
@@ -135,16 +135,16 @@ struct Integrand
   {
     double Q[D] = {}, dQ[D][D] = {};
     broken.visit(p,
-                 [&](int node, double share, const double* slope)
+                 [&](int node, double fraction, const double* slope)
                  {
                    const int own = node < numFirst ? node : parent(node - numFirst);
                    const double at = weight(own);
                    if (at == 0.0)
                      return;
-                   const Vector<D> shift = at * way(weight.places(own));
+                   const Vector<D> shift = at * path(weight.places(own));
                    for (int k = 0; k < D; ++k)
                    {
-                     Q[k] += share * shift[k];
+                     Q[k] += fraction * shift[k];
                      for (int d = 0; d < D; ++d)
                        dQ[k][d] += slope[d] * shift[k];
                    }
@@ -232,10 +232,10 @@ struct Integrand
   }
 };
 
-/// How far beside the crack, along the front's normal, the cut lies that the particles have, where the weight
-/// falls: particles stand for their boxes, so that it is midway between the nearest above and the nearest
-/// below. With the hat (1 - |z| / h) about the crack, the sums of volume on its two sides differ by 2 h times
-/// the offset per h^2. Zero where particles have no sides.
+/// How far next to the crack, along the front's normal, the cut lies that the particles have, where the
+/// weight falls: particles stand for their boxes, so that it is midway between the nearest above and the
+/// nearest below. With the hat (1 - |z| / h) about the crack, the sums of volume on its two sides differ by 2
+/// h times the offset per h^2. Zero where particles have no sides.
 double offsetAside(const State<D>& state, const CrackFront<D>& front, const ContourRadii& radii)
 {
   if (!state.particles.has(fields::side))
@@ -307,7 +307,7 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
   work.broken = broken;
   work.parent = state.mesh.nodes.parent;
   work.numFirst = state.mesh.nodes.numLattice;
-  work.weight = {nodePlaces(state), front.position, radii};
+  work.weight = {nodePositions(state), front.position, radii};
   work.motion = NodalVelocity<D>(state);
   work.acceleration = acceleration;
   work.position = state.particles.template real<D>(fields::position);
@@ -325,7 +325,7 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
   work.materials = state.materials.device;
   work.heat = ParticleHeat<D>(state);
   work.disk = describeDisk(state, front, radii);
-  work.way = wayOf(state, front, radii.outer);
+  work.path = crackPathBehind(state, front, radii.outer);
   work.direction = front.direction;
   work.normal = front.normal;
   work.positive = front.crack + 1;

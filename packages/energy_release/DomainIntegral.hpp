@@ -48,9 +48,9 @@ struct DomainIntegral
 ///
 /// Nodes open one by one, so that the crack that the cells have ends up to a cell before or behind the front.
 /// Its field around the front is K (w - c w,1 + ...), c the offset of its tip. A field w about the wrong
-/// place mistakes a share of the next terms of the real field for K: where they are large, as in slender
-/// arms, K is off by c over a quarter of the arm's height (4 % with 8 cells an arm), though J is not. The
-/// offset follows from reciprocity, and w is taken about front + c:
+/// position mistakes a fraction of the next terms of the real field for K: where they are large, as in
+/// slender arms, K is off by c over a quarter of the arm's height (4 % with 8 cells an arm), though J is not.
+/// The offset follows from reciprocity, and w is taken about front + c:
 ///
 ///     R   = int (s_ij w_i - z_ij u_i) q,j + (rho a_i w_i - (theta - 1) tr z) q  dV / thickness = 2 K c / E'
 ///     c   = E' (R_I K_I + R_II K_II) / (2 (K_I^2 + K_II^2))

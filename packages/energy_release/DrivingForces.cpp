@@ -3,7 +3,11 @@
 #include "archive/Archive.hpp"
 #include "energy_release/CrackTipFields.hpp"
 #include "energy_release/DomainIntegral.hpp"
+#include "energy_release/FrontIntegral.hpp"
+#include "energy_release/FrontOpening.hpp"
+#include "plan/LastStage.hpp"
 #include "transfer/LocalSpacing.hpp"
+#include "transfer/NearestMaterial.hpp"
 
 #include <algorithm>
 #include <string>
@@ -14,86 +18,186 @@ namespace Rhegma::energy_release
 namespace
 {
 
-/// Cells by which a front may move before its radii are found anew, unless its cells change.
-constexpr double lookAgain = 1.0;
+/// Cells by which a front node may move before its tube is fitted anew; in 3D less than four advances of a
+/// quarter of a cell, of which last digits would tell whether they are more.
+template <int D>
+constexpr double fitAgainAfter = D == 2 ? 1.0 : 0.9;
+
+/// The largest distance of a front's nodes from where they were; infinite where these were others [m].
+template <int D>
+double largestMove(const std::vector<double>& at, const CrackFront<D>& front)
+{
+  if (at.size() != D * front.nodes.size())
+    return 1e300;
+  double largest = 0.0;
+  for (std::size_t k = 0; k < front.nodes.size(); ++k)
+  {
+    Vector<D> before;
+    std::copy_n(&at[D * k], D, before.c);
+    largest = std::max(largest, norm(front.nodes[k].position - before));
+  }
+  return largest;
+}
+
 /// Smallest radii [cells].
 constexpr double leastOuter = 2.0, leastInner = 1.0;
 
-ContourRadii fitting(double inner, double outer, double room, double cell)
+FrontTube fittingDisk(double inner, double outer, double clear, double cell)
 {
   ContourRadii radii;
-  radii.outer = std::max(std::min(outer * cell, room), leastOuter * cell);
-  // The weight falls over two cells at least, and over half of the radius where there is no room.
+  radii.outer = std::max(std::min(outer * cell, clear), leastOuter * cell);
+  // The weight falls over two cells at least, and over half of the radius where that does not fit.
   radii.inner = std::min(inner * cell, std::max(radii.outer - 2.0 * cell, 0.5 * radii.outer));
   radii.inner = std::max(radii.inner, leastInner * cell);
-  return radii;
+  return {radii, 0.0};
+}
+
+/// Tubes for J and for stress intensities.
+void fitTubes(const State<2>& state, const CrackFront<2>& front, double cell, FrontTube& release,
+              FrontTube& intensity)
+{
+  const DrivingContours& wanted = state.cracks.drivingContours;
+  const double clear = clearAround(state, front, std::max(wanted.releaseOuter, wanted.intensityOuter) * cell);
+  release = fittingDisk(wanted.releaseInner, wanted.releaseOuter, clear, cell);
+  intensity = fittingDisk(wanted.intensityInner, wanted.intensityOuter, clear, cell);
+}
+
+void fitTubes(const State<3>& state, const CrackFront<3>& front, double, FrontTube& release,
+              FrontTube& intensity)
+{
+  release = intensity = fittingTube(state, front, usualCells<3>());
+}
+
+/// J at the nodes of a front [J/m2].
+std::vector<double> releaseAlong(const State<2>& state, const CrackFront<2>& front, const FrontTube& tube,
+                                 NodalAcceleration<2>& acceleration)
+{
+  internalAcceleration(state, front.position, accelerationReach(state, tube.radii), acceleration);
+  return {integrateRelease(state, front, tube.radii, acceleration)};
+}
+
+std::vector<double> releaseAlong(const State<3>& state, const CrackFront<3>& front, const FrontTube& tube,
+                                 NodalAcceleration<3>& acceleration)
+{
+  return integrateAlongFront(state, front.crack, lineOf(front), tube, acceleration);
+}
+
+/// Stress intensities at the nodes of a front.
+std::vector<Intensities> intensitiesAlong(const State<2>& state, const CrackFront<2>& front,
+                                          const FrontTube& tube, NodalAcceleration<2>& acceleration)
+{
+  internalAcceleration(state, front.position, accelerationReach(state, tube.radii), acceleration);
+  const DomainIntegral integral = integrateDomain(state, front, tube.radii, acceleration);
+  return {{integral.modeI, integral.modeII, 0.0}};
+}
+
+std::vector<Intensities> intensitiesAlong(const State<3>& state, const CrackFront<3>& front,
+                                          const FrontTube& tube, NodalAcceleration<3>&)
+{
+  const Elasticity e = elasticity(state.materials.list[materialAt(state, front.position)]);
+  std::vector<Intensities> K =
+      openingsBehind(state.cracks, front, lineOf(front), e, spacingAt(state, front.position), tube.halfWidth);
+  for (std::size_t k = 0; k < K.size(); ++k)
+    K[k] = scaleTo(K[k], front.nodes[k].driving.release, e);
+  return K;
 }
 
 } // namespace
 
-const DrivingForces::Contours& DrivingForces::contoursOf(const State<2>& state, std::size_t f)
+template <int D>
+const typename DrivingForces<D>::Fitted& DrivingForces<D>::tubesOf(const State<D>& state, std::size_t f)
 {
-  contours_.resize(state.cracks.fronts.size());
-  Contours& own = contours_[f];
-  const CrackFront<2>& front = state.cracks.fronts[f];
+  fitted_.resize(state.cracks.fronts.size());
+  Fitted& own = fitted_[f];
+  const CrackFront<D>& front = state.cracks.fronts[f];
   const double cell = spacingAt(state, front.position);
-  if (own.cell == cell && norm(front.position - own.at) < lookAgain * own.cell)
+  if (largestMove(own.at, front) < fitAgainAfter<D> * cell && (D == 3 || own.cell == cell))
     return own;
-  own.at = front.position;
+  own.at.clear();
+  for (const FrontNode<D>& node : front.nodes)
+    own.at.insert(own.at.end(), node.position.c, node.position.c + D);
   own.cell = cell;
-  const DrivingContours& wanted = state.cracks.drivingContours;
-  const double room =
-      roomAround(state, front, std::max(wanted.releaseOuter, wanted.intensityOuter) * own.cell);
-  own.release = fitting(wanted.releaseInner, wanted.releaseOuter, room, own.cell);
-  own.intensity = fitting(wanted.intensityInner, wanted.intensityOuter, room, own.cell);
+  fitTubes(state, front, cell, own.release, own.intensity);
   return own;
 }
 
-void DrivingForces::measureRelease(State<2>& state)
+template <int D>
+void DrivingForces<D>::computeRelease(State<D>& state)
 {
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
-    CrackFront<2>& front = state.cracks.fronts[f];
-    if (front.ended || front.stopped())
+    CrackFront<D>& front = state.cracks.fronts[f];
+    if (front.ended || front.stopped() || front.numFacets == 0)
       continue;
-    const ContourRadii radii = contoursOf(state, f).release;
-    internalAcceleration(state, front.position, accelerationReach(state, radii), acceleration_);
-    front.nodes[0].driving.release = integrateRelease(state, front, radii, acceleration_);
+    const std::vector<double> J = releaseAlong(state, front, tubesOf(state, f).release, acceleration_);
+    for (std::size_t k = 0; k < J.size(); ++k)
+      front.nodes[k].driving.release = J[k];
   }
 }
 
-void DrivingForces::measureIntensities(State<2>& state)
+template <int D>
+void DrivingForces<D>::computeIntensities(State<D>& state)
 {
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
-    CrackFront<2>& front = state.cracks.fronts[f];
-    if (!front.advances())
+    CrackFront<D>& front = state.cracks.fronts[f];
+    if (!front.advances() || front.numFacets == 0)
       continue;
-    const ContourRadii radii = contoursOf(state, f).intensity;
-    internalAcceleration(state, front.position, accelerationReach(state, radii), acceleration_);
-    const DomainIntegral integral = integrateDomain(state, front, radii, acceleration_);
-    front.nodes[0].driving.modeI = integral.modeI;
-    front.nodes[0].driving.modeII = integral.modeII;
-    // Faces that touch do not overlap: a mode I that closes is none.
-    front.nodes[0].driving.hoopAngle = hoopStressAngle(std::max(integral.modeI, 0.0), integral.modeII);
+    const std::vector<Intensities> K =
+        intensitiesAlong(state, front, tubesOf(state, f).intensity, acceleration_);
+    for (std::size_t k = 0; k < K.size(); ++k)
+    {
+      DrivingForce& driving = front.nodes[k].driving;
+      driving.modeI = K[k].modeI;
+      driving.modeII = K[k].modeII;
+      driving.modeIII = K[k].modeIII;
+      // Faces that touch do not overlap: a mode I that closes is none.
+      driving.hoopAngle = hoopStressAngle(std::max(K[k].modeI, 0.0), K[k].modeII);
+    }
   }
 }
 
-void DrivingForces::keep(Archive& archive)
+template <int D>
+void DrivingForces<D>::store(Archive& archive)
 {
-  int count = static_cast<int>(contours_.size());
+  int count = static_cast<int>(fitted_.size());
   archive("fronts", count);
-  contours_.resize(count);
+  fitted_.resize(count);
   for (int k = 0; k < count; ++k)
   {
-    const Archive::Group group(archive, "contours " + std::to_string(k));
-    archive("at", contours_[k].at);
-    archive("cell", contours_[k].cell);
-    archive("release_inner", contours_[k].release.inner);
-    archive("release_outer", contours_[k].release.outer);
-    archive("intensity_inner", contours_[k].intensity.inner);
-    archive("intensity_outer", contours_[k].intensity.outer);
+    const Archive::Group group(archive, "tube " + std::to_string(k));
+    archive("at", fitted_[k].at);
+    archive("cell", fitted_[k].cell);
+    fitted_[k].release.store("release", archive);
+    fitted_[k].intensity.store("intensity", archive);
   }
 }
+
+template <int D>
+void addDrivingCalls(Effect<D>& effect, const Teuchos::ParameterList& scene,
+                     const std::shared_ptr<DrivingForces<D>>& driving)
+{
+  effect.call(
+      {lastStage(scene),
+       "driving forces of crack fronts",
+       {quantity::particleStress, quantity::particleVelocity, quantity::crackGeometry,
+        quantity::enrichedFields, ifWritten(quantity::springForce), ifWritten(quantity::facePressure)},
+       {quantity::drivingForces},
+       {},
+       [driving](State<D>& state) { driving->computeRelease(state); }});
+  effect.call({lastStage(scene),
+               "intensities at fronts that advance",
+               {quantity::drivingForces, quantity::advancingFronts},
+               {quantity::stressIntensities},
+               {},
+               [driving](State<D>& state) { driving->computeIntensities(state); }});
+}
+
+template class DrivingForces<2>;
+template class DrivingForces<3>;
+template void addDrivingCalls(Effect<2>&, const Teuchos::ParameterList&,
+                              const std::shared_ptr<DrivingForces<2>>&);
+template void addDrivingCalls(Effect<3>&, const Teuchos::ParameterList&,
+                              const std::shared_ptr<DrivingForces<3>>&);
 
 } // namespace Rhegma::energy_release

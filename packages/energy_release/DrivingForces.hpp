@@ -1,44 +1,47 @@
 #pragma once
-/// What drives crack fronts on, in every step, for who lets them grow.
+/// Driving forces of the nodes of crack fronts, in every step, for effects that let fronts grow.
 
-#include "energy_release/Contour.hpp"
+#include "energy_release/FrontTube.hpp"
 #include "energy_release/InternalAcceleration.hpp"
+#include "plan/Effect.hpp"
 
+#include <memory>
 #include <vector>
-
-namespace Rhegma
-{
-class Archive;
-}
 
 namespace Rhegma::energy_release
 {
 
-/// Measures CrackFront::driving by the domain integrals, with CrackSet::drivingContours. Radii shrink where
-/// the surface, another front or another crack is near, and are looked at anew when a front has moved on.
+/// Computes FrontNode::driving by domain integrals, in 2D with CrackSet::drivingContours. Tubes shrink where
+/// a surface, another front or another crack is near, and are fitted anew when a front has moved on.
+template <int D>
 class DrivingForces
 {
 public:
-  /// J of every front that is one still.
-  void measureRelease(State<2>& state);
+  /// J at the nodes of all fronts that have neither ended nor stopped.
+  void computeRelease(State<D>& state);
 
-  /// Stress intensities of the fronts that are about to advance.
-  void measureIntensities(State<2>& state);
+  /// Stress intensities at the nodes of fronts of which any node is about to advance.
+  void computeIntensities(State<D>& state);
 
-  /// Saves or loads where the radii were found.
-  void keep(Archive& archive);
+  /// Saves or loads where the tubes were fitted.
+  void store(Archive& archive);
 
 private:
-  struct Contours
+  struct Fitted
   {
-    Vector<2> at{{0.0, 0.0}}; ///< place of the front for which the radii were found [m]
-    double cell = 0.0;        ///< edge of the cells there [m]; 0: not found yet
-    ContourRadii release{0.0, 0.0}, intensity{0.0, 0.0};
+    std::vector<double> at; ///< positions of the nodes then, one after the other [m]
+    double cell = 0.0;      ///< edge of the cells there [m]
+    FrontTube release, intensity;
   };
-  const Contours& contoursOf(const State<2>& state, std::size_t front);
+  const Fitted& tubesOf(const State<D>& state, std::size_t front);
 
-  std::vector<Contours> contours_;
-  NodalAcceleration<2> acceleration_;
+  std::vector<Fitted> fitted_;
+  NodalAcceleration<D> acceleration_;
 };
+
+/// Adds the calls that compute the driving forces, of a scene with fronts that grow.
+template <int D>
+void addDrivingCalls(Effect<D>& effect, const Teuchos::ParameterList& scene,
+                     const std::shared_ptr<DrivingForces<D>>& driving);
 
 } // namespace Rhegma::energy_release

@@ -3,25 +3,21 @@
 #include "archive/Archive.hpp"
 #include "base/Attempts.hpp"
 #include "base/Numbers.hpp"
-#include "base/ReadList.hpp"
-#include "base/ShortNumber.hpp"
-#include "energy_release/Contour.hpp"
-#include "energy_release/CrackClosure.hpp"
-#include "energy_release/CrackTipFields.hpp"
 #include "energy_release/DomainIntegral.hpp"
-#include "energy_release/DrivingCalls.hpp"
 #include "energy_release/DrivingForces.hpp"
+#include "energy_release/FrontIntegral.hpp"
+#include "energy_release/FrontOpening.hpp"
+#include "energy_release/FrontSample.hpp"
 #include "energy_release/FrontSet.hpp"
-#include "energy_release/FrontsInSpace.hpp"
 #include "energy_release/LoadsInRing.hpp"
 #include "energy_release/ReadOptions.hpp"
 #include "transfer/LocalSpacing.hpp"
+#include "transfer/NearestMaterial.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace Rhegma::energy_release
@@ -30,39 +26,32 @@ namespace Rhegma::energy_release
 namespace
 {
 
-constexpr double notYet = std::numeric_limits<double>::quiet_NaN(); ///< null in the summary
+constexpr double notYet = FrontSample<2>::notYet;
 
-/// The last sample of a front.
-struct Sample
-{
-  CrackFront<2> front;
-  ContourRadii radii{0.0, 0.0}; ///< none round a front that has ended
-  bool closed = false;          ///< whether crack closure is wanted and can be found
-  DomainIntegral integral;
-  CrackClosure closure{notYet, notYet};
-};
-
+template <int D>
 struct Samples
 {
-  std::vector<Sample> last;
-  std::vector<PlacedLoad> loads; ///< that may act near fronts
-  FrontSet inclined;             ///< fronts that did not start along the grid: without crack closure
-  FrontSet warned;               ///< fronts whose contour has left the body during the run
-  FrontSet unclosed;             ///< fronts that had no crack closure at some time
+  std::vector<FrontSample<D>> last;
+  std::vector<PlacedLoad> loads; ///< that may act near fronts (2D)
+  FrontSet inclined;             ///< fronts that did not start along the grid: without crack closure (2D)
+  FrontSet warned;               ///< fronts whose tube has left the body during the run
+  FrontSet unclosed;             ///< fronts that had no crack closure at some time (2D)
 };
 
-std::string frontName(const State<2>& state, const CrackFront<2>& front)
+template <int D>
+std::string frontName(const State<D>& state, const CrackFront<D>& front)
 {
   return state.cracks.cracks[front.crack].name + "." + std::to_string(front.number);
 }
 
 /// Its name in messages, such as "crack Notch, front 0".
-std::string messageName(const State<2>& state, const CrackFront<2>& front)
+template <int D>
+std::string messageName(const State<D>& state, const CrackFront<D>& front)
 {
   return "crack " + state.cracks.cracks[front.crack].name + ", front " + std::to_string(front.number);
 }
 
-/// A node may come to lie this share of a cell inside of the contour as the body moves.
+/// A node may come to lie this fraction of a cell inside of the tube as the body moves.
 constexpr double slack = 1e-6;
 
 void refuseContour(const State<2>& state, const CrackFront<2>& front, const std::string& where,
@@ -75,7 +64,7 @@ void refuseContour(const State<2>& state, const CrackFront<2>& front, const std:
 
 /// Refuses radii that the scene gives and that don't fit; says which ones are used where the usual ones
 /// don't.
-void checkContour(State<2>& state, const CrackFront<2>& front, const Options& options)
+void checkTube(State<2>& state, const CrackFront<2>& front, const Options& options)
 {
   const double cell = spacingAt(state, front.position);
   const GivenRadii& given = options.radii;
@@ -87,16 +76,16 @@ void checkContour(State<2>& state, const CrackFront<2>& front, const Options& op
                     "front; write at most " + formatReal(clear));
     return;
   }
-  const double usual = usualRadii(given, cell).outer, room = roomAround(state, front, usual);
+  const double usual = usualRadii(given, cell).outer, capacity = clearAround(state, front, usual);
   const double least = smallestOuter(given, cell);
-  if (room < least - slack * cell)
+  if (capacity < least - slack * cell)
     refuseContour(state, front, given.inner > 0.0 ? "Inner Radius" : "Outer Radius", formatReal(least),
-                  "front or crack; at most " + formatReal(room) + " m fit: " +
+                  "front or crack; at most " + formatReal(capacity) + " m fit: " +
                       (given.inner > 0.0 ? "write a smaller Inner Radius"
                                          : "write both radii, or leave out Energy Release"));
-  if (room < usual - slack * cell)
+  if (capacity < usual - slack * cell)
   {
-    const ContourRadii radii = fittingRadii(state, front, given);
+    const ContourRadii radii = fittingTube(state, front, given).radii;
     state.warnings.push_back("Energy Release: for " + messageName(state, front) +
                              ", the domain integral is reduced to radii of " + readableLength(radii.inner) +
                              " to " + readableLength(radii.outer) + " (default: to " + readableLength(usual) +
@@ -105,47 +94,76 @@ void checkContour(State<2>& state, const CrackFront<2>& front, const Options& op
   }
 }
 
+/// Refuses an outer radius that the scene gives and that does not fit.
+void checkTube(State<3>& state, const CrackFront<3>& front, const Options& options)
+{
+  if (options.radii.outer == 0.0 || front.numFacets == 0)
+    return;
+  const double clear = clearAround(state, front, options.radii.outer);
+  if (clear < options.radii.outer - slack * spacingAt(state, front.position))
+    throw std::invalid_argument(
+        "Energy Release > Outer Radius: the integration tube of " + formatReal(options.radii.outer) +
+        " m around " + messageName(state, front) +
+        " leaves the body, reaches another front or crack, or exceeds the radius of curvature of the front; "
+        "write at most " +
+        formatReal(clear) + ", or use smaller cells (Domain > Cell Size)");
+}
+
 /// Closer contours see the tip's own cells.
 constexpr double leastInnerCells = 2.0;
 
-void checkContours(State<2>& state, const Options& options)
+template <int D>
+void checkTubes(State<D>& state, const Options& options)
 {
   if (state.cracks.fronts.empty())
     throw std::invalid_argument(
-        "Energy Release: no crack has a front inside a body; end a crack inside material, choose "
-        "its front with Cracks > NAME > Fronts, or remove this section");
+        std::string("Energy Release: no crack has a front inside a body; end a crack inside material, choose "
+                    "its front with Cracks > NAME > ") +
+        (D == 2 ? "Fronts" : "Front Edges") + ", or remove this section");
   if (!options.contour)
     return;
   Attempts attempts;
-  for (const CrackFront<2>& front : state.cracks.fronts)
-    attempts.attempt([&] { checkContour(state, front, options); });
-  attempts.complain();
+  for (const CrackFront<D>& front : state.cracks.fronts)
+    attempts.attempt([&] { checkTube(state, front, options); });
+  attempts.throwIfAny();
   const double cell = spacingAt(state, state.cracks.fronts.front().position);
-  if (options.radii.inner > 0.0 && options.radii.inner < (leastInnerCells - slack) * cell)
+  if (D == 2 && options.radii.inner > 0.0 && options.radii.inner < (leastInnerCells - slack) * cell)
     state.warnings.push_back(
         "Energy Release > Inner Radius is " + formatReal(options.radii.inner / cell) +
         " cells: below two cells the contour passes through the cells of the front, and G and K "
         "can be wrong by 10 % or more; use smaller cells or a larger radius");
 }
 
-void warnOfContour(State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
-                   const Options& options, Samples& samples)
+/// The outer radius that the surroundings of a front allow, for what is computed along it now.
+double clearNow(const State<2>& state, const CrackFront<2>& front, double radius)
 {
-  const bool follows = options.radii.outer == 0.0; // then the contour is drawn in as far as it may be
-  if (follows && radii.outer > smallestOuter(options.radii, spacingAt(state, front.position)))
-    return;
-  if (samples.warned.count({front.crack, front.number}) != 0 ||
-      largestContour(state, front, radii.outer) > radii.outer - spacingAt(state, front.position))
-    return;
-  samples.warned.insert({front.crack, front.number});
-  state.warnings.push_back(
-      "Energy Release: from t = " + readableTime(state.clock.time) + " on, the contour around " +
-      messageName(state, front) +
-      " leaves the body or reaches another front, so G_J, K_I and K_II are less accurate; "
-      "use smaller cells or radii");
+  return largestContour(state, front, radius);
+}
+double clearNow(const State<3>& state, const CrackFront<3>& front, double radius)
+{
+  return clearAround(state, front, radius);
 }
 
-bool wantsClosure(const State<2>& state, const Options& options, const Samples& samples,
+/// Says once of each front that its surroundings have become too narrow for its tube.
+template <int D>
+void warnOfTube(State<D>& state, const CrackFront<D>& front, const ContourRadii& radii,
+                const Options& options, Samples<D>& samples)
+{
+  const double cell = spacingAt(state, front.position);
+  const bool isFitted = options.radii.outer == 0.0; // then it is reduced as far as it may be
+  if ((isFitted && radii.outer > smallestOuter(options.radii, cell)) ||
+      samples.warned.count({front.crack, front.number}) != 0 ||
+      clearNow(state, front, radii.outer) > radii.outer - cell)
+    return;
+  samples.warned.insert({front.crack, front.number});
+  state.warnings.push_back("Energy Release: from t = " + readableTime(state.clock.time) + " on, the " +
+                           (D == 2 ? "contour" : "integration tube") + " around " +
+                           messageName(state, front) + " leaves the body or reaches another front, so " +
+                           (D == 2 ? "G_J, K_I and K_II" : "G_J and K") +
+                           " are less accurate; use smaller cells or radii");
+}
+
+bool wantsClosure(const State<2>& state, const Options& options, const Samples<2>& samples,
                   const CrackFront<2>& front)
 {
   return options.closure && options.pushed.count(state.cracks.cracks[front.crack].name) == 0 &&
@@ -153,7 +171,8 @@ bool wantsClosure(const State<2>& state, const Options& options, const Samples& 
 }
 
 /// Says once of a front along the grid that it has no crack closure.
-void warnOfClosure(State<2>& state, const CrackFront<2>& front, const CrackClosure& closure, Samples& samples)
+void warnOfClosure(State<2>& state, const CrackFront<2>& front, const CrackClosure& closure,
+                   Samples<2>& samples)
 {
   if (std::isfinite(closure.chosen) || !runsAlongGrid(front) ||
       !samples.unclosed.insert({front.crack, front.number}).second)
@@ -166,7 +185,8 @@ void warnOfClosure(State<2>& state, const CrackFront<2>& front, const CrackClosu
 }
 
 /// A front whose surroundings have fallen apart ends the run.
-CrackClosure tryToClose(State<2>& state, const CrackFront<2>& front, const Options& options, Samples& samples)
+CrackClosure tryToClose(State<2>& state, const CrackFront<2>& front, const Options& options,
+                        Samples<2>& samples)
 {
   try
   {
@@ -182,113 +202,92 @@ CrackClosure tryToClose(State<2>& state, const CrackFront<2>& front, const Optio
   }
 }
 
-void sample(State<2>& state, const Options& options, Samples& samples)
+/// Computes J and K at the front of a sample.
+void compute(const State<2>& state, FrontSample<2>& s)
+{
+  const DomainIntegral integral = integrateDomain(state, s.front, s.tube.radii);
+  s.J = {integral.J};
+  s.modeI = {integral.modeI};
+  s.modeII = {integral.modeII};
+  s.tipOffset = integral.tipOffset;
+}
+
+void compute(const State<3>& state, FrontSample<3>& s)
+{
+  NodalAcceleration<3> acceleration;
+  const FrontLine line = lineOf(s.front);
+  s.J = integrateAlongFront(state, s.front.crack, line, s.tube, acceleration);
+  const Elasticity e = elasticity(state.materials.list[materialAt(state, s.front.position)]);
+  const std::vector<Intensities> openings =
+      openingsBehind(state.cracks, s.front, line, e, spacingAt(state, s.front.position), s.tube.halfWidth);
+  for (std::size_t k = 0; k < s.J.size(); ++k)
+  {
+    const Intensities K = scaleTo(openings[k], s.J[k], e);
+    s.modeI[k] = K.modeI;
+    s.modeII[k] = K.modeII;
+    s.modeIII[k] = K.modeIII;
+  }
+}
+
+/// Whether there is anything to compute at a front by domain integrals.
+template <int D>
+bool isMeasured(const CrackFront<D>& front, const Options& options)
+{
+  return options.contour && !front.ended && front.numFacets > 0;
+}
+
+template <int D>
+void sample(State<D>& state, const Options& options, Samples<D>& samples)
 {
   samples.last.clear();
-  for (const CrackFront<2>& front : state.cracks.fronts)
+  for (const CrackFront<D>& front : state.cracks.fronts)
   {
-    Sample s;
-    s.front = front;
-    if (options.contour && !front.ended)
+    FrontSample<D> s(front, front.ended ? 0.0 : notYet);
+    if (isMeasured(front, options))
     {
-      s.radii = fittingRadii(state, front, options.radii);
-      warnOfContour(state, front, s.radii, options, samples);
-      warnOfLoads(state, front, s.radii, samples.loads);
-      s.integral = integrateDomain(state, front, s.radii);
+      s.tube = fittingTube(state, front, options.radii);
+      warnOfTube(state, front, s.tube.radii, options, samples);
+      if constexpr (D == 2)
+        warnOfLoads(state, front, s.tube.radii, samples.loads);
+      compute(state, s);
     }
-    const bool closure = wantsClosure(state, options, samples, front);
-    s.closed = closure;
-    if (closure && front.ended)
-      s.closure = {0.0, 0.0};
-    else if (closure)
-      s.closure = tryToClose(state, front, options, samples);
+    if constexpr (D == 2)
+    {
+      s.closed = wantsClosure(state, options, samples, front);
+      if (s.closed)
+        s.closure = front.ended ? CrackClosure{0.0, 0.0} : tryToClose(state, front, options, samples);
+    }
     samples.last.push_back(s);
-
-    const std::string name = frontName(state, front) + ".";
-    if (options.contour)
-      state.sample.row.emplace_back(name + "G_J", s.integral.J);
-    if (closure && options.openingKnown)
-      state.sample.row.emplace_back(name + "G_closure", s.closure.chosen);
-    if (closure && options.lumped)
-      state.sample.row.emplace_back(name + "G_closure_lumped", s.closure.lumped);
-    if (options.contour)
-    {
-      state.sample.row.emplace_back(name + "K_I", s.integral.modeI);
-      state.sample.row.emplace_back(name + "K_II", s.integral.modeII);
-    }
-    state.sample.row.emplace_back(name + "length", front.length);
-    state.sample.row.emplace_back(name + "speed", front.speed());
-    state.sample.row.emplace_back(name + "x", front.position[0]);
-    state.sample.row.emplace_back(name + "y", front.position[1]);
+    s.addTo(state.sample.row, frontName(state, front), options);
   }
 }
 
-/// Angle [degrees], counter-clockwise, by which the front would turn.
-double kinkAngle(const Sample& s)
+/// Checks the tubes, and prepares samples: what will be reported is known from the start, though its values
+/// are not.
+template <int D>
+void start(State<D>& state, const Options& options, Samples<D>& samples)
 {
-  const double degrees = 45.0 / std::atan(1.0);
-  const Vector<2>&along = s.front.direction, &normal = s.front.normal;
-  const double turn = along[0] * normal[1] - along[1] * normal[0] > 0.0 ? degrees : -degrees;
-  return turn * hoopStressAngle(s.integral.modeI, s.integral.modeII);
-}
-
-void report(const State<2>& state, const Options& options, const Samples& samples, nlohmann::json& summary)
-{
-  for (const Sample& s : samples.last)
+  checkTubes(state, options);
+  for (const CrackFront<D>& front : state.cracks.fronts)
   {
-    nlohmann::json& crack = summary["cracks"][s.front.crack];
-    crack["name"] = state.cracks.cracks[s.front.crack].name;
-    nlohmann::json& entry = crack["fronts"][s.front.number];
-    entry["position"] = {s.front.position[0], s.front.position[1]};
-    entry["length"] = s.front.length;
-    entry["speed"] = s.front.speed();
-    if (options.contour)
+    FrontSample<D> s(front, notYet);
+    if (isMeasured(front, options))
+      s.tube = fittingTube(state, front, options.radii);
+    if constexpr (D == 2)
     {
-      entry["G_J"] = s.integral.J;
-      entry["K_I"] = s.integral.modeI;
-      entry["K_II"] = s.integral.modeII;
-      entry["kink_angle"] = kinkAngle(s);
-      entry["tip_offset"] = s.integral.tipOffset;
-      entry["inner_radius"] = s.radii.inner;
-      entry["outer_radius"] = s.radii.outer;
+      if (!runsAlongGrid(front))
+        samples.inclined.insert({front.crack, front.number});
+      s.closed = wantsClosure(state, options, samples, front);
+      if (options.contour)
+        warnOfLoads(state, front, s.tube.radii, samples.loads);
     }
-    if (s.closed && options.openingKnown)
-      entry["G_closure"] = s.closure.chosen;
-    if (s.closed && options.lumped)
-      entry["G_closure_lumped"] = s.closure.lumped;
+    samples.last.push_back(s);
   }
-}
-
-void keepFront(CrackFront<2>& front, Archive& archive)
-{
-  archive("crack", front.crack);
-  archive("number", front.number);
-  archive("vertex", front.vertex);
-  archive("first_facet", front.firstFacet);
-  archive("facets", front.numFacets);
-  archive("position", front.position);
-  archive("direction", front.direction);
-  archive("normal", front.normal);
-  archive("length", front.length);
-  archive("speed", front.nodes[0].speed);
-}
-
-void keepSample(Sample& s, Archive& archive)
-{
-  keepFront(s.front, archive);
-  archive("inner_radius", s.radii.inner);
-  archive("outer_radius", s.radii.outer);
-  archive("closed", s.closed);
-  archive("J", s.integral.J);
-  archive("K_I", s.integral.modeI);
-  archive("K_II", s.integral.modeII);
-  archive("tip_offset", s.integral.tipOffset);
-  archive("closure", s.closure.chosen);
-  archive("closure_lumped", s.closure.lumped);
 }
 
 /// Saves or loads the last sample and which fronts were warned of.
-void keep(Samples& samples, Archive& archive)
+template <int D>
+void store(Samples<D>& samples, Archive& archive)
 {
   int count = static_cast<int>(samples.last.size());
   archive("fronts", count);
@@ -296,57 +295,51 @@ void keep(Samples& samples, Archive& archive)
   for (int k = 0; k < count; ++k)
   {
     const Archive::Group group(archive, "front " + std::to_string(k));
-    keepSample(samples.last[k], archive);
+    samples.last[k].store(archive);
   }
   keepFronts(samples.warned, "warned", archive);
   keepFronts(samples.unclosed, "unclosed", archive);
 }
 
-Effect<2> make2(const Teuchos::ParameterList& scene, const RunOptions& run)
+template <int D>
+Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
 {
   const Options options = readOptions(scene, run);
-  const auto samples = std::make_shared<Samples>();
-  samples->loads = readLoads(scene);
-  Effect<2> effect;
+  const auto samples = std::make_shared<Samples<D>>();
+  if constexpr (D == 2)
+    samples->loads = readLoads(scene);
+  const auto driving = std::make_shared<DrivingForces<D>>();
+  Effect<D> effect;
   effect.name = "Energy Release";
-  effect.atStart = [=](State<2>& state)
-  {
-    checkContours(state, options);
-    for (const CrackFront<2>& front : state.cracks.fronts)
-      if (!runsAlongGrid(front))
-        samples->inclined.insert({front.crack, front.number});
-    // What will be reported is known from the start, though its values are not.
-    for (const CrackFront<2>& front : state.cracks.fronts)
-    {
-      Sample s;
-      s.front = front;
-      s.closed = wantsClosure(state, options, *samples, front);
-      if (options.contour)
-      {
-        s.radii = fittingRadii(state, front, options.radii);
-        warnOfLoads(state, front, s.radii, samples->loads);
-      }
-      s.integral = {notYet, notYet, notYet, notYet};
-      samples->last.push_back(s);
-    }
-  };
+  effect.atStart = [=](State<D>& state) { start(state, options, *samples); };
   effect.call({Stage::Observe,
                "energy release of crack fronts",
                {quantity::crackGeometry, quantity::particleStress, quantity::enrichedFields,
                 ifWritten(quantity::springForce), ifWritten(quantity::facePressure)},
                {},
                {quantity::energyRelease},
-               [=](State<2>& state)
+               [=](State<D>& state)
                {
                  if (state.clock.observing)
                    sample(state, options, *samples);
                }});
-  const auto driving = std::make_shared<DrivingForces>();
   if (run.growth)
     addDrivingCalls(effect, scene, driving);
-  effect.memory = [=](State<2>&, Archive& archive) { keepBoth(*samples, *driving, archive); };
-  effect.report = [=](const State<2>& state, nlohmann::json& summary)
-  { report(state, options, *samples, summary); };
+  effect.memory = [=](State<D>&, Archive& archive)
+  {
+    store(*samples, archive);
+    const Archive::Group group(archive, "driving forces");
+    driving->store(archive);
+  };
+  effect.report = [=](const State<D>& state, nlohmann::json& summary)
+  {
+    for (const FrontSample<D>& s : samples->last)
+    {
+      nlohmann::json& crack = summary["cracks"][s.front.crack];
+      crack["name"] = state.cracks.cracks[s.front.crack].name;
+      s.report(options, crack["fronts"][s.front.number]);
+    }
+  };
   return effect;
 }
 
@@ -354,7 +347,7 @@ Effect<2> make2(const Teuchos::ParameterList& scene, const RunOptions& run)
 
 EffectEntry energyReleaseEntry()
 {
-  return {energyReleaseSection(), checkEnergyRelease, make2, fronts3, true};
+  return {energyReleaseSection(), checkEnergyRelease, make<2>, make<3>, true};
 }
 
 } // namespace Rhegma::energy_release

@@ -14,8 +14,8 @@ namespace Rhegma::energy_release
 /// the grid has no G_closure, nor has one in the formulation Broken Cell: without linear completeness its
 /// opening can't be recovered from the particles.
 ///
-/// summary.json has them too, and beside them of each front kink_angle (counter-clockwise, degrees: the
-/// direction of the largest hoop stress), tip_offset (how far ahead of the front's place the tip lies that
+/// summary.json has them too, and next to them of each front kink_angle (counter-clockwise, degrees: the
+/// direction of the largest hoop stress), tip_offset (how far ahead of the front's position the tip lies that
 /// the cells have) and the radii used, inner_radius and outer_radius [m].
 EffectEntry energyReleaseEntry();
 

@@ -13,12 +13,12 @@ namespace
 
 constexpr int D = 2;
 
-/// Mean places of the particles in a disk, now and before deformation.
-void addMeanPlaces(const State<D>& state, const Vector<D>& centre, double reach, FrontDisk& disk)
+/// Mean positions of the particles in a disk, now and before deformation.
+void addMeanPositions(const State<D>& state, const Vector<D>& centre, double reach, FrontDisk& disk)
 {
   const auto position = state.particles.real<D>(fields::position);
   const auto reference = state.particles.real<D>(fields::reference);
-  double sums[5] = {}; // of places, of places before deformation, number
+  double sums[5] = {}; // of positions, of positions before deformation, number
   Kokkos::parallel_reduce(
       "rhegma::meanPlace", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p, double& sumX, double& sumY, double& sumFromX, double& sumFromY,
@@ -99,7 +99,7 @@ FrontDisk describeDisk(const State<2>& state, const CrackFront<2>& front, const 
     disk.sine = across / size;
     disk.velocity = {{sums[2] / count, sums[3] / count}};
   }
-  addMeanPlaces(state, centre, reach, disk);
+  addMeanPositions(state, centre, reach, disk);
   const Elasticity e = elasticity(lawAtFront(state, front));
   disk.moduli.shear = e.shear;
   disk.moduli.kolosov =

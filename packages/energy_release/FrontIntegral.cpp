@@ -1,7 +1,7 @@
 #include "energy_release/FrontIntegral.hpp"
 
 #include "energy_release/ConfigurationalForces.hpp"
-#include "energy_release/FacePressureInSpace.hpp"
+#include "energy_release/FacePressureWork.hpp"
 #include "geometry/Cross.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
@@ -55,7 +55,7 @@ TubeNodes findNodes(const State<D>& state, const FrontSight& sight, const Contou
                     const Region<D>& box, const View<double* [D]>& force)
 {
   const Nodes<D> nodes = state.mesh.nodes;
-  const NodePlaces<D> places = nodePlaces(state);
+  const NodePositions<D> positions = nodePositions(state);
   const int candidates = static_cast<int>(nodes.active.extent(0));
   TubeNodes found;
   found.number = View<int*>("rhegma::tubeNode", nodes.numLattice);
@@ -63,7 +63,7 @@ TubeNodes findNodes(const State<D>& state, const FrontSight& sight, const Contou
   const View<int*> number = found.number;
   const auto isNear = KOKKOS_LAMBDA(const int n, FrontFoot& foot)
   {
-    const Vector<D> x = places(n);
+    const Vector<D> x = positions(n);
     if (!box.holds(x))
       return false;
     foot = sight.look(x);
@@ -92,7 +92,7 @@ TubeNodes findNodes(const State<D>& state, const FrontSight& sight, const Contou
           const int row = activeNode(nodes, i), k = number(latticeNode(nodes, row));
           if (k < 0)
             return;
-          const FrontFoot foot = sight.look(places(latticeNode(nodes, row)));
+          const FrontFoot foot = sight.look(positions(latticeNode(nodes, row)));
           const double ramp = (radii.outer - foot.distance) / (radii.outer - radii.inner);
           values(k, 0) = ramp > 1.0 ? 1.0 : ramp;
           values(k, 1) = foot.arc;
@@ -168,9 +168,9 @@ void addWidths(const State<D>& state, const FrontLine& line, const FrontSight& s
       if (own < 0)
         continue;
       const TubeNode& n = tubeNodes.nodes[own];
-      const double share = parts[k].length * weight(k, i) * n.ramp * dot(n.direction, parts[k].across);
+      const double fraction = parts[k].length * weight(k, i) * n.ramp * dot(n.direction, parts[k].across);
       for (std::size_t s = 0; s < width.size(); ++s)
-        width[s] += share * hatOf(sight, n.line, n.arc, static_cast<int>(s), tube.halfWidth);
+        width[s] += fraction * hatOf(sight, n.line, n.arc, static_cast<int>(s), tube.halfWidth);
     }
 }
 

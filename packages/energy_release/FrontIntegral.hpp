@@ -28,7 +28,7 @@ namespace Rhegma::energy_release
 /// \param acceleration of nodes by internal forces, which is found here: rows that are used again and again
 /// Source: Li, Shih and Needleman, Eng. Fract. Mech. 21 (1985) 405; Nikishkov and Atluri, Int. J. Numer.
 /// Methods Eng. 24 (1987) 1801.
-/// \param crack of the front, the pressure on whose faces counts (FacePressureInSpace.hpp)
+/// \param crack of the front, the pressure on whose faces counts (FacePressureWork.hpp)
 std::vector<double> integrateAlongFront(const State<3>& state, int crack, const FrontLine& line,
                                         const FrontTube& tube, NodalAcceleration<3>& acceleration);
 

@@ -54,8 +54,8 @@ FrontSight::FrontSight(const FrontLine& front, double extension)
       pieceLength("rhegma::frontPieceLength", front.pieces.size()),
       beyond(extension)
 {
-  const auto places = Kokkos::create_mirror_view(place), directions = Kokkos::create_mirror_view(direction),
-             normals = Kokkos::create_mirror_view(normal);
+  const auto positions = Kokkos::create_mirror_view(place),
+             directions = Kokkos::create_mirror_view(direction), normals = Kokkos::create_mirror_view(normal);
   const auto arcs = Kokkos::create_mirror_view(arc), loops = Kokkos::create_mirror_view(loop),
              opens = Kokkos::create_mirror_view(open), lengths = Kokkos::create_mirror_view(pieceLength);
   const auto lines = Kokkos::create_mirror_view(line);
@@ -66,7 +66,7 @@ FrontSight::FrontSight(const FrontLine& front, double extension)
     const FrontNode<3>& s = front.nodes[k];
     for (int d = 0; d < 3; ++d)
     {
-      places(k, d) = s.position[d];
+      positions(k, d) = s.position[d];
       directions(k, d) = s.direction[d];
       normals(k, d) = s.normal[d];
     }
@@ -90,7 +90,7 @@ FrontSight::FrontSight(const FrontLine& front, double extension)
     pieces(k, 3) = p.ends ? 1 : 0;
     lengths(k) = p.length;
   }
-  Kokkos::deep_copy(place, places);
+  Kokkos::deep_copy(place, positions);
   Kokkos::deep_copy(direction, directions);
   Kokkos::deep_copy(normal, normals);
   Kokkos::deep_copy(arc, arcs);

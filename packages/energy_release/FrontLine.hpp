@@ -1,5 +1,5 @@
 #pragma once
-/// The front of a crack in 3D as lines, and where places lie with respect to it.
+/// The front of a crack in 3D as lines, and where positions lie with respect to it.
 
 #include "state/CrackSet.hpp"
 
@@ -33,7 +33,7 @@ struct FrontLine
 
 FrontLine lineOf(const CrackFront<3>& front);
 
-/// A place seen from a front.
+/// A position seen from a front.
 struct FrontFoot
 {
   double distance;     ///< from the front [m]
@@ -44,7 +44,7 @@ struct FrontFoot
   Vector<3> normal;
 };
 
-/// What kernels need to look at places from a front.
+/// What kernels need to look at positions from a front.
 struct FrontSight
 {
   View<double*[3]> place, direction, normal; ///< of front nodes
@@ -58,7 +58,8 @@ struct FrontSight
   FrontSight() = default;
   FrontSight(const FrontLine& front, double extension);
 
-  /// A place as far from two pieces that meet, inside of their corner, has its foot in the middle of the two.
+  /// A position as far from two pieces that meet, inside of their corner, has its foot in the middle of the
+  /// two.
   KOKKOS_INLINE_FUNCTION FrontFoot look(const Vector<3>& x) const
   {
     const int count = static_cast<int>(piece.extent(0));
@@ -91,7 +92,7 @@ struct FrontSight
     return foot;
   }
 
-  /// Length of front from a place on it to a front node, the shorter way; huge on another line [m].
+  /// Length of front from a position on it to a front node, the shorter way; huge on another line [m].
   KOKKOS_INLINE_FUNCTION double apart(int onLine, double from, int frontNode) const
   {
     if (onLine != line(frontNode))
@@ -136,7 +137,7 @@ private:
     const Vector<3> way = at(direction, end), n = at(normal, end), along = at(place, inner) - at(place, end);
     const Vector<3> in = along - dot(along, way) * way - dot(along, n) * n;
     const double depth = dot(x - at(place, end), in) / dot(in, in);
-    if (!(depth < 1.0)) // a piece along the mouth has no depth
+    if (!(depth < 1.0)) // a piece along the surface-breaking end has no depth
       return;
     const double share = depth > 0.0 ? depth : 0.0;
     const Vector<3> mean = (1.0 - share) * way + share * foot.direction;
@@ -166,7 +167,7 @@ private:
   }
 };
 
-/// Weight of a front node at a place on its front: a hat of this half width [m] along the front.
+/// Weight of a front node at a position on its front: a hat of this half width [m] along the front.
 KOKKOS_INLINE_FUNCTION double hatOf(const FrontSight& sight, int line, double arc, int frontNode,
                                     double halfWidth)
 {

@@ -1,5 +1,6 @@
 #include "energy_release/FrontTube.hpp"
 
+#include "archive/Archive.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/LocalSpacing.hpp"
 
@@ -13,10 +14,10 @@ namespace Rhegma::energy_release
 namespace
 {
 
-constexpr double halfWidthCells = 2.0;
+constexpr double halfWidthCells = 2.0, wantedInnerCells = 2.0;
 
 /// By how much a surface at which a front ends may lean towards it: a node of that surface has its foot on
-/// the front by this share of its distance, and a cell, from the end.
+/// the front by this fraction of its distance, and a cell, from the end.
 constexpr double leans = 0.6;
 
 /// So much of an open front is left out at each end at most.
@@ -33,7 +34,7 @@ double clearOfSurfaces(const State<3>& state, const FrontLine& line, double radi
   for (const FrontNode<3>& s : line.nodes)
     extent = std::max(extent, norm(s.position - middle));
   const View<double*> cover = coverOfNodes(state, middle, extent + radius);
-  const NodePlaces<3> places = nodePlaces(state);
+  const NodePositions<3> positions = nodePositions(state);
   const Nodes<3> numbers = state.mesh.nodes;
   const FrontSight sight(line, radius);
   const double cell = state.mesh.grid.spacing;
@@ -44,9 +45,9 @@ double clearOfSurfaces(const State<3>& state, const FrontLine& line, double radi
   Kokkos::parallel_reduce(
       "rhegma::clearOfSurfaces", Kokkos::RangePolicy<ExecSpace>(0, cover.extent(0)),
       KOKKOS_LAMBDA(const int n, double& smallest) {
-        if (!isOpen(numbers, cover, n) || norm(places(n) - middle) > extent + radius)
+        if (!isOpen(numbers, cover, n) || norm(positions(n) - middle) > extent + radius)
           return;
-        const FrontFoot foot = sight.look(places(n));
+        const FrontFoot foot = sight.look(positions(n));
         const double end = std::fmin(cell + leans * foot.distance, std::fmax(cell, most));
         if (foot.inside >= end && foot.distance < smallest)
           smallest = foot.distance;
@@ -80,9 +81,9 @@ double clearOfOthers(const State<3>& state, const CrackFront<3>& front, const Fr
   return nearest;
 }
 
-/// Cells between places of a front that begin to tell its curvature, and that tell it fully: nearer ones tell
-/// the corners of its pieces. What a pair says grows in between, so that no tube jumps by what last digits
-/// make of a distance.
+/// Cells between positions of a front that begin to tell its curvature, and that tell it fully: nearer ones
+/// tell the corners of its pieces. What a pair says grows in between, so that no tube jumps by what last
+/// digits make of a distance.
 constexpr double curvatureFrom = 1.5, curvatureFully = 3.0;
 
 /// Directions of the front nodes, each the mean over two front nodes on both sides by weights that fall
@@ -154,15 +155,22 @@ double radiusOfCurvature(const FrontLine& line, double cell)
   return largest > 0.0 ? 1.0 / largest : std::numeric_limits<double>::infinity();
 }
 
-double roomAround(const State<3>& state, const CrackFront<3>& front, const FrontLine& line, double radius)
+void FrontTube::store(const std::string& name, Archive& archive)
 {
-  const double cell = spacingAt(state, front.position);
-  radius = std::min(radius, radiusOfCurvature(line, cell));
-  radius = clearOfOthers(state, front, line, radius);
-  return clearOfSurfaces(state, line, radius);
+  const Archive::Group group(archive, name);
+  archive("inner", radii.inner);
+  archive("outer", radii.outer);
+  archive("half_width", halfWidth);
 }
 
-GivenRadii radiiInSpace()
+template <>
+GivenRadii usualCells<2>()
+{
+  return {};
+}
+
+template <>
+GivenRadii usualCells<3>()
 {
   GivenRadii radii;
   radii.innerCells = 2.5;
@@ -170,19 +178,39 @@ GivenRadii radiiInSpace()
   return radii;
 }
 
-FrontTube fittingTube(const State<3>& state, const CrackFront<3>& front, const FrontLine& line,
-                      const GivenRadii& given)
+double clearAround(const State<2>& state, const CrackFront<2>& front, double radius)
+{
+  return std::min(largestContour(state, front, radius), distanceToOtherCracks(state.cracks, front));
+}
+
+double clearAround(const State<3>& state, const CrackFront<3>& front, double radius)
+{
+  const FrontLine line = lineOf(front);
+  radius = std::min(radius, radiusOfCurvature(line, spacingAt(state, front.position)));
+  radius = clearOfOthers(state, front, line, radius);
+  return clearOfSurfaces(state, line, radius);
+}
+
+template <int D>
+FrontTube fittingTube(const State<D>& state, const CrackFront<D>& front, const GivenRadii& given)
 {
   const double cell = spacingAt(state, front.position);
   FrontTube tube{usualRadii(given, cell), 0.0};
-  tube.halfWidth = std::min(halfWidthCells * cell, std::max(0.5 * radiusOfCurvature(line, cell), cell));
+  if constexpr (D == 3)
+    tube.halfWidth =
+        std::min(halfWidthCells * cell, std::max(0.5 * radiusOfCurvature(lineOf(front), cell), cell));
   if (given.outer > 0.0)
     return tube;
   const double usual = tube.radii.outer;
-  tube.radii.outer = std::max(roomAround(state, front, line, usual), smallestOuter(given, cell));
-  if (given.inner == 0.0)
-    tube.radii.inner = std::min(tube.radii.inner, 0.5 * tube.radii.outer);
+  double &inner = tube.radii.inner, &outer = tube.radii.outer;
+  outer = std::max(clearAround(state, front, usual), smallestOuter(given, cell));
+  if (given.inner == 0.0 && outer < usual)
+    inner = D == 2 ? std::max(0.5 * outer, std::min(wantedInnerCells * cell, outer - cell))
+                   : std::min(inner, 0.5 * outer);
   return tube;
 }
+
+template FrontTube fittingTube(const State<2>&, const CrackFront<2>&, const GivenRadii&);
+template FrontTube fittingTube(const State<3>&, const CrackFront<3>&, const GivenRadii&);
 
 } // namespace Rhegma::energy_release

@@ -40,9 +40,9 @@ struct ForceBlock
       if (!place.holds(x))
         continue;
       connect.visit(p,
-                    [&](int node, double share, const double* slope)
+                    [&](int node, double fraction, const double* slope)
                     {
-                      force(node, D) += share * mass(p);
+                      force(node, D) += fraction * mass(p);
                       for (int i = 0; i < D; ++i)
                         for (int j = 0; j < D; ++j)
                           force(node, i) -= volume(p) * stress(p, symmetricIndex<D>(i, j)) * slope[j];

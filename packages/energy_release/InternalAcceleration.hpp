@@ -11,7 +11,7 @@ template <int D>
 using NodalAcceleration = View<double * [D + 1]>;
 
 /// Acceleration [m/s2] of nodes by internal forces alone, -sum_p V0 tau grad N / m, from the particles within
-/// `radius` of a place; a row a node, second fields included. Without loads it is the nodes' acceleration.
+/// `radius` of a position; a row a node, second fields included. Without loads it is the nodes' acceleration.
 /// Where loads act, such as pressure on crack faces, contact, body force or damping, it is less by what they
 /// do: used as `a` in the domain integrals it takes their work into account, whoever applies them. The mass m
 /// is that where the particles are now, as N is: a node that a box just reaches has a mass of the square of

@@ -26,7 +26,7 @@ bool everActs(const Teuchos::ParameterList& load, double end)
   return false;
 }
 
-bool isTold(const State<2>& state, const std::string& load, const std::string& front)
+bool isReported(const State<2>& state, const std::string& load, const std::string& front)
 {
   return std::any_of(state.warnings.begin(), state.warnings.end(),
                      [&](const std::string& warning) {
@@ -46,7 +46,7 @@ Reach reachOf(const PlacedLoad& load, const Vector<2>& place)
     const double at = square > 0.0 ? std::clamp(dot(to, along) / square, 0.0, 1.0) : 0.0;
     return {norm(to - at * along), std::max(norm(to), norm(to - along))};
   }
-  Vector<2> beyond, across; // from the place to the box, and to its furthest corner
+  Vector<2> beyond, across; // from the position to the box, and to its furthest corner
   double inside = std::numeric_limits<double>::infinity();
   for (int d = 0; d < 2; ++d)
   {
@@ -97,7 +97,7 @@ void warnOfLoads(State<2>& state, const CrackFront<2>& front, const ContourRadii
         "Energy Release: Boundaries > " + load.name + (held ? " prescribes nodes" : " acts");
     const std::string round = " around crack " + state.cracks.cracks[front.crack].name + ", front " +
                               std::to_string(front.number) + ", ";
-    if (isTold(state, start, round))
+    if (isReported(state, start, round))
       continue;
     std::string warning = start;
     warning.append(" in the domain integral from ")

@@ -24,10 +24,10 @@ struct PlacedLoad
   };
   std::string name;       ///< as in the scene
   Vector<2> from{}, to{}; ///< its ends at the start, or the corners of the box [m]
-  Kind kind = Kind::Line; ///< of its places
+  Kind kind = Kind::Line; ///< of its positions
 };
 
-/// How far a place is from the nearest and from the furthest point of a load [m].
+/// How far a position is from the nearest and from the furthest point of a load [m].
 struct Reach
 {
   double nearest;  ///< [m]
@@ -41,7 +41,7 @@ std::vector<PlacedLoad> readLoads(const Teuchos::ParameterList& scene);
 
 /// Warns, once, of each load that acts in the ring round a front, a cell more on both sides, and of each box
 /// of held nodes that reaches into it; loads are taken where they were at the start. What a load does inside
-/// of the ring is in the integral (docs/theory.md), but in the ring the stress beside it, which no cells
+/// of the ring is in the integral (docs/theory.md), but in the ring the stress next to it, which no cells
 /// resolve, is weighed with the slope of the weight: two forces on the faces of a crack put J off by 4 and
 /// 8 % there and by 0.7 % at most elsewhere (unit test program/test_odd_cracks.py; K by 0.1 %), a node held
 /// six cells ahead of a crack in a plate under tension by 2 % there and by 0.01 % elsewhere, against crack

@@ -30,7 +30,7 @@ struct NodalVelocity
   }
 };
 
-/// Velocity [m/s] beside that of the disk, acceleration [m/s2] and slopes of the velocity [1/s], dv[i][j] =
+/// Velocity [m/s] next to that of the disk, acceleration [m/s2] and slopes of the velocity [1/s], dv[i][j] =
 /// v_i,j.
 template <int D>
 struct ParticleMotion
@@ -41,7 +41,7 @@ struct ParticleMotion
 
 /// With USL a node that a box reaches by its last digit would have a say that hangs on round-off. Such nodes
 /// are left out; what that changes of a slope is below 1e-10 of the neighbours' share.
-constexpr double leastShare = 1e-20;
+constexpr double leastFraction = 1e-20;
 
 /// \param mean velocity of the disk, taken off
 template <int D, class Connect, class Acceleration>
@@ -53,7 +53,7 @@ particleMotion(const Connect& connect, int p, const NodalVelocity<D>& velocity,
   connect.visit(p,
                 [&](int node, double share, const double* slope)
                 {
-                  if (share < leastShare)
+                  if (share < leastFraction)
                     return;
                   for (int i = 0; i < D; ++i)
                   {

@@ -72,7 +72,7 @@ Section energyReleaseSection()
 namespace
 {
 
-bool inSpace(const Teuchos::ParameterList& scene)
+bool isThreeDimensional(const Teuchos::ParameterList& scene)
 {
   if (!scene.isSublist("Domain"))
     return false;
@@ -83,7 +83,7 @@ bool inSpace(const Teuchos::ParameterList& scene)
 GivenRadii readRadii(const Teuchos::ParameterList& scene)
 {
   const Teuchos::ParameterList& list = scene.sublist("Energy Release");
-  GivenRadii given = inSpace(scene) ? radiiInSpace() : GivenRadii();
+  GivenRadii given = isThreeDimensional(scene) ? usualCells<3>() : usualCells<2>();
   if (list.isType<double>("Inner Radius"))
     given.inner = list.get<double>("Inner Radius");
   if (list.isType<double>("Outer Radius"))
@@ -123,7 +123,7 @@ namespace
 /// What the nodes move with.
 RecoveryMatrix matrixOfTheMotion(const NodalMass& mass)
 {
-  return {std::max(mass.lumpedFraction, consistentMatrix().lumpedShare),
+  return {std::max(mass.lumpedFraction, consistentMatrix().lumpedFraction),
           mass.smallestNode,
           mass.radius,
           mass.edge,
@@ -147,7 +147,7 @@ Options readOptions(const Teuchos::ParameterList& scene, const RunOptions& run)
   Options options;
   options.openingKnown = run.openingKnown;
   options.radii = readRadii(scene);
-  if (inSpace(scene)) // there is no crack closure
+  if (isThreeDimensional(scene)) // there is no crack closure
     return options;
   if (run.growth) // round cracks that run the usual radii are those by which they run
   {

@@ -23,26 +23,27 @@ namespace
 struct Normal
 {
   std::vector<std::pair<int, int>> nodes; ///< and their sides (0 where a node is not split), in order
-  std::vector<std::array<int, PatchParticle::capacity>> at; ///< places of each particle's nodes among them
-  Teuchos::SerialSymDenseMatrix<int, double> coupling;      ///< sum of theta m N N^T, lower triangle
-  std::vector<double> own;                                  ///< sum of (1 - theta) m N
-  std::vector<double> lumped;                               ///< row sums of both
+  std::vector<std::array<int, ParticleAroundTip::capacity>>
+      at;                                              ///< positions of each particle's nodes among them
+  Teuchos::SerialSymDenseMatrix<int, double> coupling; ///< sum of theta m N N^T, lower triangle
+  std::vector<double> own;                             ///< sum of (1 - theta) m N
+  std::vector<double> lumped;                          ///< row sums of both
   Teuchos::SerialDenseMatrix<int, double> right;
 
-  Normal(const std::vector<PatchParticle>& particles, const SplitNodes& split);
+  Normal(const std::vector<ParticleAroundTip>& particles, const SplitNodes& split);
   int size() const { return static_cast<int>(nodes.size()); }
-  void listNodes(const std::vector<PatchParticle>& particles, const SplitNodes& split);
-  void couple(const std::vector<PatchParticle>& particles, const RecoveryMatrix& choice, double fullCell);
+  void listNodes(const std::vector<ParticleAroundTip>& particles, const SplitNodes& split);
+  void couple(const std::vector<ParticleAroundTip>& particles, const RecoveryMatrix& choice, double fullCell);
 };
 
-Normal::Normal(const std::vector<PatchParticle>& particles, const SplitNodes& split)
+Normal::Normal(const std::vector<ParticleAroundTip>& particles, const SplitNodes& split)
 {
   listNodes(particles, split);
   lumped.assign(size(), 0.0);
   right.shape(size(), 2);
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    const PatchParticle& p = particles[i];
+    const ParticleAroundTip& p = particles[i];
     for (int k = 0; k < p.count; ++k)
     {
       lumped[at[i][k]] += p.mass * p.weight[k];
@@ -53,10 +54,10 @@ Normal::Normal(const std::vector<PatchParticle>& particles, const SplitNodes& sp
 }
 
 /// Nodes of a patch are near each other in their numbering, so a table over it is smaller than a tree.
-void Normal::listNodes(const std::vector<PatchParticle>& particles, const SplitNodes& split)
+void Normal::listNodes(const std::vector<ParticleAroundTip>& particles, const SplitNodes& split)
 {
   int lowest = std::numeric_limits<int>::max(), highest = -1;
-  for (const PatchParticle& p : particles)
+  for (const ParticleAroundTip& p : particles)
     for (int k = 0; k < p.count; ++k)
     {
       lowest = std::min(lowest, p.node[k]);
@@ -67,14 +68,14 @@ void Normal::listNodes(const std::vector<PatchParticle>& particles, const SplitN
   std::vector<std::array<int, 3>> slot(highest - lowest + 1, {-1, -1, -1}); // by side + 1
   std::vector<signed char> splits(slot.size(), -1);
   at.resize(particles.size());
-  const auto slotOf = [&](const PatchParticle& p, int k) -> int&
+  const auto slotOf = [&](const ParticleAroundTip& p, int k) -> int&
   {
     const int n = p.node[k] - lowest;
     if (splits[n] < 0)
       splits[n] = split(p.node[k]) ? 1 : 0;
     return slot[n][splits[n] != 0 ? p.side + 1 : 1];
   };
-  for (const PatchParticle& p : particles)
+  for (const ParticleAroundTip& p : particles)
     for (int k = 0; k < p.count; ++k)
       slotOf(p, k) = 0;
   for (std::size_t n = 0; n < slot.size(); ++n)
@@ -90,7 +91,7 @@ void Normal::listNodes(const std::vector<PatchParticle>& particles, const SplitN
 }
 
 /// theta: 1 up to the radius, a cubic with flat ends over the edge, 0 beyond.
-double consistentShare(double fromFront, const RecoveryMatrix& choice)
+double consistentFraction(double fromFront, const RecoveryMatrix& choice)
 {
   const double beyond = fromFront - choice.radius;
   if (beyond <= 0.0)
@@ -101,15 +102,15 @@ double consistentShare(double fromFront, const RecoveryMatrix& choice)
   return 1.0 - s * s * (3.0 - 2.0 * s);
 }
 
-void Normal::couple(const std::vector<PatchParticle>& particles, const RecoveryMatrix& choice,
+void Normal::couple(const std::vector<ParticleAroundTip>& particles, const RecoveryMatrix& choice,
                     double fullCell)
 {
   coupling.shape(size());
   own.assign(size(), 0.0);
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    const PatchParticle& p = particles[i];
-    double theta = consistentShare(p.fromFront, choice);
+    const ParticleAroundTip& p = particles[i];
+    double theta = consistentFraction(p.fromFront, choice);
     for (int k = 0; k < p.count; ++k)
       if (lumped[at[i][k]] < choice.smallestNode * p.density * fullCell)
         theta = 0.0;
@@ -160,7 +161,7 @@ void sumSeries(const Normal& normal, int terms, Teuchos::SerialDenseMatrix<int, 
 
 } // namespace
 
-NodeDisplacement recoverDisplacement(const std::vector<PatchParticle>& particles, const SplitNodes& split,
+NodeDisplacement recoverDisplacement(const std::vector<ParticleAroundTip>& particles, const SplitNodes& split,
                                      const RecoveryMatrix& choice, double fullCell)
 {
   Normal normal(particles, split);
@@ -168,13 +169,13 @@ NodeDisplacement recoverDisplacement(const std::vector<PatchParticle>& particles
   if (normal.size() == 0)
     return result;
   Teuchos::SerialDenseMatrix<int, double> solution(normal.size(), 2);
-  const bool rowSums = choice.lumpedShare >= 1.0;
+  const bool rowSums = choice.lumpedFraction >= 1.0;
   if (!rowSums)
     normal.couple(particles, choice, fullCell);
   if (rowSums || choice.terms > 0)
     sumSeries(normal, rowSums ? 1 : choice.terms, solution);
   else
-    solve(normal, choice.lumpedShare, solution);
+    solve(normal, choice.lumpedFraction, solution);
   for (int i = 0; i < normal.size(); ++i)
     result.emplace_hint(result.end(), normal.nodes[i], Vector<2>{{solution(i, 0), solution(i, 1)}});
   return result;

@@ -1,8 +1,8 @@
 #pragma once
 /// The displacement of nodes around a front, recovered from its particles.
 
+#include "energy_release/ParticlesAroundTip.hpp"
 #include "energy_release/SplitNodes.hpp"
-#include "energy_release/TipPatch.hpp"
 
 #include <map>
 #include <utility>
@@ -21,12 +21,12 @@ using NodeDisplacement = std::map<std::pair<int, int>, Vector<2>>;
 /// \sa consistentMatrix, lumpedMatrix
 struct RecoveryMatrix
 {
-  double lumpedShare;  ///< eps; with 1 the displacement is that of row sums
-  double smallestNode; ///< theta is 0 for a particle that touches a lighter node, in shares of a full cell
+  double lumpedFraction; ///< eps; with 1 the displacement is that of row sums
+  double smallestNode; ///< theta is 0 for a particle that touches a lighter node, in fractions of a full cell
   double radius;       ///< theta is 1 up to this distance from a front [m]
   double edge;         ///< and falls to 0 over this width beyond it [m]
   int terms;           ///< of the series about the row sums that stands for the inverse; 0: solved
-  double radiusCells = 0.0; ///< of the radius beside what is in m, in cells as they are at the front
+  double radiusCells = 0.0; ///< of the radius next to what is in m, in cells as they are at the front
   double edgeCells = 0.0;   ///< of the edge
 };
 
@@ -39,7 +39,7 @@ RecoveryMatrix lumpedMatrix();
 
 /// Least-squares nodal displacement of the particles, M_eps u = sum_p m_p N_p u_p.
 /// \param fullCell volume of a cell [m3]. Throws std::runtime_error where M_eps can't be factored.
-NodeDisplacement recoverDisplacement(const std::vector<PatchParticle>& particles, const SplitNodes& split,
+NodeDisplacement recoverDisplacement(const std::vector<ParticleAroundTip>& particles, const SplitNodes& split,
                                      const RecoveryMatrix& choice, double fullCell);
 
 } // namespace Rhegma::energy_release

@@ -7,18 +7,18 @@ namespace Rhegma::energy_release
 {
 
 template <int D>
-std::vector<double> shareOfNodes(const State<D>& state, int crack, const std::vector<Vector<D>>& places)
+std::vector<double> fractionOfNodes(const State<D>& state, int crack, const std::vector<Vector<D>>& positions)
 {
   ObservedPoints<D> points;
   points.onAllRanks = true;
-  points.count = static_cast<int>(places.size());
+  points.count = static_cast<int>(positions.size());
   points.position = View<double* [D]>("rhegma::nearFrontPosition", points.count);
   points.half = View<double* [D]>("rhegma::nearFrontHalf", points.count);
   points.side = View<int*>("rhegma::nearFrontSide", points.count);
   const auto position = Kokkos::create_mirror_view(points.position);
   for (int k = 0; k < points.count; ++k)
     for (int d = 0; d < D; ++d)
-      position(k, d) = places[k][d];
+      position(k, d) = positions[k][d];
   Kokkos::deep_copy(points.position, position);
   Kokkos::deep_copy(points.side, crack + 1);
   StencilTable<D> stencils;
@@ -36,7 +36,7 @@ std::vector<double> shareOfNodes(const State<D>& state, int crack, const std::ve
   return shared;
 }
 
-template std::vector<double> shareOfNodes(const State<2>&, int, const std::vector<Vector<2>>&);
-template std::vector<double> shareOfNodes(const State<3>&, int, const std::vector<Vector<3>>&);
+template std::vector<double> fractionOfNodes(const State<2>&, int, const std::vector<Vector<2>>&);
+template std::vector<double> fractionOfNodes(const State<3>&, int, const std::vector<Vector<3>>&);
 
 } // namespace Rhegma::energy_release

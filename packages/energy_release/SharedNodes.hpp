@@ -8,10 +8,10 @@
 namespace Rhegma::energy_release
 {
 
-/// Share of the weights at places on a crack that belongs to nodes that both faces have, on which opposite
-/// forces on the faces cancel. \param places the same on all ranks [m] \return as many, 0 to 1, of all ranks
-/// together. Collective.
+/// Fraction of the weights at positions on a crack that belongs to nodes that both faces have, on which
+/// opposite forces on the faces cancel. \param places the same on all ranks [m] \return as many, 0 to 1, of
+/// all ranks together. Collective.
 template <int D>
-std::vector<double> shareOfNodes(const State<D>& state, int crack, const std::vector<Vector<D>>& places);
+std::vector<double> fractionOfNodes(const State<D>& state, int crack, const std::vector<Vector<D>>& places);
 
 } // namespace Rhegma::energy_release

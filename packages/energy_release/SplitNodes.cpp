@@ -25,7 +25,7 @@ std::vector<int> ownNodesAround(const State<2>& state, const Vector<2>& centre, 
       if (foreign(n) == 0)
         nodes.push_back(n);
     }
-  const auto place = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.tree.finePlace);
+  const auto place = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.tree.finePosition);
   for (int k = 0; k < state.mesh.tree.numFine; ++k)
     if (foreign(grid.numNodes + k) == 0 && std::fabs(place(k, 0) - centre[0]) <= radius &&
         std::fabs(place(k, 1) - centre[1]) <= radius)
@@ -36,7 +36,7 @@ std::vector<int> ownNodesAround(const State<2>& state, const Vector<2>& centre, 
 SplitNodes::SplitNodes(const State<2>& state, const CrackFront<2>& front, double radius)
     : side_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide)),
       many_(static_cast<bool>(state.mesh.subdomain)),
-      places_(state),
+      positions_(state),
       front_(front)
 {
   if (!many_ || side_.extent(0) == 0)
@@ -44,7 +44,7 @@ SplitNodes::SplitNodes(const State<2>& state, const CrackFront<2>& front, double
   std::vector<double> nodes;
   for (const int n : ownNodesAround(state, front.position, radius))
     if (std::abs(side_(n)) == front.crack + 1)
-      nodes.push_back(places_(n));
+      nodes.push_back(positions_(n));
   for (const double n : state.ranks.gatherOnAll(nodes))
     split_.insert(static_cast<int>(n));
 }
@@ -55,7 +55,7 @@ bool SplitNodes::operator()(int node) const
     return split_.count(node) > 0;
   if (node < static_cast<int>(side_.extent(0)))
     return side_(node) == front_.crack + 1 || side_(node) == -front_.crack - 1;
-  return dot(places_.placeOf(node) - front_.position, front_.direction) < 0.0;
+  return dot(positions_.positionOf(node) - front_.position, front_.direction) < 0.0;
 }
 
 } // namespace Rhegma::energy_release

@@ -23,11 +23,11 @@ private:
   View<int*>::HostMirror side_;
   std::set<int> split_; ///< where there are several ranks
   bool many_;
-  WholeNodes places_;
+  WholeNodes positions_;
   CrackFront<2> front_;
 };
 
-/// This rank's own nodes within `radius` of a place along each axis, where there are several ranks.
+/// This rank's own nodes within `radius` of a position along each axis, where there are several ranks.
 std::vector<int> ownNodesAround(const State<2>& state, const Vector<2>& centre, double radius);
 
 } // namespace Rhegma::energy_release

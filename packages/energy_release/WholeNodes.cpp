@@ -11,13 +11,13 @@ namespace Rhegma::energy_release
 
 WholeNodes::WholeNodes(const State<2>& state) : here_(state.mesh.grid), whole_(wholeLattice(state))
 {
-  const auto place = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.tree.finePlace);
+  const auto place = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.tree.finePosition);
   const int count = state.mesh.tree.numFine;
   if (!state.mesh.subdomain)
   {
     for (int k = 0; k < count; ++k)
     {
-      finePlace_.push_back({{place(k, 0), place(k, 1)}});
+      finePosition_.push_back({{place(k, 0), place(k, 1)}});
       fine_.push_back(here_.numNodes + k);
     }
     return;
@@ -27,7 +27,7 @@ WholeNodes::WholeNodes(const State<2>& state) : here_(state.mesh.grid), whole_(w
   const LeafList<2> leaves(state.mesh.subdomain->refined);
   const std::vector<std::array<int, 2>> all = FineNodes<2>(leaves).places();
   for (const std::array<int, 2>& at : all)
-    finePlace_.push_back({{leaves.position(at)[0], leaves.position(at)[1]}});
+    finePosition_.push_back({{leaves.position(at)[0], leaves.position(at)[1]}});
   const double unit = std::ldexp(whole_.spacing, -leaves.depth());
   for (int k = 0; k < count; ++k)
   {
@@ -52,9 +52,9 @@ int WholeNodes::operator()(int node) const
   return whole_.nodeIndex(at);
 }
 
-Vector<2> WholeNodes::placeOf(int number) const
+Vector<2> WholeNodes::positionOf(int number) const
 {
-  return number < whole_.numNodes ? whole_.nodePosition(number) : finePlace_[number - whole_.numNodes];
+  return number < whole_.numNodes ? whole_.nodePosition(number) : finePosition_[number - whole_.numNodes];
 }
 
 } // namespace Rhegma::energy_release

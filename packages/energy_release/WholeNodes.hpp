@@ -10,7 +10,7 @@ namespace Rhegma::energy_release
 {
 
 /// Names nodes of a rank by their numbers in the whole lattice, and those of refined cells, in the order of
-/// their places, by the next ones. Where there is one rank these are its own numbers.
+/// their positions, by the next ones. Where there is one rank these are its own numbers.
 class WholeNodes
 {
 public:
@@ -20,12 +20,12 @@ public:
   int operator()(int node) const;
 
   /// Where a node with a number in the whole lattice is.
-  Vector<2> placeOf(int number) const;
+  Vector<2> positionOf(int number) const;
 
 private:
   Grid<2> here_, whole_;
-  std::vector<Vector<2>> finePlace_; ///< of the whole lattice
-  std::vector<int> fine_;            ///< number of each node of refined cells here
+  std::vector<Vector<2>> finePosition_; ///< of the whole lattice
+  std::vector<int> fine_;               ///< number of each node of refined cells here
 };
 
 } // namespace Rhegma::energy_release

@@ -51,8 +51,8 @@ void checkPressure(const Teuchos::ParameterList& scene, const std::string& name,
       !scene.sublist("Time").isType<double>("Final Time"))
     return;
   const double end = scene.sublist("Time").get<double>("Final Time");
-  if (const auto complaint = complaintIfNotFinite(list.get<std::string>("Pressure"), end))
-    errors.push_back({"Face Pressure > " + name + " > Pressure", *complaint});
+  if (const auto message = messageIfNotFinite(list.get<std::string>("Pressure"), end))
+    errors.push_back({"Face Pressure > " + name + " > Pressure", *message});
 }
 
 void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
@@ -94,7 +94,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  for (FacePressure& pressure : account->pressures)
                    pressure.apply(s, account->points);
                }});
-  effect.call({stageOfWays(scene),
+  effect.call({stageOfFaceVelocity(scene),
                "work of pressure on crack faces",
                {projectsLast(scene) ? quantity::projection : quantity::nodalMotion},
                {},

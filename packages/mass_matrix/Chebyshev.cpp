@@ -1,6 +1,6 @@
 #include "mass_matrix/Chebyshev.hpp"
 
-#include "base/FewItems.hpp"
+#include "base/SmallLoops.hpp"
 #include "state/Subdomain.hpp"
 
 #include <algorithm>
@@ -23,7 +23,7 @@ void advance(const MassSystem<D>& system, const View<double*>& inverse, const do
               constexpr int W = MassSystem<D>::width;
               const MassSystem<D> s = system;
               const double* const weight = inverse.data();
-              forFew(
+              parallelForSmall(
                   "rhegma::mass::chebyshev", s.first, s.last, KOKKOS_LAMBDA(const int row) {
                     const Pack<W> image = rowTimes<D, decltype(reach)::value>(s, row, z);
                     for (int d = 0; d < W; ++d)
@@ -41,7 +41,7 @@ void advance(const MassSystem<D>& system, const View<double*>& inverse, const do
              const View<double*>& image, double* last, double momentum, double gain)
 {
   constexpr int W = MassSystem<D>::width;
-  forFew(
+  parallelForSmall(
       "rhegma::mass::chebyshevOnRanks", W * system.first, W * system.last, KOKKOS_LAMBDA(const int i) {
         last[i] = z[i] + momentum * (z[i] - last[i]) + gain * inverse(i) * (r[i] - image(i));
       });
@@ -69,12 +69,12 @@ void Chebyshev<D>::apply(const State<D>* state, const MassSystem<D>& system, con
   double *now = z, *before = other_.data();
   const double* const weight = inverse.data();
   double square = 0.0;
-  sumFew(
+  parallelSumSmall(
       "rhegma::mass::precondition", 0, n,
       KOKKOS_LAMBDA(const int i, double& sum) {
         now[i] = weight[i] * r[i] / middle;
         before[i] = 0.0;
-        sum += s.shareOf(i / MassSystem<D>::width) * r[i] * r[i];
+        sum += s.fractionOf(i / MassSystem<D>::width) * r[i] * r[i];
       },
       square);
   if (onRanks)

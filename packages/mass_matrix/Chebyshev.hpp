@@ -9,8 +9,8 @@ namespace Rhegma::mass_matrix
 /// z = p(D^-1 M) D^-1 r, D the lumped mass and p the polynomial for which the worst |1 - x p(x)| over the
 /// eigenvalues is least.
 ///
-/// The eigenvalues of D^-1 M lie between the share of lumped mass and 1: the row sums of M are D, and what is
-/// taken from D has no negative eigenvalue. p is positive there, so z is a symmetric positive definite
+/// The eigenvalues of D^-1 M lie between the fraction of lumped mass and 1: the row sums of M are D, and what
+/// is taken from D has no negative eigenvalue. p is positive there, so z is a symmetric positive definite
 /// function of r and may precondition conjugate gradients; a constant times L is mapped to a constant.
 /// Source: Saad, Iterative Methods for Sparse Linear Systems, 2nd ed., algorithm 12.1.
 template <int D>

@@ -1,6 +1,6 @@
 #include "mass_matrix/ChooseRows.hpp"
 
-#include "base/FewItems.hpp"
+#include "base/SmallLoops.hpp"
 #include "state/Subdomain.hpp"
 
 #include <algorithm>
@@ -22,10 +22,10 @@ struct AroundFronts
   double beyond; ///< how far particles reach beyond their zone [m]
   int half, side, all, size;
 
-  AroundFronts(const State<D>& state, const Unlumping& unlumping, const View<double* [D]>& places,
+  AroundFronts(const State<D>& state, const Unlumping& unlumping, const View<double* [D]>& positions,
                const View<double* [2]>& zones, int fronts)
       : grid(state.mesh.grid),
-        front(places),
+        front(positions),
         zone(zones),
         beyond(std::sqrt(double(D)) * 0.5 * (reachOf(state.method.shape) + 1) * grid.spacing),
         half(std::min(
@@ -49,7 +49,7 @@ struct AroundFronts
       rest /= side;
       in = in && at[d] >= 0 && at[d] <= grid.cells[d];
     }
-    const Vector<D> x = grid.placeOf(at);
+    const Vector<D> x = grid.positionOf(at);
     double square = 0.0;
     for (int d = 0; d < D; ++d)
       square += (x[d] - front(f, d)) * (x[d] - front(f, d));
@@ -58,7 +58,7 @@ struct AroundFronts
 
   KOKKOS_INLINE_FUNCTION double furthest(int f) const { return zone(f, 0) + zone(f, 1) + beyond; }
 
-  /// Whether a place is so near to a front.
+  /// Whether a position is so near to a front.
   KOKKOS_INLINE_FUNCTION bool holds(const Vector<D>& x) const
   {
     bool any = false;
@@ -81,7 +81,7 @@ void chooseLattice(const State<D>& state, const Unlumping& unlumping, const Mass
   const View<int*> rowOf = system.rowOf, second = state.cracks.second;
   const auto sums = state.mesh.nodes.sums;
   const bool seconds = state.mesh.nodes.numSecond > 0;
-  forFew(
+  parallelForSmall(
       "rhegma::mass::chooseAroundFronts", 0, around.size, KOKKOS_LAMBDA(const int i) {
         const int node = around(i);
         if (node < 0)
@@ -96,15 +96,15 @@ void chooseLattice(const State<D>& state, const Unlumping& unlumping, const Mass
 
 /// Marks the nodes that particles with a stored stencil touch, where cells are refined.
 template <int D>
-void chooseTouched(const State<D>& state, const ConsistentShare<D>& share, const MassSystem<D>& system)
+void chooseTouched(const State<D>& state, const ConsistentFraction<D>& fraction, const MassSystem<D>& system)
 {
   const View<int*> rowOf = system.rowOf, particle = state.stored.particle;
   const StencilTable<D> table = state.stored.table;
   const auto sums = state.mesh.nodes.sums;
   const auto position = state.particles.template real<D>(fields::position);
-  forFew(
+  parallelForSmall(
       "rhegma::mass::chooseTouched", 0, state.stored.count, KOKKOS_LAMBDA(const int r) {
-        if (share(&position(particle(r), 0)) == 0.0)
+        if (fraction(&position(particle(r), 0)) == 0.0)
           return;
         for (int k = 0; k < table.count(r); ++k)
           if (sums(table.node(r, k), Nodes<D>::massAt) > 0.0)
@@ -122,13 +122,13 @@ void chooseTogether(const State<D>& state, const MassSystem<D>& system)
   const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> rowOf = system.rowOf;
   const View<double*> touched = system.touched;
-  forFew(
+  parallelForSmall(
       "rhegma::mass::tellChosen", 0, nodes.numActive(), KOKKOS_LAMBDA(const int i) {
         const int n = activeNode(nodes, i);
         touched(n) = rowOf(n) == -1 ? 0.0 : 1.0;
       });
   sumOverRanks(state, touched.data(), 1, 0, 1);
-  forFew(
+  parallelForSmall(
       "rhegma::mass::hearChosen", 0, nodes.numActive(), KOKKOS_LAMBDA(const int i) {
         const int n = activeNode(nodes, i);
         if (touched(n) > 0.0)
@@ -144,7 +144,7 @@ void chooseAroundFronts(const State<D>& state, const Unlumping& unlumping, const
   chooseLattice(state, unlumping, system);
   if (!system.hashed)
     return;
-  chooseTouched(state, consistentShare(unlumping, system), system);
+  chooseTouched(state, consistentFraction(unlumping, system), system);
   chooseTogether(state, system);
 }
 
@@ -161,22 +161,22 @@ double largestRows(const State<D>& state, const Unlumping& unlumping)
   listFronts(state, unlumping, front, zone, numFronts);
   const AroundFronts<D> around(state, unlumping, front, zone, numFronts);
   const View<char*> near("rhegma::massNearFronts", state.mesh.grid.numNodes);
-  forFew(
+  parallelForSmall(
       "rhegma::mass::nearFronts", 0, around.size, KOKKOS_LAMBDA(const int i) {
         const int node = around(i);
         if (node >= 0)
           near(node) = 1;
       });
   int count = 0;
-  sumFew(
+  parallelSumSmall(
       "rhegma::mass::countNearFronts", 0, state.mesh.grid.numNodes,
       KOKKOS_LAMBDA(const int node, int& sum) { sum += near(node); }, count);
-  const NodePlaces<D> places = nodePlaces(state);
+  const NodePositions<D> positions = nodePositions(state);
   int fine = 0;
-  sumFew(
+  parallelSumSmall(
       "rhegma::mass::countFineNearFronts", state.mesh.grid.numNodes,
       state.mesh.grid.numNodes + state.mesh.tree.numFine,
-      KOKKOS_LAMBDA(const int node, int& sum) { sum += around.holds(places(node)) ? 1 : 0; }, fine);
+      KOKKOS_LAMBDA(const int node, int& sum) { sum += around.holds(positions(node)) ? 1 : 0; }, fine);
   count += fine;
   return std::min(most, 2.0 * count);
 }

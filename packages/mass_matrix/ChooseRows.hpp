@@ -11,9 +11,9 @@ inline int reachOf(ShapeKind shape) { return shape == ShapeKind::Linear ? 1 : 2;
 
 constexpr int chosen = -2; ///< in rowOf: a node that shall have a row
 
-/// Which share of a particle's mass is consistent, with the fronts as they were listed last.
+/// Which fraction of a particle's mass is consistent, with the fronts as they were listed last.
 template <int D>
-ConsistentShare<D> consistentShare(const Unlumping& unlumping, const MassSystem<D>& system)
+ConsistentFraction<D> consistentFraction(const Unlumping& unlumping, const MassSystem<D>& system)
 {
   return {system.front, system.zone, system.numFronts, unlumping.everywhere};
 }

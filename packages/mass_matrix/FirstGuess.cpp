@@ -1,6 +1,6 @@
 #include "mass_matrix/FirstGuess.hpp"
 
-#include "base/FewItems.hpp"
+#include "base/SmallLoops.hpp"
 #include "state/Subdomain.hpp"
 
 namespace Rhegma::mass_matrix
@@ -11,7 +11,7 @@ namespace
 
 /// image = M x, with the sums of a first guess.
 template <int D, int Reach>
-struct LookAtGuess
+struct CheckGuess
 {
   using value_type = double[];
   using size_type = int;
@@ -57,8 +57,8 @@ struct LookAtGuess
 } // namespace
 
 template <int D>
-GuessSums<D> lookAtGuess(const State<D>& state, const MassSystem<D>& system, const View<double*>& right,
-                         const View<double*>& x, const View<double*>& inverse, const View<double*>& image)
+GuessSums<D> checkGuess(const State<D>& state, const MassSystem<D>& system, const View<double*>& right,
+                        const View<double*>& x, const View<double*>& inverse, const View<double*>& image)
 {
   double sum[GuessSums<D>::size] = {};
   const bool formed = static_cast<bool>(state.mesh.subdomain);
@@ -67,14 +67,14 @@ GuessSums<D> lookAtGuess(const State<D>& state, const MassSystem<D>& system, con
   withReach(system,
             [&](auto reach)
             {
-              LookAtGuess<D, decltype(reach)::value> work;
+              CheckGuess<D, decltype(reach)::value> work;
               work.system = system;
               work.right = right;
               work.x = x;
               work.inverse = inverse;
               work.image = image;
               work.formed = formed;
-              sumFew("rhegma::mass::guess", system.first, system.last, work, sum);
+              parallelSumSmall("rhegma::mass::guess", system.first, system.last, work, sum);
             });
   sumParts(state, sum, GuessSums<D>::size);
   GuessSums<D> sums;
@@ -92,9 +92,9 @@ GuessSums<D> lookAtGuess(const State<D>& state, const MassSystem<D>& system, con
   return sums;
 }
 
-template GuessSums<2> lookAtGuess(const State<2>&, const MassSystem<2>&, const View<double*>&,
-                                  const View<double*>&, const View<double*>&, const View<double*>&);
-template GuessSums<3> lookAtGuess(const State<3>&, const MassSystem<3>&, const View<double*>&,
-                                  const View<double*>&, const View<double*>&, const View<double*>&);
+template GuessSums<2> checkGuess(const State<2>&, const MassSystem<2>&, const View<double*>&,
+                                 const View<double*>&, const View<double*>&, const View<double*>&);
+template GuessSums<3> checkGuess(const State<3>&, const MassSystem<3>&, const View<double*>&,
+                                 const View<double*>&, const View<double*>&, const View<double*>&);
 
 } // namespace Rhegma::mass_matrix

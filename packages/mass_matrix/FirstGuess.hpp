@@ -23,7 +23,7 @@ struct GuessSums
 
 /// Forms image = M x and the sums over all ranks. Collective. \param inverse 0 where an unknown is not free
 template <int D>
-GuessSums<D> lookAtGuess(const State<D>& state, const MassSystem<D>& system, const View<double*>& right,
-                         const View<double*>& x, const View<double*>& inverse, const View<double*>& image);
+GuessSums<D> checkGuess(const State<D>& state, const MassSystem<D>& system, const View<double*>& right,
+                        const View<double*>& x, const View<double*>& inverse, const View<double*>& image);
 
 } // namespace Rhegma::mass_matrix

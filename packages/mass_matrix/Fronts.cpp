@@ -37,18 +37,18 @@ View<double*> edgesOnRanks(const State<D>& state)
 } // namespace
 
 template <int D>
-void listFronts(const State<D>& state, const Unlumping& unlumping, View<double* [D]>& places,
+void listFronts(const State<D>& state, const Unlumping& unlumping, View<double* [D]>& positions,
                 View<double* [2]>& zones, int& count)
 {
   const View<int*> kind = state.cracks.kind;
   const View<double* [D]> vertex = state.cracks.vertex;
   const int vertices = static_cast<int>(kind.extent(0));
-  if (static_cast<int>(places.extent(0)) < vertices)
+  if (static_cast<int>(positions.extent(0)) < vertices)
   {
-    places = View<double* [D]>("rhegma::massFronts", vertices);
+    positions = View<double* [D]>("rhegma::massFronts", vertices);
     zones = View<double* [2]>("rhegma::massZones", vertices);
   }
-  const View<double* [D]> list = places;
+  const View<double* [D]> list = positions;
   const View<double* [2]> zone = zones;
   const TreeSight<D> sight(state.mesh.grid, state.mesh.tree);
   const View<double*> edges = edgesOnRanks(state);

@@ -6,9 +6,9 @@
 namespace Rhegma::mass_matrix
 {
 
-/// Lists the places of all fronts: their vertices, so that in 3D a front is a line of places; and the radius
-/// and the edge of the zone around each. \param places, zones grow where there are more than they hold \param
-/// count of the places
+/// Lists the positions of all fronts: their vertices, so that in 3D a front is a line of positions; and the
+/// radius and the edge of the zone around each. \param positions, zones grow where there are more than they
+/// hold \param count of the positions
 template <int D>
 void listFronts(const State<D>& state, const Unlumping& unlumping, View<double* [D]>& places,
                 View<double* [2]>& zones, int& count);
@@ -16,7 +16,7 @@ void listFronts(const State<D>& state, const Unlumping& unlumping, View<double* 
 /// theta: 1 inside the radius around a front, 0 beyond its edge, a cubic between with flat ends. The largest
 /// of all fronts.
 template <int D>
-struct ConsistentShare
+struct ConsistentFraction
 {
   View<double* [D]> front;
   View<double* [2]> zone; ///< radius and edge of each [m]

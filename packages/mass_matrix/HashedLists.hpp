@@ -6,11 +6,11 @@
 namespace Rhegma::mass_matrix
 {
 
-/// Largest share of a list that may be taken: fuller ones are searched for long.
+/// Largest fraction of a list that may be taken: fuller ones are searched for long.
 constexpr double fullestList = 0.7;
 
-/// Adds to the entry of a column in a list of `capacity` places, a power of two; free places have the column
-/// -1. \return false where the list is full
+/// Adds to the entry of a column in a list of `capacity` positions, a power of two; free positions have the
+/// column -1. \return false where the list is full
 KOKKOS_INLINE_FUNCTION bool addHashed(double* values, int* columns, int capacity, int column, double value)
 {
   const unsigned mask = static_cast<unsigned>(capacity) - 1U;

@@ -46,14 +46,14 @@ struct Options
 
 constexpr double radiusCells = 3.0, edgeCells = 1.0;
 
-/// Largest CFL number of a coupled matrix. In short steps the impulses of larger cells feed motions of the
-/// coupled nodes at 0.4: a bar with a crack gained 8 % in 6,000 long steps of three levels, at 0.3 nothing.
-constexpr double largestCoupledCfl = 0.4, largestInShortSteps = 0.3;
+/// Largest CFL number of a coupled matrix. In substeps the impulses of larger cells feed motions of the
+/// coupled nodes at 0.4: a bar with a crack gained 8 % in 6,000 steps of three levels, at 0.3 nothing.
+constexpr double largestCoupledCfl = 0.4, largestInSubsteps = 0.3;
 
 template <int D>
 double coupledTimeStep(const State<D>& state)
 {
-  const double largest = state.mesh.subcycledLevels > 0 ? largestInShortSteps : largestCoupledCfl;
+  const double largest = state.mesh.subcycledLevels > 0 ? largestInSubsteps : largestCoupledCfl;
   return std::min(state.method.cfl, largest) * state.mesh.stepSpacing() / state.clock.fastestSpeed;
 }
 
@@ -155,7 +155,7 @@ Options readOptions(const Teuchos::ParameterList& scene)
     o.order = list.get<int>("Order");
   if (o.coupled())
   {
-    o.unlumping.lumpedShare = list.get<double>("Lumped Fraction");
+    o.unlumping.lumpedFraction = list.get<double>("Lumped Fraction");
     o.unlumping.smallestNode = list.get<double>("Minimum Node Mass");
     o.tolerance = list.get<double>("Solver Tolerance");
     o.iterations = list.get<int>("Maximum Iterations");
@@ -203,8 +203,8 @@ struct Work
 {
   explicit Work(const Options& o)
       : options(o),
-        solve(o.tolerance, o.iterations, o.unlumping.lumpedShare),
-        slots(o.unlumping.lumpedShare, o.tolerance),
+        solve(o.tolerance, o.iterations, o.unlumping.lumpedFraction),
+        slots(o.unlumping.lumpedFraction, o.tolerance),
         series(o.order),
         filter(o.updateOrder)
   {
@@ -277,7 +277,7 @@ struct Work
   Vector<3> start{{0.0, 0.0, 0.0}};
 };
 
-/// For those who move nodes in short steps.
+/// For those who move nodes in substeps.
 template <int D>
 void offerSlots(State<D>& state, const std::shared_ptr<Work<D>>& work)
 {
@@ -347,7 +347,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       if (archive.sameOrder())
       {
         archive("rows", work->coupled.room);
-        archive("list_room", work->coupled.listRoom);
+        archive("list_room", work->coupled.listCapacity);
         archive("hashed", work->coupled.hashed);
       }
       archive("coupled_nodes", work->coupled.numCoupled);

@@ -1,6 +1,6 @@
 #include "mass_matrix/MassRows.hpp"
 
-#include "base/FewItems.hpp"
+#include "base/SmallLoops.hpp"
 #include "mass_matrix/ChooseRows.hpp"
 #include "mass_matrix/HashedLists.hpp"
 #include "mass_matrix/RowLists.hpp"
@@ -68,7 +68,7 @@ template <int D>
 void clearRows(const MassSystem<D>& system)
 {
   const View<int*> rowOf = system.rowOf, nodeOf = system.nodeOf;
-  forFew(
+  parallelForSmall(
       "rhegma::mass::clearRows", system.first, system.last,
       KOKKOS_LAMBDA(const int row) { rowOf(nodeOf(row)) = -1; });
 }
@@ -84,7 +84,7 @@ void numberRows(const State<D>& state, bool everywhere, MassSystem<D>& system)
   const View<int*> rowOf = system.rowOf, nodeOf = system.nodeOf;
   const int first = system.first;
   int count = 0;
-  scanFew(
+  parallelScanSmall(
       "rhegma::mass::numberRows", 0, active,
       KOKKOS_LAMBDA(const int i, int& at, const bool final) {
         const int n = activeNode(nodes, i);
@@ -116,12 +116,12 @@ void reserveRows(MassSystem<D>& system)
   system.band = View<double*>("rhegma::massBand", static_cast<std::size_t>(room) * system.stride);
   system.lineStart = View<int*>("rhegma::massLineStart", static_cast<std::size_t>(room) * system.lines);
   system.extraOf = View<int*>("rhegma::massExtraOf", room);
-  system.beside = View<double*>("rhegma::massBeside", room);
+  system.adjacent = View<double*>("rhegma::massBeside", room);
   system.coupled = View<char*>("rhegma::massCoupled", room);
 }
 
 /// Which nodes only particles with a stored stencil touch: those of refined cells, and those of the lattice
-/// all of whose cells are refined or beside such.
+/// all of whose cells are refined or next to such.
 template <int D>
 struct OnlyStored
 {
@@ -134,14 +134,14 @@ struct OnlyStored
       near = state.mesh.tree.nearRefined;
   }
 
-  KOKKOS_INLINE_FUNCTION bool operator()(int place) const
+  KOKKOS_INLINE_FUNCTION bool operator()(int position) const
   {
-    if (near.extent(0) == 0 || place >= grid.numNodes)
+    if (near.extent(0) == 0 || position >= grid.numNodes)
       return near.extent(0) > 0;
     bool inside = true;
     for (int k = 0; k < (1 << D); ++k)
     {
-      int cell = place;
+      int cell = position;
       for (int d = 0; d < D; ++d)
         cell -= ((k >> d) & 1) * grid.stride[d];
       inside = inside && cell >= 0 && near(cell) != 0;
@@ -159,7 +159,7 @@ void startRows(const State<D>& state, MassSystem<D>& system)
   const MassSystem<D> s = system;
   const Grid<D> grid = state.mesh.grid;
   const OnlyStored<D> onlyStored(state);
-  forFew(
+  parallelForSmall(
       "rhegma::mass::startRows", s.first, s.last, KOKKOS_LAMBDA(const int row) {
         const int node = s.nodeOf(row), lattice = latticeNode(nodes, node), span = 2 * s.reach + 1;
         s.lumped(row) = sums(node, Nodes<D>::massAt);
@@ -190,19 +190,19 @@ void startRows(const State<D>& state, MassSystem<D>& system)
       });
 }
 
-/// Adds up what the rows of all ranks have beside their diagonals, and finds how many ranks have each.
+/// Adds up what the rows of all ranks have next to their diagonals, and finds how many ranks have each.
 template <int D>
-void shareRows(const State<D>& state, MassSystem<D>& system)
+void fractionRows(const State<D>& state, MassSystem<D>& system)
 {
   if (!state.mesh.subdomain)
     return;
   if (static_cast<int>(system.share.extent(0)) != system.room)
     system.share = View<double*>("rhegma::massShare", system.room);
   Kokkos::deep_copy(system.share, 1.0);
-  sumOverRanks(state, system.beside.data(), 1, 0, 1, system.rowOf);
+  sumOverRanks(state, system.adjacent.data(), 1, 0, 1, system.rowOf);
   sumOverRanks(state, system.share.data(), 1, 0, 1, system.rowOf);
   const View<double*> share = system.share;
-  forFew(
+  parallelForSmall(
       "rhegma::mass::shareRows", system.first, system.last,
       KOKKOS_LAMBDA(const int row) { share(row) = 1.0 / share(row); });
 }
@@ -223,7 +223,7 @@ void beginRows(const State<D>& state, const Unlumping& unlumping, MassSystem<D>&
   numberRows(state, unlumping.everywhere, system);
   reserveRows(system);
   startRows(state, system);
-  startLists(state, consistentShare(unlumping, system), system);
+  startLists(state, consistentFraction(unlumping, system), system);
 }
 
 template <int D>
@@ -232,7 +232,7 @@ void finishRows(const State<D>& state, MassSystem<D>& system)
   const MassSystem<D> s = system;
   const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> second = state.cracks.second;
-  forFew(
+  parallelForSmall(
       "rhegma::mass::finishRows", s.first, s.last, KOKKOS_LAMBDA(const int row) {
         const int centre = s.slots / 2;
         double* const values = s.band.data() + static_cast<std::size_t>(row) * s.stride;
@@ -245,7 +245,7 @@ void finishRows(const State<D>& state, MassSystem<D>& system)
         }
         const int list = s.extraOf(row);
         if (list >= 0 && s.hashed)
-          s.extraCount(list) = packHashed(&s.extra(list, 0), &s.extraColumn(list, 0), s.listRoom, others);
+          s.extraCount(list) = packHashed(&s.extra(list, 0), &s.extraColumn(list, 0), s.listCapacity, others);
         else if (list >= 0)
         {
           const int node = s.nodeOf(row), lattice = latticeNode(nodes, node);
@@ -264,20 +264,20 @@ void finishRows(const State<D>& state, MassSystem<D>& system)
           }
           s.extraCount(list) = kept;
         }
-        values[centre] = (countsHere(nodes, s.nodeOf(row)) ? s.lumped(row) : 0.0) - others;
-        s.beside(row) = others;
+        values[centre] = (isOwnedByThisRank(nodes, s.nodeOf(row)) ? s.lumped(row) : 0.0) - others;
+        s.adjacent(row) = others;
       });
-  shareRows(state, system);
+  fractionRows(state, system);
   const MassSystem<D> shared = system;
   double found[2] = {0.0, 0.0}; // lumped mass and number of coupled rows
-  sumFew(
+  parallelSumSmall(
       "rhegma::mass::coupledRows", s.first, s.last,
       KOKKOS_LAMBDA(const int row, double& sum, double& count) {
-        shared.coupled(row) = shared.beside(row) > 0.0;
+        shared.coupled(row) = shared.adjacent(row) > 0.0;
         if (shared.coupled(row))
         {
-          sum += shared.shareOf(row) * shared.lumped(row);
-          count += shared.shareOf(row);
+          sum += shared.fractionOf(row) * shared.lumped(row);
+          count += shared.fractionOf(row);
         }
         else
           shared.rowOf(shared.nodeOf(row)) = -1;
@@ -286,8 +286,8 @@ void finishRows(const State<D>& state, MassSystem<D>& system)
   sumParts(state, found, 2);
   system.coupledMass = found[0];
   system.numCoupled = static_cast<int>(std::lround(found[1]));
-  if (system.hashed && fullestListOf(system) > fullestList * system.listRoom)
-    system.listRoom *= 2; // from the next step on
+  if (system.hashed && fullestListOf(system) > fullestList * system.listCapacity)
+    system.listCapacity *= 2; // from the next step on
 }
 
 template void beginRows(const State<2>&, const Unlumping&, MassSystem<2>&);

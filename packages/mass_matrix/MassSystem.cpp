@@ -1,6 +1,6 @@
 #include "mass_matrix/MassSystem.hpp"
 
-#include "base/FewItems.hpp"
+#include "base/SmallLoops.hpp"
 #include "mass_matrix/MassRows.hpp"
 #include "mass_matrix/ParticleMass.hpp"
 #include "mass_matrix/RowLists.hpp"
@@ -23,14 +23,14 @@ void addParticles(const State<D>& state, const Unlumping& unlumping, const MassS
   add.corner = state.mesh.blocks.corner;
   add.mass = state.particles.scalar(fields::mass);
   add.volume = state.particles.scalar(fields::volume);
-  add.share = consistentShare(unlumping, system);
-  add.nodeShare = state.mesh.tree.share;
+  add.share = consistentFraction(unlumping, system);
+  add.nodeFraction = state.mesh.tree.share;
   add.numLattice = state.mesh.nodes.numLattice;
   double cell = D == 2 ? state.method.thickness : 1.0;
   for (int d = 0; d < D; ++d)
     cell *= state.mesh.grid.spacing;
   add.smallest = unlumping.smallestNode * cell;
-  add.consistentShare = 1.0 - unlumping.lumpedShare;
+  add.consistentFraction = 1.0 - unlumping.lumpedFraction;
   // Blocks of one colour share no node.
   for (int colour = 0; colour < Blocks<D>::colours; ++colour)
     Kokkos::parallel_for("rhegma::mass::assemble",
@@ -67,7 +67,7 @@ void multiply(const MassSystem<D>& system, const double* x, double* y, const dou
             {
               constexpr int W = MassSystem<D>::width;
               const MassSystem<D> s = system;
-              forFew(
+              parallelForSmall(
                   "rhegma::mass::multiply", 0, s.room, KOKKOS_LAMBDA(const int row) {
                     const bool inside = row >= s.first && row < s.last;
                     const Pack<W> sum =
@@ -92,7 +92,7 @@ void multiplyWhole(const State<D>& state, const MassSystem<D>& system, const dou
   sumOverRanks(state, y, W, 0, D, system.rowOf);
   if (weight == nullptr)
     return;
-  forFew(
+  parallelForSmall(
       "rhegma::mass::mask", system.first * W, system.last * W, KOKKOS_LAMBDA(const int i) {
         if (weight[i] == 0.0)
           y[i] = 0.0;
@@ -107,7 +107,7 @@ double bytesPerRow(ShapeKind shape, bool list, bool refined)
   // The band and its lines; the lumped mass and marks; and vectors: nine of the solves, seven of Belos.
   return slots * sizeof(double) + lines * sizeof(int) + sizeof(double) + 3 * sizeof(int) +
          16.0 * MassSystem<D>::width * sizeof(double) +
-         (list ? listRoomOf<D>(slots, refined) * double(sizeof(double) + sizeof(int)) : 0.0);
+         (list ? listCapacityOf<D>(slots, refined) * double(sizeof(double) + sizeof(int)) : 0.0);
 }
 
 template void assemble(const State<2>&, const Unlumping&, MassSystem<2>&);

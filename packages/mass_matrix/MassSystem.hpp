@@ -12,12 +12,12 @@ struct Unlumping
 {
   bool everywhere = true; ///< all particles; else only those around crack fronts
   double radius = 0.0;    ///< of the unlumped zone around each front [m]
-  double edge = 0.0;      ///< width over which the share falls from 1 to 0 beyond the radius [m]
+  double edge = 0.0;      ///< width over which the fraction falls from 1 to 0 beyond the radius [m]
   /// Whether radius and edge are those in cells of the lattice: they shrink with the cells at a front.
   bool radiusShrinks = false, edgeShrinks = false;
-  double lumpedShare = 0.1; ///< eps of M_eps = (1 - eps) M + eps lumped(M)
+  double lumpedFraction = 0.1; ///< eps of M_eps = (1 - eps) M + eps lumped(M)
   double smallestNode =
-      0.1; ///< a particle that touches a lighter node, in shares of its mass in a full body, stays lumped
+      0.1; ///< a particle that touches a lighter node, in fractions of its mass in a full body, stays lumped
 };
 
 /// M = L + (1 - eps) sum_p theta_p m_p (N_p N_p^T - diag(N_p)) over the nodes of the rows, L the lumped mass.
@@ -25,10 +25,10 @@ struct Unlumping
 /// Rows and columns add up to L: the total momentum of M x is that of L x. What particles whose functions are
 /// a tensor product give a row lies in its band: lines of nodes along the lattice's fastest axis, whose rows
 /// follow one another, so that a line is one start and a run of numbers. Particles with a stored stencil
-/// (beside cracks and in refined cells) give to rows that also have a list of single entries. Beside cracks
-/// in equal cells an entry has its place in the list by where its node lies; in refined cells, where nodes of
-/// several sizes of cells meet, by hashing. Rows that only such particles touch there are bare: they have a
-/// diagonal and a list.
+/// (next to cracks and in refined cells) give to rows that also have a list of single entries. Next to cracks
+/// in equal cells an entry has its position in the list by where its node lies; in refined cells, where nodes
+/// of several sizes of cells meet, by hashing. Rows that only such particles touch there are bare: they have
+/// a diagonal and a list.
 ///
 /// Where there are several ranks, each has what its own particles give, and the lumped mass on the diagonal
 /// of the nodes that it owns: sums of the products of all ranks are those of the whole matrix. Vectors have
@@ -49,9 +49,9 @@ struct MassSystem
   int last = 0;           ///< one beyond the last row
   int room = 0;           ///< rows of vectors
   int numExtra = 0;       ///< rows that have a list
-  int listRoom = 0;       ///< entries that a list can have; a power of two where hashed
+  int listCapacity = 0;   ///< entries that a list can have; a power of two where hashed
   bool hashed = false;    ///< whether lists find their columns by hashing: cells are refined
-  int numCoupled = 0;     ///< rows with entries beside their diagonal, of all ranks
+  int numCoupled = 0;     ///< rows with entries next to their diagonal, of all ranks
   double coupledMass = 0; ///< sum of L over them [kg]
 
   View<int*> rowOf;        ///< row of each node (second fields included), or -1 where it is coupled to none
@@ -59,8 +59,8 @@ struct MassSystem
   View<double*> lumped;    ///< L [kg]
   View<double*> band;      ///< M, `stride` numbers a row [kg]
   View<int*> lineStart;    ///< first row of each line of a row's band; -1 at the first where the row is bare
-  View<double*> beside;    ///< sum of a row's entries beside its diagonal, of all ranks [kg]
-  View<char*> coupled;     ///< whether a row has entries beside its diagonal
+  View<double*> adjacent;  ///< sum of a row's entries next to its diagonal, of all ranks [kg]
+  View<char*> coupled;     ///< whether a row has entries next to its diagonal
   View<double*> share;     ///< 1 / number of ranks that have the row; empty where there is one rank
   View<int*> extraOf;      ///< list of each row, or -1
   View<int*> extraCount;   ///< entries of each list
@@ -70,14 +70,14 @@ struct MassSystem
   // For making the lists.
   View<int*> step;           ///< distance of a slot's node from the row's, slots by axes in their order
   int strideOfNodes[D] = {}; ///< with which these were found
-  View<double* [D]> front;   ///< places around which Partial unlumps [m]
+  View<double* [D]> front;   ///< positions around which Partial unlumps [m]
   View<double* [2]> zone;    ///< radius and edge of each of them [m]
   View<double*> touched;     ///< by ranks that choose a node, where there are several and cells are refined
   View<int> overflow;        ///< not 0 where a hashed list was full
   int numFronts = 0;
 
   /// Weight of a row in sums over the rows of all ranks.
-  KOKKOS_INLINE_FUNCTION double shareOf(int row) const { return share.extent(0) > 0 ? share(row) : 1.0; }
+  KOKKOS_INLINE_FUNCTION double fractionOf(int row) const { return share.extent(0) > 0 ? share(row) : 1.0; }
 };
 
 /// Makes the rows and fills the matrix for the particles as they lie now. Needs the nodal mass.
@@ -85,7 +85,7 @@ template <int D>
 void assemble(const State<D>& state, const Unlumping& unlumping, MassSystem<D>& system);
 
 /// Bytes of each node that may have a row, vectors of the solves included. \param list whether the row has a
-/// list beside its band \param refined whether cells are refined
+/// list next to its band \param refined whether cells are refined
 template <int D>
 double bytesPerRow(ShapeKind shape, bool list, bool refined = false);
 
@@ -95,7 +95,7 @@ KOKKOS_FORCEINLINE_FUNCTION Pack<MassSystem<D>::width> rowTimes(const MassSystem
                                                                 const double* x)
 {
   constexpr int W = MassSystem<D>::width, span = 2 * Reach + 1, lines = D == 2 ? span : span * span;
-  // A sum for each place along the lines: one sum alone would wait for itself at every entry.
+  // A sum for each position along the lines: one sum alone would wait for itself at every entry.
   Pack<W> sums[span];
   for (int k = 0; k < span; ++k)
     sums[k] = Pack<W>::zero();

@@ -1,10 +1,10 @@
 #include "mass_matrix/NodalSolve.hpp"
 
 #include "archive/Archive.hpp"
-#include "base/FewItems.hpp"
+#include "base/SmallLoops.hpp"
+#include "base/UnstableStep.hpp"
 #include "mass_matrix/FirstGuess.hpp"
 #include "state/Subdomain.hpp"
-#include "base/UnstableStep.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -19,7 +19,7 @@ namespace
 /// more of them cost as much as the iterations they spare, fewer leave Belos' own vectors in front.
 constexpr int polynomialProducts = 4;
 
-/// Residual beside the right side that sums in double precision reach.
+/// Residual next to the right side that sums in double precision reach.
 constexpr double leastResidual = 1e-13;
 
 template <int D>
@@ -31,9 +31,9 @@ void addScaled(const MassSystem<D>& system, double scale, const BorrowedView<con
                const View<double*>& x)
 {
   const MassSystem<D> s = system;
-  forFew(
+  parallelForSmall(
       "rhegma::mass::correct", system.first, system.last, KOKKOS_LAMBDA(const int row) {
-        const double weight = scale / std::sqrt(s.shareOf(row));
+        const double weight = scale / std::sqrt(s.fractionOf(row));
         for (int i = width<D> * row; i < width<D> * (row + 1); ++i)
           x(i) += weight * correction(i);
       });
@@ -45,27 +45,27 @@ template <int D>
 void toWeighed(const MassSystem<D>& system, const BorrowedView<double*>& x)
 {
   const MassSystem<D> s = system;
-  forFew(
+  parallelForSmall(
       "rhegma::mass::toWeighed", width<D> * s.first, width<D> * s.last,
-      KOKKOS_LAMBDA(const int i) { x(i) *= std::sqrt(s.shareOf(i / width<D>)); });
+      KOKKOS_LAMBDA(const int i) { x(i) *= std::sqrt(s.fractionOf(i / width<D>)); });
 }
 
 template <int D>
 void fromWeighed(const MassSystem<D>& system, const BorrowedView<const double*>& from, const View<double*>& x)
 {
   const MassSystem<D> s = system;
-  forFew(
+  parallelForSmall(
       "rhegma::mass::fromWeighed", 0, width<D> * s.room, KOKKOS_LAMBDA(const int i) {
         const int row = i / width<D>;
-        x(i) = row >= s.first && row < s.last ? from(i) / std::sqrt(s.shareOf(row)) : 0.0;
+        x(i) = row >= s.first && row < s.last ? from(i) / std::sqrt(s.fractionOf(row)) : 0.0;
       });
 }
 
 } // namespace
 
 template <int D>
-NodalSolve<D>::NodalSolve(double tolerance, int maximumIterations, double lumpedShare)
-    : gradients_(tolerance, maximumIterations), chebyshev_(lumpedShare, polynomialProducts)
+NodalSolve<D>::NodalSolve(double tolerance, int maximumIterations, double lumpedFraction)
+    : gradients_(tolerance, maximumIterations), chebyshev_(lumpedFraction, polynomialProducts)
 {
 }
 
@@ -110,7 +110,7 @@ void NodalSolve<D>::holdRows(const State<D>& state, const MassSystem<D>& system)
   const View<double*> inverse = inverse_, free = freeOnly_, value = heldVelocity_, right = right_,
                       image = image_, velocity = velocity_, acceleration = acceleration_;
   // Vectors are zero outside of the rows and in unused numbers of them.
-  forFew(
+  parallelForSmall(
       "rhegma::mass::begin", 0, s.room, KOKKOS_LAMBDA(const int row) {
         const bool inside = row >= s.first && row < s.last;
         for (int d = 0; d < width<D>; ++d)
@@ -124,11 +124,11 @@ void NodalSolve<D>::holdRows(const State<D>& state, const MassSystem<D>& system)
   for (const NodeConstraint<D>& constraint : state.motion.constraints)
   {
     const NodeConstraint<D> c = constraint;
-    const NodePlaces<D> places = nodePlaces(state);
-    forFew(
+    const NodePositions<D> positions = nodePositions(state);
+    parallelForSmall(
         "rhegma::mass::hold", system.first, system.last, KOKKOS_LAMBDA(const int row) {
           const int lattice = latticeNode(nodes, s.nodeOf(row));
-          if (!c.appliesAt(places(lattice)))
+          if (!c.appliesAt(positions(lattice)))
             return;
           for (int d = 0; d < D; ++d)
             if (c.holds[d] && s.coupled(row))
@@ -170,16 +170,16 @@ typename NodalSolve<D>::Start NodalSolve<D>::findStart(const State<D>& state, co
   const View<double*> inverse = masked ? freeOnly_ : inverse_, image = image_, prescribed = prescribed_;
   const MassSystem<D> s = system;
   if (masked)
-    forFew(
+    parallelForSmall(
         "rhegma::mass::prescribe", system.first, system.last, KOKKOS_LAMBDA(const int row) {
           for (int i = width<D> * row; i < width<D> * row + D; ++i)
             if (inverse(i) == 0.0 && s.coupled(row))
               x(i) = prescribed(i);
         });
-  const GuessSums<D> guess = lookAtGuess(state, system, right_, x, inverse, image);
+  const GuessSums<D> guess = checkGuess(state, system, right_, x, inverse, image);
   const auto freeAxis = [&](int d) { return !masked || !heldAxis_[d]; };
-  // The residual is measured beside b - L c, c the mean of the solution: were it beside b, a body that flies
-  // past would be solved less well than one at rest, and its vibration fed by what is left.
+  // The residual is measured next to b - L c, c the mean of the solution: were it next to b, a body that
+  // flies past would be solved less well than one at rest, and its vibration fed by what is left.
   double square = guess.rightSquare;
   for (int d = 0; d < D; ++d)
     if (freeAxis(d))
@@ -215,7 +215,7 @@ double NodalSolve<D>::findResidual(const State<D>& state, const MassSystem<D>& s
   const View<double*> asked = right_;
   const double inverseScale = scale > 0.0 ? 1.0 / scale : 0.0;
   double remains = 0.0;
-  sumFew(
+  parallelSumSmall(
       "rhegma::mass::start", 0, s.room,
       KOKKOS_LAMBDA(const int row, double& sum) {
         const bool coupled = row >= s.first && row < s.last && s.coupled(row);
@@ -228,7 +228,7 @@ double NodalSolve<D>::findResidual(const State<D>& state, const MassSystem<D>& s
           x(i) = multiple * x(i) + shift[d];
           if (inverse(i) != 0.0)
             right(i) = (asked(i) - multiple * image(i) - shift[d] * s.lumped(row)) * inverseScale;
-          right(i) *= std::sqrt(s.shareOf(row));
+          right(i) *= std::sqrt(s.fractionOf(row));
           sum += right(i) * right(i);
         }
       },

@@ -43,8 +43,8 @@ template <int D>
 class NodalSolve
 {
 public:
-  /// \param lumpedShare eps of M_eps, the least eigenvalue of the lumped mass' inverse times M
-  NodalSolve(double tolerance, int maximumIterations, double lumpedShare);
+  /// \param lumpedFraction eps of M_eps, the least eigenvalue of the lumped mass' inverse times M
+  NodalSolve(double tolerance, int maximumIterations, double lumpedFraction);
 
   /// Takes the rows as they are now and the nodes that boundaries hold.
   void begin(const State<D>& state, const MassSystem<D>& system);

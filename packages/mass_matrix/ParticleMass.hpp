@@ -28,12 +28,12 @@ struct AssembleBlock
   View<int*> first;
   View<int * [Blocks<D>::axes]> corner;
   BorrowedView<double*> mass, volume;
-  ConsistentShare<D> share;
+  ConsistentFraction<D> share;
   View<double*>
-      nodeShare; ///< part of the cells that is a node's, in cells of the lattice; empty: each has one
+      nodeFraction; ///< part of the cells that is a node's, in cells of the lattice; empty: each has one
   int numLattice;
-  double smallest;        ///< lightest node that may be coupled, over the density [m^D times thickness]
-  double consistentShare; ///< 1 - eps
+  double smallest;           ///< lightest node that may be coupled, over the density [m^D times thickness]
+  double consistentFraction; ///< 1 - eps
 
   KOKKOS_INLINE_FUNCTION void operator()(const int block) const
   {
@@ -61,7 +61,7 @@ struct AssembleBlock
         const int p = begin + l;
         if (theta[l] == 0.0)
           continue;
-        const double m = consistentShare * theta[l] * mass(p), lightest = smallest * mass(p) / volume(p);
+        const double m = consistentFraction * theta[l] * mass(p), lightest = smallest * mass(p) / volume(p);
         if constexpr (Stored)
         {
           const int r = connect.row(p);
@@ -160,7 +160,7 @@ struct AssembleBlock
         continue;
       const int node = table.node(r, k), place = node < numLattice ? node : parent(node - numLattice);
       row[n] = system.rowOf(node);
-      if (row[n] < 0 || system.lumped(row[n]) < lightest * nodeShare(place))
+      if (row[n] < 0 || system.lumped(row[n]) < lightest * nodeFraction(place))
         return;
       weight[n++] = w;
     }
@@ -173,7 +173,7 @@ struct AssembleBlock
       const double mk = m * weight[k];
       for (int l = 0; l < n; ++l)
         if (l != k)
-          fits = addHashed(values, columns, system.listRoom, row[l], mk * weight[l]) && fits;
+          fits = addHashed(values, columns, system.listCapacity, row[l], mk * weight[l]) && fits;
     }
     if (!fits)
       system.overflow() = 1;

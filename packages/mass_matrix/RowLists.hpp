@@ -7,17 +7,17 @@ namespace Rhegma::mass_matrix
 {
 
 /// Entries for which a list has room at first. In refined cells a node of the smallest ones meets about as
-/// many others as on a lattice, one beside larger cells some more. \param slots of a band
+/// many others as on a lattice, one next to larger cells some more. \param slots of a band
 template <int D>
-int listRoomOf(int slots, bool refined);
+int listCapacityOf(int slots, bool refined);
 
-/// The kind of the lists: hashed where cells are refined, else a place for each slot in either field.
+/// The kind of the lists: hashed where cells are refined, else a position for each slot in either field.
 template <int D>
 void chooseLists(bool refined, MassSystem<D>& system);
 
 /// Gives lists to the rows of nodes that stored stencils touch, and clears them.
 template <int D>
-void startLists(const State<D>& state, const ConsistentShare<D>& share, MassSystem<D>& system);
+void startLists(const State<D>& state, const ConsistentFraction<D>& share, MassSystem<D>& system);
 
 /// Most entries of a list.
 template <int D>

@@ -1,6 +1,6 @@
 #include "mass_matrix/SlotSolve.hpp"
 
-#include "base/FewItems.hpp"
+#include "base/SmallLoops.hpp"
 #include "state/Subdomain.hpp"
 
 #include <algorithm>
@@ -25,7 +25,7 @@ int productsFor(double least, double tolerance)
 
 template <int D>
 SlotSolve<D>::SlotSolve(double least, double tolerance)
-    : chebyshev_(least, productsFor(std::max(least, leastShare), tolerance))
+    : chebyshev_(least, productsFor(std::max(least, leastFraction), tolerance))
 {
 }
 
@@ -58,7 +58,7 @@ void SlotSolve<D>::findFree()
   const NodeSlots slots = slots_;
   const View<int* [D]> held = held_;
   const View<double*> inverse = inverse_, free = freeOnly_, given = given_, residual = residual_;
-  forFew(
+  parallelForSmall(
       "rhegma::mass::slots", 0, s.room, KOKKOS_LAMBDA(const int row) {
         const bool inside = row >= s.first && row < s.last && s.coupled(row);
         const int slot = inside && slots.moves(s.nodeOf(row)) ? slots.of(s.nodeOf(row)) : -1;
@@ -81,7 +81,7 @@ void SlotSolve<D>::solve(const Values& right, const Values& x, bool supports)
   const View<double*> inverse = supports ? freeOnly_ : inverse_, given = given_, residual = residual_,
                       image = image_, solution = solution_;
   double largest = 0.0;
-  sumFew(
+  parallelSumSmall(
       "rhegma::mass::givenMotion", s.first, s.last,
       KOKKOS_LAMBDA(const int row, double& most) {
         const int slot = slots.of(s.nodeOf(row));
@@ -98,7 +98,7 @@ void SlotSolve<D>::solve(const Values& right, const Values& x, bool supports)
   const bool moved = largest > 0.0;
   if (moved)
     multiplyWhole<D>(*state_, s, given.data(), image.data());
-  forFew(
+  parallelForSmall(
       "rhegma::mass::slotResidual", s.first, s.last, KOKKOS_LAMBDA(const int row) {
         for (int d = 0; d < D; ++d)
         {
@@ -108,7 +108,7 @@ void SlotSolve<D>::solve(const Values& right, const Values& x, bool supports)
         }
       });
   chebyshev_.apply(state_, s, inverse, residual.data(), solution.data(), 0.0);
-  forFew(
+  parallelForSmall(
       "rhegma::mass::slotSolution", s.first, s.last, KOKKOS_LAMBDA(const int row) {
         for (int d = 0; d < D; ++d)
           if (inverse(W * row + d) != 0.0)

@@ -1,5 +1,5 @@
 #pragma once
-/// The coupled mass of nodes that move in short steps.
+/// The coupled mass of nodes that move in substeps.
 
 #include "mass_matrix/Chebyshev.hpp"
 #include "mass_matrix/MassSystem.hpp"
@@ -9,7 +9,7 @@ namespace Rhegma::mass_matrix
 
 /// Solves M x = b for the coupled nodes with an inner slot; x is given on others.
 ///
-/// The inverse is a polynomial in M of a fixed degree, so that it is a symmetric function of b: short steps
+/// The inverse is a polynomial in M of a fixed degree, so that it is a symmetric function of b: substeps
 /// stay symplectic. A submatrix has no eigenvalue beyond those of M (Cauchy's interlacing), for which the
 /// polynomial is made.
 template <int D>
@@ -18,12 +18,12 @@ class SlotSolve
 public:
   using Values = View<double* [D]>;
 
-  /// \param least eigenvalue of the lumped mass' inverse times M, at least `leastShare` \param tolerance of
-  /// the error beside the solution, in the norm of the lumped mass
+  /// \param least eigenvalue of the lumped mass' inverse times M, at least `leastFraction` \param tolerance
+  /// of the error next to the solution, in the norm of the lumped mass
   SlotSolve(double least, double tolerance);
 
-  /// Smallest share of lumped mass for which the polynomial is good.
-  static constexpr double leastShare = 0.05;
+  /// Smallest fraction of lumped mass for which the polynomial is good.
+  static constexpr double leastFraction = 0.05;
 
   /// Takes the rows as they are now. `state` and `system` must stay where they are.
   void begin(const State<D>& state, const MassSystem<D>& system, const NodeSlots& slots,

@@ -1,6 +1,6 @@
 /// Right sides and first guesses of the velocities and accelerations of coupled nodes.
 
-#include "base/FewItems.hpp"
+#include "base/SmallLoops.hpp"
 #include "mass_matrix/NodalSolve.hpp"
 
 namespace Rhegma::mass_matrix
@@ -21,7 +21,7 @@ void guessFromRowSums(const State<D>& state, const MassSystem<D>& system,
   const MassSystem<D> s = system;
   const NodalFieldRow<D> guessRow = state.mesh.nodalFields.rowsOf(state.mesh.nodes);
   const auto sums = state.mesh.nodes.sums;
-  forFew(
+  parallelForSmall(
       "rhegma::mass::guessFromRowSums", system.first, system.last, KOKKOS_LAMBDA(const int row) {
         const int n = s.nodeOf(row), m = guessRow(n);
         for (int d = 0; d < D; ++d)
@@ -44,7 +44,7 @@ void findReaction(State<D>& state, const MassSystem<D>& system, const View<doubl
     state.motion.coupledReaction = View<double*>("rhegma::massReaction", unknowns);
   const View<double*> reaction = state.motion.coupledReaction;
   multiplyWhole<D>(state, system, acceleration.data(), image.data());
-  forFew(
+  parallelForSmall(
       "rhegma::mass::reaction", system.first, system.last, KOKKOS_LAMBDA(const int row) {
         for (int d = 0; d < D; ++d)
         {
@@ -77,7 +77,7 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
       masked || renewed_ || state.method.picFraction > 0.0 ? Accuracy::Solved : Accuracy::Near;
   if (renewed_)
     guessFromRowSums(state, system, lastVelocity, last);
-  forFew(
+  parallelForSmall(
       "rhegma::mass::momentum", system.first, system.last, KOKKOS_LAMBDA(const int row) {
         const int n = s.nodeOf(row);
         for (int d = 0; d < D; ++d)
@@ -88,7 +88,7 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
       });
   solve(state, system, false, velocity, "velocity of the nodes", accuracy);
 
-  forFew(
+  parallelForSmall(
       "rhegma::mass::force", system.first, system.last, KOKKOS_LAMBDA(const int row) {
         const int n = s.nodeOf(row);
         for (int d = 0; d < D; ++d)
@@ -104,7 +104,7 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
 
   if (masked)
     findReaction(state, system, acceleration, image_, right, free);
-  forFew(
+  parallelForSmall(
       "rhegma::mass::motion", system.first, system.last, KOKKOS_LAMBDA(const int row) {
         const int n = s.nodeOf(row);
         for (int d = 0; d < D && s.coupled(row); ++d)
@@ -128,7 +128,7 @@ void NodalSolve<D>::solveProjection(State<D>& state, const MassSystem<D>& system
   const NodalFieldRow<D> guessRow = state.mesh.nodalFields.rowsOf(nodes);
   const bool masked = masked_;
   const bool afterSolve = projectsLast(state.method.scheme) && !state.clock.strainPass.before;
-  forFew(
+  parallelForSmall(
       "rhegma::mass::projected", system.first, system.last, KOKKOS_LAMBDA(const int row) {
         const int n = s.nodeOf(row);
         for (int d = 0; d < D; ++d)
@@ -143,7 +143,7 @@ void NodalSolve<D>::solveProjection(State<D>& state, const MassSystem<D>& system
       });
   solve(state, system, true, velocity, "velocity that strains the particles", Accuracy::Solved);
   // In the next step of MUSL, or later in this one of USF, the nodes move about as they do here.
-  forFew(
+  parallelForSmall(
       "rhegma::mass::projection", system.first, system.last, KOKKOS_LAMBDA(const int row) {
         for (int d = 0; d < D && s.coupled(row); ++d)
           nodes.projection(s.nodeOf(row), d) = lastVelocity(guessRow(s.nodeOf(row)), d) =

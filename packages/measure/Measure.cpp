@@ -1,5 +1,6 @@
 #include "measure/Measure.hpp"
 
+#include "measure/FrontShape.hpp"
 #include "measure/SideEnergy.hpp"
 
 #include <memory>
@@ -20,6 +21,10 @@ Section section()
   sides.real("Part").above(0.0).atMost(1.0).byDefault(1.0).onlyIn(2).meaning(
       "Middle part of each crack next to which material counts. 1: the whole body.");
   s.subsection(sides);
+  Section shape("Front Shape",
+                "Radius, roundness and flatness of fronts that are a circle, or part of one, at the start.");
+  shape.onlyIn(3);
+  s.subsection(shape);
   s.needs("Cracks", "there is no crack to measure at; add a section Cracks or leave Measure out");
   return s;
 }
@@ -75,21 +80,49 @@ void reportSides(const State<D>& state, const Sides<D>& sides, nlohmann::json& s
   }
 }
 
+/// \param circles that the fronts were at the start
+void reportShapes(const State<3>& state, const std::vector<Circle>& circles, nlohmann::json& summary)
+{
+  for (std::size_t f = 0; f < circles.size(); ++f)
+  {
+    const CrackFront<3>& front = state.cracks.fronts[f];
+    if (circles[f].radius == 0.0 || front.ended)
+      continue;
+    const Shape shape = shapeOf(front, circles[f]);
+    nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
+    entry["radius"] = shape.radius;
+    entry["roundness"] = shape.roundness;
+    entry["flatness"] = shape.flatness;
+  }
+}
+
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)
 {
   const Teuchos::ParameterList& list = scene.sublist("Measure");
-  Effect<D> effect;
-  effect.name = "Measure";
-  if (!list.isSublist("Side Energy"))
-    return effect;
+  const bool measuresSides = list.isSublist("Side Energy");
   double part = 1.0;
   if constexpr (D == 2)
-    part = list.sublist("Side Energy").get<double>("Part");
+    part = measuresSides ? list.sublist("Side Energy").get<double>("Part") : 1.0;
+  const bool measuresShapes = D == 3 && list.isSublist("Front Shape");
   const auto sides = std::make_shared<Sides<D>>();
-  effect.atStart = [part, sides](State<D>& state) { begin(state, part, *sides); };
-  effect.report = [sides](const State<D>& state, nlohmann::json& summary)
-  { reportSides(state, *sides, summary); };
+  const auto circles = std::make_shared<std::vector<Circle>>();
+  Effect<D> effect;
+  effect.name = "Measure";
+  effect.atStart = [=](State<D>& state)
+  {
+    if (measuresSides)
+      begin(state, part, *sides);
+    if constexpr (D == 3)
+      for (std::size_t f = 0; measuresShapes && f < state.cracks.fronts.size(); ++f)
+        circles->push_back(circleOf(state.cracks.fronts[f]));
+  };
+  effect.report = [=](const State<D>& state, nlohmann::json& summary)
+  {
+    reportSides(state, *sides, summary);
+    if constexpr (D == 3)
+      reportShapes(state, *circles, summary);
+  };
   return effect;
 }
 

@@ -21,9 +21,9 @@ struct Foot
 };
 
 KOKKOS_INLINE_FUNCTION Foot<2> footOf(const View<double* [2]>& vertex, const Vector<2>&,
-                                      const Vector<2>& place)
+                                      const Vector<2>& position)
 {
-  const double x = place[0], y = place[1];
+  const double x = position[0], y = position[1];
   Foot<2> foot{0.0, false, {0.0, 0.0}};
   double nearest = 1e300, passed = 0.0;
   const int last = static_cast<int>(vertex.extent(0)) - 1;
@@ -53,9 +53,9 @@ KOKKOS_INLINE_FUNCTION Foot<2> footOf(const View<double* [2]>& vertex, const Vec
 }
 
 KOKKOS_INLINE_FUNCTION Foot<3> footOf(const View<double* [3]>& vertex, const Vector<3>& normal,
-                                      const Vector<3>& place)
+                                      const Vector<3>& position)
 {
-  const Vector<3> from{place[0] - vertex(0, 0), place[1] - vertex(0, 1), place[2] - vertex(0, 2)};
+  const Vector<3> from{position[0] - vertex(0, 0), position[1] - vertex(0, 1), position[2] - vertex(0, 2)};
   return {0.0, dot(from, normal) > 0.0, normal};
 }
 
@@ -96,13 +96,13 @@ SideEnergy measureSides(const State<D>& state, const MeasuredCrack<D>& crack)
   Kokkos::parallel_reduce(
       "rhegma::measure::sides", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p, double& below, double& above, double& alongBelow, double& alongAbove) {
-        Vector<D> place, v;
+        Vector<D> position, v;
         for (int d = 0; d < D; ++d)
         {
-          place[d] = reference(p, d);
+          position[d] = reference(p, d);
           v[d] = energy.velocity(p, d);
         }
-        const Foot<D> foot = footOf(vertex, normal, place);
+        const Foot<D> foot = footOf(vertex, normal, position);
         if (std::fabs(foot.along - middle) > reach)
           return;
         v = v - dot(v, foot.normal) * foot.normal;

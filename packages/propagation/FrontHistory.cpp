@@ -10,7 +10,7 @@ namespace Rhegma::propagation
 namespace
 {
 
-/// A front that is slower than this share of the fastest speed may come to rest.
+/// A front that is slower than this fraction of the speed limit may arrest.
 constexpr double almostStopped = 0.02;
 
 /// More increments than a crack makes in a step.
@@ -22,7 +22,7 @@ Advance FrontHistory::advance(const AdvanceRule& rule, double time, double relea
                               double fastest)
 {
   const double begin = timeBefore_, releaseAtBegin = releaseBefore_;
-  pass(time, release);
+  recordRelease(time, release);
   Advance made;
   if (time < rule.startTime)
     return made;
@@ -36,12 +36,12 @@ Advance FrontHistory::advance(const AdvanceRule& rule, double time, double relea
       return made;
     }
     const double rise = release - releaseAtBegin;
-    const double share = rise > 0.0 ? std::min(1.0, (release - rule.initiation) / rise) : 0.0;
-    last_ = std::max(time - share * (time - begin), rule.startTime);
+    const double fraction = rise > 0.0 ? std::min(1.0, (release - rule.initiation) / rise) : 0.0;
+    last_ = std::max(time - fraction * (time - begin), rule.startTime);
     lastSpeed_ = 0.0;
     running_ = true;
     starts_.push_back(static_cast<int>(times_.size()));
-    note(last_, increment);
+    recordIncrement(last_, increment);
     made = {1, rule.initiation};
   }
   while (made.increments < mostIncrements)
@@ -70,7 +70,7 @@ Advance FrontHistory::advance(const AdvanceRule& rule, double time, double relea
     ++made.increments;
     last_ = at;
     lastSpeed_ = speed;
-    note(at, increment);
+    recordIncrement(at, increment);
   }
   increment_ = increment;
   if (made.increments == 0 && release < rule.arrest && increment / (time - last_) < almostStopped * fastest)
@@ -81,21 +81,21 @@ Advance FrontHistory::advance(const AdvanceRule& rule, double time, double relea
   return made;
 }
 
-void FrontHistory::wait(const AdvanceRule& rule, double time, double release)
+void FrontHistory::recordAtRest(const AdvanceRule& rule, double time, double release)
 {
-  pass(time, release);
+  recordRelease(time, release);
   if (times_.empty() && time >= rule.startTime)
     closest_ = std::max(closest_, release / rule.initiation);
 }
 
-void FrontHistory::pass(double time, double release)
+void FrontHistory::recordRelease(double time, double release)
 {
   impulse_ += 0.5 * (time - timeBefore_) * (release + releaseBefore_);
   timeBefore_ = time;
   releaseBefore_ = release;
 }
 
-void FrontHistory::note(double time, double increment)
+void FrontHistory::recordIncrement(double time, double increment)
 {
   // Increments lie within the step that has just ended.
   times_.push_back(time);
@@ -167,7 +167,7 @@ double FrontHistory::settledRelease() const
   return from == to ? 0.0 : (impulses_[to] - impulses_[from]) / (times_[to] - times_[from]);
 }
 
-void FrontHistory::keep(Archive& archive)
+void FrontHistory::store(Archive& archive)
 {
   archive("running", running_);
   archive("closest", closest_);

@@ -20,8 +20,8 @@ namespace Rhegma::propagation
 struct AdvanceRule
 {
   Toughness toughness;
-  double initiation = 0.0;  ///< energy release rate at which a front at rest sets out [J/m2]
-  double arrest = 0.0;      ///< and below which one that has almost stopped comes to rest [J/m2]
+  double initiation = 0.0;  ///< energy release rate at which a front at rest initiates [J/m2]
+  double arrest = 0.0;      ///< and below which one that has almost stopped arrests [J/m2]
   double startTime = 0.0;   ///< before which no front advances [s]
   double temperature = 0.0; ///< of the front [K]
 };
@@ -33,10 +33,10 @@ struct Advance
   double toughness = 0.0; ///< mean of the increments' [J/m2]
 };
 
-/// What a front did between setting out and coming to rest.
+/// What a front did between initiation and arrest.
 struct CrackRun
 {
-  double setOut = 0.0;      ///< [s]
+  double initiation = 0.0;  ///< [s]
   double lastAdvance = 0.0; ///< time of its last increment [s]
   double length = 0.0;      ///< by which it grew [m]
 };
@@ -55,8 +55,8 @@ public:
   /// \param release energy release rate now [J/m2] \param increment da [m] \param fastest speed [m/s]
   Advance advance(const AdvanceRule& rule, double time, double release, double increment, double fastest);
 
-  /// What a front at rest does that does not set out.
-  void wait(const AdvanceRule& rule, double time, double release);
+  /// Records a step in which a front at rest does not initiate.
+  void recordAtRest(const AdvanceRule& rule, double time, double release);
 
   /// Speed now: that of the last increment, or less when the next is late [m/s].
   double speed(double time) const;
@@ -65,8 +65,8 @@ public:
   long increments() const { return static_cast<long>(times_.size()); }
   double firstTime() const { return times_.empty() ? 0.0 : times_.front(); }
   double lastTime() const { return last_; }
-  /// The largest share of what starts it that the energy release rate at the front has had at rest, from
-  /// AdvanceRule::startTime on and before it first set out.
+  /// Largest energy release rate at the front as a fraction of the initiation toughness, at rest, from
+  /// AdvanceRule::startTime on and before it first initiated.
   double closest() const { return closest_; }
 
   /// All its runs; the last may not be over.
@@ -80,13 +80,13 @@ public:
   /// Mean over time of the energy release rate then [J/m2].
   double settledRelease() const;
 
-  void keep(Archive& archive);
+  void store(Archive& archive);
 
 private:
   std::pair<std::size_t, std::size_t> longestRun() const;
   std::pair<std::size_t, std::size_t> secondHalf() const;
-  void pass(double time, double release);
-  void note(double time, double increment);
+  void recordRelease(double time, double release);
+  void recordIncrement(double time, double increment);
 
   bool running_ = false;
   double closest_ = 0.0;
@@ -96,7 +96,7 @@ private:
   double timeBefore_ = 0.0, releaseBefore_ = 0.0;  ///< at the end of the step before
   double impulse_ = 0.0;                           ///< energy release rate over time, all of it [J s/m2]
   std::vector<double> times_, lengths_, impulses_; ///< of each increment; impulses_ up to it
-  std::vector<int> starts_;                        ///< increments with which it set out
+  std::vector<int> starts_;                        ///< increments with which it initiated
 };
 
 } // namespace Rhegma::propagation

@@ -19,24 +19,22 @@ namespace
 void addRules(Section& s)
 {
   const Condition self = when::present("Propagation");
-  s.needs("Cracks", "there are no cracks that could run; add a section Cracks or leave this one out");
-  s.needs("Energy Release",
-          "nothing measures what drives the fronts; add a section Energy Release, which may be empty");
+  s.needs("Cracks", "there are no cracks; add the section Cracks or remove this section");
+  s.needs("Energy Release", "it needs the section Energy Release, which may be empty; add it");
   s.refuse({self, when::isNot("Cracks", "Formulation", {"Dual Field"})},
-           "it goes with Cracks > Formulation = Dual Field alone, whose nodes can carry a cohesive force");
+           "it needs Cracks > Formulation = Dual Field; write that or remove this section");
   s.refuse({self, when::is("Cracks", "Front Springs", {"false"})},
-           "it needs Cracks > Front Springs; leave that at true");
+           "it needs Cracks > Front Springs = true; write that");
   s.refuse({self, when::is("Mass Matrix", "Type", {"FMPM"})},
-           "cracks run too fast with Mass Matrix > Type = FMPM, which does not move nodes as the forces that "
-           "hold new faces ask for; write Partial or Full");
+           "it can't be combined with Mass Matrix > Type = FMPM, with which cracks run too fast; write "
+           "Partial or Full");
   s.refuse({self, when::isNot("Mass Matrix", "Type", {"Partial"})},
-           "in 3D it goes with Mass Matrix > Type = Partial alone as yet; write that or take one of the two "
-           "sections out",
+           "in 3D it can only be combined with Mass Matrix > Type = Partial; write that or remove one of the "
+           "two sections",
            0, 3);
-  // Cells that follow a front place the points of its faces anew, and faces that open gain contact energy.
+  // Cells that follow a front position the points of its faces anew, and faces that open gain contact energy.
   s.refuse({self, when::present("Contact"), when::present("Adaptivity")},
-           "in 3D it goes with Contact or with Adaptivity, not with both as yet; take one of the two out", 0,
-           3);
+           "in 3D it can't be combined with both Contact and Adaptivity; remove one of the two", 0, 3);
   Condition temperature = when::given("Propagation", "Toughness");
   temperature.words = " of the temperature T";
   temperature.holds = [](const Teuchos::ParameterList& list)
@@ -177,10 +175,10 @@ Options readOptions(const Teuchos::ParameterList& scene, const RunOptions& run)
 }
 
 template <int D>
-double fastestAt(const State<D>& state, const Vector<D>& place, const Options& options)
+double speedLimitAt(const State<D>& state, const Vector<D>& position, const Options& options)
 {
   return options.speedLimit > 0.0 ? options.speedLimit
-                                  : rayleighSpeed(state.materials.list[materialAt(state, place)]);
+                                  : rayleighSpeed(state.materials.list[materialAt(state, position)]);
 }
 
 AdvanceRule ruleAt(double temperature, const Options& options)
@@ -198,10 +196,10 @@ bool isWeak(const AdvanceRule& rule, double fastest)
   return !(rule.toughness(0.0, rule.temperature) > 0.0 && rule.toughness(fastest, rule.temperature) > 0.0);
 }
 
-std::string complaintOfWeak(double temperature)
+std::string failureOfWeak(double temperature)
 {
-  return "the toughness is no longer positive at the temperature of a crack front, " +
-         formatReal(temperature) + " K (Propagation > Toughness)";
+  return "the toughness is not positive at the temperature of a crack front, " + formatReal(temperature) +
+         " K (Propagation > Toughness)";
 }
 
 template <int D>
@@ -230,8 +228,8 @@ double openingRelease(const DrivingForce& driving, const Elasticity& e)
   return driving.release * sliding / (closing + sliding);
 }
 
-template double fastestAt(const State<2>&, const Vector<2>&, const Options&);
-template double fastestAt(const State<3>&, const Vector<3>&, const Options&);
+template double speedLimitAt(const State<2>&, const Vector<2>&, const Options&);
+template double speedLimitAt(const State<3>&, const Vector<3>&, const Options&);
 template void refuseWeak(const State<2>&, const Options&);
 template void refuseWeak(const State<3>&, const Options&);
 

@@ -31,16 +31,16 @@ Options readOptions(const Teuchos::ParameterList& scene, const RunOptions& run);
 /// Has the other effects know that cracks may grow, and of the contours.
 void declareGrowth(const Teuchos::ParameterList& list, RunOptions& run);
 
-/// No front is faster at a place than this [m/s].
+/// Speed that no front exceeds at a position [m/s].
 template <int D>
-double fastestAt(const State<D>& state, const Vector<D>& place, const Options& options);
+double speedLimitAt(const State<D>& state, const Vector<D>& place, const Options& options);
 
 /// The rule at a front, whose toughness depends on how warm it is [K].
 AdvanceRule ruleAt(double temperature, const Options& options);
 
 /// Whether the toughness of a rule is not positive, and what to say of it.
 bool isWeak(const AdvanceRule& rule, double fastest);
-std::string complaintOfWeak(double temperature);
+std::string failureOfWeak(double temperature);
 
 /// Refuses a toughness that is not positive at the start, up to the largest speed of the scene.
 /// \throws std::invalid_argument, with the parameter's path
@@ -48,7 +48,7 @@ template <int D>
 void refuseWeak(const State<D>& state, const Options& options);
 
 /// The energy release rate without what closes the crack: a front that is pressed together does not break,
-/// though J is positive. Its share of J is that of sliding, K_II^2/E' + K_III^2/(2 mu), in what the
+/// though J is positive. Its fraction of J is that of sliding, K_II^2/E' + K_III^2/(2 mu), in what the
 /// intensities release (Irwin), K_I^2/E' being what closes. \param e of the material at the front
 double openingRelease(const DrivingForce& driving, const Elasticity& e);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace Rhegma::propagation
 {
@@ -13,31 +14,34 @@ namespace Rhegma::propagation
 namespace
 {
 
+constexpr double notYet = std::numeric_limits<double>::quiet_NaN(); ///< null in the summary
+
+/// Runs of a front that have a message, in addition to its last; the summary has them all.
+constexpr std::size_t mostReported = 3;
+
+/// Fraction by which faces may over-dissipate before a warning says so: sound runs stay within 5 %.
+constexpr double mostTooMuch = 0.1;
+
 template <int D>
 std::string nameOf(const State<D>& state, const CrackFront<D>& front)
 {
-  return state.cracks.cracks[front.crack].name + "." + std::to_string(front.number);
+  return "crack " + state.cracks.cracks[front.crack].name + ", front " + std::to_string(front.number);
 }
 
-/// Runs of a front of which the answers tell, beside its last.
-constexpr std::size_t mostTold = 3;
-
-/// Share by which faces may take more than is booked before a warning says so: sound runs stay within 5 %.
-constexpr double mostTooMuch = 0.1;
-
-} // namespace
-
+/// How near a front came to initiation that has not initiated, in its entry and in a warning.
 template <int D>
 void reportRest(const State<D>& state, const CrackFront<D>& front, double closest, nlohmann::json& summary)
 {
-  summary["cracks"][front.crack]["fronts"][front.number]["closest_to_setting_out"] = closest;
+  summary["cracks"][front.crack]["fronts"][front.number]["closest_to_initiation"] = closest;
   if (state.clock.step == 0) // a scene that is only checked
     return;
   const double rounded = 0.001 * std::floor(1000.0 * closest); // below one
-  summary["warnings"].push_back("the front " + nameOf(state, front) + " did not set out: G at most " +
-                                formatReal(rounded) + " of what starts it");
+  summary["warnings"].push_back(nameOf(state, front) + ": not initiated; G reached at most " +
+                                formatReal(rounded) + " of the initiation toughness");
 }
 
+/// When and how far a front ran, in its entry and in a message each.
+/// \param runs the last is over unless the front is running \param speed now [m/s]
 template <int D>
 void reportRuns(const State<D>& state, const CrackFront<D>& front, const std::vector<CrackRun>& runs,
                 bool running, double speed, nlohmann::json& summary)
@@ -45,50 +49,123 @@ void reportRuns(const State<D>& state, const CrackFront<D>& front, const std::ve
   nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number]["runs"];
   entry = nlohmann::json::array();
   for (const CrackRun& run : runs)
-    entry.push_back({{"set_out", run.setOut}, {"last_advance", run.lastAdvance}, {"length", run.length}});
-  if (runs.empty())
-    return;
+    entry.push_back(
+        {{"initiated", run.initiation}, {"last_advance", run.lastAdvance}, {"length", run.length}});
   for (std::size_t r = 0; r < runs.size(); ++r)
   {
     const bool isLast = r + 1 == runs.size();
-    if (r >= mostTold && !isLast)
-      continue; // `runs` has them all
+    if (r >= mostReported && !isLast)
+      continue;
     const CrackRun& run = runs[r];
-    std::string answer =
-        "the front " + nameOf(state, front) + " set out at " + shortly(run.setOut) + " s and ";
+    std::string answer = nameOf(state, front) + ": initiated at t = " + readableTime(run.initiation) + ", ";
     if (isLast && running)
-      answer += "was running at the end, at " + shortly(speed) + " m/s";
+      answer += "still running at the end at " + shortly(speed) + " m/s";
     else
       answer +=
-          (isLast && front.ended ? "met its end at " : "came to rest at ") + shortly(run.lastAdvance) + " s";
+          (isLast && front.ended ? "ended at t = " : "arrested at t = ") + readableTime(run.lastAdvance);
     if (std::isfinite(run.length))
-      answer += ", " + shortly(run.length) + " m on";
+      answer += ", extension " + readableLength(run.length);
     summary["answers"].push_back(answer);
   }
 }
 
-template <int D>
-void reportEnergy(const State<D>& state, double taken, nlohmann::json& summary)
+/// Mean time and position of the points of a path between two times; not numbers where there are none.
+PathPoint<2> settledMean(const std::vector<PathPoint<2>>& path, const std::pair<double, double>& times)
 {
-  constexpr double notYet = std::numeric_limits<double>::quiet_NaN(); // null in the summary
-  // What the body has been given, and how much of it the ledger knows of now.
+  PathPoint<2> sum;
+  int count = 0;
+  for (const PathPoint<2>& point : path)
+    if (point.time >= times.first && point.time <= times.second)
+    {
+      sum.time += point.time;
+      sum.position = sum.position + point.position;
+      ++count;
+    }
+  if (count == 0 || !(times.second > times.first))
+    return {notYet, {{notYet, notYet}}};
+  return {sum.time / count, {{sum.position[0] / count, sum.position[1] / count}}};
+}
+
+/// Angle from a to b, counter-clockwise [degrees].
+double angleBetween(const Vector<2>& a, const Vector<2>& b)
+{
+  return std::atan2(a[0] * b[1] - a[1] * b[0], dot(a, b)) * 45.0 / std::atan(1.0);
+}
+
+/// The path of a front with one node.
+void reportPath(const CrackFront<2>& front, const FrontState<2>& own, nlohmann::json& entry)
+{
+  const FrontHistory& history = own.nodes.at(front.nodes[0].name).history;
+  const bool moved = own.increments > 0;
+  const PathStart<2>& start = own.start;
+  entry["first_turn"] = moved ? angleBetween(start.direction, start.first) : notYet;
+  entry["turn"] = moved ? angleBetween(start.direction, front.position - start.position) : notYet;
+  entry["settled_release"] = history.settledRelease();
+  const PathPoint<2> mean = settledMean(own.path, history.settled());
+  entry["settled_time"] = mean.time;
+  entry["settled_position"] = {mean.position[0], mean.position[1]};
+}
+
+/// What became of the energy of new faces. \param required by all fronts [J]
+template <int D>
+void reportEnergy(const State<D>& state, double required, nlohmann::json& summary)
+{
   const EnergyBalance& energy = state.energy;
   const double given =
       energy.start + std::fabs(energy.externalWork) + std::fabs(energy.combustion) + std::fabs(energy.heat);
   const double inFlight = summary.value("energy_in_flight", 0.0);
   summary["propagation"] = {
-      {"energy_of_new_faces", taken},
+      {"energy_of_new_faces", required},
       {"in_flight", inFlight},
       {"dissipated", energy.fracture},
       {"accounted_for", given > 0.0 ? 1.0 - energy.residual() / given : notYet},
-      {"dissipated_share", taken > inFlight ? energy.fracture / (taken - inFlight) : notYet},
-      {"residual_share", taken > 0.0 ? energy.residual() / taken : notYet}};
-  if (taken > inFlight && energy.fracture > (1.0 + mostTooMuch) * taken)
+      {"dissipated_fraction", required > inFlight ? energy.fracture / (required - inFlight) : notYet},
+      {"residual_fraction", required > 0.0 ? energy.residual() / required : notYet}};
+  if (required > inFlight && energy.fracture > (1.0 + mostTooMuch) * required)
     summary["warnings"].push_back(
-        "Propagation: new faces took " + shortly(energy.fracture) + " J, where their toughness asks for " +
-        shortly(taken) +
-        " J: faces were torn open within a step or nodes passed the front as the body moved through its "
-        "cells; a gentler load, smaller cells or a body that stays where it is gives the toughness its due");
+        "Propagation: new faces dissipated " + readableEnergy(energy.fracture) +
+        ", more than their toughness times their area, " + readableEnergy(required) +
+        ": faces opened within one step, or the front passed nodes because the body moved through its cells; "
+        "ramp the load, take smaller cells (Domain > Cell Size), or support the body");
+}
+
+} // namespace
+
+template <int D>
+void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& fronts, nlohmann::json& summary)
+{
+  double required = 0.0;
+  for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
+  {
+    const CrackFront<D>& front = state.cracks.fronts[f];
+    const FrontState<D>& own = fronts[f];
+    required += front.budget.required;
+    const bool moved = own.increments > 0, canAdvance = !front.ended && !front.stopped();
+    nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
+    entry["increments"] = own.increments;
+    entry["running"] = own.running() && canAdvance;
+    entry["ended"] = front.ended;
+    entry["stopped"] = front.stopped();
+    entry["initiated"] = moved ? own.firstTime : notYet;
+    entry["last_advance"] = moved ? own.lastTime : notYet;
+    entry["settled_speed"] = own.settledSpeed();
+    entry["speed_limit"] = own.speedLimit;
+    entry["energy_of_new_faces"] = front.budget.required;
+    std::vector<CrackRun> runs;
+    double speed = own.settledSpeed();
+    if constexpr (D == 2)
+    {
+      reportPath(front, own, entry);
+      runs = own.nodes.at(front.nodes[0].name).history.runs();
+      speed = front.speed();
+    }
+    else if (moved) // nodes initiate and arrest one by one, and the length is not one number
+      runs = {{own.firstTime, own.lastTime, notYet}};
+    if (!moved && canAdvance)
+      reportRest(state, front, own.closest(), summary);
+    reportRuns(state, front, runs, own.running() && canAdvance, speed, summary);
+  }
+  reportEnergy(state, required, summary);
 }
 
 void reportToughness(const Options& options, nlohmann::json& summary)
@@ -96,13 +173,7 @@ void reportToughness(const Options& options, nlohmann::json& summary)
   summary["propagation"]["initiation_toughness"] = ruleAt(options.temperature, options).initiation;
 }
 
-template void reportRest(const State<2>&, const CrackFront<2>&, double, nlohmann::json&);
-template void reportRest(const State<3>&, const CrackFront<3>&, double, nlohmann::json&);
-template void reportRuns(const State<2>&, const CrackFront<2>&, const std::vector<CrackRun>&, bool, double,
-                         nlohmann::json&);
-template void reportRuns(const State<3>&, const CrackFront<3>&, const std::vector<CrackRun>&, bool, double,
-                         nlohmann::json&);
-template void reportEnergy(const State<2>&, double, nlohmann::json&);
-template void reportEnergy(const State<3>&, double, nlohmann::json&);
+template void reportFronts(const State<2>&, const std::vector<FrontState<2>>&, nlohmann::json&);
+template void reportFronts(const State<3>&, const std::vector<FrontState<3>>&, nlohmann::json&);
 
 } // namespace Rhegma::propagation

@@ -35,7 +35,7 @@ void refuseOtherNames(mu::Parser& parser, const std::string& text, bool heated)
                                   "\" names the temperature T, and there is no heat in this scene; add a "
                                   "section Thermal or write it without T");
     else if (used.first != "v")
-      throw std::invalid_argument("\"" + text + "\" names \"" + used.first + "\", which nothing defines" +
+      throw std::invalid_argument("\"" + text + "\" names \"" + used.first + "\", which is not defined" +
                                   advice);
 }
 
@@ -113,7 +113,7 @@ void Toughness::refuseWeak(double fastest, double temperature) const
     if (!(value > 0.0) || !std::isfinite(value))
       throw std::invalid_argument("\"" + form_->text + "\" is " + formatReal(value) +
                                   " J/m2 at v = " + formatReal(speed) +
-                                  " m/s; write what is positive at every speed up to that of Rayleigh waves");
+                                  " m/s; write a function that is positive up to the Rayleigh wave speed");
   }
 }
 

@@ -80,7 +80,7 @@ void FineParticles<D>::load(const State<D>& state, const Values& force) const
 {
   const auto sums = state.mesh.nodes.sums;
   const View<int*> nodeOf = nodeOf_;
-  forFew<fewSlots>(
+  parallelForSmall<smallSlots>(
       "rhegma::subcycling::load", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         for (int d = 0; d < D; ++d)
           force(i, d) = sums(nodeOf(i), Nodes<D>::forceAt + d);
@@ -95,9 +95,9 @@ void FineParticles<D>::store(const State<D>& state, const Values& force, double 
   const auto sums = state.mesh.nodes.sums;
   const View<int*> nodeOf = nodeOf_;
   // What is stored will be summed over the ranks.
-  forFew<fewSlots>(
+  parallelForSmall<smallSlots>(
       "rhegma::subcycling::store", 0, numInner_, KOKKOS_LAMBDA(const int i) {
-        const bool counts = countsHere(nodes, nodeOf(i));
+        const bool counts = isOwnedByThisRank(nodes, nodeOf(i));
         for (int d = 0; d < D; ++d)
           sums(nodeOf(i), Nodes<D>::forceAt + d) = counts ? factor * force(i, d) : 0.0;
       });
@@ -114,7 +114,7 @@ void FineParticles<D>::startVelocity(const State<D>& state, const Values& veloci
   const View<int* [D]> held = held_;
   const View<double* [D]> heldVelocity = heldVelocity_;
   const Values before = before_, momentum = carried_;
-  forFew<fewSlots>(
+  parallelForSmall<smallSlots>(
       "rhegma::subcycling::startVelocity", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         const double inverse = mass(i) > 0.0 ? 1.0 / mass(i) : 0.0;
         for (int d = 0; d < D; ++d)
@@ -128,7 +128,7 @@ void FineParticles<D>::startVelocity(const State<D>& state, const Values& veloci
     state.motion.coupledSlots.begin(state, slots(), held_);
     state.motion.coupledSlots.solve(momentum, before, false);
   }
-  forFew<fewSlots>(
+  parallelForSmall<smallSlots>(
       "rhegma::subcycling::heldVelocity", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         for (int d = 0; d < D; ++d)
           velocity(i, d) = held(i, d) != 0 ? heldVelocity(i, d) : before(i, d);
@@ -201,7 +201,7 @@ void FineParticles<D>::smooth(const State<D>& state, int level, const Values& fo
   const View<int*> nodeOf = nodeOf_;
   const auto now = static_cast<double>(state.clock.step);
   const int inner = numInner_;
-  forFew<fewSlots>(
+  parallelForSmall<smallSlots>(
       "rhegma::subcycling::smooth", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         const int row = rowOf(nodeOf(i));
         for (int d = 0; d < D; ++d)
@@ -229,7 +229,7 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
   const auto mass = state.particles.scalar(fields::mass);
   const bool coupled = static_cast<bool>(state.motion.coupledSlots.solve);
   const int lowest = coupled ? 0 : level; // a coupled mass moves nodes without a force too
-  forFew<fewSlots>(
+  parallelForSmall<smallSlots>(
       "rhegma::subcycling::accelerate", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         const double inverse = nodal(i) > 0.0 ? 1.0 / nodal(i) : 0.0;
         for (int d = 0; d < D; ++d)
@@ -254,7 +254,7 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
       });
   const View<double** [D]> parts = parts_;
   const int number = numParts_;
-  forFew<fewSlots>(
+  parallelForSmall<smallSlots>(
       "rhegma::subcycling::carry", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         for (int d = 0; d < D; ++d)
         {
@@ -265,7 +265,7 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
         }
       });
   sumSlots(state, carried);
-  forFew<fewSlots>(
+  parallelForSmall<smallSlots>(
       "rhegma::subcycling::arrive", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         const double inverse = nodal(i) > 0.0 ? 1.0 / nodal(i) : 0.0;
         for (int d = 0; d < D; ++d)
@@ -273,7 +273,7 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
       });
   if (coupled)
     state.motion.coupledSlots.solve(carried, acceleration, true);
-  forFew<fewSlots>(
+  parallelForSmall<smallSlots>(
       "rhegma::subcycling::kick", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         for (int d = 0; d < D; ++d)
           velocity(i, d) += duration * acceleration(i, d);
@@ -287,7 +287,7 @@ void FineParticles<D>::correctMotion(const State<D>& state, const Values& displa
   const auto motion = state.mesh.nodes.motion;
   const View<int*> nodeOf = nodeOf_;
   const View<int* [D]> held = held_;
-  forFew<fewSlots>(
+  parallelForSmall<smallSlots>(
       "rhegma::subcycling::correctMotion", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         for (int d = 0; d < D; ++d)
           if (held(i, d) == 0)
@@ -302,7 +302,7 @@ void FineParticles<D>::correctProjection(const State<D>& state, const Values& di
   const auto projection = state.mesh.nodes.projection;
   const View<int*> nodeOf = nodeOf_;
   const View<int* [D]> held = held_;
-  forFew<fewSlots>(
+  parallelForSmall<smallSlots>(
       "rhegma::subcycling::correctProjection", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         for (int d = 0; d < D; ++d)
           if (held(i, d) == 0)

@@ -18,7 +18,7 @@ using Range = Kokkos::RangePolicy<ExecSpace>;
 
 /// Weight up to which a particle does not touch a node. Where the edge of its box lies on a node, as in
 /// bodies at their start, round-off says whether it reaches into the next cell, e cells deep for a weight
-/// that goes with e^2 and a slope that goes with e; what takes short steps must not hang on that.
+/// that goes with e^2 and a slope that goes with e; what takes substeps must not hang on that.
 constexpr double noWeight = 1e-20;
 
 /// Extrapolated weights may be negative.
@@ -140,11 +140,11 @@ void FineParticles<D>::list(const State<D>& state, int first)
   // Shallow classes first: where two meet the deeper one stays.
   for (int l = first; l <= state.mesh.tree.deepest; ++l)
     markNodes(state, particlesFrom_[l + 1], particlesFrom_[l], l, false);
-  shareClasses(state);
+  fractionClasses(state);
   numberSlots(state, 0);
   listNeighbours(state);
   markNodes(state, particlesFrom_[first_], numListed_, 0, true);
-  shareClasses(state);
+  fractionClasses(state);
   numberSlots(state, numInner_);
   packStencils(state);
   holdNodes(state);
@@ -190,17 +190,17 @@ void FineParticles<D>::classifyNodes(const State<D>& state)
             if (isTouched(table.weight(r, k)))
               nodeClass(table.node(r, k)) = l;
         });
-  shareClasses(state);
+  fractionClasses(state);
 }
 
 template <int D>
-void FineParticles<D>::shareClasses(const State<D>& state)
+void FineParticles<D>::fractionClasses(const State<D>& state)
 {
   if (!state.mesh.subdomain)
     return;
   const Nodes<D> nodes = state.mesh.nodes;
-  fit(told_, "rhegma::subcycling::classesOfRanks", nodes.numLattice + nodes.numSecond);
-  const View<double*> told = told_;
+  fit(reported_, "rhegma::subcycling::classesOfRanks", nodes.numLattice + nodes.numSecond);
+  const View<double*> reported = reported_;
   const View<int*> nodeClass = nodeClass_, shared = state.mesh.subdomain->halo.nodes();
   const SharedRows rows = sharedRows(state);
   const int number = static_cast<int>(shared.extent(0)), fields = rows.second.extent(0) > 0 ? 2 : 1;
@@ -210,17 +210,17 @@ void FineParticles<D>::shareClasses(const State<D>& state)
         {
           const int n = rows(shared(i), f);
           if (n >= 0)
-            told(n) = nodeClass(n) < 0 ? 0.0 : wordFor(nodeClass(n));
+            reported(n) = nodeClass(n) < 0 ? 0.0 : wordFor(nodeClass(n));
         }
       });
-  sumOverRanks(state, told.data(), 1, 0, 1);
+  sumOverRanks(state, reported.data(), 1, 0, 1);
   Kokkos::parallel_for(
       "rhegma::subcycling::hearClasses", Range(0, number), KOKKOS_LAMBDA(const int i) {
         for (int f = 0; f < fields; ++f)
         {
           const int n = rows(shared(i), f);
           for (int l = deepestLevel; n >= 0 && l > nodeClass(n); --l)
-            if (told(n) >= wordFor(l))
+            if (reported(n) >= wordFor(l))
               nodeClass(n) = l;
         }
       });
@@ -328,7 +328,7 @@ void FineParticles<D>::holdNodes(const State<D>& state)
 {
   fit(held_, "rhegma::subcycling::held", numSlots_);
   fit(heldVelocity_, "rhegma::subcycling::heldVelocity", numSlots_);
-  const NodePlaces<D> places = nodePlaces(state);
+  const NodePositions<D> positions = nodePositions(state);
   const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> nodeOf = nodeOf_;
   const View<int* [D]> held = held_;
@@ -340,7 +340,7 @@ void FineParticles<D>::holdNodes(const State<D>& state)
     Kokkos::parallel_for(
         "rhegma::subcycling::hold", Range(0, numSlots_), KOKKOS_LAMBDA(const int i) {
           const int n = latticeNode(nodes, nodeOf(i));
-          if (!c.appliesAt(places(n)))
+          if (!c.appliesAt(positions(n)))
             return;
           for (int d = 0; d < D; ++d)
             if (c.holds[d])
@@ -353,7 +353,7 @@ void FineParticles<D>::holdNodes(const State<D>& state)
 }
 
 template <int D>
-void FineParticles<D>::writeFirstShares(const State<D>& state, const BorrowedView<double*>& share) const
+void FineParticles<D>::writeFirstFractions(const State<D>& state, const BorrowedView<double*>& fraction) const
 {
   const View<int*> particle = particle_;
   for (int l = first_; l <= state.mesh.tree.deepest; ++l)
@@ -361,7 +361,7 @@ void FineParticles<D>::writeFirstShares(const State<D>& state, const BorrowedVie
     const double own = std::ldexp(1.0, first_ - 1 - l);
     Kokkos::parallel_for(
         "rhegma::subcycling::firstShares", Range(particlesFrom_[l + 1], particlesFrom_[l]),
-        KOKKOS_LAMBDA(const int i) { share(particle(i)) = own; });
+        KOKKOS_LAMBDA(const int i) { fraction(particle(i)) = own; });
   }
 }
 
@@ -379,7 +379,7 @@ void FineParticles<D>::weighNodes(const State<D>& state)
 
 template void FineParticles<2>::list(const State<2>&, int);
 template void FineParticles<3>::list(const State<3>&, int);
-template void FineParticles<2>::writeFirstShares(const State<2>&, const BorrowedView<double*>&) const;
-template void FineParticles<3>::writeFirstShares(const State<3>&, const BorrowedView<double*>&) const;
+template void FineParticles<2>::writeFirstFractions(const State<2>&, const BorrowedView<double*>&) const;
+template void FineParticles<3>::writeFirstFractions(const State<3>&, const BorrowedView<double*>&) const;
 
 } // namespace Rhegma::sub_cycling

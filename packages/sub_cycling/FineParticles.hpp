@@ -1,7 +1,7 @@
 #pragma once
-/// The particles that short steps move, and the nodes they touch, packed together for one long step.
+/// The particles that substeps move, and the nodes they touch, packed together for one step.
 
-#include "base/FewItems.hpp"
+#include "base/SmallLoops.hpp"
 #include "state/State.hpp"
 
 #include <memory>
@@ -12,7 +12,7 @@ namespace Rhegma::sub_cycling
 {
 
 /// Slots that one thread is through with sooner than others could be told to help, a few numbers each.
-constexpr int fewSlots = 1500;
+constexpr int smallSlots = 1500;
 
 /// The nodal field in which the mean of the force of a class of particles is kept: D numbers and that of the
 /// step that renewed it. \param classFromFirst 0: all particles that take the whole step
@@ -30,7 +30,7 @@ inline std::string meanForceField(int classFromFirst)
 /// slots. Sums over particles are formed in a fixed number of parts, so that they do not depend on the number
 /// of threads. Where ranks share nodes these have the same class and a slot on all of them, and values in
 /// their slots are those of all ranks. Weights, sides of cracks and supports are those at the start of the
-/// long step.
+/// step.
 template <int D>
 class FineParticles
 {
@@ -55,7 +55,7 @@ public:
   /// Gives inner nodes in `state` this many times a force.
   void store(const State<D>& state, const Values& force, double factor) const;
 
-  /// Velocity of the nodes at the start of the long step, that of supports where they hold [m/s]. To be
+  /// Velocity of the nodes at the start of the step, that of supports where they hold [m/s]. To be
   /// called before impulses change it or their work is asked for.
   void startVelocity(const State<D>& state, const Values& velocity);
 
@@ -69,7 +69,7 @@ public:
   /// Impulses on inner nodes as they change the energy.
   struct ImpulseWork
   {
-    double free = 0.0; ///< where nothing holds: times the velocity at the start of the long step [J]
+    double free = 0.0; ///< where nothing holds: times the velocity at the start of the step [J]
     double held = 0.0; ///< at supports that hold coupled masses: times half the change of velocity that they
                        ///< force upon the node [J]
   };
@@ -78,11 +78,11 @@ public:
 
   NodeSlots slots() const { return {slotOf_, numInner_}; }
 
-  /// Writes the share of the long step that the force of its start acts on listed particles: half of it for
+  /// Writes the fraction of the step that the force of its start acts on listed particles: half of it for
   /// the first class, a quarter for the next.
-  void writeFirstShares(const State<D>& state, const BorrowedView<double*>& share) const;
+  void writeFirstFractions(const State<D>& state, const BorrowedView<double*>& share) const;
 
-  /// Mean of a force over the last long steps, on inner nodes that had a slot in all of them; it grows from
+  /// Mean of a force over the last steps, on inner nodes that had a slot in all of them; it grows from
   /// zero elsewhere, and everywhere after cells changed. \param level of the particles whose force it is, or
   /// one below the first: of all others
   void smooth(const State<D>& state, int level, const Values& force, const Values& mean);
@@ -109,7 +109,7 @@ public:
   void findCandidates(const State<D>& state);
   void classifyNodes(const State<D>& state);
   /// Gives shared nodes the deepest class that any rank has given them. Collective.
-  void shareClasses(const State<D>& state);
+  void fractionClasses(const State<D>& state);
   void listParticles(const State<D>& state);
   void markNodes(const State<D>& state, int begin, int end, int own, bool onlyNew);
   void numberSlots(const State<D>& state, int from);
@@ -139,11 +139,11 @@ private:
   int numSlots_ = 0, numInner_ = 0, numParts_ = 0;
   int particlesFrom_[deepestLevel + 2] = {};
   double onAllRanks_[deepestLevel + 2] = {};
-  View<double*> told_;  ///< by ranks of the class of every shared node
-  int generation_ = -1; ///< of the tree, when
-  View<char*> near_;    ///< not 0 for cells of the lattice that are not far from refined ones
-  View<int*> sorted_;   ///< the first particles of blocks, when the list that follows was made
-  View<int*> inBlocks_; ///< particles of blocks that have such cells or whose particles can reach them
+  View<double*> reported_; ///< by ranks of the class of every shared node
+  int generation_ = -1;    ///< of the tree, when
+  View<char*> near_;       ///< not 0 for cells of the lattice that are not far from refined ones
+  View<int*> sorted_;      ///< the first particles of blocks, when the list that follows was made
+  View<int*> inBlocks_;    ///< particles of blocks that have such cells or whose particles can reach them
   int numInBlocks_ = 0;
   View<int*> candidate_; ///< particles in such cells
   View<int*> class_;     ///< of each of these
@@ -159,7 +159,7 @@ private:
   View<double*> mass_; ///< of every slot [kg]
   View<int* [D]> held_;
   View<double* [D]> heldVelocity_;
-  Values before_; ///< velocity at the start of the long step before supports hold [m/s]
+  Values before_; ///< velocity at the start of the step before supports hold [m/s]
   Values acceleration_, carried_;
   View<double** [D]> parts_;
 };

@@ -17,7 +17,7 @@ typename FineParticles<D>::ImpulseWork FineParticles<D>::workOf(const State<D>& 
   Kokkos::parallel_reduce(
       "rhegma::subcycling::workOfImpulses", Kokkos::RangePolicy<ExecSpace>(0, numInner_),
       KOKKOS_LAMBDA(const int i, double& free, double& atSupports) {
-        for (int d = 0; d < D && countsHere(nodes, nodeOf(i)); ++d)
+        for (int d = 0; d < D && isOwnedByThisRank(nodes, nodeOf(i)); ++d)
         {
           const double before = velocity(i, d);
           if (held(i, d) == 0)

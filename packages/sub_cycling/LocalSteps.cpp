@@ -19,7 +19,7 @@ using Range = Kokkos::RangePolicy<ExecSpace>;
 template <int D>
 void add(const View<double* [D]>& to, double factor, const View<double* [D]>& from, int slots)
 {
-  forFew<fewSlots>(
+  parallelForSmall<smallSlots>(
       "rhegma::subcycling::add", 0, slots, KOKKOS_LAMBDA(const int i) {
         for (int d = 0; d < D; ++d)
           to(i, d) += factor * from(i, d);
@@ -29,7 +29,7 @@ void add(const View<double* [D]>& to, double factor, const View<double* [D]>& fr
 } // namespace
 
 template <int D>
-void LocalSteps<D>::makeRoom(int slots)
+void LocalSteps<D>::reserveRows(int slots)
 {
   const auto fit = [slots](Values& values)
   {
@@ -51,21 +51,21 @@ void LocalSteps<D>::begin(State<D>& state, int first, int last)
   first_ = first;
   last_ = last;
   active_ = first <= last && state.mesh.tree.refined();
-  state.motion.shortSteps = {};
-  if (state.particles.has(fields::firstShare))
-    Kokkos::deep_copy(state.particles.scalar(fields::firstShare), 1.0);
+  state.motion.substeps = {};
+  if (state.particles.has(fields::firstFraction))
+    Kokkos::deep_copy(state.particles.scalar(fields::firstFraction), 1.0);
   if (!active_)
     return;
   fine_.list(state, first);
   active_ = fine_.numParticles() > 0.0;
   if (!active_)
     return;
-  state.motion.shortSteps.nodes = fine_.slots();
-  state.motion.shortSteps.length = std::ldexp(state.clock.dt, first - 1 - last);
-  if (state.particles.has(fields::firstShare))
-    fine_.writeFirstShares(state, state.particles.scalar(fields::firstShare));
+  state.motion.substeps.nodes = fine_.slots();
+  state.motion.substeps.length = std::ldexp(state.clock.dt, first - 1 - last);
+  if (state.particles.has(fields::firstFraction))
+    fine_.writeFirstFractions(state, state.particles.scalar(fields::firstFraction));
   const int slots = fine_.numSlots();
-  makeRoom(slots);
+  reserveRows(slots);
   Kokkos::deep_copy(displacement_, 0.0);
   elapsed_ = 0.0;
   fine_.load(state, others_);
@@ -103,7 +103,7 @@ void LocalSteps<D>::evolve(State<D>& state)
   fine_.load(state, force_);
   add<D>(loads_, 1.0, force_, slots);
   leaveOuterNodes();
-  for (const FollowingForce<D>& following : state.motion.followingForces)
+  for (const DisplacementDependentForce<D>& following : state.motion.displacementDependentForces)
   {
     Kokkos::deep_copy(force_, 0.0);
     following.frozen(state, fine_.slots(), force_);
@@ -118,7 +118,7 @@ void LocalSteps<D>::evolve(State<D>& state)
   fine_.startVelocity(state, velocity_);
   startWork_ = {};
   if (reckonsWork(state))
-    addStartWork(state, loads_, state.motion.shortSteps.length);
+    addStartWork(state, loads_, state.motion.substeps.length);
   Kokkos::deep_copy(force_, 0.0);
   fine_.accelerate(state, 0, 1.0, loads_, force_);
   Kokkos::deep_copy(loads_, force_);
@@ -129,7 +129,7 @@ void LocalSteps<D>::evolve(State<D>& state)
   step(state, first_, 0.5 * state.clock.dt);
   step(state, first_, 0.5 * state.clock.dt);
   if (reckonsWork(state))
-    bookWork(state);
+    recordWork(state);
   fine_.store(state, impulse_, 1.0 / state.clock.dt);
 }
 
@@ -141,25 +141,25 @@ void LocalSteps<D>::addStartWork(const State<D>& state, const Values& force, dou
   startWork_.held += duration * work.held;
 }
 
-// A support takes a node to its velocity at the start of the long step and keeps it there, so that later
-// impulses of other forces find the node at that velocity; the support's own books, written at the ends of
-// the step, take half the velocity before for them too where masses are coupled. Their impulses are its own
-// but for the sign.
+// A support takes a node to its velocity at the start of the step and keeps it there, so that later
+// impulses of other forces find the node at that velocity; the support's own energy balance, written at the
+// ends of the step, take half the velocity before for them too where masses are coupled. Their impulses are
+// its own but for the sign.
 template <int D>
-void LocalSteps<D>::bookWork(State<D>& state)
+void LocalSteps<D>::recordWork(State<D>& state)
 {
   const auto all = fine_.workOf(state, impulse_);
   state.energy.externalWork -= all.held - startWork_.held;
   double late = all.free - startWork_.free;
   sumParts(state, &late, 1);
-  state.motion.shortSteps.lateWork = late;
+  state.motion.substeps.lateWork = late;
 }
 
 template <int D>
 void LocalSteps<D>::leaveOuterNodes()
 {
   const Values others = others_, loads = loads_, all = force_;
-  forFew<fewSlots>(
+  parallelForSmall<smallSlots>(
       "rhegma::subcycling::leaveOuterNodes", fine_.numInner(), fine_.numSlots(), KOKKOS_LAMBDA(const int i) {
         for (int d = 0; d < D; ++d)
         {
@@ -187,7 +187,8 @@ template <int D>
 void LocalSteps<D>::addImpulse(const State<D>& state, int level, double length)
 {
   const double particles = fine_.particlesFrom(level) - fine_.particlesFrom(level + 1);
-  const bool followed = level == last_ && !state.motion.followingForces.empty(), first = atStart_[level];
+  const bool followed = level == last_ && !state.motion.displacementDependentForces.empty(),
+             first = atStart_[level];
   extraSteps_ += particles;
   atStart_[level] = false;
   if (particles == 0.0 && !followed)
@@ -197,7 +198,7 @@ void LocalSteps<D>::addImpulse(const State<D>& state, int level, double length)
   {
     fine_.force(state, level, displacement_, elapsed_, force);
     if (level == last_)
-      for (const FollowingForce<D>& following : state.motion.followingForces)
+      for (const DisplacementDependentForce<D>& following : state.motion.displacementDependentForces)
         following.change(state, fine_.slots(), displacement_, force);
     fine_.sumSlots(state, force);
     if (level < last_)
@@ -225,7 +226,7 @@ void LocalSteps<D>::drift(double length)
 {
   elapsed_ += length;
   const Values velocity = velocity_, displacement = displacement_, rate = loads_;
-  forFew<fewSlots>(
+  parallelForSmall<smallSlots>(
       "rhegma::subcycling::drift", 0, fine_.numSlots(), KOKKOS_LAMBDA(const int i) {
         for (int d = 0; d < D; ++d)
         {

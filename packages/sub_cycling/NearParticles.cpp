@@ -13,11 +13,11 @@ namespace
 using Range = Kokkos::RangePolicy<ExecSpace>;
 
 /// Cells of the lattice from refined ones within which all lie that `list` may ask for: a particle on a node
-/// of a cell beside a refined one, one that shares a node with it, and one that shares a node with that; each
-/// reaches through two cells at most.
+/// of a cell next to a refined one, one that shares a node with it, and one that shares a node with that;
+/// each reaches through two cells at most.
 constexpr int farthest = 7;
 
-/// Whether a cell beside a refined one is no farther than that along the axes up to `axis`, given the same
+/// Whether a cell next to a refined one is no farther than that along the axes up to `axis`, given the same
 /// for those before it.
 template <int D>
 View<char*> widen(const Grid<D>& grid, const View<char*>& given, int axis)

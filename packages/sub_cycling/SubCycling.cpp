@@ -45,7 +45,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   effect.name = "Sub-Cycling";
   if (options.heat())
     effect.adds.push_back(
-        {fields::firstShare, 1, "-", "fraction of the full step in which its initial force acts"});
+        {fields::firstFraction, 1, "-", "fraction of the full step in which its initial force acts"});
   for (int k = 0; k < levels; ++k)
     effect.addsNodal.push_back(
         {{meanForceField(k), D + 1, "N",

@@ -1,5 +1,5 @@
 #pragma once
-/// Stress of particles that short steps have strained, while their fields are still those of the long step's
+/// Stress of particles that substeps have strained, while their fields are still those of the step's
 /// start.
 
 #include "state/State.hpp"
@@ -50,9 +50,9 @@ protected:
   BorrowedView<double**> history_;
 };
 
-/// At the temperature to which straining brings the particle, as the long step will have it: a force by
+/// At the temperature to which straining brings the particle, as the step will have it: a force by
 /// another stiffness, that at constant temperature, would let motions of small cells gain (k - k') / m times
-/// the square of a short step, in every long one.
+/// the square of a substep, in every long one.
 template <int D>
 class HeatedStress : private LawStress<D>
 {

@@ -30,13 +30,13 @@ bool meetsMaterial(const Teuchos::ParameterList& source, const Teuchos::Paramete
     const Vector<D> middle = centre + along * velocity;
     if (bodies.contain(middle))
       return true;
-    for (const double share : {0.5, 1.0})
+    for (const double fraction : {0.5, 1.0})
       for (int d = 0; d < D; ++d)
         for (const double sign : {-1.0, 1.0})
         {
-          Vector<D> place = middle;
-          place[d] += sign * share * radius;
-          if (bodies.contain(place))
+          Vector<D> position = middle;
+          position[d] += sign * fraction * radius;
+          if (bodies.contain(position))
             return true;
         }
   }
@@ -45,7 +45,7 @@ bool meetsMaterial(const Teuchos::ParameterList& source, const Teuchos::Paramete
 
 } // namespace
 
-void tellCells(const Teuchos::ParameterList& scene, CellNeeds& needs, std::vector<SceneError>& errors)
+void reportCells(const Teuchos::ParameterList& scene, CellNeeds& needs, std::vector<SceneError>& errors)
 {
   if (!scene.sublist("Thermal").isSublist("Sources"))
     return;

@@ -8,6 +8,6 @@ namespace Rhegma::thermal
 
 /// Adds the radii of the smallest round sources, of those that move and of those at rest. One that meets no
 /// body while the run lasts is an error; a box, which is evenly warm, asks for nothing.
-void tellCells(const Teuchos::ParameterList& scene, CellNeeds& needs, std::vector<SceneError>& errors);
+void reportCells(const Teuchos::ParameterList& scene, CellNeeds& needs, std::vector<SceneError>& errors);
 
 } // namespace Rhegma::thermal

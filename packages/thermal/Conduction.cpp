@@ -15,8 +15,8 @@ namespace Rhegma::thermal
 namespace
 {
 
-/// Conduction waits while the time that it has not done is below this share of its own step.
-constexpr double waitingShare = 0.25;
+/// Conduction waits while the time that it has not done is below this fraction of its own step.
+constexpr double waitingFraction = 0.25;
 
 /// pi^2 (MeetingMaterials.hpp).
 constexpr double joining = 9.8696044010893586;
@@ -94,7 +94,7 @@ std::string Conduction<D>::tooMany(const State<D>& state, double count) const
          "> Mechanics = false)";
 }
 
-/// \return the power of the sources that this rank books
+/// \return the power of the sources that this rank records
 template <int D>
 double Conduction<D>::supplyAll(State<D>& state, double dt, double time)
 {
@@ -161,7 +161,7 @@ void Conduction<D>::step(State<D>& state)
   const bool last =
       state.clock.time + state.clock.dt >= finalTime * (1.0 - 1e-12); // which leaves nothing undone
   if (!last && state.method.mechanics && waited < longestWait &&
-      pending + state.clock.dt <= waitingShare * limit)
+      pending + state.clock.dt <= waitingFraction * limit)
     return;
   if (cellsSeen != state.mesh.tree.generation)
   {
@@ -200,7 +200,7 @@ void Conduction<D>::step(State<D>& state)
     state.energy.heat += dt * power;
     once(state, dt, time, supply.extent(0) > 0 ? supply : none);
   }
-  tellFronts(state);
+  reportFronts(state);
   pending = 0.0;
   waited = 0;
 }

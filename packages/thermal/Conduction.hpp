@@ -28,8 +28,9 @@ struct Conduction
   double leastDiffusivity = 0.0; ///< least of the materials that conduct [m2/s]
   bool several = false;          ///< materials may meet, and some conduct
   double leastCapacity = 0.0;    ///< least of the materials [J/(m3 K)]
-  double fractureSeen = 0.0;     ///< energy of the ledger's fracture that fronts have had their heat of [J]
-  std::vector<double> frontHeat; ///< the part of it of each front [J]
+  double fractureSeen =
+      0.0; ///< energy of the energy balance's fracture that fronts have had their heat of [J]
+  std::vector<double> frontHeat;                                 ///< the part of it of each front [J]
   std::vector<double> frontTemperature;                          ///< at the position of each front [K]
   double finestHeated = std::numeric_limits<double>::infinity(); ///< finest cells when fronts were heated [m]
   long stepsTaken = 0;                                           ///< steps of conduction
@@ -64,7 +65,7 @@ struct Conduction
 
 private:
   void once(State<D>& state, double dt, double time, const View<double*>& supplied);
-  void tellFronts(State<D>& state);                ///< FrontHeat.cpp, as the next
+  void reportFronts(State<D>& state);              ///< FrontHeat.cpp, as the next
   double heatOfFronts(State<D>& state, double dt); ///< \return what was added [J]
   double supplyAll(State<D>& state, double dt, double time);
 };

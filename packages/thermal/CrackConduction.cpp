@@ -15,7 +15,7 @@ namespace Rhegma::thermal
 namespace
 {
 
-/// Faces less than this share of a cell apart are closed: round-off does not part them.
+/// Faces less than this fraction of a cell apart are closed: round-off does not part them.
 constexpr double closedGap = 1e-6;
 
 /// Adds volume times slope of the functions of second fields.
@@ -78,7 +78,7 @@ void CrackConduction<D>::update(const State<D>& state)
   if (!conducts_ || state.cracks.simplex.extent(0) == 0 || state.cracks.second.extent(0) == 0)
     return;
   points_.update(state);
-  lookAround(state);
+  searchAround(state);
   const std::size_t rows = state.mesh.nodes.sums.extent(0);
   if (faces_.extent(0) < rows)
   {
@@ -109,7 +109,7 @@ void CrackConduction<D>::update(const State<D>& state)
 
 /// Stencils at both sides of the face points.
 template <int D>
-void CrackConduction<D>::lookAround(const State<D>& state)
+void CrackConduction<D>::searchAround(const State<D>& state)
 {
   const int count = points_.count();
   if (around_.count != 2 * count)
@@ -186,7 +186,7 @@ void CrackConduction<D>::findConductance(const State<D>& state)
 }
 
 template <int D>
-void CrackConduction<D>::merge(const State<D>& state, const HeatNodes<D>& heat, double share) const
+void CrackConduction<D>::merge(const State<D>& state, const HeatNodes<D>& heat, double fraction) const
 {
   if (!perfectContact_ || !active(state))
     return;
@@ -200,7 +200,7 @@ void CrackConduction<D>::merge(const State<D>& state, const HeatNodes<D>& heat, 
         const int two = nodes.numLattice + i, one = nodes.parent(i);
         const double C1 = heat.sums(one, HeatNodes<D>::capacityAt);
         const double C2 = heat.sums(two, HeatNodes<D>::capacityAt);
-        // Beside a perfect contact nothing else counts in the mean around the node.
+        // Next to a perfect contact nothing else counts in the mean around the node.
         if (!(conductance(one) > 0.0) || !(faces(one, 0) > 1e-6 * perfect * faces(one, 1)) || !(C1 > 0.0) ||
             !(C2 > 0.0) || heat.insulates(one) || heat.insulates(two))
           return;
@@ -211,7 +211,7 @@ void CrackConduction<D>::merge(const State<D>& state, const HeatNodes<D>& heat, 
         for (int k = 0; k < HeatNodes<D>::joinAt; ++k)
           heat.meets(one, k) = heat.meets(two, k) = heat.meets(one, k) + heat.meets(two, k);
         heat.meets(one, HeatNodes<D>::joinAt) = heat.meets(two, HeatNodes<D>::joinAt) =
-            heat.severalAt(one) ? share : 0.0;
+            heat.severalAt(one) ? fraction : 0.0;
       });
 }
 
@@ -238,7 +238,7 @@ double CrackConduction<D>::exchange(const State<D>& state, const HeatNodes<D>& h
         const double T2 = heat.value(two, 0) + (held2 ? 0.0 : heat.value(two, 1));
         const double passed =
             (T1 - T2) / (1.0 / (dt * conductance(one)) + (held1 ? 0.0 : 1.0 / C1) + (held2 ? 0.0 : 1.0 / C2));
-        const bool counts = countsHere(nodes, one);
+        const bool counts = isOwnedByThisRank(nodes, one);
         if (!held1)
           heat.value(one, 1) -= passed / C1;
         else if (counts)

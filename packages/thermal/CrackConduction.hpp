@@ -21,7 +21,7 @@ struct FaceLaw
   bool onlyWhereClosed = true; ///< nothing where the faces have parted
 };
 
-/// Conductance between the two fields of nodes beside cracks: q = h (T on side -1 - T on side +1).
+/// Conductance between the two fields of nodes next to cracks: q = h (T on side -1 - T on side +1).
 ///
 /// A node has the area of face that its second field ends at, sum V grad N over the particles that see it,
 /// along the crack's normal: with that a flux that is the same on both sides is one that no node keeps,
@@ -67,7 +67,7 @@ public:
   static constexpr double perfect = 1e30;
 
   /// Parts of `update`; public because compilers for devices want kernels in public functions.
-  void lookAround(const State<D>& state);
+  void searchAround(const State<D>& state);
   void addFaces(const State<D>& state);
   void findConductance(const State<D>& state);
 

@@ -10,9 +10,9 @@ namespace Rhegma::thermal
 namespace
 {
 
-/// A place of a front and the share of the front's heat that it gets.
+/// A place of a front and the fraction of the front's heat that it gets.
 template <int D>
-struct HeatedPlace
+struct HeatedPosition
 {
   Vector<D> at;
   double share;
@@ -21,7 +21,7 @@ struct HeatedPlace
 /// The nodes of a front, by the area that each is passing: its tributary length times its speed; where none
 /// of them runs, as of one that has just arrested, by length alone. Of a front that has ended, where it did.
 template <int D>
-std::vector<HeatedPlace<D>> heatedPlaces(const CrackFront<D>& front)
+std::vector<HeatedPosition<D>> heatedPositions(const CrackFront<D>& front)
 {
   if (front.nodes.size() < 2)
     return {{front.position, 1.0}};
@@ -31,15 +31,15 @@ std::vector<HeatedPlace<D>> heatedPlaces(const CrackFront<D>& front)
     length += frontNode.tributaryLength;
     swept += frontNode.tributaryLength * frontNode.speed;
   }
-  std::vector<HeatedPlace<D>> places;
+  std::vector<HeatedPosition<D>> positions;
   for (const FrontNode<D>& frontNode : front.nodes)
   {
     const double share = swept > 0.0 ? frontNode.tributaryLength * frontNode.speed / swept
                                      : frontNode.tributaryLength / length;
     if (share > 0.0)
-      places.push_back({frontNode.position, share});
+      positions.push_back({frontNode.position, share});
   }
-  return places;
+  return positions;
 }
 
 } // namespace
@@ -50,7 +50,7 @@ template <int D>
 double Conduction<D>::heatOfFronts(State<D>& state, double dt)
 {
   const std::vector<CrackFront<D>>& all = state.cracks.fronts;
-  // What was booked since the last sample is the ranks' own.
+  // What was recorded since the last sample is the ranks' own.
   const double before = state.ranks.many() ? state.sample.energy.fracture : 0.0;
   const double spent = before + state.ranks.sum(state.energy.fracture - before);
   const double since = spent - fractureSeen;
@@ -68,7 +68,7 @@ double Conduction<D>::heatOfFronts(State<D>& state, double dt)
     const double ofFront = since * std::max(0.0, all[f].budget.required - frontHeat[f]) / owed;
     if (!(ofFront > 0.0))
       continue;
-    for (const HeatedPlace<D>& place : heatedPlaces(all[f]))
+    for (const HeatedPosition<D>& place : heatedPositions(all[f]))
     {
       const double energy = place.share * ofFront;
       const double given = dt * addBall<D>(state, place.at, radius, frontFraction * energy / dt, supply);
@@ -86,7 +86,7 @@ double Conduction<D>::heatOfFronts(State<D>& state, double dt)
 
 /// Gives fronts and their front nodes the temperature of the nodes around them.
 template <int D>
-void Conduction<D>::tellFronts(State<D>& state)
+void Conduction<D>::reportFronts(State<D>& state)
 {
   std::vector<Vector<D>> at;
   std::vector<double*> temperature;
@@ -140,7 +140,7 @@ void Conduction<D>::tellFronts(State<D>& state)
 
 template double Conduction<2>::heatOfFronts(State<2>&, double);
 template double Conduction<3>::heatOfFronts(State<3>&, double);
-template void Conduction<2>::tellFronts(State<2>&);
-template void Conduction<3>::tellFronts(State<3>&);
+template void Conduction<2>::reportFronts(State<2>&);
+template void Conduction<3>::reportFronts(State<3>&);
 
 } // namespace Rhegma::thermal

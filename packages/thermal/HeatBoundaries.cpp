@@ -79,7 +79,7 @@ void HeatBoundaries<D>::read(const Teuchos::ParameterList& section, State<D>& st
     else if (type == "Heat Flux" || type == "Convection")
       attempts.attempt([&] { surfaces_.push_back(readHeated<D>(list, state, name)); });
   }
-  attempts.complain();
+  attempts.throwIfAny();
   const auto warn = [&](const std::string& name, const char* what, double T)
   { warnOfCold(state.warnings, "Boundaries > " + name + ": " + what, T); };
   for (const HeldTemperature<D>& held : held_)
@@ -113,7 +113,7 @@ template <int D>
 void HeatBoundaries<D>::hold(const State<D>& state, const HeatNodes<D>& heat, double time) const
 {
   const Nodes<D> nodes = state.mesh.nodes;
-  const NodePlaces<D> places = nodePlaces(state);
+  const NodePositions<D> positions = nodePositions(state);
   for (const HeldTemperature<D>& held : held_)
   {
     const Vector<D> lower = held.lower, upper = held.upper;
@@ -122,7 +122,7 @@ void HeatBoundaries<D>::hold(const State<D>& state, const HeatNodes<D>& heat, do
         "rhegma::thermal::holdTemperature", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
         KOKKOS_LAMBDA(const int i) {
           const int n = activeNode(nodes, i);
-          const Vector<D> x = places(latticeNode(nodes, n));
+          const Vector<D> x = positions(latticeNode(nodes, n));
           for (int d = 0; d < D; ++d)
             if (x[d] < lower[d] || x[d] > upper[d])
               return;
@@ -144,7 +144,7 @@ double HeatBoundaries<D>::addFlux(State<D>& state, const HeatNodes<D>& heat, dou
     Load<D>& points = heated.surface.points;
     points.place(state);
     const StencilTable<D> stencils = points.nodesAround();
-    const View<double*> share = points.shares();
+    const View<double*> fraction = points.shares();
     const double area = heated.surface.area, now = heated.history(time);
     const double flux = now * heated.flux, coefficient = heated.coefficient, ambient = now * heated.ambient;
     const View<double> sum("rhegma::thermal::powerOfSurface");
@@ -153,7 +153,7 @@ double HeatBoundaries<D>::addFlux(State<D>& state, const HeatNodes<D>& heat, dou
           double T = 0.0;
           for (int e = 0; e < stencils.count(k); ++e)
             T += stencils.weight(k, e) * heat.value(stencils.node(k, e), 0);
-          const double inflow = share(k) * area * (coefficient > 0.0 ? coefficient * (ambient - T) : flux);
+          const double inflow = fraction(k) * area * (coefficient > 0.0 ? coefficient * (ambient - T) : flux);
           Kokkos::atomic_add(&sum(), inflow);
           for (int e = 0; e < stencils.count(k); ++e)
             Kokkos::atomic_add(&heat.rate(stencils.node(k, e), 0), stencils.weight(k, e) * inflow);
@@ -175,7 +175,7 @@ double HeatBoundaries<D>::addResponse(const View<double* [2]>& change, const Vie
       continue;
     const Load<D>& points = heated.surface.points;
     const StencilTable<D> stencils = points.nodesAround();
-    const View<double*> share = points.shares();
+    const View<double*> fraction = points.shares();
     const double perKelvin = heated.surface.area * heated.coefficient;
     const View<double> sum("rhegma::thermal::changeOfPower");
     forEachPushing(
@@ -183,7 +183,7 @@ double HeatBoundaries<D>::addResponse(const View<double* [2]>& change, const Vie
           double T = 0.0;
           for (int e = 0; e < stencils.count(k); ++e)
             T += stencils.weight(k, e) * change(stencils.node(k, e), 0);
-          const double inflow = -share(k) * perKelvin * T;
+          const double inflow = -fraction(k) * perKelvin * T;
           Kokkos::atomic_add(&sum(), inflow);
           for (int e = 0; e < stencils.count(k); ++e)
             Kokkos::atomic_add(&flow(stencils.node(k, e), 0), stencils.weight(k, e) * inflow);
@@ -202,13 +202,14 @@ void HeatBoundaries<D>::addDiagonal(const View<double*>& diagonal) const
   {
     const Load<D>& points = heated.surface.points;
     const StencilTable<D> stencils = points.nodesAround();
-    const View<double*> share = points.shares();
+    const View<double*> fraction = points.shares();
     const double perKelvin = heated.surface.area * heated.coefficient;
     forEachPushing(
         "rhegma::thermal::addDiagonal", perKelvin > 0.0 ? points.points() : 0, KOKKOS_LAMBDA(const int k) {
           // The sum over the row, which is more than its diagonal.
           for (int e = 0; e < stencils.count(k); ++e)
-            Kokkos::atomic_add(&diagonal(stencils.node(k, e)), stencils.weight(k, e) * share(k) * perKelvin);
+            Kokkos::atomic_add(&diagonal(stencils.node(k, e)),
+                               stencils.weight(k, e) * fraction(k) * perKelvin);
         });
   }
 }

@@ -54,7 +54,7 @@ public:
   double addFlux(State<D>& state, const HeatNodes<D>& nodes, double time);
 
   /// What a change of the nodes' temperature (first column) changes of it, added to a flow (first column);
-  /// the places are those of the last addFlux. \return the change of the power [W]
+  /// the positions are those of the last addFlux. \return the change of the power [W]
   double addResponse(const View<double* [2]>& change, const View<double* [2]>& flow) const;
 
   /// Adds to each node's heat flow per own temperature that of convection [W/K], or more.

@@ -11,7 +11,7 @@ namespace Rhegma::thermal
 namespace
 {
 
-/// Where places are counted from, the same on all ranks.
+/// Where positions are counted from, the same on all ranks.
 template <int D>
 Vector<D> commonOrigin(const State<D>& state)
 {
@@ -30,36 +30,37 @@ struct CapacityBlock
   BorrowedView<double*> volume, temperature;
   BorrowedView<int*> material;
   Nodes<D> all;
-  NodePlaces<D> places;
+  NodePositions<D> positions;
   View<int*> storedRow; ///< of the particles' stored stencils; empty where there are none
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
   {
     for (int p = begin; p < end && storedRow.extent(0) > 0; ++p)
-      lookAside(p);
+      searchAside(p);
     double* const rows = nodes.sums.data();
     if (nodes.meets.extent(0) == 0)
-      connect.forEachParticle(
-          begin, end, [&](int p, const auto& stencil) { stencil.template addValue<width>(rows, shares(p)); });
+      connect.forEachParticle(begin, end,
+                              [&](int p, const auto& stencil)
+                              { stencil.template addValue<width>(rows, fractions(p)); });
     else
       connect.forEachParticle(begin, end,
                               [&](int p, const auto& stencil)
                               {
                                 if (ThermoPoint(tables, material(p), temperature(p)).conductivity() > 0.0)
-                                  stencil.template addValue<width>(rows, shares(p));
+                                  stencil.template addValue<width>(rows, fractions(p));
                                 else
                                   addInsulator(p);
                               });
   }
 
-  KOKKOS_INLINE_FUNCTION void lookAside(int p) const
+  KOKKOS_INLINE_FUNCTION void searchAside(int p) const
   {
     double aside = 0.0;
     if (storedRow(p) >= 0)
       connect.visit(p,
                     [&](int node, double weight, const double*)
                     {
-                      const Vector<D> x = places(latticeNode(all, node));
+                      const Vector<D> x = positions(latticeNode(all, node));
                       for (int d = 0; d < D; ++d)
                         aside += weight * gradient(p, d) * (x[d] - position(p, d));
                     });
@@ -70,7 +71,7 @@ struct CapacityBlock
   KOKKOS_INLINE_FUNCTION void addInsulator(int p) const
   {
     double row[width];
-    shares(p).store(row);
+    fractions(p).store(row);
     connect.visit(p,
                   [&](int node, double weight, const double*)
                   {
@@ -79,7 +80,7 @@ struct CapacityBlock
                   });
   }
 
-  KOKKOS_FORCEINLINE_FUNCTION Pack<width> shares(int p) const
+  KOKKOS_FORCEINLINE_FUNCTION Pack<width> fractions(int p) const
   {
     const double c = volume(p) * ThermoPoint(tables, material(p), temperature(p)).capacity();
     double T = temperature(p), row[width] = {};
@@ -127,7 +128,7 @@ struct FluxBlock
                             });
   }
 
-  /// Insulators beside a conductor see no gradient.
+  /// Insulators next to a conductor see no gradient.
   KOKKOS_INLINE_FUNCTION bool leftOut(int p) const
   {
     if (!isLeftOut(connect, nodes, conducts, p))
@@ -147,7 +148,7 @@ struct ChangeBlock
   BorrowedView<double*> volume, temperature, internal;
   BorrowedView<int*> material;
   View<double*> supply;
-  double share, dt;
+  double fraction, dt;
   bool mechanics, stored;
 
   KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
@@ -165,7 +166,7 @@ struct ChangeBlock
                               {
                                 const Pack<4> seen = stencil.template value<4, 4>(rows);
                                 const double expected = temperature(p) + (stored ? nodes.aside(p) : 0.0);
-                                change = seen[1] + share * (seen[2] - expected);
+                                change = seen[1] + fraction * (seen[2] - expected);
                                 if (several)
                                   change += nodes.joined(p);
                               }
@@ -177,13 +178,13 @@ struct ChangeBlock
                             });
   }
 
-  /// What comes to nodes on which nobody conducts; beside a conductor its own supply too.
+  /// What comes to nodes on which nobody conducts; next to a conductor its own supply too.
   KOKKOS_INLINE_FUNCTION double ofInsulator(int p, double capacity) const
   {
     double change = 0.0;
     connect.visit(p, [&](int node, double weight, const double*)
                   { change += nodes.conductsAt(node) ? 0.0 : weight * nodes.value(node, 1); });
-    if (supply.extent(0) > 0 && supply(p) != 0.0 && isBesideConductor(connect, nodes, p))
+    if (supply.extent(0) > 0 && supply(p) != 0.0 && isNextToConductor(connect, nodes, p))
       change += dt * supply(p) / (volume(p) * capacity);
     return change;
   }
@@ -239,7 +240,7 @@ void heatToNodes(const State<D>& state, const HeatNodes<D>& nodes)
                                                            table.scalar(fields::temperature),
                                                            table.integer(fields::material),
                                                            state.mesh.nodes,
-                                                           nodePlaces(state),
+                                                           nodePositions(state),
                                                            state.stored.count > 0 ? state.stored.row
                                                                                   : View<int*>()};
                      forEachBlock("rhegma::thermal::heatToNodes", state.mesh.blocks, block);
@@ -250,14 +251,14 @@ template <int D>
 void findTemperature(State<D>& state, const HeatNodes<D>& heat)
 {
   const Nodes<D> nodes = state.mesh.nodes;
-  const NodePlaces<D> places = nodePlaces(state);
+  const NodePositions<D> positions = nodePositions(state);
   const Vector<D> origin = commonOrigin(state);
   const bool mechanics = state.method.mechanics;
   Kokkos::parallel_for(
       "rhegma::thermal::findTemperature", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i) {
         const int n = activeNode(nodes, i);
-        const Vector<D> x = places(latticeNode(nodes, n)) - origin;
+        const Vector<D> x = positions(latticeNode(nodes, n)) - origin;
         const double capacity = heat.sums(n, HeatNodes<D>::capacityAt);
         double sum = heat.sums(n, HeatNodes<D>::heatAt);
         for (int d = 0; d < D; ++d)
@@ -297,7 +298,7 @@ double changeTemperature(const State<D>& state, const HeatNodes<D>& heat, double
         const double capacity = heat.sums(n, HeatNodes<D>::capacityAt), flow = dt * heat.rate(n, 0);
         if (heat.held(n) == 0)
           heat.value(n, 1) = capacity > 0.0 ? flow / capacity : 0.0;
-        else if (countsHere(nodes, n))
+        else if (isOwnedByThisRank(nodes, n))
           sum += capacity * heat.value(n, 1) - flow;
       },
       taken);
@@ -305,8 +306,8 @@ double changeTemperature(const State<D>& state, const HeatNodes<D>& heat, double
 }
 
 template <int D>
-void changeToParticles(State<D>& state, const HeatNodes<D>& nodes, double share, const View<double*>& supply,
-                       double dt)
+void changeToParticles(State<D>& state, const HeatNodes<D>& nodes, double fraction,
+                       const View<double*>& supply, double dt)
 {
   withConnectivity(state,
                    [&](const auto& connect)
@@ -321,7 +322,7 @@ void changeToParticles(State<D>& state, const HeatNodes<D>& nodes, double share,
                                                          table.scalar(fields::internalEnergy),
                                                          table.integer(fields::material),
                                                          supply,
-                                                         share,
+                                                         fraction,
                                                          dt,
                                                          state.method.mechanics,
                                                          state.stored.count > 0};

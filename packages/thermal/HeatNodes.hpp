@@ -6,7 +6,7 @@
 namespace Rhegma::thermal
 {
 
-/// Nodal values of heat, a row a node, second fields of nodes beside a crack included: a crack does not
+/// Nodal values of heat, a row a node, second fields of nodes next to a crack included: a crack does not
 /// conduct.
 template <int D>
 struct HeatNodes
@@ -25,25 +25,25 @@ struct HeatNodes
 
   static constexpr int meetWidth = 4, joinAt = 3;
   /// Of the conducting particles that touch a node: how many they are, the sum of the numbers of their
-  /// materials and that of the squares of these; and the share of the way to the node's temperature that its
-  /// particles take in the step beside that of changeToParticles (MeetingMaterials.hpp). Empty where there is
-  /// one material.
+  /// materials and that of the squares of these; and the fraction of the way to the node's temperature that
+  /// its particles take in the step next to that of changeToParticles (MeetingMaterials.hpp). Empty where
+  /// there is one material.
   View<double* [meetWidth]> meets;
 
   /// Change of the temperature of each particle by what MeetingMaterials.hpp says [K]. Empty where there is
   /// one material.
   View<double*> joined;
 
-  /// Of particles with stored stencils, how far the mean of the nodes' places lies from their own, by their
-  /// gradient, g . (sum N_i x_i - x) [K]: stencils that are edited need not be linearly complete. Of use only
-  /// while there are any.
+  /// Of particles with stored stencils, how far the mean of the nodes' positions lies from their own, by
+  /// their gradient, g . (sum N_i x_i - x) [K]: stencils that are edited need not be linearly complete. Of
+  /// use only while there are any.
   View<double*> aside;
 
   /// Whether a particle with this weight touches a node: more than round-off at the edge of its box.
   KOKKOS_INLINE_FUNCTION static bool touches(double weight) { return weight > 1e-12; }
   /// Whether somebody conducts on a node.
   KOKKOS_INLINE_FUNCTION bool conductsAt(int node) const { return meets(node, 0) > 0.0; }
-  /// Whether all on a node are insulators beside other materials.
+  /// Whether all on a node are insulators next to other materials.
   KOKKOS_INLINE_FUNCTION bool insulates(int node) const { return meets.extent(0) > 0 && !conductsAt(node); }
   /// Whether several materials that conduct meet on a node. Sums of whole numbers are exact.
   KOKKOS_INLINE_FUNCTION bool severalAt(int node) const
@@ -56,8 +56,8 @@ struct HeatNodes
 };
 
 /// Adds capacity and heat of the particles to the nodes. The temperature of a node is then sum N c (T +
-/// g.(x_i - x)) / C: exact for a linear field, whatever the particles' places, and without a smoothing that
-/// would repeat every step.
+/// g.(x_i - x)) / C: exact for a linear field, whatever the particles' positions, and without a smoothing
+/// that would repeat every step.
 template <int D>
 void heatToNodes(const State<D>& state, const HeatNodes<D>& nodes);
 
@@ -79,7 +79,7 @@ double changeTemperature(const State<D>& state, const HeatNodes<D>& nodes, doubl
 /// Gives the particles the change of the nodes' temperature: their heat changes by just as much as that of
 /// the nodes.
 ///
-/// Of what the nodes can't see, differences between the particles of a cell, a share is taken away: T +=
+/// Of what the nodes can't see, differences between the particles of a cell, a fraction is taken away: T +=
 /// share sum N_i (T_i - T - g.(x_i - x)) with the projected T_i and the gradient of before the step, which
 /// leaves linear fields and the heat of all particles alone. \param supply as `fluxToNodes` has it, for dt
 template <int D>

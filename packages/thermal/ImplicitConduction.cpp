@@ -42,12 +42,14 @@ void LongSteps<D>::numberUnknowns(const State<D>& state, const HeatNodes<D>& hea
       KOKKOS_LAMBDA(const int i) {
         const int n = activeNode(nodes, i);
         unknown(n) =
-            heat.held(n) == 0 && heat.sums(n, HeatNodes<D>::capacityAt) > 0.0 && countsHere(nodes, n) ? 1 : 0;
+            heat.held(n) == 0 && heat.sums(n, HeatNodes<D>::capacityAt) > 0.0 && isOwnedByThisRank(nodes, n)
+                ? 1
+                : 0;
       });
   // The number of nodes changes as bodies move and cracks grow: some room spares making the solver anew.
-  if (room_ < nodes.numActive())
-    room_ = nodes.numActive() + nodes.numActive() / 8 + 64;
-  gradients_.resize(room_, state.mesh.subdomain ? state.ranks : Ranks());
+  if (capacity_ < nodes.numActive())
+    capacity_ = nodes.numActive() + nodes.numActive() / 8 + 64;
+  gradients_.resize(capacity_, state.mesh.subdomain ? state.ranks : Ranks());
 }
 
 template <int D>

@@ -9,7 +9,7 @@ namespace Rhegma::thermal
 
 /// Whether a particle touches nodes on which somebody conducts.
 template <int D, class Connect>
-KOKKOS_INLINE_FUNCTION bool isBesideConductor(const Connect& connect, const HeatNodes<D>& nodes, int p)
+KOKKOS_INLINE_FUNCTION bool isNextToConductor(const Connect& connect, const HeatNodes<D>& nodes, int p)
 {
   bool any = false;
   connect.visit(p, [&](int node, double weight, const double*)
@@ -17,14 +17,14 @@ KOKKOS_INLINE_FUNCTION bool isBesideConductor(const Connect& connect, const Heat
   return any;
 }
 
-/// Whether a particle is an insulator beside a conductor of another material: it has no flux, and sees no
+/// Whether a particle is an insulator next to a conductor of another material: it has no flux, and sees no
 /// gradient, for the temperature of its nodes is the other's.
 template <int D, class Connect>
 KOKKOS_INLINE_FUNCTION bool isLeftOut(const Connect& connect, const HeatNodes<D>& nodes,
                                       const ParticleFlux<D>& conducts, int p)
 {
   return nodes.meets.extent(0) > 0 && !(conducts.conductivity(p) > 0.0) &&
-         isBesideConductor(connect, nodes, p);
+         isNextToConductor(connect, nodes, p);
 }
 
 } // namespace Rhegma::thermal

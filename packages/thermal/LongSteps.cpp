@@ -108,11 +108,11 @@ template <int D>
 void LongSteps<D>::keep(Archive& archive)
 {
   archive("passes", products);
-  archive("room", room_);
+  archive("room", capacity_);
 }
 
 template <int D>
-void LongSteps<D>::makeRoom(const State<D>& state)
+void LongSteps<D>::reserveRows(const State<D>& state)
 {
   const std::size_t rows = state.mesh.nodes.sums.extent(0);
   if (change_.extent(0) >= rows)
@@ -185,7 +185,7 @@ template <int D>
 double LongSteps<D>::findRate(State<D>& state, const HeatNodes<D>& nodes, const HeatBoundaries<D>& boundaries,
                               const CrackConduction<D>& faces, double dt, double explicitLimit)
 {
-  makeRoom(state);
+  reserveRows(state);
   findDiagonal(state, boundaries);
   return method == Method::Implicit ? implicitStep(state, nodes, boundaries, faces, dt)
                                     : superTimeStep(state, nodes, boundaries, dt, explicitLimit);
@@ -211,7 +211,7 @@ double LongSteps<D>::superTimeStep(State<D>& state, const HeatNodes<D>& heat,
   const int s = stages(dt, explicitLimit);
   const double w = 4.0 / (double(s) * s + s - 2.0);
   const auto b = [](int j) { return j < 3 ? 1.0 / 3.0 : (j * (j + 1.0) - 2.0) / (2.0 * j * (j + 1.0)); };
-  double power = 0.0;                    // of surfaces beside that at the beginning
+  double power = 0.0;                    // of surfaces next to that at the beginning
   double here = 0.0, before = 0.0;       // heat by it at the last two stages
   int now = 0, last = 1, lastButOne = 2; // columns
   for (int j = 1; j <= s; ++j)

@@ -21,7 +21,7 @@ enum class Method
   Implicit
 };
 
-/// Finds the mean heat flow of a long step. Heat leaves and enters nodes only as flow from node to node or
+/// Finds the mean heat flow of a step. Heat leaves and enters nodes only as flow from node to node or
 /// through surfaces, so that all of it is kept to round-off, whatever stages or solver do.
 ///
 /// Both start from the flow Q at the beginning of the step and take conductivities at its temperatures; a
@@ -73,7 +73,7 @@ public:
                     const BorrowedView<const double*>& from, const BorrowedView<double*>& to);
 
 private:
-  void makeRoom(const State<D>& state);
+  void reserveRows(const State<D>& state);
 
   /// Columns of pairs_: shares a and b of the jump that the two fields take, jump at the beginning [K], dt
   /// times conductance [J/K], unknown jump [K]; a = b = 0 where nothing passes or both are held.
@@ -88,7 +88,7 @@ private:
   View<double* [pairWidth]> pairs_; ///< of each second field
   int numPairs_ = 0;                ///< second fields while faces conduct, else 0
   ConjugateGradients gradients_{1e-8, 1000};
-  int room_ = 0; ///< unknowns that there is room for
+  int capacity_ = 0; ///< number of unknowns that fit
 };
 
 } // namespace Rhegma::thermal

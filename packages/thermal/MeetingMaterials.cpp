@@ -44,7 +44,7 @@ struct JoinBlock
   Connect connect;
   HeatNodes<D> heat;
   Nodes<D> nodes;
-  NodePlaces<D> places;
+  NodePositions<D> positions;
   ThermoTables tables;
   BorrowedView<double*[D]> position, gradient;
   BorrowedView<double*> temperature;
@@ -58,14 +58,14 @@ struct JoinBlock
       connect.visit(p,
                     [&](int node, double weight, const double*)
                     {
-                      const double share = heat.meets(node, HeatNodes<D>::joinAt);
-                      if (share == 0.0)
+                      const double fraction = heat.meets(node, HeatNodes<D>::joinAt);
+                      if (fraction == 0.0)
                         return;
-                      const Vector<D> x = places(latticeNode(nodes, node));
+                      const Vector<D> x = positions(latticeNode(nodes, node));
                       double expected = temperature(p);
                       for (int d = 0; d < D; ++d)
                         expected += gradient(p, d) * (x[d] - position(p, d));
-                      change += share * weight * (heat.value(node, 2) - expected);
+                      change += fraction * weight * (heat.value(node, 2) - expected);
                     });
       const bool conducts = ThermoPoint(tables, material(p), temperature(p)).conductivity() > 0.0;
       heat.joined(p) = conducts ? change : 0.0;
@@ -76,7 +76,7 @@ struct JoinBlock
 } // namespace
 
 template <int D>
-void markMaterials(const State<D>& state, const HeatNodes<D>& nodes, double share)
+void markMaterials(const State<D>& state, const HeatNodes<D>& nodes, double fraction)
 {
   const Nodes<D> all = state.mesh.nodes;
   const HeatNodes<D> heat = nodes;
@@ -100,7 +100,7 @@ void markMaterials(const State<D>& state, const HeatNodes<D>& nodes, double shar
       "rhegma::thermal::shareOfNodes", Kokkos::RangePolicy<ExecSpace>(0, all.numActive()),
       KOKKOS_LAMBDA(const int i) {
         const int n = activeNode(all, i);
-        heat.meets(n, HeatNodes<D>::joinAt) = heat.severalAt(n) ? share : 0.0;
+        heat.meets(n, HeatNodes<D>::joinAt) = heat.severalAt(n) ? fraction : 0.0;
       });
 }
 
@@ -115,7 +115,7 @@ void joinMaterials(const State<D>& state, const HeatNodes<D>& nodes)
                      const JoinBlock<D, Connect> block{connect,
                                                        nodes,
                                                        state.mesh.nodes,
-                                                       nodePlaces(state),
+                                                       nodePositions(state),
                                                        state.materials.thermo,
                                                        table.real<D>(fields::position),
                                                        table.real<D>(fields::temperatureGradient),

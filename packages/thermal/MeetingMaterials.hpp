@@ -10,14 +10,14 @@
 ///   capacity nor its temperature is in them, and it takes none of their change;
 /// - where several that conduct meet, their particles come together at the node's temperature as fast as heat
 ///   crosses a cell of the best conductor, at a rate of pi^2 D / h^2, that of the slowest mode of a slab of
-///   h. What is drawn too much is bounded by that, however long steps are:
+///   h. What is drawn too much is bounded by that, however steps are:
 ///
-/// A node of capacity C, of which a share s is the conductor's, has fallen short of the conductor's own
-/// temperature by (1 - s) of the jump. Where the conductor reaches over a part a <= 1 of a cell beside it, it
-/// holds a^2 h / 2 of it and passes a / h on to the next node, so the node follows that at a rate of s (2 /
-/// a) D / h^2, and a particle has no more than a share of a of that. Its temperature lags behind by the rate
-/// over that of joining, a (2 / a) s (1 - s) / pi^2 <= 1 / (2 pi^2) of the jump, for each such node: there is
-/// one where the joint runs along faces of cells, and there are two where it runs through cells.
+/// A node of capacity C, of which a fraction s is the conductor's, has fallen short of the conductor's own
+/// temperature by (1 - s) of the jump. Where the conductor reaches over a part a <= 1 of a cell next to it,
+/// it holds a^2 h / 2 of it and passes a / h on to the next node, so the node follows that at a rate of s (2
+/// / a) D / h^2, and a particle has no more than a fraction of a of that. Its temperature lags behind by the
+/// rate over that of joining, a (2 / a) s (1 - s) / pi^2 <= 1 / (2 pi^2) of the jump, for each such node:
+/// there is one where the joint runs along faces of cells, and there are two where it runs through cells.
 ///
 /// Both rules leave all heat as it is, and the second a field alone that is linear in each cell.
 
@@ -26,9 +26,9 @@
 namespace Rhegma::thermal
 {
 
-/// Writes `meets` of the nodes. To be called before heat comes to them. Collective. \param share of the way
-/// to the node's temperature that particles take where several materials that conduct meet, on top of that of
-/// `changeToParticles`: both together are at most the whole way
+/// Writes `meets` of the nodes. To be called before heat comes to them. Collective. \param fraction of the
+/// way to the node's temperature that particles take where several materials that conduct meet, on top of
+/// that of `changeToParticles`: both together are at most the whole way
 template <int D>
 void markMaterials(const State<D>& state, const HeatNodes<D>& nodes, double share);
 

@@ -17,7 +17,7 @@ struct Extremes
 template <int D>
 Extremes<D> extremes(const State<D>& state);
 
-/// Temperature at a place, from the nearest particle and its gradient [K]. Collective.
+/// Temperature at a position, from the nearest particle and its gradient [K]. Collective.
 template <int D>
 double temperatureAt(const State<D>& state, const Vector<D>& place);
 

@@ -10,10 +10,10 @@ namespace Rhegma::thermal
 namespace
 {
 
-/// Share of a particle that lies in a ball, from the distance of its middle: all inside, none outside, and in
-/// between over the width of the particle.
+/// Fraction of a particle that lies in a ball, from the distance of its middle: all inside, none outside, and
+/// in between over the width of the particle.
 template <int D>
-struct BallShare
+struct BallFraction
 {
   BorrowedView<double*[D]> position, edge;
   Vector<D> centre;
@@ -24,8 +24,8 @@ struct BallShare
     double square = 0.0;
     for (int d = 0; d < D; ++d)
       square += (position(p, d) - centre[d]) * (position(p, d) - centre[d]);
-    const double share = 0.5 + (radius - std::sqrt(square)) / edge(p, 0);
-    return share < 0.0 ? 0.0 : share > 1.0 ? 1.0 : share;
+    const double fraction = 0.5 + (radius - std::sqrt(square)) / edge(p, 0);
+    return fraction < 0.0 ? 0.0 : fraction > 1.0 ? 1.0 : fraction;
   }
 };
 
@@ -84,21 +84,21 @@ template <int D>
 double addBall(const State<D>& state, const Vector<D>& centre, double radius, double power,
                const View<double*>& supply)
 {
-  const BallShare<D> share{state.particles.template real<D>(fields::position),
-                           state.particles.template real<D>(fields::edge), centre, radius};
+  const BallFraction<D> fraction{state.particles.template real<D>(fields::position),
+                                 state.particles.template real<D>(fields::edge), centre, radius};
   const auto volume = state.particles.scalar(fields::volume);
   const Kokkos::RangePolicy<ExecSpace> all(0, state.particles.size());
   double inside = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::thermal::volumeOfBall", all,
-      KOKKOS_LAMBDA(const int p, double& sum) { sum += share(p) * volume(p); }, inside);
+      KOKKOS_LAMBDA(const int p, double& sum) { sum += fraction(p) * volume(p); }, inside);
   inside = state.ranks.sum(inside);
   if (!(inside > 0.0))
     return 0.0;
   const double density = power / inside;
   Kokkos::parallel_for(
       "rhegma::thermal::addBall", all,
-      KOKKOS_LAMBDA(const int p) { supply(p) += density * share(p) * volume(p); });
+      KOKKOS_LAMBDA(const int p) { supply(p) += density * fraction(p) * volume(p); });
   return power;
 }
 

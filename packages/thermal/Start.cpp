@@ -3,7 +3,7 @@
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
 #include "material/ThermoLaw.hpp"
-#include "scene/PlaceFunction.hpp"
+#include "scene/PositionFunction.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -15,11 +15,11 @@ namespace Rhegma::thermal
 namespace
 {
 
-PlaceFunction fieldOf(const Teuchos::ParameterList& body, const std::string& where)
+PositionFunction fieldOf(const Teuchos::ParameterList& body, const std::string& where)
 {
   try
   {
-    return PlaceFunction::parse(body.get<std::string>("Temperature Field"), 1);
+    return PositionFunction::parse(body.get<std::string>("Temperature Field"), 1);
   }
   catch (const std::invalid_argument& wrong)
   {
@@ -52,7 +52,7 @@ void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, dou
     const double own = list.isParameter("Temperature") ? list.get<double>("Temperature") : initial;
     const bool varies = list.isParameter("Temperature Field");
     const std::string where = "Bodies > " + name + " > Temperature Field";
-    const PlaceFunction function = varies ? fieldOf(list, where) : PlaceFunction::parse("0", 1);
+    const PositionFunction function = varies ? fieldOf(list, where) : PositionFunction::parse("0", 1);
     double lowest = varies ? std::numeric_limits<double>::infinity() : own;
     for (int p = 0; p < state.particles.size(); ++p)
     {
@@ -119,7 +119,7 @@ void startEnergy(State<D>& state)
 }
 
 template <int D>
-void followGradient(State<D>& state, const SplitParts& parts)
+void copyGradient(State<D>& state, const SplitParts& parts)
 {
   constexpr int number = 1 << D;
   const View<int*> whole = parts.whole;
@@ -155,7 +155,7 @@ template void startTemperature(State<2>&, const Teuchos::ParameterList&, double)
 template void startTemperature(State<3>&, const Teuchos::ParameterList&, double);
 template void startEnergy(State<2>&);
 template void startEnergy(State<3>&);
-template void followGradient(State<2>&, const SplitParts&);
-template void followGradient(State<3>&, const SplitParts&);
+template void copyGradient(State<2>&, const SplitParts&);
+template void copyGradient(State<3>&, const SplitParts&);
 
 } // namespace Rhegma::thermal

@@ -25,9 +25,9 @@ void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, dou
 template <int D>
 void startEnergy(State<D>& state);
 
-/// Gives parts of a split particle the temperatures that its gradient lets expect at their places; their heat
-/// in all stays.
+/// Gives parts of a split particle the temperatures that its gradient lets expect at their positions; their
+/// heat in all stays.
 template <int D>
-void followGradient(State<D>& state, const SplitParts& parts);
+void copyGradient(State<D>& state, const SplitParts& parts);
 
 } // namespace Rhegma::thermal

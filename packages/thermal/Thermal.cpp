@@ -30,7 +30,7 @@ struct Probe
   Vector<D> place;
 };
 
-/// What a run has of heat beside its particles.
+/// What a run has of heat next to its particles.
 template <int D>
 struct Run
 {
@@ -109,8 +109,7 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
   for (CrackFront<D>& front : state.cracks.fronts)
     for (FrontNode<D>& frontNode : front.nodes)
       frontNode.temperature = run.initial;
-  state.particles.afterSplit.push_back([](State<D>& s, const SplitParts& parts)
-                                       { followGradient(s, parts); });
+  state.particles.afterSplit.push_back([](State<D>& s, const SplitParts& parts) { copyGradient(s, parts); });
 }
 
 template <int D>
@@ -141,7 +140,7 @@ void observe(State<D>& state, Run<D>& run)
 template <int D>
 void report(const State<D>& state, const Run<D>& run, nlohmann::json& summary)
 {
-  // At the end, for cells may become as small as a running front wants them after it has set out.
+  // At the end, for cells may become as small as a running front wants them after it has initiated.
   if (std::isfinite(run.conduction.finestHeated))
     if (const std::string word =
             unresolved("Thermal > Front Radius", run.conduction.frontRadius, run.conduction.finestHeated);
@@ -258,7 +257,7 @@ EffectEntry thermalEntry()
 {
   EffectEntry entry{thermalSection(), checkThermal, make<2>, make<3>, true, declareHeat};
   entry.cells.knows = "round heat sources";
-  entry.cells.tell = tellCells;
+  entry.cells.tell = reportCells;
   return entry;
 }
 

@@ -1,7 +1,7 @@
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
 #include "plan/BoundaryType.hpp"
-#include "scene/HeatWords.hpp"
+#include "scene/HeatParameters.hpp"
 #include "scene/TimeFunction.hpp"
 #include "thermal/Thermal.hpp"
 
@@ -223,9 +223,9 @@ void checkHistories(const Teuchos::ParameterList& scene, std::vector<SceneError>
     const Teuchos::ParameterList& source = list.sublist("Sources").sublist(name);
     if (!source.isType<std::string>("History"))
       continue;
-    if (const auto complaint = complaintIfNotFinite(source.get<std::string>("History"),
-                                                    scene.sublist("Time").get<double>("Final Time")))
-      errors.push_back({"Thermal > Sources > " + name + " > History", *complaint});
+    if (const auto message = messageIfNotFinite(source.get<std::string>("History"),
+                                                scene.sublist("Time").get<double>("Final Time")))
+      errors.push_back({"Thermal > Sources > " + name + " > History", *message});
   }
 }
 

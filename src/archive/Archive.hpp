@@ -29,7 +29,7 @@ namespace Rhegma
 /// missing or has another type or shape.
 ///
 /// Where many ranks share the run all of them save and load at once, and the record of the first rank counts:
-/// what all ranks know is named as above, what each has a share of by `parts` or `together`.
+/// what all ranks know is named as above, what each has a fraction of by `parts` or `together`.
 class Archive
 {
 public:
@@ -69,7 +69,7 @@ public:
   }
 
   /// Whether particles and nodes have the order that they had when they were saved, so that caches of one
-  /// place an entry fit. Else they are left out: they only save work.
+  /// position an entry fit. Else they are left out: they only save work.
   bool sameOrder() const { return sameOrder_; }
   void setSameOrder(bool same) { sameOrder_ = same; }
 

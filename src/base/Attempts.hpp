@@ -31,7 +31,7 @@ public:
   bool allWell() const { return sentences_.empty(); }
 
   /// Throws std::invalid_argument with all sentences, a line each, if there are any.
-  void complain() const
+  void throwIfAny() const
   {
     if (!allWell())
       throw std::invalid_argument(sentences_);

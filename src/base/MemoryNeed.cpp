@@ -41,7 +41,7 @@ double freeInGroup(const std::string& limit, const std::string& usage, const std
   return std::max(*most - *used + numberIn(statistics, cached).value_or(0.0), 0.0);
 }
 
-std::string inWords(double bytes)
+std::string asText(double bytes)
 {
   char text[32];
   std::snprintf(text, sizeof text, "%.3g GB", 1e-9 * bytes);
@@ -72,7 +72,7 @@ void refuseWithoutMemory(double nodes, double bytesPerNode, double particles, do
   char count[96];
   std::snprintf(count, sizeof count, "%.3g particles and %.3g nodes", particles, nodes);
   throw std::invalid_argument("Domain > Cell Size: the scene would have about " + std::string(count) +
-                              ", which need " + inWords(needed) + " of memory where " + inWords(available) +
+                              ", which need " + asText(needed) + " of memory where " + asText(available) +
                               " are free; use larger cells or a smaller domain");
 }
 

@@ -47,8 +47,8 @@ double PairTable::operator()(double x) const
   if (after == at_.end())
     return values_.back();
   const auto i = static_cast<std::size_t>(after - at_.begin());
-  const double share = (x - at_[i - 1]) / (at_[i] - at_[i - 1]);
-  return values_[i - 1] + share * (values_[i] - values_[i - 1]);
+  const double fraction = (x - at_[i - 1]) / (at_[i] - at_[i - 1]);
+  return values_[i - 1] + fraction * (values_[i] - values_[i - 1]);
 }
 
 bool assigns(const std::string& expression)

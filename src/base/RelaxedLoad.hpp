@@ -7,7 +7,7 @@ namespace Rhegma
 
 /// A number that other threads may be changing by atomic operations just now, without waiting for them: what
 /// it was a moment ago serves as well, as where a number only ever falls, or all write the same. A plain read
-/// beside a write of another thread has no defined outcome (ISO C++17, intro.races).
+/// next to a write of another thread has no defined outcome (ISO C++17, intro.races).
 template <class T>
 KOKKOS_INLINE_FUNCTION T relaxedLoad(const T& number)
 {

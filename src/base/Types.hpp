@@ -81,7 +81,7 @@ constexpr int symmetricSize = D == 2 ? 4 : 6;
 template <int D>
 constexpr int gradientSize = D == 2 ? 5 : 9;
 
-/// Place of component ij (i, j < D) of a symmetric tensor.
+/// Position of component ij (i, j < D) of a symmetric tensor.
 template <int D>
 KOKKOS_INLINE_FUNCTION constexpr int symmetricIndex(int i, int j)
 {

@@ -7,7 +7,7 @@ namespace Rhegma
 {
 
 /// The words "an unstable step: try ..." without an end. \param subcycledLevels of the state: how many levels
-/// take short steps of their own
+/// take substeps of their own
 inline std::string unstableStep(int subcycledLevels)
 {
   return std::string("the time step is unstable; try a smaller Time > CFL") +

@@ -83,7 +83,7 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene, bool cellsChange)
                    for (Load<D>& load : *loads)
                      load.apply(state);
                  }});
-    effect.call({stageOfWays(scene),
+    effect.call({stageOfFaceVelocity(scene),
                  "work of loads",
                  {projectsLast(scene) ? quantity::projection : quantity::nodalMotion},
                  {},
@@ -112,7 +112,7 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene, bool cellsChange)
         });
     for (const auto& read : placed)
       attempts.attempt([&] { loads->push_back(read(state)); });
-    attempts.complain();
+    attempts.throwIfAny();
   };
   return effect;
 }

@@ -36,7 +36,7 @@ Reaction<D> constrainMotion(State<D>& state, const NodeConstraint<D>& constraint
 /// again, v'. Internal forces f have strained the particles with V there. So what the node's mass m takes is
 /// m (V - v) (v + v') / 2, and what they take -f dt V, with V the mean over the step; of that the impulse
 /// m (V - v) - f dt times V has all but m (V - v) ((v + v') / 2 - V).
-/// \param held node and axis: not 0 where another support has booked it, which this one marks; empty where
+/// \param held node and axis: not 0 where another support has recorded it, which this one marks; empty where
 /// there is one support only \return this rest [J], negative where a support takes energy out of waves of a
 /// few cells; 0 with other schemes
 template <int D>

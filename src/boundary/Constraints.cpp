@@ -8,26 +8,26 @@ namespace
 
 /// The velocity of a held node in the mean over a step [m/s], of its stresses that is: forces at the start
 /// and at the end of a step count half, and each at the velocity of the step before or after it. In short
-/// steps the node has its new velocity from the start on, so that it differs by half a short step only.
+/// steps the node has its new velocity from the start on, so that it differs by half a substep only.
 template <int D>
 struct MeanOfHeld
 {
   NodeConstraint<D> now, before;
-  NodeSlots shortSteps;
-  double share = 1.0; ///< of a short step in a step
+  NodeSlots substeps;
+  double fraction = 1.0; ///< of a substep in a step
 
   MeanOfHeld() = default;
   MeanOfHeld(const State<D>& state, const NodeConstraint<D>& constraint, const NodeConstraint<D>& earlier)
       : now(constraint),
         before(earlier),
-        shortSteps(state.motion.shortSteps.nodes),
-        share(state.motion.shortSteps.length / state.clock.dt)
+        substeps(state.motion.substeps.nodes),
+        fraction(state.motion.substeps.length / state.clock.dt)
   {
   }
 
   KOKKOS_INLINE_FUNCTION double operator()(int node, int lattice, int axis) const
   {
-    const double value = now.at(lattice, axis), half = shortSteps.moves(node) ? 0.5 * share : 0.5;
+    const double value = now.at(lattice, axis), half = substeps.moves(node) ? 0.5 * fraction : 0.5;
     return value - half * (value - before.at(lattice, axis));
   }
 };
@@ -42,7 +42,7 @@ struct HoldNodes
 
   int value_count = 1 + D;
   Nodes<D> nodes;
-  NodePlaces<D> places;
+  NodePositions<D> places;
   NodeConstraint<D> constraint;
   MeanOfHeld<D> mean;
   View<int*> coupledRow;         ///< empty where all masses are lumped
@@ -65,7 +65,7 @@ struct HoldNodes
         const double between = nodes.motion(n, d) - 0.5 * dt * nodes.motion(n, Nodes<D>::accelerationAt + d);
         const double impulse = coupledReaction(row * D + d);
         coupledReaction(row * D + d) = 0.0;
-        if (countsHere(nodes, n))
+        if (isOwnedByThisRank(nodes, n))
         {
           sum[0] += impulse * between;
           sum[1 + d] += impulse;
@@ -76,7 +76,7 @@ struct HoldNodes
         const double before = nodes.sums(n, Nodes<D>::momentumAt + d) / mass;
         const double value = constraint.at(lattice, d);
         const double impulse = mass * (value - nodes.motion(n, d));
-        if (countsHere(nodes, n))
+        if (isOwnedByThisRank(nodes, n))
         {
           sum[0] += impulse * (bySmoothing ? mean(n, lattice, d) : 0.5 * (value + before));
           sum[1 + d] += impulse;
@@ -95,7 +95,7 @@ Reaction<D> constrainMotion(State<D>& state, const NodeConstraint<D>& constraint
 {
   HoldNodes<D> hold;
   hold.nodes = state.mesh.nodes;
-  hold.places = nodePlaces(state);
+  hold.places = nodePositions(state);
   hold.constraint = constraint;
   hold.mean = MeanOfHeld<D>(state, constraint, earlier);
   hold.coupledRow = state.motion.coupledRow;
@@ -116,7 +116,7 @@ double constrainProjection(State<D>& state, const NodeConstraint<D>& constraint,
                            const NodeConstraint<D>& earlier, const View<char**>& held)
 {
   const Nodes<D> nodes = state.mesh.nodes;
-  const NodePlaces<D> places = nodePlaces(state);
+  const NodePositions<D> places = nodePositions(state);
   const View<int*> coupledRow = state.motion.coupledRow;
   const bool afterMotion = projectsLast(state.method.scheme) && !state.clock.strainPass.before;
   const MeanOfHeld<D> mean(state, constraint, earlier);
@@ -129,8 +129,8 @@ double constrainProjection(State<D>& state, const NodeConstraint<D>& constraint,
         if (!constraint.appliesAt(places(lattice)))
           return;
         const double mass = nodes.sums(n, Nodes<D>::massAt);
-        const bool booked = !afterMotion || !(mass > 0.0) || !countsHere(nodes, n) ||
-                            (coupledRow.extent(0) > 0 && coupledRow(n) >= 0);
+        const bool recorded = !afterMotion || !(mass > 0.0) || !isOwnedByThisRank(nodes, n) ||
+                              (coupledRow.extent(0) > 0 && coupledRow(n) >= 0);
         for (int d = 0; d < D; ++d)
           if (constraint.holds[d])
           {
@@ -138,7 +138,7 @@ double constrainProjection(State<D>& state, const NodeConstraint<D>& constraint,
             const bool first = held.extent(0) == 0 || held(n, d) == 0;
             if (held.extent(0) > 0)
               held(n, d) = 1;
-            if (!booked && first)
+            if (!recorded && first)
             {
               const double before = nodes.sums(n, Nodes<D>::momentumAt + d) / mass;
               sum += mass * (value - before) * (0.5 * (before + after) - mean(n, lattice, d));

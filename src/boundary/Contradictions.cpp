@@ -16,9 +16,9 @@ namespace
 /// Times of a run at which values are compared; histories are tables and simple functions.
 constexpr int times = 257;
 
-/// Values are one if they are apart by less than this share of the largest of either support: two spellings
-/// of one motion differ by roundings of that size, also where both are small. Places of nodes are known to
-/// this share of a cell.
+/// Values are one if they are apart by less than this fraction of the largest of either support: two
+/// spellings of one motion differ by roundings of that size, also where both are small. Positions of nodes
+/// are known to this fraction of a cell.
 constexpr double roundOff = 1e-9;
 
 /// Where two supports disagree.
@@ -37,7 +37,7 @@ struct Motion
   const TimedConstraint<D>& timed;
   std::vector<double> factor; ///< at each of the times
   double largestFactor = 0.0;
-  double largest = 0.0; ///< size of a component of the value at any time and place
+  double largest = 0.0; ///< size of a component of the value at any time and position
 
   Motion(const TimedConstraint<D>& support, double finalTime) : timed(support), factor(times)
   {
@@ -53,7 +53,7 @@ struct Motion
     return timed.field ? (*timed.field)(place) : timed.value;
   }
 
-  /// By how much a component of the value varies about a place within what is known of the place.
+  /// By how much a component of the value varies about a position within what is known of the position.
   double uncertainty(const Vector<D>& place, int component, double spacing) const
   {
     double sum = 0.0;
@@ -68,7 +68,8 @@ struct Motion
   }
 };
 
-/// Finds the time at which they disagree most. \return whether they disagree at all at a place that both hold
+/// Finds the time at which they disagree most. \return whether they disagree at all at a position that both
+/// hold
 template <int D>
 bool disagree(const Motion<D>& a, const Motion<D>& b, const Vector<D>& place, double spacing,
               double finalTime, Quarrel<D>& quarrel)
@@ -95,9 +96,9 @@ bool disagree(const Motion<D>& a, const Motion<D>& b, const Vector<D>& place, do
   return most > 0.0;
 }
 
-/// Largest size of a component of a support's value at the places that it holds. Collective.
+/// Largest size of a component of a support's value at the positions that it holds. Collective.
 template <int D>
-double largestValue(const Motion<D>& motion, const std::vector<Vector<D>>& places, const Ranks& ranks)
+double largestValue(const Motion<D>& motion, const std::vector<Vector<D>>& positions, const Ranks& ranks)
 {
   double largest = 0.0;
   const auto look = [&](const Vector<D>& amplitude)
@@ -109,7 +110,7 @@ double largestValue(const Motion<D>& motion, const std::vector<Vector<D>>& place
   if (!motion.timed.field)
     look(motion.timed.value);
   else
-    for (const Vector<D>& place : places)
+    for (const Vector<D>& place : positions)
       if (motion.timed.constraint.appliesAt(place))
         look(motion.amplitude(place));
   return motion.largestFactor * ranks.max(largest);
@@ -135,10 +136,10 @@ bool mayMeet(const TimedConstraint<D>& a, const TimedConstraint<D>& b)
 
 /// Looks at the nodes of one pair.
 template <int D>
-bool findQuarrel(const Motion<D>& one, const Motion<D>& two, const std::vector<Vector<D>>& places,
+bool findQuarrel(const Motion<D>& one, const Motion<D>& two, const std::vector<Vector<D>>& positions,
                  double spacing, double finalTime, Quarrel<D>& quarrel)
 {
-  for (const Vector<D>& place : places)
+  for (const Vector<D>& place : positions)
     if (one.timed.constraint.appliesAt(place) && two.timed.constraint.appliesAt(place) &&
         disagree(one, two, place, spacing, finalTime, quarrel))
       return true;
@@ -146,8 +147,8 @@ bool findQuarrel(const Motion<D>& one, const Motion<D>& two, const std::vector<V
 }
 
 template <int D>
-std::string inWords(const TimedConstraint<D>& a, const TimedConstraint<D>& b, const Quarrel<D>& quarrel,
-                    const Prescribed& what)
+std::string asText(const TimedConstraint<D>& a, const TimedConstraint<D>& b, const Quarrel<D>& quarrel,
+                   const Prescribed& what)
 {
   std::string place = formatReal(quarrel.place[0]);
   for (int d = 1; d < D; ++d)
@@ -172,12 +173,12 @@ std::string contradictions(const std::vector<TimedConstraint<D>>& constraints, c
       any = any || mayMeet(constraints[a], constraints[b]);
   if (!any)
     return sentences;
-  const std::vector<Vector<D>> places = touchedNodes(state);
+  const std::vector<Vector<D>> positions = touchedNodes(state);
   std::vector<Motion<D>> motions;
   for (const TimedConstraint<D>& constraint : constraints)
   {
     motions.emplace_back(constraint, finalTime);
-    motions.back().largest = largestValue(motions.back(), places, state.ranks);
+    motions.back().largest = largestValue(motions.back(), positions, state.ranks);
   }
   for (std::size_t a = 0; a < constraints.size(); ++a)
     for (std::size_t b = a + 1; b < constraints.size(); ++b)
@@ -186,9 +187,9 @@ std::string contradictions(const std::vector<TimedConstraint<D>>& constraints, c
         continue;
       Quarrel<D> quarrel;
       const bool here =
-          findQuarrel(motions[a], motions[b], places, state.mesh.grid.spacing, finalTime, quarrel);
+          findQuarrel(motions[a], motions[b], positions, state.mesh.grid.spacing, finalTime, quarrel);
       const std::string sentence =
-          state.ranks.firstText(here ? inWords(constraints[a], constraints[b], quarrel, what) : "");
+          state.ranks.firstText(here ? asText(constraints[a], constraints[b], quarrel, what) : "");
       if (!sentence.empty())
         sentences += (sentences.empty() ? "" : "\n") + sentence;
     }

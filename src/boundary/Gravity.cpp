@@ -17,7 +17,7 @@ void addBodyForce(const Nodes<D>& nodes, const Vector<D>& acceleration)
       "rhegma::addBodyForce", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i) {
         const int n = activeNode(nodes, i);
-        for (int d = 0; d < D && countsHere(nodes, n); ++d)
+        for (int d = 0; d < D && isOwnedByThisRank(nodes, n); ++d)
           nodes.sums(n, Nodes<D>::forceAt + d) += nodes.sums(n, Nodes<D>::massAt) * acceleration[d];
       });
 }
@@ -35,7 +35,7 @@ double bodyForceWork(const State<D>& state, const Vector<D>& acceleration)
       "rhegma::bodyForceWork", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i, double& sum) {
         const int n = activeNode(nodes, i);
-        for (int d = 0; d < D && countsHere(nodes, n); ++d)
+        for (int d = 0; d < D && isOwnedByThisRank(nodes, n); ++d)
           sum += dt * acceleration[d] * nodes.sums(n, Nodes<D>::massAt) * velocity(n, d);
       },
       work);
@@ -55,7 +55,7 @@ void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std:
                      {},
                      {quantity::nodalForce},
                      [now](State<D>& state) { addBodyForce(state.mesh.nodes, now(state)); }});
-  parts.effect.call({stageOfWays(parts.scene),
+  parts.effect.call({stageOfFaceVelocity(parts.scene),
                      "work of gravity",
                      {projectsLast(parts.scene) ? quantity::projection : quantity::nodalMotion},
                      {},

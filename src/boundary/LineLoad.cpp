@@ -8,8 +8,8 @@ namespace
 {
 
 template <int D>
-PlacedLoad<D> place(const Teuchos::ParameterList& list, const Seeds<D>& seeds, double /*thickness*/,
-                    const std::string& where)
+PlacedLoad<D> position(const Teuchos::ParameterList& list, const Seeds<D>& seeds, double /*thickness*/,
+                       const std::string& where)
 {
   const Profile profile =
       list.get<std::string>("Profile") == "Parabolic" ? Profile::Parabolic : Profile::Uniform;
@@ -22,7 +22,7 @@ void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std:
 {
   parts.loads.push_back(
       [=](const State<D>& state)
-      { return readLoad<D>(list, state, name, list.get<std::string>("History"), place<D>); });
+      { return readLoad<D>(list, state, name, list.get<std::string>("History"), position<D>); });
 }
 
 void check(SectionChecks& checks, const Teuchos::ParameterList& boundary, const std::string& where)

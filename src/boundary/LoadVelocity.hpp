@@ -1,12 +1,12 @@
 #pragma once
 /// The velocity at which loads work.
 
-#include "state/WayVelocity.hpp"
+#include "state/FaceVelocity.hpp"
 
 namespace Rhegma
 {
 
-/// WorkVelocity, but of nodes that move in short steps, in each of which a load pushes alike, the mean over
+/// WorkVelocity, but of nodes that move in substeps, in each of which a load pushes alike, the mean over
 /// these [m/s].
 template <int D>
 struct LoadVelocity
@@ -20,7 +20,7 @@ struct LoadVelocity
   KOKKOS_INLINE_FUNCTION double operator()(int node, int axis) const
   {
     const MeanVelocity<D>& mean = work.way.mean;
-    return mean.brief.moves(node) ? mean(node, axis) : work(node, axis);
+    return mean.subcycled.moves(node) ? mean(node, axis) : work(node, axis);
   }
 };
 

@@ -1,6 +1,6 @@
 #include "boundary/Loads.hpp"
 
-#include "base/FewItems.hpp"
+#include "base/SmallLoops.hpp"
 #include "boundary/LoadVelocity.hpp"
 #include "transfer/PushNodes.hpp"
 #include "transfer/Stencils.hpp"
@@ -13,10 +13,10 @@ namespace Rhegma
 namespace
 {
 
-/// Places of the load's points now. \param here becomes the share of points whose particle is on this rank,
-/// and zero for others, which wait anywhere on this rank's lattice
+/// Positions of the load's points now. \param here becomes the fraction of points whose particle is on this
+/// rank, and zero for others, which wait anywhere on this rank's lattice
 template <int D>
-void followParticles(const State<D>& state, const View<int*>& id, const View<double* [D]>& start,
+void updateParticles(const State<D>& state, const View<int*>& id, const View<double* [D]>& start,
                      const View<double*>& share, const View<double*>& here, const ObservedPoints<D>& points)
 {
   const Grid<D> grid = state.mesh.grid;
@@ -28,7 +28,7 @@ void followParticles(const State<D>& state, const View<int*>& id, const View<dou
   const bool sides = state.particles.has(fields::side);
   if (sides)
     side = state.particles.integer(fields::side);
-  forFew(
+  parallelForSmall(
       "rhegma::placeLoad", points.count, KOKKOS_LAMBDA(const int k) {
         const int p = indexOf(id(k));
         here(k) = p < 0 ? 0.0 : share(k);
@@ -66,9 +66,9 @@ void addToNodes(const Nodes<D>& nodes, const StencilTable<D>& stencils, const Vi
 
 /// Sum of the shares that reach no node.
 template <int D>
-double lostShare(const StencilTable<D>& stencils, const View<double*>& share, int count)
+double lostFraction(const StencilTable<D>& stencils, const View<double*>& share, int count)
 {
-  return sumFew<double>(
+  return parallelSumSmall<double>(
       "rhegma::lostShare", count, KOKKOS_LAMBDA(const int k, double& sum) {
         sum += share(k);
         for (int e = 0; e < stencils.count(k); ++e)
@@ -116,11 +116,11 @@ void Load<D>::makePoints(const std::vector<int>& levels)
     count += parts(k);
   id_ = View<int*>("rhegma::loadId", count);
   start_ = View<double* [D]>("rhegma::loadStart", count);
-  share_ = View<double*>("rhegma::loadShare", count);
+  fraction_ = View<double*>("rhegma::loadShare", count);
   here_ = View<double*>("rhegma::loadShareHere", count);
   const auto id = Kokkos::create_mirror_view(id_);
   const auto start = Kokkos::create_mirror_view(start_);
-  const auto share = Kokkos::create_mirror_view(share_);
+  const auto share = Kokkos::create_mirror_view(fraction_);
   int at = 0;
   for (std::size_t k = 0; k < whole_.size(); ++k)
   {
@@ -139,7 +139,7 @@ void Load<D>::makePoints(const std::vector<int>& levels)
   }
   Kokkos::deep_copy(id_, id);
   Kokkos::deep_copy(start_, start);
-  Kokkos::deep_copy(share_, share);
+  Kokkos::deep_copy(fraction_, share);
   points_.count = count;
   points_.position = View<double* [D]>("rhegma::loadPosition", count);
   points_.half = View<double* [D]>("rhegma::loadHalf", count);
@@ -147,7 +147,7 @@ void Load<D>::makePoints(const std::vector<int>& levels)
 }
 
 template <int D>
-void Load<D>::followLevels(const State<D>& state)
+void Load<D>::updateLevels(const State<D>& state)
 {
   if (!state.particles.has(fields::level))
     return;
@@ -183,14 +183,14 @@ void Load<D>::apply(State<D>& state)
 template <int D>
 void Load<D>::place(State<D>& state)
 {
-  followLevels(state);
-  followParticles(state, id_, start_, share_, here_, points_);
-  // A light node at the rim carries its share of the stress beside it, so it must get its share of the load
-  // too: else the rim's particles give way until their stress is gone, and the load works for ever.
+  updateLevels(state);
+  updateParticles(state, id_, start_, fraction_, here_, points_);
+  // A light node at the rim carries its fraction of the stress next to it, so it must get its fraction of the
+  // load too: else the rim's particles give way until their stress is gone, and the load works for ever.
   placeStencils(state, points_, followed_);
   keepMassedNodes(state, points_.count, followed_, stencils_, 0.0);
   keepMassedNodes(state, points_.count, followed_, followed_);
-  const double lost = lostShare(stencils_, here_, points_.count);
+  const double lost = lostFraction(stencils_, here_, points_.count);
   if (std::abs(lost) > 1e-10 && state.failure.empty())
     state.failure = "the load Boundaries > " + name_ +
                     " no longer acts on its body: " + std::to_string(100.0 * lost) +
@@ -205,7 +205,7 @@ double Load<D>::work(const State<D>& state) const
   const View<double*> share = here_;
   const Vector<D> force = now_ * force_;
   const double dt = state.clock.dt;
-  return sumFew<double>(
+  return parallelSumSmall<double>(
       "rhegma::loadWork", points_.count, KOKKOS_LAMBDA(const int k, double& sum) {
         for (int e = 0; e < stencils.count(k); ++e)
         {

@@ -23,14 +23,14 @@ public:
   Load(std::string name, const std::vector<LoadPoint<D>>& points, const std::vector<int>& ids,
        const std::vector<Vector<D>>& carriers, const Vector<D>& force, TimeFunction history);
 
-  /// Adds the load to the nodal force. The nodal loads sum to the load asked for, or the run is in trouble:
+  /// Adds the load to the nodal force. The nodal loads sum to the load asked for, or the run is in failure:
   /// points whose nodes all lack mass would lose theirs.
   void apply(State<D>& state);
 
   /// Brings the points to where their particles are now, and finds the nodes around them.
   void place(State<D>& state);
   int points() const { return points_.count; }
-  /// Nodes around each point, after `place`; and its share, zero where another rank has its particle.
+  /// Nodes around each point, after `position`; and its fraction, zero where another rank has its particle.
   const StencilTable<D>& nodesAround() const { return stencils_; }
   const View<double*>& shares() const { return here_; }
 
@@ -44,7 +44,7 @@ public:
 
 private:
   /// Makes the points anew where particles that carry them were split or have become one again.
-  void followLevels(const State<D>& state);
+  void updateLevels(const State<D>& state);
   void makePoints(const std::vector<int>& levels);
 
   std::vector<LoadPoint<D>> whole_; ///< the points of particles that were not split
@@ -56,8 +56,8 @@ private:
   TimeFunction history_;
   View<int*> id_;
   View<double* [D]> start_; ///< of each point [m]
-  View<double*> share_;
-  View<double*> here_; ///< the share where this rank has the particle that carries the point, else zero
+  View<double*> fraction_;
+  View<double*> here_; ///< the fraction where this rank has the particle that carries the point, else zero
   ObservedPoints<D> points_;
   StencilTable<D> stencils_; ///< of all nodes with mass, which the load pushes
   StencilTable<D> followed_; ///< without light nodes, for the velocity at which the load does work

@@ -18,40 +18,40 @@ namespace
 {
 
 template <int D>
-std::string inWords(const Vector<D>& place)
+std::string asText(const Vector<D>& position)
 {
-  std::string text = formatReal(place[0]);
+  std::string text = formatReal(position[0]);
   for (int d = 1; d < D; ++d)
-    text += ", " + formatReal(place[d]);
+    text += ", " + formatReal(position[d]);
   return text;
 }
 
-/// The scene's function of place at the nodes that the constraint holds, those of refined cells included.
+/// The scene's function of position at the nodes that the constraint holds, those of refined cells included.
 /// Throws std::invalid_argument where it is not finite.
 template <int D>
-View<double* [D]> fieldAtNodes(const PlaceFunction& function, const NodeConstraint<D>& constraint,
+View<double* [D]> fieldAtNodes(const PositionFunction& function, const NodeConstraint<D>& constraint,
                                const State<D>& state, const std::string& where)
 {
   const int count = state.mesh.grid.numNodes + state.mesh.tree.numFine;
   View<double* [D]> field("rhegma::prescribedField", count);
   const auto host = Kokkos::create_mirror_view(field);
-  const auto fine = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.tree.finePlace);
+  const auto fine = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.tree.finePosition);
   for (int n = 0; n < count; ++n)
   {
-    Vector<D> place;
+    Vector<D> position;
     if (n < state.mesh.grid.numNodes)
-      place = state.mesh.grid.nodePosition(n);
+      position = state.mesh.grid.nodePosition(n);
     else
       for (int d = 0; d < D; ++d)
-        place[d] = fine(n - state.mesh.grid.numNodes, d);
-    if (!constraint.appliesAt(place))
+        position[d] = fine(n - state.mesh.grid.numNodes, d);
+    if (!constraint.appliesAt(position))
       continue;
-    const Vector<D> value = function(place);
+    const Vector<D> value = function(position);
     for (int d = 0; d < D; ++d)
     {
       host(n, d) = value[d];
       if (constraint.holds[d] && !std::isfinite(value[d]))
-        throw std::invalid_argument(where + " > Field: it is not finite at the node {" + inWords<D>(place) +
+        throw std::invalid_argument(where + " > Field: it is not finite at the node {" + asText<D>(position) +
                                     "}; write a function that is finite at every prescribed node");
     }
   }
@@ -74,7 +74,7 @@ namespace
 
 /// Gives the nodes of cells that have changed their velocities.
 template <int D>
-void followCells(TimedConstraint<D>& timed, State<D>& state)
+void updateCells(TimedConstraint<D>& timed, State<D>& state)
 {
   if (!timed.field || timed.generation == state.mesh.tree.generation)
     return;
@@ -157,7 +157,7 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
                  state.motion.constraints.clear();
                  for (auto& timed : *constraints)
                  {
-                   followCells(timed, state);
+                   updateCells(timed, state);
                    state.motion.constraints.push_back(timed.at(state.clock.time + state.clock.dt));
                  }
                }});

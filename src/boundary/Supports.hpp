@@ -2,7 +2,7 @@
 /// Prescribed motion and symmetry from the scene.
 
 #include "plan/Effect.hpp"
-#include "scene/PlaceFunction.hpp"
+#include "scene/PositionFunction.hpp"
 #include "scene/TimeFunction.hpp"
 
 #include <memory>
@@ -25,8 +25,8 @@ struct TimedConstraint
   double taken = 0.0;      ///< out of waves of a few cells since the last sample, on this rank [J]
   double takenInAll = 0.0; ///< the same up to the last sample, on all ranks [J]
   Vector<D> force{};       ///< mean between the last two samples [N]
-  std::optional<PlaceFunction> field{}; ///< of the velocity over space, if it varies
-  int generation = 0;                   ///< of the cells whose nodes have it
+  std::optional<PositionFunction> field{}; ///< of the velocity over space, if it varies
+  int generation = 0;                      ///< of the cells whose nodes have it
 
   NodeConstraint<D> at(double time) const
   {

@@ -19,7 +19,7 @@ std::vector<Vector<D>> ofLattice(const State<D>& state)
       Kokkos::HostSpace{}, state.particles.template real<D>(fields::position));
   const auto edge = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{},
                                                         state.particles.template real<D>(fields::edge));
-  std::vector<Vector<D>> places;
+  std::vector<Vector<D>> positions;
   std::vector<char> seen(grid.numNodes, 0);
   for (std::size_t p = 0; p < position.extent(0); ++p)
   {
@@ -46,10 +46,10 @@ std::vector<Vector<D>> ofLattice(const State<D>& state)
       if (node < 0 || node >= grid.numNodes || seen[node] != 0)
         continue;
       seen[node] = 1;
-      places.push_back(place);
+      positions.push_back(place);
     }
   }
-  return places;
+  return positions;
 }
 
 /// Marks the nodes of refined cells whose functions are not zero in some particle's box.
@@ -88,11 +88,11 @@ View<int*> marksOfFine(const State<D>& state)
 template <int D>
 std::vector<Vector<D>> touchedNodes(const State<D>& state)
 {
-  std::vector<Vector<D>> places = ofLattice(state);
+  std::vector<Vector<D>> positions = ofLattice(state);
   if (!state.mesh.tree.refined())
-    return places;
+    return positions;
   const auto mark = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, marksOfFine(state));
-  const auto fine = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.tree.finePlace);
+  const auto fine = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.tree.finePosition);
   for (int n = 0; n < state.mesh.tree.numFine; ++n)
   {
     if (mark(n) == 0)
@@ -100,9 +100,9 @@ std::vector<Vector<D>> touchedNodes(const State<D>& state)
     Vector<D> place;
     for (int d = 0; d < D; ++d)
       place[d] = fine(n, d);
-    places.push_back(place);
+    positions.push_back(place);
   }
-  return places;
+  return positions;
 }
 
 template std::vector<Vector<2>> touchedNodes(const State<2>&);

@@ -64,13 +64,13 @@ Surface<D> readSurface(const Teuchos::ParameterList& list, const State<D>& state
   Teuchos::ParameterList unit(list);
   unit.set("Pressure", 1.0);
   double area = 0.0;
-  const auto place = [&](const auto&... of)
+  const auto position = [&](const auto&... of)
   {
     const PlacedLoad<D> placed = placeTraction(of...);
     area = norm(placed.force);
     return placed;
   };
-  Load<D> points = readLoad<D>(unit, state, name, "1", place);
+  Load<D> points = readLoad<D>(unit, state, name, "1", position);
   return {std::move(points), area};
 }
 

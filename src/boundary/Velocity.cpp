@@ -55,7 +55,7 @@ TimedConstraint<D> readVelocity(const Teuchos::ParameterList& list, const State<
     timed.value = readVector<D>(list, "Value");
   else
   {
-    timed.field = PlaceFunction::parse(list.get<std::string>("Field"), D);
+    timed.field = PositionFunction::parse(list.get<std::string>("Field"), D);
     setFieldAtNodes(timed, state);
   }
   return timed;
@@ -86,7 +86,7 @@ void checkField(SectionChecks& checks, const ParameterList& boundary, const std:
     return;
   try
   {
-    PlaceFunction::parse(text(boundary, "Field"), checks.dimension());
+    PositionFunction::parse(text(boundary, "Field"), checks.dimension());
   }
   catch (const std::invalid_argument& error)
   {

@@ -19,7 +19,7 @@ constexpr int checkpointSchema = 2;
 /// that is (8), zeros, and in its last 4 bytes the CRC-32 of the block before them. So every bit of the file,
 /// those of HDF5's own structures included, is under a checksum.
 ///
-/// The file is written beside `path` under the name PATH.part, brought to the disk and then renamed, so that
+/// The file is written next to `path` under the name PATH.part, brought to the disk and then renamed, so that
 /// a kill, a full disk or a power failure leaves the older file. Throws OutputError when it can't be written.
 void writeCheckpoint(const std::string& path, const Record& record);
 

@@ -66,7 +66,7 @@ void addLines(const Teuchos::ParameterList& list, const Section& section, const 
 }
 
 /// What stands before the value in a line.
-std::string placeOf(const std::string& line) { return line.substr(0, line.find(" = ")); }
+std::string positionOf(const std::string& line) { return line.substr(0, line.find(" = ")); }
 
 std::string inQuotes(const std::string& line)
 {
@@ -91,23 +91,23 @@ std::vector<std::string> sceneLines(const Teuchos::ParameterList& scene, const S
 
 std::string differenceOfScenes(const std::vector<std::string>& now, const std::vector<std::string>& then)
 {
-  const auto has = [](const std::vector<std::string>& lines, const std::string& place)
+  const auto has = [](const std::vector<std::string>& lines, const std::string& position)
   {
     return std::any_of(lines.begin(), lines.end(),
-                       [&](const std::string& line) { return placeOf(line) == place; });
+                       [&](const std::string& line) { return positionOf(line) == position; });
   };
   for (std::size_t k = 0; k < std::max(now.size(), then.size()); ++k)
   {
     if (k < now.size() && k < then.size() && now[k] == then[k])
       continue;
-    if (k < now.size() && k < then.size() && placeOf(now[k]) == placeOf(then[k]))
-      return placeOf(now[k]) + " is " + inQuotes(now[k]) + " in the scene and " + inQuotes(then[k]) +
+    if (k < now.size() && k < then.size() && positionOf(now[k]) == positionOf(then[k]))
+      return positionOf(now[k]) + " is " + inQuotes(now[k]) + " in the scene and " + inQuotes(then[k]) +
              " in the checkpoint";
-    if (k < now.size() && !has(then, placeOf(now[k])))
-      return placeOf(now[k]) + " is in the scene and not in the checkpoint";
-    if (k < then.size() && !has(now, placeOf(then[k])))
-      return placeOf(then[k]) + " is in the checkpoint and not in the scene";
-    return placeOf(now[k]) + " is at another position in the order of the scene than in the checkpoint";
+    if (k < now.size() && !has(then, positionOf(now[k])))
+      return positionOf(now[k]) + " is in the scene and not in the checkpoint";
+    if (k < then.size() && !has(now, positionOf(then[k])))
+      return positionOf(then[k]) + " is in the checkpoint and not in the scene";
+    return positionOf(now[k]) + " is at another position in the order of the scene than in the checkpoint";
   }
   return {};
 }

@@ -6,7 +6,7 @@
 namespace Rhegma
 {
 
-/// Writes a temporary file beside `path` and renames it to `path`. Throws OutputError when it can't.
+/// Writes a temporary file next to `path` and renames it to `path`. Throws OutputError when it can't.
 void replaceFile(const std::string& path, const std::string& text);
 
 } // namespace Rhegma

@@ -8,7 +8,7 @@
 namespace Rhegma::Geometry
 {
 
-/// Unit vectors of the own axes, seen in space; orthogonal and right-handed.
+/// Unit vectors of the own axes, seen in 3D; orthogonal and right-handed.
 template <int D>
 using Axes = std::array<Vector<D>, D>;
 

@@ -9,13 +9,13 @@
 namespace Rhegma
 {
 
-/// A point at which a share of a load acts.
+/// A point at which a fraction of a load acts.
 template <int D>
 struct LoadPoint
 {
   int particle;     ///< index into the body's seeds
   Vector<D> offset; ///< from the particle's centre to the point, undeformed, along the axes of space [m]
-  double share;     ///< of the whole load [-]; the shares of a load, added in order, give 1
+  double share;     ///< of the whole load [-]; the fractions of a load, added in order, give 1
   /// Sides of the piece of line (2D) or parallelogram (3D) in whose middle the point is, undeformed; zero for
   /// a load at one point [m].
   Vector<D> side[D - 1] = {};

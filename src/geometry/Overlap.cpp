@@ -12,8 +12,8 @@ bool liesInside(const Vector<D>& centre, const Seeds<D>& seeds, const Shape<D>& 
   if (!shape.contains(centre))
     return false;
   for (int axis = 0; axis < D; ++axis)
-    for (const double share : {-0.25, 0.25})
-      if (!shape.contains(centre + share * seeds.edge[axis] * seeds.axes[axis]))
+    for (const double fraction : {-0.25, 0.25})
+      if (!shape.contains(centre + fraction * seeds.edge[axis] * seeds.axes[axis]))
         return false;
   return true;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Bodies that are in each other's place.
+/// Bodies that are in each other's position.
 
 #include "geometry/Seeds.hpp"
 

@@ -15,7 +15,7 @@ struct Box
   Bounds<D> corners;
 
   bool contains(const Vector<D>& own) const;
-  /// Smallest bounds in space of the box turned by the frame; so for the other primitives.
+  /// Smallest bounds in 3D of the box turned by the frame; so for the other primitives.
   Bounds<D> bounds(const Frame<D>& frame) const;
 };
 

@@ -13,7 +13,7 @@ namespace Rhegma
 template <int D>
 struct Seeds
 {
-  std::vector<Vector<D>> position; ///< centres, in space [m]
+  std::vector<Vector<D>> position; ///< centres, in 3D [m]
   Vector<D> edge;                  ///< edge lengths of every particle along `axes` [m]
   Geometry::Axes<D> axes;          ///< unit directions of the lattice
   double volume;                   ///< of every particle; an area in 2D [m^D]
@@ -36,7 +36,7 @@ struct Seeds
 template <int D>
 Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell, const std::string& section);
 
-/// About how many particles seedParticles would make, from a sample of places where there are many; takes
+/// About how many particles seedParticles would make, from a sample of positions where there are many; takes
 /// next to no time and memory.
 template <int D>
 double estimateSeeds(const Shape<D>& shape, double cell, int particlesPerCell);

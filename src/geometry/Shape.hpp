@@ -27,7 +27,7 @@ struct Part
   Operation operation = Operation::Add;
 
   bool contains(const Vector<D>& x) const;
-  /// Smallest bounds in space.
+  /// Smallest bounds in 3D.
   Bounds<D> bounds() const;
   /// Smallest bounds in the part's own coordinates.
   Bounds<D> ownBounds() const;

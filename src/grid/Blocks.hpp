@@ -39,10 +39,11 @@ struct Blocks
   /// First particle of each bundle of up to `lanes` in one block; one more at the end.
   View<int*> bundleFirst;
   View<int*> bundleBlock; ///< block of each bundle
-  /// By the lowest node of a cell: not 0 in cells that held a particle at the sort and in those beside them,
+  /// By the lowest node of a cell: not 0 in cells that held a particle at the sort and in those next to them,
   /// from where all nodes of a stencil are listed.
   View<char*> nearby;
-  /// Not 0 for blocks whose particles may touch a refined cell or one beside it; empty where none is refined.
+  /// Not 0 for blocks whose particles may touch a refined cell or one next to it; empty where none is
+  /// refined.
   View<char*> refined;
   /// Not 0 where a particle is further outside of its block than the blocks allow or where nodes are not
   /// listed (0), or is outside of the domain (1).

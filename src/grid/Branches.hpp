@@ -32,12 +32,12 @@ public:
   /// Levels that have refined cells.
   int depth() const { return static_cast<int>(levels_.size()); }
 
-  /// Refined cells of a level, ordered by their place.
+  /// Refined cells of a level, ordered by their position.
   std::vector<Cell> cells(int level) const;
 
   const Grid<D>& grid() const { return grid_; }
 
-  /// A number of a cell among those of its level, in the order of their places.
+  /// A number of a cell among those of its level, in the order of their positions.
   std::uint64_t key(const Cell& cell) const;
 
   /// Whether a cell of a level lies on the lattice.
@@ -59,7 +59,7 @@ private:
   std::vector<std::unordered_set<std::uint64_t>> levels_;
 };
 
-/// A leaf of a tree: its level and place, counted in cells of the level from node 0.
+/// A leaf of a tree: its level and position, counted in cells of the level from node 0.
 template <int D>
 struct LeafName
 {

@@ -62,9 +62,9 @@ public:
     tree.masterCount = viewOf<int* [corners_]>("rhegma::masterCount", nodes_.masterCount);
     tree.master = viewOf<int* [corners_][Tree<D>::mastersPerCorner]>("rhegma::master", nodes_.master);
     fillSurroundings(tree);
-    tree.finePlace = viewOf<double* [D]>("rhegma::finePlace", finePlaces());
+    tree.finePosition = viewOf<double* [D]>("rhegma::finePlace", finePositions());
     fillFine(tree);
-    tree.share = viewOf<double*>("rhegma::nodeShare", shares());
+    tree.share = viewOf<double*>("rhegma::nodeShare", fractions());
     tree.nodeLevel = viewOf<int*>("rhegma::nodeLevel", nodeLevels());
   }
 
@@ -115,7 +115,7 @@ private:
                          leaf[k] = leaves_.leafAt(leaves_.level[l], sum(leaves_.cell[l], offset));
                          alike[l] |= leaf[k] >= 0 ? 1 << k : 0;
                        });
-      forEachOffset<D>(-1, 4, [&](const Cell& offset, int k) { around[l][k] = nodeBeside(leaf, offset); });
+      forEachOffset<D>(-1, 4, [&](const Cell& offset, int k) { around[l][k] = adjacentNode(leaf, offset); });
     }
     tree.alike = viewOf<int*>("rhegma::alikeLeaves", alike);
     tree.around = viewOf<int * [Tree<D>::nodesAround]>("rhegma::nodesAround", around);
@@ -125,7 +125,7 @@ private:
   using Neighbours = std::array<int, D == 2 ? 9 : 27>;
 
   /// The node `offset` edges from the lowest corner of the leaf in the middle, as in Tree::around.
-  int nodeBeside(const Neighbours& leaf, const Cell& offset) const
+  int adjacentNode(const Neighbours& leaf, const Cell& offset) const
   {
     for (int k = 0; k < corners_; ++k)
     {
@@ -144,7 +144,7 @@ private:
     return -1;
   }
 
-  std::vector<std::array<double, D>> finePlaces() const
+  std::vector<std::array<double, D>> finePositions() const
   {
     std::vector<std::array<double, D>> all;
     for (const Cell& place : nodes_.places())
@@ -152,7 +152,7 @@ private:
     return all;
   }
 
-  /// The nodes beside the lattice's by the branch that a cell of the lattice is; these come first.
+  /// The nodes next to the lattice's by the branch that a cell of the lattice is; these come first.
   std::vector<std::vector<int>> fineByRoot() const
   {
     std::vector<std::vector<int>> list(branches_.cells(0).size());
@@ -194,7 +194,7 @@ private:
           work(l, nodes_.master[l][k][m], 1.0 / nodes_.masterCount[l][k]);
   }
 
-  std::vector<double> shares() const
+  std::vector<double> fractions() const
   {
     std::vector<double> share(grid_.numNodes + nodes_.size(), 0.0);
     std::fill(share.begin(), share.begin() + grid_.numNodes, 1.0);

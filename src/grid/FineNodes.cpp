@@ -28,14 +28,14 @@ FineNodes<D>::FineNodes(const LeafList<D>& leaves)
   for (int l = 0; l < leaves.size(); ++l)
     for (int k = 0; k < corners; ++k)
     {
-      const Cell place = leaves.corner(l, k);
-      if (mastersAt.count(place) == 0)
-        mastersAt[place] = mastersOf(leaves, place);
+      const Cell position = leaves.corner(l, k);
+      if (mastersAt.count(position) == 0)
+        mastersAt[position] = mastersOf(leaves, position);
     }
   for (const auto& entry : mastersAt)
-    for (const Cell& place : entry.second)
-      if (!leaves.onLattice(place))
-        row_[place] = 0;
+    for (const Cell& position : entry.second)
+      if (!leaves.onLattice(position))
+        row_[position] = 0;
   int next = leaves.grid().numNodes;
   for (auto& entry : row_)
     entry.second = next++;
@@ -57,17 +57,17 @@ FineNodes<D>::FineNodes(const LeafList<D>& leaves)
 /// hangs nowhere.
 template <int D>
 std::vector<typename FineNodes<D>::Cell> FineNodes<D>::mastersOf(const LeafList<D>& leaves,
-                                                                 const Cell& place) const
+                                                                 const Cell& position) const
 {
   const Grid<D>& grid = leaves.grid();
   for (int k = 0; k < corners; ++k)
   {
-    // The cell on one of the sides of the place.
+    // The cell on one of the sides of the position.
     Cell inside;
     bool exists = true;
     for (int d = 0; d < D; ++d)
     {
-      inside[d] = place[d] - 1 + ((k >> d) & 1);
+      inside[d] = position[d] - 1 + ((k >> d) & 1);
       exists = exists && inside[d] >= 0 && inside[d] < grid.cells[d] << leaves.depth();
     }
     if (!exists)
@@ -76,12 +76,12 @@ std::vector<typename FineNodes<D>::Cell> FineNodes<D>::mastersOf(const LeafList<
     const int size = leaves.edge(levelAround<D>(leaves.branches(), inside, cell));
     bool hangs = false;
     for (int d = 0; d < D; ++d)
-      hangs = hangs || place[d] % size != 0;
+      hangs = hangs || position[d] % size != 0;
     if (!hangs)
       continue;
-    std::vector<Cell> masters{place};
+    std::vector<Cell> masters{position};
     for (int d = 0; d < D; ++d)
-      if (place[d] % size != 0)
+      if (position[d] % size != 0)
       {
         const std::size_t count = masters.size();
         for (std::size_t m = 0; m < count; ++m)
@@ -93,7 +93,7 @@ std::vector<typename FineNodes<D>::Cell> FineNodes<D>::mastersOf(const LeafList<
       }
     return masters;
   }
-  return {place};
+  return {position};
 }
 
 template <int D>

@@ -24,13 +24,13 @@ public:
 
   int size() const { return static_cast<int>(row_.size()); }
 
-  /// Places of the nodes beside the lattice's, in their order.
+  /// Positions of the nodes next to the lattice's, in their order.
   std::vector<Cell> places() const;
 
 private:
   std::vector<Cell> mastersOf(const LeafList<D>& leaves, const Cell& place) const;
 
-  std::map<Cell, int> row_; ///< of nodes beside the lattice's, by their place
+  std::map<Cell, int> row_; ///< of nodes next to the lattice's, by their position
 };
 
 } // namespace Rhegma

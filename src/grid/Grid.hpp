@@ -27,7 +27,7 @@ struct Grid
   Vector<D> whole; ///< place of node 0 of the whole lattice [m]
   int before[D]{}; ///< nodes of the whole lattice along each axis before node 0
 
-  /// Coordinates of a place in cells from node 0.
+  /// Coordinates of a position in cells from node 0.
   KOKKOS_INLINE_FUNCTION double inCells(double x, int axis) const { return (x - origin[axis]) * inverse; }
 
   KOKKOS_INLINE_FUNCTION int nodeIndex(const int (&at)[D]) const
@@ -52,11 +52,11 @@ struct Grid
   {
     int at[D];
     nodeCoordinates(node, at);
-    return placeOf(at);
+    return positionOf(at);
   }
 
   /// Where the node with these coordinates is.
-  KOKKOS_INLINE_FUNCTION Vector<D> placeOf(const int (&at)[D]) const
+  KOKKOS_INLINE_FUNCTION Vector<D> positionOf(const int (&at)[D]) const
   {
     Vector<D> x;
     for (int d = 0; d < D; ++d)

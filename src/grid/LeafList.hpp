@@ -34,17 +34,17 @@ public:
   /// Edge of a cell in finest cells.
   int edge(int ofLevel) const { return 1 << (depth() - ofLevel); }
 
-  /// Place of a corner of a leaf.
+  /// Position of a corner of a leaf.
   Cell corner(int leaf, int k) const;
 
-  /// Whether a place is a node of the lattice, and which.
+  /// Whether a position is a node of the lattice, and which.
   bool onLattice(const Cell& place) const;
   int latticeNodeAt(const Cell& place) const;
 
   /// The lowest node of a cell of the lattice.
   int lowestNode(const Cell& lattice) const;
 
-  /// A place in space [m].
+  /// A position in 3D [m].
   std::array<double, D> position(const Cell& place) const;
 
 private:

@@ -7,9 +7,9 @@ namespace Rhegma
 {
 
 template <int D>
-NodeIdentities<D>::NodeIdentities(const Grid<D>& grid, const View<double* [D]>& finePlace) : grid_(grid)
+NodeIdentities<D>::NodeIdentities(const Grid<D>& grid, const View<double* [D]>& finePosition) : grid_(grid)
 {
-  const auto place = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, finePlace);
+  const auto place = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, finePosition);
   const int count = static_cast<int>(place.extent(0));
   const double unit = std::ldexp(grid_.spacing, -deepestLevel);
   fine_.resize(count);

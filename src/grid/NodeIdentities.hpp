@@ -18,9 +18,9 @@ class NodeIdentities
 public:
   using Identity = std::array<int, D>;
 
-  /// \param finePlace positions of the nodes of refined cells (Tree::finePlace)
+  /// \param finePosition positions of the nodes of refined cells (Tree::finePosition)
   NodeIdentities() = default;
-  NodeIdentities(const Grid<D>& grid, const View<double* [D]>& finePlace);
+  NodeIdentities(const Grid<D>& grid, const View<double* [D]>& finePosition);
 
   /// How many nodes there are.
   int size() const { return grid_.numNodes + static_cast<int>(fine_.size()); }

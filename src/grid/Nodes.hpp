@@ -9,7 +9,7 @@ namespace Rhegma
 /// Nodal values, a row a node. Quantities that a transfer needs together share a row, so that a particle's
 /// share is a few vector operations a node: mass and momentum fill one register of four numbers, forces
 /// another. Rows 0 .. numLattice - 1 are the lattice's nodes and then those of refined cells (Tree.hpp); rows
-/// past them are second fields of nodes beside a crack.
+/// past them are second fields of nodes next to a crack.
 template <int D>
 struct Nodes
 {
@@ -28,7 +28,7 @@ struct Nodes
 
   View<int*> active;   ///< nodes that particles can reach until the next sort
   View<char*> foreign; ///< not 0 for nodes of the lattice that another rank owns; empty where there is one
-  View<int*> parent;   ///< node at whose place each second field is
+  View<int*> parent;   ///< node at whose position each second field is
   int numLattice = 0;  ///< nodes of the lattice and of refined cells
   int numSecond = 0;   ///< second fields in use
 
@@ -55,7 +55,7 @@ KOKKOS_INLINE_FUNCTION int activeNode(const Nodes<D>& nodes, int i)
   return i < lattice ? nodes.active(i) : nodes.numLattice + i - lattice;
 }
 
-/// The node, no second field, at whose place a node is.
+/// The node, no second field, at whose position a node is.
 template <int D>
 KOKKOS_INLINE_FUNCTION int latticeNode(const Nodes<D>& nodes, int node)
 {
@@ -64,7 +64,7 @@ KOKKOS_INLINE_FUNCTION int latticeNode(const Nodes<D>& nodes, int node)
 
 /// Whether sums over nodes count a node here, and not on another rank that has it too.
 template <int D>
-KOKKOS_INLINE_FUNCTION bool countsHere(const Nodes<D>& nodes, int node)
+KOKKOS_INLINE_FUNCTION bool isOwnedByThisRank(const Nodes<D>& nodes, int node)
 {
   return nodes.foreign.extent(0) == 0 || nodes.foreign(latticeNode(nodes, node)) == 0;
 }

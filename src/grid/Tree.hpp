@@ -16,7 +16,7 @@ constexpr int deepestLevel = 8;
 /// corners too, differ by one level at most, so that a hanging node lies midway between two (on a face in 3D
 /// four) nodes that hang nowhere: its masters. Only those have values. Rows of nodal arrays 0 ..
 /// grid.numNodes - 1 are the lattice's nodes, the next numFine ones the nodes of refined cells that are no
-/// nodes of the lattice, ordered by their place, so that their numbers do not depend on what the tree was
+/// nodes of the lattice, ordered by their position, so that their numbers do not depend on what the tree was
 /// before.
 template <int D>
 struct Tree
@@ -26,11 +26,11 @@ struct Tree
   static constexpr int nodesAround = 1 << (2 * D);
 
   int deepest = 0;    ///< level of the smallest leaves; 0: nothing is refined
-  int numFine = 0;    ///< nodes beside the lattice's
+  int numFine = 0;    ///< nodes next to the lattice's
   int generation = 0; ///< counts the changes
 
   View<int*> root;         ///< branch of each cell of the lattice, by its lowest node; -1 where it is a leaf
-  View<char*> nearRefined; ///< not 0 for refined cells and those beside them
+  View<char*> nearRefined; ///< not 0 for refined cells and those next to them
   View<int* [corners]> child;       ///< of each branch: another branch, or -1 - leaf
   View<int* [corners]> masterCount; ///< of each corner of a leaf
   View<int* [corners][mastersPerCorner]> master;
@@ -40,7 +40,7 @@ struct Tree
   /// The 4^D corners of these cells, the first axis fastest: a row of nodal arrays, or -2 - (corners leaf +
   /// k) where it hangs and is corner k of that leaf, or -1 where it is a corner of no leaf among them.
   View<int* [nodesAround]> around;
-  View<double* [D]> finePlace; ///< of the nodes beside the lattice's [m]
+  View<double* [D]> finePosition; ///< of the nodes next to the lattice's [m]
   /// Those of them that are corners of leaves in a refined cell of the lattice, whose branch b is:
   /// fineIn(fineBegin(b)) .. fineIn(fineBegin(b + 1) - 1). On faces between two such cells they are in one.
   View<int*> fineBegin, fineIn;
@@ -57,7 +57,7 @@ struct Tree
 
 /// Where nodes are.
 template <int D>
-struct NodePlaces
+struct NodePositions
 {
   Grid<D> grid;
   View<double* [D]> fine;
@@ -143,7 +143,7 @@ struct TreeSight
     }
   }
 
-  /// The leaf in which a place lies.
+  /// The leaf in which a position lies.
   KOKKOS_INLINE_FUNCTION Leaf leafAt(const Vector<D>& x) const
   {
     Leaf cell;
@@ -178,7 +178,7 @@ struct TreeSight
     return cell;
   }
 
-  /// Edge of the leaf in which a place lies [m].
+  /// Edge of the leaf in which a position lies [m].
   KOKKOS_INLINE_FUNCTION double spacingAt(const Vector<D>& x) const
   {
     return refined ? leafAt(x).edge * grid.spacing : grid.spacing;

@@ -6,7 +6,7 @@
 ///
 ///     bool   stress<D, P>([step,] numbers, F, tau, history)   once per particle and step
 ///     double energy<D, P>(numbers, F, history)                [J/m3], stored, per undeformed volume
-///     double waveSpeed<D, P>(numbers, F, history)             [m/s], in space, relative to the material
+///     double waveSpeed<D, P>(numbers, F, history)             [m/s], in 3D, relative to the material
 ///
 /// `F` is the deformation gradient (gradientSize<D>), `tau` the Kirchhoff stress J sigma [Pa]
 /// (symmetricSize<D>), so that the force of a particle on a node is -V0 tau grad N. In plane stress `stress`

@@ -171,7 +171,7 @@ KOKKOS_INLINE_FUNCTION double storedEnergy(const Properties& properties, const d
   return withLaw<D>(properties.law, properties.plane, EnergyCall{properties, F, history});
 }
 
-/// Upper bound of the wave speed in space, relative to the material [m/s].
+/// Upper bound of the wave speed in 3D, relative to the material [m/s].
 template <int D>
 KOKKOS_INLINE_FUNCTION double waveSpeed(const Properties& properties, const double* F, const double* history)
 {

@@ -17,8 +17,8 @@ double TemperatureTable::operator()(double T) const
   if (above == temperature.end())
     return value.back();
   const std::size_t k = above - temperature.begin();
-  const double share = (T - temperature[k - 1]) / (temperature[k] - temperature[k - 1]);
-  return value[k - 1] + share * (value[k] - value[k - 1]);
+  const double fraction = (T - temperature[k - 1]) / (temperature[k] - temperature[k - 1]);
+  return value[k - 1] + fraction * (value[k] - value[k - 1]);
 }
 
 TemperatureTable TemperatureTable::parse(const std::string& text)

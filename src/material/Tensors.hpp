@@ -9,7 +9,7 @@
 namespace Rhegma
 {
 
-/// Place of the normal component ii, i = 0, 1, 2, of a symmetric tensor.
+/// Position of the normal component ii, i = 0, 1, 2, of a symmetric tensor.
 template <int D>
 KOKKOS_INLINE_FUNCTION constexpr int normalIndex(int i)
 {

@@ -10,8 +10,8 @@
 /// the internal energy is e = W - T W_T + h, and psi_T is chosen so that the capacity at constant strain is
 /// the given rho c in the undeformed state: h = integral of rho c + 9 K alpha^2 (T^2 - T0^2) / 2. From this
 /// the first law yields all that heats a strained body: the thermoelastic term -T (C alpha) : deps, entropic
-/// heating where moduli rise with T, and, since W alone is stored, the share of plastic work that is not kept
-/// as cold work.
+/// heating where moduli rise with T, and, since W alone is stored, the fraction of plastic work that is not
+/// kept as cold work.
 
 #include "material/Materials.hpp"
 #include "material/ThermoTables.hpp"

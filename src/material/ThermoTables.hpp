@@ -12,7 +12,7 @@ struct ThermoMaterial
   double reference = 293.15;   ///< temperature of no thermal strain [K]
   double coupling = 0.0;       ///< 9 K alpha^2 at the reference temperature [Pa/K2]
   double ratio[3] = {1, 1, 1}; ///< conductivity along the body's axes over the given one [-]
-  double plasticHeat = 0.9;    ///< share of plastic work that becomes heat [-]
+  double plasticHeat = 0.9;    ///< fraction of plastic work that becomes heat [-]
   bool orthotropic = false;    ///< the ratios are not all one
   bool conducts = false;       ///< some conductivity is not zero
   bool coupled = false;        ///< its stress knows the temperature

@@ -10,7 +10,7 @@ namespace Rhegma
 namespace
 {
 
-/// Sums over the particles of one body: mass, undeformed and present volume, then mass times place and
+/// Sums over the particles of one body: mass, undeformed and present volume, then mass times position and
 /// velocity, and undeformed volume times deformation gradient and Kirchhoff stress.
 template <int D>
 struct BodySums
@@ -19,7 +19,7 @@ struct BodySums
   using size_type = int;
   using execution_space = ExecSpace;
 
-  static constexpr int placeAt = 3, velocityAt = placeAt + D, deformationAt = velocityAt + D;
+  static constexpr int positionAt = 3, velocityAt = positionAt + D, deformationAt = velocityAt + D;
   static constexpr int stressAt = deformationAt + gradientSize<D>, size = stressAt + symmetricSize<D>;
 
   int value_count = size;
@@ -55,7 +55,7 @@ struct BodySums
     sum[2] += volume(p) * determinant<D>(&deformation(p, 0));
     for (int d = 0; d < D; ++d)
     {
-      sum[placeAt + d] += mass(p) * position(p, d);
+      sum[positionAt + d] += mass(p) * position(p, d);
       sum[velocityAt + d] += mechanics ? mass(p) * velocity(p, d) : 0.0;
     }
     for (int k = 0; k < gradientSize<D>; ++k)
@@ -65,19 +65,19 @@ struct BodySums
   }
 };
 
-nlohmann::json named(const std::vector<const char*>& names, const double* sum, double share)
+nlohmann::json named(const std::vector<const char*>& names, const double* sum, double fraction)
 {
   nlohmann::json components;
   for (std::size_t k = 0; k < names.size(); ++k)
-    components[names[k]] = share * sum[k];
+    components[names[k]] = fraction * sum[k];
   return components;
 }
 
-nlohmann::json listed(const double* sum, int count, double share)
+nlohmann::json listed(const double* sum, int count, double fraction)
 {
   nlohmann::json list = nlohmann::json::array();
   for (int d = 0; d < count; ++d)
-    list.push_back(share * sum[d]);
+    list.push_back(fraction * sum[d]);
   return list;
 }
 
@@ -104,7 +104,7 @@ void bodyReport(const State<D>& state, nlohmann::json& summary)
     nlohmann::json body;
     body["name"] = state.bodies.list[b].name;
     body["mass"] = sum[0];
-    body["centre"] = listed(sum + Sums::placeAt, D, 1.0 / sum[0]);
+    body["centre"] = listed(sum + Sums::positionAt, D, 1.0 / sum[0]);
     if (state.method.mechanics)
       body["velocity"] = listed(sum + Sums::velocityAt, D, 1.0 / sum[0]);
     if (state.method.mechanics)

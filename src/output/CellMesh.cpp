@@ -20,7 +20,7 @@ constexpr int corners[8][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
 template <int D>
 using LeafKey = std::array<int, D + 1>;
 
-/// The leaves in which the particles lie, each once, by place.
+/// The leaves in which the particles lie, each once, by position.
 template <int D>
 std::vector<LeafKey<D>> leavesWithParticles(const State<D>& state)
 {

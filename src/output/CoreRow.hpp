@@ -10,7 +10,8 @@
 namespace Rhegma
 {
 
-/// Measures, and puts the columns of the ledger and of the momentum in front of those that the row has.
+/// Measures, and puts the columns of the energy balance and of the momentum in front of those that the row
+/// has.
 ///
 /// Always kinetic, strain, external_work, residual, momentum_x..; `plastic` where a material can flow;
 /// thermal, heat, damped, contact, fracture, merged and combustion only where an effect of the scene gives
@@ -18,8 +19,8 @@ namespace Rhegma
 template <int D>
 void coreRow(State<D>& state, const std::set<std::string>& given);
 
-/// `energy` (every entry of the ledger, zero where no effect gives it; `plastic` where a material can flow)
-/// and `momentum` of summary.json, as last measured.
+/// `energy` (every entry of the energy balance, zero where no effect gives it; `plastic` where a material can
+/// flow) and `momentum` of summary.json, as last measured.
 template <int D>
 void coreReport(const State<D>& state, nlohmann::json& summary);
 

@@ -61,12 +61,12 @@ public:
         const Handle table = makeTable(inner, data, path);
         if (!parts)
           writeTable(table, data, path);
-        places_.push_back(data.rowsOfAll() > 0 ? static_cast<double>(H5Dget_offset(table)) : 0.0);
+        positions_.push_back(data.rowsOfAll() > 0 ? static_cast<double>(H5Dget_offset(table)) : 0.0);
       }
     }
     file_.require(H5Fflush(file_, H5F_SCOPE_GLOBAL));
     if (parts)
-      reserve(path, snapshot, places_);
+      reserve(path, snapshot, positions_);
   }
 
   void link(const std::string& group)
@@ -78,11 +78,11 @@ public:
   }
 
   /// Byte of the file at which each table begins, mesh after mesh; below 2^53, so that they are exact.
-  const std::vector<double>& places() const { return places_; }
+  const std::vector<double>& places() const { return positions_; }
 
 private:
   Handle file_, top_;
-  std::vector<double> places_;
+  std::vector<double> positions_;
 };
 
 } // namespace

@@ -108,7 +108,7 @@ void Progress::step(double time, long step)
     return;
   if (!begun_)
   {
-    // The first step tells where a continued run began; what it did itself is little.
+    // The first step says where a continued run began; what it did itself is little.
     begun_ = true;
     if (step > 1)
       startTime_ = time;

@@ -42,6 +42,12 @@ std::string nearest(const std::string& given, const std::vector<std::string>& po
 const std::map<std::string, std::string>& renamedEntries()
 {
   static const std::map<std::string, std::string> renamed = {
+      {"stations", "front_nodes"},
+      {"set_out", "initiated"},
+      {"halted", "stopped"},
+      {"closest_to_setting_out", "closest_to_initiation"},
+      {"dissipated_share", "dissipated_fraction"},
+      {"residual_share", "residual_fraction"},
       {"smallest_share", "smallest_fraction"},
       {"largest_share", "largest_fraction"},
       {"last_share", "last_fraction"},
@@ -78,7 +84,7 @@ const nlohmann::json* find(const nlohmann::json& summary, const std::string& pat
   std::string done;
   for (const std::string& part : splitAtDots(path))
   {
-    const std::string place = done.empty() ? "the summary" : done;
+    const std::string position = done.empty() ? "the summary" : done;
     const nlohmann::json* next = nullptr;
     if (at->is_object())
       next = at->contains(part) ? &(*at)[part] : nullptr;
@@ -86,14 +92,14 @@ const nlohmann::json* find(const nlohmann::json& summary, const std::string& pat
       next = entryOf(*at, part);
     if (next == nullptr)
     {
-      problem = place;
+      problem = position;
       problem.append(" has no \"").append(part).append("\"; it ");
       const auto renamed = renamedEntries().find(part);
       if (renamed != renamedEntries().end())
         problem += "is now named \"" + renamed->second + "\"";
       else if (at->is_object())
         problem +=
-            at->empty() ? "is empty" : "has " + inWords(names(*at), " and ") + nearest(part, names(*at));
+            at->empty() ? "is empty" : "has " + asText(names(*at), " and ") + nearest(part, names(*at));
       else if (at->is_array())
         problem += "is a list of " + std::to_string(at->size());
       else
@@ -109,7 +115,7 @@ const nlohmann::json* find(const nlohmann::json& summary, const std::string& pat
 }
 
 /// The number at a path, or NaN and why there is none.
-double lookUp(const nlohmann::json& summary, const std::string& path, std::string& problem)
+double findEntry(const nlohmann::json& summary, const std::string& path, std::string& problem)
 {
   const nlohmann::json* at = find(summary, path, problem);
   if (at == nullptr)
@@ -129,7 +135,7 @@ nlohmann::json compare(const std::string& name, const Teuchos::ParameterList& en
   const double reference = entry.get<double>("Value");
   const double tolerance = entry.get<double>("Tolerance");
   std::string problem;
-  const double value = lookUp(summary, quantity, problem);
+  const double value = findEntry(summary, quantity, problem);
 
   nlohmann::json result;
   result["name"] = name;
@@ -206,10 +212,10 @@ void refuseUnknownQuantities(const Teuchos::ParameterList& section, const nlohma
               throw std::invalid_argument("Reference > " + section.name(item) + " > Quantity: " + problem);
           });
     }
-  attempts.complain();
+  attempts.throwIfAny();
 }
 
-std::string referencesInWords(const nlohmann::json& summary)
+std::string referencesAsText(const nlohmann::json& summary)
 {
   std::string text;
   if (summary.contains("references"))

@@ -11,19 +11,19 @@ namespace Rhegma
 
 /// Compares the summary with the `Reference` section and adds the list `references`.
 ///
-/// A Quantity is a path of names with dots between; an entry of a list is chosen by its place, from 0, or by
-/// its `name`: cracks.0.fronts.0.G_J, cracks.Notch.pressure. Tolerance bounds |value - reference| /
+/// A Quantity is a path of names with dots between; an entry of a list is chosen by its position, from 0, or
+/// by its `name`: cracks.0.fronts.0.G_J, cracks.Notch.pressure. Tolerance bounds |value - reference| /
 /// |reference|; where the reference is 0 it bounds |value|, and relative_error holds that. A quantity that is
 /// not there or is not a number is outside of its tolerance and `problem` says why. \param section validated
 /// `Reference` section; may be empty \return whether all are within their tolerances
 bool addReferences(const Teuchos::ParameterList& section, nlohmann::json& summary);
 
-/// Throws std::invalid_argument with a sentence a line for quantities that a summary has no place for, so
+/// Throws std::invalid_argument with a sentence a line for quantities that a summary has no position for, so
 /// that a slip of the pen is told before the run and not after. \param summary of the run before its first
 /// step, with null where there is no value yet
 void refuseUnknownQuantities(const Teuchos::ParameterList& section, const nlohmann::json& summary);
 
 /// The references of a summary for a person, a line each; empty without references.
-std::string referencesInWords(const nlohmann::json& summary);
+std::string referencesAsText(const nlohmann::json& summary);
 
 } // namespace Rhegma

@@ -17,27 +17,27 @@ std::size_t bytesOfRow(const DataSet& data)
   return data.columns * (data.integer ? sizeof(int) : sizeof(double));
 }
 
-/// Calls call(table, its place) for each table that has rows on any rank.
+/// Calls call(table, its position) for each table that has rows on any rank.
 template <class Call>
-void forEachTable(const Snapshot& snapshot, const std::vector<double>& places, const Call& call)
+void forEachTable(const Snapshot& snapshot, const std::vector<double>& positions, const Call& call)
 {
   std::size_t k = 0;
   for (const OutputMesh& mesh : snapshot.meshes)
     for (const DataSet& data : mesh.data)
     {
-      const auto place = static_cast<long long>(places[k++]);
+      const auto position = static_cast<long long>(positions[k++]);
       if (data.rowsOfAll() > 0)
-        call(data, place);
+        call(data, position);
     }
 }
 
-/// This rank's share of one table.
-bool writePart(MPI_File file, const DataSet& data, long long place)
+/// This rank's fraction of one table.
+bool writePart(MPI_File file, const DataSet& data, long long position)
 {
   const MPI_Datatype type = data.integer ? MPI_INT : MPI_DOUBLE;
   const int count = static_cast<int>(data.rows() * data.columns);
   MPI_Status status;
-  const auto at = static_cast<MPI_Offset>(place + static_cast<long long>(data.before * bytesOfRow(data)));
+  const auto at = static_cast<MPI_Offset>(position + static_cast<long long>(data.before * bytesOfRow(data)));
   if (MPI_File_write_at_all(file, at, valuesOf(data), count, type, &status) != MPI_SUCCESS)
     return false;
   int written = 0;
@@ -47,16 +47,16 @@ bool writePart(MPI_File file, const DataSet& data, long long place)
 
 } // namespace
 
-void reserve(const std::string& path, const Snapshot& snapshot, const std::vector<double>& places)
+void reserve(const std::string& path, const Snapshot& snapshot, const std::vector<double>& positions)
 {
   const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC);
   bool good = file >= 0;
 #ifndef __APPLE__ // which has no such call
-  forEachTable(snapshot, places,
-               [&](const DataSet& data, long long place)
+  forEachTable(snapshot, positions,
+               [&](const DataSet& data, long long position)
                {
                  const auto bytes = static_cast<off_t>(data.rowsOfAll() * bytesOfRow(data));
-                 good = good && posix_fallocate(file, place, bytes) == 0;
+                 good = good && posix_fallocate(file, position, bytes) == 0;
                });
 #endif
   if (file >= 0)
@@ -66,7 +66,7 @@ void reserve(const std::string& path, const Snapshot& snapshot, const std::vecto
 }
 
 void writeParts(const Ranks& ranks, const std::string& path, const Snapshot& snapshot,
-                const std::vector<double>& places)
+                const std::vector<double>& positions)
 {
   const MPI_Comm all = *dynamic_cast<const Teuchos::MpiComm<int>&>(*ranks.comm()).getRawMpiComm();
   MPI_File file;
@@ -75,8 +75,9 @@ void writeParts(const Ranks& ranks, const std::string& path, const Snapshot& sna
   if (ranks.max(opened ? 0.0 : 1.0) > 0.0)
     throw OutputError(path + " can't be opened by all ranks; choose a folder that all ranks can write to");
   bool good = true;
-  forEachTable(snapshot, places,
-               [&](const DataSet& data, long long place) { good = writePart(file, data, place) && good; });
+  forEachTable(snapshot, positions,
+               [&](const DataSet& data, long long position)
+               { good = writePart(file, data, position) && good; });
   good = MPI_File_close(&file) == MPI_SUCCESS && good;
   if (ranks.max(good ? 0.0 : 1.0) > 0.0)
     throw OutputError(unwritable(path));

@@ -15,7 +15,7 @@ inline const void* valuesOf(const DataSet& data)
 }
 
 /// Has the file system set room aside for the rows of all ranks. Throws OutputError where there is none.
-/// \param places byte at which each table begins, mesh after mesh
+/// \param positions byte at which each table begins, mesh after mesh
 void reserve(const std::string& path, const Snapshot& snapshot, const std::vector<double>& places);
 
 /// Writes this rank's rows of all tables. Collective; throws OutputError on all ranks where it fails on any.

@@ -32,15 +32,15 @@ std::string escaped(const std::string& text)
   return safe;
 }
 
-/// Where the numbers of a table are. \param place file and group of its mesh
-std::string dataItem(const DataSet& data, const std::string& place)
+/// Where the numbers of a table are. \param position file and group of its mesh
+std::string dataItem(const DataSet& data, const std::string& position)
 {
   std::string text = "<DataItem Format=\"HDF\" Dimensions=\"" + std::to_string(data.rowsOfAll());
   if (data.columns > 1)
     text += " " + std::to_string(data.columns);
   text +=
       data.integer ? "\" NumberType=\"Int\" Precision=\"4\">" : "\" NumberType=\"Float\" Precision=\"8\">";
-  return text + escaped(place + "/" + data.name) + "</DataItem>";
+  return text + escaped(position + "/" + data.name) + "</DataItem>";
 }
 
 /// Six components are written as a matrix: XDMF's Tensor6 has another order than VTK's, and some readers fill
@@ -50,38 +50,38 @@ const char* attributeType(int columns)
   return columns == 1 ? "Scalar" : columns == 3 ? "Vector" : columns == 9 ? "Tensor" : "Matrix";
 }
 
-std::string attribute(const DataSet& data, const std::string& place)
+std::string attribute(const DataSet& data, const std::string& position)
 {
   return "        <Attribute Name=\"" + escaped(data.name) + "\" AttributeType=\"" +
          attributeType(data.columns) + "\" Center=\"" +
-         (data.role == DataSet::Role::OnCells ? "Cell" : "Node") + "\">" + dataItem(data, place) +
+         (data.role == DataSet::Role::OnCells ? "Cell" : "Node") + "\">" + dataItem(data, position) +
          "</Attribute>\n";
 }
 
-std::string topology(const OutputMesh& mesh, const std::string& place)
+std::string topology(const OutputMesh& mesh, const std::string& position)
 {
   std::string text;
   for (const DataSet& data : mesh.data)
     if (data.role == DataSet::Role::Cells)
       text = "        <Topology TopologyType=\"" + mesh.topology + "\" NumberOfElements=\"" +
              std::to_string(data.rowsOfAll()) + "\" NodesPerElement=\"" + std::to_string(data.columns) +
-             "\">" + dataItem(data, place) + "</Topology>\n";
+             "\">" + dataItem(data, position) + "</Topology>\n";
   return text;
 }
 
-/// \param place file and group of the mesh
-std::string grid(const OutputMesh& mesh, double time, const std::string& place)
+/// \param position file and group of the mesh
+std::string grid(const OutputMesh& mesh, double time, const std::string& position)
 {
   char digits[40];
   std::snprintf(digits, sizeof digits, "%.17g", time);
   std::string text = "      <Grid Name=\"" + mesh.name + "\" GridType=\"Uniform\">\n";
   text += "        <Time Value=\"" + std::string(digits) + "\"/>\n";
-  text += topology(mesh, place);
+  text += topology(mesh, position);
   for (const DataSet& data : mesh.data)
     if (data.role == DataSet::Role::Points)
-      text += "        <Geometry GeometryType=\"XYZ\">" + dataItem(data, place) + "</Geometry>\n";
+      text += "        <Geometry GeometryType=\"XYZ\">" + dataItem(data, position) + "</Geometry>\n";
     else if (data.role != DataSet::Role::Cells)
-      text += attribute(data, place);
+      text += attribute(data, position);
   return text + "      </Grid>\n";
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The XML beside an HDF5 file that tells ParaView what is in it.
+/// The XML next to an HDF5 file that tells ParaView what is in it.
 
 #include "output/Snapshot.hpp"
 
@@ -18,7 +18,7 @@ class Archive;
 class XdmfDocument
 {
 public:
-  /// \param file name of the HDF5 file, beside the XDMF file
+  /// \param file name of the HDF5 file, next to the XDMF file
   explicit XdmfDocument(std::string file) : file_(std::move(file)) {}
 
   /// Adds the meshes of a time. \param group in which the snapshot lies

@@ -34,7 +34,7 @@ CellBox<D> wholeDomain(const Grid<D>& lattice)
 /// Fewer cells than these along an axis are not worth a cut: a column of cells is cut across.
 constexpr double leastCells = 8.0;
 
-/// The axes worth cutting, the one first along which the places of all ranks reach furthest.
+/// The axes worth cutting, the one first along which the positions of all ranks reach furthest.
 template <int D>
 std::vector<int> axesToCut(const Ranks& ranks, const std::vector<double> (&x)[D])
 {
@@ -93,23 +93,23 @@ Grid<D> Division<D>::window(int rank) const
 }
 
 template <int D>
-Division<D> divide(const Ranks& ranks, const Grid<D>& lattice, const std::vector<Vector<D>>& places,
+Division<D> divide(const Ranks& ranks, const Grid<D>& lattice, const std::vector<Vector<D>>& positions,
                    const std::vector<double>& costs)
 {
   Division<D> division{lattice, std::vector<CellBox<D>>(ranks.size(), wholeDomain(lattice))};
   if (!ranks.many())
     return division;
   // In cells, so that a cut at a whole number is a face between cells.
-  const int count = static_cast<int>(places.size());
+  const int count = static_cast<int>(positions.size());
   std::vector<double> x[D];
   for (int d = 0; d < D; ++d)
     for (int k = 0; k < count; ++k)
-      x[d].push_back(std::floor(lattice.inCells(places[k][d], d)) + 0.5);
+      x[d].push_back(std::floor(lattice.inCells(positions[k][d], d)) + 0.5);
   const std::vector<int> axes = axesToCut<D>(ranks, x);
   const auto along = [&](std::size_t k) { return k < axes.size() ? x[axes[k]].data() : nullptr; };
   std::vector<long long> ids(count);
   std::iota(ids.begin(), ids.end(), static_cast<long long>(ranks.rank()) << 32);
-  // Whether there are costs is the same on all ranks, also on one without places.
+  // Whether there are costs is the same on all ranks, also on one without positions.
   const bool weighed = ranks.max(costs.empty() ? 0.0 : 1.0) > 0.0;
   const Adapter adapter(count, ids.data(), along(0), along(1), along(2), 1, 1, 1, weighed,
                         weighed ? costs.data() : nullptr, 1);
@@ -134,7 +134,7 @@ Division<D> divide(const Ranks& ranks, const Grid<D>& lattice, const std::vector
     }
     for (const auto& part : parts)
     {
-      // The outermost boxes end at the last places; the domain reaches further.
+      // The outermost boxes end at the last positions; the domain reaches further.
       const auto face = [&](double cut)
       { return std::clamp(static_cast<int>(std::ceil(cut - 0.5)), all.low[d], all.high[d]); };
       CellBox<D>& box = division.boxes[part.getpId()];

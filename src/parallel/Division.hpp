@@ -25,14 +25,14 @@ struct CellBox
 };
 
 /// A box of cells for each rank; together they are the cells of the domain. Where cuts fall on the first or
-/// last places boxes overlap: a cell belongs to the first that holds it.
+/// last positions boxes overlap: a cell belongs to the first that holds it.
 template <int D>
 struct Division
 {
   Grid<D> lattice; ///< of the whole domain
   std::vector<CellBox<D>> boxes;
 
-  /// The cell of the domain that is nearest to a place.
+  /// The cell of the domain that is nearest to a position.
   void cellAt(const Vector<D>& x, int (&cell)[D]) const;
   /// The rank that owns a cell of the domain.
   int ownerOf(const int (&cell)[D]) const;
@@ -40,9 +40,9 @@ struct Division
   Grid<D> window(int rank) const;
 };
 
-/// Divides a domain so that each rank gets about the same share of the cost, by multijagged cuts (M.
+/// Divides a domain so that each rank gets about the same fraction of the cost, by multijagged cuts (M.
 /// Deveci, S. Rajamanickam, K. D. Devine, U. V. Catalyurek, IEEE Trans. Parallel Distrib. Syst. 27, 2016) as
-/// Zoltan2 makes them. Collective. \param places of this rank \param costs of them; the same where empty
+/// Zoltan2 makes them. Collective. \param positions of this rank \param costs of them; the same where empty
 template <int D>
 Division<D> divide(const Ranks& ranks, const Grid<D>& lattice, const std::vector<Vector<D>>& places,
                    const std::vector<double>& costs = {});

@@ -43,39 +43,40 @@ NodeBox<D> windowNodes(const Division<D>& division, int rank)
   return box;
 }
 
-/// Whether a place, in the smallest cells that there can be, is a cell or more inside the window of a rank.
+/// Whether a position, in the smallest cells that there can be, is a cell or more inside the window of a
+/// rank.
 template <int D>
-bool isInside(const Division<D>& division, int rank, const std::array<GlobalId, D>& place)
+bool isInside(const Division<D>& division, int rank, const std::array<GlobalId, D>& position)
 {
   const NodeBox<D> box = windowNodes(division, rank);
   bool in = true;
   for (int d = 0; d < D; ++d)
-    in = in && place[d] >= GlobalId(box.low[d] + 1) << deepestLevel &&
-         place[d] <= GlobalId(box.high[d] - 1) << deepestLevel;
+    in = in && position[d] >= GlobalId(box.low[d] + 1) << deepestLevel &&
+         position[d] <= GlobalId(box.high[d] - 1) << deepestLevel;
   return in;
 }
 
-/// Nodes of refined cells by their places, counted in the smallest cells that there can be from node 0 of the
-/// whole lattice.
+/// Nodes of refined cells by their positions, counted in the smallest cells that there can be from node 0 of
+/// the whole lattice.
 template <int D>
-std::vector<std::array<GlobalId, D>> finePlaces(const Division<D>& division, const Tree<D>& tree)
+std::vector<std::array<GlobalId, D>> finePositions(const Division<D>& division, const Tree<D>& tree)
 {
-  const auto place = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, tree.finePlace);
+  const auto position = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, tree.finePosition);
   const double unit = std::ldexp(division.lattice.spacing, -deepestLevel);
   std::vector<std::array<GlobalId, D>> all(tree.numFine);
   for (int k = 0; k < tree.numFine; ++k)
     for (int d = 0; d < D; ++d)
-      all[k][d] = std::lround((place(k, d) - division.lattice.whole[d]) / unit);
+      all[k][d] = std::lround((position(k, d) - division.lattice.whole[d]) / unit);
   return all;
 }
 
-/// A number of such a place, past those of the lattice's nodes.
+/// A number of such a position, past those of the lattice's nodes.
 template <int D>
-GlobalId idOf(const Grid<D>& lattice, const std::array<GlobalId, D>& place)
+GlobalId idOf(const Grid<D>& lattice, const std::array<GlobalId, D>& position)
 {
   GlobalId id = 0;
   for (int d = 0; d < D; ++d)
-    id = id * ((GlobalId(lattice.cells[d]) << deepestLevel) + 1) + place[d];
+    id = id * ((GlobalId(lattice.cells[d]) << deepestLevel) + 1) + position[d];
   return lattice.numNodes + id;
 }
 
@@ -147,15 +148,15 @@ Halo<D>::Halo(const Ranks& ranks, const Division<D>& division, const Tree<D>& tr
     foreign[n] = shared.nodes.size() > before && !isOwn(at) ? 1 : 0;
   }
   int row = window.numNodes;
-  for (const std::array<GlobalId, D>& place : finePlaces(division, tree))
+  for (const std::array<GlobalId, D>& position : finePositions(division, tree))
   {
     int at[D];
     for (int d = 0; d < D; ++d)
-      at[d] = static_cast<int>(place[d] >> deepestLevel);
+      at[d] = static_cast<int>(position[d] >> deepestLevel);
     foreign[row] = isOwn(at) ? 0 : 1;
-    if (isInside<D>(division, rank, place))
-      shared.offer(row, idOf<D>(division.lattice, place), rank,
-                   [&](int r) { return isInside<D>(division, r, place); });
+    if (isInside<D>(division, rank, position))
+      shared.offer(row, idOf<D>(division.lattice, position), rank,
+                   [&](int r) { return isInside<D>(division, r, position); });
     ++row;
   }
   // Two ranks list what they share in the same order.

@@ -58,25 +58,25 @@ NeighbourSums::NeighbourSums(const Ranks& ranks, const View<int*>& nodes,
     : ranks_(ranks), nodes_(nodes)
 {
   std::vector<int> entries, parts;
-  std::vector<std::vector<int>> shares(nodes.extent(0));
+  std::vector<std::vector<int>> fractions(nodes.extent(0));
   for (int r = 0; r < ranks.size(); ++r)
   {
     if (r == ranks.rank())
-      for (std::vector<int>& list : shares)
+      for (std::vector<int>& list : fractions)
         list.push_back(-1);
     if (of[r].empty())
       continue;
     const int begin = static_cast<int>(entries.size());
     for (const int node : of[r])
     {
-      shares[node].push_back(static_cast<int>(entries.size()));
+      fractions[node].push_back(static_cast<int>(entries.size()));
       entries.push_back(node);
       parts.push_back(begin);
     }
     neighbours_.push_back({r, begin, static_cast<int>(entries.size()), 0, 0, true});
   }
   std::vector<int> begins = {0}, all;
-  for (const std::vector<int>& list : shares)
+  for (const std::vector<int>& list : fractions)
   {
     all.insert(all.end(), list.begin(), list.end());
     begins.push_back(static_cast<int>(all.size()));
@@ -84,7 +84,7 @@ NeighbourSums::NeighbourSums(const Ranks& ranks, const View<int*>& nodes,
   entry_ = onDevice("rhegma::parallel::entries", entries);
   part_ = onDevice("rhegma::parallel::parts", parts);
   begin_ = onDevice("rhegma::parallel::begins", begins);
-  share_ = onDevice("rhegma::parallel::shares", all);
+  fraction_ = onDevice("rhegma::parallel::shares", all);
   before_ = View<long long*>("rhegma::parallel::rowsBefore", entries.size() + 1);
   came_ = View<int*>("rhegma::parallel::came", 2 * entries.size());
   Kokkos::deep_copy(came_, -1);
@@ -99,11 +99,11 @@ void NeighbourSums::sum(const SharedRows& rows, double* values, int width, int f
   fit(received_, "rhegma::parallel::received", most);
   pack(rows, columns);
   exchange(columns);
-  findShares(columns, false);
+  findFractions(columns, false);
   int strange = 0;
   for (const Neighbour& neighbour : neighbours_)
     strange += add(rows, columns, neighbour);
-  findShares(columns, true);
+  findFractions(columns, true);
   if (strange > 0 && rows.rowOf.extent(0) > 0)
     throw std::logic_error("two ranks disagree about the rows of their common nodes");
 }
@@ -157,7 +157,7 @@ void NeighbourSums::pack(const SharedRows& rows, const Columns& columns)
   }
 }
 
-void NeighbourSums::findShares(const Columns& columns, bool forget)
+void NeighbourSums::findFractions(const Columns& columns, bool forget)
 {
   const View<double*> received = received_;
   const View<int*> came = came_;
@@ -175,7 +175,7 @@ void NeighbourSums::findShares(const Columns& columns, bool forget)
 
 int NeighbourSums::add(const SharedRows& rows, const Columns& columns, const Neighbour& from)
 {
-  const View<int*> nodes = nodes_, entry = entry_, begin = begin_, share = share_, came = came_;
+  const View<int*> nodes = nodes_, entry = entry_, begin = begin_, fraction = fraction_, came = came_;
   const View<double*> received = received_;
   const Columns of = columns;
   const int firstEntry = from.begin;
@@ -183,12 +183,13 @@ int NeighbourSums::add(const SharedRows& rows, const Columns& columns, const Nei
   Kokkos::parallel_reduce(
       "rhegma::parallel::add", Range(0, from.came),
       KOKKOS_LAMBDA(const int n, int& unknown) {
-        const int place = static_cast<int>(received(startOf(firstEntry, n, of)));
-        const int e = firstEntry + place / of.fields, f = place % of.fields, i = entry(e);
-        const auto startOfShare = [&](int k) { return share(k) < 0 ? -1 : came(share(k) * of.fields + f); };
+        const int position = static_cast<int>(received(startOf(firstEntry, n, of)));
+        const int e = firstEntry + position / of.fields, f = position % of.fields, i = entry(e);
+        const auto startOfFraction = [&](int k)
+        { return fraction(k) < 0 ? -1 : came(fraction(k) * of.fields + f); };
         // Who came first adds for all.
-        for (int k = begin(i); share(k) != e; ++k)
-          if (startOfShare(k) >= 0)
+        for (int k = begin(i); fraction(k) != e; ++k)
+          if (startOfFraction(k) >= 0)
             return;
         const int row = rows(nodes(i), f);
         if (row < 0)
@@ -202,8 +203,8 @@ int NeighbourSums::add(const SharedRows& rows, const Columns& columns, const Nei
           double total = 0.0;
           for (int k = begin(i); k < begin(i + 1); ++k)
           {
-            const int start = startOfShare(k);
-            if (share(k) < 0)
+            const int start = startOfFraction(k);
+            if (fraction(k) < 0)
               total += values[c];
             else if (start >= 0)
               total += received(start + c);
@@ -220,19 +221,19 @@ void NeighbourSums::exchange(const Columns& columns)
   const MPI_Comm all = *dynamic_cast<const Teuchos::MpiComm<int>&>(*ranks_.comm()).getRawMpiComm();
   const auto out = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, sent_);
   const auto in = Kokkos::create_mirror_view(received_);
-  const int row = columns.perRow(), room = columns.fields * row;
+  const int row = columns.perRow(), capacity = columns.fields * row;
   std::vector<MPI_Request> requests;
   requests.reserve(2 * neighbours_.size());
   const auto waiting = [&](auto start, double* buffer, const Neighbour& neighbour, int numbers)
   {
     MPI_Request request;
-    start(buffer + static_cast<std::size_t>(neighbour.begin) * room, numbers, MPI_DOUBLE, neighbour.rank, tag,
-          all, &request);
+    start(buffer + static_cast<std::size_t>(neighbour.begin) * capacity, numbers, MPI_DOUBLE, neighbour.rank,
+          tag, all, &request);
     requests.push_back(request);
   };
   for (const Neighbour& neighbour : neighbours_)
     if (neighbour.meets)
-      waiting(MPI_Irecv, in.data(), neighbour, (neighbour.end - neighbour.begin) * room);
+      waiting(MPI_Irecv, in.data(), neighbour, (neighbour.end - neighbour.begin) * capacity);
   for (const Neighbour& neighbour : neighbours_)
     if (neighbour.meets)
       waiting(MPI_Isend, out.data(), neighbour, neighbour.sent * row);

@@ -23,11 +23,11 @@ struct SharedRows
   }
 };
 
-/// Each rank sends its shares of the nodes that it has in common with another straight to that one, and adds
-/// what came in the order of the ranks: all have the same sum to the last digit after one exchange. Between
-/// two ranks there is one message each way, of the rows that are not zero here, each behind its place in the
-/// list that both have: of the nodes that two windows share most are out of the reach of one rank's
-/// particles, are in no body or have no second field.
+/// Each rank sends its fractions of the nodes that it has in common with another straight to that one, and
+/// adds what came in the order of the ranks: all have the same sum to the last digit after one exchange.
+/// Between two ranks there is one message each way, of the rows that are not zero here, each behind its
+/// position in the list that both have: of the nodes that two windows share most are out of the reach of one
+/// rank's particles, are in no body or have no second field.
 class NeighbourSums
 {
 public:
@@ -52,12 +52,12 @@ public:
     double* values;
     int width, first, count, fields;
 
-    /// Numbers of a message for one row: its place and its columns.
+    /// Numbers of a message for one row: its position and its columns.
     KOKKOS_INLINE_FUNCTION int perRow() const { return count + 1; }
   };
   void pack(const SharedRows& rows, const Columns& columns);
-  void findShares(const Columns& columns, bool forget);
-  /// Sums of nodes of which this is the first rank to send a share. \return rows without one here
+  void findFractions(const Columns& columns, bool forget);
+  /// Sums of nodes of which this is the first rank to send a fraction. \return rows without one here
   int add(const SharedRows& rows, const Columns& columns, const Neighbour& from);
 
 private:
@@ -69,8 +69,8 @@ private:
   View<int*> part_;         ///< the first entry with the same neighbour
   View<long long*> before_; ///< rows of entries before each that are sent, and those that may be
   View<int*> came_;         ///< where the row of each entry and field is in what came, or -1
-  View<int*> begin_;        ///< of the shares of each node in the list that follows
-  View<int*> share_;        ///< their entries in the order of the ranks, -1 for the own
+  View<int*> begin_;        ///< of the fractions of each node in the list that follows
+  View<int*> fraction_;     ///< their entries in the order of the ranks, -1 for the own
   std::vector<Neighbour> neighbours_;
   View<double*> sent_, received_;
 };

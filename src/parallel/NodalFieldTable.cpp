@@ -92,7 +92,7 @@ template <int D>
 void NodalFieldTable<D>::layOut(const NodalFieldNodes<D>& nodes)
 {
   nodes_ = nodes;
-  identities_ = NodeIdentities<D>(nodes.grid, nodes.finePlace);
+  identities_ = NodeIdentities<D>(nodes.grid, nodes.finePosition);
   lastRemesh_ = -1;
   for (Column& column : columns_)
   {
@@ -123,7 +123,7 @@ void NodalFieldTable<D>::move(const NodalFieldNodes<D>& to, long step, const Ran
         lost[f] = namedRows(f, first);
     }
   nodes_ = to;
-  identities_ = NodeIdentities<D>(to.grid, to.finePlace);
+  identities_ = NodeIdentities<D>(to.grid, to.finePosition);
   lastRemesh_ = remeshed ? step : lastRemesh_;
   for (int f = 0; f < count; ++f)
   {

@@ -21,8 +21,8 @@ template <int D>
 struct NodalFieldNodes
 {
   Grid<D> grid{};
-  View<double* [D]> finePlace; ///< positions of the nodes of refined cells [m]
-  View<char*> foreign;         ///< not 0 for nodes that another rank owns; empty where there is one rank
+  View<double* [D]> finePosition; ///< positions of the nodes of refined cells [m]
+  View<char*> foreign;            ///< not 0 for nodes that another rank owns; empty where there is one rank
   std::shared_ptr<const Branches<D>> refined; ///< refined cells of all ranks; none where there is one rank
   int generation = -1;                        ///< of the tree; -1: there are no nodes yet
   int perNode = 1;                            ///< 2 where nodes may have an enriched field
@@ -47,7 +47,7 @@ struct NodalFieldRow
 ///
 /// An effect registers a field once, in Effect::addsNodal:
 ///
-///     effect.addsNodal.push_back({{"damage", 1, "", "share of the bonds that have failed"},
+///     effect.addsNodal.push_back({{"damage", 1, "", "fraction of the bonds that have failed"},
 ///                                 OnRemesh::Interpolate});
 ///
 /// and uses it in its calls, from Scatter on:

@@ -6,8 +6,8 @@
 namespace Rhegma
 {
 
-/// The cells that a rank owns, for kernels: each place is in those of one rank, also outside of the domain.
-/// All places are where there is one rank.
+/// The cells that a rank owns, for kernels: each position is in those of one rank, also outside of the
+/// domain. All positions are where there is one rank.
 template <int D>
 struct OwnCells
 {
@@ -15,7 +15,7 @@ struct OwnCells
   View<int* [2][D]> boxes; ///< first cells, and those beyond the last, of the ranks up to this one
   int rank = 0;
 
-  /// Whether a place lies in a cell of this rank; one outside of the domain in the cell nearest to it.
+  /// Whether a position lies in a cell of this rank; one outside of the domain in the cell nearest to it.
   KOKKOS_INLINE_FUNCTION bool hold(const Vector<D>& x) const
   {
     if (boxes.extent(0) == 0)

@@ -116,9 +116,9 @@ std::string Ranks::firstText(const std::string& text) const
     return {};
   int length = static_cast<int>(text.size());
   Teuchos::broadcast(*holder_->comm, first, 1, &length);
-  std::string told = rank_ == first ? text : std::string(length, ' ');
-  Teuchos::broadcast(*holder_->comm, first, length, &told[0]);
-  return told;
+  std::string reported = rank_ == first ? text : std::string(length, ' ');
+  Teuchos::broadcast(*holder_->comm, first, length, &reported[0]);
+  return reported;
 }
 
 } // namespace Rhegma

@@ -29,7 +29,7 @@ inline bool projectsLast(const Teuchos::ParameterList& scene)
 }
 
 /// The stage in which it is known.
-inline Stage stageOfWays(const Teuchos::ParameterList& scene)
+inline Stage stageOfFaceVelocity(const Teuchos::ParameterList& scene)
 {
   return projectsLast(scene) ? Stage::AfterProjection : Stage::Gather;
 }

@@ -14,7 +14,7 @@ namespace
 {
 
 /// A copy in memory is taken when this many times as long has passed as the last took.
-constexpr int shareOfCopies = 50;
+constexpr int fractionOfCopies = 50;
 
 double orZero(const Teuchos::ParameterList& list, const char* name)
 {
@@ -45,7 +45,7 @@ void Checkpoints::afterSample()
     return;
   simulation_.hold(notesOf(history_.soFar()));
   const Clock::time_point end = Clock::now();
-  nextHold_ = end + shareOfCopies * (end - begin);
+  nextHold_ = end + fractionOfCopies * (end - begin);
   ++cost_.copies;
   cost_.seconds += std::chrono::duration<double>(end - begin).count();
 }
@@ -100,7 +100,7 @@ void Checkpoints::afterGoingBack()
 std::string Checkpoints::atStop()
 {
   if (!wanted_ || !sound())
-    return atTrouble();
+    return atFailure();
   try
   {
     write();
@@ -112,7 +112,7 @@ std::string Checkpoints::atStop()
   return whereToGoOn();
 }
 
-std::string Checkpoints::atTrouble()
+std::string Checkpoints::atFailure()
 {
   if (!wanted_)
     return {};

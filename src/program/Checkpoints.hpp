@@ -14,12 +14,13 @@ namespace Rhegma::program
 {
 
 /// Writes checkpoint.h5 in the output folder: at intervals of simulated time and of the clock (section
-/// Output), where a signal stops the run, before the run ends in trouble, and at its end where an interval of
+/// Output), where a signal stops the run, before the run ends in failure, and at its end where an interval of
 /// simulated time is given.
 ///
 /// Trouble is found in the middle of a step whose numbers are no state, and what leads to it may have begun
-/// long before. So a copy of the state is kept in memory at samples at which the ledger of energies is sound,
-/// as often as that takes less than a fiftieth of the run; it is written when the run stops in trouble.
+/// long before. So a copy of the state is kept in memory at samples at which the energy balance of energies
+/// is sound, as often as that takes less than a fiftieth of the run; it is written when the run stops in
+/// failure.
 class Checkpoints
 {
 public:
@@ -45,7 +46,7 @@ public:
   /// \return what to tell who is told that the run stopped; begins with "; ", or is empty
   std::string atStop();
   /// Writes the last state that was sound. \return the same
-  std::string atTrouble();
+  std::string atFailure();
 
   /// Checkpoints written, copies taken, and the seconds that both took.
   struct Cost

@@ -39,17 +39,17 @@ void copy(const std::string& from, const std::string& to)
 EarlierPart::EarlierPart(const std::string& checkpoint, const std::string& folder, const HistorySoFar& soFar)
     : exists_(true), folder_(folder), soFar_(soFar)
 {
-  const std::string beside = fs::path(checkpoint).parent_path().string();
-  source_ = beside.empty() ? "." : beside;
+  const std::string adjacent = fs::path(checkpoint).parent_path().string();
+  source_ = adjacent.empty() ? "." : adjacent;
   if (soFar.bytes == 0)
     return;
   std::string other;
-  for (const std::string& place : {source_, folder_})
+  for (const std::string& position : {source_, folder_})
   {
-    const std::string history = place + "/history.csv";
+    const std::string history = position + "/history.csv";
     if (beginsWith(history, soFar))
     {
-      source_ = place;
+      source_ = position;
       return;
     }
     if (other.empty() && isThere(history))

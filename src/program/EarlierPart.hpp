@@ -9,7 +9,7 @@
 namespace Rhegma::program
 {
 
-/// Finds the history and the fields of a run beside its checkpoint, or in the folder in which it goes on.
+/// Finds the history and the fields of a run next to its checkpoint, or in the folder in which it goes on.
 class EarlierPart
 {
 public:

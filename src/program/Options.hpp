@@ -35,7 +35,7 @@ struct Options
   };
   Action action = Action::Run;
   std::string scene;
-  std::string output;  ///< folder; empty: beside the scene
+  std::string output;  ///< folder; empty: next to the scene
   std::string section; ///< of --describe
   std::string restart; ///< checkpoint to go on from; empty: the scene's start
   std::vector<std::string> overrides;

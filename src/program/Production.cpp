@@ -109,7 +109,7 @@ void Production::observe()
 
 std::string Production::toTheEnd()
 {
-  std::string trouble;
+  std::string failure;
   try
   {
     checkpoints_.afterSample();
@@ -128,18 +128,18 @@ std::string Production::toTheEnd()
   }
   catch (const RunError& error)
   {
-    trouble = error.what() + (asked_ ? std::string() : retries_.inVain() + checkpoints_.atTrouble());
+    failure = error.what() + (asked_ ? std::string() : retries_.inVain() + checkpoints_.atFailure());
   }
   catch (const OutputError& error)
   {
-    trouble = stoppedBy(error.what()) + checkpoints_.atTrouble();
+    failure = stoppedBy(error.what()) + checkpoints_.atFailure();
   }
   catch (const std::bad_alloc&)
   {
     if (ranks_.many())
       throw;
-    trouble = stoppedBy("there is no memory left; use larger cells (Domain > Cell Size)") +
-              checkpoints_.atTrouble();
+    failure = stoppedBy("there is no memory left; use larger cells (Domain > Cell Size)") +
+              checkpoints_.atFailure();
   }
   try
   {
@@ -147,17 +147,17 @@ std::string Production::toTheEnd()
   }
   catch (const OutputError& error)
   {
-    if (trouble.empty())
-      trouble = stoppedBy(error.what());
+    if (failure.empty())
+      failure = stoppedBy(error.what());
   }
   progress_.finish();
-  return ranks_.firstText(trouble);
+  return ranks_.firstText(failure);
 }
 
-bool Production::retry(const RunError& trouble)
+bool Production::retry(const RunError& failure)
 {
   if (asked_ || !simulation_.holds() ||
-      !retries_.mayHelp(trouble.what(), simulation_.heldTime(), simulation_.time()))
+      !retries_.mayHelp(failure.what(), simulation_.heldTime(), simulation_.time()))
     return false;
   const HistorySoFar soFar = readNotes(simulation_.goBack());
   onFirstRank<OutputError>(ranks_,
@@ -166,11 +166,11 @@ bool Production::retry(const RunError& trouble)
                              history_.sync();
                              history_ = History(folder_ + "/history.csv", soFar);
                            });
-  retries_.goesOnWith(simulation_.stepShare());
+  retries_.goesOnWith(simulation_.stepFraction());
   checkpoints_.afterGoingBack();
   goesOn_ = true;
   takeUpFields();
-  warnings_.push_back(retries_.inWords());
+  warnings_.push_back(retries_.asText());
   return true;
 }
 

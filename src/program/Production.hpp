@@ -49,8 +49,8 @@ private:
   void observe();
   void takeUpFields();
   void advanceFromFieldToField();
-  /// Goes on after trouble with shorter steps. \return whether that may help
-  bool retry(const RunError& trouble);
+  /// Goes on after failure with shorter steps. \return whether that may help
+  bool retry(const RunError& failure);
   /// Throws where a signal or a file that can't be written, on any rank, ends the run.
   /// \return whether a checkpoint is due by the clock
   bool stopIfAsked(double time, long step);

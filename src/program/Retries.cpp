@@ -10,34 +10,34 @@ namespace Rhegma::program
 namespace
 {
 
-/// Share of the way from the state in memory to the trouble within which trouble is at the same time.
+/// Fraction of the way from the state in memory to the failure within which failure is at the same time.
 constexpr double sameTime = 0.01;
 
 } // namespace
 
-bool Retries::mayHelp(const std::string& trouble, double from, double at)
+bool Retries::mayHelp(const std::string& failure, double from, double at)
 {
   const bool again = at_ >= 0.0 && std::fabs(at - at_) <= sameTime * (at_ - from_);
   unchanged_ = again ? unchanged_ + 1 : 0;
   if (taken_ >= most_ || unchanged_ >= 2)
     return false;
   ++taken_;
-  trouble_ = trouble;
+  failure_ = failure;
   from_ = from;
   at_ = at;
   return true;
 }
 
-std::string Retries::inWords() const
+std::string Retries::asText() const
 {
-  return trouble_ + "; the run returned to t = " + readableTime(from_) +
-         " and continues with time steps of " + formatReal(share_) + " of the stable length";
+  return failure_ + "; the run returned to t = " + readableTime(from_) +
+         " and continues with time steps of " + formatReal(fraction_) + " of the stable length";
 }
 
 std::string Retries::inVain() const
 {
   return taken_ == 0 ? std::string()
-                     : "; time steps of " + formatReal(share_) +
+                     : "; time steps of " + formatReal(fraction_) +
                            " of the stable length from t = " + readableTime(from_) + " did not help";
 }
 

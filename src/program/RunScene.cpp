@@ -127,7 +127,7 @@ void printWarnings(const nlohmann::json& summary, std::ostream& err)
 }
 
 /// What a scene runs on, which it may have left to Domain > Accuracy.
-std::string cellsInWords(const nlohmann::json& summary, long particles)
+std::string cellsAsText(const nlohmann::json& summary, long particles)
 {
   const double largest = summary["cells"]["largest"], smallest = summary["cells"]["smallest"];
   return std::to_string(particles) + " particles in cells of " + readableLength(largest) +
@@ -135,7 +135,7 @@ std::string cellsInWords(const nlohmann::json& summary, long particles)
 }
 
 /// How far away the end is, by the step that bodies and cells allow now: what a run will cost.
-std::string stepsInWords(const Simulation& simulation, const Teuchos::ParameterList& scene)
+std::string stepsAsText(const Simulation& simulation, const Teuchos::ParameterList& scene)
 {
   const Teuchos::ParameterList& time = scene.sublist("Time");
   const double step = simulation.stableTimeStep();
@@ -164,8 +164,8 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
   }
   const Ranks ranks(world());
   Production production(options, *scene, simulation, earlier, out, ranks);
-  std::string trouble = production.toTheEnd();
-  const std::string status = !trouble.empty()          ? trouble
+  std::string failure = production.toTheEnd();
+  const std::string status = !failure.empty()          ? failure
                              : production.outOfSteps() ? "finished at Time > Maximum Steps"
                                                        : "finished";
   nlohmann::json summary = makeSummary(facts(options, simulation, status), simulation.report());
@@ -176,22 +176,22 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
   const bool within = addReferences(references(*scene), summary);
   const std::string unwritten = ranks.firstText(
       ranks.rank() == 0 ? writeWhereItCan(summary, production.folder() + "/summary.json") : std::string());
-  if (trouble.empty())
-    trouble = unwritten;
+  if (failure.empty())
+    failure = unwritten;
   for (const auto& answer : summary.value("answers", nlohmann::json::array()))
     if (!options.quiet)
       out << answer.get<std::string>() << "\n";
   if (!options.quiet)
-    out << (trouble.empty() ? "Results are in " : "Results up to then are in ") << production.folder()
+    out << (failure.empty() ? "Results are in " : "Results up to then are in ") << production.folder()
         << "\n";
   printWarnings(summary, err);
-  if (!trouble.empty())
+  if (!failure.empty())
   {
-    err << "rhegma: " << trouble << "\n";
+    err << "rhegma: " << failure << "\n";
     return exitStopped;
   }
   if (!options.quiet)
-    out << referencesInWords(summary);
+    out << referencesAsText(summary);
   return within ? exitFinished : exitReferenceMissed;
 }
 
@@ -232,7 +232,7 @@ int run(const Options& options, std::ostream& out, std::ostream& err)
         printWarnings(summary, err);
         out << options.scene << " is a valid scene"
             << (options.restart.empty() ? "" : ", and " + options.restart + " a checkpoint of it") << ": "
-            << cellsInWords(summary, simulation.particles()) << stepsInWords(simulation, *scene) << "\n";
+            << cellsAsText(summary, simulation.particles()) << stepsAsText(simulation, *scene) << "\n";
         return exitFinished;
       }
       return runScene(options, scene, out, err);

@@ -32,12 +32,12 @@ CellNeeds needsOf(const ParameterList& scene, const SceneSchema& schema, std::ve
       effect.cells.tell(schema.partFor(section, scene), needs, errors);
   const ParameterList& time = scene.sublist("Time");
   if (time.isType<std::string>("Update Scheme") && time.get<std::string>("Update Scheme") != "MUSL")
-    needs.equal = true; // short steps are those of MUSL
+    needs.equal = true; // substeps are those of MUSL
   return needs;
 }
 
 /// "is known for A and for B, and the scene has neither".
-std::string complaintOfNothing(const SceneSchema& schema)
+std::string nothingMessage(const SceneSchema& schema)
 {
   std::string known;
   int count = 0;
@@ -101,7 +101,7 @@ void choose(ParameterList& scene, const ParameterList& read, const SceneSchema& 
   if (needs.fronts())
     cell = std::min(cell, needs.across / (needs.running ? 16.0 : rule.perLigament));
   if (!std::isfinite(cell))
-    throw std::invalid_argument(complaintOfNothing(schema));
+    throw std::invalid_argument(nothingMessage(schema));
   // Four fifths of the error are for the place of the front.
   const double atFront = 1.6 * rule.share * needs.atFronts;
   const bool mayRefine =

@@ -19,7 +19,7 @@ struct AccuracyRule
   double share;       ///< error of G, K or a rise of temperature
   double perLigament; ///< cells across the shortest way from a front to a surface, or a crack's (half) length
   double perSource;   ///< cells in the radius of a moving source of heat
-  double perResting;  ///< cells in the radius of one at rest, whose peak stays in one place
+  double perResting;  ///< cells in the radius of one at rest, whose peak stays in one position
   bool running;       ///< whether cracks that run reach it
 };
 
@@ -31,8 +31,8 @@ const std::vector<AccuracyRule>& accuracyRules();
 /// them.
 ///
 /// A front among nodes acts as if the crack were up to a quarter of a cell shorter, and G is in proportion to
-/// no more than the square of a crack's length in usual bodies; so cells at the front are small beside the
-/// crack, and all others beside the ligament only.
+/// no more than the square of a crack's length in usual bodies; so cells at the front are small next to the
+/// crack, and all others next to the ligament only.
 ///
 /// A scene without Accuracy stays as it is. Where the cells can't be chosen an error says why; then, and
 /// where the scene has other mistakes, cells are such that the checks that follow have some.

@@ -19,7 +19,7 @@ struct CellNeeds
   static constexpr double none = std::numeric_limits<double>::infinity();
 
   double across = none;   ///< from a crack front to a surface, or a crack's (half) length if shorter [m]
-  double atFronts = none; ///< the shortest crack's (half) length, beside which cells at fronts are small [m]
+  double atFronts = none; ///< the shortest crack's (half) length, next to which cells at fronts are small [m]
   double source = none;   ///< radius of the smallest round source of heat that moves [m]
   double atRest = none;   ///< radius of the smallest one at rest [m]
   bool running = false;   ///< whether fronts run

@@ -54,13 +54,13 @@ Condition given(const std::string& section, const std::string& parameter)
 
 Condition is(const std::string& section, const std::string& parameter, std::vector<std::string> values)
 {
-  return {section, parameter, " = " + inWords(values), false,
+  return {section, parameter, " = " + asText(values), false,
           [=](const ParameterList& s) { return contains(values, textOf(s, parameter)); }};
 }
 
 Condition isNot(const std::string& section, const std::string& parameter, std::vector<std::string> values)
 {
-  return {section, parameter, " other than " + inWords(values), false, [=](const ParameterList& s) {
+  return {section, parameter, " other than " + asText(values), false, [=](const ParameterList& s) {
             return textOf(s, parameter) && !contains(values, textOf(s, parameter));
           }};
 }
@@ -83,7 +83,7 @@ Condition unprovided(const std::string& capability) { return {"", "", "", false,
 
 } // namespace when
 
-std::string Rule::inWords() const
+std::string Rule::asText() const
 {
   std::string text;
   for (const Condition& c : conditions)
@@ -139,8 +139,8 @@ struct RuleCheck
   const SceneSchema& schema;
   std::vector<SceneError>& errors;
 
-  /// The places where a condition holds. \param name that "*" stands for; empty: any
-  std::vector<Place> places(const Condition& condition, const std::string& name) const
+  /// The positions where a condition holds. \param name that "*" stands for; empty: any
+  std::vector<Place> positions(const Condition& condition, const std::string& name) const
   {
     std::vector<Place> all;
     if (!condition.capability.empty())
@@ -151,13 +151,13 @@ struct RuleCheck
     }
     bool any = false;
     findLists(scene, condition.section, {"", name},
-              [&](const ParameterList& list, const Place& place)
+              [&](const ParameterList& list, const Place& position)
               {
                 any = true;
                 if (!condition.absent && condition.holds(list))
-                  all.push_back(
-                      {condition.parameter.empty() ? place.path : scenePath(place.path, condition.parameter),
-                       place.name});
+                  all.push_back({condition.parameter.empty() ? position.path
+                                                             : scenePath(position.path, condition.parameter),
+                                 position.name});
               });
     if (condition.absent && !any)
       all.push_back({condition.section, name});
@@ -168,10 +168,10 @@ struct RuleCheck
   {
     if (rule.onlyDimension != 0 && rule.onlyDimension != dimensionOf(scene))
       return;
-    for (const Place& place : places(rule.conditions[rule.at], ""))
+    for (const Place& position : positions(rule.conditions[rule.at], ""))
       if (std::all_of(rule.conditions.begin(), rule.conditions.end(),
-                      [&](const Condition& c) { return !places(c, place.name).empty(); }))
-        errors.push_back({place.path, rule.reason});
+                      [&](const Condition& c) { return !positions(c, position.name).empty(); }))
+        errors.push_back({position.path, rule.reason});
   }
 
   /// Lists that are named after those of another section.
@@ -183,7 +183,7 @@ struct RuleCheck
           errors.push_back(
               {scenePath(path, name), "there is no " + section.entry.front().name + " of this name; " +
                                           section.namesOf + " has " +
-                                          inWords(sublistNames(scene.sublist(section.namesOf)), ", ")});
+                                          asText(sublistNames(scene.sublist(section.namesOf)), ", ")});
     for (const Section& sub : section.sections)
       if (list.isSublist(sub.name))
         checkNames(list.sublist(sub.name), sub, scenePath(path, sub.name));

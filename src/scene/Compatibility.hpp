@@ -1,6 +1,6 @@
 #pragma once
 /// What does not go together in a scene, as data: rules stand in the sections that they are about
-/// (`Section::refuse`), are checked in one place, and are printed in the reference.
+/// (`Section::refuse`), are checked in one position, and are printed in the reference.
 
 #include "scene/SceneError.hpp"
 
@@ -61,7 +61,7 @@ struct Rule
   int onlyDimension = 0; ///< 2 or 3: only scenes of this dimension; 0: all
 
   /// The conditions as in the reference.
-  std::string inWords() const;
+  std::string asText() const;
 };
 
 /// Adds an error for every rule of the schema that a scene breaks, and for lists that should have names of

@@ -2,7 +2,7 @@
 
 #include "material/Laws.hpp"
 #include "scene/CoreBodies.hpp"
-#include "scene/HeatWords.hpp"
+#include "scene/HeatParameters.hpp"
 #include "scene/Schema.hpp"
 
 namespace Rhegma

@@ -50,13 +50,13 @@ private:
   {
     const auto spacing = real(domain, "Cell Size");
     // Somebody who misspelt one of the two has been told.
-    const bool told = std::any_of(errors().begin(), errors().end(),
-                                  [](const SceneError& error)
-                                  {
-                                    return error.where.rfind("Domain > ", 0) == 0 &&
-                                           (mentions(error, "Cell Size") || mentions(error, "Accuracy"));
-                                  });
-    if (!spacing && !told && !domain.isParameter("Accuracy"))
+    const bool reported = std::any_of(errors().begin(), errors().end(),
+                                      [](const SceneError& error)
+                                      {
+                                        return error.where.rfind("Domain > ", 0) == 0 &&
+                                               (mentions(error, "Cell Size") || mentions(error, "Accuracy"));
+                                      });
+    if (!spacing && !reported && !domain.isParameter("Accuracy"))
       report("Domain > Cell Size", "is missing; write a real number [m], or write Accuracy instead.");
     if (!corners(domain, "Domain", false) || !spacing)
       return;

@@ -10,8 +10,8 @@
 namespace Rhegma
 {
 
-/// Corners, cells of the domain, materials and bodies that others name, shapes and their place in the domain,
-/// the axes of boundaries, histories that stay finite. Entries that are absent are not checked.
+/// Corners, cells of the domain, materials and bodies that others name, shapes and their position in the
+/// domain, the axes of boundaries, histories that stay finite. Entries that are absent are not checked.
 void crossCheckCore(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors);
 
 /// Fills in the core's defaults that follow from other parameters: Output > History Interval.

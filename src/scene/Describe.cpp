@@ -14,7 +14,7 @@ namespace Rhegma
 namespace
 {
 
-std::string valueInWords(const ParameterValue& value)
+std::string valueAsText(const ParameterValue& value)
 {
   return std::visit(
       [](const auto& v) -> std::string
@@ -40,15 +40,14 @@ std::string valueInWords(const ParameterValue& value)
 }
 
 /// The default, or what its absence means.
-std::string defaultInWords(const Parameter& parameter)
+std::string defaultAsText(const Parameter& parameter)
 {
   if (!parameter.derivedDefault.empty())
     return parameter.derivedDefault;
   if (parameter.byDefault && parameter.byDefaultIn3D)
-    return valueInWords(*parameter.byDefault) + " in 2D, " + valueInWords(*parameter.byDefaultIn3D) +
-           " in 3D";
+    return valueAsText(*parameter.byDefault) + " in 2D, " + valueAsText(*parameter.byDefaultIn3D) + " in 3D";
   if (parameter.byDefault)
-    return valueInWords(*parameter.byDefault);
+    return valueAsText(*parameter.byDefault);
   return parameter.required ? "required" : "absent";
 }
 
@@ -72,7 +71,7 @@ std::string typeName(ParameterType type)
 }
 
 /// Range, choices, length and dimension.
-std::string allowedInWords(const Parameter& parameter)
+std::string allowedAsText(const Parameter& parameter)
 {
   std::vector<std::string> parts;
   const auto add = [&parts](const std::string& part)
@@ -80,11 +79,11 @@ std::string allowedInWords(const Parameter& parameter)
     if (!part.empty())
       parts.push_back(part);
   };
-  add(parameter.rangeInWords());
+  add(parameter.rangeAsText());
   if (!parameter.choices.empty())
-    add("one of " + inWords(parameter.choices));
+    add("one of " + asText(parameter.choices));
   if (parameter.type == ParameterType::RealArray || parameter.type == ParameterType::IntegerArray)
-    add(parameter.length.inWords(0));
+    add(parameter.length.asText(0));
   if (parameter.type == ParameterType::TimeFunction)
     add("an expression of t or a table of time:value");
   if (parameter.mayBeTable)
@@ -95,24 +94,24 @@ std::string allowedInWords(const Parameter& parameter)
     add(std::to_string(parameter.onlyDimension) + "D only");
   if (parameter.changeable)
     add("may change on restart");
-  return inWords(parts, "; ");
+  return asText(parts, "; ");
 }
 
-std::string ruleInWords(const Together& rule)
+std::string ruleAsText(const Together& rule)
 {
   switch (rule.rule)
   {
   case Together::Rule::ExactlyOne:
-    return "Exactly one of " + inWords(rule.names) + " is given.";
+    return "Exactly one of " + asText(rule.names) + " is given.";
   case Together::Rule::AtMostOne:
-    return "At most one of " + inWords(rule.names) + " is given.";
+    return "At most one of " + asText(rule.names) + " is given.";
   case Together::Rule::AllOrNone:
-    return "Either all of " + inWords(rule.names, " and ") + " are given or none.";
+    return "Either all of " + asText(rule.names, " and ") + " are given or none.";
   }
   return {};
 }
 
-std::string presenceInWords(const Section& section)
+std::string presenceAsText(const Section& section)
 {
   return section.presence == Section::Presence::Required ? "required" : "optional";
 }
@@ -145,7 +144,7 @@ private:
     if (!section.parameters.empty())
       table(section.parameters);
     for (const auto& rule : section.together)
-      sentence(ruleInWords(rule));
+      sentence(ruleAsText(rule));
     if (!section.rules.empty())
       rules(section.rules);
     if (section.changeable)
@@ -157,7 +156,7 @@ private:
       this->section(variant, path, section.key + " = " + variant.name + dimension);
     }
     for (const auto& sub : section.sections)
-      this->section(sub, scenePath(path, sub.name), presenceInWords(sub));
+      this->section(sub, scenePath(path, sub.name), presenceAsText(sub));
     if (section.userNamed())
       this->section(section.entry.front(), scenePath(path, "<" + section.entry.front().name + ">"),
                     "any name, any number");
@@ -177,11 +176,11 @@ protected:
     for (const auto& p : parameters)
     {
       out << "  " << p.name << "  " << typeName(p.type) << (p.unit.empty() ? "" : " [" + p.unit + "]");
-      const std::string byDefault = defaultInWords(p);
+      const std::string byDefault = defaultAsText(p);
       out << (byDefault == "required" ? "; required"
               : byDefault == "absent" ? "; absent unless given"
                                       : "; default " + byDefault);
-      const std::string allowed = allowedInWords(p);
+      const std::string allowed = allowedAsText(p);
       out << (allowed.empty() ? "" : "; " + allowed) << "\n      " << p.meaning << "\n";
     }
     out << "\n";
@@ -191,7 +190,7 @@ protected:
   {
     out << "  Refused together:\n";
     for (const Rule& rule : rules)
-      out << "    " << rule.inWords() << ":\n      " << rule.reason << "\n";
+      out << "    " << rule.asText() << ":\n      " << rule.reason << "\n";
     out << "\n";
   }
 
@@ -269,7 +268,7 @@ void describePart(const Section& root, const std::vector<std::string>& names, Pl
       writer.parameters(scenePath(path, name), named);
       return;
     }
-    note = next != nullptr ? presenceInWords(*next) : "any name, any number";
+    note = next != nullptr ? presenceAsText(*next) : "any name, any number";
     if (next == nullptr && section->userNamed())
       next = &section->entry.front();
     if (next == nullptr)
@@ -319,8 +318,7 @@ protected:
     out << "| Parameter | Type | Unit | Default | Allowed | Meaning |\n|:--|:--|:--|:--|:--|:--|\n";
     for (const auto& p : parameters)
       out << "| " << p.name << " | " << typeName(p.type) << " | " << cell(p.unit) << " | "
-          << cell(defaultInWords(p)) << " | " << cell(allowedInWords(p)) << " | " << cell(p.meaning)
-          << " |\n";
+          << cell(defaultAsText(p)) << " | " << cell(allowedAsText(p)) << " | " << cell(p.meaning) << " |\n";
     out << "\n";
   }
   void sentence(const std::string& text) override { out << text << "\n\n"; }
@@ -328,7 +326,7 @@ protected:
   {
     out << "| Refused together | Why |\n|:--|:--|\n";
     for (const Rule& rule : rules)
-      out << "| " << cell(rule.inWords()) << " | " << cell(rule.reason) << " |\n";
+      out << "| " << cell(rule.asText()) << " | " << cell(rule.reason) << " |\n";
     out << "\n";
   }
 };
@@ -340,7 +338,7 @@ std::string describe(const SceneSchema& schema, const std::string& path)
   PlainWriter writer;
   if (path.empty())
     for (const auto& s : schema.root().sections)
-      writer.section(s, s.name, presenceInWords(s));
+      writer.section(s, s.name, presenceAsText(s));
   else
     describePart(schema.root(), partsOf(path), writer);
   return writer.text();
@@ -352,7 +350,7 @@ std::string describeMarkdown(const SceneSchema& schema)
   std::string contents;
   for (const auto& s : schema.root().sections)
   {
-    writer.section(s, s.name, presenceInWords(s));
+    writer.section(s, s.name, presenceAsText(s));
     contents += (contents.empty() ? "" : ", ") + ("[" + s.name + "](#" + anchor(s.name) + ")");
   }
   std::string text = writer.text();

@@ -65,7 +65,7 @@ std::string suggestion(const std::string& given, const std::vector<std::string>&
     return "did you mean \"" + nearest + "\"?";
   if (names.empty())
     return "nothing is allowed here.";
-  return "possible here: " + inWords(names, ", ") + ".";
+  return "possible here: " + asText(names, ", ") + ".";
 }
 
 std::string renamedTo(const std::string& newName)
@@ -73,7 +73,7 @@ std::string renamedTo(const std::string& newName)
   return "this parameter is now named \"" + newName + "\"; write that name.";
 }
 
-std::string inWords(const std::vector<std::string>& names, const std::string& lastJoin)
+std::string asText(const std::vector<std::string>& names, const std::string& lastJoin)
 {
   std::string text;
   for (std::size_t i = 0; i < names.size(); ++i)

@@ -21,6 +21,6 @@ std::string suggestion(const std::string& given, const std::vector<std::string>&
 std::string renamedTo(const std::string& newName);
 
 /// "A", "A or B", "A, B or C".
-std::string inWords(const std::vector<std::string>& names, const std::string& lastJoin = " or ");
+std::string asText(const std::vector<std::string>& names, const std::string& lastJoin = " or ");
 
 } // namespace Rhegma

@@ -165,7 +165,7 @@ std::optional<std::string> wrongTable(const Parameter& parameter, const std::str
           (parameter.lowerOpen && value == parameter.lower) ||
           (parameter.upperOpen && value == parameter.upper))
         return "has the value " + formatReal(value) + (parameter.unit.empty() ? "" : " " + parameter.unit) +
-               " in its table; all must be " + parameter.rangeInWords() + ".";
+               " in its table; all must be " + parameter.rangeAsText() + ".";
   }
   catch (const std::invalid_argument& error)
   {
@@ -195,7 +195,7 @@ std::optional<std::string> wrongLength(const Parameter& parameter, const Paramet
   if (parameter.length.holds(n, dimension))
     return {};
   return "has " + std::to_string(n) + (n == 1 ? " number" : " numbers") + "; write " +
-         parameter.length.inWords(dimension) +
+         parameter.length.asText(dimension) +
          (dimension == 0 ? "." : " (the scene is " + std::to_string(dimension) + "D).");
 }
 
@@ -208,7 +208,7 @@ std::string refused(const Parameter& parameter, const ParameterEntry& entry, con
   {
     const std::string given = Teuchos::getValue<std::string>(entry);
     const std::string nearest = nearestName(given, parameter.choices);
-    return "is \"" + given + "\"; write " + inWords(parameter.choices) +
+    return "is \"" + given + "\"; write " + asText(parameter.choices) +
            (nearest.empty() ? "." : " (did you mean \"" + nearest + "\"?).");
   }
   case ParameterType::TimeFunction:
@@ -217,14 +217,14 @@ std::string refused(const Parameter& parameter, const ParameterEntry& entry, con
     return "is empty; write a text.";
   default:
     return "is " + (number(entry) ? formatReal(*number(entry)) : found(entry)) +
-           (parameter.unit.empty() ? "" : " " + parameter.unit) + "; it must be " + parameter.rangeInWords() +
+           (parameter.unit.empty() ? "" : " " + parameter.unit) + "; it must be " + parameter.rangeAsText() +
            (parameter.unit.empty() ? "." : " " + parameter.unit + ".");
   }
 }
 
 } // namespace
 
-std::string typeInWords(ParameterType type)
+std::string typeAsText(ParameterType type)
 {
   switch (type)
   {
@@ -276,8 +276,7 @@ std::optional<std::string> normaliseValue(Teuchos::ParameterList& list, const Pa
   const auto value = convert(entry, parameter.type);
   const std::string given = found(entry);
   if (!value)
-    return "is " + given + "; write " + typeInWords(parameter.type) + " (" + howToWrite(parameter.type) +
-           ").";
+    return "is " + given + "; write " + typeAsText(parameter.type) + " (" + howToWrite(parameter.type) + ").";
   if (!finite(*value))
     return "is not finite (" + given + "); write a finite number.";
   if (auto wrong = wrongLength(parameter, *value, dimension))

@@ -27,6 +27,6 @@ void setValue(Teuchos::ParameterList& list, const Parameter& parameter, const Pa
 std::optional<ParameterValue> valueFromText(const Parameter& parameter, const std::string& text);
 
 /// "a real number", "a whole number", "true or false", ...
-std::string typeInWords(ParameterType type);
+std::string typeAsText(ParameterType type);
 
 } // namespace Rhegma

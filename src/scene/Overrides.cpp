@@ -88,8 +88,7 @@ void setParameter(Teuchos::ParameterList& scene, const std::string& text, const 
   if (const auto value = valueFromText(*parameter, given))
     setValue(*list, *parameter, *value);
   else
-    errors.push_back(
-        {where, quoted + "gives \"" + given + "\"; write " + typeInWords(parameter->type) + "."});
+    errors.push_back({where, quoted + "gives \"" + given + "\"; write " + typeAsText(parameter->type) + "."});
 }
 
 } // namespace

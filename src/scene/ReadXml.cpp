@@ -186,7 +186,7 @@ private:
   std::vector<SceneError>& m_errors;
 };
 
-/// Teuchos' own sentence without the place in its source.
+/// Teuchos' own sentence without the position in its source.
 std::string parserReason(const std::string& what)
 {
   const std::string mark = "XML parse error at ";

@@ -69,7 +69,7 @@ double SceneBodies<D>::nearest(const Vector<D>& x, double span) const
   return least;
 }
 
-/// How far along a direction all places are inside, looked for up to `most`.
+/// How far along a direction all positions are inside, looked for up to `most`.
 template <int D>
 double SceneBodies<D>::reach(const Vector<D>& x, const Vector<D>& way, double most) const
 {

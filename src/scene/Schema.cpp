@@ -37,7 +37,7 @@ std::string count(int n, const std::string& noun)
 
 } // namespace
 
-std::string ArrayLength::inWords(int dimension) const
+std::string ArrayLength::asText(int dimension) const
 {
   const std::string fewest = atLeast > 0 ? ", at least " + std::to_string(atLeast) : "";
   switch (rule)
@@ -69,7 +69,7 @@ const ParameterValue* Parameter::defaultIn(int dimension) const
   return byDefault ? &*byDefault : nullptr;
 }
 
-std::string Parameter::rangeInWords() const
+std::string Parameter::rangeAsText() const
 {
   const bool hasUpper = std::isfinite(upper);
   if (!std::isfinite(lower))

@@ -6,7 +6,7 @@
 ///
 ///     Section time("Time", "How long and how finely the run steps.");
 ///     time.real("Final Time").unit("s").positive().meaning("The run ends here.");
-///     time.real("CFL").above(0.0).atMost(1.0).byDefault(0.4).meaning("Share of the stable step that is
+///     time.real("CFL").above(0.0).atMost(1.0).byDefault(0.4).meaning("Fraction of the stable step that is
 ///     used.");
 
 #include "scene/CellNeeds.hpp"
@@ -60,7 +60,7 @@ struct ArrayLength
   /// Whether an array of n values fits; an unknown dimension (0) fits every rule that needs it.
   bool holds(int n, int dimension) const;
   /// The rule in words, such as "2 numbers"; in general terms with dimension 0.
-  std::string inWords(int dimension) const;
+  std::string asText(int dimension) const;
 };
 
 struct Parameter
@@ -97,7 +97,7 @@ struct Parameter
     return onlyDimension == 0 || dimension == 0 || onlyDimension == dimension;
   }
   /// The allowed values in words, such as "above -1 and below 0.5"; empty if all are.
-  std::string rangeInWords() const;
+  std::string rangeAsText() const;
 };
 
 /// Writes one parameter, in the order in which a reader asks. Valid until the section gets its next
@@ -196,7 +196,7 @@ struct Section
   /// Names of subsections that are planned but not there.
   std::vector<std::string> toCome;
 
-  /// Zero or one: what every sublist holds that the user names, beside the fixed subsections. Its own name
+  /// Zero or one: what every sublist holds that the user names, next to the fixed subsections. Its own name
   /// says what such a sublist is, such as "body".
   std::vector<Section> entry;
   bool userNamed() const { return !entry.empty(); }

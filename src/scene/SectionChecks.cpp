@@ -117,8 +117,8 @@ void SectionChecks::history(const ParameterList& boundary, const std::string& wh
   const std::string given = text(boundary, "History");
   if (!end || given.empty())
     return;
-  if (const auto complaint = complaintIfNotFinite(given, *end))
-    report(scenePath(where, "History"), *complaint);
+  if (const auto message = messageIfNotFinite(given, *end))
+    report(scenePath(where, "History"), *message);
 }
 
 void SectionChecks::surface(const ParameterList& list, const std::string& where)

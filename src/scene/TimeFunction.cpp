@@ -72,7 +72,7 @@ double TimeFunction::operator()(double t) const
   return form.parser.Eval();
 }
 
-std::optional<std::string> complaintIfNotFinite(const std::string& given, double end)
+std::optional<std::string> messageIfNotFinite(const std::string& given, double end)
 {
   const auto function = TimeFunction::parse(given);
   const int samples = 200;

@@ -31,6 +31,6 @@ private:
 /// that is.
 /// \param given the text of the function
 /// \param end   of the run [s]
-std::optional<std::string> complaintIfNotFinite(const std::string& given, double end);
+std::optional<std::string> messageIfNotFinite(const std::string& given, double end);
 
 } // namespace Rhegma

@@ -127,7 +127,7 @@ void Validation::checkDimension(const Section& section, const ActiveSection& act
       others.push_back(variant.name);
   report(scenePath(path, section.key), "is " + active.variant->name + ", which only a " +
                                            std::to_string(active.variant->onlyDimension) + inThisScene +
-                                           "write " + inWords(others) + ".");
+                                           "write " + asText(others) + ".");
 }
 
 void Validation::checkEntry(Teuchos::ParameterList& list, const std::string& name, const Section& section,
@@ -217,7 +217,7 @@ void Validation::unknownParameter(const std::string& name, const Section& sectio
   }
   if (!owners.empty())
   {
-    report(where, "belongs to the " + section.key + " " + inWords(owners) + "; leave it out or change " +
+    report(where, "belongs to the " + section.key + " " + asText(owners) + "; leave it out or change " +
                       section.key + ".");
     return;
   }
@@ -246,9 +246,9 @@ void Validation::fillIn(Teuchos::ParameterList& list, const ActiveSection& activ
     if (const auto* value = parameter->defaultIn(m_dimension))
       setValue(list, *parameter, *value);
     else if (parameter->required && !mentioned(where))
-      report(where, "is missing; write " + typeInWords(parameter->type) +
+      report(where, "is missing; write " + typeAsText(parameter->type) +
                         (parameter->unit.empty() ? "" : " [" + parameter->unit + "]") +
-                        (parameter->choices.empty() ? "." : ": " + inWords(parameter->choices) + "."));
+                        (parameter->choices.empty() ? "." : ": " + asText(parameter->choices) + "."));
   }
   for (const auto* section : active.sections)
   {
@@ -273,15 +273,15 @@ void Validation::checkTogether(const Teuchos::ParameterList& list, const Togethe
     else if (mentioned(scenePath(path, name))) // given, but wrong
       return;
   }
-  const std::string names = inWords(rule.names);
+  const std::string names = asText(rule.names);
   if (rule.rule == Together::Rule::AllOrNone)
   {
     if (!given.empty() && given.size() < rule.names.size())
-      report(path, "has " + inWords(given, " and ") + " alone; write all of " + inWords(rule.names, " and ") +
+      report(path, "has " + asText(given, " and ") + " alone; write all of " + asText(rule.names, " and ") +
                        " or none.");
   }
   else if (given.size() > 1)
-    report(path, "has " + inWords(given, " and ") + "; write only one of " + names + ".");
+    report(path, "has " + asText(given, " and ") + "; write only one of " + names + ".");
   else if (given.empty() && rule.rule == Together::Rule::ExactlyOne)
     report(path, "needs one of " + names + "; write one.");
 }

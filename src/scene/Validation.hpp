@@ -55,12 +55,12 @@ private:
   void checkTogether(const Teuchos::ParameterList& list, const Together& rule, const std::string& path);
 
   void report(const std::string& where, const std::string& message) { m_errors.push_back({where, message}); }
-  /// Whether an error stands at this place already, or an unknown name was taken for this one.
+  /// Whether an error stands at this position already, or an unknown name was taken for this one.
   bool mentioned(const std::string& where) const;
 
   int m_dimension;
   std::vector<SceneError>& m_errors;
-  std::set<std::string> m_meant; ///< places of which a misspelt name was given
+  std::set<std::string> m_meant; ///< positions of which a misspelt name was given
 };
 
 } // namespace Rhegma

@@ -89,7 +89,7 @@ Teuchos::RCP<const IntegerValidator> integerValidator(const Parameter& parameter
                                            static_cast<int>(std::clamp(upper, least, most))));
 }
 
-std::string presenceInWords(const Parameter& parameter)
+std::string presenceAsText(const Parameter& parameter)
 {
   if (!parameter.derivedDefault.empty())
     return "default: " + parameter.derivedDefault;
@@ -188,7 +188,7 @@ std::string documentation(const Parameter& parameter)
   std::string text = parameter.meaning;
   if (!parameter.unit.empty())
     text += " [" + parameter.unit + "]";
-  for (const auto& part : {parameter.rangeInWords(), presenceInWords(parameter)})
+  for (const auto& part : {parameter.rangeAsText(), presenceAsText(parameter)})
     if (!part.empty())
       text += (text.empty() ? "" : "; ") + part;
   return text;

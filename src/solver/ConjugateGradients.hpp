@@ -28,7 +28,7 @@ public:
   /// y = A x
   using Apply = std::function<void(const BorrowedView<const double*>& x, const BorrowedView<double*>& y)>;
 
-  /// \param tolerance of the 2-norm of the residual, beside a right side of a size about one
+  /// \param tolerance of the 2-norm of the residual, next to a right side of a size about one
   ConjugateGradients(double tolerance, int maximumIterations);
   ~ConjugateGradients();
   ConjugateGradients(const ConjugateGradients&) = delete;

@@ -1,5 +1,5 @@
 #pragma once
-/// How a crack may end beside at a mouth or at a front (CrackSet.hpp).
+/// How a crack may end next to at a surface-breaking end or at a front (CrackSet.hpp).
 
 namespace Rhegma::facet
 {

@@ -133,16 +133,16 @@ struct ContactEnergy
 /// What lies beyond a facet of a simplex: another simplex, or nothing.
 namespace facet
 {
-constexpr int mouth = -1; ///< the surface of the body
-constexpr int front = -2; ///< whole material
+constexpr int surfaceEnd = -1; ///< the surface of the body
+constexpr int front = -2;      ///< whole material
 } // namespace facet
 
-/// What a vertex of a crack lies on; both at a front's end at a mouth.
+/// What a vertex of a crack lies on; both at a front's end at a surface-breaking end.
 namespace vertexKind
 {
-constexpr int inner = 0; ///< whole material all around
-constexpr int mouth = 1; ///< the surface of the body
-constexpr int front = 2; ///< a front
+constexpr int inner = 0;      ///< whole material all around
+constexpr int surfaceEnd = 1; ///< the surface of the body
+constexpr int front = 2;      ///< a front
 } // namespace vertexKind
 
 /// All cracks. A side is named +(c + 1) or -(c + 1), c the index of the crack; 0 is away from cracks. Each
@@ -157,7 +157,7 @@ struct CrackSet
   std::vector<CrackFront<D>> fronts; ///< current; renewed after every step
 
   View<double* [D]> vertex;  ///< midway between the faces [m]
-  View<double* [2][D]> face; ///< places on the faces of side -1 (0) and +1 (1) [m]
+  View<double* [2][D]> face; ///< positions on the faces of side -1 (0) and +1 (1) [m]
   View<int* [D]> simplex;    ///< vertices of each segment or triangle
   View<int*> crackOf;        ///< crack of each simplex
   View<int* [D]> neighbour;  ///< simplex beyond each facet of a simplex, or facet::mouth or front
@@ -180,7 +180,7 @@ struct CrackSet
   bool driven = false;                   ///< whether the driving forces of fronts are wanted in every step
   DrivingContours drivingContours;       ///< of the integrals that measure driving forces
   bool dualField = true;                 ///< whether nodes behind fronts have a second field
-  bool frontSprings = false; ///< springs join the two fields of nodes just behind fronts
+  bool frontSprings = false;             ///< springs join the two fields of nodes just behind fronts
 
   /// Energy of contact of a crack up to a distance from a middle [m], both along the undeformed crack, or all
   /// of it in 3D; empty where no effect lets faces touch.

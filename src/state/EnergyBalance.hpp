@@ -1,10 +1,10 @@
 #pragma once
-/// The energy ledger.
+/// The energy balance.
 
 namespace Rhegma
 {
 
-/// Energies of a run [J]. What the books cannot account for is the residual:
+/// Energies of a run [J]. What the energy balance cannot account for is the residual:
 /// (kinetic + strain) now - at the start + thermal - external work - heat + damped + plastic + contact +
 /// fracture + merged - combustion.
 struct EnergyBalance
@@ -15,7 +15,7 @@ struct EnergyBalance
   double thermal = 0.0;      ///< heat in the bodies, less that at the start
   double thermalStart = 0.0; ///< heat in the bodies when the run began
   double heat = 0.0;         ///< that came through the surface, from sources or from fronts of cracks
-  double roundOff = 0.0;     ///< what rounding may make of the largest energies in the books
+  double roundOff = 0.0;     ///< what rounding may make of the largest energies in the energy balance
   double externalWork = 0.0; ///< done by loads, supports and body forces
   double springs = 0.0;      ///< elastic, of springs just behind crack fronts; a part of `strain`
   double damped = 0.0;       ///< by the damping effect

@@ -10,7 +10,7 @@ namespace Rhegma
 namespace
 {
 
-/// Heat is known to the rounding of absolute temperatures, of some that conduction adds up: this share of
+/// Heat is known to the rounding of absolute temperatures, of some that conduction adds up: this fraction of
 /// capacity times temperature.
 constexpr double roundingOfHeat = 1e-12;
 
@@ -77,20 +77,20 @@ void measureEnergy(State<D>& state)
 template <int D>
 EnergyBalance energyOfAllRanks(const State<D>& state)
 {
-  constexpr double EnergyBalance::*booked[] = {&EnergyBalance::externalWork, &EnergyBalance::damped,
-                                               &EnergyBalance::contact,      &EnergyBalance::fracture,
-                                               &EnergyBalance::merged,       &EnergyBalance::combustion,
-                                               &EnergyBalance::heat};
-  constexpr int count = sizeof(booked) / sizeof(*booked);
+  constexpr double EnergyBalance::*recorded[] = {&EnergyBalance::externalWork, &EnergyBalance::damped,
+                                                 &EnergyBalance::contact,      &EnergyBalance::fracture,
+                                                 &EnergyBalance::merged,       &EnergyBalance::combustion,
+                                                 &EnergyBalance::heat};
+  constexpr int count = sizeof(recorded) / sizeof(*recorded);
   EnergyBalance all = state.energy;
   if (!state.ranks.many())
     return all;
   double since[count];
   for (int k = 0; k < count; ++k)
-    since[k] = state.energy.*booked[k] - state.sample.energy.*booked[k];
+    since[k] = state.energy.*recorded[k] - state.sample.energy.*recorded[k];
   state.ranks.sum(since, count);
   for (int k = 0; k < count; ++k)
-    all.*booked[k] = state.sample.energy.*booked[k] + since[k];
+    all.*recorded[k] = state.sample.energy.*recorded[k] + since[k];
   return all;
 }
 

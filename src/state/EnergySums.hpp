@@ -14,11 +14,12 @@ namespace Rhegma
 template <int D>
 void measureEnergy(State<D>& state);
 
-/// The ledger with the books of all ranks; this rank's own stay as they are. Collective.
+/// The energy balance with the energy balance of all ranks; this rank's own stay as they are. Collective.
 template <int D>
 EnergyBalance energyOfAllRanks(const State<D>& state);
 
-/// Makes the books those of all ranks, in every rank's ledger. Collective; `coreRow` does so too.
+/// Makes the energy balance those of all ranks, in every rank's energy balance. Collective; `coreRow` does so
+/// too.
 template <int D>
 void shareEnergyBalance(State<D>& state);
 

@@ -22,7 +22,7 @@ struct NodeSlots
 };
 
 /// The substeps of this step, for effects that account for work; without effect where there are none.
-struct ShortSteps
+struct Substeps
 {
   NodeSlots nodes;     ///< nodes that move in substeps or next to such nodes
   double length = 0.0; ///< of the shortest ones [s]
@@ -35,7 +35,7 @@ struct ShortSteps
 /// Such forces are also among all others before the solve, as at the start of the step. `force` and
 /// `displacement` have a row a slot [N, m].
 template <int D>
-struct FollowingForce
+struct DisplacementDependentForce
 {
   using Values = View<double* [D]>; ///< a row a slot
   /// Adds the part, as at the start of the step, that does not change: it acts on a node that does not move
@@ -65,9 +65,9 @@ struct NodalMotion
   std::vector<NodeConstraint<D>> constraints; ///< prescribed motion at the end of this step
   View<double*> coupledReaction; ///< impulse that holds each unknown (row, axis) of coupled nodes [N s]
   View<int*> coupledRow;         ///< of each node, -1 where its mass is lumped; empty where all masses are
-  std::vector<FollowingForce<D>> followingForces; ///< of effects that have any
-  CoupledSlots<D> coupledSlots;                   ///< empty where all masses are lumped
-  ShortSteps shortSteps;                          ///< of this step
+  std::vector<DisplacementDependentForce<D>> displacementDependentForces; ///< of effects that have any
+  CoupledSlots<D> coupledSlots; ///< empty where all masses are lumped
+  Substeps substeps;            ///< of this step
 };
 
 } // namespace Rhegma

@@ -82,9 +82,9 @@ struct State
 
 /// Where the nodes of a state are, those of refined cells included.
 template <int D>
-NodePlaces<D> nodePlaces(const State<D>& state)
+NodePositions<D> nodePositions(const State<D>& state)
 {
-  return {state.mesh.grid, state.mesh.tree.finePlace};
+  return {state.mesh.grid, state.mesh.tree.finePosition};
 }
 
 /// Number of particles of all ranks.

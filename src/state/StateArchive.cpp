@@ -13,7 +13,7 @@ namespace Rhegma
 namespace
 {
 
-void archiveLedger(EnergyBalance& energy, Archive& archive)
+void archiveEnergyBalance(EnergyBalance& energy, Archive& archive)
 {
   const Archive::Group group(archive, "energy");
   archive("kinetic", energy.kinetic);
@@ -37,7 +37,7 @@ template <int D>
 void archiveEnergies(State<D>& state, Archive& archive)
 {
   EnergyBalance energy = archive.loads() ? EnergyBalance() : energyOfAllRanks(state);
-  archiveLedger(energy, archive);
+  archiveEnergyBalance(energy, archive);
   if (archive.loads())
     state.energy = state.sample.energy = energy;
 }
@@ -56,7 +56,7 @@ void archiveProgress(State<D>& state, Archive& archive)
   archive("warnings", state.warnings);
 }
 
-/// Leaves by level and place, counted in cells of the level from node 0.
+/// Leaves by level and position, counted in cells of the level from node 0.
 template <int D>
 void archiveTree(State<D>& state, Archive& archive)
 {
@@ -126,7 +126,7 @@ void archiveField(const std::string& name, const AnyView& field, int columns, co
   Kokkos::deep_copy(field, host);
 }
 
-/// The order in which the run has its particles, by their places in the order of ids; not loaded where it
+/// The order in which the run has its particles, by their positions in the order of ids; not loaded where it
 /// does not fit. \return row of the particle with each of the ids in their order
 template <int D>
 std::vector<int> archiveOrder(State<D>& state, Archive& archive)

@@ -11,7 +11,7 @@ namespace Rhegma
 ///
 /// The particles are one table a field in the order of their ids, and leaves have names that depend on no
 /// order, so that any number of ranks and any back end can take them. The order in which a run had its
-/// particles and blocks is beside them, in the group "order": sums in another order have other last digits.
+/// particles and blocks is next to them, in the group "order": sums in another order have other last digits.
 /// It is used where it fits (Archive::sameOrder); else particles are sorted anew.
 ///
 /// \param state when loading, one that the same scene has initialised

@@ -19,23 +19,23 @@ auto onHost(const T& view)
   return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
 }
 
-/// Places of particles begin .. end - 1.
+/// Positions of particles begin .. end - 1.
 template <int D>
-std::vector<Vector<D>> placesOf(const State<D>& state, long begin, long end)
+std::vector<Vector<D>> positionsOf(const State<D>& state, long begin, long end)
 {
   const auto position = onHost(state.particles.template real<D>(fields::position));
-  std::vector<Vector<D>> places;
+  std::vector<Vector<D>> positions;
   for (long p = begin; p < end; ++p)
   {
     Vector<D> x;
     for (int d = 0; d < D; ++d)
       x[d] = position(p, d);
-    places.push_back(x);
+    positions.push_back(x);
   }
-  return places;
+  return positions;
 }
 
-/// What particles begin .. end - 1 cost: as many short steps as their level may take. Empty where all cost
+/// What particles begin .. end - 1 cost: as many substeps as their level may take. Empty where all cost
 /// the same.
 template <int D>
 std::vector<double> costsOf(const State<D>& state, long begin, long end)
@@ -125,7 +125,7 @@ void divideState(State<D>& state)
   const long n = state.particles.size(), rank = state.ranks.rank(), size = state.ranks.size();
   const long begin = n * rank / size, end = n * (rank + 1) / size;
   const Division<D> division =
-      divide(state.ranks, state.mesh.grid, placesOf(state, begin, end), costsOf(state, begin, end));
+      divide(state.ranks, state.mesh.grid, positionsOf(state, begin, end), costsOf(state, begin, end));
   const std::vector<int> owner = ownersOf(state, division);
   std::vector<int> stay;
   for (std::size_t p = 0; p < owner.size(); ++p)
@@ -152,7 +152,7 @@ void redivideState(State<D>& state)
     return;
   const long count = state.particles.size();
   const Division<D> division = divide(state.ranks, state.mesh.subdomain->division.lattice,
-                                      placesOf(state, 0, count), costsOf(state, 0, count));
+                                      positionsOf(state, 0, count), costsOf(state, 0, count));
   sendParticles(state, ownersOf(state, division));
   settle(state, division, Branches<D>(state.mesh.subdomain->refined));
 }
@@ -162,7 +162,7 @@ NodalFieldNodes<D> nodesOfFields(const State<D>& state)
 {
   NodalFieldNodes<D> nodes;
   nodes.grid = state.mesh.grid;
-  nodes.finePlace = state.mesh.tree.finePlace;
+  nodes.finePosition = state.mesh.tree.finePosition;
   nodes.foreign = state.mesh.nodes.foreign;
   if (state.mesh.subdomain)
     nodes.refined = {state.mesh.subdomain, &state.mesh.subdomain->refined};

@@ -4,7 +4,7 @@
 #include "grid/BlockCells.hpp"
 #include "material/Materials.hpp"
 #include "state/Subdomain.hpp"
-#include "step/HeatTrouble.hpp"
+#include "step/HeatFailure.hpp"
 #include "transfer/Gather.hpp"
 #include "transfer/Motion.hpp"
 #include "transfer/Scatter.hpp"
@@ -29,7 +29,7 @@ void strain(State<D>& state, StrainVelocity velocity, bool alsoMove)
   if (std::isfinite(state.clock.fastestSpeed) && !flung)
     return;
   // Laws find no stress at temperatures that there are not.
-  const std::string heat = heatTrouble(state);
+  const std::string heat = heatFailure(state);
   state.failure = !heat.empty() ? heat
                                 : "a particle has a negative volume or its velocity is not finite (" +
                                       unstableStep(state.mesh.subcycledLevels) +
@@ -82,6 +82,22 @@ void toParticles(State<D>& s, UpdateScheme scheme)
     strainAndMove(s, StrainVelocity::Projection, false, true);
 }
 
+/// The core of a scene without motion.
+template <int D>
+Effect<D> pointsAtRest()
+{
+  Effect<D> core;
+  core.name = "Material Points at Rest";
+  core.provides = {quantity::energyBalance, quantity::nodalMass, quantity::nodalMotion,
+                   quantity::projection}; // but for the energies zero: nothing moves
+  core.call(sortCall<D>());
+  core.call(
+      {Stage::Scatter, "stencils", {}, {quantity::stencils, quantity::enrichedFields}, {}, [](State<D>& s) {
+         storeStencils(s);
+       }});
+  return core;
+}
+
 } // namespace
 
 template <int D>
@@ -89,21 +105,11 @@ Effect<D> makeCore(const State<D>& state)
 {
   const UpdateScheme scheme = state.method.scheme;
   const bool strainsFirst = scheme == UpdateScheme::Usf || scheme == UpdateScheme::Usavg;
+  if (!state.method.mechanics)
+    return pointsAtRest<D>();
   Effect<D> core;
   core.name = "Material Point Method";
   core.provides = {quantity::energyBalance}; // by Run, when all stages before Observe have run
-  if (!state.method.mechanics)
-  {
-    core.name = "Material Points at Rest";
-    core.provides = {quantity::energyBalance, quantity::nodalMass, quantity::nodalMotion,
-                     quantity::projection}; // but for the energies zero: nothing moves
-    core.call(sortCall<D>());
-    core.call(
-        {Stage::Scatter, "stencils", {}, {quantity::stencils, quantity::enrichedFields}, {}, [](State<D>& s) {
-           storeStencils(s);
-         }});
-    return core;
-  }
   core.call(sortCall<D>());
   Quantities scattered = {quantity::stencils, quantity::enrichedFields, quantity::nodalMass,
                           quantity::nodalMomentum,
@@ -134,12 +140,10 @@ Effect<D> makeCore(const State<D>& state)
   Quantities gathered = {quantity::particleVelocity};
   if (projectsLast(scheme))
     gathered.push_back(quantity::projection);
-  core.call({Stage::Gather,
-             "velocity to particles",
-             {quantity::nodalMotion},
-             gathered,
-             {},
-             [scheme](State<D>& s) { toParticles(s, scheme); }});
+  core.call(
+      {Stage::Gather, "velocity to particles", {quantity::nodalMotion}, gathered, {}, [scheme](State<D>& s) {
+         toParticles(s, scheme);
+       }});
   core.call({Stage::OnParticles,
              "strain, stress and position of particles",
              {quantity::nodalMotion, ifWritten(quantity::projection), ifWritten(quantity::temperature)},
@@ -182,7 +186,7 @@ void addFineNodes(State<D>& state)
   state.mesh.nodes.active = active;
 }
 
-/// Finds the blocks whose particles may touch a refined cell or one beside it: they are no more than a cell
+/// Finds the blocks whose particles may touch a refined cell or one next to it: they are no more than a cell
 /// outside of their block, and their boxes reach no more than half a cell further.
 template <int D>
 void markBlocks(State<D>& state)

@@ -13,8 +13,9 @@
 namespace Rhegma
 {
 
-/// Follows the ledger from sample to sample. An unstable step multiplies the energy of a few particles, but a
-/// body can burst and come to an end long before a number overflows: its energy is what gives it away.
+/// Follows the energy balance from sample to sample. An unstable step multiplies the energy of a few
+/// particles, but a body can burst and come to an end long before a number overflows: its energy is what
+/// gives it away.
 class EnergyWatch
 {
 public:
@@ -44,7 +45,7 @@ public:
 
   /// \param subcycledLevels of the state
   /// \return why the run can't go on; empty if it can
-  std::string trouble(int subcycledLevels = 0) const
+  std::string failure(int subcycledLevels = 0) const
   {
     if (!std::isfinite(residual_))
       return "an energy is not finite" + advice(subcycledLevels);
@@ -54,10 +55,10 @@ public:
            " was supplied" + advice(subcycledLevels);
   }
 
-  /// \param losesByDesign whether the scene asks for a scheme that takes energy which nobody books
+  /// \param losesByDesign whether the scene asks for a scheme that takes energy which nobody energy balance
   /// \param steps         that were done
   /// \param subcycledLevels of the state
-  /// \return what a user must know of the books; empty if they balance
+  /// \return what a user must know of the energy balance; empty if they balance
   std::string warning(bool losesByDesign, long steps, int subcycledLevels = 0) const
   {
     if (steps < fewSteps)
@@ -73,7 +74,7 @@ public:
 
 private:
   static constexpr double burst = 10.0;     ///< times the energy that was given: an unstable run
-  static constexpr int burstsInARow = 3;    ///< for the books of the very first steps are rough
+  static constexpr int burstsInARow = 3;    ///< for the energy balance of the very first steps are rough
   static constexpr double noticeable = 0.1; ///< share that a user is told of
   static constexpr long fewSteps = 50; ///< velocities are half a step behind; shorter runs show little else
 

@@ -8,8 +8,9 @@
 namespace Rhegma
 {
 
-/// Adds heat to the particles of this rank, at constant strain, and books it in the ledger's `heat`. What
-/// they hold rises by just as much; their temperature by heat over capacity, as conduction has it rise.
+/// Adds heat to the particles of this rank, at constant strain, and energy balance it in the energy balance's
+/// `heat`. What they hold rises by just as much; their temperature by heat over capacity, as conduction has
+/// it rise.
 ///
 /// \param joules of each particle, in the order of the fields [J]; less than 0 takes heat away
 /// Throws std::invalid_argument, and changes nothing, where nobody carries heat, where there are more or

@@ -25,7 +25,7 @@ std::vector<PlacedBody<D>> planBodies(const Teuchos::ParameterList& section)
         [&] {
           bodies.push_back({name, section.sublist(name), makeShape<D>(section.sublist(name))});
         });
-  attempts.complain();
+  attempts.throwIfAny();
   return bodies;
 }
 
@@ -43,7 +43,7 @@ void refuseTooMuch(const std::vector<PlacedBody<D>>& bodies, const State<D>& sta
     fields += bytes;
     largest = std::max(largest, bytes);
   }
-  // Beside its fields a particle takes its seed, its numbers in the order of blocks, and a copy of one field
+  // Next to its fields a particle takes its seed, its numbers in the order of blocks, and a copy of one field
   // while they are sorted; a node its rows and three marks.
   const double perParticle = fields + largest + 2.0 * sizeof(Vector<D>) + 8.0 * sizeof(int);
   const double perNode =
@@ -54,7 +54,7 @@ void refuseTooMuch(const std::vector<PlacedBody<D>>& bodies, const State<D>& sta
 }
 
 template <int D>
-std::string inWords(const Vector<D>& x)
+std::string asText(const Vector<D>& x)
 {
   std::ostringstream text;
   for (int d = 0; d < D; ++d)
@@ -82,7 +82,7 @@ void refuseOverlap(const PlacedBody<D>& one, const PlacedBody<D>& other)
     return;
   throw std::invalid_argument(
       other.where() + ": overlaps " + one.where() + ", such as at " +
-      inWords<D>(inOther >= 0 ? one.seeds.position[inOther] : other.seeds.position[inOne]) +
+      asText<D>(inOther >= 0 ? one.seeds.position[inOther] : other.seeds.position[inOne]) +
       ", so the mass there would be counted twice; move one of them, or cut it with Operations");
 }
 
@@ -99,7 +99,7 @@ std::vector<PlacedBody<D>> placeBodies(const Teuchos::ParameterList& section, co
   for (std::size_t a = 0; a < bodies.size(); ++a)
     for (std::size_t b = a + 1; b < bodies.size(); ++b)
       attempts.attempt([&] { refuseOverlap(bodies[a], bodies[b]); });
-  attempts.complain();
+  attempts.throwIfAny();
   return bodies;
 }
 

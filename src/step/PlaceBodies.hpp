@@ -12,7 +12,7 @@
 namespace Rhegma
 {
 
-/// A body and the places of its particles.
+/// A body and the positions of its particles.
 template <int D>
 struct PlacedBody
 {

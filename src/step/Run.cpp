@@ -107,7 +107,7 @@ void Run<D>::makeAll()
       state_.warnings.insert(state_.warnings.end(), found.begin(), found.end());
   }
   attempts.attempt([&] { refuseEndless(); });
-  attempts.complain();
+  attempts.throwIfAny();
 }
 
 template <int D>
@@ -137,7 +137,7 @@ double Run<D>::stableTimeStep() const
   for (const Effect<D>& effect : plan_.effects)
     if (effect.timeStepLimit)
       dt = std::min(dt, effect.timeStepLimit(state_));
-  return stepShare_ * dt;
+  return stepFraction_ * dt;
 }
 
 template <int D>
@@ -212,7 +212,7 @@ void Run<D>::step(double until, bool sample)
     plan_.run(Stage::Observe, state_);
     energyWatch_.sample(state_.energy);
     if (state_.failure.empty())
-      state_.failure = energyWatch_.trouble(state_.mesh.subcycledLevels);
+      state_.failure = energyWatch_.failure(state_.mesh.subcycledLevels);
     if (!state_.failure.empty())
       stop(state_);
   }
@@ -226,7 +226,7 @@ void Run<D>::keep(Archive& archive)
   {
     const Archive::Group group(archive, "run");
     archive("stage_seconds", plan_.seconds);
-    archive("step_fraction", stepShare_);
+    archive("step_fraction", stepFraction_);
   }
   {
     const Archive::Group group(archive, "run/energy watch");

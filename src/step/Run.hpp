@@ -17,7 +17,7 @@ class Run
 {
 public:
   /// \param scene a validated scene
-  /// \param own   effects that the application brings beside those of the scene, such as a load of its own
+  /// \param own   effects that the application brings next to those of the scene, such as a load of its own
   /// \param ranks that share the run: `initialize` and `step` are then collective
   explicit Run(const Teuchos::ParameterList& scene, std::vector<Effect<D>> own = {}, const Ranks& ranks = {});
 
@@ -28,9 +28,9 @@ public:
   /// The step that would be taken now [s].
   double stableTimeStep() const;
 
-  /// Share of the stable step that is taken, 1 at the start; kept with the state.
-  double stepShare() const { return stepShare_; }
-  void takeShareOfStep(double share) { stepShare_ = share; }
+  /// Fraction of the stable step that is taken, 1 at the start; kept with the state.
+  double stepFraction() const { return stepFraction_; }
+  void setStepFraction(double share) { stepFraction_ = share; }
 
   /// One step, not beyond `until`. The step ends with a sample when `sample` is set.
   /// Throws RunError when the run can't go on.
@@ -58,7 +58,7 @@ private:
   void agree();
   /// The first of two passes that strain (USAVG).
   void strainBeforeForces();
-  /// Throws RunError where the stage brings trouble; where there are many ranks that waits for `agree`.
+  /// Throws RunError where the stage brings failure; where there are many ranks that waits for `agree`.
   void runStage(Stage stage);
 
   Teuchos::ParameterList scene_;
@@ -67,7 +67,7 @@ private:
   Plan<D> plan_;
   std::vector<Stage> order_;
   EnergyWatch energyWatch_;
-  double stepShare_ = 1.0;
+  double stepFraction_ = 1.0;
 };
 
 } // namespace Rhegma

@@ -9,7 +9,7 @@ namespace Rhegma::surface
 {
 
 /// Lawson's flips (Math. Software III (1977) 161) in rounds, in which no triangle changes twice. What a round
-/// has changed, and what is beside it, is all that the next one looks at: nothing else can have become worth
+/// has changed, and what is next to it, is all that the next one looks at: nothing else can have become worth
 /// a flip.
 class EdgeFlips
 {

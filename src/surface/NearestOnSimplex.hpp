@@ -86,7 +86,7 @@ KOKKOS_INLINE_FUNCTION double distanceToSimplex(const Vector<D> (&corner)[D], co
   return norm(x - pointAt<D>(corner, footOn(corner, x)));
 }
 
-/// Distance of a point from the segment between a and b, in the plane or in space [m].
+/// Distance of a point from the segment between a and b, in the plane or in 3D [m].
 template <int D>
 double distanceToSegment(const Vector<D>& x, const Vector<D>& a, const Vector<D>& b)
 {

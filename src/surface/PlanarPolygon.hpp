@@ -1,5 +1,5 @@
 #pragma once
-/// Polygons in a plane in space.
+/// Polygons in a plane in 3D.
 
 #include "base/Types.hpp"
 

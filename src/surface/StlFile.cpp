@@ -44,9 +44,10 @@ SurfaceMesh parseBinary(const std::string& bytes)
                                 " triangles, but holds " +
                                 std::to_string((bytes.size() - header - 4) / perTriangle));
   if (bytes.size() >= header + 4 + (count + 1) * perTriangle)
-    throw std::invalid_argument(
-        "the file says that it has " + std::to_string(count) + " triangles, but there is room for " +
-        std::to_string((bytes.size() - header - 4) / perTriangle) + "; write it anew, or correct the number");
+    throw std::invalid_argument("the file says that it has " + std::to_string(count) +
+                                " triangles, but has space for " +
+                                std::to_string((bytes.size() - header - 4) / perTriangle) +
+                                "; write the file again, or correct the number");
   SurfaceMesh mesh;
   for (std::size_t t = 0; t < count; ++t)
   {

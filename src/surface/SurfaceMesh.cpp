@@ -19,7 +19,7 @@ using Triangle = std::array<int, 3>;
 
 std::string number(std::size_t t) { return std::to_string(t + 1); }
 
-std::string inWords(const Vector<3>& x)
+std::string asText(const Vector<3>& x)
 {
   return std::to_string(x[0]) + ", " + std::to_string(x[1]) + ", " + std::to_string(x[2]) + " m";
 }
@@ -33,7 +33,7 @@ void refuseDegenerate(const SurfaceMesh& mesh)
           &c = mesh.points[mesh.triangles[t][2]];
     const double longest = std::max({norm(b - a), norm(c - b), norm(a - c)});
     if (!(norm(cross(b - a, c - a)) > flat * longest * longest))
-      throw std::invalid_argument("triangle " + number(t) + " (counted from 1), at " + inWords(a) +
+      throw std::invalid_argument("triangle " + number(t) + " (counted from 1), at " + asText(a) +
                                   ", has no area");
   }
 }
@@ -47,9 +47,9 @@ std::map<Edge, std::vector<int>> trianglesAtEdges(const SurfaceMesh& mesh)
       std::vector<int>& at = triangles[edgeOf(mesh.triangles[t][i], mesh.triangles[t][(i + 1) % 3])];
       at.push_back(static_cast<int>(t));
       if (at.size() > 2)
-        throw std::invalid_argument("three triangles share the edge at " +
-                                    inWords(mesh.points[mesh.triangles[t][i]]) +
-                                    "; a crack is one sheet, so give its branches as cracks of their own");
+        throw std::invalid_argument("three triangles meet at the edge at " +
+                                    asText(mesh.points[mesh.triangles[t][i]]) +
+                                    "; a crack is one sheet, so write its branches as cracks of their own");
     }
   return triangles;
 }
@@ -129,8 +129,8 @@ void orient(SurfaceMesh& mesh)
     }
   }
   if (count < mesh.triangles.size())
-    throw std::invalid_argument("the surface is in pieces that share no edge; give each piece as a crack of "
-                                "its own, or make their points meet");
+    throw std::invalid_argument("the surface consists of several unconnected pieces; write each piece as a "
+                                "crack of its own, or make their points meet");
   if (std::none_of(withEdge.begin(), withEdge.end(), [](const auto& at) { return at.second.size() == 1; }))
     throw std::invalid_argument("the surface is closed and so has no front; give a sheet with a border");
 }

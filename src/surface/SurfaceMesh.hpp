@@ -1,5 +1,5 @@
 #pragma once
-/// Triangles in space, made ready to be a crack.
+/// Triangles in 3D, made ready to be a crack.
 
 #include "base/Types.hpp"
 

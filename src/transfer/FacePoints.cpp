@@ -64,7 +64,7 @@ KOKKOS_INLINE_FUNCTION Vector<3> sizedNormal(const Vector<3> (&corner)[3])
 }
 
 template <int D>
-std::vector<Place<D>> places(const CrackSet<D>& cracks, double spacing)
+std::vector<Place<D>> positions(const CrackSet<D>& cracks, double spacing)
 {
   const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
   const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
@@ -101,12 +101,12 @@ std::vector<Place<D>> places(const CrackSet<D>& cracks, double spacing)
   return all;
 }
 
-/// Finds the nearest of some places on the same crack.
+/// Finds the nearest of some positions on the same crack.
 template <int D>
-class PlaceBins
+class PositionBins
 {
 public:
-  PlaceBins(const std::vector<Place<D>>& all, double reach) : all_(all), reach_(reach)
+  PositionBins(const std::vector<Place<D>>& all, double reach) : all_(all), reach_(reach)
   {
     for (std::size_t o = 0; o < all.size(); ++o)
       bins_[binOf(all[o])].push_back(static_cast<int>(o));
@@ -129,7 +129,7 @@ public:
       for (const int o : at->second)
       {
         const double distance = norm(all_[o].at - to.at);
-        // Of places as near the first, in whatever order they are looked at.
+        // Of positions as near the first, in whatever order they are looked at.
         if (distance < shortest || (distance == shortest && found >= 0 && o < found))
         {
           shortest = distance;
@@ -226,7 +226,7 @@ bool FacePoints<D>::update(const State<D>& state)
 template <int D>
 void FacePoints<D>::place(const CrackSet<D>& cracks, double spacing)
 {
-  const std::vector<Place<D>> all = places(cracks, spacing);
+  const std::vector<Place<D>> all = positions(cracks, spacing);
   std::vector<Place<D>> old(count_);
   if (count_ > 0)
   {
@@ -239,10 +239,10 @@ void FacePoints<D>::place(const CrackSet<D>& cracks, double spacing)
         old[k].at[d] = oldPosition(k, d);
     }
   }
-  // A point and its place in pieces of another size are no more than half the longer piece apart.
+  // A point and its position in pieces of another size are no more than half the longer piece apart.
   const double reach = longestPiece * std::max(spacing, spacing_);
-  const PlaceBins<D> earlier(old, reach), now(all, reach);
-  makeRoom(static_cast<int>(all.size()));
+  const PositionBins<D> earlier(old, reach), now(all, reach);
+  reserveRows(static_cast<int>(all.size()));
   after = View<int*>("rhegma::facePointAfter", old.size());
   const auto hostCrack = Kokkos::create_mirror_view(crack);
   const auto hostSize = Kokkos::create_mirror_view(size);
@@ -250,7 +250,7 @@ void FacePoints<D>::place(const CrackSet<D>& cracks, double spacing)
   const auto hostAfter = Kokkos::create_mirror_view(after);
   const auto hostSimplex = Kokkos::create_mirror_view(simplex_);
   const auto hostWeight = Kokkos::create_mirror_view(weight_);
-  const auto hostShare = Kokkos::create_mirror_view(share_);
+  const auto hostFraction = Kokkos::create_mirror_view(fraction_);
   for (int k = 0; k < count_; ++k)
   {
     hostCrack(k) = all[k].crack;
@@ -258,7 +258,7 @@ void FacePoints<D>::place(const CrackSet<D>& cracks, double spacing)
     hostSimplex(k) = all[k].simplex;
     for (int i = 0; i < D; ++i)
       hostWeight(k, i) = all[k].weight[i];
-    hostShare(k) = all[k].share;
+    hostFraction(k) = all[k].share;
     hostBefore(k) = earlier.nearest(all[k]);
   }
   for (std::size_t o = 0; o < old.size(); ++o)
@@ -269,11 +269,11 @@ void FacePoints<D>::place(const CrackSet<D>& cracks, double spacing)
   Kokkos::deep_copy(after, hostAfter);
   Kokkos::deep_copy(simplex_, hostSimplex);
   Kokkos::deep_copy(weight_, hostWeight);
-  Kokkos::deep_copy(share_, hostShare);
+  Kokkos::deep_copy(fraction_, hostFraction);
 }
 
 template <int D>
-void FacePoints<D>::makeRoom(int number)
+void FacePoints<D>::reserveRows(int number)
 {
   count_ = number;
   crack = View<int*>("rhegma::facePointCrack", count_);
@@ -286,7 +286,7 @@ void FacePoints<D>::makeRoom(int number)
   before = View<int*>("rhegma::facePointBefore", count_);
   simplex_ = View<int*>("rhegma::facePointSimplex", count_);
   weight_ = View<double* [D]>("rhegma::facePointWeight", count_);
-  share_ = View<double*>("rhegma::facePointShare", count_);
+  fraction_ = View<double*>("rhegma::facePointShare", count_);
   acts = View<int*>("rhegma::facePointActs", count_);
   meets_ = View<double*>("rhegma::facePointMeets", 2 * count_);
   for (ObservedPoints<D>* face : {&lower_, &upper_})
@@ -305,14 +305,14 @@ void FacePoints<D>::keep(Archive& archive)
   int number = count_;
   archive("count", number);
   if (archive.loads())
-    makeRoom(number);
+    reserveRows(number);
   archive("crack", crack);
   archive("size", size);
   archive("position", position);
   archive("before", before);
   archive("simplex", simplex_);
   archive("weight", weight_);
-  archive("share", share_);
+  archive("share", fraction_);
   archive("simplices", simplices_);
   archive("taken", taken_);
   archive("spacing", spacing_);
@@ -324,7 +324,7 @@ void FacePoints<D>::follow(const CrackSet<D>& cracks)
   const FacePoints p = *this;
   const View<int*> simplexOf = simplex_;
   const View<double* [D]> weight = weight_;
-  const View<double*> share = share_;
+  const View<double*> share = fraction_;
   const ObservedPoints<D> lower = lower_, upper = upper_;
   const View<int* [D]> simplex = cracks.simplex;
   const View<double* [D]> vertex = cracks.vertex;

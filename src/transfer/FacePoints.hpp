@@ -11,13 +11,13 @@ class Archive;
 /// Points on the segments (2D) or triangles (3D) of all cracks, about half a cell apart, with a stencil on
 /// each face: the middles of equal pieces, so that sums over them are midpoint rules.
 ///
-/// A point is fixed to a place on its simplex. Its two faces lie on the normal through that place, half the
-/// separation of the faces away on either side (linear between vertices, and behind a front as the root of
-/// the distance; together while they touch), so that opposite forces on them have no moment, however far the
-/// faces have slid. Points whose face meets no node with mass (at a mouth) have no stencil on either side:
-/// what acts between faces stays in balance.
+/// A point is fixed to a position on its simplex. Its two faces lie on the normal through that position, half
+/// the separation of the faces away on either side (linear between vertices, and behind a front as the root
+/// of the distance; together while they touch), so that opposite forces on them have no moment, however far
+/// the faces have slid. Points whose face meets no node with mass (at a surface-breaking end) have no stencil
+/// on either side: what acts between faces stays in balance.
 ///
-/// All ranks have all points. The stencil of a face is on the rank that owns its place: sums over stencils
+/// All ranks have all points. The stencil of a face is on the rank that owns its position: sums over stencils
 /// are parts of the ranks.
 template <int D>
 class FacePoints
@@ -30,8 +30,8 @@ public:
   bool update(const State<D>& state);
 
   int count() const { return count_; }
-  const View<int*>& simplex() const { return simplex_; } ///< on which each point is
-  const View<double*>& share() const { return share_; }  ///< of the simplex's size that each stands for
+  const View<int*>& simplex() const { return simplex_; }   ///< on which each point is
+  const View<double*>& share() const { return fraction_; } ///< of the simplex's size that each stands for
 
   /// Saves or loads the points; stencils are made by the next update.
   void keep(Archive& archive);
@@ -49,16 +49,16 @@ public:
   StencilTable<D> below;      ///< on side -1; no entries where a point is left out or another rank's
   StencilTable<D> above;      ///< on side +1
   View<int*> acts;            ///< 0 where a point is left out
-  View<int*> before;          ///< earlier point in the same place, or -1
-  View<int*> after;           ///< of each earlier point the one now in the same place, or -1
+  View<int*> before;          ///< earlier point in the same position, or -1
+  View<int*> after;           ///< of each earlier point the one now in the same position, or -1
 
 private:
   void place(const CrackSet<D>& cracks, double spacing);
-  void makeRoom(int count);
+  void reserveRows(int count);
 
   View<int*> simplex_;
   View<double* [D]> weight_; ///< of the simplex's vertices at the point
-  View<double*> share_;      ///< of the simplex's size
+  View<double*> fraction_;   ///< of the simplex's size
   View<double*> meets_;      ///< of each point, below and above, whether the face meets a node
   ObservedPoints<D> lower_, upper_;
   int count_ = 0;

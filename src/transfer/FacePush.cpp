@@ -1,6 +1,6 @@
 #include "transfer/FacePush.hpp"
 
-#include "state/WayVelocity.hpp"
+#include "state/FaceVelocity.hpp"
 #include "transfer/PushNodes.hpp"
 
 namespace Rhegma
@@ -95,7 +95,7 @@ void sweptVolumes(const char* label, const State<D>& state, const FacePoints<D>&
                   const View<double*>& swept)
 {
   const Pushed<D> p(points);
-  const WayVelocity<D> way(state);
+  const FaceVelocity<D> way(state);
   const double thickness = state.method.thickness, dt = state.clock.dt;
   Kokkos::parallel_for(
       label, Kokkos::RangePolicy<ExecSpace>(0, points.count()), KOKKOS_LAMBDA(const int k) {

@@ -19,7 +19,7 @@ void pushFaces(const char* label, const State<D>& state, const FacePoints<D>& po
                const View<double*>& pressure);
 
 /// Volume [m3] that opens between the faces at each point of a crack in this step, by the velocity with which
-/// they move (WayVelocity), in or after step/LastStage.hpp's stageOfWays: this rank's part.
+/// they move (FaceVelocity), in or after step/LastStage.hpp's stageOfFaceVelocity: this rank's part.
 template <int D>
 void sweptVolumes(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
                   const View<double*>& swept);

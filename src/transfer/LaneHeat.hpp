@@ -19,7 +19,7 @@
 /// The force at the start of a step is that of the stress which a particle has then. What has changed its
 /// temperature at fixed strain since that stress was found, conduction and sources, is not in it, nor is
 /// viscosity in the law: half of the step moves against that stress and not against the law's, and the work
-/// of the difference is booked. (The force is that of the middle between two steps.)
+/// of the difference is recorded. (The force is that of the middle between two steps.)
 
 #include "material/ThermoLaw.hpp"
 #include "transfer/LaneStress.hpp"
@@ -31,8 +31,8 @@ namespace Rhegma
 
 namespace fields
 {
-/// Of a step, the share that the force of its start acts [-]: without the field all of it.
-inline const std::string firstShare = "fraction of the first force";
+/// Of a step, the fraction that the force of its start acts [-]: without the field all of it.
+inline const std::string firstFraction = "fraction of the first force";
 } // namespace fields
 
 namespace detail
@@ -44,7 +44,7 @@ struct HeatLanes
 {
   double temperature[lanes]; ///< [K]
   double internal[lanes];    ///< [J/m3]
-  double share[lanes];       ///< of the step that the force of its start acts; 1 but in short steps
+  double share[lanes];       ///< of the step that the force of its start acts; 1 but in substeps
 };
 
 /// Work per undeformed volume that the half of the first force which lies in this step does beyond that of

@@ -19,7 +19,7 @@ template <int D>
 struct StrainLanes
 {
   double gradient[D * D][lanes];    ///< of the straining velocity, row by row [1/s]
-  double shift[D][lanes];           ///< velocity of the particles' places [m/s]
+  double shift[D][lanes];           ///< velocity of the particles' positions [m/s]
   double F[gradientSize<D>][lanes]; ///< old, then new
   double tau[symmetricSize<D>][lanes];
   double speed[lanes]; ///< of the particle, then with the wave speed on top [m/s]

@@ -8,7 +8,7 @@ namespace Rhegma
 namespace
 {
 
-/// Whether a place lies in the domain, which that of a front need not after an unstable step, nor be a
+/// Whether a position lies in the domain, which that of a front need not after an unstable step, nor be a
 /// number.
 template <int D>
 bool isInside(const Grid<D>& lattice, const Vector<D>& x)
@@ -22,7 +22,7 @@ bool isInside(const Grid<D>& lattice, const Vector<D>& x)
   return inside;
 }
 
-/// The same on all ranks, wherever the place lies.
+/// The same on all ranks, wherever the position lies.
 template <int D>
 double spacingOfAllRanks(const Branches<D>& refined, const Vector<D>& x)
 {

@@ -1,7 +1,7 @@
 #pragma once
 /// Loops over points that push nodes: loads, faces of cracks.
 
-#include "base/FewItems.hpp"
+#include "base/SmallLoops.hpp"
 
 namespace Rhegma
 {
@@ -9,13 +9,13 @@ namespace Rhegma
 /// Runs push(k) for k = 0 .. count - 1, each of which adds atomically to nodes that others add to as well.
 ///
 /// On a host one follows the other, so that the sums, like those of the particles (Blocks.hpp), do not depend
-/// on the number of threads or on which is first: points are few beside particles. A device takes all at
+/// on the number of threads or on which is first: points are few next to particles. A device takes all at
 /// once.
 template <class Push>
 void forEachPushing(const char* label, int count, const Push& push)
 {
   if (std::is_same_v<ExecSpace, Kokkos::DefaultHostExecutionSpace>)
-    forFew(
+    parallelForSmall(
         label, count > 0 ? 1 : 0, KOKKOS_LAMBDA(const int) {
           for (int k = 0; k < count; ++k)
             push(k);

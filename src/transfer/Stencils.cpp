@@ -1,6 +1,6 @@
 #include "transfer/Stencils.hpp"
 
-#include "base/FewItems.hpp"
+#include "base/SmallLoops.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/TreeStencil.hpp"
 
@@ -23,7 +23,7 @@ int writeTreeStencils(const State<D>& state, const ObservedPoints<D>& points, co
 {
   const TreeStencils<D, S> stencils(state.mesh.grid, state.mesh.tree, table);
   const OwnCells<D> own = cellsOfPoints(state, points);
-  return sumFew<int>(
+  return parallelSumSmall<int>(
       "rhegma::writeTreeStencils", points.count, KOKKOS_LAMBDA(const int r, int& number) {
         Vector<D> x, half;
         for (int d = 0; d < D; ++d)
@@ -45,7 +45,7 @@ void writeStencils(const State<D>& state, const ObservedPoints<D>& points, const
 {
   const Grid<D> grid = state.mesh.grid;
   const OwnCells<D> own = cellsOfPoints(state, points);
-  forFew(
+  parallelForSmall(
       "rhegma::writeStencils", points.count, KOKKOS_LAMBDA(const int r) {
         Vector<D> x, half;
         for (int d = 0; d < D; ++d)
@@ -76,7 +76,8 @@ int writeUnbroken(const State<D>& state, ShapeKind shape, const ObservedPoints<D
   return 0;
 }
 
-/// Marks the particles whose boxes touch refined cells or those beside them: all that touch a node of theirs.
+/// Marks the particles whose boxes touch refined cells or those next to them: all that touch a node of
+/// theirs.
 template <int D>
 void markRefined(const State<D>& state, const View<int*>& row)
 {
@@ -149,10 +150,10 @@ void gatherPoints(State<D>& state)
   state.stored.points.count = count;
   if (static_cast<int>(state.stored.points.side.extent(0)) < count)
   {
-    const int room = count + count / 4 + 16;
-    state.stored.points.position = View<double* [D]>("rhegma::storedPosition", room);
-    state.stored.points.half = View<double* [D]>("rhegma::storedHalf", room);
-    state.stored.points.side = View<int*>("rhegma::storedSide", room);
+    const int capacity = count + count / 4 + 16;
+    state.stored.points.position = View<double* [D]>("rhegma::storedPosition", capacity);
+    state.stored.points.half = View<double* [D]>("rhegma::storedHalf", capacity);
+    state.stored.points.side = View<int*>("rhegma::storedSide", capacity);
   }
   const ObservedPoints<D> points = state.stored.points;
   const auto position = state.particles.template real<D>(fields::position);
@@ -225,7 +226,7 @@ int keepMassedNodes(const State<D>& state, int count, const StencilTable<D>& fro
   to.reserve(count);
   const StencilTable<D> all = from, t = to;
   const auto sums = state.mesh.nodes.sums;
-  return sumFew<int>(
+  return parallelSumSmall<int>(
       "rhegma::keepMassedNodes", count, KOKKOS_LAMBDA(const int r, int& missing) {
         const int entries = all.count(r);
         int kept = 0;

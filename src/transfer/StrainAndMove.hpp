@@ -27,7 +27,7 @@ struct ParticleHeat
   static constexpr bool on = true;
   ThermoTables tables;
   BorrowedView<double*> temperature, internal;
-  BorrowedView<double*> firstShare; ///< of the step that the force of its start acts; empty: all of it
+  BorrowedView<double*> firstFraction; ///< of the step that the force of its start acts; empty: all of it
 };
 
 /// Strain and move of the particles of one bundle, both by one nodal velocity.
@@ -193,7 +193,7 @@ struct StrainAndMove
       {
         own.temperature[p - begin] = heat.temperature(p);
         own.internal[p - begin] = heat.internal(p);
-        own.share[p - begin] = heat.firstShare.extent(0) > 0 ? heat.firstShare(p) : 1.0;
+        own.share[p - begin] = heat.firstFraction.extent(0) > 0 ? heat.firstFraction(p) : 1.0;
       }
       for (int k = 0; k < symmetricSize<D>; ++k)
         for (int p = begin; p < end; ++p)
@@ -250,8 +250,8 @@ double strainAndMoveWith(State<D>& state, const Connect& connect, const View<dou
     work.heat.tables = state.materials.thermo;
     work.heat.temperature = state.particles.scalar(fields::temperature);
     work.heat.internal = state.particles.scalar(fields::internalEnergy);
-    if (state.particles.has(fields::firstShare))
-      work.heat.firstShare = state.particles.scalar(fields::firstShare);
+    if (state.particles.has(fields::firstFraction))
+      work.heat.firstFraction = state.particles.scalar(fields::firstFraction);
   }
   work.connect = connect;
   work.nodal = nodal;

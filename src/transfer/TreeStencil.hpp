@@ -176,7 +176,7 @@ private:
     return hanging >= 0 || replaceHanging(row, entries);
   }
 
-  /// Gives the shares of hanging nodes to their masters.
+  /// Gives the fractions of hanging nodes to their masters.
   KOKKOS_INLINE_FUNCTION bool replaceHanging(int row, int entries) const
   {
     int kept = 0, number = 0;

@@ -87,7 +87,7 @@ def ends(summary):
     found = []
     for i, crack in enumerate((summary or {}).get("cracks", [])):
         for j, front in enumerate(crack.get("fronts", [])):
-            time, how = front.get("last_advance"), [name for name in ("ended", "halted") if front.get(name)]
+            time, how = front.get("last_advance"), [name for name in ("ended", "stopped") if front.get(name)]
             if how and isinstance(time, (int, float)):
                 found.append((crack.get("name", str(i)), j, float(time), how[0]))
     return found

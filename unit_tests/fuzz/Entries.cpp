@@ -23,7 +23,7 @@ namespace
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// A file in memory where there is such a place, which goes when this does.
+/// A file in memory where there is such a position, which goes when this does.
 class OwnFile
 {
 public:
@@ -33,7 +33,7 @@ public:
     path_ = std::string(folder) + "/rhegma_fuzz_" + std::to_string(getpid());
     std::FILE* const file = std::fopen(path_.c_str(), "wb");
     if (file == nullptr || std::fwrite(bytes.data(), 1, bytes.size(), file) != bytes.size())
-      std::abort(); // no place to work in is nothing that a fuzzer should count as read
+      std::abort(); // no position to work in is nothing that a fuzzer should count as read
     std::fclose(file);
   }
   ~OwnFile() { std::remove(path_.c_str()); }

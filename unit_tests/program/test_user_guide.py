@@ -44,7 +44,7 @@ class OwnCrack(ProgramTest):
         self.assertEqual(summary["propagation"]["initiation_toughness"], 403.0)
         self.assertEqual(front["increments"], self.stated(r"ran (\d+) cells"))
         # Of the last digits that the guide has.
-        self.assertAlmostEqual(1e6 * front["set_out"], self.stated(r"`set_out` after (\d+) us"), delta=0.5)
+        self.assertAlmostEqual(1e6 * front["initiated"], self.stated(r"`initiated` after (\d+) us"), delta=0.5)
         self.assertAlmostEqual(front["settled_speed"], self.stated(r"cells at (\d+) m/s"), delta=5.0)
         self.assertAlmostEqual(summary["energy"]["fracture"], self.stated(r"`energy > fracture`,\s+([0-9.]+) J"), delta=5e-4)
 
@@ -52,7 +52,7 @@ class OwnCrack(ProgramTest):
         command = re.search(r"^ +rhegma (my_crack.xml --output calm.out .*)$", self.text, re.M).group(1)
         answer = rhegma(*shlex.split(command), "--quiet", cwd=self.folder, timeout=600)
         self.assertEqual(answer.status, 0, answer)
-        self.assertIn(re.search(r"`(the front Notch.0 did not set out: [^`]*)`", self.text).group(1), answer.messages)
+        self.assertIn(re.search(r"`(crack Notch, front 0: not initiated; [^`]*)`", self.text).group(1), answer.messages)
 
 
 if __name__ == "__main__":

@@ -76,7 +76,7 @@ NOT_IN_3D = [
     ("crack_that_runs_in_3d_with_a_mass_matrix",
      ball().set("Cracks", {"Penny": {"Centre": [0.0, 0.0, 0.0], "Radius": 0.03, "Normal": [0.0, 0.0, 1.0]}}).set(
          "Energy Release", {}).set("Propagation", {"Toughness": "100"}).set("Mass Matrix", {"Type": "Full"}),
-     one("Propagation", "in 3D", "Partial alone")),
+     one("Propagation", "in 3D", "only be combined with Mass Matrix")),
     ("contours_of_a_crack_that_runs_in_3d",
      ball().set("Cracks", {"Penny": {"Centre": [0.0, 0.0, 0.0], "Radius": 0.03, "Normal": [0.0, 0.0, 1.0]}}).set(
          "Energy Release", {}).set("Propagation", {
@@ -113,9 +113,9 @@ PROPAGATION = [
     ("cracks_that_run_nowhere", running().remove("Cracks").remove("Energy Release"),
      [("Propagation", ["no cracks", "Cracks"]), ("Propagation", ["Energy Release"])]),
     ("cracks_that_run_without_a_measure", running().remove("Energy Release"),
-     one("Propagation", "what drives the fronts", "Energy Release")),
+     one("Propagation", "needs the section Energy Release", "Energy Release")),
     ("broken_cells_that_run", running().set("Cracks > Formulation", "Broken Cell"),
-     one("Propagation", "Dual Field alone")),
+     one("Propagation", "needs Cracks > Formulation = Dual Field")),
     ("cracks_that_run_without_ties", running().set("Cracks > Front Springs", False),
      one("Propagation", "Front Springs")),
     ("contour_the_wrong_way_round", running(**{"Release Contour": [10.0, 5.0]}),
@@ -124,7 +124,7 @@ PROPAGATION = [
     ("faces_that_touch_on_cells_that_follow_a_front_in_3d",
      ball().set("Cracks", {"Penny": {"Centre": [0.0, 0.0, 0.0], "Radius": 0.03, "Normal": [0.0, 0.0, 1.0]}}).set(
          "Energy Release", {}).set("Propagation", {"Toughness": "100"}).set("Contact", {}).set("Adaptivity", {"Maximum Level": 1}),
-     one("Propagation", "Contact or with Adaptivity")),
+     one("Propagation", "both Contact and Adaptivity")),
     ("running_cracks_with_a_series_for_the_mass", running().set("Mass Matrix", {"Type": "FMPM"}),
      one("Propagation", "FMPM", "Partial or Full")),
 ]

@@ -81,7 +81,7 @@ def burning(**changes):
 
 COMBUSTION = [
     ("combustion_without_cracks", plate().remove("Cracks").remove("Energy Release").set("Combustion", {"Notch": BURNING}),
-     one("Combustion", "no crack faces")),
+     one("Combustion", "there are no cracks")),
     ("combustion_of_a_crack_that_is_not_there", burning().set("Combustion > Nutch", BURNING),
      one("Combustion > Nutch", "no crack of this name", "Notch")),
     ("combustion_without_room", burning(Initial_Gap=None),

@@ -308,7 +308,7 @@ TEST(JoinedCracks, HaveMetBeforeTheRunIsBroken)
 
 /// Where the order of the particles does not fit, as with another number of ranks, they are sorted anew and
 /// the run goes on with other last digits: as far off as sums in another order, and solves from other first
-/// guesses, which stop at 1e-7, bring it. Differences grow where cohesive forces soften within short steps: a
+/// guesses, which stop at 1e-7, bring it. Differences grow where cohesive forces soften within substeps: a
 /// law that falls pushes two states apart.
 TEST(AnotherOrder, GoesOnWithOtherLastDigits)
 {

@@ -131,7 +131,7 @@ TEST(Simulation, CopiesFieldsOfItsParticles)
     EXPECT_EQ(simulation.particleField(name).particles, simulation.particles()) << name;
 }
 
-/// A hot spot that conducts only: what is given is what they hold more, and what the ledger has, to
+/// A hot spot that conducts only: what is given is what they hold more, and what the energy balance has, to
 /// round-off.
 TEST(Simulation, GivesHeatToItsParticles)
 {

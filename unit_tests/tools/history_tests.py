@@ -137,18 +137,18 @@ class History(ToolTest):
             plt.close(figure)
 
     def test_marks_where_fronts_end(self):
-        """Of fronts that have run: one that ended and one that was halted, none that runs or has never set out."""
+        """Of fronts that have run: one that ended and one that was stopped, none that runs or was never initiated."""
         self.write("history.csv", "time,A.0.length,A.0.speed\n0,0.5,0\n1e-3,0.6,9\n")
         cases = ((True, False, 4e-4), (False, True, 6e-4), (False, False, 9e-4), (True, False, None))
-        fronts = [{"ended": ended, "halted": halted, "last_advance": time} for ended, halted, time in cases]
+        fronts = [{"ended": ended, "stopped": halted, "last_advance": time} for ended, halted, time in cases]
         summary = {"cracks": [{"name": "A", "fronts": fronts}]}
-        self.assertEqual(ends(summary), [("A", 0, 4e-4, "ended"), ("A", 1, 6e-4, "halted")])
+        self.assertEqual(ends(summary), [("A", 0, 4e-4, "ended"), ("A", 1, 6e-4, "stopped")])
         self.assertEqual(ends(None), [])
         history = read_history(self.folder)
         figure, axes = plt.subplots()
         draw_growth(axes, history, growth(history), 1e3 * history.time, summary, 1e3)
         marks = [(line.get_label(), line.get_xdata()[0]) for line in axes.lines[1:]]
-        self.assertEqual([name for name, _ in marks], ["A, front 0 ended", "A, front 1 halted"])
+        self.assertEqual([name for name, _ in marks], ["A, front 0 ended", "A, front 1 stopped"])
         for (_, place), time in zip(marks, (0.4, 0.6)):
             self.assertAlmostEqual(place, time)
         plt.close(figure)

@@ -28,11 +28,11 @@ public:
   using Comm = Teuchos::RCP<const Teuchos::Comm<int>>;
 
   /// \param step of time, the same for all calls of conduct [s]
-  /// \param start temperature by place [K]
+  /// \param start temperature by position [K]
   Substrate(const Comm& comm, const Plate& plate, double step,
             const std::function<double(double x, double y)>& start);
 
-  /// The cell over which a place lies. Throws std::out_of_range beyond the plate.
+  /// The cell over which a position lies. Throws std::out_of_range beyond the plate.
   Cell cellAt(double x, double y) const;
 
   /// Temperatures of cells, whichever rank has them [K].

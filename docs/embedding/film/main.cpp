@@ -3,8 +3,8 @@
 ///
 ///     film film.xml
 ///
-/// Exit status 1 where more than 1e-10 of the heat that was exchanged is missing from the books of one of
-/// the two.
+/// Exit status 1 where more than 1e-10 of the heat that was exchanged is missing from the energy balance of
+/// one of the two.
 
 #include "Substrate.hpp"
 
@@ -26,7 +26,7 @@ namespace
 constexpr double interval = 1.0e-8;         // between exchanges [s]
 constexpr double boundaryConductance = 1e8; // of the bond [W/(m2 K)], as measured between metals and silicon
 constexpr double filmThickness = 2.0e-6;    // [m], as Domain > Thickness
-constexpr double allowed = 1.0e-10;         // share of the heat exchanged that may be missing
+constexpr double allowed = 1.0e-10;         // fraction of the heat exchanged that may be missing
 
 using Comm = Teuchos::RCP<const Teuchos::Comm<int>>;
 using Rhegma::Simulation;
@@ -38,7 +38,7 @@ double overRanks(const Comm& comm, double own)
   return all;
 }
 
-/// Heat in the film, with the energy of straining that particles hold beside it [J].
+/// Heat in the film, with the energy of straining that particles hold next to it [J].
 double heldByFilm(const Comm& comm, const Simulation& film)
 {
   const std::vector<double> density = film.particleField("internal energy").values;
@@ -59,12 +59,12 @@ struct Exchanged
 /// What flows through the bond in an interval.
 void exchange(const Comm& comm, Simulation& film, Substrate& silicon, Exchanged& sums)
 {
-  const std::vector<double> place = film.particleField("position").values;
+  const std::vector<double> position = film.particleField("position").values;
   const std::vector<double> volume = film.particleField("initial volume").values;
   const std::vector<double> warmth = film.particleField("temperature").values;
   std::vector<Substrate::Cell> cells(volume.size());
   for (std::size_t p = 0; p < volume.size(); ++p)
-    cells[p] = silicon.cellAt(place[2 * p], place[2 * p + 1]);
+    cells[p] = silicon.cellAt(position[2 * p], position[2 * p + 1]);
   const std::vector<double> below = silicon.temperatures(cells);
 
   std::vector<double> intoFilm(volume.size()), intoSilicon(volume.size());

@@ -45,7 +45,7 @@ Run<D> refinedCube(const std::string& shape, double side, const Vector<D>& lower
 
 /// Lets particles split and merge with cells that are as they are.
 template <int D>
-adaptivity::Merged followCells(State<D>& state, double mergeLoss = 1.0)
+adaptivity::Merged updateCells(State<D>& state, double mergeLoss = 1.0)
 {
   const adaptivity::Merged merged = adaptivity::mergeParticles(state, mergeLoss);
   adaptivity::splitParticles(state);

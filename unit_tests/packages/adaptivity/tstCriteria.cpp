@@ -62,7 +62,7 @@ Branches<D> adapt(State<D>& state, const Criteria<D>& criteria, const Branches<D
   buildTree(wanted, state.mesh.tree);
   state.mesh.nodes.reserve(state.mesh.grid.numNodes + state.mesh.tree.numFine, state.mesh.nodes.numSecond);
   state.particles.sorted = false;
-  followCells(state);
+  updateCells(state);
   return wanted;
 }
 
@@ -72,7 +72,7 @@ int count(const Branches<D>& branches, int level)
   return level < branches.depth() ? static_cast<int>(branches.cells(level).size()) : 0;
 }
 
-/// The cell of a level that holds a place.
+/// The cell of a level that holds a position.
 template <int D>
 std::array<int, D> cellAt(const Grid<D>& grid, int level, const Vector<D>& x)
 {

@@ -11,7 +11,7 @@ namespace Rhegma
 namespace Test
 {
 
-/// Functions sum to one, across levels and beside the crack, so that a uniform velocity stays what it is and
+/// Functions sum to one, across levels and next to the crack, so that a uniform velocity stays what it is and
 /// strains nothing; round-off of some hundred steps.
 TEST(MovingCrack, FliesWithoutAForce)
 {

@@ -23,12 +23,12 @@ double residual(State<D>& state, const Vector<D>& lower)
   scatter(state, ScatterWhat::Force);
   const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.sums);
   const auto active = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.active);
-  const NodePlaces<D> places = nodePlaces(state);
+  const NodePositions<D> positions = nodePositions(state);
   double largest = 0.0;
   int inside = 0, fine = 0;
   for (int i = 0; i < static_cast<int>(active.extent(0)); ++i)
   {
-    const Vector<D> x = places(active(i));
+    const Vector<D> x = positions(active(i));
     bool in = true;
     for (int d = 0; d < D; ++d)
       in = in && x[d] - 1.0 >= lower[d] - 1e-9 && x[d] + 1.0 <= lower[d] + side + 1e-9;
@@ -51,7 +51,7 @@ void checkPatch(int level)
   upper[0] = 5.0;
   Run<D> run = refinedCube<D>("GIMP", side, lower, upper, level);
   State<D>& state = run.state();
-  followCells(state);
+  updateCells(state);
   setUniformStress(state);
   double worst = residual(state, all<D>(0.0));
   std::mt19937 engine(11);
@@ -66,7 +66,7 @@ void checkPatch(int level)
       shift[d] = anywhere(engine) + (corner[d] > 2.0 ? -0.5 : corner[d] < -2.0 ? 0.5 : 0.15);
     corner = corner + shift;
     moveBody(state, shift);
-    merged += followCells(state).families;
+    merged += updateCells(state).families;
     most = std::max(most, state.particles.size());
     least = std::min(least, state.particles.size());
     worst = std::max(worst, residual(state, corner));

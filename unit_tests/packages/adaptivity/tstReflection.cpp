@@ -6,7 +6,7 @@
 /// from the face, so the difference of the two, particle by particle, is what was reflected: the pulse's own
 /// tail, and whatever the start left behind, is in both.
 ///
-/// Bounded is the share of energy that comes back, as it is for pulses at closed cracks, when all of the
+/// Bounded is the fraction of energy that comes back, as it is for pulses at closed cracks, when all of the
 /// pulse lies within 8 large cells: waves of 8 cells and less are most of it, and lattices of h and h / 2
 /// differ most in how stiff these find them. Of a pulse twice as long, 8 cells at half its height, the
 /// amplitude is bounded too: the largest difference of velocity over the largest velocity.
@@ -115,7 +115,7 @@ Passed pass(const Levels& levels, double cfl, double width, const std::string& s
   return passed;
 }
 
-/// Shares of those of the pulse.
+/// Fractions of those of the pulse.
 struct Share
 {
   double amplitude = 0.0, energy = 0.0;
@@ -129,7 +129,7 @@ Share reflected(const Levels& levels, double width, const std::string& shape = "
   // Steps are of the smallest cells: the same ones in both.
   const Passed without = pass({levels.front()}, std::ldexp(0.4, levels.front() - deepest), width, shape);
   EXPECT_EQ(with.before.size(), without.before.size());
-  Share share;
+  Share fraction;
   for (const auto& particle : without.before)
   {
     const auto same = with.before.find(particle.first);
@@ -139,15 +139,15 @@ Share reflected(const Levels& levels, double width, const std::string& shape = "
       break;
     }
     const double difference = same->second.velocity - particle.second.velocity;
-    share.amplitude = std::max(share.amplitude, std::fabs(difference) / without.peak);
-    share.energy += particle.second.mass * difference * difference / without.energy;
+    fraction.amplitude = std::max(fraction.amplitude, std::fabs(difference) / without.peak);
+    fraction.energy += particle.second.mass * difference * difference / without.energy;
   }
   std::string name;
   for (const int level : levels)
     name += " " + std::to_string(level);
   std::printf("levels%s, %s, pulse of %g cells: reflected energy %.4f %%, amplitude %.2f %%\n", name.c_str(),
-              shape.c_str(), width, 100.0 * share.energy, 100.0 * share.amplitude);
-  return share;
+              shape.c_str(), width, 100.0 * fraction.energy, 100.0 * fraction.amplitude);
+  return fraction;
 }
 
 } // namespace
@@ -166,7 +166,7 @@ TEST(Reflection, OfAPulseOf8CellsIsBelowOneAndAHalfPercentAtTwoFaces)
   EXPECT_LT(reflected({0, 1, 0}, 8.0).energy, 0.015);
 }
 
-/// Lattices differ by a share of about (k h)^2 in how stiff waves find them, so half the wavenumber leaves
+/// Lattices differ by a fraction of about (k h)^2 in how stiff waves find them, so half the wavenumber leaves
 /// about a quarter.
 TEST(Reflection, OfPulsesOf8CellsAtHalfHeightIsBelowAPercentOfAmplitude)
 {

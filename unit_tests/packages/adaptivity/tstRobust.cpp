@@ -40,7 +40,7 @@ void addRegion(Teuchos::ParameterList& scene, const Vector<D>& lower, const Vect
   box.set("Level", level);
 }
 
-/// Adds a smooth motion of its own, of 1 cm/s and waves of 8 m. \return its energy, as a share of all
+/// Adds a smooth motion of its own, of 1 cm/s and waves of 8 m. \return its energy, as a fraction of all
 template <int D>
 double stir(State<D>& state)
 {
@@ -237,7 +237,7 @@ Kept toggled(bool on)
     buildTree(branches, state.mesh.tree);
     state.mesh.nodes.reserve(state.mesh.grid.numNodes + state.mesh.tree.numFine, state.mesh.nodes.numSecond);
     state.particles.sorted = false;
-    return followCells(state).lost;
+    return updateCells(state).lost;
   };
   const Kept kept = keep(run, 400, toggle);
   std::printf("%s: %d to %d particles; energy by %.1e, momentum by %.1e\n", on ? "on and off" : "off",
@@ -259,7 +259,7 @@ TEST(Robust, onAndOffEveryStep)
   EXPECT_LT(kept.energy, plain.energy);
 }
 
-/// Refined, large, and refined again in the same places: the numbers of nodes are those of before.
+/// Refined, large, and refined again in the same positions: the numbers of nodes are those of before.
 TEST(Robust, numbersOfNodesDoNotDependOnTheRun)
 {
   Teuchos::ParameterList scene = flyingBlock<2>(0.0);
@@ -273,7 +273,7 @@ TEST(Robust, numbersOfNodesDoNotDependOnTheRun)
     Kokkos::deep_copy(host, view);
     return host;
   };
-  const auto place = copy(state.mesh.tree.finePlace);
+  const auto place = copy(state.mesh.tree.finePosition);
   const auto master = copy(state.mesh.tree.master);
   Branches<2> branches(state.mesh.grid);
   for (const int k : {7, 2, 5})
@@ -287,11 +287,11 @@ TEST(Robust, numbersOfNodesDoNotDependOnTheRun)
       again.refine(1, {x, y});
   again.balance();
   buildTree(again, state.mesh.tree);
-  ASSERT_EQ(state.mesh.tree.finePlace.extent(0), place.extent(0));
+  ASSERT_EQ(state.mesh.tree.finePosition.extent(0), place.extent(0));
   ASSERT_EQ(state.mesh.tree.master.extent(0), master.extent(0));
   for (std::size_t n = 0; n < place.extent(0); ++n)
     for (int d = 0; d < 2; ++d)
-      EXPECT_EQ(state.mesh.tree.finePlace(n, d), place(n, d));
+      EXPECT_EQ(state.mesh.tree.finePosition(n, d), place(n, d));
   for (std::size_t l = 0; l < master.extent(0); ++l)
     for (int k = 0; k < 4; ++k)
       for (int m = 0; m < 2; ++m)

@@ -91,7 +91,7 @@ void checkSplitting()
   const Sums<D> before(state);
   const int particles = state.particles.size();
   setCells(state, 2);
-  followCells(state);
+  updateCells(state);
   const Sums<D> after(state);
   ASSERT_GT(state.particles.size(), particles);
   EXPECT_NEAR(after.mass, before.mass, 1e-13 * before.mass);
@@ -111,11 +111,11 @@ void checkMerging()
   State<D>& state = run.state();
   const int particles = state.particles.size();
   setCells(state, 2);
-  followCells(state);
+  updateCells(state);
   shake(state);
   const Sums<D> before(state);
   setCells(state, 0);
-  const adaptivity::Merged merged = followCells(state);
+  const adaptivity::Merged merged = updateCells(state);
   const Sums<D> after(state);
   EXPECT_EQ(state.particles.size(), particles);
   EXPECT_GT(merged.families, 0);
@@ -139,7 +139,7 @@ double internalEnergy(const State<D>& state)
   return sum;
 }
 
-/// Every part gets a mass, a volume and a heat of its own, as if it had burnt by a share of its own.
+/// Every part gets a mass, a volume and a heat of its own, as if it had burnt by a fraction of its own.
 template <int D>
 void burnUnlike(State<D>& state)
 {
@@ -167,11 +167,11 @@ TEST(SplitMerge, mergingKeepsTheHeatOfPartsThatBurntUnlike)
   run.initialize();
   State<2>& state = run.state();
   setCells(state, 1);
-  followCells(state);
+  updateCells(state);
   burnUnlike(state);
   const double before = internalEnergy(state);
   setCells(state, 0);
-  ASSERT_GT(followCells(state).families, 0);
+  ASSERT_GT(updateCells(state).families, 0);
   EXPECT_NEAR(internalEnergy(state), before, 1e-13 * before);
 }
 
@@ -191,10 +191,10 @@ TEST(SplitMerge, aThousandTimesOver)
   for (int k = 0; k < 1000; ++k)
   {
     setCells(state, 1 + k % 3);
-    followCells(state);
+    updateCells(state);
     ASSERT_GT(state.particles.size(), particles);
     setCells(state, 0);
-    followCells(state);
+    updateCells(state);
     ASSERT_EQ(state.particles.size(), particles);
   }
   const Sums<2> after(state);
@@ -208,7 +208,7 @@ TEST(SplitMerge, aThousandTimesOver)
 }
 
 /// Parts on two sides of a crack that has joined another stay apart: that they know of it is a number of
-/// their own beside the side of the nearest crack.
+/// their own next to the side of the nearest crack.
 TEST(SplitMerge, keepsPartsApartThatDifferInAWholeNumber)
 {
   Rhegma::Run<2> run = refinedCube<2>("GIMP", 4.0, all<2>(-3.0), all<2>(-2.0), 2);
@@ -217,7 +217,7 @@ TEST(SplitMerge, keepsPartsApartThatDifferInAWholeNumber)
   const auto host = [&](const std::string& name)
   { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(name)); };
   setCells(state, 1);
-  followCells(state);
+  updateCells(state);
   const auto level = host(fields::level), from = host(adaptivity::ancestor), part = host(adaptivity::lineage);
   const auto side = host(cracks::otherSide);
   int apart = 0, together = 0;
@@ -233,7 +233,7 @@ TEST(SplitMerge, keepsPartsApartThatDifferInAWholeNumber)
   ASSERT_GT(together, 0);
   Kokkos::deep_copy(state.particles.integer(cracks::otherSide), side);
   setCells(state, 0);
-  const adaptivity::Merged merged = followCells(state);
+  const adaptivity::Merged merged = updateCells(state);
   EXPECT_EQ(merged.families, together / 4);
   const auto levelNow = host(fields::level), fromNow = host(adaptivity::ancestor);
   int left = 0;
@@ -252,11 +252,11 @@ TEST(SplitMerge, keepsFamiliesThatWouldLoseTooMuch)
   Rhegma::Run<2> run = refinedCube<2>("GIMP", 4.0, all<2>(-3.0), all<2>(-2.0), 2);
   State<2>& state = run.state();
   setCells(state, 1);
-  followCells(state);
+  updateCells(state);
   shake(state);
   const int particles = state.particles.size();
   setCells(state, 0);
-  const adaptivity::Merged merged = followCells(state, 0.01);
+  const adaptivity::Merged merged = updateCells(state, 0.01);
   EXPECT_EQ(merged.families, 0);
   EXPECT_GT(merged.kept, 0);
   EXPECT_EQ(state.particles.size(), particles);

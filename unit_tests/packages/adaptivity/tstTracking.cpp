@@ -1,5 +1,6 @@
 /// The examples in which cells follow what moves: how many particles are left in the end, how far the motion
-/// is from that with small cells everywhere and how far large cells are, and that remeshing keeps the books.
+/// is from that with small cells everywhere and how far large cells are, and that remeshing keeps the energy
+/// balance.
 
 #include "../../src/step/Bodies.hpp"
 #include "state/EnergySums.hpp"
@@ -60,21 +61,21 @@ Motion<D> motionOf(const State<D>& state, double cell)
     std::array<int, D> at;
     for (int d = 0; d < D; ++d)
       at[d] = static_cast<int>(std::floor(reference(p, d) / cell));
-    Share<D>& share = motion[at];
-    share.mass += particles.mass(p);
+    Share<D>& fraction = motion[at];
+    fraction.mass += particles.mass(p);
     for (int d = 0; d < D; ++d)
-      share.momentum[d] += particles.mass(p) * particles.velocity(p, d);
+      fraction.momentum[d] += particles.mass(p) * particles.velocity(p, d);
   }
   return motion;
 }
 
-/// What remeshing did to the books, as shares of what there is.
+/// What remeshing did to the energy balance, as fractions of what there is.
 struct Books
 {
   double mass = 0.0, momentum = 0.0, energy = 0.0;
 };
 
-/// Looks at the books before and after every remeshing.
+/// Looks at the energy balance before and after every remeshing.
 template <int D>
 Effect<D> accountant(Books& books)
 {
@@ -175,7 +176,7 @@ double difference(const Followed<D>& one, const Followed<D>& right)
   return std::sqrt(off / all);
 }
 
-/// What cells that follow may be off, beside small cells everywhere, is what those are off from the truth: a
+/// What cells that follow may be off, next to small cells everywhere, is what those are off from the truth: a
 /// third of the difference of large and small cells, as errors go with the square of the cell (Richardson).
 /// The waves of a few large cells that make up most of that difference are worse off in small cells.
 template <int D>

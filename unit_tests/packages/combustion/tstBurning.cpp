@@ -65,7 +65,7 @@ void keepsMassMomentumAndEnergy(const std::string& model = "Uniform")
   measureEnergy(state);
   const Vector<D> before = state.sample.momentum;
   const double startEnergy = state.energy.kinetic + state.energy.strain;
-  // The ledger of a body that moves wavers by half a step's power of its stresses; its mean does not.
+  // The energy balance of a body that moves wavers by half a step's power of its stresses; its mean does not.
   constexpr int samples = 16;
   double given = 0.0, open = 0.0;
   for (int k = 0; k < samples; ++k)
@@ -187,7 +187,7 @@ TEST(Burning, RefusesToVentAClosedCrack)
   EXPECT_THROW(run.initialize(), std::invalid_argument);
 }
 
-/// Faces that burn very fast use up what lies beside them; then they stop, and nothing is negative or no
+/// Faces that burn very fast use up what lies next to them; then they stop, and nothing is negative or no
 /// number.
 TEST(Burning, EndsWithTheFuel)
 {
@@ -202,10 +202,10 @@ TEST(Burning, EndsWithTheFuel)
   while (state.clock.time < 10.0 && state.failure.empty())
     run.step(1e9, false);
   ASSERT_EQ(state.failure, "");
-  bool told = false;
+  bool reported = false;
   for (const std::string& warning : state.warnings)
-    told = told || warning.find("burnt away") != std::string::npos;
-  EXPECT_TRUE(told);
+    reported = reported || warning.find("burnt away") != std::string::npos;
+  EXPECT_TRUE(reported);
   const HostParticles<2> particles(state);
   for (int p = 0; p < particles.size; ++p)
   {

@@ -34,10 +34,10 @@ GasLaw air(double covolume = 0.0)
 Channel slot(int cells, const GasLaw& law, bool bulging = false, double viscosity = 0.0, double factor = 0.0)
 {
   Channel channel(law, {viscosity, factor}, 1.0);
-  std::vector<double> length(cells, 1.0 / cells), room(cells);
+  std::vector<double> length(cells, 1.0 / cells), capacity(cells);
   for (int k = 0; k < cells; ++k)
-    room[k] = length[k] * (bulging ? 1.0 + 0.5 * std::sin(7.0 * (k + 0.5) / cells) : 1.0);
-  channel.place(length, room);
+    capacity[k] = length[k] * (bulging ? 1.0 + 0.5 * std::sin(7.0 * (k + 0.5) / cells) : 1.0);
+  channel.place(length, capacity);
   channel.measureRoom(length, 0.0, 1.0);
   return channel;
 }
@@ -50,7 +50,7 @@ ChannelSupply nothing(int cells)
   return supply;
 }
 
-/// Mean error of the density in Sod's tube at time 0.2. The states beside the contact are Toro's (Riemann
+/// Mean error of the density in Sod's tube at time 0.2. The states next to the contact are Toro's (Riemann
 /// Solvers and Numerical Methods for Fluid Dynamics, 2009, table 4.3, test 1).
 double sodError(int cells)
 {
@@ -134,8 +134,8 @@ TEST(Channel, BurnsInARigidSlotAsTheUniformGasDoes)
     Channel channel = slot(cells, air(covolume), true);
     channel.fill(1.0, 1.0);
     combustion::Gas gas(air(covolume));
-    const double room = channel.allVolume();
-    gas.fill(1.0, 1.0, room);
+    const double capacity = channel.allVolume();
+    gas.fill(1.0, 1.0, capacity);
     for (int step = 0; step < 50; ++step)
     {
       ChannelSupply supply = nothing(cells);
@@ -143,12 +143,12 @@ TEST(Channel, BurnsInARigidSlotAsTheUniformGasDoes)
         supply.burnt[k] = 0.02 * channel.volume(k);
       // Of so dense a solid that it leaves no room.
       channel.advance(0.05, supply, 1e30);
-      gas.burn(0.02 * room, 0.0);
+      gas.burn(0.02 * capacity, 0.0);
     }
     for (int k = 0; k < cells; ++k)
     {
       EXPECT_NEAR(channel.temperature(k), gas.temperature(), 1e-10);
-      EXPECT_NEAR(channel.pressure(k), gas.pressure(room), 1e-10 * gas.pressure(room));
+      EXPECT_NEAR(channel.pressure(k), gas.pressure(capacity), 1e-10 * gas.pressure(capacity));
     }
   }
 }

@@ -32,11 +32,11 @@ struct Expansion
 };
 Expansion expand(const GasLaw& l, double pressure, double temperature, double outside)
 {
-  const double share = l.heatRatio - 1.0;
+  const double fraction = l.heatRatio - 1.0;
   double v = l.constant * temperature / pressure + l.covolume, e = l.heatCapacity() * temperature;
   const double rest = e + pressure * v;
   const auto pressureAt = [&](double energy, double volume)
-  { return share * energy / (volume - l.covolume); };
+  { return fraction * energy / (volume - l.covolume); };
   const auto after = [&](double dv)
   {
     const double a = -pressureAt(e, v), b = -pressureAt(e + 0.5 * dv * a, v + 0.5 * dv),

@@ -98,19 +98,19 @@ TEST(GasExchange, EndsInAFiniteTime)
 {
   const GasLaw l = law();
   const double difference = 1e-4 * 1e6;
-  for (const double share : {0.25, 0.5, 1.0, 2.0, 1e6})
+  for (const double fraction : {0.25, 0.5, 1.0, 2.0, 1e6})
   {
     Pair pair{filled(l, 1e6 + difference, 2500.0, 1e-6), filled(l, 1e6, 2500.0, 2e-6), 1e-6, 2e-6};
     const double all = 2e-12 / 3e-6 * difference / (1.25 * 320.0 * 2500.0);
     const double flow = 1e-7 * std::sqrt(2.0 * 1e6 / (320.0 * 2500.0) * difference);
-    pair.flow(1e-7, share * 2.0 * all / flow);
-    const double left = std::max(1.0 - share, 0.0);
+    pair.flow(1e-7, fraction * 2.0 * all / flow);
+    const double left = std::max(1.0 - fraction, 0.0);
     // To first order in the difference over the pressure.
     EXPECT_NEAR(pair.pressureOne() - pair.pressureTwo(), left * left * difference, 1e-3 * difference);
   }
 }
 
-/// In one long step as in many, also into a room that is a millionth of the other: no more than makes the
+/// In one step as in many, also into a room that is a millionth of the other: no more than makes the
 /// pressures equal, and no wave about that.
 TEST(GasExchange, IsStableInASmallRoom)
 {

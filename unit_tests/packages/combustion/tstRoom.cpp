@@ -80,7 +80,7 @@ private:
   double drawnOut_ = 0.0;
 };
 
-/// Share of an ellipse, the shape of a crack under pressure, that lies within a length of its two ends.
+/// Fraction of an ellipse, the shape of a crack under pressure, that lies within a length of its two ends.
 double shareAtEnds(double length, double half)
 {
   const double x = 1.0 - length / half;
@@ -110,7 +110,7 @@ void makesRoom(double height, double pressure, double cell, double opening)
   for (const Effect<2>& effect : run.plan().effects)
     if (effect.report)
       effect.report(state, summary);
-  const double room = summary.at("cracks").at(0).at("gas").at("volume").get<double>() - cavity;
+  const double capacity = summary.at("cracks").at(0).at("gas").at("volume").get<double>() - cavity;
   const HostParticles<2> particles(state);
   double lost = 0.0, widest = 0.0;
   for (int p = 0; p < particles.size; ++p)
@@ -125,10 +125,10 @@ void makesRoom(double height, double pressure, double cell, double opening)
   std::printf(
       "crack at %g, cells of %g: opening %.3g cells, room %.4g, over what the solid lost %+.1f %%, with "
       "d x dm' %+.1f %%, ledger open by %+.1f %%\n",
-      height, cell, widest / cell, room, 100.0 * (room / lost - 1.0),
-      100.0 * ((room + strip.drawnOut()) / lost - 1.0), 100.0 * open / given);
+      height, cell, widest / cell, capacity, 100.0 * (capacity / lost - 1.0),
+      100.0 * ((capacity + strip.drawnOut()) / lost - 1.0), 100.0 * open / given);
   EXPECT_NEAR(widest, opening, 0.2 * opening);
-  EXPECT_NEAR(room + strip.drawnOut(), lost, shareAtEnds(cell, 5.0) * lost);
+  EXPECT_NEAR(capacity + strip.drawnOut(), lost, shareAtEnds(cell, 5.0) * lost);
   EXPECT_LT(std::fabs(open), 0.02 * given);
   EXPECT_GT(given, start);
   bool warned = false;

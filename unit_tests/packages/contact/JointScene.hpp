@@ -16,7 +16,7 @@ namespace Rhegma::contact::test
 {
 
 constexpr double cell = 1e-3, width = 4e-3,
-                 height = 0.04; ///< of the cells, the bar and the joint's place [m]
+                 height = 0.04; ///< of the cells, the bar and the joint's position [m]
 constexpr double young = 3e9, poisson = 0.3;
 const double modulus = young * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson));
 const double shear = young / (2.0 * (1.0 + poisson));

@@ -18,10 +18,10 @@ std::vector<std::string> placesOfErrors(const std::vector<std::string>& override
   const SceneResult scene =
       readScene(std::string(RHEGMA_SOURCE_DIR) + "/xml_inputs/verification/contact_pulse_compressive.xml",
                 overrides, effectSchema());
-  std::vector<std::string> places;
+  std::vector<std::string> positions;
   for (const SceneError& error : scene.errors)
-    places.push_back(error.where);
-  return places;
+    positions.push_back(error.where);
+  return positions;
 }
 
 using Places = std::vector<std::string>;
@@ -66,7 +66,7 @@ TEST(Contact, TakesNoTimeUpToThePenaltyThatStepsCanBear)
   EXPECT_NEAR(limit("98"), 0.9 * cell / (std::sqrt(modulus / 1200.0) * 10.0), 1e-12 * free);
 }
 
-/// Where faces come closer, a place below the joint sees the nodes above it; where they part, it doesn't.
+/// Where faces come closer, a position below the joint sees the nodes above it; where they part, it doesn't.
 TEST(ClosedVisibility, MendsCutsWhereFacesAreClosed)
 {
   const auto run = barAtRest({"Contact:Law=Visibility", "Cracks:Formulation=Broken Cell"});

@@ -183,8 +183,8 @@ TEST(FaceContact, KeepsItsGapWhileItTurns)
     EXPECT_NEAR(gap(k), opening, roundOff);
 }
 
-/// Heat of friction, and how the ledger is told what becomes of the energy of the layer, when cells of
-/// another size ask for points in other places.
+/// Heat of friction, and how the energy balance is told what becomes of the energy of the layer, when cells
+/// of another size ask for points in other positions.
 TEST(FaceContact, KeepsHeatWherePointsArePlacedAnew)
 {
   const auto coarse = barAtRest(), fine = barAtRest({}, 2);

@@ -1,6 +1,6 @@
 #pragma once
 /// The double cantilever beam of verification/dcb_h4.xml without its loads' motion: a crack from the left end
-/// to the middle, and the stencils of the particles beside it.
+/// to the middle, and the stencils of the particles next to it.
 
 #include "cracks/CrackGeometry.hpp"
 #include "plan/EffectSchema.hpp"
@@ -53,7 +53,7 @@ struct Entry
   double weight, slope[2];
 };
 
-/// A particle beside the crack and the nodes that it sees.
+/// A particle next to the crack and the nodes that it sees.
 struct Seeing
 {
   int particle, side;

@@ -53,7 +53,7 @@ std::unique_ptr<Run<D>> start(Teuchos::ParameterList scene)
   return run;
 }
 
-/// Gives every particle the velocity of its place.
+/// Gives every particle the velocity of its position.
 template <int D, class Velocity>
 void setVelocity(State<D>& state, const Velocity& velocity)
 {

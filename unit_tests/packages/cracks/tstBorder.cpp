@@ -40,8 +40,8 @@ TEST(Border, FrontsThatLeanReachTheSurface)
 }
 
 /// A disk of which a surface cuts off less and less: its front is all of the arc inside, which the chords of
-/// its corners, of the same area, exceed by at most a share of (pi / 25)^2 / 6; a corner that was moved on to
-/// the surface cuts its chord short by less than a tenth of a cell.
+/// its corners, of the same area, exceed by at most a fraction of (pi / 25)^2 / 6; a corner that was moved on
+/// to the surface cuts its chord short by less than a tenth of a cell.
 TEST(Border, DisksKeepTheirFrontUpToTheSurface)
 {
   const double radius = 4.0 * cell;

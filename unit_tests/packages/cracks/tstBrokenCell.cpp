@@ -88,7 +88,7 @@ TEST(BrokenCell, SharesAmongTwoCorners)
   // d/dx of the upper two adds up to 0, d/dy to 1.
   expectNear(cell.slopeX, {-0.75, 0.75, 0.0, 0.0});
   expectNear(cell.slopeY, {-0.75 + 0.5, -0.25 + 0.5, 0.0, 0.0});
-  // From the other side, at the mirrored place, the mirrored weights.
+  // From the other side, at the mirrored position, the mirrored weights.
   expectNear(lookAt(sides, {0.25, 0.75}, 1).weight, {0.0, 0.0, 11.0 / 16, 5.0 / 16});
 }
 

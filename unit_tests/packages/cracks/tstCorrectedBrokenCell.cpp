@@ -1,4 +1,4 @@
-/// Extrapolated weights: linearly complete beside a crack, and with masses that are never negative.
+/// Extrapolated weights: linearly complete next to a crack, and with masses that are never negative.
 #include "CrackedBeam.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ using namespace Rhegma::cracks::test;
 namespace
 {
 
-/// Largest strain rate that a rigid rotation of 1 rad/s gives a particle beside the crack [1/s].
+/// Largest strain rate that a rigid rotation of 1 rad/s gives a particle next to the crack [1/s].
 double rotationStrain(const State<2>& state)
 {
   double largest = 0.0;
@@ -35,7 +35,7 @@ double rotationStrain(const State<2>& state)
   return largest;
 }
 
-/// Weights, slopes and first moments of a stencil: 1, 0, the particle's place, and the identity.
+/// Weights, slopes and first moments of a stencil: 1, 0, the particle's position, and the identity.
 void expectLinearlyComplete(const State<2>& state, const Seeing& one)
 {
   double weight = 0.0, moment[2] = {}, gradient[2][2] = {};
@@ -50,7 +50,7 @@ void expectLinearlyComplete(const State<2>& state, const Seeing& one)
         gradient[i][j] += from[i] * entry.slope[j];
     }
   }
-  // Up to 16 terms of at most 4 cells, 4 and 4 / cell, and places rounded at 50 cells.
+  // Up to 16 terms of at most 4 cells, 4 and 4 / cell, and positions rounded at 50 cells.
   constexpr double roundOff = 1e-13;
   EXPECT_NEAR(weight, 1.0, roundOff);
   for (int i = 0; i < 2; ++i)
@@ -63,8 +63,8 @@ void expectLinearlyComplete(const State<2>& state, const Seeing& one)
 
 } // namespace
 
-/// A cracked body that turns rigidly has no strain. The rounding of places, 1e-17 m against cells of 2.5 mm,
-/// bounds the figure: 9 entries x 2 eps x 4.
+/// A cracked body that turns rigidly has no strain. The rounding of positions, 1e-17 m against cells of 2.5
+/// mm, bounds the figure: 9 entries x 2 eps x 4.
 TEST(CorrectedBrokenCell, TurnsRigidlyWithoutStrain)
 {
   for (const std::string shape : {"Linear", "GIMP"})
@@ -123,7 +123,7 @@ TEST(CorrectedBrokenCell, KeepsMassesOfHalfACell)
   }
 }
 
-/// At the rim, where particles beside the crack touch a column of nodes that those further in do not touch,
+/// At the rim, where particles next to the crack touch a column of nodes that those further in do not touch,
 /// extrapolation would take more mass from a node than it has.
 TEST(CorrectedBrokenCell, HasNoNegativeMassAtTheRim)
 {

@@ -58,9 +58,9 @@ double radiusOf(const FrontNode<3>& s, const Vector<3>& centre)
 
 /// A disk that grows evenly by a fifth of a cell at a time from 3 to 8 cells stays flat to rounding and
 /// round: between front nodes a polygon of pieces of up to 1.5 cells lies up to 1.5^2 / (8 r) cells inside of
-/// its circle, 0.1 here, and a front node that comes between two others begins there. What it books is its
-/// new area to rounding, pieces keep within 0.5 and 1.5 cells, and each inner edge has a triangle on both
-/// sides.
+/// its circle, 0.1 here, and a front node that comes between two others begins there. What it energy balance
+/// is its new area to rounding, pieces keep within 0.5 and 1.5 cells, and each inner edge has a triangle on
+/// both sides.
 TEST(CrackGrowth, KeepsADiskRoundAndBooksItsArea)
 {
   const Vector<3> centre{10e-3, 10e-3, 10.3e-3};
@@ -74,7 +74,7 @@ TEST(CrackGrowth, KeepsADiskRoundAndBooksItsArea)
   const double area = measureOpening(state.cracks, 0).size;
   EXPECT_NEAR(front.budget.required, toughness * (area - before), 1e-10 * toughness * area);
   EXPECT_NEAR(front.budget.pending, front.budget.required, 1e-12);
-  // The polygon's area is less than the circle's by a share of up to (1.5 / 8)^2 / 6.
+  // The polygon's area is less than the circle's by a fraction of up to (1.5 / 8)^2 / 6.
   EXPECT_NEAR(area, pi * 64e-6, 0.02 * pi * 64e-6);
   ASSERT_GE(front.nodes.size(), 34u); // the rim has 50 cells
   ASSERT_LE(front.nodes.size(), 100u);
@@ -102,7 +102,7 @@ TEST(CrackGrowth, KeepsADiskRoundAndBooksItsArea)
 
 /// Front nodes that are left behind are caught up with: a front that was asked for a ripple of a fifth of a
 /// cell in every advance, at every other front node, has less of it than one that would not smooth, 10 x 0.2
-/// cells, and books what it gains all the same.
+/// cells, and energy balance what it gains all the same.
 TEST(CrackGrowth, SmoothsRipplesWithoutLossOfArea)
 {
   const Vector<3> centre{10e-3, 10e-3, 10.3e-3};
@@ -171,7 +171,8 @@ TEST(CrackGrowth, AdvancesANodeThatNothingHoldsBackWithItsNeighbours)
     else
       EXPECT_GT(own - start, 0.375 * (largest - start - 0.25 * cell));
     const double area = measureOpening(state.cracks, 0).size;
-    EXPECT_NEAR(state.cracks.fronts[0].budget.required, toughness * (area - before), 1e-10 * toughness * area);
+    EXPECT_NEAR(state.cracks.fronts[0].budget.required, toughness * (area - before),
+                1e-10 * toughness * area);
   }
 }
 
@@ -211,7 +212,7 @@ TEST(CrackGrowth, EvensAFrontAtAMirror)
 
 /// Front nodes of a straight front advance one after the other, always in the same order, so that each sees
 /// one neighbour ahead and the other behind, and its way leans by seven degrees: over ten cells that would
-/// take it more than a cell to one side. Pieces stay within 0.3 of what they were, and the area is booked.
+/// take it more than a cell to one side. Pieces stay within 0.3 of what they were, and the area is recorded.
 TEST(CrackGrowth, KeepsPointsApartThatAdvanceInTurn)
 {
   const double size = 16e-3;
@@ -339,8 +340,8 @@ TEST(CrackGrowth, SaysOnceThatAFrontHalts)
   }
 }
 
-/// Where half of a front advances, nodes beside the other half are opened too, by the triangles between them:
-/// they take what the nearest front node that has made a face takes.
+/// Where half of a front advances, nodes next to the other half are opened too, by the triangles between
+/// them: they take what the nearest front node that has made a face takes.
 TEST(CrackGrowth, GivesNodesThatStayTheToughnessOfTheirNeighbours)
 {
   const Vector<3> centre{10e-3, 10e-3, 10.3e-3};

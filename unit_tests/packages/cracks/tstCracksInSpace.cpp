@@ -126,8 +126,8 @@ TEST(CracksInSpace, MakeASlabBehaveAsItsPlane)
 }
 
 /// Each side's functions reproduce linear fields, so a rigid turn strains no particle: of every stored
-/// stencil the weights add up to 1, the places of the nodes to the particle's, and their products with slopes
-/// to 1.
+/// stencil the weights add up to 1, the positions of the nodes to the particle's, and their products with
+/// slopes to 1.
 TEST(CracksInSpace, CutFunctionsThatReproduceLinearFields)
 {
   const auto run = start<3>(crackedCube());
@@ -174,8 +174,8 @@ TEST(CracksInSpace, CutFunctionsThatReproduceLinearFields)
 
 /// A crack turns with its body. At faces the lumped projection gives nodes the velocity of the middle of
 /// their particles, up to a quarter of a cell off the crack: an error of omega h / 4. It lies along the
-/// crack, along which places drift by up to that over the turn; as it begins it shakes the body by strains of
-/// up to omega h / c, which over the crack's width open it by no more than that.
+/// crack, along which positions drift by up to that over the turn; as it begins it shakes the body by strains
+/// of up to omega h / c, which over the crack's width open it by no more than that.
 TEST(CracksInSpace, TurnWithTheBody)
 {
   const Vector<3> omega{1500.0, -2500.0, 2000.0}, centre{4e-3, 4e-3, 4e-3};
@@ -184,7 +184,7 @@ TEST(CracksInSpace, TurnWithTheBody)
   };
   const auto run = start<3>(crackedCube());
   State<3>& state = run->state();
-  const auto places = [&]
+  const auto positions = [&]
   {
     const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.vertex);
     std::vector<Vector<3>> x;
@@ -192,12 +192,12 @@ TEST(CracksInSpace, TurnWithTheBody)
       x.push_back({vertex(v, 0), vertex(v, 1), vertex(v, 2)});
     return x;
   };
-  const std::vector<Vector<3>> before = places();
+  const std::vector<Vector<3>> before = positions();
   const Vector<3> normal = state.cracks.fronts[0].normal;
   setVelocity(state, [&](const Vector<3>& x) { return cross(omega, x - centre); });
   while (norm(omega) * state.clock.time < 0.5)
     run->step(1.0, false);
-  const std::vector<Vector<3>> after = places();
+  const std::vector<Vector<3>> after = positions();
   const double speed = std::sqrt(young / (2.0 * (1.0 + poisson)) / density); // of shear waves
   const double bound = norm(omega) * cell / speed * 4.8e-3;
   EXPECT_LE(measureOpening(state.cracks, 0).largest, bound);
@@ -265,8 +265,8 @@ TEST(CracksInSpace, OnlyParticlesNearTheCrackPay)
   EXPECT_EQ(state.stored.count, stored);
 }
 
-/// Inside the polygon a node belongs to a side, beyond the front to none; where the front meets a mouth it
-/// goes straight on.
+/// Inside the polygon a node belongs to a side, beyond the front to none; where the front meets a
+/// surface-breaking end it goes straight on.
 TEST(CracksInSpace, FrontsDecideWhichNodesAreSplit)
 {
   Teuchos::ParameterList scene = blockScene({8e-3, 8e-3, 4e-3});
@@ -300,7 +300,7 @@ TEST(CracksInSpace, AreCutOffOutsideOfBodies)
   setCrack(scene, {-3e-3, 2.1e-3, 4e-3, 3.3e-3, 2.1e-3, 4e-3, 3.3e-3, 6.3e-3, 4e-3, -3e-3, 6.3e-3, 4e-3});
   const auto run = start<3>(scene);
   const CrackSet<3>& cracks = run->state().cracks;
-  // Each piece of the cut is at its place to 1e-3 of an edge.
+  // Each piece of the cut is at its position to 1e-3 of an edge.
   EXPECT_NEAR(measureOpening(cracks, 0).size, 3.3e-3 * 4.2e-3, 4.2e-3 * 2e-3 * cell);
   ASSERT_EQ(cracks.fronts.size(), 1u);
   EXPECT_NEAR(cracks.fronts[0].length, 2.0 * 3.3e-3 + 4.2e-3, 4e-3 * cell);

@@ -87,7 +87,7 @@ TEST(FrontSmoothing, HandsOnAreaWithItsEnergy)
       EXPECT_EQ(taken.length, 0.0);
       continue;
     }
-    // 0.25 of the difference of curvatures, 2 d / h^2 there, - d / h^2 beside it, halved, to both sides.
+    // 0.25 of the difference of curvatures, 2 d / h^2 there, - d / h^2 next to it, halved, to both sides.
     // Pieces are longer than h by d^2 / (2 h^2).
     EXPECT_NEAR(taken.length, 0.25 * 1.5 * d, 2.0 * 0.08 * 0.08 * d);
     EXPECT_GE(taken.toughness, front.advances[3].toughness - 1e-9);

@@ -56,8 +56,8 @@ double endOf(State<2>& state)
   return state.cracks.fronts[0].position[0] / cell;
 }
 
-// Particles are half a cell wide, so the places that they fill reach 0.55 x 0.71 cells from their centres,
-// which lie a quarter of a cell behind the edge; places are up to 2 / 48 cells apart.
+// Particles are half a cell wide, so the positions that they fill reach 0.55 x 0.71 cells from their centres,
+// which lie a quarter of a cell behind the edge; positions are up to 2 / 48 cells apart.
 constexpr double beyond = 0.55 * 0.7072 - 0.25, step = 2.0 / 48;
 
 } // namespace

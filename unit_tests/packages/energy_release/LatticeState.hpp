@@ -15,7 +15,7 @@ namespace Rhegma::energy_release::test
 
 constexpr double young = 3e9, poisson = 0.3, density = 1200.0, thickness = 0.01;
 
-/// Displacement [m] and its gradient, row by row, at a reference place.
+/// Displacement [m] and its gradient, row by row, at a reference position.
 struct Displacement
 {
   Vector<2> u;

@@ -1,7 +1,7 @@
 #include "LatticeState.hpp"
 
-#include "energy_release/Contour.hpp"
-#include "energy_release/CrackWay.hpp"
+#include "energy_release/CrackPath.hpp"
+#include "energy_release/FrontTube.hpp"
 
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ constexpr double cell = 1e-3;
 ContourRadii radiiAt(double x, const GivenRadii& given = {})
 {
   State<2> state = makeBody(0.01, cell, Plane::Strain, ShapeKind::Gimp);
-  return fittingRadii(state, addFront(state, {{x, 0.0}}, 0.0), given);
+  return fittingTube(state, addFront(state, {{x, 0.0}}, 0.0), given).radii;
 }
 
 void expectRadii(const ContourRadii& radii, double inner, double outer)
@@ -79,32 +79,32 @@ TEST(Contour, StaysClearOfOtherCracks)
   state.cracks.vertex(0, 1) = state.cracks.vertex(1, 1) = 4e-3;
   state.cracks.simplex = View<int* [2]>("rhegma::simplex", 1);
   state.cracks.simplex(0, 1) = 1;
-  expectRadii(fittingRadii(state, front, {}), 2e-3, 4e-3);
+  expectRadii(fittingTube(state, front, {}).radii, 2e-3, 4e-3);
 }
 
-/// Outside of a bend places have it as the nearest of both pieces: the last digits of where the crack lies
+/// Outside of a bend positions have it as the nearest of both pieces: the last digits of where the crack lies
 /// must not decide with which they go.
-TEST(CrackWay, OutsideOfABendPlacesGoWithThePieceNearerToTheFront)
+TEST(CrackPath, OutsideOfABendPlacesGoWithThePieceNearerToTheFront)
 {
   constexpr int times = 40;
   for (const bool forwards : {true, false})
     for (int k = 0; k < times; ++k)
     {
       const double x = 0.013 * k, y = 0.029 * k, ends[3][2] = {{0.0, 0.0}, {1.0, 0.0}, {1.7, 0.7}};
-      CrackWay way;
-      way.vertex = View<double* [2]>("rhegma::vertex", 3);
-      way.simplex = View<int* [2]>("rhegma::simplex", 2);
+      CrackPath path;
+      path.vertex = View<double* [2]>("rhegma::vertex", 3);
+      path.simplex = View<int* [2]>("rhegma::simplex", 2);
       for (int v = 0; v < 3; ++v)
       {
-        way.vertex(v, 0) = ends[v][0] + x;
-        way.vertex(v, 1) = ends[v][1] + y;
+        path.vertex(v, 0) = ends[v][0] + x;
+        path.vertex(v, 1) = ends[v][1] + y;
       }
       for (int s = 0; s < 2; ++s)
         for (int i = 0; i < 2; ++i)
-          way.simplex(s, i) = s + i;
-      way.count = 2;
-      way.forwards = forwards;
-      const Vector<2> found = way(Vector<2>{{1.3 + x, -0.7 + y}});
+          path.simplex(s, i) = s + i;
+      path.count = 2;
+      path.forwards = forwards;
+      const Vector<2> found = path(Vector<2>{{1.3 + x, -0.7 + y}});
       EXPECT_NEAR(found[0], forwards ? std::sqrt(0.5) : -1.0, 1e-12) << k;
       EXPECT_NEAR(found[1], forwards ? std::sqrt(0.5) : 0.0, 1e-12) << k;
     }

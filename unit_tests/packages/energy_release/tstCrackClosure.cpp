@@ -52,7 +52,7 @@ CrackClosure closeUniform(ShapeKind shape, const Vector<2>& direction, double of
   const auto box = state.particles.real<2>(fields::box);
   for (int p = 0; p < state.particles.size(); ++p)
   {
-    // Particles keep their places, and move their reference places back by what the nodes give.
+    // Particles keep their positions, and move their reference positions back by what the nodes give.
     const Vector<2> x{{position(p, 0), position(p, 1)}};
     const int side = dot(x - front.position, normal) > 0.0 ? 1 : -1;
     double value = 0.0;

@@ -89,11 +89,11 @@ TEST(EnergyRelease, RefusesSectionsThatDoNotFit)
     std::vector<SceneError> errors;
     checkRules(scene, effectSchema(), errors);
     entry.check(scene, errors);
-    std::vector<std::string> places;
-    places.reserve(errors.size());
+    std::vector<std::string> positions;
+    positions.reserve(errors.size());
     for (const SceneError& error : errors)
-      places.push_back(error.where);
-    return places;
+      positions.push_back(error.where);
+    return positions;
   };
   Teuchos::ParameterList scene = sceneWith(3e-3);
   EXPECT_TRUE(wrong(scene).empty());

@@ -13,7 +13,7 @@ const double pi = std::acos(-1.0);
 
 } // namespace
 
-/// Which of two pieces that meet is nearer to a place inside of their corner may hang on the last digit.
+/// Which of two pieces that meet is nearer to a position inside of their corner may hang on the last digit.
 TEST(FrontLines, SeePlacesInsideOfACornerFromTheMiddleOfIt)
 {
   Teuchos::ParameterList scene = blockScene({16e-3, 16e-3, 10e-3});
@@ -50,11 +50,11 @@ TEST(FrontLines, EndAtSurfacesThatLean)
   const CrackFront<3>& front = leaning->state().cracks.fronts.at(0);
   const FrontLine line = lineOf(front);
   ASSERT_EQ(line.loop, std::vector<double>{0.0});
-  EXPECT_GT(roomAround(leaning->state(), front, line, 4.5e-3), 4.4e-3);
+  EXPECT_GT(clearAround(leaning->state(), front, 4.5e-3), 4.4e-3);
 }
 
-/// A front node where the surface cuts an arc points along the mouth, here half a radian off the arc's
-/// radius: with it the arc would seem four times as curved.
+/// A front node where the surface cuts an arc points along the surface-breaking end, here half a radian off
+/// the arc's radius: with it the arc would seem four times as curved.
 TEST(FrontLines, LeaveTheSurfaceOutOfTheirCurvature)
 {
   Teuchos::ParameterList scene = blockScene({16e-3, 16e-3, 10e-3});
@@ -90,6 +90,6 @@ TEST(FrontLines, ArcsOfUnequalPiecesAreAsCurvedAsTheyAre)
   }
   const FrontLine line = lineOf(front);
   ASSERT_GT(line.loop.at(0), 0.0);
-  // Weights by chords, which a circle's arcs exceed by a share of (1.5 / 5)^2 / 24.
+  // Weights by chords, which a circle's arcs exceed by a fraction of (1.5 / 5)^2 / 24.
   EXPECT_NEAR(radiusOfCurvature(line, cell), radius, 0.3 * 0.3 / 24.0 * radius);
 }

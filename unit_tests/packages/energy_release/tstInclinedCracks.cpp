@@ -1,4 +1,4 @@
-/// Stress intensities of inclined cracks at random places in their cells, against the closed form.
+/// Stress intensities of inclined cracks at random positions in their cells, against the closed form.
 
 #include "Simulation.hpp"
 #include "packages/energy_release/InclinedPlate.hpp"
@@ -66,8 +66,8 @@ struct Errors
 } // namespace
 
 /// What is asked of every tip: K within 1 %, the direction of the largest hoop stress within 0.5 degrees, at
-/// 8 cells a half length. Without springs behind the fronts (Cracks > Front Springs) the crack of the cells is
-/// longer or shorter by up to half a cell an end, and 1.2 % and 1.3 degrees are reached.
+/// 8 cells a half length. Without springs behind the fronts (Cracks > Front Springs) the crack of the cells
+/// is longer or shorter by up to half a cell an end, and 1.2 % and 1.3 degrees are reached.
 TEST(InclinedCracks, MeetTheClosedForm)
 {
   std::mt19937 random(20);

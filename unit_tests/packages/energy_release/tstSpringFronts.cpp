@@ -25,13 +25,13 @@ struct Release
   double integral = 0.0, closure = 0.0; ///< [J/m2]
 };
 
-/// The front a share of a cell past a column of nodes. The beam is damped for 16 times 2 / Mass Rate: what
+/// The front a fraction of a cell past a column of nodes. The beam is damped for 16 times 2 / Mass Rate: what
 /// moves at the end is 1e-7 of what it was.
-Release releaseAt(double share, std::vector<std::string> overrides)
+Release releaseAt(double fraction, std::vector<std::string> overrides)
 {
   std::ostringstream points;
   points.precision(12);
-  points << "Cracks:Notch:Points={0, 0.01, " << column + share * cell << ", 0.01}";
+  points << "Cracks:Notch:Points={0, 0.01, " << column + fraction * cell << ", 0.01}";
   overrides.push_back(points.str());
   const SceneResult scene = readScene(std::string(RHEGMA_SOURCE_DIR) + "/xml_inputs/verification/dcb_h4.xml",
                                       overrides, effectSchema());
@@ -46,7 +46,7 @@ Release releaseAt(double share, std::vector<std::string> overrides)
   Release release;
   release.integral = front["G_J"].get<double>();
   release.closure = front["G_closure"].is_number() ? front["G_closure"].get<double>() : std::nan("");
-  std::cout << "front " << share << " of a cell past a column: J " << release.integral << ", closure "
+  std::cout << "front " << fraction << " of a cell past a column: J " << release.integral << ", closure "
             << release.closure << " J/m2, " << 100.0 * (release.closure / release.integral - 1.0) << " %\n";
   return release;
 }
@@ -56,10 +56,10 @@ Release releaseAt(double share, std::vector<std::string> overrides)
 /// 3 % is what is asked of both ways where the front is on a column (dcb_h4.xml, 3.2 % of the reference).
 TEST(SpringFronts, ReleaseAsMuchByClosureAsByTheIntegral)
 {
-  for (const double share : {0.0, 0.1, 0.3, 0.5, 0.8, 0.9})
+  for (const double fraction : {0.0, 0.1, 0.3, 0.5, 0.8, 0.9})
   {
-    const Release release = releaseAt(share, {});
-    EXPECT_NEAR(release.closure / release.integral, 1.0, 0.03) << share;
+    const Release release = releaseAt(fraction, {});
+    EXPECT_NEAR(release.closure / release.integral, 1.0, 0.03) << fraction;
   }
 }
 

@@ -65,24 +65,24 @@ TEST(MassMatrix, KeepsMomentumWithEveryType)
 }
 
 /// What a step of MUSL adds to the angular momentum of particles without a crack, from M and the nodes'
-/// acceleration a. Forces turn nothing, as stresses are symmetric, so sum_I x_I x (M a)_I = 0; places change
-/// by a velocity w with sum_I w_I x (M w)_I = 0, M being symmetric. What is left is that a particle of which
-/// the share l is lumped takes the acceleration at its own place, and M has l m N_I at the nodes:
+/// acceleration a. Forces turn nothing, as stresses are symmetric, so sum_I x_I x (M a)_I = 0; positions
+/// change by a velocity w with sum_I w_I x (M w)_I = 0, M being symmetric. What is left is that a particle of
+/// which the fraction l is lumped takes the acceleration at its own position, and M has l m N_I at the nodes:
 ///
 ///     dL = - dt sum_p l m_p sum_I N_I (x_I - x_p) x a_I
 ///
-/// with l = 1 (Lumped) or the lumped share (Full). A consistent mass would keep it.
+/// with l = 1 (Lumped) or the lumped fraction (Full). A consistent mass would keep it.
 TEST(MassMatrix, ChangesAngularMomentumByItsLumpedShareAlone)
 {
   for (const char* shape : {"Linear", "GIMP"})
-    for (const double lumpedShare : {1.0, 0.1})
+    for (const double lumpedFraction : {1.0, 0.1})
     {
       Teuchos::ParameterList scene = squareScene("MUSL", shape, 17.0);
       Teuchos::ParameterList& list = scene.sublist("Mass Matrix");
-      list.set("Type", lumpedShare < 1.0 ? "Full" : "Lumped");
-      if (lumpedShare < 1.0)
+      list.set("Type", lumpedFraction < 1.0 ? "Full" : "Lumped");
+      if (lumpedFraction < 1.0)
       {
-        list.set("Lumped Fraction", lumpedShare);
+        list.set("Lumped Fraction", lumpedFraction);
         list.set("Minimum Node Mass", 0.0); // all particles alike
         list.set("Solver Tolerance", 1e-12);
         list.set("Maximum Iterations", 2000);
@@ -100,7 +100,7 @@ TEST(MassMatrix, ChangesAngularMomentumByItsLumpedShareAlone)
       };
       for (int k = 0; k < 5; ++k)
       {
-        std::vector<Share> shares;
+        std::vector<Share> fractions;
         {
           const HostParticles<2> particles(state);
           withConnectivity(state,
@@ -111,7 +111,7 @@ TEST(MassMatrix, ChangesAngularMomentumByItsLumpedShareAlone)
                                              [&](int node, double weight, const double*)
                                              {
                                                const Vector<2> x = state.mesh.grid.nodePosition(node);
-                                               shares.push_back(
+                                               fractions.push_back(
                                                    {node, particles.mass(p) * weight,
                                                     Vector<2>{{x[0] - particles.position(p, 0),
                                                                x[1] - particles.position(p, 1)}}});
@@ -123,9 +123,9 @@ TEST(MassMatrix, ChangesAngularMomentumByItsLumpedShareAlone)
         const double change = mass_matrix::angularMomentum(state)[2] - before;
         const auto motion = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.motion);
         double derived = 0.0, size = 0.0;
-        for (const Share& s : shares)
+        for (const Share& s : fractions)
         {
-          const double turn = -state.clock.dt * lumpedShare * s.m *
+          const double turn = -state.clock.dt * lumpedFraction * s.m *
                               (s.arm[0] * motion(s.node, Nodes<2>::accelerationAt + 1) -
                                s.arm[1] * motion(s.node, Nodes<2>::accelerationAt));
           derived += turn;
@@ -134,10 +134,10 @@ TEST(MassMatrix, ChangesAngularMomentumByItsLumpedShareAlone)
         // The first step after the shake starts without stress.
         if (k > 0)
         {
-          EXPECT_GT(size, 0.0) << shape << " " << lumpedShare;
+          EXPECT_GT(size, 0.0) << shape << " " << lumpedFraction;
         }
         // Angular momentum of 100 particles is summed to some 1e-16 of it.
-        EXPECT_NEAR(change, derived, 1e-8 * size + 1e-15) << shape << " " << lumpedShare << " step " << k;
+        EXPECT_NEAR(change, derived, 1e-8 * size + 1e-15) << shape << " " << lumpedFraction << " step " << k;
       }
     }
 }

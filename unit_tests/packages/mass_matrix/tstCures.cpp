@@ -21,15 +21,15 @@ double energyOf(State<2>& state)
   return state.energy.kinetic + state.energy.strain;
 }
 
-/// Random velocities, bodies at odd places and angles to the lattice. \return the mean energy of the last
+/// Random velocities, bodies at odd positions and angles to the lattice. \return the mean energy of the last
 /// tenth of the steps over that of the second tenth: the mean, as kinetic and strain energy are half a step
 /// apart and their sum wavers. A run that stops counts as one that grew without bound.
-double growth(double lumpedShare, double smallestNode, double rotation, const char* shape, int steps)
+double growth(double lumpedFraction, double smallestNode, double rotation, const char* shape, int steps)
 {
   Teuchos::ParameterList scene = squareScene("MUSL", shape, rotation);
   Teuchos::ParameterList& list = scene.sublist("Mass Matrix");
   list.set("Type", "Full");
-  list.set("Lumped Fraction", lumpedShare);
+  list.set("Lumped Fraction", lumpedFraction);
   list.set("Minimum Node Mass", smallestNode);
   list.set("Maximum Iterations", 2000);
   Rhegma::Run<2> run(validated(scene));

@@ -32,7 +32,7 @@ TEST(MassSystem, MultipliesAsTheSumOverParticles)
     State<2>& state = run.state();
     run.step(1e30, false);
     Unlumping whole;
-    whole.lumpedShare = 0.0;
+    whole.lumpedFraction = 0.0;
     whole.smallestNode = 0.0;
     MassSystem<2> system;
     // The nodes keep the masses of the step, for which the particles stood where they are but for the step's
@@ -108,8 +108,8 @@ TEST(MassSystem, MultipliesAsTheSumOverParticles)
 
 TEST(MassMatrix, IsRefusedWhereItDoesNotFit)
 {
-  // A row of GIMP in space has 125 numbers of the band and 16 of vectors of four; a list has twice 125
-  // numbers and their places.
+  // A row of GIMP in 3D has 125 numbers of the band and 16 of vectors of four; a list has twice 125
+  // numbers and their positions.
   const double row = mass_matrix::bytesPerRow<3>(ShapeKind::Gimp, false);
   EXPECT_GT(row, (125 + 16 * 4) * sizeof(double));
   EXPECT_LT(row, 2.0 * (125 + 16 * 4) * sizeof(double));
@@ -128,7 +128,8 @@ TEST(MassMatrix, IsRefusedWhereItDoesNotFit)
   }
 }
 
-/// As many rows as are reckoned with before a run, or fewer; in two fields beside a crack, and one elsewhere.
+/// As many rows as are reckoned with before a run, or fewer; in two fields next to a crack, and one
+/// elsewhere.
 TEST(MassMatrix, HasNoMoreRowsThanAreReckonedWith)
 {
   for (const char* shape : {"Linear", "GIMP"})

@@ -47,7 +47,7 @@ Teuchos::ParameterList drivenBar(const std::string& scheme, const std::string& m
 
 struct Books
 {
-  double open = 0.0; ///< mean residual of the ledger over the last period [J]
+  double open = 0.0; ///< mean residual of the energy balance over the last period [J]
   double work = 0.0; ///< of the wall [J]
   double step = 0.0; ///< the last [s]
 };
@@ -87,7 +87,7 @@ std::vector<double> deformations(const State<2>& state)
 } // namespace
 
 /// Nearly all that the wall gives is damped. What damping takes from stresses is right to the first order in
-/// rate dt, so that their second order of the wall's work may stay open. (Were it not booked at held nodes,
+/// rate dt, so that their second order of the wall's work may stay open. (Were it not recorded at held nodes,
 /// rate dt / 2 of the work would.)
 TEST(MovingSupports, LeaveNoBooksOpenWhereTheirNodesAreDamped)
 {

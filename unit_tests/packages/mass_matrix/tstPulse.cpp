@@ -27,7 +27,7 @@ constexpr int cells = 64;
 constexpr double width = 8.0;   ///< of the pulse [cells]
 constexpr double travel = 50.0; ///< cells, and seconds, as waves go at 1 m/s
 constexpr double height = 1e-6; ///< A [m/s]
-constexpr double lumpedShare = 0.1;
+constexpr double lumpedFraction = 0.1;
 
 /// The pulse about its middle, 1 there.
 double hump(double x) { return std::fabs(x) < 0.5 * width ? std::pow(std::cos(pi * x / width), 2) : 0.0; }
@@ -40,17 +40,17 @@ double interpolated(const Function& f, double x)
   return (1.0 - s) * f(node) + s * f(node + 1.0);
 }
 
-/// Velocities over height / 2 of particles at places along the bar.
+/// Velocities over height / 2 of particles at positions along the bar.
 struct Profile
 {
   std::vector<double> x, v;
 };
 
-/// What the pulse is beside one that went `travel` cells unchanged.
+/// What the pulse is next to one that went `travel` cells unchanged.
 struct Change
 {
   double lag = 0.0;  ///< distance by which the latter fits best when it is moved back [cells]
-  double lost = 0.0; ///< share of the velocities' square that it then leaves
+  double lost = 0.0; ///< fraction of the velocities' square that it then leaves
   double peak = 0.0; ///< largest velocity
 };
 
@@ -72,12 +72,12 @@ Change changeOf(const Profile& p)
       product += p.v[k] * h;
       norm += h * h;
     }
-    const double share = product > 0.0 ? product * product / (norm * square) : 0.0;
-    if (share > fit)
+    const double fraction = product > 0.0 ? product * product / (norm * square) : 0.0;
+    if (fraction > fit)
     {
-      fit = share;
+      fit = fraction;
       best.lag = lag;
-      best.lost = 1.0 - share;
+      best.lost = 1.0 - fraction;
     }
   }
   return best;
@@ -92,16 +92,16 @@ public:
     for (int j = 0; j <= cells; ++j)
     {
       const double kh = pi * j / cells, smoothed = (5.0 + 3.0 * std::cos(kh)) / 8.0;
-      const double m = type == "Full"   ? (1.0 - lumpedShare) * smoothed + lumpedShare
+      const double m = type == "Full"   ? (1.0 - lumpedFraction) * smoothed + lumpedFraction
                        : type == "FMPM" ? 1.0 / (2.0 - smoothed)
                                         : 1.0;
       // Cosines on the nodes of the bar, the end nodes counted half, are at right angles to one another.
       double product = 0.0, norm = 0.0;
       for (int i = 0; i <= cells; ++i)
       {
-        const double share = i == 0 || i == cells ? 0.5 : 1.0, wave = std::cos(kh * i);
-        product += share * wave * hump(i);
-        norm += share * wave * wave;
+        const double fraction = i == 0 || i == cells ? 0.5 : 1.0, wave = std::cos(kh * i);
+        product += fraction * wave * hump(i);
+        norm += fraction * wave * wave;
       }
       modes_.push_back({kh, std::pow(2.0 * std::sin(0.5 * kh), 2) / m, smoothed / m, product / norm, 0.0});
     }

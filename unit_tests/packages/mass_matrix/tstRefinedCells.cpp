@@ -28,8 +28,8 @@ namespace
 using mass_matrix::MassSystem;
 using mass_matrix::Unlumping;
 
-/// A body at an odd place in cells that are refined in three boxes anywhere. Its particles lie as nodes saw
-/// them in the step that was taken: nothing moves.
+/// A body at an odd position in cells that are refined in three boxes anywhere. Its particles lie as nodes
+/// saw them in the step that was taken: nothing moves.
 template <int D>
 Rhegma::Run<D> randomTree(const std::string& shape, std::mt19937& generator)
 {
@@ -77,8 +77,8 @@ bool isBarelyTouched(const State<D>& state, bool stored, int node, double weight
   for (int d = 0; d < D; ++d)
   {
     double along = 0.0;
-    for (const auto& [other, share] : touched)
-      along += state.mesh.grid.nodePosition(other)[d] == at[d] ? share : 0.0;
+    for (const auto& [other, fraction] : touched)
+      along += state.mesh.grid.nodePosition(other)[d] == at[d] ? fraction : 0.0;
     barely = barely || along <= mass_matrix::barelyTouched;
   }
   return barely;
@@ -99,7 +99,7 @@ void checkProducts(int trees)
       const Rhegma::Run<D> run = randomTree<D>(shape, generator);
       const State<D>& state = run.state();
       Unlumping whole;
-      whole.lumpedShare = whole.smallestNode = 0.0;
+      whole.lumpedFraction = whole.smallestNode = 0.0;
       MassSystem<D> system;
       mass_matrix::assemble(state, whole, system);
       lists += system.numExtra;

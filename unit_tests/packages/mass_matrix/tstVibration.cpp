@@ -4,8 +4,8 @@
 /// The bar of unit_tests/src/step/tstFreeVibration.cpp: n cells, free ends, mode j, kh = pi j / n. On nodes
 /// with lumped mass its frequency is w0 = (2 c / h) sin(kh / 2). With two particles along a cell the
 /// consistent mass of the mode is S = (5 + 3 cos kh) / 8 of the lumped one. A matrix that makes a = f / m and
-/// v = p / m with m times the lumped mass, and particles that keep the share g of their velocity's amplitude
-/// V, step by
+/// v = p / m with m times the lumped mass, and particles that keep the fraction g of their velocity's
+/// amplitude V, step by
 ///
 ///     V' = g V - dt w0^2 u / m,   u' = u + dt (S / m) V'
 ///
@@ -26,7 +26,7 @@ namespace Test
 namespace
 {
 
-constexpr double lumpedShare = 0.1;
+constexpr double lumpedFraction = 0.1;
 
 struct Case
 {
@@ -51,10 +51,10 @@ struct Wave
       : kh(pi * mode / barCells), smoothed((5.0 + 3.0 * std::cos(kh)) / 8.0), lumped(2.0 * std::sin(0.5 * kh))
   {
   }
-  /// Mass of the mode beside the lumped one.
+  /// Mass of the mode next to the lumped one.
   double massOf(const std::string& type) const
   {
-    return type == "Full"   ? (1.0 - lumpedShare) * smoothed + lumpedShare
+    return type == "Full"   ? (1.0 - lumpedFraction) * smoothed + lumpedFraction
            : type == "FMPM" ? 1.0 / (2.0 - smoothed)
                             : 1.0;
   }
@@ -99,8 +99,9 @@ TEST(Vibration, LosesWhatTheVelocityUpdateFilters)
   {
     const Vibration v = vibrateWith(c, "Linear", 1, 2.0 * barCells);
     const bool series = std::string(c.update) != "PIC";
-    const double share = series ? wave.smoothed * (2.0 - wave.smoothed) : wave.smoothed / wave.massOf(c.type);
-    const double lost = -std::log(v.kept), derived = -std::log(share) * 10.0 * 2.0 * barCells / v.dt;
+    const double fraction =
+        series ? wave.smoothed * (2.0 - wave.smoothed) : wave.smoothed / wave.massOf(c.type);
+    const double lost = -std::log(v.kept), derived = -std::log(fraction) * 10.0 * 2.0 * barCells / v.dt;
     std::printf("%s: energy kept over ten periods %.5f, derived %.5f\n", c.name, v.kept, std::exp(-derived));
     EXPECT_NEAR(lost, derived, 0.02 * derived) << c.name;
   }

@@ -89,7 +89,7 @@ TEST(SideEnergy, IsInTheReportOfTheEffect)
   for (const Effect<2>& effect : run->plan().effects)
     if (effect.name == "Measure")
       effect.report(run->state(), summary);
-  // Nothing has been gained, so that there is nothing to have a share of.
+  // Nothing has been gained, so that there is nothing to have a fraction of.
   EXPECT_EQ(summary["cracks"][0]["contact"]["gain_above"], 0.0);
   EXPECT_TRUE(summary["cracks"][0]["contact"]["fraction_below"].is_null());
 }

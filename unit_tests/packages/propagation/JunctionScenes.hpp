@@ -14,7 +14,7 @@ using Reals = Teuchos::Array<double>;
 inline Reals reals(const std::vector<double>& values) { return Reals(values.begin(), values.end()); }
 
 constexpr double cell = 1e-3, size = 40e-3, pull = 2e6, speed = 400.0;
-constexpr double roof = 20.3e-3, wall = 15.3e-3; ///< heights and places of the two cracks, off the nodes
+constexpr double roof = 20.3e-3, wall = 15.3e-3; ///< heights and positions of the two cracks, off the nodes
 
 inline void addLoad(Teuchos::ParameterList& scene, const std::string& name, const std::vector<double>& from,
                     const std::vector<double>& to, const std::vector<double>& stress)

@@ -126,7 +126,7 @@ TEST(JunctionGas, PassesWhereFrontsMeet)
     }
     for (const int crack : {0, 1})
     {
-      const std::array<double, 2> out = combustion::mouthAreas(state, crack, {}),
+      const std::array<double, 2> out = combustion::surfaceEndAreas(state, crack, {}),
                                   on = combustion::joinedAreas(state, crack);
       EXPECT_GT(out[0], 0.0);
       EXPECT_EQ(out[1], 0.0);

@@ -138,7 +138,7 @@ TEST(Junctions, PieceThatIsCutOutIsFree)
 }
 
 /// Round a junction stencils are not linearly complete. Heat that flows there, from a piece of one
-/// temperature to those beside it, is all kept even so.
+/// temperature to those next to it, is all kept even so.
 TEST(Junctions, KeepHeat)
 {
   const double density = 1200.0, capacity = 1000.0, diffusivity = 0.5;
@@ -187,7 +187,7 @@ TEST(Junctions, KeepHeat)
   EXPECT_NEAR(made, 0.0, 1e-11 * before);
 }
 
-/// Two fronts that meet end at one place, and their cracks part the plate as one would.
+/// Two fronts that meet end at one position, and their cracks part the plate as one would.
 TEST(Junctions, FrontsThatMeetPartThePlate)
 {
   Piece piece = runWall(cutInTwo);

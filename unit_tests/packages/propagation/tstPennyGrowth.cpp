@@ -3,8 +3,8 @@
 #include "cracks/Opening.hpp"
 #include "output/CoreRow.hpp"
 #include "propagation/RayleighSpeed.hpp"
-#include "state/EnergySums.hpp"
 #include "src/step/ElasticBox.hpp"
+#include "state/EnergySums.hpp"
 #include "transfer/FacePoints.hpp"
 
 #include <algorithm>
@@ -132,7 +132,7 @@ double overlapWhenSqueezed(bool touching, double rate)
 
 /// A front whose driving force is prescribed runs at the speed at which the toughness is as large; it stays
 /// round and flat, and the nodes that it has passed take the energy of its new faces: what their forces have
-/// spent and what these still hold is what was booked, which is area times toughness.
+/// spent and what these still hold is what was recorded, which is area times toughness.
 TEST(PennyGrowth, RunsAsItsToughnessSaysAndPaysForItsArea)
 {
   const double speed = 400.0, until = 6e-3;
@@ -184,11 +184,11 @@ TEST(PennyGrowth, RunsAsItsToughnessSaysAndPaysForItsArea)
   EXPECT_NEAR(state.energy.fracture + inFlight, front.budget.required, 0.01 * front.budget.required);
 }
 
-/// A front of which one half sets out and the other never does: nodes that it opens beside front nodes that
-/// have made no face resist as those beside the others do. What was booked is spent or in flight. What of it
-/// waits for nodes depends on where the front stands between them, here at five places within a cell: up to
-/// half a row of cells along the stretch that runs, since a node opens with all its area as the front passes
-/// its middle.
+/// A front of which one half is initiated and the other never does: nodes that it opens next to front nodes
+/// that have made no face resist as those next to the others do. What was recorded is spent or in flight.
+/// What of it waits for nodes depends on where the front stands between them, here at five positions within a
+/// cell: up to half a row of cells along the stretch that runs, since a node opens with all its area as the
+/// front passes its middle.
 TEST(PennyGrowth, PaysForItsAreaWhereHalfOfItSetsOut)
 {
   for (const double until : {4.6e-3, 4.8e-3, 5.0e-3, 5.2e-3, 5.4e-3})
@@ -209,8 +209,9 @@ TEST(PennyGrowth, PaysForItsAreaWhereHalfOfItSetsOut)
     const double inFlight = report(run)["energy_in_flight"];
     EXPECT_NEAR(state.energy.fracture + inFlight, front.budget.required, 0.01 * front.budget.required);
     const double row = 500.0 * cell * 0.25 * pi * until;
-    std::cout << "until " << until / cell << " cells: unspent " << front.budget.pending / front.budget.required
-              << " of what was booked, " << front.budget.pending / row << " of a row\n";
+    std::cout << "until " << until / cell << " cells: unspent "
+              << front.budget.pending / front.budget.required << " of what was booked, "
+              << front.budget.pending / row << " of a row\n";
     EXPECT_LT(std::fabs(front.budget.pending), 0.5 * row);
   }
 }
@@ -245,8 +246,8 @@ TEST(PennyGrowth, PaysForItsAreaToTheEnd)
   // What it has done is known after its front nodes are no more.
   const nlohmann::json& entry = summary["cracks"][0]["fronts"][0];
   EXPECT_GT(entry["increments"].get<long>(), 0);
-  EXPECT_GT(entry["last_advance"].get<double>(), entry["set_out"].get<double>());
-  for (const char* name : {"increments", "set_out", "last_advance", "settled_speed", "speed_limit"})
+  EXPECT_GT(entry["last_advance"].get<double>(), entry["initiated"].get<double>());
+  for (const char* name : {"increments", "initiated", "last_advance", "settled_speed", "speed_limit"})
     EXPECT_EQ(entry[name], ended[name]) << name;
   EXPECT_NEAR(entry["speed_limit"].get<double>(), propagation::rayleighSpeed(state.materials.list[0]), 1e-9);
 }
@@ -278,10 +279,11 @@ TEST(PennyGrowth, HaltsBeforeItsOwnFaces)
     run.step(1.0, false);
   }
   const CrackFront<3>& front = state.cracks.fronts[0];
-  int told = 0, arms = 0;
+  int reported = 0, arms = 0;
   for (const std::string& warning : state.warnings)
-    told += warning.find("stopped less than three cells from faces of its own crack") != std::string::npos;
-  EXPECT_EQ(told, 1);
+    reported +=
+        warning.find("stopped less than three cells from faces of its own crack") != std::string::npos;
+  EXPECT_EQ(reported, 1);
   double below = 0.0, above = wide;
   for (const FrontNode<3>& frontNode : front.nodes)
     if (frontNode.position[0] > 0.5 * wide)

@@ -89,7 +89,7 @@ TEST(FrontHistory, SetsOutAtInitiationAndArrestsWhereItHasAlmostStopped)
   EXPECT_EQ(history.increments(), 1);
 }
 
-/// A front that rests and sets out anew: its means are over the longer run, and do not count the rest.
+/// A front that rests and is initiated anew: its means are over the longer run, and do not count the rest.
 TEST(FrontHistory, TellsItsRunsApart)
 {
   const AdvanceRule rule = ruleOf("100*(1 + v/500)", 100.0);
@@ -106,9 +106,9 @@ TEST(FrontHistory, TellsItsRunsApart)
   pull(140.0, 16); // at 200 m/s, 5 us
   const std::vector<CrackRun> runs = history.runs();
   ASSERT_EQ(runs.size(), 2U);
-  EXPECT_NEAR(runs[0].lastAdvance - runs[0].setOut, (runs[0].length / increment - 1.0) * 2.5e-6, 1e-9);
+  EXPECT_NEAR(runs[0].lastAdvance - runs[0].initiation, (runs[0].length / increment - 1.0) * 2.5e-6, 1e-9);
   EXPECT_GT(runs[0].length, 15.5e-3);
-  EXPECT_NEAR(runs[1].setOut, 240e-6, 1.001 * dt);
+  EXPECT_NEAR(runs[1].initiation, 240e-6, 1.001 * dt);
   EXPECT_NEAR(runs[1].length, 4e-3, 1e-9);
   EXPECT_NEAR(history.settledSpeed(), 400.0, 1e-6 * 400.0);
   EXPECT_NEAR(history.settledRelease(), 180.0, 1e-6 * 180.0);

@@ -150,10 +150,10 @@ const Trace& traceWith(const std::string& effect)
 }
 
 /// Labels "rhegma::..." in the sources below a place of the repository.
-Names labelsIn(const std::string& place)
+Names labelsIn(const std::string& position)
 {
   namespace fs = std::filesystem;
-  const fs::path path = fs::path(RHEGMA_SOURCE_DIR) / place;
+  const fs::path path = fs::path(RHEGMA_SOURCE_DIR) / position;
   std::vector<fs::path> files;
   if (fs::is_directory(path))
     for (const auto& entry : fs::recursive_directory_iterator(path))
@@ -195,7 +195,7 @@ Names minus(const Names& a, const Names& b)
   return rest;
 }
 
-std::string inWords(const Names& names)
+std::string asText(const Names& names)
 {
   std::string all;
   for (const std::string& name : names)
@@ -264,11 +264,11 @@ TEST_P(AbsentEffects, ShowsWithItsSection)
   // Propagation decides on the host: its folder has no kernel.
   EXPECT_EQ(labelsIn(folderOf(effect)).empty(), effect == "Propagation");
   EXPECT_EQ(common(labelsIn(folderOf(effect)), trace.kernels).empty(), labelsIn(folderOf(effect)).empty())
-      << "no kernel of " << folderOf(effect) << " ran; there ran " << inWords(trace.kernels);
-  EXPECT_EQ(inWords(minus(fieldsOf(effect), trace.fields)), "");
+      << "no kernel of " << folderOf(effect) << " ran; there ran " << asText(trace.kernels);
+  EXPECT_EQ(asText(minus(fieldsOf(effect), trace.fields)), "");
   // Measure acts at the start and in the report alone.
   EXPECT_EQ(callsOf(effect).empty(), effect == "Measure");
-  EXPECT_EQ(inWords(minus(callsOf(effect), trace.calls)), "");
+  EXPECT_EQ(asText(minus(callsOf(effect), trace.calls)), "");
   for (const std::string& call : callsOf(effect))
     EXPECT_NE(trace.plan.find(call), std::string::npos) << call << " is not in\n" << trace.plan;
   for (const std::string& field : fieldsOf(effect))
@@ -289,10 +289,10 @@ TEST_P(AbsentEffects, LeavesNoTraceWithoutItsSection)
       continue;
     ++looked;
     SCOPED_TRACE("in the scene " + (other.empty() ? "without effects" : "of " + other));
-    EXPECT_EQ(inWords(common(labelsIn(folderOf(effect)), trace.kernels)), "");
-    EXPECT_EQ(inWords(common(labelsIn(folderOf(effect)), trace.memory)), "");
-    EXPECT_EQ(inWords(common(fieldsOf(effect), trace.fields)), "");
-    EXPECT_EQ(inWords(common(callsOf(effect), trace.calls)), "");
+    EXPECT_EQ(asText(common(labelsIn(folderOf(effect)), trace.kernels)), "");
+    EXPECT_EQ(asText(common(labelsIn(folderOf(effect)), trace.memory)), "");
+    EXPECT_EQ(asText(common(fieldsOf(effect), trace.fields)), "");
+    EXPECT_EQ(asText(common(callsOf(effect), trace.calls)), "");
     const std::string effects = trace.plan.substr(0, trace.plan.find('\n'));
     EXPECT_EQ(effects.find(effect), std::string::npos) << effects;
     for (const std::string& call : callsOf(effect))
@@ -320,8 +320,8 @@ TEST(BareScene, RunsNoKernelThatServesEffects)
   {
     const Names labels = labelsIn(source);
     ASSERT_FALSE(labels.empty()) << source;
-    EXPECT_EQ(inWords(common(labels, traceWith("").kernels)), "") << source;
-    EXPECT_EQ(inWords(common(labels, traceWith("").memory)), "") << source;
+    EXPECT_EQ(asText(common(labels, traceWith("").kernels)), "") << source;
+    EXPECT_EQ(asText(common(labels, traceWith("").memory)), "") << source;
     EXPECT_FALSE(common(labels, traceWith("Contact").kernels).empty()) << source;
   }
   EXPECT_FALSE(traceWith("").kernels.empty());
@@ -335,6 +335,6 @@ TEST(BareScene, HasNoViscousStressWithMassDampingAlone)
       R"xml(<ParameterList name="Damping"><Parameter name="Mass Rate" type="double" value="10"/></ParameterList>)xml");
   EXPECT_EQ(mass.kernels.count("rhegma::dampVelocity"), 1u);
   EXPECT_EQ(mass.kernels.count("rhegma::viscousStress"), 0u);
-  EXPECT_EQ(inWords(common(fieldsOf("Damping"), mass.fields)), "");
+  EXPECT_EQ(asText(common(fieldsOf("Damping"), mass.fields)), "");
   EXPECT_EQ(traceWith("Damping").kernels.count("rhegma::viscousStress"), 1u);
 }

@@ -63,7 +63,7 @@ int levelsOf(const SceneResult& scene)
 
 } // namespace
 
-/// Cells at the front are at most 1.6 times the share of the crack's length, all others a share of it.
+/// Cells at the front are at most 1.6 times the fraction of the crack's length, all others a fraction of it.
 TEST(Accuracy, ChoosesCellsBesideTheCrack)
 {
   const struct
@@ -165,14 +165,14 @@ TEST(Accuracy, KnowsDisksInSpace)
 
 TEST(Accuracy, SaysWhyItCanNotChoose)
 {
-  const auto complaint = [](const SceneResult& scene)
+  const auto message = [](const SceneResult& scene)
   { return scene.errors.size() == 1 ? toString(scene.errors.front()) : std::string(); };
-  EXPECT_NE(complaint(sceneOf(plane + within("1 %"), strip, "")).find("neither"), std::string::npos);
-  EXPECT_NE(complaint(sceneOf(plane, strip, notch)).find("Cell Size"), std::string::npos);
-  EXPECT_NE(complaint(sceneOf(plane + within("5 %"), strip, notch)).find("Accuracy"), std::string::npos);
+  EXPECT_NE(message(sceneOf(plane + within("1 %"), strip, "")).find("neither"), std::string::npos);
+  EXPECT_NE(message(sceneOf(plane, strip, notch)).find("Cell Size"), std::string::npos);
+  EXPECT_NE(message(sceneOf(plane + within("5 %"), strip, notch)).find("Accuracy"), std::string::npos);
   const std::string running = R"xml(<ParameterList name="Energy Release"/><ParameterList name="Propagation">
     <Parameter name="Toughness" type="string" value="100"/></ParameterList>)xml";
-  EXPECT_NE(complaint(sceneOf(plane + within("1 %"), strip, notch + running)).find("run"), std::string::npos);
+  EXPECT_NE(message(sceneOf(plane + within("1 %"), strip, notch + running)).find("run"), std::string::npos);
   const SceneResult scene = sceneOf(plane + within("3 %"), strip, notch + running);
   ASSERT_TRUE(scene.errors.empty()) << toString(scene.errors.front());
   EXPECT_NEAR(cellOf(scene), 0.000625, 1e-12);

@@ -1,5 +1,5 @@
 #pragma once
-/// Bars that vibrate freely while the small cells in their middle take short steps.
+/// Bars that vibrate freely while the small cells in their middle take substeps.
 
 #include "../../src/step/Bodies.hpp"
 
@@ -29,7 +29,7 @@ struct Outcome
   double most = 0.0;     ///< largest energy over the mean of the first period
   double momentum = 0.0; ///< largest, over mass times amplitude
   long steps = 0;
-  double mode = 0.0; ///< share of the first mode in the end
+  double mode = 0.0; ///< fraction of the first mode in the end
 };
 
 /// What a test adds to a scene.

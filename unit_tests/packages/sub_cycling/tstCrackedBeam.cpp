@@ -1,5 +1,5 @@
-/// The beam of verification/dcb_adaptive.xml on base cells twice as large: short steps of small cells find
-/// the energy release rate that short steps of all cells find, and leave the beam at rest.
+/// The beam of verification/dcb_adaptive.xml on base cells twice as large: substeps of small cells find
+/// the energy release rate that substeps of all cells find, and leave the beam at rest.
 
 #include "Simulation.hpp"
 
@@ -17,14 +17,14 @@ namespace
 {
 
 /// What summary.json would hold once the beam of a scene is at rest.
-nlohmann::json atRest(const std::string& name, bool shortSteps)
+nlohmann::json atRest(const std::string& name, bool substeps)
 {
   const SceneResult scene =
       readScene(std::string(RHEGMA_SOURCE_DIR) + "/xml_inputs/verification/" + name + ".xml",
                 {"Domain:Cell Size=2.5e-3", "Damping:Stop When Settled=false"}, effectSchema());
   for (const SceneError& error : scene.errors)
     ADD_FAILURE() << toString(error);
-  if (!shortSteps)
+  if (!substeps)
     scene.list->remove("Sub-Cycling");
   Simulation simulation(Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD)), scene.list);
   simulation.initialize();
@@ -50,7 +50,7 @@ TEST_P(CrackedBeam, ReleasesInShortStepsOfSmallCellsWhatItDoesInShortStepsOfAll)
               << 100.0 * (a / b - 1.0) << " %\n";
     EXPECT_NEAR(a, b, 5e-4 * b);
   }
-  // Impulses of large cells that made the beam tremble left ten times as much motion as short steps of all.
+  // Impulses of large cells that made the beam tremble left ten times as much motion as substeps of all.
   EXPECT_LT(some["energy"]["kinetic"].get<double>(), 2.0 * all["energy"]["kinetic"].get<double>());
 }
 

@@ -1,4 +1,4 @@
-/// Bars whose motion heats and cools them while the small cells in their middle take short steps.
+/// Bars whose motion heats and cools them while the small cells in their middle take substeps.
 
 #include "Bars.hpp"
 #include "state/EnergySums.hpp"
@@ -70,8 +70,8 @@ Teuchos::ParameterList block(const Vector<2>& size, const Vector<2>& from, const
   return scene;
 }
 
-/// What the books of a run leave open, at most, and the most of kinetic and strain energy, of the change of
-/// strain energy in a step and of that of heat [J].
+/// What the energy balance of a run leave open, at most, and the most of kinetic and strain energy, of the
+/// change of strain energy in a step and of that of heat [J].
 struct OpenBooks
 {
   double residual = 0.0, energy = 0.0, step = 0.0, heat = 0.0;
@@ -161,7 +161,7 @@ TEST_P(HeatInShortSteps, keepsTheEnergyOfAnEntropicRubber)
 }
 
 /// The motion after a period, damped by what conducts, and temperatures on the way are those of the same bar
-/// in short steps only.
+/// in substeps only.
 TEST_P(HeatInShortSteps, movesAndWarmsAsInShortStepsOnly)
 {
   const double period = 2.0 * length;
@@ -192,7 +192,7 @@ TEST_P(HeatInShortSteps, movesAndWarmsAsInShortStepsOnly)
   EXPECT_LT(differs, 0.02 * most); // the velocity is that of half a step before
 }
 
-/// Small cells are heated and cooled, and their stresses with them, once a long step. Books know energies to
+/// Small cells are heated and cooled, and their stresses with them, once a step. Books know energies to
 /// half of what stresses take in a step, since velocities are half a step behind.
 TEST_P(HeatInShortSteps, theLedgerKnowsWhatHeatDoesToStresses)
 {
@@ -236,8 +236,8 @@ TEST_P(HeatInShortSteps, aStrongCouplingIsNoSourceOfEnergy)
 
 /// Viscosity turns what it takes from motion into heat, in small cells too. In a step the stress of its
 /// start, of the rates D1, acts on the mean of D1 and D2: what it takes is a dt D1 (D1 + D2) / 2. With a
-/// share s of the first force booked are a dt (s D1 D2 / 2 + (1 - s / 2) D2 D2), which is more by a dt ((3 -
-/// s) / 4 (D2^2 - D1^2) + (1 - s) / 4 (D2 - D1)^2): the first adds up to a part of one step's work, the
+/// share s of the first force recorded are a dt (s D1 D2 / 2 + (1 - s / 2) D2 D2), which is more by a dt ((3
+/// - s) / 4 (D2^2 - D1^2) + (1 - s) / 4 (D2 - D1)^2): the first adds up to a part of one step's work, the
 /// second is of second order.
 TEST_P(HeatInShortSteps, theHeatOfViscosityIsAllThere)
 {
@@ -250,15 +250,15 @@ TEST_P(HeatInShortSteps, theHeatOfViscosityIsAllThere)
   scene.sublist("Damping").set("Bulk Viscosity", bulk);
   scene.sublist("Bodies").sublist("Block").set("Velocity", array(Vector<2>{{-3e-3, 0.0}}));
   scene.sublist("Time").set("Final Time", 3.0);
-  const double share = std::pow(0.5, GetParam());
+  const double fraction = std::pow(0.5, GetParam());
   ViscousChange viscous;
   const OpenBooks most = openBooks(scene, 3.0, &viscous);
   const double bound =
-      0.5 * most.step + 0.25 * (3.0 - share) * most.heat + 0.25 * (1.0 - share) * viscous.sum;
+      0.5 * most.step + 0.25 * (3.0 - fraction) * most.heat + 0.25 * (1.0 - fraction) * viscous.sum;
   std::printf("%d levels, viscous: open %.4f of what moves and strains, bound %.4f, of which %.4f by changes "
               "of rates\n",
               GetParam(), most.residual / most.energy, bound / most.energy,
-              0.25 * (1.0 - share) * viscous.sum / most.energy);
+              0.25 * (1.0 - fraction) * viscous.sum / most.energy);
   EXPECT_GT(most.heat, 0.0);
   EXPECT_LT(most.residual, bound);
 }

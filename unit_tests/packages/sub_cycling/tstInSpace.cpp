@@ -1,4 +1,4 @@
-/// Cracks in 3D whose springs and contact follow the short steps of small cells.
+/// Cracks in 3D whose springs and contact follow the substeps of small cells.
 
 #include "../cracks/CubeScene.hpp"
 
@@ -17,7 +17,7 @@ namespace
 constexpr double speed = 0.1, height = 0.004;
 
 /// A block with a flat crack halfway up, whose front and part of its faces lie in small cells.
-std::unique_ptr<Run<3>> crackedBlock(int levels, bool contact, bool shortSteps)
+std::unique_ptr<Run<3>> crackedBlock(int levels, bool contact, bool substeps)
 {
   Teuchos::ParameterList scene = blockScene({0.006, height, 0.004});
   setCrack(scene, {0.0, 0.002, 0.004, 0.0032, 0.002, 0.004, 0.0032, 0.002, 0.0, 0.0, 0.002, 0.0});
@@ -31,7 +31,7 @@ std::unique_ptr<Run<3>> crackedBlock(int levels, bool contact, bool shortSteps)
   box.set("Lower Corner", numbers({0.001, 0.001, -0.004}));
   box.set("Upper Corner", numbers({0.004, 0.003, 0.008}));
   box.set("Level", levels);
-  if (shortSteps)
+  if (substeps)
     scene.sublist("Sub-Cycling").set("Levels", levels);
   return start<3>(scene);
 }
@@ -107,8 +107,8 @@ TEST(ShortStepsInSpace, HoldWithContact)
 }
 
 /// Halves that run apart and are held by the material before the front and by springs. A motion of frequency
-/// w is seen by steps dt at a frequency off by the share (w dt)^2 / 24; that of the halves is no faster than
-/// waves that cross the block's height and back, pi c / height, for which half a period is followed.
+/// w is seen by steps dt at a frequency off by the fraction (w dt)^2 / 24; that of the halves is no faster
+/// than waves that cross the block's height and back, pi c / height, for which half a period is followed.
 TEST(ShortStepsInSpace, HoldWithTies)
 {
   const double wave =

@@ -1,4 +1,5 @@
-/// What the ledger says of small cells that move in short steps: the work of supports, loads and gravity.
+/// What the energy balance says of small cells that move in substeps: the work of supports, loads and
+/// gravity.
 
 #include "../../src/step/Bodies.hpp"
 #include "state/EnergySums.hpp"
@@ -19,7 +20,7 @@ namespace
 constexpr double speed = 1e-5; // of walls; waves are of about 1 m/s and cells of 1 m
 
 /// A block of 6 by 2 cells, refined at its left end.
-Teuchos::ParameterList blockScene(int levels, bool shortSteps)
+Teuchos::ParameterList blockScene(int levels, bool substeps)
 {
   Teuchos::ParameterList scene =
       emptyScene<2>(Vector<2>{{-2.0, -2.0}}, Vector<2>{{8.0, 4.0}}, 1.0, "MUSL", "GIMP");
@@ -33,7 +34,7 @@ Teuchos::ParameterList blockScene(int levels, bool shortSteps)
   box.set("Lower Corner", array(Vector<2>{{-0.5, -0.5}}));
   box.set("Upper Corner", array(Vector<2>{{0.5, 2.5}}));
   box.set("Level", levels);
-  if (shortSteps)
+  if (substeps)
     scene.sublist("Sub-Cycling").set("Levels", levels);
   return scene;
 }
@@ -63,7 +64,8 @@ Teuchos::ParameterList withLoad(Teuchos::ParameterList scene)
   return scene;
 }
 
-/// What the books of a run leave open, and the most that supports and loads gave within one of its steps [J].
+/// What the energy balance of a run leave open, and the most that supports and loads gave within one of its
+/// steps [J].
 struct Books
 {
   double mean = 0.0; ///< residual over the last fifth of the time
@@ -92,7 +94,7 @@ Books keep(const Teuchos::ParameterList& scene, double end)
   return books;
 }
 
-/// The residual after one long step from rest [J].
+/// The residual after one step from rest [J].
 double afterOneStep(const Teuchos::ParameterList& scene, double* length)
 {
   Rhegma::Run<2> run(validated(scene));
@@ -109,22 +111,22 @@ class Ledger : public testing::TestWithParam<int>
 
 } // namespace
 
-/// Velocities are half a short step behind stresses. So a wall that begins to move at once may leave open
-/// half of what it gives in a short step: its speed times that of a plane wave times that of the wall, 2 m
+/// Velocities are half a substep behind stresses. So a wall that begins to move at once may leave open
+/// half of what it gives in a substep: its speed times that of a plane wave times that of the wall, 2 m
 /// wide.
 TEST_P(Ledger, knowsWhatAWallGivesInTheFirstStep)
 {
   const double wave = std::sqrt(0.7 / (1.3 * 0.4)); // [m/s]
   double length = 0.0;
   const double open = afterOneStep(withWall(blockScene(GetParam(), true), "1"), &length);
-  const double brief = std::ldexp(length, -GetParam());
+  const double subcycled = std::ldexp(length, -GetParam());
   std::printf("%d levels, wall: open after a step %.2e J of %.2e J that the wall gives\n", GetParam(), open,
               2.0 * wave * speed * speed * length);
-  EXPECT_LT(std::fabs(open), 0.5 * 2.0 * wave * speed * speed * brief);
+  EXPECT_LT(std::fabs(open), 0.5 * 2.0 * wave * speed * speed * subcycled);
 }
 
 /// Books know energies to half a step; what they leave open in the mean is what they do where all cells take
-/// short steps, but for half of what the wall gives in a step. (One level of small cells hardly shows waves
+/// substeps, but for half of what the wall gives in a step. (One level of small cells hardly shows waves
 /// of a period of 6 s: the steps themselves take a fifth of their energy.)
 TEST_P(Ledger, knowsWhatAWallGivesThatGoesToAndFro)
 {
@@ -132,31 +134,31 @@ TEST_P(Ledger, knowsWhatAWallGivesThatGoesToAndFro)
   {
     if (std::string(history) == "sin(pi*t/3)" && GetParam() == 1)
       continue;
-    const Books brief = keep(withWall(blockScene(GetParam(), true), history), 60.0);
+    const Books subcycled = keep(withWall(blockScene(GetParam(), true), history), 60.0);
     const Books all = keep(withWall(blockScene(GetParam(), false), history), 60.0);
     std::printf("%d levels, wall %s: open in the mean %.2e J, in short steps only %.2e, half a step %.2e\n",
-                GetParam(), history, brief.mean, all.mean, 0.5 * brief.step);
-    EXPECT_NEAR(brief.mean, all.mean, 0.5 * brief.step) << history;
+                GetParam(), history, subcycled.mean, all.mean, 0.5 * subcycled.step);
+    EXPECT_NEAR(subcycled.mean, all.mean, 0.5 * subcycled.step) << history;
   }
 }
 
-/// Mass damping takes at once, at the start of a long step, what short steps have half of their stresses'
+/// Mass damping takes at once, at the start of a step, what substeps have half of their stresses'
 /// work on: that of the first of them.
 TEST_P(Ledger, knowsWhatStrongDampingTakes)
 {
   Books books[2];
-  for (const bool brief : {false, true})
+  for (const bool subcycled : {false, true})
   {
-    Teuchos::ParameterList scene = withWall(blockScene(GetParam(), brief), "sin(pi*t/12)");
+    Teuchos::ParameterList scene = withWall(blockScene(GetParam(), subcycled), "sin(pi*t/12)");
     scene.sublist("Damping").set("Mass Rate", 1.0);
-    books[brief] = keep(scene, 60.0);
+    books[subcycled] = keep(scene, 60.0);
   }
   std::printf("%d levels, damped: open in the mean %.2e J, in short steps only %.2e, half a step %.2e\n",
               GetParam(), books[true].mean, books[false].mean, 0.5 * books[true].step);
   EXPECT_NEAR(books[true].mean, books[false].mean, 0.5 * books[true].step);
 }
 
-/// A load pulls all the time, so that it is known to half of what it gives in a short step.
+/// A load pulls all the time, so that it is known to half of what it gives in a substep.
 TEST_P(Ledger, knowsTheWorkOfALoad)
 {
   const Books some = keep(withLoad(blockScene(GetParam(), true)), 60.0);
@@ -168,8 +170,8 @@ TEST_P(Ledger, knowsTheWorkOfALoad)
 }
 
 /// Gravity pulls nodes of small cells all through a step and moves others at its start, so that in N steps
-/// their velocities come to differ by half of what a step gives: a share of 1 / 2N, which has the square of
-/// that share of the energy. The rest of it is the work of gravity.
+/// their velocities come to differ by half of what a step gives: a fraction of 1 / 2N, which has the square
+/// of that fraction of the energy. The rest of it is the work of gravity.
 TEST_P(Ledger, knowsTheWorkOfGravity)
 {
   constexpr int steps = 50;

@@ -1,4 +1,4 @@
-/// Metal that flows while small cells take short steps, moved by supports.
+/// Metal that flows while small cells take substeps, moved by supports.
 
 #include "../../src/step/Bodies.hpp"
 #include "state/EnergySums.hpp"
@@ -16,7 +16,7 @@ namespace
 {
 
 template <int D>
-Teuchos::ParameterList metalBlock(int levels, bool shortSteps)
+Teuchos::ParameterList metalBlock(int levels, bool substeps)
 {
   Vector<D> upper = all<D>(2.0);
   upper[0] = 6.0;
@@ -37,13 +37,13 @@ Teuchos::ParameterList metalBlock(int levels, bool shortSteps)
   box.set("Lower Corner", array(from));
   box.set("Upper Corner", array(to));
   box.set("Level", levels);
-  if (shortSteps)
+  if (substeps)
     scene.sublist("Sub-Cycling").set("Levels", levels);
   return scene;
 }
 
-/// A velocity that grows with the place is prescribed at all nodes, those of small cells in short steps too.
-/// Each particle's deformation is the product of the steps', and all have flowed alike, whatever short steps
+/// A velocity that grows with the position is prescribed at all nodes, those of small cells in substeps too.
+/// Each particle's deformation is the product of the steps', and all have flowed alike, whatever substeps
 /// tried of the law in between. Books know energies to half a step, and the walls' work is the largest in the
 /// first one.
 template <int D>
@@ -98,15 +98,15 @@ TEST(PlasticShortSteps, FlowEvenlyIn3D) { checkEvenFlow<3>(2); }
 
 /// Two walls squeeze the block, and it flows round the small cells in its middle. Books know energies to half
 /// a step: what they leave open in the end, plastic work among them, is what they do where all cells take
-/// short steps, but for half of the most that the walls give in a step.
+/// substeps, but for half of the most that the walls give in a step.
 TEST(PlasticShortSteps, KeepTheBooks)
 {
   for (const int levels : {1, 2, 3})
   {
     double open[2], plastic[2], step = 0.0;
-    for (const bool brief : {true, false})
+    for (const bool subcycled : {true, false})
     {
-      Teuchos::ParameterList scene = metalBlock<2>(levels, brief);
+      Teuchos::ParameterList scene = metalBlock<2>(levels, subcycled);
       for (const int end : {0, 1})
       {
         Teuchos::ParameterList& wall = scene.sublist("Boundaries").sublist("Wall " + std::to_string(end));
@@ -123,12 +123,12 @@ TEST(PlasticShortSteps, KeepTheBooks)
       {
         const double before = state.energy.externalWork;
         run.step(12.0, false);
-        if (brief)
+        if (subcycled)
           step = std::max(step, std::fabs(state.energy.externalWork - before));
       }
       measureEnergy(state);
-      open[brief ? 0 : 1] = state.energy.residual();
-      plastic[brief ? 0 : 1] = state.energy.plastic;
+      open[subcycled ? 0 : 1] = state.energy.residual();
+      plastic[subcycled ? 0 : 1] = state.energy.plastic;
     }
     std::printf(
         "%d levels, plastic: open %.3e J, in short steps only %.3e, half a step %.3e; plastic work %.5e "

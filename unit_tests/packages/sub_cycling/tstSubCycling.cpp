@@ -1,5 +1,5 @@
-/// Bars that vibrate freely while the small cells in their middle take short steps: energy, momentum, and the
-/// motion of the same bar in short steps only.
+/// Bars that vibrate freely while the small cells in their middle take substeps: energy, momentum, and the
+/// motion of the same bar in substeps only.
 
 #include "Bars.hpp"
 #include "state/EnergySums.hpp"
@@ -60,7 +60,7 @@ TEST_P(Levels, moveAsInShortStepsOnly)
 }
 
 /// A crack along the left half of the bar, and the matrix that couples the nodes round its front. (Without
-/// the lower CFL number that the matrix asks for in short steps three levels gain 8 % in 100 periods.)
+/// the lower CFL number that the matrix asks for in substeps three levels gain 8 % in 100 periods.)
 void addCrackAndPartialMass(Teuchos::ParameterList& scene)
 {
   scene.sublist("Mass Matrix").set("Type", "Partial");
@@ -82,8 +82,8 @@ TEST_P(Levels, keepEnergyWithAMatrixRoundACrackFront)
 }
 
 /// The bar vibrates as it flies through cells that stay small where they are: its particles split before
-/// them and become one again behind. What it keeps of the energy of its vibration, beside what merging took,
-/// is that of the same flight in short steps only.
+/// them and become one again behind. What it keeps of the energy of its vibration, next to what merging took,
+/// is that of the same flight in substeps only.
 TEST_P(Levels, keepEnergyInFlight)
 {
   const double periods = 2.0;
@@ -125,8 +125,8 @@ TEST_P(Levels, keepEnergyInFlight)
   EXPECT_NEAR(sub, all, 0.005);
 }
 
-/// A wall holds nodes of small cells: supports take nodes to their velocity once a long step, and what
-/// particles feel of that belongs to the motion of short steps; without it three levels made any energy.
+/// A wall holds nodes of small cells: supports take nodes to their velocity once a step, and what
+/// particles feel of that belongs to the motion of substeps; without it three levels made any energy.
 TEST_P(Levels, holdBesideASupport)
 {
   Teuchos::ParameterList scene =

@@ -60,7 +60,7 @@ auto host(const AnyView& view)
   return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
 }
 
-/// Calls work(place, temperature) for every particle.
+/// Calls work(position, temperature) for every particle.
 template <int D, class Work>
 void forEach(const State<D>& state, const Work& work)
 {
@@ -75,7 +75,7 @@ void forEach(const State<D>& state, const Work& work)
   }
 }
 
-/// Largest difference of particles with x from 1 to 5 m from exact(place) [K]; fails where these are few.
+/// Largest difference of particles with x from 1 to 5 m from exact(position) [K]; fails where these are few.
 template <int D, class Exact>
 double worstBetween(const State<D>& state, const Exact& exact)
 {

@@ -126,12 +126,12 @@ void checkPatch(const std::string& shape, int level, const Vector<D>& shift)
   const auto value = host(nodes.value);
   const auto rate = host(nodes.rate);
   const auto active = host(state.mesh.nodes.active);
-  const NodePlaces<D> places = nodePlaces(state);
+  const NodePositions<D> positions = nodePositions(state);
   int inside = 0;
   for (int i = 0; i < static_cast<int>(active.extent(0)); ++i)
   {
     const int n = active(i);
-    const Vector<D> place = places(n);
+    const Vector<D> place = positions(n);
     if (!(sums(n, 0) > 0.0))
       continue;
     // Lighter nodes have a sum of small numbers at large distances.
@@ -281,7 +281,8 @@ TEST(Conduction, ACrackInsulates)
   }
 }
 
-/// A body that conducts well cools as a whole: exp(-h A t / (rho c V)), and the books have what left it.
+/// A body that conducts well cools as a whole: exp(-h A t / (rho c V)), and the energy balance have what left
+/// it.
 TEST(Conduction, ConvectionCools)
 {
   Teuchos::ParameterList scene = bar<2>(0.5, "GIMP", 2.0, 2.0);

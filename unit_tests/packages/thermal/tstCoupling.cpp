@@ -1,4 +1,4 @@
-/// Motion and heat together: the books of both close, and waves run at the adiabatic speed.
+/// Motion and heat together: the energy balance of both close, and waves run at the adiabatic speed.
 
 #include "src/step/Bodies.hpp"
 #include "state/EnergySums.hpp"
@@ -124,8 +124,8 @@ TEST(Coupling, WavesRunAtTheAdiabaticSpeed)
   EXPECT_NEAR(slow * slow / (fast * fast), 1.2, 5e-3);
 }
 
-/// What the coupling takes from motion it gives to heat: the books of a vibrating bar close as well as
-/// without heat, in every law.
+/// What the coupling takes from motion it gives to heat: the energy balance of a vibrating bar close as well
+/// as without heat, in every law.
 TEST(Coupling, TheLedgerClosesAsWithoutHeat)
 {
   for (const std::string model : {"Linear Elastic", "Neo-Hookean", "J2 Plastic"})
@@ -134,7 +134,7 @@ TEST(Coupling, TheLedgerClosesAsWithoutHeat)
                    with = movingBar(model, 0.01, 0.15, 1e-3);
     const double mechanical = std::fabs(residualAfter(without, 300)),
                  both = std::fabs(residualAfter(with, 300));
-    // Velocities are half a step behind places: a few percent of what sloshes to and fro.
+    // Velocities are half a step behind positions: a few percent of what sloshes to and fro.
     EXPECT_LT(mechanical, 2e-2) << model;
     EXPECT_LT(both, std::max(1.5 * mechanical, 1e-3)) << model;
     // The bar's temperature has come and gone: without the coupling it would still be that of the start.
@@ -147,10 +147,10 @@ TEST(Coupling, TheLedgerClosesAsWithoutHeat)
   }
 }
 
-/// The books of linear waves close step by step: kinetic energy is that of half a step before strain energy,
-/// and with what stresses give in it nothing is left open but what changes of the weights and of geometry
-/// make, which go with the strain and the way of particles in a cell. Waves are the bar's first mode, or
-/// those of 7 cells that its end sends out, so that the work of supports is right too.
+/// The energy balance of linear waves close step by step: kinetic energy is that of half a step before strain
+/// energy, and with what stresses give in it nothing is left open but what changes of the weights and of
+/// geometry make, which go with the strain and the way of particles in a cell. Waves are the bar's first
+/// mode, or those of 7 cells that its end sends out, so that the work of supports is right too.
 TEST(Coupling, TheBooksOfLinearWavesCloseStepByStep)
 {
   const auto driven = [](double speed)
@@ -267,9 +267,9 @@ TEST(Coupling, TheLedgerClosesWithEveryMassMatrix)
     }
 }
 
-/// A modulus that falls with temperature, or rises by a fifth, keeps the books of a bar at its kink as one
-/// without a table does; of one that rises threefold there energy does not tell the temperature, which is
-/// printed.
+/// A modulus that falls with temperature, or rises by a fifth, keeps the energy balance of a bar at its kink
+/// as one without a table does; of one that rises threefold there energy does not tell the temperature, which
+/// is printed.
 TEST(Coupling, ModuliThatChangeAtAKink)
 {
   Rhegma::Run<2> plain = movingBar("Linear Elastic", 0.0, 1.7e-3, 0.02);
@@ -286,8 +286,8 @@ TEST(Coupling, ModuliThatChangeAtAKink)
     const auto ends = std::minmax_element(T.data(), T.data() + T.extent(0));
     std::printf("modulus %s: open %.1e of the motion (%.1e without a table), from %.2f to %.2f K\n",
                 table.c_str(), open, none, *ends.first, *ends.second);
-    // Where it rises threefold the books open by the share of energy that has two roots, below T dE/dT / E
-    // times what is strained.
+    // Where it rises threefold the energy balance open by the fraction of energy that has two roots, below T
+    // dE/dT / E times what is strained.
     EXPECT_LT(open, table == "300:1, 350:3" ? 12.0 : 1.5 * none);
   }
 }
@@ -311,7 +311,7 @@ TEST(Coupling, ViscousWorkIsHeat)
                 mechanical, both, damped.damped, warmed.thermal);
     EXPECT_GT(damped.damped, 1e-6); // of 8e-6 J
     EXPECT_EQ(warmed.damped, 0.0);
-    // Without heat the books have the work of the new stress alone, and are off by as much.
+    // Without heat the energy balance have the work of the new stress alone, and are off by as much.
     EXPECT_NEAR(warmed.thermal, damped.damped, 4e-3 * damped.damped);
     EXPECT_LT(both, std::max(1.5 * mechanical, 1e-3));
   }

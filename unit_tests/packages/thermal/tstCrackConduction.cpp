@@ -52,12 +52,12 @@ void checkJump(double at, double h, int level, const std::string& shape = "GIMP"
   double worst = 0.0;
   int below = 0, above = 0;
   forEach<D>(run.state(),
-             [&](const Vector<D>& place, double T)
+             [&](const Vector<D>& position, double T)
              {
-               if (place[0] < left || place[0] > right)
+               if (position[0] < left || position[0] > right)
                  return;
-               ++(place[0] < at ? below : above);
-               const double exact = cold + flux / k * (place[0] - left) + (place[0] < at ? 0.0 : jump);
+               ++(position[0] < at ? below : above);
+               const double exact = cold + flux / k * (position[0] - left) + (position[0] < at ? 0.0 : jump);
                worst = std::max(worst, std::fabs(T - exact));
              });
   EXPECT_GT(below, 5);
@@ -83,15 +83,15 @@ void checkThatHeatIsKept(double at, double h)
   EXPECT_EQ(run.state().energy.heat, 0.0);
 }
 
-/// Mean temperature left of a place.
+/// Mean temperature left of a position.
 double meanLeftOf(const State<2>& state, double at)
 {
   double sum = 0.0;
   int count = 0;
   forEach<2>(state,
-             [&](const Vector<2>& place, double T)
+             [&](const Vector<2>& position, double T)
              {
-               if (place[0] < at)
+               if (position[0] < at)
                {
                  sum += T;
                  ++count;
@@ -206,12 +206,13 @@ TEST(CrackConduction, AStepSpreadsThroughPerfectContact)
   double apart = 0.0;
   for (std::size_t p = 0; p < found[0].size(); ++p)
     apart = std::max(apart, std::fabs(found[0][p] - found[1][p]));
-  // Of 100 K, beside the 0.5 K by which cells of this size are off the error function.
+  // Of 100 K, next to the 0.5 K by which cells of this size are off the error function.
   EXPECT_LT(apart, 0.5);
 }
 
-/// Wherever a jump of temperature lies beside a crack in perfect contact, the field is at all times that of a
-/// bar without a crack, and no temperature leaves the range of those of the start by more than it does there.
+/// Wherever a jump of temperature lies next to a crack in perfect contact, the field is at all times that of
+/// a bar without a crack, and no temperature leaves the range of those of the start by more than it does
+/// there.
 TEST(CrackConduction, PerfectContactBesideAJumpIsNoCrack)
 {
   for (const double at : {2.5, 2.625, 2.75, 3.0, 3.125, 3.25})

@@ -1,5 +1,5 @@
 /// Super time stepping and implicit conduction: heat is kept, steady fields are those of explicit steps, the
-/// order in time is what it should be, and cracks insulate or conduct as they do in short steps.
+/// order in time is what it should be, and cracks insulate or conduct as they do in substeps.
 
 #include "packages/thermal/HeatedBars.hpp"
 #include "state/EnergySums.hpp"
@@ -71,8 +71,8 @@ void checkSteadyField(const std::string& method, int level, double h)
   EXPECT_EQ(run.state().failure, "");
   const double resistance = h > 0.0 && h < 1e9 ? 1.0 / h : 0.0, flux = 80.0 / (2.0 + resistance);
   const double worst = worstBetween<D>(
-      run.state(), [&](const Vector<D>& place)
-      { return 320.0 + 0.5 * flux * (place[0] - 1.0) + (place[0] < 3.3 ? 0.0 : flux * resistance); });
+      run.state(), [&](const Vector<D>& position)
+      { return 320.0 + 0.5 * flux * (position[0] - 1.0) + (position[0] < 3.3 ? 0.0 : flux * resistance); });
   EXPECT_LT(worst, 1e-5) << method << " level " << level << " h " << h;
 }
 
@@ -130,7 +130,7 @@ TEST(LongSteps, WhereNothingConducts)
     steps(run, 5);
     EXPECT_EQ(run.state().failure, "");
     forEach<2>(run.state(), [&](const Vector<2>&, double T) { after.push_back(T); });
-    std::sort(before.begin(), before.end()); // particles change places
+    std::sort(before.begin(), before.end()); // particles change positions
     std::sort(after.begin(), after.end());
     EXPECT_LT(apart(after, before), 1e-10) << method;
   }

@@ -13,7 +13,7 @@ namespace
 
 constexpr double joint = 4.0, jump = 100.0;
 
-/// A bar of 8 m in two halves of a material each, on cells of 1 m whose nodes lie `shift` beside the joint.
+/// A bar of 8 m in two halves of a material each, on cells of 1 m whose nodes lie `shift` next to the joint.
 template <int D>
 Teuchos::ParameterList halves(double conductivity, double capacity, double first, double second, double shift)
 {
@@ -88,7 +88,7 @@ TEST(MeetingMaterials, AnInsulatorKeepsItsHeatAndLeavesAConductorItsOwn)
   }
 }
 
-/// Beside a conductor that warms an insulator sees nothing of it, neither a temperature nor a gradient.
+/// Next to a conductor that warms an insulator sees nothing of it, neither a temperature nor a gradient.
 TEST(MeetingMaterials, AnInsulatorSeesNoGradientOfAConductor)
 {
   for (const std::string method : methods)
@@ -190,7 +190,7 @@ TEST(MeetingMaterials, NeitherOvershoots)
   EXPECT_LT(overshoot<3>(halves<3>(0.02, 3.0, 300.0, 400.0, 0.3), 30), perNode);
 }
 
-/// The worst of all, beside a temperature that is there: what short steps of conduction make of it.
+/// The worst of all, next to a temperature that is there: what substeps of conduction make of it.
 TEST(MeetingMaterials, NeitherOvershootsInShortSteps)
 {
   struct Joint
@@ -213,9 +213,9 @@ TEST(MeetingMaterials, NeitherOvershootsInShortSteps)
   }
 }
 
-/// Beside a good conductor one that hardly conducts has its temperature at the nodes that both share from the
-/// beginning: it takes the heat that its part of them holds, half a cell where the joint runs along faces of
-/// cells and less than one and a half where it runs through them, on top of what a half space takes from a
+/// Next to a good conductor one that hardly conducts has its temperature at the nodes that both share from
+/// the beginning: it takes the heat that its part of them holds, half a cell where the joint runs along faces
+/// of cells and less than one and a half where it runs through them, on top of what a half space takes from a
 /// face of given temperature, 2 dT sqrt(k rho c t / pi).
 TEST(MeetingMaterials, APoorConductorTakesNoMoreAtOnceThanItsNodesHold)
 {

@@ -1,6 +1,6 @@
 /// Loops over few items visit each of them once, however many there are.
 
-#include "base/FewItems.hpp"
+#include "base/SmallLoops.hpp"
 
 #include <gtest/gtest.h>
 
@@ -18,7 +18,7 @@ namespace
 std::vector<int> visitsOf(int count)
 {
   const View<int*> visits("visits", count);
-  forFew(
+  parallelForSmall(
       "visit", count, KOKKOS_LAMBDA(const int k) { visits(k) += 1; });
   const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, visits);
   return {host.data(), host.data() + count};
@@ -28,7 +28,7 @@ std::vector<int> visitsOf(int count)
 /// taken twice.
 long sumOf(int count)
 {
-  return sumFew<long>(
+  return parallelSumSmall<long>(
       "sum", count, KOKKOS_LAMBDA(const int k, long& total) { total += 1 + static_cast<long>(k) * k; });
 }
 
@@ -38,7 +38,7 @@ long closedForm(long n) { return n + (n - 1) * n * (2 * n - 1) / 6; }
 
 TEST(FewItems, EachOnceWhereOneThreadDoesThem)
 {
-  for (const int count : {0, 1, fewItems})
+  for (const int count : {0, 1, isSmallLoop})
   {
     EXPECT_EQ(visitsOf(count), std::vector<int>(count, 1));
     EXPECT_EQ(sumOf(count), closedForm(count));
@@ -47,7 +47,7 @@ TEST(FewItems, EachOnceWhereOneThreadDoesThem)
 
 TEST(FewItems, EachOnceWhereThereAreMore)
 {
-  for (const int count : {fewItems + 1, 100 * fewItems})
+  for (const int count : {isSmallLoop + 1, 100 * isSmallLoop})
   {
     EXPECT_EQ(visitsOf(count), std::vector<int>(count, 1));
     EXPECT_EQ(sumOf(count), closedForm(count));

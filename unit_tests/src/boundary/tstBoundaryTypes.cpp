@@ -28,8 +28,8 @@ TEST(BoundaryTypes, HaveNamesOfTheirOwnAndAct)
   for (const BoundaryType& type : boundaryTypes())
   {
     EXPECT_TRUE(names.insert(type.section.name).second) << type.section.name;
-    EXPECT_EQ(type.effect.empty(), static_cast<bool>(type.add2)) << type.section.name;
-    EXPECT_EQ(type.effect.empty(), static_cast<bool>(type.add3)) << type.section.name;
+    EXPECT_EQ(type.capability.empty(), static_cast<bool>(type.add2)) << type.section.name;
+    EXPECT_EQ(type.capability.empty(), static_cast<bool>(type.add3)) << type.section.name;
   }
   EXPECT_EQ(names.count("Velocity"), 1u);
 }
@@ -58,14 +58,10 @@ TEST(BoundaryTypes, OfAnApplicationNeedANameAndWhatTheyDo)
   EXPECT_THROW(boundaryType("Magnet"), std::invalid_argument);
 }
 
-TEST(BoundaryTypes, OfAnEffectNeedItsSection)
+TEST(BoundaryTypes, OfAnEffectNameWhatItProvides)
 {
-  Teuchos::ParameterList list;
-  list.set("Type", "Heat Flux");
-  const auto errors = errorsOf(list);
-  ASSERT_EQ(errors.size(), 1u);
-  EXPECT_EQ(errors[0].where, "Boundaries > One");
-  EXPECT_NE(errors[0].message.find("Thermal"), std::string::npos);
+  EXPECT_FALSE(boundaryType("Heat Flux").capability.empty());
+  EXPECT_TRUE(boundaryType("Gravity").capability.empty());
 }
 
 TEST(BoundaryTypes, CheckBodiesForAllTypes)

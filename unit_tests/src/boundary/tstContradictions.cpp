@@ -10,7 +10,7 @@ namespace Test
 namespace
 {
 
-/// A plate from y = 0.3 on, on a lattice whose nodes there lie beside 0.3 by a rounding.
+/// A plate from y = 0.3 on, on a lattice whose nodes there lie next to 0.3 by a rounding.
 Teuchos::RCP<Teuchos::ParameterList> plate()
 {
   return steelPlate(-0.4, 1.4, 0.1, pair(0.0, 0.3), Reals(2, 1.0));
@@ -87,7 +87,7 @@ std::string refusalOfTwo(const std::string& one, const std::string& two)
 
 } // namespace
 
-/// A field that is zero on the plane, but for the rounding of its nodes' places.
+/// A field that is zero on the plane, but for the rounding of its nodes' positions.
 TEST(Contradictions, PassAFieldThatVanishesOnAPlaneOfSymmetry)
 {
   for (const double top : {1.05, 0.35}) // all along the side, and on the plane alone
@@ -109,9 +109,9 @@ TEST(Contradictions, PassTwoSpellingsOfAHistory)
 
 TEST(Contradictions, RefuseWhatDiffersByMoreThanRounding)
 {
-  EXPECT_NE(
-      refusalOfTwo("sin(6283.185307179586*t)", "sin(6283.185307179586*t) + 1e-6").find("both prescribe the node"),
-      std::string::npos);
+  EXPECT_NE(refusalOfTwo("sin(6283.185307179586*t)", "sin(6283.185307179586*t) + 1e-6")
+                .find("both prescribe the node"),
+            std::string::npos);
   const auto scene = plate();
   grip(*scene, "Grip", 0.25, 1.05).set<std::string>("Field", "0, y-0.3001");
   mirror(*scene);
@@ -145,7 +145,8 @@ TEST(Contradictions, RefuseTwoTemperaturesOfANode)
   warm(*scene, "Cold", 0.25, 0.65, 300.0);
   warm(*scene, "Hot", 0.55, 1.05, 400.0);
   const std::string words = refusal(scene);
-  EXPECT_NE(words.find("Boundaries > Cold: this and Boundaries > Hot both prescribe the node"), std::string::npos)
+  EXPECT_NE(words.find("Boundaries > Cold: this and Boundaries > Hot both prescribe the node"),
+            std::string::npos)
       << words;
   EXPECT_NE(words.find("at 300 and 400 K"), std::string::npos) << words;
   EXPECT_NE(words.find("one temperature"), std::string::npos) << words;

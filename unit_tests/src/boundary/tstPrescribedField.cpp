@@ -1,4 +1,4 @@
-/// Motion that is prescribed as a function of place.
+/// Motion that is prescribed as a function of position.
 
 #include "SteelPlate.hpp"
 #include "boundary/Boundaries.hpp"

@@ -53,7 +53,7 @@ Vector<D> resultant(const Seeds<D>& body, const std::vector<LoadPoint<D>>& point
 }
 
 template <class Call>
-std::string complaint(const Call& call)
+std::string message(const Call& call)
 {
   try
   {
@@ -90,9 +90,8 @@ TEST(LoadPoints, TiesGoToTheFirstParticle)
 TEST(LoadPoints, PointFarFromTheBodyIsAnError)
 {
   EXPECT_EQ(pointLoad<2>(sheet(4, 2), {{0.5, 2.9}}, "Load")[0].particle, 4);
-  const auto message = complaint([] { pointLoad<2>(sheet(4, 2), {{0.5, 3.0}}, "Boundaries > Tip"); });
-  EXPECT_EQ(message.find("Boundaries > Tip: the load misses the body: the point (0.5, 3) m"), 0u)
-      << message;
+  const auto message = message([] { pointLoad<2>(sheet(4, 2), {{0.5, 3.0}}, "Boundaries > Tip"); });
+  EXPECT_EQ(message.find("Boundaries > Tip: the load misses the body: the point (0.5, 3) m"), 0u) << message;
 }
 
 /// 4 m in pieces of half an edge: 8 points of 1/8, two on every particle of the right column.
@@ -140,7 +139,7 @@ TEST(LoadPoints, SharesAddUpToOneExactly)
 /// miss: those at 3.25 and 3.75 (the one at 2.75 is 1.35 m away).
 TEST(LoadPoints, CountsThePointsThatMiss)
 {
-  const auto message = complaint(
+  const auto message = message(
       [] {
         lineLoad<2>(sheet(2, 1), {{0.0, 1.0}}, {{4.0, 1.0}}, Profile::Uniform, "Boundaries > Push");
       });
@@ -148,7 +147,7 @@ TEST(LoadPoints, CountsThePointsThatMiss)
                 "Boundaries > Push: 2 of the load's 8 points miss the body; the first of them, (3.25, 1) m"),
             0u)
       << message;
-  EXPECT_NE(complaint(
+  EXPECT_NE(message(
                 [] {
                   lineLoad<2>(sheet(2, 1), {{9, 9}}, {{9, 8}}, Profile::Uniform, "Push");
                 })
@@ -178,7 +177,7 @@ TEST(LoadPoints, FaceOfABlock)
   EXPECT_THROW(faceLoad(body, {{0, 0, 2}}, {{2, 0, 0}}, {{-1, 0, 0}}, "Load"), std::invalid_argument);
 }
 
-/// Against a search over all points, at random places around the origin (negative coordinates too).
+/// Against a search over all points, at random positions around the origin (negative coordinates too).
 template <int D>
 void compareWithFullSearch()
 {

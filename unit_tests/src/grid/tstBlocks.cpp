@@ -14,7 +14,7 @@ namespace
 
 constexpr int count = 5000;
 
-/// Random particles with their number as id, and again at the places of the first ten, so that cells are
+/// Random particles with their number as id, and again at the positions of the first ten, so that cells are
 /// shared.
 template <int D>
 FieldTable scattered(const Grid<D>& grid)

@@ -16,17 +16,17 @@ constexpr double roundOff = 1e-14;
 template <int N>
 void expectComplete(const AxisStencil<N>& s, double at)
 {
-  double one = 0.0, place = 0.0, zero = 0.0, slope = 0.0;
+  double one = 0.0, position = 0.0, zero = 0.0, slope = 0.0;
   for (int k = 0; k < N; ++k)
   {
     EXPECT_GE(s.weight[k], 0.0);
     one += s.weight[k];
-    place += s.weight[k] * (s.first + k);
+    position += s.weight[k] * (s.first + k);
     zero += s.slope[k];
     slope += s.slope[k] * (s.first + k);
   }
   EXPECT_NEAR(one, 1.0, roundOff);
-  EXPECT_NEAR(place, at, roundOff * at);
+  EXPECT_NEAR(position, at, roundOff * at);
   EXPECT_NEAR(zero, 0.0, roundOff);
   EXPECT_NEAR(slope, 1.0, roundOff * at);
 }
@@ -81,10 +81,10 @@ TEST(ShapeFunctions, GimpByHand)
 TEST(ShapeFunctions, AreLinearlyCompleteEverywhere)
 {
   std::mt19937 engine(7);
-  std::uniform_real_distribution<double> place(4.0, 20.0), width(1e-3, 0.5);
+  std::uniform_real_distribution<double> position(4.0, 20.0), width(1e-3, 0.5);
   for (int trial = 0; trial < 1000; ++trial)
   {
-    const double at = place(engine);
+    const double at = position(engine);
     expectComplete(linearStencil(at), at);
     expectComplete(gimpStencil(at, width(engine)), at);
   }
@@ -93,10 +93,10 @@ TEST(ShapeFunctions, AreLinearlyCompleteEverywhere)
 TEST(ShapeFunctions, GimpIsThatOfTheTextbook)
 {
   std::mt19937 engine(8);
-  std::uniform_real_distribution<double> place(4.0, 20.0), width(1e-3, 0.5);
+  std::uniform_real_distribution<double> position(4.0, 20.0), width(1e-3, 0.5);
   for (int trial = 0; trial < 1000; ++trial)
   {
-    const double at = place(engine), half = width(engine);
+    const double at = position(engine), half = width(engine);
     for (const auto& entry : weights(gimpStencil(at, half)))
       // The textbook's form loses digits where it divides by a small box.
       EXPECT_NEAR(entry.second, textbook(at - entry.first, half), roundOff / half);
@@ -107,12 +107,12 @@ TEST(ShapeFunctions, GimpIsThatOfTheTextbook)
 TEST(ShapeFunctions, SlopesAreThoseOfTheWeights)
 {
   std::mt19937 engine(9);
-  std::uniform_real_distribution<double> place(4.0, 20.0), width(0.05, 0.45);
+  std::uniform_real_distribution<double> position(4.0, 20.0), width(0.05, 0.45);
   constexpr double h = 1e-3;
   int tried = 0;
   for (int trial = 0; trial < 1000; ++trial)
   {
-    const double at = place(engine), half = width(engine);
+    const double at = position(engine), half = width(engine);
     const auto kink = [&](double edge) { return std::fabs(edge - std::round(edge)) < 2.0 * h; };
     if (kink(at - half) || kink(at + half))
       continue;

@@ -33,21 +33,21 @@ Vector<D> anywhere(const Grid<D>& grid, std::mt19937& engine)
 
 /// How far a stencil is from the value and the slope of 1, x, y and z.
 template <int D>
-double incompleteness(const TreeSight<D>& sight, const NodePlaces<D>& places, const Vector<D>& x,
+double incompleteness(const TreeSight<D>& sight, const NodePositions<D>& positions, const Vector<D>& x,
                       const Vector<D>& half)
 {
   double sum = -1.0, slopes[D] = {}, value[D] = {}, gradient[D][D] = {};
   sight.forEachNode(x, half,
                     [&](int node, double weight, const double(&slope)[D])
                     {
-                      const Vector<D> place = places(node);
+                      const Vector<D> position = positions(node);
                       sum += weight;
                       for (int i = 0; i < D; ++i)
                       {
                         slopes[i] += slope[i];
-                        value[i] += weight * (place[i] - x[i]);
+                        value[i] += weight * (position[i] - x[i]);
                         for (int j = 0; j < D; ++j)
-                          gradient[i][j] += slope[j] * (place[i] - x[i]);
+                          gradient[i][j] += slope[j] * (position[i] - x[i]);
                       }
                     });
   double worst = std::fabs(sum);
@@ -73,7 +73,7 @@ void checkCompleteness()
     Tree<D> tree;
     buildTree(randomBranches(grid, D == 2 ? 4 : 3, engine), tree);
     const TreeSight<D> sight(grid, tree);
-    const NodePlaces<D> places{grid, tree.finePlace};
+    const NodePositions<D> positions{grid, tree.finePosition};
     for (int b = 0; b < boxesPerTree; ++b)
     {
       const Vector<D> x = anywhere(grid, engine);
@@ -81,14 +81,14 @@ void checkCompleteness()
       for (int d = 0; d < D && b % 4 != 0; ++d) // every fourth is a point
         half[d] = width(engine);
       refined += sight.touchesRefined(x, half) ? 1 : 0;
-      worst = std::max(worst, incompleteness(sight, places, x, half));
+      worst = std::max(worst, incompleteness(sight, positions, x, half));
     }
   }
   EXPECT_GT(refined, trees);
   EXPECT_LT(worst, roundOff);
 }
 
-/// By the number of a node: as how many masters the corners of leaves at its place are seen.
+/// By the number of a node: as how many masters the corners of leaves at its position are seen.
 template <int D>
 void checkMasters()
 {
@@ -100,7 +100,7 @@ void checkMasters()
   {
     Tree<D> tree;
     buildTree(randomBranches(grid, D == 2 ? 4 : 3, engine), tree);
-    const NodePlaces<D> places{grid, tree.finePlace};
+    const NodePositions<D> positions{grid, tree.finePosition};
     // Places in units of a cell of 1/2^8 of the lattice's, which all corners are multiples of.
     std::map<std::array<long, D>, int> masters;
     const auto unit = [&](const Vector<D>& x)
@@ -118,17 +118,17 @@ void checkMasters()
           x[d] = tree.leafCorner(l, d) + ((k >> d) & 1) * std::ldexp(grid.spacing, -tree.leafLevel(l));
         const int count = tree.masterCount(l, k);
         for (int m = 0; m < count; ++m)
-          mean = mean + (1.0 / count) * places(tree.master(l, k, m));
+          mean = mean + (1.0 / count) * positions(tree.master(l, k, m));
         wrongPlace = std::max(wrongPlace, norm(mean - x));
         const auto found = masters.emplace(unit(x), count).first;
-        EXPECT_EQ(found->second, count); // all leaves around a place see it alike
+        EXPECT_EQ(found->second, count); // all leaves around a position see it alike
         hanging += count > 1 ? 1 : 0;
       }
     for (int l = 0; l < static_cast<int>(tree.leafLevel.extent(0)); ++l)
       for (int k = 0; k < Tree<D>::corners; ++k)
         for (int m = 0; m < tree.masterCount(l, k); ++m)
         {
-          const auto found = masters.find(unit(places(tree.master(l, k, m))));
+          const auto found = masters.find(unit(positions(tree.master(l, k, m))));
           chains += found != masters.end() && found->second > 1 ? 1 : 0;
         }
   }
@@ -137,7 +137,7 @@ void checkMasters()
   EXPECT_LT(wrongPlace, roundOff);
 }
 
-/// Shares of all nodes add up to the cells, and each is the integral of the node's function.
+/// Fractions of all nodes add up to the cells, and each is the integral of the node's function.
 template <int D>
 void checkShares()
 {
@@ -199,7 +199,7 @@ TEST(Tree, numbersDoNotDependOnHistory)
   ASSERT_GT(first.numFine, 0);
   for (int n = 0; n < first.numFine; ++n)
     for (int d = 0; d < 2; ++d)
-      EXPECT_EQ(first.finePlace(n, d), second.finePlace(n, d));
+      EXPECT_EQ(first.finePosition(n, d), second.finePosition(n, d));
 }
 
 TEST(Tree, goneWhenNothingIsRefined)

@@ -90,7 +90,7 @@ TYPED_TEST(J2, StaysOnTheYieldSurface)
 }
 
 /// What the stress does on the path is stored or dissipated: the trapezoidal sum of tau : d along a smooth
-/// path misses the sum of both by a share that falls with the steps, at first order because the return is
+/// path misses the sum of both by a fraction that falls with the steps, at first order because the return is
 /// backward Euler.
 template <class C>
 double workError(int steps, const Properties& m)

@@ -173,7 +173,7 @@ TEST_P(ThermoLaw, CyclesAreReversible)
     solid.strain(L);
   }
   // A step finds its temperature with the capacity at constant strain, which is not that of plane stress, and
-  // leaves a share of its own change to the next.
+  // leaves a fraction of its own change to the next.
   const double rest[4] = {};
   for (int s = 0; s < 3; ++s)
     solid.strain(rest);

@@ -20,7 +20,7 @@ inline State<2> twoParticles()
   return state;
 }
 
-/// A crack of two segments, open by 0.1 at its mouth.
+/// A crack of two segments, open by 0.1 at its surface-breaking end.
 inline void addCrack(State<2>& state)
 {
   CrackSet<2>& set = state.cracks;

@@ -79,7 +79,7 @@ TEST(CoreRow, ComesBeforeTheColumnsOfEffects)
   EXPECT_EQ(state.sample.row.back().first, "Notch.0.G_J");
 }
 
-/// 3 J/m3 and 5 J/m3 spent in 1/4 m3 each; the ledger balances what was spent against what was done.
+/// 3 J/m3 and 5 J/m3 spent in 1/4 m3 each; the energy balance balances what was spent against what was done.
 TEST(CoreRow, BooksPlasticWork)
 {
   State<3> state = smallState<3>(2);

@@ -104,7 +104,7 @@ TEST(FieldWriter, WritesFieldsThatEffectsAdded)
             std::string::npos);
 }
 
-/// Two cells beside each other have six nodes.
+/// Two cells next to each other have six nodes.
 TEST(FieldWriter, WritesTheCellsThatHoldParticles)
 {
   const Folder folder;

@@ -160,12 +160,12 @@ TEST(References, AllMustBeWithin)
   json summary = someSummary();
   EXPECT_TRUE(addReferences(section, summary));
   EXPECT_TRUE(summary["references"].empty());
-  EXPECT_EQ(Rhegma::referencesInWords(summary), "");
+  EXPECT_EQ(Rhegma::referencesAsText(summary), "");
   addReference(section, "Good", "energy.kinetic", 2.0, 0.01);
   addReference(section, "Bad", "cracks.1.fronts.0.G_J", 1.0, 0.01);
   EXPECT_FALSE(addReferences(section, summary));
   EXPECT_EQ(summary["references"].size(), 2u);
-  EXPECT_EQ(Rhegma::referencesInWords(summary),
+  EXPECT_EQ(Rhegma::referencesAsText(summary),
             "within   energy.kinetic = 2, reference 2, off by 0 % of 1 % (by hand)\n"
             "OUTSIDE  cracks.1.fronts.0.G_J = 101, reference 1, off by 1e+04 % of 1 % (by hand)\n");
 }

@@ -34,13 +34,13 @@ struct Cells
   {
     NodalFieldNodes<D> all;
     all.grid = grid;
-    all.finePlace = tree.finePlace;
+    all.finePosition = tree.finePosition;
     all.generation = tree.generation;
     all.perNode = perNode;
     return all;
   }
   int size() const { return grid.numNodes + tree.numFine; }
-  Vector<D> place(int node) const { return NodePlaces<D>{grid, tree.finePlace}(node); }
+  Vector<D> place(int node) const { return NodePositions<D>{grid, tree.finePosition}(node); }
 };
 
 /// A part of the lattice, as a rank has it.
@@ -78,7 +78,7 @@ void fill(const NodalFieldTable<D>& table, const std::string& name, const Cells<
 template <int D>
 bool isThere(const Cells<D>& cells, const Vector<D>& place)
 {
-  const NodeIdentities<D> nodes(cells.grid, cells.tree.finePlace);
+  const NodeIdentities<D> nodes(cells.grid, cells.tree.finePosition);
   for (int n = 0; n < cells.size(); ++n)
     if (norm(cells.place(n) - place) < 1e-9)
       return nodes.find(nodes.of(n)) == n;

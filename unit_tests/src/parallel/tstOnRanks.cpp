@@ -24,8 +24,8 @@ namespace
 
 Ranks allRanks() { return Ranks(Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD))); }
 
-/// A place that follows from a particle's number, so that one whose rows were mixed up is found.
-double placeOf(int id, int axis) { return 0.25 + 3.5 * std::fmod(0.618 * (id + 1) * (axis + 1), 1.0); }
+/// A position that follows from a particle's number, so that one whose rows were mixed up is found.
+double positionOf(int id, int axis) { return 0.25 + 3.5 * std::fmod(0.618 * (id + 1) * (axis + 1), 1.0); }
 
 /// Every rank has particles of its own, by its rank and a number.
 template <int D>
@@ -39,7 +39,7 @@ State<D> scattered(const Ranks& ranks, int each)
   {
     ids.push_back(ranks.rank() * each + k);
     for (int d = 0; d < D; ++d)
-      position.push_back(placeOf(ids.back(), d));
+      position.push_back(positionOf(ids.back(), d));
   }
   fill(state.particles.table(fields::position), position);
   fill(state.particles.integer(fields::id), ids);
@@ -77,7 +77,7 @@ void particlesStayWhole()
   {
     found[id(p)] += 1.0;
     for (int d = 0; d < D; ++d)
-      EXPECT_EQ(position(p, d), placeOf(id(p), d));
+      EXPECT_EQ(position(p, d), positionOf(id(p), d));
   }
   ranks.sum(found.data(), static_cast<int>(found.size()));
   for (const double count : found)
@@ -106,7 +106,7 @@ Run<D> onNodes(const Ranks& ranks)
   return run;
 }
 
-/// Mass and momentum along the first axis of the nodes that count here, by their places in cells.
+/// Mass and momentum along the first axis of the nodes that count here, by their positions in cells.
 template <int D>
 std::map<std::vector<long>, std::array<double, 2>> sumsOf(const State<D>& state)
 {
@@ -189,12 +189,12 @@ TEST(OnRanks, EveryCellHasOneOwner)
 {
   const Ranks ranks = allRanks();
   const Grid<2> lattice = makeGrid<2>({{0.0, 0.0}}, {{9.0, 5.0}}, 1.0);
-  std::vector<Vector<2>> places;
+  std::vector<Vector<2>> positions;
   for (int k = 0; k < 100; ++k)
-    places.push_back({2.0 * placeOf(ranks.rank() * 100 + k, 0), placeOf(k, 1)});
-  const Division<2> division = divide<2>(ranks, lattice, places);
+    positions.push_back({2.0 * positionOf(ranks.rank() * 100 + k, 0), positionOf(k, 1)});
+  const Division<2> division = divide<2>(ranks, lattice, positions);
   ASSERT_EQ(static_cast<int>(division.boxes.size()), ranks.size());
-  for (const Vector<2>& x : places)
+  for (const Vector<2>& x : positions)
   {
     int cell[2];
     division.cellAt(x, cell);

@@ -315,13 +315,13 @@ TEST(SceneMistakes, AllAreCollected)
            {"name=\"Cell Size\"", "name=\"Cell Sise\""}})
     scene.replace(scene.find(piece), piece.size(), by);
   const auto errors = read(scene, {"Output:Field=1"}).errors;
-  std::set<std::string> places;
+  std::set<std::string> positions;
   for (const auto& error : errors)
-    places.insert(error.where);
-  EXPECT_EQ(places,
+    positions.insert(error.where);
+  EXPECT_EQ(positions,
             (std::set<std::string>{"Materials > Steel > Youngs Modulus", "Materials > Steel > Density",
                                    "Materials > Steel > Poisson Ratio", "Time > Final Time",
                                    "Bodies > Plate > Lower Corner", "Bodies > Plate > Material",
                                    "Boundaries > Pull > Body", "Domain > Cell Sise", "Output > Field"}));
-  EXPECT_EQ(errors.size(), places.size()) << all(errors);
+  EXPECT_EQ(errors.size(), positions.size()) << all(errors);
 }

@@ -1,4 +1,4 @@
-#include "scene/PlaceFunction.hpp"
+#include "scene/PositionFunction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +13,7 @@ void expectRefused(const std::string& text, const std::string& piece)
 {
   try
   {
-    PlaceFunction::parse(text, 2);
+    PositionFunction::parse(text, 2);
     ADD_FAILURE() << "accepted: " << text;
   }
   catch (const std::invalid_argument& error)
@@ -25,28 +25,28 @@ void expectRefused(const std::string& text, const std::string& piece)
 
 } // namespace
 
-TEST(PlaceFunction, HasAnExpressionForEachAxis)
+TEST(PositionFunction, HasAnExpressionForEachAxis)
 {
-  const Vector<2> v = PlaceFunction::parse("2*x - y, max(x, y)", 2)(Vector<2>{{3.0, 5.0}});
+  const Vector<2> v = PositionFunction::parse("2*x - y, max(x, y)", 2)(Vector<2>{{3.0, 5.0}});
   EXPECT_EQ(v[0], 1.0);
   EXPECT_EQ(v[1], 5.0);
-  const Vector<3> w = PlaceFunction::parse("z, x, pi - pi", 3)(Vector<3>{{3.0, 5.0, 7.0}});
+  const Vector<3> w = PositionFunction::parse("z, x, pi - pi", 3)(Vector<3>{{3.0, 5.0, 7.0}});
   EXPECT_EQ(w[0], 7.0);
   EXPECT_EQ(w[1], 3.0);
   EXPECT_EQ(w[2], 0.0);
 }
 
-TEST(PlaceFunction, DefinesNamesOneAfterAnother)
+TEST(PositionFunction, DefinesNamesOneAfterAnother)
 {
-  const PlaceFunction f = PlaceFunction::parse("s = x*x + y*y; r = sqrt(s); x / r, r == 5", 2);
+  const PositionFunction f = PositionFunction::parse("s = x*x + y*y; r = sqrt(s); x / r, r == 5", 2);
   const Vector<2> v = f(Vector<2>{{3.0, 4.0}});
   EXPECT_EQ(v[0], 0.6);
   EXPECT_EQ(v[1], 1.0);
-  // Definitions follow the place.
+  // Definitions follow the position.
   EXPECT_EQ(f(Vector<2>{{0.0, 2.0}})[0], 0.0);
 }
 
-TEST(PlaceFunction, RefusesWhatIsNoFunctionOfPlace)
+TEST(PositionFunction, RefusesWhatIsNoFunctionOfPlace)
 {
   expectRefused("", "empty");
   expectRefused("r = x;", "empty");

@@ -1,11 +1,11 @@
 /// Manufactured solutions: a motion is chosen, the body force that it needs is put on the nodes, and the
-/// particles' places are compared with it on finer and finer cells.
+/// particles' positions are compared with it on finer and finer cells.
 ///
 /// Neo-Hookean, plane strain, density rho and Lame's constants; tau = lambda ln J 1 + mu (b - 1).
 ///
 /// Vortex (Kamojjala, Brannon, Sadeghirad and Guilkey, Eng. Comput. 31 (2015) 269): a ring, R in [3/4, 5/4],
 /// turns by alpha(R, t) = g(t) h(R), h = 1 - 32 (R - 1)^2 + 256 (R - 1)^4, which vanishes with its slope at
-/// both rims, g = G sin(pi t / T). In the polar directions of the present place F is 1 with s = R alpha'
+/// both rims, g = G sin(pi t / T). In the polar directions of the present position F is 1 with s = R alpha'
 /// below the diagonal, so tau has the shear mu s and the hoop stress mu s^2, J = 1, and the balance of
 /// momentum gives the force per mass
 ///
@@ -20,9 +20,9 @@
 ///
 /// Orders to expect: cells of linear functions give 2 in displacement, steps of leap frog 2 in time with dt ~
 /// h. GIMP's boxes tile a body that is stretched along the axes, so that the sum over particles is a midpoint
-/// rule of order 2; points cross cells, and the force then jumps by a share of the stress that does not fall
-/// with h: order below 1. A sheared box is no parallelogram here, so the vortex with a large twist is worse
-/// than order 2 with GIMP too.
+/// rule of order 2; points cross cells, and the force then jumps by a fraction of the stress that does not
+/// fall with h: order below 1. A sheared box is no parallelogram here, so the vortex with a large twist is
+/// worse than order 2 with GIMP too.
 
 #include "Bodies.hpp"
 
@@ -65,7 +65,7 @@ struct Vortex
   {
     return amplitude * pi * profile(norm(X)) * Vector<2>{{-X[1], X[0]}};
   }
-  /// Force per mass at a place now.
+  /// Force per mass at a position now.
   KOKKOS_INLINE_FUNCTION Vector<2> force(const Vector<2>& x, double t) const
   {
     const double R = norm(x), d = R - 1.0;

@@ -1,4 +1,4 @@
-/// When the books of a run say that it has come apart.
+/// When the energy balance of a run say that it has come apart.
 
 #include "step/EnergyWatch.hpp"
 
@@ -33,7 +33,7 @@ TEST(EnergyWatch, SaysNothingWhereTheBooksBalance)
   EnergyWatch watch;
   for (int k = 0; k < 100; ++k)
     watch.sample(holding(2.0 + (k % 2 == 0 ? 0.15 : -0.15)));
-  EXPECT_EQ(watch.trouble(), "");
+  EXPECT_EQ(watch.failure(), "");
   EXPECT_EQ(watch.warning(false, manySteps), "");
 }
 
@@ -43,24 +43,25 @@ TEST(EnergyWatch, StopsARunThatMakesEnergyAndNotForOneRoughSample)
   for (int k = 0; k < 2; ++k)
   {
     watch.sample(holding(30.0));
-    EXPECT_EQ(watch.trouble(), "");
+    EXPECT_EQ(watch.failure(), "");
   }
   watch.sample(holding(2.0));
   for (int k = 0; k < 2; ++k)
     watch.sample(holding(30.0));
-  EXPECT_EQ(watch.trouble(), "");
+  EXPECT_EQ(watch.failure(), "");
   watch.sample(holding(30.0));
-  EXPECT_NE(watch.trouble().find("energy of the bodies is 30 J, but at most 2 J was supplied"), std::string::npos)
-      << watch.trouble();
+  EXPECT_NE(watch.failure().find("energy of the bodies is 30 J, but at most 2 J was supplied"),
+            std::string::npos)
+      << watch.failure();
 }
 
 TEST(EnergyWatch, StopsWhereAnEnergyIsNoNumber)
 {
   EnergyWatch watch;
   watch.sample(holding(std::numeric_limits<double>::quiet_NaN()));
-  EXPECT_NE(watch.trouble().find("not finite"), std::string::npos);
-  EXPECT_EQ(watch.trouble().find("Sub-Cycling"), std::string::npos);
-  EXPECT_NE(watch.trouble(2).find("a smaller Time > CFL, fewer Sub-Cycling > Levels"), std::string::npos);
+  EXPECT_NE(watch.failure().find("not finite"), std::string::npos);
+  EXPECT_EQ(watch.failure().find("Sub-Cycling"), std::string::npos);
+  EXPECT_NE(watch.failure(2).find("a smaller Time > CFL, fewer Sub-Cycling > Levels"), std::string::npos);
 }
 
 TEST(EnergyWatch, TellsOfEnergyThatWasMadeOrLost)
@@ -68,7 +69,7 @@ TEST(EnergyWatch, TellsOfEnergyThatWasMadeOrLost)
   EnergyWatch made;
   made.sample(holding(2.5));
   made.sample(holding(2.0));
-  EXPECT_EQ(made.trouble(), "");
+  EXPECT_EQ(made.failure(), "");
   EXPECT_NE(made.warning(true, manySteps).find("gained 25 % more"), std::string::npos);
   EnergyWatch lost;
   lost.sample(holding(1.0));
@@ -94,7 +95,7 @@ TEST(EnergyWatch, RemembersTheMostThatWasGiven)
   ledger.kinetic = 5.0;
   for (int k = 0; k < 5; ++k)
     watch.sample(ledger);
-  EXPECT_EQ(watch.trouble(), "");
+  EXPECT_EQ(watch.failure(), "");
   EXPECT_EQ(watch.warning(false, manySteps), "");
 }
 

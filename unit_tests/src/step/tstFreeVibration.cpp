@@ -11,7 +11,7 @@
 ///     USL    v' = v - dt w0^2 u,   u' = u + dt (S v - dt w0^2 u)
 ///     USAVG  that of MUSL, of the strain s = (u + u') / 2 that a step ends with
 ///
-/// The first two and the last have the determinant 1: the energy is kept, its share that swings within a
+/// The first two and the last have the determinant 1: the energy is kept, its fraction that swings within a
 /// period aside, and sin(w dt / 2) = w0 sqrt(S) dt / 2. USL has the determinant 1 - (1 - S)(w0 dt)^2, which
 /// is what a step leaves of the energy. Against the continuum, w = pi c / L, the period is longer by (kh)^2
 /// (1/24 + 3/32) - (w dt)^2 / 24.

@@ -114,7 +114,7 @@ class Bodies : public testing::TestWithParam<Method>
 protected:
   static void check(const Flight& flight)
   {
-    // The case is worth something only if much has changed hands, cells and places in memory.
+    // The case is worth something only if much has changed hands, cells and positions in memory.
     EXPECT_GT(flight.exchange, 0.1);
     EXPECT_GT(flight.cells, 10.0);
     EXPECT_GT(flight.sorts, 5);

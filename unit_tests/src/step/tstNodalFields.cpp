@@ -35,7 +35,7 @@ void check(State<2>& state)
 {
   const NodalFieldTable<2>& fields = state.mesh.nodalFields;
   const auto kept = fields.scalar("kept"), interpolated = fields.scalar("interpolated");
-  const NodePlaces<2> places = nodePlaces(state);
+  const NodePositions<2> positions = nodePositions(state);
   const auto& foreign = state.mesh.nodes.foreign;
   seen.remeshed += fields.lastRemesh() == state.clock.step ? 1 : 0;
   seen.divided += seen.subdomain && seen.subdomain != state.mesh.subdomain &&
@@ -45,7 +45,7 @@ void check(State<2>& state)
   seen.subdomain = state.mesh.subdomain;
   for (int n = 0; n < state.mesh.nodes.numLattice; ++n)
   {
-    const double value = valueAt(places(n));
+    const double value = valueAt(positions(n));
     if (state.clock.step == 0)
       interpolated(n) = value;
     if (foreign.extent(0) == 0 || foreign(n) == 0)

@@ -64,7 +64,7 @@ bool has(const Simulation& simulation, const std::string& effect)
 }
 
 /// What is said against these effects; empty where they are taken.
-std::string complaint(const std::vector<std::string>& effects)
+std::string message(const std::vector<std::string>& effects)
 {
   try
   {
@@ -84,7 +84,7 @@ std::string complaint(const std::vector<std::string>& effects)
 TEST(OnRanks, RefusesEffectsThatKnowOneRankOnly)
 {
   const bool many = allRanks()->getSize() > 1;
-  const std::string alone = complaint({"Alone", "Anywhere"}), both = complaint({"Alone", "Apart"});
+  const std::string alone = message({"Alone", "Anywhere"}), both = message({"Alone", "Apart"});
   const std::string reason = ": such scenes run on one rank only; start the program without mpirun, or with "
                              "mpirun -np 1";
   EXPECT_EQ(alone, many ? "Alone" + reason : "");
@@ -93,6 +93,6 @@ TEST(OnRanks, RefusesEffectsThatKnowOneRankOnly)
 
 TEST(OnRanks, TakesEffectsThatKnowAllAndScenesWithoutThose)
 {
-  EXPECT_EQ(complaint({"Anywhere"}), "");
-  EXPECT_EQ(complaint({}), "");
+  EXPECT_EQ(message({"Anywhere"}), "");
+  EXPECT_EQ(message({}), "");
 }

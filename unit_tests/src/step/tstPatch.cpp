@@ -101,7 +101,7 @@ double residual(State<D>& state, const Vector<D>& lower, const Vector<D>& upper)
   return largest / stress;
 }
 
-/// The largest residual over many places of the body relative to the cells; the first is where it started.
+/// The largest residual over many positions of the body relative to the cells; the first is where it started.
 template <int D>
 double worstAfterDrift(const std::string& shape)
 {

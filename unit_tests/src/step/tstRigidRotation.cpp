@@ -103,8 +103,8 @@ protected:
   /// With W the spin and theta = w dt, a step multiplies F by 1 + dt W. In the plane of the turn W^T W = w^2
   /// and W + W^T = 0, so (1 + dt W)^T (1 + dt W) = 1 + theta^2: F^T F of n steps is (1 + theta^2)^n whatever
   /// the shape functions, which reproduce a linear velocity. A turn of n = 2 pi / theta steps stretches by
-  /// about exp(pi theta), and the places of the particles by just as much: the stress is that of the motion
-  /// made. The chord takes the stretch away.
+  /// about exp(pi theta), and the positions of the particles by just as much: the stress is that of the
+  /// motion made. The chord takes the stretch away.
   template <int D>
   void checkKernel(const std::string& shape)
   {
@@ -170,8 +170,8 @@ TEST_P(TurnInSpace, LeavesTheDerivedStretch)
 }
 
 /// A free square of half width R that spins, its rim at v = w R. Here the nodes' velocity is not linear at
-/// the rim: what the particles give a node there is the velocity of their mean place, 3/8 of a cell inside of
-/// it. The particles meet that misfit, 3/8 w h, with an elastic pulse of the stress rho c 3/8 w h whenever
+/// the rim: what the particles give a node there is the velocity of their mean position, 3/8 of a cell inside
+/// of it. The particles meet that misfit, 3/8 w h, with an elastic pulse of the stress rho c 3/8 w h whenever
 /// the rim enters other cells, about N = 2 pi R / h times a turn and out of step, so that the stress grows as
 /// a random walk: rho c (3/8) w h sqrt(N) after one turn, and as the square root of the turns after that.
 /// FLIP keeps such waves, and they are larger than the stress rho v^2 of the spin. The largest of a thousand

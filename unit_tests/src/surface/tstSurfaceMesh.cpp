@@ -112,10 +112,10 @@ TEST(SurfaceFiles, AreRefusedInASentence)
   const std::string ascii = asciiStl(square()), binary = binaryStl(square());
   expectPiece(refusal([&] { parseStl(ascii.substr(0, ascii.size() / 2)); }), "cut short");
   expectPiece(refusal([&] { parseStl(binary.substr(0, binary.size() - 7)); }), "cut short");
-  expectPiece(refusal([&] { parseStl(binary + std::string(50, 'x')); }), "there is room for");
+  expectPiece(refusal([&] { parseStl(binary + std::string(50, 'x')); }), "has space for");
   const std::string solid = "solid" + binary.substr(5);
   expectPiece(refusal([&] { parseStl(solid.substr(0, solid.size() - 7)); }), "it says that it has 2");
-  expectPiece(refusal([&] { parseStl(solid + std::string(50, 'x')); }), "there is room for");
+  expectPiece(refusal([&] { parseStl(solid + std::string(50, 'x')); }), "has space for");
   expectPiece(refusal([&] { parseStl(std::string(40, 'x')); }), "cut short");
   expectPiece(refusal([&] { parseStl("solid a\nfacet\nvertex 0 0\nendloop\nendsolid"); }), "triangle 1");
   expectPiece(refusal([&] { parseObj("v 0 0\n"); }), "line 1");

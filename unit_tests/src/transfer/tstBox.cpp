@@ -64,14 +64,14 @@ void checkStored()
   writeStencil<3, S>(grid, table, 1, x, half);
   constexpr int N = nodesPerAxis<S>;
   ASSERT_EQ(table.count(1), N * N * N);
-  double one = 0.0, place[3] = {}, slope[3][3] = {};
+  double one = 0.0, position[3] = {}, slope[3][3] = {};
   for (int k = 0; k < table.count(1); ++k)
   {
     const Vector<3> node = grid.nodePosition(table.node(1, k));
     one += table.weight(1, k);
     for (int d = 0; d < 3; ++d)
     {
-      place[d] += table.weight(1, k) * node[d];
+      position[d] += table.weight(1, k) * node[d];
       for (int e = 0; e < 3; ++e)
         slope[d][e] += table.slope(1, k, d) * node[e];
     }
@@ -79,7 +79,7 @@ void checkStored()
   EXPECT_NEAR(one, 1.0, 1e-14);
   for (int d = 0; d < 3; ++d)
   {
-    EXPECT_NEAR(place[d], x[d], 1e-14);
+    EXPECT_NEAR(position[d], x[d], 1e-14);
     for (int e = 0; e < 3; ++e)
       EXPECT_NEAR(slope[d][e], d == e ? 1.0 : 0.0, 1e-13);
   }
@@ -95,8 +95,8 @@ TEST(StencilTable, GrowsOnly)
 {
   StencilTable<2> table;
   table.reserve(100);
-  const int room = table.size();
-  EXPECT_GE(room, 100);
+  const int capacity = table.size();
+  EXPECT_GE(capacity, 100);
   table.reserve(10);
-  EXPECT_EQ(table.size(), room);
+  EXPECT_EQ(table.size(), capacity);
 }

@@ -60,7 +60,7 @@ void compare()
 {
   const Grid<D> grid = lattice<D>();
   std::mt19937 engine(11);
-  std::uniform_real_distribution<double> share(0.0, 1.0);
+  std::uniform_real_distribution<double> fraction(0.0, 1.0);
   StencilTable<D> table;
   table.reserve(2);
   int refined = 0;
@@ -74,11 +74,11 @@ void compare()
     {
       Vector<D> x, half{};
       for (int d = 0; d < D; ++d)
-        x[d] = grid.lower[d] + share(engine) * (grid.upper[d] - grid.lower[d]);
+        x[d] = grid.lower[d] + fraction(engine) * (grid.upper[d] - grid.lower[d]);
       // Up to half the edge of the leaf, as split particles have, and every fifth box a little more.
       const double most = (b % 5 == 0 ? 0.7 : 0.5) * sight.spacingAt(x);
       for (int d = 0; d < D && S == ShapeKind::Gimp; ++d)
-        half[d] = most * (0.01 + 0.99 * share(engine));
+        half[d] = most * (0.01 + 0.99 * fraction(engine));
       // A box that reaches into much smaller cells than its own, whose particle would be split, may not fit.
       const bool fits = writeTreeStencil(sight, table, 1, x, half);
       ASSERT_EQ(stencils.write(0, x, half), fits);
@@ -90,13 +90,13 @@ void compare()
   EXPECT_GT(refined, trees * boxesPerTree / 10);
 }
 
-/// Boxes that begin and end on faces of leaves, on middles of leaves or a rounding beside them.
+/// Boxes that begin and end on faces of leaves, on middles of leaves or a rounding next to them.
 template <int D>
 void compareOnFaces()
 {
   const Grid<D> grid = lattice<D>();
   std::mt19937 engine(13);
-  std::uniform_real_distribution<double> share(0.0, 1.0);
+  std::uniform_real_distribution<double> fraction(0.0, 1.0);
   StencilTable<D> table;
   table.reserve(2);
   int onFaces = 0;
@@ -110,7 +110,7 @@ void compareOnFaces()
     {
       Vector<D> x, half;
       for (int d = 0; d < D; ++d)
-        x[d] = grid.lower[d] + (0.1 + 0.8 * share(engine)) * (grid.upper[d] - grid.lower[d]);
+        x[d] = grid.lower[d] + (0.1 + 0.8 * fraction(engine)) * (grid.upper[d] - grid.lower[d]);
       const auto leaf = sight.leafAt(x);
       bool bothFaces = false;
       for (int d = 0; d < D; ++d)
@@ -122,9 +122,9 @@ void compareOnFaces()
                      end = leaf.corner[d] + 0.5 * to * leaf.edge;
         x[d] = grid.nodePosition(0)[d] + 0.5 * (begin + end) * grid.spacing;
         half[d] = 0.5 * (end - begin) * grid.spacing;
-        const int beside = static_cast<int>(engine() % 3) - 1;
-        if (beside != 0)
-          half[d] = std::nextafter(half[d], beside > 0 ? 1.0 : 0.0);
+        const int adjacent = static_cast<int>(engine() % 3) - 1;
+        if (adjacent != 0)
+          half[d] = std::nextafter(half[d], adjacent > 0 ? 1.0 : 0.0);
         bothFaces = bothFaces || (from == 0 && to == 2);
       }
       onFaces += bothFaces ? 1 : 0;

@@ -26,14 +26,14 @@ template <int D, class Act>
 double inBox(const State<D>& state, const Sponge<D>& sponge, const Act& act)
 {
   const Nodes<D> nodes = state.mesh.nodes;
-  const NodePlaces<D> positions = nodePlaces(state);
+  const NodePositions<D> positions = nodePositions(state);
   double sum = 0.0;
   Kokkos::parallel_reduce(
       "sponge::inBox", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i, double& all) {
         const int n = activeNode(nodes, i);
         const Vector<D> x = positions(latticeNode(nodes, n));
-        bool inside = countsHere(nodes, n);
+        bool inside = isOwnedByThisRank(nodes, n);
         for (int d = 0; d < D; ++d)
           inside = inside && x[d] >= sponge.lower[d] && x[d] <= sponge.upper[d];
         for (int d = 0; d < D && inside; ++d)
@@ -73,7 +73,7 @@ void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std:
       {Stage::BeforeSolve, "sponge", {quantity::nodalMass}, {}, {quantity::nodalForce}, [=](State<D>& state) {
          push(state, sponge);
        }});
-  parts.effect.call({stageOfWays(parts.scene),
+  parts.effect.call({stageOfFaceVelocity(parts.scene),
                      "work of the sponge",
                      {projectsLast(parts.scene) ? quantity::projection : quantity::nodalMotion},
                      {},

@@ -23,7 +23,7 @@ void push(const State<D>& state, double stiffness)
   Kokkos::parallel_for(
       "bristles::push", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()), KOKKOS_LAMBDA(const int i) {
         const int n = activeNode(nodes, i);
-        for (int d = 0; d < D && countsHere(nodes, n); ++d)
+        for (int d = 0; d < D && isOwnedByThisRank(nodes, n); ++d)
           nodes.sums(n, Nodes<D>::forceAt + d) -=
               stiffness * nodes.sums(n, Nodes<D>::massAt) * bent(latticeNode(nodes, n), d);
       });
@@ -45,7 +45,7 @@ double bend(const State<D>& state, double stiffness)
         for (int d = 0; d < D; ++d)
         {
           double& own = bent(latticeNode(nodes, n), d);
-          if (countsHere(nodes, n))
+          if (isOwnedByThisRank(nodes, n))
             sum -= dt * stiffness * nodes.sums(n, Nodes<D>::massAt) * own * velocity(n, d);
           own += dt * nodes.motion(n, d);
         }
@@ -67,7 +67,7 @@ Effect<D> makeBristles(const Teuchos::ParameterList& scene)
                {},
                {quantity::nodalForce},
                [=](State<D>& state) { push(state, stiffness); }});
-  effect.call({stageOfWays(scene),
+  effect.call({stageOfFaceVelocity(scene),
                "deflection of bristles",
                {projectsLast(scene) ? quantity::projection : quantity::nodalMotion},
                {},

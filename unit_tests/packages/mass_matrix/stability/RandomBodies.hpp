@@ -1,5 +1,5 @@
 #pragma once
-/// Bodies at random places and at angles to the lattice, shaken, and what they keep of their energy.
+/// Bodies at random positions and at angles to the lattice, shaken, and what they keep of their energy.
 
 #include "../../../src/step/Bodies.hpp"
 
@@ -21,10 +21,10 @@ namespace Test
 /// The defaults of the section Mass Matrix.
 struct Settings
 {
-  double lumpedShare = 0.1, smallestNode = 0.1, tolerance = 1e-7;
+  double lumpedFraction = 0.1, smallestNode = 0.1, tolerance = 1e-7;
 };
 
-/// Where a body lies: its middle beside a node of the lattice [cells], and its angle [degrees].
+/// Where a body lies: its middle next to a node of the lattice [cells], and its angle [degrees].
 struct Pose
 {
   Vector<2> offset;
@@ -36,7 +36,7 @@ constexpr int allSteps = 100000;
 constexpr int sampleEvery = 50;
 constexpr double length = 4.0, height = 2.0; ///< of a body [cells]
 /// Cells between the middles of bodies: none shares a node with another. A diagonal of 4.5, boxes of GIMP
-/// that reach 1.25 cells beyond particles to nodes on either side, and places that differ by up to 1.
+/// that reach 1.25 cells beyond particles to nodes on either side, and positions that differ by up to 1.
 constexpr double apart = 9.0;
 
 inline bool everything()
@@ -52,8 +52,8 @@ inline bool asksFor(double angle)
   return asked == "all" || std::stod(asked) == angle;
 }
 
-/// Bodies that are tried together: each day one at each of two angles, else as many as `places` at one angle.
-/// \param places at each angle
+/// Bodies that are tried together: each day one at each of two angles, else as many as `positions` at one
+/// angle. \param positions at each angle
 inline std::vector<std::vector<Pose>> poses(int places)
 {
   const std::vector<double> angles =
@@ -92,7 +92,7 @@ inline Teuchos::ParameterList bodiesScene(const std::string& type, const std::st
   mass.set("Type", type);
   if (type != "Lumped")
   {
-    mass.set("Lumped Fraction", settings.lumpedShare);
+    mass.set("Lumped Fraction", settings.lumpedFraction);
     mass.set("Minimum Node Mass", settings.smallestNode);
     mass.set("Solver Tolerance", settings.tolerance);
     mass.set("Maximum Iterations", 2000);
@@ -133,7 +133,7 @@ auto onHost(const View& view)
 struct Motion
 {
   double shaking = 1e-9;          ///< so little that no particle reaches another cell
-  Vector<2> flight = Vector<2>{}; ///< of all particles, beside the shaking
+  Vector<2> flight = Vector<2>{}; ///< of all particles, next to the shaking
 };
 
 /// Random velocities of the particles: every motion that they have is there, but bodies do not spin, and fly
@@ -201,7 +201,7 @@ inline std::vector<double> strainEnergies(const State<2>& state, std::size_t bod
   return sum;
 }
 
-/// The velocity of each particle beside that of the flight, by the numbers that particles keep.
+/// The velocity of each particle next to that of the flight, by the numbers that particles keep.
 inline std::vector<Vector<2>> velocities(const State<2>& state, const Vector<2>& flight)
 {
   const HostParticles<2> particles(state);
@@ -236,9 +236,9 @@ inline std::vector<double> energiesOfStep(Rhegma::Run<2>& run, std::size_t bodie
 
 constexpr int parts = 10;
 
-/// Of each body the mean energy over each tenth of the steps, beside that over the first; infinite where the
-/// run stops, or where a body's energy grows a hundredfold on the way. Means, as beside a crack the energy of
-/// single steps wavers.
+/// Of each body the mean energy over each tenth of the steps, next to that over the first; infinite where the
+/// run stops, or where a body's energy grows a hundredfold on the way. Means, as next to a crack the energy
+/// of single steps wavers.
 using History = std::vector<std::array<double, parts>>;
 
 inline History follow(const Teuchos::ParameterList& scene, std::size_t bodies, int steps,

@@ -1,4 +1,4 @@
-/// Full and Partial in cells of three sizes, for bodies at random places and at angles to the lattice. As
+/// Full and Partial in cells of three sizes, for bodies at random positions and at angles to the lattice. As
 /// tstStability.cpp, with a tenth of its steps.
 
 #include "../Refined.hpp"
@@ -44,7 +44,7 @@ protected:
 
 } // namespace
 
-/// Solves may add or take the tolerance in a step, and beside a crack the energy of single steps wavers: in
+/// Solves may add or take the tolerance in a step, and next to a crack the energy of single steps wavers: in
 /// equal cells as much as 0.4 %, in the mean of a tenth of the steps.
 TEST_P(RefinedStability, KeepsEnergy)
 {
@@ -62,11 +62,11 @@ TEST_P(RefinedStability, KeepsEnergy)
   }
 }
 
-/// Neither a lumped share nor a smallest node.
+/// Neither a lumped fraction nor a smallest node.
 TEST_P(RefinedStability, GrowsWithoutTheCures)
 {
   Settings none;
-  none.lumpedShare = none.smallestNode = 0.0;
+  none.lumpedFraction = none.smallestNode = 0.0;
   int grown = 0, tried = 0;
   for (const std::vector<Pose>& bodies : poses(everything() ? 20 : 10))
     for (const Pose& pose : bodies)

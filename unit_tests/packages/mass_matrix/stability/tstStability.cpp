@@ -1,9 +1,10 @@
-/// Full and Partial over 100,000 steps, for bodies at random places and at angles to the lattice.
+/// Full and Partial over 100,000 steps, for bodies at random positions and at angles to the lattice.
 ///
-/// Every day two bodies are tried. RHEGMA_STABILITY=all in the environment makes it twenty places at each of
-/// five angles, one angle after the other (RHEGMA_STABILITY=11 those at 11 degrees alone); what each has kept
-/// is printed as soon as it is known. Bodies are no larger than is needed for cells that the boundary cuts on
-/// all four sides at any place, and for the edge of the zone that Partial unlumps to lie within them.
+/// Every day two bodies are tried. RHEGMA_STABILITY=all in the environment makes it twenty positions at each
+/// of five angles, one angle after the other (RHEGMA_STABILITY=11 those at 11 degrees alone); what each has
+/// kept is printed as soon as it is known. Bodies are no larger than is needed for cells that the boundary
+/// cuts on all four sides at any position, and for the edge of the zone that Partial unlumps to lie within
+/// them.
 
 #include "RandomBodies.hpp"
 
@@ -46,11 +47,11 @@ TEST_P(MassStability, KeepsEnergy)
   }
 }
 
-/// Bodies with neither a lumped share nor a smallest node, one by one; every day until one grows.
+/// Bodies with neither a lumped fraction nor a smallest node, one by one; every day until one grows.
 TEST_P(MassStability, GrowsWithoutTheCures)
 {
   Settings none;
-  none.lumpedShare = none.smallestNode = 0.0;
+  none.lumpedFraction = none.smallestNode = 0.0;
   int grown = 0, tried = 0;
   for (const std::vector<Pose>& bodies : poses(everything() ? 20 : 10))
     for (const Pose& pose : bodies)
@@ -70,7 +71,7 @@ TEST_P(MassStability, GrowsWithoutTheCures)
 TEST(MassWithoutCures, StopsWhereACrackIsFlungAway)
 {
   Settings none;
-  none.lumpedShare = none.smallestNode = 0.0;
+  none.lumpedFraction = none.smallestNode = 0.0;
   const Pose pose{Vector<2>{{0.21497922217155768, 0.15703111183739796}}, 11.0};
   Rhegma::Run<2> run(validated(bodiesScene("Partial", "Linear", {pose}, none)));
   run.initialize();

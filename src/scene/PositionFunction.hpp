@@ -1,5 +1,5 @@
 #pragma once
-/// A vector that the user gives as a function of place.
+/// A vector that the user gives as a function of position.
 
 #include "base/Types.hpp"
 
@@ -13,12 +13,12 @@ namespace Rhegma
 /// that they share are defined before, each with a semicolon: "r = sqrt(x*x + y*y); x / r, y / r".
 ///
 /// Copies share one parser, so a function belongs to one thread at a time.
-class PlaceFunction
+class PositionFunction
 {
 public:
   /// \param axes how many expressions there must be
   /// \throws std::invalid_argument with one sentence on what is wrong with the text
-  static PlaceFunction parse(const std::string& text, int axes);
+  static PositionFunction parse(const std::string& text, int axes);
 
   /// In 2D z is 0.
   template <int D>
@@ -40,7 +40,7 @@ public:
 
 private:
   struct Form;
-  explicit PlaceFunction(std::shared_ptr<const Form> form);
+  explicit PositionFunction(std::shared_ptr<const Form> form);
   void evaluate(const double* place, int dimension, int axes, double* value) const;
   std::shared_ptr<const Form> m_form;
 };

@@ -9,7 +9,7 @@ namespace Rhegma::energy_release
 {
 
 /// A particle near a front and the unbroken shape functions of the nodes around it.
-struct PatchParticle
+struct ParticleAroundTip
 {
   static constexpr int capacity = stencilCapacity<2>;
   Vector<2> place;
@@ -27,6 +27,7 @@ struct PatchParticle
 
 /// Particles within `radius` of a front, on the host: on every rank those of all. Their nodes have the
 /// numbers of the whole lattice. Collective.
-std::vector<PatchParticle> particlesAround(const State<2>& state, const CrackFront<2>& front, double radius);
+std::vector<ParticleAroundTip> particlesAround(const State<2>& state, const CrackFront<2>& front,
+                                               double radius);
 
 } // namespace Rhegma::energy_release

@@ -1,4 +1,4 @@
-#include "scene/PlaceFunction.hpp"
+#include "scene/PositionFunction.hpp"
 
 #include "base/Numbers.hpp"
 #include "base/PairTable.hpp"
@@ -18,9 +18,9 @@ const std::string advice = " Write one expression of x, y, z for each axis, such
 
 } // namespace
 
-struct PlaceFunction::Form
+struct PositionFunction::Form
 {
-  /// A definition, or last the expressions themselves; parsers hold the addresses of places and values.
+  /// A definition, or last the expressions themselves; parsers hold the addresses of positions and values.
   struct Piece
   {
     std::string name;
@@ -83,9 +83,9 @@ struct PlaceFunction::Form
   }
 };
 
-PlaceFunction::PlaceFunction(std::shared_ptr<const Form> form) : m_form(std::move(form)) {}
+PositionFunction::PositionFunction(std::shared_ptr<const Form> form) : m_form(std::move(form)) {}
 
-PlaceFunction PlaceFunction::parse(const std::string& text, int axes)
+PositionFunction PositionFunction::parse(const std::string& text, int axes)
 {
   const auto form = std::make_shared<Form>();
   std::size_t begin = 0;
@@ -98,10 +98,10 @@ PlaceFunction PlaceFunction::parse(const std::string& text, int axes)
   if (last.empty())
     throw std::invalid_argument("the function of position is empty." + advice);
   form->add("", last, axes);
-  return PlaceFunction(form);
+  return PositionFunction(form);
 }
 
-void PlaceFunction::evaluate(const double* place, int dimension, int axes, double* value) const
+void PositionFunction::evaluate(const double* place, int dimension, int axes, double* value) const
 {
   for (int d = 0; d < dimension; ++d)
     m_form->place[d] = place[d];

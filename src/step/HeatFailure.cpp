@@ -1,4 +1,4 @@
-#include "step/HeatTrouble.hpp"
+#include "step/HeatFailure.hpp"
 
 #include "base/Numbers.hpp"
 
@@ -6,7 +6,7 @@ namespace Rhegma
 {
 
 template <int D>
-std::string heatTrouble(const State<D>& state)
+std::string heatFailure(const State<D>& state)
 {
   if (state.materials.thermo.empty() || !state.particles.has(fields::temperature))
     return {};
@@ -31,7 +31,7 @@ std::string heatTrouble(const State<D>& state)
   return {};
 }
 
-template std::string heatTrouble(const State<2>&);
-template std::string heatTrouble(const State<3>&);
+template std::string heatFailure(const State<2>&);
+template std::string heatFailure(const State<3>&);
 
 } // namespace Rhegma

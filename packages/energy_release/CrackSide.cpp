@@ -1,4 +1,4 @@
-#include "energy_release/CrackLine.hpp"
+#include "energy_release/CrackSide.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -13,7 +13,7 @@ double cross(const Vector<2>& a, const Vector<2>& b) { return a[0] * b[1] - a[1]
 
 } // namespace
 
-CrackLine::CrackLine(const CrackSet<2>& cracks, const CrackFront<2>& front) : front_(front)
+CrackSide::CrackSide(const CrackSet<2>& cracks, const CrackFront<2>& front) : front_(front)
 {
   if (front.crack >= static_cast<int>(cracks.cracks.size()) || cracks.vertex.extent(0) == 0)
     return;
@@ -30,7 +30,7 @@ CrackLine::CrackLine(const CrackSet<2>& cracks, const CrackFront<2>& front) : fr
   }
 }
 
-int CrackLine::side(const Vector<2>& x) const
+int CrackSide::side(const Vector<2>& x) const
 {
   const Vector<2> from = x - front_.position;
   double nearest = std::numeric_limits<double>::infinity();
@@ -41,8 +41,8 @@ int CrackLine::side(const Vector<2>& x) const
   {
     const Vector<2> along = s.end - s.begin;
     const double square = dot(along, along);
-    const double share = square > 0.0 ? std::clamp(dot(x - s.begin, along) / square, 0.0, 1.0) : 0.0;
-    const double r = norm(x - (s.begin + share * along));
+    const double fraction = square > 0.0 ? std::clamp(dot(x - s.begin, along) / square, 0.0, 1.0) : 0.0;
+    const double r = norm(x - (s.begin + fraction * along));
     if (r < nearest)
     {
       nearest = r;

@@ -1,4 +1,4 @@
-#include "energy_release/CrackWay.hpp"
+#include "energy_release/CrackPath.hpp"
 
 namespace Rhegma::energy_release
 {
@@ -12,18 +12,18 @@ constexpr double straight = 0.9945;
 
 } // namespace
 
-CrackWay wayOf(const State<2>& state, const CrackFront<2>& front, double radius)
+CrackPath crackPathBehind(const State<2>& state, const CrackFront<2>& front, double radius)
 {
   const CrackSet<2>& set = state.cracks;
   const Crack<2>& crack = set.cracks[front.crack];
-  CrackWay way;
+  CrackPath path;
   if (crack.numSimplices == 0)
-    return way;
-  way.vertex = set.vertex;
-  way.simplex = set.simplex;
-  way.tip = front.position;
-  way.direction = front.direction;
-  way.forwards = front.vertex != crack.firstVertex;
+    return path;
+  path.vertex = set.vertex;
+  path.simplex = set.simplex;
+  path.tip = front.position;
+  path.direction = front.direction;
+  path.forwards = front.vertex != crack.firstVertex;
   const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.vertex);
   const auto at = [&](int v) { return Vector<2>{{vertex(v, 0), vertex(v, 1)}}; };
   bool turns = false;
@@ -31,18 +31,18 @@ CrackWay wayOf(const State<2>& state, const CrackFront<2>& front, double radius)
   double behind = 0.0; // vertices of a crack follow each other
   while (count < crack.numSimplices && behind < 1.5 * radius)
   {
-    const int from = way.forwards ? front.vertex - count : front.vertex + count;
-    const Vector<2> along = at(from) - at(way.forwards ? from - 1 : from + 1);
+    const int from = path.forwards ? front.vertex - count : front.vertex + count;
+    const Vector<2> along = at(from) - at(path.forwards ? from - 1 : from + 1);
     const double length = norm(along);
     turns = turns || dot(along, front.direction) < straight * length;
     behind += length;
     ++count;
   }
   if (!turns)
-    return way;
-  way.count = count;
-  way.first = way.forwards ? crack.firstSimplex + crack.numSimplices - count : crack.firstSimplex;
-  return way;
+    return path;
+  path.count = count;
+  path.first = path.forwards ? crack.firstSimplex + crack.numSimplices - count : crack.firstSimplex;
+  return path;
 }
 
 } // namespace Rhegma::energy_release

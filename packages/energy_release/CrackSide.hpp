@@ -1,5 +1,5 @@
 #pragma once
-/// On which side of a crack a place lies.
+/// On which side of a crack a position lies.
 
 #include "state/CrackSet.hpp"
 
@@ -9,10 +9,10 @@ namespace Rhegma::energy_release
 {
 
 /// A crack of a 2D scene as seen from one of its fronts; ahead of the front it goes straight on.
-class CrackLine
+class CrackSide
 {
 public:
-  CrackLine(const CrackSet<2>& cracks, const CrackFront<2>& front);
+  CrackSide(const CrackSet<2>& cracks, const CrackFront<2>& front);
 
   /// -1 or +1.
   int side(const Vector<2>& x) const;

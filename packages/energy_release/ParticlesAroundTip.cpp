@@ -1,6 +1,6 @@
-#include "energy_release/TipPatch.hpp"
+#include "energy_release/ParticlesAroundTip.hpp"
 
-#include "energy_release/CrackLine.hpp"
+#include "energy_release/CrackSide.hpp"
 #include "energy_release/WholeNodes.hpp"
 #include "state/Subdomain.hpp"
 #include "transfer/TreeStencil.hpp"
@@ -14,7 +14,7 @@ namespace Rhegma::energy_release
 namespace
 {
 
-/// Numbers of one particle that the host needs: place, displacement, mass, volume, four stresses.
+/// Numbers of one particle that the host needs: position, displacement, mass, volume, four stresses.
 constexpr int rowWidth = 10;
 
 View<int*> listParticles(const State<2>& state, const Vector<2>& centre, double radius)
@@ -106,14 +106,14 @@ std::vector<int> namedSides(const State<2>& state, const View<int*>& list)
 }
 
 /// Numbers of a particle as ranks tell them to each other.
-constexpr int toldWidth = 13 + 4 * PatchParticle::capacity;
+constexpr int reportedWidth = 13 + 4 * ParticleAroundTip::capacity;
 
-void tell(const PatchParticle& p, std::vector<double>& numbers)
+void report(const ParticleAroundTip& p, std::vector<double>& numbers)
 {
   numbers.insert(numbers.end(), {p.place[0], p.place[1], p.displacement[0], p.displacement[1], p.mass,
                                  p.density, p.fromFront, p.force[0][0], p.force[0][1], p.force[1][0],
                                  p.force[1][1], double(p.side), double(p.count)});
-  for (int k = 0; k < PatchParticle::capacity; ++k)
+  for (int k = 0; k < ParticleAroundTip::capacity; ++k)
   {
     const bool has = k < p.count;
     numbers.insert(numbers.end(), {has ? double(p.node[k]) : 0.0, has ? p.weight[k] : 0.0,
@@ -121,9 +121,9 @@ void tell(const PatchParticle& p, std::vector<double>& numbers)
   }
 }
 
-PatchParticle hear(const double* at)
+ParticleAroundTip hear(const double* at)
 {
-  PatchParticle p;
+  ParticleAroundTip p;
   p.place = {{at[0], at[1]}};
   p.displacement = {{at[2], at[3]}};
   p.mass = at[4];
@@ -144,22 +144,23 @@ PatchParticle hear(const double* at)
 }
 
 /// The particles of all ranks, on every rank.
-std::vector<PatchParticle> ofAllRanks(const Ranks& ranks, const std::vector<PatchParticle>& own)
+std::vector<ParticleAroundTip> ofAllRanks(const Ranks& ranks, const std::vector<ParticleAroundTip>& own)
 {
   std::vector<double> numbers;
-  numbers.reserve(own.size() * toldWidth);
-  for (const PatchParticle& p : own)
-    tell(p, numbers);
+  numbers.reserve(own.size() * reportedWidth);
+  for (const ParticleAroundTip& p : own)
+    report(p, numbers);
   numbers = ranks.gatherOnAll(numbers);
-  std::vector<PatchParticle> all;
-  for (std::size_t at = 0; at < numbers.size(); at += toldWidth)
+  std::vector<ParticleAroundTip> all;
+  for (std::size_t at = 0; at < numbers.size(); at += reportedWidth)
     all.push_back(hear(&numbers[at]));
   return all;
 }
 
 } // namespace
 
-std::vector<PatchParticle> particlesAround(const State<2>& state, const CrackFront<2>& front, double radius)
+std::vector<ParticleAroundTip> particlesAround(const State<2>& state, const CrackFront<2>& front,
+                                               double radius)
 {
   const View<int*> list = listParticles(state, front.position, radius);
   const auto row = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, gatherRows(state, list));
@@ -171,13 +172,13 @@ std::vector<PatchParticle> particlesAround(const State<2>& state, const CrackFro
   const auto weight = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.weight);
   const auto slope = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.slope);
   const std::vector<int> named = namedSides(state, list);
-  const CrackLine line(state.cracks, front);
+  const CrackSide line(state.cracks, front);
   const WholeNodes whole(state);
 
-  std::vector<PatchParticle> particles(list.extent(0));
+  std::vector<ParticleAroundTip> particles(list.extent(0));
   for (std::size_t i = 0; i < particles.size(); ++i)
   {
-    PatchParticle& p = particles[i];
+    ParticleAroundTip& p = particles[i];
     for (int d = 0; d < 2; ++d)
     {
       p.place[d] = row(i, d);

@@ -1,7 +1,7 @@
 #include "../cracks/CubeScene.hpp"
 
 #include "energy_release/CrackTipFields.hpp"
-#include "energy_release/FacePressureInSpace.hpp"
+#include "energy_release/FacePressureWork.hpp"
 #include "energy_release/FrontIntegral.hpp"
 #include "energy_release/FrontOpening.hpp"
 #include "material/Materials.hpp"
@@ -140,7 +140,7 @@ void openFaces(State<3>& state, const Intensities& K)
 
 /// Every front node of a straight front, those at the surface included: no traction of the field does work
 /// there on a shift along the crack.
-TEST(FrontsInSpace, FindTheReleaseOfOpeningAndSliding)
+TEST(Fronts3D, FindTheReleaseOfOpeningAndSliding)
 {
   const auto run = straightFront();
   const Intensities K{smallK.modeI, smallK.modeII, 0.0};
@@ -151,7 +151,7 @@ TEST(FrontsInSpace, FindTheReleaseOfOpeningAndSliding)
 }
 
 /// Antiplane shear has a traction on the surface: only front nodes whose hat ends inside are its.
-TEST(FrontsInSpace, FindTheReleaseOfAllModes)
+TEST(Fronts3D, FindTheReleaseOfAllModes)
 {
   const auto run = straightFront();
   const FrontLine line = lineOf(run->state().cracks.fronts.at(0));
@@ -171,7 +171,7 @@ TEST(FrontsInSpace, FindTheReleaseOfAllModes)
 /// front is not quite where it is thought to be moves feet on it by up to 0.25 sin(atan(1/4)) = 0.06 of a
 /// cell, where the hat of the front node is one cell wide in the mean. A shift through the surface makes 0.1
 /// of J.
-TEST(FrontsInSpace, ShiftNothingThroughTheSurfaceBehindAPieceThatLeans)
+TEST(Fronts3D, ShiftNothingThroughTheSurfaceBehindAPieceThatLeans)
 {
   const auto run = straightFront();
   State<3>& state = run->state();
@@ -203,7 +203,7 @@ TEST(FrontsInSpace, ShiftNothingThroughTheSurfaceBehindAPieceThatLeans)
 /// What a pressure releases where the faces open as Williams has it: int p [u_n] dr over the ramp, as q falls
 /// there. The cells cut the ramp's corners by a quarter of their edge times its slope, within which the
 /// opening changes by its slope: h^2 / (8 r) of it over a ramp as long as r, at both corners at most.
-TEST(FrontsInSpace, FindTheReleaseByAPressure)
+TEST(Fronts3D, FindTheReleaseByAPressure)
 {
   const auto run = straightFront();
   State<3>& state = run->state();
@@ -236,7 +236,7 @@ TEST(FrontsInSpace, FindTheReleaseByAPressure)
 }
 
 /// A plane wave in a body whose crack it does not feel releases nothing, if both terms of inertia are there.
-TEST(FrontsInSpace, FindNothingInAWave)
+TEST(Fronts3D, FindNothingInAWave)
 {
   const auto run = straightFront();
   State<3>& state = run->state();
@@ -269,7 +269,7 @@ TEST(FrontsInSpace, FindNothingInAWave)
 }
 
 /// A body turned as a whole has what it had.
-TEST(FrontsInSpace, AreTheSameWhenEverythingTurns)
+TEST(Fronts3D, AreTheSameWhenEverythingTurns)
 {
   const auto run = straightFront();
   State<3>& state = run->state();
@@ -295,7 +295,7 @@ TEST(FrontsInSpace, AreTheSameWhenEverythingTurns)
 }
 
 /// The ratios of the openings' roots, and, as the faces have them exactly, their size.
-TEST(FrontsInSpace, ShareModesByTheOpenings)
+TEST(Fronts3D, ShareModesByTheOpenings)
 {
   const auto run = straightFront();
   State<3>& state = run->state();
@@ -317,7 +317,7 @@ TEST(FrontsInSpace, ShareModesByTheOpenings)
   EXPECT_EQ(scaleTo(all[0], -1.0, e).modeI, 0.0);
 }
 
-TEST(FrontsInSpace, KnowHowMuchTheyAreCurved)
+TEST(Fronts3D, KnowHowMuchTheyAreCurved)
 {
   Teuchos::ParameterList scene = blockScene({16e-3, 16e-3, 10e-3});
   const double radius = 5e-3;
@@ -327,7 +327,7 @@ TEST(FrontsInSpace, KnowHowMuchTheyAreCurved)
   ASSERT_EQ(line.loop.size(), 1u);
   EXPECT_NEAR(line.loop[0], 32 * 2.0 * radius * std::sin(pi / 32), 1e-12);
   EXPECT_NEAR(radiusOfCurvature(line, cell), radius, 1e-9);
-  // A front node that points 15 degrees aside, as beside one that lies behind, hardly is curvature: a third
+  // A front node that points 15 degrees aside, as next to one that lies behind, hardly is curvature: a third
   // of its turn counts, which over 3 cells or more has the sagitta of a circle of 3 / (2 sin(5 degrees))
   // = 17.2 cells, where the front node alone has that of one of 5.8 cells.
   FrontLine aside = line;
@@ -336,29 +336,29 @@ TEST(FrontsInSpace, KnowHowMuchTheyAreCurved)
   way = std::cos(pi / 12.0) * way + std::sin(pi / 12.0) * other;
   EXPECT_GT(radiusOfCurvature(aside, cell), 1.0 / (1.0 / radius + 1.0 / (17.2 * cell)));
   // Room up to the surface: the nodes on it are less than half covered.
-  EXPECT_GT(roomAround(penny->state(), penny->state().cracks.fronts.at(0), line, 6e-3), 2.2e-3);
-  EXPECT_LE(roomAround(penny->state(), penny->state().cracks.fronts.at(0), line, 6e-3), 3.2e-3);
+  EXPECT_GT(clearAround(penny->state(), penny->state().cracks.fronts.at(0), 6e-3), 2.2e-3);
+  EXPECT_LE(clearAround(penny->state(), penny->state().cracks.fronts.at(0), 6e-3), 3.2e-3);
   const auto straight = straightFront();
   const FrontLine open = lineOf(straight->state().cracks.fronts.at(0));
   EXPECT_EQ(open.loop, std::vector<double>{0.0});
   EXPECT_TRUE(std::isinf(radiusOfCurvature(open, cell)) || radiusOfCurvature(open, cell) > 1e3);
-  double share = 0.0;
+  double fraction = 0.0;
   for (const FrontNode<3>& frontNode : open.nodes)
-    share += frontNode.tributaryLength;
-  EXPECT_NEAR(share, depth, 1e-12);
+    fraction += frontNode.tributaryLength;
+  EXPECT_NEAR(fraction, depth, 1e-12);
 }
 
 /// What docs/theory.md says of the tube.
-TEST(FrontsInSpace, HaveATubeOfTwoAndAHalfToFiveCells)
+TEST(Fronts3D, HaveATubeOfTwoAndAHalfToFiveCells)
 {
-  const ContourRadii radii = usualRadii(radiiInSpace(), cell);
+  const ContourRadii radii = usualRadii(usualCells<3>(), cell);
   EXPECT_DOUBLE_EQ(radii.inner, 2.5 * cell);
   EXPECT_DOUBLE_EQ(radii.outer, 5.0 * cell);
   // The block is 12 cells wide and the front 6.3 and 6.2 cells off its corner, so that there is room for it,
   // but not for much more.
   const auto straight = straightFront();
   const CrackFront<3>& front = straight->state().cracks.fronts.at(0);
-  const FrontTube fitting = fittingTube(straight->state(), front, lineOf(front), radiiInSpace());
+  const FrontTube fitting = fittingTube(straight->state(), front, usualCells<3>());
   EXPECT_DOUBLE_EQ(fitting.radii.outer, radii.outer);
   EXPECT_DOUBLE_EQ(fitting.radii.inner, radii.inner);
   EXPECT_DOUBLE_EQ(fitting.halfWidth, 2.0 * cell);

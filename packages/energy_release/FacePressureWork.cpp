@@ -1,4 +1,4 @@
-#include "energy_release/FacePressureInSpace.hpp"
+#include "energy_release/FacePressureWork.hpp"
 
 #include "geometry/Cross.hpp"
 #include "state/Subdomain.hpp"
@@ -19,7 +19,7 @@ namespace
 /// Parts of a triangle's edge into which it is cut: the cells' functions bend within it.
 constexpr int partsOfEdge = 4;
 
-/// What acts on a place: force on a node there, by the gradient of that node's weight [N].
+/// What acts on a position: force on a node there, by the gradient of that node's weight [N].
 struct Share
 {
   Vector<3> place, force;
@@ -39,8 +39,8 @@ public:
   {
   }
 
-  /// Adds the shares of triangle s, unless it is further from the front than `reach`.
-  void add(int s, std::vector<Share>& shares) const
+  /// Adds the fractions of triangle s, unless it is further from the front than `reach`.
+  void add(int s, std::vector<Share>& fractions) const
   {
     Vector<3> corner[3];
     double square[3], nearest = 1e300; // of the opening along the normal, with its sign
@@ -61,13 +61,13 @@ public:
       return;
     const Vector<3> area = cross(corner[1] - corner[0], corner[2] - corner[0]);
     const Vector<3> normal = (1.0 / norm(area)) * area;
-    const int first = static_cast<int>(shares.size());
+    const int first = static_cast<int>(fractions.size());
     const auto number = [&](int i, int j) { return first + i * (partsOfEdge + 1) - i * (i - 1) / 2 + j; };
     for (int i = 0; i <= partsOfEdge; ++i)
       for (int j = 0; i + j <= partsOfEdge; ++j)
       {
         const double a = double(i) / partsOfEdge, b = double(j) / partsOfEdge;
-        shares.push_back({(1.0 - a - b) * corner[0] + a * corner[1] + b * corner[2], {0.0, 0.0, 0.0}});
+        fractions.push_back({(1.0 - a - b) * corner[0] + a * corner[1] + b * corner[2], {0.0, 0.0, 0.0}});
       }
     // Near a front the opening is no line but a root, and that of an ellipse is nowhere one: its square is
     // smooth, so that is interpolated.
@@ -77,8 +77,8 @@ public:
       const double force = 0.5 * pressure_(s) * std::copysign(std::sqrt(std::fabs(mean)), mean);
       for (int i = 0; i < 3; ++i)
       {
-        const Vector<3> opposite = shares[part[(i + 2) % 3]].place - shares[part[(i + 1) % 3]].place;
-        shares[part[i]].force = shares[part[i]].force + force * cross(normal, opposite);
+        const Vector<3> opposite = fractions[part[(i + 2) % 3]].place - fractions[part[(i + 1) % 3]].place;
+        fractions[part[i]].force = fractions[part[i]].force + force * cross(normal, opposite);
       }
     };
     constexpr double third = 1.0 / (3.0 * partsOfEdge);
@@ -150,33 +150,34 @@ void addForceOfPressure(const State<3>& state, int crack, const FrontLine& line,
   // Functions of nodes in the tube reach two of the largest cells further.
   const PressedTriangles triangles(state.cracks, line, tube.radii.outer + 2.0 * state.mesh.grid.spacing);
   const Crack<3>& own = state.cracks.cracks[crack];
-  std::vector<Share> shares;
+  std::vector<Share> fractions;
   for (int s = own.firstSimplex; s < own.firstSimplex + own.numSimplices; ++s)
-    triangles.add(s, shares);
+    triangles.add(s, fractions);
 
   ObservedPoints<3> points;
   points.onAllRanks = true;
-  points.count = static_cast<int>(shares.size());
+  points.count = static_cast<int>(fractions.size());
   points.position = View<double* [3]>("rhegma::pressedPosition", points.count);
   points.half = View<double* [3]>("rhegma::pressedHalf", points.count);
   points.side = View<int*>("rhegma::pressedSide", points.count); // q is the same for both fields of a node
-  const View<double* [3]> share("rhegma::pressedShare", points.count);
-  const auto position = Kokkos::create_mirror_view(points.position), host = Kokkos::create_mirror_view(share);
+  const View<double* [3]> fraction("rhegma::pressedShare", points.count);
+  const auto position = Kokkos::create_mirror_view(points.position),
+             host = Kokkos::create_mirror_view(fraction);
   for (int k = 0; k < points.count; ++k)
     for (int d = 0; d < 3; ++d)
     {
-      position(k, d) = shares[k].place[d];
-      host(k, d) = shares[k].force[d];
+      position(k, d) = fractions[k].place[d];
+      host(k, d) = fractions[k].force[d];
     }
   Kokkos::deep_copy(points.position, position);
-  Kokkos::deep_copy(share, host);
+  Kokkos::deep_copy(fraction, host);
   StencilTable<3> table;
   pointStencils(state, points, table, false);
   forEachPushing(
       "rhegma::configurationalForceOfPressure", points.count, KOKKOS_LAMBDA(const int k) {
         for (int e = 0; e < table.count(k); ++e)
           for (int d = 0; d < 3; ++d)
-            Kokkos::atomic_add(&force(table.node(k, e), d), table.weight(k, e) * share(k, d));
+            Kokkos::atomic_add(&force(table.node(k, e), d), table.weight(k, e) * fraction(k, d));
       });
 }
 

@@ -1,4 +1,4 @@
-#include "propagation/FrontShape.hpp"
+#include "measure/FrontShape.hpp"
 
 #include "geometry/Cross.hpp"
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-namespace Rhegma::propagation
+namespace Rhegma::measure
 {
 
 namespace
@@ -96,4 +96,4 @@ Shape shapeOf(const CrackFront<3>& front, const Circle& circle)
   return shape;
 }
 
-} // namespace Rhegma::propagation
+} // namespace Rhegma::measure

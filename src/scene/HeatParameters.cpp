@@ -1,4 +1,4 @@
-#include "scene/HeatWords.hpp"
+#include "scene/HeatParameters.hpp"
 
 #include "material/ThermoMaterials.hpp"
 

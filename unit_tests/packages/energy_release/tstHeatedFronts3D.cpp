@@ -50,7 +50,7 @@ auto releaseIn(const State<3>& state)
 /// Cooled evenly, the plate holds 3 E e^2 / (2 (1 - 2 nu)) ahead of the crack, where it can shrink nowhere,
 /// and E e^2 / (1 - nu) behind it. The tolerance is as for a strip that is pulled, 8 cells a half height; the
 /// ends, 3.5 heights away, are in it.
-TEST(HeatedFrontsInSpace, CooledPlateHasTheEnergyThatItLosesAlongTheCrack)
+TEST(HeatedFronts3D, CooledPlateHasTheEnergyThatItLosesAlongTheCrack)
 {
   const Rhegma::Run<3> run = heldBlock("290", "");
   const double expected = 2.0 * heldHalf * std::pow(cooledStrain(), 2) *
@@ -59,7 +59,7 @@ TEST(HeatedFrontsInSpace, CooledPlateHasTheEnergyThatItLosesAlongTheCrack)
 }
 
 /// Temperature and with it the modulus change along the crack.
-TEST(HeatedFrontsInSpace, AnyTubeGivesTheSameWhereTemperatureChanges)
+TEST(HeatedFronts3D, AnyTubeGivesTheSameWhereTemperatureChanges)
 {
   Rhegma::Run<3> run = heldBlock("290 + 2*(x - 3.5)", "280:1.5, 300:0.5");
   expectAnyRingGivesTheSame(run.state(), releaseIn(run.state()), 0.015, 0.04);

@@ -3,7 +3,7 @@
 
 #include "state/CrackSet.hpp"
 
-namespace Rhegma::propagation
+namespace Rhegma::measure
 {
 
 /// The circle that a front was at the start, or a part of it.
@@ -28,4 +28,4 @@ struct Shape
 
 Shape shapeOf(const CrackFront<3>& front, const Circle& circle);
 
-} // namespace Rhegma::propagation
+} // namespace Rhegma::measure

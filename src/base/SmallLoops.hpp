@@ -1,5 +1,5 @@
 #pragma once
-/// Loops over items that are few beside particles and nodes: points of loads, vertices of cracks, rows of a
+/// Loops over items that are few next to particles and nodes: points of loads, vertices of cracks, rows of a
 /// mass matrix around a front.
 
 #include "base/Types.hpp"
@@ -10,7 +10,7 @@ namespace Rhegma
 {
 
 /// Items that one thread is through with sooner than others could be told to help.
-constexpr int fewItems = 256;
+constexpr int isSmallLoop = 256;
 
 namespace detail
 {
@@ -37,8 +37,8 @@ void whereSooner([[maybe_unused]] int count, const Call& call)
 
 /// Runs work(k) for k = begin .. end - 1, on a host by one thread where they are few. A device takes all at
 /// once. \tparam limit how many are few; more where the work on one of them is little
-template <int limit = fewItems, class Work>
-void forFew(const char* label, int begin, int end, const Work& work)
+template <int limit = isSmallLoop, class Work>
+void parallelForSmall(const char* label, int begin, int end, const Work& work)
 {
   detail::whereSooner<limit>(
       end - begin, [&](auto space)
@@ -46,34 +46,34 @@ void forFew(const char* label, int begin, int end, const Work& work)
 }
 
 template <class Work>
-void forFew(const char* label, int count, const Work& work)
+void parallelForSmall(const char* label, int count, const Work& work)
 {
-  forFew(label, 0, count, work);
+  parallelForSmall(label, 0, count, work);
 }
 
 /// The sums that work(k, sum ...) makes for k = begin .. end - 1, in the same way. \param sums where they go:
 /// numbers, or an array as Kokkos takes it
 template <class Work, class... Sums>
-void sumFew(const char* label, int begin, int end, const Work& work, Sums&&... sums)
+void parallelSumSmall(const char* label, int begin, int end, const Work& work, Sums&&... sums)
 {
-  detail::whereSooner<fewItems>(
+  detail::whereSooner<isSmallLoop>(
       end - begin, [&](auto space)
       { Kokkos::parallel_reduce(label, Kokkos::RangePolicy<decltype(space)>(begin, end), work, sums...); });
 }
 
 template <class Value, class Work>
-Value sumFew(const char* label, int count, const Work& work)
+Value parallelSumSmall(const char* label, int count, const Work& work)
 {
   Value sum{};
-  sumFew(label, 0, count, work, sum);
+  parallelSumSmall(label, 0, count, work, sum);
   return sum;
 }
 
-/// Counts and places in the way of Kokkos::parallel_scan.
+/// Counts and positions in the way of Kokkos::parallel_scan.
 template <class Work>
-void scanFew(const char* label, int begin, int end, const Work& work, int& count)
+void parallelScanSmall(const char* label, int begin, int end, const Work& work, int& count)
 {
-  detail::whereSooner<fewItems>(
+  detail::whereSooner<isSmallLoop>(
       end - begin, [&](auto space)
       { Kokkos::parallel_scan(label, Kokkos::RangePolicy<decltype(space)>(begin, end), work, count); });
 }

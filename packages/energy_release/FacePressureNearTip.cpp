@@ -1,4 +1,4 @@
-#include "energy_release/FacePressureTerm.hpp"
+#include "energy_release/FacePressureNearTip.hpp"
 
 #include "energy_release/SharedNodes.hpp"
 #include "transfer/LocalSpacing.hpp"
@@ -16,17 +16,17 @@ namespace
 /// Cells behind the front in which faces may share nodes, and pieces into which each is cut.
 constexpr int cells = 3, pieces = 16;
 
-/// A place on the crack at a distance behind the front.
+/// A position on the crack at a distance behind the front.
 struct Place
 {
   Vector<2> at;
   double pressure;
 };
 
-class WayBack
+class PathBehind
 {
 public:
-  WayBack(const CrackSet<2>& cracks, const CrackFront<2>& front)
+  PathBehind(const CrackSet<2>& cracks, const CrackFront<2>& front)
   {
     const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
     const auto pressure = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.pressure);
@@ -70,25 +70,26 @@ double intensityLostAtFront(const State<2>& state, const CrackFront<2>& front, d
   const CrackSet<2>& cracks = state.cracks;
   if (cracks.pressure.extent(0) != cracks.simplex.extent(0) || state.clock.step == 0)
     return 0.0;
-  const WayBack way(cracks, front);
+  const PathBehind path(cracks, front);
   const double piece = spacingAt(state, front.position) / pieces;
-  std::vector<Place> places;
+  std::vector<Place> positions;
   Place place;
-  while (static_cast<int>(places.size()) < cells * pieces && way.find((places.size() + 0.5) * piece, place))
-    places.push_back(place);
+  while (static_cast<int>(positions.size()) < cells * pieces &&
+         path.find((positions.size() + 0.5) * piece, place))
+    positions.push_back(place);
 
   std::vector<Vector<2>> at;
-  at.reserve(places.size());
-  for (const Place& on : places)
+  at.reserve(positions.size());
+  for (const Place& on : positions)
     at.push_back(on.at);
-  const std::vector<double> shared = shareOfNodes(state, front.crack, at);
+  const std::vector<double> shared = fractionOfNodes(state, front.crack, at);
 
-  // int s^-1/2 ds over a piece of the way back, s the distance from the tip that the cells have.
+  // int s^-1/2 ds over a piece of the path behind, s the distance from the tip that the cells have.
   const auto weighed = [tipOffset](double from, double to)
   { return 2.0 * (std::sqrt(std::max(to + tipOffset, 0.0)) - std::sqrt(std::max(from + tipOffset, 0.0))); };
-  double intensity = places.empty() ? 0.0 : places[0].pressure * weighed(-std::fabs(tipOffset), 0.0);
-  for (std::size_t k = 0; k < places.size(); ++k)
-    intensity += shared[k] * places[k].pressure * weighed(double(k) * piece, double(k + 1) * piece);
+  double intensity = positions.empty() ? 0.0 : positions[0].pressure * weighed(-std::fabs(tipOffset), 0.0);
+  for (std::size_t k = 0; k < positions.size(); ++k)
+    intensity += shared[k] * positions[k].pressure * weighed(double(k) * piece, double(k + 1) * piece);
   return intensity * std::sqrt(2.0 / std::acos(-1.0));
 }
 

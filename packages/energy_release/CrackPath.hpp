@@ -6,11 +6,11 @@
 namespace Rhegma::energy_release
 {
 
-/// In which direction a node's share of the disk is shifted: along the crack at the part of it that is
+/// In which direction a node's fraction of the disk is shifted: along the crack at the part of it that is
 /// nearest to the node, so that no shift has a component across a face; in the front's own direction ahead of
-/// it. Outside of a bend all places in a wedge have the bend as their nearest: they go with the piece that is
-/// nearer to the front, whatever last digits say.
-struct CrackWay
+/// it. Outside of a bend all positions in a wedge have the bend as their nearest: they go with the piece that
+/// is nearer to the front, whatever last digits say.
+struct CrackPath
 {
   View<double* [2]> vertex;
   View<int* [2]> simplex;
@@ -18,12 +18,12 @@ struct CrackWay
   bool forwards = true;     ///< the front is at the last of them
   Vector<2> tip, direction;
 
-  /// Squares of distances are equal if they differ by less than this share of the square of a piece.
+  /// Squares of distances are equal if they differ by less than this fraction of the square of a piece.
   static constexpr double same = 1e-10;
 
   KOKKOS_INLINE_FUNCTION Vector<2> operator()(const Vector<2>& x) const
   {
-    // A place whose nearest point is the front itself moves as the front does.
+    // A position whose nearest point is the front itself moves as the front does.
     double least = 1e300;
     Vector<2> found = direction;
     for (int k = 0; k < count; ++k)
@@ -45,7 +45,7 @@ struct CrackWay
   }
 };
 
-/// The way along the crack inside of a disk round its front.
-CrackWay wayOf(const State<2>& state, const CrackFront<2>& front, double radius);
+/// The path of the crack inside of a disk round its front.
+CrackPath crackPathBehind(const State<2>& state, const CrackFront<2>& front, double radius);
 
 } // namespace Rhegma::energy_release

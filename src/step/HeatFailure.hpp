@@ -11,6 +11,6 @@ namespace Rhegma
 /// A sentence on the coldest particle of this rank if it is at or below absolute zero, or on thermal
 /// strain that leaves nothing of a particle; empty where there is no heat or both are sound.
 template <int D>
-std::string heatTrouble(const State<D>& state);
+std::string heatFailure(const State<D>& state);
 
 } // namespace Rhegma

@@ -1,0 +1,48 @@
+#pragma once
+/// What the history and the summary have of a crack front.
+
+#include "energy_release/CrackClosure.hpp"
+#include "energy_release/FrontTube.hpp"
+#include "energy_release/ReadOptions.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <limits>
+
+#include <string>
+#include <vector>
+
+namespace Rhegma::energy_release
+{
+
+/// A quantity at the nodes of a front.
+using Along = std::vector<double>;
+
+/// The last sample of a front.
+template <int D>
+struct FrontSample
+{
+  CrackFront<D> front;
+  FrontTube tube;                       ///< none of a front that has ended
+  Along J, modeI, modeII, modeIII;      ///< [J/m2], [Pa m^0.5]; empty in 3D where no node is left
+  double tipOffset = 0.0;               ///< DomainIntegral (2D)
+  bool closed = false;                  ///< whether crack closure is wanted and can be found (2D)
+  CrackClosure closure{notYet, notYet}; ///< (2D)
+
+  static constexpr double notYet = std::numeric_limits<double>::quiet_NaN(); ///< null in the summary
+
+  FrontSample() = default;
+  /// Of a front at which nothing has been computed yet.
+  FrontSample(const CrackFront<D>& of, double value);
+
+  /// Appends its columns to a row of the history. \param name of the front
+  void addTo(HistoryRow& row, const std::string& name, const Options& options) const;
+
+  /// Adds what it has to the entry of its front.
+  void report(const Options& options, nlohmann::json& entry) const;
+
+  /// Saves or loads it.
+  void store(Archive& archive);
+};
+
+} // namespace Rhegma::energy_release

@@ -1,0 +1,200 @@
+#include "propagation/AdvanceFronts.hpp"
+
+#include "propagation/Direction.hpp"
+#include "transfer/LocalSpacing.hpp"
+#include "transfer/NearestMaterial.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace Rhegma::propagation
+{
+
+namespace
+{
+
+/// Fraction of the increment by which a front node advances at a time. Neighbours along a front advance at
+/// different times; short advances keep them in line.
+template <int D>
+constexpr double incrementFraction = D == 2 ? 1.0 : 0.25;
+
+/// Cosine of a sharp turn, 15 degrees, and the cells that a front node goes straight on behind one: the
+/// fields round a shorter kink are those of the crack before it.
+constexpr double sharp = 0.966, straightCells = 3.0;
+
+/// Whether a front node may advance at the end of the step, at the time `now` [s]; if not, its history knows
+/// of the step.
+bool mayAdvance(const AdvanceRule& rule, double now, double release, FrontNodeState& node)
+{
+  if (node.history.running())
+  {
+    FrontHistory advanced = node.history;
+    if (advanced.advance(rule, now, release, node.increment, node.speedLimit).increments > 0)
+      return true;
+    node.history = std::move(advanced);
+    return false;
+  }
+  if (release >= rule.initiation && now >= rule.startTime)
+    return true;
+  node.history.recordAtRest(rule, now, release);
+  return false;
+}
+
+/// Angles by which the nodes of a front turn, smoothed along it over those that advance with a node: a hat
+/// two nodes wide, twice [rad].
+template <int D>
+std::vector<double> turningAngles(const CrackFront<D>& front, const Options& options,
+                                  const std::map<int, FrontNodeState>& states)
+{
+  const std::size_t count = front.nodes.size();
+  std::vector<double> angle(count, 0.0);
+  for (std::size_t k = 0; k < count; ++k)
+    if (front.nodes[k].advances && !(states.at(front.nodes[k].name).straightLength > 0.0))
+      angle[k] = turningAngle(front.nodes[k].driving, options.direction);
+  for (int round = 0; round < 2 && count > 1; ++round)
+  {
+    std::vector<double> mean = angle;
+    for (std::size_t k = 0; k < count; ++k)
+    {
+      double sum = 2.0 * angle[k], weight = 2.0;
+      const std::size_t last = k > 0 ? k - 1 : count - 1, next = k + 1 < count ? k + 1 : 0;
+      if (front.nodes[last].facet >= 0 && front.nodes[last].advances)
+      {
+        sum += angle[last];
+        weight += 1.0;
+      }
+      if (front.nodes[k].facet >= 0 && front.nodes[next].advances)
+      {
+        sum += angle[next];
+        weight += 1.0;
+      }
+      mean[k] = sum / weight;
+    }
+    angle = mean;
+  }
+  return angle;
+}
+
+/// The energy release rate that would advance a front node at rest [J/m2]; infinite before the start time.
+double resistanceAtRest(double now, const AdvanceRule& rule, const FrontHistory& history)
+{
+  if (now < rule.startTime)
+    return std::numeric_limits<double>::infinity();
+  return history.running() ? rule.arrest : rule.initiation;
+}
+
+/// The advance of a selected node, of no length where what opens the crack does not reach the toughness.
+/// \param e of the material at the front \param angle by which it turns [rad]
+template <int D>
+FrontNodeAdvance<D> advanceNode(const State<D>& state, const Options& options, const Elasticity& e,
+                                double angle, FrontNode<D>& node, FrontState<D>& front)
+{
+  FrontNodeState& own = front.nodes.at(node.name);
+  const Advance made = own.history.advance(ruleAt(node.temperature, options), state.clock.time,
+                                           openingRelease(node.driving, e), own.increment, own.speedLimit);
+  node.speed = own.history.speed(state.clock.time);
+  FrontNodeAdvance<D> asked{node.direction, 0.0, 0.0};
+  if (made.increments == 0)
+    return asked;
+  front.count(own.history, made.increments);
+  asked.length = made.increments * own.increment;
+  asked.toughness = made.toughness;
+  if (!(own.straightLength > 0.0))
+    asked.direction = turned(node.direction, node.normal, angle);
+  own.straightLength -= asked.length;
+  if (dot(asked.direction, node.direction) < sharp)
+    own.straightLength =
+        straightCells * own.increment / (incrementFraction<D> * options.cells) - asked.length;
+  // Cells and material may be others where it is going.
+  own.increment = 0.0;
+  if (state.materials.list.size() > 1)
+    own.speedLimit = 0.0;
+  return asked;
+}
+
+/// Adds the advance of a front with one node to its path.
+template <int D>
+void recordPath(const CrackFront<D>& front, const FrontNodeAdvance<D>& advance, FrontState<D>& own)
+{
+  if (!front.grown)
+    own.start = {front.position, front.direction, advance.direction};
+  own.path.push_back({own.lastTime, front.position + advance.length * advance.direction});
+}
+
+} // namespace
+
+template <int D>
+void selectAdvancing(State<D>& state, const Options& options, std::vector<FrontState<D>>& fronts)
+{
+  const double now = state.clock.time + state.clock.dt;
+  for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
+  {
+    CrackFront<D>& front = state.cracks.fronts[f];
+    if (front.ended)
+      continue;
+    fronts[f].matchNodes(front);
+    for (FrontNode<D>& node : front.nodes)
+    {
+      node.advances = false;
+      if (node.stopped)
+        continue;
+      FrontNodeState& own = fronts[f].nodes.at(node.name);
+      if (own.speedLimit == 0.0)
+        own.speedLimit = speedLimitAt(state, node.position, options);
+      fronts[f].speedLimit = std::max(fronts[f].speedLimit, own.speedLimit);
+      // Cells may become smaller round a front at rest.
+      if (own.increment == 0.0 || !own.history.running())
+        own.increment = incrementFraction<D> * options.cells * spacingAt(state, node.position);
+      const AdvanceRule rule = ruleAt(node.temperature, options);
+      if (isWeak(rule, own.speedLimit))
+      {
+        state.failure = failureOfWeak(node.temperature);
+        return;
+      }
+      node.advances = mayAdvance(rule, now, node.driving.release, own);
+      node.speed = own.history.speed(now);
+    }
+  }
+}
+
+template <int D>
+void advanceSelected(State<D>& state, const Options& options, std::vector<FrontState<D>>& fronts)
+{
+  for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
+  {
+    CrackFront<D>& front = state.cracks.fronts[f];
+    if (!front.advances())
+      continue;
+    const std::vector<double> angle = turningAngles(front, options, fronts[f].nodes);
+    // That by which the intensities were found.
+    const Elasticity e = elasticity(state.materials.list[materialAt(state, front.position)]);
+    FrontAdvance<D> asked;
+    asked.front = static_cast<int>(f);
+    bool any = false;
+    for (std::size_t k = 0; k < front.nodes.size(); ++k)
+    {
+      FrontNode<D>& node = front.nodes[k];
+      if (node.advances)
+        asked.nodes.push_back(advanceNode(state, options, e, angle[k], node, fronts[f]));
+      else
+        asked.nodes.push_back({node.direction, 0.0,
+                               resistanceAtRest(state.clock.time, ruleAt(node.temperature, options),
+                                                fronts[f].nodes.at(node.name).history)});
+      node.advances = false;
+      any = any || asked.nodes.back().length > 0.0;
+    }
+    if (!any)
+      continue;
+    state.cracks.advances.push_back(asked);
+    if constexpr (D == 2)
+      recordPath(front, asked.nodes[0], fronts[f]);
+  }
+}
+
+template void selectAdvancing(State<2>&, const Options&, std::vector<FrontState<2>>&);
+template void selectAdvancing(State<3>&, const Options&, std::vector<FrontState<3>>&);
+template void advanceSelected(State<2>&, const Options&, std::vector<FrontState<2>>&);
+template void advanceSelected(State<3>&, const Options&, std::vector<FrontState<3>>&);
+
+} // namespace Rhegma::propagation

@@ -1,0 +1,115 @@
+#include "propagation/FrontState.hpp"
+
+#include "archive/Archive.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+namespace Rhegma::propagation
+{
+
+namespace
+{
+
+template <int D>
+void storePath(PathStart<D>& start, std::vector<PathPoint<D>>& path, Archive& archive)
+{
+  std::vector<double> rows;
+  for (const PathPoint<D>& point : path)
+  {
+    rows.push_back(point.time);
+    rows.insert(rows.end(), point.position.c, point.position.c + D);
+  }
+  archive("path", rows);
+  path.resize(rows.size() / (D + 1));
+  for (std::size_t k = 0; k < path.size(); ++k)
+  {
+    path[k].time = rows[k * (D + 1)];
+    std::copy_n(&rows[k * (D + 1) + 1], D, path[k].position.c);
+  }
+  archive("origin", start.position);
+  archive("before", start.direction);
+  archive("first_direction", start.first);
+}
+
+} // namespace
+
+template <int D>
+bool FrontState<D>::running() const
+{
+  return std::any_of(nodes.begin(), nodes.end(),
+                     [](const auto& node) { return node.second.history.running(); });
+}
+
+template <int D>
+double FrontState<D>::settledSpeed() const
+{
+  double sum = 0.0;
+  for (const auto& [name, node] : nodes)
+    sum += node.history.settledSpeed();
+  return nodes.empty() ? lastSettledSpeed : sum / double(nodes.size());
+}
+
+template <int D>
+double FrontState<D>::closest() const
+{
+  double largest = 0.0;
+  for (const auto& [name, node] : nodes)
+    largest = std::max(largest, node.history.closest());
+  return largest;
+}
+
+template <int D>
+void FrontState<D>::count(const FrontHistory& history, int made)
+{
+  if (increments == 0 || history.firstTime() < firstTime)
+    firstTime = history.firstTime();
+  lastTime = std::max(lastTime, history.lastTime());
+  increments += made;
+}
+
+template <int D>
+void FrontState<D>::matchNodes(const CrackFront<D>& front)
+{
+  const bool same = front.nodes.size() == nodes.size() &&
+                    std::all_of(front.nodes.begin(), front.nodes.end(),
+                                [&](const FrontNode<D>& node) { return nodes.count(node.name) > 0; });
+  if (same)
+    return;
+  lastSettledSpeed = settledSpeed();
+  std::map<int, FrontNodeState> now;
+  for (const FrontNode<D>& node : front.nodes)
+  {
+    auto past = nodes.find(node.name);
+    if (past == nodes.end())
+      past = nodes.find(node.from);
+    now[node.name] = past == nodes.end() ? FrontNodeState() : past->second;
+  }
+  nodes = std::move(now);
+}
+
+template <int D>
+void FrontState<D>::store(Archive& archive)
+{
+  archive("increments", increments);
+  archive("first", firstTime);
+  archive("last", lastTime);
+  archive("speed_limit", speedLimit);
+  archive("last_settled_speed", lastSettledSpeed);
+  if constexpr (D == 2)
+    storePath(start, path, archive);
+  for (auto& [name, node] : nodes)
+  {
+    const Archive::Group group(archive, "front node " + std::to_string(name));
+    node.history.store(archive);
+    archive("speed_limit", node.speedLimit);
+    archive("increment", node.increment);
+    archive("straight_length", node.straightLength);
+  }
+}
+
+template struct FrontState<2>;
+template struct FrontState<3>;
+
+} // namespace Rhegma::propagation

@@ -1,0 +1,69 @@
+#pragma once
+/// What propagation knows about fronts from step to step.
+
+#include "propagation/FrontHistory.hpp"
+#include "state/State.hpp"
+
+#include <map>
+#include <vector>
+
+namespace Rhegma::propagation
+{
+
+/// Of one front node.
+struct FrontNodeState
+{
+  FrontHistory history;        ///< of its increments
+  double speedLimit = 0.0;     ///< [m/s]; 0: not known yet
+  double increment = 0.0;      ///< its next advance [m]; 0: not known yet
+  double straightLength = 0.0; ///< still to advance straight after a sharp kink [m]
+};
+
+/// An advance of a front with one node.
+template <int D>
+struct PathPoint
+{
+  double time = 0.0;    ///< of its last increment [s]
+  Vector<D> position{}; ///< after it [m]
+};
+
+/// Where a front with one node initiated, and in which directions.
+template <int D>
+struct PathStart
+{
+  Vector<D> position{};  ///< [m]
+  Vector<D> direction{}; ///< of the crack that was there
+  Vector<D> first{};     ///< of the first advance
+};
+
+/// Of one front: of its nodes, by their names, and of all that it has had.
+template <int D>
+struct FrontState
+{
+  std::map<int, FrontNodeState> nodes;
+  long increments = 0;            ///< of all its nodes, those too that are no more
+  double firstTime = 0.0;         ///< of the first of them [s]
+  double lastTime = 0.0;          ///< and of the last [s]
+  double speedLimit = 0.0;        ///< the largest of its nodes' [m/s]; 0: not known yet
+  double lastSettledSpeed = 0.0;  ///< mean of the settled speeds of the nodes that it had last [m/s]
+  PathStart<D> start;             ///< of a front with one node
+  std::vector<PathPoint<D>> path; ///< of a front with one node
+
+  /// Whether any of its nodes runs.
+  bool running() const;
+  /// Mean of the settled speeds of its nodes [m/s].
+  double settledSpeed() const;
+  /// FrontHistory::closest of the node that came closest.
+  double closest() const;
+
+  /// Adds increments that a node has made. \param history of the node, with them
+  void count(const FrontHistory& history, int made);
+
+  /// Gives new nodes the state of those that they came from, and forgets nodes that are no more.
+  void matchNodes(const CrackFront<D>& front);
+
+  /// Saves or loads it.
+  void store(Archive& archive);
+};
+
+} // namespace Rhegma::propagation

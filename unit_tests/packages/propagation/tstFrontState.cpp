@@ -1,0 +1,105 @@
+/// What propagation knows about fronts, on hand-made chains of front nodes.
+
+#include "propagation/FrontState.hpp"
+
+#include <gtest/gtest.h>
+
+using namespace Rhegma;
+using namespace Rhegma::propagation;
+
+namespace
+{
+
+/// A front of nodes with these names.
+CrackFront<3> frontOf(const std::vector<int>& names)
+{
+  CrackFront<3> front;
+  for (const int name : names)
+  {
+    FrontNode<3> node;
+    node.name = name;
+    front.nodes.push_back(node);
+  }
+  return front;
+}
+
+/// Lets the history of a node run for a number of increments of 1 mm in 10 us each.
+void run(FrontNodeState& node, int increments)
+{
+  const AdvanceRule rule{Toughness::parse("100*(1 + v/100)"), 100.0, 100.0, 0.0};
+  for (double time = 0.0; node.history.increments() < increments;)
+    node.history.advance(rule, time += 1e-6, 200.0, 1e-3, 1000.0);
+}
+
+} // namespace
+
+/// In 2D a front has one node from the beginning, in 3D none until its pieces are known.
+TEST(FrontNodes, ThereIsOneIn2D)
+{
+  EXPECT_EQ(CrackFront<2>().nodes.size(), 1u);
+  EXPECT_TRUE(CrackFront<3>().nodes.empty());
+}
+
+/// A front advances where any of its nodes does, has stopped where all have, and is as fast as its fastest
+/// node that has not.
+TEST(FrontNodes, DecideForTheirFront)
+{
+  CrackFront<3> front = frontOf({0, 1, 2});
+  EXPECT_FALSE(front.advances());
+  EXPECT_FALSE(front.stopped());
+  front.nodes[1].advances = true;
+  EXPECT_TRUE(front.advances());
+  front.nodes[0].speed = 300.0;
+  front.nodes[2].speed = 200.0;
+  EXPECT_EQ(front.speed(), 300.0);
+  front.nodes[0].stopped = true;
+  EXPECT_EQ(front.speed(), 200.0);
+  front.nodes[1].stopped = front.nodes[2].stopped = true;
+  EXPECT_TRUE(front.stopped());
+  EXPECT_EQ(front.speed(), 0.0);
+}
+
+/// A new node has the past of the one that it came from; that of a node that is no more is forgotten.
+TEST(FrontState, NewNodesInheritTheirPast)
+{
+  FrontState<3> state;
+  CrackFront<3> front = frontOf({0, 1});
+  state.matchNodes(front);
+  run(state.nodes.at(0), 3);
+  run(state.nodes.at(1), 5);
+  front.nodes[0].name = 2;
+  front.nodes[0].from = 0;
+  state.matchNodes(front);
+  ASSERT_EQ(state.nodes.size(), 2u);
+  EXPECT_EQ(state.nodes.at(2).history.increments(), 3);
+  EXPECT_EQ(state.nodes.at(1).history.increments(), 5);
+  EXPECT_EQ(state.nodes.count(0), 0u);
+}
+
+/// The settled speed of a front that has no node left is that of the nodes that it had last.
+TEST(FrontState, KeepsItsSettledSpeedWhenItHasEnded)
+{
+  FrontState<3> state;
+  state.matchNodes(frontOf({0}));
+  run(state.nodes.at(0), 20);
+  const double speed = state.settledSpeed();
+  EXPECT_NEAR(speed, 100.0, 1.0); // Gc(100 m/s) is 200 J/m2
+  EXPECT_TRUE(state.running());
+  state.matchNodes(frontOf({}));
+  EXPECT_EQ(state.settledSpeed(), speed);
+  EXPECT_FALSE(state.running());
+}
+
+/// Increments of all nodes count, from the earliest to the latest.
+TEST(FrontState, CountsTheIncrementsOfAllNodes)
+{
+  FrontState<3> state;
+  state.matchNodes(frontOf({0, 1}));
+  run(state.nodes.at(0), 3);
+  run(state.nodes.at(1), 5);
+  state.count(state.nodes.at(1).history, 5);
+  state.count(state.nodes.at(0).history, 3);
+  EXPECT_EQ(state.increments, 8);
+  EXPECT_EQ(state.firstTime, state.nodes.at(0).history.firstTime());
+  EXPECT_EQ(state.lastTime, state.nodes.at(1).history.lastTime());
+}
