@@ -53,7 +53,7 @@ Vector<D> resultant(const Seeds<D>& body, const std::vector<LoadPoint<D>>& point
 }
 
 template <class Call>
-std::string message(const Call& call)
+std::string errorOf(const Call& call)
 {
   try
   {
@@ -90,7 +90,7 @@ TEST(LoadPoints, TiesGoToTheFirstParticle)
 TEST(LoadPoints, PointFarFromTheBodyIsAnError)
 {
   EXPECT_EQ(pointLoad<2>(sheet(4, 2), {{0.5, 2.9}}, "Load")[0].particle, 4);
-  const auto message = message([] { pointLoad<2>(sheet(4, 2), {{0.5, 3.0}}, "Boundaries > Tip"); });
+  const auto message = errorOf([] { pointLoad<2>(sheet(4, 2), {{0.5, 3.0}}, "Boundaries > Tip"); });
   EXPECT_EQ(message.find("Boundaries > Tip: the load misses the body: the point (0.5, 3) m"), 0u) << message;
 }
 
@@ -139,7 +139,7 @@ TEST(LoadPoints, SharesAddUpToOneExactly)
 /// miss: those at 3.25 and 3.75 (the one at 2.75 is 1.35 m away).
 TEST(LoadPoints, CountsThePointsThatMiss)
 {
-  const auto message = message(
+  const auto message = errorOf(
       [] {
         lineLoad<2>(sheet(2, 1), {{0.0, 1.0}}, {{4.0, 1.0}}, Profile::Uniform, "Boundaries > Push");
       });
@@ -147,7 +147,7 @@ TEST(LoadPoints, CountsThePointsThatMiss)
                 "Boundaries > Push: 2 of the load's 8 points miss the body; the first of them, (3.25, 1) m"),
             0u)
       << message;
-  EXPECT_NE(message(
+  EXPECT_NE(errorOf(
                 [] {
                   lineLoad<2>(sheet(2, 1), {{9, 9}}, {{9, 8}}, Profile::Uniform, "Push");
                 })

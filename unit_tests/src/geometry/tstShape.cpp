@@ -17,7 +17,7 @@ namespace
 
 /// The message that makeShape throws.
 template <int D>
-std::string message(const ParameterList& list)
+std::string errorOf(const ParameterList& list)
 {
   try
   {
