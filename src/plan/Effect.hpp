@@ -81,6 +81,7 @@ class MakeEffect
 {
 public:
   MakeEffect() = default;
+  /// \param make of the scene, or of the scene and the options
   template <class Function>
   MakeEffect(const Function& make)
       : make_(
@@ -93,11 +94,12 @@ public:
             })
   {
   }
+  /// Makes the effect of a scene. \param scene validated \param options of all effects of the run
   Effect<D> operator()(const Teuchos::ParameterList& scene, const RunOptions& options = {}) const
   {
     return make_(scene, options);
   }
-  explicit operator bool() const { return static_cast<bool>(make_); }
+  explicit operator bool() const { return static_cast<bool>(make_); } ///< whether there is a function
 
 private:
   std::function<Effect<D>(const Teuchos::ParameterList&, const RunOptions&)> make_;

@@ -42,6 +42,7 @@ struct ReleaseBudget
     carriedOver += energy;
     released += energy;
   }
+  /// Nodes dissipated more than they were given. \param energy [J]
   void overDissipate(double energy)
   {
     overDissipated += energy;
@@ -72,6 +73,7 @@ struct ReleaseBudget
   /// Fraction of toughness times area that nodes get, so that the energy that is pending stays near zero.
   /// \param wanted toughness times area of these nodes [J] \param ofRow the same of a row of cells along the
   /// front, by which nodes may be ahead of its faces or behind them; zero where no more nodes follow [J]
+  /// \param least, most bounds of the fraction
   double fractionOfArea(double wanted, double ofRow, double least, double most) const
   {
     return std::clamp(1.0 + (pending - wanted) / (ofRow > 0.0 ? ofRow : wanted), least, most);

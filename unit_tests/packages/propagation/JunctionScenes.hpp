@@ -1,6 +1,7 @@
 #pragma once
 /// A plate in which a crack runs into another, whose front the test drives.
 
+#include "packages/propagation/DrivenFronts.hpp"
 #include "src/step/ElasticBox.hpp"
 #include "state/EnergySums.hpp"
 
@@ -78,7 +79,7 @@ struct Piece
 template <class Cut>
 Piece runWall(const Cut& cut, double increment = 1.0)
 {
-  Piece piece{Rhegma::Run<2>(plate(cut, increment)), -1, -1.0};
+  Piece piece{Rhegma::Run<2>(plate(cut, increment), drivenByTest<2>()), -1, -1.0};
   piece.run.initialize();
   State<2>& state = piece.run.state();
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)

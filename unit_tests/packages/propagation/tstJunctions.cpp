@@ -207,7 +207,7 @@ TEST(Junctions, FrontsThatMeetPartThePlate)
 /// A crack ends on the first of two cracks in its way, though the second is nearer.
 TEST(Junctions, CrackEndsOnTheFirstCrackInItsWay)
 {
-  Rhegma::Run<2> run(plate(cutBelowABeam));
+  Rhegma::Run<2> run(plate(cutBelowABeam), drivenByTest<2>());
   run.initialize();
   State<2>& state = run.state();
   const auto runs = [&](const std::string& name) -> const CrackFront<2>&

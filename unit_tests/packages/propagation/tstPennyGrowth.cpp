@@ -2,6 +2,7 @@
 
 #include "cracks/Opening.hpp"
 #include "output/CoreRow.hpp"
+#include "packages/propagation/DrivenFronts.hpp"
 #include "propagation/RayleighSpeed.hpp"
 #include "src/step/ElasticBox.hpp"
 #include "state/EnergySums.hpp"
@@ -106,7 +107,7 @@ double overlapWhenSqueezed(bool touching, double rate)
     contact.set("Law", std::string("Frictionless"));
     contact.set("Penalty", 2.0);
   }
-  Rhegma::Run<3> run(scene);
+  Rhegma::Run<3> run(scene, drivenByTest<3>());
   run.initialize();
   State<3>& state = run.state();
   stretch(state, 200.0);
@@ -136,7 +137,7 @@ double overlapWhenSqueezed(bool touching, double rate)
 TEST(PennyGrowth, RunsAsItsToughnessSaysAndPaysForItsArea)
 {
   const double speed = 400.0, until = 6e-3;
-  Rhegma::Run<3> run(quarter("100*(1 + v/100)"));
+  Rhegma::Run<3> run(quarter("100*(1 + v/100)"), drivenByTest<3>());
   run.initialize();
   State<3>& state = run.state();
   ASSERT_EQ(state.cracks.fronts.size(), 1u);
@@ -193,7 +194,7 @@ TEST(PennyGrowth, PaysForItsAreaWhereHalfOfItSetsOut)
 {
   for (const double until : {4.6e-3, 4.8e-3, 5.0e-3, 5.2e-3, 5.4e-3})
   {
-    Rhegma::Run<3> run(quarter("100*(1 + v/100)"));
+    Rhegma::Run<3> run(quarter("100*(1 + v/100)"), drivenByTest<3>());
     run.initialize();
     State<3>& state = run.state();
     stretch(state, 1e3);
@@ -220,7 +221,7 @@ TEST(PennyGrowth, PaysForItsAreaWhereHalfOfItSetsOut)
 /// what was left to be spent, to the hundredth to which the energies agree.
 TEST(PennyGrowth, PaysForItsAreaToTheEnd)
 {
-  Rhegma::Run<3> run(quarter("100*(1 + v/100)"));
+  Rhegma::Run<3> run(quarter("100*(1 + v/100)"), drivenByTest<3>());
   run.initialize();
   State<3>& state = run.state();
   stretch(state, 1e3);
@@ -266,7 +267,7 @@ TEST(PennyGrowth, HaltsBeforeItsOwnFaces)
   const double low = -cell, high = wide + cell, spine = 1.2 * cell;
   crack.set("Points", reals({low,   low,   z, high, low,   z, high, arm,  z, spine, arm,  z,
                              spine, other, z, high, other, z, high, high, z, low,   high, z}));
-  Rhegma::Run<3> run(scene);
+  Rhegma::Run<3> run(scene, drivenByTest<3>());
   run.initialize();
   State<3>& state = run.state();
   ASSERT_EQ(state.cracks.fronts.size(), 1u);

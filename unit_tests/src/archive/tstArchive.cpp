@@ -145,7 +145,7 @@ TEST(Archive, NamesWhatDoesNotFit)
   EXPECT_EQ(complaintOf(record), "\"pairs\" has another shape");
   record = recordOf(some());
   record["list"].bytes.pop_back();
-  EXPECT_EQ(complaintOf(record), "\"list\" has another size than it says");
+  EXPECT_EQ(complaintOf(record), "\"list\" has another size than its header says");
 }
 
 TEST(CheckpointFile, BringsARecordBack)

@@ -54,5 +54,5 @@ TEST(SceneText, NamesTheFirstDifference)
   EXPECT_EQ(differenceOfScenes({"A"}, {"A", "B"}), "B is in the checkpoint and not in the scene");
   EXPECT_EQ(differenceOfScenes({"A", "C"}, {"A", "B", "C"}), "B is in the checkpoint and not in the scene");
   EXPECT_EQ(differenceOfScenes({"A", "B"}, {"B", "A"}),
-            "A has another place among its neighbours in the scene than in the checkpoint");
+            "A is at another position in the order of the scene than in the checkpoint");
 }

@@ -185,16 +185,16 @@ TEST(Shape, BoundsGrowWithWhatIsAdded)
 
 TEST(Shape, NamesTheSectionOfAMistake)
 {
-  EXPECT_EQ(message<2>(box({0.0, 0.0}, {1.0, 0.0})),
+  EXPECT_EQ(errorOf<2>(box({0.0, 0.0}, {1.0, 0.0})),
             "Bodies > Beam > Upper Corner: must lie above Lower Corner along y.");
   EXPECT_EQ(
-      message<3>(box({0.0, 0.0}, {1.0, 1.0})),
+      errorOf<3>(box({0.0, 0.0}, {1.0, 1.0})),
       "Bodies > Beam > Lower Corner: has 2 numbers; in 3D it must be 3 numbers (type=\"Array(double)\").");
   auto list = box({0.0, 0.0}, {1.0, 1.0});
   list.sublist("Operations").sublist("Hole") = ball({0.5, 0.5}, 0.1);
   list.sublist("Operations").sublist("Hole").setName("Rhegma->Bodies->Beam->Operations->Hole");
   list.sublist("Operations").sublist("Hole").set<std::string>("Operation", "Drill");
-  const auto message = message<2>(list);
+  const auto message = errorOf<2>(list);
   EXPECT_EQ(
       message,
       "Bodies > Beam > Operations > Hole > Operation: \"Drill\" is no operation; write one of Add, Cut.");
@@ -202,17 +202,17 @@ TEST(Shape, NamesTheSectionOfAMistake)
 
 TEST(Shape, RefusesWhatHasNoVolume)
 {
-  EXPECT_NE(message<2>(ball({0.0, 0.0}, 0.0)).find("Radius"), std::string::npos);
-  EXPECT_NE(message<2>(polygon({0, 0, 1, 1, 2, 2})).find("no area"), std::string::npos);
-  EXPECT_NE(message<2>(polygon({0, 0, 1, 1})).find("at least three points"), std::string::npos);
-  EXPECT_NE(message<2>(polygon({0, 0, 2, 1, 2, 0, 0, 2})).find("meets the edge"),
+  EXPECT_NE(errorOf<2>(ball({0.0, 0.0}, 0.0)).find("Radius"), std::string::npos);
+  EXPECT_NE(errorOf<2>(polygon({0, 0, 1, 1, 2, 2})).find("no area"), std::string::npos);
+  EXPECT_NE(errorOf<2>(polygon({0, 0, 1, 1})).find("at least three points"), std::string::npos);
+  EXPECT_NE(errorOf<2>(polygon({0, 0, 2, 1, 2, 0, 0, 2})).find("meets the edge"),
             std::string::npos); // bow tie
-  EXPECT_NE(message<2>(box({0.0, std::nan("")}, {1.0, 1.0})).find("not a number"), std::string::npos);
-  EXPECT_NE(message<3>(polygon({0, 0, 1, 0, 0, 1})).find("Bottom"), std::string::npos);
+  EXPECT_NE(errorOf<2>(box({0.0, std::nan("")}, {1.0, 1.0})).find("not a number"), std::string::npos);
+  EXPECT_NE(errorOf<3>(polygon({0, 0, 1, 0, 0, 1})).find("Bottom"), std::string::npos);
 
   ParameterList cylinder("Pin");
   cylinder.set<std::string>("Shape", "Cylinder");
-  EXPECT_NE(message<2>(cylinder).find("in 3D only"), std::string::npos);
+  EXPECT_NE(errorOf<2>(cylinder).find("in 3D only"), std::string::npos);
   ParameterList none("Pin");
-  EXPECT_NE(message<2>(none).find("Pin > Shape: is missing"), std::string::npos);
+  EXPECT_NE(errorOf<2>(none).find("Pin > Shape: is missing"), std::string::npos);
 }
