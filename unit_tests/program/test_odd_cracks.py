@@ -125,7 +125,7 @@ class OddCracks(ProgramTest):
         self.reports(scene, "Stop When Settled", where="the run ended before it had settled")
 
     def test_faces_that_pass_through_each_other(self):
-        self.reports(pressed(-1e5), "overlap")
+        self.reports(pressed(-1e5), "overlap", where="crack Notch")
 
     def test_faces_that_do_not(self):
         self.reports(pressed(1e5))
