@@ -31,8 +31,7 @@ TEST(Units, OfAModulusInGigapascalsAreDoubted)
 {
   const auto warnings = warningsOf(70.0, 2800.0); // sqrt(70 / 2800) m/s
   ASSERT_EQ(warnings.size(), 1u);
-  EXPECT_NE(warnings[0].find("Materials > Glass: its wave speed is 0.1581 m/s, lower"),
-            std::string::npos)
+  EXPECT_NE(warnings[0].find("Materials > Glass: its wave speed is 0.1581 m/s, lower"), std::string::npos)
       << warnings[0];
 }
 

@@ -49,7 +49,8 @@ TEST(NearestOnSimplex, HasSevenRegionsOnATriangle)
 TEST(PlanarPolygon, HasAPlane)
 {
   double area = 0.0;
-  const surface::Plane plane = planeOf({{1.0, 1.0, 5.0}, {1.0, 4.0, 5.0}, {-1.0, 4.0, 5.0}, {-1.0, 1.0, 5.0}}, area);
+  const surface::Plane plane =
+      planeOf({{1.0, 1.0, 5.0}, {1.0, 4.0, 5.0}, {-1.0, 4.0, 5.0}, {-1.0, 1.0, 5.0}}, area);
   EXPECT_DOUBLE_EQ(area, 6.0);
   EXPECT_DOUBLE_EQ(plane.normal[2], 1.0);
   EXPECT_DOUBLE_EQ(plane.a[1], 1.0);
