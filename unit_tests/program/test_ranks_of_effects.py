@@ -112,7 +112,7 @@ class Burning(OnRanks):
 
     def burns(self, scene, ranks):
         fields = self.agree(self.write(scene), ranks=ranks)
-        self.assertGreater(numpy.max(fields["burnt_over_left"]), 1e-3)
+        self.assertGreater(numpy.max(fields["burnt_over_remaining_mass"]), 1e-3)
         for count in (1, *ranks):
             with open(os.path.join(self.folder, f"on{count}", "summary.json"), encoding="utf-8") as file:
                 summary = json.load(file)
