@@ -6,7 +6,7 @@ from wrong_rows import NOTCH, one
 CRACKS = [
     ("crack_outside_of_the_body", plate().set(NOTCH, [0.0, 1.1, 0.5, 1.1]).remove("Energy Release"),
      one(NOTCH, "outside of all bodies", "inside")),
-    ("crack_of_no_length", plate().set(NOTCH, [0.5, 0.5, 0.5, 0.5]), one(NOTCH, "no length", "leave")),
+    ("crack_of_no_length", plate().set(NOTCH, [0.5, 0.5, 0.5, 0.5]), one(NOTCH, "no length", "remove")),
     ("crack_of_one_point", plate().set(NOTCH, [0.5, 0.5]), one(NOTCH, "at least 2 points")),
     ("crack_of_half_a_point", plate().set(NOTCH, [0.0, 0.5, 0.5]),
      one(NOTCH, "3 numbers", "2 numbers for each point")),
