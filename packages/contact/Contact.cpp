@@ -235,7 +235,7 @@ void begin(State<D>& state, const std::shared_ptr<Account<D>>& account)
 template <int D>
 void keep(Account<D>& account, Archive& archive)
 {
-  archive("booked", account.recorded);
+  archive("recorded", account.recorded);
   {
     const Archive::Group group(archive, "balance");
     account.balance.keep(archive);
