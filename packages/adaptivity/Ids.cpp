@@ -16,18 +16,18 @@ namespace
 class FreeIds
 {
 public:
-  FreeIds(const Ranks& ranks, const std::vector<int>& taken) : ranks_(ranks), freeOf_(ranks.size(), 0.0)
+  FreeIds(const Ranks& ranks, const std::vector<int>& ids) : ranks_(ranks), freeOf_(ranks.size(), 0.0)
   {
-    const int largest = taken.empty() ? -1 : *std::max_element(taken.begin(), taken.end());
+    const int largest = ids.empty() ? -1 : *std::max_element(ids.begin(), ids.end());
     end_ = static_cast<int>(ranks.max(double(largest))) + 1;
     part_ = std::max(1, (end_ + ranks.size() - 1) / ranks.size());
     const int begin = std::min(end_, part_ * ranks.rank()), until = std::min(end_, begin + part_);
     std::vector<char> used(until - begin, 0);
-    std::vector<int> keeper;
-    keeper.reserve(taken.size());
-    for (const int id : taken)
-      keeper.push_back(id / part_);
-    for (const double id : sendRows(ranks, keeper, std::vector<double>(taken.begin(), taken.end()), 1))
+    std::vector<int> owners;
+    owners.reserve(ids.size());
+    for (const int id : ids)
+      owners.push_back(id / part_);
+    for (const double id : sendRows(ranks, owners, std::vector<double>(ids.begin(), ids.end()), 1))
       used[static_cast<int>(id) - begin] = 1;
     for (int id = begin; id < until; ++id)
       if (used[id - begin] == 0)
@@ -38,7 +38,7 @@ public:
 
   /// The smallest ids that are free, in the order of the ranks. \param wanted by each rank
   /// \return this rank's
-  std::vector<int> take(const std::vector<double>& wanted) const
+  std::vector<int> claim(const std::vector<double>& wanted) const
   {
     double before = 0.0; // free ids of ranks before
     for (int r = 0; r < ranks_.rank(); ++r)
@@ -98,7 +98,7 @@ void nameParticles(State<D>& state)
   std::vector<double> wanted(ranks.size(), 0.0);
   wanted[ranks.rank()] = static_cast<double>(unnamed.size());
   ranks.sum(wanted.data(), ranks.size());
-  const std::vector<int> found = FreeIds(ranks, named).take(wanted);
+  const std::vector<int> found = FreeIds(ranks, named).claim(wanted);
   for (std::size_t k = 0; k < unnamed.size(); ++k)
     host(unnamed[k]) = found[k];
   Kokkos::deep_copy(id, host);

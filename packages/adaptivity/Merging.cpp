@@ -27,7 +27,7 @@ struct MergeFamilies
   View<int*> unlike;   ///< of each family: 1 where its parts differ in something that has no mean
   /// Of each part of each family: its fraction of the undeformed volume. Parts may have burnt by different
   /// shares.
-  View<double * [parts<D>]> share;
+  View<double * [parts<D>]> fraction;
   TreeSight<D> sight;
   View<double* [D][D]> axes;
   ParticleEnergy<D> before; ///< of the parts
@@ -58,7 +58,7 @@ struct MergeFamilies
     {
       const int p = family(i, k);
       const double heavy = mass(p) / m;
-      share(i, k) = volume(p) / V;
+      fraction(i, k) = volume(p) / V;
       for (int d = 0; d < D; ++d)
       {
         v[d] += before.mechanics ? heavy * velocity(p, d) : 0.0;
@@ -66,8 +66,8 @@ struct MergeFamilies
         X[d] += heavy * reference(p, d);
       }
       for (int c = 0; c < gradientSize<D>; ++c)
-        F[c] += share(i, k) * deformation(p, c);
-      now += share(i, k) * determinant<D>(&deformation(p, 0));
+        F[c] += fraction(i, k) * deformation(p, c);
+      now += fraction(i, k) * determinant<D>(&deformation(p, 0));
       energy += before.kinetic(p) + before.strain(p);
       motion += before.kinetic(p);
     }
@@ -140,7 +140,7 @@ struct MergeFamilies
       return storedEnergy<D>(law, F, memory);
     double T = 0.0;
     for (int k = 0; k < parts<D>; ++k)
-      T += share(i, k) * before.temperature(family(i, k));
+      T += fraction(i, k) * before.temperature(family(i, k));
     return withLaw<D>(law.law, law.plane, ThermoEnergy{ThermoPoint(before.thermo, material, T), F, memory});
   }
 
@@ -151,7 +151,7 @@ struct MergeFamilies
     double value[parts<D>], byVolume[parts<D>], byMass[parts<D>];
     for (int k = 0; k < parts<D>; ++k)
     {
-      byVolume[k] = share(i, k);
+      byVolume[k] = fraction(i, k);
       byMass[k] = mass(family(i, k)) / m;
     }
     for (int c = 0; c < static_cast<int>(before.history.extent(1)); ++c)
@@ -212,7 +212,7 @@ void averageOthers(State<D>& state, const MergeFamilies<D>& merge)
 {
   const View<int * [parts<D>]> family = merge.family;
   const View<int*> accepted = merge.accepted;
-  const View<double * [parts<D>]> share = merge.share;
+  const View<double * [parts<D>]> fraction = merge.fraction;
   for (const Field& field : state.particles.fields())
   {
     if (field.integer || isFound(field.name))
@@ -228,7 +228,7 @@ void averageOthers(State<D>& state, const MergeFamilies<D>& merge)
           {
             double sum = 0.0;
             for (int k = 0; k < parts<D>; ++k)
-              sum += share(i, k) * values(family(i, k), c);
+              sum += fraction(i, k) * values(family(i, k), c);
             values(family(i, 0), c) = sum;
           }
         });
@@ -299,7 +299,7 @@ Merged mergeOnce(State<D>& state, const std::vector<Family<D>>& families, double
   merge.family = family;
   merge.accepted = accepted;
   merge.unlike = View<int*>("rhegma::unlikeFamilies", count);
-  merge.share = View<double * [parts<D>]>("rhegma::familyShares", count);
+  merge.fraction = View<double * [parts<D>]>("rhegma::familyFractions", count);
   findUnlike<D>(state, family, merge.unlike);
   Merged merged;
   Kokkos::parallel_reduce("rhegma::adaptivity::mergeFamilies", Kokkos::RangePolicy<ExecSpace>(0, count),

@@ -143,7 +143,7 @@ std::vector<LevelCell<D>> cellsOfFastChange(const State<D>& state, double thresh
   {
     const double edge = std::ldexp(state.mesh.grid.spacing, -level);
     LevelSums<D> parents;
-    const auto look = [&](const LevelSums<D>& cells, double bound)
+    const auto selectAbove = [&](const LevelSums<D>& cells, double bound)
     {
       for (const auto& cell : cells)
       {
@@ -155,8 +155,8 @@ std::vector<LevelCell<D>> cellsOfFastChange(const State<D>& state, double thresh
         parents[parent].add(cell.second);
       }
     };
-    look(leaves[level], threshold);
-    look(refined, keeping);
+    selectAbove(leaves[level], threshold);
+    selectAbove(refined, keeping);
     refined = std::move(parents);
   }
   return wanted;

@@ -38,15 +38,15 @@ double hottest(const FacePoints<D>& points, int crack, const View<double* [2]>& 
 
 /// What each face is to lose in this step, and how the gas warms it. \param most that may burn [kg/m2]
 template <int D>
-void prepareFaces(const State<D>& state, const Work<D>& work, const Burning<D>& b, double most)
+void prepareFaces(const State<D>& state, const BurnState<D>& burn, const Burning<D>& b, double most)
 {
   if (b.flows)
-    return prepareFlow(state, work.points, b, work.fire.lit(), most, work.depth, work.heating);
+    return prepareFlow(state, burn.points, b, burn.fire.lit(), most, burn.depth, burn.heating);
   const double middle = std::max(b.pressure + 0.5 * state.clock.dt * b.slope, 0.0);
   const double depth = std::min(b.density * b.rate(middle) * state.clock.dt, most);
-  const View<int*> of = work.points.crack, lit = work.fire.lit();
-  const View<double*> depths = work.depth;
-  const FaceHeating heating = work.heating;
+  const View<int*> of = burn.points.crack, lit = burn.fire.lit();
+  const View<double*> depths = burn.depth;
+  const FaceHeating heating = burn.heating;
   const int crack = b.crack;
   const bool burns = !b.spent;
   // Gas that is left alone with its walls comes to their temperature as exp(-h A t / (m c_v)).
@@ -55,7 +55,7 @@ void prepareFaces(const State<D>& state, const Work<D>& work, const Burning<D>& 
   const double conductance = exchange > 0.0 ? -std::expm1(-exchange) * capacity / b.faces : 0.0;
   const double temperature = b.gas.temperature();
   Kokkos::parallel_for(
-      "rhegma::combustion::prepareFaces", Kokkos::RangePolicy<ExecSpace>(0, work.points.count()),
+      "rhegma::combustion::prepareFaces", Kokkos::RangePolicy<ExecSpace>(0, burn.points.count()),
       KOKKOS_LAMBDA(const int k) {
         if (of(k) != crack)
           return;
@@ -68,14 +68,14 @@ void prepareFaces(const State<D>& state, const Work<D>& work, const Burning<D>& 
 
 /// Mass that the faces of a crack are to lose in this step [kg].
 template <int D>
-double massAsked(const State<D>& state, const Work<D>& work, int crack)
+double massDemand(const State<D>& state, const BurnState<D>& burn, int crack)
 {
-  const View<int*> of = work.points.crack, acts = work.points.acts;
-  const View<double*> depths = work.depth, size = work.points.currentSize;
+  const View<int*> of = burn.points.crack, acts = burn.points.acts;
+  const View<double*> depths = burn.depth, size = burn.points.currentSize;
   const double thickness = state.method.thickness;
   double mass = 0.0;
   Kokkos::parallel_reduce(
-      "rhegma::combustion::massAsked", Kokkos::RangePolicy<ExecSpace>(0, work.points.count()),
+      "rhegma::combustion::massDemand", Kokkos::RangePolicy<ExecSpace>(0, burn.points.count()),
       KOKKOS_LAMBDA(const int k, double& sum) {
         if (of(k) == crack && acts(k) != 0)
           sum += 2.0 * depths(k) * size(k) * thickness;
@@ -87,10 +87,10 @@ double massAsked(const State<D>& state, const Work<D>& work, int crack)
 /// Gives the faces their fraction of the heat of the mass that has burnt there, and what passes by the
 /// difference of temperatures. \param fraction of what was asked for that has burnt
 template <int D>
-void heatFaces(State<D>& state, Work<D>& work, Burning<D>& b, double fraction)
+void heatFaces(State<D>& state, BurnState<D>& burn, Burning<D>& b, double fraction)
 {
-  const FacePoints<D> p = work.points;
-  const View<double*> depths = work.depth, given = work.heating.given, taken = work.taken;
+  const FacePoints<D> p = burn.points;
+  const View<double*> depths = burn.depth, given = burn.heating.given, heatToFaces = burn.heatToFaces;
   const double heat = b.wallFraction * fraction * b.gas.law().heatCapacity() * b.gas.law().flameTemperature;
   const int crack = b.crack;
   Kokkos::parallel_for(
@@ -99,11 +99,11 @@ void heatFaces(State<D>& state, Work<D>& work, Burning<D>& b, double fraction)
         if (p.crack(k) == crack)
           given(k) = depths(k) * heat;
       });
-  work.heat.give(state, p, crack, work.heating, taken);
+  burn.heat.give(state, p, crack, burn.heating, heatToFaces);
   double all = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::combustion::heatTaken", Kokkos::RangePolicy<ExecSpace>(0, p.count()),
-      KOKKOS_LAMBDA(const int k, double& sum) { sum += taken(k); }, all);
+      KOKKOS_LAMBDA(const int k, double& sum) { sum += heatToFaces(k); }, all);
   b.gas.heatWalls(all);
 }
 
@@ -122,42 +122,42 @@ void warnOfLastFuel(State<D>& state, int crack, double widest)
 } // namespace
 
 template <int D>
-void burnStep(State<D>& state, Work<D>& work, Burning<D>& b)
+void burnStep(State<D>& state, BurnState<D>& burn, Burning<D>& b)
 {
   const double gasBefore = b.gas.mass();
   const bool heated = b.usesFaces();
   if (heated)
-    work.heat.measure(state, work.points);
+    burn.heat.measure(state, burn.points);
   if (heated)
-    b.hottestFace = hottest(work.points, b.crack, work.heat.temperature());
-  work.fire.spread(state, work.points, b.crack, b.ignition, work.heat.temperature());
-  const Cavity room = measureCavity(state, work.points, b.crack, work.fire.lit());
-  b.burningArea = b.spent ? 0.0 : room.burning;
+    b.hottestFace = hottest(burn.points, b.crack, burn.heat.temperature());
+  burn.fire.spread(state, burn.points, b.crack, b.ignition, burn.heat.temperature());
+  const Cavity cavity = measureCavity(state, burn.points, b.crack, burn.fire.lit());
+  b.burningArea = b.spent ? 0.0 : cavity.burning;
   // A first step, or a flame that comes upon many faces, was not foreseen by the limit of the step.
   const double most = 2.0 * largestChange * b.gas.mass() / std::max(b.burningArea, 1e-300);
-  prepareFaces(state, work, b, most);
-  const double asked = b.burningArea > 0.0 ? massAsked(state, work, b.crack) : 0.0;
+  prepareFaces(state, burn, b, most);
+  const double demand = b.burningArea > 0.0 ? massDemand(state, burn, b.crack) : 0.0;
   double mass = 0.0, solidHeat = 0.0;
   if (b.burningArea > 0.0)
   {
-    mass = work.regression.take(state, work.points, b.crack, work.depth);
+    mass = burn.regression.computeLoss(state, burn.points, b.crack, burn.depth);
     sumParts(state, &mass, 1);
   }
   if (b.heatsFaces())
-    heatFaces(state, work, b, asked > 0.0 ? mass / asked : 0.0);
+    heatFaces(state, burn, b, demand > 0.0 ? mass / demand : 0.0);
   if (b.burningArea > 0.0)
   {
-    const auto lost = work.regression.apply(state, b.solidTemperature);
+    const auto lost = burn.regression.apply(state, b.solidTemperature);
     state.energy.combustion -= lost.energy;
     double gained[] = {lost.mass, lost.heat};
     sumParts(state, gained, 2);
     b.gas.burn(gained[0], gained[1]);
     mass = gained[0];
     solidHeat = gained[1];
-    if (mass < leastFuel * asked)
+    if (mass < leastFuel * demand)
     {
       b.spent = true;
-      warnOfLastFuel(state, b.crack, room.widest);
+      warnOfLastFuel(state, b.crack, cavity.widest);
     }
   }
   const double come = b.gas.mass() - gasBefore;
@@ -165,7 +165,7 @@ void burnStep(State<D>& state, Work<D>& work, Burning<D>& b)
   if (b.flows)
   {
     gone = -b.gas.vented();
-    moveFlow(state, work.points, b, work.depth, mass, solidHeat, work.taken);
+    moveFlow(state, burn.points, b, burn.depth, mass, solidHeat, burn.heatToFaces);
     gone += b.gas.vented();
   }
   else if (b.discharge > 0.0)
@@ -184,7 +184,7 @@ void burnStep(State<D>& state, Work<D>& work, Burning<D>& b)
   b.massRate = std::max(last, next);
 }
 
-template void burnStep(State<2>&, Work<2>&, Burning<2>&);
-template void burnStep(State<3>&, Work<3>&, Burning<3>&);
+template void burnStep(State<2>&, BurnState<2>&, Burning<2>&);
+template void burnStep(State<3>&, BurnState<3>&, Burning<3>&);
 
 } // namespace Rhegma::combustion

@@ -1,7 +1,7 @@
 #pragma once
 /// A step of the burning of a crack.
 
-#include "combustion/Work.hpp"
+#include "combustion/BurnState.hpp"
 
 namespace Rhegma::combustion
 {
@@ -10,6 +10,6 @@ namespace Rhegma::combustion
 /// out of it. Keeps the mass of solid, gas and vented gas to round-off. To be called while stencils and nodal
 /// masses are those of the step. Collective.
 template <int D>
-void burnStep(State<D>& state, Work<D>& work, Burning<D>& b);
+void burnStep(State<D>& state, BurnState<D>& burn, Burning<D>& b);
 
 } // namespace Rhegma::combustion

@@ -11,9 +11,9 @@ namespace Rhegma::combustion
 {
 
 template <int D>
-void Burning<D>::keep(Archive& archive)
+void Burning<D>::store(Archive& archive)
 {
-  gas.keep(archive);
+  gas.store(archive);
   archive("filled", filled);
   archive("spent", spent);
   archive("felt", felt);
@@ -29,7 +29,7 @@ void Burning<D>::keep(Archive& archive)
   if (flows)
   {
     const Archive::Group group(archive, "flow");
-    flow.keep(archive);
+    flow.store(archive);
   }
 }
 

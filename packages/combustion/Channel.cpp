@@ -21,7 +21,7 @@ double sum(const std::vector<double>& values) { return std::accumulate(values.be
 
 } // namespace
 
-void Channel::place(const std::vector<double>& length, const std::vector<double>& fixedCapacity)
+void Channel::setCells(const std::vector<double>& length, const std::vector<double>& fixedCapacity)
 {
   length_ = length;
   fixed_ = fixedCapacity;
@@ -43,7 +43,7 @@ void Channel::set(int k, double pressure, double temperature, double velocity)
   energy_[k] = mass_[k] * (law_.heatCapacity() * temperature + 0.5 * velocity * velocity);
 }
 
-void Channel::measureRoom(const std::vector<double>& length, double gap, double density)
+void Channel::updateVolumes(const std::vector<double>& length, double gap, double density)
 {
   length_ = length;
   for (int k = 0; k < size(); ++k)
@@ -51,7 +51,7 @@ void Channel::measureRoom(const std::vector<double>& length, double gap, double 
     volume_[k] = fixed_[k] + gap * length[k] * width_ + std::max(swept_[k] + burnt_[k] / density, 0.0);
 }
 
-void Channel::cutAnew(const std::vector<double>& length, double from, double to, double gap, double density)
+void Channel::remesh(const std::vector<double>& length, double from, double to, double gap, double density)
 {
   const std::size_t n = length.size(), old = length_.size();
   std::vector<double> edge(n + 1, 0.0);
@@ -84,7 +84,7 @@ void Channel::cutAnew(const std::vector<double>& length, double from, double to,
   for (int f = 0; f < 6; ++f)
     *fields[f] = next[f];
   volume_.assign(n, 0.0);
-  measureRoom(length, gap, density);
+  updateVolumes(length, gap, density);
   // New cells share the gas of the nearest cell that has some, all at one density.
   std::vector<int> with;
   for (std::size_t k = 0; k < n; ++k)
@@ -186,7 +186,7 @@ double Channel::longestStep() const
   return courant * limit;
 }
 
-void Channel::rub(double h)
+void Channel::applyWallFriction(double h)
 {
   for (int k = 0; k < size(); ++k)
   {
@@ -252,7 +252,7 @@ void Channel::flow(double h, const ChannelSupply& supply, ChannelLoss& loss)
       return;
     // As from a reservoir in which the gas of the cell would have come to rest.
     double p = s.pressure, rest = temperature(k);
-    law_.bringToRest(p, rest, std::max(outward * s.velocity, 0.0));
+    law_.stagnate(p, rest, std::max(outward * s.velocity, 0.0));
     const double gone = std::min(law_.outflow(end.area, p, rest, end.outside), 0.5 * mass_[k] / h);
     const double out = outward / passage_[f];
     const double enthalpy = gone / mass_[k] * (energy_[k] + s.pressure * volume_[k]);
@@ -303,7 +303,7 @@ ChannelLoss Channel::advance(double dt, const ChannelSupply& supply, double dens
       cooled += energy - left;
     }
     flow(h, supply, loss);
-    rub(h);
+    applyWallFriction(h);
     if (law_.constantTemperature)
       for (int k = 0; k < size(); ++k)
       {
@@ -331,7 +331,7 @@ ChannelLoss Channel::advance(double dt, const ChannelSupply& supply, double dens
   return loss;
 }
 
-void Channel::keep(Archive& archive)
+void Channel::store(Archive& archive)
 {
   archive("length", length_);
   archive("volume", volume_);

@@ -64,16 +64,16 @@ public:
   }
 
   /// Cells of the lengths [m] in which there is nothing, with room that no face opens [m3].
-  void place(const std::vector<double>& length, const std::vector<double>& fixedCapacity);
+  void setCells(const std::vector<double>& length, const std::vector<double>& fixedCapacity);
   /// Fills the room there is.
   void fill(double pressure, double temperature);
 
   /// Follows a crack that has grown or is cut anew: the cells had lain between `from` and `to` of the arc [m]
   /// of the new ones. What is in them goes along by the lengths they share, what is new gets the gas of its
   /// neighbours.
-  void cutAnew(const std::vector<double>& length, double from, double to, double gap, double density);
+  void remesh(const std::vector<double>& length, double from, double to, double gap, double density);
   /// The room of the cells as faces of a roughness have now swept and burnt it. \param gap [m]
-  void measureRoom(const std::vector<double>& length, double gap, double density);
+  void updateVolumes(const std::vector<double>& length, double gap, double density);
 
   ChannelLoss advance(double dt, const ChannelSupply& supply, double density);
 
@@ -96,7 +96,7 @@ public:
   /// Whether each cell has room, gas and energy.
   bool sound() const;
 
-  void keep(Archive& archive);
+  void store(Archive& archive);
 
 private:
   struct State
@@ -114,7 +114,7 @@ private:
   double longestStep() const;
   void reconstruct(double h); ///< the gas at both ends of each cell, half a step on
   void flow(double h, const ChannelSupply& supply, ChannelLoss& loss);
-  void rub(double h);
+  void applyWallFriction(double h);
 
   GasLaw law_;
   WallFriction friction_;

@@ -32,10 +32,10 @@ void warnOfRunaway(State<D>& state, const std::string& name, const Teuchos::Para
 
 /// The longest step in which gas and volume of no crack change by more than largestChange [s].
 template <int D>
-double timeStepLimit(const Work<D>& work)
+double timeStepLimit(const BurnState<D>& burn)
 {
   double limit = std::numeric_limits<double>::max();
-  for (const Burning<D>& b : work.cracks)
+  for (const Burning<D>& b : burn.cracks)
   {
     if (b.massRate > 0.0)
       limit = std::min(limit, largestChange * b.gas.mass() / b.massRate);
@@ -46,73 +46,73 @@ double timeStepLimit(const Work<D>& work)
 }
 
 template <int D>
-void keep(Work<D>& work, Archive& archive)
+void store(BurnState<D>& burn, Archive& archive)
 {
-  archive("start_mass", work.startMass);
-  keepMeetings(work.meetings, archive);
-  for (Burning<D>& b : work.cracks)
+  archive("start_mass", burn.startMass);
+  storeMeetings(burn.meetings, archive);
+  for (Burning<D>& b : burn.cracks)
   {
     const Archive::Group group(archive, std::to_string(b.crack));
-    b.keep(archive);
+    b.store(archive);
   }
   {
     const Archive::Group group(archive, "points");
-    work.points.keep(archive);
+    burn.points.keep(archive);
   }
-  work.fire.keep(archive);
+  burn.fire.store(archive);
 }
 
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 {
-  const auto work = std::make_shared<Work<D>>();
+  const auto burn = std::make_shared<BurnState<D>>();
   Effect<D> effect;
   effect.name = "Combustion";
   effect.balance = {"combustion"};
   effect.needs = {fields::side};
   effect.adds = {{burntOverLeft, 1, "", "mass of a particle lost to gas over its remaining mass"}};
-  effect.atStart = [work, all = Teuchos::ParameterList(scene), options](State<D>& state)
+  effect.atStart = [burn, all = Teuchos::ParameterList(scene), options](State<D>& state)
   {
     const Teuchos::ParameterList& list = all.sublist("Combustion");
     for (const std::string& name : sublistNames(list))
     {
-      work->cracks.push_back(readBurning(state, all, options, name));
+      burn->cracks.push_back(readBurning(state, all, options, name));
       warnOfRunaway(state, name, list.sublist(name));
     }
-    work->startMass = massOfParticles(state);
+    burn->startMass = massOfParticles(state);
   };
   effect.call({Stage::BeforeSolve,
                "push of gas",
                {quantity::nodalMass, quantity::crackGeometry},
                {},
                {quantity::nodalForce, quantity::facePressure},
-               [work](State<D>& s)
+               [burn](State<D>& s)
                {
-                 work->follow(s);
-                 updateMeetings(s, *work);
-                 for (Burning<D>& b : work->cracks)
-                   pushByGas(s, *work, b);
+                 burn->follow(s);
+                 updateMeetings(s, *burn);
+                 for (Burning<D>& b : burn->cracks)
+                   pushByGas(s, *burn, b);
                }});
   effect.call({stageOfFaceVelocity(scene),
                "work of gas and burning of crack faces",
                {projectsLast(scene) ? quantity::projection : quantity::particleVelocity},
                {},
                {},
-               [work](State<D>& s)
+               [burn](State<D>& s)
                {
-                 for (Burning<D>& b : work->cracks)
-                   recordGasWork(s, *work, b);
-                 for (Burning<D>& b : work->cracks)
-                   burnStep(s, *work, b);
-                 letGasesPass(s, *work);
+                 for (Burning<D>& b : burn->cracks)
+                   recordGasWork(s, *burn, b);
+                 for (Burning<D>& b : burn->cracks)
+                   burnStep(s, *burn, b);
+                 letGasesPass(s, *burn);
                }});
-  effect.call({Stage::Observe, "gas in cracks", {quantity::facePressure}, {}, {}, [work](State<D>& s) {
-                 sampleGas(s, *work);
+  effect.call({Stage::Observe, "gas in cracks", {quantity::facePressure}, {}, {}, [burn](State<D>& s) {
+                 sampleGas(s, *burn);
                }});
-  effect.timeStepLimit = [work](const State<D>&) { return timeStepLimit(*work); };
-  effect.memory = [work](State<D>&, Archive& archive) { keep(*work, archive); };
-  effect.report = [work](const State<D>& state, nlohmann::json& summary)
-  { reportGas(state, *work, summary); };
+  effect.timeStepLimit = [burn](const State<D>&) { return timeStepLimit(*burn); };
+  effect.memory = [burn](State<D>&, Archive& archive) { store(*burn, archive); };
+  effect.report = [burn](const State<D>& state, nlohmann::json& summary)
+  { reportGas(state, *burn, summary); };
   return effect;
 }
 

@@ -19,7 +19,7 @@ constexpr double sameEnd = 0.25;
 
 /// Place along the cells as they are now that is the nearest to one in 3D [m].
 template <int D>
-double CrackFlow<D>::arcAt(const FacePoints<D>& points, const Vector<D>& place) const
+double CrackFlow<D>::arcAt(const FacePoints<D>& points, const Vector<D>& point) const
 {
   double found = 0.0;
   if constexpr (D == 2)
@@ -30,7 +30,7 @@ double CrackFlow<D>::arcAt(const FacePoints<D>& points, const Vector<D>& place) 
     for (std::size_t k = 0; k < length_.size(); ++k)
     {
       const int p = first_ + static_cast<int>(k);
-      const double x = place[0] - position(p, 0), y = place[1] - position(p, 1);
+      const double x = point[0] - position(p, 0), y = point[1] - position(p, 1);
       // Side +1, to which the normal points, lies to the left of the crack's own direction.
       const double along = x * normal(p, 1) - y * normal(p, 0);
       if (std::hypot(x, y) < nearest)
@@ -65,7 +65,7 @@ void CrackFlow<D>::follow(const FacePoints<D>& points, int crack, double cavity,
     std::vector<double> capacity(length_.size());
     for (std::size_t k = 0; k < capacity.size(); ++k)
       capacity[k] = cavity * length_[k] / whole;
-    channel_.place(length_, capacity);
+    channel_.setCells(length_, capacity);
   }
   else
   {
@@ -74,9 +74,9 @@ void CrackFlow<D>::follow(const FacePoints<D>& points, int crack, double cavity,
     from = std::fabs(from) < sameEnd * before.front() ? 0.0 : from;
     to = std::fabs(whole - to) < sameEnd * before.back() ? whole : to;
     if (length_.size() != before.size() || from != 0.0 || to != whole)
-      channel_.cutAnew(length_, from, to, gap, density);
+      channel_.remesh(length_, from, to, gap, density);
   }
-  channel_.measureRoom(length_, gap, density);
+  channel_.updateVolumes(length_, gap, density);
   const int last = first_ + static_cast<int>(length_.size()) - 1;
   for (int d = 0; d < D; ++d)
   {
@@ -86,9 +86,9 @@ void CrackFlow<D>::follow(const FacePoints<D>& points, int crack, double cavity,
 }
 
 template <int D>
-void CrackFlow<D>::keep(Archive& archive)
+void CrackFlow<D>::store(Archive& archive)
 {
-  channel_.keep(archive);
+  channel_.store(archive);
   archive("first", first_);
   archive("lengths", length_);
   archive("begin", begin_);

@@ -27,10 +27,10 @@ public:
   const Channel& channel() const { return channel_; }
   int first() const { return first_; } ///< face point of its first cell
 
-  void keep(Archive& archive);
+  void store(Archive& archive);
 
 private:
-  double arcAt(const FacePoints<D>& points, const Vector<D>& place) const;
+  double arcAt(const FacePoints<D>& points, const Vector<D>& point) const;
 
   Channel channel_;
   double thickness_ = 1.0;

@@ -14,7 +14,7 @@ void FaceHeat<D>::measure(const State<D>& state, const FacePoints<D>& points)
   if (nodes_.extent(0) < rows)
   {
     nodes_ = View<double * [D + 3]>("rhegma::combustion::heatOfNodes", rows);
-    asked_ = View<double* [5]>("rhegma::combustion::heatAsked", rows);
+    demand_ = View<double* [5]>("rhegma::combustion::heatAsked", rows);
   }
   if (static_cast<int>(atFaces_.extent(0)) != points.count())
     atFaces_ = View<double* [2]>("rhegma::combustion::faceTemperature", points.count());
@@ -31,7 +31,7 @@ void FaceHeat<D>::clear(const State<D>& state) const
 {
   const Nodes<D> nodes = state.mesh.nodes;
   const auto sums = nodes_;
-  const auto asked = asked_;
+  const auto demand = demand_;
   Kokkos::parallel_for(
       "rhegma::combustion::clearHeat", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i) {
@@ -39,7 +39,7 @@ void FaceHeat<D>::clear(const State<D>& state) const
         for (int k = 0; k < D + 3; ++k)
           sums(n, k) = 0.0;
         for (int k = 0; k < 5; ++k)
-          asked(n, k) = 0.0;
+          demand(n, k) = 0.0;
       });
 }
 
@@ -136,30 +136,30 @@ void FaceHeat<D>::checkFaces(const State<D>&, const FacePoints<D>& points) const
 
 template <int D>
 void FaceHeat<D>::give(State<D>& state, const FacePoints<D>& points, int crack, const FaceHeating& heating,
-                       const View<double*>& taken)
+                       const View<double*>& heatToFaces)
 {
-  ask(state, points, crack, heating);
-  sumOverRanks(state, asked_.data(), 5, 0, 3);
+  sumDemand(state, points, crack, heating);
+  sumOverRanks(state, demand_.data(), 5, 0, 3);
   change(state);
-  charge(state, points, crack, heating, taken);
-  sumParts(state, taken);
+  charge(state, points, crack, heating, heatToFaces);
+  sumParts(state, heatToFaces);
   state.energy.heat += toParticles(state);
 }
 
 template <int D>
-void FaceHeat<D>::ask(const State<D>& state, const FacePoints<D>& points, int crack,
-                      const FaceHeating& heating) const
+void FaceHeat<D>::sumDemand(const State<D>& state, const FacePoints<D>& points, int crack,
+                            const FaceHeating& heating) const
 {
   const FacePoints<D> p = points;
   const FaceHeating heat = heating;
-  const auto asked = asked_;
+  const auto demand = demand_;
   const double thickness = state.method.thickness;
   const Nodes<D> nodes = state.mesh.nodes;
   Kokkos::parallel_for(
       "rhegma::combustion::clearAsked", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i) {
         for (int k = 0; k < 5; ++k)
-          asked(activeNode(nodes, i), k) = 0.0;
+          demand(activeNode(nodes, i), k) = 0.0;
       });
   forEachPushing(
       "rhegma::combustion::askHeat", points.count(), KOKKOS_LAMBDA(const int k) {
@@ -173,9 +173,9 @@ void FaceHeat<D>::ask(const State<D>& state, const FacePoints<D>& points, int cr
           for (int e = 0; e < face.count(k); ++e)
           {
             const int n = face.node(k, e);
-            Kokkos::atomic_add(&asked(n, 0), face.weight(k, e) * H);
-            Kokkos::atomic_add(&asked(n, 1), face.weight(k, e) * H * heat.gasTemperature(k));
-            Kokkos::atomic_add(&asked(n, 2), face.weight(k, e) * F);
+            Kokkos::atomic_add(&demand(n, 0), face.weight(k, e) * H);
+            Kokkos::atomic_add(&demand(n, 1), face.weight(k, e) * H * heat.gasTemperature(k));
+            Kokkos::atomic_add(&demand(n, 2), face.weight(k, e) * F);
           }
         }
       });
@@ -186,34 +186,34 @@ void FaceHeat<D>::change(const State<D>& state) const
 {
   const Nodes<D> nodes = state.mesh.nodes;
   const auto sums = nodes_;
-  const auto asked = asked_;
+  const auto demand = demand_;
   Kokkos::parallel_for(
       "rhegma::combustion::changeOfNodes", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i) {
         const int n = activeNode(nodes, i);
-        const double C = sums(n, capacityAt), H = asked(n, 0);
+        const double C = sums(n, capacityAt), H = demand(n, 0);
         if (!(C > 0.0))
           return;
         const double fraction = H > 0.0 ? -std::expm1(-H / C) * C / H : 0.0;
-        const double heat = fraction * (asked(n, 1) - H * sums(n, temperatureAt)) + asked(n, 2);
-        asked(n, fractionAt) = fraction;
-        asked(n, changeAt) = heat / C;
+        const double heat = fraction * (demand(n, 1) - H * sums(n, temperatureAt)) + demand(n, 2);
+        demand(n, fractionAt) = fraction;
+        demand(n, changeAt) = heat / C;
       });
 }
 
 template <int D>
 void FaceHeat<D>::charge(const State<D>& state, const FacePoints<D>& points, int crack,
-                         const FaceHeating& heating, const View<double*>& taken) const
+                         const FaceHeating& heating, const View<double*>& heatToFaces) const
 {
   const FacePoints<D> p = points;
   const FaceHeating heat = heating;
   const auto sums = nodes_;
-  const auto asked = asked_;
+  const auto demand = demand_;
   const double thickness = state.method.thickness;
   Kokkos::parallel_for(
       "rhegma::combustion::chargeGas", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
       KOKKOS_LAMBDA(const int k) {
-        taken(k) = 0.0;
+        heatToFaces(k) = 0.0;
         if (p.crack(k) != crack)
           return;
         const double area = p.currentSize(k) * thickness;
@@ -224,10 +224,10 @@ void FaceHeat<D>::charge(const State<D>& state, const FacePoints<D>& points, int
           {
             const int n = face.node(k, e);
             if (sums(n, capacityAt) > 0.0)
-              taken(k) += face.weight(k, e) * area *
-                          (asked(n, fractionAt) * heat.conductance(k) *
-                               (heat.gasTemperature(k) - sums(n, temperatureAt)) +
-                           heat.given(k));
+              heatToFaces(k) += face.weight(k, e) * area *
+                                (demand(n, fractionAt) * heat.conductance(k) *
+                                     (heat.gasTemperature(k) - sums(n, temperatureAt)) +
+                                 heat.given(k));
           }
         }
       });
@@ -239,7 +239,7 @@ double FaceHeat<D>::toParticles(State<D>& state) const
   const StencilTable<D> table = state.stored.table;
   const View<int*> particle = state.stored.particle;
   const ThermoTables tables = state.materials.thermo;
-  const auto asked = asked_;
+  const auto demand = demand_;
   const auto volume = state.particles.scalar(fields::volume);
   const auto temperature = state.particles.scalar(fields::temperature);
   const auto internal = state.particles.scalar(fields::internalEnergy);
@@ -251,7 +251,7 @@ double FaceHeat<D>::toParticles(State<D>& state) const
         const int p = particle(r);
         double rise = 0.0;
         for (int e = 0; e < table.count(r); ++e)
-          rise += table.weight(r, e) * asked(table.node(r, e), changeAt);
+          rise += table.weight(r, e) * demand(table.node(r, e), changeAt);
         if (rise == 0.0)
           return;
         const double c = ThermoPoint(tables, material(p), temperature(p)).capacity();

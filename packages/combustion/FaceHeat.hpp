@@ -35,17 +35,18 @@ public:
   /// Heats the faces of a crack after `measure`; records it under `heat`. Collective.
   /// \param taken by both faces at each point, of all ranks [J]
   void give(State<D>& state, const FacePoints<D>& points, int crack, const FaceHeating& heating,
-            const View<double*>& taken);
+            const View<double*>& heatToFaces);
 
   // Public because compilers for devices want kernels in public functions.
   void clear(const State<D>& state) const;
   void weigh(const State<D>& state) const;
   void findTemperatures(const State<D>& state) const;
   void checkFaces(const State<D>& state, const FacePoints<D>& points) const;
-  void ask(const State<D>& state, const FacePoints<D>& points, int crack, const FaceHeating& heating) const;
+  void sumDemand(const State<D>& state, const FacePoints<D>& points, int crack,
+                 const FaceHeating& heating) const;
   void change(const State<D>& state) const;
   void charge(const State<D>& state, const FacePoints<D>& points, int crack, const FaceHeating& heating,
-              const View<double*>& taken) const;
+              const View<double*>& heatToFaces) const;
   double toParticles(State<D>& state) const;
 
 private:
@@ -55,7 +56,7 @@ private:
   static constexpr int capacityAt = 0, heatAt = 1, momentAt = 2, temperatureAt = D + 2;
   /// Of each node: H [J/K], H T_gas [J], heat that is given [J]; then fraction of H that acts [-], change of
   /// temperature [K].
-  View<double* [5]> asked_;
+  View<double* [5]> demand_;
   static constexpr int fractionAt = 3, changeAt = 4;
   View<double* [2]> atFaces_;
 };

@@ -82,7 +82,7 @@ void recordFlow(State<D>& state, const FacePoints<D>& points, Burning<D>& b, con
     work += (p(first + k) + b.outside) * all(first + k);
   }
   b.supply.work = work;
-  b.gas.work(work);
+  b.gas.doWork(work);
   b.swept += volume;
   b.volumeRate = state.clock.dt > 0.0 ? volume / state.clock.dt : 0.0;
 }
@@ -119,23 +119,23 @@ void prepareFlow(const State<D>& state, const FacePoints<D>& points, const Burni
 
 template <int D>
 void moveFlow(State<D>& state, const FacePoints<D>& points, Burning<D>& b, const View<double*>& depth,
-              double mass, double heat, const View<double*>& taken)
+              double mass, double heat, const View<double*>& heatToFaces)
 {
   Channel& channel = b.flow.channel();
   const int first = b.flow.first(), count = channel.size();
   const auto depths = onHost(depth);
   const auto size = onHost(points.currentSize);
   const auto acts = onHost(points.acts);
-  const auto gone = onHost(taken);
-  double asked = 0.0;
+  const auto gone = onHost(heatToFaces);
+  double demand = 0.0;
   for (int k = first; k < first + count; ++k)
-    asked += acts(k) != 0 ? depths(k) * size(k) : 0.0;
+    demand += acts(k) != 0 ? depths(k) * size(k) : 0.0;
   b.supply.burnt.assign(count, 0.0);
   b.supply.heat.assign(count, 0.0);
   for (int k = 0; k < count; ++k)
   {
     const double fraction =
-        asked > 0.0 && acts(first + k) != 0 ? depths(first + k) * size(first + k) / asked : 0.0;
+        demand > 0.0 && acts(first + k) != 0 ? depths(first + k) * size(first + k) / demand : 0.0;
     b.supply.burnt[k] = fraction * mass;
     b.supply.heat[k] = fraction * heat - (b.heatsFaces() ? gone(first + k) : 0.0);
   }
@@ -146,7 +146,7 @@ void moveFlow(State<D>& state, const FacePoints<D>& points, Burning<D>& b, const
     b.supply.last = {b.discharge * surfaceEnd[1], b.outside};
   }
   const ChannelLoss loss = channel.advance(state.clock.dt, b.supply, b.density);
-  b.gas.takeOut(loss.mass, loss.energy);
+  b.gas.recordOutflow(loss.mass, loss.energy);
   b.gas.heatWalls(loss.walls);
   findFailure(state, b);
 }

@@ -27,6 +27,6 @@ void prepareFlow(const State<D>& state, const FacePoints<D>& points, const Burni
 /// it had as a solid [J] \param taken by the faces at each face point [J]
 template <int D>
 void moveFlow(State<D>& state, const FacePoints<D>& points, Burning<D>& b, const View<double*>& depth,
-              double mass, double heat, const View<double*>& taken);
+              double mass, double heat, const View<double*>& heatToFaces);
 
 } // namespace Rhegma::combustion

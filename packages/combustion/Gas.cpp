@@ -73,7 +73,7 @@ void Gas::heatWalls(double heat)
   wallHeat_ += heat;
 }
 
-void Gas::work(double energy)
+void Gas::doWork(double energy)
 {
   energy_ -= energy;
   work_ += energy;
@@ -83,10 +83,10 @@ void Gas::vent(double mass, double volume)
 {
   if (!(mass > 0.0))
     return;
-  takeOut(mass, mass * enthalpy(volume));
+  recordOutflow(mass, mass * enthalpy(volume));
 }
 
-void Gas::takeOut(double mass, double enthalpy)
+void Gas::recordOutflow(double mass, double enthalpy)
 {
   mass_ -= mass;
   energy_ -= enthalpy;
@@ -137,7 +137,7 @@ double GasLaw::outflow(double area, double pressure, double temperature, double 
   return area * pressure / std::sqrt(constant * temperature) * flux;
 }
 
-void GasLaw::bringToRest(double& pressure, double& temperature, double speed) const
+void GasLaw::stagnate(double& pressure, double& temperature, double speed) const
 {
   const double cp = heatRatio * heatCapacity(), power = heatRatio / (heatRatio - 1.0);
   const double energy = 0.5 * speed * speed, pushed = covolume * pressure;
@@ -163,7 +163,7 @@ double Gas::outflow(double area, double volume, double outside) const
   return law_.outflow(area, pressure(volume), temperature(), outside);
 }
 
-void Gas::keep(Archive& archive)
+void Gas::store(Archive& archive)
 {
   archive("mass", mass_);
   archive("energy", energy_);

@@ -28,7 +28,7 @@ struct GasLaw
   double outflow(double area, double pressure, double temperature, double outside) const;
   /// What gas that moves at a speed [m/s] has when it comes to rest without losses: p (1/rho - b)^gamma and
   /// the enthalpy stay as they are. Changes pressure and temperature to that.
-  void bringToRest(double& pressure, double& temperature, double speed) const;
+  void stagnate(double& pressure, double& temperature, double speed) const;
 };
 
 /// Mass and energy of the gas in one crack, and where they came from and went to.
@@ -55,11 +55,11 @@ public:
   void fillWith(double mass, double energy);
 
   void burn(double mass, double heat);   ///< [kg], and the heat that it had as a solid [J]
-  void work(double energy);              ///< that the gas did [J]
+  void doWork(double energy);            ///< that the gas did [J]
   void vent(double mass, double volume); ///< [kg]
   void heatWalls(double heat);           ///< [J]
   /// Books what has flowed out with its enthalpy [kg, J].
-  void takeOut(double mass, double enthalpy);
+  void recordOutflow(double mass, double enthalpy);
   /// Books what has come from the gas of another crack with its enthalpy, or gone there (negative) [kg, J].
   void pass(double mass, double enthalpy);
   /// Where the temperature is constant, the walls give or take what it needs.
@@ -89,7 +89,7 @@ public:
   /// Mass that flows out through an opening [kg/s]: GasLaw::outflow.
   double outflow(double area, double volume, double outside) const;
 
-  void keep(Archive& archive);
+  void store(Archive& archive);
 
 private:
   GasLaw law_;

@@ -76,9 +76,9 @@ double massOfParticles(const State<D>& state)
 }
 
 template <int D>
-void sampleGas(State<D>& state, const Work<D>& work)
+void sampleGas(State<D>& state, const BurnState<D>& burn)
 {
-  for (const Burning<D>& b : work.cracks)
+  for (const Burning<D>& b : burn.cracks)
   {
     const std::string& name = state.cracks.cracks[b.crack].name;
     samplePressure(state, b.crack, b.pressure);
@@ -97,10 +97,10 @@ void sampleGas(State<D>& state, const Work<D>& work)
 }
 
 template <int D>
-void reportGas(const State<D>& state, const Work<D>& work, nlohmann::json& summary)
+void reportGas(const State<D>& state, const BurnState<D>& burn, nlohmann::json& summary)
 {
-  double solid = massOfParticles(state), total = work.startMass, now = solid;
-  for (const Burning<D>& b : work.cracks)
+  double solid = massOfParticles(state), total = burn.startMass, now = solid;
+  for (const Burning<D>& b : burn.cracks)
   {
     const Gas& gas = b.gas;
     nlohmann::json& entry = summary["cracks"][b.crack];
@@ -140,9 +140,9 @@ void reportGas(const State<D>& state, const Work<D>& work, nlohmann::json& summa
 
 template double massOfParticles(const State<2>&);
 template double massOfParticles(const State<3>&);
-template void sampleGas(State<2>&, const Work<2>&);
-template void sampleGas(State<3>&, const Work<3>&);
-template void reportGas(const State<2>&, const Work<2>&, nlohmann::json&);
-template void reportGas(const State<3>&, const Work<3>&, nlohmann::json&);
+template void sampleGas(State<2>&, const BurnState<2>&);
+template void sampleGas(State<3>&, const BurnState<3>&);
+template void reportGas(const State<2>&, const BurnState<2>&, nlohmann::json&);
+template void reportGas(const State<3>&, const BurnState<3>&, nlohmann::json&);
 
 } // namespace Rhegma::combustion

@@ -1,7 +1,7 @@
 #pragma once
 /// What a run tells of the gas in its cracks.
 
-#include "combustion/Work.hpp"
+#include "combustion/BurnState.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -14,11 +14,11 @@ double massOfParticles(const State<D>& state);
 
 /// Writes a sample of history.csv (Sample::row).
 template <int D>
-void sampleGas(State<D>& state, const Work<D>& work);
+void sampleGas(State<D>& state, const BurnState<D>& burn);
 
 /// Writes what summary.json has of the gas: its state and where its mass and energy came from and went to.
 /// Collective.
 template <int D>
-void reportGas(const State<D>& state, const Work<D>& work, nlohmann::json& summary);
+void reportGas(const State<D>& state, const BurnState<D>& burn, nlohmann::json& summary);
 
 } // namespace Rhegma::combustion

@@ -32,10 +32,10 @@ void warnOfWideOpening(State<D>& state, Burning<D>& b, double opening)
 } // namespace
 
 template <int D>
-void pushByGas(State<D>& state, const Work<D>& work, Burning<D>& b)
+void pushByGas(State<D>& state, const BurnState<D>& burn, Burning<D>& b)
 {
-  const FacePoints<D>& points = work.points;
-  const Cavity capacity = measureCavity(state, points, b.crack, work.fire.lit());
+  const FacePoints<D>& points = burn.points;
+  const Cavity capacity = measureCavity(state, points, b.crack, burn.fire.lit());
   const std::string& name = state.cracks.cracks[b.crack].name;
   b.faces = 2.0 * capacity.felt;
   b.felt = b.felt || capacity.felt > 0.0;
@@ -46,7 +46,7 @@ void pushByGas(State<D>& state, const Work<D>& work, Burning<D>& b)
   if (b.flows)
   {
     if (state.failure.empty())
-      pushByFlow(state, points, b, work.pressure);
+      pushByFlow(state, points, b, burn.pressure);
     return;
   }
   b.volume = b.cavity + b.gap * capacity.area + b.swept + b.gas.burnt() / b.density;
@@ -69,16 +69,16 @@ void pushByGas(State<D>& state, const Work<D>& work, Burning<D>& b)
 }
 
 template <int D>
-void recordGasWork(State<D>& state, const Work<D>& work, Burning<D>& b)
+void recordGasWork(State<D>& state, const BurnState<D>& burn, Burning<D>& b)
 {
-  const FacePoints<D>& points = work.points;
+  const FacePoints<D>& points = burn.points;
   if (b.flows)
-    return recordFlow(state, points, b, work.pressure, work.swept);
+    return recordFlow(state, points, b, burn.pressure, burn.swept);
   // Each rank records its own part.
   state.energy.combustion +=
       workOnFaces("rhegma::combustion::work", state, points, b.crack, b.pressure - b.outside);
-  sweptVolumes("rhegma::combustion::sweep", state, points, b.crack, work.swept);
-  const View<double*> volumes = work.swept;
+  sweptVolumes("rhegma::combustion::sweep", state, points, b.crack, burn.swept);
+  const View<double*> volumes = burn.swept;
   const View<int*> of = points.crack;
   const int crack = b.crack;
   double swept = 0.0;
@@ -86,7 +86,7 @@ void recordGasWork(State<D>& state, const Work<D>& work, Burning<D>& b)
       "rhegma::combustion::swept", Kokkos::RangePolicy<ExecSpace>(0, points.count()),
       KOKKOS_LAMBDA(const int k, double& sum) { sum += of(k) == crack ? volumes(k) : 0.0; }, swept);
   sumParts(state, &swept, 1);
-  b.gas.work(b.pressure * swept);
+  b.gas.doWork(b.pressure * swept);
   b.swept += swept;
   b.volumeRate = state.clock.dt > 0.0 ? swept / state.clock.dt : 0.0;
   if (!(b.gas.energy() > 0.0))
@@ -94,9 +94,9 @@ void recordGasWork(State<D>& state, const Work<D>& work, Burning<D>& b)
                     ": the gas has done more work than it has energy; lower Time > CFL";
 }
 
-template void pushByGas(State<2>&, const Work<2>&, Burning<2>&);
-template void pushByGas(State<3>&, const Work<3>&, Burning<3>&);
-template void recordGasWork(State<2>&, const Work<2>&, Burning<2>&);
-template void recordGasWork(State<3>&, const Work<3>&, Burning<3>&);
+template void pushByGas(State<2>&, const BurnState<2>&, Burning<2>&);
+template void pushByGas(State<3>&, const BurnState<3>&, Burning<3>&);
+template void recordGasWork(State<2>&, const BurnState<2>&, Burning<2>&);
+template void recordGasWork(State<3>&, const BurnState<3>&, Burning<3>&);
 
 } // namespace Rhegma::combustion

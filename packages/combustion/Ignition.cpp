@@ -31,10 +31,10 @@ void Fire<D>::spread(const State<D>& state, const FacePoints<D>& points, int cra
       KOKKOS_LAMBDA(const int k) {
         if (of(k) != crack || lit(k) != 0)
           return;
-        Vector<D> place;
+        Vector<D> x;
         for (int d = 0; d < D; ++d)
-          place[d] = position(k, d);
-        const bool reached = what.everywhere || (what.inBox && what.distance(place) <= radius);
+          x[d] = position(k, d);
+        const bool reached = what.everywhere || (what.inBox && what.distance(x) <= radius);
         const bool heated =
             hot && (temperature(k, 0) >= what.temperature || temperature(k, 1) >= what.temperature);
         lit(k) = reached || heated ? 1 : 0;
@@ -42,7 +42,7 @@ void Fire<D>::spread(const State<D>& state, const FacePoints<D>& points, int cra
 }
 
 template <int D>
-void Fire<D>::keep(Archive& archive)
+void Fire<D>::store(Archive& archive)
 {
   archive("lit", lit_);
 }

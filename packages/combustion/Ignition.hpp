@@ -22,14 +22,12 @@ struct Ignition
 
   bool byTemperature() const { return temperature < std::numeric_limits<double>::infinity(); }
   /// Distance of a position from the box [m].
-  KOKKOS_INLINE_FUNCTION double distance(const Vector<D>& place) const
+  KOKKOS_INLINE_FUNCTION double distance(const Vector<D>& x) const
   {
     double square = 0.0;
     for (int d = 0; d < D; ++d)
     {
-      const double out = place[d] < lower[d]   ? lower[d] - place[d]
-                         : place[d] > upper[d] ? place[d] - upper[d]
-                                               : 0.0;
+      const double out = x[d] < lower[d] ? lower[d] - x[d] : x[d] > upper[d] ? x[d] - upper[d] : 0.0;
       square += out * out;
     }
     return std::sqrt(square);
@@ -52,7 +50,7 @@ public:
 
   const View<int*>& lit() const { return lit_; } ///< not 0 where a point burns
 
-  void keep(Archive& archive);
+  void store(Archive& archive);
 
 private:
   View<int*> lit_;

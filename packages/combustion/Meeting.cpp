@@ -16,7 +16,7 @@ namespace
 struct JoinedEnd
 {
   int crack, end;
-  Vector<2> place;
+  Vector<2> position;
 };
 
 std::vector<JoinedEnd> joinedEnds(const CrackSet<2>& cracks)
@@ -49,7 +49,7 @@ int crackAt(const CrackSet<2>& cracks, const JoinedEnd& end)
   {
     if (static_cast<int>(c) == end.crack)
       continue;
-    const double distance = distanceFromCrack(cracks, static_cast<int>(c), end.place, end.place);
+    const double distance = distanceFromCrack(cracks, static_cast<int>(c), end.position, end.position);
     if (distance < least)
     {
       least = distance;
@@ -70,7 +70,7 @@ std::vector<Meeting> findMeetings(const CrackSet<2>& cracks, double reach)
   {
     Meeting meeting{end.crack, end.end, crackAt(cracks, end)};
     for (const JoinedEnd& other : ends)
-      if (other.crack == meeting.other && norm(other.place - end.place) < reach &&
+      if (other.crack == meeting.other && norm(other.position - end.position) < reach &&
           crackAt(cracks, other) == end.crack)
         meeting.otherEnd = other.end;
     if (meeting.otherEnd < 0 || meeting.crack < meeting.other)
@@ -81,13 +81,13 @@ std::vector<Meeting> findMeetings(const CrackSet<2>& cracks, double reach)
 
 std::vector<Meeting> findMeetings(const CrackSet<3>&, double) { return {}; }
 
-void keepMeetings(std::vector<Meeting>& meetings, Archive& archive)
+void storeMeetings(std::vector<Meeting>& meetings, Archive& archive)
 {
   constexpr int columns = 5;
   std::vector<int> rows;
   rows.reserve(columns * meetings.size());
   for (const Meeting& m : meetings)
-    rows.insert(rows.end(), {m.crack, m.end, m.other, m.otherEnd, m.told ? 1 : 0});
+    rows.insert(rows.end(), {m.crack, m.end, m.other, m.otherEnd, m.reported ? 1 : 0});
   archive("meetings", rows, columns);
   meetings.clear();
   for (std::size_t k = 0; k < rows.size(); k += columns)

@@ -18,7 +18,7 @@ struct Meeting
 {
   int crack = 0, end = 0;       ///< the crack that has ended, at its first end (0) or its last
   int other = 0, otherEnd = -1; ///< the one on which it lies, and which end of that; -1: between its ends
-  bool told = false;            ///< a warning has said that their gases stay apart
+  bool reported = false;        ///< a warning has said that their gases stay apart
 };
 
 /// Those of a scene, two ends that have met counted once. \param reach that two ends are apart at most that
@@ -28,6 +28,6 @@ std::vector<Meeting> findMeetings(const CrackSet<2>& cracks, double reach);
 std::vector<Meeting> findMeetings(const CrackSet<3>& cracks, double reach);
 
 /// Saves or loads them.
-void keepMeetings(std::vector<Meeting>& meetings, Archive& archive);
+void storeMeetings(std::vector<Meeting>& meetings, Archive& archive);
 
 } // namespace Rhegma::combustion

@@ -11,11 +11,11 @@ namespace
 {
 
 template <int D>
-Burning<D>* gasOf(Work<D>& work, int crack)
+Burning<D>* gasOf(BurnState<D>& burn, int crack)
 {
-  const auto found = std::find_if(work.cracks.begin(), work.cracks.end(),
+  const auto found = std::find_if(burn.cracks.begin(), burn.cracks.end(),
                                   [&](const Burning<D>& b) { return b.crack == crack; });
-  return found == work.cracks.end() ? nullptr : &*found;
+  return found == burn.cracks.end() ? nullptr : &*found;
 }
 
 /// Why no gas passes between two cracks; empty where it does.
@@ -32,13 +32,13 @@ std::string whyApart(const Burning<D>* one, const Burning<D>* two)
 }
 
 template <int D>
-void report(State<D>& state, Work<D>& work, Meeting& meeting)
+void report(State<D>& state, BurnState<D>& burn, Meeting& meeting)
 {
-  const Burning<D>*one = gasOf(work, meeting.crack), *two = gasOf(work, meeting.other);
+  const Burning<D>*one = gasOf(burn, meeting.crack), *two = gasOf(burn, meeting.other);
   const std::string why = whyApart(one, two);
-  if (meeting.told || (one == nullptr && two == nullptr) || why.empty())
+  if (meeting.reported || (one == nullptr && two == nullptr) || why.empty())
     return;
-  meeting.told = true;
+  meeting.reported = true;
   state.warnings.push_back("Combustion: the crack " + state.cracks.cracks[meeting.crack].name + " has met " +
                            state.cracks.cracks[meeting.other].name +
                            "; their gases stay separate and none flows out where they meet: " + why);
@@ -47,29 +47,29 @@ void report(State<D>& state, Work<D>& work, Meeting& meeting)
 } // namespace
 
 template <int D>
-void updateMeetings(State<D>& state, Work<D>& work)
+void updateMeetings(State<D>& state, BurnState<D>& burn)
 {
   const std::vector<CrackFront<D>>& fronts = state.cracks.fronts;
   const auto ended = static_cast<int>(
       std::count_if(fronts.begin(), fronts.end(), [](const CrackFront<D>& front) { return front.ended; }));
-  if (ended == work.endedFronts)
+  if (ended == burn.endedFronts)
     return;
-  work.endedFronts = ended;
+  burn.endedFronts = ended;
   for (const Meeting& found : findMeetings(state.cracks, state.mesh.smallestSpacing()))
-    if (std::none_of(work.meetings.begin(), work.meetings.end(),
+    if (std::none_of(burn.meetings.begin(), burn.meetings.end(),
                      [&](const Meeting& known)
                      { return known.crack == found.crack && known.end == found.end; }))
-      work.meetings.push_back(found);
-  for (Meeting& meeting : work.meetings)
-    report(state, work, meeting);
+      burn.meetings.push_back(found);
+  for (Meeting& meeting : burn.meetings)
+    report(state, burn, meeting);
 }
 
 template <int D>
-void letGasesPass(const State<D>& state, Work<D>& work)
+void letGasesPass(const State<D>& state, BurnState<D>& burn)
 {
-  for (const Meeting& meeting : work.meetings)
+  for (const Meeting& meeting : burn.meetings)
   {
-    Burning<D>*one = gasOf(work, meeting.crack), *two = gasOf(work, meeting.other);
+    Burning<D>*one = gasOf(burn, meeting.crack), *two = gasOf(burn, meeting.other);
     if (!whyApart(one, two).empty())
       continue;
     double area = joinedAreas(state, meeting.crack)[meeting.end];
@@ -81,9 +81,9 @@ void letGasesPass(const State<D>& state, Work<D>& work)
   }
 }
 
-template void updateMeetings(State<2>&, Work<2>&);
-template void updateMeetings(State<3>&, Work<3>&);
-template void letGasesPass(const State<2>&, Work<2>&);
-template void letGasesPass(const State<3>&, Work<3>&);
+template void updateMeetings(State<2>&, BurnState<2>&);
+template void updateMeetings(State<3>&, BurnState<3>&);
+template void letGasesPass(const State<2>&, BurnState<2>&);
+template void letGasesPass(const State<3>&, BurnState<3>&);
 
 } // namespace Rhegma::combustion

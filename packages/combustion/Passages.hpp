@@ -1,7 +1,7 @@
 #pragma once
 /// Where cracks have met and their gases flow into each other.
 
-#include "combustion/Work.hpp"
+#include "combustion/BurnState.hpp"
 
 namespace Rhegma::combustion
 {
@@ -10,11 +10,11 @@ namespace Rhegma::combustion
 /// other from then on; of others a warning says once that they stay apart. Only the ends of fronts are looked
 /// at, and only where one more has ended.
 template <int D>
-void updateMeetings(State<D>& state, Work<D>& work);
+void updateMeetings(State<D>& state, BurnState<D>& burn);
 
 /// Lets gas flow through the openings where cracks have met, after it has burnt and done its work in this
 /// step. All ranks find the same.
 template <int D>
-void letGasesPass(const State<D>& state, Work<D>& work);
+void letGasesPass(const State<D>& state, BurnState<D>& burn);
 
 } // namespace Rhegma::combustion

@@ -8,8 +8,8 @@ namespace Rhegma::combustion
 {
 
 template <int D>
-double Regression<D>::take(const State<D>& state, const FacePoints<D>& points, int crack,
-                           const View<double*>& depth)
+double Regression<D>::computeLoss(const State<D>& state, const FacePoints<D>& points, int crack,
+                                  const View<double*>& depth)
 {
   const std::size_t nodes = state.mesh.nodes.sums.extent(0), rows = state.stored.count;
   if (demand_.extent(0) < nodes)
@@ -93,12 +93,12 @@ void Regression<D>::findGivers(const State<D>& state)
   Kokkos::parallel_scan(
       "rhegma::combustion::findGivers", Kokkos::RangePolicy<ExecSpace>(0, state.stored.count),
       KOKKOS_LAMBDA(const int r, int& at, const bool final) {
-        bool asked = false;
-        for (int e = 0; e < table.count(r) && !asked; ++e)
-          asked = demand(table.node(r, e)) > 0.0;
-        if (asked && final)
+        bool burns = false;
+        for (int e = 0; e < table.count(r) && !burns; ++e)
+          burns = demand(table.node(r, e)) > 0.0;
+        if (burns && final)
           giver(at) = r;
-        at += asked ? 1 : 0;
+        at += burns ? 1 : 0;
       },
       givers_);
 }

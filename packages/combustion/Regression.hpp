@@ -37,7 +37,8 @@ public:
   /// Finds what each particle gives in this step. To be called while stencils and nodal masses are those of
   /// the step. Collective. \param depth density times the depth that burns, of each face point [kg/m2]
   /// \return the mass that the particles of this rank will lose [kg]
-  double take(const State<D>& state, const FacePoints<D>& points, int crack, const View<double*>& depth);
+  double computeLoss(const State<D>& state, const FacePoints<D>& points, int crack,
+                     const View<double*>& depth);
 
   /// Takes it from the particles. To be called in the same step, once for each call of `take`.
   /// \param coldest temperature from which heat counts, where there is any [K]

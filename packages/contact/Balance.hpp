@@ -32,15 +32,15 @@ public:
   /// Call at the end of a step that is sampled. \param lost energy [J] that is known to have gone
   void compare(const State<D>& state, double lost);
 
-  void keep(Archive& archive);
+  void store(Archive& archive);
 
   /// Smallest, largest and last energy found, where the largest energy ever put in stands for 1.
-  double smallestFraction() const { return share(smallest_); }
-  double largestFraction() const { return share(largest_); }
-  double lastFraction() const { return share(last_); }
+  double smallestFraction() const { return relative(smallest_); }
+  double largestFraction() const { return relative(largest_); }
+  double lastFraction() const { return relative(last_); }
 
 private:
-  double share(double excess) const { return scale_ > 0.0 ? 1.0 + excess / scale_ : 1.0; }
+  double relative(double excess) const { return scale_ > 0.0 ? 1.0 + excess / scale_ : 1.0; }
 
   double workBefore_ = 0.0;
   double found_ = 0.0;

@@ -24,10 +24,10 @@ KOKKOS_INLINE_FUNCTION void copyRow(const StencilTable<2>& from, const StencilTa
   }
 }
 
-void keepRows(const StencilTable<2>& from, const StencilTable<2>& to, int count)
+void copyRows(const StencilTable<2>& from, const StencilTable<2>& to, int count)
 {
   Kokkos::parallel_for(
-      "rhegma::contact::keepRows", Kokkos::RangePolicy<ExecSpace>(0, count),
+      "rhegma::contact::copyRows", Kokkos::RangePolicy<ExecSpace>(0, count),
       KOKKOS_LAMBDA(const int r) { copyRow(from, to, r); });
 }
 
@@ -71,7 +71,7 @@ void ClosedVisibility::edit(const State<2>& state, const ObservedPoints<2>& poin
   if (whole_)
     return;
   kept_.reserve(points.count);
-  keepRows(table, kept_, points.count);
+  copyRows(table, kept_, points.count);
   cut_(state, points, table);
   if (points_.count() > 0)
     mendClosed(points, points_, separation_, kept_, table);
@@ -104,7 +104,7 @@ void ClosedVisibility::reserveRows()
   }
 }
 
-void ClosedVisibility::keep(Archive& archive)
+void ClosedVisibility::store(Archive& archive)
 {
   {
     const Archive::Group group(archive, "points");

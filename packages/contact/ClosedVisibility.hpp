@@ -29,7 +29,7 @@ public:
   template <class Velocity>
   void advance(const State<2>& state, const Velocity& velocity);
 
-  void keep(Archive& archive);
+  void store(Archive& archive);
 
   /// Points of a crack where it is closed.
   int closedPoints(int crack) const;

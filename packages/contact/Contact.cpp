@@ -233,17 +233,17 @@ void begin(State<D>& state, const std::shared_ptr<Account<D>>& account)
 }
 
 template <int D>
-void keep(Account<D>& account, Archive& archive)
+void store(Account<D>& account, Archive& archive)
 {
   archive("recorded", account.recorded);
   {
     const Archive::Group group(archive, "balance");
-    account.balance.keep(archive);
+    account.balance.store(archive);
   }
   if (account.visibility)
-    account.visibility->keep(archive);
+    account.visibility->store(archive);
   else
-    account.contact.keep(archive);
+    account.contact.store(archive);
 }
 
 template <int D>
@@ -298,7 +298,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
                {},
                {},
                [account](State<D>& s) { observe(s, *account); }});
-  effect.memory = [account](State<D>&, Archive& archive) { keep(*account, archive); };
+  effect.memory = [account](State<D>&, Archive& archive) { store(*account, archive); };
   effect.report = [account](const State<D>& state, nlohmann::json& summary)
   { report(state, *account, summary); };
   effect.timeStepLimit = [alpha, extrapolated = options.extrapolated](const State<D>& state)

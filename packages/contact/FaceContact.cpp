@@ -40,7 +40,7 @@ void scatterTractions(const Nodes<D>& nodes, const FacePoints<D>& points, const 
 /// Heat by size of points that were placed anew [J/m2]: what each earlier point had goes to the points that
 /// inherit from it by their sizes, or where none does to the one in its place. \param size of earlier points
 template <int D>
-View<double*> leaveHeat(const View<double*>& old, const View<double*>& size, const FacePoints<D>& points)
+View<double*> inheritHeat(const View<double*>& old, const View<double*>& size, const FacePoints<D>& points)
 {
   View<double*> fresh("rhegma::contactHeat", points.count());
   const auto heat = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, old);
@@ -73,7 +73,7 @@ double FaceContact<D>::prepare(const State<D>& state)
   double change = 0.0;
   if (points_.update(state))
   {
-    keepHistory(size);
+    storeHistory(size);
     const View<int*> everywhere("rhegma::contact::everywhere", points_.count());
     Kokkos::deep_copy(everywhere, 1);
     change = storedIn(everywhere) - stored_;
@@ -266,17 +266,17 @@ double FaceContact<D>::storedIn(const View<int*>& part) const
 }
 
 template <int D>
-void FaceContact<D>::keepHistory(const View<double*>& size)
+void FaceContact<D>::storeHistory(const View<double*>& size)
 {
   gap_ = inOrder(gap_, points_.before);
   slip_ = inOrder(slip_, points_.before);
   pressure_ = inOrder(pressure_, points_.before);
   shear_ = inOrder(shear_, points_.before);
-  heat_ = leaveHeat(heat_, size, points_);
+  heat_ = inheritHeat(heat_, size, points_);
 }
 
 template <int D>
-void FaceContact<D>::keep(Archive& archive)
+void FaceContact<D>::store(Archive& archive)
 {
   {
     const Archive::Group group(archive, "points");
@@ -292,11 +292,11 @@ void FaceContact<D>::keep(Archive& archive)
   archive("thickness", thickness_);
   archive("stored", stored_);
   archive("dissipated", dissipated_);
-  keepCracks(archive);
+  storeCracks(archive);
 }
 
 template <int D>
-void FaceContact<D>::keepCracks(Archive& archive)
+void FaceContact<D>::storeCracks(Archive& archive)
 {
   int cracks = static_cast<int>(cracks_.size());
   archive("cracks", cracks);

@@ -52,7 +52,7 @@ public:
   void advance(const State<D>& state, const Velocity& velocity);
 
   /// Saves or loads the points with all that they remember.
-  void keep(Archive& archive);
+  void store(Archive& archive);
 
   const FacePoints<D>& points() const { return points_; }
   const View<double*>& gap() const { return gap_; }
@@ -77,8 +77,8 @@ public:
 
 private:
   void findStiffness(const State<D>& state);
-  void keepCracks(Archive& archive);
-  void keepHistory(const View<double*>& size);
+  void storeCracks(Archive& archive);
+  void storeHistory(const View<double*>& size);
   void note(const State<D>& state);
 
   Law law_;

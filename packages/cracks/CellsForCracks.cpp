@@ -35,11 +35,11 @@ template <int D>
 std::vector<Vector<D>> readPositions(const ParameterList& crack)
 {
   const auto& values = crack.get<Teuchos::Array<double>>("Points");
-  std::vector<Vector<D>> places(values.size() / D);
-  for (std::size_t k = 0; k < places.size(); ++k)
+  std::vector<Vector<D>> points(values.size() / D);
+  for (std::size_t k = 0; k < points.size(); ++k)
     for (int d = 0; d < D; ++d)
-      places[k][d] = values[D * k + d];
-  return places;
+      points[k][d] = values[D * k + d];
+  return points;
 }
 
 /// What is in bodies of the first of two positions: itself, or where the way to the second enters one.
@@ -59,39 +59,39 @@ Vector<2> enter(const Vector<2>& from, const Vector<2>& to, const SceneBodies<2>
 /// A polyline is cut off at the surface at both ends.
 Lengths measureLine(const ParameterList& crack, const SceneBodies<2>& bodies)
 {
-  std::vector<Vector<2>> places = readPositions<2>(crack);
-  for (std::size_t k = 1; k < places.size(); ++k)
-    if (!(norm(places[k] - places[k - 1]) > 0.0))
+  std::vector<Vector<2>> points = readPositions<2>(crack);
+  for (std::size_t k = 1; k < points.size(); ++k)
+    if (!(norm(points[k] - points[k - 1]) > 0.0))
       throw std::invalid_argument(samePoints);
   Lengths found;
-  constexpr int looks = 400;
+  constexpr int samples = 400;
   const auto into = [&](const Vector<2>& a, const Vector<2>& b, Vector<2>& first)
   {
-    for (int k = 0; k <= looks; ++k)
-      if (bodies.contain(a + (double(k) / looks) * (b - a)))
+    for (int k = 0; k <= samples; ++k)
+      if (bodies.contain(a + (double(k) / samples) * (b - a)))
       {
-        first = enter(a, a + (double(k) / looks) * (b - a), bodies);
+        first = enter(a, a + (double(k) / samples) * (b - a), bodies);
         return true;
       }
     return false;
   };
   for (int end = 0; end < 2; ++end)
   {
-    while (places.size() > 1 && !into(places[0], places[1], places[0]))
-      places.erase(places.begin());
-    std::reverse(places.begin(), places.end());
+    while (points.size() > 1 && !into(points[0], points[1], points[0]))
+      points.erase(points.begin());
+    std::reverse(points.begin(), points.end());
   }
-  found.inside = places.size() > 1;
+  found.inside = points.size() > 1;
   if (!found.inside)
     return found;
   double length = 0.0;
-  for (std::size_t k = 1; k < places.size(); ++k)
-    length += norm(places[k] - places[k - 1]);
+  for (std::size_t k = 1; k < points.size(); ++k)
+    length += norm(points[k] - points[k - 1]);
   const std::string wanted = crack.get<std::string>("Fronts");
   int fronts = 0;
   for (const bool first : {true, false})
   {
-    const double depth = bodies.depth(first ? places.front() : places.back());
+    const double depth = bodies.depth(first ? points.front() : points.back());
     if (depth <= surfaceBreaking * length || wanted == "None" || wanted == (first ? "Last" : "First"))
       continue;
     ++fronts;
@@ -105,7 +105,7 @@ Lengths measureLine(const ParameterList& crack, const SceneBodies<2>& bodies)
 /// Some positions in order round a crack, of a polygon all corners.
 struct Rim
 {
-  std::vector<Vector<3>> places;
+  std::vector<Vector<3>> points;
   Vector<3> middle{};
   double radius; ///< the smallest
 };
@@ -113,9 +113,9 @@ struct Rim
 Rim rimOfPolygon(const ParameterList& crack)
 {
   Rim rim{readPositions<3>(crack), {}, CellNeeds::none};
-  for (const Vector<3>& position : rim.places)
-    rim.middle = rim.middle + (1.0 / rim.places.size()) * position;
-  for (const Vector<3>& position : rim.places)
+  for (const Vector<3>& position : rim.points)
+    rim.middle = rim.middle + (1.0 / rim.points.size()) * position;
+  for (const Vector<3>& position : rim.points)
     rim.radius = std::min(rim.radius, norm(position - rim.middle));
   if (!(rim.radius > 0.0))
     throw std::invalid_argument("the polygon has no area; write the corners of a polygon with an area");
@@ -144,7 +144,7 @@ Rim rimOfDisk(const ParameterList& crack)
   for (int k = 0; k < count; ++k)
   {
     const double angle = 2.0 * M_PI * k / count;
-    rim.places.push_back(rim.middle + std::cos(angle) * a + std::sin(angle) * b);
+    rim.points.push_back(rim.middle + std::cos(angle) * a + std::sin(angle) * b);
   }
   return rim;
 }
@@ -153,25 +153,25 @@ Lengths measureRim(const Rim& rim, const SceneBodies<3>& bodies)
 {
   Lengths found;
   found.inside = bodies.contain(rim.middle);
-  const auto look = [&](const Vector<3>& position)
+  const auto probe = [&](const Vector<3>& position)
   {
     const double depth = bodies.depth(position);
     found.inside = found.inside || depth > 0.0;
     if (depth > surfaceBreaking * rim.radius)
       found.front(depth);
   };
-  for (const Vector<3>& position : rim.places)
-    look(position);
+  for (const Vector<3>& position : rim.points)
+    probe(position);
   found.crack = rim.radius;
   if (found.ligament < CellNeeds::none)
     return found;
   // A front that goes through a body has its corners at the surface or beyond it.
-  constexpr int looks = 8;
-  for (std::size_t k = 0; k < rim.places.size(); ++k)
-    for (int i = 1; i < looks; ++i)
+  constexpr int samples = 8;
+  for (std::size_t k = 0; k < rim.points.size(); ++k)
+    for (int i = 1; i < samples; ++i)
     {
-      const Vector<3>& from = rim.places[k];
-      look(from + (double(i) / looks) * (rim.places[(k + 1) % rim.places.size()] - from));
+      const Vector<3>& from = rim.points[k];
+      probe(from + (double(i) / samples) * (rim.points[(k + 1) % rim.points.size()] - from));
     }
   found.crack = std::min(rim.radius, found.ligament);
   return found;

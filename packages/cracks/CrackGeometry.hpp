@@ -77,7 +77,7 @@ struct CrackSight
   /// Looks at x from simplex s, which should be the nearest to it. The side is that of the normal of the
   /// simplex, edge or vertex on which the nearest point lies, so that sides change nowhere but on the
   /// continued crack (Baerentzen and Aanaes, IEEE Trans. Vis. Comput. Graph. 11 (2005) 243).
-  KOKKOS_INLINE_FUNCTION Sight look(int s, const Vector<D>& x) const
+  KOKKOS_INLINE_FUNCTION Sight locate(int s, const Vector<D>& x) const
   {
     Vector<D> corner[D];
     corners(s, corner);

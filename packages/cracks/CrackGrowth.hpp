@@ -51,7 +51,7 @@ public:
   std::vector<double> toughnessAlong(const CrackSet<D>& set, int front) const;
 
   /// Saves or loads what the fronts have done, after the cracks themselves (CrackMemory.hpp).
-  void keep(const CrackSet<D>& set, Archive& archive);
+  void store(const CrackSet<D>& set, Archive& archive);
 
 private:
   /// A front that advances.

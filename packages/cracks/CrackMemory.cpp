@@ -41,7 +41,7 @@ struct Meshes
     }
   }
 
-  void keep(Archive& archive)
+  void store(Archive& archive)
   {
     archive("sizes", sizes, 2);
     archive("simplices", simplices, D);
@@ -73,7 +73,7 @@ struct Meshes
 };
 
 template <int D>
-void keepNodes(CrackFront<D>& front, int firstVertex, Archive& archive)
+void storeNodes(CrackFront<D>& front, int firstVertex, Archive& archive)
 {
   constexpr std::size_t whole = 6, real = 7; // numbers of a node
   std::vector<int> integers;
@@ -110,11 +110,11 @@ void keepNodes(CrackFront<D>& front, int firstVertex, Archive& archive)
 } // namespace
 
 template <int D>
-void keepCracks(State<D>& state, Archive& archive)
+void storeCracks(State<D>& state, Archive& archive)
 {
   CrackSet<D>& set = state.cracks;
   Meshes<D> all(set);
-  all.keep(archive);
+  all.store(archive);
   std::vector<int> vertices;
   for (std::size_t f = 0; f < set.fronts.size(); ++f)
   {
@@ -132,7 +132,7 @@ void keepCracks(State<D>& state, Archive& archive)
     archive("over_dissipated", front.budget.overDissipated);
     archive("advected", front.budget.advected);
     archive("toughness", front.budget.toughness);
-    keepNodes(front, set.cracks[front.crack].firstVertex, archive);
+    storeNodes(front, set.cracks[front.crack].firstVertex, archive);
     vertices.push_back(front.vertex);
   }
   if (archive.loads())
@@ -149,7 +149,7 @@ void keepCracks(State<D>& state, Archive& archive)
   updateFronts(set);
 }
 
-template void keepCracks(State<2>&, Archive&);
-template void keepCracks(State<3>&, Archive&);
+template void storeCracks(State<2>&, Archive&);
+template void storeCracks(State<3>&, Archive&);
 
 } // namespace Rhegma::cracks

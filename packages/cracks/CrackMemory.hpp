@@ -13,6 +13,6 @@ namespace Rhegma::cracks
 
 /// Saves or loads the vertices and simplices of the cracks, their fronts and what these have done.
 template <int D>
-void keepCracks(State<D>& state, Archive& archive);
+void storeCracks(State<D>& state, Archive& archive);
 
 } // namespace Rhegma::cracks

@@ -93,7 +93,7 @@ void prepareStencils(Parts<D>& parts, State<D>& state, const View<int*>& row)
     if (parts.formulation == Formulation::CorrectedBrokenCell)
       findGhosts(state, row, parts.ghosts);
     if (parts.formulation == Formulation::BrokenCell)
-      carryNormals(state, row);
+      updateNormals(state, row);
   }
 }
 
@@ -103,7 +103,7 @@ void start(const Shared<D>& parts, State<D>& state)
   state.cracks.dualField = parts->formulation == Formulation::DualField;
   state.cracks.frontSprings = parts->hasSprings;
   if (parts->hasSprings)
-    state.motion.displacementDependentForces.push_back(parts->springs.following());
+    state.motion.displacementDependentForces.push_back(parts->springs.displacementDependentForce());
   readCracks(parts->section, state, state.mesh.grid.spacing / parts->pieces);
   if (parts->hasSprings)
     parts->advected.start(state);
@@ -253,11 +253,11 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   effect.memory = [=](State<D>& state, Archive& archive)
   {
     archive("steps", parts->surroundings.stamp);
-    keepCracks(state, archive);
+    storeCracks(state, archive);
     if (parts->grows)
-      parts->growth.keep(state.cracks, archive);
+      parts->growth.store(state.cracks, archive);
     if (parts->joins)
-      parts->junctions.keep(archive);
+      parts->junctions.store(archive);
   };
   if (parts->hasSprings)
     callSprings(parts, effect);

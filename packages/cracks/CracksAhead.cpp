@@ -12,7 +12,7 @@ namespace
 
 /// A front closer than this to another crack has cells that can't tell the two apart [cells], and this far
 /// ahead the crack that it would meet is looked for.
-constexpr double tooClose = bandWidth, lookAhead = 2.0 * bandWidth;
+constexpr double tooClose = bandWidth, searchLength = 2.0 * bandWidth;
 
 /// Cosine of the angle within which a front that lies ahead is in the path: 15 degrees.
 constexpr double inThePath = 0.966;
@@ -146,7 +146,7 @@ Encounter<2> findEncounter(const State<2>& state, const std::vector<GrowingCrack
   using Kind = Encounter<2>::Kind;
   const CrackSet<2>& set = state.cracks;
   const int own = set.fronts[node.front].crack;
-  const double spacing = state.mesh.grid.spacing, reach = lookAhead * spacing;
+  const double spacing = state.mesh.grid.spacing, reach = searchLength * spacing;
   const Obstacles obstacles{cracks, own, cracks[own].mesh.isFirst(node.vertex), (bandWidth + 3.0) * spacing};
   const Path<2>& path = node.path;
   const Neighbour across = obstacles.firstAlong(path.from, path.direction);

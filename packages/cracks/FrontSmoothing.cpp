@@ -13,14 +13,14 @@ using namespace surface;
 
 /// Fraction of a ripple that a step takes away; the most that a point gives of its advance; the least that
 /// makes one advance, in cells, so that no row of faces begins with slivers.
-constexpr double smoothing = 0.25, mostGiven = 0.5, leastTaken = 0.01;
+constexpr double smoothing = 0.25, largestGiven = 0.5, leastReceived = 0.01;
 /// Least fraction of its own resistance that drives a point that is taken along.
 constexpr double leastDriven = 0.5;
 
 /// How far a point of a front lies ahead of its neighbours' middle, by its own direction, over the product of
 /// its distances from these, which is half of a circle's curvature [1/m]: so unequal pieces of a circle bulge
 /// alike. At a mirror the other neighbour is the image of the one; 0 at other ends.
-double bulge(const GrowingSurface& surface, const FrontLines<3>& lines, std::size_t k, bool mirrored)
+double curvatureAt(const GrowingSurface& surface, const FrontLines<3>& lines, std::size_t k, bool mirrored)
 {
   const int last = previousPoint(lines, k);
   if (last < 0 || !lines[k].joined)
@@ -42,8 +42,8 @@ double bulge(const GrowingSurface& surface, const FrontLines<3>& lines, std::siz
 ///
 /// What bulges more gives. Area that runs down the differences of curvature flattens ripples and leaves
 /// circles as they are (as surface diffusion does; Mullins, J. Appl. Phys. 28 (1957) 333).
-double handedOn(const GrowingSurface& surface, const FrontLines<3>& lines, std::size_t k,
-                const std::vector<double>& curved, const std::vector<bool>& mirrored)
+double curvatureFlux(const GrowingSurface& surface, const FrontLines<3>& lines, std::size_t k,
+                     const std::vector<double>& curvature, const std::vector<bool>& mirrored)
 {
   const std::size_t to = nextPoint(lines, k);
   const bool fromEnd = previousPoint(lines, k) < 0 && !mirrored[k],
@@ -57,7 +57,7 @@ double handedOn(const GrowingSurface& surface, const FrontLines<3>& lines, std::
     piece = std::min(piece, surface.pieceAt(lines, last));
   if (lines[to].joined)
     piece = std::min(piece, surface.pieceAt(lines, to));
-  return 0.5 * smoothing * piece * piece * piece * (curved[k] - curved[to]);
+  return 0.5 * smoothing * piece * piece * piece * (curvature[k] - curvature[to]);
 }
 
 } // namespace
@@ -67,10 +67,10 @@ void smoothAlongFront(const GrowingSurface& surface, const FrontLines<3>& lines,
                       const std::vector<bool>& mirrored, std::vector<FrontNodeAdvance<3>>& advances)
 {
   const std::size_t count = lines.size();
-  std::vector<double> curved(count), hands(count), gives(count, 0.0), own(count, 0.0);
+  std::vector<double> curvature(count), flux(count), gives(count, 0.0), own(count, 0.0);
   for (std::size_t k = 0; k < count; ++k)
-    curved[k] = bulge(surface, lines, k, mirrored[k]);
-  const auto takes = [&](std::size_t from, std::size_t to)
+    curvature[k] = curvatureAt(surface, lines, k, mirrored[k]);
+  const auto mayReceive = [&](std::size_t from, std::size_t to)
   {
     const FrontPoint<3>& point = lines[to];
     return advances[from].length > 0.0 && !point.landed && !point.stopped &&
@@ -79,11 +79,11 @@ void smoothAlongFront(const GrowingSurface& surface, const FrontLines<3>& lines,
   for (std::size_t k = 0; k < count; ++k)
   {
     const std::size_t to = nextPoint(lines, k);
-    hands[k] = handedOn(surface, lines, k, curved, mirrored);
-    const bool forward = hands[k] > 0.0;
-    if (forward ? !takes(k, to) : !takes(to, k))
-      hands[k] = 0.0;
-    gives[forward ? k : to] += std::fabs(hands[k]);
+    flux[k] = curvatureFlux(surface, lines, k, curvature, mirrored);
+    const bool forward = flux[k] > 0.0;
+    if (forward ? !mayReceive(k, to) : !mayReceive(to, k))
+      flux[k] = 0.0;
+    gives[forward ? k : to] += std::fabs(flux[k]);
     own[k] = advances[k].length * nodes[k].tributaryLength;
   }
   std::vector<double> area = own, energy(count);
@@ -91,18 +91,18 @@ void smoothAlongFront(const GrowingSurface& surface, const FrontLines<3>& lines,
     energy[k] = own[k] > 0.0 ? own[k] * advances[k].toughness : 0.0;
   for (std::size_t k = 0; k < count; ++k)
   {
-    if (hands[k] == 0.0)
+    if (flux[k] == 0.0)
       continue;
     const std::size_t to = nextPoint(lines, k);
-    const std::size_t giver = hands[k] > 0.0 ? k : to, taker = hands[k] > 0.0 ? to : k;
-    const double most = mostGiven * own[giver], all = gives[giver];
-    const double handed = std::fabs(hands[k]) * (all > most ? most / all : 1.0);
-    if (own[taker] == 0.0 && handed < leastTaken * cells[taker] * nodes[taker].tributaryLength)
+    const std::size_t giver = flux[k] > 0.0 ? k : to, receiver = flux[k] > 0.0 ? to : k;
+    const double most = largestGiven * own[giver], all = gives[giver];
+    const double moved = std::fabs(flux[k]) * (all > most ? most / all : 1.0);
+    if (own[receiver] == 0.0 && moved < leastReceived * cells[receiver] * nodes[receiver].tributaryLength)
       continue;
-    area[giver] -= handed;
-    area[taker] += handed;
-    energy[giver] -= handed * advances[giver].toughness;
-    energy[taker] += handed * advances[giver].toughness;
+    area[giver] -= moved;
+    area[receiver] += moved;
+    energy[giver] -= moved * advances[giver].toughness;
+    energy[receiver] += moved * advances[giver].toughness;
   }
   for (std::size_t k = 0; k < count; ++k)
     if (area[k] > 0.0)

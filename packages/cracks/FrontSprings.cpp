@@ -126,7 +126,7 @@ private:
   {
     const int own = nodes.parent(i);
     const double cell = cellAt(own);
-    const Sight seen = sight.look(s, positions(own));
+    const Sight seen = sight.locate(s, positions(own));
     double steepest = 0.0;
     for (int d = 0; d < D; ++d)
       steepest = std::fmax(steepest, std::fabs(sight.normal(s, d)));

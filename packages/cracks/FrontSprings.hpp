@@ -58,7 +58,7 @@ public:
 
   /// How the forces follow nodes that move in substeps: springs by their stiffness, cohesive tractions by
   /// their law. These springs must outlive what is returned.
-  DisplacementDependentForce<D> following() const;
+  DisplacementDependentForce<D> displacementDependentForce() const;
 
   /// Stretches the springs over the step.
   void advance(State<D>& state);

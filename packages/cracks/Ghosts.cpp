@@ -93,7 +93,7 @@ void findStandIns(const State<2>& state, const Ghosts& ghosts)
               continue;
             ghosts.step(n) = step;
             ghosts.distance(n) = k;
-            ghosts.share(n) = both ? 1.0 : 0.0;
+            ghosts.linear(n) = both ? 1.0 : 0.0;
           }
       });
 }
@@ -135,9 +135,9 @@ void addMass(const State<2>& state, const View<int*>& row, const Ghosts& ghosts)
 }
 
 /// Mass that linear extrapolation to all ghosts would take from a node.
-KOKKOS_INLINE_FUNCTION double takenFrom(const Grid<2>& grid, const Ghosts& ghosts, int far)
+KOKKOS_INLINE_FUNCTION double extrapolatedMass(const Grid<2>& grid, const Ghosts& ghosts, int far)
 {
-  double taken = 0.0;
+  double mass = 0.0;
   for (int axis = 0; axis < 2; ++axis)
     for (int sense = -1; sense <= 1; sense += 2)
       for (int k = 1; k <= ghostReach; ++k)
@@ -145,9 +145,9 @@ KOKKOS_INLINE_FUNCTION double takenFrom(const Grid<2>& grid, const Ghosts& ghost
         const int step = sense * grid.stride[axis];
         const int ghost = far - (k + 1) * step;
         if (ghost >= 0 && ghost < grid.numNodes && ghosts.step(ghost) == step && ghosts.distance(ghost) == k)
-          taken += k * ghosts.unseen(ghost);
+          mass += k * ghosts.unseen(ghost);
       }
-  return taken;
+  return mass;
 }
 
 void limitFractions(const State<2>& state, const Ghosts& ghosts)
@@ -155,53 +155,54 @@ void limitFractions(const State<2>& state, const Ghosts& ghosts)
   const Nodes<2> nodes = state.mesh.nodes;
   const Grid<2> grid = state.mesh.grid;
   Kokkos::parallel_for(
-      "rhegma::cracks::limitShares", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
+      "rhegma::cracks::limitFractions", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
       KOKKOS_LAMBDA(const int i) {
         const int n = nodes.active(i);
         if (ghosts.step(n) == 0)
           return;
         const int far = n + (ghosts.distance(n) + 1) * ghosts.step(n);
-        const double taken = takenFrom(grid, ghosts, far);
-        const double allowed = takenAtMost * ghosts.seen(far);
-        if (taken > allowed)
-          ghosts.share(n) *= allowed / taken;
+        const double mass = extrapolatedMass(grid, ghosts, far);
+        const double allowed = largestExtrapolatedFraction * ghosts.seen(far);
+        if (mass > allowed)
+          ghosts.linear(n) *= allowed / mass;
       });
 }
 
 /// Gives nodes that ranks share what their owners, which see far enough around them, have found.
-void shareStandIns(const State<2>& state, const Ghosts& ghosts)
+void exchangeStandIns(const State<2>& state, const Ghosts& ghosts)
 {
   constexpr int width = Ghosts::reportedWidth;
   const Nodes<2> nodes = state.mesh.nodes;
   const Grid<2> grid = state.mesh.grid;
-  const View<double*> told = ghosts.told;
+  const View<double*> reported = ghosts.reported;
   Kokkos::parallel_for(
-      "rhegma::cracks::tellStandIns", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
+      "rhegma::cracks::packStandIns", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
       KOKKOS_LAMBDA(const int i) {
         const int n = nodes.active(i), step = ghosts.step(n);
-        const bool tells = isOwnedByThisRank(nodes, n) && step != 0;
+        const bool reports = isOwnedByThisRank(nodes, n) && step != 0;
         // Nodes are numbered otherwise on other ranks: 1 and 2 are the axes.
         const double axis = step == grid.stride[0] || step == -grid.stride[0] ? 1.0 : 2.0;
-        told(width * n) = tells ? (step > 0 ? axis : -axis) : 0.0;
-        told(width * n + 1) = tells ? ghosts.distance(n) : 0.0;
-        told(width * n + 2) = tells ? ghosts.share(n) : 0.0;
+        reported(width * n) = reports ? (step > 0 ? axis : -axis) : 0.0;
+        reported(width * n + 1) = reports ? ghosts.distance(n) : 0.0;
+        reported(width * n + 2) = reports ? ghosts.linear(n) : 0.0;
       });
-  sumOverRanks(state, told.data(), width, 0, width);
+  sumOverRanks(state, reported.data(), width, 0, width);
   Kokkos::parallel_for(
-      "rhegma::cracks::hearStandIns", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
+      "rhegma::cracks::unpackStandIns", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
       KOKKOS_LAMBDA(const int i) {
-        const int n = nodes.active(i), axis = static_cast<int>(std::fabs(told(width * n)));
-        ghosts.step(n) = axis == 0 ? 0 : (told(width * n) > 0.0 ? 1 : -1) * grid.stride[axis - 1];
-        ghosts.distance(n) = static_cast<int>(told(width * n + 1));
-        ghosts.share(n) = told(width * n + 2);
+        const int n = nodes.active(i), axis = static_cast<int>(std::fabs(reported(width * n)));
+        ghosts.step(n) = axis == 0 ? 0 : (reported(width * n) > 0.0 ? 1 : -1) * grid.stride[axis - 1];
+        ghosts.distance(n) = static_cast<int>(reported(width * n + 1));
+        ghosts.linear(n) = reported(width * n + 2);
       });
 }
 
 /// Part of the extrapolation to all of its ghosts that a node bears.
-KOKKOS_INLINE_FUNCTION double borneBy(const Grid<2>& grid, const Ghosts& ghosts, int far)
+KOKKOS_INLINE_FUNCTION double allowedFraction(const Grid<2>& grid, const Ghosts& ghosts, int far)
 {
-  const double taken = takenFrom(grid, ghosts, far), allowed = takenAtMost * ghosts.seen(far);
-  return taken > allowed ? allowed / taken : 1.0;
+  const double mass = extrapolatedMass(grid, ghosts, far),
+               allowed = largestExtrapolatedFraction * ghosts.seen(far);
+  return mass > allowed ? allowed / mass : 1.0;
 }
 
 /// What limitFractions does, where the far node of a ghost may be another rank's.
@@ -209,16 +210,16 @@ void limitFractionsOnRanks(const State<2>& state, const Ghosts& ghosts)
 {
   const Nodes<2> nodes = state.mesh.nodes;
   const Grid<2> grid = state.mesh.grid;
-  const View<double*> borne = ghosts.told;
+  const View<double*> fraction = ghosts.reported;
   Kokkos::parallel_for(
-      "rhegma::cracks::findBorne", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
+      "rhegma::cracks::findAllowed", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
       KOKKOS_LAMBDA(const int i) {
         const int n = nodes.active(i);
-        borne(n) = isOwnedByThisRank(nodes, n) ? borneBy(grid, ghosts, n) : 0.0;
+        fraction(n) = isOwnedByThisRank(nodes, n) ? allowedFraction(grid, ghosts, n) : 0.0;
       });
-  sumOverRanks(state, borne.data(), 1, 0, 1);
+  sumOverRanks(state, fraction.data(), 1, 0, 1);
   Kokkos::parallel_for(
-      "rhegma::cracks::limitSharesOnRanks", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
+      "rhegma::cracks::limitFractionsOnRanks", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
       KOKKOS_LAMBDA(const int i) {
         const int n = nodes.active(i), step = ghosts.step(n);
         if (step == 0)
@@ -231,7 +232,7 @@ void limitFractionsOnRanks(const State<2>& state, const Ghosts& ghosts)
         if (at[axis] < 0 || at[axis] > grid.cells[axis])
           ghosts.step(n) = 0;
         else
-          ghosts.share(n) *= borne(grid.nodeIndex(at));
+          ghosts.linear(n) *= fraction(grid.nodeIndex(at));
       });
 }
 
@@ -259,16 +260,16 @@ void findGhosts(const State<2>& state, const View<int*>& row, Ghosts& ghosts)
   {
     ghosts.step = View<int*>("rhegma::cracks::ghostStep", n);
     ghosts.distance = View<int*>("rhegma::cracks::ghostDistance", n);
-    ghosts.share = View<double*>("rhegma::cracks::ghostShare", n);
+    ghosts.linear = View<double*>("rhegma::cracks::ghostFraction", n);
     ghosts.seen = View<double*>("rhegma::cracks::massSeen", n);
     ghosts.unseen = View<double*>("rhegma::cracks::massUnseen", n);
     if (state.mesh.subdomain)
-      ghosts.told = View<double*>("rhegma::cracks::toldOfGhosts", Ghosts::reportedWidth * n);
+      ghosts.reported = View<double*>("rhegma::cracks::reportedGhosts", Ghosts::reportedWidth * n);
   }
   Kokkos::deep_copy(ghosts.step, 0); // also at nodes that particles have left
   findStandIns(state, ghosts);
   if (state.mesh.subdomain)
-    shareStandIns(state, ghosts);
+    exchangeStandIns(state, ghosts);
   if (state.method.shape == ShapeKind::Linear)
     addMass<ShapeKind::Linear>(state, row, ghosts);
   else

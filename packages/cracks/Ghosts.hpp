@@ -13,11 +13,11 @@ struct Ghosts
 {
   View<int*> step; ///< from the node towards the other side, one node on along an axis; 0: nothing stands in
   View<int*> distance;  ///< steps to the near node; the far node is one more
-  View<double*> share;  ///< 1: linear extrapolation; 0: the near node's value
+  View<double*> linear; ///< 1: linear extrapolation; 0: the near node's value
   View<double*> seen;   ///< mass around the node, by unbroken functions, of particles that see it [kg]
   View<double*> unseen; ///< the same of particles on the other side of the crack [kg]
   static constexpr int reportedWidth = 3;
-  View<double*> told; ///< what ranks tell each other of a node; empty where there is one
+  View<double*> reported; ///< what ranks tell each other of a node; empty where there is one
 };
 
 /// Nodes over which the nearest visible one is looked for.
@@ -27,7 +27,7 @@ constexpr int ghostReach = 3;
 /// take k times the mass that lies beyond from the far node; inside of a body this is at most 0.6 of what the
 /// node has, but at its rim, where few particles touch a column of nodes, it may be more than all. There the
 /// extrapolation becomes gradually constant, so that no mass is ever negative.
-constexpr double takenAtMost = 0.75;
+constexpr double largestExtrapolatedFraction = 0.75;
 
 /// Largest CFL number with extrapolated weights. The strain of MUSL and USF moves with M^-1 Mc M^-1 f, M the
 /// lumped and Mc the full mass matrix. With weights that are never negative the eigenvalues of M^-1 Mc stay

@@ -35,7 +35,7 @@ void warnOfHeldFaces(State<D>& state, const Surroundings& surroundings)
               !(nodes.sums(nodes.numLattice + i, Nodes<D>::massAt) > 0.0) || !constraint.appliesAt(x))
             return;
           const int s = simplexOf(nearest(n));
-          const double distance = sight.look(s, x).distance;
+          const double distance = sight.locate(s, x).distance;
           Vector<D> across = x;
           bool along = false;
           for (int d = 0; d < D; ++d)

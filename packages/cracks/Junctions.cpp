@@ -25,19 +25,19 @@ constexpr double leastSeen = 0.05;
 struct Pieces
 {
   CrackSight<2> cracks;
-  Vector<2> place;
+  Vector<2> position;
   int throughSimplex, through, ended, side;
   double radius, tolerance;
 
   /// Whether a position lies on the side on which the other crack ends.
   KOKKOS_INLINE_FUNCTION bool near(const Vector<2>& x) const
   {
-    const int sideOfX = cracks.look(throughSimplex, x).distance > -tolerance ? 1 : -1;
+    const int sideOfX = cracks.locate(throughSimplex, x).distance > -tolerance ? 1 : -1;
     return sideOfX == side;
   }
   KOKKOS_INLINE_FUNCTION bool within(const Vector<2>& x, double reach) const
   {
-    return dot(x - place, x - place) < reach * reach;
+    return dot(x - position, x - position) < reach * reach;
   }
   /// Whether a point of this side belongs to the piece across: 1, to the pieces next to the crack that ended:
   /// 0, or to none that is known: -1.
@@ -53,20 +53,20 @@ template <class Junction>
 Pieces piecesAt(const State<2>& state, const Junction& j)
 {
   return {CrackSight<2>(state.cracks, state.mesh.grid.spacing),
-          j.place,
+          j.position,
           j.throughSimplex,
           j.through,
           j.ended,
           j.side,
           j.radius,
-          tieTolerance * j.radius / zone};
+          sideTolerance * j.radius / zone};
 }
 
 /// Tells particles of one side near a position on which side of another crack they are, where they are next
 /// to that. \return how many knew of a third crack, which they go on with
 int learnSides(const State<2>& state, const Vector<2>& at, int known, int crack)
 {
-  const CrackSight<2> look(state.cracks, state.mesh.grid.spacing);
+  const CrackSight<2> crackSight(state.cracks, state.mesh.grid.spacing);
   const auto position = state.particles.real<2>(fields::position);
   const auto side = state.particles.integer(fields::side);
   const auto other = state.particles.integer(otherSide);
@@ -84,7 +84,7 @@ int learnSides(const State<2>& state, const Vector<2>& at, int known, int crack)
         double square = 1e300;
         for (int s = begin; s < end; ++s)
         {
-          const double own = look.square(s, x);
+          const double own = crackSight.square(s, x);
           if (own < square)
           {
             square = own;
@@ -96,7 +96,7 @@ int learnSides(const State<2>& state, const Vector<2>& at, int known, int crack)
         if (other(p) != 0 && other(p) != name && other(p) != -name)
           ++sum;
         else
-          other(p) = look.look(nearest, x).distance >= 0.0 ? name : -name;
+          other(p) = crackSight.locate(nearest, x).distance >= 0.0 ? name : -name;
       },
       full);
   double all = full;
@@ -105,7 +105,7 @@ int learnSides(const State<2>& state, const Vector<2>& at, int known, int crack)
 }
 
 /// Says that particles would have to know of more cracks than they can.
-void warnOfCrowd(State<2>& state, int particles, int one, int two)
+void warnOfThirdCrack(State<2>& state, int particles, int one, int two)
 {
   if (particles > 0)
     state.warnings.push_back("where the cracks " + state.cracks.cracks[one].name + " and " +
@@ -117,54 +117,54 @@ void warnOfCrowd(State<2>& state, int particles, int one, int two)
 
 } // namespace
 
-void Junctions::place(const State<2>& state, Junction& j)
+void Junctions::locate(const State<2>& state, Junction& j)
 {
   const CrackSet<2>& set = state.cracks;
   const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.vertex);
   const Crack<2>&ended = set.cracks[j.ended], &through = set.cracks[j.through];
   const int end = j.first ? ended.firstVertex : ended.firstVertex + ended.numVertices - 1;
   j.endSimplex = j.first ? ended.firstSimplex : ended.firstSimplex + ended.numSimplices - 1;
-  j.place = {vertex(end, 0), vertex(end, 1)};
+  j.position = {vertex(end, 0), vertex(end, 1)};
   double shortest = 1e300;
   for (int s = 0; s < through.numSimplices; ++s)
   {
     const int v = through.firstVertex + s;
     const Vector<2> corner[2] = {{vertex(v, 0), vertex(v, 1)}, {vertex(v + 1, 0), vertex(v + 1, 1)}};
-    const double distance = surface::distanceToSimplex(corner, j.place);
+    const double distance = surface::distanceToSimplex(corner, j.position);
     if (distance < shortest)
     {
       shortest = distance;
       j.throughSimplex = through.firstSimplex + s;
     }
   }
-  j.radius = zone * spacingAt(state, j.place);
+  j.radius = zone * spacingAt(state, j.position);
 }
 
 void Junctions::add(State<2>& state, int ended, bool first, int through)
 {
   Junction j{ended, through, first, 1};
-  place(state, j);
+  locate(state, j);
   {
     const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.vertex);
     const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.normal);
     const Crack<2>& crack = state.cracks.cracks[ended];
     const int behind = first ? crack.firstVertex + 1 : crack.firstVertex + crack.numVertices - 2;
-    const Vector<2> from{vertex(behind, 0) - j.place[0], vertex(behind, 1) - j.place[1]};
+    const Vector<2> from{vertex(behind, 0) - j.position[0], vertex(behind, 1) - j.position[1]};
     j.side = from[0] * normal(j.throughSimplex, 0) + from[1] * normal(j.throughSimplex, 1) > 0.0 ? 1 : -1;
   }
   all_.push_back(j);
-  warnOfCrowd(state, learnSides(state, j.place, j.side * (through + 1), ended), ended, through);
+  warnOfThirdCrack(state, learnSides(state, j.position, j.side * (through + 1), ended), ended, through);
 }
 
 void Junctions::join(State<2>& state, int one, bool first, int two)
 {
   Junction j{one, two, first, 1};
-  place(state, j);
+  locate(state, j);
   int crowd = 0;
   for (const int sign : {1, -1})
-    crowd +=
-        learnSides(state, j.place, sign * (one + 1), two) + learnSides(state, j.place, sign * (two + 1), one);
-  warnOfCrowd(state, crowd, one, two);
+    crowd += learnSides(state, j.position, sign * (one + 1), two) +
+             learnSides(state, j.position, sign * (two + 1), one);
+  warnOfThirdCrack(state, crowd, one, two);
 }
 
 void Junctions::claimNodes(const State<2>& state, const Surroundings& surroundings)
@@ -174,7 +174,7 @@ void Junctions::claimNodes(const State<2>& state, const Surroundings& surroundin
   const View<std::uint64_t*> nearest = surroundings.nearest;
   for (Junction& j : all_)
   {
-    place(state, j);
+    locate(state, j);
     const Pieces pieces = piecesAt(state, j);
     const auto end = static_cast<std::uint64_t>(j.endSimplex),
                through = static_cast<std::uint64_t>(j.throughSimplex);
@@ -193,7 +193,7 @@ void Junctions::markParticles(const State<2>& state, const View<int*>& row) cons
   const auto position = state.particles.real<2>(fields::position);
   for (const Junction& j : all_)
   {
-    const Vector<2> at = j.place;
+    const Vector<2> at = j.position;
     const double reach = j.radius / zone * (zone + sight);
     Kokkos::parallel_for(
         "rhegma::cracks::markAtJunctions", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
@@ -259,7 +259,7 @@ void Junctions::hideNodes(const State<2>& state, const ObservedPoints<2>& points
   }
 }
 
-void Junctions::keep(Archive& archive)
+void Junctions::store(Archive& archive)
 {
   std::vector<int> numbers;
   for (const Junction& j : all_)

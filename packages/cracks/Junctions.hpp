@@ -72,7 +72,7 @@ public:
   void hideNodes(const State<2>& state, const ObservedPoints<2>& points, const StencilTable<2>& table) const;
 
   /// Saves or loads them.
-  void keep(Archive& archive);
+  void store(Archive& archive);
 
 private:
   struct Junction
@@ -81,11 +81,11 @@ private:
     bool first;
     int side; ///< of the crack that goes through on which the other ends: 1 or -1
     // As they are in this step:
-    Vector<2> place{};
+    Vector<2> position{};
     int endSimplex = 0, throughSimplex = 0;
     double radius = 0.0; ///< [m]
   };
-  static void place(const State<2>& state, Junction& junction);
+  static void locate(const State<2>& state, Junction& junction);
 
   std::vector<Junction> all_;
 };

@@ -194,7 +194,7 @@ void numberFrontNodes(CrackFront<3>& front, int firstVertex)
 
 /// Gives the fronts of a crack their pieces. \return the pieces, in the set's numbering
 template <int D>
-std::vector<Piece> placeFronts(CrackSet<D>& set, const std::vector<CrackMesh<D>>& meshes)
+std::vector<Piece> setFrontPieces(CrackSet<D>& set, const std::vector<CrackMesh<D>>& meshes)
 {
   std::vector<Piece> pieces;
   std::vector<std::vector<std::vector<Piece>>> fronts;
@@ -248,7 +248,7 @@ void layOut(CrackSet<D>& set, const std::vector<CrackMesh<D>>& meshes, double sp
     vertices += crack.numVertices;
     simplices += crack.numSimplices;
   }
-  const std::vector<Piece> pieces = placeFronts(set, meshes);
+  const std::vector<Piece> pieces = setFrontPieces(set, meshes);
   allocate(set, vertices, simplices, static_cast<int>(pieces.size()));
   fill(set, meshes, pieces);
   listStars(set);

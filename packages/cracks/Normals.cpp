@@ -5,14 +5,14 @@
 namespace Rhegma::cracks
 {
 
-void carryNormals(const State<2>& state, const View<int*>& row)
+void updateNormals(const State<2>& state, const View<int*>& row)
 {
   const CrackSight<2> sight(state.cracks, state.mesh.grid.spacing);
   const auto position = state.particles.real<2>(fields::position);
   const auto side = state.particles.integer(fields::side);
   const auto normal = state.particles.real<2>(crackNormal);
   Kokkos::parallel_for(
-      "rhegma::cracks::carryNormals", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      "rhegma::cracks::updateNormals", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p) {
         const int named = row(p) < 0 ? 0 : side(p);
         const int crack = (named > 0 ? named : -named) - 1;

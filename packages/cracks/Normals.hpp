@@ -13,6 +13,6 @@ inline const std::string crackNormal = "crack normal";
 /// other face (Nairn and Tan, C-SAFE report, figure 3). The normal turns with the crack. Others keep what
 /// they have: zero until a crack comes near.
 /// \param row 0 for particles near cracks that have a side, as findSides marks them
-void carryNormals(const State<2>& state, const View<int*>& row);
+void updateNormals(const State<2>& state, const View<int*>& row);
 
 } // namespace Rhegma::cracks

@@ -57,7 +57,7 @@ struct NodeArea
     double steepest = 0.0;
     for (int d = 0; d < D; ++d)
       steepest = std::fmax(steepest, std::fabs(sight.normal(s, d)));
-    const double away = std::fabs(sight.look(s, x).distance) / (cell * steepest);
+    const double away = std::fabs(sight.locate(s, x).distance) / (cell * steepest);
     const double filled = std::fmin(1.0, mass / (density * cell * cell * cell));
     return away < 1.0 ? filled * cell * cell / steepest * (1.0 - away) : 0.0;
   }

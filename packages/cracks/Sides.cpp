@@ -111,12 +111,12 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
         const int s = simplexOf(nearest(n));
         const Vector<D> x = positions(n);
         const double cell = refined ? grid.spacing / (1 << level(n)) : grid.spacing;
-        const Sight seen = sight.look(s, x);
+        const Sight seen = sight.locate(s, x);
         const bool springs = frontSprings && sight.nearFront(s) != nearFront::springsDisabled;
         if (seen.behind <= (springs ? toleranceWithSprings<D>(sight, s) : frontTolerance) * cell)
           return;
         const int name = sight.crackOf(s) + 1;
-        side(n) = seen.distance > -tieTolerance * cell ? name : -name;
+        side(n) = seen.distance > -sideTolerance * cell ? name : -name;
         // A particle in cell c touches nodes c - 1 to c + 2 along each axis, and in refined cells those
         // in c - 1 to c + 1.
         int at[D];
@@ -139,14 +139,14 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
 }
 
 template <int D>
-int numberSecondFields(const State<D>& state)
+int numberEnrichedFields(const State<D>& state)
 {
   const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> side = state.cracks.nodeSide;
   const View<int*> second = state.cracks.second;
   int count = 0;
   Kokkos::parallel_scan(
-      "rhegma::cracks::numberSecondFields", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
+      "rhegma::cracks::numberEnrichedFields", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
       KOKKOS_LAMBDA(const int i, int& at, const bool final) {
         const int n = nodes.active(i);
         if (side(n) == 0)
@@ -185,7 +185,7 @@ constexpr double onCrack = 1e-6;
 /// The side of a position in a cell: that of the simplex, of those nearest to the cell's nodes, which is
 /// nearest to the position. 0 where no crack is near.
 template <int D>
-struct SideOfPlace
+struct SideOfPosition
 {
   Grid<D> grid;
   CrackSight<D> sight;
@@ -212,7 +212,7 @@ struct SideOfPlace
     if (found < 0)
       return 0;
     const int name = sight.crackOf(found) + 1;
-    return sight.look(found, x).distance >= -onCrack * grid.spacing ? name : -name;
+    return sight.locate(found, x).distance >= -onCrack * grid.spacing ? name : -name;
   }
 };
 
@@ -221,7 +221,7 @@ template <int D>
 struct MarkParticle
 {
   Grid<D> grid;
-  SideOfPlace<D> sideOf;
+  SideOfPosition<D> sideOf;
   BorrowedView<double* [D]> position;
   BorrowedView<int*> side;
   View<int*> nodeSide, row;
@@ -270,7 +270,7 @@ void markParticles(const State<D>& state, const Surroundings& around, const Reac
   const Grid<D> grid = state.mesh.grid;
   const Blocks<D> blocks = state.mesh.blocks;
   const auto position = state.particles.template real<D>(fields::position);
-  const SideOfPlace<D> sideOf{grid, CrackSight<D>(state.cracks, grid.spacing), around.nearest};
+  const SideOfPosition<D> sideOf{grid, CrackSight<D>(state.cracks, grid.spacing), around.nearest};
   const MarkParticle<D> mark{grid,
                              sideOf,
                              position,
@@ -342,7 +342,7 @@ void findSides(State<D>& state, Surroundings& surroundings, const View<int*>& ro
     claim();
   findNodeSides(state, surroundings);
   if (state.cracks.dualField)
-    listParents(state, numberSecondFields(state));
+    listParents(state, numberEnrichedFields(state));
   for (const Reach<D>& reach : reaches(state))
     markParticles(state, surroundings, reach, row);
 }

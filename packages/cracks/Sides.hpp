@@ -12,7 +12,7 @@ namespace Rhegma::cracks
 
 /// A node less than this fraction of a cell below a crack counts as above it, so that a crack on a row of
 /// nodes stays so while the body deforms a little.
-constexpr double tieTolerance = 0.1;
+constexpr double sideTolerance = 0.1;
 
 /// A node less than this fraction of a cell behind a front counts as at the front and stays closed: so a
 /// front on a column of nodes stays there, and the crack that the cells have is neither too long nor too

@@ -151,7 +151,7 @@ void FrontSprings<D>::release(State<D>& state, const Surroundings& surroundings,
 }
 
 template <int D>
-DisplacementDependentForce<D> FrontSprings<D>::following() const
+DisplacementDependentForce<D> FrontSprings<D>::displacementDependentForce() const
 {
   using Values = View<double* [D]>;
   const auto frozen = [](const State<D>& state, const NodeSlots& slots, const Values& force)
@@ -258,8 +258,8 @@ template void FrontSprings<2>::addForces(State<2>&) const;
 template void FrontSprings<3>::addForces(State<3>&) const;
 template void FrontSprings<2>::release(State<2>&, const Surroundings&, const ToughnessAlong<2>&);
 template void FrontSprings<3>::release(State<3>&, const Surroundings&, const ToughnessAlong<3>&);
-template DisplacementDependentForce<2> FrontSprings<2>::following() const;
-template DisplacementDependentForce<3> FrontSprings<3>::following() const;
+template DisplacementDependentForce<2> FrontSprings<2>::displacementDependentForce() const;
+template DisplacementDependentForce<3> FrontSprings<3>::displacementDependentForce() const;
 template void FrontSprings<2>::advance(State<2>&);
 template void FrontSprings<3>::advance(State<3>&);
 template double FrontSprings<2>::pendingEnergy(const State<2>&, int) const;

@@ -24,7 +24,7 @@ struct Blind
 };
 
 template <int D>
-void useSecondFields(const State<D>& state, const ObservedPoints<D>& points, const StencilTable<D>& table)
+void useEnrichedFields(const State<D>& state, const ObservedPoints<D>& points, const StencilTable<D>& table)
 {
   const Blind blind{state.cracks.nodeSide};
   const View<int*> second = state.cracks.second;
@@ -35,7 +35,7 @@ void useSecondFields(const State<D>& state, const ObservedPoints<D>& points, con
     otherSideOf = state.particles.integer(otherSide);
   const View<int*> particle = state.stored.particle;
   parallelForSmall(
-      "rhegma::cracks::useSecondFields", points.count, KOKKOS_LAMBDA(const int r) {
+      "rhegma::cracks::useEnrichedFields", points.count, KOKKOS_LAMBDA(const int r) {
         const int side = points.side(r), count = side != 0 ? table.count(r) : 0;
         const int other = joined ? otherSideOf(particle(r)) : 0;
         for (int k = 0; k < count; ++k)
@@ -105,11 +105,11 @@ void breakCells(const State<2>& state, const ObservedPoints<2>& points, const St
         for (int k = 0; k < count; ++k)
         {
           const bool seen = !blind.invisible(table.node(r, k), side);
-          const bool takes = seen && (corners == 0 || cell.hasCorner(table.node(r, k)));
-          table.weight(r, k) = (seen ? table.weight(r, k) : 0.0) + (takes ? hidden / visible : 0.0);
+          const bool receives = seen && (corners == 0 || cell.hasCorner(table.node(r, k)));
+          table.weight(r, k) = (seen ? table.weight(r, k) : 0.0) + (receives ? hidden / visible : 0.0);
           for (int d = 0; d < 2; ++d)
             table.slope(r, k, d) =
-                (seen ? table.slope(r, k, d) : 0.0) + (takes ? hiddenSlope[d] / visible : 0.0);
+                (seen ? table.slope(r, k, d) : 0.0) + (receives ? hiddenSlope[d] / visible : 0.0);
         }
       });
 }
@@ -161,7 +161,7 @@ void extrapolate(const State<2>& state, const Ghosts& ghosts, const ObservedPoin
             continue;
           }
           const int steps = ghosts.distance(node[k]);
-          const double far = -steps * ghosts.share(node[k]), near = 1.0 - far;
+          const double far = -steps * ghosts.linear(node[k]), near = 1.0 - far;
           const double nearSlope[2] = {near * slope[k][0], near * slope[k][1]};
           const double farSlope[2] = {far * slope[k][0], far * slope[k][1]};
           addEntry(table, r, count, node[k] + steps * step, near * weight[k], nearSlope);
@@ -178,7 +178,7 @@ void editStencils(const State<D>& state, Formulation formulation, const Ghosts& 
                   const ObservedPoints<D>& points, const StencilTable<D>& table)
 {
   if (formulation == Formulation::DualField)
-    useSecondFields(state, points, table);
+    useEnrichedFields(state, points, table);
   if constexpr (D == 2) // a 3D scene with another formulation is refused
   {
     if (formulation == Formulation::BrokenCell)

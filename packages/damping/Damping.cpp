@@ -76,7 +76,7 @@ double lossToStresses(const State<D>& state, double rate, View<char**>& heldNode
   // of them only.
   const NodeSlots subcycled = state.motion.substeps.nodes;
   const View<int*> coupledRow = state.motion.coupledRow;
-  const double share = state.motion.substeps.length / state.clock.dt;
+  const double fraction = state.motion.substeps.length / state.clock.dt;
   double power = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::powerOfStresses", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
@@ -86,7 +86,7 @@ double lossToStresses(const State<D>& state, double rate, View<char**>& heldNode
         const bool coupled = coupledRow.extent(0) > 0 && coupledRow(n) >= 0;
         for (int d = 0; d < D && mass > 0.0; ++d)
           if (coupled || held(n, d) == 0)
-            sum += (subcycled.moves(n) ? share : 1.0) * nodes.sums(n, Nodes<D>::forceAt + d) *
+            sum += (subcycled.moves(n) ? fraction : 1.0) * nodes.sums(n, Nodes<D>::forceAt + d) *
                    nodes.sums(n, Nodes<D>::momentumAt + d) / mass;
       },
       power);
@@ -296,7 +296,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       summary["warnings"].push_back("the run ended before it had settled (Damping > Stop When Settled), so "
                                     "its results are not static; raise Time > Final Time or the damping");
   };
-  effect.memory = [settling](State<D>&, Archive& archive) { settling->keep(archive); };
+  effect.memory = [settling](State<D>&, Archive& archive) { settling->store(archive); };
   return effect;
 }
 

@@ -27,7 +27,7 @@ public:
   bool sample(double kinetic, double strain, const HistoryRow& row);
 
   /// Saves or loads the last samples.
-  void keep(Archive& archive);
+  void store(Archive& archive);
 
 private:
   struct Sample

@@ -159,8 +159,8 @@ double distanceToOtherCracks(const CrackSet<2>& cracks, const CrackFront<2>& fro
       const Vector<2> a{{vertex(simplex(s, 0), 0), vertex(simplex(s, 0), 1)}};
       const Vector<2> b{{vertex(simplex(s, 1), 0), vertex(simplex(s, 1), 1)}};
       const double square = dot(b - a, b - a);
-      const double share = square > 0.0 ? std::clamp(dot(front.position - a, b - a) / square, 0.0, 1.0) : 0.0;
-      nearest = std::min(nearest, norm(front.position - (a + share * (b - a))));
+      const double at = square > 0.0 ? std::clamp(dot(front.position - a, b - a) / square, 0.0, 1.0) : 0.0;
+      nearest = std::min(nearest, norm(front.position - (a + at * (b - a))));
     }
   }
   return nearest;

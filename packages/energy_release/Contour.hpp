@@ -19,13 +19,13 @@ struct ContourRadii
 template <int D>
 struct NodalWeight
 {
-  NodePositions<D> places;
+  NodePositions<D> positions;
   Vector<D> centre;
   ContourRadii radii;
 
   KOKKOS_INLINE_FUNCTION double operator()(int node) const
   {
-    const double r = norm(places(node) - centre);
+    const double r = norm(positions(node) - centre);
     const double q = (radii.outer - r) / (radii.outer - radii.inner);
     return q > 1.0 ? 1.0 : (q > 0.0 ? q : 0.0);
   }

@@ -72,7 +72,7 @@ struct Integrand
   {
     const Vector<D> centre = weight.centre;
     // A stencil reaches at most 2.5 cells along each axis.
-    if (distance(position, p, centre) > weight.radii.outer + 4.0 * weight.places.grid.spacing)
+    if (distance(position, p, centre) > weight.radii.outer + 4.0 * weight.positions.grid.spacing)
       return;
     // Interpolated like the motion, a weighted shift of the body is a motion that the cells can make:
     // stresses in equilibrium do no work on it, however much the body next to the crack turns
@@ -117,7 +117,7 @@ struct Integrand
                          heat.energyAlong(p, material(p), law, F, tau, own, image)) *
                             q);
     else
-      J += volume(p) * alongTheWay(p, F, tau, energy, density, v, a, dv);
+      J += volume(p) * alongPath(p, F, tau, energy, density, v, a, dv);
     if (!intensities)
       return;
     const Pair sum = interaction(p, q, dq, flux, du, density, a, image);
@@ -129,9 +129,9 @@ struct Integrand
 
   /// The same with a weight that is a vector along the crack: the sum over both axes of the integrand in the
   /// direction of the axis with the weight's component.
-  KOKKOS_INLINE_FUNCTION double alongTheWay(int p, const double* F, const double* tau, double energy,
-                                            double density, const Vector<D>& v, const Vector<D>& a,
-                                            const double (&dv)[D][D]) const
+  KOKKOS_INLINE_FUNCTION double alongPath(int p, const double* F, const double* tau, double energy,
+                                          double density, const Vector<D>& v, const Vector<D>& a,
+                                          const double (&dv)[D][D]) const
   {
     double Q[D] = {}, dQ[D][D] = {};
     broken.visit(p,
@@ -141,7 +141,7 @@ struct Integrand
                    const double at = weight(own);
                    if (at == 0.0)
                      return;
-                   const Vector<D> shift = at * path(weight.places(own));
+                   const Vector<D> shift = at * path(weight.positions(own));
                    for (int k = 0; k < D; ++k)
                    {
                      Q[k] += fraction * shift[k];
@@ -175,8 +175,8 @@ struct Integrand
   KOKKOS_INLINE_FUNCTION Vector<D> displacement(int p) const
   {
     const double x = reference(p, 0) - disk.reference[0], y = reference(p, 1) - disk.reference[1];
-    return {{position(p, 0) - disk.place[0] - disk.cosine * x + disk.sine * y,
-             position(p, 1) - disk.place[1] - disk.sine * x - disk.cosine * y}};
+    return {{position(p, 0) - disk.position[0] - disk.cosine * x + disk.sine * y,
+             position(p, 1) - disk.position[1] - disk.sine * x - disk.cosine * y}};
   }
 
   KOKKOS_INLINE_FUNCTION Pair interaction(int p, double q, const Vector<D>& dq, const Vector<D>& flux,

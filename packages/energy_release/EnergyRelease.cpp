@@ -32,7 +32,7 @@ template <int D>
 struct Samples
 {
   std::vector<FrontSample<D>> last;
-  std::vector<PlacedLoad> loads; ///< that may act near fronts (2D)
+  std::vector<LoadRegion> loads; ///< that may act near fronts (2D)
   FrontSet inclined;             ///< fronts that did not start along the grid: without crack closure (2D)
   FrontSet warned;               ///< fronts whose tube has left the body during the run
   FrontSet unclosed;             ///< fronts that had no crack closure at some time (2D)
@@ -297,8 +297,8 @@ void store(Samples<D>& samples, Archive& archive)
     const Archive::Group group(archive, "front " + std::to_string(k));
     samples.last[k].store(archive);
   }
-  keepFronts(samples.warned, "warned", archive);
-  keepFronts(samples.unclosed, "unclosed", archive);
+  storeFronts(samples.warned, "warned", archive);
+  storeFronts(samples.unclosed, "unclosed", archive);
 }
 
 template <int D>

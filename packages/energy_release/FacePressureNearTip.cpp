@@ -17,7 +17,7 @@ namespace
 constexpr int cells = 3, pieces = 16;
 
 /// A position on the crack at a distance behind the front.
-struct Place
+struct CrackPoint
 {
   Vector<2> at;
   double pressure;
@@ -42,7 +42,7 @@ public:
   }
 
   /// \param back length of crack from the front [m] \return false beyond the crack's other end
-  bool find(double back, Place& place) const
+  bool find(double back, CrackPoint& point) const
   {
     for (std::size_t s = 0; s + 1 < vertices_.size(); ++s)
     {
@@ -50,7 +50,7 @@ public:
       const double length = norm(along);
       if (back <= length)
       {
-        place = {vertices_[s] + (back / length) * along, pressures_[s]};
+        point = {vertices_[s] + (back / length) * along, pressures_[s]};
         return true;
       }
       back -= length;
@@ -72,15 +72,15 @@ double intensityLostAtFront(const State<2>& state, const CrackFront<2>& front, d
     return 0.0;
   const PathBehind path(cracks, front);
   const double piece = spacingAt(state, front.position) / pieces;
-  std::vector<Place> positions;
-  Place place;
+  std::vector<CrackPoint> positions;
+  CrackPoint point;
   while (static_cast<int>(positions.size()) < cells * pieces &&
-         path.find((positions.size() + 0.5) * piece, place))
-    positions.push_back(place);
+         path.find((positions.size() + 0.5) * piece, point))
+    positions.push_back(point);
 
   std::vector<Vector<2>> at;
   at.reserve(positions.size());
-  for (const Place& on : positions)
+  for (const CrackPoint& on : positions)
     at.push_back(on.at);
   const std::vector<double> shared = fractionOfNodes(state, front.crack, at);
 

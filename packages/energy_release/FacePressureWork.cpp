@@ -20,9 +20,9 @@ namespace
 constexpr int partsOfEdge = 4;
 
 /// What acts on a position: force on a node there, by the gradient of that node's weight [N].
-struct Share
+struct PointForce
 {
-  Vector<3> place, force;
+  Vector<3> position, force;
 };
 
 /// A crack's triangles with what they open by, on the host.
@@ -40,7 +40,7 @@ public:
   }
 
   /// Adds the fractions of triangle s, unless it is further from the front than `reach`.
-  void add(int s, std::vector<Share>& fractions) const
+  void add(int s, std::vector<PointForce>& forces) const
   {
     Vector<3> corner[3];
     double square[3], nearest = 1e300; // of the opening along the normal, with its sign
@@ -52,7 +52,7 @@ public:
         corner[i][d] = vertex_(simplex_(s, i), d);
         opening[d] = face_(simplex_(s, i), 1, d) - face_(simplex_(s, i), 0, d);
       }
-      const FrontFoot foot = sight_.look(corner[i]);
+      const FrontFoot foot = sight_.locate(corner[i]);
       nearest = std::min(nearest, foot.distance);
       const double open = dot(opening, foot.normal);
       square[i] = open * std::fabs(open);
@@ -61,13 +61,13 @@ public:
       return;
     const Vector<3> area = cross(corner[1] - corner[0], corner[2] - corner[0]);
     const Vector<3> normal = (1.0 / norm(area)) * area;
-    const int first = static_cast<int>(fractions.size());
+    const int first = static_cast<int>(forces.size());
     const auto number = [&](int i, int j) { return first + i * (partsOfEdge + 1) - i * (i - 1) / 2 + j; };
     for (int i = 0; i <= partsOfEdge; ++i)
       for (int j = 0; i + j <= partsOfEdge; ++j)
       {
         const double a = double(i) / partsOfEdge, b = double(j) / partsOfEdge;
-        fractions.push_back({(1.0 - a - b) * corner[0] + a * corner[1] + b * corner[2], {0.0, 0.0, 0.0}});
+        forces.push_back({(1.0 - a - b) * corner[0] + a * corner[1] + b * corner[2], {0.0, 0.0, 0.0}});
       }
     // Near a front the opening is no line but a root, and that of an ellipse is nowhere one: its square is
     // smooth, so that is interpolated.
@@ -77,8 +77,8 @@ public:
       const double force = 0.5 * pressure_(s) * std::copysign(std::sqrt(std::fabs(mean)), mean);
       for (int i = 0; i < 3; ++i)
       {
-        const Vector<3> opposite = fractions[part[(i + 2) % 3]].place - fractions[part[(i + 1) % 3]].place;
-        fractions[part[i]].force = fractions[part[i]].force + force * cross(normal, opposite);
+        const Vector<3> opposite = forces[part[(i + 2) % 3]].position - forces[part[(i + 1) % 3]].position;
+        forces[part[i]].force = forces[part[i]].force + force * cross(normal, opposite);
       }
     };
     constexpr double third = 1.0 / (3.0 * partsOfEdge);
@@ -150,34 +150,34 @@ void addForceOfPressure(const State<3>& state, int crack, const FrontLine& line,
   // Functions of nodes in the tube reach two of the largest cells further.
   const PressedTriangles triangles(state.cracks, line, tube.radii.outer + 2.0 * state.mesh.grid.spacing);
   const Crack<3>& own = state.cracks.cracks[crack];
-  std::vector<Share> fractions;
+  std::vector<PointForce> forces;
   for (int s = own.firstSimplex; s < own.firstSimplex + own.numSimplices; ++s)
-    triangles.add(s, fractions);
+    triangles.add(s, forces);
 
   ObservedPoints<3> points;
   points.onAllRanks = true;
-  points.count = static_cast<int>(fractions.size());
+  points.count = static_cast<int>(forces.size());
   points.position = View<double* [3]>("rhegma::pressedPosition", points.count);
   points.half = View<double* [3]>("rhegma::pressedHalf", points.count);
   points.side = View<int*>("rhegma::pressedSide", points.count); // q is the same for both fields of a node
-  const View<double* [3]> fraction("rhegma::pressedShare", points.count);
+  const View<double* [3]> pressed("rhegma::pressedForce", points.count);
   const auto position = Kokkos::create_mirror_view(points.position),
-             host = Kokkos::create_mirror_view(fraction);
+             host = Kokkos::create_mirror_view(pressed);
   for (int k = 0; k < points.count; ++k)
     for (int d = 0; d < 3; ++d)
     {
-      position(k, d) = fractions[k].place[d];
-      host(k, d) = fractions[k].force[d];
+      position(k, d) = forces[k].position[d];
+      host(k, d) = forces[k].force[d];
     }
   Kokkos::deep_copy(points.position, position);
-  Kokkos::deep_copy(fraction, host);
+  Kokkos::deep_copy(pressed, host);
   StencilTable<3> table;
   pointStencils(state, points, table, false);
   forEachPushing(
       "rhegma::configurationalForceOfPressure", points.count, KOKKOS_LAMBDA(const int k) {
         for (int e = 0; e < table.count(k); ++e)
           for (int d = 0; d < 3; ++d)
-            Kokkos::atomic_add(&force(table.node(k, e), d), table.weight(k, e) * fraction(k, d));
+            Kokkos::atomic_add(&force(table.node(k, e), d), table.weight(k, e) * pressed(k, d));
       });
 }
 

@@ -20,7 +20,7 @@ void addMeanPositions(const State<D>& state, const Vector<D>& centre, double rea
   const auto reference = state.particles.real<D>(fields::reference);
   double sums[5] = {}; // of positions, of positions before deformation, number
   Kokkos::parallel_reduce(
-      "rhegma::meanPlace", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      "rhegma::meanPosition", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p, double& sumX, double& sumY, double& sumFromX, double& sumFromY,
                     double& number) {
         if (distance(position, p, centre) > reach)
@@ -36,7 +36,7 @@ void addMeanPositions(const State<D>& state, const Vector<D>& centre, double rea
   const double count = sums[4];
   if (count == 0.0)
     return;
-  disk.place = {{sums[0] / count, sums[1] / count}};
+  disk.position = {{sums[0] / count, sums[1] / count}};
   disk.reference = {{sums[2] / count, sums[3] / count}};
 }
 

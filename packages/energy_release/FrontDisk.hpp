@@ -13,7 +13,7 @@ struct FrontDisk
 {
   double cosine = 1.0, sine = 0.0; ///< of its mean turn
   Vector<2> velocity{{0.0, 0.0}};  ///< mean [m/s]
-  Vector<2> place{{0.0, 0.0}};     ///< mean [m]
+  Vector<2> position{{0.0, 0.0}};  ///< mean [m]
   Vector<2> reference{{0.0, 0.0}}; ///< mean before deformation [m]
   TipModuli moduli;
   double effectiveModulus; ///< [Pa]

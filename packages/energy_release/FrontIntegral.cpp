@@ -66,7 +66,7 @@ TubeNodes findNodes(const State<D>& state, const FrontSight& sight, const Contou
     const Vector<D> x = positions(n);
     if (!box.holds(x))
       return false;
-    foot = sight.look(x);
+    foot = sight.locate(x);
     return foot.distance < radii.outer;
   };
   int count = 0;
@@ -92,7 +92,7 @@ TubeNodes findNodes(const State<D>& state, const FrontSight& sight, const Contou
           const int row = activeNode(nodes, i), k = number(latticeNode(nodes, row));
           if (k < 0)
             return;
-          const FrontFoot foot = sight.look(positions(latticeNode(nodes, row)));
+          const FrontFoot foot = sight.locate(positions(latticeNode(nodes, row)));
           const double ramp = (radii.outer - foot.distance) / (radii.outer - radii.inner);
           values(k, 0) = ramp > 1.0 ? 1.0 : ramp;
           values(k, 1) = foot.arc;
@@ -122,7 +122,7 @@ void addWidths(const State<D>& state, const FrontLine& line, const FrontSight& s
 {
   struct Part
   {
-    Vector<D> place, across;
+    Vector<D> position, across;
     double length;
   };
   std::vector<Part> parts;
@@ -153,7 +153,7 @@ void addWidths(const State<D>& state, const FrontLine& line, const FrontSight& s
   const auto position = Kokkos::create_mirror_view(points.position);
   for (int k = 0; k < points.count; ++k)
     for (int d = 0; d < D; ++d)
-      position(k, d) = parts[k].place[d];
+      position(k, d) = parts[k].position[d];
   Kokkos::deep_copy(points.position, position);
   StencilTable<D> table;
   pointStencils(state, points, table, false);

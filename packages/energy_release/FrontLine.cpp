@@ -42,7 +42,7 @@ FrontLine lineOf(const CrackFront<3>& front)
 }
 
 FrontSight::FrontSight(const FrontLine& front, double extension)
-    : place("rhegma::frontPlace", front.nodes.size()),
+    : nodePosition("rhegma::frontNodePosition", front.nodes.size()),
       direction("rhegma::frontDirection", front.nodes.size()),
       normal("rhegma::frontNormal", front.nodes.size()),
       arc("rhegma::frontArc", front.nodes.size()),
@@ -54,7 +54,7 @@ FrontSight::FrontSight(const FrontLine& front, double extension)
       pieceLength("rhegma::frontPieceLength", front.pieces.size()),
       beyond(extension)
 {
-  const auto positions = Kokkos::create_mirror_view(place),
+  const auto positions = Kokkos::create_mirror_view(nodePosition),
              directions = Kokkos::create_mirror_view(direction), normals = Kokkos::create_mirror_view(normal);
   const auto arcs = Kokkos::create_mirror_view(arc), loops = Kokkos::create_mirror_view(loop),
              opens = Kokkos::create_mirror_view(open), lengths = Kokkos::create_mirror_view(pieceLength);
@@ -90,7 +90,7 @@ FrontSight::FrontSight(const FrontLine& front, double extension)
     pieces(k, 3) = p.ends ? 1 : 0;
     lengths(k) = p.length;
   }
-  Kokkos::deep_copy(place, positions);
+  Kokkos::deep_copy(nodePosition, positions);
   Kokkos::deep_copy(direction, directions);
   Kokkos::deep_copy(normal, normals);
   Kokkos::deep_copy(arc, arcs);

@@ -47,7 +47,7 @@ struct FrontFoot
 /// What kernels need to look at positions from a front.
 struct FrontSight
 {
-  View<double*[3]> place, direction, normal; ///< of front nodes
+  View<double*[3]> nodePosition, direction, normal; ///< of front nodes
   View<double*> arc, loop, open;
   View<int* [2]> ends; ///< of each line: its first and last front node
   View<int*> line;
@@ -60,7 +60,7 @@ struct FrontSight
 
   /// A position as far from two pieces that meet, inside of their corner, has its foot in the middle of the
   /// two.
-  KOKKOS_INLINE_FUNCTION FrontFoot look(const Vector<3>& x) const
+  KOKKOS_INLINE_FUNCTION FrontFoot locate(const Vector<3>& x) const
   {
     const int count = static_cast<int>(piece.extent(0));
     double least = 1e300, part = 0.0;
@@ -107,7 +107,8 @@ private:
   /// Square of the distance from a piece [m2]. \param part of the piece at the nearest point
   KOKKOS_INLINE_FUNCTION double squareTo(int k, const Vector<3>& x, double& part) const
   {
-    const Vector<3> a = at(place, piece(k, 0)), along = at(place, piece(k, 1)) - a, from = x - a;
+    const Vector<3> a = at(nodePosition, piece(k, 0)), along = at(nodePosition, piece(k, 1)) - a,
+                    from = x - a;
     const double length = pieceLength(k), reach = beyond / length;
     const double low = piece(k, 2) != 0 ? -reach : 0.0, high = piece(k, 3) != 0 ? 1.0 + reach : 1.0;
     const double t = dot(from, along) / (length * length);
@@ -119,12 +120,12 @@ private:
   KOKKOS_INLINE_FUNCTION FrontFoot footOn(int k, double part) const
   {
     const int a = piece(k, 0), b = piece(k, 1);
-    const double share = part < 0.0 ? 0.0 : (part > 1.0 ? 1.0 : part);
+    const double t = part < 0.0 ? 0.0 : (part > 1.0 ? 1.0 : part);
     FrontFoot foot{};
     foot.line = line(a);
     foot.arc = arc(a) + part * pieceLength(k);
-    foot.direction = mean(direction, a, b, share);
-    foot.normal = mean(normal, a, b, share);
+    foot.direction = mean(direction, a, b, t);
+    foot.normal = mean(normal, a, b, t);
     return foot;
   }
 
@@ -134,13 +135,14 @@ private:
   KOKKOS_INLINE_FUNCTION void alongSurface(const Vector<3>& x, int last, FrontFoot& foot) const
   {
     const int end = ends(foot.line, last), inner = last != 0 ? end - 1 : end + 1;
-    const Vector<3> way = at(direction, end), n = at(normal, end), along = at(place, inner) - at(place, end);
-    const Vector<3> in = along - dot(along, way) * way - dot(along, n) * n;
-    const double depth = dot(x - at(place, end), in) / dot(in, in);
+    const Vector<3> endDirection = at(direction, end), n = at(normal, end),
+                    along = at(nodePosition, inner) - at(nodePosition, end);
+    const Vector<3> in = along - dot(along, endDirection) * endDirection - dot(along, n) * n;
+    const double depth = dot(x - at(nodePosition, end), in) / dot(in, in);
     if (!(depth < 1.0)) // a piece along the surface-breaking end has no depth
       return;
-    const double share = depth > 0.0 ? depth : 0.0;
-    const Vector<3> mean = (1.0 - share) * way + share * foot.direction;
+    const double t = depth > 0.0 ? depth : 0.0;
+    const Vector<3> mean = (1.0 - t) * endDirection + t * foot.direction;
     foot.direction = (1.0 / norm(mean)) * mean;
   }
 
@@ -160,9 +162,9 @@ private:
   {
     return {rows(k, 0), rows(k, 1), rows(k, 2)};
   }
-  static KOKKOS_INLINE_FUNCTION Vector<3> mean(const View<double* [3]>& rows, int a, int b, double share)
+  static KOKKOS_INLINE_FUNCTION Vector<3> mean(const View<double* [3]>& rows, int a, int b, double t)
   {
-    const Vector<3> sum = (1.0 - share) * at(rows, a) + share * at(rows, b);
+    const Vector<3> sum = (1.0 - t) * at(rows, a) + t * at(rows, b);
     return (1.0 / norm(sum)) * sum;
   }
 };

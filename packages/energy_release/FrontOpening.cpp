@@ -93,7 +93,7 @@ std::vector<Patch> patchesBehind(const CrackSet<3>& cracks, const CrackFront<3>&
     {
       patch.x[i] = faces.corner(s, i);
       patch.opening[i] = faces.opening(s, i);
-      near = near || sight.look(patch.x[i]).distance < reach;
+      near = near || sight.locate(patch.x[i]).distance < reach;
     }
     if (near)
       patches.push_back(patch);
@@ -122,7 +122,7 @@ std::vector<Intensities> openingsBehind(const CrackSet<3>& cracks, const CrackFr
                         static_cast<double>(middles.size());
     for (const Vector<3>& w : middles)
     {
-      const FrontFoot foot = sight.look(w[0] * patch.x[0] + w[1] * patch.x[1] + w[2] * patch.x[2]);
+      const FrontFoot foot = sight.locate(w[0] * patch.x[0] + w[1] * patch.x[1] + w[2] * patch.x[2]);
       const Vector<3> opening = w[0] * patch.opening[0] + w[1] * patch.opening[1] + w[2] * patch.opening[2];
       parts.push_back({area,
                        foot.distance,

@@ -13,7 +13,7 @@ namespace Rhegma::energy_release
 using FrontSet = std::set<std::pair<int, int>>;
 
 /// Saves a set or loads it.
-inline void keepFronts(FrontSet& fronts, const char* name, Archive& archive)
+inline void storeFronts(FrontSet& fronts, const char* name, Archive& archive)
 {
   std::vector<int> numbers;
   numbers.reserve(2 * fronts.size());

@@ -47,7 +47,7 @@ double clearOfSurfaces(const State<3>& state, const FrontLine& line, double radi
       KOKKOS_LAMBDA(const int n, double& smallest) {
         if (!isOpen(numbers, cover, n) || norm(positions(n) - middle) > extent + radius)
           return;
-        const FrontFoot foot = sight.look(positions(n));
+        const FrontFoot foot = sight.locate(positions(n));
         const double end = std::fmin(cell + leans * foot.distance, std::fmax(cell, most));
         if (foot.inside >= end && foot.distance < smallest)
           smallest = foot.distance;
@@ -106,7 +106,7 @@ std::vector<Vector<3>> meanDirections(const FrontLine& line)
     // The ends of an open line point along the surface.
     const int most = closed ? reach : std::clamp(std::min(k - first, last - k) - 1, 0, reach);
     Vector<3> sides[2] = {{{0.0, 0.0, 0.0}}, {{0.0, 0.0, 0.0}}};
-    double way[2] = {0.0, 0.0}; // weighted length of front to the front nodes of each side
+    double sideLength[2] = {0.0, 0.0}; // weighted length of front to the front nodes of each side
     for (int side = 0; side < 2; ++side)
     {
       double along = 0.0;
@@ -114,7 +114,7 @@ std::vector<Vector<3>> meanDirections(const FrontLine& line)
       {
         const int to = first + ((k - first + (side == 0 ? -j : j)) % size + size) % size;
         along += norm(line.nodes[to].position - line.nodes[from].position);
-        way[side] += double(reach + 1 - j) * along;
+        sideLength[side] += double(reach + 1 - j) * along;
         sides[side] = sides[side] + double(reach + 1 - j) * line.nodes[to].direction;
         from = to;
       }
@@ -122,7 +122,8 @@ std::vector<Vector<3>> meanDirections(const FrontLine& line)
     // As far on one side as on the other, so that pieces of unequal length do not turn an arc.
     Vector<3> sum = double(reach + 1) * line.nodes[k].direction;
     if (most > 0)
-      sum = sum + (2.0 / (way[0] + way[1])) * (way[1] * sides[0] + way[0] * sides[1]);
+      sum = sum +
+            (2.0 / (sideLength[0] + sideLength[1])) * (sideLength[1] * sides[0] + sideLength[0] * sides[1]);
     const double length = norm(sum);
     mean[k] = length > 0.0 ? (1.0 / length) * sum : line.nodes[k].direction;
   }

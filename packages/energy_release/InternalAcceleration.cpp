@@ -20,11 +20,11 @@ struct Disk
 };
 
 /// Adds the forces of a block of particles to the nodes.
-template <int D, class Place, class Connect>
+template <int D, class Range, class Connect>
 struct ForceBlock
 {
   Connect connect;
-  Place place;
+  Range range;
   NodalAcceleration<D> force;
   BorrowedView<double* [D]> position;
   BorrowedView<double*> mass, volume;
@@ -37,7 +37,7 @@ struct ForceBlock
       Vector<D> x;
       for (int d = 0; d < D; ++d)
         x[d] = position(p, d);
-      if (!place.holds(x))
+      if (!range.holds(x))
         continue;
       connect.visit(p,
                     [&](int node, double fraction, const double* slope)
@@ -83,8 +83,8 @@ void divideByMass(const NodalAcceleration<D>& force)
       });
 }
 
-template <int D, class Place>
-void accelerate(const State<D>& state, const Place& place, NodalAcceleration<D>& force)
+template <int D, class Range>
+void accelerate(const State<D>& state, const Range& range, NodalAcceleration<D>& force)
 {
   if (force.extent(0) != state.mesh.nodes.sums.extent(0))
     force = NodalAcceleration<D>("rhegma::internalForce", state.mesh.nodes.sums.extent(0));
@@ -96,9 +96,9 @@ void accelerate(const State<D>& state, const Place& place, NodalAcceleration<D>&
                    [&](const auto& connect)
                    {
                      using Connect = std::decay_t<decltype(connect)>;
-                     const ForceBlock<D, Place, Connect> block{
+                     const ForceBlock<D, Range, Connect> block{
                          connect,
-                         place,
+                         range,
                          force,
                          state.particles.template real<D>(fields::position),
                          state.particles.scalar(fields::mass),

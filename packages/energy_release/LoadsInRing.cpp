@@ -37,10 +37,10 @@ bool isReported(const State<2>& state, const std::string& load, const std::strin
 
 } // namespace
 
-Reach reachOf(const PlacedLoad& load, const Vector<2>& place)
+Reach reachOf(const LoadRegion& load, const Vector<2>& x)
 {
-  const Vector<2> along = load.to - load.from, to = place - load.from;
-  if (load.kind == PlacedLoad::Kind::Line)
+  const Vector<2> along = load.to - load.from, to = x - load.from;
+  if (load.kind == LoadRegion::Kind::Line)
   {
     const double square = dot(along, along);
     const double at = square > 0.0 ? std::clamp(dot(to, along) / square, 0.0, 1.0) : 0.0;
@@ -50,18 +50,18 @@ Reach reachOf(const PlacedLoad& load, const Vector<2>& place)
   double inside = std::numeric_limits<double>::infinity();
   for (int d = 0; d < 2; ++d)
   {
-    beyond[d] = std::max({load.from[d] - place[d], 0.0, place[d] - load.to[d]});
-    across[d] = std::max(place[d] - load.from[d], load.to[d] - place[d]);
-    inside = std::min({inside, place[d] - load.from[d], load.to[d] - place[d]});
+    beyond[d] = std::max({load.from[d] - x[d], 0.0, x[d] - load.to[d]});
+    across[d] = std::max(x[d] - load.from[d], load.to[d] - x[d]);
+    inside = std::min({inside, x[d] - load.from[d], load.to[d] - x[d]});
   }
-  if (load.kind == PlacedLoad::Kind::Outside)
+  if (load.kind == LoadRegion::Kind::Outside)
     return {std::max(0.0, inside), std::numeric_limits<double>::infinity()};
   return {norm(beyond), norm(across)};
 }
 
-std::vector<PlacedLoad> readLoads(const Teuchos::ParameterList& scene)
+std::vector<LoadRegion> readLoads(const Teuchos::ParameterList& scene)
 {
-  std::vector<PlacedLoad> loads;
+  std::vector<LoadRegion> loads;
   if (!scene.isSublist("Boundaries"))
     return loads;
   const Teuchos::ParameterList& boundaries = scene.sublist("Boundaries");
@@ -77,18 +77,18 @@ std::vector<PlacedLoad> readLoads(const Teuchos::ParameterList& scene)
     else if (type == "Velocity")
       loads.push_back(
           {name, readVector<2>(one, "Lower Corner"), readVector<2>(one, "Upper Corner"),
-           one.get<std::string>("Nodes") == "Outside" ? PlacedLoad::Kind::Outside : PlacedLoad::Kind::Box});
+           one.get<std::string>("Nodes") == "Outside" ? LoadRegion::Kind::Outside : LoadRegion::Kind::Box});
   }
   return loads;
 }
 
 void warnOfLoads(State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
-                 const std::vector<PlacedLoad>& loads)
+                 const std::vector<LoadRegion>& loads)
 {
   const double cell = spacingAt(state, front.position);
-  for (const PlacedLoad& load : loads)
+  for (const LoadRegion& load : loads)
   {
-    const bool held = load.kind != PlacedLoad::Kind::Line;
+    const bool held = load.kind != LoadRegion::Kind::Line;
     const Reach reach = reachOf(load, front.position);
     const double slack = held ? 0.0 : cell;
     if (reach.nearest > radii.outer + slack || reach.furthest < radii.inner - slack)

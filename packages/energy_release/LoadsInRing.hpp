@@ -13,7 +13,7 @@ namespace Rhegma::energy_release
 
 /// A load on a straight line in a body, or on one point of it; or a box whose nodes are held, or all beyond
 /// it.
-struct PlacedLoad
+struct LoadRegion
 {
   /// Which places it has.
   enum class Kind
@@ -33,11 +33,11 @@ struct Reach
   double nearest;  ///< [m]
   double furthest; ///< [m]
 };
-Reach reachOf(const PlacedLoad& load, const Vector<2>& place);
+Reach reachOf(const LoadRegion& load, const Vector<2>& x);
 
 /// The Point Loads and Line Loads of a 2D scene whose History is not zero at all of 257 times of the run, and
 /// its supports of type Velocity.
-std::vector<PlacedLoad> readLoads(const Teuchos::ParameterList& scene);
+std::vector<LoadRegion> readLoads(const Teuchos::ParameterList& scene);
 
 /// Warns, once, of each load that acts in the ring round a front, a cell more on both sides, and of each box
 /// of held nodes that reaches into it; loads are taken where they were at the start. What a load does inside
@@ -47,6 +47,6 @@ std::vector<PlacedLoad> readLoads(const Teuchos::ParameterList& scene);
 /// six cells ahead of a crack in a plate under tension by 2 % there and by 0.01 % elsewhere, against crack
 /// closure.
 void warnOfLoads(State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
-                 const std::vector<PlacedLoad>& loads);
+                 const std::vector<LoadRegion>& loads);
 
 } // namespace Rhegma::energy_release

@@ -51,14 +51,14 @@ particleMotion(const Connect& connect, int p, const NodalVelocity<D>& velocity,
 {
   ParticleMotion<D> is;
   connect.visit(p,
-                [&](int node, double share, const double* slope)
+                [&](int node, double weight, const double* slope)
                 {
-                  if (share < leastFraction)
+                  if (weight < leastFraction)
                     return;
                   for (int i = 0; i < D; ++i)
                   {
-                    is.v[i] += share * (velocity(node, i) - mean[i]);
-                    is.a[i] += share * acceleration(node, i);
+                    is.v[i] += weight * (velocity(node, i) - mean[i]);
+                    is.a[i] += weight * acceleration(node, i);
                     for (int j = 0; j < D; ++j)
                       is.dv[i][j] += slope[j] * velocity(node, i);
                   }

@@ -110,7 +110,7 @@ constexpr int reportedWidth = 13 + 4 * ParticleAroundTip::capacity;
 
 void report(const ParticleAroundTip& p, std::vector<double>& numbers)
 {
-  numbers.insert(numbers.end(), {p.place[0], p.place[1], p.displacement[0], p.displacement[1], p.mass,
+  numbers.insert(numbers.end(), {p.position[0], p.position[1], p.displacement[0], p.displacement[1], p.mass,
                                  p.density, p.fromFront, p.force[0][0], p.force[0][1], p.force[1][0],
                                  p.force[1][1], double(p.side), double(p.count)});
   for (int k = 0; k < ParticleAroundTip::capacity; ++k)
@@ -124,7 +124,7 @@ void report(const ParticleAroundTip& p, std::vector<double>& numbers)
 ParticleAroundTip hear(const double* at)
 {
   ParticleAroundTip p;
-  p.place = {{at[0], at[1]}};
+  p.position = {{at[0], at[1]}};
   p.displacement = {{at[2], at[3]}};
   p.mass = at[4];
   p.density = at[5];
@@ -181,7 +181,7 @@ std::vector<ParticleAroundTip> particlesAround(const State<2>& state, const Crac
     ParticleAroundTip& p = particles[i];
     for (int d = 0; d < 2; ++d)
     {
-      p.place[d] = row(i, d);
+      p.position[d] = row(i, d);
       p.displacement[d] = row(i, 2 + d);
       for (int e = 0; e < 2; ++e)
         p.force[d][e] = -row(i, 5) * row(i, 6 + symmetricIndex<2>(d, e));
@@ -190,13 +190,13 @@ std::vector<ParticleAroundTip> particlesAround(const State<2>& state, const Crac
     p.density = row(i, 4) / row(i, 5);
     p.fromFront = std::numeric_limits<double>::infinity();
     for (const CrackFront<2>& other : state.cracks.fronts)
-      p.fromFront = std::min(p.fromFront, norm(p.place - other.position));
+      p.fromFront = std::min(p.fromFront, norm(p.position - other.position));
     if (named[i] == front.crack + 1)
       p.side = 1;
     else if (named[i] == -front.crack - 1)
       p.side = -1;
     else
-      p.side = line.side(p.place);
+      p.side = line.side(p.position);
     p.count = 0;
     for (int k = 0; k < count(i); ++k)
       if (weight(i, k) > 0.0)

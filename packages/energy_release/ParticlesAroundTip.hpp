@@ -12,7 +12,7 @@ namespace Rhegma::energy_release
 struct ParticleAroundTip
 {
   static constexpr int capacity = stencilCapacity<2>;
-  Vector<2> place;
+  Vector<2> position;
   Vector<2> displacement;
   double mass;
   double density;

@@ -12,6 +12,7 @@ namespace Rhegma::energy_release
 /// opposite forces on the faces cancel. \param places the same on all ranks [m] \return as many, 0 to 1, of
 /// all ranks together. Collective.
 template <int D>
-std::vector<double> fractionOfNodes(const State<D>& state, int crack, const std::vector<Vector<D>>& places);
+std::vector<double> fractionOfNodes(const State<D>& state, int crack,
+                                    const std::vector<Vector<D>>& positions);
 
 } // namespace Rhegma::energy_release

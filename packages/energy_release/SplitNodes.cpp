@@ -25,10 +25,11 @@ std::vector<int> ownNodesAround(const State<2>& state, const Vector<2>& centre, 
       if (foreign(n) == 0)
         nodes.push_back(n);
     }
-  const auto place = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.tree.finePosition);
+  const auto positions =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.tree.finePosition);
   for (int k = 0; k < state.mesh.tree.numFine; ++k)
-    if (foreign(grid.numNodes + k) == 0 && std::fabs(place(k, 0) - centre[0]) <= radius &&
-        std::fabs(place(k, 1) - centre[1]) <= radius)
+    if (foreign(grid.numNodes + k) == 0 && std::fabs(positions(k, 0) - centre[0]) <= radius &&
+        std::fabs(positions(k, 1) - centre[1]) <= radius)
       nodes.push_back(grid.numNodes + k);
   return nodes;
 }

@@ -11,13 +11,14 @@ namespace Rhegma::energy_release
 
 WholeNodes::WholeNodes(const State<2>& state) : here_(state.mesh.grid), whole_(wholeLattice(state))
 {
-  const auto place = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.tree.finePosition);
+  const auto positions =
+      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.tree.finePosition);
   const int count = state.mesh.tree.numFine;
   if (!state.mesh.subdomain)
   {
     for (int k = 0; k < count; ++k)
     {
-      finePosition_.push_back({{place(k, 0), place(k, 1)}});
+      finePosition_.push_back({{positions(k, 0), positions(k, 1)}});
       fine_.push_back(here_.numNodes + k);
     }
     return;
@@ -33,7 +34,7 @@ WholeNodes::WholeNodes(const State<2>& state) : here_(state.mesh.grid), whole_(w
   {
     std::array<int, 2> at;
     for (int d = 0; d < 2; ++d)
-      at[d] = static_cast<int>(std::lround((place(k, d) - whole_.whole[d]) / unit));
+      at[d] = static_cast<int>(std::lround((positions(k, d) - whole_.whole[d]) / unit));
     const auto found = std::lower_bound(all.begin(), all.end(), at);
     // At the rim of what a rank has of the lattice a node may be there that hangs.
     const bool exists = found != all.end() && *found == at;

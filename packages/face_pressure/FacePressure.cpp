@@ -11,7 +11,7 @@
 namespace Rhegma::face_pressure
 {
 
-void FacePressure::keep(Archive& archive) { archive("pressure", now_); }
+void FacePressure::store(Archive& archive) { archive("pressure", now_); }
 
 template <int D>
 void FacePressure::apply(State<D>& state, const FacePoints<D>& points)
@@ -119,7 +119,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     for (FacePressure& pressure : account->pressures)
     {
       const Archive::Group group(archive, std::to_string(pressure.crack()));
-      pressure.keep(archive);
+      pressure.store(archive);
     }
     const Archive::Group group(archive, "points");
     account->points.keep(archive);

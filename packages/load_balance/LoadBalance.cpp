@@ -17,7 +17,7 @@ namespace
 /// What summary.json tells.
 struct Account
 {
-  long looks = 0, divisions = 0;
+  long checks = 0, divisions = 0;
   double worst = 1.0, last = 1.0; ///< largest over mean cost of a rank, as found
   double left = 1.0;              ///< the same after the last division
   double seconds = 0.0;
@@ -51,12 +51,12 @@ double imbalance(const State<D>& state)
 }
 
 template <int D>
-void look(State<D>& state, double threshold, Account& account)
+void checkBalance(State<D>& state, double threshold, Account& account)
 {
   const Kokkos::Timer timer;
   account.last = imbalance(state);
   account.worst = std::max(account.worst, account.last);
-  ++account.looks;
+  ++account.checks;
   // Cells may be too large for the threshold: what a division has left is divided again only when it has
   // grown.
   if (state.ranks.many() && account.last > threshold && account.last > grown * account.left)
@@ -86,11 +86,11 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                [=](State<D>& state)
                {
                  if (state.clock.step % interval == 0)
-                   look(state, threshold, *account);
+                   checkBalance(state, threshold, *account);
                }});
   effect.memory = [account](State<D>&, Archive& archive)
   {
-    archive("looks", account->looks);
+    archive("looks", account->checks);
     archive("divisions", account->divisions);
     archive("worst", account->worst);
     archive("last", account->last);
@@ -100,7 +100,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   {
     summary["load_balance"] = {{"imbalance", account->last},
                                {"largest_imbalance", account->worst},
-                               {"looks", account->looks},
+                               {"looks", account->checks},
                                {"divisions", account->divisions},
                                {"seconds", state.ranks.max(account->seconds)}};
   };

@@ -59,7 +59,7 @@ void Chebyshev<D>::apply(const State<D>* state, const MassSystem<D>& system, con
                          const double* r, double* z, double enough)
 {
   const bool onRanks = state != nullptr && state->mesh.subdomain;
-  const int n = system.room * MassSystem<D>::width;
+  const int n = system.rowCapacity * MassSystem<D>::width;
   if (static_cast<int>(other_.extent(0)) < n)
     other_ = View<double*>("rhegma::massChebyshev", n);
   if (onRanks && static_cast<int>(image_.extent(0)) < n)
@@ -74,7 +74,7 @@ void Chebyshev<D>::apply(const State<D>* state, const MassSystem<D>& system, con
       KOKKOS_LAMBDA(const int i, double& sum) {
         now[i] = weight[i] * r[i] / middle;
         before[i] = 0.0;
-        sum += s.fractionOf(i / MassSystem<D>::width) * r[i] * r[i];
+        sum += s.weightOf(i / MassSystem<D>::width) * r[i] * r[i];
       },
       square);
   if (onRanks)

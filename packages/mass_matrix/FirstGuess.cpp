@@ -25,14 +25,14 @@ struct CheckGuess
   KOKKOS_INLINE_FUNCTION void operator()(const int row, double* sum) const
   {
     if (formed)
-      return addSums(row, system.share(row), Pack<width>::load(image.data() + width * row), sum);
+      return addSums(row, system.rowWeight(row), Pack<width>::load(image.data() + width * row), sum);
     const Pack<width> product = rowTimes<D, Reach>(system, row, x.data());
     for (int d = 0; d < D; ++d)
       image(width * row + d) = product[d];
     addSums(row, 1.0, product, sum);
   }
 
-  KOKKOS_FORCEINLINE_FUNCTION void addSums(int row, double share, const Pack<width>& product,
+  KOKKOS_FORCEINLINE_FUNCTION void addSums(int row, double weight, const Pack<width>& product,
                                            double* sum) const
   {
     for (int d = 0; d < D; ++d)
@@ -40,17 +40,17 @@ struct CheckGuess
       const int i = width * row + d;
       if (inverse(i) == 0.0)
         continue;
-      const double b = share * right(i), y = product[d];
+      const double b = weight * right(i), y = product[d];
       sum[0] += b * right(i);
-      sum[1] += share * (right(i) - y) * (right(i) - y);
+      sum[1] += weight * (right(i) - y) * (right(i) - y);
       sum[2] += x(i) * b;
-      sum[3] += share * x(i) * y;
+      sum[3] += weight * x(i) * y;
       sum[4 + d] += b;
-      sum[4 + D + d] += share * y;
+      sum[4 + D + d] += weight * y;
       sum[4 + 2 * D + d] += system.lumped(row) * b;
     }
     if (system.coupled(row))
-      sum[4 + 3 * D] += share * system.lumped(row) * system.lumped(row);
+      sum[4 + 3 * D] += weight * system.lumped(row) * system.lumped(row);
   }
 };
 

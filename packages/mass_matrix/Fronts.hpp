@@ -10,7 +10,7 @@ namespace Rhegma::mass_matrix
 /// radius and the edge of the zone around each. \param positions, zones grow where there are more than they
 /// hold \param count of the positions
 template <int D>
-void listFronts(const State<D>& state, const Unlumping& unlumping, View<double* [D]>& places,
+void listFronts(const State<D>& state, const Unlumping& unlumping, View<double* [D]>& positions,
                 View<double* [2]>& zones, int& count);
 
 /// theta: 1 inside the radius around a front, 0 beyond its edge, a cubic between with flat ends. The largest
@@ -41,8 +41,8 @@ struct ConsistentFraction
         return 1.0;
       if (!(beyond < edge))
         continue;
-      const double s = beyond / edge, share = 1.0 - s * s * (3.0 - 2.0 * s);
-      largest = share > largest ? share : largest;
+      const double s = beyond / edge, fraction = 1.0 - s * s * (3.0 - 2.0 * s);
+      largest = fraction > largest ? fraction : largest;
     }
     return largest;
   }

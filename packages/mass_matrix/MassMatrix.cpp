@@ -199,9 +199,9 @@ void declareMass(const Teuchos::ParameterList& list, RunOptions& options)
 
 /// What the calls of a run share.
 template <int D>
-struct Work
+struct MatrixRun
 {
-  explicit Work(const Options& o)
+  explicit MatrixRun(const Options& o)
       : options(o),
         solve(o.tolerance, o.iterations, o.unlumping.lumpedFraction),
         slots(o.unlumping.lumpedFraction, o.tolerance),
@@ -279,20 +279,20 @@ struct Work
 
 /// For those who move nodes in substeps.
 template <int D>
-void offerSlots(State<D>& state, const std::shared_ptr<Work<D>>& work)
+void offerSlots(State<D>& state, const std::shared_ptr<MatrixRun<D>>& run)
 {
-  const auto none = [work] { return work->coupled.numCoupled == 0; };
+  const auto none = [run] { return run->coupled.numCoupled == 0; };
   state.motion.coupledSlots.begin =
       [=](const State<D>& now, const NodeSlots& slots, const View<int* [D]>& held)
   {
     if (!none())
-      work->slots.begin(now, work->coupled, slots, held);
+      run->slots.begin(now, run->coupled, slots, held);
   };
   state.motion.coupledSlots.solve =
       [=](const View<double* [D]>& right, const View<double* [D]>& x, bool supports)
   {
     if (!none())
-      work->slots.solve(right, x, supports);
+      run->slots.solve(right, x, supports);
   };
 }
 
@@ -304,12 +304,12 @@ std::string nameOf(const Options& o)
 }
 
 template <int D>
-void begin(State<D>& state, const std::shared_ptr<Work<D>>& work)
+void begin(State<D>& state, const std::shared_ptr<MatrixRun<D>>& run)
 {
-  work->start = angularMomentum(state);
-  if (work->options.coupled())
+  run->start = angularMomentum(state);
+  if (run->options.coupled())
   {
-    const Unlumping unlumping = work->unlumping(state);
+    const Unlumping unlumping = run->unlumping(state);
     refuseLargeMatrix(largestRows(state, unlumping),
                       bytesPerRow<D>(state.method.shape, !unlumping.everywhere || state.mesh.tree.refined(),
                                      state.mesh.tree.refined()),
@@ -318,21 +318,21 @@ void begin(State<D>& state, const std::shared_ptr<Work<D>>& work)
                           ? "Lumped, FMPM or Partial, larger cells or a smaller body"
                           : "Lumped or FMPM, a smaller Mass Matrix > Radius or larger cells");
   }
-  if (work->options.update != VelocityUpdate::Flip)
+  if (run->options.update != VelocityUpdate::Flip)
     state.method.picFraction = 1.0;
-  if (work->options.coupled())
-    offerSlots(state, work);
+  if (run->options.coupled())
+    offerSlots(state, run);
 }
 
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)
 {
-  const auto work = std::make_shared<Work<D>>(readOptions(scene));
-  const Options& options = work->options;
+  const auto run = std::make_shared<MatrixRun<D>>(readOptions(scene));
+  const Options& options = run->options;
   Effect<D> effect;
   effect.name = "Mass Matrix";
-  effect.atStart = [work](State<D>& state) { begin(state, work); };
-  effect.report = [work](const State<D>& state, nlohmann::json& summary) { work->report(state, summary); };
+  effect.atStart = [run](State<D>& state) { begin(state, run); };
+  effect.report = [run](const State<D>& state, nlohmann::json& summary) { run->report(state, summary); };
   const auto addGuess = [&](const std::string& name, const char* unit) {
     effect.addsNodal.push_back({{name, D, unit, "where the next solve starts"}, OnRemesh::Drop, true});
   };
@@ -342,16 +342,16 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     addGuess(accelerationGuess, "m/s2");
   }
   if (options.coupled())
-    effect.memory = [work](State<D>&, Archive& archive)
+    effect.memory = [run](State<D>&, Archive& archive)
     {
       if (archive.sameOrder())
       {
-        archive("rows", work->coupled.room);
-        archive("list_room", work->coupled.listCapacity);
-        archive("hashed", work->coupled.hashed);
+        archive("rows", run->coupled.rowCapacity);
+        archive("list_capacity", run->coupled.listCapacity);
+        archive("hashed", run->coupled.hashed);
       }
-      archive("coupled_nodes", work->coupled.numCoupled);
-      work->solve.keep(archive);
+      archive("coupled_nodes", run->coupled.numCoupled);
+      run->solve.store(archive);
     };
   if (!options.coupled() && !options.series() && !options.filtered())
     return effect;
@@ -365,20 +365,20 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                  {quantity::nodalMass, quantity::enrichedFields},
                  {quantity::massMatrix},
                  {},
-                 [work](State<D>& s) { work->prepare(s); }});
+                 [run](State<D>& s) { run->prepare(s); }});
   effect.call({Stage::Solve,
                options.filtered() ? "filtered velocity" : "solve with the " + nameOf(options),
                {quantity::nodalMotion, ifWritten(quantity::massMatrix)},
                {quantity::nodalMotion},
                {},
-               [work](State<D>& s) { work->motion(s); }});
+               [run](State<D>& s) { run->motion(s); }});
   if (options.coupled() || options.series())
     effect.call({Stage::AfterProjection,
                  "project with the " + nameOf(options),
                  {ifWritten(quantity::projection)},
                  {quantity::projection},
                  {},
-                 [work](State<D>& s) { work->projection(s); },
+                 [run](State<D>& s) { run->projection(s); },
                  true});
   return effect;
 }

@@ -107,17 +107,17 @@ void reserveRows(MassSystem<D>& system)
 {
   const int rows = system.last + system.reach;
   // Sums over vectors of another length may have other last digits, so a length that was restored stays.
-  const bool lasts = system.room >= rows && system.room <= 2 * rows + 64;
-  if (lasts && static_cast<int>(system.lumped.extent(0)) == system.room)
+  const bool lasts = system.rowCapacity >= rows && system.rowCapacity <= 2 * rows + 64;
+  if (lasts && static_cast<int>(system.lumped.extent(0)) == system.rowCapacity)
     return;
-  const int room = lasts ? system.room : rows + rows / 16 + 8;
-  system.room = room;
-  system.lumped = View<double*>("rhegma::massLumped", room);
-  system.band = View<double*>("rhegma::massBand", static_cast<std::size_t>(room) * system.stride);
-  system.lineStart = View<int*>("rhegma::massLineStart", static_cast<std::size_t>(room) * system.lines);
-  system.extraOf = View<int*>("rhegma::massExtraOf", room);
-  system.adjacent = View<double*>("rhegma::massBeside", room);
-  system.coupled = View<char*>("rhegma::massCoupled", room);
+  const int capacity = lasts ? system.rowCapacity : rows + rows / 16 + 8;
+  system.rowCapacity = capacity;
+  system.lumped = View<double*>("rhegma::massLumped", capacity);
+  system.band = View<double*>("rhegma::massBand", static_cast<std::size_t>(capacity) * system.stride);
+  system.lineStart = View<int*>("rhegma::massLineStart", static_cast<std::size_t>(capacity) * system.lines);
+  system.extraOf = View<int*>("rhegma::massExtraOf", capacity);
+  system.adjacent = View<double*>("rhegma::massAdjacent", capacity);
+  system.coupled = View<char*>("rhegma::massCoupled", capacity);
 }
 
 /// Which nodes only particles with a stored stencil touch: those of refined cells, and those of the lattice
@@ -196,15 +196,15 @@ void fractionRows(const State<D>& state, MassSystem<D>& system)
 {
   if (!state.mesh.subdomain)
     return;
-  if (static_cast<int>(system.share.extent(0)) != system.room)
-    system.share = View<double*>("rhegma::massShare", system.room);
-  Kokkos::deep_copy(system.share, 1.0);
+  if (static_cast<int>(system.rowWeight.extent(0)) != system.rowCapacity)
+    system.rowWeight = View<double*>("rhegma::massRowWeight", system.rowCapacity);
+  Kokkos::deep_copy(system.rowWeight, 1.0);
   sumOverRanks(state, system.adjacent.data(), 1, 0, 1, system.rowOf);
-  sumOverRanks(state, system.share.data(), 1, 0, 1, system.rowOf);
-  const View<double*> share = system.share;
+  sumOverRanks(state, system.rowWeight.data(), 1, 0, 1, system.rowOf);
+  const View<double*> rowWeight = system.rowWeight;
   parallelForSmall(
-      "rhegma::mass::shareRows", system.first, system.last,
-      KOKKOS_LAMBDA(const int row) { share(row) = 1.0 / share(row); });
+      "rhegma::mass::weighRows", system.first, system.last,
+      KOKKOS_LAMBDA(const int row) { rowWeight(row) = 1.0 / rowWeight(row); });
 }
 
 } // namespace
@@ -276,8 +276,8 @@ void finishRows(const State<D>& state, MassSystem<D>& system)
         shared.coupled(row) = shared.adjacent(row) > 0.0;
         if (shared.coupled(row))
         {
-          sum += shared.fractionOf(row) * shared.lumped(row);
-          count += shared.fractionOf(row);
+          sum += shared.weightOf(row) * shared.lumped(row);
+          count += shared.weightOf(row);
         }
         else
           shared.rowOf(shared.nodeOf(row)) = -1;

@@ -23,7 +23,7 @@ void addParticles(const State<D>& state, const Unlumping& unlumping, const MassS
   add.corner = state.mesh.blocks.corner;
   add.mass = state.particles.scalar(fields::mass);
   add.volume = state.particles.scalar(fields::volume);
-  add.share = consistentFraction(unlumping, system);
+  add.fractionAt = consistentFraction(unlumping, system);
   add.nodeFraction = state.mesh.tree.share;
   add.numLattice = state.mesh.nodes.numLattice;
   double cell = D == 2 ? state.method.thickness : 1.0;
@@ -68,7 +68,7 @@ void multiply(const MassSystem<D>& system, const double* x, double* y, const dou
               constexpr int W = MassSystem<D>::width;
               const MassSystem<D> s = system;
               parallelForSmall(
-                  "rhegma::mass::multiply", 0, s.room, KOKKOS_LAMBDA(const int row) {
+                  "rhegma::mass::multiply", 0, s.rowCapacity, KOKKOS_LAMBDA(const int row) {
                     const bool inside = row >= s.first && row < s.last;
                     const Pack<W> sum =
                         inside ? rowTimes<D, decltype(reach)::value>(s, row, x) : Pack<W>::zero();

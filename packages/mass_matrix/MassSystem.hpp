@@ -47,7 +47,7 @@ struct MassSystem
   int stride = 0;         ///< numbers of a row's band, a few unused ones at its end included
   int first = 0;          ///< first row
   int last = 0;           ///< one beyond the last row
-  int room = 0;           ///< rows of vectors
+  int rowCapacity = 0;    ///< rows of vectors
   int numExtra = 0;       ///< rows that have a list
   int listCapacity = 0;   ///< entries that a list can have; a power of two where hashed
   bool hashed = false;    ///< whether lists find their columns by hashing: cells are refined
@@ -61,7 +61,7 @@ struct MassSystem
   View<int*> lineStart;    ///< first row of each line of a row's band; -1 at the first where the row is bare
   View<double*> adjacent;  ///< sum of a row's entries next to its diagonal, of all ranks [kg]
   View<char*> coupled;     ///< whether a row has entries next to its diagonal
-  View<double*> share;     ///< 1 / number of ranks that have the row; empty where there is one rank
+  View<double*> rowWeight; ///< 1 / number of ranks that have the row; empty where there is one rank
   View<int*> extraOf;      ///< list of each row, or -1
   View<int*> extraCount;   ///< entries of each list
   View<double**> extra;    ///< M beyond the band [kg]
@@ -77,7 +77,10 @@ struct MassSystem
   int numFronts = 0;
 
   /// Weight of a row in sums over the rows of all ranks.
-  KOKKOS_INLINE_FUNCTION double fractionOf(int row) const { return share.extent(0) > 0 ? share(row) : 1.0; }
+  KOKKOS_INLINE_FUNCTION double weightOf(int row) const
+  {
+    return rowWeight.extent(0) > 0 ? rowWeight(row) : 1.0;
+  }
 };
 
 /// Makes the rows and fills the matrix for the particles as they lie now. Needs the nodal mass.

@@ -33,7 +33,7 @@ void addScaled(const MassSystem<D>& system, double scale, const BorrowedView<con
   const MassSystem<D> s = system;
   parallelForSmall(
       "rhegma::mass::correct", system.first, system.last, KOKKOS_LAMBDA(const int row) {
-        const double weight = scale / std::sqrt(s.fractionOf(row));
+        const double weight = scale / std::sqrt(s.weightOf(row));
         for (int i = width<D> * row; i < width<D> * (row + 1); ++i)
           x(i) += weight * correction(i);
       });
@@ -47,7 +47,7 @@ void toWeighed(const MassSystem<D>& system, const BorrowedView<double*>& x)
   const MassSystem<D> s = system;
   parallelForSmall(
       "rhegma::mass::toWeighed", width<D> * s.first, width<D> * s.last,
-      KOKKOS_LAMBDA(const int i) { x(i) *= std::sqrt(s.fractionOf(i / width<D>)); });
+      KOKKOS_LAMBDA(const int i) { x(i) *= std::sqrt(s.weightOf(i / width<D>)); });
 }
 
 template <int D>
@@ -55,9 +55,9 @@ void fromWeighed(const MassSystem<D>& system, const BorrowedView<const double*>&
 {
   const MassSystem<D> s = system;
   parallelForSmall(
-      "rhegma::mass::fromWeighed", 0, width<D> * s.room, KOKKOS_LAMBDA(const int i) {
+      "rhegma::mass::fromWeighed", 0, width<D> * s.rowCapacity, KOKKOS_LAMBDA(const int i) {
         const int row = i / width<D>;
-        x(i) = row >= s.first && row < s.last ? from(i) / std::sqrt(s.fractionOf(row)) : 0.0;
+        x(i) = row >= s.first && row < s.last ? from(i) / std::sqrt(s.weightOf(row)) : 0.0;
       });
 }
 
@@ -72,7 +72,7 @@ NodalSolve<D>::NodalSolve(double tolerance, int maximumIterations, double lumped
 template <int D>
 void NodalSolve<D>::reserve(const State<D>& state, const MassSystem<D>& system)
 {
-  const std::size_t n = static_cast<std::size_t>(system.room) * width<D>;
+  const std::size_t n = static_cast<std::size_t>(system.rowCapacity) * width<D>;
   if (right_.extent(0) != n)
   {
     const auto make = [n](const std::string& name) { return View<double*>(name, n); };
@@ -111,7 +111,7 @@ void NodalSolve<D>::holdRows(const State<D>& state, const MassSystem<D>& system)
                       image = image_, velocity = velocity_, acceleration = acceleration_;
   // Vectors are zero outside of the rows and in unused numbers of them.
   parallelForSmall(
-      "rhegma::mass::begin", 0, s.room, KOKKOS_LAMBDA(const int row) {
+      "rhegma::mass::begin", 0, s.rowCapacity, KOKKOS_LAMBDA(const int row) {
         const bool inside = row >= s.first && row < s.last;
         for (int d = 0; d < width<D>; ++d)
         {
@@ -212,11 +212,11 @@ double NodalSolve<D>::findResidual(const State<D>& state, const MassSystem<D>& s
   const double scale = start.scale, multiple = start.multiple;
   const Vector<D> shift = start.shift;
   const BorrowedView<double*> right = gradients_.right();
-  const View<double*> asked = right_;
+  const View<double*> target = right_;
   const double inverseScale = scale > 0.0 ? 1.0 / scale : 0.0;
   double remains = 0.0;
   parallelSumSmall(
-      "rhegma::mass::start", 0, s.room,
+      "rhegma::mass::start", 0, s.rowCapacity,
       KOKKOS_LAMBDA(const int row, double& sum) {
         const bool coupled = row >= s.first && row < s.last && s.coupled(row);
         for (int d = 0; d < width<D>; ++d)
@@ -227,8 +227,8 @@ double NodalSolve<D>::findResidual(const State<D>& state, const MassSystem<D>& s
             continue;
           x(i) = multiple * x(i) + shift[d];
           if (inverse(i) != 0.0)
-            right(i) = (asked(i) - multiple * image(i) - shift[d] * s.lumped(row)) * inverseScale;
-          right(i) *= std::sqrt(s.fractionOf(row));
+            right(i) = (target(i) - multiple * image(i) - shift[d] * s.lumped(row)) * inverseScale;
+          right(i) *= std::sqrt(s.weightOf(row));
           sum += right(i) * right(i);
         }
       },
@@ -281,7 +281,7 @@ void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool hel
 }
 
 template <int D>
-void NodalSolve<D>::keep(Archive& archive)
+void NodalSolve<D>::store(Archive& archive)
 {
   archive("solves", count_.solves);
   archive("iterations", count_.iterations);

@@ -28,7 +28,7 @@ struct AssembleBlock
   View<int*> first;
   View<int * [Blocks<D>::axes]> corner;
   BorrowedView<double*> mass, volume;
-  ConsistentFraction<D> share;
+  ConsistentFraction<D> fractionAt;
   View<double*>
       nodeFraction; ///< part of the cells that is a node's, in cells of the lattice; empty: each has one
   int numLattice;
@@ -38,7 +38,7 @@ struct AssembleBlock
   KOKKOS_INLINE_FUNCTION void operator()(const int block) const
   {
     const Grid<D>& grid = connect.grid;
-    if (!share.reaches(grid, &corner(block, 0)))
+    if (!fractionAt.reaches(grid, &corner(block, 0)))
       return;
     LaneStencils<D, S> stencils;
     const int end = first(block + 1);
@@ -49,7 +49,7 @@ struct AssembleBlock
       bool any = false;
       for (int l = 0; l < count; ++l)
       {
-        theta[l] = share(&connect.position(begin + l, 0));
+        theta[l] = fractionAt(&connect.position(begin + l, 0));
         any = any || theta[l] > 0.0;
       }
       if (!any)
@@ -158,9 +158,9 @@ struct AssembleBlock
       const double w = table.weight(r, k);
       if (coupledPart(w) == 0.0)
         continue;
-      const int node = table.node(r, k), place = node < numLattice ? node : parent(node - numLattice);
+      const int node = table.node(r, k), position = node < numLattice ? node : parent(node - numLattice);
       row[n] = system.rowOf(node);
-      if (row[n] < 0 || system.lumped(row[n]) < lightest * nodeFraction(place))
+      if (row[n] < 0 || system.lumped(row[n]) < lightest * nodeFraction(position))
         return;
       weight[n++] = w;
     }
@@ -182,7 +182,7 @@ struct AssembleBlock
   KOKKOS_INLINE_FUNCTION void addToLists(int r, double m, double lightest) const
   {
     const StencilTable<D>& table = connect.table;
-    int row[stencilCapacity<D>], place[stencilCapacity<D>], at[stencilCapacity<D>][D],
+    int row[stencilCapacity<D>], number[stencilCapacity<D>], at[stencilCapacity<D>][D],
         field[stencilCapacity<D>];
     double weight[stencilCapacity<D>];
     int low[D], high[D], n = 0;
@@ -198,10 +198,10 @@ struct AssembleBlock
         return;
       field[n] = node < numLattice ? 0 : system.slots;
       connect.grid.nodeCoordinates(node < numLattice ? node : parent(node - numLattice), at[n]);
-      place[n] = 0;
+      number[n] = 0;
       for (int d = 0; d < D; ++d)
       {
-        place[n] = place[n] * span + at[n][d];
+        number[n] = number[n] * span + at[n][d];
         low[d] = n == 0 || at[n][d] < low[d] ? at[n][d] : low[d];
         high[d] = n == 0 || at[n][d] > high[d] ? at[n][d] : high[d];
       }
@@ -227,7 +227,7 @@ struct AssembleBlock
             both = both && at[l][d] - at[k][d] <= reach && at[k][d] - at[l][d] <= reach;
         }
         if (both)
-          values[field[l] + centre + place[l] - place[k]] += mk * weight[l];
+          values[field[l] + centre + number[l] - number[k]] += mk * weight[l];
       }
     }
   }

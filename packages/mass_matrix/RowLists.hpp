@@ -17,7 +17,7 @@ void chooseLists(bool refined, MassSystem<D>& system);
 
 /// Gives lists to the rows of nodes that stored stencils touch, and clears them.
 template <int D>
-void startLists(const State<D>& state, const ConsistentFraction<D>& share, MassSystem<D>& system);
+void startLists(const State<D>& state, const ConsistentFraction<D>& fractionAt, MassSystem<D>& system);
 
 /// Most entries of a list.
 template <int D>

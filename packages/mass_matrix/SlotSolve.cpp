@@ -37,7 +37,7 @@ void SlotSolve<D>::begin(const State<D>& state, const MassSystem<D>& system, con
   system_ = &system;
   slots_ = slots;
   held_ = held;
-  const std::size_t unknowns = static_cast<std::size_t>(system.room) * MassSystem<D>::width;
+  const std::size_t unknowns = static_cast<std::size_t>(system.rowCapacity) * MassSystem<D>::width;
   if (inverse_.extent(0) != unknowns)
   {
     inverse_ = View<double*>("rhegma::slotInverse", unknowns);
@@ -59,7 +59,7 @@ void SlotSolve<D>::findFree()
   const View<int* [D]> held = held_;
   const View<double*> inverse = inverse_, free = freeOnly_, given = given_, residual = residual_;
   parallelForSmall(
-      "rhegma::mass::slots", 0, s.room, KOKKOS_LAMBDA(const int row) {
+      "rhegma::mass::slots", 0, s.rowCapacity, KOKKOS_LAMBDA(const int row) {
         const bool inside = row >= s.first && row < s.last && s.coupled(row);
         const int slot = inside && slots.moves(s.nodeOf(row)) ? slots.of(s.nodeOf(row)) : -1;
         for (int d = 0; d < W; ++d)

@@ -39,7 +39,7 @@ void findReaction(State<D>& state, const MassSystem<D>& system, const View<doubl
 {
   const MassSystem<D> s = system;
   const double dt = state.clock.dt;
-  const std::size_t unknowns = static_cast<std::size_t>(system.room) * D;
+  const std::size_t unknowns = static_cast<std::size_t>(system.rowCapacity) * D;
   if (state.motion.coupledReaction.extent(0) < unknowns)
     state.motion.coupledReaction = View<double*>("rhegma::massReaction", unknowns);
   const View<double*> reaction = state.motion.coupledReaction;

@@ -33,7 +33,7 @@ void declareGrowth(const Teuchos::ParameterList& list, RunOptions& run);
 
 /// Speed that no front exceeds at a position [m/s].
 template <int D>
-double speedLimitAt(const State<D>& state, const Vector<D>& place, const Options& options);
+double speedLimitAt(const State<D>& state, const Vector<D>& position, const Options& options);
 
 /// The rule at a front, whose toughness depends on how warm it is [K].
 AdvanceRule ruleAt(double temperature, const Options& options);

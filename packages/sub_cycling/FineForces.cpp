@@ -107,13 +107,13 @@ template <int D>
 void FineParticles<D>::startVelocity(const State<D>& state, const Values& velocity)
 {
   fit(before_, "rhegma::subcycling::before", numSlots_);
-  fit(carried_, "rhegma::subcycling::carried", numSlots_);
+  fit(momentum_, "rhegma::subcycling::momentum", numSlots_);
   const auto sums = state.mesh.nodes.sums;
   const View<int*> nodeOf = nodeOf_;
   const View<double*> mass = mass_;
   const View<int* [D]> held = held_;
   const View<double* [D]> heldVelocity = heldVelocity_;
-  const Values before = before_, momentum = carried_;
+  const Values before = before_, momentum = momentum_;
   parallelForSmall<smallSlots>(
       "rhegma::subcycling::startVelocity", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         const double inverse = mass(i) > 0.0 ? 1.0 / mass(i) : 0.0;
@@ -219,7 +219,7 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
                                   const Values& velocity, bool supports)
 {
   fit(acceleration_, "rhegma::subcycling::acceleration", numSlots_);
-  const Values acceleration = acceleration_, before = before_, carried = carried_;
+  const Values acceleration = acceleration_, before = before_, momentum = momentum_;
   const View<int*> count = count_, reach = reach_, particle = particle_;
   const View<int**> slot = slot_;
   const View<double**> weight = weight_;
@@ -255,24 +255,24 @@ void FineParticles<D>::accelerate(const State<D>& state, int level, double durat
   const View<double** [D]> parts = parts_;
   const int number = numParts_;
   parallelForSmall<smallSlots>(
-      "rhegma::subcycling::carry", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
+      "rhegma::subcycling::sumMomentum", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         for (int d = 0; d < D; ++d)
         {
           double sum = 0.0;
           for (int part = 0; part < number; ++part)
             sum += parts(part, i, d);
-          carried(i, d) = sum;
+          momentum(i, d) = sum;
         }
       });
-  sumSlots(state, carried);
+  sumSlots(state, momentum);
   parallelForSmall<smallSlots>(
       "rhegma::subcycling::arrive", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         const double inverse = nodal(i) > 0.0 ? 1.0 / nodal(i) : 0.0;
         for (int d = 0; d < D; ++d)
-          acceleration(i, d) = held(i, d) != 0 ? 0.0 : inverse * carried(i, d);
+          acceleration(i, d) = held(i, d) != 0 ? 0.0 : inverse * momentum(i, d);
       });
   if (coupled)
-    state.motion.coupledSlots.solve(carried, acceleration, true);
+    state.motion.coupledSlots.solve(momentum, acceleration, true);
   parallelForSmall<smallSlots>(
       "rhegma::subcycling::kick", 0, numSlots_, KOKKOS_LAMBDA(const int i) {
         for (int d = 0; d < D; ++d)

@@ -26,7 +26,7 @@ KOKKOS_INLINE_FUNCTION bool isTouched(double weight) { return weight > noWeight 
 
 /// What a rank says of a class, so that sums tell the deepest: those of up to 127 ranks stay below the word
 /// for the next class, round-off included.
-KOKKOS_INLINE_FUNCTION double wordFor(int own) { return static_cast<double>(1LL << 7 * own); }
+KOKKOS_INLINE_FUNCTION double codeOf(int own) { return static_cast<double>(1LL << 7 * own); }
 static_assert(7 * deepestLevel < 63);
 
 /// Calls visit(node, weight, slope) for each node that a particle touches.
@@ -126,7 +126,7 @@ void pack(const Connect& connect, int number, const View<int*>& particle, const 
 } // namespace
 
 template <int D>
-void FineParticles<D>::list(const State<D>& state, int first)
+void FineParticles<D>::select(const State<D>& state, int first)
 {
   first_ = first;
   findCandidates(state);
@@ -210,7 +210,7 @@ void FineParticles<D>::fractionClasses(const State<D>& state)
         {
           const int n = rows(shared(i), f);
           if (n >= 0)
-            reported(n) = nodeClass(n) < 0 ? 0.0 : wordFor(nodeClass(n));
+            reported(n) = nodeClass(n) < 0 ? 0.0 : codeOf(nodeClass(n));
         }
       });
   sumOverRanks(state, reported.data(), 1, 0, 1);
@@ -220,7 +220,7 @@ void FineParticles<D>::fractionClasses(const State<D>& state)
         {
           const int n = rows(shared(i), f);
           for (int l = deepestLevel; n >= 0 && l > nodeClass(n); --l)
-            if (reported(n) >= wordFor(l))
+            if (reported(n) >= codeOf(l))
               nodeClass(n) = l;
         }
       });
@@ -360,7 +360,7 @@ void FineParticles<D>::writeFirstFractions(const State<D>& state, const Borrowed
   {
     const double own = std::ldexp(1.0, first_ - 1 - l);
     Kokkos::parallel_for(
-        "rhegma::subcycling::firstShares", Range(particlesFrom_[l + 1], particlesFrom_[l]),
+        "rhegma::subcycling::firstFractions", Range(particlesFrom_[l + 1], particlesFrom_[l]),
         KOKKOS_LAMBDA(const int i) { fraction(particle(i)) = own; });
   }
 }
@@ -377,8 +377,8 @@ void FineParticles<D>::weighNodes(const State<D>& state)
       KOKKOS_LAMBDA(const int i) { mass(i) = sums(nodeOf(i), Nodes<D>::massAt); });
 }
 
-template void FineParticles<2>::list(const State<2>&, int);
-template void FineParticles<3>::list(const State<3>&, int);
+template void FineParticles<2>::select(const State<2>&, int);
+template void FineParticles<3>::select(const State<3>&, int);
 template void FineParticles<2>::writeFirstFractions(const State<2>&, const BorrowedView<double*>&) const;
 template void FineParticles<3>::writeFirstFractions(const State<3>&, const BorrowedView<double*>&) const;
 

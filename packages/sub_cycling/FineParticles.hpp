@@ -38,7 +38,7 @@ public:
   using Values = View<double* [D]>;
 
   /// Collective, as are `load` and `accelerate`.
-  void list(const State<D>& state, int first);
+  void select(const State<D>& state, int first);
 
   /// Without neighbours, on all ranks.
   double numParticles() const { return onAllRanks_[first_]; }
@@ -80,7 +80,7 @@ public:
 
   /// Writes the fraction of the step that the force of its start acts on listed particles: half of it for
   /// the first class, a quarter for the next.
-  void writeFirstFractions(const State<D>& state, const BorrowedView<double*>& share) const;
+  void writeFirstFractions(const State<D>& state, const BorrowedView<double*>& fraction) const;
 
   /// Mean of a force over the last steps, on inner nodes that had a slot in all of them; it grows from
   /// zero elsewhere, and everywhere after cells changed. \param level of the particles whose force it is, or
@@ -160,7 +160,7 @@ private:
   View<int* [D]> held_;
   View<double* [D]> heldVelocity_;
   Values before_; ///< velocity at the start of the step before supports hold [m/s]
-  Values acceleration_, carried_;
+  Values acceleration_, momentum_;
   View<double** [D]> parts_;
 };
 

@@ -56,7 +56,7 @@ void LocalSteps<D>::begin(State<D>& state, int first, int last)
     Kokkos::deep_copy(state.particles.scalar(fields::firstFraction), 1.0);
   if (!active_)
     return;
-  fine_.list(state, first);
+  fine_.select(state, first);
   active_ = fine_.numParticles() > 0.0;
   if (!active_)
     return;
@@ -102,11 +102,11 @@ void LocalSteps<D>::evolve(State<D>& state)
   const int slots = fine_.numSlots();
   fine_.load(state, force_);
   add<D>(loads_, 1.0, force_, slots);
-  leaveOuterNodes();
-  for (const DisplacementDependentForce<D>& following : state.motion.displacementDependentForces)
+  finishOuterNodes();
+  for (const DisplacementDependentForce<D>& dependent : state.motion.displacementDependentForces)
   {
     Kokkos::deep_copy(force_, 0.0);
-    following.frozen(state, fine_.slots(), force_);
+    dependent.frozen(state, fine_.slots(), force_);
     fine_.sumSlots(state, force_);
     add<D>(loads_, -1.0, force_, fine_.numInner());
     add<D>(others_, 1.0, force_, fine_.numInner());
@@ -117,7 +117,7 @@ void LocalSteps<D>::evolve(State<D>& state)
   add<D>(impulse_, state.clock.dt, loads_, slots);
   fine_.startVelocity(state, velocity_);
   startWork_ = {};
-  if (reckonsWork(state))
+  if (needsWork(state))
     addStartWork(state, loads_, state.motion.substeps.length);
   Kokkos::deep_copy(force_, 0.0);
   fine_.accelerate(state, 0, 1.0, loads_, force_);
@@ -128,7 +128,7 @@ void LocalSteps<D>::evolve(State<D>& state)
   atFirst_ = true;
   step(state, first_, 0.5 * state.clock.dt);
   step(state, first_, 0.5 * state.clock.dt);
-  if (reckonsWork(state))
+  if (needsWork(state))
     recordWork(state);
   fine_.store(state, impulse_, 1.0 / state.clock.dt);
 }
@@ -156,11 +156,11 @@ void LocalSteps<D>::recordWork(State<D>& state)
 }
 
 template <int D>
-void LocalSteps<D>::leaveOuterNodes()
+void LocalSteps<D>::finishOuterNodes()
 {
   const Values others = others_, loads = loads_, all = force_;
   parallelForSmall<smallSlots>(
-      "rhegma::subcycling::leaveOuterNodes", fine_.numInner(), fine_.numSlots(), KOKKOS_LAMBDA(const int i) {
+      "rhegma::subcycling::finishOuterNodes", fine_.numInner(), fine_.numSlots(), KOKKOS_LAMBDA(const int i) {
         for (int d = 0; d < D; ++d)
         {
           others(i, d) = all(i, d);
@@ -198,8 +198,8 @@ void LocalSteps<D>::addImpulse(const State<D>& state, int level, double length)
   {
     fine_.force(state, level, displacement_, elapsed_, force);
     if (level == last_)
-      for (const DisplacementDependentForce<D>& following : state.motion.displacementDependentForces)
-        following.change(state, fine_.slots(), displacement_, force);
+      for (const DisplacementDependentForce<D>& dependent : state.motion.displacementDependentForces)
+        dependent.change(state, fine_.slots(), displacement_, force);
     fine_.sumSlots(state, force);
     if (level < last_)
       add<D>(force, -1.0, mean_[level], fine_.numSlots());
@@ -213,7 +213,7 @@ template <int D>
 void LocalSteps<D>::kick(const State<D>& state)
 {
   fine_.accelerate(state, waitingFrom_, 1.0, waiting_, velocity_, atFirst_);
-  if (atFirst_ && reckonsWork(state))
+  if (atFirst_ && needsWork(state))
     addStartWork(state, waiting_, 1.0);
   atFirst_ = false;
   add<D>(impulse_, 1.0, waiting_, fine_.numSlots());
@@ -251,7 +251,7 @@ void LocalSteps<D>::correctProjection(State<D>& state) const
 }
 
 template <int D>
-void LocalSteps<D>::keep(Archive& archive)
+void LocalSteps<D>::store(Archive& archive)
 {
   archive("extra_steps", extraSteps_);
 }

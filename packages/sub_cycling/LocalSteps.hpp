@@ -53,7 +53,7 @@ public:
   double extraSteps() const { return extraSteps_; }
 
   /// Saves or loads their number.
-  void keep(Archive& archive);
+  void store(Archive& archive);
 
   // What follows is public because compilers for devices want kernels in public functions.
 
@@ -66,9 +66,9 @@ public:
   void kick(const State<D>& state);
   void drift(double length);
   /// Takes all of the force on nodes that no small particle touches for one of the step.
-  void leaveOuterNodes();
+  void finishOuterNodes();
   /// Whether anybody asks for the work of impulses.
-  static bool reckonsWork(const State<D>& state)
+  static bool needsWork(const State<D>& state)
   {
     return state.clock.observing || !state.motion.constraints.empty();
   }

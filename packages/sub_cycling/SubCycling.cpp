@@ -88,7 +88,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
                {},
                {quantity::projection},
                [=](State<D>& state) { steps->correctProjection(state); }});
-  effect.memory = [=](State<D>&, Archive& archive) { steps->keep(archive); };
+  effect.memory = [=](State<D>&, Archive& archive) { steps->store(archive); };
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {
     summary["subcycling"] = {{"levels", std::min(levels, state.mesh.tree.deepest)},

@@ -21,12 +21,12 @@ bool meetsMaterial(const Teuchos::ParameterList& source, const Teuchos::Paramete
   const SceneBodies<D> bodies(scene);
   const Vector<D> centre = readVector<D>(source, "Centre"), velocity = readVector<D>(source, "Velocity");
   const double radius = source.get<double>("Radius");
-  const double way = norm(velocity) * scene.sublist("Time").get<double>("Final Time");
+  const double path = norm(velocity) * scene.sublist("Time").get<double>("Final Time");
   constexpr double most = 1e5; // looks; of a longer way only so many are taken
-  const int steps = static_cast<int>(std::min(most, std::ceil(way / (0.5 * radius))));
+  const int steps = static_cast<int>(std::min(most, std::ceil(path / (0.5 * radius))));
   for (int k = 0; k <= steps; ++k)
   {
-    const double along = steps > 0 ? way * k / steps / norm(velocity) : 0.0; // [s]
+    const double along = steps > 0 ? path * k / steps / norm(velocity) : 0.0; // [s]
     const Vector<D> middle = centre + along * velocity;
     if (bodies.contain(middle))
       return true;

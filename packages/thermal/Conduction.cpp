@@ -56,7 +56,7 @@ void Conduction<D>::measure(const State<D>& state)
 template <int D>
 double Conduction<D>::stepLimit(const State<D>& state) const
 {
-  const double ratio = longSteps.method == Method::Explicit ? 1.0 : longSteps.stepRatio;
+  const double ratio = integrator.method == Method::Explicit ? 1.0 : integrator.stepRatio;
   return ratio * explicitLimit(state);
 }
 
@@ -142,10 +142,10 @@ void Conduction<D>::once(State<D>& state, double dt, double time, const View<dou
   double heat = dt * boundaries.addFlux(state, nodes, time + 0.5 * dt);
   fluxToNodes(state, nodes, supplied);
   sumOverRanks(state, nodes.rate.data(), 2, 0, 1);
-  if (longSteps.method != Method::Explicit)
-    heat += longSteps.findRate(state, nodes, boundaries, faces, dt, explicitLimit(state));
+  if (integrator.method != Method::Explicit)
+    heat += integrator.findRate(state, nodes, boundaries, faces, dt, explicitLimit(state));
   heat += changeTemperature(state, nodes, dt);
-  if (longSteps.method == Method::Explicit)
+  if (integrator.method == Method::Explicit)
     heat += faces.exchange(state, nodes, dt);
   ++stepsTaken;
   changeToParticles(state, nodes, fading, supplied, dt);

@@ -1,7 +1,7 @@
 #pragma once
 /// Steps of conduction.
 
-#include "thermal/LongSteps.hpp"
+#include "thermal/ConductionIntegrator.hpp"
 #include "thermal/Sources.hpp"
 
 #include <limits>
@@ -19,7 +19,7 @@ struct Conduction
   std::vector<Source<D>> sources;
   HeatBoundaries<D> boundaries;
   CrackConduction<D> faces;
-  LongSteps<D> longSteps;
+  ConductionIntegrator<D> integrator;
   HeatNodes<D> nodes;
   View<double*> supply;          ///< of each particle [W]
   double pending = 0.0;          ///< time since the last step of conduction [s]

@@ -253,7 +253,7 @@ double CrackConduction<D>::exchange(const State<D>& state, const HeatNodes<D>& h
 }
 
 template <int D>
-void CrackConduction<D>::keep(Archive& archive)
+void CrackConduction<D>::store(Archive& archive)
 {
   points_.keep(archive);
 }

@@ -46,7 +46,7 @@ public:
   /// Gives the two fields of a node in perfect contact the one temperature that the node would have without a
   /// crack: if the faces came together in the step instead, those of their particles that had the temperature
   /// of the other side already would be pushed beyond it. \param share as markMaterials has it
-  void merge(const State<D>& state, const HeatNodes<D>& nodes, double share) const;
+  void merge(const State<D>& state, const HeatNodes<D>& nodes, double fraction) const;
 
   /// Passes heat over dt, after the nodes have got their change by other ways.
   /// \return heat [J] that held nodes take up from outside for it
@@ -61,7 +61,7 @@ public:
   /// Between the two fields of each node of the lattice that has two [W/K]; others have none.
   const View<double*>& conductance() const { return conductance_; }
 
-  void keep(Archive& archive);
+  void store(Archive& archive);
 
   /// Of perfect contact, in place of an infinite one [W/(m2 K)].
   static constexpr double perfect = 1e30;

@@ -15,7 +15,7 @@ template <int D>
 struct HeatedPosition
 {
   Vector<D> at;
-  double share;
+  double fraction;
 };
 
 /// The nodes of a front, by the area that each is passing: its tributary length times its speed; where none
@@ -34,10 +34,10 @@ std::vector<HeatedPosition<D>> heatedPositions(const CrackFront<D>& front)
   std::vector<HeatedPosition<D>> positions;
   for (const FrontNode<D>& frontNode : front.nodes)
   {
-    const double share = swept > 0.0 ? frontNode.tributaryLength * frontNode.speed / swept
-                                     : frontNode.tributaryLength / length;
-    if (share > 0.0)
-      positions.push_back({frontNode.position, share});
+    const double fraction = swept > 0.0 ? frontNode.tributaryLength * frontNode.speed / swept
+                                        : frontNode.tributaryLength / length;
+    if (fraction > 0.0)
+      positions.push_back({frontNode.position, fraction});
   }
   return positions;
 }
@@ -55,23 +55,23 @@ double Conduction<D>::heatOfFronts(State<D>& state, double dt)
   const double spent = before + state.ranks.sum(state.energy.fracture - before);
   const double since = spent - fractureSeen;
   frontHeat.resize(all.size(), 0.0);
-  double owed = 0.0;
+  double required = 0.0;
   for (std::size_t f = 0; f < all.size(); ++f)
-    owed += std::max(0.0, all[f].budget.required - frontHeat[f]);
+    required += std::max(0.0, all[f].budget.required - frontHeat[f]);
   // Faces that close give back what they took; the next that open take it again.
-  if (!(since > 0.0) || !(owed > 0.0))
+  if (!(since > 0.0) || !(required > 0.0))
     return 0.0;
   const double radius = std::max(frontRadius, smallestRadius(state));
   double added = 0.0;
   for (std::size_t f = 0; f < all.size(); ++f)
   {
-    const double ofFront = since * std::max(0.0, all[f].budget.required - frontHeat[f]) / owed;
+    const double ofFront = since * std::max(0.0, all[f].budget.required - frontHeat[f]) / required;
     if (!(ofFront > 0.0))
       continue;
-    for (const HeatedPosition<D>& place : heatedPositions(all[f]))
+    for (const HeatedPosition<D>& heated : heatedPositions(all[f]))
     {
-      const double energy = place.share * ofFront;
-      const double given = dt * addBall<D>(state, place.at, radius, frontFraction * energy / dt, supply);
+      const double energy = heated.fraction * ofFront;
+      const double given = dt * addBall<D>(state, heated.at, radius, frontFraction * energy / dt, supply);
       added += given;
       if (given > 0.0)
       {
@@ -113,11 +113,11 @@ void Conduction<D>::reportFronts(State<D>& state)
   }
   fronts.count = count;
   fronts.onAllRanks = true;
-  const auto place = Kokkos::create_mirror_view(fronts.position);
+  const auto positions = Kokkos::create_mirror_view(fronts.position);
   for (int f = 0; f < count; ++f)
     for (int d = 0; d < D; ++d)
-      place(f, d) = at[f][d];
-  Kokkos::deep_copy(fronts.position, place);
+      positions(f, d) = at[f][d];
+  Kokkos::deep_copy(fronts.position, positions);
   pointStencils(state, fronts, frontStencils, true);
   const auto number = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, frontStencils.count);
   const auto node = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, frontStencils.node);

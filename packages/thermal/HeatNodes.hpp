@@ -83,7 +83,7 @@ double changeTemperature(const State<D>& state, const HeatNodes<D>& nodes, doubl
 /// share sum N_i (T_i - T - g.(x_i - x)) with the projected T_i and the gradient of before the step, which
 /// leaves linear fields and the heat of all particles alone. \param supply as `fluxToNodes` has it, for dt
 template <int D>
-void changeToParticles(State<D>& state, const HeatNodes<D>& nodes, double share, const View<double*>& supply,
-                       double dt);
+void changeToParticles(State<D>& state, const HeatNodes<D>& nodes, double fraction,
+                       const View<double*>& supply, double dt);
 
 } // namespace Rhegma::thermal

@@ -2,7 +2,7 @@
 
 #include "base/Numbers.hpp"
 #include "state/Subdomain.hpp"
-#include "thermal/LongSteps.hpp"
+#include "thermal/ConductionIntegrator.hpp"
 
 #include <cmath>
 
@@ -33,7 +33,7 @@ struct PairRows
 } // namespace
 
 template <int D>
-void LongSteps<D>::numberUnknowns(const State<D>& state, const HeatNodes<D>& heat)
+void ConductionIntegrator<D>::numberUnknowns(const State<D>& state, const HeatNodes<D>& heat)
 {
   const Nodes<D> nodes = state.mesh.nodes;
   const View<char*> unknown = unknown_;
@@ -53,8 +53,8 @@ void LongSteps<D>::numberUnknowns(const State<D>& state, const HeatNodes<D>& hea
 }
 
 template <int D>
-void LongSteps<D>::findPairs(const State<D>& state, const HeatNodes<D>& heat, const CrackConduction<D>& faces,
-                             double dt)
+void ConductionIntegrator<D>::findPairs(const State<D>& state, const HeatNodes<D>& heat,
+                                        const CrackConduction<D>& faces, double dt)
 {
   numPairs_ = faces.active(state) ? state.mesh.nodes.numSecond : 0;
   const Nodes<D> nodes = state.mesh.nodes;
@@ -80,7 +80,7 @@ void LongSteps<D>::findPairs(const State<D>& state, const HeatNodes<D>& heat, co
 /// go to the nodes of all ranks, and means and jumps of pairs to their fields. \param jump how much of the
 /// jump at the beginning is taken off that at the end
 template <int D>
-void LongSteps<D>::spread(const State<D>& state, double jump)
+void ConductionIntegrator<D>::spread(const State<D>& state, double jump)
 {
   sumOverRanks(state, change_.data(), 2, 0, 1);
   const Nodes<D> nodes = state.mesh.nodes;
@@ -104,8 +104,8 @@ void LongSteps<D>::spread(const State<D>& state, double jump)
 
 /// (C + dt K) change and the jumps' own part, in the rows of the unknowns.
 template <int D>
-void LongSteps<D>::residual(const State<D>& state, const HeatNodes<D>& heat, double dt,
-                            const BorrowedView<double*>& to)
+void ConductionIntegrator<D>::residual(const State<D>& state, const HeatNodes<D>& heat, double dt,
+                                       const BorrowedView<double*>& to)
 {
   const Nodes<D> nodes = state.mesh.nodes;
   const View<char*> unknown = unknown_;
@@ -139,8 +139,9 @@ void LongSteps<D>::residual(const State<D>& state, const HeatNodes<D>& heat, dou
 
 /// By the diagonal.
 template <int D>
-void LongSteps<D>::precondition(const State<D>& state, const HeatNodes<D>& heat, double dt,
-                                const BorrowedView<const double*>& from, const BorrowedView<double*>& to)
+void ConductionIntegrator<D>::precondition(const State<D>& state, const HeatNodes<D>& heat, double dt,
+                                           const BorrowedView<const double*>& from,
+                                           const BorrowedView<double*>& to)
 {
   const Nodes<D> nodes = state.mesh.nodes;
   const View<char*> unknown = unknown_;
@@ -176,7 +177,7 @@ void LongSteps<D>::precondition(const State<D>& state, const HeatNodes<D>& heat,
 
 /// Adds what pairs pass at the end of the step to the nodes' rate.
 template <int D>
-void LongSteps<D>::passThroughFaces(const State<D>& state, const HeatNodes<D>& heat, double dt)
+void ConductionIntegrator<D>::passThroughFaces(const State<D>& state, const HeatNodes<D>& heat, double dt)
 {
   const Nodes<D> nodes = state.mesh.nodes;
   const View<double* [pairWidth]> pairs = pairs_;
@@ -212,9 +213,9 @@ double normalise(const Ranks& ranks, const BorrowedView<double*>& right)
 } // namespace
 
 template <int D>
-double LongSteps<D>::implicitStep(State<D>& state, const HeatNodes<D>& heat,
-                                  const HeatBoundaries<D>& boundaries, const CrackConduction<D>& faces,
-                                  double dt)
+double ConductionIntegrator<D>::implicitStep(State<D>& state, const HeatNodes<D>& heat,
+                                             const HeatBoundaries<D>& boundaries,
+                                             const CrackConduction<D>& faces, double dt)
 {
   numberUnknowns(state, heat);
   findPairs(state, heat, faces, dt);
@@ -223,7 +224,7 @@ double LongSteps<D>::implicitStep(State<D>& state, const HeatNodes<D>& heat,
   const View<char*> unknown = unknown_;
   const View<double*[2]> change = change_, flow = flow_;
   const int active = nodes.numActive();
-  const auto take = [&](const BorrowedView<const double*>& from, double scale)
+  const auto setFields = [&](const BorrowedView<const double*>& from, double scale)
   {
     Kokkos::parallel_for(
         "rhegma::thermal::takeChange", Kokkos::RangePolicy<ExecSpace>(0, active), KOKKOS_LAMBDA(const int i) {
@@ -253,7 +254,7 @@ double LongSteps<D>::implicitStep(State<D>& state, const HeatNodes<D>& heat,
   const SolveResult result = gradients_.solve(
       [&](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
       {
-        take(x, 1.0);
+        setFields(x, 1.0);
         spread(state, 0.0);
         findFlow(state, boundaries);
         residual(state, heat, dt, y);
@@ -263,7 +264,7 @@ double LongSteps<D>::implicitStep(State<D>& state, const HeatNodes<D>& heat,
   if (!result.converged)
     state.failure = "implicit conduction did not converge in a step of " + formatReal(dt) +
                     " s; take a smaller Thermal > Step Ratio";
-  take(gradients_.solution(), scale);
+  setFields(gradients_.solution(), scale);
   spread(state, 1.0);
   const double power = findFlow(state, boundaries);
   Kokkos::parallel_for(
@@ -276,27 +277,31 @@ double LongSteps<D>::implicitStep(State<D>& state, const HeatNodes<D>& heat,
   return dt * power;
 }
 
-template void LongSteps<2>::numberUnknowns(const State<2>&, const HeatNodes<2>&);
-template void LongSteps<2>::findPairs(const State<2>&, const HeatNodes<2>&, const CrackConduction<2>&,
-                                      double);
-template void LongSteps<2>::spread(const State<2>&, double);
-template void LongSteps<2>::residual(const State<2>&, const HeatNodes<2>&, double,
-                                     const BorrowedView<double*>&);
-template void LongSteps<2>::passThroughFaces(const State<2>&, const HeatNodes<2>&, double);
-template void LongSteps<2>::precondition(const State<2>&, const HeatNodes<2>&, double,
-                                         const BorrowedView<const double*>&, const BorrowedView<double*>&);
-template double LongSteps<2>::implicitStep(State<2>&, const HeatNodes<2>&, const HeatBoundaries<2>&,
-                                           const CrackConduction<2>&, double);
-template void LongSteps<3>::numberUnknowns(const State<3>&, const HeatNodes<3>&);
-template void LongSteps<3>::findPairs(const State<3>&, const HeatNodes<3>&, const CrackConduction<3>&,
-                                      double);
-template void LongSteps<3>::spread(const State<3>&, double);
-template void LongSteps<3>::residual(const State<3>&, const HeatNodes<3>&, double,
-                                     const BorrowedView<double*>&);
-template void LongSteps<3>::passThroughFaces(const State<3>&, const HeatNodes<3>&, double);
-template void LongSteps<3>::precondition(const State<3>&, const HeatNodes<3>&, double,
-                                         const BorrowedView<const double*>&, const BorrowedView<double*>&);
-template double LongSteps<3>::implicitStep(State<3>&, const HeatNodes<3>&, const HeatBoundaries<3>&,
-                                           const CrackConduction<3>&, double);
+template void ConductionIntegrator<2>::numberUnknowns(const State<2>&, const HeatNodes<2>&);
+template void ConductionIntegrator<2>::findPairs(const State<2>&, const HeatNodes<2>&,
+                                                 const CrackConduction<2>&, double);
+template void ConductionIntegrator<2>::spread(const State<2>&, double);
+template void ConductionIntegrator<2>::residual(const State<2>&, const HeatNodes<2>&, double,
+                                                const BorrowedView<double*>&);
+template void ConductionIntegrator<2>::passThroughFaces(const State<2>&, const HeatNodes<2>&, double);
+template void ConductionIntegrator<2>::precondition(const State<2>&, const HeatNodes<2>&, double,
+                                                    const BorrowedView<const double*>&,
+                                                    const BorrowedView<double*>&);
+template double ConductionIntegrator<2>::implicitStep(State<2>&, const HeatNodes<2>&,
+                                                      const HeatBoundaries<2>&, const CrackConduction<2>&,
+                                                      double);
+template void ConductionIntegrator<3>::numberUnknowns(const State<3>&, const HeatNodes<3>&);
+template void ConductionIntegrator<3>::findPairs(const State<3>&, const HeatNodes<3>&,
+                                                 const CrackConduction<3>&, double);
+template void ConductionIntegrator<3>::spread(const State<3>&, double);
+template void ConductionIntegrator<3>::residual(const State<3>&, const HeatNodes<3>&, double,
+                                                const BorrowedView<double*>&);
+template void ConductionIntegrator<3>::passThroughFaces(const State<3>&, const HeatNodes<3>&, double);
+template void ConductionIntegrator<3>::precondition(const State<3>&, const HeatNodes<3>&, double,
+                                                    const BorrowedView<const double*>&,
+                                                    const BorrowedView<double*>&);
+template double ConductionIntegrator<3>::implicitStep(State<3>&, const HeatNodes<3>&,
+                                                      const HeatBoundaries<3>&, const CrackConduction<3>&,
+                                                      double);
 
 } // namespace Rhegma::thermal

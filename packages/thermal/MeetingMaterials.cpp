@@ -97,7 +97,7 @@ void markMaterials(const State<D>& state, const HeatNodes<D>& nodes, double frac
                    });
   sumOverRanks(state, nodes.meets.data(), HeatNodes<D>::meetWidth, 0, HeatNodes<D>::joinAt);
   Kokkos::parallel_for(
-      "rhegma::thermal::shareOfNodes", Kokkos::RangePolicy<ExecSpace>(0, all.numActive()),
+      "rhegma::thermal::fractionOfNodes", Kokkos::RangePolicy<ExecSpace>(0, all.numActive()),
       KOKKOS_LAMBDA(const int i) {
         const int n = activeNode(all, i);
         heat.meets(n, HeatNodes<D>::joinAt) = heat.severalAt(n) ? fraction : 0.0;

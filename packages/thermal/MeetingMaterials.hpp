@@ -30,7 +30,7 @@ namespace Rhegma::thermal
 /// way to the node's temperature that particles take where several materials that conduct meet, on top of
 /// that of `changeToParticles`: both together are at most the whole way
 template <int D>
-void markMaterials(const State<D>& state, const HeatNodes<D>& nodes, double share);
+void markMaterials(const State<D>& state, const HeatNodes<D>& nodes, double fraction);
 
 /// Finds by how much each particle comes nearer to the nodes' temperature; `changeToParticles` gives it that.
 /// To be called when the nodes' temperature is known, before the particles' gradients are renewed.

@@ -64,7 +64,7 @@ Extremes<D> extremes(const State<D>& state)
 }
 
 template <int D>
-double temperatureAt(const State<D>& state, const Vector<D>& place)
+double temperatureAt(const State<D>& state, const Vector<D>& position)
 {
   const auto T = state.particles.scalar(fields::temperature);
   const auto g = state.particles.template real<D>(fields::temperatureGradient);
@@ -76,7 +76,7 @@ double temperatureAt(const State<D>& state, const Vector<D>& place)
       KOKKOS_LAMBDA(const int p, Nearest::value_type& best) {
         double square = 0.0;
         for (int d = 0; d < D; ++d)
-          square += (x(p, d) - place[d]) * (x(p, d) - place[d]);
+          square += (x(p, d) - position[d]) * (x(p, d) - position[d]);
         if (square < best.val)
         {
           best.val = square;
@@ -95,7 +95,7 @@ double temperatureAt(const State<D>& state, const Vector<D>& place)
         KOKKOS_LAMBDA(const int p, double& sum) {
           sum += T(p);
           for (int d = 0; d < D; ++d)
-            sum += g(p, d) * (place[d] - x(p, d));
+            sum += g(p, d) * (position[d] - x(p, d));
         },
         found);
     value[0] = found;

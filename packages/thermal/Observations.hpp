@@ -19,6 +19,6 @@ Extremes<D> extremes(const State<D>& state);
 
 /// Temperature at a position, from the nearest particle and its gradient [K]. Collective.
 template <int D>
-double temperatureAt(const State<D>& state, const Vector<D>& place);
+double temperatureAt(const State<D>& state, const Vector<D>& position);
 
 } // namespace Rhegma::thermal

@@ -43,7 +43,7 @@ void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, dou
   const auto host = [](const auto& view)
   { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
   const auto body = host(state.particles.integer(fields::body));
-  const auto place = host(state.particles.template real<D>(fields::position));
+  const auto positions = host(state.particles.template real<D>(fields::position));
   const auto T = host(state.particles.scalar(fields::temperature));
   for (std::size_t b = 0; b < state.bodies.list.size(); ++b)
   {
@@ -63,7 +63,7 @@ void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, dou
       {
         Vector<D> x;
         for (int d = 0; d < D; ++d)
-          x[d] = place(p, d);
+          x[d] = positions(p, d);
         T(p) = function.scalar(x);
       }
       if (!(T(p) > 0.0) || !std::isfinite(T(p)))

@@ -27,7 +27,7 @@ template <int D>
 struct Probe
 {
   std::string name;
-  Vector<D> place;
+  Vector<D> position;
 };
 
 /// What a run has of heat next to its particles.
@@ -80,10 +80,10 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
   run.conduction.finalTime = run.finalTime;
   run.conduction.diffusionNumber = list.get<double>("Diffusion Number");
   const std::string method = list.get<std::string>("Conduction");
-  run.conduction.longSteps.method = method == "Implicit"              ? Method::Implicit
-                                    : method == "Super Time Stepping" ? Method::SuperTimeStepping
-                                                                      : Method::Explicit;
-  run.conduction.longSteps.stepRatio = list.get<double>("Step Ratio");
+  run.conduction.integrator.method = method == "Implicit"              ? Method::Implicit
+                                     : method == "Super Time Stepping" ? Method::SuperTimeStepping
+                                                                       : Method::Explicit;
+  run.conduction.integrator.stepRatio = list.get<double>("Step Ratio");
   run.conduction.frontFraction = list.get<double>("Front Heat Fraction");
   if (list.isParameter("Front Radius"))
     run.conduction.frontRadius = list.get<double>("Front Radius");
@@ -124,7 +124,7 @@ void observe(State<D>& state, Run<D>& run)
   state.sample.row.emplace_back("temperature_highest", now.highest);
   state.sample.row.emplace_back("temperature_lowest", now.lowest);
   for (const Probe<D>& probe : run.probes)
-    state.sample.row.emplace_back(probe.name + ".temperature", temperatureAt(state, probe.place));
+    state.sample.row.emplace_back(probe.name + ".temperature", temperatureAt(state, probe.position));
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
     const CrackFront<D>& front = state.cracks.fronts[f];
@@ -151,7 +151,7 @@ void report(const State<D>& state, const Run<D>& run, nlohmann::json& summary)
   for (int d = 0; d < D; ++d)
     where.push_back(now.where[d]);
   summary["conduction"] = {{"steps", run.conduction.stepsTaken},
-                           {"passes", run.conduction.stepsTaken + run.conduction.longSteps.products}};
+                           {"passes", run.conduction.stepsTaken + run.conduction.integrator.products}};
   nlohmann::json& temperature = summary["temperature"];
   temperature = {{"peak", now.highest},
                  {"peak_rise", now.highest - run.initial},
@@ -163,7 +163,7 @@ void report(const State<D>& state, const Run<D>& run, nlohmann::json& summary)
                  {"probes", nlohmann::json::object()}};
   for (const Probe<D>& probe : run.probes)
   {
-    const double here = temperatureAt(state, probe.place);
+    const double here = temperatureAt(state, probe.position);
     temperature["probes"][probe.name] = {{"temperature", here}, {"rise", here - run.initial}};
   }
 }
@@ -236,11 +236,11 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     archive("warned", run->conduction.warned);
     archive("finest heated", run->conduction.finestHeated);
     {
-      const Archive::Group longSteps(archive, "long steps");
-      run->conduction.longSteps.keep(archive);
+      const Archive::Group integrator(archive, "integrator");
+      run->conduction.integrator.store(archive);
     }
     const Archive::Group faces(archive, "crack faces");
-    run->conduction.faces.keep(archive);
+    run->conduction.faces.store(archive);
   };
   return effect;
 }

@@ -70,7 +70,7 @@ class WrongArguments(ProgramTest):
             "scene.xml", "--set", "Materials:Polymor:Density=1", where="Materials > Polymor", words=['"Polymer"']
         )
 
-    def test_check_tells_of_a_body_at_the_edge_of_the_domain(self):
+    def test_check_reports_a_body_at_the_edge_of_the_domain(self):
         """Where a support holds it there, or it has room, there is nothing to say."""
         tight = plate().set("Domain > Lower Corner", [0.0, -0.2])
         path = self.write("tight.xml", tight.text())
@@ -215,7 +215,7 @@ class Words(ProgramTest):
         self.assertIn("valid", answer.output)
         self.assertEqual(os.listdir(self.folder), ["scene.xml"])
 
-    def test_check_tells_how_many_steps_a_run_takes(self):
+    def test_check_reports_how_many_steps_a_run_takes(self):
         """To three digits and by the first step; those of an elastic plate hardly change."""
         found = re.search(r"about (\d+) steps of \S+ [mun]?s to Time > Final Time", rhegma(self.scene, "--check").output)
         self.assertEqual(rhegma(self.scene, "--quiet").status, 0)

@@ -90,7 +90,7 @@ class Ranks(OnRanks):
                 scene.set("Bodies > Plate > Angular Velocity", [50.0])
                 self.agree(self.write(scene), "--set", "Time:Maximum Steps=10", ranks=ranks)
 
-    def test_velocities_that_jump_at_a_place(self):
+    def test_velocities_that_jump_at_a_position(self):
         """A node on two ranks is on one side of the jump."""
         scene = whole_plate().remove("Boundaries")
         jump = {"Type": "Velocity", "Field": "x < 0.65 ? 0.5 : 0, 0", "Components": "x"}

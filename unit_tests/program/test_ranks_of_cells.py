@@ -46,7 +46,7 @@ class Cells(OnRanks):
         self.agree(self.write(scene), within=SAME)
         self.assertGreater(self.same_cells((2, 3, 4))["particles_added"], 100)
 
-    def test_a_body_that_splits_and_merges_on_its_way(self):
+    def test_a_body_that_splits_and_merges_as_it_moves(self):
         """Its particles change their ranks and their sizes, families across ranks become one again."""
         self.agree(self.write(body().set("Adaptivity", BOX)), "--set", "Output:Checkpoint Interval=1.0", within=SAME)
         self.assertGreater(self.same_cells((2, 3, 4))["families_merged"], 20)
@@ -121,7 +121,7 @@ class ShortSteps(OnRanks):
         scene = body().set("Adaptivity", BOX).set("Sub-Cycling", {"Levels": 2})
         self.agree_in_steps(scene.set("Load Balance", {"Threshold": 1.05, "Interval": 5}), ranks=(4,))
 
-    def test_a_notch_with_ties(self):
+    def test_a_notch_with_springs(self):
         self.agree_in_steps(plate().set("Adaptivity", {"Maximum Level": 2}).set("Sub-Cycling", {"Levels": 2}))
 
     def test_a_mass_that_is_partly_unlumped(self):

@@ -54,7 +54,7 @@ class Cracks(OnRanks):
             scene = plate().set("Time > Update Scheme", scheme).set("Domain > Shape Functions", functions)
             self.agree(self.write(scene), ranks=(3,))
 
-    def test_without_ties(self):
+    def test_without_springs(self):
         self.agree(self.write(plate().set("Cracks > Front Springs", False)), ranks=(2,))
 
     def test_cells_that_are_cut(self):
@@ -237,7 +237,7 @@ class Heat(OnRanks):
             fields = self.agree(self.write(self.heated(turned_plate(), faces)))
             self.assertTrue(numpy.any(fields["side"] != 0))
 
-    def test_long_steps(self):
+    def test_implicit_and_super_steps(self):
         """Solves end at 1e-8 of their right side, and those of different ranks elsewhere below that."""
         scene = self.heated(turned_plate(), {"Conduction": "Always", "Conductance": 1e6})
         scene.set("Materials > Polymer > Conductivity", 2e7).set("Thermal > Conduction", "Implicit")
@@ -245,7 +245,7 @@ class Heat(OnRanks):
         scene.set("Thermal > Crack Faces", {}).set("Thermal > Conduction", "Super Time Stepping")
         self.agree(self.write(scene), ranks=(3,))
 
-    def test_faces_that_conduct_in_space(self):
+    def test_faces_that_conduct_3d(self):
         self.agree(self.write(self.heated(block(), {"Conduction": "Always", "Conductance": 1e6})), ranks=(3,))
 
 

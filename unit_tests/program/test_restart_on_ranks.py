@@ -50,7 +50,7 @@ class GoesOnOnRanks(OnRanks):
                 history = {column: values[known] for column, values in history.items()}
                 self.compare(whole, (summary, history, fields), within=within)
 
-    def test_a_notch_its_ties_and_its_damping(self):
+    def test_a_notch_its_springs_and_its_damping(self):
         scene = plate().set("Damping", {"Mass Rate": 100.0})
         self.broken_and_whole(scene)
 
@@ -142,7 +142,7 @@ class Stopped(OnRanks):
         self.assertGreater(summary["time"], stopped)
         self.assertEqual(list(history["time"]), sorted(set(history["time"])))
 
-    def test_trouble(self):
+    def test_failure(self):
         """The last sound state is on the disk when a run on ranks ends in trouble."""
         late = plate().set("Output", {"History Interval": 2e-5}).set("Time > Retries", 0)
         late.set("Boundaries > Blow", {
@@ -158,7 +158,7 @@ class Stopped(OnRanks):
             for name, table in file["particles"].items():
                 self.assertTrue(numpy.isfinite(table[()]).all(), name)
 
-    def test_trouble_that_shorter_steps_cure(self):
+    def test_failure_that_smaller_steps_cure(self):
         """The copy in memory is the first rank's; all go back to it. The body flies free of loads and supports."""
         summary, history, _ = self.run_on(3, self.write(too_long_a_step()))
         self.assertEqual(summary["status"], "finished")

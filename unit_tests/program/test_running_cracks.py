@@ -67,7 +67,7 @@ class RunningCracks(ProgramTest):
         self.assertGreater(summary["cracks"][0]["opening"], 0.0)
         self.assertAlmostEqual(front["G_J"], 0.0)
 
-    def test_crack_in_short_steps(self):
+    def test_crack_in_small_steps(self):
         """What holds new faces follows its law in short steps: as a spring it took 13 % more of what faces are given, in
         no book, and the crack came through 2.5 % later."""
         scene = torn([0.0, 0.52, 0.4, 0.52]).set("Adaptivity", {"Maximum Level": 1, "Front Cells": 6.0})
@@ -114,7 +114,7 @@ class RunningCracks(ProgramTest):
         self.assertGreater(summary["cracks"][0]["fronts"][0]["increments"], 3)
         self.assertGreater(summary["cracks"][0]["contact"]["largest_pressure"], 0.0)
 
-    def test_faces_that_are_torn_open(self):
+    def test_over_dissipated_faces(self):
         """Faces that come apart within a few steps or one take their toughness too, not 30 times as much."""
         scene = os.path.join(SOURCE, "xml_inputs", "verification", "strip_running_constant.xml")  # G is 134.7 J/m2
         for toughness in (22.45, 5.0, 1.0, 0.1):
@@ -147,7 +147,7 @@ class RunningCracks(ProgramTest):
         self.assertGreater(balance["dissipated"], 1.1 * balance["energy_of_new_faces"])
         self.assertIn("Propagation: new faces dissipated", answer.messages)
 
-    def test_shares_of_energy_know_of_gas_faces_and_heat(self):
+    def test_energy_fractions_include_gas_faces_and_heat(self):
         """What gas gives is put in, what new faces and heat take is none of the motion any more."""
         scene = torn([0.0, 0.52, 0.4, 0.52], toughness="100*(1 + v/300)", time=7e-4).set("Contact", {"Law": "Frictionless"})
         for name in ("Top", "Bottom"):

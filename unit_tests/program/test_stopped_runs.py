@@ -295,7 +295,7 @@ def small_files():
     resource.setrlimit(resource.RLIMIT_FSIZE, (200_000, 200_000))
 
 
-class NoRoom(LeftFiles):
+class FullDisk(LeftFiles):
     def scene(self):
         scene = plate().set("Time > Final Time", FOREVER)
         return self.write("scene.xml", scene.set("Output", {"History Interval": 1e-4, "Field Interval": 1e-3}).text())

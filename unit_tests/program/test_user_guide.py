@@ -30,7 +30,7 @@ class OwnCrack(ProgramTest):
         """The number that the guide has at the group of a pattern."""
         return float(re.search(pattern, self.text).group(1))
 
-    def test_runs_as_the_guide_tells(self):
+    def test_runs_as_the_guide_says(self):
         check = rhegma(self.scene, "--check")
         self.assertEqual(check.status, 0, check)
         self.assertNotIn("set out", check.messages)  # nothing has run yet

@@ -124,7 +124,7 @@ class WrongOutput(ProgramTest):
         self.write("scene.out", "a file\n")
         self.assert_refused(["scene.xml"], [("", ["scene.out", "--output"])])
 
-    def test_folder_in_place_of_a_result(self):
+    def test_folder_instead_of_a_result(self):
         os.makedirs(self.path("out", "history.csv", "inside"))
         self.write("scene.xml", plate().text())
         self.assert_refused(["scene.xml", "--output", "out"], [("", ["history.csv", "--output"])])

@@ -213,7 +213,7 @@ class Bodies(HardCase):
         )
         self.survives(scene, energy=0.02, momentum=True)
 
-    def test_ball_against_a_wall_in_space(self):
+    def test_ball_against_a_wall_3d(self):
         """The work of the wall is known to the mean of the velocities that particles bring and take, here to 4 %."""
         scene = Scene(
             {

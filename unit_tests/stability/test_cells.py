@@ -35,7 +35,7 @@ class Cells(HardCase):
         outcome = self.survives(scene, energy=0.05, momentum=True)
         self.assertEqual(outcome.particles["level"].max(), 6)
 
-    def test_six_levels_in_short_steps(self):
+    def test_six_levels_in_substeps(self):
         scene = plate([0.0, 1.01, 0.35, 1.01], cell=0.25, time=sized(1.0, 8.0))
         scene.set("Adaptivity", {"Maximum Level": 6, "Front Cells": 3.0}).set("Sub-Cycling", {})
         scene.set("Time > CFL", 0.3)
@@ -50,7 +50,7 @@ class Cells(HardCase):
         self.assertGreater(outcome.history["merged"][-1], 0.0)
         self.assertLessEqual(outcome.energy()[-1], outcome.energy().max())
 
-    def test_levels_that_switch_in_short_steps(self):
+    def test_levels_that_switch_in_small_steps(self):
         adaptivity = {"Maximum Level": 3, "Velocity Change": 3e-4, "Coarsening": 0.9, "Interval": 1, "Buffer Cells": 0}
         scene = struck(adaptivity).set("Sub-Cycling", {})
         self.survives(scene, energy=0.2, gain=0.06)

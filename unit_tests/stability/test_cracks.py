@@ -74,7 +74,7 @@ class Geometry(HardCase):
         scene.set("Bodies > Plate > Angular Velocity", [0.05])
         self.survives(scene, energy=0.05, gain=0.01, momentum=True)
 
-    def test_surface_in_space(self):
+    def test_surface_3d(self):
         polygon = [0.25, 0.25, 0.51, 0.75, 0.25, 0.51, 0.75, 0.75, 0.51, 0.25, 0.75, 0.51]
         scene = Scene(
             {

@@ -47,7 +47,7 @@ class AccuracyPage(ToolTest):
         self.assertIn("| 3 % | none of these | | | |", lines)
         self.assertGreater(picture_size(self.path("pictures", "accuracy_beam.png"))[0], 900)
 
-    def test_a_page_without_a_place_for_the_table(self):
+    def test_a_page_without_markers_for_the_table(self):
         status, _, messages = self.renew(PAGE.replace("table beam cheapest", "table beam dearest"))
         self.assertEqual(status, 1)
         self.assertIn("<!-- table beam cheapest -->", messages)
@@ -72,5 +72,5 @@ class Jobs(ToolTest):
             self.assertAlmostEqual(found, error, places=12)
 
     def test_wall_times_of_runs_that_share_the_machine(self):
-        self.assert_complains(self.study("--jobs", "2"), "--jobs", "--processor-time")
-        self.assert_complains(self.study("--jobs", "0"), "at least 1")
+        self.assert_fails(self.study("--jobs", "2"), "--jobs", "--processor-time")
+        self.assert_fails(self.study("--jobs", "0"), "at least 1")

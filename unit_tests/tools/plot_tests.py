@@ -69,38 +69,38 @@ class Plot(ToolTest):
         self.assertEqual(output.count("Wrote"), 1)
 
     def test_refuses_what_is_no_run(self):
-        self.assert_complains(run("rhegma-plot", self.path("nowhere")), "there is no folder", "nowhere")
-        self.assert_complains(run("rhegma-plot", self.folder), "neither history.csv nor fields.h5")
-        self.assert_complains(run("rhegma-plot", self.write("file", "")), "is no folder")
-        self.assert_complains(run("rhegma-plot", self.folder, "--magnify", "0"), "--magnify", "positive")
-        self.assert_complains(run("rhegma-plot", self.folder, "--time", "nan"), "--time", "seconds")
-        self.assert_complains(run("rhegma-plot"), "DIR")
+        self.assert_fails(run("rhegma-plot", self.path("nowhere")), "there is no folder", "nowhere")
+        self.assert_fails(run("rhegma-plot", self.folder), "neither history.csv nor fields.h5")
+        self.assert_fails(run("rhegma-plot", self.write("file", "")), "is no folder")
+        self.assert_fails(run("rhegma-plot", self.folder, "--magnify", "0"), "--magnify", "positive")
+        self.assert_fails(run("rhegma-plot", self.folder, "--time", "nan"), "--time", "seconds")
+        self.assert_fails(run("rhegma-plot"), "DIR")
 
     def test_refuses_broken_files(self):
         self.write("history.csv", "")
-        self.assert_complains(run("rhegma-plot", self.folder), "history.csv", "no column named time")
+        self.assert_fails(run("rhegma-plot", self.folder), "history.csv", "no column named time")
         self.write("history.csv", "time,kinetic\n")
-        self.assert_complains(run("rhegma-plot", self.folder), "history.csv", "no sample")
+        self.assert_fails(run("rhegma-plot", self.folder), "history.csv", "no sample")
         self.write("history.csv", "time,kinetic\n0.0,1.0\n1.0,much\n2.0,1.0\n")
-        self.assert_complains(run("rhegma-plot", self.folder), "row 3", "no number")
+        self.assert_fails(run("rhegma-plot", self.folder), "row 3", "no number")
         self.write("history.csv", "time,kinetic\n0.0,1.0\n")
         self.write("summary.json", '{"scene": "a')
-        self.assert_complains(run("rhegma-plot", self.folder), "summary.json", "cut off")
+        self.assert_fails(run("rhegma-plot", self.folder), "summary.json", "cut off")
 
     def test_refuses_broken_fields(self):
         made_up_run.beam(self.folder)
         os.remove(self.path("history.csv"))
         with open(self.path("fields.h5"), "r+b") as file:
             file.truncate(os.path.getsize(self.path("fields.h5")) // 2)
-        self.assert_complains(run("rhegma-plot", self.folder), "fields.h5", "truncated")
+        self.assert_fails(run("rhegma-plot", self.folder), "fields.h5", "truncated")
         made_up_run.write_fields(self.folder, [])
-        self.assert_complains(run("rhegma-plot", self.folder), "fields.h5", "no written time")
+        self.assert_fails(run("rhegma-plot", self.folder), "fields.h5", "no written time")
         none = made_up_run.particles(np.zeros((0, 3)), np.zeros((0, 3)), np.zeros((0, 6)), 1.0)
         made_up_run.write_fields(self.folder, [(0.0, {"particles": none})])
-        self.assert_complains(run("rhegma-plot", self.folder), "fields.h5", "no particle")
+        self.assert_fails(run("rhegma-plot", self.folder), "fields.h5", "no particle")
         wild = made_up_run.particles(np.zeros((1, 3)), np.full((1, 3), np.nan), np.zeros((1, 6)), 1.0)
         made_up_run.write_fields(self.folder, [(0.0, {"particles": wild})])
-        self.assert_complains(run("rhegma-plot", self.folder), "fields.h5", "not finite")
+        self.assert_fails(run("rhegma-plot", self.folder), "fields.h5", "not finite")
 
     def test_an_interpreter_without_packages_says_so(self):
         """Packages that can't be imported hide the real ones; the system's Python counts as tried."""
@@ -110,7 +110,7 @@ class Plot(ToolTest):
             self.write(os.path.join("broken", name, "__init__.py"), "raise ImportError('hidden')")
         answer = run("rhegma-plot", self.folder, PYTHONPATH=self.path("broken"),
                      RHEGMA_TOOLS_TRIED_SYSTEM_PYTHON="/other/python3")
-        self.assert_complains(answer, "/other/python3 and ", "lack numpy, h5py, matplotlib", "apt-get install")
+        self.assert_fails(answer, "/other/python3 and ", "lack numpy, h5py, matplotlib", "apt-get install")
 
 
 class Deformation(ToolTest):

@@ -50,7 +50,7 @@ class Same(ToolTest):
         self.program("after")
         self.assertIn("2 of 2 scenes", self.compare("notch")[1])
         self.assertIn("1 of 1 scenes", self.compare("examples/n*")[1])
-        self.assert_complains(self.compare("slit"), "slit")
+        self.assert_fails(self.compare("slit"), "slit")
 
     def test_a_difference_is_relative_to_its_kind(self):
         self.program("after", last=1.0 + 2.0**-20, noise=2.0**-22)
@@ -105,7 +105,7 @@ class Same(ToolTest):
         status, output, _ = run("rhegma-same", "--before", self.path("before"), "--cache", self.path("cache"), "beam")
         self.assertEqual(status, 0)
         self.assertTrue(os.path.exists(self.path("cache", "whole", "examples", "beam", "history.csv")))
-        self.assert_complains(run("rhegma-same", "--before", self.path("before")), "--cache")
+        self.assert_fails(run("rhegma-same", "--before", self.path("before")), "--cache")
 
     def test_a_program_that_is_not_there(self):
-        self.assert_complains(self.compare(), "there is no program")
+        self.assert_fails(self.compare(), "there is no program")

@@ -188,7 +188,7 @@ class Study(ToolTest):
 
     def test_a_wrong_setting_stops_the_study_before_its_first_run(self):
         self.study(LINEAR + GIMP.replace("Domain:Shape Functions", "Domain:Shape Funktions"))
-        self.assert_complains(self.start(), "Sweep > GIMP, both: rhegma: Domain > Shape Funktions: is no parameter.")
+        self.assert_fails(self.start(), "Sweep > GIMP, both: rhegma: Domain > Shape Funktions: is no parameter.")
         self.assertFalse(os.path.exists(self.path("runs.txt")))
         self.assertFalse(os.path.exists(self.path("study.out")))
 
@@ -258,7 +258,7 @@ class Study(ToolTest):
         self.assertEqual(self.runs(), 2)
         self.start()
         self.assertEqual((self.runs(), len(self.table())), (5, 5))
-        self.assert_complains(self.start("--family", "GIMP both"), "it has linear, GIMP, both (did you mean GIMP, both?)")
+        self.assert_fails(self.start("--family", "GIMP both"), "it has linear, GIMP, both (did you mean GIMP, both?)")
 
     def test_families_of_a_group_share_a_colour(self):
         grouped = '<Parameter name="Group" type="string" value="one"/>\n    </'
@@ -277,10 +277,10 @@ class Study(ToolTest):
         self.assertIn("on the efficient frontier of processor time.", output)
         for row in self.table():
             self.assertGreater(float(row["processor_seconds"]), 0.0)
-        self.assert_complains_at_the_end(self.start("--processor-time", "--launcher", "env"), "without --launcher")
+        self.assert_fails_at_the_end(self.start("--processor-time", "--launcher", "env"), "without --launcher")
         self.assertEqual({row["processor_seconds"] for row in self.table()}, {""})
 
-    def assert_complains_at_the_end(self, answer, words):
+    def assert_fails_at_the_end(self, answer, words):
         status, _, messages = answer
         self.assertEqual((status, messages.count("\n")), (1, 1), messages)
         self.assertIn(words, messages)
@@ -339,14 +339,14 @@ sys.exit(subprocess.call([{PROGRAM!r}] + sys.argv[1:]))
         for text, words in wrong:
             with self.subTest(words):
                 self.write("study.xml", text)
-                self.assert_complains(self.start(), words)
+                self.assert_fails(self.start(), words)
                 self.assertFalse(os.path.exists(self.path("study.out")))
         os.remove(self.path("study.xml"))
-        self.assert_complains(self.start(), "there is no file")
+        self.assert_fails(self.start(), "there is no file")
 
     def test_refuses_a_missing_program(self):
         self.study(LINEAR)
-        self.assert_complains(run("rhegma-study", self.path("study.xml"), "--rhegma", self.path("none")),
+        self.assert_fails(run("rhegma-study", self.path("study.xml"), "--rhegma", self.path("none")),
                               "there is no program")
 
 

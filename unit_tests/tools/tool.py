@@ -40,7 +40,7 @@ def picture_size(path):
 class ToolTest(OwnFolder):
     """Refuses messages of more than one line."""
 
-    def assert_complains(self, answer, *words):
+    def assert_fails(self, answer, *words):
         """Exit status 1, nothing on standard output, one line with these words on standard error."""
         status, output, messages = answer
         self.assertEqual(status, 1, messages)

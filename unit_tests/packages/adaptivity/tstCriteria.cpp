@@ -120,32 +120,32 @@ void ignoresNoise()
 }
 
 template <int D>
-void keepsCellsUntilTheChangeIsBelowItsShare()
+void keepsCellsUntilTheChangeIsBelowItsFraction()
 {
   Run<D> run = block<D>();
   State<D>& state = run.state();
   const Criteria<D> criteria = byVelocity<D>(1.0, 0);
   Branches<D> now(state.mesh.grid);
   double rate = 0.0;
-  const auto look = [&](double value)
+  const auto levelsFor = [&](double value)
   {
     rate = value;
     setRate<D>(state, [&](const Vector<D>& x) { return x[0] > 3.0 && x[0] < 4.0 ? rate : 0.0; });
     now = adapt(state, criteria, now);
     return now.depth();
   };
-  EXPECT_EQ(look(0.95), 0); // 0.95 m/s over a large cell
-  EXPECT_EQ(look(1.05), 1);
-  EXPECT_EQ(look(0.95), 1); // below what refines, above half of it
-  EXPECT_EQ(look(0.55), 1);
-  EXPECT_EQ(look(1.95), 1); // 0.975 m/s over a cell of level 1
-  EXPECT_EQ(look(2.05), 2);
-  EXPECT_EQ(look(1.05), 2); // 0.525 m/s over a cell of level 1
-  EXPECT_EQ(look(0.95), 1);
-  EXPECT_EQ(look(0.45), 0);
-  EXPECT_EQ(look(2.05), 1);
-  EXPECT_EQ(look(2.05), 2);
-  EXPECT_EQ(look(0.0), 0); // from the deepest level to none
+  EXPECT_EQ(levelsFor(0.95), 0); // 0.95 m/s over a large cell
+  EXPECT_EQ(levelsFor(1.05), 1);
+  EXPECT_EQ(levelsFor(0.95), 1); // below what refines, above half of it
+  EXPECT_EQ(levelsFor(0.55), 1);
+  EXPECT_EQ(levelsFor(1.95), 1); // 0.975 m/s over a cell of level 1
+  EXPECT_EQ(levelsFor(2.05), 2);
+  EXPECT_EQ(levelsFor(1.05), 2); // 0.525 m/s over a cell of level 1
+  EXPECT_EQ(levelsFor(0.95), 1);
+  EXPECT_EQ(levelsFor(0.45), 0);
+  EXPECT_EQ(levelsFor(2.05), 1);
+  EXPECT_EQ(levelsFor(2.05), 2);
+  EXPECT_EQ(levelsFor(0.0), 0); // from the deepest level to none
 }
 
 /// The mean over a refined cell counts for keeping it, not that of one of its parts.
@@ -258,7 +258,7 @@ void refinesNearFronts()
 } // namespace
 
 /// Cells are looked at in step 1 and then in every step that Interval divides.
-TEST(Criteria, IntervalTellsWhenCellsAreLookedAt)
+TEST(Criteria, IntervalSetsWhenCellsAreChecked)
 {
   Teuchos::ParameterList scene = emptyScene<2>(all<2>(-2.0), all<2>(10.0), 1.0, "MUSL", "GIMP");
   addMaterial(scene, "Neo-Hookean", 0.3);
@@ -292,8 +292,8 @@ TEST(Criteria, VelocityIgnoresNoise)
 }
 TEST(Criteria, VelocityHasHysteresis)
 {
-  keepsCellsUntilTheChangeIsBelowItsShare<2>();
-  keepsCellsUntilTheChangeIsBelowItsShare<3>();
+  keepsCellsUntilTheChangeIsBelowItsFraction<2>();
+  keepsCellsUntilTheChangeIsBelowItsFraction<3>();
 }
 TEST(Criteria, VelocityKeepsByTheMeanOverTheLargeCell)
 {

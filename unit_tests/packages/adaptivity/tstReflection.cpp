@@ -116,20 +116,20 @@ Passed pass(const Levels& levels, double cfl, double width, const std::string& s
 }
 
 /// Fractions of those of the pulse.
-struct Share
+struct Energies
 {
   double amplitude = 0.0, energy = 0.0;
 };
 
 /// What comes back. \param levels of which the first is that of the equal cells
-Share reflected(const Levels& levels, double width, const std::string& shape = "GIMP")
+Energies reflected(const Levels& levels, double width, const std::string& shape = "GIMP")
 {
   const int deepest = *std::max_element(levels.begin(), levels.end());
   const Passed with = pass(levels, 0.4, width, shape);
   // Steps are of the smallest cells: the same ones in both.
   const Passed without = pass({levels.front()}, std::ldexp(0.4, levels.front() - deepest), width, shape);
   EXPECT_EQ(with.before.size(), without.before.size());
-  Share fraction;
+  Energies fraction;
   for (const auto& particle : without.before)
   {
     const auto same = with.before.find(particle.first);

@@ -64,7 +64,7 @@ double wavering(double dt)
   return 0.5 * frequency * dt;
 }
 
-struct Kept
+struct Changes
 {
   double energy = 0.0, momentum = 0.0; ///< largest changes, as shares
   double dt = 0.0;                     ///< longest step [s]
@@ -73,14 +73,14 @@ struct Kept
 
 /// Steps, and what happens to energy (what merging took included) and momentum meanwhile.
 template <int D, class Between>
-Kept keep(Run<D>& run, int steps, const Between& between)
+Changes largestChanges(Run<D>& run, int steps, const Between& between)
 {
   State<D>& state = run.state();
   measureEnergy(state);
   const double energy = state.energy.kinetic + state.energy.strain;
   const Vector<D> momentum = state.sample.momentum;
-  Kept kept;
-  kept.fewest = kept.most = state.particles.size();
+  Changes changes;
+  changes.fewest = changes.most = state.particles.size();
   double merged = 0.0;
   for (int k = 0; k < steps; ++k)
   {
@@ -89,14 +89,14 @@ Kept keep(Run<D>& run, int steps, const Between& between)
     measureEnergy(state);
     const double now =
         state.energy.kinetic + state.energy.strain + state.energy.merged + merged - state.energy.externalWork;
-    kept.dt = std::max(kept.dt, state.clock.dt);
-    kept.energy = std::max(kept.energy, std::fabs(now / energy - 1.0));
-    kept.momentum = std::max(kept.momentum, norm(state.sample.momentum - momentum) / norm(momentum));
-    kept.fewest = std::min(kept.fewest, state.particles.size());
-    kept.most = std::max(kept.most, state.particles.size());
+    changes.dt = std::max(changes.dt, state.clock.dt);
+    changes.energy = std::max(changes.energy, std::fabs(now / energy - 1.0));
+    changes.momentum = std::max(changes.momentum, norm(state.sample.momentum - momentum) / norm(momentum));
+    changes.fewest = std::min(changes.fewest, state.particles.size());
+    changes.most = std::max(changes.most, state.particles.size());
   }
-  EXPECT_TRUE(std::isfinite(kept.energy));
-  return kept;
+  EXPECT_TRUE(std::isfinite(changes.energy));
+  return changes;
 }
 
 const auto nothing = [](int) { return 0.0; };
@@ -113,12 +113,13 @@ void checkCorner(int level, int steps)
   EXPECT_EQ(run.state().mesh.tree.deepest, level);
   const int before = run.state().particles.size();
   const double stirred = stir(run.state());
-  const Kept kept = keep(run, steps, nothing);
+  const Changes changes = largestChanges(run, steps, nothing);
   std::printf(
       "%d levels at a corner in %dD: %d particles, %d to %d; energy by %.1e of %.1e, momentum by %.1e\n",
-      level, D, before, kept.fewest, kept.most, kept.energy, stirred * wavering(kept.dt), kept.momentum);
-  EXPECT_LT(kept.energy, stirred * wavering(kept.dt));
-  EXPECT_LT(kept.momentum, 1e-12);
+      level, D, before, changes.fewest, changes.most, changes.energy, stirred * wavering(changes.dt),
+      changes.momentum);
+  EXPECT_LT(changes.energy, stirred * wavering(changes.dt));
+  EXPECT_LT(changes.momentum, 1e-12);
 }
 
 } // namespace
@@ -216,7 +217,7 @@ namespace
 {
 
 /// Cells are refined in one step and large again in the next, at a corner of the body and inside it in turn.
-Kept toggled(bool on)
+Changes toggled(bool on)
 {
   Teuchos::ParameterList scene = flyingBlock<2>(0.02);
   addRegion<2>(scene, all<2>(8.0), all<2>(8.5), 2);
@@ -239,10 +240,10 @@ Kept toggled(bool on)
     state.particles.sorted = false;
     return updateCells(state).lost;
   };
-  const Kept kept = keep(run, 400, toggle);
+  const Changes changes = largestChanges(run, 400, toggle);
   std::printf("%s: %d to %d particles; energy by %.1e, momentum by %.1e\n", on ? "on and off" : "off",
-              kept.fewest, kept.most, kept.energy, kept.momentum);
-  return kept;
+              changes.fewest, changes.most, changes.energy, changes.momentum);
+  return changes;
 }
 
 } // namespace
@@ -251,12 +252,12 @@ Kept toggled(bool on)
 /// less than in large cells that stay.
 TEST(Robust, onAndOffEveryStep)
 {
-  const Kept plain = toggled(false), kept = toggled(true);
+  const Changes plain = toggled(false), changes = toggled(true);
   EXPECT_EQ(plain.most, plain.fewest);
-  EXPECT_EQ(kept.fewest, plain.fewest);
-  EXPECT_GT(kept.most, plain.most);
-  EXPECT_LT(kept.momentum, 1e-12);
-  EXPECT_LT(kept.energy, plain.energy);
+  EXPECT_EQ(changes.fewest, plain.fewest);
+  EXPECT_GT(changes.most, plain.most);
+  EXPECT_LT(changes.momentum, 1e-12);
+  EXPECT_LT(changes.energy, plain.energy);
 }
 
 /// Refined, large, and refined again in the same positions: the numbers of nodes are those of before.
@@ -273,7 +274,7 @@ TEST(Robust, numbersOfNodesDoNotDependOnTheRun)
     Kokkos::deep_copy(host, view);
     return host;
   };
-  const auto place = copy(state.mesh.tree.finePosition);
+  const auto before = copy(state.mesh.tree.finePosition);
   const auto master = copy(state.mesh.tree.master);
   Branches<2> branches(state.mesh.grid);
   for (const int k : {7, 2, 5})
@@ -287,11 +288,11 @@ TEST(Robust, numbersOfNodesDoNotDependOnTheRun)
       again.refine(1, {x, y});
   again.balance();
   buildTree(again, state.mesh.tree);
-  ASSERT_EQ(state.mesh.tree.finePosition.extent(0), place.extent(0));
+  ASSERT_EQ(state.mesh.tree.finePosition.extent(0), before.extent(0));
   ASSERT_EQ(state.mesh.tree.master.extent(0), master.extent(0));
-  for (std::size_t n = 0; n < place.extent(0); ++n)
+  for (std::size_t n = 0; n < before.extent(0); ++n)
     for (int d = 0; d < 2; ++d)
-      EXPECT_EQ(state.mesh.tree.finePosition(n, d), place(n, d));
+      EXPECT_EQ(state.mesh.tree.finePosition(n, d), before(n, d));
   for (std::size_t l = 0; l < master.extent(0); ++l)
     for (int k = 0; k < 4; ++k)
       for (int m = 0; m < 2; ++m)

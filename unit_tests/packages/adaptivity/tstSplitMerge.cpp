@@ -177,8 +177,8 @@ TEST(SplitMerge, mergingKeepsTheHeatOfPartsThatBurntUnlike)
 
 TEST(SplitMerge, splittingKeepsEverythingIn2D) { checkSplitting<2>(); }
 TEST(SplitMerge, splittingKeepsEverythingIn3D) { checkSplitting<3>(); }
-TEST(SplitMerge, mergingKeepsMassAndMomentumAndBooksTheRestIn2D) { checkMerging<2>(); }
-TEST(SplitMerge, mergingKeepsMassAndMomentumAndBooksTheRestIn3D) { checkMerging<3>(); }
+TEST(SplitMerge, mergingKeepsMassAndMomentumAndRecordsTheRestIn2D) { checkMerging<2>(); }
+TEST(SplitMerge, mergingKeepsMassAndMomentumAndRecordsTheRestIn3D) { checkMerging<3>(); }
 
 /// Split and merged a thousand times: no drift, and particles are where they were.
 TEST(SplitMerge, aThousandTimesOver)

@@ -41,13 +41,13 @@ Teuchos::ParameterList example(const std::string& name, const std::vector<std::s
 
 /// Mass and momentum of the material that starts in each cell of an undeformed lattice.
 template <int D>
-struct Share
+struct CellMotion
 {
   double mass = 0.0;
   Vector<D> momentum{};
 };
 template <int D>
-using Motion = std::map<std::array<int, D>, Share<D>>;
+using Motion = std::map<std::array<int, D>, CellMotion<D>>;
 
 template <int D>
 Motion<D> motionOf(const State<D>& state, double cell)
@@ -61,7 +61,7 @@ Motion<D> motionOf(const State<D>& state, double cell)
     std::array<int, D> at;
     for (int d = 0; d < D; ++d)
       at[d] = static_cast<int>(std::floor(reference(p, d) / cell));
-    Share<D>& fraction = motion[at];
+    CellMotion<D>& fraction = motion[at];
     fraction.mass += particles.mass(p);
     for (int d = 0; d < D; ++d)
       fraction.momentum[d] += particles.mass(p) * particles.velocity(p, d);
@@ -70,21 +70,21 @@ Motion<D> motionOf(const State<D>& state, double cell)
 }
 
 /// What remeshing did to the energy balance, as fractions of what there is.
-struct Books
+struct Balance
 {
   double mass = 0.0, momentum = 0.0, energy = 0.0;
 };
 
 /// Looks at the energy balance before and after every remeshing.
 template <int D>
-Effect<D> accountant(Books& books)
+Effect<D> accountant(Balance& balance)
 {
   struct Before
   {
     double mass, energy, merged;
     Vector<D> momentum;
   };
-  const auto look = [](State<D>& state)
+  const auto measure = [](State<D>& state)
   {
     measureEnergy(state);
     Before now{0.0, state.energy.kinetic + state.energy.strain, state.energy.merged, state.sample.momentum};
@@ -98,24 +98,26 @@ Effect<D> accountant(Books& books)
   const auto before = std::make_shared<Before>();
   Effect<D> effect;
   effect.name = "Accountant";
-  effect.call({Stage::BetweenSteps, "books before", {}, {quantity::crackGeometry}, {}, [=](State<D>& state) {
-                 *before = look(state);
-               }});
+  effect.call(
+      {Stage::BetweenSteps, "balance before", {}, {quantity::crackGeometry}, {}, [=](State<D>& state) {
+         *before = measure(state);
+       }});
   effect.call({Stage::BetweenSteps,
-               "books after",
+               "balance after",
                {ifWritten(quantity::cells)},
                {},
                {},
-               [=, &books](State<D>& state)
+               [=, &balance](State<D>& state)
                {
-                 const Before after = look(state);
-                 books.mass = std::max(books.mass, std::fabs(after.mass / before->mass - 1.0));
+                 const Before after = measure(state);
+                 balance.mass = std::max(balance.mass, std::fabs(after.mass / before->mass - 1.0));
                  const double energy = after.energy + after.merged - before->merged - before->energy;
                  if (before->energy > 0.0)
                  {
-                   books.energy = std::max(books.energy, std::fabs(energy) / before->energy);
+                   balance.energy = std::max(balance.energy, std::fabs(energy) / before->energy);
                    const double size = std::sqrt(2.0 * before->mass * before->energy);
-                   books.momentum = std::max(books.momentum, norm(after.momentum - before->momentum) / size);
+                   balance.momentum =
+                       std::max(balance.momentum, norm(after.momentum - before->momentum) / size);
                  }
                }});
   return effect;
@@ -127,14 +129,14 @@ struct Followed
   std::vector<Motion<D>> motion; ///< at equal times, the last one the end
   int first = 0, last = 0, most = 0;
   double particleSteps = 0.0;
-  Books books;
+  Balance balance;
 };
 
 template <int D>
 Followed<D> follow(const Teuchos::ParameterList& scene, double cell)
 {
   Followed<D> followed;
-  Run<D> run(scene, {accountant<D>(followed.books)});
+  Run<D> run(scene, {accountant<D>(followed.balance)});
   run.initialize();
   State<D>& state = run.state();
   followed.first = followed.most = state.particles.size();
@@ -190,15 +192,15 @@ void checkTracking(const std::string& name, const std::vector<std::string>& over
       "%s: %d particles, %d at most, %d in the end, %d in small cells; %.3f of their steps of particles; off "
       "by %.1f %%, large cells by %.1f %%; remeshing changed mass by %.1e, momentum %.1e, energy %.1e\n",
       name.c_str(), adaptive.first, adaptive.most, adaptive.last, fine.last,
-      adaptive.particleSteps / fine.particleSteps, 100.0 * off, 100.0 * coarseOff, adaptive.books.mass,
-      adaptive.books.momentum, adaptive.books.energy);
+      adaptive.particleSteps / fine.particleSteps, 100.0 * off, 100.0 * coarseOff, adaptive.balance.mass,
+      adaptive.balance.momentum, adaptive.balance.energy);
   EXPECT_GT(adaptive.most, adaptive.first);
   EXPECT_NEAR(adaptive.last, adaptive.first, 0.2 * adaptive.first);
   EXPECT_LT(off, coarseOff / 3.0);
   EXPECT_LT(adaptive.particleSteps, fine.particleSteps);
-  EXPECT_LT(adaptive.books.mass, 1e-13);
-  EXPECT_LT(adaptive.books.momentum, 1e-12);
-  EXPECT_LT(adaptive.books.energy, 1e-10);
+  EXPECT_LT(adaptive.balance.mass, 1e-13);
+  EXPECT_LT(adaptive.balance.momentum, 1e-12);
+  EXPECT_LT(adaptive.balance.energy, 1e-10);
 }
 
 } // namespace

@@ -87,7 +87,7 @@ void keepsMassMomentumAndEnergy(const std::string& model = "Uniform")
   for (int d = 0; d < D; ++d)
     EXPECT_NEAR(state.sample.momentum[d], before[d], 1e-12 * impulse);
   EXPECT_GT(given, 0.0);
-  std::printf("ledger open by %+.2f %% of what was given\n", 100.0 * open / given);
+  std::printf("energy balance open by %+.2f %% of what was given\n", 100.0 * open / given);
   EXPECT_LT(std::fabs(open), 0.01 * given);
 }
 

@@ -37,8 +37,8 @@ Channel slot(int cells, const GasLaw& law, bool bulging = false, double viscosit
   std::vector<double> length(cells, 1.0 / cells), capacity(cells);
   for (int k = 0; k < cells; ++k)
     capacity[k] = length[k] * (bulging ? 1.0 + 0.5 * std::sin(7.0 * (k + 0.5) / cells) : 1.0);
-  channel.place(length, capacity);
-  channel.measureRoom(length, 0.0, 1.0);
+  channel.setCells(length, capacity);
+  channel.updateVolumes(length, 0.0, 1.0);
   return channel;
 }
 
@@ -90,7 +90,7 @@ TEST(Channel, SolvesSodsShockTube)
 
 /// Far from the ends a uniform flow feels the walls alone: u falls as exp(-12 mu t / (rho w^2)) where it is
 /// laminar and as 1 / (1 + f u0 t / 4 w) where it is rough.
-TEST(Channel, RubsOnItsWalls)
+TEST(Channel, HasWallFriction)
 {
   const int cells = 100;
   const double t = 0.2, u = 0.5;
@@ -109,7 +109,7 @@ TEST(Channel, RubsOnItsWalls)
 }
 
 /// Gas at rest under one pressure stays at rest where the slot is wide and where it is narrow.
-TEST(Channel, StaysAtRestInASlotThatBulges)
+TEST(Channel, StaysAtRestInASlotOfVaryingWidth)
 {
   const int cells = 40;
   for (const double covolume : {0.0, 0.2})
@@ -184,7 +184,7 @@ TEST(Channel, KeepsMassAndEnergy)
     {
       cells += 7;
       const double whole = 1.0 + 0.1 * (step + 1) / 50;
-      channel.cutAnew(std::vector<double>(cells, whole / cells), 0.05, whole - 0.05, 0.2, 1e3);
+      channel.remesh(std::vector<double>(cells, whole / cells), 0.05, whole - 0.05, 0.2, 1e3);
     }
     EXPECT_NEAR(channel.allMass(), mass, 1e-12 * mass);
     EXPECT_NEAR(channel.allEnergy(), energy, 1e-12 * energy);
@@ -193,7 +193,7 @@ TEST(Channel, KeepsMassAndEnergy)
 }
 
 /// An end lets out what gas that has come to rest there would, also with a covolume.
-TEST(Channel, LetsOutWhatComesToRestAtItsEnd)
+TEST(Channel, VentsStagnantGasAtItsEnd)
 {
   const GasLaw law = air(0.3);
   const int cells = 10;
@@ -206,7 +206,7 @@ TEST(Channel, LetsOutWhatComesToRestAtItsEnd)
   const ChannelLoss loss = channel.advance(dt, supply, 1.0);
   ASSERT_EQ(loss.substeps, 1);
   double p = 1.0, T = 1.0;
-  law.bringToRest(p, T, 0.4);
+  law.stagnate(p, T, 0.4);
   const double gone = dt * law.outflow(0.2, p, T, 0.1);
   EXPECT_NEAR(loss.mass, gone, 1e-12 * gone);
   // c_p T + b p is what each kilogram takes along.
@@ -214,14 +214,14 @@ TEST(Channel, LetsOutWhatComesToRestAtItsEnd)
 }
 
 /// A cut anew of cells of the same length is none.
-TEST(Channel, IsTheSameCutAnewInTheSameWay)
+TEST(Channel, IsUnchangedByTheSameMesh)
 {
   const int cells = 25;
   Channel channel = slot(cells, air(), true);
   for (int k = 0; k < cells; ++k)
     channel.set(k, 1.0 + 0.3 * std::sin(k), 1.0 + 0.2 * std::cos(k), 0.1 * k);
   const Channel before = channel;
-  channel.cutAnew(std::vector<double>(cells, 1.0 / cells), 0.0, 1.0, 0.0, 1.0);
+  channel.remesh(std::vector<double>(cells, 1.0 / cells), 0.0, 1.0, 0.0, 1.0);
   for (int k = 0; k < cells; ++k)
   {
     EXPECT_NEAR(channel.pressure(k), before.pressure(k), 1e-11);

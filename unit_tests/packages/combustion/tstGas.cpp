@@ -84,7 +84,7 @@ TEST(Gas, ExpandsByTheAdiabat)
     for (int k = 0; k < steps; ++k)
     {
       const double now = 1e-6 * (1.0 + double(k) / steps), next = 1e-6 * (1.0 + double(k + 1) / steps);
-      gas.work(gas.pressure(now) * (next - now));
+      gas.doWork(gas.pressure(now) * (next - now));
     }
     return gas.pressure(2e-6);
   };
@@ -135,14 +135,14 @@ TEST(Gas, FlowsOutByTheIsentropeOfNobleAndAbel)
 }
 
 /// Gas that came to rest and expands again has the speed that it had.
-TEST(Gas, ComesToRestByTheIsentropeOfNobleAndAbel)
+TEST(Gas, StagnatesByTheIsentropeOfNobleAndAbel)
 {
   for (const double covolume : {0.0, 1e-3})
   {
     GasLaw l = law();
     l.covolume = covolume;
     double p = 1.5e8, T = 2000.0;
-    l.bringToRest(p, T, 600.0);
+    l.stagnate(p, T, 600.0);
     EXPECT_GT(p, 1.5e8);
     EXPECT_NEAR(expand(l, p, T, 1.5e8).speed, 600.0, 1e-7 * 600.0) << covolume;
   }
@@ -166,7 +166,7 @@ TEST(Gas, KeepsItsTemperatureWhereTheWallsDo)
   l.constantTemperature = true;
   Gas gas(l);
   gas.fill(1e6, 2500.0, 1e-6);
-  gas.work(0.1 * gas.energy());
+  gas.doWork(0.1 * gas.energy());
   gas.settle();
   EXPECT_NEAR(gas.temperature(), 2500.0, 1e-10);
   EXPECT_NEAR(gas.energy() + gas.workDone() + gas.wallHeat(), gas.startEnergy(), 1e-12 * gas.startEnergy());

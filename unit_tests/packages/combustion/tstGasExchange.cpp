@@ -112,7 +112,7 @@ TEST(GasExchange, EndsInAFiniteTime)
 
 /// In one step as in many, also into a room that is a millionth of the other: no more than makes the
 /// pressures equal, and no wave about that.
-TEST(GasExchange, IsStableInASmallRoom)
+TEST(GasExchange, IsStableInASmallVolume)
 {
   const GasLaw l = law();
   for (const double small : {1e-12, 1e-9, 1e-6})

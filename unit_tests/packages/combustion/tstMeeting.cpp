@@ -75,7 +75,7 @@ TEST(Meeting, OfTwoEndsIsCountedOnce)
 
 /// Two cracks end on one another's neighbour close to each other: the end that is near belongs to another
 /// meeting, whichever crack is named first.
-TEST(Meeting, BesideAnEndThatLiesOnAThirdCrackIsNotWithThatEnd)
+TEST(Meeting, NextToAnEndThatLiesOnAThirdCrackIsNotWithThatEnd)
 {
   const Segment along{{0.0, 0.0}, {1.0, 0.0}, facet::surfaceEnd, facet::joined},
       across{{1.0, -1.0}, {1.0, 1.0}, facet::surfaceEnd, facet::surfaceEnd},

@@ -13,7 +13,7 @@ using namespace Rhegma::contact::test;
 namespace
 {
 
-std::vector<std::string> placesOfErrors(const std::vector<std::string>& overrides)
+std::vector<std::string> pathsOfErrors(const std::vector<std::string>& overrides)
 {
   const SceneResult scene =
       readScene(std::string(RHEGMA_SOURCE_DIR) + "/xml_inputs/verification/contact_pulse_compressive.xml",
@@ -24,19 +24,19 @@ std::vector<std::string> placesOfErrors(const std::vector<std::string>& override
   return positions;
 }
 
-using Places = std::vector<std::string>;
+using Paths = std::vector<std::string>;
 
 } // namespace
 
 TEST(Contact, RefusesWhatDoesNotFit)
 {
-  EXPECT_EQ(placesOfErrors({}), Places{});
-  EXPECT_EQ(placesOfErrors({"Contact:Law=Coulomb"}), Places{"Contact > Friction Coefficient"});
-  EXPECT_EQ(placesOfErrors({"Contact:Law=Coulomb", "Contact:Friction Coefficient=0.3"}), Places{});
-  EXPECT_EQ(placesOfErrors({"Contact:Friction Coefficient=0.3"}), Places{"Contact > Friction Coefficient"});
-  EXPECT_EQ(placesOfErrors({"Contact:Law=Visibility"}), Places{"Contact > Law"});
-  EXPECT_EQ(placesOfErrors({"Contact:Law=Visibility", "Cracks:Formulation=Broken Cell"}), Places{});
-  EXPECT_EQ(placesOfErrors({"Contact:Penalty=0"}), Places{"Contact > Penalty"});
+  EXPECT_EQ(pathsOfErrors({}), Paths{});
+  EXPECT_EQ(pathsOfErrors({"Contact:Law=Coulomb"}), Paths{"Contact > Friction Coefficient"});
+  EXPECT_EQ(pathsOfErrors({"Contact:Law=Coulomb", "Contact:Friction Coefficient=0.3"}), Paths{});
+  EXPECT_EQ(pathsOfErrors({"Contact:Friction Coefficient=0.3"}), Paths{"Contact > Friction Coefficient"});
+  EXPECT_EQ(pathsOfErrors({"Contact:Law=Visibility"}), Paths{"Contact > Law"});
+  EXPECT_EQ(pathsOfErrors({"Contact:Law=Visibility", "Cracks:Formulation=Broken Cell"}), Paths{});
+  EXPECT_EQ(pathsOfErrors({"Contact:Penalty=0"}), Paths{"Contact > Penalty"});
   Teuchos::ParameterList scene;
   scene.sublist("Contact");
   std::vector<SceneError> errors;

@@ -185,7 +185,7 @@ TEST(FaceContact, KeepsItsGapWhileItTurns)
 
 /// Heat of friction, and how the energy balance is told what becomes of the energy of the layer, when cells
 /// of another size ask for points in other positions.
-TEST(FaceContact, KeepsHeatWherePointsArePlacedAnew)
+TEST(FaceContact, KeepsHeatWherePointsAreReplaced)
 {
   const auto coarse = barAtRest(), fine = barAtRest({}, 2);
   FaceContact<2> contact(Law::Coulomb, 0.3, 1.0);

@@ -25,7 +25,7 @@ struct Cell
   std::array<double, 4> weight, slopeX, slopeY;
 };
 
-Cell lookAt(const Corners& cornerSide, const Vector<2>& place, int side)
+Cell cellSeenFrom(const Corners& cornerSide, const Vector<2>& position, int side)
 {
   State<2> state;
   state.mesh.grid = makeGrid<2>({0.0, 0.0}, {1.0, 1.0}, 1.0);
@@ -49,7 +49,7 @@ Cell lookAt(const Corners& cornerSide, const Vector<2>& place, int side)
   points.half = View<double* [2]>("half", 1);
   points.side = View<int*>("side", 1);
   for (int d = 0; d < 2; ++d)
-    Kokkos::deep_copy(Kokkos::subview(points.position, 0, d), place[d]);
+    Kokkos::deep_copy(Kokkos::subview(points.position, 0, d), position[d]);
   Kokkos::deep_copy(points.side, side);
   StencilTable<2> table;
   pointStencils(state, points, table, false);
@@ -80,22 +80,22 @@ void expectNear(const std::array<double, 4>& found, const std::array<double, 4>&
 
 /// A crack along y = 1/2. From (1/4, 1/4) the unbroken functions are 9/16, 3/16, 3/16, 1/16; the upper two,
 /// together 1/4, are invisible, so each of the two visible ones takes 1/8.
-TEST(BrokenCell, SharesAmongTwoCorners)
+TEST(BrokenCell, DividesAmongTwoCorners)
 {
   const Corners sides{-1, -1, 1, 1};
-  const Cell cell = lookAt(sides, {0.25, 0.25}, -1);
+  const Cell cell = cellSeenFrom(sides, {0.25, 0.25}, -1);
   expectNear(cell.weight, {9.0 / 16 + 1.0 / 8, 3.0 / 16 + 1.0 / 8, 0.0, 0.0});
   // d/dx of the upper two adds up to 0, d/dy to 1.
   expectNear(cell.slopeX, {-0.75, 0.75, 0.0, 0.0});
   expectNear(cell.slopeY, {-0.75 + 0.5, -0.25 + 0.5, 0.0, 0.0});
   // From the other side, at the mirrored position, the mirrored weights.
-  expectNear(lookAt(sides, {0.25, 0.75}, 1).weight, {0.0, 0.0, 11.0 / 16, 5.0 / 16});
+  expectNear(cellSeenFrom(sides, {0.25, 0.75}, 1).weight, {0.0, 0.0, 11.0 / 16, 5.0 / 16});
 }
 
 /// The front lies in the cell: only the left corners are behind it. One of four is invisible, 3/16 of it.
-TEST(BrokenCell, SharesAmongThreeCornersAtTheFront)
+TEST(BrokenCell, DividesAmongThreeCornersAtTheFront)
 {
-  const Cell cell = lookAt({-1, 0, 1, 0}, {0.25, 0.25}, -1);
+  const Cell cell = cellSeenFrom({-1, 0, 1, 0}, {0.25, 0.25}, -1);
   expectNear(cell.weight, {9.0 / 16 + 1.0 / 16, 3.0 / 16 + 1.0 / 16, 0.0, 1.0 / 16 + 1.0 / 16});
   // The invisible corner's slopes are -1/4 and 3/4.
   expectNear(cell.slopeX, {-0.75 - 1.0 / 12, 0.75 - 1.0 / 12, 0.0, 0.25 - 1.0 / 12});
@@ -104,11 +104,11 @@ TEST(BrokenCell, SharesAmongThreeCornersAtTheFront)
 
 /// A crack cuts off one corner. From the middle, three share the fourth's 1/4; from beyond, one is all that
 /// is seen, so it has all the weight and no slope.
-TEST(BrokenCell, SharesAmongThreeCornersAndOne)
+TEST(BrokenCell, DividesAmongThreeCornersAndOne)
 {
   const Corners sides{-1, -1, -1, 1};
-  expectNear(lookAt(sides, {0.5, 0.5}, -1).weight, {1.0 / 3, 1.0 / 3, 1.0 / 3, 0.0});
-  const Cell beyond = lookAt(sides, {0.9, 0.8}, 1);
+  expectNear(cellSeenFrom(sides, {0.5, 0.5}, -1).weight, {1.0 / 3, 1.0 / 3, 1.0 / 3, 0.0});
+  const Cell beyond = cellSeenFrom(sides, {0.9, 0.8}, 1);
   expectNear(beyond.weight, {0.0, 0.0, 0.0, 1.0});
   expectNear(beyond.slopeX, {0.0, 0.0, 0.0, 0.0});
   expectNear(beyond.slopeY, {0.0, 0.0, 0.0, 0.0});
@@ -118,19 +118,19 @@ TEST(BrokenCell, SharesAmongThreeCornersAndOne)
 TEST(BrokenCell, LeavesTheIsolatedAndTheFarAlone)
 {
   const std::array<double, 4> unbroken{9.0 / 16, 3.0 / 16, 3.0 / 16, 1.0 / 16};
-  expectNear(lookAt({1, 1, 1, 1}, {0.25, 0.25}, -1).weight, unbroken);
-  expectNear(lookAt({1, 1, -1, -1}, {0.25, 0.25}, 0).weight, unbroken);
+  expectNear(cellSeenFrom({1, 1, 1, 1}, {0.25, 0.25}, -1).weight, unbroken);
+  expectNear(cellSeenFrom({1, 1, -1, -1}, {0.25, 0.25}, 0).weight, unbroken);
   // Nodes of another crack are no matter.
-  expectNear(lookAt({2, 2, -2, -2}, {0.25, 0.25}, -1).weight, unbroken);
+  expectNear(cellSeenFrom({2, 2, -2, -2}, {0.25, 0.25}, -1).weight, unbroken);
 }
 
 /// Eq. 3 is not linearly complete. In the cell of the first case a rigid rotation w gives
 /// e_yy = w (1/2 - x) and e_xy = w (1 - y) / 2: half of w close to the lower corners.
 TEST(BrokenCell, StrainsARigidRotation)
 {
-  const auto strain = [](const Vector<2>& place)
+  const auto strain = [](const Vector<2>& position)
   {
-    const Cell cell = lookAt({-1, -1, 1, 1}, place, -1);
+    const Cell cell = cellSeenFrom({-1, -1, 1, 1}, position, -1);
     double gradient[2][2] = {};
     for (int c = 0; c < 4; ++c)
     {
@@ -154,13 +154,13 @@ TEST(BrokenCell, StrainsARigidRotation)
 TEST(BrokenCell, SumsToOneAndIsZeroAtInvisibleNodes)
 {
   for (const std::string shape : {"Linear", "GIMP"})
-    for (const std::string& points : {onRow, belowTie, midCell, inclined, steep})
+    for (const std::string& points : {onRow, withinTolerance, midCell, inclined, steep})
     {
       const auto run = beamAtRest("Broken Cell", shape, points);
       const State<2>& state = run->state();
       const auto nodeSide = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide);
       int cut = 0, isolated = 0;
-      for (const Seeing& one : stencilsBesideCrack(state))
+      for (const Seeing& one : stencilsNearCrack(state))
       {
         double weight = 0.0, invisible = 0.0, slope[2] = {0.0, 0.0}, visible = 0.0;
         for (const Entry& entry : one.entries)
@@ -195,12 +195,12 @@ TEST(BrokenCell, KeepsTheMassOfAParticleThatSeesNoNode)
 {
   for (const std::string formulation : {"Broken Cell", "Corrected Broken Cell", "Dual Field"})
   {
-    const auto run = beamAtRest(formulation, "Linear", belowTie);
+    const auto run = beamAtRest(formulation, "Linear", withinTolerance);
     State<2>& state = run->state();
     const auto position = state.particles.real<2>(fields::position);
     const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, position);
     int moved = -1;
-    for (const Seeing& one : stencilsBesideCrack(state))
+    for (const Seeing& one : stencilsNearCrack(state))
       if (one.side == -1 && one.x[0] > 0.02 && one.x[0] < 0.03 && one.x[1] > 0.009)
         moved = one.particle;
     ASSERT_GE(moved, 0);
@@ -224,9 +224,9 @@ TEST(BrokenCell, KeepsTheMassOfAParticleThatSeesNoNode)
 /// Nodes on the crack, or a tenth of a cell below it, are on side +1, the left of the polyline; a node at the
 /// front is not split. Turning the polyline round changes the names of the sides, and so the side of these
 /// nodes.
-TEST(BrokenCell, BreaksTiesTheSameWayEverywhere)
+TEST(BrokenCell, TreatsEqualDistancesAlikeEverywhere)
 {
-  for (const std::string& points : {onRow, belowTie, std::string("{0.05, 0.01, 0, 0.01}")})
+  for (const std::string& points : {onRow, withinTolerance, std::string("{0.05, 0.01, 0, 0.01}")})
   {
     const auto run = beamAtRest("Broken Cell", "Linear", points);
     const State<2>& state = run->state();
@@ -259,7 +259,7 @@ TEST(BrokenCell, GivesParticlesTheNormalOfTheirFace)
   const double slant = std::hypot(0.03, 0.004);
   int turned = 0, level = 0;
   std::map<int, int> near;
-  for (const Seeing& one : stencilsBesideCrack(state))
+  for (const Seeing& one : stencilsNearCrack(state))
   {
     near[one.particle] = one.side;
     if (one.side == 0 || (one.x[0] > 0.028 && one.x[0] < 0.032))
@@ -287,7 +287,7 @@ TEST(BrokenCell, BreaksRefinedCells)
     const State<2>& state = run->state();
     const auto nodeSide = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide);
     int onFine = 0, blinded = 0;
-    for (const Seeing& one : stencilsBesideCrack(state))
+    for (const Seeing& one : stencilsNearCrack(state))
     {
       double sum = 0.0, slope[2] = {0.0, 0.0};
       bool fine = false, hidden = false;

@@ -68,7 +68,7 @@ TEST(CohesiveLaw, WorkAndPendingEnergyAddUpToTheEnergy)
 }
 
 /// Two nodes held by 3 and 1 N share 19 J by their forces, both within w = 10 m.
-TEST(CohesiveLaw, NodesShareAnEnergyByTheirForces)
+TEST(CohesiveLaw, NodesDivideAnEnergyByTheirForces)
 {
   const double range = releaseRange(19.0, 4.0);
   EXPECT_DOUBLE_EQ(range, 10.0);

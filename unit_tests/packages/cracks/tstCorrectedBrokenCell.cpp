@@ -15,7 +15,7 @@ namespace
 double rotationStrain(const State<2>& state)
 {
   double largest = 0.0;
-  for (const Seeing& one : stencilsBesideCrack(state))
+  for (const Seeing& one : stencilsNearCrack(state))
   {
     double gradient[2][2] = {};
     for (const Entry& entry : one.entries)
@@ -68,7 +68,7 @@ void expectLinearlyComplete(const State<2>& state, const Seeing& one)
 TEST(CorrectedBrokenCell, TurnsRigidlyWithoutStrain)
 {
   for (const std::string shape : {"Linear", "GIMP"})
-    for (const std::string& points : {onRow, belowTie, midCell, inclined, steep})
+    for (const std::string& points : {onRow, withinTolerance, midCell, inclined, steep})
     {
       const double largest = rotationStrain(beamAtRest("Corrected Broken Cell", shape, points)->state());
       std::printf("rotation strain of %s, crack at %s: %.1e\n", shape.c_str(), points.c_str(), largest);
@@ -87,12 +87,12 @@ TEST(CorrectedBrokenCell, UnlikeEquationThree)
 TEST(CorrectedBrokenCell, IsLinearlyComplete)
 {
   for (const std::string shape : {"Linear", "GIMP"})
-    for (const std::string& points : {onRow, belowTie, midCell, inclined, steep})
+    for (const std::string& points : {onRow, withinTolerance, midCell, inclined, steep})
     {
       const auto run = beamAtRest("Corrected Broken Cell", shape, points);
       const auto nodeSide =
           Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, run->state().cracks.nodeSide);
-      for (const Seeing& one : stencilsBesideCrack(run->state()))
+      for (const Seeing& one : stencilsNearCrack(run->state()))
       {
         expectLinearlyComplete(run->state(), one);
         for (const Entry& entry : one.entries)
@@ -131,7 +131,7 @@ TEST(CorrectedBrokenCell, HasNoNegativeMassAtTheRim)
   State<2>& state = run->state();
   const auto position = state.particles.real<2>(fields::position);
   const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, position);
-  for (const Seeing& one : stencilsBesideCrack(state))
+  for (const Seeing& one : stencilsNearCrack(state))
     if (one.side == -1 && one.x[0] < 0.5 * cell && one.x[1] > 0.01)
       host(one.particle, 0) -= 0.1 * cell;
   Kokkos::deep_copy(position, host);

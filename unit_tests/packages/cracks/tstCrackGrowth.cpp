@@ -61,7 +61,7 @@ double radiusOf(const FrontNode<3>& s, const Vector<3>& centre)
 /// its circle, 0.1 here, and a front node that comes between two others begins there. What it energy balance
 /// is its new area to rounding, pieces keep within 0.5 and 1.5 cells, and each inner edge has a triangle on
 /// both sides.
-TEST(CrackGrowth, KeepsADiskRoundAndBooksItsArea)
+TEST(CrackGrowth, KeepsADiskRoundAndRecordsItsArea)
 {
   const Vector<3> centre{10e-3, 10e-3, 10.3e-3};
   const auto run = start<3>(disk(centre, 3e-3, 20e-3));
@@ -316,7 +316,7 @@ TEST(CrackGrowth, EndsAtTheSurface)
 
 /// Two disks that grow towards each other halt three cells apart, front node by front node; of each it is
 /// said once.
-TEST(CrackGrowth, SaysOnceThatAFrontHalts)
+TEST(CrackGrowth, SaysOnceThatAFrontStops)
 {
   Teuchos::ParameterList scene = disk({6e-3, 8e-3, 4.3e-3}, 3e-3, 22e-3);
   scene.sublist("Bodies").sublist("Block").set("Upper Corner", numbers({22e-3, 16e-3, 8e-3}));

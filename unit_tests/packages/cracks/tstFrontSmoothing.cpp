@@ -81,17 +81,17 @@ TEST(FrontSmoothing, HandsOnAreaWithItsEnergy)
     front.smooth();
     EXPECT_NEAR(front.sum(false), area, 1e-14 * area);
     EXPECT_NEAR(front.sum(true), energy, 1e-14 * energy);
-    const FrontNodeAdvance<3>& taken = front.advances[4];
+    const FrontNodeAdvance<3>& corner = front.advances[4];
     if (resists > 180.0)
     {
-      EXPECT_EQ(taken.length, 0.0);
+      EXPECT_EQ(corner.length, 0.0);
       continue;
     }
     // 0.25 of the difference of curvatures, 2 d / h^2 there, - d / h^2 next to it, halved, to both sides.
     // Pieces are longer than h by d^2 / (2 h^2).
-    EXPECT_NEAR(taken.length, 0.25 * 1.5 * d, 2.0 * 0.08 * 0.08 * d);
-    EXPECT_GE(taken.toughness, front.advances[3].toughness - 1e-9);
-    EXPECT_LE(taken.toughness, front.advances[5].toughness + 1e-9);
+    EXPECT_NEAR(corner.length, 0.25 * 1.5 * d, 2.0 * 0.08 * 0.08 * d);
+    EXPECT_GE(corner.toughness, front.advances[3].toughness - 1e-9);
+    EXPECT_LE(corner.toughness, front.advances[5].toughness + 1e-9);
   }
 }
 

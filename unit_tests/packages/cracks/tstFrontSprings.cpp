@@ -102,7 +102,7 @@ const ToughnessAlong<2> eightJoules = [](const CrackSet<2>&, int) { return std::
 } // namespace
 
 /// 6 and 2 N on the upper fields, nothing on the lower: 3 and 1 N hold them together.
-TEST(FrontSprings, TwoNodesOfAColumnShareTheRequiredEnergy)
+TEST(FrontSprings, TwoNodesOfAColumnDivideTheRequiredEnergy)
 {
   Column<2> column({6.0, 2.0});
   column.budget().require(19.0);

@@ -79,7 +79,7 @@ TEST(Sides, OfParticlesNextToACrack)
 }
 
 /// No particle sees a node of the other side; what it sees adds up to one.
-TEST(Visibility, OfSecondFields)
+TEST(Visibility, OfEnrichedFields)
 {
   const auto run = crackedBlock();
   const State<2>& state = run->state();
@@ -121,7 +121,7 @@ TEST(Ghosts, AreExtrapolatedAcrossTheCrack)
   findGhosts(state, none, ghosts);
   const auto step = onHost(ghosts.step), distance = onHost(ghosts.distance),
              active = onHost(state.mesh.nodes.active);
-  const auto share = onHost(ghosts.share);
+  const auto linear = onHost(ghosts.linear);
   int found = 0;
   for (std::size_t i = 0; i < active.extent(0); ++i)
   {
@@ -132,7 +132,7 @@ TEST(Ghosts, AreExtrapolatedAcrossTheCrack)
     const int row = static_cast<int>(std::lround(x[1])), up = row > height ? 1 : -1;
     EXPECT_EQ(step(n), -up * state.mesh.grid.stride[1]) << x[0] << ", " << x[1];
     EXPECT_EQ(distance(n), row == 3 || row == 2 ? 1 : 2) << x[0] << ", " << x[1];
-    EXPECT_EQ(share(n), 1.0); // no mass is given, so none is taken away
+    EXPECT_EQ(linear(n), 1.0); // no mass is given, so none is taken away
     ++found;
   }
   EXPECT_EQ(found, 16);

@@ -84,7 +84,7 @@ TEST(Contour, StaysClearOfOtherCracks)
 
 /// Outside of a bend positions have it as the nearest of both pieces: the last digits of where the crack lies
 /// must not decide with which they go.
-TEST(CrackPath, OutsideOfABendPlacesGoWithThePieceNearerToTheFront)
+TEST(CrackPath, OutsideOfABendPositionsGoWithThePieceNearerToTheFront)
 {
   constexpr int times = 40;
   for (const bool forwards : {true, false})

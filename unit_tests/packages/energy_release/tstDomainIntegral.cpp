@@ -48,11 +48,11 @@ DisplacementField turned(const DisplacementField& field, double angle)
     const Displacement d = field(x);
     const double R[4] = {std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle)};
     const double F[4] = {1.0 + d.gradient[0], d.gradient[1], d.gradient[2], 1.0 + d.gradient[3]};
-    const Vector<2> place = x + d.u;
+    const Vector<2> moved = x + d.u;
     Displacement t;
     for (int i = 0; i < 2; ++i)
     {
-      t.u[i] = R[2 * i] * place[0] + R[2 * i + 1] * place[1] - x[i];
+      t.u[i] = R[2 * i] * moved[0] + R[2 * i + 1] * moved[1] - x[i];
       for (int j = 0; j < 2; ++j)
         t.gradient[2 * i + j] = R[2 * i] * F[j] + R[2 * i + 1] * F[2 + j] - (i == j ? 1.0 : 0.0);
     }

@@ -172,16 +172,16 @@ TEST(EnergyRelease, DoesWithoutAContour)
 
 TEST(EnergyRelease, KnowsHowFarLoadsAre)
 {
-  const Vector<2> from{{1.0, 0.0}}, to{{4.0, 4.0}}, place{{1.0, -3.0}};
-  const Reach line = reachOf({"", from, to, PlacedLoad::Kind::Line}, place);
+  const Vector<2> from{{1.0, 0.0}}, to{{4.0, 4.0}}, x{{1.0, -3.0}};
+  const Reach line = reachOf({"", from, to, LoadRegion::Kind::Line}, x);
   EXPECT_DOUBLE_EQ(line.nearest, 3.0);
   EXPECT_DOUBLE_EQ(line.furthest, std::hypot(3.0, 7.0));
-  const Reach box = reachOf({"", from, to, PlacedLoad::Kind::Box}, {{0.0, 7.0}});
+  const Reach box = reachOf({"", from, to, LoadRegion::Kind::Box}, {{0.0, 7.0}});
   EXPECT_DOUBLE_EQ(box.nearest, std::hypot(1.0, 3.0));
   EXPECT_DOUBLE_EQ(box.furthest, std::hypot(4.0, 7.0));
-  EXPECT_EQ(reachOf({"", from, to, PlacedLoad::Kind::Box}, {{2.0, 1.0}}).nearest, 0.0);
-  EXPECT_EQ(reachOf({"", from, to, PlacedLoad::Kind::Outside}, place).nearest, 0.0);
-  EXPECT_DOUBLE_EQ(reachOf({"", from, to, PlacedLoad::Kind::Outside}, {{2.5, 1.25}}).nearest, 1.25);
+  EXPECT_EQ(reachOf({"", from, to, LoadRegion::Kind::Box}, {{2.0, 1.0}}).nearest, 0.0);
+  EXPECT_EQ(reachOf({"", from, to, LoadRegion::Kind::Outside}, x).nearest, 0.0);
+  EXPECT_DOUBLE_EQ(reachOf({"", from, to, LoadRegion::Kind::Outside}, {{2.5, 1.25}}).nearest, 1.25);
 }
 
 /// The ring is from 2 to 3 mm round a front that runs from 6 to 2.5 mm before a load.

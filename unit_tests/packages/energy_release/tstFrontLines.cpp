@@ -14,7 +14,7 @@ const double pi = std::acos(-1.0);
 } // namespace
 
 /// Which of two pieces that meet is nearer to a position inside of their corner may hang on the last digit.
-TEST(FrontLines, SeePlacesInsideOfACornerFromTheMiddleOfIt)
+TEST(FrontLines, SeePositionsInsideOfACornerFromTheMiddleOfIt)
 {
   Teuchos::ParameterList scene = blockScene({16e-3, 16e-3, 10e-3});
   const Vector<3> middle{{8.1e-3, 7.8e-3, 5.2e-3}};
@@ -28,12 +28,12 @@ TEST(FrontLines, SeePlacesInsideOfACornerFromTheMiddleOfIt)
     const Vector<3> along = line.nodes[(k + 1) % 32].position - line.nodes[(k + 31) % 32].position;
     for (const double off : {0.0, 1e-14, -1e-14})
     {
-      const FrontFoot foot = sight.look(x + off * along);
+      const FrontFoot foot = sight.locate(x + off * along);
       EXPECT_NEAR(sight.apart(foot.line, foot.arc, k), 0.0, 1e-9 * line.length);
       EXPECT_NEAR(dot(foot.direction, in) / norm(in), -1.0, 1e-9);
     }
     // Further aside than round-off the foot is on one of the two.
-    EXPECT_GT(sight.apart(0, sight.look(x + 1e-3 * along).arc, k), 1e-4 * line.length);
+    EXPECT_GT(sight.apart(0, sight.locate(x + 1e-3 * along).arc, k), 1e-4 * line.length);
   }
 }
 

@@ -192,7 +192,7 @@ TEST(Fronts3D, ShiftNothingThroughTheSurfaceBehindAPieceThatLeans)
   for (const double behind : {0.5, 1.0, 2.5})
   {
     const Vector<3> x = s[0].position - behind * cell * s[0].direction + 0.3 * cell * s[0].normal;
-    EXPECT_NEAR(dot(sight.look(x).direction, s[0].direction), 1.0, 1e-12) << behind;
+    EXPECT_NEAR(dot(sight.locate(x).direction, s[0].direction), 1.0, 1e-12) << behind;
   }
   const double J = integrateWithAcceleration(state, line, tube, noAcceleration(state)).front();
   std::cout << "J at the end of a front whose last piece leans, over the exact one: " << J / exactRelease(K)
@@ -295,7 +295,7 @@ TEST(Fronts3D, AreTheSameWhenEverythingTurns)
 }
 
 /// The ratios of the openings' roots, and, as the faces have them exactly, their size.
-TEST(Fronts3D, ShareModesByTheOpenings)
+TEST(Fronts3D, DivideModesByTheOpenings)
 {
   const auto run = straightFront();
   State<3>& state = run->state();

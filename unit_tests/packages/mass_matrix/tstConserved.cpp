@@ -72,7 +72,7 @@ TEST(MassMatrix, KeepsMomentumWithEveryType)
 ///     dL = - dt sum_p l m_p sum_I N_I (x_I - x_p) x a_I
 ///
 /// with l = 1 (Lumped) or the lumped fraction (Full). A consistent mass would keep it.
-TEST(MassMatrix, ChangesAngularMomentumByItsLumpedShareAlone)
+TEST(MassMatrix, ChangesAngularMomentumByItsLumpedFractionAlone)
 {
   for (const char* shape : {"Linear", "GIMP"})
     for (const double lumpedFraction : {1.0, 0.1})
@@ -92,7 +92,7 @@ TEST(MassMatrix, ChangesAngularMomentumByItsLumpedShareAlone)
       State<2>& state = run.state();
       run.step(1e30, false);
       shake(state, 1e-3);
-      struct Share
+      struct Fraction
       {
         int node;
         double m; ///< m_p N_I
@@ -100,7 +100,7 @@ TEST(MassMatrix, ChangesAngularMomentumByItsLumpedShareAlone)
       };
       for (int k = 0; k < 5; ++k)
       {
-        std::vector<Share> fractions;
+        std::vector<Fraction> fractions;
         {
           const HostParticles<2> particles(state);
           withConnectivity(state,
@@ -123,7 +123,7 @@ TEST(MassMatrix, ChangesAngularMomentumByItsLumpedShareAlone)
         const double change = mass_matrix::angularMomentum(state)[2] - before;
         const auto motion = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.motion);
         double derived = 0.0, size = 0.0;
-        for (const Share& s : fractions)
+        for (const Fraction& s : fractions)
         {
           const double turn = -state.clock.dt * lumpedFraction * s.m *
                               (s.arm[0] * motion(s.node, Nodes<2>::accelerationAt + 1) -

@@ -94,7 +94,7 @@ TEST(SideEnergy, IsInTheReportOfTheEffect)
   EXPECT_TRUE(summary["cracks"][0]["contact"]["fraction_below"].is_null());
 }
 
-TEST(SideEnergy, AnOldParameterSaysItsNewPlace)
+TEST(SideEnergy, AnOldParameterSaysItsNewPath)
 {
   const SceneResult scene = readSceneText(
       "<ParameterList name=\"Rhegma\"><ParameterList name=\"Contact\"><Parameter name=\"Watched Part\" "

@@ -120,9 +120,9 @@ TEST(JunctionGas, PassesWhereFrontsMeet)
     {
       Record record;
       Archive saving = Archive::saving(record);
-      cracks::keepCracks(state, saving);
+      cracks::storeCracks(state, saving);
       Archive loading = Archive::loading(record);
-      cracks::keepCracks(state, loading);
+      cracks::storeCracks(state, loading);
     }
     for (const int crack : {0, 1})
     {

@@ -21,12 +21,12 @@ void cutBelowABeam(Teuchos::ParameterList& scene)
 {
   addLoad(scene, "Left", {0.0, 20.0 * cell}, {0.0, 0.0}, {-pull, 0.0});
   addLoad(scene, "Right", {size, 0.0}, {size, 20.0 * cell}, {pull, 0.0});
-  const double place = 20.3e-3, slope = std::tan(35.0 * M_PI / 180.0), crossing = tip + 5.9 * cell;
-  const auto roofAt = [&](double y) { return place + slope * (y - crossing); };
+  const double wall = 20.3e-3, slope = std::tan(35.0 * M_PI / 180.0), crossing = tip + 5.9 * cell;
+  const auto roofAt = [&](double y) { return wall + slope * (y - crossing); };
   Teuchos::ParameterList& cracks = scene.sublist("Cracks");
   cracks.sublist("Roof").set("Points", reals({roofAt(3e-3), 3e-3, roofAt(30e-3), 30e-3}));
-  cracks.sublist("Beam").set("Points", reals({size, beam, place + 2.6 * cell, beam}));
-  cracks.sublist("Wall").set("Points", reals({place, 0.0, place, tip}));
+  cracks.sublist("Beam").set("Points", reals({size, beam, wall + 2.6 * cell, beam}));
+  cracks.sublist("Wall").set("Points", reals({wall, 0.0, wall, tip}));
 }
 
 /// Wall is about to advance by four cells; an earlier part of it lies across its way, and Roof behind that.
@@ -159,12 +159,12 @@ TEST(Junctions, KeepHeat)
   const auto volume = state.particles.scalar(fields::volume);
   const auto host = [](const auto& view)
   { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
-  const auto place = host(x);
+  const auto wall = host(x);
   const auto warm = host(T), energy = host(e);
   for (int p = 0; p < state.particles.size(); ++p)
   {
     // Rises towards the junction, so that gradients are there too.
-    const double rise = 1e3 * (place(p, 0) + place(p, 1)) * (place(p, 1) < roof ? 1.0 : 0.2);
+    const double rise = 1e3 * (wall(p, 0) + wall(p, 1)) * (wall(p, 1) < roof ? 1.0 : 0.2);
     warm(p) += rise;
     energy(p) += density * capacity * rise;
   }
@@ -205,7 +205,7 @@ TEST(Junctions, FrontsThatMeetPartThePlate)
 }
 
 /// A crack ends on the first of two cracks in its way, though the second is nearer.
-TEST(Junctions, CrackEndsOnTheFirstCrackInItsWay)
+TEST(Junctions, CrackEndsOnTheFirstCrackInItsPath)
 {
   Rhegma::Run<2> run(plate(cutBelowABeam), drivenByTest<2>());
   run.initialize();

@@ -255,7 +255,7 @@ TEST(PennyGrowth, PaysForItsAreaToTheEnd)
 
 /// A crack like a C, whose arms grow towards each other: a front that meets itself. It halts before they are
 /// three cells apart, which is said once, and nothing is lost.
-TEST(PennyGrowth, HaltsBeforeItsOwnFaces)
+TEST(PennyGrowth, StopsBeforeItsOwnFaces)
 {
   const double wide = 12.0 * cell, z = 0.3 * cell, arm = 2.2 * cell, other = wide - arm;
   Teuchos::ParameterList scene = quarter("100*(1 + v/100)");

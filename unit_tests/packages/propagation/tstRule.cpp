@@ -69,7 +69,7 @@ TEST(FrontHistory, NeverPassesTheFastestSpeed)
   EXPECT_NEAR(runAt(180.0, ruleOf("100", 100.0), 3e-7, 900.0), 900.0, 1e-6 * 900.0);
 }
 
-TEST(FrontHistory, SetsOutAtInitiationAndArrestsWhereItHasAlmostStopped)
+TEST(FrontHistory, StartsAtInitiationAndArrestsWhereItHasAlmostStopped)
 {
   const AdvanceRule rule{Toughness::parse("159.9*(1 + v/500)"), 150.0, 90.0, 1e-5};
   FrontHistory history;
@@ -90,7 +90,7 @@ TEST(FrontHistory, SetsOutAtInitiationAndArrestsWhereItHasAlmostStopped)
 }
 
 /// A front that rests and is initiated anew: its means are over the longer run, and do not count the rest.
-TEST(FrontHistory, TellsItsRunsApart)
+TEST(FrontHistory, SeparatesItsRuns)
 {
   const AdvanceRule rule = ruleOf("100*(1 + v/500)", 100.0);
   FrontHistory history;
@@ -116,7 +116,7 @@ TEST(FrontHistory, TellsItsRunsApart)
 }
 
 /// Long steps hold several increments.
-TEST(FrontHistory, AdvancesSeveralTimesInALongStep)
+TEST(FrontHistory, AdvancesSeveralTimesInALargeStep)
 {
   const AdvanceRule rule = ruleOf("100*(1 + v/500)", 100.0);
   FrontHistory history;

@@ -9,7 +9,7 @@ using namespace Rhegma::propagation;
 namespace
 {
 
-std::string complaintOf(const std::string& text)
+std::string messageOf(const std::string& text)
 {
   try
   {
@@ -24,7 +24,7 @@ std::string complaintOf(const std::string& text)
 
 bool says(const std::string& text, const std::string& words)
 {
-  return complaintOf(text).find(words) != std::string::npos;
+  return messageOf(text).find(words) != std::string::npos;
 }
 
 } // namespace
@@ -54,7 +54,7 @@ TEST(Toughness, RefusesWhatIsNotPositive)
   EXPECT_TRUE(says("-5", "is -5 J/m2"));
   EXPECT_TRUE(says("100 - v", "at v = 100 m/s"));
   EXPECT_TRUE(says("1/v", "at v = 0"));
-  EXPECT_EQ(complaintOf("0:100, 500:200"), "");
+  EXPECT_EQ(messageOf("0:100, 500:200"), "");
 }
 
 TEST(Toughness, RefusesWhatIsNoFunctionOfSpeed)

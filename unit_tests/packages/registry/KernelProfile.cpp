@@ -10,13 +10,13 @@ namespace Rhegma
 namespace
 {
 
-std::set<std::string> ran, taken;
+std::set<std::string> ran, allocated;
 
 void noteKernel(const char* name, const std::uint32_t, std::uint64_t*) { ran.insert(name); }
 
 void noteMemory(Kokkos::Tools::SpaceHandle, const char* label, const void*, const std::uint64_t)
 {
-  taken.insert(label);
+  allocated.insert(label);
 }
 
 void listen(Kokkos_Profiling_beginFunction kernel, Kokkos_Profiling_allocateDataFunction memory)
@@ -32,13 +32,13 @@ void listen(Kokkos_Profiling_beginFunction kernel, Kokkos_Profiling_allocateData
 KernelProfile::KernelProfile()
 {
   ran.clear();
-  taken.clear();
+  allocated.clear();
   listen(noteKernel, noteMemory);
 }
 
 KernelProfile::~KernelProfile() { listen(nullptr, nullptr); }
 
 const std::set<std::string>& KernelProfile::kernels() const { return ran; }
-const std::set<std::string>& KernelProfile::memory() const { return taken; }
+const std::set<std::string>& KernelProfile::memory() const { return allocated; }
 
 } // namespace Rhegma

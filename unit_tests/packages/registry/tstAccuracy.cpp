@@ -48,9 +48,9 @@ const std::string strip = array("Lower Corner", "{0, 0}") + array("Upper Corner"
 const std::string notch = R"xml(<ParameterList name="Cracks"><ParameterList name="Notch">)xml" +
                           array("Points", "{0, 0.04, 0.01, 0.04}") + "</ParameterList></ParameterList>";
 
-std::string within(const std::string& share)
+std::string within(const std::string& accuracy)
 {
-  return R"xml(<Parameter name="Accuracy" type="string" value=")xml" + share + R"xml("/>)xml";
+  return R"xml(<Parameter name="Accuracy" type="string" value=")xml" + accuracy + R"xml("/>)xml";
 }
 
 double cellOf(const SceneResult& scene) { return scene.list->sublist("Domain").get<double>("Cell Size"); }
@@ -64,20 +64,20 @@ int levelsOf(const SceneResult& scene)
 } // namespace
 
 /// Cells at the front are at most 1.6 times the fraction of the crack's length, all others a fraction of it.
-TEST(Accuracy, ChoosesCellsBesideTheCrack)
+TEST(Accuracy, ChoosesCellsNextToTheCrack)
 {
   const struct
   {
-    const char* share;
+    const char* accuracy;
     double cell;
     int levels;
   } wanted[] = {{"10 %", 0.01 / 3.0, 2}, {"3 %", 0.002, 3}, {"1 %", 0.00125, 3}, {"0.3 %", 0.000625, 4}};
   for (const auto& w : wanted)
   {
-    const SceneResult scene = sceneOf(plane + within(w.share), strip, notch);
+    const SceneResult scene = sceneOf(plane + within(w.accuracy), strip, notch);
     ASSERT_TRUE(scene.errors.empty()) << toString(scene.errors.front());
-    EXPECT_NEAR(cellOf(scene), w.cell, 1e-12) << w.share;
-    EXPECT_EQ(levelsOf(scene), w.levels) << w.share;
+    EXPECT_NEAR(cellOf(scene), w.cell, 1e-12) << w.accuracy;
+    EXPECT_EQ(levelsOf(scene), w.levels) << w.accuracy;
     EXPECT_TRUE(scene.list->isSublist("Sub-Cycling"));
   }
 }
@@ -146,7 +146,7 @@ TEST(Accuracy, KnowsShortCracksAndCracksFromOutside)
   EXPECT_EQ(levelsOf(outside), 3);
 }
 
-TEST(Accuracy, KnowsDisksInSpace)
+TEST(Accuracy, KnowsDisks)
 {
   const std::string space = R"xml(<Parameter name="Dimension" type="int" value="3"/>)xml" +
                             array("Lower Corner", "{-0.02, -0.02, -0.02}") +

@@ -97,7 +97,7 @@ void start(State<D>& state, Start kind)
 
 /// Amplitude of the first mode in the velocity now.
 template <int D>
-double shareOfMode(const State<D>& state)
+double fractionOfMode(const State<D>& state)
 {
   const std::vector<double> mode = modeOf(state);
   const HostParticles<D> particles(state);
@@ -151,7 +151,7 @@ Outcome vibrate(int levels, bool subCycled, Start kind, double cfl, int periods,
   if (!addition) // else cells may have changed
   {
     EXPECT_EQ(state.particles.size(), first.size);
-    outcome.mode = shareOfMode(state);
+    outcome.mode = fractionOfMode(state);
   }
   return outcome;
 }

@@ -39,7 +39,7 @@ class CrackedBeam : public testing::TestWithParam<const char*>
 {
 };
 
-TEST_P(CrackedBeam, ReleasesInShortStepsOfSmallCellsWhatItDoesInShortStepsOfAll)
+TEST_P(CrackedBeam, ReleasesTheSameWithAndWithoutSubsteps)
 {
   const nlohmann::json some = atRest(GetParam(), true), all = atRest(GetParam(), false);
   for (const char* quantity : {"G_J", "G_closure"})

@@ -72,7 +72,7 @@ Teuchos::ParameterList block(const Vector<2>& size, const Vector<2>& from, const
 
 /// What the energy balance of a run leave open, at most, and the most of kinetic and strain energy, of the
 /// change of strain energy in a step and of that of heat [J].
-struct OpenBooks
+struct OpenBalances
 {
   double residual = 0.0, energy = 0.0, step = 0.0, heat = 0.0;
 };
@@ -105,7 +105,7 @@ struct ViscousChange
   }
 };
 
-OpenBooks openBooks(const Teuchos::ParameterList& scene, double end, ViscousChange* viscous = nullptr)
+OpenBalances openBalances(const Teuchos::ParameterList& scene, double end, ViscousChange* viscous = nullptr)
 {
   Rhegma::Run<2> run(validated(scene));
   run.initialize();
@@ -113,7 +113,7 @@ OpenBooks openBooks(const Teuchos::ParameterList& scene, double end, ViscousChan
   measureEnergy(state);
   state.energy.start = state.energy.kinetic + state.energy.strain;
   state.energy.thermalStart += state.energy.thermal;
-  OpenBooks most;
+  OpenBalances most;
   double before = state.energy.strain, cold = state.energy.thermal;
   while (state.clock.time < end && state.failure.empty())
   {
@@ -132,13 +132,13 @@ OpenBooks openBooks(const Teuchos::ParameterList& scene, double end, ViscousChan
   return most;
 }
 
-class HeatInShortSteps : public testing::TestWithParam<int>
+class SubcycledHeat : public testing::TestWithParam<int>
 {
 };
 
 } // namespace
 
-TEST_P(HeatInShortSteps, keepsEnergyOverTenPeriods)
+TEST_P(SubcycledHeat, keepsEnergyOverTenPeriods)
 {
   for (const Start kind : {Start::Smooth, Start::Random})
   {
@@ -151,7 +151,7 @@ TEST_P(HeatInShortSteps, keepsEnergyOverTenPeriods)
   }
 }
 
-TEST_P(HeatInShortSteps, keepsTheEnergyOfAnEntropicRubber)
+TEST_P(SubcycledHeat, keepsTheEnergyOfAnEntropicRubber)
 {
   const Outcome o = vibrate<2>(GetParam(), true, Start::Smooth, 0.4, 10, "GIMP", addWarmRubber);
   std::printf("%d levels, rubber: energy kept %.6f, most %.6f, momentum %.1e\n", GetParam(), o.kept, o.most,
@@ -162,7 +162,7 @@ TEST_P(HeatInShortSteps, keepsTheEnergyOfAnEntropicRubber)
 
 /// The motion after a period, damped by what conducts, and temperatures on the way are those of the same bar
 /// in substeps only.
-TEST_P(HeatInShortSteps, movesAndWarmsAsInShortStepsOnly)
+TEST_P(SubcycledHeat, movesAndWarmsAsInSmallStepsOnly)
 {
   const double period = 2.0 * length;
   std::vector<double> temperature[2];
@@ -178,7 +178,7 @@ TEST_P(HeatInShortSteps, movesAndWarmsAsInShortStepsOnly)
     temperature[subCycled] = risesOf(state);
     while (state.clock.time < period)
       run.step(period, false);
-    mode[subCycled] = shareOfMode(state);
+    mode[subCycled] = fractionOfMode(state);
   }
   double most = 0.0, differs = 0.0;
   for (std::size_t p = 0; p < temperature[0].size(); ++p)
@@ -194,7 +194,7 @@ TEST_P(HeatInShortSteps, movesAndWarmsAsInShortStepsOnly)
 
 /// Small cells are heated and cooled, and their stresses with them, once a step. Books know energies to
 /// half of what stresses take in a step, since velocities are half a step behind.
-TEST_P(HeatInShortSteps, theLedgerKnowsWhatHeatDoesToStresses)
+TEST_P(SubcycledHeat, theBalanceKnowsWhatHeatDoesToStresses)
 {
   Teuchos::ParameterList scene =
       block(Vector<2>{{16.0, 8.0}}, Vector<2>{{6.0, 2.0}}, Vector<2>{{10.0, 6.0}}, GetParam());
@@ -208,7 +208,7 @@ TEST_P(HeatInShortSteps, theLedgerKnowsWhatHeatDoesToStresses)
   lamp.set("Radius", 1.0);
   lamp.set("Power", 2.0);
   lamp.set("History", std::string("sin(0.7*t)"));
-  const OpenBooks most = openBooks(scene, 30.0);
+  const OpenBalances most = openBalances(scene, 30.0);
   std::printf("%d levels: open %.3f of what moves and strains, half a step %.3f\n", GetParam(),
               most.residual / most.energy, 0.5 * most.step / most.energy);
   EXPECT_LT(most.residual, 0.5 * most.step);
@@ -217,7 +217,7 @@ TEST_P(HeatInShortSteps, theLedgerKnowsWhatHeatDoesToStresses)
 /// A block whose modulus without heat flow is 2.7 times that at constant temperature meets a wall with its
 /// small cells. At strains of half a percent the temperature to which straining brings a particle is not that
 /// of small strain by as much; stresses that lag by it would double the energy.
-TEST_P(HeatInShortSteps, aStrongCouplingIsNoSourceOfEnergy)
+TEST_P(SubcycledHeat, aStrongCouplingIsNoSourceOfEnergy)
 {
   Teuchos::ParameterList scene =
       block(Vector<2>{{8.0, 4.0}}, Vector<2>{{-1.0, -1.0}}, Vector<2>{{3.0, 9.0}}, GetParam());
@@ -228,7 +228,7 @@ TEST_P(HeatInShortSteps, aStrongCouplingIsNoSourceOfEnergy)
   material.set("Conductivity", 0.0);
   material.set("Thermal Expansion", std::sqrt(1.7 * modulus * capacity / 300.0) / (3.0 * bulk));
   scene.sublist("Bodies").sublist("Block").set("Velocity", array(Vector<2>{{-3e-3, 0.0}}));
-  const OpenBooks most = openBooks(scene, 60.0);
+  const OpenBalances most = openBalances(scene, 60.0);
   std::printf("%d levels, strong coupling: open %.3f of what moves and strains, half a step %.3f\n",
               GetParam(), most.residual / most.energy, 0.5 * most.step / most.energy);
   EXPECT_LT(most.residual, 0.5 * most.step);
@@ -239,7 +239,7 @@ TEST_P(HeatInShortSteps, aStrongCouplingIsNoSourceOfEnergy)
 /// share s of the first force recorded are a dt (s D1 D2 / 2 + (1 - s / 2) D2 D2), which is more by a dt ((3
 /// - s) / 4 (D2^2 - D1^2) + (1 - s) / 4 (D2 - D1)^2): the first adds up to a part of one step's work, the
 /// second is of second order.
-TEST_P(HeatInShortSteps, theHeatOfViscosityIsAllThere)
+TEST_P(SubcycledHeat, theHeatOfViscosityIsAllThere)
 {
   Teuchos::ParameterList scene =
       block(Vector<2>{{8.0, 4.0}}, Vector<2>{{-1.0, -1.0}}, Vector<2>{{3.0, 9.0}}, GetParam());
@@ -252,7 +252,7 @@ TEST_P(HeatInShortSteps, theHeatOfViscosityIsAllThere)
   scene.sublist("Time").set("Final Time", 3.0);
   const double fraction = std::pow(0.5, GetParam());
   ViscousChange viscous;
-  const OpenBooks most = openBooks(scene, 3.0, &viscous);
+  const OpenBalances most = openBalances(scene, 3.0, &viscous);
   const double bound =
       0.5 * most.step + 0.25 * (3.0 - fraction) * most.heat + 0.25 * (1.0 - fraction) * viscous.sum;
   std::printf("%d levels, viscous: open %.4f of what moves and strains, bound %.4f, of which %.4f by changes "
@@ -263,9 +263,9 @@ TEST_P(HeatInShortSteps, theHeatOfViscosityIsAllThere)
   EXPECT_LT(most.residual, bound);
 }
 
-INSTANTIATE_TEST_SUITE_P(SubCycling, HeatInShortSteps, testing::Values(1, 2, 3));
+INSTANTIATE_TEST_SUITE_P(SubCycling, SubcycledHeat, testing::Values(1, 2, 3));
 
-TEST(HeatInShortStepsInSpace, keepsEnergy)
+TEST(SubcycledHeat3D, keepsEnergy)
 {
   const Outcome o = vibrate<3>(2, true, Start::Smooth, 0.4, 2, "GIMP",
                                [](Teuchos::ParameterList& scene) { addHeat(scene, 0.0); });

@@ -88,18 +88,18 @@ void checkEvenFlow(int levels)
 
 } // namespace
 
-TEST(PlasticShortSteps, FlowEvenlyIn2D)
+TEST(SubcycledPlasticity, FlowEvenlyIn2D)
 {
   for (const int levels : {1, 2, 3})
     checkEvenFlow<2>(levels);
 }
 
-TEST(PlasticShortSteps, FlowEvenlyIn3D) { checkEvenFlow<3>(2); }
+TEST(SubcycledPlasticity, FlowEvenlyIn3D) { checkEvenFlow<3>(2); }
 
 /// Two walls squeeze the block, and it flows round the small cells in its middle. Books know energies to half
 /// a step: what they leave open in the end, plastic work among them, is what they do where all cells take
 /// substeps, but for half of the most that the walls give in a step.
-TEST(PlasticShortSteps, KeepTheBooks)
+TEST(SubcycledPlasticity, KeepTheEnergyBalance)
 {
   for (const int levels : {1, 2, 3})
   {

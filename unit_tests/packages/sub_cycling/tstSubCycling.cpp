@@ -49,7 +49,7 @@ TEST_P(Levels, holdWithLinearFunctions)
   EXPECT_LT(o.momentum, 1e-12);
 }
 
-TEST_P(Levels, moveAsInShortStepsOnly)
+TEST_P(Levels, moveAsInSmallStepsOnly)
 {
   const Outcome sub = vibrate<2>(GetParam(), true, Start::Smooth, 0.4, 1);
   const Outcome all = vibrate<2>(GetParam(), false, Start::Smooth, 0.4, 1);
@@ -127,7 +127,7 @@ TEST_P(Levels, keepEnergyInFlight)
 
 /// A wall holds nodes of small cells: supports take nodes to their velocity once a step, and what
 /// particles feel of that belongs to the motion of substeps; without it three levels made any energy.
-TEST_P(Levels, holdBesideASupport)
+TEST_P(Levels, areStableNextToASupport)
 {
   Teuchos::ParameterList scene =
       emptyScene<2>(Vector<2>{{-2.0, -2.0}}, Vector<2>{{6.0, 4.0}}, 1.0, "MUSL", "GIMP");

@@ -68,10 +68,10 @@ void forEach(const State<D>& state, const Work& work)
   const auto T = host(state.particles.scalar(fields::temperature));
   for (int p = 0; p < state.particles.size(); ++p)
   {
-    Vector<D> place;
+    Vector<D> position;
     for (int d = 0; d < D; ++d)
-      place[d] = x(p, d);
-    work(place, T(p));
+      position[d] = x(p, d);
+    work(position, T(p));
   }
 }
 
@@ -82,12 +82,12 @@ double worstBetween(const State<D>& state, const Exact& exact)
   double worst = 0.0;
   int inside = 0;
   forEach<D>(state,
-             [&](const Vector<D>& place, double T)
+             [&](const Vector<D>& position, double T)
              {
-               if (place[0] < 1.0 || place[0] > 5.0)
+               if (position[0] < 1.0 || position[0] > 5.0)
                  return;
                ++inside;
-               worst = std::max(worst, std::fabs(T - exact(place)));
+               worst = std::max(worst, std::fabs(T - exact(position)));
              });
   EXPECT_GT(inside, 20);
   return worst;

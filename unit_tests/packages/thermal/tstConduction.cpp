@@ -68,7 +68,7 @@ void checkSteadyField(const std::string& shape, int level)
   run.initialize();
   steps(run, 1000 << (2 * level));
   const double worst =
-      worstBetween<D>(run.state(), [](const Vector<D>& place) { return 300.0 + 20.0 * place[0]; });
+      worstBetween<D>(run.state(), [](const Vector<D>& position) { return 300.0 + 20.0 * position[0]; });
   // Of 20 K a cell.
   EXPECT_LT(worst, 1e-8) << shape << " level " << level;
 }
@@ -88,11 +88,11 @@ void checkPatch(const std::string& shape, int level, const Vector<D>& shift)
   Run<D> run(validated(scene));
   run.initialize();
   State<D>& state = run.state();
-  const auto linear = [](const auto& place)
+  const auto linear = [](const auto& position)
   {
     double T = 300.0;
     for (int d = 0; d < D; ++d)
-      T += (20.0 - 7.0 * d) * place[d];
+      T += (20.0 - 7.0 * d) * position[d];
     return T;
   };
   const auto x = host(state.particles.template real<D>(fields::position));
@@ -100,13 +100,13 @@ void checkPatch(const std::string& shape, int level, const Vector<D>& shift)
   const auto T = host(state.particles.scalar(fields::temperature));
   for (int p = 0; p < state.particles.size(); ++p)
   {
-    Vector<D> place;
+    Vector<D> position;
     for (int d = 0; d < D; ++d)
     {
-      place[d] = x(p, d) = x(p, d) + shift[d];
+      position[d] = x(p, d) = x(p, d) + shift[d];
       g(p, d) = 20.0 - 7.0 * d;
     }
-    T(p) = linear(place);
+    T(p) = linear(position);
   }
   Kokkos::deep_copy(state.particles.template real<D>(fields::position), x);
   Kokkos::deep_copy(state.particles.template real<D>(fields::temperatureGradient), g);
@@ -116,7 +116,8 @@ void checkPatch(const std::string& shape, int level, const Vector<D>& shift)
   EXPECT_NE(state.particles.size(), before);
   sortState(state);
   storeStencils(state);
-  forEach<D>(state, [&](const Vector<D>& place, double found) { EXPECT_NEAR(found, linear(place), 1e-11); });
+  forEach<D>(state,
+             [&](const Vector<D>& position, double found) { EXPECT_NEAR(found, linear(position), 1e-11); });
   thermal::HeatNodes<D> nodes;
   nodes.clear(state);
   thermal::heatToNodes(state, nodes);
@@ -131,14 +132,14 @@ void checkPatch(const std::string& shape, int level, const Vector<D>& shift)
   for (int i = 0; i < static_cast<int>(active.extent(0)); ++i)
   {
     const int n = active(i);
-    const Vector<D> place = positions(n);
+    const Vector<D> position = positions(n);
     if (!(sums(n, 0) > 0.0))
       continue;
     // Lighter nodes have a sum of small numbers at large distances.
-    EXPECT_NEAR(value(n, 0), linear(place), sums(n, 0) > 1e-6 ? 1e-9 : 1e-4) << sums(n, 0);
+    EXPECT_NEAR(value(n, 0), linear(position), sums(n, 0) > 1e-6 ? 1e-9 : 1e-4) << sums(n, 0);
     bool in = true;
     for (int d = 0; d < D; ++d)
-      in = in && place[d] - 1.0 > shift[d] && place[d] + 1.0 < size[d] + shift[d];
+      in = in && position[d] - 1.0 > shift[d] && position[d] + 1.0 < size[d] + shift[d];
     if (!in)
       continue;
     ++inside;

@@ -126,7 +126,7 @@ TEST(Coupling, WavesRunAtTheAdiabaticSpeed)
 
 /// What the coupling takes from motion it gives to heat: the energy balance of a vibrating bar close as well
 /// as without heat, in every law.
-TEST(Coupling, TheLedgerClosesAsWithoutHeat)
+TEST(Coupling, TheBalanceClosesAsWithoutHeat)
 {
   for (const std::string model : {"Linear Elastic", "Neo-Hookean", "J2 Plastic"})
   {
@@ -151,7 +151,7 @@ TEST(Coupling, TheLedgerClosesAsWithoutHeat)
 /// energy, and with what stresses give in it nothing is left open but what changes of the weights and of
 /// geometry make, which go with the strain and the way of particles in a cell. Waves are the bar's first
 /// mode, or those of 7 cells that its end sends out, so that the work of supports is right too.
-TEST(Coupling, TheBooksOfLinearWavesCloseStepByStep)
+TEST(Coupling, TheBalanceOfLinearWavesClosesStepByStep)
 {
   const auto driven = [](double speed)
   {
@@ -194,7 +194,7 @@ TEST(Coupling, TheBooksOfLinearWavesCloseStepByStep)
 /// Samples of USAVG have velocity and strain of one time t. Its mean of two strains is A cos(w dt / 2) cos(w
 /// t) where A cos(w t) would keep the energy, so that sin(w dt / 2)^2 of it wavers; a wave without heat flow
 /// is faster by sqrt(1.2) here.
-TEST(Coupling, TheBooksOfMotionStrainedTwiceAStepDoNotWaverByHalfAStep)
+TEST(Coupling, TheBalanceOfMotionStrainedTwiceAStepDoesNotWaverByHalfAStep)
 {
   for (const double expansion : {0.0, 0.01})
   {
@@ -244,7 +244,7 @@ TEST(Coupling, LargeStrainsMakeNoHeatThatNoLawAsksFor)
 
 /// The same with every mass matrix and with each velocity update that loses motion, whose loss is none of
 /// heat's.
-TEST(Coupling, TheLedgerClosesWithEveryMassMatrix)
+TEST(Coupling, TheBalanceClosesWithEveryMassMatrix)
 {
   for (const std::string type : {"Lumped", "Full", "FMPM"})
     for (const std::string update : {"FLIP", "PIC"})

@@ -213,7 +213,7 @@ TEST(CrackConduction, AStepSpreadsThroughPerfectContact)
 /// Wherever a jump of temperature lies next to a crack in perfect contact, the field is at all times that of
 /// a bar without a crack, and no temperature leaves the range of those of the start by more than it does
 /// there.
-TEST(CrackConduction, PerfectContactBesideAJumpIsNoCrack)
+TEST(CrackConduction, PerfectContactNextToAJumpIsNoCrack)
 {
   for (const double at : {2.5, 2.625, 2.75, 3.0, 3.125, 3.25})
   {

@@ -191,7 +191,7 @@ TEST(MeetingMaterials, NeitherOvershoots)
 }
 
 /// The worst of all, next to a temperature that is there: what substeps of conduction make of it.
-TEST(MeetingMaterials, NeitherOvershootsInShortSteps)
+TEST(MeetingMaterials, NeitherOvershootsInSmallSteps)
 {
   struct Joint
   {

@@ -54,7 +54,7 @@ inline bool asksFor(double angle)
 
 /// Bodies that are tried together: each day one at each of two angles, else as many as `positions` at one
 /// angle. \param positions at each angle
-inline std::vector<std::vector<Pose>> poses(int places)
+inline std::vector<std::vector<Pose>> poses(int count)
 {
   const std::vector<double> angles =
       everything() ? std::vector<double>{0.0, 11.0, 22.5, 37.0, 45.0} : std::vector<double>{11.0, 45.0};
@@ -65,7 +65,7 @@ inline std::vector<std::vector<Pose>> poses(int places)
   {
     if (everything() || groups.empty())
       groups.emplace_back();
-    for (int k = 0; k < places; ++k)
+    for (int k = 0; k < count; ++k)
     {
       const double x = within(generator);
       groups.back().push_back({Vector<2>{{x, within(generator)}}, angle});

@@ -43,7 +43,7 @@ TEST_P(MassFlight, IsSolvedAsWellAsRest)
 /// A body with a crack in flight, of which a particle gives mass to a field behind the front that had none:
 /// what the springs there are stretched by is no flight. (Where it was, the energy of the shaking grew a
 /// thousandfold.)
-TEST(MassFlightWithACrack, GainsNothingFromTies)
+TEST(MassFlightWithACrack, GainsNothingFromSprings)
 {
   const Pose pose{Vector<2>{{0.474, 0.062}}, 11.0};
   const Motion motion{1e-6, Vector<2>{{2e-4, 0.0}}};

@@ -15,7 +15,7 @@ namespace Rhegma::combustion
 constexpr double largestChange = 0.1;
 
 template <int D>
-struct Work
+struct BurnState
 {
   std::vector<Burning<D>> cracks;
   FacePoints<D> points;
@@ -24,7 +24,7 @@ struct Work
   FaceHeat<D> heat;
   FaceHeating heating;           ///< at each face point
   View<double*> depth;           ///< density times the depth that burns in a step, at each face point [kg/m2]
-  View<double*> taken;           ///< heat that the faces take there [J]
+  View<double*> heatToFaces;     ///< heat that the faces take there [J]
   View<double*> pressure;        ///< that the faces feel there, where gas flows [Pa]
   View<double*> swept;           ///< volume that opens there in a step [m3]
   double startMass = 0.0;        ///< of the particles [kg]
@@ -39,8 +39,8 @@ struct Work
     const std::size_t count = points.count();
     if (depth.extent(0) == count)
       return;
-    for (View<double*>* field :
-         {&depth, &taken, &pressure, &swept, &heating.given, &heating.conductance, &heating.gasTemperature})
+    for (View<double*>* field : {&depth, &heatToFaces, &pressure, &swept, &heating.given,
+                                 &heating.conductance, &heating.gasTemperature})
       *field = View<double*>("rhegma::combustion::atFacePoints", count);
   }
 };

@@ -97,7 +97,7 @@ std::string refusal(const std::vector<double>& points, const std::vector<int>& f
 
 /// Between two mirrors a slab is in plane strain, so both dimensions compute the same numbers in a different
 /// order of sums; round-off of 200 steps is far below 1e-9 of each.
-TEST(CracksInSpace, MakeASlabBehaveAsItsPlane)
+TEST(Cracks3D, MakeASlabBehaveAsItsPlane)
 {
   const double width = 2e-3;
   const auto plane = start<2>(slab(0.0));
@@ -128,7 +128,7 @@ TEST(CracksInSpace, MakeASlabBehaveAsItsPlane)
 /// Each side's functions reproduce linear fields, so a rigid turn strains no particle: of every stored
 /// stencil the weights add up to 1, the positions of the nodes to the particle's, and their products with
 /// slopes to 1.
-TEST(CracksInSpace, CutFunctionsThatReproduceLinearFields)
+TEST(Cracks3D, CutFunctionsThatReproduceLinearFields)
 {
   const auto run = start<3>(crackedCube());
   advance(*run, 1, 1e-9);
@@ -146,7 +146,7 @@ TEST(CracksInSpace, CutFunctionsThatReproduceLinearFields)
   ASSERT_GT(state.stored.count, 0);
   for (int r = 0; r < state.stored.count; ++r)
   {
-    double sum = 0.0, place[3] = {0.0, 0.0, 0.0}, gradient[3][3] = {};
+    double sum = 0.0, mean[3] = {0.0, 0.0, 0.0}, gradient[3][3] = {};
     for (int k = 0; k < count(r); ++k)
     {
       const bool isSecond = node(r, k) >= state.mesh.nodes.numLattice;
@@ -156,7 +156,7 @@ TEST(CracksInSpace, CutFunctionsThatReproduceLinearFields)
       sum += weight(r, k);
       for (int i = 0; i < 3; ++i)
       {
-        place[i] += weight(r, k) * at[i];
+        mean[i] += weight(r, k) * at[i];
         for (int j = 0; j < 3; ++j)
           gradient[i][j] += at[i] * slope(r, k, j);
       }
@@ -164,7 +164,7 @@ TEST(CracksInSpace, CutFunctionsThatReproduceLinearFields)
     EXPECT_NEAR(sum, 1.0, 1e-13);
     for (int i = 0; i < 3; ++i)
     {
-      EXPECT_NEAR(place[i], x(particle(r), i), 1e-13 * cell);
+      EXPECT_NEAR(mean[i], x(particle(r), i), 1e-13 * cell);
       for (int j = 0; j < 3; ++j)
         EXPECT_NEAR(gradient[i][j], i == j ? 1.0 : 0.0, 1e-12);
     }
@@ -176,7 +176,7 @@ TEST(CracksInSpace, CutFunctionsThatReproduceLinearFields)
 /// their particles, up to a quarter of a cell off the crack: an error of omega h / 4. It lies along the
 /// crack, along which positions drift by up to that over the turn; as it begins it shakes the body by strains
 /// of up to omega h / c, which over the crack's width open it by no more than that.
-TEST(CracksInSpace, TurnWithTheBody)
+TEST(Cracks3D, TurnWithTheBody)
 {
   const Vector<3> omega{1500.0, -2500.0, 2000.0}, centre{4e-3, 4e-3, 4e-3};
   const auto cross = [](const Vector<3>& a, const Vector<3>& b) {
@@ -226,7 +226,7 @@ TEST(CracksInSpace, TurnWithTheBody)
 }
 
 /// Forces between faces are opposite: momentum is kept to round-off of what moves.
-TEST(CracksInSpace, KeepMomentum)
+TEST(Cracks3D, KeepMomentum)
 {
   Teuchos::ParameterList scene = crackedCube();
   scene.sublist("Face Pressure").sublist("Cut").set("Pressure", std::string("1e6*sin(2e6*t)"));
@@ -245,7 +245,7 @@ TEST(CracksInSpace, KeepMomentum)
 }
 
 /// Far from particles on the other side nothing is stored: marks end a stencil away from the crack.
-TEST(CracksInSpace, OnlyParticlesNearTheCrackPay)
+TEST(Cracks3D, OnlyParticlesNearTheCrackPay)
 {
   const auto run = start<3>(crackedCube());
   advance(*run, 1, 1e-9);
@@ -267,7 +267,7 @@ TEST(CracksInSpace, OnlyParticlesNearTheCrackPay)
 
 /// Inside the polygon a node belongs to a side, beyond the front to none; where the front meets a
 /// surface-breaking end it goes straight on.
-TEST(CracksInSpace, FrontsDecideWhichNodesAreSplit)
+TEST(Cracks3D, FrontsDecideWhichNodesAreSplit)
 {
   Teuchos::ParameterList scene = blockScene({8e-3, 8e-3, 4e-3});
   setCrack(scene, {0.0, 4.4e-3, 0.0, 0.0, 4.4e-3, 4e-3, 4.5e-3, 4.4e-3, 4e-3, 4.5e-3, 4.4e-3, 0.0});
@@ -294,7 +294,7 @@ TEST(CracksInSpace, FrontsDecideWhichNodesAreSplit)
 }
 
 /// What sticks out of the body is cut off, and the scene may say itself what is a front.
-TEST(CracksInSpace, AreCutOffOutsideOfBodies)
+TEST(Cracks3D, AreCutOffOutsideOfBodies)
 {
   Teuchos::ParameterList scene = blockScene({8e-3, 8e-3, 8e-3});
   setCrack(scene, {-3e-3, 2.1e-3, 4e-3, 3.3e-3, 2.1e-3, 4e-3, 3.3e-3, 6.3e-3, 4e-3, -3e-3, 6.3e-3, 4e-3});
@@ -310,7 +310,7 @@ TEST(CracksInSpace, AreCutOffOutsideOfBodies)
   EXPECT_NEAR(other->state().cracks.fronts[0].length, 4.2e-3, 1e-12);
 }
 
-TEST(CracksInSpace, RefuseWrongPolygonsInASentence)
+TEST(Cracks3D, RefuseWrongPolygonsWithAReason)
 {
   const auto says = [](const std::string& message, const std::string& piece)
   {

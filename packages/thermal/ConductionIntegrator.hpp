@@ -36,7 +36,7 @@ enum class Method
 /// Where faces conduct, the unknowns of a node with two fields are the change of its mean temperature, by
 /// capacities, and its jump at the end: a conductance however large is then a large number on the diagonal.
 template <int D>
-class LongSteps
+class ConductionIntegrator
 {
 public:
   /// Changes the nodes' rate from that at the beginning of the step to the mean over it, and renews the
@@ -53,7 +53,7 @@ public:
   double stepRatio = 20.0; ///< longest step over the longest explicit one
   long products = 0;       ///< how often the flow of all particles was found, on top of once a step
 
-  void keep(Archive& archive);
+  void store(Archive& archive);
 
   /// Parts of `findRate`; public because compilers for devices want kernels in public functions.
   double superTimeStep(State<D>& state, const HeatNodes<D>& nodes, const HeatBoundaries<D>& boundaries,

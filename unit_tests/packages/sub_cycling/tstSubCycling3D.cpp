@@ -92,7 +92,7 @@ Outcome follow(Run<3>& run, bool apart, double end = 0.0)
 /// ones, and stands by (w dt)^2 / 8 too high for a motion of frequency w, as kinetic energy is that at the
 /// end of the impulses; 0.012 for waves across the block, more for faster ones. Three percent are what short
 /// steps may be off by from rough starts.
-TEST(ShortStepsInSpace, HoldWithContact)
+TEST(SubCycling3D, AreStableWithContact)
 {
   for (const int levels : {1, 2})
   {
@@ -109,7 +109,7 @@ TEST(ShortStepsInSpace, HoldWithContact)
 /// Halves that run apart and are held by the material before the front and by springs. A motion of frequency
 /// w is seen by steps dt at a frequency off by the fraction (w dt)^2 / 24; that of the halves is no faster
 /// than waves that cross the block's height and back, pi c / height, for which half a period is followed.
-TEST(ShortStepsInSpace, HoldWithTies)
+TEST(SubCycling3D, AreStableWithSprings)
 {
   const double wave =
       std::sqrt(young / density * (1.0 - poisson) / ((1.0 + poisson) * (1.0 - 2.0 * poisson)));

@@ -4,7 +4,7 @@
 #include "packages/thermal/HeatedBars.hpp"
 #include "state/EnergySums.hpp"
 #include "step/CoreStep.hpp"
-#include "thermal/LongSteps.hpp"
+#include "thermal/ConductionIntegrator.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -104,7 +104,7 @@ double apart(const std::vector<double>& one, const std::vector<double>& other)
 
 } // namespace
 
-TEST(LongSteps, KeepHeat)
+TEST(ConductionIntegrator, KeepHeat)
 {
   for (const std::string& method : {sts, implicit})
   {
@@ -115,7 +115,7 @@ TEST(LongSteps, KeepHeat)
 }
 
 /// No limit of explicit steps is there then; stages divided by what it asked for.
-TEST(LongSteps, WhereNothingConducts)
+TEST(ConductionIntegrator, WhereNothingConducts)
 {
   for (const std::string& method : {sts, implicit})
   {
@@ -136,7 +136,7 @@ TEST(LongSteps, WhereNothingConducts)
   }
 }
 
-TEST(LongSteps, EndInTheSteadyField)
+TEST(ConductionIntegrator, EndInTheSteadyField)
 {
   for (const std::string& method : {sts, implicit})
   {
@@ -150,7 +150,7 @@ TEST(LongSteps, EndInTheSteadyField)
 }
 
 /// Against far shorter steps of the same kind: second order, and first.
-TEST(LongSteps, HaveTheirOrderInTime)
+TEST(ConductionIntegrator, HaveTheirOrderInTime)
 {
   const std::vector<double> exact = temperatures(sts, 1.0 / 128);
   const double coarse = apart(temperatures(sts, 1.0 / 4), exact),
@@ -164,7 +164,7 @@ TEST(LongSteps, HaveTheirOrderInTime)
             << " K\n";
 }
 
-TEST(LongSteps, ACrackInsulates)
+TEST(ConductionIntegrator, ACrackInsulates)
 {
   for (const std::string& method : {sts, implicit})
   {
@@ -181,7 +181,7 @@ TEST(LongSteps, ACrackInsulates)
 }
 
 /// A body that conducts well cools as a whole; steps are longer than convection alone allows.
-TEST(LongSteps, ConvectionCools)
+TEST(ConductionIntegrator, ConvectionCools)
 {
   for (const std::string& method : {sts, implicit})
   {
@@ -208,11 +208,11 @@ TEST(LongSteps, ConvectionCools)
 }
 
 /// Stages grow with the root of the step: s^2 + s - 2 is at least four times its ratio to the explicit one.
-TEST(LongSteps, StagesGrowWithTheRootOfTheStep)
+TEST(ConductionIntegrator, StagesGrowWithTheRootOfTheStep)
 {
   for (const double ratio : {1.0, 2.5, 20.0, 100.0, 1000.0})
   {
-    const int s = thermal::LongSteps<2>::stages(ratio, 1.0);
+    const int s = thermal::ConductionIntegrator<2>::stages(ratio, 1.0);
     EXPECT_GE(0.25 * (s * s + s - 2), ratio);
     EXPECT_LE(s, 2.0 * std::sqrt(ratio) + 3.0);
     EXPECT_EQ(s % 2, 1);

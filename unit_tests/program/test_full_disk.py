@@ -21,10 +21,10 @@ def small_files():
     resource.setrlimit(resource.RLIMIT_FSIZE, (120_000, 120_000))
 
 
-class NoRoom(RestartTest):
+class FullDisk(RestartTest):
     """Exit status 2 where a checkpoint can't be written, and the older one is as it was."""
 
-    def goes_on_without_room(self, folder, checkpoint, preexec=None):
+    def goes_on_with_a_full_disk(self, folder, checkpoint, preexec=None):
         before = self.file(folder, "checkpoint.h5")
         arguments = (self.path("scene.xml"), "--output", folder, "--quiet", "--restart", checkpoint)
         answer = rhegma(*arguments, "--set", "Output:Fields=false", preexec=preexec)
@@ -36,7 +36,7 @@ class NoRoom(RestartTest):
     def test_file_that_may_not_grow(self):
         checkpoint = self.checkpoint_of(self.path("out"))
         self.assertGreater(os.path.getsize(checkpoint), 120_000)
-        self.goes_on_without_room(self.path("out"), checkpoint, preexec=small_files)
+        self.goes_on_with_a_full_disk(self.path("out"), checkpoint, preexec=small_files)
         self.run_to_its_end(self.path("scene.xml"), self.path("out"), "--restart", checkpoint)
 
     def test_full_disk(self):
@@ -51,7 +51,7 @@ class NoRoom(RestartTest):
         with open(os.path.join(disk, "filler"), "wb") as file:
             free = os.statvfs(disk)
             file.write(b"\0" * (free.f_bavail * free.f_frsize - 100_000))
-        self.goes_on_without_room(folder, checkpoint)
+        self.goes_on_with_a_full_disk(folder, checkpoint)
         os.remove(os.path.join(disk, "filler"))
         shutil.rmtree(self.path("whole"), ignore_errors=True)
         answer = rhegma(self.path("scene.xml"), "--output", self.path("whole"), "--quiet", "--restart", checkpoint)

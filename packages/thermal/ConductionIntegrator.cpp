@@ -1,4 +1,4 @@
-#include "thermal/LongSteps.hpp"
+#include "thermal/ConductionIntegrator.hpp"
 
 #include "archive/Archive.hpp"
 #include "state/Subdomain.hpp"
@@ -96,7 +96,7 @@ struct DiagonalBlock
 } // namespace
 
 template <int D>
-int LongSteps<D>::stages(double dt, double explicitLimit)
+int ConductionIntegrator<D>::stages(double dt, double explicitLimit)
 {
   // s^2 + s - 2 = 4 dt / limit; odd numbers of stages damp what is shortest (section 3 of the paper).
   const double ratio = 4.0 * dt / explicitLimit * (1.0 - 1e-12);
@@ -105,14 +105,14 @@ int LongSteps<D>::stages(double dt, double explicitLimit)
 }
 
 template <int D>
-void LongSteps<D>::keep(Archive& archive)
+void ConductionIntegrator<D>::store(Archive& archive)
 {
   archive("passes", products);
-  archive("room", capacity_);
+  archive("capacity", capacity_);
 }
 
 template <int D>
-void LongSteps<D>::reserveRows(const State<D>& state)
+void ConductionIntegrator<D>::reserveRows(const State<D>& state)
 {
   const std::size_t rows = state.mesh.nodes.sums.extent(0);
   if (change_.extent(0) >= rows)
@@ -128,7 +128,7 @@ void LongSteps<D>::reserveRows(const State<D>& state)
 
 /// flow = -K change. \return the power [W] that surfaces take in by it
 template <int D>
-double LongSteps<D>::findFlow(const State<D>& state, const HeatBoundaries<D>& boundaries)
+double ConductionIntegrator<D>::findFlow(const State<D>& state, const HeatBoundaries<D>& boundaries)
 {
   ++products;
   const Nodes<D> nodes = state.mesh.nodes;
@@ -149,7 +149,7 @@ double LongSteps<D>::findFlow(const State<D>& state, const HeatBoundaries<D>& bo
 }
 
 template <int D>
-void LongSteps<D>::addGradient(const State<D>& state, const HeatNodes<D>& nodes)
+void ConductionIntegrator<D>::addGradient(const State<D>& state, const HeatNodes<D>& nodes)
 {
   withConnectivity(state,
                    [&](const auto& connect)
@@ -163,7 +163,7 @@ void LongSteps<D>::addGradient(const State<D>& state, const HeatNodes<D>& nodes)
 }
 
 template <int D>
-void LongSteps<D>::findDiagonal(const State<D>& state, const HeatBoundaries<D>& boundaries)
+void ConductionIntegrator<D>::findDiagonal(const State<D>& state, const HeatBoundaries<D>& boundaries)
 {
   const Nodes<D> nodes = state.mesh.nodes;
   const View<double*> diagonal = diagonal_;
@@ -182,8 +182,9 @@ void LongSteps<D>::findDiagonal(const State<D>& state, const HeatBoundaries<D>& 
 }
 
 template <int D>
-double LongSteps<D>::findRate(State<D>& state, const HeatNodes<D>& nodes, const HeatBoundaries<D>& boundaries,
-                              const CrackConduction<D>& faces, double dt, double explicitLimit)
+double ConductionIntegrator<D>::findRate(State<D>& state, const HeatNodes<D>& nodes,
+                                         const HeatBoundaries<D>& boundaries, const CrackConduction<D>& faces,
+                                         double dt, double explicitLimit)
 {
   reserveRows(state);
   findDiagonal(state, boundaries);
@@ -192,8 +193,9 @@ double LongSteps<D>::findRate(State<D>& state, const HeatNodes<D>& nodes, const 
 }
 
 template <int D>
-double LongSteps<D>::superTimeStep(State<D>& state, const HeatNodes<D>& heat,
-                                   const HeatBoundaries<D>& boundaries, double dt, double explicitLimit)
+double ConductionIntegrator<D>::superTimeStep(State<D>& state, const HeatNodes<D>& heat,
+                                              const HeatBoundaries<D>& boundaries, double dt,
+                                              double explicitLimit)
 {
   const Nodes<D> nodes = state.mesh.nodes;
   const View<double* [4]> stage = stage_;
@@ -255,7 +257,7 @@ double LongSteps<D>::superTimeStep(State<D>& state, const HeatNodes<D>& heat,
   return here;
 }
 
-template class LongSteps<2>;
-template class LongSteps<3>;
+template class ConductionIntegrator<2>;
+template class ConductionIntegrator<3>;
 
 } // namespace Rhegma::thermal

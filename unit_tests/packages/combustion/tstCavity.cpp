@@ -81,7 +81,7 @@ private:
 };
 
 /// Fraction of an ellipse, the shape of a crack under pressure, that lies within a length of its two ends.
-double shareAtEnds(double length, double half)
+double fractionAtEnds(double length, double half)
 {
   const double x = 1.0 - length / half;
   return 1.0 - 2.0 / std::acos(-1.0) * (x * std::sqrt(1.0 - x * x) + std::asin(x));
@@ -91,7 +91,7 @@ double shareAtEnds(double length, double half)
 /// independent measure. The gas has swept the room less d x dm', and the cells at the two fronts, in which
 /// the faces' shape is that of the cells, may hold more or less than they should by all that is in them.
 /// \param opening that is expected, of the middle
-void makesRoom(double height, double pressure, double cell, double opening)
+void makesCavity(double height, double pressure, double cell, double opening)
 {
   Rhegma::Run<2> run(validated(softBlock(height, pressure, cell)));
   run.initialize();
@@ -124,11 +124,11 @@ void makesRoom(double height, double pressure, double cell, double opening)
   const double given = state.energy.combustion, open = state.energy.residual();
   std::printf(
       "crack at %g, cells of %g: opening %.3g cells, room %.4g, over what the solid lost %+.1f %%, with "
-      "d x dm' %+.1f %%, ledger open by %+.1f %%\n",
+      "d x dm' %+.1f %%, energy balance open by %+.1f %%\n",
       height, cell, widest / cell, capacity, 100.0 * (capacity / lost - 1.0),
       100.0 * ((capacity + strip.drawnOut()) / lost - 1.0), 100.0 * open / given);
   EXPECT_NEAR(widest, opening, 0.2 * opening);
-  EXPECT_NEAR(capacity + strip.drawnOut(), lost, shareAtEnds(cell, 5.0) * lost);
+  EXPECT_NEAR(capacity + strip.drawnOut(), lost, fractionAtEnds(cell, 5.0) * lost);
   EXPECT_LT(std::fabs(open), 0.02 * given);
   EXPECT_GT(given, start);
   bool warned = false;
@@ -139,23 +139,23 @@ void makesRoom(double height, double pressure, double cell, double opening)
 
 } // namespace
 
-TEST(Room, IsWhatTheSolidLostWhereFacesAreACellApart)
+TEST(Cavity, IsWhatTheSolidLostWhereFacesAreACellApart)
 {
-  makesRoom(12.0, 0.1, 1.0, 0.9);
-  makesRoom(12.5, 0.1, 1.0, 0.9);
+  makesCavity(12.0, 0.1, 1.0, 0.9);
+  makesCavity(12.5, 0.1, 1.0, 0.9);
 }
 
-TEST(Room, IsWhatTheSolidLostWhereFacesAreTwoCellsApart)
+TEST(Cavity, IsWhatTheSolidLostWhereFacesAreTwoCellsApart)
 {
-  makesRoom(12.0, 0.4, 1.0, 2.1);
-  makesRoom(12.5, 0.4, 1.0, 2.1);
+  makesCavity(12.0, 0.4, 1.0, 2.1);
+  makesCavity(12.5, 0.4, 1.0, 2.1);
 }
 
 // The same room in cells half as large, whose fronts hide a third of what they did.
-TEST(Room, IsWhatTheSolidLostInSmallerCells)
+TEST(Cavity, IsWhatTheSolidLostInSmallerCells)
 {
-  makesRoom(12.0, 0.1, 0.5, 0.9);
-  makesRoom(12.25, 0.1, 0.5, 0.9);
+  makesCavity(12.0, 0.1, 0.5, 0.9);
+  makesCavity(12.25, 0.1, 0.5, 0.9);
 }
 
 } // namespace Test

@@ -66,32 +66,32 @@ Teuchos::ParameterList withLoad(Teuchos::ParameterList scene)
 
 /// What the energy balance of a run leave open, and the most that supports and loads gave within one of its
 /// steps [J].
-struct Books
+struct Balance
 {
   double mean = 0.0; ///< residual over the last fifth of the time
   double step = 0.0;
 };
 
-Books keep(const Teuchos::ParameterList& scene, double end)
+Balance balanceOf(const Teuchos::ParameterList& scene, double end)
 {
   Rhegma::Run<2> run(validated(scene));
   run.initialize();
   State<2>& state = run.state();
-  Books books;
+  Balance balance;
   double time = 0.0;
   while (state.clock.time < end)
   {
     const double before = state.energy.externalWork;
     run.step(end, false);
     measureEnergy(state);
-    books.step = std::max(books.step, std::fabs(state.energy.externalWork - before));
+    balance.step = std::max(balance.step, std::fabs(state.energy.externalWork - before));
     if (state.clock.time < 0.8 * end)
       continue;
-    books.mean += state.clock.dt * state.energy.residual();
+    balance.mean += state.clock.dt * state.energy.residual();
     time += state.clock.dt;
   }
-  books.mean /= time;
-  return books;
+  balance.mean /= time;
+  return balance;
 }
 
 /// The residual after one step from rest [J].
@@ -105,7 +105,7 @@ double afterOneStep(const Teuchos::ParameterList& scene, double* length)
   return run.state().energy.residual();
 }
 
-class Ledger : public testing::TestWithParam<int>
+class SubcycledBalance : public testing::TestWithParam<int>
 {
 };
 
@@ -114,7 +114,7 @@ class Ledger : public testing::TestWithParam<int>
 /// Velocities are half a substep behind stresses. So a wall that begins to move at once may leave open
 /// half of what it gives in a substep: its speed times that of a plane wave times that of the wall, 2 m
 /// wide.
-TEST_P(Ledger, knowsWhatAWallGivesInTheFirstStep)
+TEST_P(SubcycledBalance, knowsWhatAWallGivesInTheFirstStep)
 {
   const double wave = std::sqrt(0.7 / (1.3 * 0.4)); // [m/s]
   double length = 0.0;
@@ -128,14 +128,14 @@ TEST_P(Ledger, knowsWhatAWallGivesInTheFirstStep)
 /// Books know energies to half a step; what they leave open in the mean is what they do where all cells take
 /// substeps, but for half of what the wall gives in a step. (One level of small cells hardly shows waves
 /// of a period of 6 s: the steps themselves take a fifth of their energy.)
-TEST_P(Ledger, knowsWhatAWallGivesThatGoesToAndFro)
+TEST_P(SubcycledBalance, knowsWhatAWallGivesThatGoesToAndFro)
 {
   for (const char* history : {"1", "sin(pi*t/12)", "sin(pi*t/3)"})
   {
     if (std::string(history) == "sin(pi*t/3)" && GetParam() == 1)
       continue;
-    const Books subcycled = keep(withWall(blockScene(GetParam(), true), history), 60.0);
-    const Books all = keep(withWall(blockScene(GetParam(), false), history), 60.0);
+    const Balance subcycled = balanceOf(withWall(blockScene(GetParam(), true), history), 60.0);
+    const Balance all = balanceOf(withWall(blockScene(GetParam(), false), history), 60.0);
     std::printf("%d levels, wall %s: open in the mean %.2e J, in short steps only %.2e, half a step %.2e\n",
                 GetParam(), history, subcycled.mean, all.mean, 0.5 * subcycled.step);
     EXPECT_NEAR(subcycled.mean, all.mean, 0.5 * subcycled.step) << history;
@@ -144,25 +144,25 @@ TEST_P(Ledger, knowsWhatAWallGivesThatGoesToAndFro)
 
 /// Mass damping takes at once, at the start of a step, what substeps have half of their stresses'
 /// work on: that of the first of them.
-TEST_P(Ledger, knowsWhatStrongDampingTakes)
+TEST_P(SubcycledBalance, knowsWhatStrongDampingDissipates)
 {
-  Books books[2];
+  Balance balance[2];
   for (const bool subcycled : {false, true})
   {
     Teuchos::ParameterList scene = withWall(blockScene(GetParam(), subcycled), "sin(pi*t/12)");
     scene.sublist("Damping").set("Mass Rate", 1.0);
-    books[subcycled] = keep(scene, 60.0);
+    balance[subcycled] = balanceOf(scene, 60.0);
   }
   std::printf("%d levels, damped: open in the mean %.2e J, in short steps only %.2e, half a step %.2e\n",
-              GetParam(), books[true].mean, books[false].mean, 0.5 * books[true].step);
-  EXPECT_NEAR(books[true].mean, books[false].mean, 0.5 * books[true].step);
+              GetParam(), balance[true].mean, balance[false].mean, 0.5 * balance[true].step);
+  EXPECT_NEAR(balance[true].mean, balance[false].mean, 0.5 * balance[true].step);
 }
 
 /// A load pulls all the time, so that it is known to half of what it gives in a substep.
-TEST_P(Ledger, knowsTheWorkOfALoad)
+TEST_P(SubcycledBalance, knowsTheWorkOfALoad)
 {
-  const Books some = keep(withLoad(blockScene(GetParam(), true)), 60.0);
-  const Books all = keep(withLoad(blockScene(GetParam(), false)), 60.0);
+  const Balance some = balanceOf(withLoad(blockScene(GetParam(), true)), 60.0);
+  const Balance all = balanceOf(withLoad(blockScene(GetParam(), false)), 60.0);
   const double half = 0.5 * std::ldexp(some.step, -GetParam());
   std::printf("%d levels, load: open in the mean %.2e J, in short steps only %.2e, half a step %.2e\n",
               GetParam(), some.mean, all.mean, half);
@@ -172,7 +172,7 @@ TEST_P(Ledger, knowsTheWorkOfALoad)
 /// Gravity pulls nodes of small cells all through a step and moves others at its start, so that in N steps
 /// their velocities come to differ by half of what a step gives: a fraction of 1 / 2N, which has the square
 /// of that fraction of the energy. The rest of it is the work of gravity.
-TEST_P(Ledger, knowsTheWorkOfGravity)
+TEST_P(SubcycledBalance, knowsTheWorkOfGravity)
 {
   constexpr int steps = 50;
   Teuchos::ParameterList scene = blockScene(GetParam(), true);
@@ -189,7 +189,7 @@ TEST_P(Ledger, knowsTheWorkOfGravity)
   EXPECT_NEAR(state.energy.externalWork, state.energy.kinetic, state.energy.kinetic / (4.0 * steps * steps));
 }
 
-INSTANTIATE_TEST_SUITE_P(SubCycling, Ledger, testing::Values(1, 2, 3, 4));
+INSTANTIATE_TEST_SUITE_P(SubCycling, SubcycledBalance, testing::Values(1, 2, 3, 4));
 
 } // namespace Test
 } // namespace Rhegma
