@@ -244,7 +244,7 @@ Criteria<D> criteriaNow(const State<D>& state, const Options<D>& options)
   return now;
 }
 
-/// Brings cells and particles to what the criteria want now.
+/// Changes cells and particles to what the criteria ask for now.
 template <int D>
 void adapt(State<D>& state, const Options<D>& options, Progress<D>& progress)
 {
@@ -296,7 +296,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                {},
                [=](State<D>& state)
                {
-                 // Steps of the smallest cells, so that no particle runs far into them unsplit.
+                 // Counted in steps of the finest cells, so that no particle runs far into them unsplit.
                  const int interval = std::max(options.interval >> ownLevels(state), 1);
                  if (state.clock.time < options.startTime)
                    return;

@@ -1,5 +1,5 @@
 #pragma once
-/// Cells that become smaller and larger by themselves, and particles with them.
+/// Adaptive mesh refinement: cells are refined and coarsened during the run, and particles with them.
 
 #include "plan/Effect.hpp"
 
@@ -7,8 +7,8 @@ namespace Rhegma::adaptivity
 {
 
 /// The section `Adaptivity`: a tree of cells in each cell of the lattice, refined near crack fronts, where
-/// the velocity varies much over a cell, and in given boxes; particles split and merge with the cells.
-/// Source: Nairn and Tan's report; shape functions on the tree: Tree.hpp.
+/// the velocity or the temperature varies much over a cell, and in given boxes; particles split and merge
+/// with the cells. Source: Nairn and Tan's report; shape functions on the tree: Tree.hpp.
 EffectEntry adaptivityEntry();
 
 } // namespace Rhegma::adaptivity

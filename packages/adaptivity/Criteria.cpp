@@ -119,7 +119,7 @@ double distanceOf(const Grid<D>& grid, int level, const Cell<D>& cell, const std
   return std::sqrt(sum);
 }
 
-/// By what a front may sway before cells that are refined become larger, in cells.
+/// How far a front may move away before refined cells are coarsened [cells].
 constexpr double sway = 0.5;
 
 template <int D>
@@ -149,13 +149,12 @@ void refineFronts(const State<D>& state, const Criteria<D>& criteria, const Bran
     }
 }
 
-/// Refines cells over which the quantity of a gradient changes much, and rings of cells of their size around
-/// them.
+/// Refines the cells over which a quantity changes much, and rings of cells of their size around them.
 template <int D>
 void refineByChange(const State<D>& state, const Criteria<D>& criteria, double threshold,
                     const std::string& gradient, Branches<D>& branches)
 {
-  // Before the first step nobody knows a gradient.
+  // Gradients are not known before the first step.
   if (!(threshold > 0.0) || state.clock.step == 0)
     return;
   const Grid<D>& grid = branches.grid();

@@ -1,5 +1,5 @@
 #pragma once
-/// Particles that were split and lie in large cells again, as families: all parts of what was one particle.
+/// Particles that were split and lie in coarse cells again. A family is all parts of one particle.
 
 #include "state/State.hpp"
 

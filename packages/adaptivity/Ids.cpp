@@ -36,14 +36,13 @@ public:
     ranks.sum(freeOf_.data(), ranks.size());
   }
 
-  /// The smallest ids that are free, in the order of the ranks. \param wanted by each rank
-  /// \return this rank's
+  /// The smallest free ids, in the order of the ranks. \param wanted by each rank \return this rank's
   std::vector<int> claim(const std::vector<double>& wanted) const
   {
     double before = 0.0; // free ids of ranks before
     for (int r = 0; r < ranks_.rank(); ++r)
       before += freeOf_[r];
-    // Number k of all free ids goes to the rank among whose k it is.
+    // The k-th free id goes to the rank whose range of wanted ids holds k.
     std::vector<int> to;
     std::vector<double> rows; // k, id
     double end = 0.0;
@@ -64,7 +63,7 @@ public:
       first += r < ranks_.rank() ? wanted[r] : 0.0;
       all += freeOf_[r];
     }
-    // Beyond those below the largest in use all are free.
+    // All ids beyond the largest in use are free.
     std::vector<int> mine(static_cast<std::size_t>(wanted[ranks_.rank()]));
     for (std::size_t k = 0; k < mine.size(); ++k)
       mine[k] = end_ + static_cast<int>(first + double(k) - all);

@@ -1,5 +1,5 @@
 #pragma once
-/// Where a particle comes from: which fields say so.
+/// The fields that say which particle a part was split from.
 
 #include "base/Field.hpp"
 
@@ -16,9 +16,9 @@ inline const std::string ancestor = "ancestor";
 inline const std::string lineage = "lineage";
 
 /// By how much a box may reach into leaves of a deeper level before the particle is too large for them, in
-/// edges of the largest of these: boxes that end on their faces would else split at the first breath. Shape
-/// functions are exact for such boxes too. What is merged must keep clear of half of it, so that it does not
-/// split again at once.
+/// edges of the largest of these: boxes that end on the faces of leaves would otherwise split at the smallest
+/// motion. Shape functions are exact for such boxes too. What is merged must keep clear of half of it, so
+/// that it does not split again at once.
 constexpr double mayReach = 0.05;
 
 } // namespace Rhegma::adaptivity

@@ -18,7 +18,7 @@ namespace Rhegma::adaptivity
 namespace
 {
 
-/// Finds out what a family would be as one, whether it may be, and makes it so.
+/// Computes the particle that a family would become, decides whether the family may merge, and merges it.
 template <int D>
 struct MergeFamilies
 {
@@ -26,7 +26,7 @@ struct MergeFamilies
   View<int*> accepted; ///< 1: merged, 2: kept for its energy
   View<int*> unlike;   ///< of each family: 1 where its parts differ in something that has no mean
   /// Of each part of each family: its fraction of the undeformed volume. Parts may have burnt by different
-  /// shares.
+  /// fractions.
   View<double * [parts<D>]> fraction;
   TreeSight<D> sight;
   View<double* [D][D]> axes;
@@ -87,14 +87,15 @@ struct MergeFamilies
     const double after = 0.5 * m * square + V * stored(law, before.material(to), i, F,
                                                        before.history.extent(1) > 0 ? memory : nullptr);
     const double enough = energy > m * meanEnergy ? energy : m * meanEnergy;
-    // What flows does not average: a mean strain with a mean plastic one can hold more than the parts did.
+    // Plastic states do not average: a mean strain with a mean plastic strain can hold more energy than the
+    // parts did.
     if (std::fabs(energy - after) > tolerance * enough)
     {
       accepted(i) = 2;
       return;
     }
     accepted(i) = 1;
-    // Where particles carry internal energy, what strain loses becomes heat.
+    // Where particles have internal energy, the strain energy that is lost becomes heat.
     lost += before.thermo.empty() ? energy - after : motion - 0.5 * m * square;
     for (int c = 0; c < static_cast<int>(before.history.extent(1)); ++c)
       before.history(to, c) = memory[c];
@@ -198,7 +199,7 @@ double meanEnergy(const State<D>& state)
 }
 
 /// Fields that merging itself finds; of all other real ones the merged particle has the mean over the
-/// undeformed volume, so that what is told per volume is kept.
+/// undeformed volume, so that quantities per volume are conserved.
 bool isFound(const std::string& name)
 {
   static const std::vector<std::string> found = {fields::position, fields::reference,   fields::velocity,

@@ -1,5 +1,5 @@
 #pragma once
-/// Families of particles that are smaller than the cells around them become one again.
+/// Families of particles that are smaller than the cells around them are merged into one particle.
 
 #include "state/State.hpp"
 
@@ -14,11 +14,12 @@ struct Merged
   double lost = 0.0; ///< kinetic and strain energy of those of this rank [J]
 };
 
-/// Merges whole families (the 2^D parts of one particle) whose particle would touch no leaf of a deeper level
-/// than its own, as long as one is found; families on two sides of a crack stay. Mass, volume now and before
-/// deformation and momentum are kept to round-off; stress and all that effects add becomes the mean. Kinetic
-/// and strain energy fall: the loss is returned, for the energy balance. Leaves the particles unsorted.
-/// Families whose parts are on several ranks come together on that of the first part before. Collective.
+/// Merges whole families (the 2^D parts of one particle) whose merged particle would touch no leaf of a
+/// deeper level than its own, until there is none left; families on two sides of a crack are not merged.
+/// Mass, volume now and before deformation and momentum are kept to round-off; stress and all that effects
+/// add becomes the mean. Kinetic and strain energy fall: the loss is returned, for the energy balance. Leaves
+/// the particles unsorted. Families whose parts are on several ranks are first moved to the rank of the first
+/// part. Collective.
 ///
 /// \param tolerance largest loss, or gain by rounding of a law with memory, as a fraction of what the family
 /// holds or, where that is more, of what its mass would hold at the mean of all particles

@@ -62,7 +62,7 @@ View<int*> tooLarge(const State<D>& state)
   return list;
 }
 
-/// Copies of the particles of a list are added at the end, 2^D - 1 of each, one after another.
+/// Appends copies of the particles of a list, 2^D - 1 of each, one after another.
 template <int D>
 void copyParticles(State<D>& state, const View<int*>& list)
 {

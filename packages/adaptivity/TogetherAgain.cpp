@@ -17,8 +17,8 @@ namespace
 
 constexpr double none = -1.0;
 
-/// What ranks tell each other of the parts of a particle: how many there are, which rank has the first, and
-/// the cells of the lattice in which they lie.
+/// What ranks exchange about the parts of a particle: how many there are, which rank has the first, and the
+/// cells of the lattice in which they lie.
 template <int D>
 struct Parts
 {
@@ -57,7 +57,7 @@ struct Parts
     std::copy(row + 2 + D, row + width, high);
   }
 
-  /// Whether all are there, and in cells that the rank of the first of them knows.
+  /// Whether all parts exist and lie in cells that the rank of the first part knows.
   bool mayMeet(const Division<D>& division) const
   {
     bool may = count == (1 << D) && first >= 0.0;

@@ -138,7 +138,7 @@ std::vector<LevelCell<D>> cellsOfFastChange(const State<D>& state, double thresh
 {
   const std::vector<LevelSums<D>> leaves = ofAllRanks<D>(state, sumOverLeaves(state, gradient));
   std::vector<LevelCell<D>> wanted;
-  LevelSums<D> refined; // of the level that is looked at
+  LevelSums<D> refined; // of the level that is checked
   for (int level = state.mesh.tree.deepest; level >= 0; --level)
   {
     const double edge = std::ldexp(state.mesh.grid.spacing, -level);

@@ -1,5 +1,5 @@
 #pragma once
-/// Which cells the velocity, or the temperature, wants to be refined.
+/// Cells to refine because the velocity or the temperature changes much in them.
 
 #include "grid/Branches.hpp"
 #include "state/State.hpp"
@@ -20,7 +20,7 @@ struct LevelCell
 };
 
 /// Cells over which a quantity changes too much: their edge times the Frobenius norm of its gradient,
-/// averaged over the volume of the particles in the cell. The mean is what the cell's own nodes could show;
+/// averaged over the volume of the particles in the cell. The mean is what the nodes of the cell resolve;
 /// gradients that alternate from particle to particle cancel in it. Collective: all ranks get all cells.
 ///
 /// \param threshold of a leaf, in the unit of the quantity

@@ -14,7 +14,7 @@ class BurnRate
 {
 public:
   static BurnRate vieille(double coefficient, double exponent);
-  /// \throws std::invalid_argument with one sentence on what is wrong with the text
+  /// \throws std::invalid_argument with the error in the text
   static BurnRate table(const std::string& text);
 
   /// \param pressure [Pa] \return rate [m/s]

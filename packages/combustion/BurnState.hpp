@@ -1,5 +1,5 @@
 #pragma once
-/// What the burning of cracks keeps from step to step.
+/// The state of burning cracks that lasts from step to step.
 
 #include "combustion/Burning.hpp"
 #include "combustion/FaceHeat.hpp"
@@ -11,7 +11,7 @@
 namespace Rhegma::combustion
 {
 
-/// Fraction of the gas that may come or go in a step, and of its room.
+/// Largest change of the gas and of its volume in a step, as a fraction.
 constexpr double largestChange = 0.1;
 
 template <int D>
@@ -31,7 +31,7 @@ struct BurnState
   int endedFronts = 0;           ///< as last seen
   std::vector<Meeting> meetings; ///< of cracks that have ended on others
 
-  /// Follows the faces; fields at points get the size that they must have.
+  /// Updates the face points and resizes the fields on them.
   void follow(const State<D>& state)
   {
     const bool anew = points.update(state);

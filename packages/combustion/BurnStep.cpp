@@ -13,11 +13,11 @@ namespace Rhegma::combustion
 namespace
 {
 
-/// Of what a face should burn, what the particles must have for it to go on.
+/// Fraction of the demanded mass that the particles must provide for a crack to go on burning.
 constexpr double leastFuel = 0.5;
 
-/// Smallest cells that faces are apart when the particles next to them may be too far from the crack's own
-/// line to have stored stencils.
+/// Distance of the faces from which the particles next to them may be too far from the crack line to have
+/// stored stencils [finest cells].
 constexpr double farApart = 2.0;
 
 /// The highest temperature of the faces of a crack [K].
@@ -36,7 +36,8 @@ double hottest(const FacePoints<D>& points, int crack, const View<double* [2]>& 
   return highest;
 }
 
-/// What each face is to lose in this step, and how the gas warms it. \param most that may burn [kg/m2]
+/// The mass that each face should lose in this step, and how the gas heats it. \param most that may burn
+/// [kg/m2]
 template <int D>
 void prepareFaces(const State<D>& state, const BurnState<D>& burn, const Burning<D>& b, double most)
 {
@@ -49,7 +50,7 @@ void prepareFaces(const State<D>& state, const BurnState<D>& burn, const Burning
   const FaceHeating heating = burn.heating;
   const int crack = b.crack;
   const bool burns = !b.spent;
-  // Gas that is left alone with its walls comes to their temperature as exp(-h A t / (m c_v)).
+  // Gas between walls without burning approaches their temperature as exp(-h A t / (m c_v)).
   const double capacity = b.gas.mass() * b.gas.law().heatCapacity();
   const double exchange = state.clock.dt * b.transfer * b.faces / capacity;
   const double conductance = exchange > 0.0 ? -std::expm1(-exchange) * capacity / b.faces : 0.0;
@@ -84,8 +85,8 @@ double massDemand(const State<D>& state, const BurnState<D>& burn, int crack)
   return mass;
 }
 
-/// Gives the faces their fraction of the heat of the mass that has burnt there, and what passes by the
-/// difference of temperatures. \param fraction of what was asked for that has burnt
+/// Gives the faces their fraction of the heat of the mass that has burnt there, and the heat that flows by
+/// the difference of temperatures. \param fraction of the demanded mass that has burnt
 template <int D>
 void heatFaces(State<D>& state, BurnState<D>& burn, Burning<D>& b, double fraction)
 {
@@ -133,7 +134,7 @@ void burnStep(State<D>& state, BurnState<D>& burn, Burning<D>& b)
   burn.fire.spread(state, burn.points, b.crack, b.ignition, burn.heat.temperature());
   const Cavity cavity = measureCavity(state, burn.points, b.crack, burn.fire.lit());
   b.burningArea = b.spent ? 0.0 : cavity.burning;
-  // A first step, or a flame that comes upon many faces, was not foreseen by the limit of the step.
+  // The limit of the step does not foresee a first step, or a flame that reaches many faces at once.
   const double most = 2.0 * largestChange * b.gas.mass() / std::max(b.burningArea, 1e-300);
   prepareFaces(state, burn, b, most);
   const double demand = b.burningArea > 0.0 ? massDemand(state, burn, b.crack) : 0.0;

@@ -1,5 +1,5 @@
 #pragma once
-/// One crack that burns, as a run keeps it.
+/// One burning crack and its gas.
 
 #include "combustion/BurnRate.hpp"
 #include "combustion/Cavity.hpp"
@@ -39,12 +39,12 @@ struct Burning
   ChannelSupply supply; ///< of its cells in this step
 
   bool filled = false, spent = false, felt = false;
-  bool wide = false;                                ///< a warning has said that it is open by cells
+  bool wide = false;                                ///< it has been reported as open by several cells
   double swept = 0.0;                               ///< volume that the faces have opened [m3]
   double volume = 0.0, pressure = 0.0, slope = 0.0; ///< [m3], [Pa], [Pa/s]
   double burningArea = 0.0, faces = 0.0;            ///< of faces that burn, of all [m2]
-  double massRate = 0.0;                            ///< in and out, as it was or may be next [kg/s]
-  double volumeRate = 0.0;                          ///< that the faces sweep [m3/s]
+  double massRate = 0.0;   ///< largest flow in and out, in this step or expected in the next [kg/s]
+  double volumeRate = 0.0; ///< that the faces sweep [m3/s]
 
   double hottestFace = 0.0; ///< at the start of the step [K]
 

@@ -46,7 +46,7 @@ void forEachSurfaceEnd(const State<D>& state, int crack, int beyond, const std::
     }
 }
 
-/// Area of what opens at the first and the last end of a crack [m2].
+/// Area of the openings at the first and the last end of a crack [m2].
 template <int D>
 std::array<double, 2> endAreas(const State<D>& state, int crack, int beyond,
                                const std::vector<MirrorPlane>& mirrors)
@@ -133,7 +133,7 @@ double distanceFromCrack(const CrackSet<D>& cracks, int crack, const Vector<D>& 
   const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
   const Crack<D>& c = cracks.cracks[crack];
   double least = std::numeric_limits<double>::max();
-  // From enough positions in each simplex: a tenth of its edges apart.
+  // Sampled at positions a tenth of an edge apart in each simplex.
   constexpr int cuts = 10;
   for (int s = c.firstSimplex; s < c.firstSimplex + c.numSimplices; ++s)
     for (int i = 0; i <= cuts; ++i)

@@ -1,5 +1,5 @@
 #pragma once
-/// The room between the faces of a crack, and which of them burn.
+/// The cavity between the faces of a crack, and which of them burn.
 
 #include "boundary/MirrorPlanes.hpp"
 #include "transfer/FacePoints.hpp"
@@ -10,7 +10,7 @@
 namespace Rhegma::combustion
 {
 
-/// What the face points of one crack add up to. Areas in 2D are lengths times the thickness.
+/// Sums over the face points of one crack. Areas in 2D are lengths times the thickness.
 struct Cavity
 {
   double area = 0.0;    ///< of one face [m2]

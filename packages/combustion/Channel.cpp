@@ -66,7 +66,7 @@ void Channel::remesh(const std::vector<double>& length, double from, double to, 
   for (std::size_t o = 0; o < old; ++o)
   {
     const double end = begin + stretch * length_[o];
-    // Rounding at the ends loses nothing: the first and the last cell reach as far as may be.
+    // The first and the last cell reach to infinity, so that rounding at the ends loses no gas.
     std::size_t first = std::upper_bound(edge.begin(), edge.end(), begin) - edge.begin();
     first = std::clamp<std::size_t>(first, 1, n) - 1;
     double left = 1.0;
@@ -85,7 +85,7 @@ void Channel::remesh(const std::vector<double>& length, double from, double to, 
     *fields[f] = next[f];
   volume_.assign(n, 0.0);
   updateVolumes(length, gap, density);
-  // New cells share the gas of the nearest cell that has some, all at one density.
+  // New cells take gas from the nearest cell that has some, all at one density.
   std::vector<int> with;
   for (std::size_t k = 0; k < n; ++k)
     if (mass_[k] > 0.0)
@@ -192,7 +192,7 @@ void Channel::applyWallFriction(double h)
   {
     const double w = volume_[k] / (length_[k] * width_), u = std::fabs(velocity(k));
     const double rate = 12.0 * friction_.viscosity / (density(k) * w * w) + friction_.factor * u / (4.0 * w);
-    momentum_[k] /= 1.0 + h * rate; // what it loses of its motion it keeps as heat
+    momentum_[k] /= 1.0 + h * rate; // kinetic energy that is lost becomes heat
   }
 }
 
@@ -250,7 +250,7 @@ void Channel::flow(double h, const ChannelSupply& supply, ChannelLoss& loss)
     flux_[f].mass = flux_[f].energy = 0.0;
     if (!(end.area > 0.0))
       return;
-    // As from a reservoir in which the gas of the cell would have come to rest.
+    // As from a reservoir in which the gas of the cell would be stagnant.
     double p = s.pressure, rest = temperature(k);
     law_.stagnate(p, rest, std::max(outward * s.velocity, 0.0));
     const double gone = std::min(law_.outflow(end.area, p, rest, end.outside), 0.5 * mass_[k] / h);
@@ -265,7 +265,7 @@ void Channel::flow(double h, const ChannelSupply& supply, ChannelLoss& loss)
   wall(0, -1.0, supply.first, 0);
   wall(n - 1, 1.0, supply.last, n);
   for (int k = 0; k < n; ++k)
-    left_[k].pressure = pressure(k); // of the walls next to the passages
+    left_[k].pressure = pressure(k); // pressure of the walls next to the passages
   for (int k = 0; k < n; ++k)
   {
     const double a = passage_[k], b = passage_[k + 1];

@@ -27,13 +27,13 @@ struct ChannelEnd
   double outside = 0.0; ///< pressure [Pa]
 };
 
-/// What comes into the cells of a channel, and what room opens in them, over a step. A number for each cell.
+/// Mass, heat and volume that are added to the cells of a channel over a step, a number for each cell.
 struct ChannelSupply
 {
   std::vector<double> opened; ///< by the faces [m3]
   std::vector<double> burnt;  ///< [kg]
-  std::vector<double> heat;   ///< with what burns, next to that of its flame, less what walls take [J]
-  double work = 0.0;          ///< that the faces got for what they opened [J]
+  std::vector<double> heat;   ///< of the burnt solid beyond that of its flame, less that to the walls [J]
+  double work = 0.0;          ///< of the gas on the opening faces [J]
   ChannelEnd first{}, last{}; ///< of the channel
 };
 
@@ -47,13 +47,13 @@ struct ChannelLoss
 };
 
 /// Mass, momentum and energy of gas in a slot whose width changes along it and in time, in finite volumes
-/// along its arc: the fluxes of HLLC between states that limited slopes and half a step carry to the faces
-/// (Toro, Riemann Solvers and Numerical Methods for Fluid Dynamics, 2009, sections 10.4 and 14.4). Between
-/// cells the gas passes the harmonic mean of their sections, and the walls' pressure on either side of it
-/// keeps gas at rest at rest. Explicit steps of its own are as long as its fastest wave lets them be.
+/// along its arc: the fluxes of HLLC between states that limited slopes and half a step extrapolate to the
+/// faces (Toro, Riemann Solvers and Numerical Methods for Fluid Dynamics, 2009, sections 10.4 and 14.4).
+/// Between cells the gas passes the harmonic mean of their sections, and the walls' pressure on either side
+/// of it keeps gas at rest at rest. The channel takes explicit substeps limited by its fastest wave.
 ///
-/// Room that the faces open cools the gas of its cell by the adiabat; the difference to the work that the
-/// faces got in all is shared out by the energy, so that mass and energy are kept to round-off.
+/// Volume that the faces open cools the gas of its cell adiabatically; the difference to the total work on
+/// the faces is distributed in proportion to the energy, so that mass and energy are kept to round-off.
 class Channel
 {
 public:
@@ -63,16 +63,17 @@ public:
   {
   }
 
-  /// Cells of the lengths [m] in which there is nothing, with room that no face opens [m3].
+  /// Creates empty cells of these lengths [m], each with a fixed volume besides that between the faces [m3].
   void setCells(const std::vector<double>& length, const std::vector<double>& fixedCapacity);
-  /// Fills the room there is.
+  /// Fills all cells.
   void fill(double pressure, double temperature);
 
-  /// Follows a crack that has grown or is cut anew: the cells had lain between `from` and `to` of the arc [m]
-  /// of the new ones. What is in them goes along by the lengths they share, what is new gets the gas of its
+  /// Remeshes the channel of a crack that has grown: the old cells lie between `from` and `to` of the arc [m]
+  /// of the new ones. Their content is distributed by overlapping length; new cells get the gas of their
   /// neighbours.
   void remesh(const std::vector<double>& length, double from, double to, double gap, double density);
-  /// The room of the cells as faces of a roughness have now swept and burnt it. \param gap [m]
+  /// Updates the volumes of the cells from what faces have swept and burnt. \param gap roughness of the faces
+  /// [m]
   void updateVolumes(const std::vector<double>& length, double gap, double density);
 
   ChannelLoss advance(double dt, const ChannelSupply& supply, double density);
@@ -93,7 +94,7 @@ public:
   double allEnergy() const;
   double allVolume() const;
 
-  /// Whether each cell has room, gas and energy.
+  /// Whether each cell has a volume, gas and energy.
   bool sound() const;
 
   void store(Archive& archive);
@@ -112,7 +113,7 @@ private:
   double energyDensity(const State& s) const;
   Flux hllc(const State& left, const State& right) const;
   double longestStep() const;
-  void reconstruct(double h); ///< the gas at both ends of each cell, half a step on
+  void reconstruct(double h); ///< the gas at both ends of each cell after half a step
   void flow(double h, const ChannelSupply& supply, ChannelLoss& loss);
   void applyWallFriction(double h);
 

@@ -11,7 +11,7 @@ namespace Rhegma::combustion
 /// (docs/combustion.md).
 EffectEntry combustionEntry();
 
-/// Its section, and what no single parameter can show wrong.
+/// Its section, and the checks that involve several parameters.
 Section combustionSection();
 void checkCombustion(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors);
 

@@ -18,7 +18,7 @@ double realOf(const Teuchos::ParameterList& list, const char* name, double other
   return list.isType<double>(name) ? list.get<double>(name) : other;
 }
 
-/// What burns is one of the materials of the scene.
+/// The burning material must be one of the scene.
 void checkDensity(const Teuchos::ParameterList& scene, const Teuchos::ParameterList& list,
                   const std::string& path, std::vector<SceneError>& errors)
 {

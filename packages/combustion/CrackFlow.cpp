@@ -12,12 +12,12 @@ namespace Rhegma::combustion
 namespace
 {
 
-/// Ends of the old cells this fraction of a cell from those of the new ones are the same.
+/// Ends of old and new cells that are closer than this fraction of a cell are the same.
 constexpr double sameEnd = 0.25;
 
 } // namespace
 
-/// Place along the cells as they are now that is the nearest to one in 3D [m].
+/// Arc length along the present cells nearest to a point [m].
 template <int D>
 double CrackFlow<D>::arcAt(const FacePoints<D>& points, const Vector<D>& point) const
 {

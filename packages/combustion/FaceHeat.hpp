@@ -14,11 +14,11 @@ struct FaceHeating
   View<double*> gasTemperature; ///< [K]
 };
 
-/// Gives heat to the nodes of the faces, and these give their change of temperature to the particles, as
-/// conduction does: a particle's heat changes by rho c V sum N dT. A node has the capacity of the particles
-/// with stored stencils that see it, and takes up what comes by a difference of temperatures as a body of one
-/// temperature does in a gas of another, T -> T_gas - (T_gas - T) exp(-H / C), so that any conductance is
-/// stable and no node passes the gas. What the gas gives is what particles get, to round-off.
+/// Adds heat to the nodes of the faces; their change of temperature goes to the particles, as with
+/// conduction: a particle's heat changes by rho c V sum N dT. A node has the capacity of the particles with
+/// stored stencils that see it, and is heated by the gas as a body of uniform temperature is, T -> T_gas -
+/// (T_gas - T) exp(-H / C), so that any conductance is stable and no node passes the gas. The heat from the
+/// gas equals the heat to the particles, to round-off.
 ///
 /// Nodes of several ranks sum over these.
 template <int D>
@@ -32,8 +32,8 @@ public:
   /// Of the faces at each point, below and above [K]; 0 where a face has no nodes. All ranks have all.
   const View<double* [2]>& temperature() const { return atFaces_; }
 
-  /// Heats the faces of a crack after `measure`; records it under `heat`. Collective.
-  /// \param taken by both faces at each point, of all ranks [J]
+  /// Heats the faces of a crack after `measure`; records it under `heat`. Collective. \param heatToFaces heat
+  /// that both faces take at each point, of all ranks [J]
   void give(State<D>& state, const FacePoints<D>& points, int crack, const FaceHeating& heating,
             const View<double*>& heatToFaces);
 
@@ -54,8 +54,8 @@ private:
   /// [K].
   View<double * [D + 3]> nodes_;
   static constexpr int capacityAt = 0, heatAt = 1, momentAt = 2, temperatureAt = D + 2;
-  /// Of each node: H [J/K], H T_gas [J], heat that is given [J]; then fraction of H that acts [-], change of
-  /// temperature [K].
+  /// Of each node: H [J/K], H T_gas [J], heat that is supplied [J]; then fraction of H that acts [-], change
+  /// of temperature [K].
   View<double* [5]> demand_;
   static constexpr int fractionAt = 3, changeAt = 4;
   View<double* [2]> atFaces_;

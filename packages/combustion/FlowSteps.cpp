@@ -18,7 +18,7 @@ auto onHost(const AnyView& view)
   return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
 }
 
-/// Says what has become of a gas that can't go on.
+/// Reports a gas with which the run can't go on.
 template <int D>
 void findFailure(State<D>& state, const Burning<D>& b)
 {

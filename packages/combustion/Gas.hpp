@@ -11,7 +11,7 @@ class Archive;
 namespace Rhegma::combustion
 {
 
-/// What the gas is: p (V - b m) = m R T (Noble and Abel; ideal where b = 0), c_v = R / (gamma - 1).
+/// Equation of state: p (V - b m) = m R T (Noble and Abel; ideal where b = 0), c_v = R / (gamma - 1).
 struct GasLaw
 {
   double constant = 0.0;            ///< R [J/(kg K)]
@@ -26,22 +26,22 @@ struct GasLaw
   /// of Compressible Fluid Flow, 1953, section 4.5; with a covolume as derived in Gas.cpp.
   /// \param area times the coefficient of discharge [m2]
   double outflow(double area, double pressure, double temperature, double outside) const;
-  /// What gas that moves at a speed [m/s] has when it comes to rest without losses: p (1/rho - b)^gamma and
-  /// the enthalpy stay as they are. Changes pressure and temperature to that.
+  /// Changes pressure and temperature of gas that moves at a speed [m/s] to those of stagnation without
+  /// losses: p (1/rho - b)^gamma and the total enthalpy are conserved.
   void stagnate(double& pressure, double& temperature, double speed) const;
 };
 
-/// Mass and energy of the gas in one crack, and where they came from and went to.
+/// Mass and energy of the gas in one crack, with all that has been added and removed.
 ///
 /// Solid that burns brings the internal energy c_v T_f, so that gas that burns in a rigid cavity has the
-/// temperature T_f. Work on the faces is taken from the internal energy; what flows out takes its enthalpy.
-/// The balance is
+/// temperature T_f. Work on the faces reduces the internal energy; an outflow removes its enthalpy. The
+/// balance is
 ///
 ///     U = U_start + c_v T_f burnt + heat of what burnt + passed enthalpy - work - vented enthalpy
 ///         - heat to the walls,
 ///
-/// the heat of what burnt being that of the solid above its temperature at the start, and what passed being
-/// that which came from other cracks less that which went there.
+/// where the heat of what burnt is that of the solid above its temperature at the start, and the passed
+/// enthalpy is what came from other cracks less what went there.
 class Gas
 {
 public:
@@ -58,11 +58,11 @@ public:
   void doWork(double energy);            ///< that the gas did [J]
   void vent(double mass, double volume); ///< [kg]
   void heatWalls(double heat);           ///< [J]
-  /// Books what has flowed out with its enthalpy [kg, J].
+  /// Records an outflow with its enthalpy [kg, J].
   void recordOutflow(double mass, double enthalpy);
-  /// Books what has come from the gas of another crack with its enthalpy, or gone there (negative) [kg, J].
+  /// Records an inflow from the gas of another crack with its enthalpy; negative: an outflow to it [kg, J].
   void pass(double mass, double enthalpy);
-  /// Where the temperature is constant, the walls give or take what it needs.
+  /// Where the temperature is constant, records the heat that the walls supply or take to keep it.
   void settle();
 
   double mass() const { return mass_; }     ///< [kg]
@@ -73,7 +73,7 @@ public:
   double pressure(double volume) const;     ///< [Pa]
   /// c_v T + p V / m of the gas in a volume [J/kg].
   double enthalpy(double volume) const;
-  /// What the volume must be larger than [m3].
+  /// Lower bound of the volume [m3].
   double leastVolume() const { return law_.covolume * mass_; }
   const GasLaw& law() const { return law_; }
 

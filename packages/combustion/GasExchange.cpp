@@ -10,10 +10,10 @@ namespace Rhegma::combustion
 namespace
 {
 
-/// Fraction of what is left to flow that flows in one step, by the rate and the enthalpy in its middle.
+/// Fraction of the remaining mass that flows in one step, with the rate and the enthalpy at mid-step.
 constexpr double stepFraction = 0.05;
-/// Difference of the pressures over the larger below which the rate goes with its root, as that of a fluid
-/// that keeps its density: to first order in this.
+/// Difference of the pressures over the larger below which the rate is proportional to the root of the
+/// difference, as in incompressible flow.
 constexpr double small = 1e-3;
 
 /// Gas in its volume.
@@ -33,8 +33,8 @@ void move(Filled& from, Filled& to, double mass, double enthalpy)
   to.gas.settle();
 }
 
-/// Energy [J/kg] by which gas has less for each mass that leaves it, or more for what comes: the enthalpy of
-/// what flows, or, where walls keep the temperature, its own internal energy.
+/// Energy that gas loses or gains per mass that flows [J/kg]: the enthalpy of the flow or, where walls keep
+/// the temperature constant, its own internal energy.
 double energyPerMass(const Filled& gas, double enthalpy)
 {
   const GasLaw& law = gas.gas.law();
@@ -77,7 +77,7 @@ void exchange(Gas& one, double volumeOne, Gas& two, double volumeTwo, double are
       break;
     if (from.pressure() - to.pressure() < small * from.pressure())
     {
-      // Of dx/dt = - q (x / x0)^(1/2), which comes to rest after 2 x0 / q.
+      // Of dx/dt = - q (x / x0)^(1/2), which ends after 2 x0 / q.
       const double fraction = std::max(1.0 - 0.5 * rate * time / left, 0.0);
       move(from, to, left * (1.0 - fraction * fraction), enthalpy);
       break;

@@ -46,7 +46,7 @@ double heatedDepth(const State<D>& state)
   return std::sqrt(diffusivity * state.clock.time);
 }
 
-/// Faces hotter than the mean over a cell are seen by smaller cells only.
+/// Warns where cells are too coarse to resolve the temperature of the faces.
 template <int D>
 void warnOfThinSkin(const State<D>& state, const Burning<D>& b, nlohmann::json& summary)
 {
@@ -108,8 +108,7 @@ void reportGas(const State<D>& state, const BurnState<D>& burn, nlohmann::json& 
     entry["burnt_mass"] = gas.burnt();
     const double released = gas.burnt() * gas.law().heatCapacity() * gas.law().flameTemperature;
     const double given = gas.startEnergy() + released + gas.solidHeat() + gas.passedEnergy();
-    // What flows has its mass and energy in its cells: that they are the energy balance' is no matter of
-    // course.
+    // Flowing gas has its mass and energy in its cells; that these agree with the balance is checked here.
     const double mass = b.flows ? b.flow.channel().allMass() : gas.mass();
     const double energy = b.flows ? b.flow.channel().allEnergy() : gas.energy();
     const double taken = gas.workDone() + gas.ventedEnergy() + gas.wallHeat();

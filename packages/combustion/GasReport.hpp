@@ -1,5 +1,5 @@
 #pragma once
-/// What a run tells of the gas in its cracks.
+/// Report of the gas in cracks.
 
 #include "combustion/BurnState.hpp"
 
@@ -16,8 +16,7 @@ double massOfParticles(const State<D>& state);
 template <int D>
 void sampleGas(State<D>& state, const BurnState<D>& burn);
 
-/// Writes what summary.json has of the gas: its state and where its mass and energy came from and went to.
-/// Collective.
+/// Writes the gas to summary.json: its state, and the balances of its mass and energy. Collective.
 template <int D>
 void reportGas(const State<D>& state, const BurnState<D>& burn, nlohmann::json& summary);
 

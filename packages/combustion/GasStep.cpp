@@ -12,7 +12,8 @@ namespace Rhegma::combustion
 namespace
 {
 
-/// Cells that faces behind a front may be apart: beyond, their room is more than 15 % off (unit test Room).
+/// Largest opening behind a front [cells]: beyond it the volume of the cavity is more than 15 % off (unit
+/// test Cavity).
 constexpr double wideOpen = 2.0;
 
 template <int D>

@@ -18,7 +18,7 @@ struct Ignition
   bool inBox = false;                                           ///< those in a box at that time
   Vector<D> lower{}, upper{};                                   ///< corners of the box [m]
   double flameSpeed = 0.0;                                      ///< with which it spreads [m/s]
-  double temperature = std::numeric_limits<double>::infinity(); ///< of a face that catches fire [K]
+  double temperature = std::numeric_limits<double>::infinity(); ///< at which a face ignites [K]
 
   bool byTemperature() const { return temperature < std::numeric_limits<double>::infinity(); }
   /// Distance of a position from the box [m].
@@ -34,17 +34,17 @@ struct Ignition
   }
 };
 
-/// Which face points are lit. What burns once goes on burning, wherever its body moves; both faces of a point
-/// burn together.
+/// Which face points are lit. A lit point stays lit, wherever its body moves; both faces of a point burn
+/// together.
 template <int D>
 class Fire
 {
 public:
-  /// Follows points that may have been placed anew.
+  /// Updates the marks after face points may have been replaced.
   void follow(const FacePoints<D>& points, bool anew);
 
   /// Lights points of a crack. \param temperature of the faces at each point, below and above [K]; empty
-  /// where nobody carries heat
+  /// where no particle has heat
   void spread(const State<D>& state, const FacePoints<D>& points, int crack, const Ignition<D>& ignition,
               const View<double* [2]>& temperature) const;
 

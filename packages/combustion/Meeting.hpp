@@ -21,8 +21,8 @@ struct Meeting
   bool reported = false;        ///< a warning has said that their gases stay apart
 };
 
-/// Those of a scene, two ends that have met counted once. \param reach that two ends are apart at most that
-/// lie on each other [m]
+/// All meetings of a scene; two ends that have met count once. \param reach largest distance of two ends that
+/// have met [m]
 std::vector<Meeting> findMeetings(const CrackSet<2>& cracks, double reach);
 /// None: no crack ends on another in 3D.
 std::vector<Meeting> findMeetings(const CrackSet<3>& cracks, double reach);

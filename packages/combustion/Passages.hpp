@@ -7,8 +7,8 @@ namespace Rhegma::combustion
 {
 
 /// Follows which cracks have met. Gases of one pressure, of the same R, gamma and covolume, flow into each
-/// other from then on; of others a warning says once that they stay apart. Only the ends of fronts are looked
-/// at, and only where one more has ended.
+/// other from then on; of other gases a warning says once that they stay apart. Only the ends of fronts are
+/// checked, and only when one more has ended.
 template <int D>
 void updateMeetings(State<D>& state, BurnState<D>& burn);
 

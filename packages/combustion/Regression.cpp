@@ -22,7 +22,7 @@ double Regression<D>::computeLoss(const State<D>& state, const FacePoints<D>& po
     loss_ = View<double*>("rhegma::combustion::loss", rows + rows / 4);
     giver_ = View<int*>("rhegma::combustion::giver", rows + rows / 4);
   }
-  if (state.ranks.many()) // others' shares may lie on nodes that nothing here touches
+  if (state.ranks.many()) // contributions of other ranks may lie on nodes that no particle here touches
     clear(state);
   demand(state, points, crack, depth);
   sumOverRanks(state, demand_.data(), 1, 0, 1);
@@ -140,7 +140,7 @@ double Regression<D>::fraction(const State<D>& state)
           const int n = table.node(r, e);
           wanted += present(n) > 0.0 ? table.weight(r, e) * demand(n) / present(n) : 0.0;
         }
-        // Of the mass that is left, 1 / (1 + burnt) of that at the start.
+        // Relative to the remaining mass, which is 1 / (1 + burnt) of that at the start.
         const double ever = 1.0 - (1.0 - mostBurnt) * (1.0 + burnt(p));
         const double most = ever > 0.0 ? ever : 0.0;
         loss(g) = wanted < 0.0 ? 0.0 : wanted < most ? wanted : most;

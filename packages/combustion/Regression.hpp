@@ -8,20 +8,19 @@
 namespace Rhegma::combustion
 {
 
-/// Mass that a particle has lost to gas over what is left of it: like all that is told per undeformed volume,
-/// its mean over the volumes of parts is that of the whole.
+/// Mass that a particle has lost to gas over its remaining mass: like all quantities per undeformed volume,
+/// the mean over the volumes of its parts is that of the whole.
 inline const std::string burntOverLeft = "burnt over remaining mass";
 
-/// No particle loses more than this fraction of its mass: what is left keeps its nodes apart from empty
-/// space.
+/// No particle loses more than this fraction of its mass, so that its nodes keep a mass.
 constexpr double mostBurnt = 0.9;
 
-/// What burning faces take from the particles next to them.
+/// The mass that particles next to burning faces lose.
 ///
-/// A face that recedes by r dt takes rho r dt A from its nodes, which take it from the particles with a
-/// stored stencil on them as these give their mass: the mass of the gas is that of the particles to
-/// round-off. Nodes of several ranks sum over these what is asked of them and what they have. A particle
-/// loses undeformed volume as it loses mass, and keeps its velocity, deformation and stress.
+/// A face that recedes by r dt demands the mass rho r dt A of its nodes, which distribute the demand among
+/// the particles with a stored stencil on them, by their mass on the node: the mass of the gas is that lost
+/// by the particles, to round-off. Demand and mass of nodes of several ranks are summed over these. A
+/// particle loses undeformed volume as it loses mass, and keeps its velocity, deformation and stress.
 template <int D>
 class Regression
 {
@@ -34,15 +33,15 @@ public:
     double heat = 0.0;
   };
 
-  /// Finds what each particle gives in this step. To be called while stencils and nodal masses are those of
-  /// the step. Collective. \param depth density times the depth that burns, of each face point [kg/m2]
-  /// \return the mass that the particles of this rank will lose [kg]
+  /// Finds the mass that each particle loses in this step. To be called while stencils and nodal masses are
+  /// those of the step. Collective. \param depth density times the depth that burns, of each face point
+  /// [kg/m2] \return the mass that the particles of this rank will lose [kg]
   double computeLoss(const State<D>& state, const FacePoints<D>& points, int crack,
                      const View<double*>& depth);
 
-  /// Takes it from the particles. To be called in the same step, once for each call of `take`.
-  /// \param coldest temperature from which heat counts, where there is any [K]
-  /// \return what the particles of this rank lost
+  /// Removes it from the particles. To be called in the same step, once for each call of `computeLoss`.
+  /// \param coldest temperature from which heat counts, where there is any [K] \return what the particles of
+  /// this rank lost
   Loss apply(State<D>& state, double coldest);
 
   // Public because compilers for devices want kernels in public functions.
@@ -55,7 +54,7 @@ public:
 
 private:
   View<double*> demand_;  ///< of each node [kg]; on one rank zero between calls
-  View<double*> present_; ///< mass that givers give each node of which something is asked [kg]; likewise
+  View<double*> present_; ///< mass of these particles on each node with a demand [kg]; likewise
   View<int*> giver_;      ///< rows of the stored stencils that touch such a node
   int givers_ = 0;        ///< how many of them
   View<double*> loss_;    ///< of each giver, as a fraction of its mass

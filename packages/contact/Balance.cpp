@@ -51,7 +51,7 @@ void Balance<D>::begin(const State<D>& state)
   workBefore_ = workIn(state.energy);
   if (!state.mesh.subdomain || !state.clock.observing)
     return;
-  // What was recorded since the last sample is the ranks' own.
+  // Records since the last sample belong to each rank.
   const double before = workIn(state.sample.energy);
   workBefore_ = before + state.ranks.sum(workBefore_ - before);
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// How well a run keeps its energy, sample by sample.
+/// Energy conservation of a run, sample by sample.
 
 #include "state/State.hpp"
 
@@ -13,12 +13,12 @@ namespace Rhegma::contact
 
 /// Energy in the body against energy put in.
 ///
-/// Velocities and stresses of an explicit step belong to times half a step apart, so that their energies,
-/// simply added, waver by the fraction w dt / 2 of what moves at the frequency w: by percents after a slap,
-/// without any being lost. What the step keeps is v_before . v_after m / 2 next to the strain energy that
-/// made the forces between the two (the leapfrog's own invariant: Hairer, Lubich and Wanner, Acta Numerica 12
-/// (2003) 399); that is what is measured here, from the nodes' momentum and acceleration. Where nodes move in
-/// substeps, v_after is that after the impulses at the start of the step.
+/// Velocities and stresses of an explicit step belong to times half a step apart, so that the sum of their
+/// energies oscillates by the fraction w dt / 2 for motion of the frequency w: by percents after an impact,
+/// without any loss. What the step conserves is v_before . v_after m / 2 plus the strain energy of the forces
+/// between the two (the leapfrog's own invariant: Hairer, Lubich and Wanner, Acta Numerica 12 (2003) 399);
+/// that is what is measured here, from the nodes' momentum and acceleration. Where nodes move in substeps,
+/// v_after is that after the impulses at the start of the step.
 template <int D>
 class Balance
 {
@@ -29,7 +29,7 @@ public:
   /// Call after the solve of a step that is sampled. \param stored energy of contact then [J]
   void measure(const State<D>& state, double stored);
 
-  /// Call at the end of a step that is sampled. \param lost energy [J] that is known to have gone
+  /// Call at the end of a step that is sampled. \param lost energy [J] known to be dissipated
   void compare(const State<D>& state, double lost);
 
   void store(Archive& archive);

@@ -137,7 +137,7 @@ void ClosedVisibility::advance(const State<2>& state, const Velocity& velocity)
   const StencilTable<2> below = below_, above = above_;
   const View<double*> separation = separation_, seen = seen_;
   const double dt = state.clock.dt;
-  // What the two sides see lies on different ranks where a face between ranks runs along the crack.
+  // Where the boundary between ranks runs along the crack, the two sides are on different ranks.
   Kokkos::parallel_for(
       "rhegma::contact::seeFaces", Kokkos::RangePolicy<ExecSpace>(0, points_.count()),
       KOKKOS_LAMBDA(const int k) {

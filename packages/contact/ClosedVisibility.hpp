@@ -1,5 +1,5 @@
 #pragma once
-/// The report's own contact for broken cells: where a crack is closed, particles see through it.
+/// Contact of the C-SAFE report for broken cells: where a crack is closed, particles see through it.
 
 #include "transfer/FacePoints.hpp"
 
@@ -11,15 +11,14 @@ namespace Rhegma::contact
 /// Whether it is closed is judged by the unmodified strain interpolation: the separation of a face point
 /// follows h n . L n, L the mean velocity gradient by unbroken shape functions over a cell around the point,
 /// that is the relative motion of two positions half a cell away on either side. It is zero in the undeformed
-/// state; below, the faces are closer than undeformed. A particle goes by the face point that is nearest to
-/// it.
+/// state; below, the faces are closer than undeformed. A particle uses its nearest face point.
 ///
-/// This contact is kept for comparison: it changes the particles' shape functions in mid-motion, which
+/// This contact serves for comparison: it changes the shape functions of particles during the motion, which
 /// changes energy (docs/contact.md).
 class ClosedVisibility
 {
 public:
-  /// Puts itself between the state and what cuts the body; the object must outlive the state.
+  /// Hooks into the visibility of the state; the object must outlive the state.
   void install(State<2>& state);
 
   /// Finds points and their unbroken stencils for this step; needs nodal masses.

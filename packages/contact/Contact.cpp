@@ -58,7 +58,7 @@ Law readLaw(const std::string& name)
   return name == "Stick" ? Law::Stick : name == "Coulomb" ? Law::Coulomb : Law::Frictionless;
 }
 
-/// What the effect keeps from step to step.
+/// The state of the effect that lasts from step to step.
 template <int D>
 struct Account
 {
@@ -69,7 +69,7 @@ struct Account
   Balance<D> balance;
 };
 
-/// Whether this rank records what all know.
+/// Whether this rank records quantities that all ranks know.
 template <int D>
 bool recordsForAllRanks(const State<D>& state)
 {
@@ -118,7 +118,7 @@ template <int D>
 void observe(State<D>& state, Account<D>& account)
 {
   const EnergyBalance& energy = state.energy;
-  // New faces take what becomes no motion; heat that came in from outside leaves it alone.
+  // New faces dissipate energy; heat from outside does not change this balance.
   account.balance.compare(state, energy.damped + energy.plastic + energy.merged + energy.fracture +
                                      energy.thermal - energy.heat + account.contact.dissipated());
 }
@@ -136,7 +136,7 @@ void report(const State<D>& state, const Account<D>& account, nlohmann::json& su
     const ContactEnergy energy = energyIn(contact, static_cast<int>(c), 0.0, everywhere);
     nlohmann::json& entry = summary["cracks"][c]["contact"];
     entry["touches"] = crack.touches;
-    // What has no value yet is there all the same, as null.
+    // Entries without a value are written as null.
     entry["first_touch"] = crack.touches > 0 ? nlohmann::json(crack.firstTouch) : nlohmann::json();
     entry["closed_points"] = crack.closedPoints;
     entry["largest_pressure"] = crack.largestPressure;
@@ -153,11 +153,11 @@ void report(const State<D>& state, const Account<D>& account, nlohmann::json& su
   summary["energy"]["largest_fraction"] = account.balance.largestFraction();
 }
 
-/// An explicit step resolves frequencies w only below 2 / w. Cells have w^2 <= 8 c^2 / h^2; the layer adds
-/// 4 alpha c^2 / h^2 on nodes with half a cell's mass on each side, and no more where it cuts cells, because
-/// mass and stiffness of a node both go with the square of its distance from the crack. A tenth is kept in
-/// hand. In 3D cells have w^2 <= 12 c^2 / h^2. In refined cells the layer is as stiff as between the largest
-/// ones, so that it adds less; with Sub-Cycling it follows the substeps of the nodes.
+/// An explicit step resolves frequencies w only below 2 / w. Cells have w^2 <= 8 c^2 / h^2; the layer adds 4
+/// alpha c^2 / h^2 on nodes with half a cell's mass on each side, and no more where it cuts cells, because
+/// mass and stiffness of a node both go with the square of its distance from the crack. A tenth is kept as a
+/// margin. In 3D cells have w^2 <= 12 c^2 / h^2. In refined cells the layer is as stiff as between the
+/// largest ones, so that it adds less; with Sub-Cycling it follows the substeps of the nodes.
 ///
 /// Extrapolated weights (Cracks > Formulation Corrected Broken Cell) see a face at up to 2 and -1 times two
 /// nodes and feed back up to 3.2 times what is scattered (docs/broken_cells.md): at worst, a crack a tenth of
@@ -182,7 +182,7 @@ void prepare(State<D>& state, Account<D>& account)
       account.visibility->prepare(state);
       return;
     }
-  // What points that are placed anew keep of the energy of the layer differs; no force worked.
+  // Replaced points hold another energy of the layer, though no force has done work.
   const double change = account.contact.prepare(state);
   if (recordsForAllRanks(state))
   {
@@ -205,7 +205,7 @@ void advance(State<D>& state, Account<D>& account, const Velocity& velocity)
   record(state, account);
 }
 
-/// The velocity that strains the particles moves the gaps.
+/// Gaps follow the velocity that strains the particles.
 template <int D>
 void advance(State<D>& state, Account<D>& account)
 {

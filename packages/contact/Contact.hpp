@@ -1,5 +1,5 @@
 #pragma once
-/// The effect `Contact`: closed parts of cracks press and rub.
+/// The effect `Contact`: contact and friction of the closed parts of cracks.
 
 #include "plan/Effect.hpp"
 

@@ -10,8 +10,8 @@ namespace Rhegma::contact
 namespace
 {
 
-/// Whether all nodes of a point move in substeps. Faces that are apart may lie on two ranks, of which each
-/// knows one: these meet at the next step.
+/// Whether all nodes of a point move in substeps. Open faces may lie on two ranks, each of which knows one
+/// face: such points are handled at the next step.
 template <int D>
 KOKKOS_INLINE_FUNCTION bool follows(const FacePoints<D>& points, const NodeSlots& slots, int k)
 {

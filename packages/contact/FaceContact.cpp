@@ -19,7 +19,7 @@ namespace Rhegma::contact
 namespace
 {
 
-/// A closed crack at rest presses with round-off of its material's modulus; that is no touch.
+/// Pressure as a fraction of the modulus below which a touch is only round-off.
 constexpr double noticeable = 1e-9;
 
 /// Traction of the face points on their faces, as forces.
@@ -37,8 +37,8 @@ void scatterTractions(const Nodes<D>& nodes, const FacePoints<D>& points, const 
       });
 }
 
-/// Heat by size of points that were placed anew [J/m2]: what each earlier point had goes to the points that
-/// inherit from it by their sizes, or where none does to the one in its place. \param size of earlier points
+/// Heat per size of replaced points [J/m2]: that of each earlier point goes to the points that inherit from
+/// it, by their sizes, or where there is none to the point at its position. \param size of earlier points
 template <int D>
 View<double*> inheritHeat(const View<double*>& old, const View<double*>& size, const FacePoints<D>& points)
 {

@@ -9,10 +9,10 @@
 namespace Rhegma::contact
 {
 
-/// One crack's account.
+/// What is recorded of one crack.
 struct CrackContact
 {
-  int closedPoints = 0;         ///< points that carry pressure now
+  int closedPoints = 0;         ///< points under pressure now
   int touches = 0;              ///< how often an open crack has begun to touch
   double firstTouch = -1.0;     ///< time of the first [s]; negative: never
   double largestPressure = 0.0; ///< ever, at a point [Pa]
@@ -22,10 +22,10 @@ struct CrackContact
 ///
 /// The gap of a point, zero in the undeformed state, follows the normal jump of the velocity that strains the
 /// particles, and so does its elastic slip the tangential jump: contact is an elastic layer in series with
-/// the cells next to it and keeps energy as they do. Where the gap is negative the faces press each other
-/// with p = kn <-gap>; the shear traction kt s is limited to mu p, what goes beyond it slips for good (return
-/// mapping: Wriggers, Computational Contact Mechanics, 2nd ed., Springer 2006, ch. 5). Gap and slip are
-/// counted along the crack's own normal and tangents as they turn.
+/// the cells next to it and conserves energy as they do. Where the gap is negative the faces press each other
+/// with p = kn <-gap>; the shear traction kt s is limited to mu p, the rest is plastic slip (return mapping:
+/// Wriggers, Computational Contact Mechanics, 2nd ed., Springer 2006, ch. 5). Gap and slip are components
+/// along the normal and the tangents of the crack, which turn with it.
 template <int D>
 class FaceContact
 {
@@ -33,15 +33,15 @@ public:
   /// \param friction coefficient; used by Coulomb \param alpha stiffness in units of modulus / cell size
   FaceContact(Law law, double friction, double alpha) : law_(law), friction_(friction), alpha_(alpha) {}
 
-  /// Finds points and stencils for this step; needs nodal masses.
-  /// \return the change of the stored energy [J] where points were placed anew, as those that inherit stand
-  /// for other pieces; the dissipated energy stays
+  /// Finds points and stencils for this step; needs nodal masses. \return the change of the stored energy [J]
+  /// where points were replaced, as those that inherit stand for other pieces; the dissipated energy does not
+  /// change
   double prepare(const State<D>& state);
 
   /// Adds the tractions' forces [N]: opposite ones on the two faces, so momentum is kept to round-off.
   void addForces(const State<D>& state) const;
 
-  /// How the forces follow nodes that move in substeps: those of points all of whose nodes do.
+  /// Forces at points all of whose nodes are subcycled follow these nodes; the others are frozen.
   void addFrozenForces(const State<D>& state, const NodeSlots& slots, const View<double* [D]>& force) const;
   void addChange(const State<D>& state, const NodeSlots& slots, const View<double* [D]>& displacement,
                  const View<double* [D]>& force) const;
@@ -51,7 +51,7 @@ public:
   template <class Velocity>
   void advance(const State<D>& state, const Velocity& velocity);
 
-  /// Saves or loads the points with all that they remember.
+  /// Saves or loads the points with their history.
   void store(Archive& archive);
 
   const FacePoints<D>& points() const { return points_; }

@@ -1,5 +1,5 @@
 #pragma once
-/// The traction that points on the faces carry.
+/// The traction at points on the faces.
 
 #include "transfer/FacePoints.hpp"
 

@@ -11,9 +11,9 @@ namespace Rhegma::cracks
 namespace
 {
 
-constexpr int points = 48; ///< that are looked at along a path
+constexpr int points = 48; ///< that are checked along a path
 
-/// Bodies that are further apart than this, by the points that are filled, do not touch [cells].
+/// Bodies do not touch if their filled points are further apart than this [cells].
 constexpr double apart = 0.125;
 
 /// The box round all paths.
@@ -31,7 +31,7 @@ struct Box
   }
 };
 
-/// The range of one step along a path that is looked at [m].
+/// The range along a path that is checked in one pass [m].
 template <int D>
 double stepOf(const Path<D>& path)
 {

@@ -1,5 +1,5 @@
 #pragma once
-/// How much material is ahead of front nodes.
+/// The ligament ahead of front nodes.
 
 #include "state/State.hpp"
 
@@ -8,7 +8,7 @@
 namespace Rhegma::cracks
 {
 
-/// A front node that has less than this ahead of it goes on to the surface [cells].
+/// A front node with a shorter ligament advances to the surface [cells].
 constexpr double leastLigament = 0.5;
 
 /// The straight path of a front node.
@@ -24,18 +24,19 @@ struct Path
   double gap = 0.0;
 };
 
-/// What a path has.
+/// The ligament along a path.
 struct Ligament
 {
   double length; ///< of the advance, or up to the surface [m]
   bool ends;     ///< whether it ends at the surface: less than half a cell of material is left beyond it
 };
 
-/// Whether front nodes can make their advances, or go on to a surface. Collective.
+/// Whether front nodes have material for their advances, or advance to a surface. Collective.
 ///
-/// Of each advance and half a cell beyond it 48 points are looked at. A point is filled that lies within 0.55
-/// of the diagonal of a particle of that particle's centre. Particles count in 2D as they are deformed, in 3D
-/// as they were at the start. Two bodies further apart than an eighth of a cell are not joined over a gap.
+/// 48 points along each advance and half a cell beyond it are checked. A point is filled that lies within
+/// 0.55 of the diagonal of a particle of that particle's centre. Particles count in 2D as they are deformed,
+/// in 3D as they were at the start. Two bodies further apart than an eighth of a cell are not joined over a
+/// gap.
 template <int D>
 std::vector<Ligament> ligamentsAhead(const State<D>& state, const std::vector<Path<D>>& paths);
 

@@ -42,7 +42,7 @@ std::vector<Vector<D>> readPositions(const ParameterList& crack)
   return points;
 }
 
-/// What is in bodies of the first of two positions: itself, or where the way to the second enters one.
+/// The first of two positions if it is in a body, else the point where the segment to the second enters one.
 Vector<2> enter(const Vector<2>& from, const Vector<2>& to, const SceneBodies<2>& bodies)
 {
   double outside = 0.0, inside = 1.0;
@@ -56,7 +56,7 @@ Vector<2> enter(const Vector<2>& from, const Vector<2>& to, const SceneBodies<2>
   return from + inside * (to - from);
 }
 
-/// A polyline is cut off at the surface at both ends.
+/// The length of a polyline inside the bodies, and its ligament.
 Lengths measureLine(const ParameterList& crack, const SceneBodies<2>& bodies)
 {
   std::vector<Vector<2>> points = readPositions<2>(crack);
@@ -135,7 +135,7 @@ Rim rimOfDisk(const ParameterList& crack)
     least = std::fabs(normal[d]) < std::fabs(normal[least]) ? d : least;
   Vector<3> along{};
   along[least] = 1.0;
-  // Of an ellipse the smaller radius all round: rather too close to its middle than beyond it.
+  // Of an ellipse the smaller radius all round: so that samples lie rather inside the ellipse than outside.
   Vector<3> a = cross(normal, along);
   Vector<3> b = cross(normal, a);
   a = (rim.radius / norm(a)) * a;

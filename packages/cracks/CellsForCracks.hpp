@@ -1,5 +1,5 @@
 #pragma once
-/// What cracks ask of the cells that Domain > Accuracy chooses.
+/// The lengths of cracks by which Domain > Accuracy chooses cells.
 
 #include "scene/CellNeeds.hpp"
 

@@ -42,8 +42,7 @@ KOKKOS_INLINE_FUNCTION double frontSpringStiffness(double modulus, double width,
 ///
 /// The two fields of a node that a front passes are held together at first by the force T that gives both one
 /// acceleration. The opening is counted from -T / k, so that the traction can turn with it and has a finite
-/// stiffness k at first. A force that pushes the faces together is no cohesion and is left out
-/// (HoldingForce.hpp).
+/// stiffness k at first. Compressive forces are no cohesion and are left out (HoldingForce.hpp).
 struct CohesiveLaw
 {
   double strength = 0.0; ///< T [N]
@@ -63,7 +62,7 @@ struct CohesiveLaw
     return secant(opening > largest ? opening : largest) * opening;
   }
 
-  /// Whether the fields are apart for good. \param largest opening so far [m]
+  /// Whether the fields have separated. \param largest opening so far [m]
   KOKKOS_INLINE_FUNCTION bool isOpen(double largest) const { return !(traction(largest, largest) > 0.0); }
 
   /// What the traction dissipates from its onset to zero [J].
@@ -81,9 +80,9 @@ struct CohesiveLaw
 };
 
 /// Opening over which nodes that a front passes together release an energy [m]: w = 2 E / sum T, all with the
-/// same. They dissipate E together, each a part in proportion to its force (two rows of nodes next to a crack
-/// that runs between them).
-/// \param energy [J] \param holding sum of the forces that would hold the fields [N]
+/// same. Together they dissipate E, each in proportion to its force (for example, the two rows of nodes next
+/// to a crack that runs between them). \param energy [J] \param holding sum of the forces that would hold the
+/// fields [N]
 inline double releaseRange(double energy, double holding)
 {
   return 2.0 * energy / (springs::initialFraction * holding);

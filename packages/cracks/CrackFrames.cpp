@@ -152,7 +152,7 @@ private:
 
   static Vector<3> across(const Vector<3>& a, const Vector<3>& n) { return unit(a - dot(a, n) * n); }
 
-  /// Adds a piece's half length, and its direction and normal by that length.
+  /// Adds half the length of a piece, and its direction and normal weighted by it.
   void add(int facet, FrontNode<3>& frontNode) const
   {
     const int s = frontFacet_(facet, 0), opposite = frontFacet_(facet, 1);
@@ -164,8 +164,8 @@ private:
     frontNode.direction = frontNode.direction + cross(along, n);
   }
 
-  /// The direction in which the surface-breaking edge goes on at the end of a front; that across the front if
-  /// the two are almost one line.
+  /// The direction in which the surface-breaking edge continues at the end of a front; the direction across
+  /// the front if the two are almost parallel.
   Vector<3> alongSurface(const FrontNode<3>& frontNode) const
   {
     constexpr double grazing = 0.25;

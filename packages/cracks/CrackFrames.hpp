@@ -10,7 +10,7 @@ namespace Rhegma::cracks
 template <int D>
 void updateNormals(const CrackSet<D>& cracks);
 
-/// Places, directions, normals and lengths of the fronts from the vertices as they are now.
+/// Positions, directions, normals and lengths of the fronts from the vertices as they are now.
 template <int D>
 void updateFronts(CrackSet<D>& cracks);
 

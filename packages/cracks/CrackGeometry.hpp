@@ -10,8 +10,8 @@ namespace Rhegma::cracks
 
 namespace facet = surface::facet;
 
-/// Cells over which a crack matters to nodes: a particle a stencil away on the other side must find the
-/// node's side.
+/// Distance from a crack within which nodes have a side [cells]: a particle a stencil away on the other side
+/// must find the node's side.
 constexpr double bandWidth = 3.0;
 
 /// A point seen from a crack that is continued straight on beyond its surface-breaking ends and its fronts.
@@ -26,7 +26,7 @@ using surface::Foot;
 using surface::footOn;
 using surface::pointAt;
 
-/// What CrackSet::nearFront says of a simplex.
+/// Flags of CrackSet::nearFront.
 namespace nearFront
 {
 constexpr int away = 0;
@@ -34,7 +34,7 @@ constexpr int hasSprings = 1;      ///< its crack may have front springs
 constexpr int springsDisabled = 2; ///< near a front as well, its crack without springs (AdvectedFronts.hpp)
 } // namespace nearFront
 
-/// What kernels need to look at cracks.
+/// Locates points with respect to cracks, in kernels.
 template <int D>
 struct CrackSight
 {
@@ -42,7 +42,7 @@ struct CrackSight
   View<int*[D]> simplex, neighbour;
   View<int* [2]> frontFacet;
   View<int*> crackOf, kind, nearFront;
-  double extension; ///< how far a front's line goes straight on beyond the surface [m]
+  double extension; ///< how far a front is continued straight beyond the surface [m]
 
   CrackSight(const CrackSet<D>& cracks, double spacing)
       : vertex(cracks.vertex),
@@ -74,8 +74,8 @@ struct CrackSight
     return dot(away, away);
   }
 
-  /// Looks at x from simplex s, which should be the nearest to it. The side is that of the normal of the
-  /// simplex, edge or vertex on which the nearest point lies, so that sides change nowhere but on the
+  /// Locates x with respect to simplex s, which should be the nearest to it. The side is that of the normal
+  /// of the simplex, edge or vertex on which the nearest point lies, so that sides change nowhere but on the
   /// continued crack (Baerentzen and Aanaes, IEEE Trans. Vis. Comput. Graph. 11 (2005) 243).
   KOKKOS_INLINE_FUNCTION Sight locate(int s, const Vector<D>& x) const
   {
@@ -132,7 +132,7 @@ private:
       {
         const Vector<D> along = corner[(opposite + 2) % D] - a;
         const double square = dot(along, along), reach = extension / std::sqrt(square);
-        // Where a front ends at the surface, its line goes on beyond.
+        // A front that ends at the surface is continued beyond it.
         const double low = kind(simplex(t, (opposite + 1) % D)) == vertexKind::front ? 0.0 : -reach;
         const double high = kind(simplex(t, (opposite + 2) % D)) == vertexKind::front ? 1.0 : 1.0 + reach;
         double at = dot(from, along) / square;

@@ -21,10 +21,10 @@ namespace
 
 /// Lengths in cells.
 constexpr double longestPiece = 1.5, shortestPiece = 0.5, rowHeight = 1.0;
-/// Most that a front node moves along its front, as a fraction of its advance: less than a turn that begins a
-/// row.
+/// Largest motion of a front node along its front, as a fraction of its advance: less than a turn that begins
+/// a new row.
 constexpr double sideways = 0.15;
-/// Cosine of a turn that is none. Directions of 3D fronts are known less well.
+/// Cosine of the largest angle that counts as straight. Directions of 3D fronts are less accurate.
 template <int D>
 constexpr double straight = D == 2 ? 1.0 - 1e-12 : 1.0 - 1e-6;
 /// A piece shorter than this fraction of its advance has no direction.
@@ -50,7 +50,7 @@ std::string textOf(const Vector<D>& x)
 /// neighbours [m].
 ///
 /// Neighbours advance one after the other, so that a front is never quite normal to the paths of its nodes.
-/// What that moves them sideways does not even out where one neighbour is always the first.
+/// The sideways motion does not average out where one neighbour always advances first.
 Vector<3> evening(const GrowingSurface& mesh, const FrontLines<3>& lines, std::size_t k, double length)
 {
   const int last = previousPoint(lines, k);
@@ -106,7 +106,7 @@ bool CrackGrowth<D>::prepare(const State<D>& state, Advancing& f, double& longes
   return turns;
 }
 
-/// Where each node goes that advances, as far as there is material.
+/// The end point of each advance, limited by the ligament.
 template <int D>
 std::vector<AdvancingNode<D>> CrackGrowth<D>::findPaths(const State<D>& state, const Advancing& f) const
 {
@@ -136,7 +136,7 @@ std::vector<AdvancingNode<D>> CrackGrowth<D>::findPaths(const State<D>& state, c
   return nodes;
 }
 
-/// The front that a front has met ends too.
+/// Ends the front that another front has met.
 template <int D>
 void CrackGrowth<D>::endMet(State<D>& state, std::vector<GrowingCrack<D>>& cracks, const Advancing& f,
                             int met)
@@ -209,11 +209,11 @@ bool CrackGrowth<D>::advanceNode(State<D>& state, std::vector<GrowingCrack<D>>& 
   return true;
 }
 
-/// Splits long pieces of a front and takes short ones away.
+/// Splits long pieces of a front and removes short ones.
 template <int D>
 void CrackGrowth<D>::evenPieces(Advancing& f)
 {
-  int names = 0; // no new node has the name of one that goes now: its past is another's
+  int names = 0; // no new node may have the name of a node that is removed now, whose history is another
   for (const FrontPoint<D>& point : f.lines)
     names = std::max(names, point.name + 1);
   cutLanded(f.lines);
@@ -274,7 +274,7 @@ std::vector<Meeting> CrackGrowth<D>::grow(State<D>& state)
   reported_.resize(set.fronts.size());
   std::vector<GrowingCrack<D>> cracks = readGrowing(set, marks_);
   for (const FrontAdvance<D>& advance : set.advances)
-    if (!set.fronts[advance.front].ended) // one that has been met goes no further
+    if (!set.fronts[advance.front].ended) // a front that has been met stops
       growFront(state, cracks, advance, meetings);
   set.advances.clear();
   writeGrowing(set, cracks, marks_, state.mesh.grid.spacing);

@@ -24,17 +24,17 @@ namespace Rhegma::cracks
 ///
 /// Each front node moves by its own length in its own direction. In 2D that adds a segment to its crack. In
 /// 3D the triangles behind it stretch until a row of them is as high as a cell, then a new row begins; pieces
-/// of front longer than 1.5 cells are split, those shorter than half a cell taken away; ripples of the front
-/// are smoothed by giving of what a front node is to advance to its neighbours, at a plane of symmetry to its
-/// mirror image too, and none moves back for that. New faces start closed. Whatever happens to the front, the
-/// area that the crack gains times the toughness is the energy that its new faces require, to rounding.
+/// of front longer than 1.5 cells are split, those shorter than half a cell removed; ripples of the front are
+/// smoothed by moving a part of the advance of a front node to its neighbours, at a plane of symmetry also to
+/// its mirror image, and no node moves back. New faces start closed. Whatever happens to the front, the area
+/// that the crack gains times the toughness is the energy that its new faces require, to rounding.
 ///
-/// A front node that comes within half a cell of the surface of its body goes on to it and stays there;
+/// A front node that comes within half a cell of the surface of its body advances to it and stays there;
 /// pieces between two such nodes are surface-breaking. An end of a 3D front that lies on the surface slides
-/// along it. A front none of whose nodes is left has ended. What other faces do is in Encounter.hpp. Each of
+/// along it. A front without remaining nodes has ended. Encounters with other faces: Encounter.hpp. Each of
 /// these is reported once, in the warnings of the run.
 ///
-/// Particles ahead of a front that turns get their side of the crack anew.
+/// Particles ahead of a front that turns get a new side of the crack.
 template <int D>
 class CrackGrowth
 {
@@ -50,7 +50,7 @@ public:
   /// where nothing has grown [J/m2].
   std::vector<double> toughnessAlong(const CrackSet<D>& set, int front) const;
 
-  /// Saves or loads what the fronts have done, after the cracks themselves (CrackMemory.hpp).
+  /// Saves or loads the history of the fronts, after the cracks themselves (CrackMemory.hpp).
   void store(const CrackSet<D>& set, Archive& archive);
 
 private:

@@ -121,7 +121,7 @@ void storeCracks(State<D>& state, Archive& archive)
     CrackFront<D>& front = set.fronts[f];
     const Archive::Group group(archive, "front " + std::to_string(f));
     archive("vertex", front.vertex);
-    archive("direction", front.direction); // those of a front that has ended are found no more
+    archive("direction", front.direction); // of a front that has ended, as it is no longer computed
     archive("normal", front.normal);
     archive("grown", front.grown);
     archive("ended", front.ended);

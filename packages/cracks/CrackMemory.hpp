@@ -11,7 +11,7 @@ class Archive;
 namespace Rhegma::cracks
 {
 
-/// Saves or loads the vertices and simplices of the cracks, their fronts and what these have done.
+/// Saves or loads the vertices and simplices of the cracks, their fronts and the history of these.
 template <int D>
 void storeCracks(State<D>& state, Archive& archive);
 

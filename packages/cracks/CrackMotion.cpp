@@ -26,8 +26,8 @@ void placePoints(const CrackSet<D>& cracks, const ObservedPoints<D>& points)
       });
 }
 
-/// How far each point's nodes take it, D numbers, and whether it has nodes. \param byMotion by their motion,
-/// not by the projection
+/// Displacement of each point by its nodes, D numbers, and whether it has nodes. \param byMotion by the
+/// motion of the nodes, not by the projection
 template <int D>
 void findShifts(const Nodes<D>& nodes, const StencilTable<D>& stencils, int count, double dt, bool byMotion,
                 const View<double*>& shift)

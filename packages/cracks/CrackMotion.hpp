@@ -9,9 +9,9 @@ namespace Rhegma::cracks
 /// Moves each vertex's two positions with the faces of the crack and puts the crack midway. A front has one
 /// position: it moves with the mean of both sides.
 ///
-/// Faces move by the velocity that strains and moves the particles: what it adds up to is the displacement of
-/// the cells at rest (K U = f), whereas the nodes' motion before the projection is strewn about it by the
-/// light nodes of cut cells; by it openings in inclined cracks were off by 7 to 30 %.
+/// Faces move by the velocity that strains and moves the particles: its integral is the displacement of the
+/// cells at rest (K U = f), whereas the motion of nodes before the projection is scattered by the light nodes
+/// of cut cells; with it, openings in inclined cracks were off by 7 to 30 %.
 template <int D>
 class CrackMotion
 {

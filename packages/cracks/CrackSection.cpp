@@ -11,7 +11,7 @@ namespace Rhegma::cracks
 namespace
 {
 
-/// A crack has one shape, and all that belongs to it.
+/// Checks that a crack has one shape with all of its parameters.
 void checkShape(const Teuchos::ParameterList& crack, const std::string& where, bool flat,
                 std::vector<SceneError>& errors)
 {
@@ -45,7 +45,7 @@ void checkShapes(const Teuchos::ParameterList& scene, std::vector<SceneError>& e
   for (const std::string& name : sublistNames(scene.sublist("Cracks")))
   {
     const std::string where = "Cracks > " + name;
-    bool wrong = false; // then what follows from it says nothing
+    bool wrong = false; // further checks are meaningless then
     for (const SceneError& error : errors)
       wrong = wrong || error.where.rfind(where + " > ", 0) == 0;
     if (!wrong)

@@ -39,7 +39,7 @@ Formulation readFormulation(const Teuchos::ParameterList& section)
 /// but no smaller than those of the second level, as there are four times as many with each.
 int piecesOfACell(const RunOptions& options) { return 1 << std::min(2, options.frontLevels); }
 
-/// What the calls of the effect share.
+/// What the calls of the effect have in common.
 template <int D>
 struct Parts
 {
@@ -88,7 +88,7 @@ void prepareStencils(Parts<D>& parts, State<D>& state, const View<int*>& row)
     findSides(state, parts.surroundings, row);
   if (parts.surroundings.stamp == 1)
     warnOfIdleCracks(state);
-  if constexpr (D == 2) // a 3D scene with another formulation is refused
+  if constexpr (D == 2) // other formulations are 2D only
   {
     if (parts.formulation == Formulation::CorrectedBrokenCell)
       findGhosts(state, row, parts.ghosts);
@@ -144,7 +144,7 @@ std::vector<double> toughnessOf(const Parts<D>& parts, const CrackSet<D>& set, i
 template <int D>
 void callSprings(const Shared<D>& parts, Effect<D>& effect)
 {
-  // USF stretches springs before forces are summed.
+  // With USF, springs are stretched before forces are summed.
   effect.call({Stage::Scatter,
                "stiffness of springs behind crack fronts",
                {quantity::nodalMass, quantity::enrichedFields},
@@ -181,7 +181,7 @@ void callSprings(const Shared<D>& parts, Effect<D>& effect)
 template <int D>
 void grow(Parts<D>& parts, State<D>& state)
 {
-  if constexpr (D == 2) // faces that the motion of a body opens later require the same energy
+  if constexpr (D == 2) // faces that open later by the motion of a body require the same energy
     for (const FrontAdvance<D>& advance : state.cracks.advances)
       state.cracks.fronts[advance.front].budget.toughness = advance.nodes[0].toughness;
   for (const Meeting& meeting : parts.growth.grow(state))

@@ -10,8 +10,8 @@ namespace Rhegma::cracks
 namespace
 {
 
-/// A front closer than this to another crack has cells that can't tell the two apart [cells], and this far
-/// ahead the crack that it would meet is looked for.
+/// Distance to another crack within which cells can't resolve the two cracks, and distance ahead within which
+/// the crack that a front would meet is searched [cells].
 constexpr double tooClose = bandWidth, searchLength = 2.0 * bandWidth;
 
 /// Cosine of the angle within which a front that lies ahead is in the path: 15 degrees.
@@ -64,7 +64,7 @@ struct Obstacles
     }
   }
 
-  /// The one that is nearest to a point.
+  /// The obstacle nearest to a point.
   Neighbour nearestTo(const Vector<2>& x) const
   {
     Neighbour found;
@@ -79,7 +79,8 @@ struct Obstacles
     return found;
   }
 
-  /// The one that a straight path crosses first, and the length up to it. \param only this crack; -1: all
+  /// The obstacle that a straight path crosses first, and the length up to it. \param only this crack; -1:
+  /// all
   Neighbour firstAlong(const Vector<2>& from, const Vector<2>& direction, int only = -1) const
   {
     Neighbour found;
@@ -94,7 +95,7 @@ struct Obstacles
   }
 };
 
-/// Where a front is now.
+/// The present position of a front.
 Vector<2> tipOf(const std::vector<GrowingCrack<2>>& cracks, const CrackFront<2>& front, int number)
 {
   const GrowingCrack<2>& crack = cracks[front.crack];
@@ -128,7 +129,7 @@ int frontInThePath(const CrackSet<2>& set, const Obstacles& obstacles, const Adv
   return nearest;
 }
 
-/// Whether there is material all the way to another crack. What lacks in the last cell is its opening.
+/// Whether there is material up to another crack. A gap in the last cell is the opening of that crack.
 bool isSolid(const State<2>& state, Path<2> path, const Vector<2>& to)
 {
   const double length = norm(to);
@@ -158,7 +159,7 @@ Encounter<2> findEncounter(const State<2>& state, const std::vector<GrowingCrack
   if (const int met = frontInThePath(set, obstacles, node, reach); met >= 0)
   {
     const Vector<2> to = tipOf(cracks, set.fronts[met], met) - path.from;
-    // Where a gap lies before the other crack, that is none that this one can meet.
+    // A front cannot reach the other crack across a gap.
     return isSolid(state, path, to)
                ? Encounter<2>{Kind::Meets, set.fronts[met].crack, met, norm(to), (1.0 / norm(to)) * to}
                : Encounter<2>{};

@@ -1,5 +1,5 @@
 #pragma once
-/// What other faces do to a front node that is about to advance.
+/// Encounters of a front node that is about to advance with other faces.
 
 #include "cracks/AvailableLength.hpp"
 #include "cracks/GrowingCrack.hpp"
@@ -17,7 +17,7 @@ struct Encounter
   enum class Kind
   {
     None,
-    Stops, ///< they are too near for the cells to tell them apart
+    Stops, ///< too near for the cells to resolve both cracks
     Joins, ///< the front ends on the face of another crack (2D)
     Meets  ///< two fronts end on one another (2D)
   };
@@ -42,7 +42,7 @@ struct AdvancingNode
 /// In 2D: a front that comes closer than three cells to another crack that lies across its path, less than
 /// six cells ahead, joins the first such crack, if there is material up to it. Two fronts in each other's
 /// path, within 15 degrees and six cells, meet. One that comes as close to a crack next to its path, or to an
-/// earlier part of its own, stops: cells can't tell such cracks apart.
+/// earlier part of its own, stops: cells can't resolve both cracks.
 ///
 /// In 3D: a front node stops less than three cells from another crack, or from faces of its own that lie
 /// ahead. Collective.

@@ -30,9 +30,9 @@ std::pair<double, int> nearest(const CrackSet<3>& set, int crack, bool others, c
   return {std::sqrt(found.val), found.loc};
 }
 
-/// Cells ahead of a front from which its own faces are looked for, and the part of the way back within which
-/// faces are others than those behind the front. A front that closes round a middle so stops before its nodes
-/// pass each other.
+/// Distance ahead of a front from which its own faces are searched [cells], and the fraction of that distance
+/// within which faces are not those behind the front. A front that closes around a centre thus stops before
+/// its nodes pass each other.
 constexpr double ahead = 2.0, nearer = 0.5;
 
 } // namespace

@@ -25,7 +25,7 @@ constexpr double welded = 1e-3;   ///< points nearer than that are one [cells]
 /// third of a cell on to the surface of the body [cells].
 constexpr double onEdge = 0.15;
 
-/// The edges that have one triangle.
+/// The edges of a single triangle.
 std::vector<std::array<Vector<3>, 2>> borderOf(const SurfaceMesh& mesh)
 {
   std::vector<std::array<Vector<3>, 2>> border;
@@ -49,7 +49,7 @@ void refuseLarge(const SurfaceMesh& mesh, double cell)
                                 " cells; check that its points are in metres");
 }
 
-/// Runs a step of reading; what is wrong is said of a file.
+/// Runs a step of reading; adds the name of the file to its errors.
 template <class Step>
 void attempt(const std::string& name, const Step& step)
 {

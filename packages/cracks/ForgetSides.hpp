@@ -7,7 +7,7 @@ namespace Rhegma::cracks
 {
 
 /// Sets the side of particles to none that are of the front's crack, within a reach [m] of its front nodes,
-/// and ahead of the nearest: they get it anew, for they lie next to the crack that will be there.
+/// and ahead of the nearest: they get a new side when the crack has advanced.
 template <int D>
 void forgetSidesAhead(const State<D>& state, const CrackFront<D>& front, double reach);
 

@@ -11,15 +11,15 @@ namespace
 
 using namespace surface;
 
-/// Fraction of a ripple that a step takes away; the most that a point gives of its advance; the least that
-/// makes one advance, in cells, so that no row of faces begins with slivers.
+/// Fraction of a ripple that a step removes; largest fraction of its advance that a point passes on; smallest
+/// advance that a point at rest receives [cells], so that no row of faces begins with slivers.
 constexpr double smoothing = 0.25, largestGiven = 0.5, leastReceived = 0.01;
-/// Least fraction of its own resistance that drives a point that is taken along.
+/// Smallest ratio of driving force to resistance of a point that is advanced by its neighbours alone.
 constexpr double leastDriven = 0.5;
 
-/// How far a point of a front lies ahead of its neighbours' middle, by its own direction, over the product of
-/// its distances from these, which is half of a circle's curvature [1/m]: so unequal pieces of a circle bulge
-/// alike. At a mirror the other neighbour is the image of the one; 0 at other ends.
+/// Half the curvature of a front at a point [1/m]: how far the point lies ahead of the middle of its
+/// neighbours, along its own direction, over the product of its distances from these. The pieces may be of
+/// unequal length. At a mirror the other neighbour is the image of the one; 0 at other ends.
 double curvatureAt(const GrowingSurface& surface, const FrontLines<3>& lines, std::size_t k, bool mirrored)
 {
   const int last = previousPoint(lines, k);
@@ -38,10 +38,11 @@ double curvatureAt(const GrowingSurface& surface, const FrontLines<3>& lines, st
   return dot(x - middle, lines[k].direction) / (u * w);
 }
 
-/// Area that the k-th point of a front hands to the one after it, negative if it takes [m2].
+/// Curvature flux: the area that the k-th point of a front passes to the next one; negative if it receives
+/// [m2].
 ///
-/// What bulges more gives. Area that runs down the differences of curvature flattens ripples and leaves
-/// circles as they are (as surface diffusion does; Mullins, J. Appl. Phys. 28 (1957) 333).
+/// The flux is from the larger curvature to the smaller. This flattens ripples and leaves circles as they are
+/// (as surface diffusion does; Mullins, J. Appl. Phys. 28 (1957) 333).
 double curvatureFlux(const GrowingSurface& surface, const FrontLines<3>& lines, std::size_t k,
                      const std::vector<double>& curvature, const std::vector<bool>& mirrored)
 {
@@ -50,8 +51,8 @@ double curvatureFlux(const GrowingSurface& surface, const FrontLines<3>& lines, 
              toEnd = !lines[to].joined && !mirrored[to];
   if (!lines[k].joined || fromEnd || toEnd)
     return 0.0;
-  // The shortest of the pieces that the two curvatures are of: by a longer one a ripple of short ones would
-  // be taken away more than once.
+  // The shortest of the pieces that the two curvatures are of: with a longer one, ripples of short pieces
+  // would be overcorrected.
   double piece = surface.pieceAt(lines, k);
   if (const int last = previousPoint(lines, k); last >= 0)
     piece = std::min(piece, surface.pieceAt(lines, last));

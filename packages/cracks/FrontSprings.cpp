@@ -40,7 +40,8 @@ struct FindSpring
     const int own = nodes.parent(i);
     const NodalSpring<D> node = springs(own);
     const bool fresh = static_cast<int>(node.step()) != step - 1;
-    for (int k = 0; k < NodalSpring<D>::size && fresh; ++k) // another node of this number may have left some
+    for (int k = 0; k < NodalSpring<D>::size && fresh;
+         ++k) // the row may hold values of an earlier node of this number
       node.row[k] = 0.0;
     node.step() = step;
     springs.front(own) = noFront;
@@ -74,7 +75,7 @@ struct FindSpring
       return;
     }
     double stiffness = atMost(wanted(i, s), most);
-    if (stiffness > node.stiffness() && isStretched(node, cellAt(own))) // to stiffen would make energy
+    if (stiffness > node.stiffness() && isStretched(node, cellAt(own))) // stiffening would add energy
       stiffness = node.stiffness();
     spring(own, D) = node.stiffness() = stiffness;
   }
@@ -121,7 +122,7 @@ private:
     converted += 0.5 * node.stiffness() * stretch;
   }
 
-  /// Stiffness by the law of springs [N/m].
+  /// Stiffness by the law of front springs [N/m].
   KOKKOS_INLINE_FUNCTION double wanted(int i, int s) const
   {
     const int own = nodes.parent(i);
@@ -131,7 +132,7 @@ private:
     for (int d = 0; d < D; ++d)
       steepest = std::fmax(steepest, std::fabs(sight.normal(s, d)));
     double width = thickness;
-    if constexpr (D == 3) // less at the surface, by what of the node's cells is filled
+    if constexpr (D == 3) // less at the surface, by the filled fraction of the cells of the node
     {
       const double mass =
           nodes.sums(own, Nodes<D>::massAt) + nodes.sums(nodes.numLattice + i, Nodes<D>::massAt);
@@ -221,7 +222,7 @@ void FrontSprings<D>::prepare(State<D>& state, const Surroundings& surroundings)
   sumParts(state, &converted, 1);
   if (!(converted > 0.0))
     return;
-  // What these springs stored and will dissipate is part of the energy of new faces.
+  // The energy that these springs store and will dissipate is part of that of new faces.
   const std::vector<double> energy = sumByFront(state, springs(state), softened);
   for (std::size_t f = 0; f < energy.size(); ++f)
     if constexpr (D == 2)

@@ -28,8 +28,8 @@ using ToughnessAlong = std::function<std::vector<double>(const CrackSet<D>&, int
 /// A spring follows the jump of the velocity that strains the particles, from the step in which its node gets
 /// two fields; it is unstretched then, as a node that a front has just passed is closed. Where refined cells
 /// change, a spring stays at its position if there is still a node. Its elastic energy counts as strain
-/// energy. A stretched spring becomes softer as its front moves on, but never stiffer, as this would make
-/// energy. Cracks whose fronts a moving body advects through the cells go on without springs
+/// energy. A stretched spring becomes softer as its front moves on, but never stiffer, as this would add
+/// energy. Cracks whose fronts are advected through the cells by a moving body lose their springs
 /// (AdvectedFronts.hpp).
 ///
 /// Where fronts grow, a node that a front passes gets a cohesive traction instead (CohesiveLaw.hpp), and
@@ -56,8 +56,8 @@ public:
   /// \param step number of the last step, from 1
   double pendingEnergy(const State<D>& state, int step) const;
 
-  /// How the forces follow nodes that move in substeps: springs by their stiffness, cohesive tractions by
-  /// their law. These springs must outlive what is returned.
+  /// The forces of springs on nodes that move in substeps: of front springs by their stiffness, of cohesive
+  /// tractions by their law. These springs must outlive what is returned.
   DisplacementDependentForce<D> displacementDependentForce() const;
 
   /// Stretches the springs over the step.

@@ -134,7 +134,7 @@ void addMass(const State<2>& state, const View<int*>& row, const Ghosts& ghosts)
   forEachBlock("rhegma::cracks::massAround", state.mesh.blocks, block);
 }
 
-/// Mass that linear extrapolation to all ghosts would take from a node.
+/// Mass that linear extrapolation to all ghosts would remove from a node.
 KOKKOS_INLINE_FUNCTION double extrapolatedMass(const Grid<2>& grid, const Ghosts& ghosts, int far)
 {
   double mass = 0.0;
@@ -168,7 +168,7 @@ void limitFractions(const State<2>& state, const Ghosts& ghosts)
       });
 }
 
-/// Gives nodes that ranks share what their owners, which see far enough around them, have found.
+/// Copies the stand-ins of shared nodes from their owners, which know their surroundings.
 void exchangeStandIns(const State<2>& state, const Ghosts& ghosts)
 {
   constexpr int width = Ghosts::reportedWidth;
@@ -180,7 +180,7 @@ void exchangeStandIns(const State<2>& state, const Ghosts& ghosts)
       KOKKOS_LAMBDA(const int i) {
         const int n = nodes.active(i), step = ghosts.step(n);
         const bool reports = isOwnedByThisRank(nodes, n) && step != 0;
-        // Nodes are numbered otherwise on other ranks: 1 and 2 are the axes.
+        // Node numbers differ between ranks: 1 and 2 are the axes.
         const double axis = step == grid.stride[0] || step == -grid.stride[0] ? 1.0 : 2.0;
         reported(width * n) = reports ? (step > 0 ? axis : -axis) : 0.0;
         reported(width * n + 1) = reports ? ghosts.distance(n) : 0.0;
@@ -197,7 +197,7 @@ void exchangeStandIns(const State<2>& state, const Ghosts& ghosts)
       });
 }
 
-/// Part of the extrapolation to all of its ghosts that a node bears.
+/// Fraction of the extrapolation to all of its ghosts for which the mass of a node suffices.
 KOKKOS_INLINE_FUNCTION double allowedFraction(const Grid<2>& grid, const Ghosts& ghosts, int far)
 {
   const double mass = extrapolatedMass(grid, ghosts, far),
@@ -205,7 +205,7 @@ KOKKOS_INLINE_FUNCTION double allowedFraction(const Grid<2>& grid, const Ghosts&
   return mass > allowed ? allowed / mass : 1.0;
 }
 
-/// What limitFractions does, where the far node of a ghost may be another rank's.
+/// limitFractions where the far node of a ghost may be on another rank.
 void limitFractionsOnRanks(const State<2>& state, const Ghosts& ghosts)
 {
   const Nodes<2> nodes = state.mesh.nodes;

@@ -35,8 +35,8 @@ struct GrowingCrack
 template <int D>
 std::vector<GrowingCrack<D>> readGrowing(const CrackSet<D>& set, const FrontMarks& marks);
 
-/// Puts the cracks back into the set, which is laid out anew, with the marks of their front nodes.
-/// \param spacing of the coarse cells [m]
+/// Copies the cracks back to the set and rebuilds its views, with the marks of their front nodes. \param
+/// spacing of the coarse cells [m]
 template <int D>
 void writeGrowing(CrackSet<D>& set, std::vector<GrowingCrack<D>>& cracks, FrontMarks& marks, double spacing);
 

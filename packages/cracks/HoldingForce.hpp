@@ -1,5 +1,6 @@
 #pragma once
-/// What holds the two fields of a node together, and how stiff a spring between them may be.
+/// The force that holds the two fields of a node together, and the largest stable stiffness of a spring
+/// between them.
 
 #include "cracks/Nearest.hpp"
 #include "cracks/Sides.hpp"
@@ -47,7 +48,7 @@ struct StableStiffness
 };
 
 /// The force with which side +1 would be held to side -1 [N], so that both fields of the i-th node with two
-/// get one acceleration; without what pushes the faces together.
+/// get one acceleration; without its compressive part.
 template <int D>
 struct HoldingForce
 {

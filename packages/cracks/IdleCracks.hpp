@@ -6,7 +6,7 @@
 namespace Rhegma::cracks
 {
 
-/// Warns of every crack that has no particle on one of its sides, and so does nothing: one that is shorter
+/// Warns of every crack that has no particle on one of its sides, and so has no effect: one that is shorter
 /// than a cell may lie between two nodes, and one that is very close to a surface may lie beyond the last
 /// particles. To be called once the particles next to the cracks have their sides.
 template <int D>

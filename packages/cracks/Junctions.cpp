@@ -21,7 +21,7 @@ constexpr double zone = 2.0, sight = 2.5, adjacent = bandWidth + 2.0;
 /// Shape functions that are seen sum to at least this; a point that sees less keeps its stencil.
 constexpr double leastSeen = 0.05;
 
-/// What a kernel needs to tell the pieces at a junction apart.
+/// Distinguishes the pieces of material at a junction, in kernels.
 struct Pieces
 {
   CrackSight<2> cracks;
@@ -62,8 +62,8 @@ Pieces piecesAt(const State<2>& state, const Junction& j)
           sideTolerance * j.radius / zone};
 }
 
-/// Tells particles of one side near a position on which side of another crack they are, where they are next
-/// to that. \return how many knew of a third crack, which they go on with
+/// Gives particles of one side near a position their side of another crack next to them. \return how many
+/// already had a side of a third crack, which they keep
 int learnSides(const State<2>& state, const Vector<2>& at, int known, int crack)
 {
   const CrackSight<2> crackSight(state.cracks, state.mesh.grid.spacing);
@@ -104,7 +104,7 @@ int learnSides(const State<2>& state, const Vector<2>& at, int known, int crack)
   return static_cast<int>(all);
 }
 
-/// Says that particles would have to know of more cracks than they can.
+/// Warns that particles would need sides of more than two cracks.
 void warnOfThirdCrack(State<2>& state, int particles, int one, int two)
 {
   if (particles > 0)

@@ -29,13 +29,15 @@ struct Meeting
 /// The T junctions of a 2D scene: a crack that has ended on the face of another which goes through. Three
 /// pieces of material meet there, and nodes have but two fields. So within two cells of a junction
 ///
-///   - nodes on the side on which the crack ends are that crack's: their fields are of the two pieces next to
+///   - nodes on the side on which the crack ends belong to that crack: their fields are of the two pieces
+/// next to
 ///     it. Particles of the third piece, across the crack that goes through, do not see them;
 ///   - nodes of the third piece are not seen by particles of the other two.
 ///
-/// What a particle so no longer sees is made up for by the others that it does, in proportion to their shape
-/// functions (Shepard): they sum to one, and their slopes to zero, but are not linearly complete there, as in
-/// broken cells (Visibility.hpp). Particles next to both cracks know a side of each (`otherSide`).
+/// The weights of nodes that a particle no longer sees are distributed to the other nodes, in proportion to
+/// their shape functions (Shepard): they sum to one, and their slopes to zero, but are not linearly complete
+/// there, as in broken cells (Visibility.hpp). Particles next to both cracks know a side of each
+/// (`otherSide`).
 class Junctions
 {
 public:
@@ -52,23 +54,23 @@ public:
   }
 
   /// Adds one where a front has ended on another crack, once that is laid out: particles next to the last six
-  /// cells of the one that ended, on its side of the other, learn on which side of it they are.
-  /// \param ended the crack that ended \param first whether at its first end \param through the other crack
+  /// cells of the one that ended, on its side of the other, get their side of it. \param ended the crack that
+  /// ended \param first whether at its first end \param through the other crack
   void add(State<2>& state, int ended, bool first, int through);
 
   /// Joins two cracks whose fronts have met, once they are laid out: particles next to one of them near the
-  /// other learn on which side of that they are. There are two pieces of material, and no nodes to be given.
-  /// \param one a crack \param first whether it ends at its first end \param two the other
+  /// other get their side of that. There are two pieces of material, and nodes need no change. \param one a
+  /// crack \param first whether it ends at its first end \param two the other
   static void join(State<2>& state, int one, bool first, int two);
 
-  /// Gives nodes near junctions to the cracks that are to split them: after the nearest cracks of nodes have
-  /// been found, before their sides are.
+  /// Assigns nodes near junctions to the cracks that split them: after the nearest cracks of nodes have been
+  /// found, before their sides are.
   void claimNodes(const State<2>& state, const Surroundings& surroundings);
 
   /// Marks the particles near junctions, whose stencils are to be edited.
   void markParticles(const State<2>& state, const View<int*>& row) const;
 
-  /// Hides nodes from points, before nodes are replaced by their second fields.
+  /// Hides nodes from points, before nodes are replaced by their enriched fields.
   void hideNodes(const State<2>& state, const ObservedPoints<2>& points, const StencilTable<2>& table) const;
 
   /// Saves or loads them.
@@ -80,7 +82,7 @@ private:
     int ended, through;
     bool first;
     int side; ///< of the crack that goes through on which the other ends: 1 or -1
-    // As they are in this step:
+    // In this step:
     Vector<2> position{};
     int endSimplex = 0, throughSimplex = 0;
     double radius = 0.0; ///< [m]

@@ -80,7 +80,7 @@ void fill(CrackSet<D>& set, const std::vector<CrackMesh<D>>& meshes, const std::
   Kokkos::deep_copy(set.frontFacet, frontFacet);
 }
 
-/// Marks the simplices from which a front may have to be looked at.
+/// Marks the simplices near fronts.
 template <int D>
 void markNearFront(CrackSet<D>& set, double spacing)
 {
@@ -119,7 +119,7 @@ void markNearFront(CrackSet<D>& set, double spacing)
   Kokkos::deep_copy(set.nearFront, nearFront);
 }
 
-/// Where each vertex finds its simplices.
+/// The simplices of each vertex.
 template <int D>
 void listStars(CrackSet<D>& set)
 {

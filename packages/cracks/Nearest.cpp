@@ -17,7 +17,7 @@ KOKKOS_INLINE_FUNCTION std::uint64_t pack(double square, int simplex)
   return (static_cast<std::uint64_t>(square * parts) << 32) | static_cast<std::uint64_t>(simplex);
 }
 
-/// What a simplex tells a node: that it is that near, unless another is nearer.
+/// Updates the nearest simplex of a node.
 template <int D>
 struct ReportNode
 {
@@ -28,7 +28,7 @@ struct ReportNode
 
   KOKKOS_INLINE_FUNCTION void operator()(int n, const Vector<D>& x) const
   {
-    // No nearer than the sphere round the simplex.
+    // The sphere around the simplex bounds the distance from below.
     const double apart = norm(x - middle) - radius;
     if (apart > band || (apart > 0.0 && relaxedLoad(nearest(n)) < pack(apart * apart * scale, 0)))
       return;

@@ -9,7 +9,7 @@ namespace Rhegma::cracks
 /// In Surroundings::nearest, where no simplex is near.
 constexpr std::uint64_t noSimplex = ~std::uint64_t(0);
 
-/// Tells the nodes round each simplex of it; a node keeps the nearest, whatever the order of threads.
+/// Finds the nearest simplex of each node in the band, independent of the order of threads.
 /// Surroundings::nearest must hold noSimplex before.
 template <int D>
 void findNearest(const State<D>& state, const Surroundings& around);

@@ -30,7 +30,8 @@ std::vector<FrontPoint<D>> frontPoints(const CrackSet<D>& set)
 }
 
 /// The front of a crack that is nearest to a position, if it has grown, else `noFront`. Of any crack the
-/// nearest that has grown: what is joined again may be near none of the crack that it belonged to.
+/// nearest that has grown: nodes that are joined again may be near no front of the crack to which they
+/// belonged.
 template <int D>
 KOKKOS_INLINE_FUNCTION int nearestGrownFront(const FrontPoint<D>* points, int count, const Vector<D>& x,
                                              int crack)

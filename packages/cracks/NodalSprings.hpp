@@ -1,5 +1,5 @@
 #pragma once
-/// What the springs of nodes remember from step to step.
+/// The state of the springs of nodes, which lasts from step to step.
 
 #include "cracks/CohesiveLaw.hpp"
 #include "cracks/NearestFront.hpp"
@@ -32,7 +32,7 @@ struct NodalSpring
   KOKKOS_INLINE_FUNCTION CohesiveLaw law() const { return {row[3 + D], row[4 + D], row[5 + D]}; }
   /// Largest opening so far [m].
   KOKKOS_INLINE_FUNCTION Number& largest() const { return row[6 + D]; }
-  /// From what its opening counts, T / k [m].
+  /// Offset of its opening, T / k [m].
   KOKKOS_INLINE_FUNCTION double offset(int d) const { return isReleased() ? row[7 + D + d] : 0.0; }
 
   /// Begins to release the node. \param offset T / k [m]

@@ -1,5 +1,5 @@
 #pragma once
-/// The normals that particles near a crack carry.
+/// Crack normals stored by particles.
 
 #include "state/State.hpp"
 
@@ -10,9 +10,9 @@ namespace Rhegma::cracks
 inline const std::string crackNormal = "crack normal";
 
 /// Gives each particle near a crack the unit normal of the face on its side, out of its material towards the
-/// other face (Nairn and Tan, C-SAFE report, figure 3). The normal turns with the crack. Others keep what
-/// they have: zero until a crack comes near.
-/// \param row 0 for particles near cracks that have a side, as findSides marks them
+/// other face (Nairn and Tan, C-SAFE report, figure 3). The normal turns with the crack. Normals of other
+/// particles do not change: zero until a crack comes near. \param row 0 for particles near cracks that have a
+/// side, as findSides marks them
 void updateNormals(const State<2>& state, const View<int*>& row);
 
 } // namespace Rhegma::cracks

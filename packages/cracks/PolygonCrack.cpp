@@ -28,7 +28,7 @@ constexpr double mostCells = 4e4;
 /// by a third of a cell, round itself, on to the surface of the body (CutTriangles.cpp). A surface-breaking
 /// edge that lies as near has no material ahead of it.
 constexpr double cutCorner = 0.15;
-constexpr double rounding = 1e-6; ///< the same where none was [cells]
+constexpr double rounding = 1e-6; ///< the same where no corner was moved [cells]
 
 std::string number(std::size_t k) { return std::to_string(k + 1); }
 
@@ -38,7 +38,7 @@ std::vector<Vector<3>> readCorners(const Teuchos::ParameterList& list, const std
   std::vector<Vector<3>> points;
   for (int k = 0; k + 2 < values.size(); k += 3)
     points.push_back({values[k], values[k + 1], values[k + 2]});
-  // Who closes the polygon with its first point means the same.
+  // The first point may be repeated at the end.
   if (points.size() > 3 && norm(points.front() - points.back()) < 1e-9 * cell)
     points.pop_back();
   if (points.size() < 3)
@@ -53,8 +53,7 @@ std::vector<Vector<3>> readCorners(const Teuchos::ParameterList& list, const std
   return points;
 }
 
-/// What lies outside of the bodies is cut off later; a unit or an exponent that is wrong would make too many
-/// triangles.
+/// Parts outside of the bodies are cut off later, so a wrong unit or exponent would make too many triangles.
 void refuseLarge(double area, const std::string& where, double cell)
 {
   const double cells = area / (cell * cell);
@@ -85,7 +84,7 @@ Plane readPlane(const std::vector<Vector<3>>& points, const std::string& where, 
   return plane;
 }
 
-/// Which edges the scene calls fronts; empty where it leaves that open.
+/// Which edges the scene declares as fronts; empty where it does not say.
 std::vector<bool> readFrontEdges(const Teuchos::ParameterList& list, const std::string& where,
                                  std::size_t edges)
 {

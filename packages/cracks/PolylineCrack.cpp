@@ -14,12 +14,11 @@ namespace
 
 using Points = std::vector<Vector<2>>;
 
-/// Cells: the crack follows the faces, and the opening between its vertices is a straight line. Shorter
-/// pieces show what single nodes do: a diagonal crack that is pulled open seems to overlap in places.
+/// Largest length of a segment [cells]. The opening is linear between vertices. Shorter segments would follow
+/// single nodes: a diagonal crack under tension then seems to overlap at some vertices.
 constexpr double longestSegment = 4.0;
 
-/// What lies outside of the bodies is cut off later, piece by piece; a unit or an exponent that is wrong
-/// would make too many pieces.
+/// Parts outside of the bodies are cut off later, so a wrong unit or exponent would make too many segments.
 void refuseLong(const Points& points, const std::string& where, double cell)
 {
   double cells = 0.0;
@@ -47,8 +46,8 @@ Points readPoints(const Teuchos::ParameterList& list, const std::string& where, 
   return points;
 }
 
-/// What the scene says of an end: it is a front if the user's crack ends there and there is material for a
-/// cell ahead of it, unless Fronts decides. \param outermost the point that the user gave
+/// The kind of an end: it is a front if the user's crack ends there and there is material for a cell ahead of
+/// it, unless Fronts decides. \param outermost the point that the user gave
 int beyondEnd(const Vector<2>& end, const Vector<2>& before, const Vector<2>& outermost, bool first,
               const std::string& fronts, const std::string& where, const ReadingContext<2>& context,
               std::vector<std::string>& warnings)

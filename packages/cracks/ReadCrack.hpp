@@ -12,7 +12,7 @@
 namespace Rhegma::cracks
 {
 
-/// The message for a crack none of which is in a body.
+/// The message for a crack that lies outside of all bodies.
 inline constexpr char outsideOfBodies[] =
     "the crack lies outside of all bodies; write points inside one of them";
 
@@ -20,7 +20,7 @@ inline constexpr char outsideOfBodies[] =
 inline constexpr char samePoints[] =
     "two consecutive points are the same, so a segment of the crack has no length; remove one of them";
 
-/// What a crack is read with.
+/// The context in which a crack is read.
 template <int D>
 struct ReadingContext
 {

@@ -18,13 +18,13 @@ namespace
 /// A node that a front passes in this step.
 struct PassedNode
 {
-  int second;         ///< counts nodes with two fields
-  double force, area; ///< that would hold its fields [N]; that it stands for, 3D [m2]
+  int second;         ///< index among nodes with two fields
+  double force, area; ///< holding force [N]; tributary area of the node, 3D [m2]
   bool counts;        ///< on this rank
   std::size_t at = 0; ///< its front node, counted through all fronts
 };
 
-/// The forces on nodes and second fields, before the solve sums those of shared nodes; nothing where there
+/// The forces on nodes and enriched fields, before the solve sums those of shared nodes; nothing where there
 /// is one rank. Collective.
 template <int D>
 View<double* [D]> forceSumOverRanks(const State<D>& state)
@@ -43,12 +43,12 @@ View<double* [D]> forceSumOverRanks(const State<D>& state)
   return force;
 }
 
-/// Area of new face that a node stands for, 3D [m2].
+/// Area of new face that belongs to a node, 3D [m2].
 template <int D>
 struct NodeArea
 {
   CrackSight<D> sight;
-  double density; ///< bodies of several materials have nodes between them that look less than full [kg/m3]
+  double density; ///< with several materials, nodes between them seem less than full [kg/m3]
 
   KOKKOS_INLINE_FUNCTION double operator()(int s, const Vector<D>& x, double mass, double cell) const
   {
@@ -142,7 +142,7 @@ std::size_t nearestPoint(const CrackSet<D>& set, const std::vector<std::size_t>&
   return found;
 }
 
-/// The nodes that fronts pass on this rank. \param first of each front, its first node counted through all
+/// The nodes on this rank that fronts pass. \param first of each front, its first node counted through all
 /// fronts
 template <int D>
 std::vector<PassedNode> listPassed(const State<D>& state, const View<double * [D + 3]>& rows,
@@ -171,7 +171,7 @@ struct FrontSums
   double force = 0.0, area = 0.0;
 };
 
-/// Energies that the nodes at each node of a front get, of its budget [J].
+/// Energies that the nodes at each front node get from the budget of the front [J].
 template <int D>
 std::vector<double> releaseEnergy(const State<D>& state, CrackFront<D>& front, const FrontSums* sums,
                                   const std::vector<double>& toughness)

@@ -1,5 +1,5 @@
 #pragma once
-/// Nodes that fronts pass or leave again: the energy that they get of the front, and return.
+/// Nodes that fronts pass or leave again: the energy that they get from the front, and return to it.
 
 #include "cracks/FrontSprings.hpp"
 #include "cracks/NearestFront.hpp"
@@ -13,9 +13,9 @@ namespace Rhegma::cracks
 /// Gives each node that a front passes in this step (NodalSprings::isPassed) a cohesive traction, and adds it
 /// to the nodal forces.
 ///
-/// The nodes next to one front node share an energy by the forces that hold them, all with one range
+/// The nodes next to one front node divide an energy by their holding forces, all with one range
 /// (CohesiveLaw.hpp). In 2D that energy is all that the front has pending (ReleaseBudget::releaseAll). In 3D
-/// it is that of the area that the nodes stand for,
+/// it is that of the area of the nodes,
 ///
 ///     E = Gc sum s dx^2 / n (1 - z),
 ///
@@ -29,13 +29,13 @@ template <int D>
 void releasePassedNodes(State<D>& state, const Surroundings& surroundings, const NodalSprings<D>& springs,
                         const ToughnessAlong<D>& toughness);
 
-/// Returns the pending energy of nodes that are whole again to the nearest front that has grown: one in 3D
-/// that is smoothed may move back by a part of a cell. Collective. \param stamp number of the step
+/// Returns the pending energy of nodes that have one field again to the nearest front that has grown:
+/// smoothing may move a 3D front back by a part of a cell. Collective. \param stamp number of the step
 template <int D>
 void returnPendingEnergy(State<D>& state, const NodalSprings<D>& springs, const NearestFront<D>& frontOf,
                          int stamp);
 
-/// The same for nodes that are no more, since cells became coarser. Collective.
+/// The same for nodes that were removed by coarsening. Collective.
 template <int D>
 void returnPendingOfLostNodes(State<D>& state, int stamp);
 

@@ -12,7 +12,7 @@ namespace Rhegma::cracks
 namespace
 {
 
-/// The box of a crack beyond which it does not matter to nodes.
+/// The box of a crack, enlarged by the band in which nodes have a side.
 template <int D>
 struct Reach
 {
@@ -126,7 +126,7 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
         {
           int adjacent[D];
           bool exists =
-              true; // where a crack begins at the rim of the domain, a cell may be beyond the lattice
+              true; // a cell may be outside the lattice where a crack begins at the boundary of the domain
           for (int d = 0; d < D; ++d)
           {
             adjacent[d] = at[d] + ((k >> (2 * d)) & 3) - 2;
@@ -178,8 +178,8 @@ void listParents(State<D>& state, int count)
       });
 }
 
-/// Cells: a position nearer to the crack than this lies on side +1. Rounding would else strew a row of
-/// particles on a crack over both sides, and nodes that few of them reach would fly.
+/// Cells: a position nearer to the crack than this lies on side +1. Otherwise rounding would scatter a row of
+/// particles on a crack over both sides, and light nodes would become unstable.
 constexpr double onCrack = 1e-6;
 
 /// The side of a position in a cell: that of the simplex, of those nearest to the cell's nodes, which is
@@ -300,12 +300,12 @@ void markParticles(const State<D>& state, const Surroundings& around, const Reac
       });
 }
 
-/// Arrays over nodes and cells, grown where cells have been refined since.
+/// Resizes the arrays over nodes and cells after refinement.
 template <int D>
 void reserveRows(State<D>& state, Surroundings& around)
 {
   const int nodes = state.mesh.nodes.numLattice, capacity = nodes + nodes / 4;
-  // Where the domain was divided anew, values would be other nodes'.
+  // After a new division of the domain, values would belong to other nodes.
   if (state.mesh.subdomain && around.generation != state.mesh.tree.generation)
   {
     around.nearest = View<std::uint64_t*>();

@@ -1,5 +1,5 @@
 #pragma once
-/// Sides of nodes and particles, and the second fields of nodes.
+/// Sides of nodes and particles, and the enriched fields of nodes.
 
 #include "cracks/CrackGeometry.hpp"
 #include "state/State.hpp"
@@ -19,13 +19,14 @@ constexpr double sideTolerance = 0.1;
 /// short in the mean (unit test InclinedCracks; with a tenth of a cell it was 0.14 cells too long).
 constexpr double frontTolerance = 0.25;
 
-/// The same with springs behind fronts (FrontSprings.hpp), which make up for what is too long. Where a crack
-/// runs along the cells, within five degrees, only a node at the front itself stays closed, as crack closure
-/// wants it; elsewhere nodes open a little before the front passes them, which measures better.
+/// The same with springs behind fronts (FrontSprings.hpp), which compensate for a crack that is too long in
+/// the cells. Where a crack runs along the cells, within five degrees, only a node at the front itself stays
+/// closed, as crack closure wants it; elsewhere nodes open a little before the front passes them, which
+/// measures better.
 constexpr double springToleranceAligned = 0.02, springToleranceInclined = -0.03;
 constexpr double alongTheCells = 0.99619; ///< cosine of five degrees
 
-/// What each step finds out about the surroundings of the cracks.
+/// The surroundings of the cracks in a step.
 struct Surroundings
 {
   View<int*> cellMark;          ///< stamp of the last step in which a cell was near a crack
@@ -37,10 +38,10 @@ struct Surroundings
 /// The simplex in an entry of Surroundings::nearest.
 KOKKOS_INLINE_FUNCTION int simplexOf(std::uint64_t packed) { return static_cast<int>(packed & 0xffffffffU); }
 
-/// Finds the side of every node that lies behind a front near a crack, gives it a second field (dual field),
-/// gives the particles that can see one of these nodes a side if they have none yet, and marks those that see
-/// a node on the other side. A particle keeps its side for good, so faces that press against each other never
-/// swap particles.
+/// Finds the side of every node that lies behind a front near a crack, gives it an enriched field (dual
+/// field), gives the particles that can see one of these nodes a side if they have none yet, and marks those
+/// that reach a node on the other side. A particle never changes its side, so that faces in contact do not
+/// exchange particles.
 ///
 /// \param row 0 for marked particles; others are left as they are \param claim changes which simplex nodes
 /// take for the nearest, before their sides follow from it

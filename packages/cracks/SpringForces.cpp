@@ -50,7 +50,7 @@ struct StretchSpring
   NodalSprings<D> springs;
   View<double * [D + 1]> spring; ///< CrackSet::spring
   NearestFront<D> frontOf;
-  View<double*> excess; ///< energy that nodes dissipated beyond theirs [J]
+  View<double*> excess; ///< energy that nodes over-dissipated [J]
   double dt;
   bool byMotion; ///< the nodal motion strains the particles, not the projection
   bool early;    ///< before the forces of this step
@@ -61,11 +61,12 @@ struct StretchSpring
     const int own = nodes.parent(i), other = nodes.numLattice + i;
     const double sign = signOf(side(own));
     const bool counts = isOwnedByThisRank(nodes, own);
-    // A field without mass moves nowhere: the flight of the other is no stretch.
+    // A field without mass does not move: the motion of the other field is no stretch.
     const bool both = nodes.sums(own, Nodes<D>::massAt) > 0.0 && nodes.sums(other, Nodes<D>::massAt) > 0.0;
     const NodalSpring<D> node = springs(own);
     const Vector<D> from = node.opening();
-    // Where strain comes first no force is of this step yet, and that of the last is in no checkpoint.
+    // Where strain comes first, forces of this step are not known yet, and those of the last are not in
+    // checkpoints.
     const Vector<D> before = early ? pullOf(spring(own, D), from, sign) : forceOf<D>(spring, own);
     Vector<D> more;
     for (int d = 0; d < D; ++d)

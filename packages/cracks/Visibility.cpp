@@ -17,8 +17,8 @@ struct Blind
   View<int*> nodeSide;
   KOKKOS_INLINE_FUNCTION bool invisible(int node, int side) const
   {
-    // A point knows the side of one crack; nodes of another crack's neighbourhood are far enough not to be in
-    // its stencil together with that crack (cracks keep three cells apart), but where cracks join.
+    // A point has a side of one crack. Cracks are three cells apart, except where they join, so that its
+    // stencil has no nodes next to another one.
     return nodeSide(node) != 0 && nodeSide(node) == -side;
   }
 };
@@ -28,7 +28,7 @@ void useEnrichedFields(const State<D>& state, const ObservedPoints<D>& points, c
 {
   const Blind blind{state.cracks.nodeSide};
   const View<int*> second = state.cracks.second;
-  // Particles next to two cracks that have joined know a side of each.
+  // Particles next to two joined cracks have a side of each.
   BorrowedView<int*> otherSideOf;
   const bool joined = state.particles.has(otherSide) && points.side.data() == state.stored.points.side.data();
   if (joined)
@@ -85,7 +85,7 @@ void breakCells(const State<2>& state, const ObservedPoints<2>& points, const St
       KOKKOS_LAMBDA(const int r) {
         const int side = points.side(r);
         const int count = table.count(r);
-        if (count == 0) // another rank's
+        if (count == 0) // on another rank
           return;
         const CellAround cell(sight, {points.position(r, 0), points.position(r, 1)});
         int corners = 0, others = 0;
@@ -179,7 +179,7 @@ void editStencils(const State<D>& state, Formulation formulation, const Ghosts& 
 {
   if (formulation == Formulation::DualField)
     useEnrichedFields(state, points, table);
-  if constexpr (D == 2) // a 3D scene with another formulation is refused
+  if constexpr (D == 2) // other formulations are 2D only
   {
     if (formulation == Formulation::BrokenCell)
       breakCells(state, points, table);

@@ -20,7 +20,7 @@ double dampVelocity(State<D>& state, double rate)
   const double factor = std::exp(-rate * state.clock.dt);
   const int particles = state.particles.size();
   double loss = 0.0;
-  // A sum for each lane: one sum would wait for itself at every particle.
+  // A sum for each lane, as a single sum could not be vectorised.
   Kokkos::parallel_reduce(
       "rhegma::dampVelocity", Kokkos::RangePolicy<ExecSpace>(0, (particles + lanes - 1) / lanes),
       KOKKOS_LAMBDA(const int bundle, double& sum) {
@@ -101,11 +101,11 @@ double addViscousStress(State<D>& state, double shearViscosity, double bulkVisco
   const auto volume = state.particles.scalar(fields::volume);
   const double dt = state.clock.strainPass.share * state.clock.dt;
   double loss = 0.0;
-  // With heat the work is no loss. In a step the stress at its start acts on half of the motion, that at its
-  // end on the other (LaneHeat.hpp). Of the first half, which has the viscous stress of the step before, the
-  // law takes up what acts in the first substep: all of it where there are none. The impulse of a viscous
-  // stress is that of the step even so, and what the law leaves is recorded here by the new stress, off by
-  // a quarter of the change of its work in a step at most, which does not add up.
+  // With heat, viscous work is no loss. The stress at the start of a step acts on half of its motion, the
+  // stress at its end on the other half (LaneHeat.hpp). In the first half, with the viscous stress of the
+  // step before, the law includes the work of the first substep: all of it without substeps. The impulse of a
+  // viscous stress is that of the step even so, and the remaining work is recorded here with the new stress,
+  // off by a quarter of the change of its work in a step at most, which does not add up.
   const bool heats = state.particles.has(fields::internalEnergy);
   const bool subcycled = heats && state.particles.has(fields::firstFraction);
   BorrowedView<double*> internal, firstFraction;

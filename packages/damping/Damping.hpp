@@ -11,9 +11,9 @@ EffectEntry dampingEntry();
 
 /// Takes v to v exp(-rate dt) on every particle: the exact motion under the force -rate m v over dt.
 ///
-/// It acts on the particles and not on the nodes because particles have motions that the nodes can't see,
-/// which would never come to rest (measured: 0.1 % of the strain energy for ever). \return the kinetic energy
-/// [J] that is lost
+/// It acts on the particles and not on the nodes because particles have motions that nodes do not resolve,
+/// which would never be damped (measured: 0.1 % of the strain energy remains). \return the kinetic energy [J]
+/// that is lost
 template <int D>
 double dampVelocity(State<D>& state, double rate);
 
@@ -21,14 +21,14 @@ double dampVelocity(State<D>& state, double rate);
 template <int D>
 void dampMomentum(const State<D>& state, double rate);
 
-/// What mass damping takes from stresses next to what dampVelocity returned [J], for MUSL and USAVG, once
-/// nodes have the forces of stresses f and no others. Damped velocities are v exp(-rate dt), but particles
-/// have been strained by v: in between stresses have given, in the mean of the steps' starts and ends,
-/// f (v - v exp(-rate dt)) dt / 2 to a motion that is no more. At supports it is in their work, but where
-/// masses are coupled: there the work is that on the solved velocity before the forces, which was damped.
-/// Their velocity is taken as momentum over lumped mass, which is off by what the coupling changes in it, as
-/// a part of the loss again. First order in rate dt, as all of the loss is exact without stresses. \param
-/// held room for marks of the nodes that supports hold, kept from step to step
+/// Energy that mass damping removes from the work of stresses, in addition to what dampVelocity returned [J],
+/// for MUSL and USAVG, once nodes have the forces of stresses f and no others. Damped velocities are v
+/// exp(-rate dt), but particles have been strained by v: in between stresses have given, in the mean of the
+/// steps' starts and ends, f (v - v exp(-rate dt)) dt / 2 to a motion that has been damped. At supports it is
+/// part of their work, except where masses are coupled: there the work is on the solved velocity before the
+/// forces, which was damped. Their velocity is taken as momentum over lumped mass, which is off by what the
+/// coupling changes in it, as a part of the loss again. First order in rate dt, as all of the loss is exact
+/// without stresses. \param held buffer for the marks of held nodes, reused in each step
 template <int D>
 double lossToStresses(const State<D>& state, double rate, View<char**>& held);
 

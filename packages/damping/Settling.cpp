@@ -42,7 +42,7 @@ bool Settling::sample(double kinetic, double strain, const HistoryRow& row)
   Sample now;
   now.ratio = strain > 0.0 ? kinetic / strain : std::numeric_limits<double>::infinity();
   for (const auto& [name, value] : row)
-    // Crack closure is no number where faces are cells apart.
+    // Crack closure is not a number where faces are several cells apart.
     if (endsWith(name, ".G_J") || (endsWith(name, ".G_closure") && std::isfinite(value)))
       now.watched.push_back(value);
   if (now.watched.empty())

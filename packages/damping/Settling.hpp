@@ -1,5 +1,5 @@
 #pragma once
-/// Whether a run has come to rest.
+/// Whether a run has settled.
 
 #include "state/State.hpp"
 
@@ -13,7 +13,7 @@ class Archive;
 namespace Rhegma::damping
 {
 
-/// Looks at the last samples of a history.
+/// Checks the last samples of a history.
 class Settling
 {
 public:
@@ -21,7 +21,7 @@ public:
   /// least 2
   Settling(double ratio, double drift, int samples) : ratio_(ratio), drift_(drift), samples_(samples) {}
 
-  /// Takes a sample. \return true when kinetic over strain energy stayed below the ratio over the last
+  /// Adds a sample. \return true when kinetic over strain energy stayed below the ratio over the last
   /// samples, and every energy release rate that is a number (the strain energy where a row has none) within
   /// the drift of its latest value
   bool sample(double kinetic, double strain, const HistoryRow& row);

@@ -17,7 +17,7 @@ namespace
 
 constexpr int D = 3;
 
-/// What the tube does as a whole.
+/// The mean motion of the tube.
 struct MeanMotion
 {
   double turn[D][D] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
@@ -189,7 +189,7 @@ View<double* [3]> configurationalForces(const State<3>& state, const Region<3>& 
                                                state.particles.integer(fields::material),
                                                state.materials.device,
                                                ParticleHeat<D>(state),
-                                               state.clock.step > 0}; // nodes are empty before the first step
+                                               state.clock.step > 0}; // no nodal values before
                      if (state.particles.has(fields::history))
                        block.history = state.particles.table(fields::history);
                      forEachBlock("rhegma::configurationalForce", state.mesh.blocks, block);

@@ -24,7 +24,7 @@ void sumVolume(const State<D>& state, const Vector<D>& centre, double radius, co
   BorrowedView<double* [D]> box;
   if (boxes)
     box = state.particles.template real<D>(fields::box);
-  // One after the other: a node near a bound is on the same side of it on any number of threads.
+  // In a fixed order, so that the result does not depend on the number of threads.
   forEachPushing(
       "rhegma::contourVolume", state.particles.size(), KOKKOS_LAMBDA(const int p) {
         Vector<D> x, half;
@@ -40,14 +40,14 @@ void sumVolume(const State<D>& state, const Vector<D>& centre, double radius, co
       });
 }
 
-/// The room between the faces of a crack, which is no surface that a contour has to keep clear of.
+/// The gap between the faces of a crack, which a contour may contain, unlike other surfaces.
 template <int D>
 struct Gap
 {
   View<double* [2][D]> face;
   View<int* [D]> simplex;
   int first = 0, end = 0; ///< simplices
-  double margin = 0.0;    ///< how far beyond the faces nodes lack material because of it [m]
+  double margin = 0.0;    ///< how far beyond the faces nodes are partly empty because of the gap [m]
 
   KOKKOS_INLINE_FUNCTION bool holds(const Vector<D>& x) const
   {

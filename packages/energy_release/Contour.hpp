@@ -35,8 +35,8 @@ struct NodalWeight
 /// surface has.
 constexpr double surrounded = 0.6;
 
-/// Whether a node is known not to be surrounded. At the rim of what a rank has of the lattice it does not
-/// know the cells around a node.
+/// Whether a node is known not to be surrounded. At the boundary of its part of the lattice a rank does not
+/// know all cells around a node.
 template <int D>
 KOKKOS_INLINE_FUNCTION bool isOpen(const Nodes<D>& nodes, const View<double*>& cover, int node)
 {
@@ -64,10 +64,10 @@ double distanceToOtherCracks(const CrackSet<2>& cracks, const CrackFront<2>& fro
 struct GivenRadii
 {
   double inner = 0.0, outer = 0.0;
-  double innerCells = 3.0, outerCells = 6.0; ///< what the program takes [cells]
+  double innerCells = 3.0, outerCells = 6.0; ///< defaults [cells]
 };
 
-/// Radii where nothing is near: those in cells, or so that a given one fits.
+/// Radii without other surfaces nearby: those in cells, or so that a given one fits.
 ContourRadii usualRadii(const GivenRadii& given, double cell);
 
 /// Smallest outer radius that is chosen: 2 cells, or a cell beyond a given inner radius.

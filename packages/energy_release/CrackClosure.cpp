@@ -13,11 +13,11 @@ namespace Rhegma::energy_release
 namespace
 {
 
-/// Radius of the patch in cells: what a node of the consistent projection takes from others falls to a
-/// quarter from node to node, so that the rim of the patch is not felt at its middle.
+/// Radius of the patch in cells: the influence of a node in the consistent projection falls to a quarter from
+/// node to node, so that the boundary of the patch has none at its centre.
 constexpr double patchRadius = 8.0;
 
-/// Cells over which nodes of particles may lie beyond them.
+/// Reach of the stencil of a particle [cells].
 constexpr double patchStencil = 3.0;
 
 /// Force of each side on a node that both may touch.

@@ -12,8 +12,8 @@ struct CrackClosure
   double lumped; ///< with the opening of a lumped projection, for comparison [J/m2]
 };
 
-/// Work that would close the last columns of nodes behind the front, by the forces that hold the next ones
-/// together:
+/// Crack closure integral: work of the forces on the nodes ahead of the front that would close the last
+/// columns of nodes behind it:
 ///
 ///     G = sum over rows, columns of (f_plus - f_minus) / 2 . [u] / (2 m dx thickness)
 ///
@@ -22,9 +22,9 @@ struct CrackClosure
 /// rest). On the node m columns behind in the same row, [u] is the displacement of side +1 less that of side
 /// -1. A crack along a line of nodes has one row of such nodes, one between lines has two, and their works
 /// add. Where a spring holds the last column half open (cracks/FrontSprings.hpp), its force counts like that
-/// of a closed node: by Betti's theorem the energy that a crack longer by m columns has less is half of the
-/// forces of all nodes that are held now times what these are open then, which is what is open m columns
-/// behind them now.
+/// of a closed node: by Betti's theorem, the energy released by an extension of m columns is half of the
+/// forces on all nodes that are held now times their opening after it, which is the present opening m columns
+/// behind them.
 ///
 /// Not a number where the front's direction is more than 5 degrees off a direction of the grid: nodes then
 /// open one by one and not in columns (counted all the same, between 0.01 and 1.2 times J at 30, 45 and 60

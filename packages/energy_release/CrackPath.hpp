@@ -9,7 +9,7 @@ namespace Rhegma::energy_release
 /// In which direction a node's fraction of the disk is shifted: along the crack at the part of it that is
 /// nearest to the node, so that no shift has a component across a face; in the front's own direction ahead of
 /// it. Outside of a bend all positions in a wedge have the bend as their nearest: they go with the piece that
-/// is nearer to the front, whatever last digits say.
+/// is nearer to the front, independent of round-off.
 struct CrackPath
 {
   View<double* [2]> vertex;
@@ -23,7 +23,7 @@ struct CrackPath
 
   KOKKOS_INLINE_FUNCTION Vector<2> operator()(const Vector<2>& x) const
   {
-    // A position whose nearest point is the front itself moves as the front does.
+    // A position whose nearest point is the front itself is shifted like the front.
     double least = 1e300;
     Vector<2> found = direction;
     for (int k = 0; k < count; ++k)

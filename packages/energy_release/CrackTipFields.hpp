@@ -1,5 +1,5 @@
 #pragma once
-/// Displacement, its gradient and stress at a crack tip, and the direction in which it runs on.
+/// Displacement, its gradient and stress at a crack tip, and the direction of its growth.
 
 #include "base/Types.hpp"
 

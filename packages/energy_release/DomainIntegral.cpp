@@ -34,7 +34,7 @@ KOKKOS_INLINE_FUNCTION double tipAngle(double along, double across, int side)
   return theta;
 }
 
-/// What Williams' fields of the two modes give at a particle.
+/// Williams' fields of the two modes at a particle.
 struct Pair
 {
   double interaction[2] = {0.0, 0.0};
@@ -46,7 +46,7 @@ template <ShapeKind S, bool Stored>
 struct Integrand
 {
   Connectivity<D, S, Stored> broken;
-  View<int*> parent; ///< node of each second field
+  View<int*> parent; ///< node of each enriched field
   int numFirst;      ///< nodes before them
   NodalWeight<D> weight;
   NodalVelocity<D> motion;
@@ -74,8 +74,8 @@ struct Integrand
     // A stencil reaches at most 2.5 cells along each axis.
     if (distance(position, p, centre) > weight.radii.outer + 4.0 * weight.positions.grid.spacing)
       return;
-    // Interpolated like the motion, a weighted shift of the body is a motion that the cells can make:
-    // stresses in equilibrium do no work on it, however much the body next to the crack turns
+    // Interpolated like the motion, a weighted shift of the body is a motion that the cells can represent:
+    // stresses in equilibrium do no work on it, for any rotation of the body next to the crack
     // (docs/broken_cells.md).
     double q = 0.0;
     Vector<D> dq{{0.0, 0.0}};
@@ -232,10 +232,10 @@ struct Integrand
   }
 };
 
-/// How far next to the crack, along the front's normal, the cut lies that the particles have, where the
-/// weight falls: particles stand for their boxes, so that it is midway between the nearest above and the
-/// nearest below. With the hat (1 - |z| / h) about the crack, the sums of volume on its two sides differ by 2
-/// h times the offset per h^2. Zero where particles have no sides.
+/// Offset from the crack, along the normal of the front, of the cut between the particles, where the weight
+/// falls: particles stand for their boxes, so that it is midway between the nearest above and the nearest
+/// below. With the hat (1 - |z| / h) about the crack, the sums of volume on its two sides differ by 2 h times
+/// the offset per h^2. Zero where particles have no sides.
 double offsetAside(const State<D>& state, const CrackFront<D>& front, const ContourRadii& radii)
 {
   if (!state.particles.has(fields::side))
@@ -262,8 +262,8 @@ double offsetAside(const State<D>& state, const CrackFront<D>& front, const Cont
   return above + below > 0.0 ? 0.5 * cell * (below - above) / (above + below) : 0.0;
 }
 
-/// Intensities by Williams' field about the tip that the cells have. Each turn finds the offset that is left;
-/// it falls by a factor of 50 or so.
+/// Intensities by Williams' field about the tip of the crack in the cells. Each iteration finds the remaining
+/// offset, which falls by a factor of 50 or so.
 template <class Work>
 DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& front, Work& work)
 {
@@ -289,7 +289,8 @@ DomainIntegral integrateAboutTip(const State<D>& state, const CrackFront<D>& fro
     const double square = modeI * modeI + modeII * modeII;
     if (turn == turns || !(square > 0.0))
       return sum;
-    // Without a singular field, as before a wave arrives, noise has no tip: keep to the cells that hold one.
+    // Without a singular field, as before a wave arrives, noise has no tip: limit the offset to the cells
+    // around the front.
     const double next = sum.tipOffset + (reciprocalI * modeI + reciprocalII * modeII) / square;
     const double offset = next > most ? most : (next < -most ? -most : next);
     if (std::fabs(offset - sum.tipOffset) < enough)
@@ -332,7 +333,7 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
   work.negative = -front.crack - 1;
   work.moving =
       state.clock.step > 0 && state.mesh.nodes.motion.extent(0) > 0; // nodes are empty before the first step
-  // What pressure behind the front adds to J is known by its intensity.
+  // The contribution of a pressure behind the front to J follows from its intensity.
   work.intensities = intensities || state.cracks.pressure.extent(0) > 0;
   DomainIntegral sum = integrateAboutTip(state, front, work);
   if (!work.intensities)

@@ -12,7 +12,7 @@ struct DomainIntegral
   double J = 0.0;         ///< energy released per new area [J/m2]
   double modeI = 0.0;     ///< K_I [Pa m^0.5]
   double modeII = 0.0;    ///< K_II, positive where side +1 slides ahead [Pa m^0.5]
-  double tipOffset = 0.0; ///< how far ahead of the front the tip lies that the cells have [m]
+  double tipOffset = 0.0; ///< how far the tip of the crack in the cells lies ahead of the front [m]
 };
 
 /// Dynamic J and the interaction integrals of a front of a 2D scene.
@@ -23,14 +23,14 @@ struct DomainIntegral
 ///
 /// with the kinetic energy density T and Williams' field of unit intensity w, z, e.
 ///
-/// Where temperature (here t) strains the body or changes its moduli, W is the energy of what of the strain
-/// is not thermal, and J and M are less and more by what a shift of the disk does to it at fixed strain:
+/// Where temperature (here t) strains the body or changes its moduli, W is the energy of the non-thermal part
+/// of the strain, and J and M have an additional term for the change of temperature with a shift of the disk
+/// at fixed strain:
 ///
 ///     J  -= int dW/dt t,1 q  dV0 / thickness,     dW/dt = -alpha tr s + W(d moduli / dt)
 ///     M  += int alpha t,1 tr z q  dV / thickness
 ///
-/// M takes moduli
-/// as they are at the front's temperature to be the same all round it.
+/// M takes moduli at the temperature of the front, the same in all of the disk.
 ///
 /// Without T, or with one of the two terms of inertia, J depends on the radii as soon as anything moves: a
 /// plane wave has P_11 u_1,1 = W + T.
@@ -42,24 +42,25 @@ struct DomainIntegral
 /// internal forces alone (InternalAcceleration.hpp).
 ///
 /// Displacement gradients and velocities are taken relative to the mean turn and motion of the disk, which
-/// changes no integral of the exact field but keeps digits; so a turned body is measured in its turned frame.
+/// changes no integral of the exact field but reduces round-off; a rotated body is measured in its turned
+/// frame.
 ///
 /// M is for small strain and one linear material around the tip.
 ///
-/// Nodes open one by one, so that the crack that the cells have ends up to a cell before or behind the front.
-/// Its field around the front is K (w - c w,1 + ...), c the offset of its tip. A field w about the wrong
-/// position mistakes a fraction of the next terms of the real field for K: where they are large, as in
-/// slender arms, K is off by c over a quarter of the arm's height (4 % with 8 cells an arm), though J is not.
-/// The offset follows from reciprocity, and w is taken about front + c:
+/// Nodes open one by one, so that the crack in the cells ends up to a cell before or behind the front. Its
+/// field around the front is K (w - c w,1 + ...), c the offset of its tip. A field w about the wrong position
+/// mistakes a fraction of the next terms of the real field for K: where they are large, as in slender arms, K
+/// is off by c over a quarter of the arm's height (4 % with 8 cells an arm), though J is not. The offset
+/// follows from reciprocity, and w is taken about front + c:
 ///
 ///     R   = int (s_ij w_i - z_ij u_i) q,j + (rho a_i w_i - (theta - 1) tr z) q  dV / thickness = 2 K c / E'
 ///     c   = E' (R_I K_I + R_II K_II) / (2 (K_I^2 + K_II^2))
 ///
-/// Aside of the crack w is taken about the cut that the particles have where q falls: a crack along the cells
+/// Across the crack, w is taken about the cut between the particles where q falls: a crack along the cells
 /// lies up to a quarter of a cell from the middle between its two rows of particles, which would show as a
 /// K_II of a fiftieth of K_I.
 ///
-/// So K, like J, belongs to the crack that the cells have, and K_I^2 + K_II^2 = E' J but for quadrature.
+/// K, like J, thus belongs to the crack in the cells, and K_I^2 + K_II^2 = E' J but for quadrature.
 ///
 /// \param acceleration of the nodes, a row a node [m/s2]
 /// Source: Nishioka and Atluri, Eng. Fract. Mech. 18 (1983) 1; for heat Wilson and Yu, Int. J. Fract. 15

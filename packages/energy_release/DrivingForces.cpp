@@ -18,12 +18,12 @@ namespace Rhegma::energy_release
 namespace
 {
 
-/// Cells by which a front node may move before its tube is fitted anew; in 3D less than four advances of a
-/// quarter of a cell, of which last digits would tell whether they are more.
+/// Cells by which a front node may move before its tube is fitted anew; in 3D slightly less than four
+/// advances of a quarter of a cell, so that round-off does not decide.
 template <int D>
 constexpr double fitAgainAfter = D == 2 ? 1.0 : 0.9;
 
-/// The largest distance of a front's nodes from where they were; infinite where these were others [m].
+/// The largest distance of a front's nodes from where they were; infinite where the nodes have changed [m].
 template <int D>
 double largestMove(const std::vector<double>& at, const CrackFront<D>& front)
 {

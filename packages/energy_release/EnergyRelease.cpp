@@ -62,8 +62,7 @@ void refuseContour(const State<2>& state, const CrackFront<2>& front, const std:
                               ", or use smaller cells (Domain > Cell Size)");
 }
 
-/// Refuses radii that the scene gives and that don't fit; says which ones are used where the usual ones
-/// don't.
+/// Refuses radii of the scene that do not fit; reports the radii used where the default ones do not.
 void checkTube(State<2>& state, const CrackFront<2>& front, const Options& options)
 {
   const double cell = spacingAt(state, front.position);
@@ -109,7 +108,7 @@ void checkTube(State<3>& state, const CrackFront<3>& front, const Options& optio
         formatReal(clear) + ", or use smaller cells (Domain > Cell Size)");
 }
 
-/// Closer contours see the tip's own cells.
+/// Closer contours contain the inaccurate cells at the tip.
 constexpr double leastInnerCells = 2.0;
 
 template <int D>
@@ -144,13 +143,13 @@ double clearNow(const State<3>& state, const CrackFront<3>& front, double radius
   return clearAround(state, front, radius);
 }
 
-/// Says once of each front that its surroundings have become too narrow for its tube.
+/// Warns once of each front whose tube no longer fits into the body.
 template <int D>
 void warnOfTube(State<D>& state, const CrackFront<D>& front, const ContourRadii& radii,
                 const Options& options, Samples<D>& samples)
 {
   const double cell = spacingAt(state, front.position);
-  const bool isFitted = options.radii.outer == 0.0; // then it is reduced as far as it may be
+  const bool isFitted = options.radii.outer == 0.0; // then it has been reduced as far as possible
   if ((isFitted && radii.outer > smallestOuter(options.radii, cell)) ||
       samples.warned.count({front.crack, front.number}) != 0 ||
       clearNow(state, front, radii.outer) > radii.outer - cell)
@@ -170,7 +169,7 @@ bool wantsClosure(const State<2>& state, const Options& options, const Samples<2
          samples.inclined.count({front.crack, front.number}) == 0;
 }
 
-/// Says once of a front along the grid that it has no crack closure.
+/// Warns once of a front along the grid that it has no crack closure.
 void warnOfClosure(State<2>& state, const CrackFront<2>& front, const CrackClosure& closure,
                    Samples<2>& samples)
 {
@@ -184,7 +183,7 @@ void warnOfClosure(State<2>& state, const CrackFront<2>& front, const CrackClosu
       "for Closure Cells, or its faces are several cells apart; use G_J");
 }
 
-/// A front whose surroundings have fallen apart ends the run.
+/// Ends the run where crack closure can't be computed since the body around the front has disintegrated.
 CrackClosure tryToClose(State<2>& state, const CrackFront<2>& front, const Options& options,
                         Samples<2>& samples)
 {

@@ -1,5 +1,5 @@
 #pragma once
-/// What crack fronts release.
+/// Energy release rates and stress intensities of crack fronts.
 
 #include "plan/Effect.hpp"
 
@@ -15,8 +15,8 @@ namespace Rhegma::energy_release
 /// opening can't be recovered from the particles.
 ///
 /// summary.json has them too, and next to them of each front kink_angle (counter-clockwise, degrees: the
-/// direction of the largest hoop stress), tip_offset (how far ahead of the front's position the tip lies that
-/// the cells have) and the radii used, inner_radius and outer_radius [m].
+/// direction of the largest hoop stress), tip_offset (how far ahead of the front's position the tip of the
+/// crack in the cells lies) and the radii used, inner_radius and outer_radius [m].
 EffectEntry energyReleaseEntry();
 
 } // namespace Rhegma::energy_release

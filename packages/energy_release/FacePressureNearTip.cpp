@@ -13,7 +13,7 @@ namespace Rhegma::energy_release
 namespace
 {
 
-/// Cells behind the front in which faces may share nodes, and pieces into which each is cut.
+/// Cells behind the front in which faces may have nodes in common, and pieces into which each is cut.
 constexpr int cells = 3, pieces = 16;
 
 /// A position on the crack at a distance behind the front.
@@ -84,7 +84,7 @@ double intensityLostAtFront(const State<2>& state, const CrackFront<2>& front, d
     at.push_back(on.at);
   const std::vector<double> shared = fractionOfNodes(state, front.crack, at);
 
-  // int s^-1/2 ds over a piece of the path behind, s the distance from the tip that the cells have.
+  // int s^-1/2 ds over a piece of the path behind, s the distance from the tip of the crack in the cells.
   const auto weighed = [tipOffset](double from, double to)
   { return 2.0 * (std::sqrt(std::max(to + tipOffset, 0.0)) - std::sqrt(std::max(from + tipOffset, 0.0))); };
   double intensity = positions.empty() ? 0.0 : positions[0].pressure * weighed(-std::fabs(tipOffset), 0.0);

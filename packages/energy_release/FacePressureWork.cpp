@@ -16,16 +16,16 @@ namespace Rhegma::energy_release
 namespace
 {
 
-/// Parts of a triangle's edge into which it is cut: the cells' functions bend within it.
+/// Parts of a triangle's edge into which it is cut: the shape functions are not linear within it.
 constexpr int partsOfEdge = 4;
 
-/// What acts on a position: force on a node there, by the gradient of that node's weight [N].
+/// A force at a position [N], to be multiplied by the gradients of the nodal weights there.
 struct PointForce
 {
   Vector<3> position, force;
 };
 
-/// A crack's triangles with what they open by, on the host.
+/// The triangles of a crack with their openings, on the host.
 class PressedTriangles
 {
 public:
@@ -39,7 +39,7 @@ public:
   {
   }
 
-  /// Adds the fractions of triangle s, unless it is further from the front than `reach`.
+  /// Adds the forces of triangle s, unless it is further from the front than `reach`.
   void add(int s, std::vector<PointForce>& forces) const
   {
     Vector<3> corner[3];
@@ -69,8 +69,8 @@ public:
         const double a = double(i) / partsOfEdge, b = double(j) / partsOfEdge;
         forces.push_back({(1.0 - a - b) * corner[0] + a * corner[1] + b * corner[2], {0.0, 0.0, 0.0}});
       }
-    // Near a front the opening is no line but a root, and that of an ellipse is nowhere one: its square is
-    // smooth, so that is interpolated.
+    // Near a front the opening is proportional to the root of the distance, and its square is smooth also for
+    // an ellipse: the square is interpolated.
     const auto addPart = [&](const std::array<int, 3>& part, double a, double b)
     {
       const double mean = (1.0 - a - b) * square[0] + a * square[1] + b * square[2];

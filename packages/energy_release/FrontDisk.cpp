@@ -40,7 +40,7 @@ void addMeanPositions(const State<D>& state, const Vector<D>& centre, double rea
   disk.reference = {{sums[2] / count, sums[3] / count}};
 }
 
-/// Moduli of the material at the front, as warm as it is.
+/// Moduli of the material at the front, at its temperature.
 Properties lawAtFront(const State<D>& state, const CrackFront<D>& front)
 {
   const int number = materialAt(state, front.position);

@@ -8,7 +8,7 @@
 namespace Rhegma::energy_release
 {
 
-/// What the disk does as a whole, and what it is made of.
+/// Mean motion and material of the disk.
 struct FrontDisk
 {
   double cosine = 1.0, sine = 0.0; ///< of its mean turn
@@ -27,7 +27,7 @@ KOKKOS_INLINE_FUNCTION double distance(const BorrowedView<double* [2]>& position
   return std::sqrt(x * x + y * y);
 }
 
-/// Means over the particles within the outer radius, and the material at the front, as warm as it is.
+/// Means over the particles within the outer radius, and the material at the front, at its temperature.
 /// Collective.
 FrontDisk describeDisk(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii);
 

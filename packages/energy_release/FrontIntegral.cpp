@@ -130,10 +130,10 @@ void addWidths(const State<D>& state, const FrontLine& line, const FrontSight& s
   {
     const FrontNode<D>&a = line.nodes[piece.from], &b = line.nodes[piece.to];
     const Vector<D> along = b.position - a.position;
-    // What sweeps an area is the advance across the piece, which may lean against its front nodes'
-    // directions.
+    // Only the advance across the piece sweeps an area; the piece may be inclined to the directions of its
+    // front nodes.
     const Vector<D> swept = cross(along, a.normal + b.normal);
-    if (!(norm(swept) > 0.0)) // no length, no area
+    if (!(norm(swept) > 0.0)) // a piece without length has no area
       continue;
     const Vector<D> across = (dot(swept, a.direction + b.direction) < 0.0 ? -1.0 : 1.0) / norm(swept) * swept;
     const int count =

@@ -12,8 +12,8 @@ namespace Rhegma::energy_release
 /// Dynamic J [J/m2] at every front node of a front.
 ///
 ///     J_s = sum_n q_s(n) e(n) . G_n / int q_s ds
-///     G_n = sum_p V0 [(F^T tau - (W + T) F^T) grad N_n + rho0 (F^T a - (grad v F)^T v) N_n] less the part of
-///           1 in F^T that is no displacement
+///     G_n = sum_p V0 [(F^T tau - (W + T) F^T) grad N_n + rho0 (F^T a - (grad v F)^T v) N_n] less the terms
+///           of the unit matrix in F^T
 ///
 /// G_n are the nodes' configurational forces (Mueller and Maugin, Comput. Mech. 29 (2002) 52), e(n) is the
 /// direction of the front at the point of it that is nearest to the node, so that a virtual advance follows a
@@ -22,13 +22,12 @@ namespace Rhegma::energy_release
 /// denominator is the integral along the front of q_s e as the cells interpolate it: with the hat's own area
 /// J would be low by as much as the ramp falls between the nodes next to the front.
 ///
-/// Where temperature strains the material W is of what is not thermal strain, and dW/dT grad T N_n is taken
-/// off as in 2D. Turn, motion and loads are treated as in DomainIntegral.hpp. Collective.
+/// Where temperature strains the material, W is the energy of the non-thermal strain, and dW/dT grad T N_n is
+/// subtracted as in 2D. Turn, motion and loads are treated as in DomainIntegral.hpp. Collective.
 ///
-/// \param acceleration of nodes by internal forces, which is found here: rows that are used again and again
-/// Source: Li, Shih and Needleman, Eng. Fract. Mech. 21 (1985) 405; Nikishkov and Atluri, Int. J. Numer.
-/// Methods Eng. 24 (1987) 1801.
-/// \param crack of the front, the pressure on whose faces counts (FacePressureWork.hpp)
+/// \param acceleration of nodes by internal forces, which is found here: its rows are reused Source: Li, Shih
+/// and Needleman, Eng. Fract. Mech. 21 (1985) 405; Nikishkov and Atluri, Int. J. Numer. Methods Eng. 24
+/// (1987) 1801. \param crack of the front, the pressure on whose faces counts (FacePressureWork.hpp)
 std::vector<double> integrateAlongFront(const State<3>& state, int crack, const FrontLine& line,
                                         const FrontTube& tube, NodalAcceleration<3>& acceleration);
 

@@ -34,7 +34,7 @@ FrontLine lineOf(const CrackFront<3>& front)
       first = k + 1;
     }
   }
-  if (!all.loop.empty() && all.loop.back() > 0.0) // where a closed line began it has no end
+  if (!all.loop.empty() && all.loop.back() > 0.0) // a closed line has no end where its numbering begins
     for (FrontPiece& piece : all.pieces)
       if (all.line[piece.from] + 1 == static_cast<int>(all.loop.size()))
         piece.begins = piece.ends = false;

@@ -1,5 +1,5 @@
 #pragma once
-/// The front of a crack in 3D as lines, and where positions lie with respect to it.
+/// The front of a crack in 3D as lines, and positions with respect to it.
 
 #include "state/CrackSet.hpp"
 
@@ -38,13 +38,13 @@ struct FrontFoot
 {
   double distance;     ///< from the front [m]
   int line;            ///< on which the front's nearest point lies
-  double arc;          ///< of that point; beyond the ends of an open line it goes on [m]
+  double arc;          ///< of that point, continued beyond the ends of an open line [m]
   double inside;       ///< by how far it lies within the ends of an open line; huge on a closed one [m]
   Vector<3> direction; ///< of the front there
   Vector<3> normal;
 };
 
-/// What kernels need to look at positions from a front.
+/// Locates positions with respect to a front, in kernels.
 struct FrontSight
 {
   View<double*[3]> nodePosition, direction, normal; ///< of front nodes
@@ -53,12 +53,12 @@ struct FrontSight
   View<int*> line;
   View<int* [4]> piece; ///< as FrontPiece
   View<double*> pieceLength;
-  double beyond = 0.0; ///< how far an open line goes straight on beyond its ends [m]
+  double beyond = 0.0; ///< how far an open line is continued straight beyond its ends [m]
 
   FrontSight() = default;
   FrontSight(const FrontLine& front, double extension);
 
-  /// A position as far from two pieces that meet, inside of their corner, has its foot in the middle of the
+  /// A position as far from two pieces that meet, inside of their corner, has its foot at the middle of the
   /// two.
   KOKKOS_INLINE_FUNCTION FrontFoot locate(const Vector<3>& x) const
   {
@@ -92,7 +92,7 @@ struct FrontSight
     return foot;
   }
 
-  /// Length of front from a position on it to a front node, the shorter way; huge on another line [m].
+  /// Length of front from a position on it to a front node, the shorter of both; huge on another line [m].
   KOKKOS_INLINE_FUNCTION double apart(int onLine, double from, int frontNode) const
   {
     if (onLine != line(frontNode))
@@ -102,7 +102,7 @@ struct FrontSight
   }
 
 private:
-  static constexpr double asFar = 1e-9; ///< beyond what last digits make of a square
+  static constexpr double asFar = 1e-9; ///< larger than the round-off of a square
 
   /// Square of the distance from a piece [m2]. \param part of the piece at the nearest point
   KOKKOS_INLINE_FUNCTION double squareTo(int k, const Vector<3>& x, double& part) const
@@ -129,9 +129,10 @@ private:
     return foot;
   }
 
-  /// At the surface where a line ends its direction is that of its end, within the last piece between that
-  /// and what it is by the nearest point. A virtual advance must not cross a surface, whose part of the
-  /// integral by parts is left out; behind a last piece that leans it would, by the directions further in.
+  /// At the surface where a line ends, the direction is that of its end; within the last piece it is
+  /// interpolated between that and the direction at the nearest point. A virtual advance must not cross a
+  /// surface, as the surface term of the integration by parts is left out; behind an inclined last piece it
+  /// would cross the surface with the directions further inside.
   KOKKOS_INLINE_FUNCTION void alongSurface(const Vector<3>& x, int last, FrontFoot& foot) const
   {
     const int end = ends(foot.line, last), inner = last != 0 ? end - 1 : end + 1;

@@ -12,7 +12,7 @@ namespace Rhegma::energy_release
 namespace
 {
 
-/// Between which distances behind the front openings are taken [cells].
+/// Range of distances behind the front at which openings are evaluated [cells].
 constexpr double nearest = 1.0, furthest = 3.0;
 
 /// Pieces into which an edge of a triangle is cut.
@@ -73,7 +73,7 @@ std::vector<Vector<3>> middlesOfPieces()
   return middles;
 }
 
-/// What is looked at of a crack.
+/// The part of a crack that is evaluated.
 struct Patch
 {
   Vector<3> x[3], opening[3];
@@ -132,7 +132,7 @@ std::vector<Intensities> openingsBehind(const CrackSet<3>& cracks, const CrackFr
                         dot(opening, cross(foot.direction, foot.normal))}});
     }
   }
-  // Behind a front that has not that much crack, all that there is.
+  // All of a crack that is shorter than that.
   const double deepest = std::accumulate(parts.begin(), parts.end(), 0.0,
                                          [](double most, const Part& p) { return std::max(most, p.behind); });
   const double from = std::min(nearest * cell, 0.5 * deepest);

@@ -1,5 +1,5 @@
 #pragma once
-/// The opening behind a front in 3D, by which its modes share the energy release.
+/// The opening behind a front in 3D, which divides the energy release between the modes.
 
 #include "energy_release/FrontLine.hpp"
 #include "material/MaterialTable.hpp"
@@ -22,10 +22,10 @@ double releaseOf(const Intensities& K, const Elasticity& e);
 
 /// Intensities whose ratios are those of the openings behind the front, at every front node.
 ///
-/// The faces' openings at the distance r behind a front are (8 K_I, 8 K_II) / E' sqrt(r / 2 pi) and
-/// 4 K_III / mu sqrt(r / 2 pi) (Williams). These are fitted to the face positions, between 1 and 3 cells
-/// behind the front, with the hat of half width `halfWidth` about the front node. Their size is that of the
-/// cells' opening, which is not accurate; scaleTo mends it.
+/// The faces' openings at the distance r behind a front are (8 K_I, 8 K_II) / E' sqrt(r / 2 pi) and 4 K_III /
+/// mu sqrt(r / 2 pi) (Williams). These are fitted to the face positions, between 1 and 3 cells behind the
+/// front, with the hat of half width `halfWidth` about the front node. Their size is that of the cells'
+/// opening, which is not accurate; scaleTo corrects it.
 ///
 /// \param cell edge of the cells at the front [m]
 std::vector<Intensities> openingsBehind(const CrackSet<3>& cracks, const CrackFront<3>& front,

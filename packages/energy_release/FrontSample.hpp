@@ -1,5 +1,5 @@
 #pragma once
-/// What the history and the summary have of a crack front.
+/// The sample of a crack front for the history and the summary.
 
 #include "energy_release/CrackClosure.hpp"
 #include "energy_release/FrontTube.hpp"
@@ -26,7 +26,7 @@ struct FrontSample
   FrontTube tube;                       ///< none of a front that has ended
   Along J, modeI, modeII, modeIII;      ///< [J/m2], [Pa m^0.5]; empty in 3D where no node is left
   double tipOffset = 0.0;               ///< DomainIntegral (2D)
-  bool closed = false;                  ///< whether crack closure is wanted and can be found (2D)
+  bool closed = false;                  ///< whether crack closure is requested and can be computed (2D)
   CrackClosure closure{notYet, notYet}; ///< (2D)
 
   static constexpr double notYet = std::numeric_limits<double>::quiet_NaN(); ///< null in the summary

@@ -16,11 +16,11 @@ namespace
 
 constexpr double halfWidthCells = 2.0, wantedInnerCells = 2.0;
 
-/// By how much a surface at which a front ends may lean towards it: a node of that surface has its foot on
-/// the front by this fraction of its distance, and a cell, from the end.
+/// Largest inclination towards the front of a surface at which it ends: nodes of that surface have their feet
+/// on the front within this fraction of their distance, and a cell, from the end.
 constexpr double leans = 0.6;
 
-/// So much of an open front is left out at each end at most.
+/// Largest fraction of an open front that is left out at each end.
 constexpr double atAnEnd = 0.4;
 
 /// Distance from a front within which all nodes are surrounded by material; the ends of an open one, where
@@ -81,14 +81,14 @@ double clearOfOthers(const State<3>& state, const CrackFront<3>& front, const Fr
   return nearest;
 }
 
-/// Cells between positions of a front that begin to tell its curvature, and that tell it fully: nearer ones
-/// tell the corners of its pieces. What a pair says grows in between, so that no tube jumps by what last
-/// digits make of a distance.
+/// Distances of two positions on a front from which their curvature counts, and from which it counts fully
+/// [cells]; closer pairs measure the corners between pieces. The weight increases in between, so that
+/// round-off does not change a tube.
 constexpr double curvatureFrom = 1.5, curvatureFully = 3.0;
 
 /// Directions of the front nodes, each the mean over two front nodes on both sides by weights that fall
-/// linearly: what a front node alone is ahead or behind turns its neighbours, and a turn over cells is
-/// curvature, one over a front node none. Those of a circle stay what they are.
+/// linearly: the offset of a single front node turns its neighbours and is no curvature. Directions on a
+/// circle do not change.
 std::vector<Vector<3>> meanDirections(const FrontLine& line)
 {
   constexpr int reach = 2;
@@ -119,7 +119,7 @@ std::vector<Vector<3>> meanDirections(const FrontLine& line)
         from = to;
       }
     }
-    // As far on one side as on the other, so that pieces of unequal length do not turn an arc.
+    // Equal lengths on both sides, so that unequal pieces do not turn an arc.
     Vector<3> sum = double(reach + 1) * line.nodes[k].direction;
     if (most > 0)
       sum = sum +

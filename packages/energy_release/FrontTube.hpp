@@ -17,7 +17,7 @@ namespace Rhegma::energy_release
 struct FrontTube
 {
   ContourRadii radii{0.0, 0.0};
-  double halfWidth = 0.0; ///< of the hat along the front by which a front node weighs [m]; none in 2D
+  double halfWidth = 0.0; ///< of the weight of a front node along the front, a hat [m]; none in 2D
 
   /// Saves or loads it. \param name of a group of the archive
   void store(const std::string& name, Archive& archive);
@@ -35,9 +35,9 @@ double clearAround(const State<2>& state, const CrackFront<2>& front, double rad
 double clearAround(const State<3>& state, const CrackFront<3>& front, double radius);
 
 /// Radius of the largest ball that touches a front from behind or ahead and holds no other part of it; parts
-/// nearer than 1.5 cells are not looked at, those nearer than 3 count less, and the ends of an open front not
-/// at all, where the surface cuts its pieces and a front node points along the surface-breaking edge.
-/// Infinite for a straight front.
+/// nearer than 1.5 cells do not count, those nearer than 3 count less, and neither do the ends of an open
+/// front, where the surface cuts its pieces and a front node points along the surface-breaking edge. Infinite
+/// for a straight front.
 double radiusOfCurvature(const FrontLine& line, double cell);
 
 /// The tube of a front. An outer radius that the scene does not give is reduced to clearAround, but not below

@@ -51,7 +51,7 @@ struct ForceBlock
   }
 };
 
-/// Springs hold the front together, as the material does.
+/// Springs are internal forces, as those of the material.
 template <int D>
 void addSprings(const State<D>& state, const NodalAcceleration<D>& force)
 {

@@ -1,25 +1,25 @@
 #pragma once
-/// What the material's own stress does to the nodes around a front.
+/// Acceleration of the nodes around a front by internal forces.
 
 #include "state/State.hpp"
 
 namespace Rhegma::energy_release
 {
 
-/// Of each node, second fields included: acceleration [m/s2], then the mass that it is of [kg].
+/// Of each node, enriched fields included: acceleration [m/s2], then the mass to which it belongs [kg].
 template <int D>
 using NodalAcceleration = View<double * [D + 1]>;
 
 /// Acceleration [m/s2] of nodes by internal forces alone, -sum_p V0 tau grad N / m, from the particles within
-/// `radius` of a position; a row a node, second fields included. Without loads it is the nodes' acceleration.
-/// Where loads act, such as pressure on crack faces, contact, body force or damping, it is less by what they
-/// do: used as `a` in the domain integrals it takes their work into account, whoever applies them. The mass m
-/// is that where the particles are now, as N is: a node that a box just reaches has a mass of the square of
-/// that length and a force of its first power, so that with the mass of the step's start a box that has moved
-/// by a thousandth of a cell would give it any acceleration.
+/// `radius` of a position; a row a node, enriched fields included. Without loads it is the nodes'
+/// acceleration. Where loads act, such as pressure on crack faces, contact, body force or damping, it is less
+/// by what they do: used as `a` in the domain integrals it accounts for their work. The mass m and N are
+/// those of the present positions: a node that a box just reaches has a mass proportional to the square of
+/// the overlap and a force proportional to the overlap, so that with the mass of the start of the step a
+/// small motion of the box would cause an arbitrary acceleration.
 NodalAcceleration<2> internalAcceleration(const State<2>& state, const Vector<2>& centre, double radius);
 
-/// The same in rows that are used again and again; they grow where they must.
+/// The same in reused rows, which grow if necessary.
 void internalAcceleration(const State<2>& state, const Vector<2>& centre, double radius,
                           NodalAcceleration<2>& acceleration);
 

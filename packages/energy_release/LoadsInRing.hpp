@@ -11,11 +11,11 @@
 namespace Rhegma::energy_release
 {
 
-/// A load on a straight line in a body, or on one point of it; or a box whose nodes are held, or all beyond
-/// it.
+/// The region of a load: a straight line in a body, or a point; or a box whose nodes are held, or all nodes
+/// beyond it.
 struct LoadRegion
 {
-  /// Which places it has.
+  /// Shape of the region.
   enum class Kind
   {
     Line,   ///< a line in a body, or a point of it
@@ -24,7 +24,7 @@ struct LoadRegion
   };
   std::string name;       ///< as in the scene
   Vector<2> from{}, to{}; ///< its ends at the start, or the corners of the box [m]
-  Kind kind = Kind::Line; ///< of its positions
+  Kind kind = Kind::Line; ///< of the region
 };
 
 /// How far a position is from the nearest and from the furthest point of a load [m].
@@ -40,12 +40,11 @@ Reach reachOf(const LoadRegion& load, const Vector<2>& x);
 std::vector<LoadRegion> readLoads(const Teuchos::ParameterList& scene);
 
 /// Warns, once, of each load that acts in the ring round a front, a cell more on both sides, and of each box
-/// of held nodes that reaches into it; loads are taken where they were at the start. What a load does inside
-/// of the ring is in the integral (docs/theory.md), but in the ring the stress next to it, which no cells
-/// resolve, is weighed with the slope of the weight: two forces on the faces of a crack put J off by 4 and
-/// 8 % there and by 0.7 % at most elsewhere (unit test program/test_odd_cracks.py; K by 0.1 %), a node held
-/// six cells ahead of a crack in a plate under tension by 2 % there and by 0.01 % elsewhere, against crack
-/// closure.
+/// of held nodes that reaches into it; with the positions of the start. What a load does inside of the ring
+/// is in the integral (docs/theory.md), but in the ring the stress next to it, which no cells resolve, is
+/// multiplied by the slope of the weight: two forces on the faces of a crack change J by 4 and 8 % there and
+/// by 0.7 % at most elsewhere (unit test program/test_odd_cracks.py; K by 0.1 %), a node held six cells ahead
+/// of a crack in a plate under tension by 2 % there and by 0.01 % elsewhere, against crack closure.
 void warnOfLoads(State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
                  const std::vector<LoadRegion>& loads);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What temperature adds to the integrals round a front.
+/// The contribution of temperature to the integrals around a front.
 
 #include "energy_release/CrackTipFields.hpp"
 #include "material/ThermoLaw.hpp"
@@ -9,11 +9,11 @@
 namespace Rhegma::energy_release
 {
 
-/// Elastic energy of particles, and what it has of their temperature.
+/// Elastic energy of particles and its dependence on temperature.
 template <int D>
 struct ParticleHeat
 {
-  ThermoTables tables; ///< empty where nobody carries heat
+  ThermoTables tables; ///< empty where no particle has heat
   BorrowedView<double*> temperature;
   BorrowedView<double* [D]> gradient;
 
@@ -26,13 +26,13 @@ struct ParticleHeat
     gradient = state.particles.template real<D>(fields::temperatureGradient);
   }
 
-  /// Whether the stress of a material knows the temperature.
+  /// Whether the stress of a material depends on the temperature.
   KOKKOS_INLINE_FUNCTION bool strains(int material) const
   {
     return !tables.empty() && tables.material(material).coupled;
   }
 
-  /// W of what of F is not thermal strain [J/m3].
+  /// W of the non-thermal part of F [J/m3].
   KOKKOS_INLINE_FUNCTION double energy(int p, int material, const Properties& law, const double* F,
                                        const double* history) const
   {

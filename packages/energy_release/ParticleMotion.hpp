@@ -1,5 +1,5 @@
 #pragma once
-/// The motion that nodes give a particle in the integrals round a front.
+/// The motion of a particle, interpolated from nodes, in the integrals around a front.
 
 #include "state/State.hpp"
 
@@ -7,8 +7,9 @@ namespace Rhegma::energy_release
 {
 
 /// The velocity of nodes that strains the particles [m/s]. With MUSL and USF that is a mean of the particles'
-/// own. What the solve gives a node that a box just reaches, with a mass of the square of that length and a
-/// force of its first power, is any velocity; its slope in a box that has moved since is any number too.
+/// own. The velocity that the solve gives a node that a box just reaches, with a mass proportional to the
+/// square of the overlap and a force proportional to the overlap, is arbitrary, and so is its slope in a box
+/// that has moved since.
 template <int D>
 struct NodalVelocity
 {
@@ -30,8 +31,8 @@ struct NodalVelocity
   }
 };
 
-/// Velocity [m/s] next to that of the disk, acceleration [m/s2] and slopes of the velocity [1/s], dv[i][j] =
-/// v_i,j.
+/// Velocity [m/s] relative to that of the disk, acceleration [m/s2] and slopes of the velocity [1/s],
+/// dv[i][j] = v_i,j.
 template <int D>
 struct ParticleMotion
 {
@@ -39,11 +40,11 @@ struct ParticleMotion
   double dv[D][D] = {};
 };
 
-/// With USL a node that a box reaches by its last digit would have a say that hangs on round-off. Such nodes
-/// are left out; what that changes of a slope is below 1e-10 of the neighbours' share.
+/// With USL, the contribution of a node that a box reaches by round-off only would be arbitrary. Such nodes
+/// are left out, which changes a slope by less than 1e-10 of the contribution of neighbours.
 constexpr double leastFraction = 1e-20;
 
-/// \param mean velocity of the disk, taken off
+/// \param mean velocity of the disk, subtracted
 template <int D, class Connect, class Acceleration>
 KOKKOS_INLINE_FUNCTION ParticleMotion<D>
 particleMotion(const Connect& connect, int p, const NodalVelocity<D>& velocity,

@@ -105,7 +105,7 @@ std::vector<int> namedSides(const State<2>& state, const View<int*>& list)
   return named;
 }
 
-/// Numbers of a particle as ranks tell them to each other.
+/// Numbers of a particle that ranks exchange.
 constexpr int reportedWidth = 13 + 4 * ParticleAroundTip::capacity;
 
 void report(const ParticleAroundTip& p, std::vector<double>& numbers)

@@ -106,7 +106,7 @@ void checkEnergyRelease(const Teuchos::ParameterList& scene, std::vector<SceneEr
   if (!contour || !domain.isType<double>("Cell Size"))
     return;
   for (const SceneError& error : errors)
-    if (error.where == "Domain > Cell Size") // what follows from a wrong cell says nothing
+    if (error.where == "Domain > Cell Size") // results of a wrong cell size are meaningless
       return;
   const double cell = domain.get<double>("Cell Size");
   const GivenRadii given = readRadii(scene);
@@ -147,7 +147,7 @@ Options readOptions(const Teuchos::ParameterList& scene, const RunOptions& run)
   Options options;
   options.openingKnown = run.openingKnown;
   options.radii = readRadii(scene);
-  if (isThreeDimensional(scene)) // there is no crack closure
+  if (isThreeDimensional(scene)) // crack closure is 2D only
     return options;
   if (run.growth) // round cracks that run the usual radii are those by which they run
   {

@@ -1,5 +1,5 @@
 #pragma once
-/// What a scene asks of energy release rates.
+/// Options of the energy release rates.
 
 #include "energy_release/Contour.hpp"
 #include "energy_release/CrackClosure.hpp"
@@ -15,7 +15,7 @@ namespace Rhegma::energy_release
 struct Options
 {
   GivenRadii radii;
-  bool contour = true; ///< domain integrals are wanted
+  bool contour = true; ///< domain integrals are requested
   bool closure = true;
   std::set<std::string> pushed; ///< cracks with Face Pressure, of which closure would leave out the pressure
   bool lumped = false;
@@ -27,7 +27,7 @@ struct Options
 /// The section `Energy Release`.
 Section energyReleaseSection();
 
-/// What of it does not go with the rest of the scene.
+/// Checks the section against the rest of the scene.
 void checkEnergyRelease(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors);
 
 Options readOptions(const Teuchos::ParameterList& scene, const RunOptions& run);

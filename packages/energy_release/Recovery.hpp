@@ -26,15 +26,16 @@ struct RecoveryMatrix
   double radius;       ///< theta is 1 up to this distance from a front [m]
   double edge;         ///< and falls to 0 over this width beyond it [m]
   int terms;           ///< of the series about the row sums that stands for the inverse; 0: solved
-  double radiusCells = 0.0; ///< of the radius next to what is in m, in cells as they are at the front
+  double radiusCells = 0.0; ///< of the radius in addition to that in m, in cells as they are at the front
   double edgeCells = 0.0;   ///< of the edge
 };
 
 /// theta = 1. A node that a particle barely touches is found by extrapolation; the thousandth of row sums
-/// bounds how far noise is blown up there, and moves well-covered nodes by as much of what lumping would.
+/// bounds how far noise is blown up there, and changes well-covered nodes by a thousandth of the effect of
+/// lumping.
 RecoveryMatrix consistentMatrix();
 
-/// Row sums: smears a crack's opening over a cell, which smaller cells do not mend.
+/// Row sums: smooths the opening of a crack over a cell, also with smaller cells.
 RecoveryMatrix lumpedMatrix();
 
 /// Least-squares nodal displacement of the particles, M_eps u = sum_p m_p N_p u_p.

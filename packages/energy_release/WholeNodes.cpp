@@ -36,7 +36,7 @@ WholeNodes::WholeNodes(const State<2>& state) : here_(state.mesh.grid), whole_(w
     for (int d = 0; d < 2; ++d)
       at[d] = static_cast<int>(std::lround((positions(k, d) - whole_.whole[d]) / unit));
     const auto found = std::lower_bound(all.begin(), all.end(), at);
-    // At the rim of what a rank has of the lattice a node may be there that hangs.
+    // At the boundary of the lattice of a rank there may be a hanging node.
     const bool exists = found != all.end() && *found == at;
     fine_.push_back(exists ? whole_.numNodes + static_cast<int>(found - all.begin()) : -1);
   }

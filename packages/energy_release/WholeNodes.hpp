@@ -9,14 +9,14 @@
 namespace Rhegma::energy_release
 {
 
-/// Names nodes of a rank by their numbers in the whole lattice, and those of refined cells, in the order of
-/// their positions, by the next ones. Where there is one rank these are its own numbers.
+/// Numbers nodes of a rank as in the whole lattice, and those of refined cells, in the order of their
+/// positions, by the next ones. Where there is one rank these are its own numbers.
 class WholeNodes
 {
 public:
   explicit WholeNodes(const State<2>& state);
 
-  /// \param node of this rank, no second field
+  /// \param node of this rank, no enriched field
   int operator()(int node) const;
 
   /// Where a node with a number in the whole lattice is.

@@ -61,7 +61,7 @@ void check(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
     checkPressure(scene, name, errors);
 }
 
-/// What the effect keeps from step to step.
+/// The state of the effect that lasts from step to step.
 template <int D>
 struct Account
 {

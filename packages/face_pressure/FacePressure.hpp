@@ -24,7 +24,7 @@ public:
   template <int D>
   void apply(State<D>& state, const FacePoints<D>& points);
 
-  /// Work [J] that the forces did in this step, on the way of the faces.
+  /// Work [J] of the forces in this step, on the displacement of the faces.
   template <int D>
   double work(const State<D>& state, const FacePoints<D>& points) const;
 

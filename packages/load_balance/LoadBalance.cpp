@@ -14,7 +14,7 @@ namespace Rhegma::load_balance
 namespace
 {
 
-/// What summary.json tells.
+/// The entries of summary.json.
 struct Account
 {
   long checks = 0, divisions = 0;
@@ -23,7 +23,7 @@ struct Account
   double seconds = 0.0;
 };
 
-/// So many times what a division has left is worth another one.
+/// Growth of the remaining imbalance, as a factor, from which another division is worthwhile.
 constexpr double grown = 1.02;
 
 Section section()
@@ -57,8 +57,8 @@ void checkBalance(State<D>& state, double threshold, Account& account)
   account.last = imbalance(state);
   account.worst = std::max(account.worst, account.last);
   ++account.checks;
-  // Cells may be too large for the threshold: what a division has left is divided again only when it has
-  // grown.
+  // Cells may be too coarse for the threshold: the imbalance that a division leaves is divided again only
+  // after it has grown.
   if (state.ranks.many() && account.last > threshold && account.last > grown * account.left)
   {
     redivideState(state);

@@ -1,5 +1,5 @@
 #pragma once
-/// Load balance: ranks divide the domain anew where some of them have more to do than others.
+/// Load balance: the domain is divided again when the load of the ranks has become uneven.
 
 #include "plan/Effect.hpp"
 

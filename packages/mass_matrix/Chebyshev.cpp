@@ -35,7 +35,7 @@ void advance(const MassSystem<D>& system, const View<double*>& inverse, const do
             });
 }
 
-/// The same with a product that is there.
+/// The same with a given product.
 template <int D>
 void advance(const MassSystem<D>& system, const View<double*>& inverse, const double* r, const double* z,
              const View<double*>& image, double* last, double momentum, double gain)

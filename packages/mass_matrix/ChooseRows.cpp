@@ -11,8 +11,7 @@ namespace Rhegma::mass_matrix
 namespace
 {
 
-/// The nodes of the lattice around fronts that particles in their zones can touch, some of them more than
-/// once.
+/// The nodes of the lattice around fronts that particles in their zones can touch, some of them repeatedly.
 template <int D>
 struct AroundFronts
 {

@@ -6,7 +6,8 @@
 namespace Rhegma::mass_matrix
 {
 
-/// How many neighbours along an axis a node may share a particle with, on each side.
+/// Reach of the coupling: number of neighbours along an axis, on each side, with which a node may have a
+/// particle in common.
 inline int reachOf(ShapeKind shape) { return shape == ShapeKind::Linear ? 1 : 2; }
 
 constexpr int chosen = -2; ///< in rowOf: a node that shall have a row

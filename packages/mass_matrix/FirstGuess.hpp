@@ -1,12 +1,12 @@
 #pragma once
-/// What a first guess of a solve leaves to be solved.
+/// The residual of a first guess.
 
 #include "mass_matrix/MassSystem.hpp"
 
 namespace Rhegma::mass_matrix
 {
 
-/// What one look at a first guess x gives, summed over the unknowns that are free.
+/// Sums over the free unknowns for a first guess x.
 template <int D>
 struct GuessSums
 {

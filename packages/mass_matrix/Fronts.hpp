@@ -1,5 +1,5 @@
 #pragma once
-/// Which particles a crack front unlumps.
+/// The particles around crack fronts that are unlumped.
 
 #include "mass_matrix/MassSystem.hpp"
 
@@ -7,8 +7,8 @@ namespace Rhegma::mass_matrix
 {
 
 /// Lists the positions of all fronts: their vertices, so that in 3D a front is a line of positions; and the
-/// radius and the edge of the zone around each. \param positions, zones grow where there are more than they
-/// hold \param count of the positions
+/// radius and the edge of the zone around each. \param positions, zones grow if necessary \param count of the
+/// positions
 template <int D>
 void listFronts(const State<D>& state, const Unlumping& unlumping, View<double* [D]>& positions,
                 View<double* [2]>& zones, int& count);

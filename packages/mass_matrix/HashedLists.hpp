@@ -6,7 +6,7 @@
 namespace Rhegma::mass_matrix
 {
 
-/// Largest fraction of a list that may be taken: fuller ones are searched for long.
+/// Largest used fraction of a list: fuller lists take long to search.
 constexpr double fullestList = 0.7;
 
 /// Adds to the entry of a column in a list of `capacity` positions, a power of two; free positions have the

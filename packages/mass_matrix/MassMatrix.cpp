@@ -19,7 +19,7 @@ namespace Rhegma::mass_matrix
 namespace
 {
 
-/// What the particles take from the nodes.
+/// The update of the particle velocity from the nodes.
 enum class VelocityUpdate
 {
   Flip, ///< the acceleration
@@ -46,8 +46,8 @@ struct Options
 
 constexpr double radiusCells = 3.0, edgeCells = 1.0;
 
-/// Largest CFL number of a coupled matrix. In substeps the impulses of larger cells feed motions of the
-/// coupled nodes at 0.4: a bar with a crack gained 8 % in 6,000 steps of three levels, at 0.3 nothing.
+/// Largest CFL number of a coupled matrix. In substeps at 0.4 the impulses of coarser cells excite the
+/// coupled nodes: a bar with a crack gained 8 % of energy in 6,000 steps of three levels, and none at 0.3.
 constexpr double largestCoupledCfl = 0.4, largestInSubsteps = 0.3;
 
 template <int D>
@@ -171,7 +171,7 @@ Options readOptions(const Teuchos::ParameterList& scene)
   return o;
 }
 
-/// What effects that look at the nodes' motion must know.
+/// Declares the nodal mass to effects that use the motion of nodes.
 void declareMass(const Teuchos::ParameterList& list, RunOptions& options)
 {
   const auto type = list.get<std::string>("Type");
@@ -197,7 +197,7 @@ void declareMass(const Teuchos::ParameterList& list, RunOptions& options)
   length("Transition Width", mass.edge, mass.edgeCells, edgeCells);
 }
 
-/// What the calls of a run share.
+/// The data of a run that its calls have in common.
 template <int D>
 struct MatrixRun
 {
@@ -277,7 +277,7 @@ struct MatrixRun
   Vector<3> start{{0.0, 0.0, 0.0}};
 };
 
-/// For those who move nodes in substeps.
+/// Offers solves for subcycled nodes.
 template <int D>
 void offerSlots(State<D>& state, const std::shared_ptr<MatrixRun<D>>& run)
 {

@@ -15,8 +15,8 @@ namespace Rhegma::mass_matrix
 namespace
 {
 
-/// How far apart the nodes of a row and of its slots are in the numbering, which changes where the domain is
-/// divided anew.
+/// How far apart the nodes of a row and of its slots are in the numbering, which changes with a new division
+/// of the domain.
 template <int D>
 void findSteps(const Grid<D>& grid, MassSystem<D>& system)
 {
@@ -101,12 +101,12 @@ void numberRows(const State<D>& state, bool everywhere, MassSystem<D>& system)
   system.last = first + count;
 }
 
-/// Makes room for the rows; more than there are, so that solvers last.
+/// Allocates the rows, with a reserve, so that solvers can be reused.
 template <int D>
 void reserveRows(MassSystem<D>& system)
 {
   const int rows = system.last + system.reach;
-  // Sums over vectors of another length may have other last digits, so a length that was restored stays.
+  // Sums over vectors of another length may differ by round-off, so a restored length is kept.
   const bool lasts = system.rowCapacity >= rows && system.rowCapacity <= 2 * rows + 64;
   if (lasts && static_cast<int>(system.lumped.extent(0)) == system.rowCapacity)
     return;
@@ -180,8 +180,8 @@ void startRows(const State<D>& state, MassSystem<D>& system)
           else
             to += (line / span - s.reach) * grid.stride[grid.axisOrder[0]] +
                   (line % span - s.reach) * grid.stride[grid.axisOrder[1]];
-          // The band of a second field holds its diagonal alone: who touches it has a stored stencil.
-          // At the rim of what a rank has of the lattice a line may lie beyond it: nothing here reaches it.
+          // The band of an enriched field holds its diagonal alone, as particles on it have stored stencils.
+          // At the boundary of the lattice of a rank a line may lie outside, where no particle reaches it.
           const bool exists = to >= 0 && to < grid.numNodes;
           const int middle = to == lattice ? row : (exists ? s.rowOf(to) : -1);
           // A line whose middle has no mass holds nothing: no particle touches both.

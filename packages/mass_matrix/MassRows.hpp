@@ -1,12 +1,13 @@
 #pragma once
-/// The rows of the mass matrix: which nodes have one, and what stands there before and after particles give.
+/// The rows of the mass matrix: the nodes that have one, and its content before and after particles are
+/// added.
 
 #include "mass_matrix/ChooseRows.hpp"
 
 namespace Rhegma::mass_matrix
 {
 
-/// Makes the rows of the nodes that particles couple now, and clears what particles give to.
+/// Makes the rows of the nodes that particles couple now, and clears the matrix.
 template <int D>
 void beginRows(const State<D>& state, const Unlumping& unlumping, MassSystem<D>& system);
 

@@ -7,7 +7,7 @@
 namespace Rhegma::mass_matrix
 {
 
-/// Where particles give the nodes a consistent mass, and how much of it.
+/// The particles whose mass is consistent, and its fraction.
 struct Unlumping
 {
   bool everywhere = true; ///< all particles; else only those around crack fronts
@@ -22,11 +22,11 @@ struct Unlumping
 
 /// M = L + (1 - eps) sum_p theta_p m_p (N_p N_p^T - diag(N_p)) over the nodes of the rows, L the lumped mass.
 ///
-/// Rows and columns add up to L: the total momentum of M x is that of L x. What particles whose functions are
-/// a tensor product give a row lies in its band: lines of nodes along the lattice's fastest axis, whose rows
-/// follow one another, so that a line is one start and a run of numbers. Particles with a stored stencil
+/// Rows and columns add up to L: the total momentum of M x is that of L x. The entries from particles with
+/// tensor-product functions are in the band of a row: lines of nodes along the lattice's fastest axis, whose
+/// rows follow one another, so that a line is one start and a run of numbers. Particles with a stored stencil
 /// (next to cracks and in refined cells) give to rows that also have a list of single entries. Next to cracks
-/// in equal cells an entry has its position in the list by where its node lies; in refined cells, where nodes
+/// in equal cells the position of an entry in the list follows from its node; in refined cells, where nodes
 /// of several sizes of cells meet, by hashing. Rows that only such particles touch there are bare: they have
 /// a diagonal and a list.
 ///
@@ -34,8 +34,8 @@ struct Unlumping
 /// of the nodes that it owns: sums of the products of all ranks are those of the whole matrix. Vectors have
 /// the same numbers on all ranks that share a row.
 ///
-/// Vectors have `width` numbers a row and `room` rows; rows outside of first .. last - 1 are zero in them,
-/// and the first lines of a band may read them.
+/// Vectors have `width` numbers a row and `rowCapacity` rows; rows outside of first .. last - 1 are zero in
+/// them, and the first lines of a band may read them.
 template <int D>
 struct MassSystem
 {
@@ -54,7 +54,7 @@ struct MassSystem
   int numCoupled = 0;     ///< rows with entries next to their diagonal, of all ranks
   double coupledMass = 0; ///< sum of L over them [kg]
 
-  View<int*> rowOf;        ///< row of each node (second fields included), or -1 where it is coupled to none
+  View<int*> rowOf;        ///< row of each node (enriched fields included), or -1 where it is coupled to none
   View<int*> nodeOf;       ///< node of each row
   View<double*> lumped;    ///< L [kg]
   View<double*> band;      ///< M, `stride` numbers a row [kg]
@@ -67,7 +67,7 @@ struct MassSystem
   View<double**> extra;    ///< M beyond the band [kg]
   View<int**> extraColumn; ///< row of each entry
 
-  // For making the lists.
+  // For building the lists.
   View<int*> step;           ///< distance of a slot's node from the row's, slots by axes in their order
   int strideOfNodes[D] = {}; ///< with which these were found
   View<double* [D]> front;   ///< positions around which Partial unlumps [m]
@@ -98,7 +98,7 @@ KOKKOS_FORCEINLINE_FUNCTION Pack<MassSystem<D>::width> rowTimes(const MassSystem
                                                                 const double* x)
 {
   constexpr int W = MassSystem<D>::width, span = 2 * Reach + 1, lines = D == 2 ? span : span * span;
-  // A sum for each position along the lines: one sum alone would wait for itself at every entry.
+  // A sum for each position along the lines, as a single sum could not be vectorised.
   Pack<W> sums[span];
   for (int k = 0; k < span; ++k)
     sums[k] = Pack<W>::zero();
@@ -133,8 +133,8 @@ void withReach(const MassSystem<D>& system, const Work& work)
     work(std::integral_constant<int, 2>{});
 }
 
-/// y = M x, of room * width numbers each, M what this rank has. \param weight null, or where a number of it
-/// is zero so is y's
+/// y = M x, of rowCapacity * width numbers each, M the part of this rank. \param weight null, or where a
+/// number of it is zero so is y's
 template <int D>
 void multiply(const MassSystem<D>& system, const double* x, double* y, const double* weight = nullptr);
 

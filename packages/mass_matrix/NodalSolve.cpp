@@ -16,10 +16,11 @@ namespace
 {
 
 /// Products with the matrix in one application of the polynomial. On a beam of 5,400 nodes and two threads
-/// more of them cost as much as the iterations they spare, fewer leave Belos' own vectors in front.
+/// more of them cost as much as the iterations they save; with fewer, the vector operations of Belos
+/// dominate.
 constexpr int polynomialProducts = 4;
 
-/// Residual next to the right side that sums in double precision reach.
+/// Smallest relative residual in double precision.
 constexpr double leastResidual = 1e-13;
 
 template <int D>
@@ -178,8 +179,8 @@ typename NodalSolve<D>::Start NodalSolve<D>::findStart(const State<D>& state, co
         });
   const GuessSums<D> guess = checkGuess(state, system, right_, x, inverse, image);
   const auto freeAxis = [&](int d) { return !masked || !heldAxis_[d]; };
-  // The residual is measured next to b - L c, c the mean of the solution: were it next to b, a body that
-  // flies past would be solved less well than one at rest, and its vibration fed by what is left.
+  // The residual is relative to b - L c, c the mean of the solution: relative to b, a moving body would be
+  // solved less accurately than one at rest, and the error would excite its vibration.
   double square = guess.rightSquare;
   for (int d = 0; d < D; ++d)
     if (freeAxis(d))
@@ -196,7 +197,7 @@ typename NodalSolve<D>::Start NodalSolve<D>::findStart(const State<D>& state, co
   const bool scalable = !masked && guess.energy > 0.0;
   start.multiple = masked ? 1.0 : scalable ? guess.along / guess.energy : 0.0;
   // A shift of x by a constant leaves a residual without a sum, as M 1 = L 1. Axes along which nothing is
-  // held keep their momentum so; without a mask all do.
+  // held keep their momentum this way; without a mask all do.
   for (int d = 0; d < D; ++d)
     if (freeAxis(d))
       start.shift[d] = (guess.right[d] - start.multiple * guess.image[d]) / system.coupledMass;

@@ -15,7 +15,7 @@ class Archive;
 namespace Rhegma::mass_matrix
 {
 
-/// What the solves of a run have cost.
+/// Cost of the solves of a run.
 struct SolveCount
 {
   long solves = 0;
@@ -24,15 +24,15 @@ struct SolveCount
   double worstResidual = 0.0;
 };
 
-/// Nodal fields in which what was solved is kept, where the next solves start.
+/// Nodal fields of the last solutions, from which the next solves start.
 inline const std::string velocityGuess = "first guess of velocity";         ///< [m/s]
 inline const std::string accelerationGuess = "first guess of acceleration"; ///< [m/s2]
 
-/// How well a solve has to hit.
+/// Accuracy of a solve.
 enum class Accuracy
 {
   Solved, ///< to the tolerance
-  Near    ///< one application of the polynomial to what the first guess leaves; counted as no solve
+  Near    ///< one application of the polynomial to the residual of the first guess; not counted as a solve
 };
 
 /// Solves M x = b for the coupled nodes, with prescribed values where boundaries hold a node:
@@ -46,7 +46,7 @@ public:
   /// \param lumpedFraction eps of M_eps, the least eigenvalue of the lumped mass' inverse times M
   NodalSolve(double tolerance, int maximumIterations, double lumpedFraction);
 
-  /// Takes the rows as they are now and the nodes that boundaries hold.
+  /// Prepares for the present rows and held nodes.
   void begin(const State<D>& state, const MassSystem<D>& system);
 
   /// Velocity and acceleration of the coupled nodes from momentum and force; those of held nodes from the
@@ -72,7 +72,7 @@ public:
   /// Where a solve starts: at `multiple` times the guess, shifted by a constant.
   struct Start
   {
-    double scale = 0.0;    ///< that residuals are measured by
+    double scale = 0.0;    ///< scale of residuals
     double multiple = 0.0; ///< of the guess
     Vector<D> shift{};     ///< along each axis
   };
@@ -92,7 +92,7 @@ private:
   ConjugateGradients gradients_;
   Chebyshev<D> chebyshev_;
   SolveCount count_;
-  bool renewed_ = false;   ///< whether cells are others than at the last step: there are no first guesses
+  bool renewed_ = false;   ///< whether cells have changed since the last step, so that no guesses exist
   bool masked_ = false;    ///< whether any boundary holds a motion
   bool heldAxis_[D] = {};  ///< whether any boundary holds motion along the axis
   View<double*> inverse_;  ///< 1/L

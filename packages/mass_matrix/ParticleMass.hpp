@@ -1,5 +1,5 @@
 #pragma once
-/// What particles give to the mass matrix.
+/// Contributions of particles to the mass matrix.
 
 #include "mass_matrix/Fronts.hpp"
 #include "mass_matrix/HashedLists.hpp"
@@ -8,12 +8,12 @@
 namespace Rhegma::mass_matrix
 {
 
-/// Weight up to which a box does not count as touching a light node: boxes that end on nodes would else be
-/// coupled in one step and lumped in the next, as rounding has it, which feeds a vibration. A box that ends
-/// in a free face's node reaches a thousandth of a cell beyond at this weight.
+/// Weight up to which a box does not count as touching a light node: otherwise round-off would couple boxes
+/// that end on nodes in one step and lump them in the next, which excites a vibration. A box that ends in a
+/// free face's node reaches a thousandth of a cell beyond at this weight.
 constexpr double barelyTouched = 1e-6;
 
-/// Adds what the particles of blocks give.
+/// Adds the contributions of the particles of blocks.
 template <int D, ShapeKind S, bool Stored>
 struct AssembleBlock
 {
@@ -123,7 +123,7 @@ struct AssembleBlock
       double* values = system.band.data() + static_cast<std::size_t>(lineRow[s]) * system.stride;
       for (int k = 0; k < N; ++k, values += system.stride)
       {
-        // A node without weight may have no row: the next row is then another node's.
+        // A node without weight may have no row; the next row then belongs to another node.
         if (along[k] == 0.0)
           continue;
         const double mk = m * lineWeight[s] * along[k];
@@ -138,16 +138,16 @@ struct AssembleBlock
     }
   }
 
-  /// Where cells are refined, what a particle gives a node that it barely touches stays lumped. There the
-  /// weight of one particle may be zero to round-off and its slope not, while the node has next to no mass
-  /// from another: its force over its mass is any number, which solves would carry on.
+  /// Where cells are refined, the contribution of a particle to a node that it barely touches stays lumped.
+  /// The weight of a particle may be zero to round-off and its slope not, while the node has hardly any mass
+  /// from others: its acceleration is arbitrary, and solves would spread it.
   KOKKOS_FORCEINLINE_FUNCTION double coupledPart(double weight) const
   {
     return system.hashed && weight <= barelyTouched ? 0.0 : weight;
   }
 
-  /// Where cells are refined: nodes are what the stencil has, masters of those that hang, and their full mass
-  /// is that of the cells that are theirs.
+  /// Where cells are refined: the nodes of the stencil are masters of hanging nodes, and their full mass is
+  /// that of their part of the cells.
   KOKKOS_INLINE_FUNCTION void addToHashedLists(int r, double m, double lightest) const
   {
     const StencilTable<D>& table = connect.table;
@@ -218,7 +218,7 @@ struct AssembleBlock
       const double mk = m * weight[k];
       for (int l = 0; l < n; ++l)
       {
-        // A ghost's far node is not coupled: both rows keep that share on their diagonals.
+        // A ghost's far node is not coupled: both rows keep that part on their diagonals.
         bool both = near;
         if (!near)
         {

@@ -1,13 +1,13 @@
 #pragma once
-/// Lists of the rows' entries that no band has: of nodes of refined cells and of second fields.
+/// Lists of the rows' entries that no band has: of nodes of refined cells and of enriched fields.
 
 #include "mass_matrix/ChooseRows.hpp"
 
 namespace Rhegma::mass_matrix
 {
 
-/// Entries for which a list has room at first. In refined cells a node of the smallest ones meets about as
-/// many others as on a lattice, one next to larger cells some more. \param slots of a band
+/// Initial capacity of a list. In refined cells, nodes of the finest cells have about as many neighbours as
+/// on a lattice, nodes next to coarser cells some more. \param slots of a band
 template <int D>
 int listCapacityOf(int slots, bool refined);
 
@@ -23,7 +23,8 @@ void startLists(const State<D>& state, const ConsistentFraction<D>& fractionAt, 
 template <int D>
 int fullestListOf(const MassSystem<D>& system);
 
-/// Gives hashed lists twice the room where one was full. \return whether it did: then all is to be added anew
+/// Doubles the capacity of hashed lists where one was full. \return whether it did: then all is to be added
+/// again
 template <int D>
 bool growLists(MassSystem<D>& system);
 

@@ -21,7 +21,7 @@ public:
   void motion(State<D>& state);
 
   /// Replaces the velocity after the step, and only it: M_k^-1 of the momentum plus dt times the acceleration
-  /// that is there (XPIC), or M_k^-1 of momentum and impulse together (FMPM).
+  /// (XPIC), or M_k^-1 of momentum and impulse together (FMPM).
   void updateVelocity(State<D>& state, bool withImpulse);
 
   /// Replaces the velocity that strains the particles, which arrives as one of the lumped mass.

@@ -19,13 +19,13 @@ public:
   using Values = View<double* [D]>;
 
   /// \param least eigenvalue of the lumped mass' inverse times M, at least `leastFraction` \param tolerance
-  /// of the error next to the solution, in the norm of the lumped mass
+  /// of the error relative to the solution, in the norm of the lumped mass
   SlotSolve(double least, double tolerance);
 
   /// Smallest fraction of lumped mass for which the polynomial is good.
   static constexpr double leastFraction = 0.05;
 
-  /// Takes the rows as they are now. `state` and `system` must stay where they are.
+  /// Prepares for the present rows. `state` and `system` must stay where they are.
   void begin(const State<D>& state, const MassSystem<D>& system, const NodeSlots& slots,
              const View<int* [D]>& held);
 

@@ -32,7 +32,7 @@ void guessFromRowSums(const State<D>& state, const MassSystem<D>& system,
       });
 }
 
-/// Impulses of the supports: what M a takes beyond the forces that are there.
+/// Impulses of the supports: M a less the applied forces.
 template <int D>
 void findReaction(State<D>& state, const MassSystem<D>& system, const View<double*>& acceleration,
                   const View<double*>& image, const View<double*>& right, const View<double*>& free)
@@ -69,9 +69,9 @@ void NodalSolve<D>::solveMotion(State<D>& state, const MassSystem<D>& system)
   const bool masked = masked_;
   const double dt = state.clock.dt;
 
-  // Velocity before the forces, held by nothing: it belongs to the particles. They take it over where there
-  // is some PIC, and supports change it to theirs. Else what reads it are accounts of work and points that
-  // ride on nodes: the last step's, brought nearer by the polynomial alone, leaves 1e-4 of it or less.
+  // Velocity before the forces, without supports, as it belongs to the particles: with a fraction of PIC they
+  // take it over, and supports change it to theirs. Otherwise only the work and points that move with nodes
+  // use it: the guess from the last step, improved by the polynomial alone, has an error of 1e-4 or less.
   // Where cells have changed there is no such guess.
   const Accuracy accuracy =
       masked || renewed_ || state.method.picFraction > 0.0 ? Accuracy::Solved : Accuracy::Near;
@@ -136,13 +136,14 @@ void NodalSolve<D>::solveProjection(State<D>& state, const MassSystem<D>& system
           const int i = row * width<D> + d;
           right(i) = s.lumped(row) * nodes.projection(n, d);
           velocity(i) = afterSolve ? nodes.motion(n, d) : lastVelocity(guessRow(n), d);
-          // Supports have set it: before the forces to their velocity at the start of the step.
+          // Supports have set the velocity before the forces to theirs at the start of the step.
           if (masked)
             prescribed(i) = nodes.projection(n, d);
         }
       });
   solve(state, system, true, velocity, "velocity that strains the particles", Accuracy::Solved);
-  // In the next step of MUSL, or later in this one of USF, the nodes move about as they do here.
+  // In the next step of MUSL, or later in this one of USF, the nodes move similarly, so that this is a good
+  // guess.
   parallelForSmall(
       "rhegma::mass::projection", system.first, system.last, KOKKOS_LAMBDA(const int row) {
         for (int d = 0; d < D && s.coupled(row); ++d)

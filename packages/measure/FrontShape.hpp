@@ -10,7 +10,7 @@ namespace Rhegma::measure
 struct Circle
 {
   Vector<3> centre{}, normal{};
-  double radius = 0.0; ///< [m]; 0: it was no circle
+  double radius = 0.0; ///< [m]; 0: not a circle
 };
 
 /// The circle through the front nodes of a front by least squares (Kasa, IEEE Trans. Instrum. Meas. 25 (1976)
@@ -21,7 +21,8 @@ Circle circleOf(const CrackFront<3>& front);
 /// A front seen from the middle of a circle.
 struct Shape
 {
-  double radius = 0.0;    ///< mean distance of its front nodes from the circle's axis, by their shares [m]
+  double radius = 0.0;    ///< mean distance of its front nodes from the circle's axis, weighted by their
+                          ///< tributary lengths [m]
   double roundness = 1.0; ///< 1 less the largest deviation from that mean, in parts of it
   double flatness = 1.0;  ///< 1 less the largest distance from the circle's plane, in parts of it
 };

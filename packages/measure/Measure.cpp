@@ -64,7 +64,7 @@ void reportSides(const State<D>& state, const Sides<D>& sides, nlohmann::json& s
     now.below += 0.5 * layer.stored - sides.start[c].below;
     now.above += 0.5 * layer.stored - sides.start[c].above;
     const double friction = layer.dissipated, all = now.below + now.above + friction;
-    // A travelling wave has as much strain as kinetic energy.
+    // Strain and kinetic energy of a travelling wave are equal.
     const double waves = 2.0 * (now.alongBelow + now.alongAbove) + friction;
     nlohmann::json& entry = summary["cracks"][c]["contact"];
     entry["gain_below"] = now.below;

@@ -1,5 +1,5 @@
 #pragma once
-/// The effect `Measure`: numbers for the summary that only few scenes want.
+/// The effect `Measure`: additional numbers in the summary, for scenes that request them.
 
 #include "plan/Effect.hpp"
 

@@ -29,7 +29,7 @@ struct SideEnergy
 };
 
 /// Kinetic and strain energy of the particles that lay on either side of a crack, continued straight on, in
-/// the undeformed body, next to the part of it that counts.
+/// the undeformed body, within the reach of the part of it that counts.
 template <int D>
 SideEnergy measureSides(const State<D>& state, const MeasuredCrack<D>& crack);
 

@@ -23,8 +23,8 @@ constexpr double incrementFraction = D == 2 ? 1.0 : 0.25;
 /// fields round a shorter kink are those of the crack before it.
 constexpr double sharp = 0.966, straightCells = 3.0;
 
-/// Whether a front node may advance at the end of the step, at the time `now` [s]; if not, its history knows
-/// of the step.
+/// Whether a front node may advance at the end of the step, at the time `now` [s]; if not, its history
+/// records the step.
 bool mayAdvance(const AdvanceRule& rule, double now, double release, FrontNodeState& node)
 {
   if (node.history.running())
@@ -84,8 +84,8 @@ double resistanceAtRest(double now, const AdvanceRule& rule, const FrontHistory&
   return history.running() ? rule.arrest : rule.initiation;
 }
 
-/// The advance of a selected node, of no length where what opens the crack does not reach the toughness.
-/// \param e of the material at the front \param angle by which it turns [rad]
+/// The advance of a selected node; zero where the opening part of the energy release rate does not reach the
+/// toughness. \param e of the material at the front \param angle by which it turns [rad]
 template <int D>
 FrontNodeAdvance<D> advanceNode(const State<D>& state, const Options& options, const Elasticity& e,
                                 double angle, FrontNode<D>& node, FrontState<D>& front)
@@ -106,7 +106,7 @@ FrontNodeAdvance<D> advanceNode(const State<D>& state, const Options& options, c
   if (dot(asked.direction, node.direction) < sharp)
     own.straightLength =
         straightCells * own.increment / (incrementFraction<D> * options.cells) - asked.length;
-  // Cells and material may be others where it is going.
+  // Cells and material may change along its path.
   own.increment = 0.0;
   if (state.materials.list.size() > 1)
     own.speedLimit = 0.0;
@@ -143,7 +143,7 @@ void selectAdvancing(State<D>& state, const Options& options, std::vector<FrontS
       if (own.speedLimit == 0.0)
         own.speedLimit = speedLimitAt(state, node.position, options);
       fronts[f].speedLimit = std::max(fronts[f].speedLimit, own.speedLimit);
-      // Cells may become smaller round a front at rest.
+      // Cells may be refined around a front at rest.
       if (own.increment == 0.0 || !own.history.running())
         own.increment = incrementFraction<D> * options.cells * spacingAt(state, node.position);
       const AdvanceRule rule = ruleAt(node.temperature, options);
@@ -167,7 +167,7 @@ void advanceSelected(State<D>& state, const Options& options, std::vector<FrontS
     if (!front.advances())
       continue;
     const std::vector<double> angle = turningAngles(front, options, fronts[f].nodes);
-    // That by which the intensities were found.
+    // The moduli with which the intensities were computed.
     const Elasticity e = elasticity(state.materials.list[materialAt(state, front.position)]);
     FrontAdvance<D> asked;
     asked.front = static_cast<int>(f);

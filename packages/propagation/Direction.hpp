@@ -1,5 +1,5 @@
 #pragma once
-/// Where a crack goes on.
+/// Direction of crack growth.
 
 #include "state/CrackSet.hpp"
 
@@ -24,8 +24,8 @@ enum class DirectionRule
 /// degrees.
 double energyReleaseAngle(double modeI, double modeII);
 
-/// Angle by which a front turns, from its direction towards its normal [rad]. Of the three modes the third
-/// turns nothing: it would twist a front, which no smooth surface can follow.
+/// Angle by which a front turns, from its direction towards its normal [rad]. Mode III does not turn the
+/// front: it would twist it, which a smooth surface can't follow.
 double turningAngle(const DrivingForce& driving, DirectionRule rule);
 
 /// The unit vector at an angle from a direction towards a normal.

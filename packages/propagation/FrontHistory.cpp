@@ -13,7 +13,7 @@ namespace
 /// A front that is slower than this fraction of the speed limit may arrest.
 constexpr double almostStopped = 0.02;
 
-/// More increments than a crack makes in a step.
+/// Upper bound of the increments in a step.
 constexpr int mostIncrements = 16;
 
 } // namespace

@@ -16,7 +16,7 @@ class Archive;
 namespace Rhegma::propagation
 {
 
-/// What decides when fronts advance.
+/// The rule for the advance of fronts.
 struct AdvanceRule
 {
   Toughness toughness;
@@ -41,13 +41,13 @@ struct CrackRun
   double length = 0.0;      ///< by which it grew [m]
 };
 
-/// A front in time. Its speed is what comes out: the front advances by da at the time at which
+/// The advances of a front in time. Its speed is a result: the front advances by da at the time at which
 ///
 ///     G(t) = Gc(da / (t - t_last)),
 ///
-/// so that the speed of which Gc is a function is that of the very increment. A mean over earlier increments
-/// would hold a crack for ever that a wave has stopped once. The time is interpolated in the step, so that
-/// speeds are not multiples of da / dt. No increment takes less than da / fastest.
+/// so that Gc is evaluated at the speed of this increment. With a mean over earlier increments, a crack once
+/// stopped by a wave would never run again. The time is interpolated in the step, so that speeds are not
+/// multiples of da / dt. No increment takes less than da / fastest.
 class FrontHistory
 {
 public:
@@ -58,7 +58,7 @@ public:
   /// Records a step in which a front at rest does not initiate.
   void recordAtRest(const AdvanceRule& rule, double time, double release);
 
-  /// Speed now: that of the last increment, or less when the next is late [m/s].
+  /// Present speed: that of the last increment, or less when the next one is overdue [m/s].
   double speed(double time) const;
 
   bool running() const { return running_; }
@@ -72,12 +72,11 @@ public:
   /// All its runs; the last may not be over.
   std::vector<CrackRun> runs() const;
 
-  /// From when to when it went the second half of its longest run [s]; none where that had fewer than four
-  /// increments.
+  /// Start and end of the second half of its longest run [s]; none where that had fewer than four increments.
   std::pair<double, double> settled() const;
-  /// Mean speed then [m/s].
+  /// Mean speed in that time [m/s].
   double settledSpeed() const;
-  /// Mean over time of the energy release rate then [J/m2].
+  /// Mean energy release rate in that time [J/m2].
   double settledRelease() const;
 
   void store(Archive& archive);

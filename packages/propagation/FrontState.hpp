@@ -1,5 +1,5 @@
 #pragma once
-/// What propagation knows about fronts from step to step.
+/// The state of fronts that lasts from step to step.
 
 #include "propagation/FrontHistory.hpp"
 #include "state/State.hpp"
@@ -36,16 +36,16 @@ struct PathStart
   Vector<D> first{};     ///< of the first advance
 };
 
-/// Of one front: of its nodes, by their names, and of all that it has had.
+/// Of one front: of its present nodes, by their names, and of all former ones.
 template <int D>
 struct FrontState
 {
   std::map<int, FrontNodeState> nodes;
-  long increments = 0;            ///< of all its nodes, those too that are no more
+  long increments = 0;            ///< of all its nodes, including former ones
   double firstTime = 0.0;         ///< of the first of them [s]
   double lastTime = 0.0;          ///< and of the last [s]
   double speedLimit = 0.0;        ///< the largest of its nodes' [m/s]; 0: not known yet
-  double lastSettledSpeed = 0.0;  ///< mean of the settled speeds of the nodes that it had last [m/s]
+  double lastSettledSpeed = 0.0;  ///< mean of the settled speeds of its last nodes [m/s]
   PathStart<D> start;             ///< of a front with one node
   std::vector<PathPoint<D>> path; ///< of a front with one node
 
@@ -59,7 +59,7 @@ struct FrontState
   /// Adds increments that a node has made. \param history of the node, with them
   void count(const FrontHistory& history, int made);
 
-  /// Gives new nodes the state of those that they came from, and forgets nodes that are no more.
+  /// Copies the state of their origins to new nodes and removes that of former ones.
   void matchNodes(const CrackFront<D>& front);
 
   /// Saves or loads it.

@@ -15,7 +15,7 @@ namespace Rhegma::propagation
 namespace
 {
 
-/// What growing cracks need, and what they do not go with.
+/// What growing cracks need, and what excludes them.
 void addRules(Section& s)
 {
   const Condition self = when::present("Propagation");

@@ -1,5 +1,5 @@
 #pragma once
-/// What a scene says of cracks that run.
+/// Options of propagation.
 
 #include "material/MaterialTable.hpp"
 #include "plan/Effect.hpp"
@@ -28,17 +28,17 @@ void checkPropagation(const Teuchos::ParameterList& scene, std::vector<SceneErro
 /// \param scene validated
 Options readOptions(const Teuchos::ParameterList& scene, const RunOptions& run);
 
-/// Has the other effects know that cracks may grow, and of the contours.
+/// Declares to other effects that cracks may grow, and the contours.
 void declareGrowth(const Teuchos::ParameterList& list, RunOptions& run);
 
 /// Speed that no front exceeds at a position [m/s].
 template <int D>
 double speedLimitAt(const State<D>& state, const Vector<D>& position, const Options& options);
 
-/// The rule at a front, whose toughness depends on how warm it is [K].
+/// The rule at a front, whose toughness depends on its temperature [K].
 AdvanceRule ruleAt(double temperature, const Options& options);
 
-/// Whether the toughness of a rule is not positive, and what to say of it.
+/// Whether the toughness of a rule is not positive.
 bool isWeak(const AdvanceRule& rule, double fastest);
 std::string failureOfWeak(double temperature);
 
@@ -47,9 +47,9 @@ std::string failureOfWeak(double temperature);
 template <int D>
 void refuseWeak(const State<D>& state, const Options& options);
 
-/// The energy release rate without what closes the crack: a front that is pressed together does not break,
-/// though J is positive. Its fraction of J is that of sliding, K_II^2/E' + K_III^2/(2 mu), in what the
-/// intensities release (Irwin), K_I^2/E' being what closes. \param e of the material at the front
+/// The energy release rate without closing mode I: under compression a crack does not open, though J is
+/// positive. The rate is J times the fraction of sliding, K_II^2/E' + K_III^2/(2 mu), in the sum of all modes
+/// (Irwin). \param e of the material at the front
 double openingRelease(const DrivingForce& driving, const Elasticity& e);
 
 } // namespace Rhegma::propagation

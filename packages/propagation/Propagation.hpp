@@ -6,10 +6,10 @@
 namespace Rhegma::propagation
 {
 
-/// The effect `Propagation`: after each step every front whose energy release rate reaches the toughness is
-/// asked to advance (CrackSet::advances), by a length tied to the cells at it and in the direction that the
-/// stress intensities ask for. What drives fronts is measured by Energy Release, and the effect Cracks makes
-/// them advance; they meet in state.cracks alone.
+/// The effect `Propagation`: after each step every front whose energy release rate reaches the toughness
+/// advances (CrackSet::advances) by a fraction of its cells, in the direction that follows from the stress
+/// intensities. Energy Release computes the driving forces, and the effect Cracks makes the advances; they
+/// communicate by state.cracks alone.
 EffectEntry propagationEntry();
 
 } // namespace Rhegma::propagation

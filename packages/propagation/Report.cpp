@@ -19,7 +19,7 @@ constexpr double notYet = std::numeric_limits<double>::quiet_NaN(); ///< null in
 /// Runs of a front that have a message, in addition to its last; the summary has them all.
 constexpr std::size_t mostReported = 3;
 
-/// Fraction by which faces may over-dissipate before a warning says so: sound runs stay within 5 %.
+/// Fraction by which faces may over-dissipate before a warning says so: usual runs stay within 5 %.
 constexpr double mostTooMuch = 0.1;
 
 template <int D>
@@ -28,7 +28,7 @@ std::string nameOf(const State<D>& state, const CrackFront<D>& front)
   return "crack " + state.cracks.cracks[front.crack].name + ", front " + std::to_string(front.number);
 }
 
-/// How near a front came to initiation that has not initiated, in its entry and in a warning.
+/// How close a front that has not initiated came to initiation, in its entry and in a warning.
 template <int D>
 void reportRest(const State<D>& state, const CrackFront<D>& front, double closest, nlohmann::json& summary)
 {
@@ -106,7 +106,7 @@ void reportPath(const CrackFront<2>& front, const FrontState<2>& own, nlohmann::
   entry["settled_position"] = {mean.position[0], mean.position[1]};
 }
 
-/// What became of the energy of new faces. \param required by all fronts [J]
+/// The energy of new faces: required, released and pending. \param required by all fronts [J]
 template <int D>
 void reportEnergy(const State<D>& state, double required, nlohmann::json& summary)
 {
@@ -159,7 +159,7 @@ void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& front
       runs = own.nodes.at(front.nodes[0].name).history.runs();
       speed = front.speed();
     }
-    else if (moved) // nodes initiate and arrest one by one, and the length is not one number
+    else if (moved) // nodes initiate and arrest one by one, and there is no single length
       runs = {{own.firstTime, own.lastTime, notYet}};
     if (!moved && canAdvance)
       reportRest(state, front, own.closest(), summary);

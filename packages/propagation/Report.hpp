@@ -1,5 +1,5 @@
 #pragma once
-/// What became of fronts and of the energy of their new faces, for the summary.
+/// Report of fronts and of the energy of their new faces, for the summary.
 
 #include "propagation/FrontState.hpp"
 #include "propagation/Options.hpp"
@@ -11,8 +11,8 @@
 namespace Rhegma::propagation
 {
 
-/// The entries of all fronts: whether each runs, when it initiated and arrested, its path (2D); a
-/// warning of each that has not initiated; and what became of the energy of new faces.
+/// The entries of all fronts: whether each runs, when it initiated and arrested, its path (2D); a warning of
+/// each that has not initiated; and the energy of new faces.
 template <int D>
 void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& fronts, nlohmann::json& summary);
 

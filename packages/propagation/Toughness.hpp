@@ -1,5 +1,5 @@
 #pragma once
-/// What new crack faces cost.
+/// Fracture toughness.
 
 #include <memory>
 #include <string>
@@ -7,22 +7,21 @@
 namespace Rhegma::propagation
 {
 
-/// Energy that a running crack takes per area of new face [J/m2], as a function of its speed v [m/s]: a
+/// Energy that a running crack requires per area of new face [J/m2], as a function of its speed v [m/s]: a
 /// number, an expression such as "100*(1 + v/500)", or a table "0:100, 500:200" of speed:energy pairs with
 /// straight lines between them, held constant outside of them. Expressions are muParser's.
 class Toughness
 {
 public:
-  /// \param heated whether there is a temperature that it may name
-  /// \throws std::invalid_argument with one sentence on what is wrong with the text
+  /// \param heated whether there is a temperature that it may name \throws std::invalid_argument with the
+  /// error in the text
   static Toughness parse(const std::string& text, bool heated = false);
-  /// Whether it is one of heated fronts alone: it names T.
+  /// Whether the text names the temperature T.
   static bool namesTemperature(const std::string& text);
 
   double operator()(double speed, double temperature = 0.0) const;
 
-  /// Throws std::invalid_argument, in one sentence, where it is not positive and finite at a speed from 0 to
-  /// `fastest`.
+  /// Throws std::invalid_argument where it is not positive and finite at a speed from 0 to `fastest`.
   void refuseWeak(double fastest, double temperature = 0.0) const;
 
 private:

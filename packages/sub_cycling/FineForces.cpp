@@ -12,7 +12,7 @@ namespace
 /// Particles of a part of a sum; parts are no more than these many.
 constexpr int particlesPerPart = 512, mostParts = 32;
 
-/// Long steps that the mean of a force is over.
+/// Number of steps over which the mean of a force is taken.
 constexpr double meanOver = 500.0;
 
 using Range = Kokkos::RangePolicy<ExecSpace>;
@@ -94,7 +94,7 @@ void FineParticles<D>::store(const State<D>& state, const Values& force, double 
   const Nodes<D> nodes = state.mesh.nodes;
   const auto sums = state.mesh.nodes.sums;
   const View<int*> nodeOf = nodeOf_;
-  // What is stored will be summed over the ranks.
+  // The stored forces are summed over the ranks later.
   parallelForSmall<smallSlots>(
       "rhegma::subcycling::store", 0, numInner_, KOKKOS_LAMBDA(const int i) {
         const bool counts = isOwnedByThisRank(nodes, nodeOf(i));

@@ -17,15 +17,15 @@ namespace
 using Range = Kokkos::RangePolicy<ExecSpace>;
 
 /// Weight up to which a particle does not touch a node. Where the edge of its box lies on a node, as in
-/// bodies at their start, round-off says whether it reaches into the next cell, e cells deep for a weight
-/// that goes with e^2 and a slope that goes with e; what takes substeps must not hang on that.
+/// bodies at the start, it reaches into the next cell by round-off e, with a weight of order e^2 and a slope
+/// of order e; the choice of subcycled nodes must not depend on it.
 constexpr double noWeight = 1e-20;
 
 /// Extrapolated weights may be negative.
 KOKKOS_INLINE_FUNCTION bool isTouched(double weight) { return weight > noWeight || weight < -noWeight; }
 
-/// What a rank says of a class, so that sums tell the deepest: those of up to 127 ranks stay below the word
-/// for the next class, round-off included.
+/// Code of a class, such that the sum over ranks shows the deepest: sums of up to 127 ranks stay below the
+/// code of the next class, with round-off.
 KOKKOS_INLINE_FUNCTION double codeOf(int own) { return static_cast<double>(1LL << 7 * own); }
 static_assert(7 * deepestLevel < 63);
 
@@ -137,7 +137,7 @@ void FineParticles<D>::select(const State<D>& state, int first)
   sumParts(state, onAllRanks_, deepestLevel + 2);
   if (numParticles() == 0.0)
     return;
-  // Shallow classes first: where two meet the deeper one stays.
+  // Coarse classes first, so that the deepest class of a node remains.
   for (int l = first; l <= state.mesh.tree.deepest; ++l)
     markNodes(state, particlesFrom_[l + 1], particlesFrom_[l], l, false);
   fractionClasses(state);
@@ -167,7 +167,7 @@ void FineParticles<D>::classifyNodes(const State<D>& state)
         nodeClass(activeNode(nodes, i)) = -1;
         slotOf(activeNode(nodes, i)) = -1;
       });
-  // Particles without stored stencils touch no node of small cells.
+  // Particles without stored stencils touch no node of fine cells.
   Kokkos::parallel_for(
       "rhegma::subcycling::levelOfParticles", Range(0, numCandidates_), KOKKOS_LAMBDA(const int i) {
         const int r = row(candidate(i));
@@ -179,7 +179,7 @@ void FineParticles<D>::classifyNodes(const State<D>& state)
         }
         classOf(i) = deepest;
       });
-  // One class after the other, so that whoever writes writes the same.
+  // One class after the other, so that concurrent writes are equal.
   for (int l = first_; l <= state.mesh.tree.deepest; ++l)
     Kokkos::parallel_for(
         "rhegma::subcycling::classifyNodes", Range(0, numCandidates_), KOKKOS_LAMBDA(const int i) {

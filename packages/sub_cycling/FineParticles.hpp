@@ -1,5 +1,5 @@
 #pragma once
-/// The particles that substeps move, and the nodes they touch, packed together for one step.
+/// The subcycled particles and their nodes, packed for one step.
 
 #include "base/SmallLoops.hpp"
 #include "state/State.hpp"
@@ -11,7 +11,7 @@
 namespace Rhegma::sub_cycling
 {
 
-/// Slots that one thread is through with sooner than others could be told to help, a few numbers each.
+/// Number of slots below which a kernel runs faster on one thread.
 constexpr int smallSlots = 1500;
 
 /// The nodal field in which the mean of the force of a class of particles is kept: D numbers and that of the
@@ -23,14 +23,13 @@ inline std::string meanForceField(int classFromFirst)
 
 /// Listed are particles of classes `first` and deeper, the deepest first, and after them their neighbours,
 /// which touch one of the same nodes. The class of a node is the level of the smallest leaf that a particle
-/// on it reaches; the class of a particle is that of its deepest node. So each class has a rim of one
-/// particle's reach in larger cells: motions that only small cells can have are faint at its edge, where the
-/// impulses of the next class act (LocalSteps.hpp). Nodes of the listed classes have slots
-/// 0 .. numInner - 1, other nodes of neighbours slots up to numSlots - 1; all nodal values here are kept in
-/// slots. Sums over particles are formed in a fixed number of parts, so that they do not depend on the number
-/// of threads. Where ranks share nodes these have the same class and a slot on all of them, and values in
-/// their slots are those of all ranks. Weights, sides of cracks and supports are those at the start of the
-/// step.
+/// on it reaches; the class of a particle is that of its deepest node. So each class has a border of one
+/// particle reach in coarser cells: motions that only fine cells resolve are small at its edge, where the
+/// impulses of the next class act (LocalSteps.hpp). Nodes of the listed classes have slots 0 .. numInner - 1,
+/// other nodes of neighbours slots up to numSlots - 1; all nodal values here are kept in slots. Sums over
+/// particles are formed in a fixed number of parts, so that they do not depend on the number of threads.
+/// Where ranks share nodes these have the same class and a slot on all of them, and values in their slots are
+/// those of all ranks. Weights, sides of cracks and supports are those at the start of the step.
 template <int D>
 class FineParticles
 {
@@ -50,13 +49,13 @@ public:
   /// Completes values of slots to which each rank has added its part. Collective.
   void sumSlots(const State<D>& state, const Values& values) const;
 
-  /// Force that the nodes have in `state` [N].
+  /// Reads the force of the nodes in `state` [N].
   void load(const State<D>& state, const Values& force) const;
-  /// Gives inner nodes in `state` this many times a force.
+  /// Writes a force times a factor to the inner nodes in `state`.
   void store(const State<D>& state, const Values& force, double factor) const;
 
-  /// Velocity of the nodes at the start of the step, that of supports where they hold [m/s]. To be
-  /// called before impulses change it or their work is asked for.
+  /// Velocity of the nodes at the start of the step, that of supports where they hold [m/s]. To be called
+  /// before impulses change it or their work is computed.
   void startVelocity(const State<D>& state, const Values& velocity);
 
   /// Internal force of the particles of one class after the nodes moved by `displacement` [m] since the start
@@ -95,8 +94,8 @@ public:
   void accelerate(const State<D>& state, int level, double duration, const Values& force,
                   const Values& velocity, bool supports = false);
 
-  /// Adds (displacement / duration - velocity) to the velocity after the solve, which moves cracks and of
-  /// which work is reckoned, where no support holds.
+  /// Adds (displacement / duration - velocity) to the velocity after the solve, which moves cracks and by
+  /// which work is computed, where no support holds.
   void correctMotion(const State<D>& state, const Values& displacement, double duration,
                      const Values& velocity) const;
   /// The same for the velocity that strains and moves particles.
@@ -124,7 +123,7 @@ public:
   template <class Add>
   void sumInParts(const char* label, int begin, int end, const Add& add);
 
-  /// Room for some more than asked for; values are lost when a view grows.
+  /// Resizes with a reserve; values are lost when a view grows.
   template <class AnyView>
   static void fit(AnyView& view, const std::string& label, int size)
   {
@@ -140,9 +139,9 @@ private:
   int particlesFrom_[deepestLevel + 2] = {};
   double onAllRanks_[deepestLevel + 2] = {};
   View<double*> reported_; ///< by ranks of the class of every shared node
-  int generation_ = -1;    ///< of the tree, when
+  int generation_ = -1;    ///< of the tree at that time
   View<char*> near_;       ///< not 0 for cells of the lattice that are not far from refined ones
-  View<int*> sorted_;      ///< the first particles of blocks, when the list that follows was made
+  View<int*> sorted_;      ///< the first particles of blocks, when the following list was made
   View<int*> inBlocks_;    ///< particles of blocks that have such cells or whose particles can reach them
   int numInBlocks_ = 0;
   View<int*> candidate_; ///< particles in such cells

@@ -70,7 +70,7 @@ void LocalSteps<D>::begin(State<D>& state, int first, int last)
   elapsed_ = 0.0;
   fine_.load(state, others_);
   Kokkos::deep_copy(loads_, 0.0);
-  add<D>(loads_, -1.0, others_, slots); // all forces that are to come less these are the loads
+  add<D>(loads_, -1.0, others_, slots); // loads: all forces less these
   for (int level = first_; level <= last_; ++level)
   {
     if (fine_.particlesFrom(level) == fine_.particlesFrom(level + 1))
@@ -141,10 +141,10 @@ void LocalSteps<D>::addStartWork(const State<D>& state, const Values& force, dou
   startWork_.held += duration * work.held;
 }
 
-// A support takes a node to its velocity at the start of the step and keeps it there, so that later
-// impulses of other forces find the node at that velocity; the support's own energy balance, written at the
-// ends of the step, take half the velocity before for them too where masses are coupled. Their impulses are
-// its own but for the sign.
+// A support sets a node to its velocity at the start of the step and keeps it there, so that later impulses
+// of other forces find the node at that velocity; the support's own energy balance, written at the ends of
+// the step, use half the velocity before for them too where masses are coupled. The support supplies the
+// opposite impulses.
 template <int D>
 void LocalSteps<D>::recordWork(State<D>& state)
 {
@@ -205,7 +205,7 @@ void LocalSteps<D>::addImpulse(const State<D>& state, int level, double length)
       add<D>(force, -1.0, mean_[level], fine_.numSlots());
   }
   add<D>(waiting_, length, force, fine_.numSlots());
-  // Following forces may be on nodes of any class.
+  // Displacement-dependent forces may act on nodes of any class.
   waitingFrom_ = std::min(waitingFrom_, followed ? first_ : level);
 }
 

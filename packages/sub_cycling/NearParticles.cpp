@@ -12,9 +12,9 @@ namespace
 
 using Range = Kokkos::RangePolicy<ExecSpace>;
 
-/// Cells of the lattice from refined ones within which all lie that `list` may ask for: a particle on a node
-/// of a cell next to a refined one, one that shares a node with it, and one that shares a node with that;
-/// each reaches through two cells at most.
+/// Distance from refined cells, in lattice cells, within which all particles lie that `select` may need: a
+/// particle on a node of a cell next to a refined one, one that shares a node with it, and one that shares a
+/// node with that; each reaches through two cells at most.
 constexpr int farthest = 7;
 
 /// Whether a cell next to a refined one is no farther than that along the axes up to `axis`, given the same

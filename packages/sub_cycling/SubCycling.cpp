@@ -27,7 +27,7 @@ Section section()
   s.refuse(
       {when::present("Sub-Cycling"), when::isNot("Mass Matrix", "Velocity Update", {"FLIP"})},
       "substeps need Mass Matrix > Velocity Update = FLIP; write that, or remove one of the two sections");
-  // The degree of the polynomial that stands for the inverse grows without bound towards 0.
+  // The degree of the polynomial that approximates the inverse grows without bound towards 0.
   s.refuse({when::present("Sub-Cycling"), when::is("Mass Matrix", "Type", {"Partial"}),
             when::below("Mass Matrix", "Lumped Fraction", 0.05)},
            "Sub-Cycling needs at least 0.05; write 0.1 or remove Sub-Cycling", 2);

@@ -9,7 +9,7 @@
 namespace Rhegma::sub_cycling
 {
 
-/// By the law alone.
+/// Stress by the law alone.
 template <int D>
 class LawStress
 {
@@ -50,9 +50,8 @@ protected:
   BorrowedView<double**> history_;
 };
 
-/// At the temperature to which straining brings the particle, as the step will have it: a force by
-/// another stiffness, that at constant temperature, would let motions of small cells gain (k - k') / m times
-/// the square of a substep, in every long one.
+/// Stress at the temperature after straining, as in the step: with the isothermal stiffness k' motions of
+/// fine cells would gain the fraction (k - k') / m times the square of a substep in every step.
 template <int D>
 class HeatedStress : private LawStress<D>
 {

@@ -13,8 +13,8 @@ namespace Rhegma::thermal
 namespace
 {
 
-/// Whether any of a disk or ball lies in a body at some time of the run: looked at in its middle and on rings
-/// of half and of all its radius, every half radius of its way.
+/// Whether any of a disk or ball lies in a body at some time of the run: checked at its centre and on rings
+/// of half and full radius, every half radius of its path.
 template <int D>
 bool meetsMaterial(const Teuchos::ParameterList& source, const Teuchos::ParameterList& scene)
 {
@@ -22,7 +22,7 @@ bool meetsMaterial(const Teuchos::ParameterList& source, const Teuchos::Paramete
   const Vector<D> centre = readVector<D>(source, "Centre"), velocity = readVector<D>(source, "Velocity");
   const double radius = source.get<double>("Radius");
   const double path = norm(velocity) * scene.sublist("Time").get<double>("Final Time");
-  constexpr double most = 1e5; // looks; of a longer way only so many are taken
+  constexpr double most = 1e5; // largest number of positions along the path
   const int steps = static_cast<int>(std::min(most, std::ceil(path / (0.5 * radius))));
   for (int k = 0; k <= steps; ++k)
   {

@@ -15,7 +15,7 @@ namespace Rhegma::thermal
 namespace
 {
 
-/// Conduction waits while the time that it has not done is below this fraction of its own step.
+/// Conduction waits while the pending time is below this fraction of its own step.
 constexpr double waitingFraction = 0.25;
 
 /// pi^2 (MeetingMaterials.hpp).
@@ -42,7 +42,7 @@ void Conduction<D>::measure(const State<D>& state)
     for (int k = materials(m).first; k < materials(m).first + materials(m).count; ++k)
     {
       diffusivity = std::max(diffusivity, ratio * knots(k).conductivity / knots(k).capacity);
-      // Of those that conduct: who conducts nothing has no part in the others' nodes.
+      // Of the conductors only: insulators do not contribute to their nodes.
       if (knots(k).conductivity > 0.0 || materials.extent(0) == 1)
         leastDiffusivity = std::min(leastDiffusivity, least * knots(k).conductivity / knots(k).capacity);
       leastCapacity = std::min(leastCapacity, knots(k).capacity);
@@ -120,11 +120,12 @@ template <int D>
 void Conduction<D>::once(State<D>& state, double dt, double time, const View<double*>& supplied)
 {
   const double h = state.mesh.smallestSpacing();
-  // What nodes can't see fades in the time that heat takes through a cell: ten times slower than waves of its
-  // length would. By the least of the diffusivities, since particles of several materials share it.
+  // Differences that nodes do not resolve decay in the time of diffusion through a cell, ten times slower
+  // than modes of that wavelength. With the smallest diffusivity, as particles of all materials have the same
+  // decay.
   const double fading = -std::expm1(-leastDiffusivity * dt / (h * h));
-  // Where materials meet their particles come together faster. Fading is a part of that: with both in full
-  // they would pass the node's temperature.
+  // Where materials meet, the temperatures of their particles approach each other faster. The decay is part
+  // of that: both in full would pass the temperature of the node.
   const double join = -std::expm1(-joining * diffusivity * dt / (h * h)) - fading;
   nodes.clear(state, several);
   if (several)
@@ -159,7 +160,7 @@ void Conduction<D>::step(State<D>& state)
   ++waited;
   const double limit = stepLimit(state);
   const bool last =
-      state.clock.time + state.clock.dt >= finalTime * (1.0 - 1e-12); // which leaves nothing undone
+      state.clock.time + state.clock.dt >= finalTime * (1.0 - 1e-12); // so that no time remains pending
   if (!last && state.method.mechanics && waited < longestWait &&
       pending + state.clock.dt <= waitingFraction * limit)
     return;
@@ -173,7 +174,7 @@ void Conduction<D>::step(State<D>& state)
       return;
     }
   }
-  // Cells that adapt have had a look at the sources by then.
+  // Adaptive cells have been refined at the sources by then.
   if (!warned && state.clock.step >= 32)
   {
     warned = true;

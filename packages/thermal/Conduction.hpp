@@ -9,7 +9,7 @@
 namespace Rhegma::thermal
 {
 
-/// What conduction keeps from step to step.
+/// The state of conduction that lasts from step to step.
 template <int D>
 struct Conduction
 {
@@ -21,17 +21,16 @@ struct Conduction
   CrackConduction<D> faces;
   ConductionIntegrator<D> integrator;
   HeatNodes<D> nodes;
-  View<double*> supply;          ///< of each particle [W]
-  double pending = 0.0;          ///< time since the last step of conduction [s]
-  int waited = 0;                ///< steps since then
-  double diffusivity = 0.0;      ///< largest of the materials [m2/s]
-  double leastDiffusivity = 0.0; ///< least of the materials that conduct [m2/s]
-  bool several = false;          ///< materials may meet, and some conduct
-  double leastCapacity = 0.0;    ///< least of the materials [J/(m3 K)]
-  double fractureSeen =
-      0.0; ///< energy of the energy balance's fracture that fronts have had their heat of [J]
-  std::vector<double> frontHeat;                                 ///< the part of it of each front [J]
-  std::vector<double> frontTemperature;                          ///< at the position of each front [K]
+  View<double*> supply;                 ///< of each particle [W]
+  double pending = 0.0;                 ///< time since the last step of conduction [s]
+  int waited = 0;                       ///< steps since then
+  double diffusivity = 0.0;             ///< largest of the materials [m2/s]
+  double leastDiffusivity = 0.0;        ///< least of the materials that conduct [m2/s]
+  bool several = false;                 ///< materials may meet, and some conduct
+  double leastCapacity = 0.0;           ///< least of the materials [J/(m3 K)]
+  double fractureSeen = 0.0;            ///< fracture energy for which fronts have received heat [J]
+  std::vector<double> frontHeat;        ///< of which of each front [J]
+  std::vector<double> frontTemperature; ///< at the position of each front [K]
   double finestHeated = std::numeric_limits<double>::infinity(); ///< finest cells when fronts were heated [m]
   long stepsTaken = 0;                                           ///< steps of conduction
   bool warned = false;
@@ -49,16 +48,16 @@ struct Conduction
   /// The longest step as conduction steps here [s].
   double stepLimit(const State<D>& state) const;
 
-  /// Longest step in which sources stay where they are, to half a cell [s].
+  /// Longest step in which sources move by half a cell at most [s].
   double sourceLimit(const State<D>& state) const;
 
   /// One step of the run. Conduction takes substeps where the run's step is longer than its own; where it is
-  /// much shorter, conduction waits up to `longestWait` steps and then takes them in one.
+  /// much shorter, conduction waits up to `longestWait` steps and then conducts for all of them at once.
   void step(State<D>& state);
 
   static constexpr int longestWait = 4;
 
-  /// Steps of conduction in a step of the run, and how many are so many that somebody has mistaken a number.
+  /// Steps of conduction in a step of the run, and the number from which a warning is due.
   double substeps(const State<D>& state, double dt) const;
   static constexpr double mostSubsteps = 10000.0;
   std::string tooMany(const State<D>& state, double count) const;

@@ -213,7 +213,7 @@ double ConductionIntegrator<D>::superTimeStep(State<D>& state, const HeatNodes<D
   const int s = stages(dt, explicitLimit);
   const double w = 4.0 / (double(s) * s + s - 2.0);
   const auto b = [](int j) { return j < 3 ? 1.0 / 3.0 : (j * (j + 1.0) - 2.0) / (2.0 * j * (j + 1.0)); };
-  double power = 0.0;                    // of surfaces next to that at the beginning
+  double power = 0.0;                    // of surfaces relative to that at the beginning
   double here = 0.0, before = 0.0;       // heat by it at the last two stages
   int now = 0, last = 1, lastButOne = 2; // columns
   for (int j = 1; j <= s; ++j)
@@ -234,7 +234,7 @@ double ConductionIntegrator<D>::superTimeStep(State<D>& state, const HeatNodes<D
               mu * stage(n, one) + nu * stage(n, two) + dt * (step * (Q + flow(n, 0)) + first * Q);
           stage(n, to) = in;
           const double capacity = heat.sums(n, HeatNodes<D>::capacityAt);
-          // Without conduction there is no limit, and none is asked for.
+          // Without conduction there is no limit.
           const double least = diagonal(n) > 0.0 ? explicitLimit * diagonal(n) : 0.0;
           change(n, 0) =
               heat.held(n) != 0 || !(capacity > 0.0) ? 0.0 : in / (capacity > least ? capacity : least);

@@ -1,5 +1,5 @@
 #pragma once
-/// Steps of conduction far longer than an explicit one may be.
+/// Time integration of conduction with steps far longer than explicit ones.
 
 #include "solver/ConjugateGradients.hpp"
 #include "thermal/CrackConduction.hpp"
@@ -21,20 +21,20 @@ enum class Method
   Implicit
 };
 
-/// Finds the mean heat flow of a step. Heat leaves and enters nodes only as flow from node to node or
-/// through surfaces, so that all of it is kept to round-off, whatever stages or solver do.
+/// Finds the mean heat flow of a step. Heat leaves and enters nodes only as flow from node to node or through
+/// surfaces, so that heat is conserved to round-off with any number of stages and any solver tolerance.
 ///
 /// Both start from the flow Q at the beginning of the step and take conductivities at its temperatures; a
 /// change theta of the nodes' temperature changes the flow by -K theta.
 ///
 /// Super time stepping: the s stages of RKL2 (Meyer, Balsara and Aslam, J. Comput. Phys. 257 (2014) 594,
-/// equations 16 to 18), second order, stable up to (s^2 + s - 2) / 4 explicit steps. Nodes that hold so
-/// little material that they would go unstable by themselves take part as if they held more; what flows into
-/// them goes to the particles whole.
+/// equations 16 to 18), second order, stable up to (s^2 + s - 2) / 4 explicit steps. Nodes with so little
+/// material that they would be unstable are treated as if they had more; all heat that flows into them goes
+/// to the particles.
 ///
 /// Implicit: backward Euler, (C + dt K) theta = dt Q, by conjugate gradients; the flow is then Q - K theta.
 /// Where faces conduct, the unknowns of a node with two fields are the change of its mean temperature, by
-/// capacities, and its jump at the end: a conductance however large is then a large number on the diagonal.
+/// capacities, and its jump at the end: any conductance, however large, is then on the diagonal.
 template <int D>
 class ConductionIntegrator
 {
@@ -51,7 +51,7 @@ public:
 
   Method method = Method::Explicit;
   double stepRatio = 20.0; ///< longest step over the longest explicit one
-  long products = 0;       ///< how often the flow of all particles was found, on top of once a step
+  long products = 0;       ///< evaluations of the flow of all particles, in addition to one per step
 
   void store(Archive& archive);
 
@@ -75,8 +75,8 @@ public:
 private:
   void reserveRows(const State<D>& state);
 
-  /// Columns of pairs_: shares a and b of the jump that the two fields take, jump at the beginning [K], dt
-  /// times conductance [J/K], unknown jump [K]; a = b = 0 where nothing passes or both are held.
+  /// Columns of pairs_: fractions a and b of the jump of the two fields, jump at the beginning [K], dt times
+  /// conductance [J/K], unknown jump [K]; a = b = 0 where nothing passes or both are held.
   static constexpr int pairWidth = 5;
 
   View<double* [2]> change_;        ///< theta [K]; the second column is not used
@@ -85,8 +85,8 @@ private:
   View<double* [4]> stage_;         ///< heat that has flowed in by three stages, and Q [J, W]
   View<char*> held_;                ///< not 0 for nodes whose temperature is prescribed
   View<char*> unknown_;             ///< not 0 for nodes of this rank whose temperature is to be found
-  View<double* [pairWidth]> pairs_; ///< of each second field
-  int numPairs_ = 0;                ///< second fields while faces conduct, else 0
+  View<double* [pairWidth]> pairs_; ///< of each enriched field
+  int numPairs_ = 0;                ///< enriched fields while faces conduct, else 0
   ConjugateGradients gradients_{1e-8, 1000};
   int capacity_ = 0; ///< number of unknowns that fit
 };

@@ -15,10 +15,10 @@ namespace Rhegma::thermal
 namespace
 {
 
-/// Faces less than this fraction of a cell apart are closed: round-off does not part them.
+/// Faces less than this fraction of a cell apart are closed: round-off does not open them.
 constexpr double closedGap = 1e-6;
 
-/// Adds volume times slope of the functions of second fields.
+/// Adds volume times slope of the functions of enriched fields.
 template <int D>
 struct EndsBlock
 {
@@ -177,8 +177,8 @@ void CrackConduction<D>::findConductance(const State<D>& state)
           along += faces(one, 2 + d) * faces(two, 2 + d);
           square += faces(one, 2 + d) * faces(one, 2 + d);
         }
-        // The second field of a node on side +1 has the material of side -1, which ends there along the
-        // normal.
+        // The enriched field of a node on side +1 belongs to the material of side -1, which ends there along
+        // the normal.
         const double area = (side(one) > 0 ? along : -along) / std::sqrt(square);
         conductance(one) =
             faces(one, 1) > 0.0 && square > 0.0 && area > 0.0 ? area * faces(one, 0) / faces(one, 1) : 0.0;
@@ -200,7 +200,7 @@ void CrackConduction<D>::merge(const State<D>& state, const HeatNodes<D>& heat, 
         const int two = nodes.numLattice + i, one = nodes.parent(i);
         const double C1 = heat.sums(one, HeatNodes<D>::capacityAt);
         const double C2 = heat.sums(two, HeatNodes<D>::capacityAt);
-        // Next to a perfect contact nothing else counts in the mean around the node.
+        // Perfect contact dominates the mean around the node.
         if (!(conductance(one) > 0.0) || !(faces(one, 0) > 1e-6 * perfect * faces(one, 1)) || !(C1 > 0.0) ||
             !(C2 > 0.0) || heat.insulates(one) || heat.insulates(two))
           return;
@@ -233,7 +233,7 @@ double CrackConduction<D>::exchange(const State<D>& state, const HeatNodes<D>& h
             heat.insulates(two))
           return;
         const bool held1 = heat.held(one) != 0, held2 = heat.held(two) != 0;
-        // A held value is the temperature at the end already, and no heat changes it.
+        // A prescribed value is the temperature at the end of the step and is not changed by heat.
         const double T1 = heat.value(one, 0) + (held1 ? 0.0 : heat.value(one, 1));
         const double T2 = heat.value(two, 0) + (held2 ? 0.0 : heat.value(two, 1));
         const double passed =

@@ -14,22 +14,22 @@ class Archive;
 namespace Rhegma::thermal
 {
 
-/// What the faces of a crack let through.
+/// The conductance of the faces of a crack.
 struct FaceLaw
 {
   double conductance = 0.0;    ///< [W/(m2 K)]; 0: they insulate
-  bool onlyWhereClosed = true; ///< nothing where the faces have parted
+  bool onlyWhereClosed = true; ///< no heat where the faces are open
 };
 
 /// Conductance between the two fields of nodes next to cracks: q = h (T on side -1 - T on side +1).
 ///
-/// A node has the area of face that its second field ends at, sum V grad N over the particles that see it,
-/// along the crack's normal: with that a flux that is the same on both sides is one that no node keeps,
-/// wherever the crack lies in the cells. h is the mean of the faces around the node.
+/// The face area of a node is that at which its enriched field ends, sum V grad N over the particles on it,
+/// along the crack's normal: with this area a uniform flux through the crack leaves no heat on nodes, for any
+/// position of the crack in the cells. h is the mean of the faces around the node.
 ///
 /// Each node passes heat between its own two fields by itself, with the temperatures at the end of the step
 /// (backward Euler), so that any conductance is stable: an infinite one makes the two temperatures one, which
-/// is conduction without a crack. What one field gives the other gets, to round-off.
+/// is conduction without a crack. Heat is conserved to round-off.
 template <int D>
 class CrackConduction
 {
@@ -44,12 +44,12 @@ public:
   void update(const State<D>& state);
 
   /// Gives the two fields of a node in perfect contact the one temperature that the node would have without a
-  /// crack: if the faces came together in the step instead, those of their particles that had the temperature
-  /// of the other side already would be pushed beyond it. \param share as markMaterials has it
+  /// crack: if the temperatures met during the step instead, particles that already have the temperature of
+  /// the other side would be changed beyond it. \param fraction as in markMaterials
   void merge(const State<D>& state, const HeatNodes<D>& nodes, double fraction) const;
 
-  /// Passes heat over dt, after the nodes have got their change by other ways.
-  /// \return heat [J] that held nodes take up from outside for it
+  /// Passes heat over dt, after all other changes of the nodes. \return heat [J] that held nodes take up from
+  /// outside for it
   double exchange(const State<D>& state, const HeatNodes<D>& nodes, double dt) const;
 
   /// Whether there are faces that conduct now.
@@ -77,8 +77,8 @@ private:
   FacePoints<D> points_;
   ObservedPoints<D> around_; ///< half a cell away from them on either side, seen without a crack
   StencilTable<D> stencils_;
-  /// Of a node: area of face around it times conductance, times 1, times normal. Of a second field: where its
-  /// material ends [m2], in the last columns.
+  /// Of a node: area of face around it times conductance, times 1, times normal. Of an enriched field: where
+  /// its material ends [m2], in the last columns.
   View<double * [D + 2]> faces_;
   View<double*> conductance_;
 };

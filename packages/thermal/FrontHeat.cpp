@@ -10,7 +10,7 @@ namespace Rhegma::thermal
 namespace
 {
 
-/// A place of a front and the fraction of the front's heat that it gets.
+/// A position on a front and the fraction of the front's heat that it gets.
 template <int D>
 struct HeatedPosition
 {
@@ -18,8 +18,8 @@ struct HeatedPosition
   double fraction;
 };
 
-/// The nodes of a front, by the area that each is passing: its tributary length times its speed; where none
-/// of them runs, as of one that has just arrested, by length alone. Of a front that has ended, where it did.
+/// The nodes of a front, weighted by their rate of new area: tributary length times speed; where none of them
+/// runs, as just after arrest, by length alone. Of a front that has ended, its last position.
 template <int D>
 std::vector<HeatedPosition<D>> heatedPositions(const CrackFront<D>& front)
 {
@@ -44,13 +44,13 @@ std::vector<HeatedPosition<D>> heatedPositions(const CrackFront<D>& front)
 
 } // namespace
 
-/// Adds the heat of what growth has taken since it was last looked at [J], shared out among the fronts by
-/// what new faces of each were to take and have not yet given.
+/// Adds the heat of the fracture energy since the last call [J], distributed among the fronts by the required
+/// energy of their new faces that has not become heat yet.
 template <int D>
 double Conduction<D>::heatOfFronts(State<D>& state, double dt)
 {
   const std::vector<CrackFront<D>>& all = state.cracks.fronts;
-  // What was recorded since the last sample is the ranks' own.
+  // Records since the last sample belong to each rank.
   const double before = state.ranks.many() ? state.sample.energy.fracture : 0.0;
   const double spent = before + state.ranks.sum(state.energy.fracture - before);
   const double since = spent - fractureSeen;
@@ -58,7 +58,7 @@ double Conduction<D>::heatOfFronts(State<D>& state, double dt)
   double required = 0.0;
   for (std::size_t f = 0; f < all.size(); ++f)
     required += std::max(0.0, all[f].budget.required - frontHeat[f]);
-  // Faces that close give back what they took; the next that open take it again.
+  // Faces that close return energy, which the next ones that open require again.
   if (!(since > 0.0) || !(required > 0.0))
     return 0.0;
   const double radius = std::max(frontRadius, smallestRadius(state));
@@ -84,7 +84,7 @@ double Conduction<D>::heatOfFronts(State<D>& state, double dt)
   return added;
 }
 
-/// Gives fronts and their front nodes the temperature of the nodes around them.
+/// Sets for fronts and their front nodes the temperature of the nodes around them.
 template <int D>
 void Conduction<D>::reportFronts(State<D>& state)
 {

@@ -35,7 +35,7 @@ HeldTemperature<D> readHeld(const Teuchos::ParameterList& list, const State<D>& 
   HeldTemperature<D> held{readVector<D>(list, "Lower Corner"), readVector<D>(list, "Upper Corner"),
                           list.get<double>("Temperature"),
                           TimeFunction::parse(list.get<std::string>("History")), name};
-  // Nodes on the rim count whatever the rounding.
+  // Nodes on the boundary of a box belong to it, independent of round-off.
   for (int d = 0; d < D; ++d)
   {
     held.lower[d] -= 1e-9 * state.mesh.grid.spacing;
@@ -206,7 +206,7 @@ void HeatBoundaries<D>::addDiagonal(const View<double*>& diagonal) const
     const double perKelvin = heated.surface.area * heated.coefficient;
     forEachPushing(
         "rhegma::thermal::addDiagonal", perKelvin > 0.0 ? points.points() : 0, KOKKOS_LAMBDA(const int k) {
-          // The sum over the row, which is more than its diagonal.
+          // The sum over the row, an upper bound of its diagonal.
           for (int e = 0; e < stencils.count(k); ++e)
             Kokkos::atomic_add(&diagonal(stencils.node(k, e)),
                                stencils.weight(k, e) * fraction(k) * perKelvin);

@@ -22,7 +22,7 @@ struct HeldTemperature
   std::string name; ///< of its section
 };
 
-/// A surface through which heat comes in: a flux, or by the difference to a temperature outside.
+/// A surface with a heat flux: prescribed, or by convection.
 template <int D>
 struct HeatedSurface
 {
@@ -33,7 +33,7 @@ struct HeatedSurface
   TimeFunction history;
 };
 
-/// The boundaries of a scene that heat sees.
+/// The thermal boundaries of a scene.
 template <int D>
 class HeatBoundaries
 {
@@ -42,19 +42,19 @@ public:
   /// no node or meets no particle; warns of one that is cold at the start.
   void read(const Teuchos::ParameterList& section, State<D>& state);
 
-  /// Where two boxes want a node at two temperatures, as particles and cells are now. Collective. \return a
-  /// sentence a pair (boundary/Contradictions.hpp); empty where there is none
+  /// Pairs of boxes that prescribe different temperatures on a node, for the present particles and cells.
+  /// Collective. \return a message for each pair (boundary/Contradictions.hpp); empty where there is none
   std::string contradictions(const State<D>& state, double finalTime) const;
 
-  /// Prescribes the temperature of nodes: as it is at the end of the step, and its change.
+  /// Prescribes the temperature of nodes at the end of the step, and its change.
   void hold(const State<D>& state, const HeatNodes<D>& nodes, double time) const;
 
   /// Adds the heat that comes through surfaces over a step to the nodes' rate, of this rank. \param time
   /// middle of the step \return the power [W]
   double addFlux(State<D>& state, const HeatNodes<D>& nodes, double time);
 
-  /// What a change of the nodes' temperature (first column) changes of it, added to a flow (first column);
-  /// the positions are those of the last addFlux. \return the change of the power [W]
+  /// Adds the change of that heat with a change of the nodal temperature (first column) to a flow (first
+  /// column); the positions are those of the last addFlux. \return the change of the power [W]
   double addResponse(const View<double* [2]>& change, const View<double* [2]>& flow) const;
 
   /// Adds to each node's heat flow per own temperature that of convection [W/K], or more.

@@ -11,7 +11,7 @@ namespace Rhegma::thermal
 namespace
 {
 
-/// Where positions are counted from, the same on all ranks.
+/// Origin of positions, the same on all ranks.
 template <int D>
 Vector<D> commonOrigin(const State<D>& state)
 {
@@ -67,7 +67,7 @@ struct CapacityBlock
     nodes.aside(p) = aside;
   }
 
-  /// To nodes on which nobody conducts.
+  /// Adds an insulator to nodes without conductors.
   KOKKOS_INLINE_FUNCTION void addInsulator(int p) const
   {
     double row[width];
@@ -128,7 +128,7 @@ struct FluxBlock
                             });
   }
 
-  /// Insulators next to a conductor see no gradient.
+  /// Insulators next to a conductor have no gradient.
   KOKKOS_INLINE_FUNCTION bool leftOut(int p) const
   {
     if (!isLeftOut(connect, nodes, conducts, p))
@@ -171,14 +171,15 @@ struct ChangeBlock
                                   change += nodes.joined(p);
                               }
                               internal(p) += at.capacity() * change;
-                              // What moves finds its temperature with its stress, from what it holds.
+                              // With mechanics, the temperature follows with the stress from the internal
+                              // energy.
                               temperature(p) = mechanics
                                                    ? temperature(p) + change
                                                    : temperatureOfHeat(tables, material(p), internal(p));
                             });
   }
 
-  /// What comes to nodes on which nobody conducts; next to a conductor its own supply too.
+  /// Change of an insulator on nodes without conductors; next to a conductor also its own supply.
   KOKKOS_INLINE_FUNCTION double ofInsulator(int p, double capacity) const
   {
     double change = 0.0;
@@ -266,7 +267,7 @@ void findTemperature(State<D>& state, const HeatNodes<D>& heat)
         heat.value(n, 0) = capacity > 0.0 ? sum / capacity : 0.0;
         heat.value(n, 1) = 0.0;
         heat.value(n, 2) = heat.value(n, 0);
-        // Points on surfaces look for nodes with mass, by ratios alone.
+        // Points on surfaces only need ratios of nodal masses.
         if (!mechanics)
           nodes.sums(n, Nodes<D>::massAt) = capacity;
       });

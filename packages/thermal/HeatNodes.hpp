@@ -6,7 +6,7 @@
 namespace Rhegma::thermal
 {
 
-/// Nodal values of heat, a row a node, second fields of nodes next to a crack included: a crack does not
+/// Nodal values of heat, a row a node, enriched fields of nodes next to a crack included: a crack does not
 /// conduct.
 template <int D>
 struct HeatNodes
@@ -25,23 +25,23 @@ struct HeatNodes
 
   static constexpr int meetWidth = 4, joinAt = 3;
   /// Of the conducting particles that touch a node: how many they are, the sum of the numbers of their
-  /// materials and that of the squares of these; and the fraction of the way to the node's temperature that
-  /// its particles take in the step next to that of changeToParticles (MeetingMaterials.hpp). Empty where
-  /// there is one material.
+  /// materials and that of the squares of these; and the fraction of the difference to the temperature of the
+  /// node by which its particles approach it in the step, in addition to that of changeToParticles
+  /// (MeetingMaterials.hpp). Empty where there is one material.
   View<double* [meetWidth]> meets;
 
-  /// Change of the temperature of each particle by what MeetingMaterials.hpp says [K]. Empty where there is
-  /// one material.
+  /// Change of the temperature of each particle by MeetingMaterials.hpp [K]. Empty where there is one
+  /// material.
   View<double*> joined;
 
   /// Of particles with stored stencils, how far the mean of the nodes' positions lies from their own, by
-  /// their gradient, g . (sum N_i x_i - x) [K]: stencils that are edited need not be linearly complete. Of
-  /// use only while there are any.
+  /// their gradient, g . (sum N_i x_i - x) [K]: edited stencils need not be linearly complete. Used only
+  /// while there are any.
   View<double*> aside;
 
   /// Whether a particle with this weight touches a node: more than round-off at the edge of its box.
   KOKKOS_INLINE_FUNCTION static bool touches(double weight) { return weight > 1e-12; }
-  /// Whether somebody conducts on a node.
+  /// Whether a node has conductors.
   KOKKOS_INLINE_FUNCTION bool conductsAt(int node) const { return meets(node, 0) > 0.0; }
   /// Whether all on a node are insulators next to other materials.
   KOKKOS_INLINE_FUNCTION bool insulates(int node) const { return meets.extent(0) > 0 && !conductsAt(node); }
@@ -51,7 +51,7 @@ struct HeatNodes
     return meets(node, 0) * meets(node, 2) != meets(node, 1) * meets(node, 1);
   }
 
-  /// Makes room for the nodes of the state and clears those in use. \param several whether materials may meet
+  /// Resizes for the nodes of the state and clears those in use. \param several whether materials may meet
   void clear(const State<D>& state, bool several = false);
 };
 
@@ -66,9 +66,8 @@ template <int D>
 void findTemperature(State<D>& state, const HeatNodes<D>& nodes);
 
 /// Flux of the particles, -k grad T, to the nodes' rate, and their supply of heat with it. Renews the
-/// particles' temperature gradient. A particle that does not conduct, on a node on which another material
-/// does, keeps its supply for `changeToParticles`. \param supply of each particle [W]; empty where there is
-/// none
+/// particles' temperature gradient. A particle that does not conduct, on a node with a conductor, keeps its
+/// supply for `changeToParticles`. \param supply of each particle [W]; empty where there is none
 template <int D>
 void fluxToNodes(const State<D>& state, const HeatNodes<D>& nodes, const View<double*>& supply);
 
@@ -76,11 +75,11 @@ void fluxToNodes(const State<D>& state, const HeatNodes<D>& nodes, const View<do
 template <int D>
 double changeTemperature(const State<D>& state, const HeatNodes<D>& nodes, double dt);
 
-/// Gives the particles the change of the nodes' temperature: their heat changes by just as much as that of
-/// the nodes.
+/// Gives the particles the change of the nodes' temperature: the heat of the particles changes by that of the
+/// nodes.
 ///
-/// Of what the nodes can't see, differences between the particles of a cell, a fraction is taken away: T +=
-/// share sum N_i (T_i - T - g.(x_i - x)) with the projected T_i and the gradient of before the step, which
+/// A fraction of the differences between the particles of a cell that nodes do not resolve is removed: T +=
+/// fraction sum N_i (T_i - T - g.(x_i - x)) with the projected T_i and the gradient of before the step, which
 /// leaves linear fields and the heat of all particles alone. \param supply as `fluxToNodes` has it, for dt
 template <int D>
 void changeToParticles(State<D>& state, const HeatNodes<D>& nodes, double fraction,

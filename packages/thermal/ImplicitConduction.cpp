@@ -15,7 +15,7 @@ namespace
 /// Columns of a pair of fields.
 constexpr int onOne = 0, onTwo = 1, jumpAt = 2, passesAt = 3, unknownAt = 4;
 
-/// Where a pair has its unknown jump: in the row of its second field unless that is held.
+/// Where a pair has its unknown jump: in the row of its enriched field unless that is held.
 template <int D>
 struct PairRows
 {
@@ -46,7 +46,7 @@ void ConductionIntegrator<D>::numberUnknowns(const State<D>& state, const HeatNo
                 ? 1
                 : 0;
       });
-  // The number of nodes changes as bodies move and cracks grow: some room spares making the solver anew.
+  // The number of nodes changes as bodies move and cracks grow: a reserve avoids a new solver.
   if (capacity_ < nodes.numActive())
     capacity_ = nodes.numActive() + nodes.numActive() / 8 + 64;
   gradients_.resize(capacity_, state.mesh.subdomain ? state.ranks : Ranks());
@@ -76,9 +76,9 @@ void ConductionIntegrator<D>::findPairs(const State<D>& state, const HeatNodes<D
       });
 }
 
-/// Makes changes of temperature of what the solver has put into them: its numbers at this rank's own nodes
-/// go to the nodes of all ranks, and means and jumps of pairs to their fields. \param jump how much of the
-/// jump at the beginning is taken off that at the end
+/// Converts the unknowns of the solver to changes of temperature: those of the nodes of this rank go to all
+/// ranks, and means and jumps of pairs to their fields. \param jump fraction of the jump at the beginning
+/// that is subtracted from that at the end
 template <int D>
 void ConductionIntegrator<D>::spread(const State<D>& state, double jump)
 {
@@ -137,7 +137,7 @@ void ConductionIntegrator<D>::residual(const State<D>& state, const HeatNodes<D>
       });
 }
 
-/// By the diagonal.
+/// Preconditions by the diagonal.
 template <int D>
 void ConductionIntegrator<D>::precondition(const State<D>& state, const HeatNodes<D>& heat, double dt,
                                            const BorrowedView<const double*>& from,
@@ -195,7 +195,7 @@ void ConductionIntegrator<D>::passThroughFaces(const State<D>& state, const Heat
 namespace
 {
 
-/// Takes a vector to unit length, and to its opposite. \return its length; 1 where it is zero
+/// Scales a vector to unit length and reverses its sign. \return its length; 1 where it is zero
 double normalise(const Ranks& ranks, const BorrowedView<double*>& right)
 {
   double size = 0.0;
@@ -233,7 +233,7 @@ double ConductionIntegrator<D>::implicitStep(State<D>& state, const HeatNodes<D>
         });
   };
   const BorrowedView<double*> right = gradients_.right();
-  // What the fields would do if all jumps went at once belongs to the right side.
+  // The change of the fields for vanishing jumps belongs to the right side.
   Kokkos::parallel_for(
       "rhegma::thermal::clearChange", Kokkos::RangePolicy<ExecSpace>(0, active), KOKKOS_LAMBDA(const int i) {
         const int n = activeNode(nodes, i);

@@ -7,7 +7,7 @@
 namespace Rhegma::thermal
 {
 
-/// Whether a particle touches nodes on which somebody conducts.
+/// Whether a particle touches nodes with conductors.
 template <int D, class Connect>
 KOKKOS_INLINE_FUNCTION bool isNextToConductor(const Connect& connect, const HeatNodes<D>& nodes, int p)
 {
@@ -17,8 +17,8 @@ KOKKOS_INLINE_FUNCTION bool isNextToConductor(const Connect& connect, const Heat
   return any;
 }
 
-/// Whether a particle is an insulator next to a conductor of another material: it has no flux, and sees no
-/// gradient, for the temperature of its nodes is the other's.
+/// Whether a particle is an insulator next to a conductor of another material: it has no flux and no
+/// gradient, as the temperature of its nodes is that of the conductor.
 template <int D, class Connect>
 KOKKOS_INLINE_FUNCTION bool isLeftOut(const Connect& connect, const HeatNodes<D>& nodes,
                                       const ParticleFlux<D>& conducts, int p)

@@ -6,7 +6,7 @@ namespace Rhegma::thermal
 namespace
 {
 
-/// The value of a vector on the one rank that has it, on all.
+/// Broadcasts a vector from the one rank that has it.
 template <int D>
 Vector<D> shared(const Ranks& ranks, const Vector<D>& own, bool here)
 {
@@ -50,7 +50,7 @@ Extremes<D> extremes(const State<D>& state)
   found.highest = state.ranks.max(most.val);
   found.lowest = -state.ranks.max(-least);
   Vector<D> where{};
-  // Where no temperature is a number none is the highest.
+  // There is no highest temperature if none is a number.
   const bool here = most.loc >= 0 && most.loc < state.particles.size() && most.val == found.highest;
   if (here)
   {

@@ -1,5 +1,5 @@
 #pragma once
-/// What a run tells of its temperatures.
+/// Temperatures for the history and the summary.
 
 #include "state/State.hpp"
 

@@ -31,7 +31,7 @@ struct Source
 template <int D>
 std::vector<Source<D>> readSources(const Teuchos::ParameterList& list);
 
-/// Adds the power of a source over a time step [W] to what each particle is supplied with.
+/// Adds the power of a source over a time step [W] to the supply of each particle.
 ///
 /// \param time middle of the step \return the power that was added, of all ranks: less than the source's
 /// where a box lies partly outside of the bodies, none where nothing lies in it
@@ -51,7 +51,7 @@ double smallestRadius(const State<D>& state)
   return state.mesh.smallestSpacing();
 }
 
-/// What to tell of a radius that cells of an edge do not resolve; empty where they do.
+/// The warning for a radius that cells of an edge do not resolve; empty where they do.
 std::string unresolved(const std::string& what, double radius, double edge);
 
 } // namespace Rhegma::thermal

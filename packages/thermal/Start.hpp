@@ -1,5 +1,5 @@
 #pragma once
-/// What particles hold at the start.
+/// Temperature and internal energy of particles at the start.
 
 #include "state/State.hpp"
 
@@ -11,8 +11,8 @@
 namespace Rhegma::thermal
 {
 
-/// Warns of a temperature below that of liquid nitrogen, 77 K: who writes it may mean degrees Celsius. \param
-/// what the section's path, and what is so cold \param T [K]
+/// Warns of a temperature below that of liquid nitrogen, 77 K: it may be meant in degrees Celsius. \param
+/// what path of the section, and its subject \param T [K]
 void warnOfCold(std::vector<std::string>& warnings, const std::string& what, double T);
 
 /// Gives every particle the temperature of its body. Throws std::invalid_argument, with the path, for one
@@ -25,8 +25,7 @@ void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, dou
 template <int D>
 void startEnergy(State<D>& state);
 
-/// Gives parts of a split particle the temperatures that its gradient lets expect at their positions; their
-/// heat in all stays.
+/// Sets the temperatures of the parts of a split particle by its gradient; their total heat does not change.
 template <int D>
 void copyGradient(State<D>& state, const SplitParts& parts);
 

@@ -30,7 +30,7 @@ struct Probe
   Vector<D> position;
 };
 
-/// What a run has of heat next to its particles.
+/// Thermal data of a run in addition to those of particles.
 template <int D>
 struct Run
 {
@@ -41,7 +41,7 @@ struct Run
   int settledSamples = 0;
 };
 
-/// Has all who ask for the numbers of a material find those at its reference temperature.
+/// Sets the properties of materials that other effects use to those at the reference temperature.
 template <int D>
 void useReferenceProperties(State<D>& state, const Teuchos::ParameterList& materials, double initial)
 {
@@ -140,7 +140,7 @@ void observe(State<D>& state, Run<D>& run)
 template <int D>
 void report(const State<D>& state, const Run<D>& run, nlohmann::json& summary)
 {
-  // At the end, for cells may become as small as a running front wants them after it has initiated.
+  // Checked at the end, as cells may be refined after a front has initiated.
   if (std::isfinite(run.conduction.finestHeated))
     if (const std::string word =
             unresolved("Thermal > Front Radius", run.conduction.frontRadius, run.conduction.finestHeated);
@@ -168,7 +168,7 @@ void report(const State<D>& state, const Run<D>& run, nlohmann::json& summary)
   }
 }
 
-/// Adds the fronts' temperatures to the cracks of the summary, where their effect has written them.
+/// Adds the fronts' temperatures to the cracks of the summary, if their effect has written it.
 template <int D>
 void reportFronts(const State<D>& state, const std::vector<double>& temperature, nlohmann::json& summary)
 {
@@ -220,7 +220,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     const double sources = run->conduction.sourceLimit(state);
     if (state.method.mechanics)
       return sources;
-    // Heat that goes nowhere still has sources that change with time.
+    // Without conduction, sources may still change with time.
     return std::min({run->conduction.stepLimit(state), sources, run->finalTime / 100.0});
   };
   effect.memory = [run](State<D>&, Archive& archive)

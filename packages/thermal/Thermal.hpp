@@ -1,6 +1,5 @@
 #pragma once
-/// Heat in the bodies: conduction, sources, surfaces, and what temperature does to stress and stress to
-/// temperature.
+/// Heat in the bodies: conduction, sources, surfaces, and thermoelastic coupling.
 
 #include "plan/Effect.hpp"
 
@@ -10,7 +9,7 @@ namespace Rhegma::thermal
 /// The effect `Thermal`.
 EffectEntry thermalEntry();
 
-/// Its section, and what no single parameter of a scene can show wrong.
+/// Its section, and the checks that involve several parameters.
 Section thermalSection();
 void checkThermal(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors);
 

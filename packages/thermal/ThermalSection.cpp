@@ -150,8 +150,8 @@ void addRules(Section& s)
     s.refuse({alone, other}, nothingMoves, 1);
   s.refuse({alone, when::given("Adaptivity", "Velocity Change")},
            "it can't be combined with Thermal > Mechanics = false; write Temperature Change", 1);
-  // The opening that crack closure recovers is off where temperature strains the faces unlike (by a fifth of
-  // G round an insulating crack). Where cracks run nobody looks at it.
+  // The opening in crack closure is inaccurate where thermal strain differs between the faces (a fifth of G
+  // around an insulating crack). With propagation it is not used.
   s.refuse({when::is("Thermal", "Mechanics", {"true"}), when::is("Energy Release", "Crack Closure", {"true"}),
             when::absent("Propagation"),
             when::satisfies("Materials > *", "with thermal strain or moduli that change with temperature",
@@ -250,7 +250,7 @@ void checkCrackFaces(const Teuchos::ParameterList& list, std::vector<SceneError>
   }
 }
 
-/// Surfaces must not be asked for a temperature at or below absolute zero: the first of 200 times of the run.
+/// Surfaces must not prescribe a temperature at or below absolute zero: the first of 200 times of the run.
 void checkSurfaces(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)
 {
   if (!scene.isSublist("Time") || !scene.sublist("Time").isType<double>("Final Time"))
@@ -279,7 +279,7 @@ void checkSurfaces(const Teuchos::ParameterList& scene, std::vector<SceneError>&
             }
             catch (const std::invalid_argument&)
             {
-              // What is no function is told elsewhere.
+              // Invalid functions are reported elsewhere.
             }
           });
 }

@@ -7,7 +7,7 @@
 /// tail, and whatever the start left behind, is in both.
 ///
 /// Bounded is the fraction of energy that comes back, as it is for pulses at closed cracks, when all of the
-/// pulse lies within 8 large cells: waves of 8 cells and less are most of it, and lattices of h and h / 2
+/// pulse lies within 8 coarse cells: waves of 8 cells and less are most of it, and lattices of h and h / 2
 /// differ most in how stiff these find them. Of a pulse twice as long, 8 cells at half its height, the
 /// amplitude is bounded too: the largest difference of velocity over the largest velocity.
 

@@ -169,7 +169,7 @@ TEST(Robust, refinedAtABoundary)
   EXPECT_GT(lowest, 0.0);
 }
 
-/// Two cracks in line whose fronts are as close as cracks may be, 3 large cells, and a little more: what is
+/// Two cracks in line whose fronts are as close as cracks may be, 3 coarse cells, and a little more: what is
 /// refined around them overlaps. Energies are known to half a step, and so to half of what loads give in one.
 TEST(Robust, aroundTwoFrontsCloseTogether)
 {
@@ -249,7 +249,7 @@ Changes toggled(bool on)
 } // namespace
 
 /// Energy swings with the length of the steps, of which every second one is shorter where cells come and go:
-/// less than in large cells that stay.
+/// less than in coarse cells that stay.
 TEST(Robust, onAndOffEveryStep)
 {
   const Changes plain = toggled(false), changes = toggled(true);

@@ -1,5 +1,5 @@
 /// The examples in which cells follow what moves: how many particles are left in the end, how far the motion
-/// is from that with small cells everywhere and how far large cells are, and that remeshing keeps the energy
+/// is from that with fine cells everywhere and how far coarse cells are, and that remeshing keeps the energy
 /// balance.
 
 #include "../../src/step/Bodies.hpp"
@@ -19,7 +19,7 @@ namespace
 
 constexpr int samples = 5;
 
-/// The scene of an example. \param cell its large cells [m] \param level of all cells; -1: as the scene has
+/// The scene of an example. \param cell its coarse cells [m] \param level of all cells; -1: as the scene has
 /// it
 template <int D>
 Teuchos::ParameterList example(const std::string& name, const std::vector<std::string>& overrides,
@@ -178,9 +178,9 @@ double difference(const Followed<D>& one, const Followed<D>& right)
   return std::sqrt(off / all);
 }
 
-/// What cells that follow may be off, next to small cells everywhere, is what those are off from the truth: a
-/// third of the difference of large and small cells, as errors go with the square of the cell (Richardson).
-/// The waves of a few large cells that make up most of that difference are worse off in small cells.
+/// What cells that follow may be off, next to fine cells everywhere, is what those are off from the truth: a
+/// third of the difference of large and fine cells, as errors go with the square of the cell (Richardson).
+/// The waves of a few coarse cells that make up most of that difference are worse off in fine cells.
 template <int D>
 void checkTracking(const std::string& name, const std::vector<std::string>& overrides, double cell)
 {

@@ -57,7 +57,7 @@ inline void moveSides(State<2>& state, const Vector<2>& upper, const Vector<2>& 
   for (int n = 0; n < state.mesh.nodes.numLattice; ++n)
     for (int d = 0; d < 2; ++d)
     {
-      // A second field belongs to the side on which its node is not.
+      // A enriched field belongs to the side on which its node is not.
       const bool above = side(n) != 0 ? side(n) > 0 : state.mesh.grid.nodePosition(n)[1] >= height;
       projection(n, d) = above ? upper[d] : lower[d];
       if (second(n) >= 0)

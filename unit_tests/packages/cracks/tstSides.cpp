@@ -31,7 +31,7 @@ auto onHost(const V& view)
 
 } // namespace
 
-/// Nodes behind the front have the side on which they lie and a second field, up to three cells from the
+/// Nodes behind the front have the side on which they lie and an enriched field, up to three cells from the
 /// crack; the one at the front itself has none.
 TEST(Sides, OfNodesBehindAFront)
 {

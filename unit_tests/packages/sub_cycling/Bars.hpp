@@ -1,5 +1,5 @@
 #pragma once
-/// Bars that vibrate freely while the small cells in their middle take substeps.
+/// Bars that vibrate freely while the fine cells in their middle take substeps.
 
 #include "../../src/step/Bodies.hpp"
 

@@ -1,5 +1,5 @@
-/// The beam of verification/dcb_adaptive.xml on base cells twice as large: substeps of small cells find
-/// the energy release rate that substeps of all cells find, and leave the beam at rest.
+/// The beam of verification/dcb_adaptive.xml on base cells twice as large: substeps of fine cells find the
+/// energy release rate that substeps of all cells find, and leave the beam at rest.
 
 #include "Simulation.hpp"
 
@@ -50,7 +50,7 @@ TEST_P(CrackedBeam, ReleasesTheSameWithAndWithoutSubsteps)
               << 100.0 * (a / b - 1.0) << " %\n";
     EXPECT_NEAR(a, b, 5e-4 * b);
   }
-  // Impulses of large cells that made the beam tremble left ten times as much motion as substeps of all.
+  // Impulses of coarse cells that made the beam tremble left ten times as much motion as substeps of all.
   EXPECT_LT(some["energy"]["kinetic"].get<double>(), 2.0 * all["energy"]["kinetic"].get<double>());
 }
 

@@ -1,5 +1,4 @@
-/// What the energy balance says of small cells that move in substeps: the work of supports, loads and
-/// gravity.
+/// What the energy balance says of fine cells that move in substeps: the work of supports, loads and gravity.
 
 #include "../../src/step/Bodies.hpp"
 #include "state/EnergySums.hpp"
@@ -126,8 +125,8 @@ TEST_P(SubcycledBalance, knowsWhatAWallGivesInTheFirstStep)
 }
 
 /// Books know energies to half a step; what they leave open in the mean is what they do where all cells take
-/// substeps, but for half of what the wall gives in a step. (One level of small cells hardly shows waves
-/// of a period of 6 s: the steps themselves take a fifth of their energy.)
+/// substeps, but for half of what the wall gives in a step. (One level of fine cells hardly shows waves of a
+/// period of 6 s: the steps themselves take a fifth of their energy.)
 TEST_P(SubcycledBalance, knowsWhatAWallGivesThatGoesToAndFro)
 {
   for (const char* history : {"1", "sin(pi*t/12)", "sin(pi*t/3)"})
@@ -169,7 +168,7 @@ TEST_P(SubcycledBalance, knowsTheWorkOfALoad)
   EXPECT_NEAR(some.mean, all.mean, half);
 }
 
-/// Gravity pulls nodes of small cells all through a step and moves others at its start, so that in N steps
+/// Gravity pulls nodes of fine cells all through a step and moves others at its start, so that in N steps
 /// their velocities come to differ by half of what a step gives: a fraction of 1 / 2N, which has the square
 /// of that fraction of the energy. The rest of it is the work of gravity.
 TEST_P(SubcycledBalance, knowsTheWorkOfGravity)

@@ -1,4 +1,4 @@
-/// Bars whose motion heats and cools them while the small cells in their middle take substeps.
+/// Bars whose motion heats and cools them while the fine cells in their middle take substeps.
 
 #include "Bars.hpp"
 #include "state/EnergySums.hpp"
@@ -46,7 +46,7 @@ std::vector<double> risesOf(const State<2>& state)
   return rises;
 }
 
-/// A block of E = rho = 1 with small cells in a box, whose left side cannot move across.
+/// A block of E = rho = 1 with fine cells in a box, whose left side cannot move across.
 Teuchos::ParameterList block(const Vector<2>& size, const Vector<2>& from, const Vector<2>& to, int levels)
 {
   Teuchos::ParameterList scene =
@@ -215,7 +215,7 @@ TEST_P(SubcycledHeat, theBalanceKnowsWhatHeatDoesToStresses)
 }
 
 /// A block whose modulus without heat flow is 2.7 times that at constant temperature meets a wall with its
-/// small cells. At strains of half a percent the temperature to which straining brings a particle is not that
+/// fine cells. At strains of half a percent the temperature to which straining brings a particle is not that
 /// of small strain by as much; stresses that lag by it would double the energy.
 TEST_P(SubcycledHeat, aStrongCouplingIsNoSourceOfEnergy)
 {
@@ -234,9 +234,9 @@ TEST_P(SubcycledHeat, aStrongCouplingIsNoSourceOfEnergy)
   EXPECT_LT(most.residual, 0.5 * most.step);
 }
 
-/// Viscosity turns what it takes from motion into heat, in small cells too. In a step the stress of its
-/// start, of the rates D1, acts on the mean of D1 and D2: what it takes is a dt D1 (D1 + D2) / 2. With a
-/// share s of the first force recorded are a dt (s D1 D2 / 2 + (1 - s / 2) D2 D2), which is more by a dt ((3
+/// Viscosity turns what it takes from motion into heat, in fine cells too. In a step the stress of its start,
+/// of the rates D1, acts on the mean of D1 and D2: what it takes is a dt D1 (D1 + D2) / 2. With a share s of
+/// the first force recorded are a dt (s D1 D2 / 2 + (1 - s / 2) D2 D2), which is more by a dt ((3
 /// - s) / 4 (D2^2 - D1^2) + (1 - s) / 4 (D2 - D1)^2): the first adds up to a part of one step's work, the
 /// second is of second order.
 TEST_P(SubcycledHeat, theHeatOfViscosityIsAllThere)

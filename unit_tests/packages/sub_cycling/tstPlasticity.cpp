@@ -1,4 +1,4 @@
-/// Metal that flows while small cells take substeps, moved by supports.
+/// Metal that flows while fine cells take substeps, moved by supports.
 
 #include "../../src/step/Bodies.hpp"
 #include "state/EnergySums.hpp"
@@ -42,7 +42,7 @@ Teuchos::ParameterList metalBlock(int levels, bool substeps)
   return scene;
 }
 
-/// A velocity that grows with the position is prescribed at all nodes, those of small cells in substeps too.
+/// A velocity that grows with the position is prescribed at all nodes, those of fine cells in substeps too.
 /// Each particle's deformation is the product of the steps', and all have flowed alike, whatever substeps
 /// tried of the law in between. Books know energies to half a step, and the walls' work is the largest in the
 /// first one.
@@ -96,7 +96,7 @@ TEST(SubcycledPlasticity, FlowEvenlyIn2D)
 
 TEST(SubcycledPlasticity, FlowEvenlyIn3D) { checkEvenFlow<3>(2); }
 
-/// Two walls squeeze the block, and it flows round the small cells in its middle. Books know energies to half
+/// Two walls squeeze the block, and it flows round the fine cells in its middle. Books know energies to half
 /// a step: what they leave open in the end, plastic work among them, is what they do where all cells take
 /// substeps, but for half of the most that the walls give in a step.
 TEST(SubcycledPlasticity, KeepTheEnergyBalance)

@@ -1,4 +1,4 @@
-/// Bars that vibrate freely while the small cells in their middle take substeps: energy, momentum, and the
+/// Bars that vibrate freely while the fine cells in their middle take substeps: energy, momentum, and the
 /// motion of the same bar in substeps only.
 
 #include "Bars.hpp"
@@ -125,8 +125,8 @@ TEST_P(Levels, keepEnergyInFlight)
   EXPECT_NEAR(sub, all, 0.005);
 }
 
-/// A wall holds nodes of small cells: supports take nodes to their velocity once a step, and what
-/// particles feel of that belongs to the motion of substeps; without it three levels made any energy.
+/// A wall holds nodes of fine cells: supports take nodes to their velocity once a step, and what particles
+/// feel of that belongs to the motion of substeps; without it three levels made any energy.
 TEST_P(Levels, areStableNextToASupport)
 {
   Teuchos::ParameterList scene =

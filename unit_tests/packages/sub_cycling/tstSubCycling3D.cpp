@@ -1,4 +1,4 @@
-/// Cracks in 3D whose springs and contact follow the substeps of small cells.
+/// Cracks in 3D whose springs and contact follow the substeps of fine cells.
 
 #include "../cracks/CubeScene.hpp"
 
@@ -16,7 +16,7 @@ namespace
 
 constexpr double speed = 0.1, height = 0.004;
 
-/// A block with a flat crack halfway up, whose front and part of its faces lie in small cells.
+/// A block with a flat crack halfway up, whose front and part of its faces lie in fine cells.
 std::unique_ptr<Run<3>> crackedBlock(int levels, bool contact, bool substeps)
 {
   Teuchos::ParameterList scene = blockScene({0.006, height, 0.004});
