@@ -39,7 +39,7 @@ TEST(MassSystem, MultipliesAsTheSumOverParticles)
     // move: so none moves here.
     mass_matrix::assemble(state, whole, system);
     ASSERT_GT(system.numCoupled, 30);
-    const int n = system.room * 2;
+    const int n = system.rowCapacity * 2;
     View<double*> one("one", n), x("x", n), y("y", n);
     const auto hostOne = Kokkos::create_mirror_view(one), hostX = Kokkos::create_mirror_view(x);
     std::mt19937 generator(3);

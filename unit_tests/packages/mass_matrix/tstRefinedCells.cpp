@@ -59,7 +59,7 @@ Rhegma::Run<D> randomTree(const std::string& shape, std::mt19937& generator)
 template <int D>
 struct Rows
 {
-  explicit Rows(const MassSystem<D>& system) : values("values", system.room * MassSystem<D>::width) {}
+  explicit Rows(const MassSystem<D>& system) : values("values", system.rowCapacity * MassSystem<D>::width) {}
   View<double*> values;
   double& operator()(int row, int axis) const { return values(row * MassSystem<D>::width + axis); }
 };
