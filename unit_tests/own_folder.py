@@ -1,4 +1,4 @@
-"""What the tests of the program and of the tools share."""
+"""A folder for each test of the program and of the tools."""
 
 import os
 import sys

@@ -38,11 +38,11 @@ def includes(root):
     """Every include of one file of the project by another: (file, folder, included file, its folder)."""
     found = []
     for base in ("src", "packages"):
-        for place, _, names in os.walk(os.path.join(root, base)):
+        for folder, _, names in os.walk(os.path.join(root, base)):
             for name in names:
                 if not name.endswith((".hpp", ".cpp")):
                     continue
-                path = os.path.relpath(os.path.join(place, name), root)
+                path = os.path.relpath(os.path.join(folder, name), root)
                 with open(os.path.join(root, path)) as text:
                     for wanted in re.findall(r'^#include "([^"]+)"', text.read(), re.M):
                         target = next(t for t in ("src/" + wanted, "packages/" + wanted, None)
@@ -81,9 +81,9 @@ class Layers(OwnFolder):
         self.arrows = allowed_arrows(os.path.join(SOURCE, "docs", "architecture.md"))
 
     def test_the_table_lists_every_folder_once_and_has_no_circle(self):
-        rooms = set(name for name in os.listdir(os.path.join(SOURCE, "src"))
+        folders = set(name for name in os.listdir(os.path.join(SOURCE, "src"))
                     if os.path.isdir(os.path.join(SOURCE, "src", name)))
-        self.assertEqual(rooms | {"library", "program", "packages/*"}, set(self.arrows))
+        self.assertEqual(folders | {"library", "program", "packages/*"}, set(self.arrows))
         self.assertEqual([], circle(self.arrows))
         unknown = set().union(*self.arrows.values()) - set(self.arrows)
         self.assertEqual(set(), unknown)

@@ -13,7 +13,7 @@ void readScene(const std::uint8_t* bytes, std::size_t size);
 
 /// Reads a checkpoint. An even first byte: the others are the file as it is. An odd one: they are what
 /// follows the first block of the file, which is made so that all checksums are right; else nothing behind
-/// these would ever be reached. \return whether it was read; std::invalid_argument with a sentence counts as
+/// these would ever be reached. \return whether it was read; std::invalid_argument with a message counts as
 /// refused
 bool readCheckpoint(const std::uint8_t* bytes, std::size_t size);
 

@@ -12,7 +12,7 @@ from own_folder import SOURCE, OwnFolder  # noqa: E402
 
 PROGRAM = os.environ.get("RHEGMA_PROGRAM", os.path.join(SOURCE, "build", "rhegma"))
 
-# What a program that has lost its way says, and a user should never read.
+# Messages of a defect, which a user should never read.
 NOISE = (
     "terminate called",
     "what():",

@@ -16,7 +16,7 @@ LAUNCHER = ("mpirun", "--oversubscribe")
 ROOT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
 
 # Sums in another order differ in their last digits, about 1e-16 a step; the motion of these bodies is stable, so that
-# some hundred steps add up to less than this share of the largest value.
+# some hundred steps add up to less than this fraction of the largest value.
 ROUND_OFF = 1e-10
 
 

@@ -1,4 +1,4 @@
-"""Runs that stop and go on, and how to tell that they are the same run."""
+"""Runs that stop and go on, and the comparison with the unbroken run."""
 
 import json
 import os

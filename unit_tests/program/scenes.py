@@ -1,4 +1,4 @@
-"""Right scenes, and ways to make them wrong."""
+"""Right scenes, and changes that make them wrong."""
 
 import xml.etree.ElementTree as ElementTree
 
@@ -25,7 +25,7 @@ def typed(value):
 
 
 class Scene:
-    """A scene as a tree; places are paths such as "Bodies > Plate > Material"."""
+    """A scene as a tree; paths are such as "Bodies > Plate > Material"."""
 
     def __init__(self, content):
         self.root = ElementTree.Element("ParameterList", name="Rhegma")
@@ -39,44 +39,44 @@ class Scene:
                 kind, text = typed(value)
                 ElementTree.SubElement(element, "Parameter", name=name, type=kind, value=text)
 
-    def find(self, place):
+    def find(self, path):
         element = self.root
-        for name in place.split(" > "):
+        for name in path.split(" > "):
             element = next(child for child in element if child.get("name") == name)
         return element
 
-    def _parent(self, place):
-        above, _, name = place.rpartition(" > ")
+    def _parent(self, path):
+        above, _, name = path.rpartition(" > ")
         return (self.find(above) if above else self.root), name
 
-    def set(self, place, value):
+    def set(self, path, value):
         """Changes a parameter, or adds a parameter or, from a dict, a section."""
-        parent, name = self._parent(place)
+        parent, name = self._parent(path)
         for child in [c for c in parent if c.get("name") == name]:
             parent.remove(child)
         self._fill(parent, {name: value})
         return self
 
-    def raw(self, place, kind, text):
+    def raw(self, path, kind, text):
         """A parameter of any type and text."""
-        self.set(place, "")
-        self.find(place).set("type", kind)
-        self.find(place).set("value", text)
+        self.set(path, "")
+        self.find(path).set("type", kind)
+        self.find(path).set("value", text)
         return self
 
-    def remove(self, place):
-        parent, _ = self._parent(place)
-        parent.remove(self.find(place))
+    def remove(self, path):
+        parent, _ = self._parent(path)
+        parent.remove(self.find(path))
         return self
 
-    def rename(self, place, name):
-        self.find(place).set("name", name)
+    def rename(self, path, name):
+        self.find(path).set("name", name)
         return self
 
-    def again(self, place, name=None):
+    def again(self, path, name=None):
         """A copy of an entry next to it, under the same name or another."""
-        parent, _ = self._parent(place)
-        copy = ElementTree.fromstring(ElementTree.tostring(self.find(place)))
+        parent, _ = self._parent(path)
+        copy = ElementTree.fromstring(ElementTree.tostring(self.find(path)))
         if name:
             copy.set("name", name)
         parent.append(copy)

@@ -71,7 +71,7 @@ class WrongArguments(ProgramTest):
         )
 
     def test_check_reports_a_body_at_the_edge_of_the_domain(self):
-        """Where a support holds it there, or it has room, there is nothing to say."""
+        """Where a support holds it there, or the domain is large enough, there is no message."""
         tight = plate().set("Domain > Lower Corner", [0.0, -0.2])
         path = self.write("tight.xml", tight.text())
         answer = rhegma(path, "--check")
@@ -81,7 +81,7 @@ class WrongArguments(ProgramTest):
         held = tight.set("Boundaries > Mirror", {"Type": "Symmetry", "Axis": "x", "Position": 0.0})
         answer = rhegma(self.write("held.xml", held.text()), "--check")
         self.assertEqual((answer.status, answer.messages), (0, ""), answer)
-        answer = rhegma(self.write("room.xml", plate().text()), "--check")
+        answer = rhegma(self.write("margin.xml", plate().text()), "--check")
         self.assertEqual((answer.status, answer.messages), (0, ""), answer)
 
     def test_check_doubts_units(self):

@@ -87,8 +87,8 @@ class OddCracks(ProgramTest):
         """The plate with its notch opened by two forces this far behind the front. J is of the ring from 0.15 to 0.3 m."""
         scene = plate().remove("Boundaries > Pull")
         for name, sign in (("Up", 1.0), ("Down", -1.0)):
-            place = [0.5 - behind, 0.5 + sign * 0.02]
-            where = {"Point": place} if kind == "Point Load" else {"From": [0.0, place[1]], "To": place}
+            point = [0.5 - behind, 0.5 + sign * 0.02]
+            where = {"Point": point} if kind == "Point Load" else {"From": [0.0, point[1]], "To": point}
             scene.set("Boundaries > " + name, {"Type": kind, "Body": "Plate", "Force": [0.0, sign * 1e3]} | where)
         return scene
 

@@ -94,18 +94,18 @@ class CracksInThem(OnRanks):
         self.agree(self.write(scene.remove("Sub-Cycling")), "--set", "Time:Maximum Steps=60", ranks=(4,), within=SAME)
 
 
-class ShortSteps(OnRanks):
+class Substeps(OnRanks):
     """Whether a particle takes them must not hang on round-off, or the ranks' motions differ at once."""
 
     def agree_in_steps(self, scene, **options):
         self.agree(self.write(scene), within=SAME, **options)
-        taken = {}
+        extra = {}
         for name in sorted(os.listdir(self.folder)):
             if name.startswith("on"):
                 with open(os.path.join(self.folder, name, "summary.json"), encoding="utf-8") as file:
-                    taken[name] = json.load(file)["subcycling"]["extra_particle_steps"]
-        self.assertGreater(taken["on1"], 0)
-        self.assertEqual(set(taken.values()), {taken["on1"]})
+                    extra[name] = json.load(file)["subcycling"]["extra_particle_steps"]
+        self.assertGreater(extra["on1"], 0)
+        self.assertEqual(set(extra.values()), {extra["on1"]})
 
     def test_a_body_in_flight_and_rotation(self):
         self.agree_in_steps(body().set("Adaptivity", BOX).set("Sub-Cycling", {"Levels": 2}))

@@ -159,7 +159,7 @@ class Propagation(OnRanks):
         self.assertGreater(front["increments"], 10)
 
     def joining(self):
-        """The notch runs into a crack across its way, in the middle of the domain, where ranks meet."""
+        """The notch runs into a crack across its path, in the middle of the domain, where ranks meet."""
         scene = plate().set("Cracks > Across", {"Points": [0.6, 0.13, 0.62, 0.77]})
         scene.set("Cracks > Notch > Points", [-0.1, 0.43, 0.31, 0.43])
         scene.set("Boundaries > Pull", {"Type": "Traction", "Body": "Plate", "From": [0.0, 1.0], "To": [1.0, 1.0],
@@ -202,7 +202,7 @@ class Propagation(OnRanks):
         self.assertGreater(front["increments"], 10)
 
     def test_a_penny_that_grows_in_small_cells(self):
-        """The same in cells that follow the front, with short steps of their own, where a law that falls as faces open
+        """The same in cells that follow the front, with substeps, where a law that falls as faces open
         pushes two states apart, and with coupled nodes, whose solves end at 1e-12 of their right side."""
         for name, *more in (("short_steps", "Time:Maximum Steps=60"),
                             ("partial", "Time:Maximum Steps=90", "Mass Matrix:Solver Tolerance=1e-12")):

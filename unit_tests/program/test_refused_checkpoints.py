@@ -68,14 +68,14 @@ class Refused(RestartTest):
         """In the block, in HDF5's own structures and in the numbers."""
         whole = self.file(self.path("out"), "checkpoint.h5")
         random.seed(5)
-        places = [3, 16, 20, 24, 100, BLOCK - 1, BLOCK, BLOCK + 30, len(whole) - 1]
-        places += [random.randrange(len(whole)) for _ in range(12)]
-        for place in places:
-            with self.subTest(place=place):
+        offsets = [3, 16, 20, 24, 100, BLOCK - 1, BLOCK, BLOCK + 30, len(whole) - 1]
+        offsets += [random.randrange(len(whole)) for _ in range(12)]
+        for offset in offsets:
+            with self.subTest(offset=offset):
                 changed = bytearray(whole)
-                changed[place] ^= 1 << random.randrange(8)
+                changed[offset] ^= 1 << random.randrange(8)
                 self.change(lambda data: changed)
-                self.refused("checkpoint.h5", "is not a checkpoint" if place < 16 else "is damaged")
+                self.refused("checkpoint.h5", "is not a checkpoint" if offset < 16 else "is damaged")
 
     def test_longer_than_written(self):
         self.change(lambda data: data + b"\0")

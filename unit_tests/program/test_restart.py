@@ -101,7 +101,7 @@ class GoesOn(RestartTest):
         self.assertIn(checkpoint, answer.output)
 
 
-class Trouble(RestartTest):
+class Failure(RestartTest):
     def test_the_last_sound_state_is_kept(self):
         """Two walls that shut at once, after a quiet time."""
         late = damped().remove("Damping")

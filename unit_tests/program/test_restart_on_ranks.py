@@ -143,7 +143,7 @@ class Stopped(OnRanks):
         self.assertEqual(list(history["time"]), sorted(set(history["time"])))
 
     def test_failure(self):
-        """The last sound state is on the disk when a run on ranks ends in trouble."""
+        """The last sound state is on the disk when a run on ranks fails."""
         late = plate().set("Output", {"History Interval": 2e-5}).set("Time > Retries", 0)
         late.set("Boundaries > Blow", {
             "Type": "Velocity", "Lower Corner": [-0.2, -0.2], "Upper Corner": [0.5, 1.2], "Components": "x",

@@ -15,8 +15,8 @@ from program import SOURCE, ProgramTest, rhegma  # noqa: E402
 from scenes import plate  # noqa: E402
 
 
-def torn(points, toughness="1*(1 + v/300)", time=4e-3):
-    """The plate, of 20 x 20 cells, torn apart across the crack by two of its edges."""
+def pulled_apart(points, toughness="1*(1 + v/300)", time=4e-3):
+    """The plate, of 20 x 20 cells, pulled apart across the crack at two of its edges."""
     scene = plate().set("Energy Release", {}).set("Cracks > Notch > Points", points).set("Time > Final Time", time)
     scene.set("Propagation", {"Toughness": toughness}).remove("Boundaries > Pull")
     for name, y, sign in (("Top", 1.0, 1.0), ("Bottom", 0.0, -1.0)):
@@ -38,9 +38,9 @@ class RunningCracks(ProgramTest):
             summary = json.load(file)
         self.assertAlmostEqual(summary["bodies"][0]["mass"], 1200.0, delta=1e-9 * 1200.0)
         # The energy of springs that soften is deducted from the first new faces: 5 % where there are few.
-        share = summary["propagation"]["dissipated_fraction"]
-        if summary["cracks"][0]["fronts"][0]["increments"] > 0 or share is not None:
-            self.assertAlmostEqual(share, 1.0, delta=0.05)
+        fraction = summary["propagation"]["dissipated_fraction"]
+        if summary["cracks"][0]["fronts"][0]["increments"] > 0 or fraction is not None:
+            self.assertAlmostEqual(fraction, 1.0, delta=0.05)
         return summary, answer.messages
 
     def test_energy_balance_of_a_crack_at_the_rayleigh_speed(self):
@@ -56,7 +56,7 @@ class RunningCracks(ProgramTest):
         self.assertGreater(summary["boundaries"][0]["energy_absorbed_from_short_waves"], 0.0)
 
     def test_crack_that_cuts_the_body_in_two(self):
-        summary, said = self.run_to_the_end(torn([0.0, 0.52, 0.4, 0.52]))
+        summary, said = self.run_to_the_end(pulled_apart([0.0, 0.52, 0.4, 0.52]))
         front = summary["cracks"][0]["fronts"][0]
         self.assertTrue(front["ended"])
         self.assertFalse(front["running"])
@@ -68,9 +68,9 @@ class RunningCracks(ProgramTest):
         self.assertAlmostEqual(front["G_J"], 0.0)
 
     def test_crack_in_small_steps(self):
-        """What holds new faces follows its law in short steps: as a spring it took 13 % more of what faces are given, in
-        no book, and the crack came through 2.5 % later."""
-        scene = torn([0.0, 0.52, 0.4, 0.52]).set("Adaptivity", {"Maximum Level": 1, "Front Cells": 6.0})
+        """The cohesive traction follows its law in substeps: as a spring it dissipated 13 % more than the energy of new
+        faces, which was in no balance, and the crack crossed the plate 2.5 % later."""
+        scene = pulled_apart([0.0, 0.52, 0.4, 0.52]).set("Adaptivity", {"Maximum Level": 1, "Front Cells": 6.0})
         long_steps, _ = self.run_to_the_end(scene)
         short_steps, _ = self.run_to_the_end(scene.set("Sub-Cycling", {}))
         through = [run["cracks"][0]["fronts"][0]["last_advance"] for run in (long_steps, short_steps)]
@@ -79,7 +79,7 @@ class RunningCracks(ProgramTest):
 
     def test_crack_that_grazes_the_surface(self):
         """Straight on, a crack at 10 degrees to an edge reaches it."""
-        scene = torn([0.0, 0.25, 0.5, 0.16], toughness="0.1*(1 + v/300)")
+        scene = pulled_apart([0.0, 0.25, 0.5, 0.16], toughness="0.1*(1 + v/300)")
         scene.set("Propagation > Direction", "Straight")
         summary, said = self.run_to_the_end(scene)
         front = summary["cracks"][0]["fronts"][0]
@@ -88,7 +88,7 @@ class RunningCracks(ProgramTest):
 
     def test_fronts_that_meet_another_crack(self):
         """Two cracks in one line run towards each other and become one, which cuts the body in two."""
-        scene = torn([0.0, 0.52, 0.3, 0.52]).set("Cracks > Other", {"Points": [0.7, 0.52, 1.0, 0.52]})
+        scene = pulled_apart([0.0, 0.52, 0.3, 0.52]).set("Cracks > Other", {"Points": [0.7, 0.52, 1.0, 0.52]})
         summary, said = self.run_to_the_end(scene)
         self.assertTrue(all(front["ended"] for crack in summary["cracks"] for front in crack["fronts"]), summary["cracks"])
         self.assertIn("met crack", said)
@@ -99,7 +99,7 @@ class RunningCracks(ProgramTest):
         self.assertGreater(min(crack["opening"] for crack in summary["cracks"]), 0.0)
 
     def test_front_that_has_too_little_to_run(self):
-        summary, said = self.run_to_the_end(torn([0.0, 0.52, 0.4, 0.52], toughness="1e9"))
+        summary, said = self.run_to_the_end(pulled_apart([0.0, 0.52, 0.4, 0.52], toughness="1e9"))
         front = summary["cracks"][0]["fronts"][0]
         self.assertEqual(front["increments"], 0)
         self.assertIsNone(front["initiated"])
@@ -107,7 +107,7 @@ class RunningCracks(ProgramTest):
 
     def test_contact_behind_a_front_that_runs(self):
         """Faces that opened are pressed together again: contact knows the new ones."""
-        scene = torn([0.0, 0.52, 0.4, 0.52], toughness="10").set("Contact", {"Law": "Frictionless"})
+        scene = pulled_apart([0.0, 0.52, 0.4, 0.52], toughness="10").set("Contact", {"Law": "Frictionless"})
         for name in ("Top", "Bottom"):
             scene.set("Boundaries > " + name + " > History", "0:0, 1e-3:1, 1.5e-3:1, 2e-3:-3")
         summary, said = self.run_to_the_end(scene)
@@ -130,9 +130,9 @@ class RunningCracks(ProgramTest):
                 self.assertNotIn("Propagation: new faces dissipated", answer.messages)
 
     def test_faces_that_a_moving_body_opens(self):
-        """A body that flies the way its crack runs, with sixty times the G that this needs: nodes that the front passes as
+        """A body that moves along its crack, with sixty times the G that this needs: nodes that the front passes as
         they go by take its toughness too, and no more than a cell of it each."""
-        scene = torn([0.0, 0.52, 0.4, 0.52], toughness="1", time=8e-4)
+        scene = pulled_apart([0.0, 0.52, 0.4, 0.52], toughness="1", time=8e-4)
         for name, sign in (("Top", 1.0), ("Bottom", -1.0)):
             scene.set("Boundaries > " + name + " > Stress", [0.0, sign * 2e6])
         scene.set("Domain > Upper Corner", [1.5, 1.2]).set("Bodies > Plate > Velocity", [300.0, 0.0])
@@ -149,7 +149,7 @@ class RunningCracks(ProgramTest):
 
     def test_energy_fractions_include_gas_faces_and_heat(self):
         """What gas gives is put in, what new faces and heat take is none of the motion any more."""
-        scene = torn([0.0, 0.52, 0.4, 0.52], toughness="100*(1 + v/300)", time=7e-4).set("Contact", {"Law": "Frictionless"})
+        scene = pulled_apart([0.0, 0.52, 0.4, 0.52], toughness="100*(1 + v/300)", time=7e-4).set("Contact", {"Law": "Frictionless"})
         for name in ("Top", "Bottom"):
             scene.set("Boundaries > " + name + " > Stress", [0.0, 2e6 if name == "Top" else -2e6])
         scene.set("Combustion", {"Notch": {
@@ -166,8 +166,8 @@ class RunningCracks(ProgramTest):
         for part in ("combustion", "fracture"):
             self.assertGreater(energy[part], 0.02 * given, f"{part} of {given}")  # what each would be seen by if it were forgotten
         # As far as the energy balance of the run is open itself.
-        for share in ("smallest_fraction", "largest_fraction", "last_fraction"):
-            self.assertAlmostEqual(energy[share], 1.0, delta=0.01, msg=share)
+        for fraction in ("smallest_fraction", "largest_fraction", "last_fraction"):
+            self.assertAlmostEqual(energy[fraction], 1.0, delta=0.01, msg=fraction)
 
     def test_gases_of_cracks_that_have_met_come_to_one_pressure(self):
         """Apart by less than the pressure falls while sound goes from where they met to the ends of the other crack:

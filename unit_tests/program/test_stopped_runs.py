@@ -137,7 +137,7 @@ class UnstableRuns(LeftFiles):
         scene.set("Output > History Interval", 0.25)
         self.stops(scene, "K, and it is absolute", "sources")
 
-    def test_short_steps_are_named_where_they_may_be_the_cause(self):
+    def test_small_steps_are_named_where_they_may_be_the_cause(self):
         scene = block().set("Boundaries", {"Left": wall(0.0, 0.45, 1.0), "Right": wall(0.55, 1.0, -1.0)})
         scene.set("Adaptivity", {"Velocity Change": 1.0}).set("Sub-Cycling", {"Levels": 1})
         self.stops(scene, "negative volume", "Time > CFL", "Sub-Cycling > Levels")
@@ -226,8 +226,8 @@ class StoppedFromOutside(LeftFiles):
     def run_again(self, folder):
         """A second run into the same folder leaves what one into a new folder does."""
         path = self.write("short.xml", plate().text())
-        for place in (folder, self.path("new")):
-            answer = rhegma(path, "--output", place, "--quiet")
+        for target in (folder, self.path("new")):
+            answer = rhegma(path, "--output", target, "--quiet")
             self.assertEqual((answer.status, answer.messages), (0, ""), answer)
         self.assertEqual(sorted(os.listdir(folder)), sorted(os.listdir(self.path("new"))))
         self.assertEqual(self.rows(folder), self.rows(self.path("new")))

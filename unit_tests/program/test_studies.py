@@ -81,7 +81,7 @@ class Studies(ProgramTest):
 
     def test_figure_2_on_refined_cells(self):
         """5 % with the lumped matrix, 1 % with the full one, whichever moves the beam: what makes the difference is how the
-        opening is recovered. 8 cells an arm, two levels more around the tip; comes to rest sooner than in the study, and
+        opening is recovered. 8 cells an arm, two levels more around the tip; settles sooner than in the study, and
         the series of two terms, which is quick, moves it in place of the full matrix."""
         with open(os.path.join(STUDIES, "figure2.xml")) as study:
             text = study.read().replace("scenes/beam.xml", BEAM)

@@ -83,12 +83,12 @@ class WrongFiles(ProgramTest):
         self.assert_refused(["scene.xml"], mistakes)
 
     def test_truncated_anywhere(self):
-        """No beginning of a scene is taken for a scene, or brings the program down."""
+        """A truncated scene is refused and does not crash the program."""
         self.leave_an_older_run("scene.out")
         whole = plate().text()
-        for share in range(2, 100, 7):
-            with self.subTest(share=share):
-                self.write("scene.xml", whole[: len(whole) * share // 100])
+        for percent in range(2, 100, 7):
+            with self.subTest(percent=percent):
+                self.write("scene.xml", whole[: len(whole) * percent // 100])
                 self.assert_refused(["scene.xml"], [("", ["XML", START])])
 
     def test_byte_order_mark_and_comments_are_no_mistake(self):

@@ -14,7 +14,7 @@ from wrong_scenes import TABLE  # noqa: E402
 
 
 class RightScenes(ProgramTest):
-    """The scenes that the table makes wrong, so that a row tells of its own change."""
+    """The scenes that the table makes wrong, so that a row reports its own change."""
 
     def test_they_run(self):
         for name, scene in (("plate", plate()), ("ball", ball())):

@@ -109,7 +109,7 @@ std::string whole(const std::string& name, const std::string& value)
   return R"(<Parameter name=")" + name + R"(" type="int" value=")" + value + R"("/>)";
 }
 
-/// The same plate with a second crack across the way of the first, which runs into it.
+/// The same plate with a second crack across the path of the first, which runs into it.
 std::string twoCracks(const std::string& stress, const std::string& more)
 {
   std::string all = plate(stress, more);
@@ -275,7 +275,7 @@ class Restart : public testing::TestWithParam<Case>
 TEST_P(Restart, IsTheUnbrokenRun)
 {
   const Teuchos::ParameterList scene = sceneOf(GetParam());
-  const long steps = GetParam().steps, broken = steps / 2 + 3; // not at a sample or a look at the cells
+  const long steps = GetParam().steps, broken = steps / 2 + 3; // not at a sample or a check of the cells
   const Trace whole = unbroken(scene, steps);
   ASSERT_GE(whole.rows.size(), 4U);
   EXPECT_EQ(difference(whole, continued(scene, broken, steps)), "");
@@ -284,7 +284,7 @@ TEST_P(Restart, IsTheUnbrokenRun)
 INSTANTIATE_TEST_SUITE_P(All, Restart, testing::ValuesIn(allCases()),
                          [](const testing::TestParamInfo<Case>& one) { return one.param.name; });
 
-/// What is loaded is what was saved, and a summary of it has the same values, though no step was taken.
+/// What is loaded is what was saved, and a summary of it has the same values, without a step.
 TEST_P(Restart, HasTheSameStateAndReport)
 {
   const Teuchos::ParameterList scene = sceneOf(GetParam());

@@ -11,8 +11,8 @@ METHOD = re.compile(r"^(?:template\b.*>\s*)?(?:[\w:<>,*&\s~\[\]]*?\s)?[*&]?(?:\w
 
 
 def sources(root, *endings):
-    return sorted(path for room in ("src", "packages") for ending in endings
-                  for path in glob.glob(os.path.join(root, room, "**", "*" + ending), recursive=True))
+    return sorted(path for folder in ("src", "packages") for ending in endings
+                  for path in glob.glob(os.path.join(root, folder, "**", "*" + ending), recursive=True))
 
 
 def read_lines(path):

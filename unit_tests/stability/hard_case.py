@@ -20,7 +20,7 @@ from program import ProgramTest, rhegma  # noqa: E402
 from scenes import Scene  # noqa: E402
 
 # Velocities are known half a step before strains, so that the sum of both energies swings with omega dt / 2 of the
-# modes that swing; those of a body of few cells reach this share.
+# modes that swing; those of a body of few cells reach this fraction.
 FLUCTUATION = 0.5
 
 FULL = os.environ.get("RHEGMA_STABILITY") == "full"
@@ -137,9 +137,9 @@ class HardCase(ProgramTest):
             for front in crack.get("fronts", []):
                 if front.get("ended"):
                     continue
-                place = np.array(front["position"])
-                self.assertTrue(np.isfinite(place).all(), crack["name"])
-                away = outcome.particles["position"][:, : len(place)] - place
+                position = np.array(front["position"])
+                self.assertTrue(np.isfinite(position).all(), crack["name"])
+                away = outcome.particles["position"][:, : len(position)] - position
                 nearest = math.sqrt((away**2).sum(axis=1).min())
                 self.assertLessEqual(nearest, 1.5 * cell, f"a front of {crack['name']} is in the air")
 

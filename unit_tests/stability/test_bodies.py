@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Hard cases of bodies: vibration, flight, impact, large strain, odd places in the cells."""
+"""Hard cases of bodies: vibration, flight, impact, large strain, odd positions in the cells."""
 
 import os
 import sys

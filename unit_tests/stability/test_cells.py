@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Hard cases of cells that refine, and of short steps."""
+"""Hard cases of cells that refine, and of substeps."""
 
 import os
 import sys
@@ -44,7 +44,7 @@ class Cells(HardCase):
     def test_levels_that_switch_each_step(self):
         """A threshold right where the pulse is, hardly any hysteresis, and a look at the cells in each step.
 
-        Merging takes a third of the energy; splitting at once gives a tenth of that back, which is in no book."""
+        Merging takes a third of the energy; splitting at once returns a tenth of that, which is in no balance."""
         adaptivity = {"Maximum Level": 2, "Velocity Change": 3e-4, "Coarsening": 0.99, "Interval": 1, "Buffer Cells": 0}
         outcome = self.survives(struck(adaptivity), energy=0.2, gain=0.06)
         self.assertGreater(outcome.history["merged"][-1], 0.0)

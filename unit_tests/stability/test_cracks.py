@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Hard cases of cracks: odd places, odd shapes, faces that close, slide and open again, fronts that run."""
+"""Hard cases of cracks: odd positions, odd shapes, faces that close, slide and open again, fronts that run."""
 
 import math
 import os
@@ -143,7 +143,7 @@ class Fronts(HardCase):
         self.survives(running(cracks, "5e-6"), energy=0.03, momentum=True)
 
     def test_runs_along_the_surface(self):
-        """A front that meets the surface at a grazing angle; what it cuts off flies on, for which there is room."""
+        """A front that meets the surface at a grazing angle; what it cuts off moves on inside the domain."""
         scene = running([0.0, 1.7, 0.3, 1.9], "5e-6").set("Propagation > Direction", "Straight")
         scene.set("Domain > Lower Corner", [-5.0, -5.0]).set("Domain > Upper Corner", [6.0, 8.0])
         self.survives(scene, energy=0.03, momentum=True)

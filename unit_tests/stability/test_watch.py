@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The watch in the step: trouble is found, a state before it is taken up again, and shorter steps help or not."""
+"""The watch in the step: a failure is found, an earlier state is restored, and smaller steps help or not."""
 
 import os
 import sys

@@ -26,7 +26,7 @@ class History(ToolTest):
         self.assertEqual((front, list(grown)), (("A.b", 0), [0.0, 0.25]))
 
     def test_a_stretched_crack_has_not_grown(self):
-        """Its length changes with the body's strain; a speed of zero tells that the front has not run."""
+        """Its length changes with the body's strain; a speed of zero means that the front has not run."""
         self.write("history.csv", "time,A.0.length,A.0.speed,B.0.length,B.0.speed\n0,0.5,0,0.5,0\n1,0.501,0,0.501,9\n")
         self.assertEqual([front for front, _ in growth(read_history(self.folder))], [("B", 0)])
 
@@ -140,7 +140,7 @@ class History(ToolTest):
         """Of fronts that have run: one that ended and one that was stopped, none that runs or was never initiated."""
         self.write("history.csv", "time,A.0.length,A.0.speed\n0,0.5,0\n1e-3,0.6,9\n")
         cases = ((True, False, 4e-4), (False, True, 6e-4), (False, False, 9e-4), (True, False, None))
-        fronts = [{"ended": ended, "stopped": halted, "last_advance": time} for ended, halted, time in cases]
+        fronts = [{"ended": ended, "stopped": stopped, "last_advance": time} for ended, stopped, time in cases]
         summary = {"cracks": [{"name": "A", "fronts": fronts}]}
         self.assertEqual(ends(summary), [("A", 0, 4e-4, "ended"), ("A", 1, 6e-4, "stopped")])
         self.assertEqual(ends(None), [])
@@ -149,8 +149,8 @@ class History(ToolTest):
         draw_growth(axes, history, growth(history), 1e3 * history.time, summary, 1e3)
         marks = [(line.get_label(), line.get_xdata()[0]) for line in axes.lines[1:]]
         self.assertEqual([name for name, _ in marks], ["A, front 0 ended", "A, front 1 stopped"])
-        for (_, place), time in zip(marks, (0.4, 0.6)):
-            self.assertAlmostEqual(place, time)
+        for (_, position), time in zip(marks, (0.4, 0.6)):
+            self.assertAlmostEqual(position, time)
         plt.close(figure)
 
 

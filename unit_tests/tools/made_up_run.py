@@ -36,7 +36,7 @@ def write_fields(folder, times):
 
 
 def particles(start, displacement, stress, edge, body=None):
-    """All particle fields from starting places, displacements, stresses (n, 6) and the edge; boxes are undeformed. 2D
+    """All particle fields from starting positions, displacements, stresses (n, 6) and the edge; boxes are undeformed. 2D
     where all start at z = 0."""
     n = len(start)
     flat = n > 0 and not np.any(start[:, 2])

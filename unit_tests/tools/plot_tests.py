@@ -116,19 +116,19 @@ class Plot(ToolTest):
 class Deformation(ToolTest):
     def test_magnification_is_round_and_at_most_wanted(self):
         """1 mm on 1 m: 8 % would be 80 times; 50 is the round number below. 30 mm can be seen as it is."""
-        place = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
+        positions = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]])
         moved = np.array([[0.0, 0.0, 0.0], [0.0, 1.0e-3, 0.0]])
-        self.assertEqual(automatic_magnification(place, moved), 50.0)
-        self.assertEqual(automatic_magnification(place, 30.0 * moved), 1.0)
-        self.assertEqual(automatic_magnification(place, 0.0 * moved), 1.0)
+        self.assertEqual(automatic_magnification(positions, moved), 50.0)
+        self.assertEqual(automatic_magnification(positions, 30.0 * moved), 1.0)
+        self.assertEqual(automatic_magnification(positions, 0.0 * moved), 1.0)
 
     def test_crack_moves_with_both_sides(self):
         """The upper particles move by +3, the lower by -1: the crack's middle by 1, opened by 4, drawn 10 times."""
-        place = np.array([[0.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, -1.0, 0.0], [1.0, -1.0, 0.0]])
+        positions = np.array([[0.0, 1.0, 0.0], [1.0, 1.0, 0.0], [0.0, -1.0, 0.0], [1.0, -1.0, 0.0]])
         moved = np.array([[0.0, 3.0, 0.0]] * 2 + [[0.0, -1.0, 0.0]] * 2)
         crack = Crack(np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0]]), np.array([[0, 1]]), np.array([[0.0, 4.0, 0.0]] * 2))
-        np.testing.assert_allclose(crack_displacement(crack, place, moved)[:, 1], [1.0, 1.0], rtol=1e-14)
-        upper, lower = magnified_faces(crack, place, moved, 10.0)
+        np.testing.assert_allclose(crack_displacement(crack, positions, moved)[:, 1], [1.0, 1.0], rtol=1e-14)
+        upper, lower = magnified_faces(crack, positions, moved, 10.0)
         np.testing.assert_allclose(upper[:, 1], [29.0, 29.0], rtol=1e-14)  # 9 * 1 + 10 * 4 / 2
         np.testing.assert_allclose(lower[:, 1], [-11.0, -11.0], rtol=1e-14)
 
@@ -137,10 +137,10 @@ class Deformation(ToolTest):
         """A crack along x goes through; another comes up to it from below. The piece above moves by 5, the two below by
         1 and 3: the end by 2, however near the piece above is."""
         points = np.array([[-2.0, 0.0, 0.0], [2.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, 0.0]])
-        place = np.array([[-0.1, 0.1, 0.0], [0.1, 0.1, 0.0], [-0.3, -0.3, 0.0], [0.3, -0.3, 0.0]])
+        positions = np.array([[-0.1, 0.1, 0.0], [0.1, 0.1, 0.0], [-0.3, -0.3, 0.0], [0.3, -0.3, 0.0]])
         moved = np.array([[0.0, 5.0, 0.0]] * 2 + [[0.0, 1.0, 0.0], [0.0, 3.0, 0.0]])
         crack = Crack(points, np.array([[0, 1], [2, 3]]), np.zeros_like(points))
-        np.testing.assert_allclose(crack_displacement(crack, place, moved)[3, 1], 2.0, rtol=1e-14)
+        np.testing.assert_allclose(crack_displacement(crack, positions, moved)[3, 1], 2.0, rtol=1e-14)
 
     def test_faces_part_with_a_power_of_the_distance_from_a_front(self):
         """Straight from x = 0 to 1, open by 2 at both; closed at the front x = 2. Particles halfway to it have parted by
@@ -149,15 +149,15 @@ class Deformation(ToolTest):
         opening = np.array([[0.0, 2.0, 0.0], [0.0, 2.0, 0.0], [0.0, 0.0, 0.0]])
         crack = Crack(points, np.array([[0, 1], [1, 2]]), opening)
         faces = (points + 0.5 * opening, points - 0.5 * opening)
-        place = np.array([[1.4, 0.3, 0.0], [1.6, 0.3, 0.0], [1.4, -0.3, 0.0], [1.6, -0.3, 0.0]])
+        positions = np.array([[1.4, 0.3, 0.0], [1.6, 0.3, 0.0], [1.4, -0.3, 0.0], [1.6, -0.3, 0.0]])
         part = np.array([[0.0, 0.5, 0.0]] * 2 + [[0.0, -0.5, 0.0]] * 2)
-        upper, lower = curved_at_fronts(crack, faces, place, 2.0 * np.sqrt(0.5) * part)
+        upper, lower = curved_at_fronts(crack, faces, positions, 2.0 * np.sqrt(0.5) * part)
         self.assertEqual(upper.shape, (17, 2, 3))
         np.testing.assert_allclose(upper[0], [[0.0, 1.0, 0.0], [1.0, 1.0, 0.0]])
         np.testing.assert_allclose(upper[8, 1], [1.5, np.sqrt(0.5), 0.0])
         np.testing.assert_allclose(lower[8, 1], [1.5, -np.sqrt(0.5), 0.0])
         np.testing.assert_allclose(upper[-1, 1], [2.0, 0.0, 0.0])
-        upper, _ = curved_at_fronts(crack, faces, place, 0.5 * part)
+        upper, _ = curved_at_fronts(crack, faces, positions, 0.5 * part)
         np.testing.assert_allclose(upper[8, 1], [1.5, 0.25, 0.0])
 
 

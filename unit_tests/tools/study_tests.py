@@ -221,10 +221,10 @@ class Study(ToolTest):
         self.assertEqual((status, messages), (0, ""))
         with open(self.path("study.out", "values.csv"), newline="") as file:
             for row, at, cell in zip(csv.DictReader(file), (10.0, 20.0, 40.0), (0.5, 0.25, 0.125)):
-                place = float(row["drawn at"])
-                self.assertEqual((float(row["at"]), float(row["true"])), (at, place))
-                self.assertGreater(place, at + 1.0)  # G is above zero
-                self.assertAlmostEqual(float(row["value"]), place * (1 + cell**2) / (1 + cell), 12)
+                drawn = float(row["drawn at"])
+                self.assertEqual((float(row["at"]), float(row["true"])), (at, drawn))
+                self.assertGreater(drawn, at + 1.0)  # G is above zero
+                self.assertAlmostEqual(float(row["value"]), drawn * (1 + cell**2) / (1 + cell), 12)
 
     def test_a_value_that_can_not_be_found_is_reported(self):
         for wrong, words in ((("[[cracks", "[[crack"), "crack"), (("at*[", "to*["), "has what is no number"),

@@ -43,7 +43,7 @@ Run<D> refinedCube(const std::string& shape, double side, const Vector<D>& lower
   return run;
 }
 
-/// Lets particles split and merge with cells that are as they are.
+/// Lets particles split and merge with the present cells.
 template <int D>
 adaptivity::Merged updateCells(State<D>& state, double mergeLoss = 1.0)
 {

@@ -19,7 +19,7 @@ namespace
 using adaptivity::Criteria;
 using adaptivity::wantedBranches;
 
-/// A square, or cube, of 8 cells of 1 m whose particles know their velocity gradient; nothing is refined.
+/// A square, or cube, of 8 cells of 1 m whose particles have a velocity gradient; nothing is refined.
 template <int D>
 Run<D> block()
 {
@@ -30,7 +30,7 @@ Run<D> block()
   scene.sublist("Adaptivity").set("Velocity Change", 1e30);
   Run<D> run(validated(scene));
   run.initialize();
-  run.state().clock.step = 1; // before the first step particles know no gradient
+  run.state().clock.step = 1; // before the first step particles have no gradient
   return run;
 }
 
@@ -54,7 +54,7 @@ Criteria<D> byVelocity(double change, int buffer, int levels = 2)
   return criteria;
 }
 
-/// Refines as the criteria want and lets particles follow.
+/// Refines by the criteria, then splits and merges particles.
 template <int D>
 Branches<D> adapt(State<D>& state, const Criteria<D>& criteria, const Branches<D>& now)
 {
@@ -102,7 +102,7 @@ void refinesWhereTheVelocityChanges()
   EXPECT_EQ(count(wantedBranches(state, byVelocity<D>(0.9, 2), none), 0), D == 2 ? 25 : 125);
   // By one level at a time, however large the gradient.
   EXPECT_EQ(wantedBranches(state, byVelocity<D>(1e-3, 0), none).depth(), 1);
-  // Before the first step there is no gradient to look at.
+  // Before the first step there is no gradient.
   state.clock.step = 0;
   EXPECT_EQ(count(wantedBranches(state, byVelocity<D>(0.9, 0), none), 0), 0);
 }
@@ -134,7 +134,7 @@ void keepsCellsUntilTheChangeIsBelowItsFraction()
     now = adapt(state, criteria, now);
     return now.depth();
   };
-  EXPECT_EQ(levelsFor(0.95), 0); // 0.95 m/s over a large cell
+  EXPECT_EQ(levelsFor(0.95), 0); // 0.95 m/s over a coarse cell
   EXPECT_EQ(levelsFor(1.05), 1);
   EXPECT_EQ(levelsFor(0.95), 1); // below what refines, above half of it
   EXPECT_EQ(levelsFor(0.55), 1);
@@ -247,7 +247,7 @@ void refinesNearFronts()
   const Branches<D> kept = wantedBranches(state, criteria, now);
   EXPECT_TRUE(kept.isRefined(0, cellAt(state.mesh.grid, 0, left)));
   EXPECT_FALSE(fresh.isRefined(0, cellAt(state.mesh.grid, 0, left)));
-  // Half a cell beyond, they become large again.
+  // Half a cell beyond, they are coarsened.
   tip[0] = 4.5;
   putFront(state, tip);
   EXPECT_FALSE(wantedBranches(state, criteria, kept).isRefined(0, cellAt(state.mesh.grid, 0, left)));
@@ -257,7 +257,7 @@ void refinesNearFronts()
 
 } // namespace
 
-/// Cells are looked at in step 1 and then in every step that Interval divides.
+/// Cells are checked in step 1 and then in every step that Interval divides.
 TEST(Criteria, IntervalSetsWhenCellsAreChecked)
 {
   Teuchos::ParameterList scene = emptyScene<2>(all<2>(-2.0), all<2>(10.0), 1.0, "MUSL", "GIMP");
@@ -273,7 +273,7 @@ TEST(Criteria, IntervalSetsWhenCellsAreChecked)
   for (int k = 0; k < 20; ++k)
   {
     const int before = state.mesh.tree.generation;
-    // Refined and large in turn.
+    // Refined and coarse in turn.
     setRate<2>(state, [&](const Vector<2>& x)
                { return x[0] < 1.0 && state.mesh.tree.deepest == 0 && state.clock.step > 0 ? 1.0 : 0.0; });
     const long step = state.clock.step;

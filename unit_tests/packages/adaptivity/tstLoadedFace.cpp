@@ -82,7 +82,7 @@ double unevenness(int level, int steps)
 
 } // namespace
 
-/// Places and boxes are those before the pull, so that forces are out of balance by the fraction of the
+/// Positions and boxes are those before the pull, so that forces are out of balance by the fraction of the
 /// strain, 1e-6 along each axis, and a sudden load is answered by twice the stress that balances it. Ends,
 /// sides and the step at which a wave from one meets that from another each add such a fraction: ten are
 /// many.

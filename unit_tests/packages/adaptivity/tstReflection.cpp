@@ -1,4 +1,4 @@
-/// What a pulse leaves behind at faces between cells of different size.
+/// Reflection of a pulse at faces between cells of different size.
 ///
 /// In a bar waves go at 1 m/s (no lateral strain: Poisson's ratio is 0). It starts with a pulse that runs to
 /// the right: velocity A cos^2(pi x / w) over a width w, strain the opposite. The bar is refined beyond a
@@ -8,7 +8,7 @@
 ///
 /// Bounded is the fraction of energy that comes back, as it is for pulses at closed cracks, when all of the
 /// pulse lies within 8 coarse cells: waves of 8 cells and less are most of it, and lattices of h and h / 2
-/// differ most in how stiff these find them. Of a pulse twice as long, 8 cells at half its height, the
+/// differ most in their stiffness for these. Of a pulse twice as long, 8 cells at half its height, the
 /// amplitude is bounded too: the largest difference of velocity over the largest velocity.
 
 #include "../../src/step/Bodies.hpp"
@@ -28,7 +28,7 @@ namespace
 
 constexpr double pi = 3.14159265358979323846;
 constexpr double length = 120.0; ///< of the bar [m], cells of 1 m
-constexpr double face = 72.0;    ///< the first place where the cells change [m]
+constexpr double face = 72.0;    ///< the first position where the cells change [m]
 constexpr double apart = 6.0;    ///< from one face to the next [m]
 /// [s] Short waves at a fifth of the speed of long ones have passed the first face; nothing that comes back
 /// has reached the left end, and what came back from the right one is far from the face.

@@ -1,5 +1,5 @@
-/// Places and habits of refinement that could break a run: many levels, corners and boundaries of bodies, two
-/// fronts close together, cells that come and go with every step.
+/// Refinement that could make a run fail: many levels, corners and boundaries of bodies, two fronts close
+/// together, cells that come and go with every step.
 
 #include "Refined.hpp"
 #include "state/EnergySums.hpp"
@@ -56,8 +56,8 @@ double stir(State<D>& state)
   return (state.energy.kinetic - before) / state.energy.kinetic;
 }
 
-/// Share by which the energy of that motion wavers: kinetic and strain energy belong to times half a step
-/// apart, and no wave is faster than a dilatational one. \param dt longest step
+/// Fraction by which the energy of that motion oscillates: kinetic and strain energy belong to times half a
+/// step apart, and no wave is faster than a dilatational one. \param dt longest step
 double wavering(double dt)
 {
   const double wave = std::sqrt(0.7 / (1.3 * 0.4)), frequency = 0.25 * 3.14159265358979 * wave;
@@ -66,12 +66,12 @@ double wavering(double dt)
 
 struct Changes
 {
-  double energy = 0.0, momentum = 0.0; ///< largest changes, as shares
+  double energy = 0.0, momentum = 0.0; ///< largest changes, as fractions
   double dt = 0.0;                     ///< longest step [s]
   int fewest = 0, most = 0;
 };
 
-/// Steps, and what happens to energy (what merging took included) and momentum meanwhile.
+/// Runs some steps. \return the changes of energy (with that lost by merging) and of momentum
 template <int D, class Between>
 Changes largestChanges(Run<D>& run, int steps, const Between& between)
 {
@@ -128,7 +128,7 @@ TEST(Robust, sixLevelsAtACornerIn2D) { checkCorner<2>(6, 300); }
 TEST(Robust, fourLevelsAtACornerIn3D) { checkCorner<3>(4, 40); }
 
 /// The block slides along a wall, in part refined, and vibrates. The wall stops what its nodes, half a cell
-/// of the block's four, do towards it, and the energy wavers.
+/// of the block's four, do towards it, and the energy oscillates.
 TEST(Robust, refinedAtABoundary)
 {
   Teuchos::ParameterList scene = flyingBlock<2>(-0.2);
@@ -216,7 +216,7 @@ TEST(Robust, aroundTwoFrontsCloseTogether)
 namespace
 {
 
-/// Cells are refined in one step and large again in the next, at a corner of the body and inside it in turn.
+/// Cells are refined in one step and coarsened in the next, at a corner of the body and inside it in turn.
 Changes toggled(bool on)
 {
   Teuchos::ParameterList scene = flyingBlock<2>(0.02);
@@ -260,7 +260,7 @@ TEST(Robust, onAndOffEveryStep)
   EXPECT_LT(changes.energy, plain.energy);
 }
 
-/// Refined, large, and refined again in the same positions: the numbers of nodes are those of before.
+/// Refined, coarsened, and refined again in the same positions: the numbers of nodes are those of before.
 TEST(Robust, numbersOfNodesDoNotDependOnTheRun)
 {
   Teuchos::ParameterList scene = flyingBlock<2>(0.0);

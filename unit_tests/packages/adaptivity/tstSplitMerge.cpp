@@ -1,4 +1,4 @@
-/// What splitting and merging keep, and that what merging loses is known.
+/// Conservation in splitting and merging; the losses of merging are recorded.
 
 #include "Refined.hpp"
 
@@ -126,7 +126,7 @@ void checkMerging()
   EXPECT_NEAR(after.energy + merged.lost, before.energy, 1e-12 * before.energy);
 }
 
-/// Energy that particles carry as heat and strain [J].
+/// Energy of particles as heat and strain [J].
 template <int D>
 double internalEnergy(const State<D>& state)
 {
@@ -156,7 +156,7 @@ void burnUnlike(State<D>& state)
 
 } // namespace
 
-/// What is told per volume is weighed by it: parts that have burnt by different shares keep their heat.
+/// Quantities per volume are weighted by it: parts that have burnt by different fractions keep their heat.
 TEST(SplitMerge, mergingKeepsTheHeatOfPartsThatBurntUnlike)
 {
   Teuchos::ParameterList scene = refinedScene<2>("GIMP", 4.0, all<2>(-3.0), all<2>(-2.0), 2);
@@ -207,8 +207,8 @@ TEST(SplitMerge, aThousandTimesOver)
   EXPECT_NEAR(after.energy, before.energy, 1e-11 * before.energy);
 }
 
-/// Parts on two sides of a crack that has joined another stay apart: that they know of it is a number of
-/// their own next to the side of the nearest crack.
+/// Parts on two sides of a crack that has joined another stay apart: the side of that crack is a field in
+/// addition to the side of the nearest crack.
 TEST(SplitMerge, keepsPartsApartThatDifferInAWholeNumber)
 {
   Rhegma::Run<2> run = refinedCube<2>("GIMP", 4.0, all<2>(-3.0), all<2>(-2.0), 2);

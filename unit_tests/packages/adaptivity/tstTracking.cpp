@@ -69,13 +69,13 @@ Motion<D> motionOf(const State<D>& state, double cell)
   return motion;
 }
 
-/// What remeshing did to the energy balance, as fractions of what there is.
+/// Changes by remeshing, as fractions of mass, energy and momentum.
 struct Balance
 {
   double mass = 0.0, momentum = 0.0, energy = 0.0;
 };
 
-/// Looks at the energy balance before and after every remeshing.
+/// Computes the sums before and after every remeshing.
 template <int D>
 Effect<D> accountant(Balance& balance)
 {
@@ -178,9 +178,9 @@ double difference(const Followed<D>& one, const Followed<D>& right)
   return std::sqrt(off / all);
 }
 
-/// What cells that follow may be off, next to fine cells everywhere, is what those are off from the truth: a
-/// third of the difference of large and fine cells, as errors go with the square of the cell (Richardson).
-/// The waves of a few coarse cells that make up most of that difference are worse off in fine cells.
+/// Bound of the difference of adaptive and fine cells: the error of fine cells, a third of the difference of
+/// coarse and fine cells, as errors go with the square of the cell (Richardson). The waves of a few coarse
+/// cells that make up most of that difference are worse off in fine cells.
 template <int D>
 void checkTracking(const std::string& name, const std::vector<std::string>& overrides, double cell)
 {

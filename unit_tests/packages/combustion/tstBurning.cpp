@@ -65,7 +65,8 @@ void keepsMassMomentumAndEnergy(const std::string& model = "Uniform")
   measureEnergy(state);
   const Vector<D> before = state.sample.momentum;
   const double startEnergy = state.energy.kinetic + state.energy.strain;
-  // The energy balance of a body that moves wavers by half a step's power of its stresses; its mean does not.
+  // The energy balance of a body that moves oscillates by half a step's power of its stresses; its mean does
+  // not.
   constexpr int samples = 16;
   double given = 0.0, open = 0.0;
   for (int k = 0; k < samples; ++k)
@@ -187,7 +188,7 @@ TEST(Burning, RefusesToVentAClosedCrack)
   EXPECT_THROW(run.initialize(), std::invalid_argument);
 }
 
-/// Faces that burn very fast use up what lies next to them; then they stop, and nothing is negative or no
+/// Faces that burn very fast use up what lies next to them; then they stop, and no value is negative or not a
 /// number.
 TEST(Burning, EndsWithTheFuel)
 {

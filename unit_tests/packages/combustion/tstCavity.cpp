@@ -1,4 +1,4 @@
-/// The room between the faces of a crack that gas opens as far as cells are wide.
+/// The volume of a cavity that gas opens by up to a cell and more.
 
 #include "../../src/step/Bodies.hpp"
 #include "state/EnergySums.hpp"
@@ -87,10 +87,10 @@ double fractionAtEnds(double length, double half)
   return 1.0 - 2.0 / std::acos(-1.0) * (x * std::sqrt(1.0 - x * x) + std::asin(x));
 }
 
-/// The walls hold the block's outside, so what room there is the solid has lost: sum of V0 (1 - det F), the
-/// independent measure. The gas has swept the room less d x dm', and the cells at the two fronts, in which
-/// the faces' shape is that of the cells, may hold more or less than they should by all that is in them.
-/// \param opening that is expected, of the middle
+/// The walls hold the block's outside, so the volume of the cavity is that lost by the solid: sum of V0 (1 -
+/// det F), the independent measure. The gas has swept the cavity less d x dm', and the cells at the two
+/// fronts, in which the faces' shape is that of the cells, may be wrong by all of their volume. \param
+/// opening that is expected, of the middle
 void makesCavity(double height, double pressure, double cell, double opening)
 {
   Rhegma::Run<2> run(validated(softBlock(height, pressure, cell)));
@@ -123,7 +123,7 @@ void makesCavity(double height, double pressure, double cell, double opening)
     widest = std::max(widest, face(v, 1, 1) - face(v, 0, 1));
   const double given = state.energy.combustion, open = state.energy.residual();
   std::printf(
-      "crack at %g, cells of %g: opening %.3g cells, room %.4g, over what the solid lost %+.1f %%, with "
+      "crack at %g, cells of %g: opening %.3g cells, volume %.4g, over what the solid lost %+.1f %%, with "
       "d x dm' %+.1f %%, energy balance open by %+.1f %%\n",
       height, cell, widest / cell, capacity, 100.0 * (capacity / lost - 1.0),
       100.0 * ((capacity + strip.drawnOut()) / lost - 1.0), 100.0 * open / given);
@@ -134,7 +134,7 @@ void makesCavity(double height, double pressure, double cell, double opening)
   bool warned = false;
   for (const std::string& warning : state.warnings)
     warned = warned || warning.find("two of the finest cells apart") != std::string::npos;
-  EXPECT_EQ(warned, widest > 1.8 * cell); // on its way it was open by a tenth more
+  EXPECT_EQ(warned, widest > 1.8 * cell); // before, it was open by a tenth more
 }
 
 } // namespace
@@ -151,7 +151,7 @@ TEST(Cavity, IsWhatTheSolidLostWhereFacesAreTwoCellsApart)
   makesCavity(12.5, 0.4, 1.0, 2.1);
 }
 
-// The same room in cells half as large, whose fronts hide a third of what they did.
+// The same cavity in cells half as large, whose fronts hide a third of the volume.
 TEST(Cavity, IsWhatTheSolidLostInSmallerCells)
 {
   makesCavity(12.0, 0.1, 0.5, 0.9);

@@ -141,7 +141,7 @@ TEST(Channel, BurnsInARigidSlotAsTheUniformGasDoes)
       ChannelSupply supply = nothing(cells);
       for (int k = 0; k < cells; ++k)
         supply.burnt[k] = 0.02 * channel.volume(k);
-      // Of so dense a solid that it leaves no room.
+      // Of a solid so dense that its volume vanishes.
       channel.advance(0.05, supply, 1e30);
       gas.burn(0.02 * capacity, 0.0);
     }
@@ -154,7 +154,7 @@ TEST(Channel, BurnsInARigidSlotAsTheUniformGasDoes)
 }
 
 /// Mass and energy through burning on one side, faces that move, walls that take heat, an open end, and cells
-/// that are cut anew as the slot grows.
+/// that are remeshed as the slot grows.
 TEST(Channel, KeepsMassAndEnergy)
 {
   int cells = 30;
@@ -192,7 +192,7 @@ TEST(Channel, KeepsMassAndEnergy)
   EXPECT_GT(out, 0.0);
 }
 
-/// An end lets out what gas that has come to rest there would, also with a covolume.
+/// The outflow at an end is that of the stagnant gas, also with a covolume.
 TEST(Channel, VentsStagnantGasAtItsEnd)
 {
   const GasLaw law = air(0.3);
@@ -209,11 +209,11 @@ TEST(Channel, VentsStagnantGasAtItsEnd)
   law.stagnate(p, T, 0.4);
   const double gone = dt * law.outflow(0.2, p, T, 0.1);
   EXPECT_NEAR(loss.mass, gone, 1e-12 * gone);
-  // c_p T + b p is what each kilogram takes along.
+  // each kilogram has the enthalpy c_p T + b p.
   EXPECT_NEAR(loss.energy, gone * (1.4 * law.heatCapacity() * T + 0.3 * p), 1e-12 * gone);
 }
 
-/// A cut anew of cells of the same length is none.
+/// Remeshing with cells of the same length changes nothing.
 TEST(Channel, IsUnchangedByTheSameMesh)
 {
   const int cells = 25;

@@ -1,4 +1,4 @@
-/// Heat of burning that goes into the faces, and faces that catch fire by their temperature or in a box.
+/// Heat of burning that goes into the faces, and autoignition of faces or in a box.
 
 #include "../../src/step/Bodies.hpp"
 
@@ -177,8 +177,8 @@ TEST(FaceHeat, BringsGasAndFacesTogether)
   EXPECT_NEAR(it.state().energy.heat, gas.at("wall_heat").get<double>(), 1e-9);
 }
 
-/// Faces under hot gas catch fire when the closed form has them at the temperature for it: the rise is
-/// 2/7 of the difference, z = h sqrt(t / k) with exp(z^2) erfc(z) = 5/7.
+/// Faces under hot gas ignite when the closed form reaches the ignition temperature: the rise is 2/7 of the
+/// difference, z = h sqrt(t / k) with exp(z^2) erfc(z) = 5/7.
 TEST(FaceHeat, LightsFacesThatAreHotEnough)
 {
   Teuchos::ParameterList scene = cutColumn<2>(20.5);
@@ -224,7 +224,7 @@ TEST(FaceHeat, LightsFacesWhereTheyAreHot)
   EXPECT_NEAR(gasOf(it).at("burning_area").get<double>(), lit, 1e-3 * lit);
 }
 
-/// The faces in a box burn from the time on, and none besides.
+/// The faces in a box burn from the time on, and no others.
 TEST(FaceHeat, LightsFacesInABox)
 {
   Teuchos::ParameterList scene = cutColumn<2>(20.0);

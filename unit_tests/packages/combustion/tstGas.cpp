@@ -28,7 +28,7 @@ GasLaw law()
 struct Expansion
 {
   double speed;   ///< at the end [m/s]
-  double largest; ///< flux on the way or at the end [kg/(m2 s)]
+  double largest; ///< flux during the expansion or at its end [kg/(m2 s)]
 };
 Expansion expand(const GasLaw& l, double pressure, double temperature, double outside)
 {
@@ -134,7 +134,7 @@ TEST(Gas, FlowsOutByTheIsentropeOfNobleAndAbel)
     }
 }
 
-/// Gas that came to rest and expands again has the speed that it had.
+/// Stagnant gas that expands again has its former speed.
 TEST(Gas, StagnatesByTheIsentropeOfNobleAndAbel)
 {
   for (const double covolume : {0.0, 1e-3})

@@ -30,7 +30,7 @@ Gas filled(const GasLaw& l, double pressure, double temperature, double volume)
   return gas;
 }
 
-/// Two gases, and what both together had before they met.
+/// Two gases, and their sums before they met.
 struct Pair
 {
   Gas one, two;
@@ -110,8 +110,8 @@ TEST(GasExchange, EndsInAFiniteTime)
   }
 }
 
-/// In one step as in many, also into a room that is a millionth of the other: no more than makes the
-/// pressures equal, and no wave about that.
+/// In one step as in many, also into a volume that is a millionth of the other: no more than makes the
+/// pressures equal, and no oscillation about that.
 TEST(GasExchange, IsStableInASmallVolume)
 {
   const GasLaw l = law();

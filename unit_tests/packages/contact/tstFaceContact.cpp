@@ -87,8 +87,8 @@ TEST(FaceContact, SticksElastically)
   EXPECT_NEAR(contact.stored(), pressed + 0.5 * expected * slide, 1e-14 * pressed);
 }
 
-/// T = min(kt s, mu p), and what is dissipated is T times the slip that is lost for good, plus the energy of
-/// the layer that the sudden step overshoots: the mean of the traction before (0) and after.
+/// T = min(kt s, mu p), and what is dissipated is T times the plastic slip, plus the energy of the layer that
+/// the sudden step overshoots: the mean of the traction before (0) and after.
 TEST(FaceContact, SlipsBeyondCoulombsLimit)
 {
   const auto run = barAtRest();
@@ -111,7 +111,7 @@ TEST(FaceContact, SlipsBeyondCoulombsLimit)
               1e-13 * limit * slide * area(contact));
 }
 
-/// Opening a sticking joint gives its shear energy up: nothing is kept that could come back.
+/// Opening a sticking joint dissipates its shear energy: none of it can return.
 TEST(FaceContact, ForgetsSlipWhenItOpens)
 {
   const auto run = barAtRest();
@@ -183,8 +183,8 @@ TEST(FaceContact, KeepsItsGapWhileItTurns)
     EXPECT_NEAR(gap(k), opening, roundOff);
 }
 
-/// Heat of friction, and how the energy balance is told what becomes of the energy of the layer, when cells
-/// of another size ask for points in other positions.
+/// Heat of friction, and the recorded change of the energy of the layer, when cells of another size need
+/// points in other positions.
 TEST(FaceContact, KeepsHeatWherePointsAreReplaced)
 {
   const auto coarse = barAtRest(), fine = barAtRest({}, 2);

@@ -28,7 +28,8 @@ TEST(FacePoints, StandForTheWholeCrack)
     EXPECT_NEAR(normal(k, 1), 1.0, 1e-15);
     EXPECT_NEAR(separation(k), 0.0, 1e-15);
   }
-  // The crack is cut off where the body ends, which particles a half cell wide tell to a half diagonal.
+  // The crack is cut off where the body ends, known to half a diagonal of the particles, which are half a
+  // cell wide.
   EXPECT_GE(total, width);
   EXPECT_LE(total, width + 2.0 * 0.36 * cell);
 }
@@ -83,8 +84,8 @@ TEST(FacePoints, FollowFacesThatPart)
 }
 
 /// Cells that become smaller by two levels at once cut each piece into up to four, whose middles lie within
-/// it: all of them inherit from the point of that piece, and none of the earlier points is left without heirs
-/// on the way back.
+/// it: all of them inherit from the point of that piece, and each of the earlier points has heirs when cells
+/// are coarsened.
 TEST(FacePoints, InheritAcrossTwoLevelsAtOnce)
 {
   const auto coarse = barAtRest(), fine = barAtRest({}, 2);

@@ -20,13 +20,12 @@ constexpr double cell = 2.5e-3; ///< [m]
 
 /// Where the crack lies in the cells; the first is a row of nodes at 10 mm.
 inline const std::string onRow = "{0, 0.01, 0.05, 0.01}";
-inline const std::string withinTolerance =
-    "{0, 0.01024, 0.05, 0.01024}"; ///< the row counts as above all the same
+inline const std::string withinTolerance = "{0, 0.01024, 0.05, 0.01024}"; ///< the row still counts as above
 inline const std::string midCell = "{0, 0.01125, 0.05, 0.01125}";
 inline const std::string steep = "{0, 0.0053, 0.02, 0.006, 0.026, 0.0125, 0.05, 0.0132}"; ///< 47 degrees
 inline const std::string inclined = "{0, 0.0063, 0.03, 0.0107, 0.05, 0.0118}";
 
-/// A beam at rest after one step of next to no time.
+/// A beam at rest after one very small step.
 inline std::unique_ptr<Run<2>> beamAtRest(const std::string& formulation, const std::string& shape,
                                           const std::string& points,
                                           const std::vector<std::string>& more = {})

@@ -19,11 +19,11 @@ constexpr double cell = 1e-3, young = 3e9, poisson = 0.3, density = 1200.0;
 const Test::ElasticSolid solid{density, young, poisson};
 
 /// \param upper corner of a box whose lower corner is the origin; its dimension is the scene's
-inline Teuchos::ParameterList blockScene(const std::vector<double>& upper, double room = 4.0)
+inline Teuchos::ParameterList blockScene(const std::vector<double>& upper, double margin = 4.0)
 {
   if (upper.size() == 2)
-    return Test::elasticBox<2>({}, {upper[0], upper[1]}, cell, room, solid, "Block");
-  return Test::elasticBox<3>({}, {upper[0], upper[1], upper[2]}, cell, room, solid, "Block");
+    return Test::elasticBox<2>({}, {upper[0], upper[1]}, cell, margin, solid, "Block");
+  return Test::elasticBox<3>({}, {upper[0], upper[1], upper[2]}, cell, margin, solid, "Block");
 }
 
 inline void setCrack(Teuchos::ParameterList& scene, const std::vector<double>& points)

@@ -66,10 +66,10 @@ Flight fly(const Vector<2>& velocity, bool springs)
 
 } // namespace
 
-/// Through one and a half cells along the crack either way, and across it, with half a cell behind it when
-/// all of the load is on. What the springs hold is lost as they end, twice over at most where the load that
-/// grows stretches them again meanwhile; nothing else is, but the half per mille that the plate without
-/// springs may leave as residual.
+/// Through one and a half cells along the crack in both directions, and across it, with half a cell behind it
+/// when all of the load is on. The energy of the springs is lost when they are disabled, at most twice where
+/// a growing load stretches them again; nothing else is lost, except the half per mille that the plate
+/// without springs may leave as residual.
 TEST(AdvectedFronts, MakeNoEnergy)
 {
   const double speed = 0.00625; // waves travel at 1 m/s

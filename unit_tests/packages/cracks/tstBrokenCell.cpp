@@ -18,8 +18,8 @@ namespace
 /// Corners of a unit cell as they are numbered here: (0,0), (1,0), (0,1), (1,1).
 using Corners = std::array<int, 4>;
 
-/// What a point sees of a unit cell whose corners lie on given sides of a crack: weight and slope of each
-/// corner.
+/// The stencil of a point in a unit cell whose corners lie on given sides of a crack: weight and slope of
+/// each corner.
 struct Cell
 {
   std::array<double, 4> weight, slopeX, slopeY;
@@ -102,8 +102,8 @@ TEST(BrokenCell, DividesAmongThreeCornersAtTheFront)
   expectNear(cell.slopeY, {-0.75 + 0.25, -0.25 + 0.25, 0.0, 0.25 + 0.25});
 }
 
-/// A crack cuts off one corner. From the middle, three share the fourth's 1/4; from beyond, one is all that
-/// is seen, so it has all the weight and no slope.
+/// A crack cuts off one corner. From the middle, three nodes get the fourth's 1/4; from beyond, one is all
+/// that is seen, so it has all the weight and no slope.
 TEST(BrokenCell, DividesAmongThreeCornersAndOne)
 {
   const Corners sides{-1, -1, -1, 1};
@@ -120,7 +120,7 @@ TEST(BrokenCell, LeavesTheIsolatedAndTheFarAlone)
   const std::array<double, 4> unbroken{9.0 / 16, 3.0 / 16, 3.0 / 16, 1.0 / 16};
   expectNear(cellSeenFrom({1, 1, 1, 1}, {0.25, 0.25}, -1).weight, unbroken);
   expectNear(cellSeenFrom({1, 1, -1, -1}, {0.25, 0.25}, 0).weight, unbroken);
-  // Nodes of another crack are no matter.
+  // Nodes of another crack have no effect.
   expectNear(cellSeenFrom({2, 2, -2, -2}, {0.25, 0.25}, -1).weight, unbroken);
 }
 
@@ -249,7 +249,7 @@ TEST(BrokenCell, TreatsEqualDistancesAlikeEverywhere)
   }
 }
 
-/// Particles near the crack carry the outward normal of their face; others none. No other formulation has it.
+/// Particles near the crack store the outward normal of their face; others none. No other formulation has it.
 TEST(BrokenCell, GivesParticlesTheNormalOfTheirFace)
 {
   const auto run = beamAtRest("Broken Cell", "GIMP", "{0, 0.0063, 0.03, 0.0103, 0.05, 0.0103}");

@@ -67,7 +67,7 @@ TEST(CohesiveLaw, WorkAndPendingEnergyAddUpToTheEnergy)
     }
 }
 
-/// Two nodes held by 3 and 1 N share 19 J by their forces, both within w = 10 m.
+/// Two nodes held by 3 and 1 N divide 19 J by their forces, both within w = 10 m.
 TEST(CohesiveLaw, NodesDivideAnEnergyByTheirForces)
 {
   const double range = releaseRange(19.0, 4.0);
@@ -93,8 +93,8 @@ TEST(CohesiveLaw, ShortRangesStartWithLessForce)
   EXPECT_DOUBLE_EQ(less.energy(), 0.5 * springs::initialFraction * holding * range);
 }
 
-/// A front spring is half way at 0.45 cells behind the front, is shared by the nodes above and below the
-/// crack, and ends within a cell.
+/// A front spring is half of its value at 0.45 cells behind the front, is divided between the nodes above and
+/// below the crack, and ends within a cell.
 TEST(CohesiveLaw, FrontSpringsEndACellBehindTheFront)
 {
   EXPECT_DOUBLE_EQ(frontSpringStiffness(10.0, 2.0, 0.45, 0.0, 1.0), 2.0); // 0.1 E' b

@@ -123,8 +123,8 @@ TEST(CorrectedBrokenCell, KeepsMassesOfHalfACell)
   }
 }
 
-/// At the rim, where particles next to the crack touch a column of nodes that those further in do not touch,
-/// extrapolation would take more mass from a node than it has.
+/// At the boundary, where particles next to the crack touch a column of nodes that those further in do not
+/// touch, extrapolation would take more mass from a node than it has.
 TEST(CorrectedBrokenCell, HasNoNegativeMassAtTheRim)
 {
   const auto run = beamAtRest("Corrected Broken Cell", "GIMP", midCell);
@@ -146,7 +146,7 @@ TEST(CorrectedBrokenCell, HasNoNegativeMassAtTheRim)
   EXPECT_GT(beyond, 0);
 }
 
-/// Extrapolation feeds back more than is scattered, so the step is held down whatever CFL asks for.
+/// Extrapolation feeds back more than is scattered, so the step is limited for any CFL.
 TEST(CorrectedBrokenCell, LimitsTheStep)
 {
   const auto run = beamAtRest("Corrected Broken Cell", "GIMP", onRow);

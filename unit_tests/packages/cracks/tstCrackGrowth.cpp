@@ -16,7 +16,7 @@ namespace
 const double pi = std::acos(-1.0);
 constexpr double toughness = 100.0;
 
-/// A block with a disk, and nothing that moves.
+/// A block with a disk at rest.
 Teuchos::ParameterList disk(const Vector<3>& centre, double radius, double size)
 {
   Teuchos::ParameterList scene = blockScene({size, size, size});
@@ -27,7 +27,7 @@ Teuchos::ParameterList disk(const Vector<3>& centre, double radius, double size)
   return scene;
 }
 
-/// What a front node is to do: a direction and a length.
+/// The advance of a front node: direction and length.
 using Step = std::function<FrontNodeAdvance<3>(const FrontNode<3>&)>;
 
 void advance(State<3>& state, CrackGrowth<3>& growth, const Step& step)
@@ -58,9 +58,9 @@ double radiusOf(const FrontNode<3>& s, const Vector<3>& centre)
 
 /// A disk that grows evenly by a fifth of a cell at a time from 3 to 8 cells stays flat to rounding and
 /// round: between front nodes a polygon of pieces of up to 1.5 cells lies up to 1.5^2 / (8 r) cells inside of
-/// its circle, 0.1 here, and a front node that comes between two others begins there. What it energy balance
-/// is its new area to rounding, pieces keep within 0.5 and 1.5 cells, and each inner edge has a triangle on
-/// both sides.
+/// its circle, 0.1 here, and a front node that comes between two others begins there. The area that it
+/// records is its new area to rounding, pieces keep within 0.5 and 1.5 cells, and each inner edge has a
+/// triangle on both sides.
 TEST(CrackGrowth, KeepsADiskRoundAndRecordsItsArea)
 {
   const Vector<3> centre{10e-3, 10e-3, 10.3e-3};
@@ -100,9 +100,9 @@ TEST(CrackGrowth, KeepsADiskRoundAndRecordsItsArea)
   EXPECT_EQ(open, front.numFacets);
 }
 
-/// Front nodes that are left behind are caught up with: a front that was asked for a ripple of a fifth of a
-/// cell in every advance, at every other front node, has less of it than one that would not smooth, 10 x 0.2
-/// cells, and energy balance what it gains all the same.
+/// Front nodes that lag behind catch up: a front with a ripple of a fifth of a cell in every advance, at
+/// every other front node, has a smaller ripple than without smoothing, 10 x 0.2 cells, and still records the
+/// area that it gains.
 TEST(CrackGrowth, SmoothsRipplesWithoutLossOfArea)
 {
   const Vector<3> centre{10e-3, 10e-3, 10.3e-3};
@@ -130,10 +130,10 @@ TEST(CrackGrowth, SmoothsRipplesWithoutLossOfArea)
   EXPECT_LT(largest - least, 0.9 * 2.0 * cell);
 }
 
-/// One front node is never asked to advance. Driven by nine tenths of what the others pay it is taken along:
-/// in each advance by 0.375 of what it lies behind, by the smoothing of 0.25 and the curvatures of a lone
-/// point and its neighbours, that is by at least 0.375 of what these advance once they are ahead. Driven by a
-/// tenth it stays where it is. What the faces take is their area's toughness all the same.
+/// One front node never advances by itself. With nine tenths of the driving force of the others, smoothing
+/// advances it: in each step by 0.375 of its distance behind them, by the smoothing of 0.25 and the
+/// curvatures of a lone point and its neighbours, that is by at least 0.375 of what these advance once they
+/// are ahead. With a tenth it does not move. The energy of the faces is still their area times the toughness.
 TEST(CrackGrowth, AdvancesANodeThatNothingHoldsBackWithItsNeighbours)
 {
   const Vector<3> centre{10e-3, 10e-3, 10.3e-3};
@@ -176,9 +176,9 @@ TEST(CrackGrowth, AdvancesANodeThatNothingHoldsBackWithItsNeighbours)
   }
 }
 
-/// A quarter of a disk between two planes of symmetry: the front node that lies on one of them is asked for
-/// one advance of a quarter of a cell in each step, the others for a tenth of a cell. At a mirror it gives of
-/// it to the next as any other would, and where there is none it does not.
+/// A quarter of a disk between two planes of symmetry: the front node that lies on one of them advances by a
+/// quarter of a cell in each step, the others by a tenth of a cell. With a mirror there it passes a part on
+/// to the next one, as any other would, and without it does not.
 TEST(CrackGrowth, EvensAFrontAtAMirror)
 {
   double ahead[2] = {};
@@ -211,8 +211,9 @@ TEST(CrackGrowth, EvensAFrontAtAMirror)
 }
 
 /// Front nodes of a straight front advance one after the other, always in the same order, so that each sees
-/// one neighbour ahead and the other behind, and its way leans by seven degrees: over ten cells that would
-/// take it more than a cell to one side. Pieces stay within 0.3 of what they were, and the area is recorded.
+/// one neighbour ahead and the other behind, and its path is inclined by seven degrees: over ten cells that
+/// would move it more than a cell to one side. Pieces stay within 0.3 of what they were, and the area is
+/// recorded.
 TEST(CrackGrowth, KeepsPointsApartThatAdvanceInTurn)
 {
   const double size = 16e-3;
@@ -314,8 +315,8 @@ TEST(CrackGrowth, EndsAtTheSurface)
   EXPECT_NE(state.warnings.back().find("reached the surface"), std::string::npos);
 }
 
-/// Two disks that grow towards each other halt three cells apart, front node by front node; of each it is
-/// said once.
+/// Two disks that grow towards each other stop three cells apart, front node by front node, which is reported
+/// once for each.
 TEST(CrackGrowth, SaysOnceThatAFrontStops)
 {
   Teuchos::ParameterList scene = disk({6e-3, 8e-3, 4.3e-3}, 3e-3, 22e-3);
@@ -341,7 +342,7 @@ TEST(CrackGrowth, SaysOnceThatAFrontStops)
 }
 
 /// Where half of a front advances, nodes next to the other half are opened too, by the triangles between
-/// them: they take what the nearest front node that has made a face takes.
+/// them: they require the energy of the nearest front node that has made a face.
 TEST(CrackGrowth, GivesNodesThatStayTheToughnessOfTheirNeighbours)
 {
   const Vector<3> centre{10e-3, 10e-3, 10.3e-3};

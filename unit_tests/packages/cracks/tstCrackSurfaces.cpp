@@ -34,7 +34,7 @@ surface::SurfaceMesh cap(const Vector<3>& centre, double radius, double width, i
     {
       mesh.triangles.push_back({at(r, k), at(r + 1, k), at(r + 1, k + 1)});
       if (r > 0)
-        mesh.triangles.push_back({at(r, k), at(r, k + 1), at(r + 1, k + 1)}); // the other way round
+        mesh.triangles.push_back({at(r, k), at(r, k + 1), at(r + 1, k + 1)}); // in the opposite order
     }
   return mesh;
 }
@@ -72,7 +72,7 @@ TEST(CrackSurfaces, AreDisksAndEllipses)
 }
 
 /// Edges of triangles are as long as the cells that are to be at fronts, but at most those of a second level,
-/// so that there are four times as many with each; where fronts do not matter to cells, large ones do.
+/// so that there are four times as many with each; without refinement at fronts, as long as the coarse cells.
 TEST(CrackSurfaces, AreAsFineAsTheCellsAtFronts)
 {
   const auto triangles = [](int level, double frontCells)

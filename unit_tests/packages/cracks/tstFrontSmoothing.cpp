@@ -46,7 +46,7 @@ struct Line
                      std::vector<bool>(lines.size(), false), advances);
   }
 
-  /// Sum of length times share, times toughness where asked for.
+  /// Sum of length times tributary length, times toughness if requested.
   double sum(bool energy) const
   {
     double all = 0.0;
@@ -68,8 +68,8 @@ std::vector<double> evenly(std::size_t count)
 
 } // namespace
 
-/// A front node that stays and lies behind takes area, with the energy of those that give it, and takes none
-/// where it resists with more than twice of what drives it, or without bound.
+/// A front node at rest behind its neighbours receives area, with its energy, and none where its resistance
+/// is more than twice its driving force, or infinite.
 TEST(FrontSmoothing, HandsOnAreaWithItsEnergy)
 {
   const double d = 0.08 * cell;
@@ -95,8 +95,8 @@ TEST(FrontSmoothing, HandsOnAreaWithItsEnergy)
   }
 }
 
-/// A ripple of points of which every other is ahead is less after each step and never the other way round,
-/// with pieces of any length that a front may have.
+/// A ripple of points of which every other is ahead decreases in each step and never changes its sign, with
+/// pieces of any length that a front may have.
 TEST(FrontSmoothing, NeverTurnsARippleRound)
 {
   for (const double longer : {1.0, 1.5, 2.0, 3.0})
@@ -106,11 +106,11 @@ TEST(FrontSmoothing, NeverTurnsARippleRound)
       y.push_back(y.back() + 0.5 * cell * (k % 2 == 0 ? 1.0 : longer));
     for (std::size_t k = 0; k < y.size(); ++k)
       ahead.push_back(k % 2 == 0 ? 0.05 * cell : 0.0);
-    Line front(y, ahead, 0.25 * cell); // long enough that nothing bounds what is given
+    Line front(y, ahead, 0.25 * cell); // long enough that the flux is not limited
     front.smooth();
-    // Away from the ends, where no piece gives or takes.
+    // Away from the ends, where there is no flux.
     const double ripple = front.advances[6].length + 0.05 * cell - front.advances[7].length;
     EXPECT_LT(ripple, 0.05 * cell) << longer;
-    EXPECT_GT(ripple, -0.1 * 0.1 * 0.05 * cell) << longer; // pieces lean by up to 0.1
+    EXPECT_GT(ripple, -0.1 * 0.1 * 0.05 * cell) << longer; // pieces are inclined by up to 0.1
   }
 }

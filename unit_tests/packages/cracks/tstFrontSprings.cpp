@@ -84,7 +84,7 @@ struct Column
   }
 
   ReleaseBudget& budget() { return state.cracks.fronts[0].budget; }
-  /// The spring of a node on the host, until the next one is asked for.
+  /// The spring of a node on the host, until the next one is requested.
   NodalSpring<D> spring(int node)
   {
     onHost = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, rows);
@@ -134,7 +134,8 @@ TEST(FrontSprings, NothingIsDissipatedAtTheStart)
   EXPECT_DOUBLE_EQ(node.pendingEnergy(u), 19.0);
 }
 
-/// A node whose faces are pushed together has no traction and is open; the energy waits for the next one.
+/// A node whose faces are pushed together has no traction and is open; the energy remains pending for the
+/// next one.
 TEST(FrontSprings, PressedNodesGetNoEnergy)
 {
   Column<2> column({-6.0});
@@ -158,8 +159,8 @@ TEST(FrontSprings, AdvectionReleasesTheEnergyOfACell)
   EXPECT_DOUBLE_EQ(passed.spring(0).law().energy(), 8.0);
 }
 
-/// Of two nodes of which a front leaves one after it was opened half way, that one returns what it has not
-/// dissipated, once: a quarter of its triangle.
+/// Of two nodes a front leaves one after it has opened half: it returns its pending energy once, a quarter of
+/// its triangle.
 TEST(FrontSprings, ANodeThatAFrontLeavesReturnsItsPendingEnergy)
 {
   Column<3> column({6.0, 2.0}, false);

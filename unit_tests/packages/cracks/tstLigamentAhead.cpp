@@ -91,7 +91,7 @@ TEST(LigamentAhead, PassesBetweenStretchedParticles)
 {
   const auto run = strip({{0, 0, 20, 10}}, 6.1);
   State<2>& state = run->state();
-  // Places are filled up to 0.139 cells beyond the edges of particles.
+  // Positions are filled up to 0.139 cells beyond the edges of particles.
   const auto x = state.particles.real<2>(fields::position);
   const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, x);
   for (int p = 0; p < state.particles.size(); ++p)
@@ -103,8 +103,8 @@ TEST(LigamentAhead, PassesBetweenStretchedParticles)
   EXPECT_NEAR(state.cracks.fronts[0].position[0], 7.1 * cell, 1e-12);
 }
 
-/// What lacks right at a front that is as wide as the crack is open belongs to the crack: here 0.9 cells less
-/// what the particle beyond fills. A crack that is closed has no such opening and ends.
+/// A gap right at a front that is as wide as the opening belongs to the crack: here 0.9 cells less what the
+/// particle beyond fills. A crack that is closed has no such opening and ends.
 TEST(LigamentAhead, PassesOverTheOpeningOfItsCrack)
 {
   for (const bool open : {false, true})

@@ -13,7 +13,7 @@ namespace
 
 constexpr double height = 2.5, front = 4.0; ///< of the crack, from the left edge on [cells]
 
-/// A block of 8 x 6 cells with a crack midway between two rows of nodes, after one step of next to no time.
+/// A block of 8 x 6 cells with a crack midway between two rows of nodes, after one very small step.
 std::unique_ptr<Run<2>> crackedBlock()
 {
   Teuchos::ParameterList scene = blockScene({8.0 * cell, 6.0 * cell});
@@ -57,7 +57,7 @@ TEST(Sides, OfNodesBehindAFront)
   EXPECT_EQ(below, 12);
 }
 
-/// Particles that touch such a node know their side.
+/// Particles that touch such a node have a side.
 TEST(Sides, OfParticlesNextToACrack)
 {
   const auto run = crackedBlock();
@@ -109,8 +109,8 @@ TEST(Visibility, OfEnrichedFields)
   EXPECT_GT(replaced, 0);
 }
 
-/// A node right above the crack is extrapolated from the two below it, and the other way round; the next row
-/// from one step further on.
+/// A node right above the crack is extrapolated from the two below it, and vice versa; the next row from one
+/// step further on.
 TEST(Ghosts, AreExtrapolatedAcrossTheCrack)
 {
   const auto run = crackedBlock();
@@ -132,7 +132,7 @@ TEST(Ghosts, AreExtrapolatedAcrossTheCrack)
     const int row = static_cast<int>(std::lround(x[1])), up = row > height ? 1 : -1;
     EXPECT_EQ(step(n), -up * state.mesh.grid.stride[1]) << x[0] << ", " << x[1];
     EXPECT_EQ(distance(n), row == 3 || row == 2 ? 1 : 2) << x[0] << ", " << x[1];
-    EXPECT_EQ(linear(n), 1.0); // no mass is given, so none is taken away
+    EXPECT_EQ(linear(n), 1.0); // without mass beyond the crack nothing is limited
     ++found;
   }
   EXPECT_EQ(found, 16);

@@ -1,4 +1,4 @@
-/// When a damped run has come to rest.
+/// When a damped run has settled.
 
 #include "damping/Settling.hpp"
 
@@ -45,7 +45,7 @@ TEST(Settling, WaitsForTheMotionToEnd)
   EXPECT_TRUE(settling.sample(1e-5, 1.0, {}));
 }
 
-/// Where there is no crack closure the other rates tell. One that is lost on the way is no rest.
+/// Without crack closure the other rates decide. A rate that is lost during the run is no rest.
 TEST(Settling, LooksAtNumbersAlone)
 {
   const double none = std::numeric_limits<double>::quiet_NaN();

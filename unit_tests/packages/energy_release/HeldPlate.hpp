@@ -28,10 +28,10 @@ Teuchos::ParameterList heldPlate(double length, double depth, const std::string&
       v[d] = at[d];
     return v;
   };
-  const double room = 2.0 * heldCell;
-  Teuchos::ParameterList scene =
-      emptyScene<D>(corner(-0.5, -heldHalf - room, -room),
-                    corner(length + 0.5, heldHalf + room, depth + room), heldCell, "MUSL", "GIMP", "Stress");
+  const double margin = 2.0 * heldCell;
+  Teuchos::ParameterList scene = emptyScene<D>(corner(-0.5, -heldHalf - margin, -margin),
+                                               corner(length + 0.5, heldHalf + margin, depth + margin),
+                                               heldCell, "MUSL", "GIMP", "Stress");
   addMaterial(scene, "Linear Elastic", heldPoisson);
   Teuchos::ParameterList& material = scene.sublist("Materials").sublist("Solid");
   if (!young.empty())
@@ -84,7 +84,7 @@ void expectRelease(const Release& release, double expected, double tolerance)
 }
 
 /// J is the same in any ring, and would not be without what a shift does to the energy at fixed strain.
-/// \param without share by which it would differ at least
+/// \param without fraction by which it would differ at least
 template <int D, class Release>
 void expectAnyRingGivesTheSame(State<D>& state, const Release& release, double tolerance, double without)
 {

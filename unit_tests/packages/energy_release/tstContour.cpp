@@ -82,8 +82,8 @@ TEST(Contour, StaysClearOfOtherCracks)
   expectRadii(fittingTube(state, front, {}).radii, 2e-3, 4e-3);
 }
 
-/// Outside of a bend positions have it as the nearest of both pieces: the last digits of where the crack lies
-/// must not decide with which they go.
+/// Outside of a bend positions have the bend as their nearest point: round-off must not decide to which piece
+/// they belong.
 TEST(CrackPath, OutsideOfABendPositionsGoWithThePieceNearerToTheFront)
 {
   constexpr int times = 40;

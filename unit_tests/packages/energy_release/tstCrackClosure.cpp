@@ -156,7 +156,7 @@ TEST(CrackClosure, RecoversTheOpeningWithTheChosenMatrix)
   EXPECT_NEAR(release(farAway), lumped, 1e-9 * unit);
   farAway.radius = 4.0 * cell;
   farAway.edge = cell;
-  // What a node takes from others falls to a quarter from node to node.
+  // The influence of a node falls to a quarter from node to node.
   EXPECT_NEAR(release(farAway), consistent, 0.1 * unit * std::pow(0.25, 3.0));
   RecoveryMatrix emptyCells = consistentMatrix();
   emptyCells.smallestNode = 1.1; // no node inside is so heavy

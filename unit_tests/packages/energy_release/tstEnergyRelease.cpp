@@ -51,7 +51,7 @@ TEST(EnergyRelease, StopsTheRunAtStartWhereItLeavesTheBody)
   }
 }
 
-/// Where the scene leaves the radii to the program, it draws the contour in and says so.
+/// With default radii, the program reduces the contour and reports it.
 TEST(EnergyRelease, DrawsInAContourThatIsNotGiven)
 {
   Teuchos::ParameterList scene = sceneWith(3e-3);
@@ -219,7 +219,7 @@ TEST(EnergyRelease, SaysWhenAFrontComesToALoad)
   }
 }
 
-/// Behind faces that are six cells apart no node has both in its reach. Who is told once is told.
+/// Behind faces that are six cells apart no node has both in its reach. Warnings are not repeated.
 TEST(EnergyRelease, SaysWhereThereIsNoCrackClosure)
 {
   State<2> state = makeBody(0.01, 1e-3, Plane::Strain, ShapeKind::Linear);
@@ -304,7 +304,7 @@ TEST(EnergyRelease, TakesTheMatrixThatTheSceneChooses)
   EXPECT_NEAR(release("Mass Matrix", series).first, lumped, 1e-9 * lumped);
 }
 
-/// K_I = K_II turns a front clockwise by 2 atan(1/2) = 53.13 degrees, whichever way side +1 lies; the ring of
+/// K_I = K_II turns a front clockwise by 2 atan(1/2) = 53.13 degrees, on whichever side +1 lies; the ring of
 /// a 1 mm grid gives the ratio to a per cent, and the angle to a quarter of that in radians.
 TEST(EnergyRelease, ReportsTheKinkCounterClockwise)
 {

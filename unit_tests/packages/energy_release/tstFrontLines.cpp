@@ -13,7 +13,7 @@ const double pi = std::acos(-1.0);
 
 } // namespace
 
-/// Which of two pieces that meet is nearer to a position inside of their corner may hang on the last digit.
+/// Which of two pieces that meet is nearer to a position inside of their corner may depend on round-off.
 TEST(FrontLines, SeePositionsInsideOfACornerFromTheMiddleOfIt)
 {
   Teuchos::ParameterList scene = blockScene({16e-3, 16e-3, 10e-3});
@@ -37,8 +37,8 @@ TEST(FrontLines, SeePositionsInsideOfACornerFromTheMiddleOfIt)
   }
 }
 
-/// A surface at which a front ends leans towards it where the crack has grown there: it takes no room from
-/// the tube, as none does that is square to it.
+/// A surface at which a front ends is inclined towards it where the crack has grown there: it does not reduce
+/// the tube, like a surface that is perpendicular to the front.
 TEST(FrontLines, EndAtSurfacesThatLean)
 {
   Teuchos::ParameterList scene = blockScene({16e-3, 16e-3, 10e-3});

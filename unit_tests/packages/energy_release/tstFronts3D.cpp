@@ -331,11 +331,11 @@ TEST(Fronts3D, KnowHowMuchTheyAreCurved)
   // of its turn counts, which over 3 cells or more has the sagitta of a circle of 3 / (2 sin(5 degrees))
   // = 17.2 cells, where the front node alone has that of one of 5.8 cells.
   FrontLine aside = line;
-  Vector<3>& way = aside.nodes[10].direction;
-  const Vector<3> other{-way[1], way[0], 0.0};
-  way = std::cos(pi / 12.0) * way + std::sin(pi / 12.0) * other;
+  Vector<3>& direction = aside.nodes[10].direction;
+  const Vector<3> other{-direction[1], direction[0], 0.0};
+  direction = std::cos(pi / 12.0) * direction + std::sin(pi / 12.0) * other;
   EXPECT_GT(radiusOfCurvature(aside, cell), 1.0 / (1.0 / radius + 1.0 / (17.2 * cell)));
-  // Room up to the surface: the nodes on it are less than half covered.
+  // Distance to the surface: the nodes on it are less than half covered.
   EXPECT_GT(clearAround(penny->state(), penny->state().cracks.fronts.at(0), 6e-3), 2.2e-3);
   EXPECT_LE(clearAround(penny->state(), penny->state().cracks.fronts.at(0), 6e-3), 3.2e-3);
   const auto straight = straightFront();
@@ -354,8 +354,8 @@ TEST(Fronts3D, HaveATubeOfTwoAndAHalfToFiveCells)
   const ContourRadii radii = usualRadii(usualCells<3>(), cell);
   EXPECT_DOUBLE_EQ(radii.inner, 2.5 * cell);
   EXPECT_DOUBLE_EQ(radii.outer, 5.0 * cell);
-  // The block is 12 cells wide and the front 6.3 and 6.2 cells off its corner, so that there is room for it,
-  // but not for much more.
+  // The block is 12 cells wide and the front 6.3 and 6.2 cells off its corner, so that it fits, with little
+  // to spare.
   const auto straight = straightFront();
   const CrackFront<3>& front = straight->state().cracks.fronts.at(0);
   const FrontTube fitting = fittingTube(straight->state(), front, usualCells<3>());

@@ -20,7 +20,7 @@ const double pi = std::acos(-1.0);
 constexpr double halfLength = 5e-3, load = 1e6, cell = halfLength / 8.0;
 const ElasticSolid solid{1200.0, 3e9, 0.33};
 
-/// A square of 6 half lengths whose rim carries that displacement; 8 cells a half length.
+/// A square of 6 half lengths whose boundary has that displacement; 8 cells a half length.
 Teuchos::RCP<Teuchos::ParameterList> plate(const InclinedCrack& crack)
 {
   const auto scene = Teuchos::rcp(new Teuchos::ParameterList(inclinedPlate(crack, 3.0 * halfLength, cell)));
@@ -65,9 +65,9 @@ struct Errors
 
 } // namespace
 
-/// What is asked of every tip: K within 1 %, the direction of the largest hoop stress within 0.5 degrees, at
-/// 8 cells a half length. Without springs behind the fronts (Cracks > Front Springs) the crack of the cells
-/// is longer or shorter by up to half a cell an end, and 1.2 % and 1.3 degrees are reached.
+/// Requirement for every tip: K within 1 %, the direction of the largest hoop stress within 0.5 degrees, at 8
+/// cells a half length. Without springs behind the fronts (Cracks > Front Springs) the crack of the cells is
+/// longer or shorter by up to half a cell an end, and 1.2 % and 1.3 degrees are reached.
 TEST(InclinedCracks, MeetTheClosedForm)
 {
   std::mt19937 random(20);

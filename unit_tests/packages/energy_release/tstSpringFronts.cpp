@@ -53,7 +53,7 @@ Release releaseAt(double fraction, std::vector<std::string> overrides)
 
 } // namespace
 
-/// 3 % is what is asked of both ways where the front is on a column (dcb_h4.xml, 3.2 % of the reference).
+/// 3 % is required of both methods where the front is on a column (dcb_h4.xml, 3.2 % of the reference).
 TEST(SpringFronts, ReleaseAsMuchByClosureAsByTheIntegral)
 {
   for (const double fraction : {0.0, 0.1, 0.3, 0.5, 0.8, 0.9})
@@ -63,7 +63,7 @@ TEST(SpringFronts, ReleaseAsMuchByClosureAsByTheIntegral)
   }
 }
 
-/// The static solution does not depend on the scheme; 1e-4 leaves room for the 1e-7 above.
+/// The static solution does not depend on the scheme; 1e-4 allows for the 1e-7 above.
 TEST(SpringFronts, DoNotCareWhenStressesAreUpdated)
 {
   const Release last = releaseAt(0.5, {}), first = releaseAt(0.5, {"Time:Update Scheme=USF"});

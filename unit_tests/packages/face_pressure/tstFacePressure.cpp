@@ -24,8 +24,8 @@ constexpr double cell = 5e-4;
 
 } // namespace
 
-/// Both faces get p times the length of crack behind the front; the cells that the front ends in share part
-/// of it between faces, where it cancels.
+/// Both faces get p times the length of crack behind the front; in the cells at the front a part of it acts
+/// on common nodes, where it cancels.
 TEST(FacePressure, PushesFacesApartInBalance)
 {
   Rhegma::Run<2> run(*scene({"Domain:Cell Size=5e-4"}).list);

@@ -142,8 +142,8 @@ TEST(MassMatrix, ChangesAngularMomentumByItsLumpedFractionAlone)
     }
 }
 
-/// A wall that moves a body at rest: no force acts on the free nodes, and their share comes from the wall's
-/// alone. All of the momentum is the wall's impulse.
+/// A wall that moves a body at rest: no force acts on the free nodes, and their momentum comes from that of
+/// the wall alone. All of the momentum is the wall's impulse.
 TEST(MassMatrix, TakesWhatASupportDoesToABodyAtRest)
 {
   Teuchos::ParameterList scene = squareScene("MUSL", "GIMP", 0.0);

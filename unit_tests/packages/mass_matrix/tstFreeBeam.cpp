@@ -1,9 +1,9 @@
 /// The period of a double cantilever beam of 4 cells an arm that is bent and let go, with each mass matrix.
 ///
 /// The loads of xml_inputs/verification/dcb_h4.xml grow over about a period, so that they bend the beam
-/// nearly as they would at rest, and are then taken away; nothing damps it. The velocity's fraction of the
-/// shape in which it was let go is zero twice a period. The periods that it is held to are those of
-/// prototypes written before this program, with linear functions on the same mesh.
+/// nearly as they would at rest, and are then removed; nothing damps it. The velocity's fraction of the shape
+/// in which it was let go is zero twice a period. The periods that it is held to are those of prototypes
+/// written before this program, with linear functions on the same mesh.
 
 #include "../../src/step/Bodies.hpp"
 

@@ -118,7 +118,7 @@ TEST(MassMatrix, IsRefusedWhereItDoesNotFit)
   try
   {
     mass_matrix::refuseLargeMatrix(1e6, row, 0.5e6 * row, "less");
-    ADD_FAILURE() << "a matrix of twice the memory was taken";
+    ADD_FAILURE() << "a matrix of twice the memory was accepted";
   }
   catch (const std::invalid_argument& error)
   {

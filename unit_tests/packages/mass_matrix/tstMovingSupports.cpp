@@ -19,7 +19,7 @@ namespace
 
 constexpr double speed = 1e-5; // of the wall; waves are of 1 m/s and cells of 1 m
 
-/// A bar of 12 by 2 cells whose left end a wall takes to and fro.
+/// A bar of 12 by 2 cells whose left end a wall moves to and fro.
 Teuchos::ParameterList drivenBar(const std::string& scheme, const std::string& mass)
 {
   Teuchos::ParameterList scene =

@@ -67,7 +67,7 @@ inline void cutInTwo(Teuchos::ParameterList& scene)
   cracks.sublist("Wall").set("Points", reals({size, roof, 26.4e-3, roof}));
 }
 
-/// A run whose front of Wall has ended or halted.
+/// A run whose front of Wall has ended or stopped.
 struct Piece
 {
   Rhegma::Run<2> run;
@@ -75,7 +75,7 @@ struct Piece
   double joined;
 };
 
-/// Runs until the front of Wall has ended or halted.
+/// Runs until the front of Wall has ended or stopped.
 template <class Cut>
 Piece runWall(const Cut& cut, double increment = 1.0)
 {

@@ -14,8 +14,8 @@ using namespace Rhegma::Test;
 namespace
 {
 
-/// Beam runs to the left until it joins Roof, which rises 35 degrees off the way of Wall. Wall then has Beam
-/// 4.2 cells ahead and behind that Roof, to which it comes nearer than three cells first.
+/// Beam runs to the left until it joins Roof, which rises at 35 degrees to the path of Wall. Wall then has
+/// Beam 4.2 cells ahead and behind that Roof, to which it comes nearer than three cells first.
 constexpr double tip = 15.3e-3, beam = tip + 4.2 * cell;
 void cutBelowABeam(Teuchos::ParameterList& scene)
 {
@@ -29,7 +29,7 @@ void cutBelowABeam(Teuchos::ParameterList& scene)
   cracks.sublist("Wall").set("Points", reals({wall, 0.0, wall, tip}));
 }
 
-/// Wall is about to advance by four cells; an earlier part of it lies across its way, and Roof behind that.
+/// Wall is about to advance by four cells; an earlier part of it lies across its path, and Roof behind that.
 constexpr double earlier = 16.8e-3;
 void cutBelowItself(Teuchos::ParameterList& scene)
 {
@@ -84,7 +84,7 @@ double forceOn(Rhegma::Run<2>& run, int axis, const Part& part)
 
 } // namespace
 
-/// The crack ends on the face of the other, and what its new faces take is its toughness times the whole way.
+/// The crack ends on the face of the other, and its new faces require its toughness times the whole path.
 TEST(Junctions, CrackEndsOnTheFaceOfTheOther)
 {
   Piece piece = runWall(cutACorner);
@@ -99,8 +99,8 @@ TEST(Junctions, CrackEndsOnTheFaceOfTheOther)
   ASSERT_FALSE(state.warnings.empty());
   EXPECT_NE(state.warnings.back().find("joined crack Roof"), std::string::npos) << state.warnings.back();
   // The first increment is that of a front at rest.
-  const double way = roof - 10e-3;
-  EXPECT_NEAR(front.budget.required, 5.0 * (way - cell) + 1.0 * cell, 0.02 * front.budget.required);
+  const double length = roof - 10e-3;
+  EXPECT_NEAR(front.budget.required, 5.0 * (length - cell) + 1.0 * cell, 0.02 * front.budget.required);
   while (state.clock.time < piece.joined + 1e-5)
     piece.run.step(1.0, false);
   nlohmann::json summary;
@@ -133,7 +133,7 @@ TEST(Junctions, PieceThatIsCutOutIsFree)
   const double load = -pull * 20.0 * cell,
                force = forceOn(piece.run, 0, [](double x, double y) { return x < wall && y < roof; });
   std::cout << "force on the piece " << force / load << " of the load on its edge\n";
-  // A cell of material at the junction would carry up to a twentieth.
+  // A cell of material at the junction would transmit up to a twentieth.
   EXPECT_NEAR(force / load, 1.0, 0.02);
 }
 
@@ -170,7 +170,7 @@ TEST(Junctions, KeepHeat)
   }
   Kokkos::deep_copy(T, warm);
   Kokkos::deep_copy(e, energy);
-  // Modulus and expansion don't know the temperature: what conduction alone moves.
+  // Modulus and expansion do not depend on the temperature: conduction alone.
   const auto heat = [&](const auto& temperature)
   {
     const auto now = host(temperature), V = host(volume);
@@ -204,7 +204,7 @@ TEST(Junctions, FrontsThatMeetPartThePlate)
   EXPECT_NEAR(force / load, 1.0, 0.02);
 }
 
-/// A crack ends on the first of two cracks in its way, though the second is nearer.
+/// A crack ends on the first of two cracks in its path, though the second is nearer.
 TEST(Junctions, CrackEndsOnTheFirstCrackInItsPath)
 {
   Rhegma::Run<2> run(plate(cutBelowABeam), drivenByTest<2>());
@@ -233,7 +233,7 @@ TEST(Junctions, CrackEndsOnTheFirstCrackInItsPath)
                           { return warning.find("joined crack Beam") != std::string::npos; }));
 }
 
-/// An earlier part of its own, before another crack, halts it.
+/// An earlier part of its own, before another crack, stops it.
 TEST(Junctions, CrackDoesNotCrossItself)
 {
   Piece piece = runWall(cutBelowItself, 4.0);

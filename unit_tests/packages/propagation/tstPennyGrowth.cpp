@@ -159,7 +159,7 @@ TEST(PennyGrowth, RunsAsItsToughnessSaysAndPaysForItsArea)
       end = state.clock.time;
   }
   ASSERT_GT(end, begin);
-  // Increments are a quarter of a cell, so begin and end are late by up to one and the way is 2 cells.
+  // Increments are a quarter of a cell, so begin and end are late by up to one and the path is 2 cells.
   EXPECT_NEAR((until - radius - cell) / (end - begin), speed, 0.13 * speed);
   const CrackFront<3>& front = state.cracks.fronts[0];
   const double area = cracks::measureOpening(state.cracks, 0).size - before;
@@ -186,10 +186,10 @@ TEST(PennyGrowth, RunsAsItsToughnessSaysAndPaysForItsArea)
 }
 
 /// A front of which one half is initiated and the other never does: nodes that it opens next to front nodes
-/// that have made no face resist as those next to the others do. What was recorded is spent or in flight.
-/// What of it waits for nodes depends on where the front stands between them, here at five positions within a
-/// cell: up to half a row of cells along the stretch that runs, since a node opens with all its area as the
-/// front passes its middle.
+/// that have made no face resist as those next to the others do. What was recorded is spent or in flight. The
+/// pending energy depends on where the front stands between them, here at five positions within a cell: up to
+/// half a row of cells along the stretch that runs, since a node opens with all its area as the front passes
+/// its middle.
 TEST(PennyGrowth, PaysForItsAreaWhereHalfOfItSetsOut)
 {
   for (const double until : {4.6e-3, 4.8e-3, 5.0e-3, 5.2e-3, 5.4e-3})
@@ -210,15 +210,15 @@ TEST(PennyGrowth, PaysForItsAreaWhereHalfOfItSetsOut)
     const double inFlight = report(run)["energy_in_flight"];
     EXPECT_NEAR(state.energy.fracture + inFlight, front.budget.required, 0.01 * front.budget.required);
     const double row = 500.0 * cell * 0.25 * pi * until;
-    std::cout << "until " << until / cell << " cells: unspent "
-              << front.budget.pending / front.budget.required << " of what was booked, "
+    std::cout << "until " << until / cell << " cells: pending "
+              << front.budget.pending / front.budget.required << " of what was required, "
               << front.budget.pending / row << " of a row\n";
     EXPECT_LT(std::fabs(front.budget.pending), 0.5 * row);
   }
 }
 
-/// A front that runs to the surface and ends there: the nodes that its last faces open resist too, and take
-/// what was left to be spent, to the hundredth to which the energies agree.
+/// A front that runs to the surface and ends there: the nodes that its last faces open have a traction too,
+/// and release the pending energy, to the hundredth to which the energies agree.
 TEST(PennyGrowth, PaysForItsAreaToTheEnd)
 {
   Rhegma::Run<3> run(quarter("100*(1 + v/100)"), drivenByTest<3>());
@@ -241,7 +241,7 @@ TEST(PennyGrowth, PaysForItsAreaToTheEnd)
   const double inFlight = summary["energy_in_flight"], area = half * half - before;
   EXPECT_NEAR(front.budget.required, 500.0 * area, 0.1 * front.budget.required);
   EXPECT_NEAR(state.energy.fracture + inFlight, front.budget.required, 0.01 * front.budget.required);
-  std::cout << "unspent " << front.budget.pending / front.budget.required << " of what was booked, all "
+  std::cout << "pending " << front.budget.pending / front.budget.required << " of what was required, all "
             << (state.energy.fracture + inFlight) / front.budget.required << "\n";
   EXPECT_LT(std::fabs(front.budget.pending), 0.01 * front.budget.required);
   // What it has done is known after its front nodes are no more.
@@ -253,8 +253,8 @@ TEST(PennyGrowth, PaysForItsAreaToTheEnd)
   EXPECT_NEAR(entry["speed_limit"].get<double>(), propagation::rayleighSpeed(state.materials.list[0]), 1e-9);
 }
 
-/// A crack like a C, whose arms grow towards each other: a front that meets itself. It halts before they are
-/// three cells apart, which is said once, and nothing is lost.
+/// A crack like a C, whose arms grow towards each other: a front that meets itself. It stops before they are
+/// three cells apart, which is reported once, and no energy is lost.
 TEST(PennyGrowth, StopsBeforeItsOwnFaces)
 {
   const double wide = 12.0 * cell, z = 0.3 * cell, arm = 2.2 * cell, other = wide - arm;

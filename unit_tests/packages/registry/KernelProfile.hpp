@@ -1,5 +1,5 @@
 #pragma once
-/// What Kokkos tells a profiler: names of kernels and of memory.
+/// What Kokkos reports to a profiler: names of kernels and of memory.
 
 #include <set>
 #include <string>
@@ -7,7 +7,7 @@
 namespace Rhegma
 {
 
-/// Names of the kernels that ran and of the memory that was taken while it lived. One at a time.
+/// Names of the kernels that ran and of the memory that was allocated during its lifetime. One at a time.
 class KernelProfile
 {
 public:

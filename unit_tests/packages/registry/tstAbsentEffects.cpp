@@ -149,7 +149,7 @@ const Trace& traceWith(const std::string& effect)
   return traces[effect];
 }
 
-/// Labels "rhegma::..." in the sources below a place of the repository.
+/// Labels "rhegma::..." in the sources below a folder of the repository.
 Names labelsIn(const std::string& position)
 {
   namespace fs = std::filesystem;

@@ -46,7 +46,7 @@ TEST_P(CrackedBeam, ReleasesTheSameWithAndWithoutSubsteps)
   {
     const double a = some["cracks"][0]["fronts"][0][quantity].get<double>(),
                  b = all["cracks"][0]["fronts"][0][quantity].get<double>();
-    std::cout << quantity << ": " << a << ", in short steps of all cells " << b << " J/m2, "
+    std::cout << quantity << ": " << a << ", in substeps of all cells " << b << " J/m2, "
               << 100.0 * (a / b - 1.0) << " %\n";
     EXPECT_NEAR(a, b, 5e-4 * b);
   }

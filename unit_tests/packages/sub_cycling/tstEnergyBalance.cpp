@@ -38,7 +38,7 @@ Teuchos::ParameterList blockScene(int levels, bool substeps)
   return scene;
 }
 
-/// A wall that takes the left end along x. \param history of its speed
+/// A wall that moves the left end along x. \param history of its speed
 Teuchos::ParameterList withWall(Teuchos::ParameterList scene, const char* history)
 {
   Teuchos::ParameterList& wall = scene.sublist("Boundaries").sublist("Wall");
@@ -63,8 +63,8 @@ Teuchos::ParameterList withLoad(Teuchos::ParameterList scene)
   return scene;
 }
 
-/// What the energy balance of a run leave open, and the most that supports and loads gave within one of its
-/// steps [J].
+/// Residual of the energy balance of a run, and the most that supports and loads gave within one of its steps
+/// [J].
 struct Balance
 {
   double mean = 0.0; ///< residual over the last fifth of the time
@@ -124,9 +124,9 @@ TEST_P(SubcycledBalance, knowsWhatAWallGivesInTheFirstStep)
   EXPECT_LT(std::fabs(open), 0.5 * 2.0 * wave * speed * speed * subcycled);
 }
 
-/// Books know energies to half a step; what they leave open in the mean is what they do where all cells take
-/// substeps, but for half of what the wall gives in a step. (One level of fine cells hardly shows waves of a
-/// period of 6 s: the steps themselves take a fifth of their energy.)
+/// The balance is accurate to half a step; its mean residual is that where all cells take substeps, but for
+/// half of what the wall gives in a step. (One level of fine cells hardly shows waves of a period of 6 s: the
+/// steps themselves take a fifth of their energy.)
 TEST_P(SubcycledBalance, knowsWhatAWallGivesThatGoesToAndFro)
 {
   for (const char* history : {"1", "sin(pi*t/12)", "sin(pi*t/3)"})
@@ -135,7 +135,7 @@ TEST_P(SubcycledBalance, knowsWhatAWallGivesThatGoesToAndFro)
       continue;
     const Balance subcycled = balanceOf(withWall(blockScene(GetParam(), true), history), 60.0);
     const Balance all = balanceOf(withWall(blockScene(GetParam(), false), history), 60.0);
-    std::printf("%d levels, wall %s: open in the mean %.2e J, in short steps only %.2e, half a step %.2e\n",
+    std::printf("%d levels, wall %s: open in the mean %.2e J, in substeps only %.2e, half a step %.2e\n",
                 GetParam(), history, subcycled.mean, all.mean, 0.5 * subcycled.step);
     EXPECT_NEAR(subcycled.mean, all.mean, 0.5 * subcycled.step) << history;
   }
@@ -152,18 +152,18 @@ TEST_P(SubcycledBalance, knowsWhatStrongDampingDissipates)
     scene.sublist("Damping").set("Mass Rate", 1.0);
     balance[subcycled] = balanceOf(scene, 60.0);
   }
-  std::printf("%d levels, damped: open in the mean %.2e J, in short steps only %.2e, half a step %.2e\n",
+  std::printf("%d levels, damped: open in the mean %.2e J, in substeps only %.2e, half a step %.2e\n",
               GetParam(), balance[true].mean, balance[false].mean, 0.5 * balance[true].step);
   EXPECT_NEAR(balance[true].mean, balance[false].mean, 0.5 * balance[true].step);
 }
 
-/// A load pulls all the time, so that it is known to half of what it gives in a substep.
+/// A load acts continuously, so that its work is accurate to half of that in a substep.
 TEST_P(SubcycledBalance, knowsTheWorkOfALoad)
 {
   const Balance some = balanceOf(withLoad(blockScene(GetParam(), true)), 60.0);
   const Balance all = balanceOf(withLoad(blockScene(GetParam(), false)), 60.0);
   const double half = 0.5 * std::ldexp(some.step, -GetParam());
-  std::printf("%d levels, load: open in the mean %.2e J, in short steps only %.2e, half a step %.2e\n",
+  std::printf("%d levels, load: open in the mean %.2e J, in substeps only %.2e, half a step %.2e\n",
               GetParam(), some.mean, all.mean, half);
   EXPECT_NEAR(some.mean, all.mean, half);
 }

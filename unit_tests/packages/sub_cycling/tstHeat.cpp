@@ -70,8 +70,8 @@ Teuchos::ParameterList block(const Vector<2>& size, const Vector<2>& from, const
   return scene;
 }
 
-/// What the energy balance of a run leave open, at most, and the most of kinetic and strain energy, of the
-/// change of strain energy in a step and of that of heat [J].
+/// Residual of the energy balance of a run, at most, and the most of kinetic and strain energy, of the change
+/// of strain energy in a step and of that of heat [J].
 struct OpenBalances
 {
   double residual = 0.0, energy = 0.0, step = 0.0, heat = 0.0;
@@ -160,7 +160,7 @@ TEST_P(SubcycledHeat, keepsTheEnergyOfAnEntropicRubber)
   EXPECT_LT(o.momentum, 1e-12);
 }
 
-/// The motion after a period, damped by what conducts, and temperatures on the way are those of the same bar
+/// The motion after a period, damped by what conducts, and temperatures during it are those of the same bar
 /// in substeps only.
 TEST_P(SubcycledHeat, movesAndWarmsAsInSmallStepsOnly)
 {
@@ -192,8 +192,8 @@ TEST_P(SubcycledHeat, movesAndWarmsAsInSmallStepsOnly)
   EXPECT_LT(differs, 0.02 * most); // the velocity is that of half a step before
 }
 
-/// Small cells are heated and cooled, and their stresses with them, once a step. Books know energies to
-/// half of what stresses take in a step, since velocities are half a step behind.
+/// Fine cells are heated and cooled, and their stresses with them, once a step. The balance is accurate to
+/// half of the work of stresses in a step, since velocities are half a step behind.
 TEST_P(SubcycledHeat, theBalanceKnowsWhatHeatDoesToStresses)
 {
   Teuchos::ParameterList scene =
@@ -235,8 +235,8 @@ TEST_P(SubcycledHeat, aStrongCouplingIsNoSourceOfEnergy)
 }
 
 /// Viscosity turns what it takes from motion into heat, in fine cells too. In a step the stress of its start,
-/// of the rates D1, acts on the mean of D1 and D2: what it takes is a dt D1 (D1 + D2) / 2. With a share s of
-/// the first force recorded are a dt (s D1 D2 / 2 + (1 - s / 2) D2 D2), which is more by a dt ((3
+/// of the rates D1, acts on the mean of D1 and D2: what it takes is a dt D1 (D1 + D2) / 2. With a fraction s
+/// of the first force, recorded are a dt (s D1 D2 / 2 + (1 - s / 2) D2 D2), which is more by a dt ((3
 /// - s) / 4 (D2^2 - D1^2) + (1 - s) / 4 (D2 - D1)^2): the first adds up to a part of one step's work, the
 /// second is of second order.
 TEST_P(SubcycledHeat, theHeatOfViscosityIsAllThere)

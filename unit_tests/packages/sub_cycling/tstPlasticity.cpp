@@ -44,8 +44,8 @@ Teuchos::ParameterList metalBlock(int levels, bool substeps)
 
 /// A velocity that grows with the position is prescribed at all nodes, those of fine cells in substeps too.
 /// Each particle's deformation is the product of the steps', and all have flowed alike, whatever substeps
-/// tried of the law in between. Books know energies to half a step, and the walls' work is the largest in the
-/// first one.
+/// tried of the law in between. The balance is accurate to half a step, and the work of the walls is largest
+/// in the first one.
 template <int D>
 void checkEvenFlow(int levels)
 {
@@ -96,9 +96,9 @@ TEST(SubcycledPlasticity, FlowEvenlyIn2D)
 
 TEST(SubcycledPlasticity, FlowEvenlyIn3D) { checkEvenFlow<3>(2); }
 
-/// Two walls squeeze the block, and it flows round the fine cells in its middle. Books know energies to half
-/// a step: what they leave open in the end, plastic work among them, is what they do where all cells take
-/// substeps, but for half of the most that the walls give in a step.
+/// Two walls squeeze the block, and it flows round the fine cells in its middle. The balance, with plastic
+/// work, is accurate to half a step: its final residual is that where all cells take substeps, but for half
+/// of the most that the walls give in a step.
 TEST(SubcycledPlasticity, KeepTheEnergyBalance)
 {
   for (const int levels : {1, 2, 3})
@@ -130,10 +130,9 @@ TEST(SubcycledPlasticity, KeepTheEnergyBalance)
       open[subcycled ? 0 : 1] = state.energy.residual();
       plastic[subcycled ? 0 : 1] = state.energy.plastic;
     }
-    std::printf(
-        "%d levels, plastic: open %.3e J, in short steps only %.3e, half a step %.3e; plastic work %.5e "
-        "J, %.5e\n",
-        levels, open[0], open[1], 0.5 * step, plastic[0], plastic[1]);
+    std::printf("%d levels, plastic: open %.3e J, in substeps only %.3e, half a step %.3e; plastic work %.5e "
+                "J, %.5e\n",
+                levels, open[0], open[1], 0.5 * step, plastic[0], plastic[1]);
     EXPECT_GT(plastic[0], 10.0 * step);
     EXPECT_NEAR(open[0], open[1], 0.5 * step);
   }

@@ -81,9 +81,9 @@ TEST_P(Levels, keepEnergyWithAMatrixRoundACrackFront)
   }
 }
 
-/// The bar vibrates as it flies through cells that stay small where they are: its particles split before
-/// them and become one again behind. What it keeps of the energy of its vibration, next to what merging took,
-/// is that of the same flight in substeps only.
+/// The bar vibrates as it flies through cells that stay small where they are: its particles split before them
+/// and merge again behind. What it keeps of the energy of its vibration, next to what merging took, is that
+/// of the same flight in substeps only.
 TEST_P(Levels, keepEnergyInFlight)
 {
   const double periods = 2.0;
@@ -121,12 +121,12 @@ TEST_P(Levels, keepEnergyInFlight)
     return sum / time / first;
   };
   const double sub = kept(true), all = kept(false);
-  std::printf("%d levels in flight: energy kept %.6f, in short steps only %.6f\n", GetParam(), sub, all);
+  std::printf("%d levels in flight: energy kept %.6f, in substeps only %.6f\n", GetParam(), sub, all);
   EXPECT_NEAR(sub, all, 0.005);
 }
 
 /// A wall holds nodes of fine cells: supports take nodes to their velocity once a step, and what particles
-/// feel of that belongs to the motion of substeps; without it three levels made any energy.
+/// feel of that belongs to the motion of substeps; without it three levels gained energy without bound.
 TEST_P(Levels, areStableNextToASupport)
 {
   Teuchos::ParameterList scene =
@@ -160,7 +160,7 @@ TEST_P(Levels, areStableNextToASupport)
     measureEnergy(state);
     most = std::max(most, state.energy.kinetic + state.energy.strain);
   }
-  std::printf("%d levels beside a support: energy %.4f of what was given, most %.4f\n", GetParam(),
+  std::printf("%d levels next to a support: energy %.4f of what was given, most %.4f\n", GetParam(),
               (state.energy.kinetic + state.energy.strain) / given, most / given);
   // A support takes energy and gives none; kinetic and strain energy waver as in a free bar.
   EXPECT_LT(most, 1.06 * given);

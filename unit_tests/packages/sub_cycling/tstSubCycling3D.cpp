@@ -90,8 +90,8 @@ Outcome follow(Run<3>& run, bool apart, double end = 0.0)
 
 /// No momentum comes from contact, and no energy: the mean over some steps wavers less than that of single
 /// ones, and stands by (w dt)^2 / 8 too high for a motion of frequency w, as kinetic energy is that at the
-/// end of the impulses; 0.012 for waves across the block, more for faster ones. Three percent are what short
-/// steps may be off by from rough starts.
+/// end of the impulses; 0.012 for waves across the block, more for faster ones. Three percent is the accuracy
+/// of substeps from rough starts.
 TEST(SubCycling3D, AreStableWithContact)
 {
   for (const int levels : {1, 2})
@@ -121,7 +121,7 @@ TEST(SubCycling3D, AreStableWithSprings)
     const Outcome a = follow(*some, true, end), b = follow(*all, true, end);
     EXPECT_TRUE(some->state().cracks.frontSprings);
     std::printf(
-        "%d levels: upper half %.5f, in short steps only %.5f, may differ by %.1e; %.1e in springs; momentum "
+        "%d levels: upper half %.5f, in substeps only %.5f, may differ by %.1e; %.1e in springs; momentum "
         "by %.1e\n",
         levels, a.half, b.half, std::acos(-1.0) * steps * steps / 24.0, a.springs, a.momentum);
     EXPECT_GT(a.springs, 0.0);

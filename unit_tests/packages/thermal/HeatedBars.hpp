@@ -1,5 +1,5 @@
 #pragma once
-/// Bars in which heat flows, and what tests look at in them.
+/// Bars in which heat flows, and what tests measure in them.
 
 #include "src/step/Bodies.hpp"
 

@@ -1,5 +1,5 @@
-/// Conduction on the nodes: heat is kept, a linear field stays one on any cells and wherever the particles
-/// are, and the solutions of textbooks come out.
+/// Conduction on the nodes: heat is conserved, a linear field stays one on any cells and wherever the
+/// particles are, and the solutions of textbooks come out.
 
 #include "adaptivity/Splitting.hpp"
 #include "packages/thermal/HeatedBars.hpp"
@@ -282,7 +282,7 @@ TEST(Conduction, ACrackInsulates)
   }
 }
 
-/// A body that conducts well cools as a whole: exp(-h A t / (rho c V)), and the energy balance have what left
+/// A body that conducts well cools as a whole: exp(-h A t / (rho c V)), and the energy balance has what left
 /// it.
 TEST(Conduction, ConvectionCools)
 {

@@ -149,7 +149,7 @@ TEST(ConductionIntegrator, EndInTheSteadyField)
   checkSteadyField<2>(implicit, 1, 2.0);
 }
 
-/// Against far shorter steps of the same kind: second order, and first.
+/// Against far smaller steps of the same kind: second order, and first.
 TEST(ConductionIntegrator, HaveTheirOrderInTime)
 {
   const std::vector<double> exact = temperatures(sts, 1.0 / 128);

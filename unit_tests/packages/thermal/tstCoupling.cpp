@@ -1,4 +1,4 @@
-/// Motion and heat together: the energy balance of both close, and waves run at the adiabatic speed.
+/// Motion and heat together: the energy balance of both closes, and waves run at the adiabatic speed.
 
 #include "src/step/Bodies.hpp"
 #include "state/EnergySums.hpp"
@@ -124,7 +124,7 @@ TEST(Coupling, WavesRunAtTheAdiabaticSpeed)
   EXPECT_NEAR(slow * slow / (fast * fast), 1.2, 5e-3);
 }
 
-/// What the coupling takes from motion it gives to heat: the energy balance of a vibrating bar close as well
+/// What the coupling takes from motion it gives to heat: the energy balance of a vibrating bar closes as well
 /// as without heat, in every law.
 TEST(Coupling, TheBalanceClosesAsWithoutHeat)
 {
@@ -147,10 +147,10 @@ TEST(Coupling, TheBalanceClosesAsWithoutHeat)
   }
 }
 
-/// The energy balance of linear waves close step by step: kinetic energy is that of half a step before strain
-/// energy, and with what stresses give in it nothing is left open but what changes of the weights and of
-/// geometry make, which go with the strain and the way of particles in a cell. Waves are the bar's first
-/// mode, or those of 7 cells that its end sends out, so that the work of supports is right too.
+/// The energy balance of linear waves closes step by step: kinetic energy is that of half a step before
+/// strain energy, and with the work of stresses in it the residual is only due to changes of weights and
+/// geometry, which are proportional to the strain and the motion of particles in a cell. Waves are the bar's
+/// first mode, or those of 7 cells that its end sends out, so that the work of supports is right too.
 TEST(Coupling, TheBalanceOfLinearWavesClosesStepByStep)
 {
   const auto driven = [](double speed)
@@ -192,8 +192,8 @@ TEST(Coupling, TheBalanceOfLinearWavesClosesStepByStep)
 }
 
 /// Samples of USAVG have velocity and strain of one time t. Its mean of two strains is A cos(w dt / 2) cos(w
-/// t) where A cos(w t) would keep the energy, so that sin(w dt / 2)^2 of it wavers; a wave without heat flow
-/// is faster by sqrt(1.2) here.
+/// t) where A cos(w t) would keep the energy, so that sin(w dt / 2)^2 of it oscillates; a wave without heat
+/// flow is faster by sqrt(1.2) here.
 TEST(Coupling, TheBalanceOfMotionStrainedTwiceAStepDoesNotWaverByHalfAStep)
 {
   for (const double expansion : {0.0, 0.01})
@@ -221,7 +221,7 @@ TEST(Coupling, TheBalanceOfMotionStrainedTwiceAStepDoesNotWaverByHalfAStep)
 
 /// Rubber at strains of some ten percent whose stress does not know the temperature: heat takes nothing of
 /// its motion, and all is as without heat to round-off. One whose modulus goes with the temperature warms and
-/// cools by a thousandth of it, and so does what it shares with motion.
+/// cools by a thousandth of it, and so does the energy that it exchanges with motion.
 TEST(Coupling, LargeStrainsMakeNoHeatThatNoLawAsksFor)
 {
   const auto entropic = [](Teuchos::ParameterList& scene)
@@ -268,8 +268,8 @@ TEST(Coupling, TheBalanceClosesWithEveryMassMatrix)
 }
 
 /// A modulus that falls with temperature, or rises by a fifth, keeps the energy balance of a bar at its kink
-/// as one without a table does; of one that rises threefold there energy does not tell the temperature, which
-/// is printed.
+/// as one without a table does; of one that rises threefold there the temperature is not unique for an
+/// energy, which is printed.
 TEST(Coupling, ModuliThatChangeAtAKink)
 {
   Rhegma::Run<2> plain = movingBar("Linear Elastic", 0.0, 1.7e-3, 0.02);
@@ -286,8 +286,8 @@ TEST(Coupling, ModuliThatChangeAtAKink)
     const auto ends = std::minmax_element(T.data(), T.data() + T.extent(0));
     std::printf("modulus %s: open %.1e of the motion (%.1e without a table), from %.2f to %.2f K\n",
                 table.c_str(), open, none, *ends.first, *ends.second);
-    // Where it rises threefold the energy balance open by the fraction of energy that has two roots, below T
-    // dE/dT / E times what is strained.
+    // Where it rises threefold the residual is the fraction of energy that has two roots, below T dE/dT / E
+    // times what is strained.
     EXPECT_LT(open, table == "300:1, 350:3" ? 12.0 : 1.5 * none);
   }
 }
@@ -311,13 +311,13 @@ TEST(Coupling, ViscousWorkIsHeat)
                 mechanical, both, damped.damped, warmed.thermal);
     EXPECT_GT(damped.damped, 1e-6); // of 8e-6 J
     EXPECT_EQ(warmed.damped, 0.0);
-    // Without heat the energy balance have the work of the new stress alone, and are off by as much.
+    // Without heat the energy balance has the work of the new stress alone, and are off by as much.
     EXPECT_NEAR(warmed.thermal, damped.damped, 4e-3 * damped.damped);
     EXPECT_LT(both, std::max(1.5 * mechanical, 1e-3));
   }
 }
 
-/// Without heat in the scene particles carry none of its fields.
+/// Without heat in the scene particles have none of its fields.
 TEST(Coupling, AbsentHeatLeavesNoField)
 {
   Rhegma::Run<2> run = movingBar("Linear Elastic", 0.0, 0.15, 1e-3, false);

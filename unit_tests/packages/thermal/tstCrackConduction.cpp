@@ -62,7 +62,8 @@ void checkJump(double at, double h, int level, const std::string& shape = "GIMP"
              });
   EXPECT_GT(below, 5);
   EXPECT_GT(above, 5);
-  // 1 % of the jump is asked for; nodes whose flux is shared out as the field's own keep it to round-off.
+  // 1 % of the jump is asked for; with the flux distributed to nodes as that of the field it is exact to
+  // round-off.
   EXPECT_LT(worst, 1e-7 * (hot - cold)) << D << "D at " << at << " h " << h << " level " << level;
 }
 

@@ -13,7 +13,7 @@ namespace
 
 constexpr double joint = 4.0, jump = 100.0;
 
-/// A bar of 8 m in two halves of a material each, on cells of 1 m whose nodes lie `shift` next to the joint.
+/// A bar of 8 m in two halves of a material each, on cells of 1 m whose nodes lie `shift` off the joint.
 template <int D>
 Teuchos::ParameterList halves(double conductivity, double capacity, double first, double second, double shift)
 {
@@ -213,9 +213,9 @@ TEST(MeetingMaterials, NeitherOvershootsInSmallSteps)
   }
 }
 
-/// Next to a good conductor one that hardly conducts has its temperature at the nodes that both share from
-/// the beginning: it takes the heat that its part of them holds, half a cell where the joint runs along faces
-/// of cells and less than one and a half where it runs through them, on top of what a half space takes from a
+/// Next to a good conductor one that hardly conducts has its temperature at the common nodes from the
+/// beginning: it takes the heat that its part of them holds, half a cell where the joint runs along faces of
+/// cells and less than one and a half where it runs through them, on top of what a half space takes from a
 /// face of given temperature, 2 dT sqrt(k rho c t / pi).
 TEST(MeetingMaterials, APoorConductorTakesNoMoreAtOnceThanItsNodesHold)
 {
@@ -231,7 +231,7 @@ TEST(MeetingMaterials, APoorConductorTakesNoMoreAtOnceThanItsNodesHold)
     const double cell = capacity * width * jump, pi = 3.14159265358979323846;
     const double through =
         2.0 * jump * width * std::sqrt(conductivity * capacity * run.state().clock.time / pi);
-    std::printf("nodes %.1f m beside the joint: the poor conductor has %.3f cells' heat, a half space %.3f\n",
+    std::printf("nodes %.1f m from the joint: the poor conductor has %.3f cells' heat, a half space %.3f\n",
                 shift, heat / cell, through / cell);
     EXPECT_GT(heat, through);
     EXPECT_LT(heat, (shift == 0.0 ? 0.5 : 1.5) * cell + through);

@@ -1,5 +1,5 @@
 #pragma once
-/// Bodies at random positions and at angles to the lattice, shaken, and what they keep of their energy.
+/// Bodies at random positions and at angles to the lattice, shaken, and the conservation of their energy.
 
 #include "../../../src/step/Bodies.hpp"
 
@@ -35,8 +35,8 @@ constexpr double poisson = 0.3;
 constexpr int allSteps = 100000;
 constexpr int sampleEvery = 50;
 constexpr double length = 4.0, height = 2.0; ///< of a body [cells]
-/// Cells between the middles of bodies: none shares a node with another. A diagonal of 4.5, boxes of GIMP
-/// that reach 1.25 cells beyond particles to nodes on either side, and positions that differ by up to 1.
+/// Cells between the middles of bodies: they have no common nodes. A diagonal of 4.5, boxes of GIMP that
+/// reach 1.25 cells beyond particles to nodes on either side, and positions that differ by up to 1.
 constexpr double apart = 9.0;
 
 inline bool everything()
@@ -136,8 +136,8 @@ struct Motion
   Vector<2> flight = Vector<2>{}; ///< of all particles, next to the shaking
 };
 
-/// Random velocities of the particles: every motion that they have is there, but bodies do not spin, and fly
-/// as they are told.
+/// Random velocities of the particles: every motion that they have is there, but bodies do not spin, and move
+/// with the given velocity.
 inline void shake(State<2>& state, std::size_t bodies, const Motion& motion)
 {
   HostParticles<2> particles(state);
@@ -237,8 +237,8 @@ inline std::vector<double> energiesOfStep(Rhegma::Run<2>& run, std::size_t bodie
 constexpr int parts = 10;
 
 /// Of each body the mean energy over each tenth of the steps, next to that over the first; infinite where the
-/// run stops, or where a body's energy grows a hundredfold on the way. Means, as next to a crack the energy
-/// of single steps wavers.
+/// run stops, or where a body's energy grows a hundredfold. Means, as next to a crack the energy of single
+/// steps wavers.
 using History = std::vector<std::array<double, parts>>;
 
 inline History follow(const Teuchos::ParameterList& scene, std::size_t bodies, int steps,

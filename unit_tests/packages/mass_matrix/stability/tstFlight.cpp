@@ -12,7 +12,7 @@ namespace Test
 {
 
 /// Bodies that fly through the lattice, a cell in 20,000 steps, two hundred times as fast as they are shaken.
-/// What they keep of the energy of the shaking must not hang on the solver: it works on what is not flight.
+/// What they keep of the energy of the shaking must not depend on the solver: it works on what is not flight.
 /// Particles reach other cells here, which gives and takes energy with any mass matrix; what Lumped makes of
 /// the same flight is printed next to it.
 class MassFlight : public testing::TestWithParam<std::string>

@@ -67,7 +67,7 @@ TEST_P(MassStability, GrowsWithoutTheCures)
 }
 
 /// Without the cures a crack may be flung farther than all cells before a particle is: the run stops with a
-/// sentence.
+/// message.
 TEST(MassWithoutCures, StopsWhereACrackIsFlungAway)
 {
   Settings none;
