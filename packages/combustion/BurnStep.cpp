@@ -103,7 +103,7 @@ void heatFaces(State<D>& state, BurnState<D>& burn, Burning<D>& b, double fracti
   burn.heat.give(state, p, crack, burn.heating, heatToFaces);
   double all = 0.0;
   Kokkos::parallel_reduce(
-      "rhegma::combustion::heatTaken", Kokkos::RangePolicy<ExecSpace>(0, p.count()),
+      "rhegma::combustion::heatToFaces", Kokkos::RangePolicy<ExecSpace>(0, p.count()),
       KOKKOS_LAMBDA(const int k, double& sum) { sum += heatToFaces(k); }, all);
   b.gas.heatWalls(all);
 }

@@ -107,11 +107,11 @@ void reportGas(const State<D>& state, const BurnState<D>& burn, nlohmann::json& 
     reportPressure(summary, b.crack, b.pressure);
     entry["burnt_mass"] = gas.burnt();
     const double released = gas.burnt() * gas.law().heatCapacity() * gas.law().flameTemperature;
-    const double given = gas.startEnergy() + released + gas.solidHeat() + gas.passedEnergy();
+    const double supplied = gas.startEnergy() + released + gas.solidHeat() + gas.passedEnergy();
     // Flowing gas has its mass and energy in its cells; that these agree with the balance is checked here.
     const double mass = b.flows ? b.flow.channel().allMass() : gas.mass();
     const double energy = b.flows ? b.flow.channel().allEnergy() : gas.energy();
-    const double taken = gas.workDone() + gas.ventedEnergy() + gas.wallHeat();
+    const double removed = gas.workDone() + gas.ventedEnergy() + gas.wallHeat();
     entry["gas"] = {{"mass", mass},
                     {"vented_mass", gas.vented()},
                     {"passed_mass", gas.passed()},
@@ -125,7 +125,7 @@ void reportGas(const State<D>& state, const BurnState<D>& burn, nlohmann::json& 
                     {"wall_heat", gas.wallHeat()},
                     {"solid_heat", gas.solidHeat()},
                     {"burning_area", b.burningArea},
-                    {"energy_kept", given > 0.0 ? (energy + taken) / given : 1.0}};
+                    {"energy_kept", supplied > 0.0 ? (energy + removed) / supplied : 1.0}};
     if (b.flows)
       entry["gas"]["pressures"] = pressuresAlong(b.flow.channel());
     if (b.usesFaces())

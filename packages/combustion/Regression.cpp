@@ -131,7 +131,7 @@ double Regression<D>::fraction(const State<D>& state)
   const auto mass = state.particles.scalar(fields::mass);
   double given = 0.0;
   Kokkos::parallel_reduce(
-      "rhegma::combustion::share", Kokkos::RangePolicy<ExecSpace>(0, givers_),
+      "rhegma::combustion::distribute", Kokkos::RangePolicy<ExecSpace>(0, givers_),
       KOKKOS_LAMBDA(const int g, double& sum) {
         const int r = giver(g), p = particle(r);
         double wanted = 0.0;

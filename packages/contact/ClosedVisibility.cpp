@@ -85,7 +85,7 @@ void ClosedVisibility::prepare(const State<2>& state)
     separation_ = View<double*>("rhegma::closedSeparation", points_.count());
     reserveRows();
   }
-  placeAround(state.mesh.grid.spacing);
+  setAround(state.mesh.grid.spacing);
   pointStencils(state, behind_, below_, true);
   pointStencils(state, ahead_, above_, true);
   whole_ = false;
@@ -115,12 +115,12 @@ void ClosedVisibility::store(Archive& archive)
     reserveRows();
 }
 
-void ClosedVisibility::placeAround(double cell)
+void ClosedVisibility::setAround(double cell)
 {
   const FacePoints<2> points = points_;
   const View<double*[2]> behind = behind_.position, ahead = ahead_.position;
   Kokkos::parallel_for(
-      "rhegma::contact::placeAround", Kokkos::RangePolicy<ExecSpace>(0, points_.count()),
+      "rhegma::contact::setAround", Kokkos::RangePolicy<ExecSpace>(0, points_.count()),
       KOKKOS_LAMBDA(const int k) {
         for (int d = 0; d < 2; ++d)
         {

@@ -34,7 +34,7 @@ public:
   int closedPoints(int crack) const;
 
   /// Part of `prepare`; public because compilers for devices want kernels in public functions.
-  void placeAround(double cell);
+  void setAround(double cell);
 
 private:
   void reserveRows();

@@ -13,12 +13,12 @@ namespace
 {
 
 template <int D>
-void placePoints(const CrackSet<D>& cracks, const ObservedPoints<D>& points)
+void setPoints(const CrackSet<D>& cracks, const ObservedPoints<D>& points)
 {
   const View<double* [2][D]> face = cracks.face;
   const View<int*> starBegin = cracks.starBegin, star = cracks.star, crackOf = cracks.crackOf;
   parallelForSmall(
-      "rhegma::cracks::placeFaces", points.count, KOKKOS_LAMBDA(const int k) {
+      "rhegma::cracks::setFacePoints", points.count, KOKKOS_LAMBDA(const int k) {
         const int v = k / 2, side = k % 2, name = crackOf(star(starBegin(v))) + 1;
         points.side(k) = side == 1 ? name : -name;
         for (int d = 0; d < D; ++d)
@@ -94,7 +94,7 @@ void CrackMotion<D>::move(State<D>& state)
     points_.onAllRanks = true;
     shift_ = View<double*>("rhegma::crackFaceShift", 2 * vertices * (D + 1));
   }
-  placePoints(cracks, points_);
+  setPoints(cracks, points_);
   pointStencils(state, points_, stencils_, true);
   findShifts(state.mesh.nodes, stencils_, points_.count, state.clock.dt,
              state.method.scheme == UpdateScheme::Usl, shift_);

@@ -104,7 +104,7 @@ void readCracks(const Teuchos::ParameterList& section, State<D>& state, double e
   refuseNeighbours(meshes, names, spacing);
   layOut(set, meshes, spacing);
   set.nodeSide = View<int*>("rhegma::nodeSide", state.mesh.grid.numNodes);
-  set.second = View<int*>("rhegma::secondField", state.mesh.grid.numNodes);
+  set.second = View<int*>("rhegma::enrichedField", state.mesh.grid.numNodes);
   Kokkos::deep_copy(set.second, -1);
 }
 

@@ -163,7 +163,7 @@ template <int D>
 void listParents(State<D>& state, int count)
 {
   if (static_cast<int>(state.mesh.nodes.parent.extent(0)) < count)
-    state.mesh.nodes.parent = View<int*>("rhegma::secondFieldParent", 2 * count);
+    state.mesh.nodes.parent = View<int*>("rhegma::enrichedFieldParent", 2 * count);
   if (static_cast<int>(state.mesh.nodes.sums.extent(0)) < state.mesh.nodes.numLattice + count)
     state.mesh.nodes.reserve(state.mesh.nodes.numLattice, 2 * count);
   state.mesh.nodes.numSecond = count;
@@ -323,7 +323,7 @@ void reserveRows(State<D>& state, Surroundings& around)
   if (static_cast<int>(cracks.nodeSide.extent(0)) < nodes)
   {
     cracks.nodeSide = View<int*>("rhegma::nodeSide", capacity);
-    cracks.second = View<int*>("rhegma::secondField", capacity);
+    cracks.second = View<int*>("rhegma::enrichedField", capacity);
     Kokkos::deep_copy(cracks.second, -1);
   }
 }

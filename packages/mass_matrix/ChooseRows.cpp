@@ -122,7 +122,7 @@ void chooseTogether(const State<D>& state, const MassSystem<D>& system)
   const View<int*> rowOf = system.rowOf;
   const View<double*> touched = system.touched;
   parallelForSmall(
-      "rhegma::mass::tellChosen", 0, nodes.numActive(), KOKKOS_LAMBDA(const int i) {
+      "rhegma::mass::reportChosen", 0, nodes.numActive(), KOKKOS_LAMBDA(const int i) {
         const int n = activeNode(nodes, i);
         touched(n) = rowOf(n) == -1 ? 0.0 : 1.0;
       });

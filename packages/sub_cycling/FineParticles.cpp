@@ -205,7 +205,7 @@ void FineParticles<D>::fractionClasses(const State<D>& state)
   const SharedRows rows = sharedRows(state);
   const int number = static_cast<int>(shared.extent(0)), fields = rows.second.extent(0) > 0 ? 2 : 1;
   Kokkos::parallel_for(
-      "rhegma::subcycling::tellClasses", Range(0, number), KOKKOS_LAMBDA(const int i) {
+      "rhegma::subcycling::reportClasses", Range(0, number), KOKKOS_LAMBDA(const int i) {
         for (int f = 0; f < fields; ++f)
         {
           const int n = rows(shared(i), f);

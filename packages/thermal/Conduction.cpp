@@ -104,14 +104,14 @@ double Conduction<D>::supplyAll(State<D>& state, double dt, double time)
   if (static_cast<int>(supply.extent(0)) < state.particles.size())
     supply = View<double*>("rhegma::thermal::supply", state.particles.size());
   Kokkos::deep_copy(supply, 0.0);
-  const bool books = state.ranks.rank() == 0;
+  const bool records = state.ranks.rank() == 0;
   double power = 0.0;
   for (const Source<D>& source : sources)
-    power += books ? addSource(state, source, time, supply) : (addSource(state, source, time, supply), 0.0);
+    power += records ? addSource(state, source, time, supply) : (addSource(state, source, time, supply), 0.0);
   if (heated)
   {
     const double ofFronts = heatOfFronts(state, dt) / dt;
-    power += books ? ofFronts : 0.0;
+    power += records ? ofFronts : 0.0;
   }
   return power;
 }

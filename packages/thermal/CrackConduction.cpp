@@ -222,7 +222,7 @@ double CrackConduction<D>::exchange(const State<D>& state, const HeatNodes<D>& h
     return 0.0;
   const Nodes<D> nodes = state.mesh.nodes;
   const View<double*> conductance = conductance_;
-  double taken = 0.0;
+  double fromOutside = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::thermal::exchangeBetweenFaces", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
       KOKKOS_LAMBDA(const int i, double& sum) {
@@ -248,8 +248,8 @@ double CrackConduction<D>::exchange(const State<D>& state, const HeatNodes<D>& h
         else if (counts)
           sum -= passed;
       },
-      taken);
-  return taken;
+      fromOutside);
+  return fromOutside;
 }
 
 template <int D>

@@ -291,7 +291,7 @@ template <int D>
 double changeTemperature(const State<D>& state, const HeatNodes<D>& heat, double dt)
 {
   const Nodes<D> nodes = state.mesh.nodes;
-  double taken = 0.0;
+  double fromOutside = 0.0;
   Kokkos::parallel_reduce(
       "rhegma::thermal::changeTemperature", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
       KOKKOS_LAMBDA(const int i, double& sum) {
@@ -302,8 +302,8 @@ double changeTemperature(const State<D>& state, const HeatNodes<D>& heat, double
         else if (isOwnedByThisRank(nodes, n))
           sum += capacity * heat.value(n, 1) - flow;
       },
-      taken);
-  return taken;
+      fromOutside);
+  return fromOutside;
 }
 
 template <int D>
