@@ -36,12 +36,4 @@ Vector<D> turned(const Vector<D>& direction, const Vector<D>& normal, double ang
   return (1.0 / norm(to)) * to;
 }
 
-/// Unit vector in which a front advances that has this direction and normal.
-template <int D>
-Vector<D> nextDirection(const DrivingForce& driving, const Vector<D>& direction, const Vector<D>& normal,
-                        DirectionRule rule)
-{
-  return turned(direction, normal, turningAngle(driving, rule));
-}
-
 } // namespace Rhegma::propagation

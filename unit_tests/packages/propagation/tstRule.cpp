@@ -144,12 +144,12 @@ TEST(Direction, TurnsInTheFrameOfTheFront)
   front.direction = {{0.0, 1.0}};
   front.normal = {{-1.0, 0.0}};
   front.nodes[0].driving.hoopAngle = -30.0 * degree;
-  const Vector<2> turned =
-      nextDirection(front.nodes[0].driving, front.direction, front.normal, DirectionRule::HoopStress);
-  EXPECT_NEAR(turned[0], 0.5, 1e-12);
-  EXPECT_NEAR(turned[1], std::cos(30.0 * degree), 1e-12);
-  const Vector<2> straight =
-      nextDirection(front.nodes[0].driving, front.direction, front.normal, DirectionRule::Straight);
+  const auto next = [&](DirectionRule rule)
+  { return turned(front.direction, front.normal, turningAngle(front.nodes[0].driving, rule)); };
+  const Vector<2> kinked = next(DirectionRule::HoopStress);
+  EXPECT_NEAR(kinked[0], 0.5, 1e-12);
+  EXPECT_NEAR(kinked[1], std::cos(30.0 * degree), 1e-12);
+  const Vector<2> straight = next(DirectionRule::Straight);
   EXPECT_NEAR(straight[1], 1.0, 1e-12);
 }
 
