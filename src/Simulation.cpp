@@ -68,7 +68,7 @@ void Simulation::checkpoint(const std::string& path, const Notes& notes)
 
 Simulation::Notes Simulation::restore(const std::string& path)
 {
-  // All ranks read it: what one can't read, none goes on from.
+  // All ranks read it: if one can't, none continues from it.
   Record record;
   onEachRank(engine_->ranks(), [&] { record = readCheckpoint(path); });
   try

@@ -22,75 +22,73 @@ namespace Rhegma
 /// A simulation that an application owns and advances.
 ///
 /// The application initialises MPI and Kokkos before and finalises them after. The simulation never prints
-/// and never exits: it throws std::invalid_argument for a wrong scene (one sentence, or one a line where
-/// there are several) and Rhegma::RunError when the run can't go on.
+/// and never exits: it throws std::invalid_argument for a wrong scene (one message per line) and
+/// Rhegma::RunError when the run can't go on.
 class Simulation
 {
 public:
   /// A sample: names and values, as a row of history.csv.
   using Row = std::vector<std::pair<std::string, double>>;
 
-  /// \param comm  ranks that take part; every call below is then collective
+  /// \param comm  ranks of the run; with several, every call below is collective
   /// \param scene the list `Rhegma` of a scene; validated and completed with defaults here
   Simulation(Teuchos::RCP<const Teuchos::Comm<int>> comm, const Teuchos::RCP<Teuchos::ParameterList>& scene);
   /// Frees all; what advance() has done is lost unless it was written.
   ~Simulation();
-  /// The one moved from can only be destroyed or assigned to.
+  /// The source can only be destroyed or assigned to.
   Simulation(Simulation&&) noexcept;
-  /// The same by assignment.
+  /// As the move constructor.
   Simulation& operator=(Simulation&&) noexcept;
 
-  /// Makes the particles and the plan. Call once, before all that follows.
+  /// Makes the particles and the plan. Call once, before all functions below.
   void initialize();
 
-  /// What an application wants kept next to the state, by names of its own.
+  /// Data that an application stores with the state, by its own names.
   using Notes = std::map<std::string, std::string>;
 
   /// Writes the state as it is now to an HDF5 file (checkpoint/CheckpointFile.hpp): under another name first,
-  /// so that there is the older file or the whole new one. Not to be called within a step; a call-back of
-  /// sampleEvery or onStep may. Throws std::runtime_error when it can't be written.
+  /// so that either the older file or the complete new one exists. Do not call within a step; call-backs of
+  /// sampleEvery and onStep may call it. Throws std::runtime_error when it can't be written.
   void checkpoint(const std::string& path, const Notes& notes = {});
 
-  /// Takes the place of initialize(), or goes back later: makes the particles and the plan and puts the state
-  /// of a checkpoint in place. The run goes on as if it had never stopped, on one thread with the same
-  /// digits.
+  /// Replaces initialize(), or returns to an earlier state: makes the particles and the plan and loads the
+  /// state of a checkpoint. The run continues as if it had not stopped, with one thread to the same digits.
   ///
-  /// The scene must be the one of the checkpoint but for what may change (--describe says which parameters).
-  /// Throws std::invalid_argument, with one sentence, for a file that is no checkpoint, is damaged or belongs
-  /// to another scene; this simulation then is as it was. \return the notes of the checkpoint
+  /// The scene must be that of the checkpoint except for parameters that may change (see --describe). Throws
+  /// std::invalid_argument for a file that is no checkpoint, is damaged or belongs to another scene; this
+  /// simulation then does not change. \return the notes of the checkpoint
   Notes restore(const std::string& path);
 
-  /// Keeps a copy of the state as it is now in memory, in place of an earlier one.
+  /// Stores a copy of the current state in memory; it replaces an earlier copy.
   void hold(const Notes& notes = {});
-  /// Whether there is a copy.
+  /// Whether a copy is stored.
   bool holds() const;
-  /// Its time [s]; negative where there is none.
+  /// Time of the copy [s]; negative without one.
   double heldTime() const;
-  /// Goes back to the copy, which stays, and on from there with steps of half the length that they have now.
-  /// Belongs where a step has thrown RunError. Collective. \return the notes of the copy
+  /// Returns to the copy, which stays stored, and halves the length of the following steps. Call after a step
+  /// has thrown RunError. Collective. \return the notes of the copy
   Notes goBack();
-  /// Writes the copy as checkpoint() would have written the state.
+  /// Writes the copy as checkpoint() writes the state.
   void checkpointHeld(const std::string& path) const;
 
-  /// Whether, up to the last sample, the bodies had no energy of which nobody knows where it came from: a
-  /// state worth keeping.
+  /// Whether, up to the last sample, the run has created no energy: a state worth storing.
   bool sound() const;
 
-  /// Fraction of the stable step that is taken: 1, or less after goBack().
+  /// Fraction of the stable step that is used: 1, or less after goBack().
   double stepFraction() const;
 
-  /// The time step that the state allows now, times that share [s].
+  /// The stable time step of the current state times that fraction [s].
   double stableTimeStep() const;
 
-  /// Runs to a time [s] in stable steps, or to where the scene has the run end (`ended()`).
+  /// Runs to a time [s] in stable steps, or to an earlier end of the run (`ended()`).
   void advance(double time);
 
-  /// Has advance() sample, in the step that ends an interval and at its end, and call `observer` with the
-  /// row. \param interval time between samples [s]; none are taken before this is called \param observer gets
-  /// the time [s] and the row
+  /// Makes advance() sample at the end of each interval and call `observer` with the row. Without it there
+  /// are no samples. \param interval time between samples [s] \param observer gets the time [s] and the row
   void sampleEvery(double interval, std::function<void(double time, const Row&)> observer);
 
-  /// Has advance() call `progress` after each step. \param progress gets the time [s] and the number of steps
+  /// Makes advance() call `progress` after each step. \param progress gets the time [s] and the number of
+  /// steps
   void onStep(std::function<void(double time, long step)> progress);
 
   /// The last sample.
@@ -99,51 +97,50 @@ public:
   /// Names of the fields that the particles of this scene have.
   std::vector<std::string> particleFields() const;
 
-  /// A copy of a field of the particles that this rank has now; what all fields have in one row belongs to
-  /// one particle. Order and number may change with every step. No other rank need call it.
+  /// A copy of a field of the particles of this rank; the same row of all fields belongs to the same
+  /// particle. Order and number may change with every step. Not collective.
   ///
-  /// Throws std::invalid_argument, naming those that there are, where no field has the name.
+  /// Throws std::invalid_argument, which lists the existing fields, where no field has this name.
   ParticleCopy particleField(const std::string& name) const;
 
-  /// Gives heat to the particles that this rank has now, between steps: at constant strain, and recorded in
-  /// the energy balance's `heat`. The particles then hold just as much more; their temperatures rise by heat
-  /// over capacity.
+  /// Adds heat to the particles of this rank between steps, at constant strain; it is recorded as `heat` of
+  /// the energy balance. The internal energy rises by as much, the temperature by heat over capacity.
   ///
-  /// \param joules of each particle, in the order of particleField() [J]; negative: taken away
-  /// Throws std::invalid_argument, and gives nothing, where the scene has no section Thermal, where there are
-  /// more or fewer numbers than particles, or where one is not finite or would take its particle to zero
-  /// kelvin. No other rank need call it.
+  /// \param joules of each particle, in the order of particleField() [J]; negative: removed Throws
+  /// std::invalid_argument, and changes nothing, where the scene has no section Thermal, where the number of
+  /// values is not that of the particles, or where one is not finite or would cool its particle to zero
+  /// kelvin. Not collective.
   void giveHeat(const std::vector<double>& joules);
 
-  /// Time that has been simulated [s].
+  /// Simulated time [s].
   double time() const;
-  /// Steps that have been taken, of all parts of the run.
+  /// Number of steps of the run, those before a restart included.
   long steps() const;
   /// Whether the run is at rest, by Damping > Settled Energy Ratio and Settled Drift.
   bool settled() const;
-  /// Whether the scene has the run end here, whatever time it is: at rest with Damping > Stop When Settled,
-  /// or after Time > Maximum Steps. advance() then does nothing.
+  /// Whether the run ends here, before its final time: at rest with Damping > Stop When Settled, or after
+  /// Time > Maximum Steps. advance() then does nothing.
   bool ended() const;
-  /// How many particles there are now, of all ranks.
+  /// Current number of particles of all ranks.
   int particles() const;
-  /// Particles times steps, summed over the steps that have been taken.
+  /// Particles times steps, summed over the run.
   double particleSteps() const;
-  /// Names of the effects that the scene asks for.
+  /// Names of the effects of the scene.
   std::vector<std::string> effects() const;
-  /// Effects, fields and stages, for a person to read.
+  /// Effects, fields and stages as text.
   std::string plan() const;
   /// Seconds spent in each stage.
   std::map<std::string, double> stageSeconds() const;
-  /// Energies, momentum, bodies, cracks and what else the effects report, as in summary.json.
+  /// Energies, momentum, bodies, cracks and the reports of effects, as in summary.json.
   nlohmann::json report() const;
-  /// Writes the fields as they are now; the first call makes the files fields.h5 and fields.xdmf in the
-  /// folder, or goes on with them after restore().
+  /// Writes the current fields; the first call makes the files fields.h5 and fields.xdmf in the folder, or
+  /// continues them after restore().
   void writeFields(const std::string& folder);
-  /// After restore(): takes up fields.h5 and fields.xdmf in the folder, without the times that they have
-  /// beyond the checkpoint; where it had none, they will be made anew. \return false where they should be
-  /// there and are not, or can't be read: they will be made anew too
+  /// After restore(): continues fields.h5 and fields.xdmf in the folder, and removes times later than the
+  /// checkpoint; if the checkpoint had no fields, the files will be made anew. \return false where the files
+  /// are missing or can't be read: they will be made anew too
   bool continueFields(const std::string& folder);
-  /// Seconds by the clock since it was made, and those of the run before that it restored [s].
+  /// Wall time since construction plus that of the restored run [s].
   double wallSeconds() const;
 
 private:

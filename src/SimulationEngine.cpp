@@ -1,6 +1,6 @@
 #include "SimulationEngine.hpp"
 
-#include "archive/ShareRecord.hpp"
+#include "archive/BroadcastRecord.hpp"
 #include "base/OutputError.hpp"
 #include "checkpoint/SceneText.hpp"
 #include "output/BodyReport.hpp"
@@ -44,7 +44,7 @@ public:
       run_->step(until, sample);
       if (sample)
       {
-        // Samples missed by a step are left out, not bunched up.
+        // Samples missed by a step are left out.
         while (next_ <= state.clock.time)
           next_ += interval;
         Engine::last = state.sample.row;
@@ -58,9 +58,9 @@ public:
       }
       catch (...)
       {
-        // Who stops the run, on all ranks at once, reads the energy balance as they are now.
+        // The end of the run reads the current energy balance.
         measureEnergy(state);
-        shareEnergyBalance(state);
+        sumEnergyBalance(state);
         throw;
       }
     }
@@ -126,7 +126,7 @@ public:
   {
     const State<D>& state = run_->state();
     return {state.clock.time,    state.clock.step,    state.clock.settled,
-            state.clock.ended(), allParticles(state), state.particles.stepsTaken};
+            state.clock.ended(), allParticles(state), state.particles.particleSteps};
   }
 
   void syncFields() const override
@@ -154,13 +154,13 @@ public:
     archive("scene_hash", hash);
     Notes copy = notes;
     keepNotes(copy, archive);
-    keep(*run_, next_, Engine::last, archive);
+    serialize(*run_, next_, Engine::last, archive);
     double wall = wallSeconds();
     archive("wall_seconds", wall);
     if (writer_)
     {
       const Archive::Group group(archive, "fields");
-      writer_->keep(archive);
+      writer_->serialize(archive);
     }
     else
       record.insert(fieldsBefore_.begin(), fieldsBefore_.end());
@@ -182,8 +182,7 @@ public:
     const std::string difference = differenceOfScenes(lines_, linesOf(scene));
     if (!difference.empty())
       throw CheckpointMisfit("belongs to another scene: " + difference);
-    // All is made anew, so that nothing of what has been done since is left, and what goes wrong changes
-    // nothing.
+    // Everything is made anew, so that nothing of the later state remains, and an error changes nothing.
     std::unique_ptr<Run<D>> run;
     makeRun(run);
     initialize(*run);
@@ -193,7 +192,7 @@ public:
     try
     {
       keepNotes(notes, archive);
-      keep(*run, next, sampled, archive);
+      serialize(*run, next, sampled, archive);
       archive("wall_seconds", wall);
     }
     catch (const std::invalid_argument& error)
@@ -217,7 +216,7 @@ public:
   Notes goBack() override
   {
     const double fraction = 0.5 * run_->stepFraction();
-    shareRecord(ranks(), held);
+    broadcastRecord(ranks(), held);
     Notes notes = load(held);
     keepOnFirst();
     run_->setStepFraction(fraction);
@@ -244,9 +243,9 @@ private:
     state.sample.row.clear();
   }
 
-  static void keep(Run<D>& run, double& next, Row& last, Archive& archive)
+  static void serialize(Run<D>& run, double& next, Row& last, Archive& archive)
   {
-    run.keep(archive);
+    run.serialize(archive);
     const Archive::Group group(archive, "sampling");
     archive("next", next);
     std::vector<std::string> names;
@@ -298,9 +297,9 @@ private:
   Teuchos::ParameterList scene_;
   std::vector<std::string> lines_; ///< of the scene
   std::unique_ptr<Run<D>> run_;
-  std::set<std::string> balance_; ///< columns of the energy balance that the effects give
+  std::set<std::string> balance_; ///< columns of the energy balance from effects
   std::unique_ptr<FieldWriter<D>> writer_;
-  Record fieldsBefore_; ///< what a checkpoint says of the fields, until they are gone on with
+  Record fieldsBefore_; ///< state of the fields in a checkpoint, until they are continued
   double next_ = 0.0;
   double earlierSeconds_ = 0.0;
   Kokkos::Timer timer_;

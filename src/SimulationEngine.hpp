@@ -1,5 +1,5 @@
 #pragma once
-/// What a Simulation does, without the dimension of its scene.
+/// Implementation of Simulation for a dimension.
 
 #include "Simulation.hpp"
 
@@ -16,7 +16,7 @@
 namespace Rhegma
 {
 
-/// A checkpoint that is whole and can't be gone on from here; what follows its name in a sentence.
+/// A valid checkpoint from which this simulation can't continue; the message follows the name of the file.
 class CheckpointMisfit : public std::runtime_error
 {
 public:
@@ -70,7 +70,7 @@ public:
   Record held;
   double heldTime = -1.0; ///< negative: nothing is held
 
-  /// The first rank has all that is held; no other needs it until the run goes back.
+  /// Only the first rank keeps the copy; the others need it only when the run goes back.
   void keepOnFirst()
   {
     if (ranks_.rank() > 0)

@@ -1,4 +1,4 @@
-/// Read a scene, run it, tell the user.
+/// The program: reads a scene and runs it.
 
 #include "program/Options.hpp"
 #include "program/RunScene.hpp"
@@ -16,10 +16,10 @@ namespace
 
 using namespace Rhegma::program;
 
-/// Starts Kokkos; it says on its own terms what is wrong with its arguments.
+/// Starts Kokkos, which reports errors of its own arguments.
 void startKokkos(const char* program, const std::vector<std::string>& forKokkos)
 {
-  // What it warns of (more threads than cores) a user of several ranks has asked for.
+  // Its warning (more threads than cores) is intended with several ranks.
   std::vector<std::string> all = forKokkos;
   all.emplace_back("--kokkos-disable-warnings");
   const KokkosArguments arguments(program, all);
@@ -34,7 +34,7 @@ void startKokkos(const char* program, const std::vector<std::string>& forKokkos)
   }
 }
 
-/// Where there are more ranks than this one they may wait for it for ever: ends them too.
+/// Other ranks may wait for this one: ends them too.
 void endAlone(const std::exception& error)
 {
   int size = 1;
@@ -86,7 +86,7 @@ int main(int argc, char** argv)
   MPI_Init(&argc, &argv);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  // Every rank comes to the same words; one says them.
+  // Every rank has the same output; one prints it.
   std::ostream silence(nullptr);
   const int code = start(argc, argv, rank == 0 ? std::cout : silence, rank == 0 ? std::cerr : silence);
   MPI_Finalize();

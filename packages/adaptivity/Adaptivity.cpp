@@ -333,7 +333,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 EffectEntry adaptivityEntry()
 {
   EffectEntry entry{section(), check, make<2>, make<3>, true};
-  entry.cells.tell = [](const auto&, CellNeeds& needs, auto&) { needs.equal = true; };
+  entry.cells.addNeeds = [](const auto&, CellNeeds& needs, auto&) { needs.equal = true; };
   entry.declare = [](const Teuchos::ParameterList& list, RunOptions& options)
   {
     options.adaptive = true;

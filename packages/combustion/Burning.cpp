@@ -11,9 +11,9 @@ namespace Rhegma::combustion
 {
 
 template <int D>
-void Burning<D>::store(Archive& archive)
+void Burning<D>::serialize(Archive& archive)
 {
-  gas.store(archive);
+  gas.serialize(archive);
   archive("filled", filled);
   archive("spent", spent);
   archive("felt", felt);
@@ -29,7 +29,7 @@ void Burning<D>::store(Archive& archive)
   if (flows)
   {
     const Archive::Group group(archive, "flow");
-    flow.store(archive);
+    flow.serialize(archive);
   }
 }
 
@@ -88,7 +88,7 @@ Burning<D> readBurning(const State<D>& state, const Teuchos::ParameterList& scen
   const GasLaw law = readGas(list);
   b.gas = Gas(law);
   b.density = list.isParameter("Solid Density") ? list.get<double>("Solid Density")
-                                                : state.materials.list.front().density;
+                                                : state.materials.properties.front().density;
   b.gap = list.get<double>("Initial Gap");
   b.cavity = list.get<double>("Cavity Volume");
   b.outside = list.get<double>("Outside Pressure");

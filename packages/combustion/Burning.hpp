@@ -50,7 +50,7 @@ struct Burning
 
   bool heatsFaces() const { return wallFraction > 0.0 || transfer > 0.0; }
   bool usesFaces() const { return heatsFaces() || ignition.byTemperature(); }
-  void store(Archive& archive);
+  void serialize(Archive& archive);
 };
 
 /// What a scene says of the burning of a crack. Throws std::invalid_argument, with the path, for what the

@@ -331,7 +331,7 @@ ChannelLoss Channel::advance(double dt, const ChannelSupply& supply, double dens
   return loss;
 }
 
-void Channel::store(Archive& archive)
+void Channel::serialize(Archive& archive)
 {
   archive("length", length_);
   archive("volume", volume_);

@@ -97,7 +97,7 @@ public:
   /// Whether each cell has a volume, gas and energy.
   bool sound() const;
 
-  void store(Archive& archive);
+  void serialize(Archive& archive);
 
 private:
   struct State

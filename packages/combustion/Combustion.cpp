@@ -46,20 +46,20 @@ double timeStepLimit(const BurnState<D>& burn)
 }
 
 template <int D>
-void store(BurnState<D>& burn, Archive& archive)
+void serialize(BurnState<D>& burn, Archive& archive)
 {
   archive("start_mass", burn.startMass);
   storeMeetings(burn.meetings, archive);
   for (Burning<D>& b : burn.cracks)
   {
     const Archive::Group group(archive, std::to_string(b.crack));
-    b.store(archive);
+    b.serialize(archive);
   }
   {
     const Archive::Group group(archive, "points");
-    burn.points.keep(archive);
+    burn.points.serialize(archive);
   }
-  burn.fire.store(archive);
+  burn.fire.serialize(archive);
 }
 
 template <int D>
@@ -110,7 +110,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
                  sampleGas(s, *burn);
                }});
   effect.timeStepLimit = [burn](const State<D>&) { return timeStepLimit(*burn); };
-  effect.memory = [burn](State<D>&, Archive& archive) { store(*burn, archive); };
+  effect.memory = [burn](State<D>&, Archive& archive) { serialize(*burn, archive); };
   effect.report = [burn](const State<D>& state, nlohmann::json& summary)
   { reportGas(state, *burn, summary); };
   return effect;

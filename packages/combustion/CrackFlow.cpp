@@ -86,9 +86,9 @@ void CrackFlow<D>::follow(const FacePoints<D>& points, int crack, double cavity,
 }
 
 template <int D>
-void CrackFlow<D>::store(Archive& archive)
+void CrackFlow<D>::serialize(Archive& archive)
 {
-  channel_.store(archive);
+  channel_.serialize(archive);
   archive("first", first_);
   archive("lengths", length_);
   archive("begin", begin_);

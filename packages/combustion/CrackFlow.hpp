@@ -28,7 +28,7 @@ public:
   const Channel& channel() const { return channel_; }
   int first() const { return first_; } ///< face point of its first cell
 
-  void store(Archive& archive);
+  void serialize(Archive& archive);
 
 private:
   double arcAt(const FacePoints<D>& points, const Vector<D>& point) const;

@@ -163,7 +163,7 @@ double Gas::outflow(double area, double volume, double outside) const
   return law_.outflow(area, pressure(volume), temperature(), outside);
 }
 
-void Gas::store(Archive& archive)
+void Gas::serialize(Archive& archive)
 {
   archive("mass", mass_);
   archive("energy", energy_);

@@ -89,7 +89,7 @@ public:
   /// Mass that flows out through an opening [kg/s]: GasLaw::outflow.
   double outflow(double area, double volume, double outside) const;
 
-  void store(Archive& archive);
+  void serialize(Archive& archive);
 
 private:
   GasLaw law_;

@@ -42,7 +42,7 @@ void Fire<D>::spread(const State<D>& state, const FacePoints<D>& points, int cra
 }
 
 template <int D>
-void Fire<D>::store(Archive& archive)
+void Fire<D>::serialize(Archive& archive)
 {
   archive("lit", lit_);
 }

@@ -50,7 +50,7 @@ public:
 
   const View<int*>& lit() const { return lit_; } ///< not 0 where a point burns
 
-  void store(Archive& archive);
+  void serialize(Archive& archive);
 
 private:
   View<int*> lit_;

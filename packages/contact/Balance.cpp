@@ -76,7 +76,7 @@ void Balance<D>::compare(const State<D>& state, double lost)
 }
 
 template <int D>
-void Balance<D>::store(Archive& archive)
+void Balance<D>::serialize(Archive& archive)
 {
   archive("work_before", workBefore_);
   archive("found", found_);

@@ -32,7 +32,7 @@ public:
   /// Call at the end of a step that is sampled. \param lost energy [J] known to be dissipated
   void compare(const State<D>& state, double lost);
 
-  void store(Archive& archive);
+  void serialize(Archive& archive);
 
   /// Smallest, largest and last energy found, where the largest energy ever put in stands for 1.
   double smallestFraction() const { return relative(smallest_); }

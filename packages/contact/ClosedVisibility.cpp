@@ -104,11 +104,11 @@ void ClosedVisibility::reserveRows()
   }
 }
 
-void ClosedVisibility::store(Archive& archive)
+void ClosedVisibility::serialize(Archive& archive)
 {
   {
     const Archive::Group group(archive, "points");
-    points_.keep(archive);
+    points_.serialize(archive);
   }
   archive("separation", separation_);
   if (archive.loads())

@@ -28,7 +28,7 @@ public:
   template <class Velocity>
   void advance(const State<2>& state, const Velocity& velocity);
 
-  void store(Archive& archive);
+  void serialize(Archive& archive);
 
   /// Points of a crack where it is closed.
   int closedPoints(int crack) const;

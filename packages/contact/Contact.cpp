@@ -166,7 +166,7 @@ template <int D>
 double timeStepLimit(const State<D>& state, double alpha, bool extrapolated)
 {
   double fastest = 0.0;
-  for (const Properties& p : state.materials.list)
+  for (const Properties& p : state.materials.properties)
     fastest = std::max(fastest, std::sqrt(elasticity(p).constrainedModulus / p.density));
   const double square = extrapolated ? 25.0 + 16.0 * alpha : 4.0 * (D + alpha);
   return 0.9 * 2.0 / std::sqrt(square) * state.mesh.stepSpacing() / fastest;
@@ -233,17 +233,17 @@ void begin(State<D>& state, const std::shared_ptr<Account<D>>& account)
 }
 
 template <int D>
-void store(Account<D>& account, Archive& archive)
+void serialize(Account<D>& account, Archive& archive)
 {
   archive("recorded", account.recorded);
   {
     const Archive::Group group(archive, "balance");
-    account.balance.store(archive);
+    account.balance.serialize(archive);
   }
   if (account.visibility)
-    account.visibility->store(archive);
+    account.visibility->serialize(archive);
   else
-    account.contact.store(archive);
+    account.contact.serialize(archive);
 }
 
 template <int D>
@@ -298,7 +298,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
                {},
                {},
                [account](State<D>& s) { observe(s, *account); }});
-  effect.memory = [account](State<D>&, Archive& archive) { store(*account, archive); };
+  effect.memory = [account](State<D>&, Archive& archive) { serialize(*account, archive); };
   effect.report = [account](const State<D>& state, nlohmann::json& summary)
   { report(state, *account, summary); };
   effect.timeStepLimit = [alpha, extrapolated = options.extrapolated](const State<D>& state)

@@ -106,7 +106,7 @@ void FaceContact<D>::findStiffness(const State<D>& state)
   for (int p = 0; p < state.particles.size(); ++p)
     if (side(p) != 0)
     {
-      const Elasticity e = elasticity(state.materials.list[material(p)]);
+      const Elasticity e = elasticity(state.materials.properties[material(p)]);
       Stiffness& s = stiffness(std::abs(side(p)) - 1);
       s.normal = std::min(s.normal, factor * e.constrainedModulus);
       s.tangential = std::min(s.tangential, factor * e.shear);
@@ -120,7 +120,7 @@ void FaceContact<D>::findStiffness(const State<D>& state)
   // A crack shorter than a cell may have no particle next to it yet; later it may meet any of the materials.
   for (int c = 0; c < cracks; ++c)
     if (stiffness(c).normal == infinity)
-      for (const Properties& any : state.materials.list)
+      for (const Properties& any : state.materials.properties)
       {
         const Elasticity e = elasticity(any);
         stiffness(c).normal = std::min(stiffness(c).normal, factor * e.constrainedModulus);
@@ -276,11 +276,11 @@ void FaceContact<D>::storeHistory(const View<double*>& size)
 }
 
 template <int D>
-void FaceContact<D>::store(Archive& archive)
+void FaceContact<D>::serialize(Archive& archive)
 {
   {
     const Archive::Group group(archive, "points");
-    points_.keep(archive);
+    points_.serialize(archive);
   }
   archive("gap", gap_);
   archive("slip", slip_);

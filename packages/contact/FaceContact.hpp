@@ -52,7 +52,7 @@ public:
   void advance(const State<D>& state, const Velocity& velocity);
 
   /// Saves or loads the points with their history.
-  void store(Archive& archive);
+  void serialize(Archive& archive);
 
   const FacePoints<D>& points() const { return points_; }
   const View<double*>& gap() const { return gap_; }

@@ -18,7 +18,7 @@ class BodyRegion
 {
 public:
   explicit BodyRegion(const State<D>& state)
-      : bodies_(state.bodies.list),
+      : bodies_(state.bodies.info),
         centres_(readVectors(state, fields::position)),
         edge_(readVectors(state, fields::edge)),
         body_(readBodies(state)),

@@ -308,7 +308,7 @@ std::vector<double> CrackGrowth<D>::toughnessAlong(const CrackSet<D>& set, int f
 }
 
 template <int D>
-void CrackGrowth<D>::store(const CrackSet<D>& set, Archive& archive)
+void CrackGrowth<D>::serialize(const CrackSet<D>& set, Archive& archive)
 {
   std::vector<int> landed;
   std::vector<double> toughness;

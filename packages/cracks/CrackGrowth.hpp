@@ -51,7 +51,7 @@ public:
   std::vector<double> toughnessAlong(const CrackSet<D>& set, int front) const;
 
   /// Saves or loads the history of the fronts, after the cracks themselves (CrackMemory.hpp).
-  void store(const CrackSet<D>& set, Archive& archive);
+  void serialize(const CrackSet<D>& set, Archive& archive);
 
 private:
   /// A front that advances.

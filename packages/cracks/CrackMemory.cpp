@@ -41,7 +41,7 @@ struct Meshes
     }
   }
 
-  void store(Archive& archive)
+  void serialize(Archive& archive)
   {
     archive("sizes", sizes, 2);
     archive("simplices", simplices, D);
@@ -114,7 +114,7 @@ void storeCracks(State<D>& state, Archive& archive)
 {
   CrackSet<D>& set = state.cracks;
   Meshes<D> all(set);
-  all.store(archive);
+  all.serialize(archive);
   std::vector<int> vertices;
   for (std::size_t f = 0; f < set.fronts.size(); ++f)
   {

@@ -104,8 +104,8 @@ void readCracks(const Teuchos::ParameterList& section, State<D>& state, double e
   refuseNeighbours(meshes, names, spacing);
   layOut(set, meshes, spacing);
   set.nodeSide = View<int*>("rhegma::nodeSide", state.mesh.grid.numNodes);
-  set.second = View<int*>("rhegma::enrichedField", state.mesh.grid.numNodes);
-  Kokkos::deep_copy(set.second, -1);
+  set.enrichedField = View<int*>("rhegma::enrichedField", state.mesh.grid.numNodes);
+  Kokkos::deep_copy(set.enrichedField, -1);
 }
 
 template void readCracks(const Teuchos::ParameterList&, State<2>&, double);

@@ -255,9 +255,9 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
     archive("steps", parts->surroundings.stamp);
     storeCracks(state, archive);
     if (parts->grows)
-      parts->growth.store(state.cracks, archive);
+      parts->growth.serialize(state.cracks, archive);
     if (parts->joins)
-      parts->junctions.store(archive);
+      parts->junctions.serialize(archive);
   };
   if (parts->hasSprings)
     callSprings(parts, effect);
@@ -296,8 +296,8 @@ EffectEntry cracksEntry()
     options.openingKnown = formulation != Formulation::BrokenCell;
     options.extrapolated = formulation == Formulation::CorrectedBrokenCell;
   };
-  entry.cells.knows = "cracks with a front in material";
-  entry.cells.tell = reportCells;
+  entry.cells.subject = "cracks with a front in material";
+  entry.cells.addNeeds = reportCells;
   return entry;
 }
 

@@ -154,7 +154,7 @@ std::vector<double> sumByFront(const State<D>& state, const NodalSprings<D>& spr
   std::vector<double> sums(state.cracks.fronts.size(), 0.0);
   for (std::size_t f = 0; f < sums.size(); ++f)
     sums[f] = parallelSumSmall<double>(
-        "rhegma::cracks::sumByFront", nodes.numSecond, KOKKOS_LAMBDA(const int i, double& sum) {
+        "rhegma::cracks::sumByFront", nodes.numEnriched, KOKKOS_LAMBDA(const int i, double& sum) {
           if (energyOfNode(i) > 0.0 && springs.front(nodes.parent(i)) == static_cast<int>(f))
             sum += energyOfNode(i);
         });
@@ -168,7 +168,7 @@ void FrontSprings<D>::readMaterials(const State<D>& state)
   if (modulus_ > 0.0)
     return;
   modulus_ = std::numeric_limits<double>::infinity();
-  for (const Properties& material : state.materials.list)
+  for (const Properties& material : state.materials.properties)
   {
     modulus_ = std::min(modulus_, elasticity(material).effectiveModulus);
     density_ = std::max(density_, material.density);
@@ -193,7 +193,7 @@ void FrontSprings<D>::prepare(State<D>& state, const Surroundings& surroundings)
   const Nodes<D> nodes = state.mesh.nodes;
   if (grows_)
     frontOf_ = NearestFront<D>(state.cracks);
-  const View<double*> softened("rhegma::cracks::softened", grows_ ? nodes.numSecond : 0);
+  const View<double*> softened("rhegma::cracks::softened", grows_ ? nodes.numEnriched : 0);
   const FindSpring<D> find{nodes,
                            nodePositions(state),
                            CrackSight<D>(state.cracks, state.mesh.grid.spacing),
@@ -212,7 +212,7 @@ void FrontSprings<D>::prepare(State<D>& state, const Surroundings& surroundings)
                            density_,
                            surroundings.stamp};
   double converted = 0.0;
-  parallelSumSmall("rhegma::cracks::findSprings", 0, nodes.numSecond, find, passed_, converted);
+  parallelSumSmall("rhegma::cracks::findSprings", 0, nodes.numEnriched, find, passed_, converted);
   state.energy.fracture += converted;
   if (!grows_)
     return;

@@ -259,7 +259,7 @@ void Junctions::hideNodes(const State<2>& state, const ObservedPoints<2>& points
   }
 }
 
-void Junctions::store(Archive& archive)
+void Junctions::serialize(Archive& archive)
 {
   std::vector<int> numbers;
   for (const Junction& j : all_)

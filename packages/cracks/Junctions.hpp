@@ -74,7 +74,7 @@ public:
   void hideNodes(const State<2>& state, const ObservedPoints<2>& points, const StencilTable<2>& table) const;
 
   /// Saves or loads them.
-  void store(Archive& archive);
+  void serialize(Archive& archive);
 
 private:
   struct Junction

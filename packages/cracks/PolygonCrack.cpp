@@ -109,14 +109,13 @@ surface::CrackMesh<3> meshPlane(const Plane& plane, const std::vector<Vector<2>>
                                 const ReadingContext<3>& context)
 {
   const auto isIn = [&](const Vector<3>& x) { return context.bodies.contains(x); };
-  const surface::Triangulation flat =
-      surface::cutToRegion(surface::triangulate(outline, context.edge),
-                           [&](const Vector<2>& x) { return isIn(plane.inSpace(x)); });
+  const surface::Triangulation flat = surface::cutToRegion(
+      surface::triangulate(outline, context.edge), [&](const Vector<2>& x) { return isIn(plane.in3D(x)); });
   if (flat.triangles.empty())
     throw std::invalid_argument(where + ": " + outsideOfBodies);
   surface::CrackMesh<3> mesh;
   for (const Vector<2>& x : flat.points)
-    mesh.vertices.push_back(plane.inSpace(x));
+    mesh.vertices.push_back(plane.in3D(x));
   mesh.simplices = flat.triangles;
   const auto kindOf = [&](const Vector<3>& middle)
   {

@@ -58,7 +58,7 @@ int beyondEnd(const Vector<2>& end, const Vector<2>& before, const Vector<2>& ou
     return facet::surfaceBreaking;
   const auto isIn = [&](const Vector<2>& x) { return context.bodies.isNear(x); };
   const Vector<2> ahead = (1.0 / norm(end - before)) * (end - before);
-  if (surface::goesOn<2>(isIn, end, ahead, context.cell))
+  if (surface::extendsBeyond<2>(isIn, end, ahead, context.cell))
     return facet::front;
   if (isIn(end + (0.5 * context.cell) * ahead))
     warnings.push_back(

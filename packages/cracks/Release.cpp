@@ -78,15 +78,15 @@ View<double* [D + 3]> measurePassed(const State<D>& state, const Surroundings& s
                                     const NodalSprings<D>& springs, const HoldingForce<D>& holding)
 {
   const Nodes<D> nodes = state.mesh.nodes;
-  View<double * [D + 3]> rows("rhegma::cracks::passedNodes", nodes.numSecond);
+  View<double * [D + 3]> rows("rhegma::cracks::passedNodes", nodes.numEnriched);
   const NodePositions<D> positions = nodePositions(state);
   const View<std::uint64_t*> nearest = surroundings.nearest;
   const bool refined = state.mesh.tree.refined();
   const View<int*> level = state.mesh.tree.nodeLevel;
   const double spacing = state.mesh.grid.spacing;
-  const NodeArea<D> areaOf{CrackSight<D>(state.cracks, spacing), smallestDensity(state.materials.list)};
+  const NodeArea<D> areaOf{CrackSight<D>(state.cracks, spacing), smallestDensity(state.materials.properties)};
   parallelForSmall(
-      "rhegma::cracks::passedNodes", nodes.numSecond, KOKKOS_LAMBDA(const int i) {
+      "rhegma::cracks::passedNodes", nodes.numEnriched, KOKKOS_LAMBDA(const int i) {
         const int own = nodes.parent(i);
         if (!springs.isPassed(own))
           return;
@@ -151,7 +151,7 @@ std::vector<PassedNode> listPassed(const State<D>& state, const View<double * [D
   const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, rows);
   const auto parent = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.parent);
   std::vector<PassedNode> passed;
-  for (int i = 0; i < state.mesh.nodes.numSecond; ++i)
+  for (int i = 0; i < state.mesh.nodes.numEnriched; ++i)
   {
     if (host(i, 0) == 0.0)
       continue;
@@ -185,7 +185,7 @@ std::vector<double> releaseEnergy(const State<D>& state, CrackFront<D>& front, c
     // dissipate too much.
     if (sums[0].force > 0.0)
       energy[0] = front.budget.releaseAll(toughness[0] * state.method.thickness * cell,
-                                          springs::carriedFraction, springs::deductedFraction);
+                                          springs::carriedOverFraction, springs::deductedFraction);
     return energy;
   }
   double wanted = 0.0, row = 0.0;
@@ -235,7 +235,7 @@ View<double*> releaseRanges(State<D>& state, const View<double * [D + 3]>& rows,
       if (energy[k] > 0.0)
         range[first[f] + k] = releaseRange(energy[k], sums[first[f] + k].force);
   }
-  const View<double*> rangeOf("rhegma::cracks::releaseRanges", state.mesh.nodes.numSecond);
+  const View<double*> rangeOf("rhegma::cracks::releaseRanges", state.mesh.nodes.numEnriched);
   const auto host = Kokkos::create_mirror_view(rangeOf);
   for (const PassedNode& node : passed)
     host(node.second) = range[node.at];
@@ -258,7 +258,7 @@ void releasePassedNodes(State<D>& state, const Surroundings& surroundings, const
   const View<double * [D + 1]> spring = state.cracks.spring;
   const StableStiffness<D> stable(state);
   parallelForSmall(
-      "rhegma::cracks::releasePassedNodes", nodes.numSecond, KOKKOS_LAMBDA(const int i) {
+      "rhegma::cracks::releasePassedNodes", nodes.numEnriched, KOKKOS_LAMBDA(const int i) {
         const int own = nodes.parent(i), other = nodes.numLattice + i;
         if (!springs.isPassed(own))
           return;

@@ -67,7 +67,7 @@ void clearNodeSides(const State<D>& state, const Surroundings& around)
 {
   const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> side = state.cracks.nodeSide;
-  const View<int*> second = state.cracks.second;
+  const View<int*> second = state.cracks.enrichedField;
   const View<std::uint64_t*> nearest = around.nearest;
   Kokkos::parallel_for(
       "rhegma::cracks::clearNodeSides", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
@@ -143,7 +143,7 @@ int numberEnrichedFields(const State<D>& state)
 {
   const Nodes<D> nodes = state.mesh.nodes;
   const View<int*> side = state.cracks.nodeSide;
-  const View<int*> second = state.cracks.second;
+  const View<int*> second = state.cracks.enrichedField;
   int count = 0;
   Kokkos::parallel_scan(
       "rhegma::cracks::numberEnrichedFields", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
@@ -166,9 +166,9 @@ void listParents(State<D>& state, int count)
     state.mesh.nodes.parent = View<int*>("rhegma::enrichedFieldParent", 2 * count);
   if (static_cast<int>(state.mesh.nodes.sums.extent(0)) < state.mesh.nodes.numLattice + count)
     state.mesh.nodes.reserve(state.mesh.nodes.numLattice, 2 * count);
-  state.mesh.nodes.numSecond = count;
+  state.mesh.nodes.numEnriched = count;
   const Nodes<D> nodes = state.mesh.nodes;
-  const View<int*> second = state.cracks.second;
+  const View<int*> second = state.cracks.enrichedField;
   Kokkos::parallel_for(
       "rhegma::cracks::listParents", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
       KOKKOS_LAMBDA(const int i) {
@@ -309,7 +309,7 @@ void reserveRows(State<D>& state, Surroundings& around)
   if (state.mesh.subdomain && around.generation != state.mesh.tree.generation)
   {
     around.nearest = View<std::uint64_t*>();
-    state.cracks.nodeSide = state.cracks.second = around.cellMark = View<int*>();
+    state.cracks.nodeSide = state.cracks.enrichedField = around.cellMark = View<int*>();
     around.generation = state.mesh.tree.generation;
   }
   if (static_cast<int>(around.cellMark.extent(0)) != state.mesh.grid.numNodes)
@@ -323,8 +323,8 @@ void reserveRows(State<D>& state, Surroundings& around)
   if (static_cast<int>(cracks.nodeSide.extent(0)) < nodes)
   {
     cracks.nodeSide = View<int*>("rhegma::nodeSide", capacity);
-    cracks.second = View<int*>("rhegma::enrichedField", capacity);
-    Kokkos::deep_copy(cracks.second, -1);
+    cracks.enrichedField = View<int*>("rhegma::enrichedField", capacity);
+    Kokkos::deep_copy(cracks.enrichedField, -1);
   }
 }
 

@@ -35,7 +35,7 @@ constexpr double softeningStretch = 1.0;
 constexpr double initialFraction = 0.95;
 
 /// Largest part of the energy of a release that goes to softened springs instead of new faces [-]. Chosen.
-constexpr double carriedFraction = 0.25;
+constexpr double carriedOverFraction = 0.25;
 
 /// Part of its energy by which a node may dissipate more than required without deduction [-]: where the
 /// traction falls within more than some two steps the last step overshoots by less (CohesiveLaw.hpp).

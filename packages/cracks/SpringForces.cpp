@@ -129,7 +129,7 @@ void FrontSprings<D>::addForces(State<D>& state) const
   const NodalSprings<D> all = springs(state);
   const View<double * [D + 1]> spring = state.cracks.spring;
   parallelForSmall(
-      "rhegma::cracks::addSprings", nodes.numSecond, KOKKOS_LAMBDA(const int i) {
+      "rhegma::cracks::addSprings", nodes.numEnriched, KOKKOS_LAMBDA(const int i) {
         const int own = nodes.parent(i), other = nodes.numLattice + i;
         setForce(spring, own, pullOf(spring(own, D), all(own).opening(), signOf(side(own))));
         for (int d = 0; d < D && isOwnedByThisRank(nodes, own); ++d)
@@ -160,7 +160,7 @@ DisplacementDependentForce<D> FrontSprings<D>::displacementDependentForce() cons
     const Nodes<D> nodes = state.mesh.nodes;
     const View<double * [D + 1]> spring = state.cracks.spring;
     Kokkos::parallel_for(
-        "rhegma::cracks::frozenSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
+        "rhegma::cracks::frozenSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched),
         KOKKOS_LAMBDA(const int i) {
           const int own = nodes.parent(i), other = nodes.numLattice + i;
           if (slots.moves(own) == slots.moves(other) || !isOwnedByThisRank(nodes, own))
@@ -178,7 +178,7 @@ DisplacementDependentForce<D> FrontSprings<D>::displacementDependentForce() cons
     const View<int*> side = state.cracks.nodeSide;
     const NodalSprings<D> all = springs(state);
     Kokkos::parallel_for(
-        "rhegma::cracks::followSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
+        "rhegma::cracks::followSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched),
         KOKKOS_LAMBDA(const int i) {
           const int own = nodes.parent(i), other = nodes.numLattice + i;
           if (spring(own, D) == 0.0 || !slots.moves(own) || !slots.moves(other) ||
@@ -207,7 +207,7 @@ DisplacementDependentForce<D> FrontSprings<D>::displacementDependentForce() cons
 template <int D>
 void FrontSprings<D>::advance(State<D>& state)
 {
-  const View<double*> excess("rhegma::cracks::excess", grows_ ? state.mesh.nodes.numSecond : 0);
+  const View<double*> excess("rhegma::cracks::excess", grows_ ? state.mesh.nodes.numEnriched : 0);
   const StretchSpring<D> stretch{state.mesh.nodes,
                                  nodePositions(state),
                                  state.cracks.nodeSide,
@@ -215,11 +215,11 @@ void FrontSprings<D>::advance(State<D>& state)
                                  state.cracks.spring,
                                  frontOf_,
                                  excess,
-                                 state.clock.strainPass.share * state.clock.dt,
+                                 state.clock.strainPass.fraction * state.clock.dt,
                                  state.method.scheme == UpdateScheme::Usl,
                                  state.clock.strainPass.before};
   double elastic = 0.0, dissipated = 0.0, beyond = 0.0;
-  parallelSumSmall("rhegma::cracks::stretchSprings", 0, state.mesh.nodes.numSecond, stretch, elastic,
+  parallelSumSmall("rhegma::cracks::stretchSprings", 0, state.mesh.nodes.numEnriched, stretch, elastic,
                    dissipated, beyond);
   state.energy.springs = elastic;
   state.energy.fracture += dissipated;

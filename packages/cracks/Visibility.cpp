@@ -27,7 +27,7 @@ template <int D>
 void useEnrichedFields(const State<D>& state, const ObservedPoints<D>& points, const StencilTable<D>& table)
 {
   const Blind blind{state.cracks.nodeSide};
-  const View<int*> second = state.cracks.second;
+  const View<int*> second = state.cracks.enrichedField;
   // Particles next to two joined cracks have a side of each.
   BorrowedView<int*> otherSideOf;
   const bool joined = state.particles.has(otherSide) && points.side.data() == state.stored.points.side.data();

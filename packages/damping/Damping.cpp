@@ -99,7 +99,7 @@ double addViscousStress(State<D>& state, double shearViscosity, double bulkVisco
   const auto rate = state.particles.table(fields::rate);
   const auto stress = state.particles.template real<symmetricSize<D>>(fields::stress);
   const auto volume = state.particles.scalar(fields::volume);
-  const double dt = state.clock.strainPass.share * state.clock.dt;
+  const double dt = state.clock.strainPass.fraction * state.clock.dt;
   double loss = 0.0;
   // With heat, viscous work is no loss. The stress at the start of a step acts on half of its motion, the
   // stress at its end on the other half (LaneHeat.hpp). In the first half, with the viscous stress of the
@@ -252,8 +252,8 @@ void addViscosity(Effect<D>& effect, double shear, double bulk, double end)
   // that of dilatation.
   effect.timeStepLimit = [=](const State<D>& s)
   {
-    double density = s.materials.list.front().density;
-    for (const Properties& p : s.materials.list)
+    double density = s.materials.properties.front().density;
+    for (const Properties& p : s.materials.properties)
       density = std::min(density, p.density);
     return s.method.cfl * density * s.mesh.smallestSpacing() * s.mesh.smallestSpacing() /
            (2.0 * D * (2.0 * shear + bulk));
@@ -296,7 +296,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       summary["warnings"].push_back("the run ended before it had settled (Damping > Stop When Settled), so "
                                     "its results are not static; raise Time > Final Time or the damping");
   };
-  effect.memory = [settling](State<D>&, Archive& archive) { settling->store(archive); };
+  effect.memory = [settling](State<D>&, Archive& archive) { settling->serialize(archive); };
   return effect;
 }
 

@@ -18,7 +18,7 @@ bool endsWith(const std::string& text, const std::string& end)
 
 } // namespace
 
-void Settling::store(Archive& archive)
+void Settling::serialize(Archive& archive)
 {
   std::vector<double> ratios, watched;
   std::vector<int> counts;

@@ -27,7 +27,7 @@ public:
   bool sample(double kinetic, double strain, const HistoryRow& row);
 
   /// Saves or loads the last samples.
-  void store(Archive& archive);
+  void serialize(Archive& archive);
 
 private:
   struct Sample

@@ -123,7 +123,7 @@ View<double*> coverOfNodes(const State<D>& state, const Vector<D>& centre, doubl
   for (int d = 0; d < D; ++d)
     cell *= state.mesh.grid.spacing;
   const bool refined = state.mesh.tree.refined();
-  const View<double*> nodeFraction = state.mesh.tree.share;
+  const View<double*> nodeFraction = state.mesh.tree.nodeVolume;
   Kokkos::parallel_for(
       "rhegma::coverOfNodes", Kokkos::RangePolicy<ExecSpace>(0, cover.extent(0)),
       KOKKOS_LAMBDA(const int n) { cover(n) /= cell * (refined ? nodeFraction(n) : 1.0); });

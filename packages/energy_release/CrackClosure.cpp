@@ -122,7 +122,7 @@ public:
     { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
     force_ = host(state.cracks.spring);
     side_ = host(state.cracks.nodeSide);
-    second_ = host(state.cracks.second);
+    second_ = host(state.cracks.enrichedField);
     if (many_)
       gather(state, front, radius);
   }

@@ -94,7 +94,7 @@ std::vector<Intensities> intensitiesAlong(const State<2>& state, const CrackFron
 std::vector<Intensities> intensitiesAlong(const State<3>& state, const CrackFront<3>& front,
                                           const FrontTube& tube, NodalAcceleration<3>&)
 {
-  const Elasticity e = elasticity(state.materials.list[materialAt(state, front.position)]);
+  const Elasticity e = elasticity(state.materials.properties[materialAt(state, front.position)]);
   std::vector<Intensities> K =
       openingsBehind(state.cracks, front, lineOf(front), e, spacingAt(state, front.position), tube.halfWidth);
   for (std::size_t k = 0; k < K.size(); ++k)
@@ -158,7 +158,7 @@ void DrivingForces<D>::computeIntensities(State<D>& state)
 }
 
 template <int D>
-void DrivingForces<D>::store(Archive& archive)
+void DrivingForces<D>::serialize(Archive& archive)
 {
   int count = static_cast<int>(fitted_.size());
   archive("fronts", count);

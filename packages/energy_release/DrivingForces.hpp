@@ -24,7 +24,7 @@ public:
   void computeIntensities(State<D>& state);
 
   /// Saves or loads where the tubes were fitted.
-  void store(Archive& archive);
+  void serialize(Archive& archive);
 
 private:
   struct Fitted

@@ -216,7 +216,7 @@ void compute(const State<3>& state, FrontSample<3>& s)
   NodalAcceleration<3> acceleration;
   const FrontLine line = lineOf(s.front);
   s.J = integrateAlongFront(state, s.front.crack, line, s.tube, acceleration);
-  const Elasticity e = elasticity(state.materials.list[materialAt(state, s.front.position)]);
+  const Elasticity e = elasticity(state.materials.properties[materialAt(state, s.front.position)]);
   const std::vector<Intensities> openings =
       openingsBehind(state.cracks, s.front, line, e, spacingAt(state, s.front.position), s.tube.halfWidth);
   for (std::size_t k = 0; k < s.J.size(); ++k)
@@ -286,7 +286,7 @@ void start(State<D>& state, const Options& options, Samples<D>& samples)
 
 /// Saves or loads the last sample and which fronts were warned of.
 template <int D>
-void store(Samples<D>& samples, Archive& archive)
+void serialize(Samples<D>& samples, Archive& archive)
 {
   int count = static_cast<int>(samples.last.size());
   archive("fronts", count);
@@ -294,7 +294,7 @@ void store(Samples<D>& samples, Archive& archive)
   for (int k = 0; k < count; ++k)
   {
     const Archive::Group group(archive, "front " + std::to_string(k));
-    samples.last[k].store(archive);
+    samples.last[k].serialize(archive);
   }
   storeFronts(samples.warned, "warned", archive);
   storeFronts(samples.unclosed, "unclosed", archive);
@@ -326,9 +326,9 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
     addDrivingCalls(effect, scene, driving);
   effect.memory = [=](State<D>&, Archive& archive)
   {
-    store(*samples, archive);
+    serialize(*samples, archive);
     const Archive::Group group(archive, "driving forces");
-    driving->store(archive);
+    driving->serialize(archive);
   };
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {

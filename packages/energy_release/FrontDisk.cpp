@@ -44,7 +44,7 @@ void addMeanPositions(const State<D>& state, const Vector<D>& centre, double rea
 Properties lawAtFront(const State<D>& state, const CrackFront<D>& front)
 {
   const int number = materialAt(state, front.position);
-  Properties law = state.materials.list[number];
+  Properties law = state.materials.properties[number];
   if (state.materials.thermo.empty() || !(front.nodes[0].temperature > 0.0))
     return law;
   const ThermoTables tables = state.materials.thermo;

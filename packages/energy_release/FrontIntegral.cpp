@@ -82,7 +82,7 @@ TubeNodes findNodes(const State<D>& state, const FrontSight& sight, const Contou
       },
       count);
   const View<double* [7]> values("rhegma::tubeNodes", count);
-  const int rows = candidates + nodes.numSecond;
+  const int rows = candidates + nodes.numEnriched;
   // Both fields of a node, one after the other.
   for (const bool second : {false, true})
     Kokkos::parallel_for(

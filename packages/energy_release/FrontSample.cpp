@@ -176,7 +176,7 @@ void FrontSample<D>::report(const Options& options, nlohmann::json& entry) const
 }
 
 template <int D>
-void FrontSample<D>::store(Archive& archive)
+void FrontSample<D>::serialize(Archive& archive)
 {
   archive("crack", front.crack);
   archive("number", front.number);

@@ -42,7 +42,7 @@ struct FrontSample
   void report(const Options& options, nlohmann::json& entry) const;
 
   /// Saves or loads it.
-  void store(Archive& archive);
+  void serialize(Archive& archive);
 };
 
 } // namespace Rhegma::energy_release

@@ -60,7 +60,7 @@ void addSprings(const State<D>& state, const NodalAcceleration<D>& force)
     return;
   const Nodes<D> nodes = state.mesh.nodes;
   Kokkos::parallel_for(
-      "rhegma::internalSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
+      "rhegma::internalSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched),
       KOKKOS_LAMBDA(const int i) {
         const int n = nodes.parent(i), m = nodes.numLattice + i;
         for (int d = 0; d < D; ++d)

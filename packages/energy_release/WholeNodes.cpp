@@ -26,7 +26,7 @@ WholeNodes::WholeNodes(const State<2>& state) : here_(state.mesh.grid), whole_(w
   if (!state.mesh.tree.refined())
     return;
   const LeafList<2> leaves(state.mesh.subdomain->refined);
-  const std::vector<std::array<int, 2>> all = FineNodes<2>(leaves).places();
+  const std::vector<std::array<int, 2>> all = FineNodes<2>(leaves).positions();
   for (const std::array<int, 2>& at : all)
     finePosition_.push_back({{leaves.position(at)[0], leaves.position(at)[1]}});
   const double unit = std::ldexp(whole_.spacing, -leaves.depth());

@@ -11,7 +11,7 @@
 namespace Rhegma::face_pressure
 {
 
-void FacePressure::store(Archive& archive) { archive("pressure", now_); }
+void FacePressure::serialize(Archive& archive) { archive("pressure", now_); }
 
 template <int D>
 void FacePressure::apply(State<D>& state, const FacePoints<D>& points)
@@ -119,10 +119,10 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     for (FacePressure& pressure : account->pressures)
     {
       const Archive::Group group(archive, std::to_string(pressure.crack()));
-      pressure.store(archive);
+      pressure.serialize(archive);
     }
     const Archive::Group group(archive, "points");
-    account->points.keep(archive);
+    account->points.serialize(archive);
   };
   effect.report = [account](const State<D>&, nlohmann::json& summary)
   {

@@ -29,7 +29,7 @@ public:
   double work(const State<D>& state, const FacePoints<D>& points) const;
 
   double pressure() const { return now_; } ///< [Pa]
-  void store(Archive& archive);
+  void serialize(Archive& archive);
   int crack() const { return crack_; }
 
 private:

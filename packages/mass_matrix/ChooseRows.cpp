@@ -77,9 +77,9 @@ template <int D>
 void chooseLattice(const State<D>& state, const Unlumping& unlumping, const MassSystem<D>& system)
 {
   const AroundFronts<D> around(state, unlumping, system.front, system.zone, system.numFronts);
-  const View<int*> rowOf = system.rowOf, second = state.cracks.second;
+  const View<int*> rowOf = system.rowOf, second = state.cracks.enrichedField;
   const auto sums = state.mesh.nodes.sums;
-  const bool seconds = state.mesh.nodes.numSecond > 0;
+  const bool seconds = state.mesh.nodes.numEnriched > 0;
   parallelForSmall(
       "rhegma::mass::chooseAroundFronts", 0, around.size, KOKKOS_LAMBDA(const int i) {
         const int node = around(i);

@@ -351,7 +351,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
         archive("hashed", run->coupled.hashed);
       }
       archive("coupled_nodes", run->coupled.numCoupled);
-      run->solve.store(archive);
+      run->solve.serialize(archive);
     };
   if (!options.coupled() && !options.series() && !options.filtered())
     return effect;
@@ -389,7 +389,7 @@ EffectEntry massMatrixEntry()
 {
   EffectEntry entry{section(), check, make<2>, make<3>, true};
   entry.declare = declareMass;
-  entry.cells.tell = [](const auto&, CellNeeds& needs, auto&) { needs.equal = true; };
+  entry.cells.addNeeds = [](const auto&, CellNeeds& needs, auto&) { needs.equal = true; };
   return entry;
 }
 

@@ -231,7 +231,7 @@ void finishRows(const State<D>& state, MassSystem<D>& system)
 {
   const MassSystem<D> s = system;
   const Nodes<D> nodes = state.mesh.nodes;
-  const View<int*> second = state.cracks.second;
+  const View<int*> second = state.cracks.enrichedField;
   parallelForSmall(
       "rhegma::mass::finishRows", s.first, s.last, KOKKOS_LAMBDA(const int row) {
         const int centre = s.slots / 2;

@@ -24,7 +24,7 @@ void addParticles(const State<D>& state, const Unlumping& unlumping, const MassS
   add.mass = state.particles.scalar(fields::mass);
   add.volume = state.particles.scalar(fields::volume);
   add.fractionAt = consistentFraction(unlumping, system);
-  add.nodeFraction = state.mesh.tree.share;
+  add.nodeFraction = state.mesh.tree.nodeVolume;
   add.numLattice = state.mesh.nodes.numLattice;
   double cell = D == 2 ? state.method.thickness : 1.0;
   for (int d = 0; d < D; ++d)

@@ -282,7 +282,7 @@ void NodalSolve<D>::solve(State<D>& state, const MassSystem<D>& system, bool hel
 }
 
 template <int D>
-void NodalSolve<D>::store(Archive& archive)
+void NodalSolve<D>::serialize(Archive& archive)
 {
   archive("solves", count_.solves);
   archive("iterations", count_.iterations);

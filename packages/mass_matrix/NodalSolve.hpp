@@ -60,7 +60,7 @@ public:
   const SolveCount& count() const { return count_; }
 
   /// Saves or loads the count.
-  void store(Archive& archive);
+  void serialize(Archive& archive);
 
   // Parts of the above; public because compilers for devices want kernels in public functions.
 

@@ -108,7 +108,7 @@ FrontNodeAdvance<D> advanceNode(const State<D>& state, const Options& options, c
         straightCells * own.increment / (incrementFraction<D> * options.cells) - asked.length;
   // Cells and material may change along its path.
   own.increment = 0.0;
-  if (state.materials.list.size() > 1)
+  if (state.materials.properties.size() > 1)
     own.speedLimit = 0.0;
   return asked;
 }
@@ -168,7 +168,7 @@ void advanceSelected(State<D>& state, const Options& options, std::vector<FrontS
       continue;
     const std::vector<double> angle = turningAngles(front, options, fronts[f].nodes);
     // The moduli with which the intensities were computed.
-    const Elasticity e = elasticity(state.materials.list[materialAt(state, front.position)]);
+    const Elasticity e = elasticity(state.materials.properties[materialAt(state, front.position)]);
     FrontAdvance<D> asked;
     asked.front = static_cast<int>(f);
     bool any = false;

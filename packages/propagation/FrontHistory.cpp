@@ -167,7 +167,7 @@ double FrontHistory::settledRelease() const
   return from == to ? 0.0 : (impulses_[to] - impulses_[from]) / (times_[to] - times_[from]);
 }
 
-void FrontHistory::store(Archive& archive)
+void FrontHistory::serialize(Archive& archive)
 {
   archive("running", running_);
   archive("closest", closest_);

@@ -79,7 +79,7 @@ public:
   /// Mean energy release rate in that time [J/m2].
   double settledRelease() const;
 
-  void store(Archive& archive);
+  void serialize(Archive& archive);
 
 private:
   std::pair<std::size_t, std::size_t> longestRun() const;

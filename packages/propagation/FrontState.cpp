@@ -90,7 +90,7 @@ void FrontState<D>::matchNodes(const CrackFront<D>& front)
 }
 
 template <int D>
-void FrontState<D>::store(Archive& archive)
+void FrontState<D>::serialize(Archive& archive)
 {
   archive("increments", increments);
   archive("first", firstTime);
@@ -102,7 +102,7 @@ void FrontState<D>::store(Archive& archive)
   for (auto& [name, node] : nodes)
   {
     const Archive::Group group(archive, "front node " + std::to_string(name));
-    node.history.store(archive);
+    node.history.serialize(archive);
     archive("speed_limit", node.speedLimit);
     archive("increment", node.increment);
     archive("straight_length", node.straightLength);

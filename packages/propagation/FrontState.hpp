@@ -63,7 +63,7 @@ struct FrontState
   void matchNodes(const CrackFront<D>& front);
 
   /// Saves or loads it.
-  void store(Archive& archive);
+  void serialize(Archive& archive);
 };
 
 } // namespace Rhegma::propagation

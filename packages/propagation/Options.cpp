@@ -36,7 +36,7 @@ void addRules(Section& s)
   s.refuse({self, when::present("Contact"), when::present("Adaptivity")},
            "in 3D it can't be combined with both Contact and Adaptivity; remove one of the two", 0, 3);
   Condition temperature = when::given("Propagation", "Toughness");
-  temperature.words = " of the temperature T";
+  temperature.text = " of the temperature T";
   temperature.holds = [](const Teuchos::ParameterList& list)
   {
     return list.isType<std::string>("Toughness") &&
@@ -178,7 +178,7 @@ template <int D>
 double speedLimitAt(const State<D>& state, const Vector<D>& position, const Options& options)
 {
   return options.speedLimit > 0.0 ? options.speedLimit
-                                  : rayleighSpeed(state.materials.list[materialAt(state, position)]);
+                                  : rayleighSpeed(state.materials.properties[materialAt(state, position)]);
 }
 
 AdvanceRule ruleAt(double temperature, const Options& options)
@@ -206,7 +206,7 @@ template <int D>
 void refuseWeak(const State<D>& state, const Options& options)
 {
   double fastest = options.speedLimit;
-  for (const Properties& material : state.materials.list)
+  for (const Properties& material : state.materials.properties)
     fastest = std::max(fastest, rayleighSpeed(material));
   try
   {

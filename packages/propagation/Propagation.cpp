@@ -59,7 +59,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
     {
       const Archive::Group group(archive, "front " + std::to_string(f));
       run->fronts[f].matchNodes(state.cracks.fronts[f]); // when loaded, those of the checkpoint
-      run->fronts[f].store(archive);
+      run->fronts[f].serialize(archive);
     }
   };
   effect.report = [run](const State<D>& state, nlohmann::json& summary)
@@ -75,7 +75,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 EffectEntry propagationEntry()
 {
   EffectEntry entry{propagationSection(), checkPropagation, make<2>, make<3>, true, declareGrowth};
-  entry.cells.tell = [](const auto&, CellNeeds& needs, auto&) { needs.running = needs.equal = true; };
+  entry.cells.addNeeds = [](const auto&, CellNeeds& needs, auto&) { needs.running = needs.equal = true; };
   return entry;
 }
 

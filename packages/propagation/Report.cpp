@@ -59,7 +59,7 @@ void reportRuns(const State<D>& state, const CrackFront<D>& front, const std::ve
     const CrackRun& run = runs[r];
     std::string answer = nameOf(state, front) + ": initiated at t = " + readableTime(run.initiation) + ", ";
     if (isLast && running)
-      answer += "still running at the end at " + shortly(speed) + " m/s";
+      answer += "still running at the end at " + formatShort(speed) + " m/s";
     else
       answer +=
           (isLast && front.ended ? "ended at t = " : "arrested at t = ") + readableTime(run.lastAdvance);

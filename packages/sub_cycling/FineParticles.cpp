@@ -155,8 +155,8 @@ template <int D>
 void FineParticles<D>::classifyNodes(const State<D>& state)
 {
   const Nodes<D> nodes = state.mesh.nodes;
-  fit(nodeClass_, "rhegma::subcycling::nodeClass", nodes.numLattice + nodes.numSecond);
-  fit(slotOf_, "rhegma::subcycling::slot", nodes.numLattice + nodes.numSecond);
+  fit(nodeClass_, "rhegma::subcycling::nodeClass", nodes.numLattice + nodes.numEnriched);
+  fit(slotOf_, "rhegma::subcycling::slot", nodes.numLattice + nodes.numEnriched);
   fit(nodeOf_, "rhegma::subcycling::nodeOf", nodes.numActive());
   fit(class_, "rhegma::subcycling::class", numCandidates_);
   const View<int*> nodeClass = nodeClass_, slotOf = slotOf_, nodeLevel = state.mesh.tree.nodeLevel,
@@ -199,11 +199,11 @@ void FineParticles<D>::fractionClasses(const State<D>& state)
   if (!state.mesh.subdomain)
     return;
   const Nodes<D> nodes = state.mesh.nodes;
-  fit(reported_, "rhegma::subcycling::classesOfRanks", nodes.numLattice + nodes.numSecond);
+  fit(reported_, "rhegma::subcycling::classesOfRanks", nodes.numLattice + nodes.numEnriched);
   const View<double*> reported = reported_;
   const View<int*> nodeClass = nodeClass_, shared = state.mesh.subdomain->halo.nodes();
   const SharedRows rows = sharedRows(state);
-  const int number = static_cast<int>(shared.extent(0)), fields = rows.second.extent(0) > 0 ? 2 : 1;
+  const int number = static_cast<int>(shared.extent(0)), fields = rows.enrichedField.extent(0) > 0 ? 2 : 1;
   Kokkos::parallel_for(
       "rhegma::subcycling::reportClasses", Range(0, number), KOKKOS_LAMBDA(const int i) {
         for (int f = 0; f < fields; ++f)

@@ -251,7 +251,7 @@ void LocalSteps<D>::correctProjection(State<D>& state) const
 }
 
 template <int D>
-void LocalSteps<D>::store(Archive& archive)
+void LocalSteps<D>::serialize(Archive& archive)
 {
   archive("extra_steps", extraSteps_);
 }

@@ -52,7 +52,7 @@ public:
   double extraSteps() const { return extraSteps_; }
 
   /// Saves or loads their number.
-  void store(Archive& archive);
+  void serialize(Archive& archive);
 
   // What follows is public because compilers for devices want kernels in public functions.
 

@@ -74,7 +74,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
                {
                  const double before = steps->extraSteps();
                  steps->evolve(state);
-                 state.particles.stepsTaken += steps->extraSteps() - before;
+                 state.particles.particleSteps += steps->extraSteps() - before;
                }});
   effect.call({Stage::Solve,
                "velocity of substeps",
@@ -88,7 +88,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
                {},
                {quantity::projection},
                [=](State<D>& state) { steps->correctProjection(state); }});
-  effect.memory = [=](State<D>&, Archive& archive) { steps->store(archive); };
+  effect.memory = [=](State<D>&, Archive& archive) { steps->serialize(archive); };
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {
     summary["subcycling"] = {{"levels", std::min(levels, state.mesh.tree.deepest)},
@@ -102,7 +102,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 EffectEntry subCyclingEntry()
 {
   EffectEntry entry{section(), {}, make<2>, make<3>, true};
-  entry.cells.tell = [](const auto&, CellNeeds& needs, auto&) { needs.equal = true; };
+  entry.cells.addNeeds = [](const auto&, CellNeeds& needs, auto&) { needs.equal = true; };
   entry.cells.refine = [](Teuchos::ParameterList& scene, int) { scene.sublist("Sub-Cycling"); };
   return entry;
 }

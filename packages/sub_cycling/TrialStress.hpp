@@ -79,7 +79,7 @@ public:
     at.speed[0] = 0.0;
     heat.temperature[0] = temperature_(p);
     heat.internal[0] = internal_(p);
-    heat.share[0] = 0.0;
+    heat.firstFraction[0] = 0.0;
     double memory[historyCapacity];
     const int width = static_cast<int>(this->history_.extent(1));
     for (int k = 0; k < width; ++k)

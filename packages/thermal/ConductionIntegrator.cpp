@@ -105,7 +105,7 @@ int ConductionIntegrator<D>::stages(double dt, double explicitLimit)
 }
 
 template <int D>
-void ConductionIntegrator<D>::store(Archive& archive)
+void ConductionIntegrator<D>::serialize(Archive& archive)
 {
   archive("passes", products);
   archive("capacity", capacity_);

@@ -53,7 +53,7 @@ public:
   double stepRatio = 20.0; ///< longest step over the longest explicit one
   long products = 0;       ///< evaluations of the flow of all particles, in addition to one per step
 
-  void store(Archive& archive);
+  void serialize(Archive& archive);
 
   /// Parts of `findRate`; public because compilers for devices want kernels in public functions.
   double superTimeStep(State<D>& state, const HeatNodes<D>& nodes, const HeatBoundaries<D>& boundaries,

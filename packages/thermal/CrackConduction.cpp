@@ -75,7 +75,7 @@ void CrackConduction<D>::read(const Teuchos::ParameterList& list, const State<D>
 template <int D>
 void CrackConduction<D>::update(const State<D>& state)
 {
-  if (!conducts_ || state.cracks.simplex.extent(0) == 0 || state.cracks.second.extent(0) == 0)
+  if (!conducts_ || state.cracks.simplex.extent(0) == 0 || state.cracks.enrichedField.extent(0) == 0)
     return;
   points_.update(state);
   searchAround(state);
@@ -168,7 +168,7 @@ void CrackConduction<D>::findConductance(const State<D>& state)
   const View<double * [D + 2]> faces = faces_;
   const View<double*> conductance = conductance_;
   Kokkos::parallel_for(
-      "rhegma::thermal::findConductance", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
+      "rhegma::thermal::findConductance", Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched),
       KOKKOS_LAMBDA(const int i) {
         const int two = nodes.numLattice + i, one = nodes.parent(i);
         double along = 0.0, square = 0.0;
@@ -195,7 +195,7 @@ void CrackConduction<D>::merge(const State<D>& state, const HeatNodes<D>& heat, 
   const View<double*> conductance = conductance_;
   const bool several = heat.meets.extent(0) > 0;
   Kokkos::parallel_for(
-      "rhegma::thermal::mergeFields", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
+      "rhegma::thermal::mergeFields", Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched),
       KOKKOS_LAMBDA(const int i) {
         const int two = nodes.numLattice + i, one = nodes.parent(i);
         const double C1 = heat.sums(one, HeatNodes<D>::capacityAt);
@@ -224,7 +224,7 @@ double CrackConduction<D>::exchange(const State<D>& state, const HeatNodes<D>& h
   const View<double*> conductance = conductance_;
   double fromOutside = 0.0;
   Kokkos::parallel_reduce(
-      "rhegma::thermal::exchangeBetweenFaces", Kokkos::RangePolicy<ExecSpace>(0, nodes.numSecond),
+      "rhegma::thermal::exchangeBetweenFaces", Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched),
       KOKKOS_LAMBDA(const int i, double& sum) {
         const int two = nodes.numLattice + i, one = nodes.parent(i);
         const double C1 = heat.sums(one, HeatNodes<D>::capacityAt);
@@ -253,9 +253,9 @@ double CrackConduction<D>::exchange(const State<D>& state, const HeatNodes<D>& h
 }
 
 template <int D>
-void CrackConduction<D>::store(Archive& archive)
+void CrackConduction<D>::serialize(Archive& archive)
 {
-  points_.keep(archive);
+  points_.serialize(archive);
 }
 
 template class CrackConduction<2>;

@@ -55,13 +55,13 @@ public:
   /// Whether there are faces that conduct now.
   bool active(const State<D>& state) const
   {
-    return conducts_ && conductance_.extent(0) > 0 && state.cracks.second.extent(0) > 0;
+    return conducts_ && conductance_.extent(0) > 0 && state.cracks.enrichedField.extent(0) > 0;
   }
 
   /// Between the two fields of each node of the lattice that has two [W/K]; others have none.
   const View<double*>& conductance() const { return conductance_; }
 
-  void store(Archive& archive);
+  void serialize(Archive& archive);
 
   /// Of perfect contact, in place of an infinite one [W/(m2 K)].
   static constexpr double perfect = 1e30;

@@ -144,7 +144,7 @@ double HeatBoundaries<D>::addFlux(State<D>& state, const HeatNodes<D>& heat, dou
     Load<D>& points = heated.surface.points;
     points.place(state);
     const StencilTable<D> stencils = points.nodesAround();
-    const View<double*> fraction = points.shares();
+    const View<double*> fraction = points.fractions();
     const double area = heated.surface.area, now = heated.history(time);
     const double flux = now * heated.flux, coefficient = heated.coefficient, ambient = now * heated.ambient;
     const View<double> sum("rhegma::thermal::powerOfSurface");
@@ -175,7 +175,7 @@ double HeatBoundaries<D>::addResponse(const View<double* [2]>& change, const Vie
       continue;
     const Load<D>& points = heated.surface.points;
     const StencilTable<D> stencils = points.nodesAround();
-    const View<double*> fraction = points.shares();
+    const View<double*> fraction = points.fractions();
     const double perKelvin = heated.surface.area * heated.coefficient;
     const View<double> sum("rhegma::thermal::changeOfPower");
     forEachPushing(
@@ -202,7 +202,7 @@ void HeatBoundaries<D>::addDiagonal(const View<double*>& diagonal) const
   {
     const Load<D>& points = heated.surface.points;
     const StencilTable<D> stencils = points.nodesAround();
-    const View<double*> fraction = points.shares();
+    const View<double*> fraction = points.fractions();
     const double perKelvin = heated.surface.area * heated.coefficient;
     forEachPushing(
         "rhegma::thermal::addDiagonal", perKelvin > 0.0 ? points.points() : 0, KOKKOS_LAMBDA(const int k) {

@@ -56,7 +56,7 @@ template <int D>
 void ConductionIntegrator<D>::findPairs(const State<D>& state, const HeatNodes<D>& heat,
                                         const CrackConduction<D>& faces, double dt)
 {
-  numPairs_ = faces.active(state) ? state.mesh.nodes.numSecond : 0;
+  numPairs_ = faces.active(state) ? state.mesh.nodes.numEnriched : 0;
   const Nodes<D> nodes = state.mesh.nodes;
   const View<double*>& conductance = faces.conductance();
   const View<double* [pairWidth]> pairs = pairs_;

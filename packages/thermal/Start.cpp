@@ -33,7 +33,7 @@ void warnOfCold(std::vector<std::string>& warnings, const std::string& what, dou
 {
   constexpr double coldest = 77.0;
   if (T < coldest)
-    warnings.push_back(what + " " + shortly(T) + " K, which is " + shortly(T - 273.15) +
+    warnings.push_back(what + " " + formatShort(T) + " K, which is " + formatShort(T - 273.15) +
                        " degrees Celsius; temperatures are absolute");
 }
 
@@ -45,9 +45,9 @@ void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, dou
   const auto body = host(state.particles.integer(fields::body));
   const auto positions = host(state.particles.template real<D>(fields::position));
   const auto T = host(state.particles.scalar(fields::temperature));
-  for (std::size_t b = 0; b < state.bodies.list.size(); ++b)
+  for (std::size_t b = 0; b < state.bodies.info.size(); ++b)
   {
-    const std::string& name = state.bodies.list[b].name;
+    const std::string& name = state.bodies.info[b].name;
     const Teuchos::ParameterList& list = bodies.sublist(name);
     const double own = list.isParameter("Temperature") ? list.get<double>("Temperature") : initial;
     const bool varies = list.isParameter("Temperature Field");

@@ -46,14 +46,14 @@ template <int D>
 void useReferenceProperties(State<D>& state, const Teuchos::ParameterList& materials, double initial)
 {
   const auto host = Kokkos::create_mirror_view(state.materials.device);
-  for (std::size_t m = 0; m < state.materials.list.size(); ++m)
+  for (std::size_t m = 0; m < state.materials.properties.size(); ++m)
   {
     const std::string& name = state.materials.names[m];
     const Teuchos::ParameterList& list = materials.sublist(name);
     const double reference =
         list.isParameter("Reference Temperature") ? list.get<double>("Reference Temperature") : initial;
-    state.materials.list[m] = makeProperties(materialAt(list, reference), name, state.method.plane);
-    host(m) = state.materials.list[m];
+    state.materials.properties[m] = makeProperties(materialAt(list, reference), name, state.method.plane);
+    host(m) = state.materials.properties[m];
   }
   Kokkos::deep_copy(state.materials.device, host);
 }
@@ -237,10 +237,10 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     archive("finest heated", run->conduction.finestHeated);
     {
       const Archive::Group integrator(archive, "integrator");
-      run->conduction.integrator.store(archive);
+      run->conduction.integrator.serialize(archive);
     }
     const Archive::Group faces(archive, "crack faces");
-    run->conduction.faces.store(archive);
+    run->conduction.faces.serialize(archive);
   };
   return effect;
 }
@@ -256,8 +256,8 @@ void declareHeat(const Teuchos::ParameterList& list, RunOptions& options)
 EffectEntry thermalEntry()
 {
   EffectEntry entry{thermalSection(), checkThermal, make<2>, make<3>, true, declareHeat};
-  entry.cells.knows = "round heat sources";
-  entry.cells.tell = reportCells;
+  entry.cells.subject = "round heat sources";
+  entry.cells.addNeeds = reportCells;
   return entry;
 }
 

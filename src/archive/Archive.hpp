@@ -1,5 +1,5 @@
 #pragma once
-/// Saves and loads what a run keeps from step to step, by one description of it.
+/// Saves and loads the persistent data of a run by one description.
 
 #include "archive/Record.hpp"
 #include "base/Types.hpp"
@@ -15,25 +15,24 @@
 namespace Rhegma
 {
 
-/// Hands numbers, texts, lists and views under their names to a record, or takes them back from one. Whoever
-/// has a memory names its parts once,
+/// Writes numbers, texts, lists and views by name to a record, or reads them from one. A class with
+/// persistent data lists them once,
 ///
-///     void keep(Archive& archive)
+///     void serialize(Archive& archive)
 ///     {
 ///       archive("gap", gap_);
 ///       archive("dissipated", dissipated_);
 ///     }
 ///
-/// so that what is saved and what is loaded can't differ. Lists and views get the size that was saved. Names
-/// are free text within a group; loading throws std::invalid_argument, in one sentence, where a name is
-/// missing or has another type or shape.
+/// so that saved and loaded data can't differ. Lists and views get the saved size. Names are free text within
+/// a group; loading throws std::invalid_argument where a name is missing or has another type or shape.
 ///
-/// Where many ranks share the run all of them save and load at once, and the record of the first rank counts:
-/// what all ranks know is named as above, what each has a fraction of by `parts` or `together`.
+/// With several ranks all of them save and load together into the record of the first rank: data that are
+/// equal on all ranks as above, data divided among the ranks by `parts` or `together`.
 class Archive
 {
 public:
-  /// Saves to a record; tables of it that are not named again stay.
+  /// Saves to a record; its other tables stay.
   static Archive saving(Record& to, const Ranks& ranks = {});
   /// Loads from a record, which must outlive this and be the same on all ranks.
   static Archive loading(const Record& from, const Ranks& ranks = {});
@@ -41,8 +40,8 @@ public:
   bool loads() const { return from_ != nullptr; }
   const Ranks& ranks() const { return ranks_; }
 
-  /// Numbers of which each rank has a part: their sums are saved, and the first rank gets these back, all
-  /// others zero. Collective.
+  /// Numbers of which each rank has a part: their sum is saved; on loading the first rank gets it, all others
+  /// zero. Collective.
   void parts(const std::string& name, double& value);
   template <int D>
   void parts(const std::string& name, Vector<D>& vector)
@@ -57,8 +56,8 @@ public:
       vector = Vector<D>{};
   }
 
-  /// A list to which each rank brings its rows: they are saved one after another, and every rank gets all of
-  /// them back. Collective. \param columns numbers of a row
+  /// A list of which each rank has rows: they are saved one after another, and every rank loads all of them.
+  /// Collective. \param columns numbers of a row
   template <class T>
   void together(const std::string& name, std::vector<T>& list, std::size_t columns = 1)
   {
@@ -68,12 +67,12 @@ public:
     (*this)(name, all, columns);
   }
 
-  /// Whether particles and nodes have the order that they had when they were saved, so that caches of one
-  /// position an entry fit. Else they are left out: they only save work.
+  /// Whether particles and nodes have the order of the saved run, so that caches by row are valid. Otherwise
+  /// caches are not loaded.
   bool sameOrder() const { return sameOrder_; }
   void setSameOrder(bool same) { sameOrder_ = same; }
 
-  /// While it lives, names lie in a group, inside those that live already.
+  /// During its lifetime names belong to a group, nested in those that exist already.
   class Group
   {
   public:
@@ -220,10 +219,10 @@ private:
     std::memcpy(numbers, from->bytes.data(), count * sizeof(T));
   }
 
-  /// The table to load from, of the type asked for; none where it saves: then the table is made.
+  /// The table to load from, of this type; when saving it makes the table and returns null.
   const RecordTable* begin(const std::string& name, RecordTable::Type type,
                            const std::vector<std::size_t>& extent);
-  /// Fills the table that begin made.
+  /// Fills the table made by begin.
   void save(const std::string& name, const void* values);
   [[noreturn]] void refuse(const std::string& name, const std::string& what) const;
 

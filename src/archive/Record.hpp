@@ -1,5 +1,5 @@
 #pragma once
-/// What a checkpoint holds, in memory.
+/// The content of a checkpoint in memory.
 
 #include <cstddef>
 #include <map>
@@ -24,7 +24,7 @@ struct RecordTable
   std::vector<char> bytes;
 
   static std::size_t sizeOf(Type type) { return type == Type::Byte ? 1 : type == Type::Integer ? 4 : 8; }
-  /// Bytes that the extents ask for.
+  /// Bytes by the extents.
   std::size_t size() const
   {
     std::size_t all = sizeOf(type);

@@ -7,38 +7,38 @@
 namespace Rhegma
 {
 
-/// Goes on after a mistake, so that a user hears of every one of several things that can't be made.
+/// Goes on after a mistake, so that all mistakes are reported together.
 class Attempts
 {
 public:
-  /// Calls `work` and keeps the sentence of the std::invalid_argument that it throws. \return whether it
+  /// Calls `function` and stores the message of the std::invalid_argument that it throws. \return whether it
   /// threw none
-  template <class Work>
-  bool attempt(const Work& work)
+  template <class Function>
+  bool attempt(const Function& function)
   {
     try
     {
-      work();
+      function();
       return true;
     }
     catch (const std::invalid_argument& mistake)
     {
-      sentences_ += (sentences_.empty() ? "" : "\n") + std::string(mistake.what());
+      messages_ += (messages_.empty() ? "" : "\n") + std::string(mistake.what());
       return false;
     }
   }
 
-  bool allWell() const { return sentences_.empty(); }
+  bool succeeded() const { return messages_.empty(); }
 
-  /// Throws std::invalid_argument with all sentences, a line each, if there are any.
+  /// Throws std::invalid_argument with all messages, a line each, if there are any.
   void throwIfAny() const
   {
-    if (!allWell())
-      throw std::invalid_argument(sentences_);
+    if (!succeeded())
+      throw std::invalid_argument(messages_);
   }
 
 private:
-  std::string sentences_;
+  std::string messages_;
 };
 
 } // namespace Rhegma

@@ -7,29 +7,30 @@
 namespace Rhegma
 {
 
-/// A quantity that every particle carries.
+/// A quantity that every particle stores.
 struct Field
 {
-  std::string name;     ///< free text; by it the field is found
+  std::string name;     ///< free text that identifies the field
   int components = 1;   ///< numbers of a particle
   std::string unit;     ///< SI; empty: a pure number
-  std::string meaning;  ///< for a person to read
+  std::string meaning;  ///< description for readers
   bool integer = false; ///< whole numbers
 };
 
-/// What becomes of a nodal field where cells are refined or coarsened. Nodes that are there before and after
-/// are known by their position.
+/// Treatment of a nodal field where cells are refined or coarsened. Nodes that exist before and after are
+/// identified by their position.
 enum class OnRemesh
 {
   Keep,        ///< nodes that stay keep their values; new ones begin with zero
-  Interpolate, ///< nodes that stay keep their values; new ones begin with what the cells before had there
+  Interpolate, ///< nodes that stay keep their values; new ones begin with the value interpolated in the
+               ///< earlier cells
   Drop         ///< all begin with zero
 };
 
-/// A quantity that an effect keeps on nodes from step to step (grid/NodalFieldTable.hpp).
+/// A quantity that an effect stores on nodes from step to step (grid/NodalFieldTable.hpp).
 struct NodalField
 {
-  Field field;                        ///< real numbers of each node; by its name it is found
+  Field field;                        ///< real numbers of each node, identified by its name
   OnRemesh onRemesh = OnRemesh::Keep; ///< where cells are refined or coarsened
   bool enriched = false;              ///< whether the enriched field of a node has values of its own
   bool reportsLost = false; ///< whether values of nodes that vanish are listed (NodalFieldTable::lost)
@@ -57,7 +58,7 @@ inline const std::string rate = "velocity gradient";
 inline const std::string side = "side";
 /// How often a particle was split; only where an effect splits them.
 inline const std::string level = "level";
-/// Only where an effect carries heat; the last is per undeformed volume.
+/// Only with heat; the internal energy is per undeformed volume.
 inline const std::string temperature = "temperature";
 inline const std::string temperatureGradient = "temperature gradient"; ///< [K/m]
 inline const std::string internalEnergy = "internal energy";           ///< [J/m3]

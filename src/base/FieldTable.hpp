@@ -10,12 +10,12 @@
 namespace Rhegma
 {
 
-/// Owns one view per field; all have one row per particle. Views borrowed from it are good until the next
-/// resize or reorder, so stages fetch them anew.
+/// Owns one view per field; all have one row per particle. Borrowed views are valid until the next resize or
+/// reorder; stages fetch them anew.
 class FieldTable
 {
 public:
-  /// Adds a field of zeros. Throws std::logic_error when the name is taken.
+  /// Adds a field of zeros. Throws std::logic_error when the name exists already.
   void add(const Field& field);
 
   bool has(const std::string& name) const; ///< whether there is a field of this name
@@ -51,7 +51,7 @@ public:
   /// Changes the number of particles; new rows are zero, rows that stay keep their values.
   void resize(int size);
 
-  /// Row i becomes what row order(i) was.
+  /// Row i gets the values of row order(i).
   void reorder(const View<int*>& order);
 
   /// Bytes held by the fields.

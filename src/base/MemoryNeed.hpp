@@ -1,5 +1,5 @@
 #pragma once
-/// Whether a scene fits into the machine.
+/// Whether a scene fits into the memory of the machine.
 
 namespace Rhegma
 {
@@ -8,9 +8,9 @@ namespace Rhegma
 /// the system does not say.
 double freeMemoryBytes();
 
-/// Throws std::invalid_argument with a sentence where a scene needs more than there is. Linux grants memory
-/// that it does not have and ends the program when it is used, so this asks before.
-/// \param nodes, particles  numbers of them, and what each takes [bytes]
+/// Throws std::invalid_argument where a scene needs more memory than is available. Linux grants memory that
+/// it does not have and kills the program when it is used; therefore this checks before.
+/// \param nodes, particles  their numbers, and the memory of each [bytes]
 /// \param available         [bytes]
 void refuseWithoutMemory(double nodes, double bytesPerNode, double particles, double bytesPerParticle,
                          double available);

@@ -24,7 +24,7 @@ std::optional<std::vector<double>> parseReals(const std::string& text);
 /// The value as an int, if it is whole and fits one.
 std::optional<int> wholeNumber(double value);
 
-/// The shortest text that a person would write for the number, exact to 10 digits.
+/// The shortest text of the number, exact to 10 digits.
 std::string formatReal(double value);
 
 /// All digits of the number, so that reading the text gives the same one.
@@ -33,8 +33,8 @@ std::string formatExactly(double value);
 /// "{1, 2}", each number with all of its digits, so that reading it gives the same numbers.
 std::string formatReals(const std::vector<double>& values);
 
-/// A time [s], length [m] or energy [J] for a message: four digits with a prefix of its unit, such as "473.6
-/// us", "1.25 mm" or "70.3 mJ".
+/// A time [s], length [m] or energy [J] for a message: four digits with a unit prefix, such as "473.6 us",
+/// "1.25 mm" or "70.3 mJ".
 std::string readableTime(double seconds);
 std::string readableLength(double metres);
 std::string readableEnergy(double joules);

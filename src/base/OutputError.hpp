@@ -6,7 +6,7 @@
 namespace Rhegma
 {
 
-/// Says which file and why, in one sentence: a full disk, a folder that is gone, missing rights.
+/// The message says which file and why: a full disk, a folder that is gone, missing rights.
 class OutputError : public std::runtime_error
 {
 public:

@@ -1,5 +1,5 @@
 #pragma once
-/// A few doubles that are computed with at once.
+/// A few doubles in one vector register.
 
 #include <Kokkos_Core.hpp>
 

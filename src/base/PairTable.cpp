@@ -15,7 +15,7 @@ bool PairTable::isMeant(const std::string& text)
   return text.find(':') != std::string::npos && text.find('?') == std::string::npos;
 }
 
-PairTable::PairTable(const std::string& text, const Words& words)
+PairTable::PairTable(const std::string& text, const Labels& labels)
 {
   std::size_t begin = 0;
   while (begin <= text.size())
@@ -27,13 +27,13 @@ PairTable::PairTable(const std::string& text, const Words& words)
     const auto at = parseReal(pair.substr(0, colon));
     const auto value = colon == std::string::npos ? std::nullopt : parseReal(pair.substr(colon + 1));
     if (!at || !value)
-      throw std::invalid_argument("\"" + pair + "\" is not a pair of " + words.pair + words.advice);
+      throw std::invalid_argument("\"" + pair + "\" is not a pair of " + labels.pair + labels.advice);
     if (!std::isfinite(*at) || !std::isfinite(*value))
-      throw std::invalid_argument("\"" + pair + "\" is not finite; write finite numbers" + words.stop);
+      throw std::invalid_argument("\"" + pair + "\" is not finite; write finite numbers" + labels.stop);
     if (!at_.empty() && *at <= at_.back())
-      throw std::invalid_argument(std::string("the ") + words.first + " of the table must increase, but " +
-                                  formatReal(*at) + words.unit + " follows " + formatReal(at_.back()) +
-                                  words.unit + words.stop);
+      throw std::invalid_argument(std::string("the ") + labels.first + " of the table must increase, but " +
+                                  formatReal(*at) + labels.unit + " follows " + formatReal(at_.back()) +
+                                  labels.unit + labels.stop);
     at_.push_back(*at);
     values_.push_back(*value);
   }

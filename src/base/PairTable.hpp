@@ -1,5 +1,5 @@
 #pragma once
-/// Tables that a user writes as a text, and what texts of expressions have in common.
+/// Tables that a user writes as a text, and checks of expressions.
 
 #include <string>
 #include <vector>
@@ -11,14 +11,14 @@ namespace Rhegma
 class PairTable
 {
 public:
-  /// How the two numbers of a pair are called where one is wrong.
-  struct Words
+  /// Names of the two numbers of a pair, for messages.
+  struct Labels
   {
     const char* pair;   ///< "a time and a value"
     const char* first;  ///< "times"
     const char* unit;   ///< " s"
-    std::string advice; ///< how to write a table, from the sign that ends the sentence before it
-    const char* stop;   ///< what ends a sentence without advice
+    std::string advice; ///< how to write a table, beginning with the punctuation before it
+    const char* stop;   ///< ends a message without advice
   };
 
   /// Whether a text is a table: an expression has a colon only behind a question mark.
@@ -26,7 +26,7 @@ public:
 
   PairTable() = default;
   /// Throws std::invalid_argument where the text is no table, or the first numbers do not increase.
-  PairTable(const std::string& text, const Words& words);
+  PairTable(const std::string& text, const Labels& labels);
 
   bool empty() const { return at_.empty(); }
   double operator()(double x) const;
@@ -35,10 +35,10 @@ private:
   std::vector<double> at_, values_;
 };
 
-/// Whether an expression assigns to a name, which a parser would let it do, instead of comparing.
+/// Whether an expression assigns to a name, which the parser would accept, instead of comparing.
 bool assigns(const std::string& expression);
 
-/// A parser's reason without the stop at its end.
+/// A parser's message without its full stop.
 std::string withoutStop(std::string reason);
 
 } // namespace Rhegma

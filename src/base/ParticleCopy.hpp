@@ -13,11 +13,11 @@ namespace Rhegma
 struct ParticleCopy
 {
   Field field;                ///< its name, components, unit and meaning
-  int particles = 0;          ///< how many there are
+  int particles = 0;          ///< number of particles
   std::vector<double> values; ///< components of the first particle, then of the next; whole numbers too
 };
 
-/// Copies a field. Throws std::invalid_argument, naming those that there are, where there is none of the
+/// Copies a field. Throws std::invalid_argument, which lists the existing fields, where there is none of this
 /// name.
 ParticleCopy copyField(const FieldTable& table, const std::string& name);
 

@@ -5,9 +5,10 @@
 namespace Rhegma
 {
 
-/// A number that other threads may be changing by atomic operations just now, without waiting for them: what
-/// it was a moment ago serves as well, as where a number only ever falls, or all write the same. A plain read
-/// next to a write of another thread has no defined outcome (ISO C++17, intro.races).
+/// Reads a number that other threads may change by atomic operations at the same time, without waiting for
+/// them. Use it where an older value is good enough: the number only decreases, or all threads write the
+/// same. A plain read concurrent with a write of another thread is undefined behaviour (ISO C++17,
+/// intro.races).
 template <class T>
 KOKKOS_INLINE_FUNCTION T relaxedLoad(const T& number)
 {

@@ -6,8 +6,8 @@
 namespace Rhegma
 {
 
-/// A measured number in a sentence, in four digits: enough to judge by, too few to copy.
-inline std::string shortly(double value)
+/// A measured number for a message, in four digits: enough to judge by, too few to copy.
+inline std::string formatShort(double value)
 {
   char text[32];
   std::snprintf(text, sizeof text, "%.4g", value);

@@ -9,7 +9,7 @@
 namespace Rhegma
 {
 
-/// Items that one thread is through with sooner than others could be told to help.
+/// Number of items up to which one thread is faster than starting several.
 constexpr int isSmallLoop = 256;
 
 namespace detail
@@ -21,9 +21,9 @@ using OneThread = std::conditional_t<onHost, Kokkos::Serial, ExecSpace>;
 using OneThread = ExecSpace;
 #endif
 
-/// Calls call(space) with the execution space that is through sooner with `count` items.
+/// Calls call(space) with the execution space that processes `count` items faster.
 template <int limit, class Call>
-void whereSooner([[maybe_unused]] int count, const Call& call)
+void onFasterSpace([[maybe_unused]] int count, const Call& call)
 {
   if constexpr (!std::is_same_v<OneThread, ExecSpace>)
     if (count <= limit)
@@ -35,47 +35,47 @@ void whereSooner([[maybe_unused]] int count, const Call& call)
 }
 } // namespace detail
 
-/// Runs work(k) for k = begin .. end - 1, on a host by one thread where they are few. A device takes all at
-/// once. \tparam limit how many are few; more where the work on one of them is little
-template <int limit = isSmallLoop, class Work>
-void parallelForSmall(const char* label, int begin, int end, const Work& work)
+/// Runs body(k) for k = begin .. end - 1, on a host by one thread where they are few. A device takes all at
+/// once. \tparam limit how many are few; more where one of them costs little
+template <int limit = isSmallLoop, class Body>
+void parallelForSmall(const char* label, int begin, int end, const Body& body)
 {
-  detail::whereSooner<limit>(
+  detail::onFasterSpace<limit>(
       end - begin, [&](auto space)
-      { Kokkos::parallel_for(label, Kokkos::RangePolicy<decltype(space)>(begin, end), work); });
+      { Kokkos::parallel_for(label, Kokkos::RangePolicy<decltype(space)>(begin, end), body); });
 }
 
-template <class Work>
-void parallelForSmall(const char* label, int count, const Work& work)
+template <class Body>
+void parallelForSmall(const char* label, int count, const Body& body)
 {
-  parallelForSmall(label, 0, count, work);
+  parallelForSmall(label, 0, count, body);
 }
 
-/// The sums that work(k, sum ...) makes for k = begin .. end - 1, in the same way. \param sums where they go:
-/// numbers, or an array as Kokkos takes it
-template <class Work, class... Sums>
-void parallelSumSmall(const char* label, int begin, int end, const Work& work, Sums&&... sums)
+/// Sums what body(k, sum ...) adds for k = begin .. end - 1, in the same way. \param sums results: numbers,
+/// or an array as in Kokkos::parallel_reduce
+template <class Body, class... Sums>
+void parallelSumSmall(const char* label, int begin, int end, const Body& body, Sums&&... sums)
 {
-  detail::whereSooner<isSmallLoop>(
+  detail::onFasterSpace<isSmallLoop>(
       end - begin, [&](auto space)
-      { Kokkos::parallel_reduce(label, Kokkos::RangePolicy<decltype(space)>(begin, end), work, sums...); });
+      { Kokkos::parallel_reduce(label, Kokkos::RangePolicy<decltype(space)>(begin, end), body, sums...); });
 }
 
-template <class Value, class Work>
-Value parallelSumSmall(const char* label, int count, const Work& work)
+template <class Value, class Body>
+Value parallelSumSmall(const char* label, int count, const Body& body)
 {
   Value sum{};
-  parallelSumSmall(label, 0, count, work, sum);
+  parallelSumSmall(label, 0, count, body, sum);
   return sum;
 }
 
-/// Counts and positions in the way of Kokkos::parallel_scan.
-template <class Work>
-void parallelScanSmall(const char* label, int begin, int end, const Work& work, int& count)
+/// Counts and offsets, as Kokkos::parallel_scan.
+template <class Body>
+void parallelScanSmall(const char* label, int begin, int end, const Body& body, int& count)
 {
-  detail::whereSooner<isSmallLoop>(
+  detail::onFasterSpace<isSmallLoop>(
       end - begin, [&](auto space)
-      { Kokkos::parallel_scan(label, Kokkos::RangePolicy<decltype(space)>(begin, end), work, count); });
+      { Kokkos::parallel_scan(label, Kokkos::RangePolicy<decltype(space)>(begin, end), body, count); });
 }
 
 } // namespace Rhegma

@@ -1,5 +1,5 @@
 #pragma once
-/// The few types that every room shares: execution space, views, and vectors and matrices of a few numbers.
+/// Types used everywhere: execution space, views, and vectors and matrices of a few numbers.
 
 #include <Kokkos_Core.hpp>
 
@@ -9,7 +9,7 @@ namespace Rhegma
 {
 
 using ExecSpace = Kokkos::DefaultExecutionSpace; ///< where kernels run
-using MemorySpace = ExecSpace::memory_space;     ///< where fields lie
+using MemorySpace = ExecSpace::memory_space;     ///< where fields are stored
 
 /// A view in the memory of the execution space. Rows (particles, nodes) are contiguous on every back end, so
 /// that one row is one vector load.

@@ -1,13 +1,13 @@
 #pragma once
-/// What a user may try whose run is unstable.
+/// Advice for an unstable run.
 
 #include <string>
 
 namespace Rhegma
 {
 
-/// The words "an unstable step: try ..." without an end. \param subcycledLevels of the state: how many levels
-/// take substeps of their own
+/// The text "an unstable step: try ..." without a full stop. \param subcycledLevels number of levels of the
+/// state that take substeps
 inline std::string unstableStep(int subcycledLevels)
 {
   return std::string("the time step is unstable; try a smaller Time > CFL") +

@@ -1,5 +1,5 @@
 #pragma once
-/// What the boundaries of a scene do together, and parameters that several types have.
+/// The supports and loads of a scene, and parameters of several types.
 
 #include "boundary/ReadLoad.hpp"
 #include "boundary/Supports.hpp"
@@ -9,8 +9,8 @@
 namespace Rhegma
 {
 
-/// A boundary type adds to one of these: a support or a load, which then has its reports, energy and
-/// checkpoints, or calls of its own.
+/// A boundary type adds a support or a load, for which reports, energy and checkpoints are provided, or its
+/// own calls.
 template <int D>
 struct BoundaryParts
 {
@@ -21,10 +21,10 @@ struct BoundaryParts
   std::vector<std::function<Load<D>(const State<D>&)>> loads{};
 };
 
-/// The factor over time that most types have.
+/// Adds the parameter History, a factor over time.
 void describeHistory(Section& section);
 
-/// The body on which a load acts.
+/// Adds the parameter Body, on which a load acts.
 void describeLoadedBody(Section& section);
 
 /// All boundary types, in the order of the reference: one line each. The file of a type defines the function

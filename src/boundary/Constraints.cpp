@@ -42,7 +42,7 @@ struct HoldNodes
 
   int value_count = 1 + D;
   Nodes<D> nodes;
-  NodePositions<D> places;
+  NodePositions<D> positions;
   NodeConstraint<D> constraint;
   MeanOfHeld<D> mean;
   View<int*> coupledRow;         ///< empty where all masses are lumped
@@ -55,7 +55,7 @@ struct HoldNodes
     const int n = activeNode(nodes, i);
     const double mass = nodes.sums(n, Nodes<D>::massAt);
     const int lattice = latticeNode(nodes, n);
-    if (!(mass > 0.0) || !constraint.appliesAt(places(lattice)))
+    if (!(mass > 0.0) || !constraint.appliesAt(positions(lattice)))
       return;
     const int row = coupledRow.extent(0) > 0 ? coupledRow(n) : -1;
     for (int d = 0; d < D; ++d)
@@ -95,7 +95,7 @@ Reaction<D> constrainMotion(State<D>& state, const NodeConstraint<D>& constraint
 {
   HoldNodes<D> hold;
   hold.nodes = state.mesh.nodes;
-  hold.places = nodePositions(state);
+  hold.positions = nodePositions(state);
   hold.constraint = constraint;
   hold.mean = MeanOfHeld<D>(state, constraint, earlier);
   hold.coupledRow = state.motion.coupledRow;
@@ -116,7 +116,7 @@ double constrainProjection(State<D>& state, const NodeConstraint<D>& constraint,
                            const NodeConstraint<D>& earlier, const View<char**>& held)
 {
   const Nodes<D> nodes = state.mesh.nodes;
-  const NodePositions<D> places = nodePositions(state);
+  const NodePositions<D> positions = nodePositions(state);
   const View<int*> coupledRow = state.motion.coupledRow;
   const bool afterMotion = projectsLast(state.method.scheme) && !state.clock.strainPass.before;
   const MeanOfHeld<D> mean(state, constraint, earlier);
@@ -126,7 +126,7 @@ double constrainProjection(State<D>& state, const NodeConstraint<D>& constraint,
       KOKKOS_LAMBDA(const int i, double& sum) {
         const int n = activeNode(nodes, i);
         const int lattice = latticeNode(nodes, n);
-        if (!constraint.appliesAt(places(lattice)))
+        if (!constraint.appliesAt(positions(lattice)))
           return;
         const double mass = nodes.sums(n, Nodes<D>::massAt);
         const bool recorded = !afterMotion || !(mass > 0.0) || !isOwnedByThisRank(nodes, n) ||

@@ -23,9 +23,9 @@ constexpr double roundOff = 1e-9;
 
 /// Where two supports disagree.
 template <int D>
-struct Quarrel
+struct Conflict
 {
-  Vector<D> place{};
+  Vector<D> position{};
   int axis = 0;
   double time = 0.0, first = 0.0, second = 0.0;
 };
@@ -48,18 +48,18 @@ struct Motion
     }
   }
 
-  Vector<D> amplitude(const Vector<D>& place) const
+  Vector<D> amplitude(const Vector<D>& position) const
   {
-    return timed.field ? (*timed.field)(place) : timed.value;
+    return timed.field ? (*timed.field)(position) : timed.value;
   }
 
   /// By how much a component of the value varies about a position within what is known of the position.
-  double uncertainty(const Vector<D>& place, int component, double spacing) const
+  double uncertainty(const Vector<D>& position, int component, double spacing) const
   {
     double sum = 0.0;
     for (int d = 0; d < D && timed.field; ++d)
     {
-      Vector<D> below = place, above = place;
+      Vector<D> below = position, above = position;
       below[d] -= roundOff * spacing;
       above[d] += roundOff * spacing;
       sum += std::fabs(amplitude(above)[component] - amplitude(below)[component]);
@@ -71,17 +71,17 @@ struct Motion
 /// Finds the time at which they disagree most. \return whether they disagree at all at a position that both
 /// hold
 template <int D>
-bool disagree(const Motion<D>& a, const Motion<D>& b, const Vector<D>& place, double spacing,
-              double finalTime, Quarrel<D>& quarrel)
+bool disagree(const Motion<D>& a, const Motion<D>& b, const Vector<D>& position, double spacing,
+              double finalTime, Conflict<D>& conflict)
 {
-  const Vector<D> ofA = a.amplitude(place), ofB = b.amplitude(place);
+  const Vector<D> ofA = a.amplitude(position), ofB = b.amplitude(position);
   double most = 0.0;
   for (int d = 0; d < D; ++d)
   {
     if (!a.timed.constraint.holds[d] || !b.timed.constraint.holds[d] || (ofA[d] == 0.0 && ofB[d] == 0.0))
       continue;
-    const double slack = roundOff * std::max(a.largest, b.largest) + a.uncertainty(place, d, spacing) +
-                         b.uncertainty(place, d, spacing);
+    const double slack = roundOff * std::max(a.largest, b.largest) + a.uncertainty(position, d, spacing) +
+                         b.uncertainty(position, d, spacing);
     for (int k = 0; k < times; ++k)
     {
       const double one = a.factor[k] * ofA[d], two = b.factor[k] * ofB[d];
@@ -89,7 +89,7 @@ bool disagree(const Motion<D>& a, const Motion<D>& b, const Vector<D>& place, do
       if (apart > most && apart > slack)
       {
         most = apart;
-        quarrel = {place, d, finalTime * k / (times - 1), one, two};
+        conflict = {position, d, finalTime * k / (times - 1), one, two};
       }
     }
   }
@@ -101,22 +101,22 @@ template <int D>
 double largestValue(const Motion<D>& motion, const std::vector<Vector<D>>& positions, const Ranks& ranks)
 {
   double largest = 0.0;
-  const auto look = [&](const Vector<D>& amplitude)
+  const auto include = [&](const Vector<D>& amplitude)
   {
     for (int d = 0; d < D; ++d)
       if (motion.timed.constraint.holds[d] && std::isfinite(amplitude[d]))
         largest = std::max(largest, std::fabs(amplitude[d]));
   };
   if (!motion.timed.field)
-    look(motion.timed.value);
+    include(motion.timed.value);
   else
-    for (const Vector<D>& place : positions)
-      if (motion.timed.constraint.appliesAt(place))
-        look(motion.amplitude(place));
+    for (const Vector<D>& position : positions)
+      if (motion.timed.constraint.appliesAt(position))
+        include(motion.amplitude(position));
   return motion.largestFactor * ranks.max(largest);
 }
 
-/// Whether two supports may hold a node along one axis: most pairs need no look at nodes.
+/// Whether two supports may hold a node along one axis: most pairs need no comparison of nodes.
 template <int D>
 bool mayMeet(const TimedConstraint<D>& a, const TimedConstraint<D>& b)
 {
@@ -136,28 +136,28 @@ bool mayMeet(const TimedConstraint<D>& a, const TimedConstraint<D>& b)
 
 /// Looks at the nodes of one pair.
 template <int D>
-bool findQuarrel(const Motion<D>& one, const Motion<D>& two, const std::vector<Vector<D>>& positions,
-                 double spacing, double finalTime, Quarrel<D>& quarrel)
+bool findConflict(const Motion<D>& one, const Motion<D>& two, const std::vector<Vector<D>>& positions,
+                  double spacing, double finalTime, Conflict<D>& conflict)
 {
-  for (const Vector<D>& place : positions)
-    if (one.timed.constraint.appliesAt(place) && two.timed.constraint.appliesAt(place) &&
-        disagree(one, two, place, spacing, finalTime, quarrel))
+  for (const Vector<D>& position : positions)
+    if (one.timed.constraint.appliesAt(position) && two.timed.constraint.appliesAt(position) &&
+        disagree(one, two, position, spacing, finalTime, conflict))
       return true;
   return false;
 }
 
 template <int D>
-std::string asText(const TimedConstraint<D>& a, const TimedConstraint<D>& b, const Quarrel<D>& quarrel,
+std::string asText(const TimedConstraint<D>& a, const TimedConstraint<D>& b, const Conflict<D>& conflict,
                    const Prescribed& what)
 {
-  std::string place = formatReal(quarrel.place[0]);
+  std::string position = formatReal(conflict.position[0]);
   for (int d = 1; d < D; ++d)
-    place += ", " + formatReal(quarrel.place[d]);
-  const std::string along = what.hasAxes ? std::string(" along ") + "xyz"[quarrel.axis] : "";
+    position += ", " + formatReal(conflict.position[d]);
+  const std::string along = what.hasAxes ? std::string(" along ") + "xyz"[conflict.axis] : "";
   return "Boundaries > " + a.name + ": this and Boundaries > " + b.name + " both prescribe the node {" +
-         place + "}" + along + ", at " + formatReal(quarrel.first) + " and " + formatReal(quarrel.second) +
-         " " + what.unit + " (at t = " + readableTime(quarrel.time) + "); give them one " + what.name +
-         " there, or end one of the boxes a cell before this node";
+         position + "}" + along + ", at " + formatReal(conflict.first) + " and " +
+         formatReal(conflict.second) + " " + what.unit + " (at t = " + readableTime(conflict.time) +
+         "); give them one " + what.name + " there, or end one of the boxes a cell before this node";
 }
 
 } // namespace
@@ -166,13 +166,13 @@ template <int D>
 std::string contradictions(const std::vector<TimedConstraint<D>>& constraints, const State<D>& state,
                            double finalTime, const Prescribed& what)
 {
-  std::string sentences;
+  std::string messages;
   bool any = false;
   for (std::size_t a = 0; a < constraints.size(); ++a)
     for (std::size_t b = a + 1; b < constraints.size(); ++b)
       any = any || mayMeet(constraints[a], constraints[b]);
   if (!any)
-    return sentences;
+    return messages;
   const std::vector<Vector<D>> positions = touchedNodes(state);
   std::vector<Motion<D>> motions;
   for (const TimedConstraint<D>& constraint : constraints)
@@ -185,15 +185,15 @@ std::string contradictions(const std::vector<TimedConstraint<D>>& constraints, c
     {
       if (!mayMeet(constraints[a], constraints[b]))
         continue;
-      Quarrel<D> quarrel;
+      Conflict<D> conflict;
       const bool here =
-          findQuarrel(motions[a], motions[b], positions, state.mesh.grid.spacing, finalTime, quarrel);
-      const std::string sentence =
-          state.ranks.firstText(here ? asText(constraints[a], constraints[b], quarrel, what) : "");
-      if (!sentence.empty())
-        sentences += (sentences.empty() ? "" : "\n") + sentence;
+          findConflict(motions[a], motions[b], positions, state.mesh.grid.spacing, finalTime, conflict);
+      const std::string message =
+          state.ranks.firstText(here ? asText(constraints[a], constraints[b], conflict, what) : "");
+      if (!message.empty())
+        messages += (messages.empty() ? "" : "\n") + message;
     }
-  return sentences;
+  return messages;
 }
 
 template std::string contradictions(const std::vector<TimedConstraint<2>>&, const State<2>&, double,

@@ -1,12 +1,12 @@
 #pragma once
-/// Supports that want two values of a node at once.
+/// Supports that prescribe different values of one node.
 
 #include "boundary/Supports.hpp"
 
 namespace Rhegma
 {
 
-/// What supports prescribe, in words.
+/// The prescribed quantity, for messages.
 struct Prescribed
 {
   std::string name = "velocity"; ///< of the value
@@ -14,9 +14,9 @@ struct Prescribed
   bool hasAxes = true;           ///< whether it has components; else it is the first of them
 };
 
-/// Looks at the nodes that particles touch as they and the cells are now: two supports may hold one along the
-/// same axis only if they want the same value, at all times of the run. Collective.
-/// \return one sentence a pair that does not, naming both, the node and the values; empty where there is none
+/// Checks the nodes that particles touch now: two supports may hold a node along the same axis only if they
+/// prescribe the same value at all times of the run. Collective.
+/// \return a line for each pair that contradicts, with the node and the values; empty where there is none
 template <int D>
 std::string contradictions(const std::vector<TimedConstraint<D>>& constraints, const State<D>& state,
                            double finalTime, const Prescribed& what = {});

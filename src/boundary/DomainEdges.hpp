@@ -1,5 +1,5 @@
 #pragma once
-/// Bodies that have no room to move.
+/// Bodies that touch the edge of the domain.
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -9,8 +9,8 @@
 namespace Rhegma
 {
 
-/// A sentence for each body and each face of the domain that it touches at the start, where no support holds
-/// it across that face: it may not move beyond, and the run would end where it does.
+/// A warning for each body and each face of the domain that it touches at the start without a support normal
+/// to that face: it can't move beyond, and the run would end if it does.
 /// \param scene validated
 template <int D>
 std::vector<std::string> warningsOfEdges(const Teuchos::ParameterList& scene);

@@ -1,5 +1,5 @@
 #pragma once
-/// Which nodes some support holds already, for sums over supports that may hold a node together.
+/// Nodes that a support has counted already, for sums over supports that hold a node together.
 
 #include "state/State.hpp"
 

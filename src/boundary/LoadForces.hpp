@@ -1,5 +1,5 @@
 #pragma once
-/// The forces of loads on their bodies, as the history and the summary tell them.
+/// The forces of loads on their bodies, for the history and the summary.
 
 #include "boundary/Loads.hpp"
 #include "plan/Effect.hpp"

@@ -17,7 +17,8 @@ namespace
 /// rank, and zero for others, which wait anywhere on this rank's lattice
 template <int D>
 void updateParticles(const State<D>& state, const View<int*>& id, const View<double* [D]>& start,
-                     const View<double*>& share, const View<double*>& here, const ObservedPoints<D>& points)
+                     const View<double*>& fraction, const View<double*>& here,
+                     const ObservedPoints<D>& points)
 {
   const Grid<D> grid = state.mesh.grid;
   const auto position = state.particles.template real<D>(fields::position);
@@ -31,7 +32,7 @@ void updateParticles(const State<D>& state, const View<int*>& id, const View<dou
   parallelForSmall(
       "rhegma::placeLoad", points.count, KOKKOS_LAMBDA(const int k) {
         const int p = indexOf(id(k));
-        here(k) = p < 0 ? 0.0 : share(k);
+        here(k) = p < 0 ? 0.0 : fraction(k);
         if (p < 0)
         {
           for (int d = 0; d < D; ++d)
@@ -50,29 +51,29 @@ void updateParticles(const State<D>& state, const View<int*>& id, const View<dou
       });
 }
 
-/// Adds force times share to the nodes.
+/// Adds force times fraction to the nodes.
 template <int D>
-void addToNodes(const Nodes<D>& nodes, const StencilTable<D>& stencils, const View<double*>& share, int count,
-                const Vector<D>& force)
+void addToNodes(const Nodes<D>& nodes, const StencilTable<D>& stencils, const View<double*>& fraction,
+                int count, const Vector<D>& force)
 {
   forEachPushing(
       "rhegma::addLoad", count, KOKKOS_LAMBDA(const int k) {
         for (int e = 0; e < stencils.count(k); ++e)
           for (int d = 0; d < D; ++d)
             Kokkos::atomic_add(&nodes.sums(stencils.node(k, e), Nodes<D>::forceAt + d),
-                               stencils.weight(k, e) * share(k) * force[d]);
+                               stencils.weight(k, e) * fraction(k) * force[d]);
       });
 }
 
-/// Sum of the shares that reach no node.
+/// Sum of the fractions that reach no node.
 template <int D>
-double lostFraction(const StencilTable<D>& stencils, const View<double*>& share, int count)
+double lostFraction(const StencilTable<D>& stencils, const View<double*>& fraction, int count)
 {
   return parallelSumSmall<double>(
-      "rhegma::lostShare", count, KOKKOS_LAMBDA(const int k, double& sum) {
-        sum += share(k);
+      "rhegma::lostFraction", count, KOKKOS_LAMBDA(const int k, double& sum) {
+        sum += fraction(k);
         for (int e = 0; e < stencils.count(k); ++e)
-          sum -= stencils.weight(k, e) * share(k);
+          sum -= stencils.weight(k, e) * fraction(k);
       });
 }
 
@@ -93,7 +94,7 @@ Load<D>::Load(std::string name, const std::vector<LoadPoint<D>>& points, const s
               const std::vector<Vector<D>>& carriers, const Vector<D>& force, TimeFunction history)
     : whole_(points),
       carrier_(ids),
-      seat_(carriers),
+      carrierStart_(carriers),
       wholeId_("rhegma::loadWholeId", points.size()),
       level_("rhegma::loadLevel", points.size()),
       name_(std::move(name)),
@@ -116,11 +117,11 @@ void Load<D>::makePoints(const std::vector<int>& levels)
     count += parts(k);
   id_ = View<int*>("rhegma::loadId", count);
   start_ = View<double* [D]>("rhegma::loadStart", count);
-  fraction_ = View<double*>("rhegma::loadShare", count);
-  here_ = View<double*>("rhegma::loadShareHere", count);
+  fraction_ = View<double*>("rhegma::loadFraction", count);
+  here_ = View<double*>("rhegma::loadFractionHere", count);
   const auto id = Kokkos::create_mirror_view(id_);
   const auto start = Kokkos::create_mirror_view(start_);
-  const auto share = Kokkos::create_mirror_view(fraction_);
+  const auto fraction = Kokkos::create_mirror_view(fraction_);
   int at = 0;
   for (std::size_t k = 0; k < whole_.size(); ++k)
   {
@@ -128,8 +129,8 @@ void Load<D>::makePoints(const std::vector<int>& levels)
     for (int part = 0; part < parts(k); ++part, ++at)
     {
       id(at) = carrier_[k];
-      share(at) = whole_[k].share / parts(k);
-      Vector<D> x = seat_[k] + whole_[k].offset;
+      fraction(at) = whole_[k].fraction / parts(k);
+      Vector<D> x = carrierStart_[k] + whole_[k].offset;
       int rest = part;
       for (int s = 0; s < sidesOf(whole_[k]); ++s, rest /= along)
         x = x + ((rest % along + 0.5) / along - 0.5) * whole_[k].side[s];
@@ -139,7 +140,7 @@ void Load<D>::makePoints(const std::vector<int>& levels)
   }
   Kokkos::deep_copy(id_, id);
   Kokkos::deep_copy(start_, start);
-  Kokkos::deep_copy(fraction_, share);
+  Kokkos::deep_copy(fraction_, fraction);
   points_.count = count;
   points_.position = View<double* [D]>("rhegma::loadPosition", count);
   points_.half = View<double* [D]>("rhegma::loadHalf", count);
@@ -202,7 +203,7 @@ double Load<D>::work(const State<D>& state) const
 {
   const LoadVelocity<D> velocity(state);
   const StencilTable<D> stencils = followed_;
-  const View<double*> share = here_;
+  const View<double*> fraction = here_;
   const Vector<D> force = now_ * force_;
   const double dt = state.clock.dt;
   return parallelSumSmall<double>(
@@ -211,7 +212,7 @@ double Load<D>::work(const State<D>& state) const
         {
           const int n = stencils.node(k, e);
           for (int d = 0; d < D; ++d)
-            sum += dt * stencils.weight(k, e) * share(k) * force[d] * velocity(n, d);
+            sum += dt * stencils.weight(k, e) * fraction(k) * force[d] * velocity(n, d);
         }
       });
 }

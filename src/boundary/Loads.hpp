@@ -1,5 +1,5 @@
 #pragma once
-/// Loads that ride on particles.
+/// Loads whose points move with particles.
 
 #include "geometry/LoadPoints.hpp"
 #include "scene/TimeFunction.hpp"
@@ -10,47 +10,47 @@
 namespace Rhegma
 {
 
-/// A load spread over points of a body's surface. Dead: its direction stays, its points move and turn with
-/// the particles that carry them. Where these were split, a point becomes as many as its particle has parts
-/// along the surface, so that small cells feel an even load; else one of them would take what is meant for
-/// all.
+/// A load spread over points of a body's surface. Dead load: its direction is constant; its points move and
+/// rotate with their particles. If a particle was split, its point is divided among its parts along the
+/// surface, so that small cells get an even load.
 template <int D>
 class Load
 {
 public:
   /// \param ids id of the particle that carries each point, which may be split: then of a part of it
-  /// \param carriers where these particles start [m] \param force whole load at history 1 [N]
+  /// \param carriers where these particles start [m] \param force total load at history 1 [N]
   Load(std::string name, const std::vector<LoadPoint<D>>& points, const std::vector<int>& ids,
        const std::vector<Vector<D>>& carriers, const Vector<D>& force, TimeFunction history);
 
-  /// Adds the load to the nodal force. The nodal loads sum to the load asked for, or the run is in failure:
-  /// points whose nodes all lack mass would lose theirs.
+  /// Adds the load to the nodal force. The nodal loads sum to the total load; otherwise the run fails: points
+  /// none of whose nodes has mass would lose their part.
   void apply(State<D>& state);
 
-  /// Brings the points to where their particles are now, and finds the nodes around them.
+  /// Moves the points with their particles, and finds the nodes around them.
   void place(State<D>& state);
   int points() const { return points_.count; }
-  /// Nodes around each point, after `position`; and its fraction, zero where another rank has its particle.
+  /// Nodes around each point, and its fraction of the load, zero where another rank has its particle; valid
+  /// after `place`.
   const StencilTable<D>& nodesAround() const { return stencils_; }
-  const View<double*>& shares() const { return here_; }
+  const View<double*>& fractions() const { return here_; }
 
   /// Work [J] of the load over the step, at the velocity that gives the particles their kinetic energy
   /// (LoadVelocity).
   double work(const State<D>& state) const;
 
   const std::string& name() const { return name_; }
-  /// The whole load over this step [N], on all ranks.
+  /// The total load over this step [N], on all ranks.
   Vector<D> force() const { return now_ * force_; }
 
 private:
-  /// Makes the points anew where particles that carry them were split or have become one again.
+  /// Makes the points anew where their particles were split or merged.
   void updateLevels(const State<D>& state);
   void makePoints(const std::vector<int>& levels);
 
-  std::vector<LoadPoint<D>> whole_; ///< the points of particles that were not split
-  std::vector<int> carrier_;        ///< id of the particle that carries each of them
-  std::vector<Vector<D>> seat_;     ///< where that particle starts [m]
-  View<int*> wholeId_, level_;      ///< for each of them: the id again, and how often it is split now
+  std::vector<LoadPoint<D>> whole_;     ///< the points of particles that were not split
+  std::vector<int> carrier_;            ///< id of the particle that carries each of them
+  std::vector<Vector<D>> carrierStart_; ///< where that particle starts [m]
+  View<int*> wholeId_, level_;          ///< for each of them: the id again, and how often it is split now
   std::string name_;
   Vector<D> force_;
   TimeFunction history_;

@@ -1,5 +1,5 @@
 #pragma once
-/// Planes at which a scene is its own mirror image.
+/// Symmetry planes of a scene.
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -9,17 +9,17 @@
 namespace Rhegma
 {
 
-/// A crack that ends at such a plane goes on beyond it, and its front is square to it.
+/// A crack that ends at such a plane continues beyond it, and its front is normal to it.
 struct MirrorPlane
 {
   int axis = 0;
   double position = 0.0; ///< [m]
 };
 
-/// Those of a scene: its boundaries of type Symmetry.
+/// The planes of a scene: its boundaries of type Symmetry.
 std::vector<MirrorPlane> mirrorPlanes(const Teuchos::ParameterList& scene);
 
-/// Whether a place of a crack lies on a plane, to a twentieth of a cell. \param along the plane's axis [m]
+/// Whether a point of a crack lies on a plane, to a twentieth of a cell. \param along the plane's axis [m]
 /// \param cell size of the cells there [m]
 inline bool isOn(const MirrorPlane& plane, double along, double cell)
 {

@@ -36,7 +36,7 @@ Seeds<D> seedsOf(const State<D>& state, int body, std::vector<int>& ids)
   {
     seeds.volume *= seeds.edge[d];
     for (int e = 0; e < D; ++e)
-      seeds.axes[d][e] = state.bodies.list[body].axes[d][e];
+      seeds.axes[d][e] = state.bodies.info[body].axes[d][e];
   }
   return seeds;
 }

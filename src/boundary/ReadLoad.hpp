@@ -12,7 +12,7 @@
 namespace Rhegma
 {
 
-/// Points of a load on the particles of a body, and the whole force at history 1 [N].
+/// Points of a load on the particles of a body, and the total force at history 1 [N].
 template <int D>
 struct PlacedLoad
 {
@@ -26,13 +26,12 @@ using PlaceLoad = std::function<PlacedLoad<D>(const Teuchos::ParameterList& list
                                               double thickness, const std::string& where)>;
 
 /// Places the load of a boundary with the parameter `Body`. Throws std::invalid_argument, with the section's
-/// path, for one that meets no particle. \param history factor over time
+/// path, for a load that reaches no particle. \param history factor over time
 template <int D>
 Load<D> readLoad(const Teuchos::ParameterList& list, const State<D>& state, const std::string& name,
                  const std::string& history, const PlaceLoad<D>& place);
 
-/// A surface of a body, a line (2D) or a parallelogram (3D) as Traction has it, with points but without
-/// force.
+/// A surface of a body, a line (2D) or a parallelogram (3D) as for Traction, as points without force.
 template <int D>
 struct Surface
 {
@@ -41,7 +40,7 @@ struct Surface
 };
 
 /// Reads `Body` and `From`, `To` or `Corner`, `Edge 1`, `Edge 2` and places the surface. Throws
-/// std::invalid_argument where it meets no particle. \param where path of the list, for messages
+/// std::invalid_argument where it reaches no particle. \param where path of the list, for messages
 template <int D>
 Surface<D> readSurface(const Teuchos::ParameterList& list, const State<D>& state, const std::string& name);
 

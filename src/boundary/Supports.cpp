@@ -111,8 +111,8 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
                  for (auto& timed : *constraints)
                  {
                    state.ranks.sum(timed.impulse.c, D);
-                   timed.takenInAll += state.ranks.sum(timed.taken);
-                   timed.taken = 0.0;
+                   timed.absorbedTotal += state.ranks.sum(timed.absorbed);
+                   timed.absorbed = 0.0;
                    timed.force = (duration > 0.0 ? 1.0 / duration : 0.0) * timed.impulse;
                    timed.impulse = Vector<D>{};
                    for (int d = 0; d < D; ++d)
@@ -128,8 +128,8 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
       const Archive::Group group(archive, std::to_string(c));
       archive.parts("impulse", (*constraints)[c].impulse);
       archive("force", (*constraints)[c].force);
-      archive.parts("taken", (*constraints)[c].taken);
-      archive("taken_in_all", (*constraints)[c].takenInAll);
+      archive.parts("absorbed", (*constraints)[c].absorbed);
+      archive("absorbed_total", (*constraints)[c].absorbedTotal);
     }
   };
   effect.report = [constraints](const State<D>&, nlohmann::json& summary)
@@ -139,7 +139,7 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
     for (const auto& timed : *constraints)
       boundaries.push_back({{"name", timed.name},
                             {"force", std::vector<double>(timed.force.c, timed.force.c + D)},
-                            {"energy_absorbed_from_short_waves", timed.takenInAll}});
+                            {"energy_absorbed_from_short_waves", timed.absorbedTotal}});
   };
 }
 
@@ -192,7 +192,7 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
                        state, timed.at(atStart ? state.clock.time : state.clock.time + state.clock.dt),
                        timed.at(state.clock.time), *held);
                    state.energy.externalWork += work;
-                   timed.taken -= work;
+                   timed.absorbed -= work;
                  }
                },
                true});

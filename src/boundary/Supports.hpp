@@ -21,11 +21,11 @@ struct TimedConstraint
   Vector<D> value;
   TimeFunction history;
   std::string name;
-  Vector<D> impulse{};     ///< on the body since the last sample [N s]
-  double taken = 0.0;      ///< out of waves of a few cells since the last sample, on this rank [J]
-  double takenInAll = 0.0; ///< the same up to the last sample, on all ranks [J]
-  Vector<D> force{};       ///< mean between the last two samples [N]
-  std::optional<PositionFunction> field{}; ///< of the velocity over space, if it varies
+  Vector<D> impulse{};   ///< on the body since the last sample [N s]
+  double absorbed = 0.0; ///< energy of waves of a few cells, absorbed since the last sample, on this rank [J]
+  double absorbedTotal = 0.0;              ///< the same up to the last sample, on all ranks [J]
+  Vector<D> force{};                       ///< mean between the last two samples [N]
+  std::optional<PositionFunction> field{}; ///< velocity as a function of position, if it varies
   int generation = 0;                      ///< of the cells whose nodes have it
 
   NodeConstraint<D> at(double time) const
@@ -47,7 +47,7 @@ template <int D>
 void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstraint<D>>>& constraints);
 
 /// The calls that report the force of each support on the bodies, as a mean over the time since the last
-/// sample, so that none of it goes unseen.
+/// sample, so that no part of it is missed.
 template <int D>
 void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstraint<D>>>& constraints);
 

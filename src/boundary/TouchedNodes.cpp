@@ -34,19 +34,19 @@ std::vector<Vector<D>> ofLattice(const State<D>& state)
     }
     for (int k = 0; k < all; ++k)
     {
-      Vector<D> place;
+      Vector<D> position;
       int rest = k, node = 0;
       for (int d = 0; d < D; ++d)
       {
         const int index = first[d] + rest % count[d];
-        place[d] = grid.origin[d] + index * grid.spacing;
+        position[d] = grid.origin[d] + index * grid.spacing;
         node += index * grid.stride[d];
         rest /= count[d];
       }
       if (node < 0 || node >= grid.numNodes || seen[node] != 0)
         continue;
       seen[node] = 1;
-      positions.push_back(place);
+      positions.push_back(position);
     }
   }
   return positions;
@@ -97,10 +97,10 @@ std::vector<Vector<D>> touchedNodes(const State<D>& state)
   {
     if (mark(n) == 0)
       continue;
-    Vector<D> place;
+    Vector<D> position;
     for (int d = 0; d < D; ++d)
-      place[d] = fine(n, d);
-    positions.push_back(place);
+      position[d] = fine(n, d);
+    positions.push_back(position);
   }
   return positions;
 }

@@ -1,5 +1,5 @@
 #pragma once
-/// Where the nodes are that particles touch.
+/// Positions of the nodes that particles touch.
 
 #include "state/State.hpp"
 

@@ -25,7 +25,7 @@ namespace
 {
 
 constexpr std::size_t blockSize = 512;
-/// Line ends and a byte with its highest bit set show what a transfer as text does to a file.
+/// Line ends and a byte with its highest bit set reveal a transfer as text.
 constexpr unsigned char magic[16] = {0x89, 'R', 'H', 'E',  'G',  'M',  'A',  ' ',
                                      'c',  'h', 'k', '\r', '\n', 0x1a, '\n', 0};
 constexpr std::size_t schemaAt = 16, bodyCrcAt = 20, bodyLengthAt = 24, blockCrcAt = blockSize - 4;
@@ -67,7 +67,7 @@ struct Body
   }
 };
 
-/// Length and checksum of what follows the block, up to which the file is read already.
+/// Length and checksum of the data after the block; the file is read up to there.
 Body readBody(std::FILE* file)
 {
   Body body;
@@ -99,7 +99,7 @@ Block blockFor(const std::vector<unsigned char>& image)
   return block;
 }
 
-/// Writes all to a file of its own and brings it to the disk.
+/// Writes a file and synchronises it to the disk.
 void writeThrough(const std::string& path, const std::vector<unsigned char>& image)
 {
   File file(std::fopen(path.c_str(), "wb"));
@@ -115,14 +115,14 @@ void writeThrough(const std::string& path, const std::vector<unsigned char>& ima
     cantWrite(path, good ? errno : reason);
 }
 
-/// So that a name stays after a power failure.
+/// Makes the renaming survive a power failure.
 void syncFolderOf(const std::string& path)
 {
   const std::string folder = std::filesystem::path(path).parent_path().string();
   const int handle = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY);
   if (handle < 0)
     return;
-  fsync(handle); // some file systems have no such thing
+  fsync(handle); // some file systems do not support it
   close(handle);
 }
 
@@ -154,7 +154,7 @@ std::string nameOf(const std::string& path)
   return end == std::string::npos ? path : path.substr(end + 1);
 }
 
-/// Makes a group and those in which it lies, unless they are there.
+/// Makes a group and its parents unless they exist.
 void makeGroup(hid_t file, const std::string& group, std::set<std::string>& made, const std::string& path)
 {
   for (std::size_t end = 0; end != std::string::npos;)
@@ -203,8 +203,8 @@ void writeTables(hid_t file, const std::string& path, const Record& record)
   }
 }
 
-/// The bytes of an HDF5 file. It is made in memory: HDF5 can't close a file that a full disk keeps it from
-/// writing, and ends the program later.
+/// The bytes of an HDF5 file. It is made in memory: if the disk is full HDF5 can't close a file, and aborts
+/// the program later.
 std::vector<unsigned char> hdf5Image(const std::string& path, const Record& record)
 {
   const Silence silence;
@@ -233,7 +233,7 @@ struct Source
   std::uint64_t length; ///< bytes: no table of it can have more
 };
 
-/// Groups in groups; more than any checkpoint has.
+/// Largest nesting of groups; more than any checkpoint has.
 constexpr int mostGroups = 16;
 
 RecordTable::Type typeOf(hid_t type)
@@ -246,7 +246,7 @@ RecordTable::Type typeOf(hid_t type)
                      : RecordTable::Type::Byte;
 }
 
-/// Sets type and extents of a table and makes room.
+/// Sets type and extents of a table and allocates it.
 void shape(RecordTable& table, hid_t type, hid_t space, const Source& from)
 {
   table.type = typeOf(type);
@@ -293,7 +293,7 @@ void readSet(hid_t set, RecordTable& table, const Source& from)
 
 void readGroup(hid_t group, const std::string& prefix, const Source& from, Record& record, int depth = 0)
 {
-  if (depth > mostGroups) // a group may be made to hold itself
+  if (depth > mostGroups) // a damaged group may contain itself
     throw OutputError(from.path);
   readNumbers(group, prefix, from, record);
   H5G_info_t info;
@@ -312,7 +312,7 @@ void readGroup(hid_t group, const std::string& prefix, const Source& from, Recor
   }
 }
 
-/// Throws where the file is not what writeCheckpoint left.
+/// Throws where the file differs from the one that writeCheckpoint wrote.
 void verify(const std::string& path)
 {
   std::error_code none;

@@ -1,5 +1,5 @@
 #pragma once
-/// checkpoint.h5 on the disk: whole or not there, and known to be what was written.
+/// checkpoint.h5 on the disk: written completely or not at all, with checksums.
 
 #include "archive/Record.hpp"
 
@@ -19,15 +19,16 @@ constexpr int checkpointSchema = 2;
 /// that is (8), zeros, and in its last 4 bytes the CRC-32 of the block before them. So every bit of the file,
 /// those of HDF5's own structures included, is under a checksum.
 ///
-/// The file is written next to `path` under the name PATH.part, brought to the disk and then renamed, so that
-/// a kill, a full disk or a power failure leaves the older file. Throws OutputError when it can't be written.
+/// The file is written next to `path` under the name PATH.part, synchronised to the disk and then renamed, so
+/// that a kill, a full disk or a power failure leaves the older file. Throws OutputError when it can't be
+/// written.
 void writeCheckpoint(const std::string& path, const Record& record);
 
-/// Reads a checkpoint. Throws std::invalid_argument with one sentence where the file can't be read, is no
-/// checkpoint, is of another schema, is cut short or has changed since it was written.
+/// Reads a checkpoint. Throws std::invalid_argument where the file can't be read, is no checkpoint, is of
+/// another schema, is cut short or has changed since it was written.
 Record readCheckpoint(const std::string& path);
 
-/// Brings what was written to a file to the disk. Throws OutputError when it can't.
+/// Synchronises a file to the disk. Throws OutputError on failure.
 void syncFile(const std::string& path);
 
 } // namespace Rhegma

@@ -14,7 +14,7 @@ namespace Rhegma
 namespace
 {
 
-/// In one line: white space separates what it separated.
+/// The text on one line: white space becomes a single blank.
 std::string onOneLine(const std::string& text)
 {
   std::istringstream words(text);
@@ -65,7 +65,7 @@ void addLines(const Teuchos::ParameterList& list, const Section& section, const 
   }
 }
 
-/// What stands before the value in a line.
+/// The part of a line before the value.
 std::string positionOf(const std::string& line) { return line.substr(0, line.find(" = ")); }
 
 std::string inQuotes(const std::string& line)

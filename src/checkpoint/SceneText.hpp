@@ -1,5 +1,5 @@
 #pragma once
-/// What a checkpoint knows of its scene.
+/// The scene of a checkpoint as text.
 
 #include "scene/Schema.hpp"
 
@@ -10,12 +10,12 @@ namespace Rhegma
 {
 
 /// A scene with its defaults, a line a parameter (`Materials > Steel > Density = 7800`), without those that
-/// may be different when a run goes on (Parameter::changeable, Section::changeable). Numbers have all their
-/// digits. Parameters are in the order of their names, sections as they come, the top ones in the order of
-/// the schema: the order of bodies, materials and cracks is their numbering.
+/// may change when a run continues (Parameter::changeable, Section::changeable). Numbers have all their
+/// digits. Parameters are in the order of their names, sections in the order of the scene, the top ones in
+/// the order of the schema: the order of bodies, materials and cracks is their numbering.
 std::vector<std::string> sceneLines(const Teuchos::ParameterList& scene, const SceneSchema& schema);
 
-/// \return the first difference in words; empty if there is none
+/// \return the first difference as text; empty if there is none
 std::string differenceOfScenes(const std::vector<std::string>& now, const std::vector<std::string>& then);
 
 /// CRC-32 of the lines.

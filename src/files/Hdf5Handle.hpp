@@ -1,5 +1,5 @@
 #pragma once
-/// HDF5's identifiers as values that close themselves and throw.
+/// HDF5's identifiers as objects that close themselves and throw.
 
 #include "base/OutputError.hpp"
 
@@ -9,7 +9,7 @@
 namespace Rhegma
 {
 
-/// HDF5 prints its errors unless told not to; here they become exceptions.
+/// Switches off the error messages of HDF5; errors become exceptions here.
 class Silence
 {
 public:
@@ -27,7 +27,7 @@ private:
   void* data_ = nullptr;
 };
 
-/// What the user is told.
+/// The message for the user.
 inline std::string unwritable(const std::string& path)
 {
   return path + " can't be written; is the disk full or the file open elsewhere?";
@@ -54,14 +54,14 @@ public:
 
   operator hid_t() const { return id_; }
 
-  /// Throws when HDF5 says that something went wrong.
+  /// Throws when HDF5 reports an error.
   void require(herr_t status) const
   {
     if (status < 0)
       fail();
   }
 
-  /// Closes, which is when the last of the data goes out.
+  /// Closes, which writes the remaining data.
   void close()
   {
     const herr_t status = close_(id_);

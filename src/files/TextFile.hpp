@@ -1,5 +1,5 @@
 #pragma once
-/// Text files that are never seen half written.
+/// Text files that are replaced atomically.
 
 #include <string>
 

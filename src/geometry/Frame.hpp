@@ -1,5 +1,5 @@
 #pragma once
-/// The own axes of a body: a rotation about a point.
+/// The axes of a body: a rotation about a point.
 
 #include "base/Types.hpp"
 
@@ -8,19 +8,19 @@
 namespace Rhegma::Geometry
 {
 
-/// Unit vectors of the own axes, seen in 3D; orthogonal and right-handed.
+/// Unit vectors of the axes of a body in global coordinates; orthogonal and right-handed.
 template <int D>
 using Axes = std::array<Vector<D>, D>;
 
-/// Axes of space itself.
+/// Global axes.
 template <int D>
 Axes<D> spaceAxes();
 
-/// Space axes turned anticlockwise by an angle.
+/// Global axes rotated counter-clockwise by an angle.
 ///
 /// \param degrees  angle [degrees]
-/// \param about    axis of the turn in 3D, of any length but zero (Rodrigues' formula); in 2D the turn is in
-/// the plane
+/// \param about    axis of the rotation in 3D, of any length but zero (Rodrigues' formula); in 2D the
+/// rotation is in the plane
 Axes<2> turnedAxes(double degrees);
 Axes<3> turnedAxes(double degrees, const Vector<3>& about);
 
@@ -38,11 +38,11 @@ struct Bounds
   std::array<Vector<D>, (1 << D)> corners() const;
 };
 
-/// Bounds that hold nothing yet.
+/// Empty bounds.
 template <int D>
 Bounds<D> emptyBounds();
 
-/// Own coordinates of a body: a turn about `centre`, which has the same coordinates in both.
+/// Coordinates of a body: a rotation about `centre`, which has the same coordinates in both frames.
 template <int D>
 struct Frame
 {

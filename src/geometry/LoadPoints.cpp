@@ -37,7 +37,7 @@ double pieces(double length, double edge)
   return std::max(1.0, std::ceil(2.0 * length / edge - slack));
 }
 
-/// More points than any body can carry come from a unit or an exponent that is wrong.
+/// More points than any body has come from a wrong unit or exponent.
 void refuseMany(double count, const std::string& section)
 {
   if (count <= 1e7)
@@ -54,14 +54,14 @@ void normalise(std::vector<LoadPoint<D>>& points)
 {
   double total = 0.0;
   for (const auto& p : points)
-    total += p.share;
+    total += p.fraction;
   double others = 0.0;
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
   {
-    points[i].share /= total;
-    others += points[i].share;
+    points[i].fraction /= total;
+    others += points[i].fraction;
   }
-  points.back().share = 1.0 - others; // exact, as the others are at least a half
+  points.back().fraction = 1.0 - others; // exact, as the others are at least a half
 }
 
 template <int D>
@@ -138,7 +138,7 @@ std::vector<LoadPoint<3>> faceLoad(const Seeds<3>& body, const Vector<3>& corner
                                    const Vector<3>& sideB, const std::string& section)
 {
   const Vector<3> normal = cross(sideA, sideB);
-  // Sides that differ in direction by less than 1e-9 enclose no area worth loading.
+  // Sides whose directions differ by less than 1e-9 enclose no area.
   if (!(norm(normal) > 1.0e-9 * norm(sideA) * norm(sideB)))
     throw std::invalid_argument(section +
                                 ": the face of the load has no area; its two sides must not be parallel.");

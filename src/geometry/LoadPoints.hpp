@@ -1,5 +1,5 @@
 #pragma once
-/// Where loads act on a body: points that ride on its particles.
+/// Points of loads, which move with particles.
 
 #include "geometry/Seeds.hpp"
 
@@ -15,7 +15,7 @@ struct LoadPoint
 {
   int particle;     ///< index into the body's seeds
   Vector<D> offset; ///< from the particle's centre to the point, undeformed, along the axes of space [m]
-  double share;     ///< of the whole load [-]; the fractions of a load, added in order, give 1
+  double fraction;  ///< fraction of the total load [-]; those of a load, added in order, give 1
   /// Sides of the piece of line (2D) or parallelogram (3D) in whose middle the point is, undeformed; zero for
   /// a load at one point [m].
   Vector<D> side[D - 1] = {};
@@ -29,7 +29,7 @@ enum class Profile
 };
 
 /// One point. Like the points below it must lie within a particle's diagonal of a particle's centre, which
-/// every point of the body's surface does; it rides on the nearest particle.
+/// every point of the body's surface does; it moves with the nearest particle.
 ///
 /// \param section  the load's section, for messages (`Boundaries > Tip Load`)
 ///

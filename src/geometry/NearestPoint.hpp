@@ -10,13 +10,13 @@
 namespace Rhegma
 {
 
-/// Points hashed by cells as large as the reach, so that a search looks into 3^D cells, however many points
-/// there are.
+/// Points hashed by cells as large as the reach, so that a search checks 3^D cells, whatever the number of
+/// points.
 template <int D>
 class NearestPoint
 {
 public:
-  /// \param points  kept by reference; must outlive this object [m]
+  /// \param points  stored by reference; must outlive this object [m]
   /// \param reach   largest distance at which a point is found [m]
   NearestPoint(const std::vector<Vector<D>>& points, double reach);
 

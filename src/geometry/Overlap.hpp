@@ -1,5 +1,5 @@
 #pragma once
-/// Bodies that are in each other's position.
+/// Overlapping bodies.
 
 #include "geometry/Seeds.hpp"
 

@@ -7,8 +7,8 @@ namespace Rhegma::Geometry
 namespace
 {
 
-/// Rounding of coordinates may move a point off a surface by a few units in the last place of the body's
-/// size; mirror images of a point must then still be both inside or both outside.
+/// Rounding of coordinates may move a point off a surface by a few ulps of the body's size; mirror images of
+/// a point must then still be both inside or both outside.
 constexpr double surfaceTolerance = 1.0e-12;
 
 double cross(const Vector<2>& a, const Vector<2>& b) { return a[0] * b[1] - a[1] * b[0]; }

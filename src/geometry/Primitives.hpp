@@ -1,5 +1,5 @@
 #pragma once
-/// The shapes that bodies are made of, each in its own axes. A point on a surface counts as inside.
+/// Primitive shapes of bodies, each in its own axes. A point on a surface is inside.
 
 #include "geometry/Frame.hpp"
 
@@ -54,7 +54,7 @@ struct Polygon
   Bounds<D> bounds(const Frame<D>& frame) const;
 };
 
-/// Area that the polygon's edges go round, positive for an anticlockwise one [m^2].
+/// Area of a polygon, positive if its points are counter-clockwise [m^2].
 double signedArea(const std::vector<Vector<2>>& points);
 
 /// Indices of the first points of two edges that cross or touch without being neighbours; {-1, -1} where none

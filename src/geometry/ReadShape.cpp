@@ -25,9 +25,9 @@ std::string where(const ParameterList& list)
   return path.compare(0, top.size(), top) == 0 ? path.substr(top.size()) : path;
 }
 
-[[noreturn]] void fail(const ParameterList& list, const std::string& parameter, const std::string& sentence)
+[[noreturn]] void fail(const ParameterList& list, const std::string& parameter, const std::string& message)
 {
-  throw std::invalid_argument(where(list) + " > " + parameter + ": " + sentence);
+  throw std::invalid_argument(where(list) + " > " + parameter + ": " + message);
 }
 
 std::string needed(int numbers) { return std::to_string(numbers) + " numbers (type=\"Array(double)\")"; }

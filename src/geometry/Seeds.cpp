@@ -56,7 +56,7 @@ Lattice<D> makeLattice(const Shape<D>& shape, double edge)
 }
 
 template <int D>
-Vector<D> place(const Lattice<D>& lattice, const double (&index)[3])
+Vector<D> positionOf(const Lattice<D>& lattice, const double (&index)[3])
 {
   Vector<D> own;
   for (int d = 0; d < D; ++d)
@@ -85,7 +85,7 @@ double estimateSeeds(const Shape<D>& shape, double cell, int particlesPerCell)
     double index[3] = {};
     for (int d = 0; d < D; ++d)
       index[d] = (k * steps[d] - std::floor(k * steps[d])) * lattice.count[d];
-    inside += shape.contains(shape.base().frame.toSpace(place(lattice, index))) ? 1 : 0;
+    inside += shape.contains(shape.base().frame.toSpace(positionOf(lattice, index))) ? 1 : 0;
   }
   return total * std::max(inside, 1) / samples;
 }
@@ -124,7 +124,7 @@ Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell,
       for (long long i = 0; i < counts[0]; ++i)
       {
         const double index[3] = {double(i) + 0.5, double(j) + 0.5, double(k) + 0.5};
-        const Vector<D> x = shape.base().frame.toSpace(place(lattice, index));
+        const Vector<D> x = shape.base().frame.toSpace(positionOf(lattice, index));
         if (shape.contains(x))
           seeds.position.push_back(x);
       }

@@ -1,5 +1,5 @@
 #pragma once
-/// The particles that a body starts with.
+/// The initial particles of a body.
 
 #include "geometry/Shape.hpp"
 
@@ -36,8 +36,7 @@ struct Seeds
 template <int D>
 Seeds<D> seedParticles(const Shape<D>& shape, double cell, int particlesPerCell, const std::string& section);
 
-/// About how many particles seedParticles would make, from a sample of positions where there are many; takes
-/// next to no time and memory.
+/// Estimated number of particles of seedParticles, from a sample of positions; fast and without memory.
 template <int D>
 double estimateSeeds(const Shape<D>& shape, double cell, int particlesPerCell);
 

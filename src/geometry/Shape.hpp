@@ -44,7 +44,7 @@ public:
 
   /// Whether the last operation that reaches x added it.
   bool contains(const Vector<D>& x) const;
-  /// Bounds of all that is added; what is cut does not shrink them.
+  /// Bounds of all that is added; cuts do not shrink them.
   Geometry::Bounds<D> bounds() const;
   /// The first primitive, whose axes and corner the particles follow.
   const Geometry::Part<D>& base() const { return parts_.front(); }
@@ -60,10 +60,10 @@ private:
 /// Polygon (Points: x y x y ...; Bottom and Top in 3D). `Rotation` [degrees] about `Rotation Centre`
 /// (default: the middle of the primitive's bounds) and, in 3D, `Rotation Axis` (default 0 0 1). The sublist
 /// `Operations` holds sublists of the same parameters and `Operation` = Add or Cut, applied in their order;
-/// each is turned by its own rotation only. Other parameters of the list are left alone; an empty array
-/// counts as absent.
+/// each is turned by its own rotation only. Other parameters of the list are ignored; an empty array counts
+/// as absent.
 ///
-/// Throws std::invalid_argument with one sentence that names the section.
+/// Throws std::invalid_argument with the path of the section.
 template <int D>
 Shape<D> makeShape(const Teuchos::ParameterList& body);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Blocks of cells: the order of the particles, and which of them may add to the nodes at the same time.
+/// Blocks of cells: the order of the particles, and which blocks may add to the nodes at the same time.
 
 #include "base/FieldTable.hpp"
 #include "grid/Grid.hpp"
@@ -9,8 +9,7 @@
 namespace Rhegma
 {
 
-/// Particles that a thread works on together, one a lane, so that the compiler computes several of them with
-/// one instruction.
+/// Particles that a thread processes together, one per lane, so that the compiler uses vector instructions.
 #ifdef KOKKOS_ENABLE_CUDA
 constexpr int lanes = 1;
 #else
@@ -21,14 +20,14 @@ constexpr int lanes = 16;
 ///
 /// Blocks of one colour share no node as long as no particle is more than one cell outside of its block, so
 /// their particles add to nodes at the same time without atomics and in an order that does not depend on the
-/// number of threads. (Measured: atomics cost 8 times a scatter into sorted blocks; duplicated grids tie but
-/// their sum depends on the threads.)
+/// number of threads. (Measured: atomics cost 8 times a scatter into sorted blocks; duplicated grids are as
+/// fast, but their sum depends on the number of threads.)
 template <int D>
 struct Blocks
 {
   /// Cells along an edge. A particle that has drifted one cell out of its block and has ghosts of a crack
   /// reaches from the node four before the block's first cell to the node four beyond its last: two blocks of
-  /// one colour, one block apart, stay clear of each other from nine cells on.
+  /// one colour, one block apart, have no common node if blocks have nine cells or more.
   static constexpr int edge = 9;
   /// Axes that are cut into blocks; in 3D the fastest is left whole.
   static constexpr int axes = 2;
@@ -39,8 +38,8 @@ struct Blocks
   /// First particle of each bundle of up to `lanes` in one block; one more at the end.
   View<int*> bundleFirst;
   View<int*> bundleBlock; ///< block of each bundle
-  /// By the lowest node of a cell: not 0 in cells that held a particle at the sort and in those next to them,
-  /// from where all nodes of a stencil are listed.
+  /// By the lowest node of a cell: not 0 in cells that held a particle at the sort and in their neighbours;
+  /// all nodes of a stencil in such a cell are listed.
   View<char*> nearby;
   /// Not 0 for blocks whose particles may touch a refined cell or one next to it; empty where none is
   /// refined.

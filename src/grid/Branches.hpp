@@ -1,5 +1,5 @@
 #pragma once
-/// Which cells are refined, as the host keeps it, and the tree made of them.
+/// The refined cells on the host, and the tree made of them.
 
 #include "grid/Tree.hpp"
 
@@ -20,13 +20,13 @@ public:
 
   explicit Branches(const Grid<D>& grid) : grid_(grid) {}
 
-  /// Refines a cell, and all that it lies in.
+  /// Refines a cell and all its ancestors.
   void refine(int level, const Cell& cell);
 
   bool isRefined(int level, const Cell& cell) const;
 
-  /// Refines what is needed for neighbours over faces, edges and corners to differ by one level at most: of
-  /// every refined cell, each neighbour of its size must exist.
+  /// Refines further so that neighbours over faces, edges and corners differ by one level at most: each
+  /// neighbour of the size of a refined cell must exist.
   void balance();
 
   /// Levels that have refined cells.
@@ -43,13 +43,13 @@ public:
   /// Whether a cell of a level lies on the lattice.
   bool isInside(int level, const Cell& cell) const;
 
-  /// Those in the cells of a window of the lattice, counted from its node 0. As deep, so that finest cells
-  /// stay as small.
+  /// The refined cells inside a window of the lattice, counted from its node 0. The depth stays the same, so
+  /// that the finest cells have the same size.
   Branches within(const Grid<D>& window) const;
 
   bool operator==(const Branches& other) const { return levels_ == other.levels_; }
 
-  /// Cells of the finest level along an axis have numbers of so many bits.
+  /// Bits of the number of a finest-level cell along an axis.
   static constexpr int bitsPerAxis = 21;
 
 private:
@@ -81,7 +81,8 @@ Branches<D> branchesOf(const Grid<D>& grid, const Tree<D>& tree)
   return branchesOf(grid, leafNames(grid, tree));
 }
 
-/// Makes the tree of balanced branches. The generation counts on; views of another size are made anew.
+/// Makes the tree of balanced branches. Increments the generation; views whose size changes are allocated
+/// anew.
 template <int D>
 void buildTree(const Branches<D>& branches, Tree<D>& tree);
 

@@ -22,9 +22,9 @@ View<Data> viewOf(const std::string& label, const List& list)
   return view;
 }
 
-/// Calls work(offset, k) for the width^D offsets low, low + 1, ... along each axis, the first axis fastest.
-template <int D, class Work>
-void forEachOffset(int low, int width, const Work& work)
+/// Calls visit(offset, k) for the width^D offsets low, low + 1, ... along each axis, the first axis fastest.
+template <int D, class Visit>
+void forEachOffset(int low, int width, const Visit& visit)
 {
   int all = 1;
   for (int d = 0; d < D; ++d)
@@ -35,7 +35,7 @@ void forEachOffset(int low, int width, const Work& work)
     int rest = k;
     for (int d = 0; d < D; ++d, rest /= width)
       offset[d] = low + rest % width;
-    work(offset, k);
+    visit(offset, k);
   }
 }
 
@@ -64,7 +64,7 @@ public:
     fillSurroundings(tree);
     tree.finePosition = viewOf<double* [D]>("rhegma::finePlace", finePositions());
     fillFine(tree);
-    tree.share = viewOf<double*>("rhegma::nodeShare", fractions());
+    tree.nodeVolume = viewOf<double*>("rhegma::nodeVolume", nodeVolumes());
     tree.nodeLevel = viewOf<int*>("rhegma::nodeLevel", nodeLevels());
   }
 
@@ -147,8 +147,8 @@ private:
   std::vector<std::array<double, D>> finePositions() const
   {
     std::vector<std::array<double, D>> all;
-    for (const Cell& place : nodes_.places())
-      all.push_back(leaves_.position(place));
+    for (const Cell& fine : nodes_.positions())
+      all.push_back(leaves_.position(fine));
     return all;
   }
 
@@ -184,27 +184,27 @@ private:
     tree.fineIn = viewOf<int*>("rhegma::fineIn", all);
   }
 
-  /// Calls work(leaf, node, weight) for the masters of all corners.
-  template <class Work>
-  void forEachMaster(const Work& work) const
+  /// Calls visit(leaf, node, weight) for the masters of all corners.
+  template <class Visit>
+  void forEachMaster(const Visit& visit) const
   {
     for (int l = 0; l < leaves_.size(); ++l)
       for (int k = 0; k < corners_; ++k)
         for (int m = 0; m < nodes_.masterCount[l][k]; ++m)
-          work(l, nodes_.master[l][k][m], 1.0 / nodes_.masterCount[l][k]);
+          visit(l, nodes_.master[l][k][m], 1.0 / nodes_.masterCount[l][k]);
   }
 
-  std::vector<double> fractions() const
+  std::vector<double> nodeVolumes() const
   {
-    std::vector<double> share(grid_.numNodes + nodes_.size(), 0.0);
-    std::fill(share.begin(), share.begin() + grid_.numNodes, 1.0);
+    std::vector<double> volume(grid_.numNodes + nodes_.size(), 0.0);
+    std::fill(volume.begin(), volume.begin() + grid_.numNodes, 1.0);
     for (const Cell& cell : branches_.cells(0))
       forEachOffset<D>(0, 2,
                        [&](const Cell& offset, int)
-                       { share[leaves_.lowestNode(sum(cell, offset))] -= 1.0 / corners_; });
+                       { volume[leaves_.lowestNode(sum(cell, offset))] -= 1.0 / corners_; });
     forEachMaster([&](int l, int node, double weight)
-                  { share[node] += std::ldexp(weight / corners_, -D * leaves_.level[l]); });
-    return share;
+                  { volume[node] += std::ldexp(weight / corners_, -D * leaves_.level[l]); });
+    return volume;
   }
 
   std::vector<int> nodeLevels() const

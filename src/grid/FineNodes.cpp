@@ -53,7 +53,7 @@ FineNodes<D>::FineNodes(const LeafList<D>& leaves)
     }
 }
 
-/// The corners, in finest cells, between which a place of the finest lattice hangs; itself alone where it
+/// The corners, in finest cells, between which a position of the finest lattice hangs; itself alone where it
 /// hangs nowhere.
 template <int D>
 std::vector<typename FineNodes<D>::Cell> FineNodes<D>::mastersOf(const LeafList<D>& leaves,
@@ -97,7 +97,7 @@ std::vector<typename FineNodes<D>::Cell> FineNodes<D>::mastersOf(const LeafList<
 }
 
 template <int D>
-std::vector<typename FineNodes<D>::Cell> FineNodes<D>::places() const
+std::vector<typename FineNodes<D>::Cell> FineNodes<D>::positions() const
 {
   std::vector<Cell> all;
   all.reserve(row_.size());

@@ -24,13 +24,13 @@ public:
 
   int size() const { return static_cast<int>(row_.size()); }
 
-  /// Positions of the nodes next to the lattice's, in their order.
-  std::vector<Cell> places() const;
+  /// Positions of the nodes that are not nodes of the lattice, in their order.
+  std::vector<Cell> positions() const;
 
 private:
-  std::vector<Cell> mastersOf(const LeafList<D>& leaves, const Cell& place) const;
+  std::vector<Cell> mastersOf(const LeafList<D>& leaves, const Cell& position) const;
 
-  std::map<Cell, int> row_; ///< of nodes next to the lattice's, by their position
+  std::map<Cell, int> row_; ///< of the nodes that are not nodes of the lattice, by their position
 };
 
 } // namespace Rhegma

@@ -11,8 +11,8 @@ namespace Rhegma
 namespace
 {
 
-/// A position in the rows of all nodes, up to eight numbers each and with second fields next to cracks, fits
-/// into an int.
+/// A position in the rows of all nodes, up to eight numbers each and with enriched fields next to cracks,
+/// fits into an int.
 constexpr double mostNodes = 0.1 * std::numeric_limits<int>::max();
 
 } // namespace

@@ -9,13 +9,13 @@ namespace Rhegma
 /// Layers of cells added around the domain, so that no stencil of a particle inside it leaves the lattice.
 constexpr int gridMargin = 4;
 
-/// A box of equal cells: a whole lattice, or a part of one whose nodes are where they are in the whole, to
-/// the last digit. Nodes are numbered with the longest axis slowest, so that blocks of cells along it are
-/// contiguous.
+/// A box of equal cells: a whole lattice, or a part of one. The nodes of a part have the same positions as in
+/// the whole, to the last digit. Nodes are numbered with the longest axis slowest, so that blocks of cells
+/// along it are contiguous.
 template <int D>
 struct Grid
 {
-  Vector<D> origin; ///< place of node 0, outside of the domain by the margin [m]
+  Vector<D> origin; ///< position of node 0, outside of the domain by the margin [m]
   Vector<D> lower;  ///< lower corner of the domain [m]
   Vector<D> upper;  ///< upper corner of the domain [m]
   double spacing;   ///< edge of a cell [m]
@@ -24,7 +24,7 @@ struct Grid
   int stride[D];    ///< distance in the numbering between neighbours along each axis
   int axisOrder[D]; ///< axes from slowest to fastest
   int numNodes;
-  Vector<D> whole; ///< place of node 0 of the whole lattice [m]
+  Vector<D> whole; ///< position of node 0 of the whole lattice [m]
   int before[D]{}; ///< nodes of the whole lattice along each axis before node 0
 
   /// Coordinates of a position in cells from node 0.
@@ -55,7 +55,7 @@ struct Grid
     return positionOf(at);
   }
 
-  /// Where the node with these coordinates is.
+  /// Position of the node with these coordinates.
   KOKKOS_INLINE_FUNCTION Vector<D> positionOf(const int (&at)[D]) const
   {
     Vector<D> x;

@@ -67,27 +67,27 @@ int LeafList<D>::leafAt(int ofLevel, const Cell& at) const
 template <int D>
 typename LeafList<D>::Cell LeafList<D>::corner(int leaf, int k) const
 {
-  Cell place;
+  Cell fine;
   for (int d = 0; d < D; ++d)
-    place[d] = (cell[leaf][d] + ((k >> d) & 1)) * edge(level[leaf]);
-  return place;
+    fine[d] = (cell[leaf][d] + ((k >> d) & 1)) * edge(level[leaf]);
+  return fine;
 }
 
 template <int D>
-bool LeafList<D>::onLattice(const Cell& place) const
+bool LeafList<D>::onLattice(const Cell& fine) const
 {
   bool on = true;
   for (int d = 0; d < D; ++d)
-    on = on && place[d] % edge(0) == 0;
+    on = on && fine[d] % edge(0) == 0;
   return on;
 }
 
 template <int D>
-int LeafList<D>::latticeNodeAt(const Cell& place) const
+int LeafList<D>::latticeNodeAt(const Cell& fine) const
 {
   Cell at;
   for (int d = 0; d < D; ++d)
-    at[d] = place[d] / edge(0);
+    at[d] = fine[d] / edge(0);
   return lowestNode(at);
 }
 
@@ -101,12 +101,12 @@ int LeafList<D>::lowestNode(const Cell& lattice) const
 }
 
 template <int D>
-std::array<double, D> LeafList<D>::position(const Cell& place) const
+std::array<double, D> LeafList<D>::position(const Cell& fine) const
 {
   std::array<double, D> x;
   for (int d = 0; d < D; ++d)
     x[d] = grid().whole[d] +
-           (grid().before[d] + std::ldexp(static_cast<double>(place[d]), -depth())) * grid().spacing;
+           (grid().before[d] + std::ldexp(static_cast<double>(fine[d]), -depth())) * grid().spacing;
   return x;
 }
 

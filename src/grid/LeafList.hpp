@@ -1,5 +1,5 @@
 #pragma once
-/// The branches and leaves of a tree as the host lists them before they become views.
+/// The branches and leaves of a tree on the host, before they are copied to views.
 
 #include "grid/Branches.hpp"
 
@@ -8,7 +8,7 @@
 namespace Rhegma
 {
 
-/// Branches and leaves by number. Places count the finest cells from node 0 of the lattice.
+/// Branches and leaves by number. Positions count the finest cells from node 0 of the lattice.
 template <int D>
 class LeafList
 {
@@ -38,14 +38,14 @@ public:
   Cell corner(int leaf, int k) const;
 
   /// Whether a position is a node of the lattice, and which.
-  bool onLattice(const Cell& place) const;
-  int latticeNodeAt(const Cell& place) const;
+  bool onLattice(const Cell& fine) const;
+  int latticeNodeAt(const Cell& fine) const;
 
   /// The lowest node of a cell of the lattice.
   int lowestNode(const Cell& lattice) const;
 
-  /// A position in 3D [m].
-  std::array<double, D> position(const Cell& place) const;
+  /// Coordinates of a position [m].
+  std::array<double, D> position(const Cell& fine) const;
 
 private:
   void numberBranches();

@@ -9,15 +9,15 @@ namespace Rhegma
 template <int D>
 NodeIdentities<D>::NodeIdentities(const Grid<D>& grid, const View<double* [D]>& finePosition) : grid_(grid)
 {
-  const auto place = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, finePosition);
-  const int count = static_cast<int>(place.extent(0));
+  const auto fine = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, finePosition);
+  const int count = static_cast<int>(fine.extent(0));
   const double unit = std::ldexp(grid_.spacing, -deepestLevel);
   fine_.resize(count);
   sorted_.resize(count);
   for (int k = 0; k < count; ++k)
   {
     for (int d = 0; d < D; ++d)
-      fine_[k][d] = static_cast<int>(std::lround((place(k, d) - grid_.whole[d]) / unit));
+      fine_[k][d] = static_cast<int>(std::lround((fine(k, d) - grid_.whole[d]) / unit));
     sorted_[k] = {fine_[k], grid_.numNodes + k};
   }
   std::sort(sorted_.begin(), sorted_.end());

@@ -1,5 +1,5 @@
 #pragma once
-/// Identities of nodes that depend neither on their order nor on how many there are.
+/// Identities of nodes that depend neither on their order nor on their number.
 
 #include "grid/Tree.hpp"
 
@@ -22,7 +22,7 @@ public:
   NodeIdentities() = default;
   NodeIdentities(const Grid<D>& grid, const View<double* [D]>& finePosition);
 
-  /// How many nodes there are.
+  /// Number of nodes.
   int size() const { return grid_.numNodes + static_cast<int>(fine_.size()); }
 
   /// \param node a primary field
@@ -31,10 +31,10 @@ public:
   /// The node of this identity, or -1 where this rank has none.
   int find(const Identity& identity) const;
 
-  /// Where a node of this identity is, or would be [m].
+  /// Position of the node of this identity, also of one that does not exist [m].
   Vector<D> position(const Identity& identity) const;
 
-  /// Whether it is a node of the lattice, which no refining adds or takes away.
+  /// Whether it is a node of the lattice, which refinement neither adds nor removes.
   static bool isOfLattice(const Identity& identity);
 
 private:

@@ -1,15 +1,15 @@
 #pragma once
-/// What the nodes hold during a step.
+/// Nodal values during a step.
 
 #include "base/Types.hpp"
 
 namespace Rhegma
 {
 
-/// Nodal values, a row a node. Quantities that a transfer needs together share a row, so that a particle's
-/// share is a few vector operations a node: mass and momentum fill one register of four numbers, forces
-/// another. Rows 0 .. numLattice - 1 are the lattice's nodes and then those of refined cells (Tree.hpp); rows
-/// past them are second fields of nodes next to a crack.
+/// Nodal values, a row a node. Quantities that a transfer needs together are in one row, so that the
+/// contribution of a particle is a few vector operations a node: mass and momentum fill one register of four
+/// numbers, forces another. Rows 0 .. numLattice - 1 are the lattice's nodes and then those of refined cells
+/// (Tree.hpp); rows past them are enriched fields of nodes next to a crack.
 template <int D>
 struct Nodes
 {
@@ -28,16 +28,16 @@ struct Nodes
 
   View<int*> active;   ///< nodes that particles can reach until the next sort
   View<char*> foreign; ///< not 0 for nodes of the lattice that another rank owns; empty where there is one
-  View<int*> parent;   ///< node at whose position each second field is
+  View<int*> parent;   ///< node at whose position each enriched field is
   int numLattice = 0;  ///< nodes of the lattice and of refined cells
-  int numSecond = 0;   ///< second fields in use
+  int numEnriched = 0; ///< enriched fields in use
 
-  int numActive() const { return static_cast<int>(active.extent(0)) + numSecond; }
+  int numActive() const { return static_cast<int>(active.extent(0)) + numEnriched; }
 
-  /// Makes room for second fields.
-  void reserve(int lattice, int second)
+  /// Allocates rows for enriched fields.
+  void reserve(int lattice, int enriched)
   {
-    const int rows = lattice + second;
+    const int rows = lattice + enriched;
     numLattice = lattice;
     if (static_cast<int>(sums.extent(0)) >= rows)
       return;
@@ -47,7 +47,7 @@ struct Nodes
   }
 };
 
-/// The i-th node in use, a second field included.
+/// The i-th node in use, an enriched field included.
 template <int D>
 KOKKOS_INLINE_FUNCTION int activeNode(const Nodes<D>& nodes, int i)
 {
@@ -55,14 +55,14 @@ KOKKOS_INLINE_FUNCTION int activeNode(const Nodes<D>& nodes, int i)
   return i < lattice ? nodes.active(i) : nodes.numLattice + i - lattice;
 }
 
-/// The node, no second field, at whose position a node is.
+/// The node, no enriched field, at whose position a node is.
 template <int D>
 KOKKOS_INLINE_FUNCTION int latticeNode(const Nodes<D>& nodes, int node)
 {
   return node < nodes.numLattice ? node : nodes.parent(node - nodes.numLattice);
 }
 
-/// Whether sums over nodes count a node here, and not on another rank that has it too.
+/// Whether sums over nodes count a node on this rank; of a node on several ranks, one counts it.
 template <int D>
 KOKKOS_INLINE_FUNCTION bool isOwnedByThisRank(const Nodes<D>& nodes, int node)
 {

@@ -47,13 +47,13 @@ KOKKOS_INLINE_FUNCTION AxisStencil<3> gimpStencil(double at, double half)
   const double begin = low - cell;                               // in [0, 1)
   const double end = begin + 2.0 * half;                         // in (0, 2)
   const double over = end > 1.0 ? end - 1.0 : 0.0;               // length in the second cell
-  const double share = over / (2.0 * half);                      // of the box in the second cell
+  const double fraction = over / (2.0 * half);                   // of the box in the second cell
   const double middle = 0.5 * (begin + (end > 1.0 ? 1.0 : end)); // of the overlap with the first cell
   const double beyond = 0.5 * over; // middle of the overlap with the second, from its lower node
-  const double rest = 1.0 - share;
+  const double rest = 1.0 - fraction;
   return {cell,
-          {rest * (1.0 - middle), rest * middle + share * (1.0 - beyond), share * beyond},
-          {-rest, rest - share, share}};
+          {rest * (1.0 - middle), rest * middle + fraction * (1.0 - beyond), fraction * beyond},
+          {-rest, rest - fraction, fraction}};
 }
 
 /// The stencil of kind S.

@@ -1,5 +1,5 @@
 #pragma once
-/// Stored stencils for the few particles and points whose nodes are not simply those of their cell.
+/// Stored stencils for the few particles and points whose nodes differ from those of their cell.
 
 #include "base/Types.hpp"
 #include "grid/Grid.hpp"
@@ -8,7 +8,7 @@
 namespace Rhegma
 {
 
-/// Nodes that a stored stencil can hold.
+/// Largest number of nodes of a stored stencil.
 template <int D>
 constexpr int stencilCapacity = D == 2 ? 16 : 64;
 
@@ -23,16 +23,16 @@ struct StencilTable
 
   int size() const { return static_cast<int>(count.extent(0)); }
 
-  /// Makes at least this many rows; values are lost when it grows.
+  /// Allocates at least this many rows; values are lost when the table grows.
   void reserve(int rows)
   {
     if (size() >= rows)
       return;
-    const int room = rows + rows / 4 + 16;
-    count = View<int*>("rhegma::stencilCount", room);
-    node = View<int * [stencilCapacity<D>]>("rhegma::stencilNode", room);
-    weight = View<double * [stencilCapacity<D>]>("rhegma::stencilWeight", room);
-    slope = View<double * [stencilCapacity<D>][D]>("rhegma::stencilSlope", room);
+    const int capacity = rows + rows / 4 + 16;
+    count = View<int*>("rhegma::stencilCount", capacity);
+    node = View<int * [stencilCapacity<D>]>("rhegma::stencilNode", capacity);
+    weight = View<double * [stencilCapacity<D>]>("rhegma::stencilWeight", capacity);
+    slope = View<double * [stencilCapacity<D>][D]>("rhegma::stencilSlope", capacity);
   }
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Cells that are refined: a tree of cells in each cell of the lattice that has smaller ones.
+/// Refined cells: a tree in each refined cell of the lattice.
 
 #include "grid/Grid.hpp"
 
@@ -16,8 +16,7 @@ constexpr int deepestLevel = 8;
 /// corners too, differ by one level at most, so that a hanging node lies midway between two (on a face in 3D
 /// four) nodes that hang nowhere: its masters. Only those have values. Rows of nodal arrays 0 ..
 /// grid.numNodes - 1 are the lattice's nodes, the next numFine ones the nodes of refined cells that are no
-/// nodes of the lattice, ordered by their position, so that their numbers do not depend on what the tree was
-/// before.
+/// nodes of the lattice, ordered by their position, so that their numbers do not depend on earlier trees.
 template <int D>
 struct Tree
 {
@@ -27,14 +26,14 @@ struct Tree
 
   int deepest = 0;    ///< level of the smallest leaves; 0: nothing is refined
   int numFine = 0;    ///< nodes next to the lattice's
-  int generation = 0; ///< counts the changes
+  int generation = 0; ///< incremented with every change
 
   View<int*> root;         ///< branch of each cell of the lattice, by its lowest node; -1 where it is a leaf
   View<char*> nearRefined; ///< not 0 for refined cells and those next to them
   View<int* [corners]> child;       ///< of each branch: another branch, or -1 - leaf
   View<int* [corners]> masterCount; ///< of each corner of a leaf
   View<int* [corners][mastersPerCorner]> master;
-  /// Which of the 3^D cells of its size round each leaf, itself in the middle, are leaves: a bit each, the
+  /// Which of the 3^D cells of its size around each leaf, itself in the middle, are leaves: one bit each, the
   /// first axis fastest.
   View<int*> alike;
   /// The 4^D corners of these cells, the first axis fastest: a row of nodal arrays, or -2 - (corners leaf +
@@ -42,20 +41,21 @@ struct Tree
   View<int* [nodesAround]> around;
   View<double* [D]> finePosition; ///< of the nodes next to the lattice's [m]
   /// Those of them that are corners of leaves in a refined cell of the lattice, whose branch b is:
-  /// fineIn(fineBegin(b)) .. fineIn(fineBegin(b + 1) - 1). On faces between two such cells they are in one.
+  /// fineIn(fineBegin(b)) .. fineIn(fineBegin(b + 1) - 1). A node on a face between two such cells is in one
+  /// of them.
   View<int*> fineBegin, fineIn;
   View<int*> leafLevel;
   View<double* [D]> leafCorner; ///< lowest corner of each leaf [m]
-  /// Part of the cells that is a node's: integral of its function over the unbroken cells, in cells of the
-  /// lattice; of all rows. Empty where nothing is refined.
-  View<double*> share;
+  /// Volume of each node: integral of its shape function over the uncut cells, in cells of the lattice; of
+  /// all rows. Empty where nothing is refined.
+  View<double*> nodeVolume;
   /// Level of the smallest leaf around each row of nodal arrays. Empty where nothing is refined.
   View<int*> nodeLevel;
 
   bool refined() const { return deepest > 0; }
 };
 
-/// Where nodes are.
+/// Positions of nodes.
 template <int D>
 struct NodePositions
 {
@@ -187,7 +187,7 @@ struct TreeSight
   /// Calls add(node, weight, slope) for the nodes of a box of half widths `half` [m] around x, slope in 1/m;
   /// a node may come several times. The average over each leaf that the box touches is the function's value
   /// and slope at the middle of the overlap, because a multilinear function averages to those there; a
-  /// hanging node's share goes to its masters. Weights sum to one, slopes to zero.
+  /// hanging node's weight goes to its masters. Weights sum to one, slopes to zero.
   template <class Add>
   KOKKOS_INLINE_FUNCTION void forEachNode(const Vector<D>& x, const Vector<D>& half, const Add& add) const
   {
@@ -200,17 +200,17 @@ struct TreeSight
     forEachLeaf(low, high,
                 [&](const Leaf& leaf)
                 {
-                  double share = 1.0, at[D];
+                  double fraction = 1.0, at[D];
                   for (int d = 0; d < D; ++d)
                   {
                     const double begin = low[d] > leaf.corner[d] ? low[d] : leaf.corner[d];
                     const double end =
                         high[d] < leaf.corner[d] + leaf.edge ? high[d] : leaf.corner[d] + leaf.edge;
                     if (high[d] > low[d])
-                      share *= (end - begin) / (high[d] - low[d]);
+                      fraction *= (end - begin) / (high[d] - low[d]);
                     at[d] = (0.5 * (begin + end) - leaf.corner[d]) / leaf.edge;
                   }
-                  addCorners(leaf, share, at, add);
+                  addCorners(leaf, fraction, at, add);
                 });
   }
 
@@ -235,9 +235,9 @@ private:
   KOKKOS_INLINE_FUNCTION void descend(int branch, const Leaf& top, const double (&low)[D],
                                       const double (&high)[D], const Visit& visit) const
   {
-    constexpr int room = deepestLevel * (Tree<D>::corners - 1) + 1;
-    int waiting[room];
-    Leaf cell[room];
+    constexpr int capacity = deepestLevel * (Tree<D>::corners - 1) + 1;
+    int waiting[capacity];
+    Leaf cell[capacity];
     int size = 1;
     waiting[0] = branch;
     cell[0] = top;
@@ -275,17 +275,17 @@ private:
   }
 
   template <class Add>
-  KOKKOS_INLINE_FUNCTION void addCorners(const Leaf& leaf, double share, const double (&at)[D],
+  KOKKOS_INLINE_FUNCTION void addCorners(const Leaf& leaf, double fraction, const double (&at)[D],
                                          const Add& add) const
   {
     for (int k = 0; k < Tree<D>::corners; ++k)
     {
-      double weight = share, slope[D];
+      double weight = fraction, slope[D];
       for (int d = 0; d < D; ++d)
       {
         const bool upper = ((k >> d) & 1) != 0;
         weight *= upper ? at[d] : 1.0 - at[d];
-        slope[d] = (upper ? share : -share) * grid.inverse / leaf.edge;
+        slope[d] = (upper ? fraction : -fraction) * grid.inverse / leaf.edge;
         for (int o = 0; o < D; ++o)
           if (o != d)
             slope[d] *= ((k >> o) & 1) != 0 ? at[o] : 1.0 - at[o];

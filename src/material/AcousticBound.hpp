@@ -72,7 +72,7 @@ KOKKOS_FORCEINLINE_FUNCTION double planeBound(double alpha, double beta, double 
   return larger(alpha * b.largest, dilatational) + 0.25 * beta * (b.largest - b.smallest);
 }
 
-/// The fraction theta of the in-plane dilatation that the thickness takes back, as it is at small strain.
+/// The fraction theta of the in-plane dilatation that the thickness compensates, at small strain.
 /// \param isochoric second derivative of the isochoric energy by x, \param volumetric of the volumetric
 /// energy
 KOKKOS_FORCEINLINE_FUNCTION double relaxation(double isochoric, double volumetric)

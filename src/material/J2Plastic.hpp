@@ -13,12 +13,11 @@ namespace Rhegma
 /// tau = K/2 (J^2 - 1) 1 + mu dev be, be = J^(-2/3) F Cp^-1 F^T; yield where |dev tau| = sqrt(2/3)
 /// sigma_y(alpha). Source: Simo and Hughes, Computational Inelasticity, boxes 9.1 and 9.2 (radial return),
 /// with det be = 1 restored after each return: box 9.1 keeps tr be instead, and its stored energy would then
-/// swallow the plastic work.
+/// contain the plastic work.
 ///
 /// The history holds Cp^-1 - 1 (Cp the plastic right Cauchy-Green tensor), the equivalent plastic strain
 /// alpha and the energy dissipated per undeformed volume. Cp^-1 stands where box 9.1 stores be: the same
-/// state, but it changes only in plastic steps, needs no increment of F, and lets elastic steps leave no
-/// trace of round-off.
+/// state, but it changes only in plastic steps, needs no increment of F, and elastic steps add no round-off.
 struct J2Plastic : LawDefaults
 {
   static constexpr const char* name = "J2 Plastic";

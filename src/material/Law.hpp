@@ -1,5 +1,5 @@
 #pragma once
-/// What a constitutive law is given and what it gives; how to add one: docs/guides/add-a-material.md.
+/// Interface of constitutive laws. How to add one: docs/guides/add-a-material.md.
 ///
 /// A law is a struct that inherits LawDefaults, with static members only. Each of these is a template of the
 /// dimension and of the plane:
@@ -12,12 +12,12 @@
 /// (symmetricSize<D>), so that the force of a particle on a node is -V0 tau grad N. In plane stress `stress`
 /// writes the thickness stretch that lets tau_zz vanish into F[4]; on entry F[4] is only where the search
 /// starts. `stress` returns false, with tau zero, when F is inverted or not a number: the run aborts.
-/// `waveSpeed` and `energy` get the F that `stress` has completed. `waveSpeed` is an upper bound of the
-/// speed of every small plane wave in the deformed state, and is the dilatational wave speed where F = 1.
-/// A law with `usesStep = true` gets a LawStep before the numbers.
+/// `waveSpeed` and `energy` get F as completed by `stress`. `waveSpeed` is an upper bound of the speed of
+/// every small plane wave in the deformed state, and is the dilatational wave speed where F = 1. A law with
+/// `usesStep = true` gets a LawStep before the numbers.
 ///
 /// For scenes a law has its `name`, the value of `Model`, its `meaning`, and two more templates, so that
-/// kernels need neither schema nor parameter lists:
+/// kernels include neither schema nor parameter lists:
 ///
 ///     void describe(section)         adds its parameters (scene/Schema.hpp)
 ///     void read(reader, numbers)     checks them and sets the numbers (material/MaterialReader.hpp)
@@ -35,10 +35,10 @@ enum class Mean
   Largest ///< the largest: damage, a maximum over the past
 };
 
-/// Largest number of parameters that a law has for itself.
+/// Largest number of parameters specific to one law.
 constexpr int lawNumbers = 8;
 
-/// Numbers of one material; plain data for a View<Properties*>. `makeProperties` (MaterialTable.hpp) fills
+/// Parameters of one material; plain data for a View<Properties*>. `makeProperties` (MaterialTable.hpp) fills
 /// it. lambda, mu and bulk are set for every law: they are its moduli at small strain.
 struct Properties
 {
@@ -69,7 +69,7 @@ struct LawStep
   double temperature;   ///< [K]
 };
 
-/// What a law that does not say otherwise has.
+/// Defaults of laws.
 struct LawDefaults
 {
   /// Whether `stress` gets a LawStep.

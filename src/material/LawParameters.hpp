@@ -1,6 +1,6 @@
 #pragma once
-/// Parameters that several laws share: how a scene describes them, and how they are read. Templates of a
-/// Section (scene/Schema.hpp) and of a MaterialReader, so that kernels include neither.
+/// Parameters of several laws: their description in a scene, and their reading. Templates of a Section
+/// (scene/Schema.hpp) and of a MaterialReader, so that kernels include neither.
 
 #include "material/Law.hpp"
 

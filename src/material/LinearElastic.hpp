@@ -12,10 +12,9 @@ namespace Rhegma
 ///
 /// With g = F F^T - 1 the stress is tau = lambda/2 tr g (1 + g) + mu (g + g g), which needs neither E nor a
 /// rotation. Plane stress is closed: E_zz = -nu/(1 - nu) (E_xx + E_yy). It is meant for small strain. In
-/// uniaxial compression it weakens, its force is largest at the stretch 1/sqrt(3) = 0.577, and it resists
-/// crushing to nothing with nothing: use Neo-Hookean where strains are large. In plane stress the thickness
-/// is used up at E_xx + E_yy = (1 - nu)/(2 nu), where `stress` returns false. Source: Holzapfel, Nonlinear
-/// Solid Mechanics, section 6.5.
+/// uniaxial compression it softens: its force is largest at the stretch 1/sqrt(3) = 0.577 and vanishes at
+/// stretch zero; use Neo-Hookean for large strains. In plane stress the thickness vanishes at E_xx + E_yy =
+/// (1 - nu)/(2 nu), where `stress` returns false. Source: Holzapfel, Nonlinear Solid Mechanics, section 6.5.
 struct LinearElastic : LawDefaults
 {
   static constexpr const char* name = "Linear Elastic";

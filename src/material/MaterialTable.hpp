@@ -1,5 +1,5 @@
 #pragma once
-/// From the Materials section of a scene to the numbers that kernels see.
+/// From the Materials section of a scene to the numbers of kernels.
 
 #include "material/Law.hpp"
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The constitutive laws of all kinds behind one call: what kernels include.
+/// Calls of constitutive laws from kernels, whatever the law.
 
 #include "material/Laws.hpp"
 
@@ -30,8 +30,8 @@ constexpr int largestHistory(LawList<Law...> /*list*/)
 
 } // namespace detail
 
-/// Gives `call` the law and the plane of a material: call.template run<Law, D, P>(). On the host it chooses
-/// among kernels that know their law when they are compiled; in a kernel it costs a branch for each law.
+/// Gives `call` the law and the plane of a material: call.template run<Law, D, P>(). On the host it selects
+/// among kernels that are compiled for one law; in a kernel it costs a branch per law.
 template <int D, class List = Laws, class Call>
 KOKKOS_INLINE_FUNCTION auto withLaw(int law, Plane plane, const Call& call)
 {

@@ -18,7 +18,7 @@ struct TemperatureTable
   double operator()(double T) const;
   bool varies() const { return value.size() > 1; }
 
-  /// \throws std::invalid_argument with one sentence on what is wrong with the text
+  /// \throws std::invalid_argument with the error in the text
   static TemperatureTable parse(const std::string& text);
 };
 

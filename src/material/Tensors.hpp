@@ -1,5 +1,5 @@
 #pragma once
-/// Algebra of the tensors of a particle in the layouts of state/Types.hpp. In 2D a symmetric tensor carries
+/// Algebra of the tensors of a particle in the layouts of base/Types.hpp. In 2D a symmetric tensor includes
 /// zz, so that traces, invariants and determinants are always those of the solid.
 
 #include "base/Types.hpp"
@@ -176,7 +176,7 @@ KOKKOS_FORCEINLINE_FUNCTION void inverse(const double* F, double J, double* resu
   }
 }
 
-/// The answer of a law that can't go on.
+/// Result of a law that fails: zero stress and false.
 template <int D>
 KOKKOS_FORCEINLINE_FUNCTION bool noStress(double* tau)
 {

@@ -30,16 +30,16 @@ KOKKOS_INLINE_FUNCTION double energySlope(const ThermoPoint& at, const double* o
   return slope;
 }
 
-/// What a law says of one particle at a temperature, per undeformed volume.
+/// State of one particle at a temperature, per undeformed volume.
 struct ThermoState
 {
   double stored = 0.0;     ///< W [J/m3]
-  double dissipated = 0.0; ///< plastic work so far less what of it is in W [J/m3]
+  double dissipated = 0.0; ///< plastic work so far less the part stored in W [J/m3]
   double slope = 0.0;      ///< dW/dT at fixed F [J/(m3 K)]
   double internal = 0.0;   ///< internal energy e [J/m3]
-  double wave = 0.0;       ///< wave speed of the law, with what adiabatic straining stiffens it [m/s]
+  double wave = 0.0;       ///< wave speed of the law with adiabatic stiffening [m/s]
 
-  /// What straining has put into the material, W and what plastic flow has taken.
+  /// Energy put in by straining: W and plastic dissipation.
   KOKKOS_INLINE_FUNCTION double spent() const { return stored + dissipated; }
 };
 

@@ -1,5 +1,5 @@
 #pragma once
-/// From the Materials section of a scene to what temperature does to them.
+/// From the Materials section of a scene to thermal properties.
 
 #include "material/ThermoTables.hpp"
 

@@ -1,12 +1,13 @@
 #pragma once
-/// What temperature does to materials: heat, thermal strain, and properties that are tables of temperature.
+/// Effects of temperature on materials: heat, thermal strain, and properties that are tables of temperature.
 
 #include "material/Law.hpp"
 
 namespace Rhegma
 {
 
-/// Thermal numbers of one material. Tables share their temperatures ("knots"), first .. first + count - 1.
+/// Thermal properties of one material. All tables of a material have the same temperatures ("knots"), first
+/// .. first + count - 1.
 struct ThermoMaterial
 {
   double reference = 293.15;   ///< temperature of no thermal strain [K]
@@ -15,7 +16,7 @@ struct ThermoMaterial
   double plasticHeat = 0.9;    ///< fraction of plastic work that becomes heat [-]
   bool orthotropic = false;    ///< the ratios are not all one
   bool conducts = false;       ///< some conductivity is not zero
-  bool coupled = false;        ///< its stress knows the temperature
+  bool coupled = false;        ///< its stress depends on temperature
   int first = 0, count = 0;
 };
 
@@ -47,9 +48,9 @@ struct ThermoPoint
   const ThermoMaterial& material;
   const ThermoKnot* knots;
   const Properties* laws;
-  int at;       ///< the knot below, or the nearest end
-  double since; ///< temperature less that of the knot [K]
-  double share; ///< of the way to the next knot; 0 beyond the ends
+  int at;          ///< the knot below, or the nearest end
+  double since;    ///< temperature less that of the knot [K]
+  double fraction; ///< of the interval to the next knot; 0 beyond the ends
 
   KOKKOS_INLINE_FUNCTION ThermoPoint(const ThermoTables& tables, int number, double temperature)
       : material(tables.material(number)),
@@ -57,19 +58,19 @@ struct ThermoPoint
         laws(&tables.law(material.first)),
         at(0),
         since(0.0),
-        share(0.0)
+        fraction(0.0)
   {
     while (at + 1 < material.count && knots[at + 1].temperature <= temperature)
       ++at;
     since = temperature - knots[at].temperature;
     if (since > 0.0 && at + 1 < material.count)
-      share = since / (knots[at + 1].temperature - knots[at].temperature);
+      fraction = since / (knots[at + 1].temperature - knots[at].temperature);
   }
 
   KOKKOS_INLINE_FUNCTION double between(double ThermoKnot::*value) const
   {
     const double here = knots[at].*value;
-    return share > 0.0 ? here + share * (knots[at + 1].*value - here) : here;
+    return fraction > 0.0 ? here + fraction * (knots[at + 1].*value - here) : here;
   }
   /// Integral of a value from the reference temperature, its integral at the knots being known: the trapezoid
   /// from the knot is exact.
@@ -93,8 +94,8 @@ struct ThermoPoint
   KOKKOS_INLINE_FUNCTION Properties properties() const
   {
     Properties p = laws[at];
-    if (share > 0.0)
-      combine(p, 1.0 - share, share, laws[at + 1]);
+    if (fraction > 0.0)
+      combine(p, 1.0 - fraction, fraction, laws[at + 1]);
     return p;
   }
   /// Whether the law's numbers change with temperature here.
@@ -109,8 +110,7 @@ struct ThermoPoint
   }
 
 private:
-  /// Every number becomes a times itself plus b times that of the other. Those that follow from moduli, but
-  /// not in a straight line, are found anew.
+  /// p = a p + b q for every number. Those that are not linear in the moduli are computed anew.
   KOKKOS_INLINE_FUNCTION static void combine(Properties& p, double a, double b, const Properties& q)
   {
     p.lambda = a * p.lambda + b * q.lambda;
@@ -122,7 +122,7 @@ private:
   }
 };
 
-/// Temperature at which a material that nothing strains holds a heat [J/m3] above the reference temperature.
+/// Temperature of an unstrained material with a given heat [J/m3] above the reference temperature.
 KOKKOS_INLINE_FUNCTION double temperatureOfHeat(const ThermoTables& tables, int number, double heat)
 {
   const ThermoMaterial& m = tables.material(number);

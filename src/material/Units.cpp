@@ -17,7 +17,7 @@ std::vector<std::string> warningsOfUnits(const std::vector<std::string>& names,
   {
     const double speed = std::sqrt(elasticity(materials[m]).constrainedModulus / materials[m].density);
     if (speed < slowest || speed > fastest)
-      warnings.push_back("Materials > " + names[m] + ": its wave speed is " + shortly(speed) + " m/s, " +
+      warnings.push_back("Materials > " + names[m] + ": its wave speed is " + formatShort(speed) + " m/s, " +
                          (speed < slowest ? "lower than in almost any solid" : "higher than in diamond") +
                          "; moduli are in Pa and densities in kg/m3");
   }

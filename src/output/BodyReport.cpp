@@ -95,14 +95,14 @@ void bodyReport(const State<D>& state, nlohmann::json& summary)
              : std::vector<const char*>{"xx", "yy", "zz", "xy", "yz", "xz"};
   nlohmann::json& bodies = summary["bodies"];
   bodies = nlohmann::json::array();
-  for (std::size_t b = 0; b < state.bodies.list.size(); ++b)
+  for (std::size_t b = 0; b < state.bodies.info.size(); ++b)
   {
     double sum[Sums::size] = {};
     Kokkos::parallel_reduce("rhegma::bodyReport", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
                             Sums(state, static_cast<int>(b)), sum);
     state.ranks.sum(sum, Sums::size);
     nlohmann::json body;
-    body["name"] = state.bodies.list[b].name;
+    body["name"] = state.bodies.info[b].name;
     body["mass"] = sum[0];
     body["centre"] = listed(sum + Sums::positionAt, D, 1.0 / sum[0]);
     if (state.method.mechanics)

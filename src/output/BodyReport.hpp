@@ -1,5 +1,5 @@
 #pragma once
-/// What has become of each body.
+/// Report of each body.
 
 #include "state/State.hpp"
 

@@ -46,12 +46,12 @@ template <int D>
 void coreRow(State<D>& state, const std::set<std::string>& given)
 {
   measureEnergy(state);
-  shareEnergyBalance(state);
+  sumEnergyBalance(state);
   HistoryRow row;
   for (const Entry& entry : entries(state.energy))
     if (!entry.ofEffect || given.count(entry.column) > 0)
       row.emplace_back(entry.column, entry.value);
-  if (canDissipate(state.materials.list))
+  if (canDissipate(state.materials.properties))
     row.emplace_back("plastic", state.energy.plastic);
   const char* names[] = {"momentum_x", "momentum_y", "momentum_z"};
   for (int d = 0; d < D; ++d)
@@ -65,7 +65,7 @@ void coreReport(const State<D>& state, nlohmann::json& summary)
   nlohmann::json& energy = summary["energy"];
   for (const Entry& entry : entries(state.energy))
     energy[entry.column] = entry.value;
-  if (canDissipate(state.materials.list))
+  if (canDissipate(state.materials.properties))
     energy["plastic"] = state.energy.plastic;
   summary["cells"] = {{"largest", state.mesh.grid.spacing}, {"smallest", state.mesh.smallestSpacing()}};
   nlohmann::json& momentum = summary["momentum"];

@@ -10,17 +10,16 @@
 namespace Rhegma
 {
 
-/// Measures, and puts the columns of the energy balance and of the momentum in front of those that the row
-/// has.
+/// Computes the energy balance and the momentum, and inserts their columns before those of the row.
 ///
 /// Always kinetic, strain, external_work, residual, momentum_x..; `plastic` where a material can flow;
-/// thermal, heat, damped, contact, fracture, merged and combustion only where an effect of the scene gives
-/// them. \param given columns that the scene's effects give (Effect::balance)
+/// thermal, heat, damped, contact, fracture, merged and combustion only where an effect of the scene
+/// contributes to them. \param given columns of the scene's effects (Effect::balance)
 template <int D>
 void coreRow(State<D>& state, const std::set<std::string>& given);
 
-/// `energy` (every entry of the energy balance, zero where no effect gives it; `plastic` where a material can
-/// flow) and `momentum` of summary.json, as last measured.
+/// `energy` (every entry of the energy balance, zero where no effect contributes to it; `plastic` where a
+/// material can flow) and `momentum` of summary.json, as last measured.
 template <int D>
 void coreReport(const State<D>& state, nlohmann::json& summary);
 

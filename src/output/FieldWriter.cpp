@@ -24,7 +24,7 @@ public:
     onFirstRank<OutputError>(ranks,
                              [&]
                              {
-                               // A guide without its data would lead ParaView astray.
+                               // An XDMF file without its data would mislead ParaView.
                                std::remove(guide_.c_str());
                                createHdf5(data_);
                              });
@@ -33,7 +33,7 @@ public:
   Files(const std::string& folder, Archive& archive)
       : data_(folder + "/fields.h5"), guide_(folder + "/fields.xdmf")
   {
-    keep(archive);
+    serialize(archive);
     onFirstRank<OutputError>(archive.ranks(),
                              [&]
                              {
@@ -42,10 +42,10 @@ public:
                              });
   }
 
-  void keep(Archive& archive)
+  void serialize(Archive& archive)
   {
     archive("written", written_);
-    document_.keep(archive);
+    document_.serialize(archive);
   }
 
   void sync() const
@@ -84,9 +84,9 @@ FieldWriter<D>::FieldWriter(const std::string& folder, Archive& archive)
 }
 
 template <int D>
-void FieldWriter<D>::keep(Archive& archive)
+void FieldWriter<D>::serialize(Archive& archive)
 {
-  files_->keep(archive);
+  files_->serialize(archive);
   archive("last_time", lastTime_);
 }
 

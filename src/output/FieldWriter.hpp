@@ -23,30 +23,30 @@ class Archive;
 ///     cracks/     points (v,3) midway between the faces, opening (v,3) from face -1 to face +1 [m],
 ///                 cells (s,2 or 3), crack (s) number of the crack of each cell; only where there are cracks
 ///
-/// 2D is padded with z = 0. fields.h5 is closed after every time, so that it can be read while the run goes
-/// on and a kill leaves what was written; fields.xdmf is replaced whole.
+/// 2D is padded with z = 0. fields.h5 is closed after every time, so that it can be read during the run and a
+/// kill leaves the written times; fields.xdmf is replaced completely.
 template <int D>
 class FieldWriter
 {
 public:
-  /// Makes both files; older ones are replaced. \param folder is there already \param ranks that share the
-  /// run; each of them writes what it has, and all calls are collective
-  /// Throws OutputError when the files can't be made or written, here and later.
+  /// Makes both files; older ones are replaced. \param folder must exist \param ranks of the run; each writes
+  /// its part, and all calls are collective Throws OutputError when the files can't be made or written, here
+  /// and later.
   explicit FieldWriter(const std::string& folder, const Ranks& ranks = {});
-  /// Goes on with the files of a run whose checkpoint the archive loads; times that they have beyond it are
-  /// removed. Throws OutputError when they are not those of the run. Collective.
+  /// Continues the files of a run whose checkpoint the archive loads; later times are removed. Throws
+  /// OutputError when they are not those of the run. Collective.
   FieldWriter(const std::string& folder, Archive& archive);
   ~FieldWriter();
   FieldWriter(FieldWriter&&) noexcept;
   FieldWriter& operator=(FieldWriter&&) noexcept;
 
-  /// Adds the fields as they are now. A time that was just written is not written again.
+  /// Adds the current fields. A time that was just written is not written again.
   void write(const State<D>& state);
 
-  /// Saves which times the files have.
-  void keep(Archive& archive);
+  /// Saves the times of the files.
+  void serialize(Archive& archive);
 
-  /// Brings what was written to the disk.
+  /// Synchronises the files to the disk.
   void sync() const;
 
 private:

@@ -21,7 +21,7 @@ void writeTime(hid_t group, double time, const std::string& path)
   attribute.require(H5Awrite(attribute, H5T_NATIVE_DOUBLE, &time));
 }
 
-/// A table of numbers that lie together in the file, without any yet.
+/// An empty table with contiguous layout.
 Handle makeTable(hid_t group, const DataSet& data, const std::string& path)
 {
   const hsize_t extent[2] = {data.rowsOfAll(), static_cast<hsize_t>(data.columns)};
@@ -41,8 +41,8 @@ void writeTable(hid_t set, const DataSet& data, const std::string& path)
     throw OutputError(unwritable(path));
 }
 
-/// A snapshot that goes out before the file knows of it, so that a run that is killed meanwhile leaves a file
-/// that can be read.
+/// A snapshot that is written before it is linked into the file, so that a run killed meanwhile leaves a
+/// readable file.
 class Unlinked
 {
 public:
@@ -61,12 +61,12 @@ public:
         const Handle table = makeTable(inner, data, path);
         if (!parts)
           writeTable(table, data, path);
-        positions_.push_back(data.rowsOfAll() > 0 ? static_cast<double>(H5Dget_offset(table)) : 0.0);
+        offsets_.push_back(data.rowsOfAll() > 0 ? static_cast<double>(H5Dget_offset(table)) : 0.0);
       }
     }
     file_.require(H5Fflush(file_, H5F_SCOPE_GLOBAL));
     if (parts)
-      reserve(path, snapshot, positions_);
+      reserve(path, snapshot, offsets_);
   }
 
   void link(const std::string& group)
@@ -78,11 +78,11 @@ public:
   }
 
   /// Byte of the file at which each table begins, mesh after mesh; below 2^53, so that they are exact.
-  const std::vector<double>& places() const { return positions_; }
+  const std::vector<double>& offsets() const { return offsets_; }
 
 private:
   Handle file_, top_;
-  std::vector<double> positions_;
+  std::vector<double> offsets_;
 };
 
 } // namespace
@@ -119,19 +119,19 @@ void appendSnapshot(const std::string& path, const std::string& group, const Sna
 {
   const Silence silence;
   std::unique_ptr<Unlinked> made;
-  std::vector<double> places;
+  std::vector<double> offsets;
   for (const OutputMesh& mesh : snapshot.meshes)
-    places.resize(places.size() + mesh.data.size());
+    offsets.resize(offsets.size() + mesh.data.size());
   onFirstRank<OutputError>(ranks,
                            [&]
                            {
                              made = std::make_unique<Unlinked>(path, snapshot, ranks.many());
-                             places = made->places();
+                             offsets = made->offsets();
                            });
   if (ranks.many())
   {
-    ranks.sum(places.data(), static_cast<int>(places.size())); // zeros on all but the first
-    writeParts(ranks, path, snapshot, places);
+    ranks.sum(offsets.data(), static_cast<int>(offsets.size())); // zeros on all but the first
+    writeParts(ranks, path, snapshot, offsets);
   }
   onFirstRank<OutputError>(ranks, [&] { made->link(group); });
 }

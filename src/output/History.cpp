@@ -20,7 +20,7 @@ namespace
 constexpr int mostHeldRows = 16;
 constexpr std::chrono::seconds longestHeld{1};
 
-/// 17 digits bring a double back as it was.
+/// 17 digits represent a double exactly.
 std::string digits(double value)
 {
   char text[32];
@@ -90,7 +90,7 @@ History::History(const std::string& path)
 {
   if (!file_)
     throw OutputError(path + " can't be written: " + std::strerror(errno));
-  // Rows are held here and go out in one piece each time.
+  // Rows are buffered here and written at once.
   std::setvbuf(file_.get(), nullptr, _IONBF, 0);
 }
 
@@ -102,7 +102,7 @@ History::~History()
   }
   catch (const std::exception&)
   {
-    // Who wants to know of a full disk closes the history.
+    // Errors of a full disk are reported by close().
   }
 }
 
@@ -176,7 +176,7 @@ void History::flush()
   if (good)
     return;
   lost_ = true;
-  // A full disk takes what still fits; the half row goes again.
+  // A full disk takes a part of a row; the partial row is removed.
   if (ftruncate(fileno(file_.get()), written_) != 0)
     throw OutputError(path_ + " can't be written; its last row is incomplete: " + std::strerror(reason));
   throw OutputError(path_ + " can't be written: " + std::strerror(reason));

@@ -11,29 +11,29 @@
 namespace Rhegma
 {
 
-/// How far a history has come: what a run that goes on must find in its file.
+/// Extent of a history, to check the file of a run that continues.
 struct HistorySoFar
 {
-  long long bytes = 0; ///< of whole rows, the first with the names of the columns
+  long long bytes = 0; ///< size of complete rows, the first with the names of the columns
   unsigned long crc = 0;
   double lastTime = 0.0; ///< of the last row [s]
 };
 
-/// Whether a file begins with what a history was.
+/// Whether a file begins with a history.
 bool beginsWith(const std::string& path, const HistorySoFar& soFar);
 
 /// Writes samples as comma-separated values, one row each, with as many digits as a double has.
 ///
-/// The first row fixes the columns. Rows reach the file whole: every second of wall time, every few rows and
-/// at the end, so that a run that stops leaves no half row. Throws OutputError when the file can't be made
-/// or written; the rows before stay whole.
+/// The first row fixes the columns. Only complete rows are written: every second of wall time, every few rows
+/// and at the end, so that a run that stops leaves no partial row. Throws OutputError when the file can't be
+/// made or written; earlier rows stay complete.
 class History
 {
 public:
   using Row = std::vector<std::pair<std::string, double>>;
 
   explicit History(const std::string& path);
-  /// Goes on with a file that begins with what `soFar` says; the rest of it is removed.
+  /// Continues a file that begins with the history `soFar`; the rest of it is removed.
   History(const std::string& path, const HistorySoFar& soFar);
   ~History();
   History(History&&) noexcept;
@@ -44,13 +44,13 @@ public:
   /// Throws std::logic_error when the names are not those of the first row, or one comes twice.
   void write(double time, const Row& row);
 
-  /// With the rows that are still held back.
+  /// Includes rows that are not yet written.
   HistorySoFar soFar() const;
 
-  /// Brings all rows to the disk.
+  /// Writes all rows and synchronises the file.
   void sync();
 
-  /// Writes what is still held back and closes the file; later rows are an error.
+  /// Writes the remaining rows and closes the file; later rows are an error.
   void close();
 
 private:
@@ -66,11 +66,11 @@ private:
   std::string path_;
   std::unique_ptr<std::FILE, Closer> file_;
   std::vector<std::string> columns_;
-  std::string header_;    ///< of a file that is gone on with
+  std::string header_;    ///< of a file that is continued
   unsigned long crc_ = 0; ///< of all rows
-  std::string held_;      ///< whole rows on their way to the file
+  std::string held_;      ///< complete rows that are not yet written
   int heldRows_ = 0;
-  long long written_ = 0; ///< bytes of whole rows in the file
+  long long written_ = 0; ///< bytes of complete rows in the file
   bool begun_ = false;
   bool lost_ = false; ///< rows could not be written
   double lastTime_ = 0.0;

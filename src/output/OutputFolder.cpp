@@ -62,7 +62,7 @@ const char* const results[] = {"summary.json", "history.csv", "fields.xdmf", "fi
 
 void removeFrom(const std::string& folder, const std::string& name)
 {
-  std::error_code ignored; // what can't be removed can't be written either, and that is told
+  std::error_code ignored; // a file that can't be removed can't be written either, which is reported
   std::filesystem::remove(std::filesystem::path(folder) / name, ignored);
 }
 

@@ -6,18 +6,18 @@
 namespace Rhegma
 {
 
-/// The scene's path with .out in place of .xml.
+/// The scene's path with .out instead of .xml.
 std::string defaultOutputFolder(const std::string& scene);
 
-/// Makes the folder, and those above it, unless it is there, and tries whether files can be written in it.
-/// Nothing in it is changed. \return the folder
-/// Throws std::invalid_argument with one sentence when it can't be made or written.
+/// Makes the folder, and those above it, unless it exists, and tests whether files can be written in it.
+/// Nothing in it is changed. \return the folder Throws std::invalid_argument when it can't be made or
+/// written.
 std::string makeOutputFolder(const std::string& folder);
 
-/// Removes the summary of a run that goes on, and files that a kill left half written.
+/// Removes the summary of a run that continues, and partial files of a killed run.
 void removeOldSummary(const std::string& folder);
 
-/// Removes what an older run left in the folder, so that a run that is killed leaves no file of another.
+/// Removes the files of an older run in the folder, so that a killed run leaves no file of another.
 void removeOldResults(const std::string& folder);
 
 } // namespace Rhegma

@@ -66,10 +66,10 @@ void Progress::sample(const Row& row)
 
 std::string Progress::line(double done, bool running) const
 {
-  // Time left by the pace so far.
-  const double way = finalTime_ - startTime_;
+  // Time left, extrapolated from the speed so far.
+  const double total = finalTime_ - startTime_;
   const double gone = time_ - startTime_;
-  const double left = gone > 0.0 ? (clock_() - startClock_) * (way - gone) / gone : 0.0;
+  const double left = gone > 0.0 ? (clock_() - startClock_) * (total - gone) / gone : 0.0;
   char head[64];
   std::snprintf(head, sizeof head, "%3d %%", static_cast<int>(100.0 * done + 1.0e-9));
   std::string text = head;
@@ -108,7 +108,7 @@ void Progress::step(double time, long step)
     return;
   if (!begun_)
   {
-    // The first step says where a continued run began; what it did itself is little.
+    // The first step gives the begin of a continued run.
     begun_ = true;
     if (step > 1)
       startTime_ = time;
@@ -137,7 +137,7 @@ void Progress::finish()
 {
   if (stream_ == nullptr)
     return;
-  // A run may be over before its final time; then no time is left all the same.
+  // A run may end before its final time; then no time is left.
   if (stale_ && (terminal_ || time_ < finalTime_))
     print(false);
   if (open_)

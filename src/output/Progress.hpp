@@ -1,5 +1,5 @@
 #pragma once
-/// How far a run is, for the person who waits for it.
+/// The progress line of a run.
 
 #include <functional>
 #include <ostream>
@@ -10,7 +10,7 @@
 namespace Rhegma
 {
 
-/// On a terminal one line that is overwritten a few times a second; elsewhere a line each tenth of the way.
+/// On a terminal one line that is overwritten a few times a second; elsewhere a line each tenth of the run.
 /// Percent done, time left, step, and G of the first crack front where samples have it.
 class Progress
 {
@@ -19,7 +19,7 @@ public:
   /// Seconds from any start.
   using Clock = std::function<double()>;
 
-  /// \param stream null: say nothing \param finalTime [s]
+  /// \param stream null: no output \param finalTime [s]
   Progress(std::ostream* stream, double finalTime, bool terminal);
   Progress(std::ostream* stream, double finalTime, bool terminal, Clock clock);
 
@@ -29,7 +29,7 @@ public:
   /// A step has been taken. \param time [s]
   void step(double time, long step);
 
-  /// Says where the run ended, unless that was just said, and ends the line.
+  /// Prints where the run ended, unless that was just printed, and ends the line.
   void finish();
 
 private:

@@ -38,7 +38,7 @@ std::string nearest(const std::string& given, const std::vector<std::string>& po
   return name.empty() ? "" : " (did you mean \"" + name + "\"?)";
 }
 
-/// Entries of the summary that earlier versions named otherwise, and their names now.
+/// Renamed entries of the summary: former and present names.
 const std::map<std::string, std::string>& renamedEntries()
 {
   static const std::map<std::string, std::string> renamed = {

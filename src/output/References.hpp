@@ -1,5 +1,5 @@
 #pragma once
-/// The values that a scene says its run should give.
+/// Comparison with the reference values of a scene.
 
 #include <Teuchos_ParameterList.hpp>
 
@@ -18,12 +18,12 @@ namespace Rhegma
 /// `Reference` section; may be empty \return whether all are within their tolerances
 bool addReferences(const Teuchos::ParameterList& section, nlohmann::json& summary);
 
-/// Throws std::invalid_argument with a sentence a line for quantities that a summary has no position for, so
-/// that a slip of the pen is told before the run and not after. \param summary of the run before its first
-/// step, with null where there is no value yet
+/// Throws std::invalid_argument, a line per quantity, for quantities that a summary does not contain, so that
+/// misspelt names are reported before the run. \param summary of the run before its first step, with null
+/// where there is no value yet
 void refuseUnknownQuantities(const Teuchos::ParameterList& section, const nlohmann::json& summary);
 
-/// The references of a summary for a person, a line each; empty without references.
+/// The references of a summary as text, a line each; empty without references.
 std::string referencesAsText(const nlohmann::json& summary);
 
 } // namespace Rhegma

@@ -121,7 +121,7 @@ DataSet edgeVectors(const State<D>& state)
   for (std::size_t p = 0; p < length.extent(0); ++p)
     for (int e = 0; e < D; ++e)
       for (int d = 0; d < D; ++d)
-        set.real[9 * p + 3 * e + d] = length(p, e) * state.bodies.list[body(p)].axes[e][d];
+        set.real[9 * p + 3 * e + d] = length(p, e) * state.bodies.info[body(p)].axes[e][d];
   return set;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// The fields of one time on the host, as they go to the file.
+/// The fields of one time on the host, as written to the file.
 
 #include "state/State.hpp"
 
@@ -35,7 +35,7 @@ struct DataSet
   std::size_t rowsOfAll() const { return rows() + others; }
 };
 
-/// Points, cells and what lies on them; each mesh has one table of points and one of cells.
+/// Points, cells and their data; each mesh has one table of points and one of cells.
 struct OutputMesh
 {
   std::string name;
@@ -55,8 +55,8 @@ template <int D>
 Snapshot makeSnapshot(const State<D>& state);
 
 /// The meshes of a rank as parts of those of all, in the order of the ranks: cells name points of the whole.
-/// Cells where ranks meet and points of theirs may be there twice. What all ranks have stays with the first.
-/// Collective.
+/// Cells at borders between ranks, and their points, may occur twice. Data that all ranks have are written by
+/// the first. Collective.
 Snapshot partOfAll(const Ranks& ranks, Snapshot own);
 
 } // namespace Rhegma

@@ -58,7 +58,7 @@ nlohmann::json makeSummary(const SummaryFacts& facts, const nlohmann::json& repo
 
 void writeSummary(const nlohmann::json& summary, const std::string& path)
 {
-  // A path of the user's need not be UTF-8; JSON must be.
+  // A path need not be UTF-8; JSON must be.
   replaceFile(path, summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-/// summary.json: what a run was, what it cost and what came out.
+/// summary.json: scene, cost and results of a run.
 
 #include "output/References.hpp"
 
@@ -11,7 +11,7 @@
 namespace Rhegma
 {
 
-/// What the program knows of a run when it ends.
+/// Facts on a run when it ends.
 struct SummaryFacts
 {
   std::string scene; ///< path as the user gave it
@@ -34,8 +34,7 @@ struct SummaryFacts
 /// \param report energies, momentum and what effects add; its keys win
 nlohmann::json makeSummary(const SummaryFacts& facts, const nlohmann::json& report);
 
-/// Writes the summary so that there is the old file or the whole new one, never half of one.
-/// Throws OutputError when it can't.
+/// Writes the summary atomically. Throws OutputError on failure.
 void writeSummary(const nlohmann::json& summary, const std::string& path);
 
 /// Largest memory that the process has held so far [bytes].

@@ -51,7 +51,7 @@ void reserve(const std::string& path, const Snapshot& snapshot, const std::vecto
 {
   const int file = open(path.c_str(), O_WRONLY | O_CLOEXEC);
   bool good = file >= 0;
-#ifndef __APPLE__ // which has no such call
+#ifndef __APPLE__ // which lacks this call
   forEachTable(snapshot, positions,
                [&](const DataSet& data, long long position)
                {

@@ -1,5 +1,5 @@
 #pragma once
-/// Rows that ranks write into a file of HDF5 where their tables lie.
+/// Parallel writing of rows into the tables of an HDF5 file.
 
 #include "output/Snapshot.hpp"
 
@@ -14,12 +14,12 @@ inline const void* valuesOf(const DataSet& data)
   return data.integer ? static_cast<const void*>(data.whole.data()) : data.real.data();
 }
 
-/// Has the file system set room aside for the rows of all ranks. Throws OutputError where there is none.
-/// \param positions byte at which each table begins, mesh after mesh
-void reserve(const std::string& path, const Snapshot& snapshot, const std::vector<double>& places);
+/// Reserves space in the file system for the rows of all ranks. Throws OutputError where there is not enough.
+/// \param offsets byte at which each table begins, mesh after mesh
+void reserve(const std::string& path, const Snapshot& snapshot, const std::vector<double>& offsets);
 
-/// Writes this rank's rows of all tables. Collective; throws OutputError on all ranks where it fails on any.
+/// Writes this rank's rows of all tables. Collective; throws OutputError on all ranks if it fails on one.
 void writeParts(const Ranks& ranks, const std::string& path, const Snapshot& snapshot,
-                const std::vector<double>& places);
+                const std::vector<double>& offsets);
 
 } // namespace Rhegma

@@ -99,7 +99,7 @@ void XdmfDocument::add(const Snapshot& snapshot, const std::string& group)
   }
 }
 
-void XdmfDocument::keep(Archive& archive)
+void XdmfDocument::serialize(Archive& archive)
 {
   std::vector<std::string> names, grids;
   for (const Collection& collection : collections_)

@@ -1,5 +1,5 @@
 #pragma once
-/// The XML next to an HDF5 file that tells ParaView what is in it.
+/// The XML file that describes the content of an HDF5 file to ParaView.
 
 #include "output/Snapshot.hpp"
 
@@ -12,9 +12,9 @@ namespace Rhegma
 
 class Archive;
 
-/// Grows by a time after another. Each kind of mesh is a temporal collection of its own: readers give
-/// repeated names inside one collection a number that changes with time, and blocks chosen by name would be
-/// lost.
+/// The document grows with each time. Each kind of mesh is a separate temporal collection: readers append a
+/// number that changes with time to repeated names within one collection, and blocks selected by name would
+/// be lost.
 class XdmfDocument
 {
 public:
@@ -26,7 +26,7 @@ public:
 
   std::string text() const;
 
-  void keep(Archive& archive);
+  void serialize(Archive& archive);
 
 private:
   struct Collection

@@ -1,5 +1,5 @@
 #pragma once
-/// Which rank owns which cells.
+/// The cells of each rank.
 
 #include "grid/Grid.hpp"
 #include "parallel/Ranks.hpp"
@@ -25,7 +25,7 @@ struct CellBox
 };
 
 /// A box of cells for each rank; together they are the cells of the domain. Where cuts fall on the first or
-/// last positions boxes overlap: a cell belongs to the first that holds it.
+/// last positions, boxes overlap: a cell belongs to the first box that contains it.
 template <int D>
 struct Division
 {
@@ -42,9 +42,10 @@ struct Division
 
 /// Divides a domain so that each rank gets about the same fraction of the cost, by multijagged cuts (M.
 /// Deveci, S. Rajamanickam, K. D. Devine, U. V. Catalyurek, IEEE Trans. Parallel Distrib. Syst. 27, 2016) as
-/// Zoltan2 makes them. Collective. \param positions of this rank \param costs of them; the same where empty
+/// Zoltan2 makes them. Collective. \param positions of this rank \param costs of these positions; empty: all
+/// equal
 template <int D>
-Division<D> divide(const Ranks& ranks, const Grid<D>& lattice, const std::vector<Vector<D>>& places,
+Division<D> divide(const Ranks& ranks, const Grid<D>& lattice, const std::vector<Vector<D>>& positions,
                    const std::vector<double>& costs = {});
 
 } // namespace Rhegma

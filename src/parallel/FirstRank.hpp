@@ -1,5 +1,5 @@
 #pragma once
-/// Work that one rank does for all, such as writing files.
+/// Functions that one rank runs for all, such as writing files.
 
 #include "parallel/Ranks.hpp"
 
@@ -9,55 +9,55 @@
 namespace Rhegma
 {
 
-/// Runs work() on rank 0. Where it throws there, so do all ranks, the others `Error` with the same words.
+/// Runs function() on rank 0. If it throws, all ranks throw, the others `Error` with the same message.
 /// Collective. \tparam Error made from a text
-template <class Error, class Work>
-void onFirstRank(const Ranks& ranks, const Work& work)
+template <class Error, class Function>
+void onFirstRank(const Ranks& ranks, const Function& function)
 {
   std::exception_ptr own;
-  std::string words;
+  std::string message;
   if (ranks.rank() == 0)
     try
     {
-      work();
+      function();
     }
     catch (const std::exception& error)
     {
       own = std::current_exception();
-      words = error.what();
+      message = error.what();
     }
-  words = ranks.firstText(words);
+  message = ranks.firstText(message);
   if (own)
     std::rethrow_exception(own);
-  if (!words.empty())
-    throw Error(words);
+  if (!message.empty())
+    throw Error(message);
 }
 
-/// What the first rank thinks, on all ranks. Collective.
+/// The value of the first rank, on all ranks. Collective.
 inline bool asFirstRank(const Ranks& ranks, bool own)
 {
   return ranks.max(ranks.rank() == 0 && own ? 1.0 : 0.0) > 0.0;
 }
 
-/// Runs work() on all ranks; where it throws std::invalid_argument on some, all throw it, with the words of
-/// the lowest of them. Collective.
-template <class Work>
-void onEachRank(const Ranks& ranks, const Work& work)
+/// Runs function() on all ranks; where it throws std::invalid_argument on some, all throw it, with the
+/// message of the lowest of them. Collective.
+template <class Function>
+void onEachRank(const Ranks& ranks, const Function& function)
 {
   if (!ranks.many())
-    return work();
-  std::string words;
+    return function();
+  std::string message;
   try
   {
-    work();
+    function();
   }
   catch (const std::invalid_argument& error)
   {
-    words = error.what();
+    message = error.what();
   }
-  words = ranks.firstText(words);
-  if (!words.empty())
-    throw std::invalid_argument(words);
+  message = ranks.firstText(message);
+  if (!message.empty())
+    throw std::invalid_argument(message);
 }
 
 } // namespace Rhegma

@@ -1,5 +1,5 @@
 #pragma once
-/// Nodes that particles of several ranks add to, and how their sums come about.
+/// Nodes that particles of several ranks add to, and their sums over the ranks.
 
 #include "grid/Tree.hpp"
 #include "parallel/Division.hpp"
@@ -16,8 +16,8 @@ struct SharedRows;
 /// Nodes of refined cells count only where they are a cell or more inside both windows: a rank knows there
 /// which nodes hang, and its particles reach no others.
 ///
-/// Its sum over the ranks is the same number everywhere to the last digit (NeighbourSums), and what ranks
-/// compute from it afterwards is too.
+/// Sums over the ranks are the same to the last digit on all of them (NeighbourSums), and so is what ranks
+/// compute from them.
 template <int D>
 class Halo
 {
@@ -27,7 +27,7 @@ public:
   ~Halo();
 
   /// Replaces columns first .. first + count - 1 of shared nodes by their sums over the ranks. Collective.
-  /// Whether there are second fields, and which shared nodes have rows, is the same on all ranks.
+  /// All ranks must agree on whether there are enriched fields and which shared nodes have rows.
   /// \param values `width` numbers a row
   void sum(const SharedRows& rows, double* values, int width, int first, int count) const;
 

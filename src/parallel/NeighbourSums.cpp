@@ -84,15 +84,15 @@ NeighbourSums::NeighbourSums(const Ranks& ranks, const View<int*>& nodes,
   entry_ = onDevice("rhegma::parallel::entries", entries);
   part_ = onDevice("rhegma::parallel::parts", parts);
   begin_ = onDevice("rhegma::parallel::begins", begins);
-  fraction_ = onDevice("rhegma::parallel::shares", all);
+  fraction_ = onDevice("rhegma::parallel::fractions", all);
   before_ = View<long long*>("rhegma::parallel::rowsBefore", entries.size() + 1);
-  came_ = View<int*>("rhegma::parallel::came", 2 * entries.size());
-  Kokkos::deep_copy(came_, -1);
+  receivedRow_ = View<int*>("rhegma::parallel::received", 2 * entries.size());
+  Kokkos::deep_copy(receivedRow_, -1);
 }
 
 void NeighbourSums::sum(const SharedRows& rows, double* values, int width, int first, int count)
 {
-  const int fields = rows.second.extent(0) > 0 ? 2 : 1;
+  const int fields = rows.enrichedField.extent(0) > 0 ? 2 : 1;
   const Columns columns{values, width, first, count, fields};
   const std::size_t most = entry_.extent(0) * fields * columns.perRow();
   fit(sent_, "rhegma::parallel::sent", most);
@@ -160,34 +160,35 @@ void NeighbourSums::pack(const SharedRows& rows, const Columns& columns)
 void NeighbourSums::findFractions(const Columns& columns, bool forget)
 {
   const View<double*> received = received_;
-  const View<int*> came = came_;
+  const View<int*> receivedRow = receivedRow_;
   const Columns of = columns;
   for (const Neighbour& neighbour : neighbours_)
   {
     const int begin = neighbour.begin;
     Kokkos::parallel_for(
-        "rhegma::parallel::findShares", Range(0, neighbour.came), KOKKOS_LAMBDA(const int k) {
+        "rhegma::parallel::findFractions", Range(0, neighbour.received), KOKKOS_LAMBDA(const int k) {
           const int start = startOf(begin, k, of);
-          came(begin * of.fields + static_cast<int>(received(start))) = forget ? -1 : start + 1;
+          receivedRow(begin * of.fields + static_cast<int>(received(start))) = forget ? -1 : start + 1;
         });
   }
 }
 
 int NeighbourSums::add(const SharedRows& rows, const Columns& columns, const Neighbour& from)
 {
-  const View<int*> nodes = nodes_, entry = entry_, begin = begin_, fraction = fraction_, came = came_;
+  const View<int*> nodes = nodes_, entry = entry_, begin = begin_, fraction = fraction_,
+                   receivedRow = receivedRow_;
   const View<double*> received = received_;
   const Columns of = columns;
   const int firstEntry = from.begin;
   int strange = 0;
   Kokkos::parallel_reduce(
-      "rhegma::parallel::add", Range(0, from.came),
+      "rhegma::parallel::add", Range(0, from.received),
       KOKKOS_LAMBDA(const int n, int& unknown) {
         const int position = static_cast<int>(received(startOf(firstEntry, n, of)));
         const int e = firstEntry + position / of.fields, f = position % of.fields, i = entry(e);
         const auto startOfFraction = [&](int k)
-        { return fraction(k) < 0 ? -1 : came(fraction(k) * of.fields + f); };
-        // Who came first adds for all.
+        { return fraction(k) < 0 ? -1 : receivedRow(fraction(k) * of.fields + f); };
+        // The first of them adds for all.
         for (int k = begin(i); fraction(k) != e; ++k)
           if (startOfFraction(k) >= 0)
             return;
@@ -242,10 +243,10 @@ void NeighbourSums::exchange(const Columns& columns)
   int k = 0;
   for (Neighbour& neighbour : neighbours_)
   {
-    neighbour.came = 0;
+    neighbour.received = 0;
     if (neighbour.meets)
-      MPI_Get_count(&states[k++], MPI_DOUBLE, &neighbour.came);
-    neighbour.came /= row;
+      MPI_Get_count(&states[k++], MPI_DOUBLE, &neighbour.received);
+    neighbour.received /= row;
   }
   Kokkos::deep_copy(received_, in);
 }

@@ -130,7 +130,7 @@ void NodalFieldTable<D>::move(const NodalFieldNodes<D>& to, long step, const Ran
     const NodalField& field = columns_[f].field;
     const bool drop = remeshed && field.onRemesh == OnRemesh::Drop;
     fit(columns_[f], divided || drop ? 0 : first);
-    std::vector<double> found = place(f, rows[f]);
+    std::vector<double> found = assign(f, rows[f]);
     if (remeshed && field.onRemesh == OnRemesh::Interpolate && columns_[f].values.extent(0) > 0)
       interpolate(f, rows[f]);
     if (!field.reportsLost || drop)
@@ -189,7 +189,7 @@ typename NodalFieldTable<D>::NamedRows NodalFieldTable<D>::namedRows(int field, 
 }
 
 template <int D>
-std::vector<double> NodalFieldTable<D>::place(int field, const NamedRows& rows)
+std::vector<double> NodalFieldTable<D>::assign(int field, const NamedRows& rows)
 {
   const Column& column = columns_[field];
   const int components = column.field.field.components;

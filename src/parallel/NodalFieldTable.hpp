@@ -1,5 +1,5 @@
 #pragma once
-/// The table that owns what effects keep on nodes from step to step.
+/// The table of nodal fields, which effects store from step to step.
 
 #include "base/Field.hpp"
 #include "grid/Branches.hpp"
@@ -16,7 +16,7 @@
 namespace Rhegma
 {
 
-/// The nodes that nodal fields belong to: those of one rank, at one state of the refined cells.
+/// The nodes of nodal fields: those of one rank, for one generation of refined cells.
 template <int D>
 struct NodalFieldNodes
 {
@@ -55,14 +55,14 @@ struct NodalFieldRow
 ///     const auto damage = state.mesh.nodalFields.scalar("damage");
 ///     // in a kernel: damage(node)
 ///
-/// Between Stage::BetweenSteps and Stage::Scatter of each step the run moves all fields to the nodes that
-/// there are then (moveNodalFields in state/Subdomain.hpp), where cells were refined or coarsened or ranks
-/// have divided the domain anew; checkpoints save and load them. An effect needs no code for any of that. It
-/// must not read a nodal field in Stage::BetweenSteps.
+/// Between Stage::BetweenSteps and Stage::Scatter of each step the run moves all fields to the current nodes
+/// (moveNodalFields in state/Subdomain.hpp), if cells were refined or coarsened or the domain was divided
+/// anew; checkpoints save and load them. An effect needs no code for this. It must not read a nodal field in
+/// Stage::BetweenSteps.
 ///
 /// Rules:
-/// - A field is zero until something is written. It takes no memory before it is first asked for.
-/// - Views are good until the next step: fetch them anew in each call.
+/// - A field is zero until something is written. It uses no memory before it is first requested.
+/// - Views are valid until the next step: fetch them anew in each call.
 /// - Nodes that several ranks have must get the same value on all of them. That is so if it is found from
 /// nodal
 ///   sums, which are the same on all ranks.
@@ -73,14 +73,14 @@ template <int D>
 class NodalFieldTable
 {
 public:
-  /// Values of a node that is no more.
+  /// Values of a node that no longer exists.
   struct Lost
   {
     Vector<D> position; ///< [m]
     std::vector<double> values;
   };
 
-  /// Adds a field. Throws std::logic_error when the name is taken.
+  /// Adds a field. Throws std::logic_error when the name exists already.
   void add(const NodalField& field);
 
   bool has(const std::string& name) const; ///< whether there is a field of this name
@@ -104,47 +104,47 @@ public:
   /// Rows of fields with NodalField::enriched. \param nodes as they are in this step
   NodalFieldRow<D> rowsOf(const Nodes<D>& nodes) const { return {nodes, nodes_.perNode}; }
 
-  /// What nodes had that vanished before this step, in the order of their identities; the same on all ranks.
+  /// Values of nodes that vanished before this step, in the order of their identities; the same on all ranks.
   const std::vector<Lost>& lost(const std::string& name) const { return find(name, 0).lost; }
 
-  /// Step before which cells were refined or coarsened last, and fields with OnRemesh::Drop dropped; -1:
+  /// Step before which cells were last refined or coarsened and fields with OnRemesh::Drop were zeroed; -1:
   /// none.
   long lastRemesh() const { return lastRemesh_; }
 
-  // What follows is for those who move, save and load the fields.
+  // The following functions are for moving, saving and loading the fields.
 
-  /// Moves all values to these nodes. Collective. \param step that begins
+  /// Moves all values to these nodes. Collective. \param step the step that begins
   void move(const NodalFieldNodes<D>& to, long step, const Ranks& ranks);
 
   /// A row for each node that has values: its identity, 1 for its enriched field, then the values.
   using NamedRows = std::vector<double>;
   static constexpr int nameWidth = D + 1;
 
-  /// Makes these the nodes; all values are zero then.
+  /// Sets the nodes; all values become zero.
   void layOut(const NodalFieldNodes<D>& nodes);
-  /// What nodes have. \param field index in fields() \param first node \param ofOthers whether nodes count
-  /// that another rank owns
+  /// Values of nodes. \param field index in fields() \param first first node \param ofOthers whether to
+  /// include nodes that another rank owns
   NamedRows namedRows(int field, int first = 0, bool ofOthers = false) const;
-  /// Gives nodes their values. \return of each row, 1 where its node is here
-  std::vector<double> place(int field, const NamedRows& rows);
+  /// Assigns rows to the nodes of this rank. \return for each row, 1 where its node is on this rank
+  std::vector<double> assign(int field, const NamedRows& rows);
 
 private:
   struct Column
   {
     NodalField field;
-    mutable View<double**> values; ///< made when it is first asked for
+    mutable View<double**> values; ///< allocated when first requested
     std::vector<Lost> lost;
   };
-  /// With its values made. \param components 0: any
+  /// Allocates the values if necessary. \param components 0: any
   const Column& find(const std::string& name, int components) const;
   int perNode(const NodalField& field) const { return field.enriched ? nodes_.perNode : 1; }
   int rows(const NodalField& field) const { return perNode(field) * identities_.size(); }
   /// Row of a node by its identity and 1 for its enriched field, or -1.
   int rowOf(const NodalField& field, const std::array<int, D + 1>& name) const;
   std::vector<double> isHere(int field, const NamedRows& rows) const;
-  /// Makes room for the nodes; those below `kept` keep their values, others have zero.
+  /// Allocates rows for the nodes; those below `kept` keep their values, others are zero.
   void fit(Column& column, int kept);
-  /// Gives nodes of refined cells that none of the rows identifies the value that cells had there before.
+  /// Gives nodes of refined cells that are in none of the rows the value interpolated in the earlier cells.
   void interpolate(int field, const NamedRows& rows);
   void listLost(int field, const NamedRows& rows, const std::vector<double>& found, const Ranks& ranks);
 

@@ -1,13 +1,13 @@
 #pragma once
-/// Places that are this rank's.
+/// The cells that this rank owns.
 
 #include "grid/Grid.hpp"
 
 namespace Rhegma
 {
 
-/// The cells that a rank owns, for kernels: each position is in those of one rank, also outside of the
-/// domain. All positions are where there is one rank.
+/// The cells that a rank owns, for kernels: each position, also outside of the domain, belongs to exactly one
+/// rank.
 template <int D>
 struct OwnCells
 {
@@ -20,7 +20,7 @@ struct OwnCells
   {
     if (boxes.extent(0) == 0)
       return true;
-    // A cell in several boxes is the first rank's.
+    // A cell in several boxes belongs to the first of their ranks.
     for (int r = 0; r < rank; ++r)
       if (boxHolds(r, x))
         return false;

@@ -1,5 +1,5 @@
 #pragma once
-/// The ranks that share a run, and what they tell each other in a few numbers.
+/// The ranks of a run, and their collective operations on a few numbers.
 
 #include <memory>
 #include <string>
@@ -16,7 +16,7 @@ class RCP;
 namespace Rhegma
 {
 
-/// A group of ranks; by default the one that asks, alone. Every call but `rank` and `size` is collective: all
+/// A group of ranks; by default only the calling one. Every call but `rank` and `size` is collective: all
 /// ranks must make it, in the same order.
 class Ranks
 {
@@ -27,7 +27,7 @@ public:
   int rank() const { return rank_; }
   int size() const { return size_; }
   bool many() const { return size_ > 1; }
-  /// How many of them share this one's memory.
+  /// Number of ranks on this machine.
   int onThisMachine() const { return onThisMachine_; }
 
   /// Replaces each value by its sum over the ranks.
@@ -45,7 +45,7 @@ public:
   /// The same on all ranks.
   std::vector<double> gatherOnAll(const std::vector<double>& own) const;
 
-  /// Only where there are many.
+  /// The communicator; null with one rank.
   const Teuchos::RCP<const Teuchos::Comm<int>>& comm() const;
 
 private:

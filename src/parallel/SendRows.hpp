@@ -8,8 +8,8 @@
 namespace Rhegma
 {
 
-/// Sends row i, `width` numbers, to rank to[i]. Collective. \return the rows that came, one after another; in
-/// the order in which they were sent where there is one rank
+/// Sends row i, `width` numbers, to rank to[i]. Collective. \return the received rows one after another; with
+/// one rank in the order in which they were sent
 std::vector<double> sendRows(const Ranks& ranks, const std::vector<int>& to, const std::vector<double>& rows,
                              int width);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// Types of boundary: what a scene may say of one, and what it does (docs/guides/add-a-boundary.md).
+/// Types of boundary: their parameters and what they do (docs/guides/add-a-boundary.md).
 
 #include "scene/Schema.hpp"
 #include "scene/SectionChecks.hpp"
@@ -20,7 +20,7 @@ struct BoundaryType
   template <int D>
   using Add =
       std::function<void(BoundaryParts<D>&, const Teuchos::ParameterList& list, const std::string& name)>;
-  /// What no single parameter can show wrong. \param where path of the list
+  /// Checks several parameters together. \param where path of the list
   using Check =
       std::function<void(SectionChecks&, const Teuchos::ParameterList& list, const std::string& where)>;
 
@@ -28,16 +28,16 @@ struct BoundaryType
   Check check{};   ///< may be empty; Body and History are checked for all types
   Add<2> add2{};
   Add<3> add3{};
-  /// Capability of the effect that applies it, in place of `add` (scene/Compatibility.hpp); a section of the
+  /// Capability of the effect that applies it, instead of `add` (scene/Compatibility.hpp); a section of the
   /// scene must provide it. Empty: none.
   std::string capability{};
 };
 
-/// Adds a type of the application's own. Call it before the schema or the Simulation that is to know it is
-/// made. Throws std::invalid_argument where there is a type of that name or it can't be made.
+/// Adds a type of an application. Call it before making the schema or Simulation that uses it. Throws
+/// std::invalid_argument where there is a type of that name or it can't be made.
 void addBoundaryType(BoundaryType type);
 
-/// Those that scenes may ask for.
+/// The types that scenes may use.
 const std::vector<BoundaryType>& boundaryTypes();
 
 /// By the value of Type. Throws std::invalid_argument if there is none.

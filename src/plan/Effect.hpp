@@ -1,5 +1,5 @@
 #pragma once
-/// An effect: a value that says which fields it needs and adds, and what to call in which stage.
+/// An effect: a value that lists the fields it needs and adds, and the calls of each stage.
 
 #include "base/Field.hpp"
 #include "plan/Quantity.hpp"
@@ -26,16 +26,16 @@ enum class Stage
   BetweenSteps,    ///< before the length of the step is known
   Scatter,         ///< particles to nodes
   BeforeSolve,     ///< nodes have mass, momentum and force
-  Solve,           ///< nodes get their new velocity
-  AfterSolve,      ///< it may be changed
+  Solve,           ///< new velocity of the nodes
+  AfterSolve,      ///< changes of the new velocity
   Gather,          ///< nodes to particles
-  AfterProjection, ///< nodes have the velocity that strains
+  AfterProjection, ///< nodes have the velocity that strains the particles
   OnParticles,     ///< strain, stress and what follows
   Observe          ///< only in steps that end with a sample
 };
 
-/// Something that runs in a stage. Calls of one stage are ordered so that who writes a quantity runs before
-/// who reads it; quantities that several calls add to (nodal force) commute. What a call reads must be
+/// A function that runs in a stage. Calls of one stage are ordered so that the writer of a quantity runs
+/// before its readers; quantities that several calls add to (nodal force) commute. What a call reads must be
 /// written by some call of the plan, in any stage, unless it is read `ifWritten`.
 template <int D>
 struct Call
@@ -54,28 +54,28 @@ struct Call
 template <int D>
 struct Effect
 {
-  std::string name;                       ///< its section's
-  std::vector<Field> adds;                ///< particle fields that it brings
-  std::vector<NodalField> addsNodal;      ///< nodal fields that it brings (parallel/NodalFieldTable.hpp)
-  std::vector<std::string> needs;         ///< particle fields that somebody else must bring
-  std::vector<Call<D>> calls;             ///< of all stages
-  Quantities provides;                    ///< what it writes outside of calls
-  std::vector<std::string> balance;       ///< entries of the energy balance that it gives, as columns
+  std::string name;                  ///< its section's
+  std::vector<Field> adds;           ///< particle fields that it adds
+  std::vector<NodalField> addsNodal; ///< nodal fields that it adds (parallel/NodalFieldTable.hpp)
+  std::vector<std::string> needs;    ///< particle fields that another effect must add
+  std::vector<Call<D>> calls;        ///< of all stages
+  Quantities provides;               ///< what it writes outside of calls
+  std::vector<std::string> balance;  ///< entries of the energy balance that it contributes to, as columns
   std::function<void(State<D>&)> atStart; ///< once, when all fields exist and particles are seeded
   std::function<void(const State<D>&, nlohmann::json&)> report; ///< adds to summary.json
 
   std::function<double(const State<D>&)> timeStepLimit; ///< [s]; none if empty
 
-  /// Saves or loads what it keeps from one step to the next in addition to fields of particles and nodes
-  /// (checkpoint/Archive.hpp); empty if nothing. Loading comes after atStart and after the core's own, and
-  /// leaves all as it was when it was saved.
+  /// Saves or loads data of the effect that persist between steps, in addition to fields of particles and
+  /// nodes (archive/Archive.hpp); empty if there are none. Loading happens after atStart and after the core
+  /// has loaded its own data.
   std::function<void(State<D>&, Archive&)> memory;
 
   void call(Call<D> c) { calls.push_back(std::move(c)); } ///< adds to `calls`
 };
 
 /// Makes an effect from a scene, which has its section and those of the core, and from what other effects
-/// declare. A function that takes the scene alone will do.
+/// declare. A function of the scene alone is accepted too.
 template <int D>
 class MakeEffect
 {
@@ -105,24 +105,24 @@ private:
   std::function<Effect<D>(const Teuchos::ParameterList&, const RunOptions&)> make_;
 };
 
-/// What the registry knows of an effect: its section, and how to make it for each dimension.
+/// Entry of the registry: the section of an effect, and how to make it for each dimension.
 struct EffectEntry
 {
   Section section;      ///< its schema; the section's name is the effect's name
-  CrossCheck check;     ///< what no single parameter can show wrong; may be empty
+  CrossCheck check;     ///< checks of several parameters together; may be empty
   MakeEffect<2> make2;  ///< 2D
   MakeEffect<3> make3;  ///< 3D
   bool onRanks = false; ///< whether it works on more than one rank
-  /// Sets what other effects must know of its section; may be empty.
+  /// Sets the options that other effects read; may be empty.
   std::function<void(const Teuchos::ParameterList& section, RunOptions&)> declare{};
-  /// What it asks of the cells that Domain > Accuracy chooses.
+  /// Its needs for the cells that Domain > Accuracy chooses.
   CellHook cells{};
 };
 
 /// Every effect that the program knows (packages/Registry.cpp).
 const std::vector<EffectEntry>& knownEffects();
 
-/// Sections of effects that a later version will have (packages/Registry.cpp).
+/// Sections of effects planned for a later version (packages/Registry.cpp).
 const std::vector<std::string>& effectsToCome();
 
 } // namespace Rhegma

@@ -1,5 +1,5 @@
 #pragma once
-/// Everything that a scene may hold, the effects' sections included.
+/// The schema of scenes, with the sections of effects.
 
 #include "plan/Effect.hpp"
 
@@ -9,7 +9,7 @@ namespace Rhegma
 /// The core's sections, all boundary types among them, and those of some effects.
 SceneSchema schemaOf(const std::vector<EffectEntry>& effects);
 
-/// That of all known effects.
+/// The schema of all known effects.
 const SceneSchema& effectSchema();
 
 } // namespace Rhegma

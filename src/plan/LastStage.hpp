@@ -1,5 +1,5 @@
 #pragma once
-/// Where a step ends, and from where on its motion is known.
+/// The last stage of a step, and the stage from which the motion of faces is known.
 
 #include "plan/Effect.hpp"
 
@@ -8,9 +8,9 @@
 namespace Rhegma
 {
 
-/// The last stage of a step but for samples: what the step has done to nodes and particles is still there in
-/// it. Between two steps that is not sure, as a run may go on from a checkpoint or with other cells. What
-/// reads "particle stress", "particle velocity" and "crack geometry" comes last in it.
+/// The last stage of a step except for samples. The nodal and particle values of the step are still available
+/// in it, but not always between two steps, as a run may continue from a checkpoint or with other cells.
+/// Calls that read "particle stress", "particle velocity" and "crack geometry" run last in it.
 inline Stage lastStage(const Teuchos::ParameterList& scene)
 {
   const char* const name = "Update Scheme";
@@ -28,7 +28,7 @@ inline bool projectsLast(const Teuchos::ParameterList& scene)
          time.get<std::string>(name) == "USAVG";
 }
 
-/// The stage in which it is known.
+/// The stage in which that velocity is known.
 inline Stage stageOfFaceVelocity(const Teuchos::ParameterList& scene)
 {
   return projectsLast(scene) ? Stage::AfterProjection : Stage::Gather;

@@ -1,5 +1,5 @@
 #pragma once
-/// Which calls a scene's step makes, in order.
+/// The calls of a step in their order.
 
 #include "plan/Effect.hpp"
 
@@ -16,7 +16,8 @@ const char* stageName(Stage stage);
 /// Stages of one step in the order of an update scheme.
 std::vector<Stage> stageOrder(UpdateScheme scheme);
 
-/// Calls of one stage, so ordered that who writes or adds to a quantity comes before who reads it.
+/// Calls of one stage, ordered so that writers of a quantity, and calls that add to it, run before its
+/// readers.
 ///
 /// Throws std::logic_error where two calls write one quantity and neither reads what the other writes, or
 /// where each of several calls waits for another.
@@ -33,7 +34,7 @@ struct Plan
 
   /// Runs the calls of one stage; the time that they take is added to the stage's seconds.
   void run(Stage stage, State<D>& state);
-  /// Runs what of a stage belongs to each pass that strains particles.
+  /// Runs the calls of a stage that belong to each pass that strains particles.
   void runPass(Stage stage, State<D>& state);
   std::array<double, numStages> seconds{};
 
@@ -47,8 +48,7 @@ private:
 template <int D>
 Plan<D> makePlan(std::vector<Effect<D>> effects);
 
-/// The plan for a person to read: effects, fields of the particles, calls of each stage and what they read
-/// and write.
+/// The plan as text: effects, fields of the particles, calls of each stage and what they read and write.
 template <int D>
 std::string printPlan(const Plan<D>& plan, const State<D>& state);
 

@@ -1,5 +1,5 @@
 #pragma once
-/// What calls of a step hand to one another: the constants by which they declare what they read and write.
+/// The quantities that calls of a step read and write, as constants.
 
 #include <functional>
 #include <vector>
@@ -7,9 +7,9 @@
 namespace Rhegma
 {
 
-/// A quantity that calls share, named by a constant: each is declared once, `inline constexpr`, and compared
-/// by its address, so that a misspelt one does not compile. Those of the core and of the crack set are
-/// below; what only calls of one effect share is declared in a header of that effect.
+/// A quantity that several calls use, named by a constant: each is declared once, `inline constexpr`, and
+/// compared by its address, so that a misspelt one does not compile. Those of the core and of the crack set
+/// are below; quantities of a single effect are declared in a header of that effect.
 struct Quantity
 {
   const char* name; ///< for the printed plan and messages; no two have one name
@@ -25,12 +25,12 @@ using Quantities = std::vector<std::reference_wrapper<const Quantity>>;
 struct Read
 {
   const Quantity* quantity;
-  bool optional = false; ///< whether a plan may have no writer of it, as where its effect is absent
+  bool optional = false; ///< whether a plan may lack a writer, for example if its effect is absent
   Read(const Quantity& q, bool o = false) : quantity(&q), optional(o) {}
   Read(const Quantity&&, bool = false) = delete;
 };
 
-/// A quantity that is read where a call of the plan writes it.
+/// A quantity that is read only if a call of the plan writes it.
 inline Read ifWritten(const Quantity& q) { return {q, true}; }
 
 namespace quantity
@@ -63,11 +63,11 @@ inline constexpr Quantity energyRelease("energy release"); ///< columns of the s
 
 // Cracks (CrackSet)
 inline constexpr Quantity crackGeometry("crack geometry");   ///< vertices, faces, simplices and fronts
-inline constexpr Quantity enrichedFields("enriched fields"); ///< CrackSet::second and nodeSide
+inline constexpr Quantity enrichedFields("enriched fields"); ///< CrackSet::enrichedField and nodeSide
 inline constexpr Quantity facePressure("face pressure");     ///< CrackSet::pressure
 inline constexpr Quantity contactGaps("contact gaps");       ///< between the faces
-inline constexpr Quantity springStiffness("front spring stiffness"); ///< last column of CrackSet::tie
-inline constexpr Quantity springForce("front spring force");         ///< first columns of CrackSet::tie
+inline constexpr Quantity springStiffness("front spring stiffness"); ///< last column of CrackSet::spring
+inline constexpr Quantity springForce("front spring force");         ///< first columns of CrackSet::spring
 inline constexpr Quantity springStretch("front spring stretch");     ///< of the springs' memory
 inline constexpr Quantity fractureEnergy("fracture energy");         ///< of fronts: required and pending
 inline constexpr Quantity drivingForces("driving forces");           ///< of fronts: DrivingForce

@@ -1,6 +1,6 @@
 #pragma once
-/// What effects let one another know of their sections: each value is set by the effect that owns it, before
-/// any effect is made (EffectEntry::declare), so that none reads the section of another.
+/// Options that effects exchange. Each value is set by the effect that owns it, before any effect is made
+/// (EffectEntry::declare), so that no effect reads the section of another.
 
 #include "state/CrackSet.hpp"
 
@@ -24,11 +24,11 @@ struct NodalMass
   double edge = 0.0, edgeCells = 0.0;
 };
 
-/// All as in a scene without effects.
+/// Defaults: values of a scene without effects.
 struct RunOptions
 {
   bool mechanics = true; ///< false: nothing moves
-  /// [K]; none where nobody finds temperatures.
+  /// [K]; none without heat.
   std::optional<double> initialTemperature;
   bool heat() const { return initialTemperature.has_value(); }
 
@@ -40,7 +40,7 @@ struct RunOptions
   bool contact = false;                ///< faces that close press against each other
   std::set<std::string> pressedCracks; ///< with a given pressure
   bool growth = false;                 ///< cracks may grow
-  DrivingContours contours;            ///< where they do: for what drives them, given in 2D
+  DrivingContours contours;            ///< contours for the driving forces of growing cracks, given in 2D
   NodalMass nodalMass;
 };
 

@@ -13,7 +13,7 @@ namespace Rhegma::program
 namespace
 {
 
-/// A copy in memory is taken when this many times as long has passed as the last took.
+/// A copy in memory is made when the time since the last one is this multiple of its cost.
 constexpr int fractionOfCopies = 50;
 
 double orZero(const Teuchos::ParameterList& list, const char* name)
@@ -79,7 +79,7 @@ void Checkpoints::atEnd()
 void Checkpoints::write()
 {
   const Clock::time_point begin = Clock::now();
-  // First what the state goes on from: a checkpoint without its history would be of less use.
+  // The history first: a checkpoint without its history would be less useful.
   onFirstRank<OutputError>(ranks_, [&] { history_.sync(); });
   simulation_.checkpoint(path_, notesOf(history_.soFar()));
   written_ = simulation_.time();
@@ -93,7 +93,7 @@ void Checkpoints::afterGoingBack()
   const double time = simulation_.time();
   if (interval_ > 0.0)
     next_ = interval_ * (std::floor(time / interval_) + 1.0);
-  if (written_ > time) // of a way that the run has left
+  if (written_ > time) // of a part of the run that was repeated
     write();
 }
 
@@ -125,7 +125,7 @@ std::string Checkpoints::atFailure()
       written_ = simulation_.heldTime();
     }
   }
-  catch (const std::exception&) // no room on the disk or in memory: the older one, if any, is there
+  catch (const std::exception&) // no space on the disk or in memory: the older one, if any, stays
   {
   }
   return whereToGoOn();
@@ -149,7 +149,7 @@ Simulation::Notes notesOf(const HistorySoFar& soFar)
 HistorySoFar readNotes(const Simulation::Notes& notes)
 {
   HistorySoFar soFar;
-  if (notes.count("history_bytes") == 0) // an application of its own wrote it
+  if (notes.count("history_bytes") == 0) // written by an application
     return soFar;
   soFar.bytes = std::stoll(notes.at("history_bytes"));
   soFar.crc = std::stoul(notes.at("history_crc"));

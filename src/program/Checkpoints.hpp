@@ -1,5 +1,5 @@
 #pragma once
-/// When a run writes its checkpoint, and which state is worth one.
+/// When a run writes checkpoints, and of which state.
 
 #include "Simulation.hpp"
 #include "output/History.hpp"
@@ -17,35 +17,34 @@ namespace Rhegma::program
 /// Output), where a signal stops the run, before the run ends in failure, and at its end where an interval of
 /// simulated time is given.
 ///
-/// Trouble is found in the middle of a step whose numbers are no state, and what leads to it may have begun
-/// long before. So a copy of the state is kept in memory at samples at which the energy balance of energies
-/// is sound, as often as that takes less than a fiftieth of the run; it is written when the run stops in
-/// failure.
+/// A failure is detected within a step, when the state is inconsistent, and its cause may be much earlier.
+/// Therefore a copy of the state is stored in memory at samples with a sound energy balance, as often as that
+/// takes less than a fiftieth of the run; it is written when the run fails.
 class Checkpoints
 {
 public:
-  /// \param ranks that share the run: every call is collective, the first rank looks at the clock and writes
+  /// \param ranks of the run: every call is collective, the first rank reads the clock and writes
   Checkpoints(const Teuchos::ParameterList& output, const std::string& folder, Simulation& simulation,
               History& history, const Ranks& ranks);
 
   /// To be called when the run begins and at each sample.
   void afterSample();
-  /// Whether the clock says that one is due.
+  /// Whether a checkpoint is due by the clock.
   bool isTime() const;
   /// To be called after each step. \param byClock whether one is due by the clock, the same on all ranks
   /// Throws OutputError when a checkpoint can't be written.
   void afterStep(bool byClock);
-  /// To be called when the run has come to its end.
+  /// To be called at the end of the run.
   void atEnd();
 
   /// To be called when the run has gone back to the copy in memory. Throws OutputError when a checkpoint
   /// can't be written.
   void afterGoingBack();
 
-  /// Writes the state as it is, or, where it is not sound, the last one that was.
-  /// \return what to tell who is told that the run stopped; begins with "; ", or is empty
+  /// Writes the current state, or, if it is not sound, the last sound one.
+  /// \return text to append to the message that the run stopped; begins with "; ", or is empty
   std::string atStop();
-  /// Writes the last state that was sound. \return the same
+  /// Writes the last sound state. \return the same
   std::string atFailure();
 
   /// Checkpoints written, copies taken, and the seconds that both took.

@@ -1,5 +1,5 @@
 #pragma once
-/// What the part of a run before its checkpoint left.
+/// The output of a run before its checkpoint.
 
 #include "output/History.hpp"
 
@@ -9,24 +9,24 @@
 namespace Rhegma::program
 {
 
-/// Finds the history and the fields of a run next to its checkpoint, or in the folder in which it goes on.
+/// Finds the history and the fields of a run next to its checkpoint, or in the folder in which it continues.
 class EarlierPart
 {
 public:
   EarlierPart() = default; ///< a run from its start
 
-  /// Looks and changes nothing. Throws std::invalid_argument where a history is there that is not the one
-  /// that the checkpoint goes on from.
+  /// Changes nothing. Throws std::invalid_argument where a history exists that does not belong to the
+  /// checkpoint.
   EarlierPart(const std::string& checkpoint, const std::string& folder, const HistorySoFar& soFar);
 
   bool exists() const { return exists_; }
   const HistorySoFar& history() const { return soFar_; }
 
-  /// Brings history.csv and fields.h5 to the folder and removes all else that an older run left there. Throws
+  /// Copies history.csv and fields.h5 to the folder and removes other files of an older run there. Throws
   /// OutputError when they can't be written.
   void bring() const;
 
-  /// What a user should know, in sentences.
+  /// Warnings for the user.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
 private:

@@ -14,7 +14,7 @@ constexpr int exitStopped = 2;
 constexpr int exitDefect = 3;
 constexpr int exitReferenceMissed = 4;
 
-/// A command line that makes no sense; one sentence.
+/// An invalid command line.
 class UsageError : public std::runtime_error
 {
 public:
@@ -37,14 +37,14 @@ struct Options
   std::string scene;
   std::string output;  ///< folder; empty: next to the scene
   std::string section; ///< of --describe
-  std::string restart; ///< checkpoint to go on from; empty: the scene's start
+  std::string restart; ///< checkpoint to continue from; empty: start of the scene
   std::vector<std::string> overrides;
   bool quiet = false;
 };
 
 /// Reads the arguments after the program's name. Those that are Kokkos' own (--kokkos-...) are put aside,
 /// with
-/// --kokkos-num-threads in the spelling of the Kokkos at hand.
+/// --kokkos-num-threads in the spelling of the installed Kokkos.
 Options readOptions(const std::vector<std::string>& arguments, std::vector<std::string>& forKokkos);
 
 /// What --help prints.

@@ -18,7 +18,7 @@ namespace Rhegma::program
 namespace
 {
 
-/// Prepares the folder and opens the history in it; on all ranks but the first one that holds nothing.
+/// Prepares the folder and opens the history in it; on all other ranks an empty one.
 History beginHistory(const std::string& folder, const EarlierPart& earlier, const Ranks& ranks)
 {
   std::optional<History> history;
@@ -59,11 +59,11 @@ Production::Production(const Options& options, const Teuchos::ParameterList& sce
       progress_(options.quiet ? nullptr : &out, finalTime_, isatty(STDOUT_FILENO) != 0),
       checkpoints_(scene.sublist("Output"), folder_, simulation, history_, ranks),
       retries_(scene.sublist("Time").get<int>("Retries")),
-      goesOn_(earlier.exists()),
+      continued_(earlier.exists()),
       warnings_(earlier.warnings())
 {
   observe();
-  if (goesOn_)
+  if (continued_)
     takeUpFields();
 }
 
@@ -102,12 +102,12 @@ void Production::observe()
       [this](double time, long step)
       {
         progress_.step(time, step);
-        const bool byClock = stopIfAsked(time, step);
+        const bool byClock = stopIfRequested(time, step);
         checkpoints_.afterStep(byClock);
       });
 }
 
-std::string Production::toTheEnd()
+std::string Production::runToEnd()
 {
   std::string failure;
   try
@@ -128,7 +128,7 @@ std::string Production::toTheEnd()
   }
   catch (const RunError& error)
   {
-    failure = error.what() + (asked_ ? std::string() : retries_.inVain() + checkpoints_.atFailure());
+    failure = error.what() + (stopRequested_ ? std::string() : retries_.inVain() + checkpoints_.atFailure());
   }
   catch (const OutputError& error)
   {
@@ -156,7 +156,7 @@ std::string Production::toTheEnd()
 
 bool Production::retry(const RunError& failure)
 {
-  if (asked_ || !simulation_.holds() ||
+  if (stopRequested_ || !simulation_.holds() ||
       !retries_.mayHelp(failure.what(), simulation_.heldTime(), simulation_.time()))
     return false;
   const HistorySoFar soFar = readNotes(simulation_.goBack());
@@ -166,9 +166,9 @@ bool Production::retry(const RunError& failure)
                              history_.sync();
                              history_ = History(folder_ + "/history.csv", soFar);
                            });
-  retries_.goesOnWith(simulation_.stepFraction());
+  retries_.setStepFraction(simulation_.stepFraction());
   checkpoints_.afterGoingBack();
-  goesOn_ = true;
+  continued_ = true;
   takeUpFields();
   warnings_.push_back(retries_.asText());
   return true;
@@ -188,8 +188,9 @@ void Production::advanceFromFieldToField()
       output.isParameter("Field Interval") ? output.get<double>("Field Interval") : finalTime_;
   if (fields && output.isParameter("Field Interval") && simulation_.time() == 0.0)
     simulation_.writeFields(folder_);
-  // A run that goes on may have stopped between a step and its fields; what is there is not written again.
-  bool pending = goesOn_;
+  // A run that continues may have stopped between a step and its fields; existing fields are not written
+  // again.
+  bool pending = continued_;
   long k = std::max(1L, static_cast<long>(simulation_.time() / interval) - 1);
   while (static_cast<double>(k) * interval < simulation_.time())
     ++k;
@@ -205,16 +206,16 @@ void Production::advanceFromFieldToField()
   }
   catch (const RunError&)
   {
-    // Who stops a run wants to see how far it came; what an unstable step left is no result.
-    if (fields && asked_)
+    // A stopped run writes its last fields; an unstable step leaves no valid result.
+    if (fields && stopRequested_)
       simulation_.writeFields(folder_);
     throw;
   }
 }
 
-bool Production::stopIfAsked(double time, long step)
+bool Production::stopIfRequested(double time, long step)
 {
-  // One look for all; the first letter tells them apart.
+  // One reduction for all reasons; the first letter distinguishes them.
   const std::string signal = signal_.name();
   const std::string why = ranks_.firstText(!unwritten_.empty()                           ? "W" + unwritten_
                                            : !signal.empty()                             ? "S" + signal
@@ -222,8 +223,8 @@ bool Production::stopIfAsked(double time, long step)
                                                                                          : "");
   if (!why.empty() && why[0] == 'W')
     throw OutputError(why.substr(1));
-  asked_ = !why.empty() && why[0] == 'S';
-  if (asked_)
+  stopRequested_ = !why.empty() && why[0] == 'S';
+  if (stopRequested_)
     throw RunError("the run was stopped by " + why.substr(1) + " at t = " + readableTime(time) + ", step " +
                    std::to_string(step) + checkpoints_.atStop());
   return !why.empty();

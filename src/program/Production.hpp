@@ -20,40 +20,40 @@ namespace Rhegma::program
 class Production
 {
 public:
-  /// Makes the output folder and removes what an older run left there; of a run that goes on, what it did
+  /// Makes the output folder and removes the files of an older run there; if the run continues, the output
   /// after the checkpoint. Throws std::invalid_argument when the folder can't be used.
   /// \param scene   validated; must outlive this
-  /// \param earlier what the run left before its checkpoint
+  /// \param earlier output of the run before its checkpoint
   /// \param out     for the progress line
-  /// \param ranks   that share the run; the first of them writes the files
+  /// \param ranks   of the run; the first of them writes the files
   Production(const Options& options, const Teuchos::ParameterList& scene, Simulation& simulation,
              const EarlierPart& earlier, std::ostream& out, const Ranks& ranks);
 
   /// The output folder.
   const std::string& folder() const { return folder_; }
 
-  /// Steps to the final time, to where the run has settled or to Time > Maximum Steps. The files then hold
-  /// all rows and fields up to the last step, however the run ended.
-  /// \return why the run could not go on, in one sentence; empty if it could
-  std::string toTheEnd();
+  /// Steps to the final time, to where the run has settled or to Time > Maximum Steps. The files then contain
+  /// all rows and fields up to the last step, also after a failure.
+  /// \return why the run failed; empty if it did not
+  std::string runToEnd();
 
   const Checkpoints::Cost& costOfCheckpoints() const { return checkpoints_.cost(); }
 
-  /// What the user should know of the beginning, in sentences.
+  /// Warnings on the start of the run.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
-  /// Whether the run ended because it had taken Time > Maximum Steps.
+  /// Whether the run ended because of Time > Maximum Steps.
   bool outOfSteps() const;
 
 private:
   void observe();
   void takeUpFields();
   void advanceFromFieldToField();
-  /// Goes on after failure with shorter steps. \return whether that may help
+  /// Continues after a failure with shorter steps. \return whether that may help
   bool retry(const RunError& failure);
   /// Throws where a signal or a file that can't be written, on any rank, ends the run.
   /// \return whether a checkpoint is due by the clock
-  bool stopIfAsked(double time, long step);
+  bool stopIfRequested(double time, long step);
   std::string stoppedBy(const std::string& reason) const;
 
   Ranks ranks_;
@@ -64,11 +64,11 @@ private:
   History history_;
   Progress progress_;
   StopSignal signal_;
-  std::string unwritten_; ///< why the history could not be written
-  bool asked_ = false;    ///< a signal, to some rank, has ended the run
+  std::string unwritten_;      ///< why the history could not be written
+  bool stopRequested_ = false; ///< a signal to some rank has ended the run
   Checkpoints checkpoints_;
   Retries retries_;
-  bool goesOn_;
+  bool continued_;
   std::vector<std::string> warnings_;
 };
 

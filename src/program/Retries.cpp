@@ -10,7 +10,8 @@ namespace Rhegma::program
 namespace
 {
 
-/// Fraction of the way from the state in memory to the failure within which failure is at the same time.
+/// Fraction of the time from the state in memory to the failure; failures closer than this are at the same
+/// time.
 constexpr double sameTime = 0.01;
 
 } // namespace

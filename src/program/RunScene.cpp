@@ -32,10 +32,10 @@ Teuchos::RCP<const Teuchos::Comm<int>> world()
   return Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD));
 }
 
-/// One mistake a line, each said by the program.
-void printSentences(const std::string& sentences, std::ostream& err)
+/// Prints one error per line, with the name of the program.
+void printErrors(const std::string& messages, std::ostream& err)
 {
-  std::istringstream lines(sentences);
+  std::istringstream lines(messages);
   for (std::string line; std::getline(lines, line);)
     err << "rhegma: " << line << "\n";
 }
@@ -50,7 +50,7 @@ void printErrors(const std::vector<SceneError>& errors, std::ostream& err)
 Teuchos::RCP<Teuchos::ParameterList> validScene(const Options& options, std::ostream& err)
 {
   const SceneResult result = readScene(options.scene, options.overrides, effectSchema());
-  // A file may be there for some ranks only.
+  // A file may be visible to some ranks only.
   std::ostringstream own;
   printErrors(result.errors, own);
   const std::string errors = Ranks(world()).firstText(own.str());
@@ -99,8 +99,8 @@ Teuchos::ParameterList references(const Teuchos::ParameterList& scene)
   return scene.isSublist("Reference") ? scene.sublist("Reference") : Teuchos::ParameterList();
 }
 
-/// Makes the bodies and all else, and finds the mistakes that only they can show.
-/// \return what the run left before its checkpoint, if it goes on from one
+/// Initialises the simulation and reports errors that depend on the bodies.
+/// \return output of the run before its checkpoint, if it continues from one
 EarlierPart initialize(Simulation& simulation, const Teuchos::ParameterList& scene, const Options& options)
 {
   EarlierPart earlier;
@@ -126,7 +126,7 @@ void printWarnings(const nlohmann::json& summary, std::ostream& err)
     err << "rhegma: warning: " << warning.get<std::string>() << "\n";
 }
 
-/// What a scene runs on, which it may have left to Domain > Accuracy.
+/// Size of cells and number of particles, which Domain > Accuracy may have chosen.
 std::string cellsAsText(const nlohmann::json& summary, long particles)
 {
   const double largest = summary["cells"]["largest"], smallest = summary["cells"]["smallest"];
@@ -134,7 +134,7 @@ std::string cellsAsText(const nlohmann::json& summary, long particles)
          (smallest < largest ? ", the finest of " + readableLength(smallest) : "");
 }
 
-/// How far away the end is, by the step that bodies and cells allow now: what a run will cost.
+/// Estimated number of steps, by the stable step of the initial state.
 std::string stepsAsText(const Simulation& simulation, const Teuchos::ParameterList& scene)
 {
   const Teuchos::ParameterList& time = scene.sublist("Time");
@@ -164,7 +164,7 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
   }
   const Ranks ranks(world());
   Production production(options, *scene, simulation, earlier, out, ranks);
-  std::string failure = production.toTheEnd();
+  std::string failure = production.runToEnd();
   const std::string status = !failure.empty()          ? failure
                              : production.outOfSteps() ? "finished at Time > Maximum Steps"
                                                        : "finished";
@@ -239,7 +239,7 @@ int run(const Options& options, std::ostream& out, std::ostream& err)
     }
     catch (const std::invalid_argument& error)
     {
-      printSentences(error.what(), err);
+      printErrors(error.what(), err);
       return exitWrongScene;
     }
     catch (const OutputError& error)

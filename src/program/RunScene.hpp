@@ -1,5 +1,5 @@
 #pragma once
-/// What the program does with a scene.
+/// Runs, checks or describes a scene.
 
 #include "program/Options.hpp"
 
@@ -8,7 +8,7 @@
 namespace Rhegma::program
 {
 
-/// Does what the options ask. \return the program's exit code
+/// Executes the options. \return the program's exit code
 int run(const Options& options, std::ostream& out, std::ostream& err);
 
 } // namespace Rhegma::program

@@ -1,5 +1,5 @@
 #pragma once
-/// What must be settled before Kokkos starts.
+/// Settings that must be made before Kokkos starts.
 
 #include <string>
 #include <vector>
@@ -7,16 +7,16 @@
 namespace Rhegma::program
 {
 
-/// Binds OpenMP threads to cores unless the user said how. The OpenMP library reads its environment when the
-/// program is loaded, so the program starts itself once more with the setting in place; under mpirun, which
-/// binds ranks itself, threads are left alone.
+/// Binds OpenMP threads to cores unless the user has set it. The OpenMP library reads its environment when
+/// the program is loaded, so the program restarts itself with the setting; under mpirun, which binds ranks
+/// itself, nothing is changed.
 void bindThreads(char** argv);
 
 /// Lets a program that was not started by mpirun do without the helper process that Open MPI would start for
 /// it, which takes longer than to read a scene. Without effect on other kinds of MPI. Call before MPI_Init.
 void startWithoutHelper();
 
-/// A message up to its first line's end.
+/// The first line of a message.
 std::string firstLine(const std::string& message);
 
 /// Arguments in the form that Kokkos::initialize takes.

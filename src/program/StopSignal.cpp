@@ -12,7 +12,7 @@ constexpr int watched[] = {SIGINT, SIGTERM, SIGHUP};
 
 volatile std::sig_atomic_t received = 0;
 
-// The C library calls this in the middle of anything, so it may do no more.
+// A signal handler: it may do no more than this.
 extern "C" void note(int signal) { received = signal; }
 
 void install(void (*handler)(int))

@@ -1,13 +1,13 @@
 #pragma once
-/// Signals that ask a run to stop.
+/// Signals that stop a run.
 
 #include <string>
 
 namespace Rhegma::program
 {
 
-/// While it lives, the first SIGINT, SIGTERM or SIGHUP is only noted, so that the run can end after its step
-/// with its files whole; a second one ends the program as ever.
+/// During its lifetime, the first SIGINT, SIGTERM or SIGHUP is only recorded, so that the run can end after
+/// its step with complete files; a second one ends the program.
 class StopSignal
 {
 public:
@@ -16,7 +16,7 @@ public:
   StopSignal(const StopSignal&) = delete;
   StopSignal& operator=(const StopSignal&) = delete;
 
-  /// Name of the signal that came, such as "SIGTERM"; empty while none has.
+  /// Name of the received signal, such as "SIGTERM"; empty if none.
   std::string name() const;
 };
 

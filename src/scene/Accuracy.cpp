@@ -28,8 +28,8 @@ CellNeeds needsOf(const ParameterList& scene, const SceneSchema& schema, std::ve
 {
   CellNeeds needs;
   for (const auto& [section, effect] : schema.effects())
-    if (effect.cells.tell && scene.isSublist(section))
-      effect.cells.tell(schema.partFor(section, scene), needs, errors);
+    if (effect.cells.addNeeds && scene.isSublist(section))
+      effect.cells.addNeeds(schema.partFor(section, scene), needs, errors);
   const ParameterList& time = scene.sublist("Time");
   if (time.isType<std::string>("Update Scheme") && time.get<std::string>("Update Scheme") != "MUSL")
     needs.equal = true; // substeps are those of MUSL
@@ -42,8 +42,8 @@ std::string nothingMessage(const SceneSchema& schema)
   std::string known;
   int count = 0;
   for (const auto& entry : schema.effects())
-    if (!entry.second.cells.knows.empty())
-      known += (count++ > 0 ? " and for " : "") + entry.second.cells.knows;
+    if (!entry.second.cells.subject.empty())
+      known += (count++ > 0 ? " and for " : "") + entry.second.cells.subject;
   if (count == 0)
     return "is supported by none of the effects in this program; write Domain > Cell Size";
   return "is supported for " + known + ", but the scene has " + (count > 1 ? "neither" : "none") +
@@ -102,8 +102,8 @@ void choose(ParameterList& scene, const ParameterList& read, const SceneSchema& 
     cell = std::min(cell, needs.across / (needs.running ? 16.0 : rule.perLigament));
   if (!std::isfinite(cell))
     throw std::invalid_argument(nothingMessage(schema));
-  // Four fifths of the error are for the place of the front.
-  const double atFront = 1.6 * rule.share * needs.atFronts;
+  // Four fifths of the error are for the position of the front.
+  const double atFront = 1.6 * rule.error * needs.atFronts;
   const bool mayRefine =
       needs.fronts() && !needs.running && !needs.equal &&
       std::any_of(schema.effects().begin(), schema.effects().end(),

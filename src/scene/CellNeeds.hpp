@@ -1,5 +1,5 @@
 #pragma once
-/// What effects ask of the cells that Domain > Accuracy chooses (scene/Accuracy.hpp).
+/// Needs of effects for the cells that Domain > Accuracy chooses (scene/Accuracy.hpp).
 
 #include "scene/SceneError.hpp"
 
@@ -13,7 +13,7 @@
 namespace Rhegma
 {
 
-/// What a scene asks of its cells. Lengths are infinite where nothing has one.
+/// Needs of a scene for its cells. Lengths are infinite where nothing requires one.
 struct CellNeeds
 {
   static constexpr double none = std::numeric_limits<double>::infinity();
@@ -23,21 +23,21 @@ struct CellNeeds
   double source = none;   ///< radius of the smallest round source of heat that moves [m]
   double atRest = none;   ///< radius of the smallest one at rest [m]
   bool running = false;   ///< whether fronts run
-  bool equal = false;     ///< whether what the scene has does without smaller cells at fronts
-  std::string shortestAcross, smallestSource; ///< which sections the lengths are from
+  bool equal = false;     ///< whether all effects of the scene need cells of equal size
+  std::string shortestAcross, smallestSource; ///< sections that give these lengths
 
   bool fronts() const { return across < none; }
 };
 
-/// How an effect takes part. All may be empty.
+/// Functions of an effect. All may be empty.
 struct CellHook
 {
-  /// For what of the effect cells can be chosen, in words.
-  std::string knows{};
-  /// Adds what the effect's section asks for to the needs; where it is wrong itself, an error. The scene is
-  /// valid but for cross checks, and has the section.
-  std::function<void(const Teuchos::ParameterList& scene, CellNeeds&, std::vector<SceneError>&)> tell{};
-  /// Gives a scene smaller cells at fronts, by so many levels. It has no section of the effect yet.
+  /// What cells can be chosen for, as text for messages.
+  std::string subject{};
+  /// Adds the needs of the effect's section, or an error where the section is wrong. The scene is valid
+  /// except for cross checks, and has the section.
+  std::function<void(const Teuchos::ParameterList& scene, CellNeeds&, std::vector<SceneError>&)> addNeeds{};
+  /// Adds smaller cells at fronts, by a number of levels, to a scene that has no section of the effect.
   std::function<void(Teuchos::ParameterList& scene, int levels)> refine{};
 };
 

@@ -34,10 +34,10 @@ bool contains(const std::vector<std::string>& values, const std::optional<std::s
 namespace when
 {
 
-Condition satisfies(const std::string& section, const std::string& words,
+Condition satisfies(const std::string& section, const std::string& text,
                     std::function<bool(const ParameterList&)> holds)
 {
-  return {section, "", " " + words, false, std::move(holds)};
+  return {section, "", " " + text, false, std::move(holds)};
 }
 
 Condition present(const std::string& section)
@@ -67,14 +67,14 @@ Condition isNot(const std::string& section, const std::string& parameter, std::v
 
 Condition above(const std::string& section, const std::string& parameter, double bound)
 {
-  return {section, parameter, " above " + shortly(bound), false, [=](const ParameterList& s) {
+  return {section, parameter, " above " + formatShort(bound), false, [=](const ParameterList& s) {
             return s.isType<double>(parameter) && s.get<double>(parameter) > bound;
           }};
 }
 
 Condition below(const std::string& section, const std::string& parameter, double bound)
 {
-  return {section, parameter, " below " + shortly(bound), false, [=](const ParameterList& s) {
+  return {section, parameter, " below " + formatShort(bound), false, [=](const ParameterList& s) {
             return s.isType<double>(parameter) && s.get<double>(parameter) < bound;
           }};
 }
@@ -91,7 +91,7 @@ std::string Rule::asText() const
     const std::string path = c.parameter.empty() ? c.section : scenePath(c.section, c.parameter);
     text +=
         (text.empty() ? "" : ", ") +
-        (!c.capability.empty() ? "without " + c.capability : (c.absent ? "without " : "") + path + c.words);
+        (!c.capability.empty() ? "without " + c.capability : (c.absent ? "without " : "") + path + c.text);
   }
   return text + (onlyDimension > 0 ? " (" + std::to_string(onlyDimension) + "D)" : "");
 }
@@ -99,15 +99,15 @@ std::string Rule::asText() const
 namespace
 {
 
-/// Where a condition holds, with the name that "*" stands for there.
-struct Place
+/// A list for which a condition holds, with the name that "*" stands for there.
+struct Match
 {
   std::string path, name;
 };
 
 /// The lists of a path of names, those before `at` aside. \param name that "*" stands for; empty: any
-void findLists(const ParameterList& list, const std::string& rest, const Place& here,
-               const std::function<void(const ParameterList&, const Place&)>& found)
+void findLists(const ParameterList& list, const std::string& rest, const Match& here,
+               const std::function<void(const ParameterList&, const Match&)>& found)
 {
   if (rest.empty())
     return found(list, here);
@@ -139,10 +139,10 @@ struct RuleCheck
   const SceneSchema& schema;
   std::vector<SceneError>& errors;
 
-  /// The positions where a condition holds. \param name that "*" stands for; empty: any
-  std::vector<Place> positions(const Condition& condition, const std::string& name) const
+  /// The lists for which a condition holds. \param name that "*" stands for; empty: any
+  std::vector<Match> matches(const Condition& condition, const std::string& name) const
   {
-    std::vector<Place> all;
+    std::vector<Match> all;
     if (!condition.capability.empty())
     {
       if (!provided(scene, schema, condition.capability))
@@ -151,13 +151,13 @@ struct RuleCheck
     }
     bool any = false;
     findLists(scene, condition.section, {"", name},
-              [&](const ParameterList& list, const Place& position)
+              [&](const ParameterList& list, const Match& match)
               {
                 any = true;
                 if (!condition.absent && condition.holds(list))
-                  all.push_back({condition.parameter.empty() ? position.path
-                                                             : scenePath(position.path, condition.parameter),
-                                 position.name});
+                  all.push_back(
+                      {condition.parameter.empty() ? match.path : scenePath(match.path, condition.parameter),
+                       match.name});
               });
     if (condition.absent && !any)
       all.push_back({condition.section, name});
@@ -168,10 +168,10 @@ struct RuleCheck
   {
     if (rule.onlyDimension != 0 && rule.onlyDimension != dimensionOf(scene))
       return;
-    for (const Place& position : positions(rule.conditions[rule.at], ""))
+    for (const Match& match : matches(rule.conditions[rule.at], ""))
       if (std::all_of(rule.conditions.begin(), rule.conditions.end(),
-                      [&](const Condition& c) { return !positions(c, position.name).empty(); }))
-        errors.push_back({position.path, rule.reason});
+                      [&](const Condition& c) { return !matches(c, match.name).empty(); }))
+        errors.push_back({match.path, rule.reason});
   }
 
   /// Lists that are named after those of another section.

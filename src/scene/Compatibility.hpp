@@ -1,6 +1,6 @@
 #pragma once
-/// What does not go together in a scene, as data: rules stand in the sections that they are about
-/// (`Section::refuse`), are checked in one position, and are printed in the reference.
+/// Combinations that a scene must not have, as data: rules belong to the sections that they concern
+/// (`Section::refuse`), are checked in one function, and are printed in the reference.
 
 #include "scene/SceneError.hpp"
 
@@ -15,20 +15,20 @@ namespace Rhegma
 
 class SceneSchema;
 
-/// Something that a scene may have. A section is a path of names with " > " between; "*" in it stands for
-/// every list that the user names, and for the same name in all conditions of a rule.
+/// A condition on a scene. A section is a path of names with " > " between; "*" in it stands for every list
+/// that the user names, and for the same name in all conditions of a rule.
 struct Condition
 {
   std::string section;
   std::string parameter; ///< of it; empty: the condition is about the section
-  std::string words;     ///< as in the reference, after the path
-  bool absent = false;   ///< whether it holds where there is no such section
-  /// Whether it holds for a section that is there.
+  std::string text;      ///< as in the reference, after the path
+  bool absent = false;   ///< whether it holds if the section is absent
+  /// Whether it holds for an existing section.
   std::function<bool(const Teuchos::ParameterList& section)> holds;
-  std::string capability{}; ///< given: it holds where no section of the scene provides this instead
+  std::string capability{}; ///< if given: it holds where no section of the scene provides this capability
 };
 
-/// What sections may provide (`Section::provides`), so that others need not know which one does.
+/// Capabilities of sections (`Section::provides`): rules need not know which section provides one.
 namespace capability
 {
 constexpr const char* heat = "heat"; ///< temperatures of particles
@@ -40,13 +40,14 @@ namespace when
 Condition present(const std::string& section);
 Condition absent(const std::string& section);
 Condition given(const std::string& section, const std::string& parameter);
-/// The parameter, a text or true or false, has one of the values, or, if it is given, another than these.
+/// is: the parameter, a text or true or false, has one of the values. isNot: it is given and has none of
+/// them.
 Condition is(const std::string& section, const std::string& parameter, std::vector<std::string> values);
 Condition isNot(const std::string& section, const std::string& parameter, std::vector<std::string> values);
 Condition above(const std::string& section, const std::string& parameter, double bound);
 Condition below(const std::string& section, const std::string& parameter, double bound);
-/// The section is as the words say.
-Condition satisfies(const std::string& section, const std::string& words,
+/// The section fulfils `holds`, described by `text`.
+Condition satisfies(const std::string& section, const std::string& text,
                     std::function<bool(const Teuchos::ParameterList&)> holds);
 /// No section of the scene provides it.
 Condition unprovided(const std::string& capability);
@@ -64,8 +65,8 @@ struct Rule
   std::string asText() const;
 };
 
-/// Adds an error for every rule of the schema that a scene breaks, and for lists that should have names of
-/// another section's. The scene is valid but for such checks.
+/// Adds an error for every rule of the schema that a scene breaks, and for lists whose names must be those of
+/// another section's lists. The scene is valid except for such checks.
 void checkRules(const Teuchos::ParameterList& scene, const SceneSchema& schema,
                 std::vector<SceneError>& errors);
 

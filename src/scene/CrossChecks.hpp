@@ -1,5 +1,5 @@
 #pragma once
-/// What no single parameter of the core's sections can show wrong.
+/// Checks of several parameters of the core's sections together.
 
 #include "scene/SceneError.hpp"
 

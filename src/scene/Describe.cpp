@@ -133,7 +133,7 @@ public:
 protected:
   virtual void heading(const std::string& path, const std::string& note, const std::string& meaning) = 0;
   virtual void table(const std::vector<Parameter>& parameters) = 0;
-  virtual void sentence(const std::string& text) = 0;
+  virtual void paragraph(const std::string& text) = 0;
   virtual void rules(const std::vector<Rule>& rules) = 0;
 
   std::ostringstream out;
@@ -144,11 +144,11 @@ private:
     if (!section.parameters.empty())
       table(section.parameters);
     for (const auto& rule : section.together)
-      sentence(ruleAsText(rule));
+      paragraph(ruleAsText(rule));
     if (!section.rules.empty())
       rules(section.rules);
     if (section.changeable)
-      sentence("All parameters of this section may change on restart.");
+      paragraph("All parameters of this section may change on restart.");
     for (const auto& variant : section.variants)
     {
       const std::string dimension =
@@ -185,7 +185,7 @@ protected:
     }
     out << "\n";
   }
-  void sentence(const std::string& text) override { out << "  " << text << "\n\n"; }
+  void paragraph(const std::string& text) override { out << "  " << text << "\n\n"; }
   void rules(const std::vector<Rule>& rules) override
   {
     out << "  Refused together:\n";
@@ -321,7 +321,7 @@ protected:
           << cell(defaultAsText(p)) << " | " << cell(allowedAsText(p)) << " | " << cell(p.meaning) << " |\n";
     out << "\n";
   }
-  void sentence(const std::string& text) override { out << text << "\n\n"; }
+  void paragraph(const std::string& text) override { out << text << "\n\n"; }
   void rules(const std::vector<Rule>& rules) override
   {
     out << "| Refused together | Why |\n|:--|:--|\n";

@@ -1,5 +1,5 @@
 #pragma once
-/// What a scene says of heat outside of the section that provides it.
+/// Thermal parameters outside of the section Thermal.
 
 #include "scene/Schema.hpp"
 
@@ -8,7 +8,7 @@
 namespace Rhegma
 {
 
-/// Adds rules to the sections of the core for what has no effect in a scene without heat.
+/// Adds rules to the core sections that refuse thermal parameters in a scene without heat.
 void addHeatRules(std::vector<Section>& core);
 
 } // namespace Rhegma

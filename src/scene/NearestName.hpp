@@ -11,13 +11,13 @@ namespace Rhegma
 /// of neighbours at most once).
 int editDistance(const std::string& a, const std::string& b);
 
-/// The nearest of the names, or an empty text if none is near enough to be a slip of the same word.
+/// The nearest of the names, or an empty text if none is near enough to be a misspelling.
 std::string nearestName(const std::string& given, const std::vector<std::string>& names);
 
 /// `did you mean "Young Modulus"?`, or all of the names if none is near.
 std::string suggestion(const std::string& given, const std::vector<std::string>& names);
 
-/// The message for a parameter that an earlier version called otherwise.
+/// The message for a parameter that had another name in an earlier version.
 std::string renamedTo(const std::string& newName);
 
 /// "A", "A or B", "A, B or C".

@@ -117,11 +117,11 @@ std::optional<ParameterValue> convert(const ParameterEntry& entry, ParameterType
   return {};
 }
 
-/// What an entry holds, for a sentence.
+/// What an entry holds, for a message.
 std::string found(const ParameterEntry& entry)
 {
-  if (const auto word = text(entry))
-    return "the text \"" + *word + "\"";
+  if (const auto value = text(entry))
+    return "the text \"" + *value + "\"";
   if (entry.isType<bool>())
     return Teuchos::getValue<bool>(entry) ? "the truth value true" : "the truth value false";
   if (const auto value = number(entry))
@@ -299,7 +299,7 @@ std::optional<ParameterValue> valueFromText(const Parameter& parameter, const st
 {
   const auto pack = [](const auto& value)
   { return value ? std::optional<ParameterValue>(*value) : std::nullopt; };
-  const std::string word = trimmed(given);
+  const std::string value = trimmed(given);
   switch (parameter.type)
   {
   case ParameterType::Real:
@@ -309,8 +309,8 @@ std::optional<ParameterValue> valueFromText(const Parameter& parameter, const st
   case ParameterType::Integer:
     return pack(parseInteger(given));
   case ParameterType::Boolean:
-    if (word == "true" || word == "false")
-      return ParameterValue(word == "true");
+    if (value == "true" || value == "false")
+      return ParameterValue(value == "true");
     return {};
   case ParameterType::RealArray:
     return pack(parseReals(given));

@@ -1,5 +1,5 @@
 #pragma once
-/// One entry of a scene against the parameter that describes it.
+/// Checks one entry of a scene against its parameter.
 
 #include "scene/Schema.hpp"
 
@@ -11,12 +11,12 @@
 namespace Rhegma
 {
 
-/// Brings the entry to the parameter's own type where nothing is lost: a whole number to a real one, 3.0 to
-/// an integer, numbers to an array of one, a number to a constant function of time. Checks range, choice,
+/// Converts the entry to the type of the parameter without loss: a whole number to a real one, 3.0 to an
+/// integer, numbers to an array of one, a number to a constant function of time. Checks range, choice,
 /// finiteness and length with the parameter's Teuchos validator.
 ///
-/// \param dimension  2, 3, or 0 where the scene does not say
-/// \return the sentence on what is wrong, or none
+/// \param dimension  2, 3, or 0 where the scene does not give it
+/// \return the error message, or none
 std::optional<std::string> normaliseValue(Teuchos::ParameterList& list, const Parameter& parameter,
                                           int dimension);
 

@@ -11,8 +11,8 @@
 namespace Rhegma
 {
 
-/// Applies "Section:Sub:Parameter=value". A fixed section that the scene leaves out is made; a sublist that
-/// the user names must be there. Arrays are written as "{1, 2}", "1, 2" or "1 2".
+/// Applies "Section:Sub:Parameter=value". A fixed section that the scene lacks is added; a user-named sublist
+/// must exist. Arrays are written as "{1, 2}", "1, 2" or "1 2".
 void applyOverride(Teuchos::ParameterList& scene, const std::string& text, const SceneSchema& schema,
                    std::vector<SceneError>& errors);
 

@@ -27,7 +27,7 @@ struct PositionFunction::Form
     mu::Parser parser;
     mutable double value = 0.0;
   };
-  mutable double place[3] = {0.0, 0.0, 0.0};
+  mutable double x[3] = {0.0, 0.0, 0.0};
   std::deque<Piece> pieces;
 
   bool knows(const std::string& name) const
@@ -60,7 +60,7 @@ struct PositionFunction::Form
       parser.DefineConst("pi", 3.14159265358979323846);
       const char* const axes[3] = {"x", "y", "z"};
       for (int d = 0; d < 3; ++d)
-        parser.DefineVar(axes[d], &place[d]);
+        parser.DefineVar(axes[d], &x[d]);
       for (std::size_t i = 0; i + 1 < pieces.size(); ++i)
         parser.DefineVar(pieces[i].name, &pieces[i].value);
       parser.SetExpr(text);
@@ -101,10 +101,10 @@ PositionFunction PositionFunction::parse(const std::string& text, int axes)
   return PositionFunction(form);
 }
 
-void PositionFunction::evaluate(const double* place, int dimension, int axes, double* value) const
+void PositionFunction::evaluate(const double* x, int dimension, int axes, double* value) const
 {
   for (int d = 0; d < dimension; ++d)
-    m_form->place[d] = place[d];
+    m_form->x[d] = x[d];
   for (std::size_t i = 0; i + 1 < m_form->pieces.size(); ++i)
     m_form->pieces[i].value = m_form->pieces[i].parser.Eval();
   int results = 0;

@@ -1,5 +1,5 @@
 #pragma once
-/// From XML text to a parameter list, with every mistake of the text named.
+/// From XML text to a parameter list; reports every error in the text.
 
 #include "scene/SceneError.hpp"
 
@@ -15,9 +15,9 @@ namespace Rhegma
 /// The text of a file; adds an error, and returns nothing, if there is no readable text.
 std::string readText(const std::string& file, std::vector<SceneError>& errors);
 
-/// The list that the XML describes, without the entries that are wrong: duplicate names, missing attributes,
-/// unknown types, values that are not of their type. Teuchos itself would merge duplicates and read "1.5Pa"
-/// as 1.5 and "abc" as 0. Null if the text is no XML or no scene.
+/// The list that the XML describes, without invalid entries: duplicate names, missing attributes, unknown
+/// types, values that are not of their type. Teuchos itself would merge duplicates and read "1.5Pa" as 1.5
+/// and "abc" as 0. Null if the text is no XML or no scene.
 Teuchos::RCP<Teuchos::ParameterList> parseXml(const std::string& xml, const std::string& topName,
                                               std::vector<SceneError>& errors);
 

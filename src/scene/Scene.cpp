@@ -45,14 +45,14 @@ void validateInPlace(Teuchos::ParameterList& list, const SceneSchema& schema, st
 }
 
 /// A text whose name ends in File is a path relative to the folder of the scene.
-void placeFiles(Teuchos::ParameterList& list, const std::filesystem::path& folder)
+void resolveFiles(Teuchos::ParameterList& list, const std::filesystem::path& folder)
 {
   const std::string mark = " File";
   for (auto entry = list.begin(); entry != list.end(); ++entry)
   {
     const std::string name = list.name(entry);
     if (list.isSublist(name))
-      placeFiles(list.sublist(name), folder);
+      resolveFiles(list.sublist(name), folder);
     else if (list.isType<std::string>(name) && name.size() > mark.size() &&
              name.compare(name.size() - mark.size(), mark.size(), mark) == 0)
       list.set(name, (folder / list.get<std::string>(name)).string());
@@ -63,11 +63,11 @@ void placeFiles(Teuchos::ParameterList& list, const std::filesystem::path& folde
 
 void validateList(Teuchos::ParameterList& list, const SceneSchema& schema, std::vector<SceneError>& errors)
 {
-  Teuchos::ParameterList work(list);
+  Teuchos::ParameterList copy(list);
   const std::size_t before = errors.size();
-  validateInPlace(work, schema, errors);
+  validateInPlace(copy, schema, errors);
   if (errors.size() == before)
-    list = work;
+    list = copy;
 }
 
 SceneResult readSceneText(const std::string& xml, const std::vector<std::string>& overrides,
@@ -92,7 +92,7 @@ SceneResult readScene(const std::string& file, const std::vector<std::string>& o
     return result;
   result = readSceneText(xml, overrides, schema);
   if (!result.list.is_null())
-    placeFiles(*result.list, std::filesystem::path(file).parent_path());
+    resolveFiles(*result.list, std::filesystem::path(file).parent_path());
   return result;
 }
 

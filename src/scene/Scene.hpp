@@ -21,9 +21,9 @@ struct SceneResult
   std::vector<SceneError> errors;
 };
 
-/// Reads and validates a scene; collects every mistake instead of stopping at the first, and never throws for
-/// one. A text whose name ends in " File" is a path relative to the scene's folder, and is made one that
-/// holds where the program runs.
+/// Reads and validates a scene; collects all errors instead of stopping at the first, and never throws for
+/// one. A text whose name ends in " File" is a path relative to the scene's folder, and is resolved to one
+/// relative to the working directory.
 ///
 /// \param overrides  "Section:Sub:Parameter=value", applied in order before the scene is validated
 SceneResult readScene(const std::string& file, const std::vector<std::string>& overrides,
@@ -33,11 +33,10 @@ SceneResult readScene(const std::string& file, const std::vector<std::string>& o
 SceneResult readSceneText(const std::string& xml, const std::vector<std::string>& overrides,
                           const SceneSchema& schema);
 
-/// Validates a list that an application hands over, with the same result. A list with mistakes is left as it
-/// was.
+/// Validates a list of an application, with the same result. A list with errors is not changed.
 void validateList(Teuchos::ParameterList& list, const SceneSchema& schema, std::vector<SceneError>& errors);
 
-/// The reference of a part of a scene, for a terminal. \param path a section, or what is in it, such as
+/// The reference of a part of a scene, for a terminal. \param path a section, or a part of it, such as
 /// "Thermal > Sources" or "Domain:Cell Size"; empty: all
 /// \throws std::invalid_argument if there is no such part; it names the nearest
 std::string describe(const SceneSchema& schema, const std::string& path);

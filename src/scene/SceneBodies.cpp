@@ -56,26 +56,26 @@ double SceneBodies<D>::nearest(const Vector<D>& x, double span) const
     count *= 3;
   for (int k = 0; k < count; ++k)
   {
-    Vector<D> way{};
+    Vector<D> direction{};
     double square = 0.0;
     for (int d = 0, rest = k; d < D; ++d, rest /= 3)
     {
-      way[d] = rest % 3 - 1;
-      square += way[d] * way[d];
+      direction[d] = rest % 3 - 1;
+      square += direction[d] * direction[d];
     }
     if (square > 0.0)
-      least = std::min(least, reach(x, (1.0 / std::sqrt(square)) * way, std::min(least, span)));
+      least = std::min(least, reach(x, (1.0 / std::sqrt(square)) * direction, std::min(least, span)));
   }
   return least;
 }
 
-/// How far along a direction all positions are inside, looked for up to `most`.
+/// How far along a direction all positions are inside, searched up to `most`.
 template <int D>
-double SceneBodies<D>::reach(const Vector<D>& x, const Vector<D>& way, double most) const
+double SceneBodies<D>::reach(const Vector<D>& x, const Vector<D>& direction, double most) const
 {
-  constexpr int looks = 400;
-  for (int k = 1; k <= looks; ++k)
-    if (const double at = most * k / looks; !contain(x + at * way))
+  constexpr int samples = 400;
+  for (int k = 1; k <= samples; ++k)
+    if (const double at = most * k / samples; !contain(x + at * direction))
       return at;
   return infinity;
 }

@@ -21,18 +21,18 @@ public:
   /// Whether x lies in one of them.
   bool contain(const Vector<D>& x) const;
 
-  /// Distance to the nearest surface along the axes and the diagonals between them [m], to a hundredth; 0
-  /// outside, and below 1e-9 of the bodies' extent.
+  /// Distance to the nearest surface along the axes and the diagonals between them [m], to 1 %; 0 outside,
+  /// and where below 1e-9 of the bodies' extent.
   double depth(const Vector<D>& x) const;
 
-  /// The largest edge up to `most` of which a grid from `corner` has all faces of the bodies' bounds on its
-  /// lines, unless that would take cells smaller by more than a third: particles of cells that a face cuts
-  /// are not where those of whole cells are, and displacements given on it are off by up to half a cell.
+  /// The largest cell edge up to `most` for which all faces of the bodies' bounds lie on lines of a grid from
+  /// `corner`, unless that needs cells smaller by more than a third. In cells that a face cuts, particles are
+  /// shifted, and displacements prescribed on the face are off by up to half a cell.
   double fit(double most, const Teuchos::Array<double>& corner) const;
 
 private:
   double nearest(const Vector<D>& x, double span) const;
-  double reach(const Vector<D>& x, const Vector<D>& way, double most) const;
+  double reach(const Vector<D>& x, const Vector<D>& direction, double most) const;
 
   std::vector<Shape<D>> shapes_;
   double extent_ = 0.0; ///< the longest edge of their bounds

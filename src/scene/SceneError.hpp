@@ -1,5 +1,5 @@
 #pragma once
-/// A user's mistake in a scene.
+/// Errors in scenes.
 
 #include <string>
 #include <vector>
@@ -7,7 +7,7 @@
 namespace Rhegma
 {
 
-/// One mistake: where it is and one sentence that says what is wrong and what to write instead.
+/// An error in a scene: its path, and a message with what is wrong and what to write instead.
 struct SceneError
 {
   std::string
@@ -21,7 +21,7 @@ inline std::string scenePath(const std::string& parent, const std::string& name)
   return parent.empty() ? name : parent + " > " + name;
 }
 
-/// The mistake as a line for a person: where it is, a colon, the sentence.
+/// The error as one line: path, colon, message.
 inline std::string toString(const SceneError& error)
 {
   return error.where.empty() ? error.message : error.where + ": " + error.message;

@@ -1,5 +1,5 @@
 #pragma once
-/// What a scene may hold: sections and parameters with their types, units, ranges, defaults and meanings.
+/// Schema of scenes: sections and parameters with their types, units, ranges, defaults and meanings.
 ///
 /// The same description validates a scene, fills in its defaults and prints its reference, so that none of
 /// the three can differ from the others. A section is written as it would be read:
@@ -41,7 +41,7 @@ enum class ParameterType
 /// A default value. Text, Choice and TimeFunction are strings.
 using ParameterValue = std::variant<double, int, bool, std::string, std::vector<double>, std::vector<int>>;
 
-/// How many values an array holds; some lengths follow the scene's dimension D.
+/// Number of values of an array; some lengths follow the scene's dimension D.
 struct ArrayLength
 {
   enum class Rule
@@ -59,7 +59,7 @@ struct ArrayLength
 
   /// Whether an array of n values fits; an unknown dimension (0) fits every rule that needs it.
   bool holds(int n, int dimension) const;
-  /// The rule in words, such as "2 numbers"; in general terms with dimension 0.
+  /// The rule as text, such as "2 numbers"; in general terms with dimension 0.
   std::string asText(int dimension) const;
 };
 
@@ -75,7 +75,7 @@ struct Parameter
   bool required = true;
   std::optional<ParameterValue> byDefault;
   std::optional<ParameterValue> byDefaultIn3D; ///< where it differs from 2D
-  std::string derivedDefault;                  ///< in words, where the default follows from other parameters
+  std::string derivedDefault;                  ///< text, where the default follows from other parameters
 
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
@@ -86,7 +86,7 @@ struct Parameter
   bool mayBeEmpty = true; ///< Text
   ArrayLength length;
   int onlyDimension = 0;   ///< 2 or 3: only scenes of this dimension have it; 0: all
-  bool changeable = false; ///< a run that goes on from a checkpoint may have another value
+  bool changeable = false; ///< may change when a run continues from a checkpoint
   bool mayBeTable =
       false; ///< Real: a text may give it as a table of temperature (scene/TemperatureTable.hpp)
 
@@ -96,12 +96,11 @@ struct Parameter
   {
     return onlyDimension == 0 || dimension == 0 || onlyDimension == dimension;
   }
-  /// The allowed values in words, such as "above -1 and below 0.5"; empty if all are.
+  /// The allowed values as text, such as "above -1 and below 0.5"; empty if all are.
   std::string rangeAsText() const;
 };
 
-/// Writes one parameter, in the order in which a reader asks. Valid until the section gets its next
-/// parameter.
+/// Sets the attributes of one parameter. Valid until the section gets its next parameter.
 class ParameterBuilder
 {
 public:
@@ -112,11 +111,11 @@ public:
   /// The name that the parameter had in an earlier version.
   ParameterBuilder& formerly(const std::string& oldName);
 
-  /// Must be given; so is every parameter that says nothing else.
+  /// Must be given; this is the default.
   ParameterBuilder& required();
   /// Absent unless given.
   ParameterBuilder& optional();
-  /// Absent unless given; the default, said in words, follows from other parameters.
+  /// Absent unless given; the default, described by a text, follows from other parameters.
   ParameterBuilder& optional(const std::string& derivedDefault);
   ParameterBuilder& byDefault(double value); ///< also for integers
   ParameterBuilder& byDefault(int value);
@@ -142,9 +141,9 @@ public:
   ParameterBuilder& perPoint(int fewestPoints = 1); ///< points one after another, D values each
   ParameterBuilder& perRotationAxis();              ///< 1 value in 2D, 3 in 3D
   ParameterBuilder& onlyIn(int dimension);
-  /// A run that goes on from a checkpoint may have another value than the one that wrote it.
+  /// A run that continues from a checkpoint may have another value.
   ParameterBuilder& mayChange();
-  /// A table of temperature may stand in place of the number.
+  /// A table of temperature is accepted instead of the number.
   ParameterBuilder& orTable();
 
 private:
@@ -170,7 +169,7 @@ struct Section
   {
     Optional, ///< absent unless given
     Required,
-    Filled ///< made with its defaults where it is absent
+    Filled ///< added with its defaults where it is absent
   };
 
   std::string name;
@@ -179,7 +178,7 @@ struct Section
   std::vector<Section> sections; ///< subsections with fixed names
   Presence presence = Presence::Optional;
   int onlyDimension = 0;   ///< 2 or 3: only scenes of this dimension may have or choose it; 0: all
-  bool changeable = false; ///< all in it may be different when a run goes on from a checkpoint
+  bool changeable = false; ///< all its parameters may change when a run continues from a checkpoint
   std::vector<Together> together;
 
   /// The parameter that chooses one of `variants` by name; empty: there are none. The variant's parameters
@@ -187,17 +186,17 @@ struct Section
   std::string key;
   std::vector<Section> variants;
 
-  std::vector<Rule> rules;           ///< what it does not go with; only those of whole sections count
+  std::vector<Rule> rules; ///< combinations that are refused; only those of top-level sections are used
   std::vector<std::string> provides; ///< capabilities (scene/Compatibility.hpp)
-  std::string namesOf; ///< the section after whose lists those that the user names are named; empty: any name
-  /// Parameters of earlier versions, and where in the scene their like is now.
+  std::string namesOf; ///< section whose list names the user-named lists must have; empty: any name
+  /// Parameters of earlier versions, and where they are in the scene now.
   std::map<std::string, std::string> moved;
 
-  /// Names of subsections that are planned but not there.
+  /// Names of subsections that are planned.
   std::vector<std::string> toCome;
 
-  /// Zero or one: what every sublist holds that the user names, next to the fixed subsections. Its own name
-  /// says what such a sublist is, such as "body".
+  /// Zero or one: the content of every user-named sublist, in addition to the fixed subsections. Its name is
+  /// the kind of such a sublist, for example "body".
   std::vector<Section> entry;
   bool userNamed() const { return !entry.empty(); }
 
@@ -214,17 +213,17 @@ struct Section
 
   /// Adds a subsection with a fixed name.
   Section& subsection(Section section);
-  /// Every further sublist is named by the user and holds what `section` says.
+  /// Every further sublist is named by the user and has the content of `section`.
   Section& namedByUser(Section section);
   /// Adds a parameter that chooses a variant. Add it before the variants.
   ParameterBuilder chosenBy(const std::string& parameter);
   Section& variant(Section section);
 
   Section& require();
-  /// Made with its defaults where a scene leaves it out.
+  /// Added with its defaults where a scene lacks it.
   Section& fill();
   Section& onlyIn(int dimension);
-  /// A run that goes on from a checkpoint may have another such section, or none.
+  /// A run that continues from a checkpoint may have another such section, or none.
   Section& mayChange();
   Section& exactlyOneOf(std::vector<std::string> names);
   Section& atMostOneOf(std::vector<std::string> names);
@@ -235,12 +234,12 @@ struct Section
                   int onlyDimension = 0);
   /// The section needs another one.
   Section& needs(const std::string& other, const std::string& reason);
-  /// The section needs another one, after whose lists those that the user names in it are named.
+  /// The section needs another one; its user-named lists must have the names of lists of that section.
   Section& namedAfter(const std::string& other, const std::string& reason);
   Section& provide(const std::string& capability);
 
   const Parameter* findParameter(const std::string& name) const;
-  /// The parameter of the section or of any of its variants that had this name in an earlier version; or
+  /// The parameter of the section, or of one of its variants, that had this name in an earlier version; or
   /// null.
   const Parameter* findFormer(const std::string& oldName) const;
   const Section* findSection(const std::string& name) const;
@@ -250,12 +249,12 @@ private:
   ParameterBuilder add(const std::string& parameter, ParameterType type);
 };
 
-/// A check that no single parameter can make; it adds what it finds. It sees the sections of the core and its
-/// own, which is there, with defaults filled in and types normalised, but without the entries that are wrong
-/// on their own: it must ask before it gets. What does not go with other effects is said by rules.
+/// A check of several parameters together; it adds the errors that it finds. It gets the sections of the core
+/// and its own section, which is present, with defaults filled in and types normalised, but without invalid
+/// entries: it must check that an entry exists. Combinations with other effects are checked by rules.
 using CrossCheck = std::function<void(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)>;
 
-/// Everything a scene may hold: the core's sections and those of the effects.
+/// The sections of the core and of the effects.
 class SceneSchema
 {
 public:
@@ -263,13 +262,13 @@ public:
 
   /// The scene's top list as a section.
   const Section& root() const { return m_root; }
-  /// Names of sections that a later version will have, for a plain word to who asks for one now.
+  /// Names of sections planned for a later version, for a clear error message.
   void setSectionsToCome(std::vector<std::string> names) { m_root.toCome = std::move(names); }
 
   /// A cross check of the core.
   void addCheck(CrossCheck check) { m_checks.push_back(std::move(check)); }
   const std::vector<CrossCheck>& checks() const { return m_checks; }
-  /// The cross check of an effect, and what it asks of the cells that Domain > Accuracy chooses.
+  /// The cross check of an effect, and its needs for the cells that Domain > Accuracy chooses.
   void addEffect(const std::string& section, CrossCheck check, CellHook hook)
   {
     m_effects[section] = {std::move(check), std::move(hook)};
@@ -281,7 +280,7 @@ public:
     CellHook cells;
   };
   const std::map<std::string, OfEffect>& effects() const { return m_effects; }
-  /// A scene without the sections of effects but one: all that an effect may look at.
+  /// A scene without the sections of effects but one: all that an effect may read.
   Teuchos::ParameterList partFor(const std::string& effect, const Teuchos::ParameterList& scene) const;
 
 private:

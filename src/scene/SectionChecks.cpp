@@ -55,12 +55,12 @@ void SectionChecks::report(const std::string& where, const std::string& message)
 
 void SectionChecks::report(const std::string& where, const std::invalid_argument& error)
 {
-  const std::string sentence = error.what();
-  const auto colon = sentence.find(": ");
-  if (sentence.rfind(where, 0) == 0 && colon != std::string::npos)
-    report(sentence.substr(0, colon), sentence.substr(colon + 2));
+  const std::string message = error.what();
+  const auto colon = message.find(": ");
+  if (message.rfind(where, 0) == 0 && colon != std::string::npos)
+    report(message.substr(0, colon), message.substr(colon + 2));
   else
-    report(where, sentence);
+    report(where, message);
 }
 
 bool SectionChecks::isWhole(const std::string& where, const std::string& aside) const

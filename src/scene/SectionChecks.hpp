@@ -1,6 +1,6 @@
 #pragma once
-/// What checks of sections share: values out of a list that may be incomplete, and rules that several
-/// sections have.
+/// Common parts of checks of sections: values of a list that may be incomplete, and checks that several
+/// sections need.
 
 #include "scene/SceneError.hpp"
 
@@ -28,7 +28,7 @@ std::vector<std::string> sublists(const Teuchos::ParameterList& list);
 
 } // namespace SceneValues
 
-/// Checks one scene. Parameters that are absent or wrong by themselves are not checked.
+/// Checks one scene. Absent or invalid parameters are not checked.
 class SectionChecks
 {
 public:
@@ -50,12 +50,11 @@ public:
   }
 
   void report(const std::string& where, const std::string& message);
-  /// A message that may start with the path of what it is about.
+  /// Reports a message that may start with a path.
   void report(const std::string& where, const std::invalid_argument& error);
-  /// Whether no entry of the section was refused, one parameter aside, so that what it describes can be made.
+  /// Whether no entry of the section has an error, except one parameter, so that the object can be made.
   bool isWhole(const std::string& where, const std::string& aside) const;
-  /// Whether Lower Corner and Upper Corner are in order along every axis; reports the axis where they are
-  /// not.
+  /// Whether Lower Corner and Upper Corner are in order along every axis; reports an axis where they are not.
   bool corners(const Teuchos::ParameterList& list, const std::string& where, bool mayTouch);
   /// The parameter must be the name of a sublist of another section.
   void named(const Teuchos::ParameterList& list, const std::string& parameter, const std::string& section,

@@ -11,11 +11,11 @@ namespace Rhegma
 /// Either an expression of t [s], such as "sin(2*pi*50*t)" or "t < 1e-3 ? 1 : 0", or a table "0:0, 1e-3:5" of
 /// time:value pairs with straight lines between them, held constant outside of them.
 ///
-/// Copies share one parser, so a function belongs to one thread at a time.
+/// Copies use one parser: use a function from one thread at a time.
 class TimeFunction
 {
 public:
-  /// \throws std::invalid_argument with one sentence on what is wrong with the text
+  /// \throws std::invalid_argument with the error in the text
   static TimeFunction parse(const std::string& text);
 
   /// \param t  time [s]
@@ -27,8 +27,7 @@ private:
   std::shared_ptr<const Form> m_form;
 };
 
-/// A sentence on a function that is not finite at one of 200 times from 0 to the end of a run; nothing of one
-/// that is.
+/// Message on a function that is not finite at one of 200 times from 0 to the end of a run; none otherwise.
 /// \param given the text of the function
 /// \param end   of the run [s]
 std::optional<std::string> messageIfNotFinite(const std::string& given, double end);

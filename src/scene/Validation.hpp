@@ -1,5 +1,5 @@
 #pragma once
-/// A list against a section: which parameters and subsections count, and what is wrong with them.
+/// Validation of a list against its section.
 
 #include "scene/Schema.hpp"
 
@@ -32,11 +32,11 @@ struct ActiveSection
   std::vector<std::string> sectionNames() const;
 };
 
-/// The scene's dimension, or 0 if it does not say.
+/// The scene's dimension, or 0 if it is not given.
 int dimensionOf(const Teuchos::ParameterList& scene);
 
-/// Walks through a list and its section together. Wrong entries are reported and removed from the list, so
-/// that what follows meets only what is right; defaults are filled in.
+/// Walks through a list and its section together. Invalid entries are reported and removed from the list, so
+/// that later checks see valid entries only; defaults are filled in.
 class Validation
 {
 public:
@@ -55,12 +55,12 @@ private:
   void checkTogether(const Teuchos::ParameterList& list, const Together& rule, const std::string& path);
 
   void report(const std::string& where, const std::string& message) { m_errors.push_back({where, message}); }
-  /// Whether an error stands at this position already, or an unknown name was taken for this one.
+  /// Whether this path has an error already, or an unknown name was interpreted as this one.
   bool mentioned(const std::string& where) const;
 
   int m_dimension;
   std::vector<SceneError>& m_errors;
-  std::set<std::string> m_meant; ///< positions of which a misspelt name was given
+  std::set<std::string> m_meant; ///< paths for which a misspelt name was given
 };
 
 } // namespace Rhegma

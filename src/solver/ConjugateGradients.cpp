@@ -72,11 +72,11 @@ private:
 
 } // namespace
 
-/// What solves of one size share.
-class ConjugateGradients::Work
+/// Vectors, problem and manager of solves of one size.
+class ConjugateGradients::Workspace
 {
 public:
-  Work(int n, const Ranks& ranks, double tolerance, int maximumIterations)
+  Workspace(int n, const Ranks& ranks, double tolerance, int maximumIterations)
       : size(n),
         map(makeMap(n, ranks)),
         left(rcp(new MultiVector(map, 1))),
@@ -85,12 +85,12 @@ public:
         preconditioner(rcp(new FunctionOperator(map))),
         problem(rcp(new Problem(matrix, left, right)))
   {
-    // From the right, so that no preconditioned first residual is formed that nobody reads.
+    // Right preconditioning: avoids an unused preconditioned first residual.
     problem->setRightPrec(preconditioner);
     problem->setHermitian();
     problem->setProblem();
     const RCP<Teuchos::ParameterList> settings = Teuchos::parameterList();
-    settings->set("Block Size", 1); // with which the manager runs plain conjugate gradients
+    settings->set("Block Size", 1); // for which the manager uses plain conjugate gradients
     settings->set("Convergence Tolerance", tolerance);
     settings->set("Implicit Residual Scaling", "None");
     settings->set("Maximum Iterations", maximumIterations);
@@ -118,7 +118,7 @@ ConjugateGradients::~ConjugateGradients() = default;
 void ConjugateGradients::resize(int n, const Ranks& ranks)
 {
   if (ranks.max(!work_ || work_->size != n ? 1.0 : 0.0) > 0.0)
-    work_ = std::make_unique<Work>(n, ranks, tolerance_, maximumIterations_);
+    work_ = std::make_unique<Workspace>(n, ranks, tolerance_, maximumIterations_);
 }
 
 BorrowedView<double*> ConjugateGradients::right() { return overwrite(*work_->right); }
@@ -127,10 +127,10 @@ BorrowedView<const double*> ConjugateGradients::solution() const { return read(*
 
 SolveResult ConjugateGradients::solve(Apply apply, Apply precondition)
 {
-  Work& work = *work_;
+  Workspace& work = *work_;
   SolveResult result;
   work.left->putScalar(0.0);
-  // The first residual is the right side: the matrix is not asked what it makes of zero.
+  // The first residual is the right-hand side: no product with the zero vector.
   work.matrix->set({});
   work.problem->setProblem();
   work.matrix->set(std::move(apply));

@@ -1,6 +1,5 @@
 #pragma once
-/// Belos' conjugate gradients on vectors of Tpetra, behind a wall: only one source file pays for their
-/// headers.
+/// Belos' conjugate gradients on vectors of Tpetra; their headers are included in one source file only.
 
 #include "base/Types.hpp"
 #include "parallel/Ranks.hpp"
@@ -11,13 +10,13 @@
 namespace Rhegma
 {
 
-/// How a solve ended.
+/// Result of a solve.
 struct SolveResult
 {
   bool converged = false;
   bool singular = false; ///< p A p <= 0 for a direction p of the search
   int iterations = 0;
-  double residual = 0.0; ///< 2-norm of what is left of the right side
+  double residual = 0.0; ///< 2-norm of the residual
 };
 
 /// Preconditioned conjugate gradients for a symmetric positive definite operator. Vectors, problem and
@@ -36,14 +35,14 @@ public:
 
   double tolerance() const { return tolerance_; }
 
-  /// Makes room for problems of n unknowns on this rank, if there is none for just as many on some rank;
-  /// their dot products are sums over the ranks. Collective.
+  /// Allocates vectors of n unknowns on this rank if the size has changed on some rank; dot products are sums
+  /// over the ranks. Collective.
   void resize(int n, const Ranks& ranks = {});
 
-  /// The right side, to be filled before solve().
+  /// The right-hand side, to be filled before solve().
   BorrowedView<double*> right();
 
-  /// What solve() found.
+  /// The solution of solve().
   BorrowedView<const double*> solution() const;
 
   /// Finds x with A x = right() from x = 0. \param precondition called once for the first residual and for
@@ -51,10 +50,10 @@ public:
   SolveResult solve(Apply apply, Apply precondition);
 
 private:
-  class Work;
+  class Workspace;
   double tolerance_;
   int maximumIterations_;
-  std::unique_ptr<Work> work_;
+  std::unique_ptr<Workspace> work_;
 };
 
 } // namespace Rhegma

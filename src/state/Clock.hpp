@@ -1,5 +1,5 @@
 #pragma once
-/// Where a run is in time.
+/// Time and step of a run.
 
 #include <limits>
 
@@ -9,8 +9,8 @@ namespace Rhegma
 /// One of the passes in which a step strains its particles: USAVG has two, other schemes one.
 struct StrainPass
 {
-  double share = 1.0;  ///< fraction of the step that the pass strains over
-  bool before = false; ///< whether it comes before the forces of the step
+  double fraction = 1.0; ///< fraction of the step that the pass strains over
+  bool before = false;   ///< whether it comes before the forces of the step
 };
 
 /// Time, step and how the run ends.
@@ -21,7 +21,7 @@ struct Clock
   long step = 0;                                        ///< steps taken
   long maximumSteps = std::numeric_limits<long>::max(); ///< the run ends after them, if not before
   double fastestSpeed = 0.0;                            ///< largest wave speed plus particle speed [m/s]
-  StrainPass strainPass;                                ///< that is under way, or the next
+  StrainPass strainPass;                                ///< the current pass, or the next
   bool observing = false;                               ///< a sample is taken at the end of this step
   bool settled = false;                                 ///< the bodies are at rest
   bool stopWhenSettled = false;                         ///< the scene ends the run once they are

@@ -1,9 +1,9 @@
 #pragma once
-/// How a crack may end next to at a surface-breaking end or at a front (CrackSet.hpp).
+/// A crack may also end at another crack, besides surface-breaking ends and fronts (CrackSet.hpp).
 
 namespace Rhegma::facet
 {
 
-constexpr int joined = -3; ///< beyond it lies another crack, on which this one has ended: no way out of it
+constexpr int joined = -3; ///< beyond it lies another crack, which this one has met
 
 } // namespace Rhegma::facet

@@ -1,5 +1,5 @@
 #pragma once
-/// The cracks as data: what the effects around cracks share.
+/// The cracks: data that their effects exchange.
 
 #include "base/Types.hpp"
 #include "state/ReleaseBudget.hpp"
@@ -21,7 +21,7 @@ struct DrivingForce
   double hoopAngle = 0.0; ///< from its direction towards its normal, where the hoop stress is largest [rad]
 };
 
-/// Weights of the domain integrals that measure driving forces, in cells as they are at the front.
+/// Weights of the domain integrals that measure driving forces, in cells at the front.
 struct DrivingContours
 {
   double releaseInner = 5.0, releaseOuter = 10.0;
@@ -33,7 +33,7 @@ template <int D>
 struct FrontNode
 {
   int vertex = 0; ///< in CrackSet's numbering
-  int name = 0;   ///< a number that it keeps while the front grows, counted from 0 in its front
+  int name = 0;   ///< number that stays the same while the front grows, counted from 0 in its front
   int from = -1;  ///< the front node, by name, that it came from when the front grew; -1: it was there
   int facet = -1; ///< the piece of front from it to the next front node, an index in
                   ///< CrackSet::frontFacet; -1: none, its line ends here; the last of a closed line runs
@@ -44,9 +44,9 @@ struct FrontNode
                          ///< surface-breaking edge along it
   Vector<D> normal{};    ///< unit normal of the crack, from side -1 to side +1, normal to direction
 
-  DrivingForce driving;     ///< where CrackSet::driven asks for it
-  bool advances = false;    ///< it is about to advance: its stress intensities are wanted
-  bool stopped = false;     ///< it never advances again: another crack is too near, or it is at a surface
+  DrivingForce driving;     ///< computed where CrackSet::driven is set
+  bool advances = false;    ///< it is about to advance and needs its stress intensities
+  bool stopped = false;     ///< it never advances again: too near to another crack, or at a surface
   double speed = 0.0;       ///< [m/s]
   double temperature = 0.0; ///< where an effect computes it [K]
 };
@@ -71,7 +71,7 @@ struct CrackFront
   std::vector<FrontNode<D>> nodes = std::vector<FrontNode<D>>(D == 2 ? 1 : 0);
 
   bool grown = false;   ///< it has advanced since the start
-  bool ended = false;   ///< it has met the surface of its body or another crack; no facet is left of it
+  bool ended = false;   ///< it has met the surface of its body or another crack and has no facet
   ReleaseBudget budget; ///< energy of its new faces
 
   /// Whether any of its nodes is about to advance.
@@ -112,7 +112,7 @@ struct FrontNodeAdvance
 {
   Vector<D> direction{};  ///< unit vector
   double length = 0.0;    ///< [m]; 0: it stays
-  double toughness = 0.0; ///< energy that the new faces take [J/m2]; of a node that stays, what would move it
+  double toughness = 0.0; ///< fracture energy of the new faces [J/m2]; of a node that stays, its toughness
 };
 
 /// The advances of a front's nodes between two steps.
@@ -130,17 +130,17 @@ struct ContactEnergy
   double dissipated = 0.0; ///< by friction so far [J]
 };
 
-/// What lies beyond a facet of a simplex: another simplex, or nothing.
+/// What lies beyond a facet of a simplex that has no neighbour there.
 namespace facet
 {
 constexpr int surfaceEnd = -1; ///< the surface of the body
-constexpr int front = -2;      ///< whole material
+constexpr int front = -2;      ///< uncracked material
 } // namespace facet
 
 /// What a vertex of a crack lies on; both at a front's end at a surface-breaking end.
 namespace vertexKind
 {
-constexpr int inner = 0;      ///< whole material all around
+constexpr int inner = 0;      ///< uncracked material all around
 constexpr int surfaceEnd = 1; ///< the surface of the body
 constexpr int front = 2;      ///< a front
 } // namespace vertexKind
@@ -160,7 +160,7 @@ struct CrackSet
   View<double* [2][D]> face; ///< positions on the faces of side -1 (0) and +1 (1) [m]
   View<int* [D]> simplex;    ///< vertices of each segment or triangle
   View<int*> crackOf;        ///< crack of each simplex
-  View<int* [D]> neighbour;  ///< simplex beyond each facet of a simplex, or facet::mouth or front
+  View<int* [D]> neighbour;  ///< simplex beyond each facet of a simplex, or facet::surfaceEnd or facet::front
   View<int*> starBegin; ///< the simplices at vertex v are star(starBegin(v)) .. star(starBegin(v + 1) - 1)
   View<int*> star;      ///< see starBegin
   View<int*> kind;      ///< of each vertex: what it lies on (vertexKind, added)
@@ -170,23 +170,23 @@ struct CrackSet
   View<double* [D]> normal;       ///< unit normal of each simplex, from side -1 to side +1
   View<double* [D]> vertexNormal; ///< unit normal of each vertex, mean of its simplices' by their angles
 
-  View<int*> nodeSide;    ///< of each node: its side where the node lies behind a front, else 0
-  View<int*> second;      ///< second field of each node, or -1 (dual field only)
-  View<double*> pressure; ///< that pushes the faces of each segment apart [Pa]; empty where nothing does
+  View<int*> nodeSide;      ///< of each node: its side where the node lies behind a front, else 0
+  View<int*> enrichedField; ///< row of the enriched field of each node, or -1 (dual field only)
+  View<double*> pressure;   ///< on the faces of each segment or triangle [Pa]; empty without pressure
   /// Springs and cohesive tractions behind fronts, of each lattice node: force on its primary field, opposite
   /// on its enriched field [N], and stiffness [N/m]. Holds for nodes with both; empty without springs.
   View<double * [D + 1]> spring;
   std::vector<FrontAdvance<D>> advances; ///< that fronts are to make before the next step
-  bool driven = false;                   ///< whether the driving forces of fronts are wanted in every step
+  bool driven = false;                   ///< whether driving forces of fronts are computed in every step
   DrivingContours drivingContours;       ///< of the integrals that measure driving forces
-  bool dualField = true;                 ///< whether nodes behind fronts have a second field
-  bool frontSprings = false;             ///< springs join the two fields of nodes just behind fronts
+  bool dualField = true;                 ///< whether nodes behind fronts have an enriched field
+  bool frontSprings = false;             ///< springs between the two fields of nodes just behind fronts
 
-  /// Energy of contact of a crack up to a distance from a middle [m], both along the undeformed crack, or all
-  /// of it in 3D; empty where no effect lets faces touch.
+  /// Contact energy of the part of a crack within a distance of a middle [m], both along the undeformed
+  /// crack; in 3D of the whole crack. Empty without contact.
   std::function<ContactEnergy(int crack, double middle, double reach)> contactEnergy;
 
-  bool empty() const { return cracks.empty(); } ///< whether there is none
+  bool empty() const { return cracks.empty(); } ///< whether there are no cracks
 };
 
 } // namespace Rhegma

@@ -4,9 +4,8 @@
 namespace Rhegma
 {
 
-/// Energies of a run [J]. What the energy balance cannot account for is the residual:
-/// (kinetic + strain) now - at the start + thermal - external work - heat + damped + plastic + contact +
-/// fracture + merged - combustion.
+/// Energies of a run [J]. The residual is (kinetic + strain) now - at the start + thermal - external work -
+/// heat + damped + plastic + contact + fracture + merged - combustion.
 struct EnergyBalance
 {
   double kinetic = 0.0;      ///< of the motion, now
@@ -14,8 +13,8 @@ struct EnergyBalance
   double start = 0.0;        ///< kinetic + strain when the run began
   double thermal = 0.0;      ///< heat in the bodies, less that at the start
   double thermalStart = 0.0; ///< heat in the bodies when the run began
-  double heat = 0.0;         ///< that came through the surface, from sources or from fronts of cracks
-  double roundOff = 0.0;     ///< what rounding may make of the largest energies in the energy balance
+  double heat = 0.0;         ///< supplied through the surface, by sources or by crack fronts
+  double roundOff = 0.0;     ///< estimated rounding error of the largest energies
   double externalWork = 0.0; ///< done by loads, supports and body forces
   double springs = 0.0;      ///< elastic, of springs just behind crack fronts; a part of `strain`
   double damped = 0.0;       ///< by the damping effect

@@ -95,7 +95,7 @@ EnergyBalance energyOfAllRanks(const State<D>& state)
 }
 
 template <int D>
-void shareEnergyBalance(State<D>& state)
+void sumEnergyBalance(State<D>& state)
 {
   if (state.ranks.many())
     state.sample.energy = state.energy = energyOfAllRanks(state);
@@ -105,7 +105,7 @@ template void measureEnergy(State<2>&);
 template void measureEnergy(State<3>&);
 template EnergyBalance energyOfAllRanks(const State<2>&);
 template EnergyBalance energyOfAllRanks(const State<3>&);
-template void shareEnergyBalance(State<2>&);
-template void shareEnergyBalance(State<3>&);
+template void sumEnergyBalance(State<2>&);
+template void sumEnergyBalance(State<3>&);
 
 } // namespace Rhegma

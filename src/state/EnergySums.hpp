@@ -14,13 +14,12 @@ namespace Rhegma
 template <int D>
 void measureEnergy(State<D>& state);
 
-/// The energy balance with the energy balance of all ranks; this rank's own stay as they are. Collective.
+/// The energy balance summed over all ranks; the entries of this rank do not change. Collective.
 template <int D>
 EnergyBalance energyOfAllRanks(const State<D>& state);
 
-/// Makes the energy balance those of all ranks, in every rank's energy balance. Collective; `coreRow` does so
-/// too.
+/// Replaces the energy balance of every rank by the sum over all ranks. Collective; `coreRow` calls it too.
 template <int D>
-void shareEnergyBalance(State<D>& state);
+void sumEnergyBalance(State<D>& state);
 
 } // namespace Rhegma

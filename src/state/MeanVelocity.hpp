@@ -1,19 +1,20 @@
 #pragma once
-/// The velocity at which forces work.
+/// The velocity for the work of forces.
 
 #include "state/State.hpp"
 
 namespace Rhegma
 {
 
-/// After the solve, the velocity [m/s] at which a force works that acts on a node all through the step: the
-/// mean of those before and after it; of a node that moves in substeps the mean over all of them.
+/// After the solve, the velocity [m/s] for the work of a force that acts on a node throughout the step: the
+/// mean of the velocities before and after the step; for a node that moves in substeps, the mean over the
+/// substeps.
 template <int D>
 struct MeanVelocity
 {
   Nodes<D> nodes;           ///< of the state
   NodeSlots subcycled;      ///< nodes that move in substeps
-  double half, substepHalf; ///< of the step and of the shortest steps [s]
+  double half, substepHalf; ///< half of the step and of the shortest substep [s]
 
   explicit MeanVelocity(const State<D>& state)
       : nodes(state.mesh.nodes),
@@ -23,7 +24,7 @@ struct MeanVelocity
   {
   }
 
-  /// Along an axis. The velocity of nodes that move in substeps is already that of their way.
+  /// Along an axis [m/s]. The stored velocity of nodes that move in substeps is already their mean.
   KOKKOS_INLINE_FUNCTION double operator()(int node, int axis) const
   {
     const double time = subcycled.moves(node) ? substepHalf : half;

@@ -16,17 +16,18 @@ namespace Rhegma
 template <int D>
 struct Subdomain;
 
-/// The lattice, its refined cells, the values of their nodes, and the blocks of cells that kernels work on.
+/// The lattice, its refined cells, the values of their nodes, and the blocks of cells over which kernels
+/// loop.
 template <int D>
 struct Mesh
 {
   Grid<D> grid;   ///< cells that this rank's particles can reach; the whole lattice on a single rank
   Tree<D> tree;   ///< refined cells; empty where none is
   Nodes<D> nodes; ///< mass, momentum and force
-  NodalFieldTable<D> nodalFields;                ///< what effects keep on nodes from step to step
+  NodalFieldTable<D> nodalFields;                ///< values that effects store on nodes from step to step
   Blocks<D> blocks;                              ///< particles by blocks of cells
   std::shared_ptr<const Subdomain<D>> subdomain; ///< this rank's part; null on a single rank
-  int subcycledLevels = 0;                       ///< how many of the deepest levels take substeps
+  int subcycledLevels = 0;                       ///< number of the deepest levels that take substeps
 
   /// Edge of the smallest cells [m].
   double smallestSpacing() const { return std::ldexp(grid.spacing, -tree.deepest); }

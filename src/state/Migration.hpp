@@ -1,5 +1,5 @@
 #pragma once
-/// Particles that change their rank.
+/// Transfer of particles between ranks.
 
 #include "parallel/Division.hpp"
 #include "state/State.hpp"
@@ -9,7 +9,7 @@
 namespace Rhegma
 {
 
-/// The rank that owns the cell of each particle.
+/// Rank that owns the cell of each particle.
 template <int D>
 std::vector<int> ownersOf(const State<D>& state, const Division<D>& division);
 
@@ -17,7 +17,7 @@ std::vector<int> ownersOf(const State<D>& state, const Division<D>& division);
 template <int D>
 void keepParticles(State<D>& state, const std::vector<int>& stay);
 
-/// Sends each particle to the rank that `owner` says. Collective.
+/// Sends each particle to the rank `owner`. Collective.
 template <int D>
 void sendParticles(State<D>& state, const std::vector<int>& owner);
 

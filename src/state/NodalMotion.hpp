@@ -1,5 +1,5 @@
 #pragma once
-/// What acts on the motion of nodes besides the forces of stresses and loads.
+/// What acts on the motion of nodes in addition to the forces of stresses and loads.
 
 #include "base/Types.hpp"
 #include "state/NodeConstraint.hpp"
@@ -17,29 +17,29 @@ struct State;
 struct NodeSlots
 {
   View<int*> of; ///< of each node, or -1
-  int inner = 0; ///< how many move in substeps
+  int inner = 0; ///< number of nodes that move in substeps
   KOKKOS_INLINE_FUNCTION bool moves(int node) const { return inner > 0 && of(node) >= 0 && of(node) < inner; }
 };
 
-/// The substeps of this step, for effects that account for work; without effect where there are none.
+/// The substeps of this step, for effects that compute work; empty without sub-cycling.
 struct Substeps
 {
   NodeSlots nodes;     ///< nodes that move in substeps or next to such nodes
   double length = 0.0; ///< of the shortest ones [s]
   /// Impulses on subcycled nodes except those at the start of the step, times the velocity that the nodes had
-  /// before the step [J]. Nodes that supports hold don't count.
+  /// before the step [J]. Nodes held by supports are left out.
   double lateWork = 0.0;
 };
 
 /// A displacement-dependent nodal force (contact, front springs), for effects that move nodes in substeps.
-/// Such forces are also among all others before the solve, as at the start of the step. `force` and
+/// Their values at the start of the step are part of the nodal force before the solve. `force` and
 /// `displacement` have a row a slot [N, m].
 template <int D>
 struct DisplacementDependentForce
 {
   using Values = View<double* [D]>; ///< a row a slot
-  /// Adds the part, as at the start of the step, that does not change: it acts on a node that does not move
-  /// in substeps.
+  /// Adds the part that is constant over the step, with its value at the start of the step: it acts on nodes
+  /// that do not move in substeps.
   std::function<void(const State<D>&, const NodeSlots&, const Values& force)> frozen;
   /// Adds the change of the part that depends on displacement.
   std::function<void(const State<D>&, const NodeSlots&, const Values& displacement, const Values& force)>

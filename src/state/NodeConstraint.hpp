@@ -1,5 +1,5 @@
 #pragma once
-/// Prescribed motion as the nodes see it.
+/// Prescribed motion of nodes.
 
 #include "base/Types.hpp"
 
@@ -11,7 +11,7 @@ template <int D>
 struct NodeConstraint
 {
   Vector<D> lower, upper;  ///< the box, both corners inside [m]
-  bool outside = false;    ///< nodes beyond the box and on its rim instead
+  bool outside = false;    ///< holds the nodes outside of the box and on its boundary instead
   bool holds[D];           ///< axes that are prescribed
   Vector<D> value;         ///< velocity along them now [m/s]
   View<double* [D]> field; ///< velocity of each lattice node, to be multiplied by `factor`; empty: `value`

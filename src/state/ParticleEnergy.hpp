@@ -7,8 +7,8 @@
 namespace Rhegma
 {
 
-/// What a kernel needs for the energies of particles: velocity [m/s], mass [kg], undeformed volume [m3],
-/// deformation gradient and the memory of the laws.
+/// Views for the energies of particles: velocity [m/s], mass [kg], undeformed volume [m3], deformation
+/// gradient and the history of the laws.
 template <int D>
 struct ParticleEnergy
 {
@@ -16,9 +16,9 @@ struct ParticleEnergy
   BorrowedView<double*> mass, volume;
   BorrowedView<double * [gradientSize<D>]> deformation;
   BorrowedView<int*> material;
-  BorrowedView<double**> history; ///< empty where no law has a memory
+  BorrowedView<double**> history; ///< empty where no law has a history
   View<Properties*> materials;
-  ThermoTables thermo; ///< empty where nobody carries heat
+  ThermoTables thermo; ///< empty without heat
   BorrowedView<double*> temperature;
   bool mechanics;
 

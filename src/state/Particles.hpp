@@ -20,14 +20,14 @@ struct SplitParts
   int first = 0;    ///< row of the others
 };
 
-/// The fields of the particles, and what changes with their order and number.
+/// The fields of the particles, and data that change with their order and number.
 template <int D>
 struct Particles : FieldTable
 {
   int ofAllRanks = 0;  ///< number of particles of all ranks; 0 on a single rank
   bool sorted = false; ///< false: they are sorted before the next step
   View<int*> indexOf; ///< index of the particle with each id, -1 where another rank has it; set by every sort
-  double stepsTaken = 0.0; ///< particles times steps, summed
+  double particleSteps = 0.0; ///< particles times steps, summed
 
   /// Called when particles were split; their parts are copies but for position and size.
   std::vector<std::function<void(State<D>&, const SplitParts&)>> afterSplit;

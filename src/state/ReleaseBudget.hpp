@@ -1,71 +1,72 @@
 #pragma once
-/// The energy of new crack faces at one front: what they require, and what becomes of it.
+/// The energy of new crack faces at one front: required, released and pending.
 
 #include <algorithm>
 
 namespace Rhegma
 {
 
-/// Energies at one front [J]. All that is released is required by some face:
+/// Energies at one front [J]. They fulfil
 ///
 ///     released + pending = required + advected + carriedOver + overDissipated.
 struct ReleaseBudget
 {
   double required = 0.0;       ///< toughness times area of all faces that the front has made
-  double pending = 0.0;        ///< part of it for which no node has a traction as yet
-  double released = 0.0;       ///< given to nodes, which dissipate it as they open
-  double carriedOver = 0.0;    ///< released by softened springs, to be deducted from the next nodes
-  double overDissipated = 0.0; ///< released by nodes beyond their energy, to be deducted likewise
+  double pending = 0.0;        ///< part of it that no node has received yet
+  double released = 0.0;       ///< received by nodes, which dissipate it as they open
+  double carriedOver = 0.0;    ///< dissipated by softened springs, deducted from the next nodes
+  double overDissipated = 0.0; ///< dissipated by nodes beyond their energy, deducted likewise
   double advected = 0.0;       ///< released at nodes that the front reached while it made no new face
-  double toughness = 0.0;      ///< of the last advance; 2D [J/m2]
+  double toughness = 0.0;      ///< of the last advance, 2D [J/m2]
 
-  /// New faces require an energy.
+  /// New faces require an energy [J].
   void require(double energy)
   {
     required += energy;
     pending += energy;
   }
 
-  /// Nodes get tractions that dissipate an energy.
+  /// Nodes get tractions that dissipate an energy [J].
   void release(double energy)
   {
     pending -= energy;
     released += energy;
   }
 
-  /// Nodes that are whole again, or are no more, have not dissipated this part of what they were given.
+  /// Nodes that are uncracked again, or no longer exist, return the part of their energy that they have not
+  /// dissipated [J].
   void returnPending(double energy) { release(-energy); }
 
-  /// Springs or nodes dissipate what is not theirs: deducted from the nodes that come next.
+  /// Energy dissipated in advance by springs or nodes: deducted from the next nodes [J].
   void carryOver(double energy)
   {
     carriedOver += energy;
     released += energy;
   }
-  /// Nodes dissipated more than they were given. \param energy [J]
+  /// Nodes dissipated more than their energy. \param energy [J]
   void overDissipate(double energy)
   {
     overDissipated += energy;
     released += energy;
   }
 
-  /// Releases all that is pending, less what is to be deducted.
+  /// Releases all pending energy less the deductions.
   /// \param ofAdvection energy of these nodes where nothing is pending: the front reached them only because
-  /// material moves through the grid [J] \param carriedFraction, deductedFraction largest parts that are
+  /// material moves through the grid [J] \param carriedOverFraction, deductedFraction largest parts that are
   /// deducted for carriedOver and, of the rest, for overDissipated \return the energy of the nodes [J]
-  double releaseAll(double ofAdvection, double carriedFraction, double deductedFraction)
+  double releaseAll(double ofAdvection, double carriedOverFraction, double deductedFraction)
   {
     const bool isPending = pending > 0.0;
     const double energy = isPending ? pending : ofAdvection;
-    const double carried = std::min(carriedOver, carriedFraction * energy);
-    const double deducted = std::min(overDissipated, deductedFraction * (energy - carried));
-    const double ofNodes = energy - carried - deducted;
+    const double fromCarriedOver = std::min(carriedOver, carriedOverFraction * energy);
+    const double deducted = std::min(overDissipated, deductedFraction * (energy - fromCarriedOver));
+    const double ofNodes = energy - fromCarriedOver - deducted;
     if (!(ofNodes > 0.0))
       return 0.0;
     advected += isPending ? 0.0 : energy - pending;
     pending = 0.0;
     released += ofNodes;
-    carriedOver -= carried;
+    carriedOver -= fromCarriedOver;
     overDissipated -= deducted;
     return ofNodes;
   }

@@ -1,5 +1,5 @@
 #pragma once
-/// What a run holds, handed to every stage.
+/// The state of a run, passed to every stage.
 
 #include "material/ThermoTables.hpp"
 #include "parallel/Ranks.hpp"
@@ -32,17 +32,17 @@ struct BodyInfo
 template <int D>
 struct Bodies
 {
-  std::vector<BodyInfo<D>> list; ///< in the order of the scene
+  std::vector<BodyInfo<D>> info; ///< in the order of the scene
   View<double* [D][D]> axes;     ///< their axes, on the device
 };
 
 /// The materials of the scene.
 struct MaterialSet
 {
-  std::vector<std::string> names; ///< in the order of their numbers
-  std::vector<Properties> list;   ///< on the host
-  View<Properties*> device;       ///< the same on the device
-  ThermoTables thermo;            ///< how temperature acts on them; empty without heat
+  std::vector<std::string> names;     ///< in the order of their numbers
+  std::vector<Properties> properties; ///< on the host
+  View<Properties*> device;           ///< the same on the device
+  ThermoTables thermo;                ///< how temperature acts on them; empty without heat
 };
 
 /// A sampled quantity: a column of the history.
@@ -62,7 +62,7 @@ template <int D>
 struct State
 {
   Method method;          ///< schemes and their constants
-  Ranks ranks;            ///< that share the run
+  Ranks ranks;            ///< of the run
   Clock clock;            ///< time and step
   Mesh<D> mesh;           ///< cells and nodes
   Particles<D> particles; ///< of this rank
@@ -80,7 +80,7 @@ struct State
   std::vector<std::string> warnings; ///< for the summary
 };
 
-/// Where the nodes of a state are, those of refined cells included.
+/// Positions of the nodes of a state, those of refined cells included.
 template <int D>
 NodePositions<D> nodePositions(const State<D>& state)
 {
@@ -98,8 +98,8 @@ int allParticles(const State<D>& state)
 template <int D>
 int findBody(const State<D>& state, const std::string& name)
 {
-  for (std::size_t b = 0; b < state.bodies.list.size(); ++b)
-    if (state.bodies.list[b].name == name)
+  for (std::size_t b = 0; b < state.bodies.info.size(); ++b)
+    if (state.bodies.info[b].name == name)
       return static_cast<int>(b);
   return -1;
 }

@@ -50,7 +50,7 @@ void archiveProgress(State<D>& state, Archive& archive)
   archive("dt", state.clock.dt);
   archive("step", state.clock.step);
   archive("fastest", state.clock.fastestSpeed);
-  archive("particle_steps", state.particles.stepsTaken);
+  archive("particle_steps", state.particles.particleSteps);
   archive("momentum", state.sample.momentum);
   archive("settled", state.clock.settled);
   archive("warnings", state.warnings);
@@ -180,7 +180,7 @@ void archiveBlocks(State<D>& state, Archive& archive)
   // Rows of nodal values that there is room for: caches of as many rows hang on it.
   int rows = static_cast<int>(state.mesh.nodes.sums.extent(0));
   archive("nodal rows", rows);
-  archive("second fields", state.mesh.nodes.numSecond);
+  archive("enriched fields", state.mesh.nodes.numEnriched);
   if (archive.loads())
     state.mesh.nodes.reserve(state.mesh.nodes.numLattice, rows - state.mesh.nodes.numLattice);
 }
@@ -251,7 +251,7 @@ void archiveNodalFields(State<D>& state, Archive& archive)
       rows.insert(rows.end(), &nodes[k * name], &nodes[k * name] + name);
       rows.insert(rows.end(), &values[k * components], &values[k * components] + components);
     }
-    const std::vector<double> found = table.place(static_cast<int>(f), rows);
+    const std::vector<double> found = table.assign(static_cast<int>(f), rows);
     if (!state.ranks.many() && std::count(found.begin(), found.end(), 0.0) > 0)
       throw std::invalid_argument("the nodal field \"" + fields[f].field.name +
                                   "\" names a node that is not there");

@@ -1,5 +1,5 @@
 #pragma once
-/// Stencils that are stored because something edits them.
+/// Stencils that are stored because an effect edits them.
 
 #include "base/Types.hpp"
 #include "grid/StencilTable.hpp"
@@ -13,20 +13,20 @@ template <int D>
 struct State;
 
 /// Points that need stencils: positions, half widths of their boxes (zero for points), and the side of a
-/// crack from which each looks (CrackSet; 0 away from cracks).
+/// crack on which each lies (CrackSet; 0 away from cracks).
 template <int D>
 struct ObservedPoints
 {
   View<double* [D]> position; ///< [m]
   View<double* [D]> half;     ///< [m]
   View<int*> side;            ///< of a crack
-  int count = 0;              ///< how many there are; views may be longer
+  int count = 0;              ///< number of points; views may be longer
   /// All ranks list the same points: each has a stencil on the rank that owns its cell, and none elsewhere.
   bool onAllRanks = false;
 };
 
-/// What cuts the body: decides which particles need stored stencils, and edits stencils so that they end at
-/// the cut. The core knows nothing else of cracks.
+/// Interface of an effect that cuts bodies: it decides which particles need stored stencils, and edits
+/// stencils so that they end at the cut. The core knows nothing else of cracks.
 template <int D>
 struct StencilEditor
 {

@@ -104,7 +104,7 @@ void refineCells(State<D>& state, const Branches<D>& refined)
                                                                 refined, state.mesh.tree);
     state.mesh.nodes.foreign = state.mesh.subdomain->halo.foreign();
   }
-  state.mesh.nodes.reserve(state.mesh.grid.numNodes + state.mesh.tree.numFine, state.mesh.nodes.numSecond);
+  state.mesh.nodes.reserve(state.mesh.grid.numNodes + state.mesh.tree.numFine, state.mesh.nodes.numEnriched);
   state.particles.sorted = false;
 }
 
@@ -219,7 +219,7 @@ SharedRows sharedRows(const State<D>& state, const View<int*>& rowOf)
 {
   SharedRows rows;
   if (state.cracks.dualField && !state.cracks.empty())
-    rows.second = state.cracks.second;
+    rows.enrichedField = state.cracks.enrichedField;
   rows.rowOf = rowOf;
   return rows;
 }

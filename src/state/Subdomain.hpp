@@ -1,5 +1,5 @@
 #pragma once
-/// The part of a run that a rank has.
+/// The part of a run that belongs to a rank.
 
 #include "grid/Branches.hpp"
 #include "parallel/Division.hpp"
@@ -10,7 +10,7 @@
 namespace Rhegma
 {
 
-/// Which cells every rank owns, and what this one shares with others.
+/// Which cells each rank owns, and which nodes this rank has in common with others.
 template <int D>
 struct Subdomain
 {
@@ -23,7 +23,7 @@ struct Subdomain
   Subdomain(const Ranks& ranks, const Division<D>& cells, const Branches<D>& refined, const Tree<D>& tree);
 };
 
-/// Makes these the refined cells, of the whole lattice, and sees to the nodes. Particles must be sorted anew.
+/// Sets the refined cells of the whole lattice and updates the nodes. Particles must be sorted anew.
 /// Collective.
 template <int D>
 void refineCells(State<D>& state, const Branches<D>& refined);
@@ -32,26 +32,26 @@ void refineCells(State<D>& state, const Branches<D>& refined);
 template <int D>
 Branches<D> refinedCells(const State<D>& state);
 
-/// Who takes part in what the ranks do together with their own particles: until these are divided every rank
-/// has all of them, and acts alone.
+/// The ranks for sums over particles: until the particles are divided every rank has all of them, and the
+/// result is this rank alone.
 template <int D>
 Ranks ranksOf(const State<D>& state)
 {
   return state.mesh.subdomain ? state.ranks : Ranks();
 }
 
-/// Leaves each rank the particles in its cells, of all that every rank holds, and the part of the lattice
-/// that they can reach. Nothing where there is one rank. Collective.
+/// Divides a run in which every rank holds all particles: each rank keeps those in its cells, and the part of
+/// the lattice that they can reach. Does nothing on one rank. Collective.
 template <int D>
 void divideState(State<D>& state);
 
-/// Gives each rank the whole lattice back, without anything on its nodes, so that what every rank then holds
-/// can be divided. Nothing where there is one rank.
+/// Gives each rank the whole lattice again, with empty nodes, so that the run can be divided anew. Does
+/// nothing on one rank.
 template <int D>
 void gatherLattice(State<D>& state);
 
-/// Divides the cells anew by the particles as they lie now, and sends these to their owners. Nothing where
-/// there is one rank. Collective.
+/// Divides the cells anew by the present particles, and sends these to their owners. Does nothing on one
+/// rank. Collective.
 template <int D>
 void redivideState(State<D>& state);
 
@@ -64,12 +64,12 @@ void migrateParticles(State<D>& state);
 template <int D>
 NodalFieldNodes<D> nodesOfFields(const State<D>& state);
 
-/// Moves the nodal fields of effects to the nodes as they are now. To be called once a step, when its cells
-/// are known. Collective.
+/// Moves the nodal fields of effects to the nodes as they are now. Call once a step, when its cells are
+/// known. Collective.
 template <int D>
 void moveNodalFields(State<D>& state);
 
-/// Adds the nodes shared with other ranks to those in use: they have mass that is no particle's here.
+/// Adds the nodes shared with other ranks to those in use: they may have mass from particles of other ranks.
 template <int D>
 void useSharedNodes(State<D>& state);
 
@@ -80,14 +80,14 @@ enum class SharedSums
   Projection
 };
 
-/// Completes nodal sums that particles and loads of this rank alone have added to. Nothing where there is one
+/// Completes nodal sums to which this rank has added only its own particles and loads. Does nothing on one
 /// rank. Collective.
 template <int D>
 void sumOverRanks(const State<D>& state, SharedSums what);
 
 /// The same for columns first .. first + count - 1 of an array with a row of `width` numbers for each node
-/// and second field. \param rowOf where given, its row of each of them, or -1; the same nodes have one on all
-/// ranks
+/// and enriched field. \param rowOf where given, its row of each of them, or -1; the same nodes have one on
+/// all ranks
 template <int D>
 void sumOverRanks(const State<D>& state, double* values, int width, int first, int count,
                   const View<int*>& rowOf = {});
@@ -100,8 +100,8 @@ SharedRows sharedRows(const State<D>& state, const View<int*>& rowOf = {});
 template <int D>
 void sumOverRanks(const State<D>& state, const View<double*>& ofNodes);
 
-/// Replaces values that each rank found of its own particles and nodes by their sums over the ranks; until
-/// these are divided, every rank has all of them. Collective.
+/// Replaces values computed from the particles and nodes of each rank by their sums over the ranks; does
+/// nothing until the run is divided. Collective.
 template <int D>
 void sumParts(const State<D>& state, double* values, int count);
 template <int D>

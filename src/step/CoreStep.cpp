@@ -23,12 +23,12 @@ template <int D>
 void strain(State<D>& state, StrainVelocity velocity, bool alsoMove)
 {
   state.clock.fastestSpeed = strainAndMove(state, velocity, true, alsoMove);
-  // No stable step takes anything across two cells: who left the domain so did not walk out of it.
+  // No stable step moves a particle by two cells: a particle that left the domain so was unstable.
   const bool flung =
       !state.failure.empty() && state.clock.fastestSpeed * state.clock.dt > 2.0 * state.mesh.stepSpacing();
   if (std::isfinite(state.clock.fastestSpeed) && !flung)
     return;
-  // Laws find no stress at temperatures that there are not.
+  // Laws fail at impossible temperatures.
   const std::string heat = heatFailure(state);
   state.failure = !heat.empty() ? heat
                                 : "a particle has a negative volume or its velocity is not finite (" +
@@ -89,7 +89,7 @@ Effect<D> pointsAtRest()
   Effect<D> core;
   core.name = "Material Points at Rest";
   core.provides = {quantity::energyBalance, quantity::nodalMass, quantity::nodalMotion,
-                   quantity::projection}; // but for the energies zero: nothing moves
+                   quantity::projection}; // zero except for the energies: nothing moves
   core.call(sortCall<D>());
   core.call(
       {Stage::Scatter, "stencils", {}, {quantity::stencils, quantity::enrichedFields}, {}, [](State<D>& s) {
@@ -109,7 +109,7 @@ Effect<D> makeCore(const State<D>& state)
     return pointsAtRest<D>();
   Effect<D> core;
   core.name = "Material Point Method";
-  core.provides = {quantity::energyBalance}; // by Run, when all stages before Observe have run
+  core.provides = {quantity::energyBalance}; // written by Run before the stage Observe
   core.call(sortCall<D>());
   Quantities scattered = {quantity::stencils, quantity::enrichedFields, quantity::nodalMass,
                           quantity::nodalMomentum,
@@ -161,7 +161,7 @@ Effect<D> makeCore(const State<D>& state)
 namespace
 {
 
-/// Where particles come and go, ids have gaps.
+/// Ids have gaps where particles were split, merged or sent.
 int largestId(const BorrowedView<int*>& id)
 {
   int largest = -1;
@@ -172,7 +172,7 @@ int largestId(const BorrowedView<int*>& id)
   return largest;
 }
 
-/// Adds the nodes of refined cells to those in use: their cells are few, and most hold particles.
+/// Adds the nodes of refined cells to those in use: their cells are few, and most contain particles.
 template <int D>
 void addFineNodes(State<D>& state)
 {

@@ -1,5 +1,5 @@
 #pragma once
-/// The method itself as calls of the stages.
+/// The material point method as calls of the stages.
 
 #include "plan/Effect.hpp"
 
@@ -16,11 +16,11 @@ namespace Rhegma
 template <int D>
 Effect<D> makeCore(const State<D>& state);
 
-/// Sorts the particles and renews what hangs on their order.
+/// Sorts the particles and updates data that depend on their order.
 template <int D>
 void sortState(State<D>& state);
 
-/// Largest wave speed plus particle speed now [m/s].
+/// Current largest wave speed plus particle speed [m/s].
 template <int D>
 double fastestSpeed(const State<D>& state);
 

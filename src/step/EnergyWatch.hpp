@@ -1,5 +1,5 @@
 #pragma once
-/// Notices a run that makes energy out of nothing, or loses it.
+/// Detects a run that creates or loses energy.
 
 #include "archive/Archive.hpp"
 #include "base/Numbers.hpp"
@@ -13,9 +13,8 @@
 namespace Rhegma
 {
 
-/// Follows the energy balance from sample to sample. An unstable step multiplies the energy of a few
-/// particles, but a body can burst and come to an end long before a number overflows: its energy is what
-/// gives it away.
+/// Checks the energy balance from sample to sample. An unstable step multiplies the energy of a few
+/// particles; a body can burst long before a number overflows, but its energy reveals the instability.
 class EnergyWatch
 {
 public:
@@ -30,11 +29,11 @@ public:
     now_ = energy.kinetic + energy.strain;
   }
 
-  /// Whether the run, up to the last sample, has made no more energy than it was given: a state worth
-  /// keeping.
+  /// Whether the run, up to the last sample, has created no more energy than it was given: a state worth
+  /// storing.
   bool sound() const { return std::isfinite(residual_) && residual_ <= given_; }
 
-  void keep(Archive& archive)
+  void serialize(Archive& archive)
   {
     archive("given", given_);
     archive("residual", residual_);
@@ -44,7 +43,7 @@ public:
   }
 
   /// \param subcycledLevels of the state
-  /// \return why the run can't go on; empty if it can
+  /// \return why the run must stop; empty if it need not
   std::string failure(int subcycledLevels = 0) const
   {
     if (!std::isfinite(residual_))
@@ -55,10 +54,10 @@ public:
            " was supplied" + advice(subcycledLevels);
   }
 
-  /// \param losesByDesign whether the scene asks for a scheme that takes energy which nobody energy balance
-  /// \param steps         that were done
+  /// \param losesByDesign whether the scene uses a scheme that dissipates energy without recording it
+  /// \param steps         number of steps
   /// \param subcycledLevels of the state
-  /// \return what a user must know of the energy balance; empty if they balance
+  /// \return warning on the energy balance; empty if it closes
   std::string warning(bool losesByDesign, long steps, int subcycledLevels = 0) const
   {
     if (steps < fewSteps)
@@ -74,9 +73,9 @@ public:
 
 private:
   static constexpr double burst = 10.0;     ///< times the energy that was given: an unstable run
-  static constexpr int burstsInARow = 3;    ///< for the energy balance of the very first steps are rough
-  static constexpr double noticeable = 0.1; ///< share that a user is told of
-  static constexpr long fewSteps = 50; ///< velocities are half a step behind; shorter runs show little else
+  static constexpr int burstsInARow = 3;    ///< because the energy balance of the very first steps is rough
+  static constexpr double noticeable = 0.1; ///< fraction of the energy that is reported
+  static constexpr long fewSteps = 50; ///< velocities lag by half a step, which dominates in shorter runs
 
   static std::string advice(int subcycledLevels)
   {

@@ -22,7 +22,7 @@ void refuse(const State<D>& state, const std::vector<double>& joules)
     throw std::invalid_argument("heat can't be added: that of a particle is not finite");
 }
 
-/// Whether a particle would come to zero kelvin or below, by the capacity that it has now.
+/// Whether a particle would cool to zero kelvin or below, by its present capacity.
 template <int D>
 bool freezes(const State<D>& state, const View<double*>& heat)
 {
@@ -41,7 +41,7 @@ bool freezes(const State<D>& state, const View<double*>& heat)
   return cold > 0;
 }
 
-/// \return the heat that the particles got [J]
+/// \return the added heat [J]
 template <int D>
 double giveToParticles(State<D>& state, const View<double*>& heat)
 {
@@ -57,7 +57,7 @@ double giveToParticles(State<D>& state, const View<double*>& heat)
       KOKKOS_LAMBDA(const int p, double& sum) {
         const double density = heat(p) / volume(p);
         internal(p) += density;
-        // What moves finds its temperature with its stress, from what it holds.
+        // In scenes with motion the temperature follows from the internal energy, with the stress.
         temperature(p) =
             mechanics ? temperature(p) + density / ThermoPoint(tables, material(p), temperature(p)).capacity()
                       : temperatureOfHeat(tables, material(p), internal(p));

@@ -1,5 +1,5 @@
 #pragma once
-/// What is wrong with temperatures where a law finds no stress for them.
+/// Failures of laws that are due to temperatures.
 
 #include "state/State.hpp"
 
@@ -8,8 +8,8 @@
 namespace Rhegma
 {
 
-/// A sentence on the coldest particle of this rank if it is at or below absolute zero, or on thermal
-/// strain that leaves nothing of a particle; empty where there is no heat or both are sound.
+/// Message on the coldest particle of this rank if it is at or below absolute zero, or on thermal strain that
+/// shrinks a particle to nothing; empty without heat or without such a failure.
 template <int D>
 std::string heatFailure(const State<D>& state);
 

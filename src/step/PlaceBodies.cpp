@@ -29,7 +29,7 @@ std::vector<PlacedBody<D>> planBodies(const Teuchos::ParameterList& section)
   return bodies;
 }
 
-/// Memory is asked for before any is taken.
+/// Checks the memory before any is allocated.
 template <int D>
 void refuseTooMuch(const std::vector<PlacedBody<D>>& bodies, const State<D>& state)
 {

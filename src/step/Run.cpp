@@ -34,7 +34,7 @@ Effect<D> makeEffect(const EffectEntry& entry, const Teuchos::ParameterList& sce
     return entry.make3(part, options);
 }
 
-/// No run takes more steps; as many as Time > Maximum Steps allows by default.
+/// Largest number of steps; the default of Time > Maximum Steps.
 constexpr double mostSteps = 2e9;
 
 template <int D>
@@ -58,7 +58,7 @@ Run<D>::Run(const Teuchos::ParameterList& scene, std::vector<Effect<D>> own, con
 template <int D>
 void Run<D>::initialize()
 {
-  // A rank may refuse alone, say for want of memory: none goes on without it.
+  // A single rank may fail, for example for lack of memory: then all stop.
   onEachRank(state_.ranks, [&] { makeAll(); });
   divideState(state_);
 }
@@ -89,11 +89,11 @@ void Run<D>::makeAll()
   Effect<D> boundaries = makeBoundaries<D>(scene_, options.adaptive);
   if (!boundaries.calls.empty())
     effects.insert(effects.begin() + 1, boundaries);
-  // Where nothing constrains the motion, who waits for the constrained motion reads the solved one.
+  // Without constraints, calls that read the constrained motion get the solved one.
   plan_ = makePlan<D>(std::move(effects));
   order_ = stageOrder(state_.method.scheme);
-  // Boundaries are made from the bodies alone, so they and the first of the effects may both be wrong; an
-  // effect may stand on those before it.
+  // Boundaries depend on the bodies only, so their errors are reported with those of the first effect; later
+  // effects may depend on earlier ones.
   Attempts attempts;
   bool on = true;
   for (const Effect<D>& effect : plan_.effects)
@@ -103,7 +103,7 @@ void Run<D>::makeAll()
   {
     state_.clock.fastestSpeed = fastestSpeed(state_);
     for (const auto& found :
-         {warningsOfUnits(state_.materials.names, state_.materials.list), warningsOfEdges<D>(scene_)})
+         {warningsOfUnits(state_.materials.names, state_.materials.properties), warningsOfEdges<D>(scene_)})
       state_.warnings.insert(state_.warnings.end(), found.begin(), found.end());
   }
   attempts.attempt([&] { refuseEndless(); });
@@ -119,7 +119,7 @@ void Run<D>::refuseEndless() const
                                 "check stiffness, density and the velocity of bodies (SI units)");
   const double step = stableTimeStep();
   const double steps = scene_.sublist("Time").get<double>("Final Time") / step;
-  // A scene that limits its steps knows what it does.
+  // A scene that limits its steps is accepted.
   if (steps <= mostSteps || scene_.sublist("Time").get<int>("Maximum Steps") < mostSteps)
     return;
   throw std::invalid_argument("Time > Final Time: the run would take about " + formatReal(std::round(steps)) +
@@ -170,7 +170,7 @@ void Run<D>::agree()
   if (most[2] == 0.0)
     return;
   state_.failure = state_.ranks.firstText(state_.failure);
-  shareEnergyBalance(state_);
+  sumEnergyBalance(state_);
   stop(state_);
 }
 
@@ -179,7 +179,7 @@ void Run<D>::step(double until, bool sample)
 {
   const double left = until - state_.clock.time;
   state_.clock.observing = sample;
-  // First, since the step depends on the cells.
+  // First, because the step depends on the cells.
   runStage(Stage::BetweenSteps);
   moveNodalFields(state_);
   state_.clock.dt = stableTimeStep();
@@ -188,7 +188,7 @@ void Run<D>::step(double until, bool sample)
     state_.failure = "the stable step is not a positive number";
     stop(state_);
   }
-  // The last two steps share what is left, so that none is tiny.
+  // The remaining time is divided evenly between the last two steps, so that none is tiny.
   if (state_.clock.dt >= left)
     state_.clock.dt = left;
   else if (2.0 * state_.clock.dt > left)
@@ -203,7 +203,7 @@ void Run<D>::step(double until, bool sample)
   agree();
   state_.clock.time = state_.clock.dt == left ? until : state_.clock.time + state_.clock.dt;
   ++state_.clock.step;
-  state_.particles.stepsTaken += allParticles(state_);
+  state_.particles.particleSteps += allParticles(state_);
   if (sample)
   {
     state_.sample.row.clear();
@@ -219,7 +219,7 @@ void Run<D>::step(double until, bool sample)
 }
 
 template <int D>
-void Run<D>::keep(Archive& archive)
+void Run<D>::serialize(Archive& archive)
 {
   archiveState(state_, archive);
   archiveNodalFields(state_, archive);
@@ -230,7 +230,7 @@ void Run<D>::keep(Archive& archive)
   }
   {
     const Archive::Group group(archive, "run/energy watch");
-    energyWatch_.keep(archive);
+    energyWatch_.serialize(archive);
   }
   for (const Effect<D>& effect : plan_.effects)
     if (effect.memory)

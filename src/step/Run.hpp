@@ -1,5 +1,5 @@
 #pragma once
-/// A scene in motion.
+/// The time loop of a scene.
 
 #include "base/RunError.hpp"
 #include "plan/Plan.hpp"
@@ -11,33 +11,32 @@
 namespace Rhegma
 {
 
-/// Owns the state and the plan, and steps them.
+/// Owns the state and the plan, and advances them by steps.
 template <int D>
 class Run
 {
 public:
   /// \param scene a validated scene
-  /// \param own   effects that the application brings next to those of the scene, such as a load of its own
-  /// \param ranks that share the run: `initialize` and `step` are then collective
+  /// \param own   effects of the application in addition to those of the scene, such as its own load
+  /// \param ranks of the run: `initialize` and `step` are collective
   explicit Run(const Teuchos::ParameterList& scene, std::vector<Effect<D>> own = {}, const Ranks& ranks = {});
 
-  /// Makes particles, fields and the plan. Throws std::invalid_argument for what only the bodies can show
-  /// wrong.
+  /// Makes particles, fields and the plan. Throws std::invalid_argument for errors that depend on the bodies.
   void initialize();
 
-  /// The step that would be taken now [s].
+  /// The stable step of the current state [s].
   double stableTimeStep() const;
 
-  /// Fraction of the stable step that is taken, 1 at the start; kept with the state.
+  /// Fraction of the stable step that is used, 1 at the start; saved with the state.
   double stepFraction() const { return stepFraction_; }
-  void setStepFraction(double share) { stepFraction_ = share; }
+  void setStepFraction(double fraction) { stepFraction_ = fraction; }
 
   /// One step, not beyond `until`. The step ends with a sample when `sample` is set.
   /// Throws RunError when the run can't go on.
   void step(double until, bool sample);
 
-  /// Saves or loads all that the run keeps from step to step. Load after initialize().
-  void keep(Archive& archive);
+  /// Saves or loads all persistent data of the run. Load after initialize().
+  void serialize(Archive& archive);
 
   State<D>& state() { return state_; }
   const State<D>& state() const { return state_; }
@@ -53,12 +52,12 @@ public:
 private:
   void makeAll();
   void refuseEndless() const;
-  /// Makes what ranks must know of each other before the next step the same on all: the fastest speed,
-  /// whether somebody must sort, and why the run can't go on. Throws RunError where it can't.
+  /// Reduces over the ranks what they need for the next step: the fastest speed, whether to sort, and a
+  /// failure. Throws RunError on failure.
   void agree();
   /// The first of two passes that strain (USAVG).
   void strainBeforeForces();
-  /// Throws RunError where the stage brings failure; where there are many ranks that waits for `agree`.
+  /// Throws RunError where the stage fails; with several ranks the failure waits for `agree`.
   void runStage(Stage stage);
 
   Teuchos::ParameterList scene_;

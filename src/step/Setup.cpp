@@ -52,14 +52,14 @@ void readMaterials(const Teuchos::ParameterList& scene, State<D>& state)
   for (const std::string& name : sublistNames(section))
   {
     state.materials.names.push_back(name);
-    // Where tables are, an effect takes them in place of these.
+    // If there are tables, an effect replaces these values.
     const std::vector<double> tables = tableTemperatures(section.sublist(name));
-    state.materials.list.push_back(makeProperties(
+    state.materials.properties.push_back(makeProperties(
         materialAt(section.sublist(name), tables.empty() ? 1.0 : tables.front()), name, state.method.plane));
   }
-  state.materials.device = View<Properties*>("rhegma::materials", state.materials.list.size());
+  state.materials.device = View<Properties*>("rhegma::materials", state.materials.properties.size());
   const auto host = Kokkos::create_mirror_view(state.materials.device);
-  std::copy(state.materials.list.begin(), state.materials.list.end(), host.data());
+  std::copy(state.materials.properties.begin(), state.materials.properties.end(), host.data());
   Kokkos::deep_copy(state.materials.device, host);
 }
 
@@ -80,7 +80,7 @@ void addFields(State<D>& state, const std::vector<Field>& extra)
   if (state.method.shape == ShapeKind::Gimp)
     table.add({fields::box, D, "m", "half widths of the particle domain (GIMP)"});
   int history = 0;
-  for (const Properties& properties : state.materials.list)
+  for (const Properties& properties : state.materials.properties)
     history = std::max(history, historySize<D>(properties));
   if (history > 0 && state.method.mechanics)
     table.add({fields::history, history, "", "history variables of the constitutive law"});
@@ -126,7 +126,7 @@ void writeParticles(const PlacedBody<D>& body, int material, int first, State<D>
     centre = centre + (1.0 / count) * x;
   const Vector<D> velocity = readVector<D>(body.list, "Velocity");
   const auto spin = body.list.template get<Teuchos::Array<double>>("Angular Velocity").toVector();
-  const double density = state.materials.list[material].density;
+  const double density = state.materials.properties[material].density;
   const double volume = seeds.volume * state.method.thickness;
   FieldTable& table = state.particles;
   const auto position = onHost(table.real<D>(fields::position));
@@ -157,7 +157,7 @@ void writeParticles(const PlacedBody<D>& body, int material, int first, State<D>
     mass(p) = density * volume;
     volumes(p) = volume;
     materials(p) = material;
-    bodies(p) = static_cast<int>(state.bodies.list.size());
+    bodies(p) = static_cast<int>(state.bodies.info.size());
     id(p) = p;
   }
   Kokkos::deep_copy(table.real<D>(fields::position), position);
@@ -187,18 +187,18 @@ void addBody(const PlacedBody<D>& body, State<D>& state)
   const int first = state.particles.size();
   state.particles.resize(first + static_cast<int>(body.seeds.position.size()));
   writeParticles(body, info.material, first, state);
-  state.bodies.list.push_back(info);
+  state.bodies.info.push_back(info);
 }
 
 template <int D>
 void makeBodyAxes(State<D>& state)
 {
-  state.bodies.axes = View<double* [D][D]>("rhegma::bodyAxes", state.bodies.list.size());
+  state.bodies.axes = View<double* [D][D]>("rhegma::bodyAxes", state.bodies.info.size());
   const auto host = Kokkos::create_mirror_view(state.bodies.axes);
-  for (std::size_t b = 0; b < state.bodies.list.size(); ++b)
+  for (std::size_t b = 0; b < state.bodies.info.size(); ++b)
     for (int e = 0; e < D; ++e)
       for (int d = 0; d < D; ++d)
-        host(b, e, d) = state.bodies.list[b].axes[e][d];
+        host(b, e, d) = state.bodies.info[b].axes[e][d];
   Kokkos::deep_copy(state.bodies.axes, host);
 }
 

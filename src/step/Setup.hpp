@@ -9,8 +9,8 @@ namespace Rhegma
 /// Grid, materials and particles of a scene, with the fields of the method itself.
 ///
 /// \param extra fields that effects add
-/// Throws std::invalid_argument, one sentence with the section's path, where a body catches no particle or a
-/// particle would start outside of the domain.
+/// Throws std::invalid_argument, with the path of the section, where a body has no particle or a particle
+/// would start outside of the domain.
 template <int D>
 void makeState(const Teuchos::ParameterList& scene, const std::vector<Field>& extra, State<D>& state);
 

@@ -5,7 +5,7 @@ namespace Rhegma::surface::facet
 {
 
 constexpr int surfaceBreaking = -1; ///< the surface of the body
-constexpr int front = -2;           ///< whole material
-constexpr int joined = -3;          ///< another crack, on which this one has ended
+constexpr int front = -2;           ///< uncracked material
+constexpr int joined = -3;          ///< another crack, which this one has met
 
 } // namespace Rhegma::surface::facet

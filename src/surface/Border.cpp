@@ -23,7 +23,7 @@ bool meetsSurfaceAtAnAngle(const Region<3>& bodies, const Vector<3>& a, const Ve
                     at = back ? b - nearEnd * along : a + nearEnd * along;
     const Vector<3> aside = ((back ? -1.0 : 1.0) / norm(along)) * along;
     if (!bodies(at + just * cell * ahead) && bodies(in + just * cell * ahead) &&
-        (goesOn(bodies, in, ahead, cell) || goesOn(bodies, in, ahead + aside, cell)))
+        (extendsBeyond(bodies, in, ahead, cell) || extendsBeyond(bodies, in, ahead + aside, cell)))
       return true;
   }
   return false;
@@ -46,7 +46,7 @@ void markBorder(CrackMesh<3>& mesh, const KindOfBorder& kindOf, const Region<3>&
       const bool front =
           kind == BorderKind::Front ||
           (kind == BorderKind::FrontIfMaterialAhead &&
-           (goesOn(bodies, middle, out, cell) || meetsSurfaceAtAnAngle(bodies, a, b, out, cell)));
+           (extendsBeyond(bodies, middle, out, cell) || meetsSurfaceAtAnAngle(bodies, a, b, out, cell)));
       mesh.beyond[t][i] = front ? facet::front : facet::surfaceBreaking;
     }
 }

@@ -24,9 +24,9 @@ struct CrackMesh
 template <int D>
 using Region = std::function<bool(const Vector<D>&)>;
 
-/// Whether a region goes on for a cell from a point on. \param direction of any length \param cell [m]
+/// Whether a region extends for a cell beyond a point. \param direction of any length \param cell [m]
 template <int D>
-bool goesOn(const Region<D>& region, const Vector<D>& from, const Vector<D>& direction, double cell)
+bool extendsBeyond(const Region<D>& region, const Vector<D>& from, const Vector<D>& direction, double cell)
 {
   for (const double step : {0.25, 0.5, 0.75, 1.0})
     if (!region(from + (step * cell / norm(direction)) * direction))

@@ -1,5 +1,5 @@
 #pragma once
-/// Edges of a triangulation that are flipped until it is Delaunay's.
+/// Edge flips that make a triangulation Delaunay.
 
 #include "surface/Triangulation.hpp"
 
@@ -8,9 +8,9 @@
 namespace Rhegma::surface
 {
 
-/// Lawson's flips (Math. Software III (1977) 161) in rounds, in which no triangle changes twice. What a round
-/// has changed, and what is next to it, is all that the next one looks at: nothing else can have become worth
-/// a flip.
+/// Lawson's flips (Math. Software III (1977) 161) in rounds, in which no triangle changes twice. The next
+/// round checks only the triangles that changed and their neighbours: no other edge can have become
+/// flippable.
 class EdgeFlips
 {
 public:
@@ -26,9 +26,9 @@ private:
   void putBeyond(int t, int old, int now);
 
   Triangulation& mesh_;
-  double tinyArea_, tinyCircle_; ///< below which a number is round-off [m2, m4]
+  double tinyArea_, tinyCircle_; ///< tolerances for round-off [m2, m4]
   std::vector<std::array<int, 3>> beyond_;
-  std::vector<int> candidates_; ///< triangles to look at, in their order
+  std::vector<int> candidates_; ///< triangles to check, in their order
   std::vector<char> changed_;   ///< in this round
 };
 

@@ -13,15 +13,15 @@ namespace Rhegma::surface
 template <int D>
 struct FrontPoint
 {
-  int vertex = 0;         ///< of the crack
-  int name = 0;           ///< a number that it keeps while the front grows
-  int from = -1;          ///< the point, by name, that it came from when the front grew; -1: it was there
-  int origin = 0;         ///< index of the point that it was, or was copied from, before the front grew
+  int vertex = 0; ///< of the crack
+  int name = 0;   ///< number that stays the same while the front grows
+  int from = -1;  ///< the point, by name, that it came from when the front grew; -1: it was there
+  int origin = 0; ///< index of the same point, or the point that it was copied from, before the front grew
   bool joined = false;    ///< a piece of front runs from it to the next
   bool landed = false;    ///< it has reached the surface of the body
   bool stopped = false;   ///< it does not advance
   double toughness = 0.0; ///< of the last face that it made [J/m2]
-  Vector<D> direction{};  ///< unit vector in which the crack would go straight on
+  Vector<D> direction{};  ///< unit vector of straight growth
   Vector<D> normal{};     ///< unit normal of the crack
 };
 
@@ -45,7 +45,7 @@ int previousPoint(const FrontLines<D>& lines, std::size_t k)
   return lines[last].joined ? static_cast<int>(last) : -1;
 }
 
-/// Mean of the toughness of two points, or that of the one that has made a face [J/m2].
+/// Mean toughness of two points; if only one has made a face, its toughness [J/m2].
 template <int D>
 double meanToughness(const FrontPoint<D>& a, const FrontPoint<D>& b)
 {
@@ -53,7 +53,7 @@ double meanToughness(const FrontPoint<D>& a, const FrontPoint<D>& b)
                                                 : std::max(a.toughness, b.toughness);
 }
 
-/// Takes pieces between points that have landed, and landed points that are alone, out of the lines.
+/// Removes pieces between points that have landed, and isolated landed points, from the lines.
 template <int D>
 void cutLanded(FrontLines<D>& lines);
 

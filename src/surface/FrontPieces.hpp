@@ -17,7 +17,7 @@ struct Piece
 std::vector<std::vector<Piece>> frontsOf(const CrackMesh<2>& mesh);
 std::vector<std::vector<Piece>> frontsOf(const CrackMesh<3>& mesh);
 
-/// The vertex of a front that stands for it.
+/// The vertex that represents a front.
 int middleVertex(const CrackMesh<2>& mesh, const std::vector<Piece>& pieces);
 int middleVertex(const CrackMesh<3>& mesh, const std::vector<Piece>& pieces);
 

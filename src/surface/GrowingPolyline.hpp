@@ -1,5 +1,5 @@
 #pragma once
-/// A polyline while its ends move on.
+/// A polyline whose ends advance.
 
 #include "surface/CrackMesh.hpp"
 #include "surface/FrontLines.hpp"
@@ -10,15 +10,15 @@
 namespace Rhegma::surface
 {
 
-/// One crack in 2D, with what it takes to change it; as GrowingSurface in 3D.
+/// One growing crack in 2D; the counterpart of GrowingSurface in 3D.
 class GrowingPolyline
 {
 public:
   std::vector<Vector<2>> vertices;
   std::vector<std::array<Vector<2>, 2>> faces;
-  std::array<bool, 2> joined{}; ///< whether its first and its last end have ended on another crack
+  std::array<bool, 2> joined{}; ///< whether its first and its last end have met another crack
 
-  /// Lists the vertices in their order. Belongs before all that follows.
+  /// Lists the vertices in their order. Call before all functions below.
   void prepare();
 
   /// The vertices from the first end to the last.
@@ -30,14 +30,14 @@ public:
   /// Adds a segment from the front point to x. \return the given length of it [m]
   double advance(FrontLines<2>& lines, std::size_t k, const Vector<2>& x, double length);
 
-  /// Opening of the crack a distance behind an end [m]. It grows as the root of the distance up to the first
-  /// vertex behind.
+  /// Opening of the crack a distance behind an end [m]. Up to the first vertex behind it is proportional to
+  /// the square root of the distance.
   double openingBehind(int vertex, double distance) const;
 
-  /// Puts the vertices in their order, and gives the lines the new numbers.
+  /// Sorts the vertices along the crack, and updates the numbers in the lines.
   void tidy(const std::vector<FrontLines<2>*>& lines);
 
-  /// The segments, with what lies beyond both ends: the fronts are those of the lines.
+  /// The mesh of segments. Ends in the lines are fronts.
   CrackMesh<2> mesh(const std::vector<const FrontLines<2>*>& lines) const;
 
 private:

@@ -1,5 +1,5 @@
 #pragma once
-/// A crack surface while its fronts move on.
+/// A crack surface whose fronts advance.
 
 #include "surface/CrackMesh.hpp"
 #include "surface/FrontLines.hpp"
@@ -10,8 +10,8 @@
 namespace Rhegma::surface
 {
 
-/// One crack, with what it takes to change it. Triangles keep their orientation, and each function returns
-/// the area that it adds, to rounding.
+/// One growing crack. Triangles keep their orientation, and each function returns the area that it adds, to
+/// rounding.
 class GrowingSurface
 {
 public:
@@ -19,30 +19,28 @@ public:
   std::vector<std::array<Vector<3>, 2>> faces;
   std::vector<std::array<int, 3>> triangles;
 
-  /// Lists which triangles are at each vertex. Belongs before all that follows.
+  /// Lists the triangles at each vertex. Call before all functions below.
   void prepare();
 
-  /// Takes the k-th point of the lines to x: moves its vertex, whose triangles stretch, or, where these would
-  /// become longer than `row` or turn by more than ten degrees, puts a new vertex there.
-  /// \return the area that this adds [m2]
+  /// Advances the k-th point of the lines to x: moves its vertex, or adds a new one if the triangles would
+  /// become longer than `row` or turn by more than ten degrees.
+  /// \return the added area [m2]
   double advance(FrontLines<3>& lines, std::size_t k, const Vector<3>& x, double row);
 
-  /// Puts a point in the middle of the piece that begins at the k-th point; its name is `name`.
+  /// Splits the piece that begins at the k-th point in the middle; the new point gets `name`.
   void split(FrontLines<3>& lines, std::size_t k, int name);
 
-  /// Makes one point, in their middle or at an end of the line, of the two ends of the piece that begins at
-  /// the k-th point, unless that would turn a triangle over. \param added area that this adds, negative as a
-  /// rule [m2] \return whether it was done
+  /// Collapses the piece that begins at the k-th point to its middle, or to an end of the line, unless that
+  /// would invert a triangle. \param added added area, usually negative [m2] \return whether it was done
   bool collapse(FrontLines<3>& lines, std::size_t k, double& added);
 
   /// Length of the piece that begins at the k-th point [m].
   double pieceAt(const FrontLines<3>& lines, std::size_t k) const;
 
-  /// Leaves out what collapses have left, and gives the lines the new numbers.
+  /// Removes unused vertices and triangles, and updates the numbers in the lines.
   void tidy(const std::vector<FrontLines<3>*>& lines);
 
-  /// The surface with what lies beyond its edges: the fronts are those of the lines, the rest of the border
-  /// is surface-breaking.
+  /// The mesh of the surface. Edges in the lines are fronts, the rest of the border is surface-breaking.
   CrackMesh<3> mesh(const std::vector<const FrontLines<3>*>& lines) const;
 
 private:

@@ -1,5 +1,5 @@
 #pragma once
-/// Polygons in a plane in 3D.
+/// Planar polygons in 3D.
 
 #include "base/Types.hpp"
 
@@ -8,19 +8,19 @@
 namespace Rhegma::surface
 {
 
-/// A plane with axes of its own; the normal is a x b.
+/// A plane with axes a and b; its normal is a x b.
 struct Plane
 {
   Vector<3> origin, a, b, normal;
 
   Vector<2> inPlane(const Vector<3>& x) const { return {dot(x - origin, a), dot(x - origin, b)}; }
-  Vector<3> inSpace(const Vector<2>& x) const { return origin + x[0] * a + x[1] * b; }
+  Vector<3> in3D(const Vector<2>& x) const { return origin + x[0] * a + x[1] * b; }
 
-  /// Sets a to the unit vector along a direction, less what is normal to the plane, and b normal to it.
+  /// Sets a to the unit vector along a direction projected on the plane, and b normal to it.
   void orientAlong(const Vector<3>& direction);
 };
 
-/// The mean plane of a polygon, with the normal from which its points go round anticlockwise (Newell's sum)
+/// The mean plane of a polygon, with the normal about which its points are counter-clockwise (Newell's sum)
 /// and a along its first edge. \param area of the polygon [m2]; where it is zero, the plane is undefined
 Plane planeOf(const std::vector<Vector<3>>& points, double& area);
 

@@ -16,8 +16,8 @@ std::vector<Vector<2>> splitSegments(const std::vector<Vector<2>>& points, doubl
 /// their first points; {-1, -1} where none do.
 std::array<int, 2> firstCrossing(const std::vector<Vector<2>>& points, double tolerance);
 
-/// Drops what lies outside of a region at both ends, to a resolution [m]. The points in between stay. Empty
-/// where nothing, or no length, is left.
+/// Cuts off both ends outside of a region, to a resolution [m]. Points in between stay. Empty if no length is
+/// left.
 std::vector<Vector<2>> clipEnds(const std::vector<Vector<2>>& points, const Region<2>& region,
                                 double resolution);
 

@@ -10,9 +10,9 @@ namespace Rhegma
 /// E_i)_d^2) / 2, E_i the undeformed edge vectors.
 ///
 /// Exact for any stretch along the axes and for quarter turns; a turned square keeps its size, and the boxes
-/// of a body under uniform stretch tile it. Not wider than half a cell each way, so that a box touches at
-/// most two cells an axis. \param axes undeformed edge directions of each body \param edge undeformed edge
-/// lengths [m]
+/// of a body under uniform stretch tile it. At most half a cell in each direction, so that a box touches at
+/// most two cells along an axis. \param axes undeformed edge directions of each body \param edge undeformed
+/// edge lengths [m]
 template <int D>
 KOKKOS_INLINE_FUNCTION void updateBox(const View<double* [D][D]>& axes, int body, const double* edge,
                                       const double* F, double largest, double* half)

@@ -1,5 +1,5 @@
 #pragma once
-/// Which nodes a particle sees, and in which field: the one policy of all transfers.
+/// The nodes of a particle, and their fields: the common policy of all transfers.
 
 #include "grid/Grid.hpp"
 #include "grid/ShapeFunctions.hpp"
@@ -9,8 +9,8 @@
 namespace Rhegma
 {
 
-/// Visits the nodes of a particle. Particles with a row in the table see the stored nodes; all others, and
-/// every particle when Stored is false, see the nodes of their cell.
+/// Visits the nodes of a particle. Particles with a row in the table use the stored nodes; all others, and
+/// all particles when Stored is false, use the nodes of their cell.
 template <int D, ShapeKind S, bool Stored>
 struct Connectivity
 {
@@ -22,10 +22,10 @@ struct Connectivity
 
   static constexpr ShapeKind shape = S;
 
-  /// Calls work(p, stencil) for the particles begin .. end - 1; a stencil has the operations of
+  /// Calls visit(p, stencil) for the particles begin .. end - 1; a stencil has the operations of
   /// TensorStencil.
-  template <class Work>
-  KOKKOS_INLINE_FUNCTION void forEachParticle(int begin, int end, const Work& work) const
+  template <class Visit>
+  KOKKOS_INLINE_FUNCTION void forEachParticle(int begin, int end, const Visit& visit) const
   {
     LaneStencils<D, S> stencils;
     for (int first = begin; first < end; first += lanes)
@@ -40,16 +40,16 @@ struct Connectivity
           const int r = row(first + l);
           if (r >= 0)
           {
-            work(first + l, TableStencil<D>{table, r});
+            visit(first + l, TableStencil<D>{table, r});
             continue;
           }
         }
-        work(first + l, TensorStencil<D, S>{stencils, grid.stride, l});
+        visit(first + l, TensorStencil<D, S>{stencils, grid.stride, l});
       }
     }
   }
 
-  /// Mostly the first tells.
+  /// Usually the first particle decides.
   KOKKOS_INLINE_FUNCTION bool allStored(int first, int count) const
   {
     for (int p = first; p < first + count; ++p)

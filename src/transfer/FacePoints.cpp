@@ -22,10 +22,10 @@ namespace
 constexpr double longestPiece = 0.5;
 
 template <int D>
-struct Place
+struct FixedPoint
 {
   int simplex, crack;
-  double weight[D], share, size;
+  double weight[D], fraction, size;
   Vector<D> at;
 };
 
@@ -64,12 +64,12 @@ KOKKOS_INLINE_FUNCTION Vector<3> sizedNormal(const Vector<3> (&corner)[3])
 }
 
 template <int D>
-std::vector<Place<D>> positions(const CrackSet<D>& cracks, double spacing)
+std::vector<FixedPoint<D>> positions(const CrackSet<D>& cracks, double spacing)
 {
   const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
   const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
   const auto crackOf = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.crackOf);
-  std::vector<Place<D>> all;
+  std::vector<FixedPoint<D>> all;
   for (int s = 0; s < static_cast<int>(simplex.extent(0)); ++s)
   {
     Vector<D> corner[D];
@@ -84,18 +84,18 @@ std::vector<Place<D>> positions(const CrackSet<D>& cracks, double spacing)
     const double size = norm(sizedNormal(corner));
     for (const std::array<double, D>& weight : weights)
     {
-      Place<D> place;
-      place.simplex = s;
-      place.crack = crackOf(s);
-      place.share = 1.0 / double(weights.size());
-      place.size = size * place.share;
-      place.at = Vector<D>{};
+      FixedPoint<D> point;
+      point.simplex = s;
+      point.crack = crackOf(s);
+      point.fraction = 1.0 / double(weights.size());
+      point.size = size * point.fraction;
+      point.at = Vector<D>{};
       for (int i = 0; i < D; ++i)
       {
-        place.weight[i] = weight[i];
-        place.at = place.at + weight[i] * corner[i];
+        point.weight[i] = weight[i];
+        point.at = point.at + weight[i] * corner[i];
       }
-      all.push_back(place);
+      all.push_back(point);
     }
   }
   return all;
@@ -106,14 +106,14 @@ template <int D>
 class PositionBins
 {
 public:
-  PositionBins(const std::vector<Place<D>>& all, double reach) : all_(all), reach_(reach)
+  PositionBins(const std::vector<FixedPoint<D>>& all, double reach) : all_(all), reach_(reach)
   {
     for (std::size_t o = 0; o < all.size(); ++o)
       bins_[binOf(all[o])].push_back(static_cast<int>(o));
   }
 
   /// \return -1 where none is nearer than `reach`
-  int nearest(const Place<D>& to) const
+  int nearest(const FixedPoint<D>& to) const
   {
     int found = -1;
     double shortest = reach_;
@@ -142,15 +142,15 @@ public:
 
 private:
   using Bin = std::array<long, D + 1>; ///< along each axis, and the crack
-  Bin binOf(const Place<D>& place) const
+  Bin binOf(const FixedPoint<D>& point) const
   {
     Bin bin;
     for (int d = 0; d < D; ++d)
-      bin[d] = std::lround(place.at[d] / reach_);
-    bin[D] = place.crack;
+      bin[d] = std::lround(point.at[d] / reach_);
+    bin[D] = point.crack;
     return bin;
   }
-  const std::vector<Place<D>>& all_;
+  const std::vector<FixedPoint<D>>& all_;
   double reach_;
   std::map<Bin, std::vector<int>> bins_;
 };
@@ -170,29 +170,29 @@ KOKKOS_INLINE_FUNCTION double frontShape(const View<int* [D]>& neighbour, const 
 
 /// Faces nearer than this are looked at from midway, in smallest cells: so that both faces of a closed crack
 /// are in the cell of one rank, wherever ranks part. No force is moved by more than half of it.
-constexpr double oneNear = 1e-3;
+constexpr double nearlyClosed = 1e-3;
 
 /// Which faces meet nodes on this rank.
 template <int D>
-void findMeetings(const StencilTable<D>& below, const StencilTable<D>& above, int count,
-                  const View<double*>& meets)
+void findReached(const StencilTable<D>& below, const StencilTable<D>& above, int count,
+                 const View<double*>& reached)
 {
   Kokkos::parallel_for(
-      "rhegma::findMeetings", Kokkos::RangePolicy<ExecSpace>(0, count), KOKKOS_LAMBDA(const int k) {
-        meets(2 * k) = below.count(k) > 0 ? 1.0 : 0.0;
-        meets(2 * k + 1) = above.count(k) > 0 ? 1.0 : 0.0;
+      "rhegma::findReached", Kokkos::RangePolicy<ExecSpace>(0, count), KOKKOS_LAMBDA(const int k) {
+        reached(2 * k) = below.count(k) > 0 ? 1.0 : 0.0;
+        reached(2 * k + 1) = above.count(k) > 0 ? 1.0 : 0.0;
       });
 }
 
 /// Leaves a point out on both faces where one of them has no node to act on.
 template <int D>
-void leaveOutLonely(const View<double*>& meets, const StencilTable<D>& below, const StencilTable<D>& above,
-                    const View<int*>& acts)
+void leaveOutOneSided(const View<double*>& reached, const StencilTable<D>& below,
+                      const StencilTable<D>& above, const View<int*>& acts)
 {
   Kokkos::parallel_for(
-      "rhegma::leaveOutLonelyFaces", Kokkos::RangePolicy<ExecSpace>(0, acts.extent(0)),
+      "rhegma::leaveOutOneSided", Kokkos::RangePolicy<ExecSpace>(0, acts.extent(0)),
       KOKKOS_LAMBDA(const int k) {
-        acts(k) = meets(2 * k) > 0.0 && meets(2 * k + 1) > 0.0 ? 1 : 0;
+        acts(k) = reached(2 * k) > 0.0 && reached(2 * k + 1) > 0.0 ? 1 : 0;
         if (acts(k) == 0)
           below.count(k) = above.count(k) = 0;
       });
@@ -205,29 +205,29 @@ bool FacePoints<D>::update(const State<D>& state)
 {
   const int simplices = static_cast<int>(state.cracks.simplex.extent(0));
   const double spacing = state.mesh.smallestSpacing();
-  double taken = 0.0; // grows with every advance, of which one in 3D may but stretch triangles
+  double required = 0.0; // grows with every advance, also one that only stretches triangles
   for (const CrackFront<D>& front : state.cracks.fronts)
-    taken += front.budget.required;
-  const bool anew = simplices != simplices_ || taken != taken_ || spacing != spacing_;
+    required += front.budget.required;
+  const bool anew = simplices != simplices_ || required != required_ || spacing != spacing_;
   if (anew)
     place(state.cracks, spacing);
   simplices_ = simplices;
-  taken_ = taken;
+  required_ = required;
   spacing_ = spacing;
-  follow(state.cracks);
+  moveWithCracks(state.cracks);
   pointStencils(state, lower_, below, true);
   pointStencils(state, upper_, above, true);
-  findMeetings(below, above, count_, meets_);
-  sumParts(state, meets_);
-  leaveOutLonely(meets_, below, above, acts);
+  findReached(below, above, count_, reached_);
+  sumParts(state, reached_);
+  leaveOutOneSided(reached_, below, above, acts);
   return anew;
 }
 
 template <int D>
 void FacePoints<D>::place(const CrackSet<D>& cracks, double spacing)
 {
-  const std::vector<Place<D>> all = positions(cracks, spacing);
-  std::vector<Place<D>> old(count_);
+  const std::vector<FixedPoint<D>> all = positions(cracks, spacing);
+  std::vector<FixedPoint<D>> old(count_);
   if (count_ > 0)
   {
     const auto oldCrack = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, crack);
@@ -258,7 +258,7 @@ void FacePoints<D>::place(const CrackSet<D>& cracks, double spacing)
     hostSimplex(k) = all[k].simplex;
     for (int i = 0; i < D; ++i)
       hostWeight(k, i) = all[k].weight[i];
-    hostFraction(k) = all[k].share;
+    hostFraction(k) = all[k].fraction;
     hostBefore(k) = earlier.nearest(all[k]);
   }
   for (std::size_t o = 0; o < old.size(); ++o)
@@ -286,9 +286,9 @@ void FacePoints<D>::reserveRows(int number)
   before = View<int*>("rhegma::facePointBefore", count_);
   simplex_ = View<int*>("rhegma::facePointSimplex", count_);
   weight_ = View<double* [D]>("rhegma::facePointWeight", count_);
-  fraction_ = View<double*>("rhegma::facePointShare", count_);
+  fraction_ = View<double*>("rhegma::facePointFraction", count_);
   acts = View<int*>("rhegma::facePointActs", count_);
-  meets_ = View<double*>("rhegma::facePointMeets", 2 * count_);
+  reached_ = View<double*>("rhegma::facePointReached", 2 * count_);
   for (ObservedPoints<D>* face : {&lower_, &upper_})
   {
     face->count = count_;
@@ -300,7 +300,7 @@ void FacePoints<D>::reserveRows(int number)
 }
 
 template <int D>
-void FacePoints<D>::keep(Archive& archive)
+void FacePoints<D>::serialize(Archive& archive)
 {
   int number = count_;
   archive("count", number);
@@ -312,27 +312,27 @@ void FacePoints<D>::keep(Archive& archive)
   archive("before", before);
   archive("simplex", simplex_);
   archive("weight", weight_);
-  archive("share", fraction_);
+  archive("fraction", fraction_);
   archive("simplices", simplices_);
-  archive("taken", taken_);
+  archive("required", required_);
   archive("spacing", spacing_);
 }
 
 template <int D>
-void FacePoints<D>::follow(const CrackSet<D>& cracks)
+void FacePoints<D>::moveWithCracks(const CrackSet<D>& cracks)
 {
   const FacePoints p = *this;
   const View<int*> simplexOf = simplex_;
   const View<double* [D]> weight = weight_;
-  const View<double*> share = fraction_;
+  const View<double*> fraction = fraction_;
   const ObservedPoints<D> lower = lower_, upper = upper_;
   const View<int* [D]> simplex = cracks.simplex;
   const View<double* [D]> vertex = cracks.vertex;
   const View<double* [2][D]> face = cracks.face;
   const View<int* [D]> neighbour = cracks.neighbour;
-  const double near = oneNear * spacing_;
+  const double near = nearlyClosed * spacing_;
   Kokkos::parallel_for(
-      "rhegma::followFaces", Kokkos::RangePolicy<ExecSpace>(0, count_), KOKKOS_LAMBDA(const int k) {
+      "rhegma::moveFacePoints", Kokkos::RangePolicy<ExecSpace>(0, count_), KOKKOS_LAMBDA(const int k) {
         Vector<D> corner[D], at{}, jump{};
         for (int i = 0; i < D; ++i)
         {
@@ -351,7 +351,7 @@ void FacePoints<D>::follow(const CrackSet<D>& cracks)
         const double apart =
             straight > 0.0 ? frontShape<D>(neighbour, weight, simplexOf(k), k) * straight : straight;
         p.separation(k) = apart;
-        p.currentSize(k) = share(k) * now;
+        p.currentSize(k) = fraction(k) * now;
         lower.side(k) = -(p.crack(k) + 1);
         upper.side(k) = p.crack(k) + 1;
         for (int d = 0; d < D; ++d)

@@ -1,5 +1,5 @@
 #pragma once
-/// Points along the faces of cracks, for what acts between the faces: contact, pressure.
+/// Points along the faces of cracks, for contact and pressure between the faces.
 
 #include "state/State.hpp"
 
@@ -14,30 +14,30 @@ class Archive;
 /// A point is fixed to a position on its simplex. Its two faces lie on the normal through that position, half
 /// the separation of the faces away on either side (linear between vertices, and behind a front as the root
 /// of the distance; together while they touch), so that opposite forces on them have no moment, however far
-/// the faces have slid. Points whose face meets no node with mass (at a surface-breaking end) have no stencil
-/// on either side: what acts between faces stays in balance.
+/// the faces have slid. Points one of whose faces has no node with mass (at a surface-breaking end) have no
+/// stencil on either side, so that forces between faces stay in balance.
 ///
 /// All ranks have all points. The stencil of a face is on the rank that owns its position: sums over stencils
-/// are parts of the ranks.
+/// must be added over the ranks.
 template <int D>
 class FacePoints
 {
 public:
-  /// Follows the cracks and makes the stencils for this step; needs the masses of the nodes. Where the pieces
-  /// of a crack have changed, its points are placed anew. Collective.
-  /// \return true when they were; `before` then tells from which earlier point each may inherit, `after` to
-  /// which one each earlier point may leave what it has
+  /// Moves the points with the cracks and makes the stencils for this step; needs the masses of the nodes. If
+  /// the simplices of the cracks have changed, all points are placed anew. Collective.
+  /// \return true if they were; `before` is then the earlier point whose data each point may take, `after`
+  /// the new point that may take the data of each earlier point
   bool update(const State<D>& state);
 
   int count() const { return count_; }
-  const View<int*>& simplex() const { return simplex_; }   ///< on which each point is
-  const View<double*>& share() const { return fraction_; } ///< of the simplex's size that each stands for
+  const View<int*>& simplex() const { return simplex_; }      ///< simplex of each point
+  const View<double*>& fraction() const { return fraction_; } ///< of the simplex's size that each stands for
 
   /// Saves or loads the points; stencils are made by the next update.
-  void keep(Archive& archive);
+  void serialize(Archive& archive);
 
   /// Part of `update`; public because compilers for devices want kernels in public functions.
-  void follow(const CrackSet<D>& cracks);
+  void moveWithCracks(const CrackSet<D>& cracks);
 
   View<int*> crack;           ///< crack of each point
   View<double*> size;         ///< undeformed length or area of crack that each point stands for [m, m2]
@@ -49,8 +49,8 @@ public:
   StencilTable<D> below;      ///< on side -1; no entries where a point is left out or another rank's
   StencilTable<D> above;      ///< on side +1
   View<int*> acts;            ///< 0 where a point is left out
-  View<int*> before;          ///< earlier point in the same position, or -1
-  View<int*> after;           ///< of each earlier point the one now in the same position, or -1
+  View<int*> before;          ///< earlier point at the same position, or -1
+  View<int*> after;           ///< of each earlier point, the new one at the same position, or -1
 
 private:
   void place(const CrackSet<D>& cracks, double spacing);
@@ -59,16 +59,16 @@ private:
   View<int*> simplex_;
   View<double* [D]> weight_; ///< of the simplex's vertices at the point
   View<double*> fraction_;   ///< of the simplex's size
-  View<double*> meets_;      ///< of each point, below and above, whether the face meets a node
+  View<double*> reached_;    ///< of each point, below and above, whether the face has a node with mass
   ObservedPoints<D> lower_, upper_;
   int count_ = 0;
   int simplices_ = -1;
-  double taken_ = 0.0;   ///< energy of new faces when the points were placed [J]
-  double spacing_ = 0.0; ///< of the smallest cells when the points were placed [m]
+  double required_ = 0.0; ///< energy of new faces when the points were placed [J]
+  double spacing_ = 0.0;  ///< of the smallest cells when the points were placed [m]
 };
 
-/// Unit tangents of a point: in 2D side +1 slides along it when the crack's own direction is it; in 3D two at
-/// right angles, which turn with the triangle.
+/// Unit tangents of a point: in 2D along the direction of the crack; in 3D two at right angles, which rotate
+/// with the triangle.
 KOKKOS_INLINE_FUNCTION Vector<2> tangentOf(const FacePoints<2>& points, int k, int)
 {
   return {points.normal(k, 1), -points.normal(k, 0)};

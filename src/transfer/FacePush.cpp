@@ -95,12 +95,12 @@ void sweptVolumes(const char* label, const State<D>& state, const FacePoints<D>&
                   const View<double*>& swept)
 {
   const Pushed<D> p(points);
-  const FaceVelocity<D> way(state);
+  const FaceVelocity<D> velocity(state);
   const double thickness = state.method.thickness, dt = state.clock.dt;
   Kokkos::parallel_for(
       label, Kokkos::RangePolicy<ExecSpace>(0, points.count()), KOKKOS_LAMBDA(const int k) {
         if (p.crack(k) == crack)
-          swept(k) = dt * dot(p.force(k, 1.0, thickness), jumpAt<D>(p.below, p.above, k, way));
+          swept(k) = dt * dot(p.force(k, 1.0, thickness), jumpAt<D>(p.below, p.above, k, velocity));
       });
 }
 
@@ -158,12 +158,12 @@ void publishPressure(const char* label, CrackSet<D>& cracks, const FacePoints<D>
 {
   publishPressure(label, cracks, crack, 0.0);
   const View<int*>&simplex = points.simplex(), &crackOf = points.crack;
-  const View<double*>& share = points.share();
+  const View<double*>& fraction = points.fraction();
   const View<double*> of = cracks.pressure;
   forEachPushing(
       label, points.count(), KOKKOS_LAMBDA(const int k) {
         if (crackOf(k) == crack)
-          Kokkos::atomic_add(&of(simplex(k)), share(k) * pressure(k));
+          Kokkos::atomic_add(&of(simplex(k)), fraction(k) * pressure(k));
       });
 }
 

@@ -13,13 +13,13 @@ template <int D>
 void pushFaces(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
                double pressure);
 
-/// The same with a pressure of its own at each face point.
+/// The same with one pressure per face point.
 template <int D>
 void pushFaces(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
                const View<double*>& pressure);
 
-/// Volume [m3] that opens between the faces at each point of a crack in this step, by the velocity with which
-/// they move (FaceVelocity), in or after step/LastStage.hpp's stageOfFaceVelocity: this rank's part.
+/// Volume [m3] that opens between the faces at each point of a crack in this step, by the velocity of the
+/// faces (FaceVelocity): this rank's part. Call in or after stageOfFaceVelocity (plan/LastStage.hpp).
 template <int D>
 void sweptVolumes(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
                   const View<double*>& swept);
@@ -33,11 +33,11 @@ template <int D>
 double workOnFaces(const char* label, const State<D>& state, const FacePoints<D>& points, int crack,
                    const View<double*>& pressure);
 
-/// Lets others know of the pressure in a crack (CrackSet::pressure).
+/// Stores the pressure in a crack for other effects (CrackSet::pressure).
 template <int D>
 void publishPressure(const char* label, CrackSet<D>& cracks, int crack, double pressure);
 
-/// The same where each face point has its own: of a segment or triangle the mean of its points.
+/// The same with a pressure of each face point: a segment or triangle gets the mean of its points.
 template <int D>
 void publishPressure(const char* label, CrackSet<D>& cracks, const FacePoints<D>& points, int crack,
                      const View<double*>& pressure);

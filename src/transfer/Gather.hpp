@@ -18,11 +18,11 @@ enum class StrainVelocity
 /// with strain = false only the move.
 ///
 /// One velocity does both, so that F is the exact derivative of the discrete motion: a rotating body keeps
-/// its shape, and boxes that tile a body go on doing so. (Moved by the nodes' motion and strained by the
-/// projection, which is smoother by up to a factor of four in waves of two cells, boxes of a body in tension
-/// drew apart, and such waves grew without bound at a stress of a tenth of Young's modulus.) The strain is
-/// over the fraction of the step that Clock::strainPass tells, the move over all of it. \return the largest
-/// wave speed plus particle speed [m/s]; infinite when a particle is inverted or not finite
+/// its shape, and boxes that tile a body go on doing so. (With particles moved by the nodes' motion but
+/// strained by the projection, which is smoother by up to a factor of four in waves of two cells, boxes of a
+/// body in tension separated, and such waves grew without bound at a stress of a tenth of Young's modulus.)
+/// The strain is over the fraction Clock::strainPass of the step, the move over all of it. \return the
+/// largest wave speed plus particle speed [m/s]; infinite when a particle is inverted or not finite
 template <int D>
 double strainAndMove(State<D>& state, StrainVelocity velocity, bool strain, bool move);
 

@@ -1,25 +1,24 @@
 #pragma once
 /// Stress, temperature and internal energy of some particles that a step has strained.
 ///
-/// The internal energy takes up what the law says of its own state: with the free energy psi(F, T) and
-/// P : dF = dW - W_T dT (ThermoLaw.hpp),
+/// The internal energy follows from the law's own energy: with the free energy psi(F, T) and P : dF = dW -
+/// W_T dT (ThermoLaw.hpp),
 ///
 ///     work = W(F', T') - W(F, T) - (W_T + W_T') (T' - T) / 2 + plastic work,
 ///
-/// so that a law whose stress does not know the temperature does the work that it does without heat,
-/// W(F') - W(F), however large the strain of a step is. (The mean of old and new stress times the strain of a
-/// step is off by the square of that strain, and straining to and fro does not take it back.)
+/// so that a law whose stress does not depend on temperature does the same work as without heat, W(F') -
+/// W(F), for any size of the strain. (The mean of old and new stress times the strain of a step has an error
+/// of second order in that strain, which cyclic straining does not cancel.)
 ///
-/// The law is asked at the temperature to which straining brings the particle at small strain. What the
-/// energy says beyond that, of higher order in strain or of plastic work, changes the temperature and, by the
-/// thermal stress of the small difference, the stress: one that lags behind its temperature is a negative
-/// damping of short waves, and where straining without heat flow is much stiffer than at constant temperature
-/// it bursts a body.
+/// The law is evaluated at the temperature that small straining gives the particle. The remaining change of
+/// energy, of higher order in strain or by plastic work, changes the temperature and, by the thermal stress
+/// of the small difference, the stress. A stress that lags behind its temperature acts as negative damping of
+/// short waves, which is unstable where the adiabatic stiffness is much larger than the isothermal one.
 ///
-/// The force at the start of a step is that of the stress which a particle has then. What has changed its
-/// temperature at fixed strain since that stress was found, conduction and sources, is not in it, nor is
-/// viscosity in the law: half of the step moves against that stress and not against the law's, and the work
-/// of the difference is recorded. (The force is that of the middle between two steps.)
+/// The force at the start of a step is that of the stored stress of a particle. It contains neither changes
+/// of temperature at fixed strain since that stress was computed (conduction, sources) nor viscosity of the
+/// law: half of the step moves against that stress and not against the law's, and the work of the difference
+/// is recorded. (The force is that of the middle between two steps.)
 
 #include "material/ThermoLaw.hpp"
 #include "transfer/LaneStress.hpp"
@@ -31,20 +30,21 @@ namespace Rhegma
 
 namespace fields
 {
-/// Of a step, the fraction that the force of its start acts [-]: without the field all of it.
+/// Fraction of a step in which the force at its start acts [-]; 1 without the field.
 inline const std::string firstFraction = "fraction of the first force";
 } // namespace fields
 
 namespace detail
 {
 
-/// What the lanes of a bundle hold of heat.
+/// Thermal data of the lanes of a bundle.
 template <int D>
 struct HeatLanes
 {
-  double temperature[lanes]; ///< [K]
-  double internal[lanes];    ///< [J/m3]
-  double share[lanes];       ///< of the step that the force of its start acts; 1 but in substeps
+  double temperature[lanes];   ///< [K]
+  double internal[lanes];      ///< [J/m3]
+  double firstFraction[lanes]; ///< fraction of the step in which the force at its start acts; 1 except in
+                               ///< substeps
 };
 
 /// Work per undeformed volume that the half of the first force which lies in this step does beyond that of
@@ -60,7 +60,7 @@ KOKKOS_FORCEINLINE_FUNCTION double workOfLag(const StrainLanes<D>& at, const Hea
       const int k = symmetricIndex<D>(i, j);
       power += (at.tau[k][l] - law[k]) * at.gradient[i * D + j][l];
     }
-  return 0.5 * heat.share[l] * dt * power;
+  return 0.5 * heat.firstFraction[l] * dt * power;
 }
 
 /// Adds the thermal stress of a small rise of temperature. \param pressure per kelvin: 3 K alpha, or in plane
@@ -102,10 +102,10 @@ struct HeatOfLanes
     for (int l = from; l < to; ++l)
     {
       double F[gradientSize<D>], own[gradientSize<D>], tau[symmetricSize<D>], stretching = 0.0;
-      // Laws without a memory let the compiler find several particles at once.
+      // Laws without a history let the compiler vectorise over particles.
       double* const memory = hasHistory<Law> ? history + l * historyWidth : nullptr;
       const double before = heat.temperature[l];
-      // What the law has at the start, at the temperature of now.
+      // Energy of the law at the start of the step, at the present temperature.
       const double expanded = 1.0 / (1.0 + alpha * (before - T0));
       for (int k = 0; k < gradientSize<D>; ++k)
         own[k] = expanded * at.F[k][l];
@@ -161,7 +161,7 @@ struct HeatOfLanes
   }
 };
 
-/// The same for particles whose properties are tables: T' is what the energy says at the old temperature.
+/// The same for particles whose properties are tables: T' follows from the energy at the old temperature.
 template <int D>
 struct HeatByTables
 {
@@ -211,8 +211,7 @@ struct HeatByTables
       work = lag + now.spent() - old.spent() - 0.5 * (old.slope + now.slope) * (T - before);
     }
     else
-      now.internal +=
-          ThermoPoint(tables, material, T).heat() - start.heat(); // at T, too, all else is the same
+      now.internal += ThermoPoint(tables, material, T).heat() - start.heat(); // the rest is the same at T
     heat.internal[l] += work;
     const double rise = (heat.internal[l] - now.internal) / start.capacity(), alpha = start.expansion();
     T += rise;
@@ -231,7 +230,7 @@ struct HeatByTables
     storeLane(at, l, F, tau);
   }
 
-  /// What the law says of F at a temperature, starting from its history, which becomes `memory`.
+  /// Evaluates the law for F at a temperature, starting from its history; `memory` gets the new history.
   KOKKOS_INLINE_FUNCTION bool look(const ThermoPoint& point, const LawStep& step, double* F, double* tau,
                                    const double* own, double* memory, ThermoState& says) const
   {

@@ -13,8 +13,8 @@ namespace Rhegma
 namespace detail
 {
 
-/// What the lanes of a bundle hold; component by component, so that a loop over lanes reads and writes
-/// neighbours.
+/// Data of the lanes of a bundle, component by component, so that a loop over lanes accesses contiguous
+/// memory.
 template <int D>
 struct StrainLanes
 {
@@ -25,7 +25,7 @@ struct StrainLanes
   double speed[lanes]; ///< of the particle, then with the wave speed on top [m/s]
 };
 
-/// (I + dt L) F of one lane; in the plane the stretch of the thickness is the law's to change.
+/// (I + dt L) F of one lane; in 2D the law sets the thickness stretch.
 template <int D>
 KOKKOS_FORCEINLINE_FUNCTION void strained(const StrainLanes<D>& at, int l, double dt, double* F)
 {
@@ -41,7 +41,7 @@ KOKKOS_FORCEINLINE_FUNCTION void strained(const StrainLanes<D>& at, int l, doubl
     F[4] = at.F[4][l];
 }
 
-/// Puts deformation gradient and stress of one lane back.
+/// Stores deformation gradient and stress of one lane.
 template <int D>
 KOKKOS_FORCEINLINE_FUNCTION void storeLane(StrainLanes<D>& at, int l, const double* F, const double* tau)
 {

@@ -1,5 +1,5 @@
 #pragma once
-/// The nodes' own equation of motion, lumped.
+/// The nodes' equation of motion with lumped mass.
 
 #include "state/State.hpp"
 

@@ -6,7 +6,7 @@ namespace Rhegma
 {
 
 template <int D>
-int materialAt(const State<D>& state, const Vector<D>& place)
+int materialAt(const State<D>& state, const Vector<D>& x)
 {
   using Reducer = Kokkos::MinLoc<double, int>;
   const auto position = state.particles.template real<D>(fields::position);
@@ -16,7 +16,7 @@ int materialAt(const State<D>& state, const Vector<D>& place)
       KOKKOS_LAMBDA(const int p, typename Reducer::value_type& best) {
         double square = 0.0;
         for (int d = 0; d < D; ++d)
-          square += (position(p, d) - place[d]) * (position(p, d) - place[d]);
+          square += (position(p, d) - x[d]) * (position(p, d) - x[d]);
         if (square < best.val)
         {
           best.val = square;

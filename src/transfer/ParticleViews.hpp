@@ -1,5 +1,5 @@
 #pragma once
-/// The views and the connectivity that a transfer takes, fetched from the state.
+/// The connectivity of transfers, made from the state.
 
 #include "state/State.hpp"
 #include "transfer/Connectivity.hpp"
@@ -7,7 +7,7 @@
 namespace Rhegma
 {
 
-/// The policy of transfers for the particles as they are now.
+/// The policy of transfers for the current particles.
 template <int D, ShapeKind S, bool Stored>
 Connectivity<D, S, Stored> connectivity(const State<D>& state)
 {
@@ -24,18 +24,18 @@ Connectivity<D, S, Stored> connectivity(const State<D>& state)
   return c;
 }
 
-/// Calls work(connectivity) with the shape functions of the scene, and with stored stencils where a cut needs
-/// them.
-template <int D, class Work>
-void withConnectivity(const State<D>& state, const Work& work)
+/// Calls visit(connectivity) with the shape functions of the scene, and with stored stencils where a cut
+/// needs them.
+template <int D, class Visit>
+void withConnectivity(const State<D>& state, const Visit& visit)
 {
   const bool stored = state.stored.count > 0;
   if (state.method.shape == ShapeKind::Linear)
-    stored ? work(connectivity<D, ShapeKind::Linear, true>(state))
-           : work(connectivity<D, ShapeKind::Linear, false>(state));
+    stored ? visit(connectivity<D, ShapeKind::Linear, true>(state))
+           : visit(connectivity<D, ShapeKind::Linear, false>(state));
   else
-    stored ? work(connectivity<D, ShapeKind::Gimp, true>(state))
-           : work(connectivity<D, ShapeKind::Gimp, false>(state));
+    stored ? visit(connectivity<D, ShapeKind::Gimp, true>(state))
+           : visit(connectivity<D, ShapeKind::Gimp, false>(state));
 }
 
 } // namespace Rhegma

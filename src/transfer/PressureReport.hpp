@@ -1,5 +1,5 @@
 #pragma once
-/// What a run tells of the pressure in a crack, whatever gives it.
+/// Reports of the pressure in a crack.
 
 #include "state/State.hpp"
 
@@ -15,7 +15,7 @@ void samplePressure(State<D>& state, int crack, double pressure)
   state.sample.row.emplace_back(state.cracks.cracks[crack].name + ".pressure", pressure);
 }
 
-/// What summary.json has of it. \param pressure [Pa]
+/// Entry of summary.json. \param pressure [Pa]
 inline void reportPressure(nlohmann::json& summary, int crack, double pressure)
 {
   summary["cracks"][crack]["pressure"] = pressure;

@@ -8,8 +8,8 @@ namespace Rhegma
 
 /// Runs push(k) for k = 0 .. count - 1, each of which adds atomically to nodes that others add to as well.
 ///
-/// On a host one follows the other, so that the sums, like those of the particles (Blocks.hpp), do not depend
-/// on the number of threads or on which is first: points are few next to particles. A device takes all at
+/// On a host they run one after another, so that the sums, like those of the particles (Blocks.hpp), do not
+/// depend on the number or order of threads: points are few compared with particles. A device runs all at
 /// once.
 template <class Push>
 void forEachPushing(const char* label, int count, const Push& push)

@@ -1,15 +1,15 @@
 #pragma once
-/// Stored stencils: which particles have one this step, and stencils of points that are no particles.
+/// Stored stencils: those of particles in this step, and those of points that are no particles.
 
 #include "state/State.hpp"
 
 namespace Rhegma
 {
 
-/// Fraction of the heaviest node around a point below which a node is too light to follow or to push faces
-/// with. Where a particle's box touches a node's support by a fraction e of a cell, its mass goes with e^2
-/// but its force with e, so its acceleration means nothing. The particles see it with weight e^2; a point
-/// would see it whole.
+/// Fraction of the heaviest node around a point below which a node is left out of the motion of the point and
+/// of forces on it. Where a particle's box overlaps a node's support by a fraction e of a cell, the mass of
+/// the node is proportional to e^2 but its force to e, so its acceleration is meaningless. Particles weight
+/// it with e^2; a point would use it fully.
 constexpr double lightNode = 0.01;
 
 /// Finds the particles that need stored stencils this step and makes them. Does nothing without an editor.
@@ -21,14 +21,14 @@ void storeStencils(State<D>& state);
 template <int D>
 void placeStencils(const State<D>& state, const ObservedPoints<D>& points, StencilTable<D>& table);
 
-/// Copies the entries at nodes that have mass and renormalises them, so that a load at the rim of a body is
-/// never lost; the two tables may be one. \return the number of points none of whose nodes has mass \param
-/// lightest fraction of the heaviest node around a point from which a node counts as having mass
+/// Copies the entries at nodes that have mass and renormalises them, so that no part of a load at the rim of
+/// a body is lost; the two tables may be the same. \return number of points without any node with mass \param
+/// lightest smallest fraction of the heaviest node around a point that counts as mass
 template <int D>
 int keepMassedNodes(const State<D>& state, int count, const StencilTable<D>& from, StencilTable<D>& to,
                     double lightest = lightNode);
 
-/// Both in one table; without the second unless `massed` is set.
+/// pointStencils: makes the stencils of points and, if `massed` is set, keeps the nodes with mass only.
 template <int D>
 int pointStencils(const State<D>& state, const ObservedPoints<D>& points, StencilTable<D>& table, bool massed,
                   double lightest = lightNode);

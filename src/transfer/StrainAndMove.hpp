@@ -1,6 +1,6 @@
 #pragma once
 /// Strain and move of particles, with and without heat: templates for Gather.cpp and HeatedGather.cpp, two
-/// files so that what one does can't change how the other is compiled.
+/// files so that each is optimised independently of the other.
 
 #include "transfer/Box.hpp"
 #include "transfer/Gather.hpp"
@@ -15,19 +15,20 @@ namespace Rhegma
 namespace detail
 {
 
-/// Where nobody carries heat.
+/// Particles without heat.
 struct NoHeat
 {
   static constexpr bool on = false;
 };
 
-/// Where particles carry heat: their internal energy, and the temperature that follows from it.
+/// Particles with heat: their internal energy, and the temperature that follows from it.
 struct ParticleHeat
 {
   static constexpr bool on = true;
   ThermoTables tables;
   BorrowedView<double*> temperature, internal;
-  BorrowedView<double*> firstFraction; ///< of the step that the force of its start acts; empty: all of it
+  BorrowedView<double*>
+      firstFraction; ///< fraction of the step in which the force at its start acts; empty: all of it
 };
 
 /// Strain and move of the particles of one bundle, both by one nodal velocity.
@@ -46,7 +47,7 @@ struct StrainAndMove
   BorrowedView<double * [gradientSize<D>]> deformation;
   BorrowedView<double * [symmetricSize<D>]> stress;
   BorrowedView<double**> history;
-  BorrowedView<double**> rate; ///< velocity gradient, where somebody asked for it
+  BorrowedView<double**> rate; ///< velocity gradient, where an effect needs it
   BorrowedView<int*> level;    ///< how often each particle was split; empty where none is
   Grid<D> grid;
   Blocks<D> blocks;
@@ -64,7 +65,7 @@ struct StrainAndMove
     loadDeformation(begin, end, at);
     if (strain)
       strainLanes(begin, end, at, fastest);
-    // Where the step goes on after the strain (USF) its mass, force and velocity need one and the same box.
+    // If the step continues after the strain (USF), mass, force and velocity must use the same box.
     if (boxes && move)
       updateBoxes(begin, end, at);
   }
@@ -168,7 +169,7 @@ struct StrainAndMove
   {
     const int historyWidth = static_cast<int>(history.extent(1));
     double* const memory = historyWidth > 0 ? &history(begin, 0) : nullptr;
-    // Mostly all are of one material.
+    // Usually all are of one material.
     for (int p = begin; p < end;)
     {
       const int kind = material(p);
@@ -193,7 +194,7 @@ struct StrainAndMove
       {
         own.temperature[p - begin] = heat.temperature(p);
         own.internal[p - begin] = heat.internal(p);
-        own.share[p - begin] = heat.firstFraction.extent(0) > 0 ? heat.firstFraction(p) : 1.0;
+        own.firstFraction[p - begin] = heat.firstFraction.extent(0) > 0 ? heat.firstFraction(p) : 1.0;
       }
       for (int k = 0; k < symmetricSize<D>; ++k)
         for (int p = begin; p < end; ++p)
@@ -231,7 +232,7 @@ struct StrainAndMove
       double F[gradientSize<D>];
       for (int k = 0; k < gradientSize<D>; ++k)
         F[k] = at.F[k][p - begin];
-      // The box is of where the particle is now, of which USAVG has strained half.
+      // Box at the present position, which USAVG has strained by half.
       if (strainTime < dt)
         strained<D>(at, p - begin, dt - strainTime, F);
       const double largest = level.extent(0) > 0 ? largestBox / (1 << level(p)) : largestBox;
@@ -244,45 +245,45 @@ template <class Heat, int D, int Width, class Connect>
 double strainAndMoveWith(State<D>& state, const Connect& connect, const View<double* [Width]>& nodal,
                          bool strain, bool move)
 {
-  StrainAndMove<D, Connect, Width, Heat> work;
+  StrainAndMove<D, Connect, Width, Heat> kernel;
   if constexpr (Heat::on)
   {
-    work.heat.tables = state.materials.thermo;
-    work.heat.temperature = state.particles.scalar(fields::temperature);
-    work.heat.internal = state.particles.scalar(fields::internalEnergy);
+    kernel.heat.tables = state.materials.thermo;
+    kernel.heat.temperature = state.particles.scalar(fields::temperature);
+    kernel.heat.internal = state.particles.scalar(fields::internalEnergy);
     if (state.particles.has(fields::firstFraction))
-      work.heat.firstFraction = state.particles.scalar(fields::firstFraction);
+      kernel.heat.firstFraction = state.particles.scalar(fields::firstFraction);
   }
-  work.connect = connect;
-  work.nodal = nodal;
-  work.materials = state.materials.device;
-  work.axes = state.bodies.axes;
-  work.material = state.particles.integer(fields::material);
-  work.body = state.particles.integer(fields::body);
-  work.position = state.particles.template real<D>(fields::position);
-  work.velocity = state.particles.template real<D>(fields::velocity);
-  work.edge = state.particles.template real<D>(fields::edge);
-  work.boxes = state.method.shape == ShapeKind::Gimp;
-  if (work.boxes)
-    work.box = state.particles.template real<D>(fields::box);
-  work.deformation = state.particles.template real<gradientSize<D>>(fields::deformation);
-  work.stress = state.particles.template real<symmetricSize<D>>(fields::stress);
+  kernel.connect = connect;
+  kernel.nodal = nodal;
+  kernel.materials = state.materials.device;
+  kernel.axes = state.bodies.axes;
+  kernel.material = state.particles.integer(fields::material);
+  kernel.body = state.particles.integer(fields::body);
+  kernel.position = state.particles.template real<D>(fields::position);
+  kernel.velocity = state.particles.template real<D>(fields::velocity);
+  kernel.edge = state.particles.template real<D>(fields::edge);
+  kernel.boxes = state.method.shape == ShapeKind::Gimp;
+  if (kernel.boxes)
+    kernel.box = state.particles.template real<D>(fields::box);
+  kernel.deformation = state.particles.template real<gradientSize<D>>(fields::deformation);
+  kernel.stress = state.particles.template real<symmetricSize<D>>(fields::stress);
   if (state.particles.has(fields::history))
-    work.history = state.particles.table(fields::history);
+    kernel.history = state.particles.table(fields::history);
   if (state.particles.has(fields::rate))
-    work.rate = state.particles.table(fields::rate);
+    kernel.rate = state.particles.table(fields::rate);
   if (state.particles.has(fields::level))
-    work.level = state.particles.integer(fields::level);
-  work.grid = state.mesh.grid;
-  work.blocks = state.mesh.blocks;
-  work.dt = state.clock.dt;
-  work.strainTime = state.clock.strainPass.share * state.clock.dt;
-  work.largestBox = 0.5 * state.mesh.grid.spacing;
-  work.strain = strain;
-  work.move = move;
+    kernel.level = state.particles.integer(fields::level);
+  kernel.grid = state.mesh.grid;
+  kernel.blocks = state.mesh.blocks;
+  kernel.dt = state.clock.dt;
+  kernel.strainTime = state.clock.strainPass.fraction * state.clock.dt;
+  kernel.largestBox = 0.5 * state.mesh.grid.spacing;
+  kernel.strain = strain;
+  kernel.move = move;
   double fastest = 0.0;
   Kokkos::parallel_reduce(strain ? "rhegma::strainAndMove" : "rhegma::move",
-                          Kokkos::RangePolicy<ExecSpace>(0, state.mesh.blocks.numBundles), work,
+                          Kokkos::RangePolicy<ExecSpace>(0, state.mesh.blocks.numBundles), kernel,
                           Kokkos::Max<double>(fastest));
   const auto strays = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.blocks.strays);
   if (strays(0) != 0)
@@ -308,7 +309,7 @@ double strainAndMoveAll(State<D>& state, StrainVelocity velocity, bool strain, b
   return fastest;
 }
 
-/// The same where particles carry heat.
+/// The same with heat.
 template <int D>
 double strainAndMoveHeated(State<D>& state, StrainVelocity velocity, bool strain, bool move);
 

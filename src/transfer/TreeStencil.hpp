@@ -48,8 +48,8 @@ KOKKOS_INLINE_FUNCTION bool writeTreeStencil(const TreeSight<D>& sight, const St
   return fits;
 }
 
-/// Writes stencils of boxes and points where cells are refined. Most boxes touch cells of one size only:
-/// their stencils are products of those of the axes, as on a lattice.
+/// Writes stencils of boxes and points in refined cells. Most boxes touch cells of one size only: their
+/// stencils are tensor products, as on a lattice.
 template <int D, ShapeKind S>
 struct TreeStencils
 {
@@ -74,7 +74,7 @@ struct TreeStencils
     const double perCell = static_cast<double>(1 << leaf.level); // leaves in a cell of the lattice
     const double inverse = sight.grid.inverse * perCell;
     Axes axes;
-    bool narrow = true;   // at most half a cell each way
+    bool narrow = true;   // at most half a cell in each direction
     unsigned touched = 1; // cells, as bits of Tree::alike
     for (int d = 0, cells = 1; d < D; ++d, cells *= 3)
     {

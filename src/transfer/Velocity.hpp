@@ -1,5 +1,5 @@
 #pragma once
-/// Nodal motion to the particles' velocity, and that velocity back to the nodes.
+/// Transfer of nodal motion to the particles' velocity, and of that velocity to the nodes.
 
 #include "state/State.hpp"
 

@@ -60,7 +60,7 @@ Branches<D> adapt(State<D>& state, const Criteria<D>& criteria, const Branches<D
 {
   Branches<D> wanted = wantedBranches(state, criteria, now);
   buildTree(wanted, state.mesh.tree);
-  state.mesh.nodes.reserve(state.mesh.grid.numNodes + state.mesh.tree.numFine, state.mesh.nodes.numSecond);
+  state.mesh.nodes.reserve(state.mesh.grid.numNodes + state.mesh.tree.numFine, state.mesh.nodes.numEnriched);
   state.particles.sorted = false;
   updateCells(state);
   return wanted;

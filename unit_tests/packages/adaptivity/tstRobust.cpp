@@ -236,7 +236,8 @@ Changes toggled(bool on)
           branches.refine(1, {2 * at + x, 2 * at + y});
     branches.balance();
     buildTree(branches, state.mesh.tree);
-    state.mesh.nodes.reserve(state.mesh.grid.numNodes + state.mesh.tree.numFine, state.mesh.nodes.numSecond);
+    state.mesh.nodes.reserve(state.mesh.grid.numNodes + state.mesh.tree.numFine,
+                             state.mesh.nodes.numEnriched);
     state.particles.sorted = false;
     return updateCells(state).lost;
   };

@@ -152,7 +152,7 @@ Followed<D> follow(const Teuchos::ParameterList& scene, double cell)
     followed.motion.push_back(motionOf<D>(state, cell));
   }
   followed.last = state.particles.size();
-  followed.particleSteps = state.particles.stepsTaken;
+  followed.particleSteps = state.particles.particleSteps;
   return followed;
 }
 

@@ -53,7 +53,7 @@ inline void moveSides(State<2>& state, const Vector<2>& upper, const Vector<2>& 
   const auto projection =
       Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.projection);
   const auto side = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide);
-  const auto second = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.second);
+  const auto second = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.enrichedField);
   for (int n = 0; n < state.mesh.nodes.numLattice; ++n)
     for (int d = 0; d < 2; ++d)
     {
@@ -72,7 +72,7 @@ inline std::vector<Vector<2>> forcesOnSides(const State<2>& state)
   std::vector<Vector<2>> sum{{0.0, 0.0}, {0.0, 0.0}};
   const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.sums);
   const auto side = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide);
-  const auto second = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.second);
+  const auto second = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.enrichedField);
   for (int n = 0; n < state.mesh.nodes.numLattice; ++n)
     for (int d = 0; d < 2; ++d)
     {

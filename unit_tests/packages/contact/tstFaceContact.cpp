@@ -163,7 +163,7 @@ TEST(FaceContact, KeepsItsGapWhileItTurns)
     for (std::size_t n = 0; n < projection.extent(0); ++n)
     {
       const bool isSecond = static_cast<int>(n) >= state.mesh.nodes.numLattice;
-      if (isSecond && static_cast<int>(n) >= state.mesh.nodes.numLattice + state.mesh.nodes.numSecond)
+      if (isSecond && static_cast<int>(n) >= state.mesh.nodes.numLattice + state.mesh.nodes.numEnriched)
         continue;
       int lattice = static_cast<int>(n);
       if (isSecond)

@@ -88,7 +88,7 @@ inline std::vector<double> nodalMasses(const State<2>& state)
 {
   const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.sums);
   std::vector<double> mass;
-  for (int n = 0; n < state.mesh.nodes.numLattice + state.mesh.nodes.numSecond; ++n)
+  for (int n = 0; n < state.mesh.nodes.numLattice + state.mesh.nodes.numEnriched; ++n)
     mass.push_back(sums(n, Nodes<2>::massAt));
   return mass;
 }

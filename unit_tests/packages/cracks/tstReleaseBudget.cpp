@@ -22,7 +22,7 @@ double created(const ReleaseBudget& budget)
 
 double releaseAll(ReleaseBudget& budget, double ofAdvection)
 {
-  return budget.releaseAll(ofAdvection, carriedFraction, deductedFraction);
+  return budget.releaseAll(ofAdvection, carriedOverFraction, deductedFraction);
 }
 
 } // namespace

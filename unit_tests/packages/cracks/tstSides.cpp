@@ -37,7 +37,7 @@ TEST(Sides, OfNodesBehindAFront)
 {
   const auto run = crackedBlock();
   const State<2>& state = run->state();
-  const auto side = onHost(state.cracks.nodeSide), second = onHost(state.cracks.second),
+  const auto side = onHost(state.cracks.nodeSide), second = onHost(state.cracks.enrichedField),
              active = onHost(state.mesh.nodes.active);
   int above = 0, below = 0;
   for (std::size_t i = 0; i < active.extent(0); ++i)

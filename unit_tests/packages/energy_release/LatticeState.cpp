@@ -20,9 +20,9 @@ State<2> makeBody(double half, double cell, Plane plane, ShapeKind shape, const 
   material.set("Density", density);
   material.set("Young Modulus", young);
   material.set("Poisson Ratio", poisson);
-  state.materials.list = {makeProperties(material, "Resin", plane)};
+  state.materials.properties = {makeProperties(material, "Resin", plane)};
   state.materials.device = View<Properties*>("rhegma::materials", 1);
-  Kokkos::deep_copy(state.materials.device, state.materials.list[0]);
+  Kokkos::deep_copy(state.materials.device, state.materials.properties[0]);
 
   FieldTable& table = state.particles;
   table.add({fields::position, 2, "m", ""});
@@ -69,7 +69,7 @@ void deform(State<2>& state, const DisplacementField& field)
     for (int k = 0; k < 4; ++k)
       F(p, k) = d.gradient[k] + (k == 0 || k == 3 ? 1.0 : 0.0);
     F(p, 4) = 1.0;
-    updateStress<2>(state.materials.list[0], &F(p, 0), &stress(p, 0), nullptr);
+    updateStress<2>(state.materials.properties[0], &F(p, 0), &stress(p, 0), nullptr);
   }
 }
 

@@ -65,7 +65,7 @@ DisplacementField turned(const DisplacementField& field, double angle)
 double waveIntegral(double cell, double travelling, double direction, double& scale)
 {
   State<2> state = makeBody(half, cell, Plane::Strain, ShapeKind::Linear);
-  const double speed = std::sqrt(elasticity(state.materials.list[0]).constrainedModulus / density);
+  const double speed = std::sqrt(elasticity(state.materials.properties[0]).constrainedModulus / density);
   const double k = 250.0, w = k * speed, amplitude = 1e-10, phase = 0.7;
   deform(state,
          [=](const Vector<2>& x)
@@ -219,7 +219,7 @@ TEST(DomainIntegral, InertiaCancelsInSteadyMotion)
               return m;
             });
   const CrackFront<2> front = addFront(state, {{1.0e-3, 0.0}}, 0.0);
-  const double modulus = elasticity(state.materials.list[0]).constrainedModulus;
+  const double modulus = elasticity(state.materials.properties[0]).constrainedModulus;
   double expected = 0.0;
   const int n = 2000;
   const double step = 2.0 * radii.outer / n;
@@ -247,7 +247,7 @@ TEST(DomainIntegral, KnowsOfLoadsInsideTheDisk)
 {
   const double cell = 0.5e-3, slope = 1e6;
   State<2> state = makeBody(half, cell, Plane::Strain, ShapeKind::Linear);
-  const double modulus = elasticity(state.materials.list[0]).constrainedModulus;
+  const double modulus = elasticity(state.materials.properties[0]).constrainedModulus;
   deform(state,
          [=](const Vector<2>& x)
          {

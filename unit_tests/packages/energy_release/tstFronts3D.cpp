@@ -95,7 +95,7 @@ void deform(State<3>& state, const Field& field)
       for (int j = 0; j < 3; ++j)
         F(p, 3 * i + j) = d.gradient[i][j] + (i == j ? 1.0 : 0.0);
     }
-    updateStress<3>(state.materials.list[0], &F(p, 0), &stress(p, 0), nullptr);
+    updateStress<3>(state.materials.properties[0], &F(p, 0), &stress(p, 0), nullptr);
   }
 }
 
@@ -241,7 +241,7 @@ TEST(Fronts3D, FindNothingInAWave)
   const auto run = straightFront();
   State<3>& state = run->state();
   const double k = 250.0, amplitude = 1e-10, phase = 0.7;
-  const double speed = std::sqrt(elasticity(state.materials.list[0]).constrainedModulus / density);
+  const double speed = std::sqrt(elasticity(state.materials.properties[0]).constrainedModulus / density);
   deform(state,
          [&](const Vector<3>& x, int)
          {
@@ -252,7 +252,7 @@ TEST(Fronts3D, FindNothingInAWave)
          });
   const auto motion = state.mesh.nodes.projection;
   NodalAcceleration<3> acceleration = noAcceleration(state);
-  for (int row = 0; row < state.mesh.nodes.numLattice + state.mesh.nodes.numSecond; ++row)
+  for (int row = 0; row < state.mesh.nodes.numLattice + state.mesh.nodes.numEnriched; ++row)
   {
     const double a = k * state.mesh.grid.nodePosition(latticeNode(state.mesh.nodes, row))[0] - phase;
     motion(row, 0) = -speed * k * amplitude * std::cos(a);
@@ -301,7 +301,7 @@ TEST(Fronts3D, DivideModesByTheOpenings)
   State<3>& state = run->state();
   const CrackFront<3>& front = state.cracks.fronts.at(0);
   openFaces(state, smallK);
-  const Elasticity e = elasticity(state.materials.list[0]);
+  const Elasticity e = elasticity(state.materials.properties[0]);
   const std::vector<Intensities> all =
       openingsBehind(state.cracks, front, lineOf(front), e, cell, tube.halfWidth);
   // A chord of the root over a cell, a cell behind the front, is low by less than 1 / 32 of it.

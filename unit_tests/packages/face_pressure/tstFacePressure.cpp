@@ -43,7 +43,7 @@ TEST(FacePressure, PushesFacesApartInBalance)
   pressure.apply(state, points);
   Kokkos::deep_copy(sums, state.mesh.nodes.sums);
   const auto side = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide);
-  const auto second = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.second);
+  const auto second = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.enrichedField);
   double above = 0.0, all = 0.0, along = 0.0;
   for (int n = 0; n < state.mesh.nodes.numLattice; ++n)
   {

@@ -36,7 +36,7 @@ struct Memory
   View<char*> marks;
   View<std::uint64_t*> keys;
 
-  void keep(Archive& archive)
+  void serialize(Archive& archive)
   {
     archive("real", real);
     archive("whole", whole);
@@ -85,16 +85,16 @@ Record recordOf(Memory memory)
 {
   Record record;
   Archive archive = Archive::saving(record);
-  memory.keep(archive);
+  memory.serialize(archive);
   return record;
 }
 
-std::string complaintOf(const Record& record)
+std::string errorOf(const Record& record)
 {
   try
   {
     Archive archive = Archive::loading(record);
-    Memory().keep(archive);
+    Memory().serialize(archive);
   }
   catch (const std::invalid_argument& error)
   {
@@ -113,7 +113,7 @@ TEST(Archive, LoadsWhatItSaved)
   Archive archive = Archive::loading(record);
   Memory loaded;
   loaded.table = View<double* [2]>("table", 77); // another size
-  loaded.keep(archive);
+  loaded.serialize(archive);
   EXPECT_EQ(recordOf(loaded), record); // every bit, those of NaN and -0 too
   EXPECT_EQ(loaded.texts, some().texts);
   EXPECT_EQ(loaded.table.extent(0), 3U);
@@ -124,7 +124,7 @@ TEST(Archive, SavesWhatIsNotThereYet)
   const Record record = recordOf(Memory());
   Archive archive = Archive::loading(record);
   Memory loaded = some();
-  loaded.keep(archive);
+  loaded.serialize(archive);
   EXPECT_EQ(loaded.table.extent(0), 0U);
   EXPECT_TRUE(loaded.list.empty());
 }
@@ -133,19 +133,19 @@ TEST(Archive, NamesWhatDoesNotFit)
 {
   Record record = recordOf(some());
   record.erase("inside/table");
-  EXPECT_EQ(complaintOf(record), "\"inside/table\" is missing");
+  EXPECT_EQ(errorOf(record), "\"inside/table\" is missing");
   record = recordOf(some());
   record["whole"].type = RecordTable::Type::Real;
-  EXPECT_EQ(complaintOf(record), "\"whole\" is of another type");
+  EXPECT_EQ(errorOf(record), "\"whole\" is of another type");
   record = recordOf(some());
   record["inside/table"].extent = {2, 3};
-  EXPECT_EQ(complaintOf(record), "\"inside/table\" has another shape");
+  EXPECT_EQ(errorOf(record), "\"inside/table\" has another shape");
   record = recordOf(some());
   record["pairs"].extent = {4};
-  EXPECT_EQ(complaintOf(record), "\"pairs\" has another shape");
+  EXPECT_EQ(errorOf(record), "\"pairs\" has another shape");
   record = recordOf(some());
   record["list"].bytes.pop_back();
-  EXPECT_EQ(complaintOf(record), "\"list\" has another size than its header says");
+  EXPECT_EQ(errorOf(record), "\"list\" has another size than its header says");
 }
 
 TEST(CheckpointFile, BringsARecordBack)

@@ -14,14 +14,14 @@ namespace
 FieldTable threeParticles()
 {
   FieldTable table;
-  table.add({"place", 2, "m", ""});
+  table.add({"position", 2, "m", ""});
   table.add({"number", 1, "", "", true});
   table.resize(3);
   for (int p = 0; p < 3; ++p)
   {
     table.integer("number")(p) = 10 + p;
     for (int d = 0; d < 2; ++d)
-      table.real<2>("place")(p, d) = p + 0.5 * d;
+      table.real<2>("position")(p, d) = p + 0.5 * d;
   }
   return table;
 }
@@ -33,11 +33,11 @@ TEST(FieldTable, KeepsRowsThatStay)
   FieldTable table = threeParticles();
   table.resize(5);
   EXPECT_EQ(table.size(), 5);
-  EXPECT_EQ(table.real<2>("place")(2, 1), 2.5);
-  EXPECT_EQ(table.real<2>("place")(4, 1), 0.0);
+  EXPECT_EQ(table.real<2>("position")(2, 1), 2.5);
+  EXPECT_EQ(table.real<2>("position")(4, 1), 0.0);
   EXPECT_EQ(table.integer("number")(3), 0);
   table.resize(1);
-  EXPECT_EQ(table.real<2>("place").extent(0), 1u);
+  EXPECT_EQ(table.real<2>("position").extent(0), 1u);
   EXPECT_EQ(table.integer("number")(0), 10);
 }
 
@@ -54,21 +54,21 @@ TEST(FieldTable, ReordersAllFields)
   for (int i = 0; i < 4; ++i)
   {
     EXPECT_EQ(table.integer("number")(i), 10 + from[i]);
-    EXPECT_EQ(table.real<2>("place")(i, 1), from[i] + 0.5);
+    EXPECT_EQ(table.real<2>("position")(i, 1), from[i] + 0.5);
   }
 }
 
 TEST(FieldTable, RefusesWhatItDoesNotHave)
 {
   FieldTable table = threeParticles();
-  EXPECT_THROW(table.add({"place", 2, "m", ""}), std::logic_error);
-  EXPECT_THROW(table.real<3>("place"), std::logic_error);
-  EXPECT_THROW(table.scalar("place"), std::logic_error);
-  EXPECT_THROW(table.integer("place"), std::logic_error);
+  EXPECT_THROW(table.add({"position", 2, "m", ""}), std::logic_error);
+  EXPECT_THROW(table.real<3>("position"), std::logic_error);
+  EXPECT_THROW(table.scalar("position"), std::logic_error);
+  EXPECT_THROW(table.integer("position"), std::logic_error);
   EXPECT_THROW(table.scalar("number"), std::logic_error);
   EXPECT_THROW(table.table("plaice"), std::logic_error);
   EXPECT_FALSE(table.has("plaice"));
-  EXPECT_TRUE(table.has("place"));
+  EXPECT_TRUE(table.has("position"));
 }
 
 TEST(FieldTable, KnowsItsFieldsAndTheirRoom)
@@ -77,7 +77,7 @@ TEST(FieldTable, KnowsItsFieldsAndTheirRoom)
   ASSERT_EQ(table.fields().size(), 2u);
   EXPECT_EQ(table.fields()[0].unit, "m");
   EXPECT_TRUE(table.fields()[1].integer);
-  EXPECT_EQ(table.table("place").extent(1), 2u);
+  EXPECT_EQ(table.table("position").extent(1), 2u);
   EXPECT_EQ(table.bytes(), 3.0 * (2 * sizeof(double) + sizeof(int)));
 }
 

@@ -115,9 +115,9 @@ TEST(Contradictions, RefuseWhatDiffersByMoreThanRounding)
   const auto scene = plate();
   grip(*scene, "Grip", 0.25, 1.05).set<std::string>("Field", "0, y-0.3001");
   mirror(*scene);
-  const std::string words = refusal(scene);
-  EXPECT_NE(words.find("both prescribe the node"), std::string::npos) << words;
-  EXPECT_NE(words.find("along y"), std::string::npos) << words;
+  const std::string message = refusal(scene);
+  EXPECT_NE(message.find("both prescribe the node"), std::string::npos) << message;
+  EXPECT_NE(message.find("along y"), std::string::npos) << message;
 }
 
 /// Between nodes of the lattice two supports share those of smaller cells alone.
@@ -130,12 +130,12 @@ TEST(Contradictions, RefuseTwoVelocitiesOfANodeOfARefinedCell)
     grip(*scene, "Above", 0.54, 1.05).set("Value", pair(0.0, 0.1));
     if (refined)
       refine(*scene);
-    const std::string words = refusal(scene);
-    EXPECT_EQ(words.find("Boundaries > Below: this and Boundaries > Above both prescribe the node") !=
+    const std::string message = refusal(scene);
+    EXPECT_EQ(message.find("Boundaries > Below: this and Boundaries > Above both prescribe the node") !=
                   std::string::npos,
               refined)
-        << words;
-    EXPECT_EQ(words.empty(), !refined) << words;
+        << message;
+    EXPECT_EQ(message.empty(), !refined) << message;
   }
 }
 
@@ -144,12 +144,12 @@ TEST(Contradictions, RefuseTwoTemperaturesOfANode)
   const auto scene = warmPlate();
   warm(*scene, "Cold", 0.25, 0.65, 300.0);
   warm(*scene, "Hot", 0.55, 1.05, 400.0);
-  const std::string words = refusal(scene);
-  EXPECT_NE(words.find("Boundaries > Cold: this and Boundaries > Hot both prescribe the node"),
+  const std::string message = refusal(scene);
+  EXPECT_NE(message.find("Boundaries > Cold: this and Boundaries > Hot both prescribe the node"),
             std::string::npos)
-      << words;
-  EXPECT_NE(words.find("at 300 and 400 K"), std::string::npos) << words;
-  EXPECT_NE(words.find("one temperature"), std::string::npos) << words;
+      << message;
+  EXPECT_NE(message.find("at 300 and 400 K"), std::string::npos) << message;
+  EXPECT_NE(message.find("one temperature"), std::string::npos) << message;
 }
 
 TEST(Contradictions, PassOneTemperatureInTwoSpellings)
@@ -169,9 +169,9 @@ TEST(Contradictions, RefuseTwoTemperaturesOfANodeOfARefinedCell)
     warm(*scene, "Hot", 0.54, 1.05, 400.0);
     if (refined)
       refine(*scene);
-    const std::string words = refusal(scene);
-    EXPECT_EQ(words.find("both prescribe the node") != std::string::npos, refined) << words;
-    EXPECT_EQ(words.empty(), !refined) << words;
+    const std::string message = refusal(scene);
+    EXPECT_EQ(message.find("both prescribe the node") != std::string::npos, refined) << message;
+    EXPECT_EQ(message.empty(), !refined) << message;
   }
 }
 

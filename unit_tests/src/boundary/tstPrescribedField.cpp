@@ -60,8 +60,8 @@ TEST(PrescribedField, StrainsABodyEvenly)
 
 TEST(PrescribedField, RefusesAPoleOnANode)
 {
-  const std::string words = refusal(square("1/(x-1), y"));
-  EXPECT_NE(words.find("Boundaries > Held > Field"), std::string::npos) << words;
+  const std::string message = refusal(square("1/(x-1), y"));
+  EXPECT_NE(message.find("Boundaries > Held > Field"), std::string::npos) << message;
 }
 
 } // namespace Test

@@ -34,21 +34,21 @@ Seeds<3> block(int nx, int ny, int nz)
 }
 
 template <int D>
-double sumOfShares(const std::vector<LoadPoint<D>>& points)
+double sumOfFractions(const std::vector<LoadPoint<D>>& points)
 {
   double sum = 0.0;
   for (const auto& p : points)
-    sum += p.share;
+    sum += p.fraction;
   return sum;
 }
 
-/// Moment of the shares about the origin: where the resultant acts.
+/// Moment of the fractions about the origin: where the resultant acts.
 template <int D>
 Vector<D> resultant(const Seeds<D>& body, const std::vector<LoadPoint<D>>& points)
 {
   Vector<D> middle{};
   for (const auto& p : points)
-    middle = middle + p.share * (body.position[p.particle] + p.offset);
+    middle = middle + p.fraction * (body.position[p.particle] + p.offset);
   return middle;
 }
 
@@ -76,7 +76,7 @@ TEST(LoadPoints, PointRidesOnTheNearestParticle)
   EXPECT_EQ(points[0].particle, 7);
   EXPECT_DOUBLE_EQ(points[0].offset[0], 0.5);
   EXPECT_DOUBLE_EQ(points[0].offset[1], 0.5);
-  EXPECT_DOUBLE_EQ(points[0].share, 1.0);
+  EXPECT_DOUBLE_EQ(points[0].fraction, 1.0);
 }
 
 /// Of two equally near particles the first carries the point, whatever rounding says.
@@ -102,26 +102,26 @@ TEST(LoadPoints, UniformLine)
   ASSERT_EQ(points.size(), 8u);
   for (int i = 0; i < 8; ++i)
   {
-    EXPECT_DOUBLE_EQ(points[i].share, 0.125);
+    EXPECT_DOUBLE_EQ(points[i].fraction, 0.125);
     EXPECT_EQ(points[i].particle, 2 + 3 * (i / 2));
     EXPECT_DOUBLE_EQ(points[i].offset[0], 0.5);
     EXPECT_DOUBLE_EQ(points[i].offset[1], i % 2 == 0 ? -0.25 : 0.25);
   }
 }
 
-/// Midpoint weights s (1 - s) of 4 points are 7, 15, 15, 7 (over 64), so the shares are 7/44 and 15/44.
+/// Midpoint weights s (1 - s) of 4 points are 7, 15, 15, 7 (over 64), so the fractions are 7/44 and 15/44.
 TEST(LoadPoints, ParabolicLineIsRenormalised)
 {
   const auto body = sheet(3, 2);
   const auto points = lineLoad<2>(body, {{3.0, 0.0}}, {{3.0, 2.0}}, Profile::Parabolic, "Load");
   ASSERT_EQ(points.size(), 4u);
-  EXPECT_DOUBLE_EQ(points[0].share, 7.0 / 44.0);
-  EXPECT_DOUBLE_EQ(points[1].share, 15.0 / 44.0);
-  EXPECT_NEAR(points[3].share, 7.0 / 44.0, 2.0e-16);
+  EXPECT_DOUBLE_EQ(points[0].fraction, 7.0 / 44.0);
+  EXPECT_DOUBLE_EQ(points[1].fraction, 15.0 / 44.0);
+  EXPECT_NEAR(points[3].fraction, 7.0 / 44.0, 2.0e-16);
 }
 
-/// Shares add up to 1 to the last bit for any number of points.
-TEST(LoadPoints, SharesAddUpToOneExactly)
+/// Fractions add up to 1 to the last bit for any number of points.
+TEST(LoadPoints, FractionsAddUpToOneExactly)
 {
   for (int n = 1; n <= 60; ++n)
   {
@@ -129,7 +129,7 @@ TEST(LoadPoints, SharesAddUpToOneExactly)
     for (const auto profile : {Profile::Uniform, Profile::Parabolic})
     {
       const auto points = lineLoad<2>(body, {{1.0, 0.0}}, {{1.0, 1.0 * n}}, profile, "Load");
-      EXPECT_EQ(sumOfShares(points), 1.0) << n;
+      EXPECT_EQ(sumOfFractions(points), 1.0) << n;
       EXPECT_NEAR(resultant(body, points)[1], 0.5 * n, 1.0e-13 * n);
     }
   }
@@ -166,10 +166,10 @@ TEST(LoadPoints, FaceOfABlock)
   const auto body = block(2, 3, 2);
   const auto points = faceLoad(body, {{0, 0, 2}}, {{2, 0, 0}}, {{0, 3, 0}}, "Load");
   ASSERT_EQ(points.size(), 24u);
-  EXPECT_DOUBLE_EQ(points[0].share, 1.0 / 24.0);
+  EXPECT_DOUBLE_EQ(points[0].fraction, 1.0 / 24.0);
   EXPECT_EQ(points[0].particle, 6); // first of the upper layer
   EXPECT_DOUBLE_EQ(points[0].offset[2], 0.5);
-  EXPECT_EQ(sumOfShares(points), 1.0);
+  EXPECT_EQ(sumOfFractions(points), 1.0);
   const auto middle = resultant(body, points);
   EXPECT_NEAR(middle[0], 1.0, 1.0e-15);
   EXPECT_NEAR(middle[1], 1.5, 2.0e-15);

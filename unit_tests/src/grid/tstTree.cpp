@@ -24,10 +24,10 @@ constexpr double roundOff = 1e-12;
 template <int D>
 Vector<D> anywhere(const Grid<D>& grid, std::mt19937& engine)
 {
-  std::uniform_real_distribution<double> share(0.0, 1.0);
+  std::uniform_real_distribution<double> fraction(0.0, 1.0);
   Vector<D> x;
   for (int d = 0; d < D; ++d)
-    x[d] = grid.lower[d] + share(engine) * (grid.upper[d] - grid.lower[d]);
+    x[d] = grid.lower[d] + fraction(engine) * (grid.upper[d] - grid.lower[d]);
   return x;
 }
 
@@ -95,13 +95,13 @@ void checkMasters()
   const Grid<D> grid = lattice<D>();
   std::mt19937 engine(5);
   int hanging = 0, chains = 0;
-  double wrongPlace = 0.0;
+  double wrongPosition = 0.0;
   for (int t = 0; t < trees; ++t)
   {
     Tree<D> tree;
     buildTree(randomBranches(grid, D == 2 ? 4 : 3, engine), tree);
     const NodePositions<D> positions{grid, tree.finePosition};
-    // Places in units of a cell of 1/2^8 of the lattice's, which all corners are multiples of.
+    // Positions in units of a cell of 1/2^8 of the lattice's, which all corners are multiples of.
     std::map<std::array<long, D>, int> masters;
     const auto unit = [&](const Vector<D>& x)
     {
@@ -119,7 +119,7 @@ void checkMasters()
         const int count = tree.masterCount(l, k);
         for (int m = 0; m < count; ++m)
           mean = mean + (1.0 / count) * positions(tree.master(l, k, m));
-        wrongPlace = std::max(wrongPlace, norm(mean - x));
+        wrongPosition = std::max(wrongPosition, norm(mean - x));
         const auto found = masters.emplace(unit(x), count).first;
         EXPECT_EQ(found->second, count); // all leaves around a position see it alike
         hanging += count > 1 ? 1 : 0;
@@ -134,12 +134,12 @@ void checkMasters()
   }
   EXPECT_GT(hanging, 10 * trees);
   EXPECT_EQ(chains, 0);
-  EXPECT_LT(wrongPlace, roundOff);
+  EXPECT_LT(wrongPosition, roundOff);
 }
 
 /// Fractions of all nodes add up to the cells, and each is the integral of the node's function.
 template <int D>
-void checkShares()
+void checkNodeVolumes()
 {
   const Grid<D> grid = lattice<D>();
   std::mt19937 engine(9);
@@ -151,12 +151,12 @@ void checkShares()
     Tree<D> tree;
     buildTree(randomBranches(grid, D == 2 ? 4 : 3, engine), tree);
     double sum = 0.0, least = 1.0;
-    for (int n = 0; n < static_cast<int>(tree.share.extent(0)); ++n)
+    for (int n = 0; n < static_cast<int>(tree.nodeVolume.extent(0)); ++n)
     {
-      sum += tree.share(n);
-      least = std::min(least, tree.share(n));
+      sum += tree.nodeVolume(n);
+      least = std::min(least, tree.nodeVolume(n));
     }
-    // Nodes on the rim of the lattice have whole shares: more than the cells, by what is beyond.
+    // Nodes on the rim of the lattice have whole volumes: more than the cells, by what is beyond.
     double all = 1.0;
     for (int d = 0; d < D; ++d)
       all *= grid.cells[d] + 1;
@@ -174,8 +174,8 @@ TEST(Tree, mastersHangNowhereIn2D) { checkMasters<2>(); }
 TEST(Tree, mastersHangNowhereIn3D) { checkMasters<3>(); }
 TEST(Tree, sharesFillTheCells)
 {
-  checkShares<2>();
-  checkShares<3>();
+  checkNodeVolumes<2>();
+  checkNodeVolumes<3>();
 }
 
 /// The order in which cells were refined leaves no trace.

@@ -18,7 +18,7 @@ Teuchos::ParameterList steel()
   return list;
 }
 
-/// The sentence with which a list is refused; empty if it is taken.
+/// The message with which a list is refused; empty if it is taken.
 std::string refusal(const Teuchos::ParameterList& list, Plane plane = Plane::Solid)
 {
   try
@@ -91,9 +91,9 @@ TEST(MaterialTable, RefusalsSayWhereAndWhat)
   {
     Teuchos::ParameterList list = steel();
     list.set(wrong.parameter, wrong.value);
-    const std::string sentence = refusal(list);
-    EXPECT_EQ(sentence.find("Materials > Steel > " + wrong.parameter + ": "), 0u) << sentence;
-    EXPECT_NE(sentence.find(wrong.says), std::string::npos) << sentence;
+    const std::string message = refusal(list);
+    EXPECT_EQ(message.find("Materials > Steel > " + wrong.parameter + ": "), 0u) << message;
+    EXPECT_NE(message.find(wrong.says), std::string::npos) << message;
   }
 }
 

@@ -92,7 +92,7 @@ struct Particle
     at.speed[0] = 0.0;
     heat.temperature[0] = T;
     heat.internal[0] = energy;
-    heat.share[0] = 1.0;
+    heat.firstFraction[0] = 1.0;
     const ThermoMaterial material = tables.material(0);
     const int width = historySize<D>(law);
     if (material.count == 1)

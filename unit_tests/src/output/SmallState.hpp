@@ -98,13 +98,13 @@ State<D> smallState(int particles)
     for (int e = 0; e < D; ++e)
       for (int d = 0; d < D; ++d)
         body.axes[e][d] = e == d ? 1.0 : 0.0;
-    state.bodies.list.push_back(body);
+    state.bodies.info.push_back(body);
   }
   state.materials.names = {"Soft"};
-  state.materials.list = {softSolid(D)};
+  state.materials.properties = {softSolid(D)};
   state.materials.device = View<Properties*>("materials", 1);
   const auto host = Kokkos::create_mirror_view(state.materials.device);
-  host(0) = state.materials.list[0];
+  host(0) = state.materials.properties[0];
   Kokkos::deep_copy(state.materials.device, host);
   return state;
 }

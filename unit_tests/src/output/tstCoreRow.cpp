@@ -89,10 +89,10 @@ TEST(CoreRow, BooksPlasticWork)
   history[J2Plastic::dissipationIndex<3>] = 3.0;
   history[size + J2Plastic::dissipationIndex<3>] = 5.0;
   fill(state.particles.table(fields::history), history);
-  state.materials.list[0].law = lawIndex<J2Plastic>;
-  state.materials.list[0].own[J2Number::yield] = 1.0;
+  state.materials.properties[0].law = lawIndex<J2Plastic>;
+  state.materials.properties[0].own[J2Number::yield] = 1.0;
   const auto host = Kokkos::create_mirror_view(state.materials.device);
-  host(0) = state.materials.list[0];
+  host(0) = state.materials.properties[0];
   Kokkos::deep_copy(state.materials.device, host);
   state.energy.externalWork = 2.5;
   coreRow(state, {});

@@ -48,7 +48,7 @@ TEST(FieldWriter, WritesTheBoxesOfParticles)
   const Folder folder;
   State<2> state = twoParticles();
   fill(state.particles.table(fields::edge), {0.5, 0.25, 0.5, 0.25});
-  BodyInfo<2>& turned = state.bodies.list[1];
+  BodyInfo<2>& turned = state.bodies.info[1];
   turned.axes[0][0] = 0.0;
   turned.axes[0][1] = 1.0;
   turned.axes[1][0] = -1.0;

@@ -40,7 +40,7 @@ struct Cells
     return all;
   }
   int size() const { return grid.numNodes + tree.numFine; }
-  Vector<D> place(int node) const { return NodePositions<D>{grid, tree.finePosition}(node); }
+  Vector<D> position(int node) const { return NodePositions<D>{grid, tree.finePosition}(node); }
 };
 
 /// A part of the lattice, as a rank has it.
@@ -72,15 +72,15 @@ void fill(const NodalFieldTable<D>& table, const std::string& name, const Cells<
   const int width = static_cast<int>(values.extent(0)) / cells.size();
   for (int n = 0; n < cells.size(); ++n)
     for (int e = 0; e < width; ++e)
-      values(width * n + e) = (e == 0 ? 1.0 : -1.0) * linear(cells.place(n));
+      values(width * n + e) = (e == 0 ? 1.0 : -1.0) * linear(cells.position(n));
 }
 
 template <int D>
-bool isThere(const Cells<D>& cells, const Vector<D>& place)
+bool isThere(const Cells<D>& cells, const Vector<D>& position)
 {
   const NodeIdentities<D> nodes(cells.grid, cells.tree.finePosition);
   for (int n = 0; n < cells.size(); ++n)
-    if (norm(cells.place(n) - place) < 1e-9)
+    if (norm(cells.position(n) - position) < 1e-9)
       return nodes.find(nodes.of(n)) == n;
   return false;
 }
@@ -110,17 +110,17 @@ void checkRemeshing()
     ASSERT_EQ(static_cast<int>(table.scalar("kept").extent(0)), cells.size());
     int lost = 0;
     for (int n = before.grid.numNodes; n < before.size(); ++n)
-      lost += isThere(cells, before.place(n)) ? 0 : 1;
+      lost += isThere(cells, before.position(n)) ? 0 : 1;
     EXPECT_EQ(static_cast<int>(table.lost("kept").size()), lost);
     for (const auto& node : table.lost("kept"))
       EXPECT_NEAR(node.values[0], linear(node.position), 1e-12);
     for (int n = 0; n < cells.size(); ++n)
     {
-      const double value = linear(cells.place(n));
+      const double value = linear(cells.position(n));
       EXPECT_EQ(table.scalar("dropped")(n), 0.0);
       EXPECT_NEAR(table.scalar("interpolated")(2 * n), value, 1e-12);
       EXPECT_NEAR(table.scalar("interpolated")(2 * n + 1), -value, 1e-12);
-      EXPECT_NEAR(table.scalar("kept")(n), isThere(before, cells.place(n)) ? value : 0.0, 1e-12);
+      EXPECT_NEAR(table.scalar("kept")(n), isThere(before, cells.position(n)) ? value : 0.0, 1e-12);
     }
     table.move(cells.nodes(), step + 1, {});
     EXPECT_TRUE(table.lost("kept").empty());
@@ -148,7 +148,7 @@ TEST(NodalFieldTable, FollowsNodesToOtherRows)
   fill(table, "kept", whole);
   table.move(part.nodes(), 1, {});
   for (int n = 0; n < part.size(); ++n)
-    EXPECT_NEAR(table.scalar("kept")(n), linear(part.place(n)), 1e-12);
+    EXPECT_NEAR(table.scalar("kept")(n), linear(part.position(n)), 1e-12);
   EXPECT_EQ(static_cast<int>(table.lost("kept").size()), whole.size() - part.size());
 }
 

@@ -118,11 +118,11 @@ std::map<std::vector<long>, std::array<double, 2>> sumsOf(const State<D>& state)
     if (foreign.extent(0) > 0 && foreign(n) != 0)
       continue;
     const Vector<D> x = state.mesh.grid.nodePosition(n);
-    std::vector<long> place;
+    std::vector<long> position;
     for (int d = 0; d < D; ++d)
-      place.push_back(std::lround(x[d]));
+      position.push_back(std::lround(x[d]));
     if (values(n, Nodes<D>::massAt) > 0.0)
-      sums[place] = {values(n, Nodes<D>::massAt), values(n, Nodes<D>::momentumAt)};
+      sums[position] = {values(n, Nodes<D>::massAt), values(n, Nodes<D>::momentumAt)};
   }
   return sums;
 }
@@ -133,11 +133,11 @@ void nodesHaveTheSumsOfOneRank()
   const Ranks ranks = allRanks();
   const Run<D> alone = onNodes<D>(Ranks()), together = onNodes<D>(ranks);
   const auto right = sumsOf(alone.state()), found = sumsOf(together.state());
-  for (const auto& [place, sums] : found)
+  for (const auto& [position, sums] : found)
   {
-    ASSERT_EQ(right.count(place), 1u);
-    EXPECT_NEAR(sums[0], right.at(place)[0], 1e-14);
-    EXPECT_NEAR(sums[1], right.at(place)[1], 1e-14);
+    ASSERT_EQ(right.count(position), 1u);
+    EXPECT_NEAR(sums[0], right.at(position)[0], 1e-14);
+    EXPECT_NEAR(sums[1], right.at(position)[1], 1e-14);
   }
   EXPECT_EQ(ranks.sum(static_cast<double>(found.size())), static_cast<double>(right.size()))
       << "each node counts on one rank";

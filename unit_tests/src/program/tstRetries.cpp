@@ -45,7 +45,7 @@ TEST(Retries, SaysWhatItDid)
   Retries retries(3);
   EXPECT_EQ(retries.inVain(), "");
   retries.mayHelp("a particle is inverted", 0.25, 0.5);
-  retries.goesOnWith(0.5);
+  retries.setStepFraction(0.5);
   EXPECT_NE(retries.asText().find("a particle is inverted; "), std::string::npos);
   EXPECT_NE(retries.asText().find("250 ms"), std::string::npos);
   EXPECT_EQ(retries.inVain().rfind("; time steps of 0.5 of the stable length", 0), 0u) << retries.inVain();

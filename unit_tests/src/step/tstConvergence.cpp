@@ -57,7 +57,7 @@ struct Vortex
     return {
         {std::cos(angle) * X[0] - std::sin(angle) * X[1], std::sin(angle) * X[0] + std::cos(angle) * X[1]}};
   }
-  Vector<2> place(const Vector<2>& X, double t) const
+  Vector<2> positionOf(const Vector<2>& X, double t) const
   {
     return turned(X, amplitude * std::sin(pi * t) * profile(norm(X)));
   }
@@ -102,7 +102,7 @@ struct Stretch
       X -= (X + a * std::sin(pi * X) - x) / (1.0 + a * pi * std::cos(pi * X));
     return X;
   }
-  Vector<2> place(const Vector<2>& X, double t) const
+  Vector<2> positionOf(const Vector<2>& X, double t) const
   {
     const double a = amplitude * std::sin(pi * t);
     return {{X[0] + a * std::sin(pi * X[0]), X[1] - a * std::sin(pi * X[1])}};
@@ -211,7 +211,7 @@ double error(const Motion& motion, int cells, const std::string& shape)
   for (int p = 0; p < particles.size; ++p)
   {
     const Vector<2> off =
-        particles.at(p) - motion.place({{reference(p, 0), reference(p, 1)}}, state.clock.time);
+        particles.at(p) - motion.positionOf({{reference(p, 0), reference(p, 1)}}, state.clock.time);
     sum += dot(off, off);
   }
   return std::sqrt(sum / particles.size) / motion.amplitude;

@@ -144,7 +144,7 @@ double stressSpread(const State<D>& state, const double (&L)[D][D])
   for (int i = 0; i < D; ++i)
     for (int j = 0; j < D; ++j)
       F[i * D + j] = L[i][j] + (i == j ? 1.0 : 0.0);
-  EXPECT_TRUE(updateStress<D>(state.materials.list[0], F, tau, nullptr));
+  EXPECT_TRUE(updateStress<D>(state.materials.properties[0], F, tau, nullptr));
   const HostParticles<D> particles(state);
   double spread = 0.0, size = 0.0;
   for (int k = 0; k < symmetricSize<D>; ++k)

@@ -137,7 +137,7 @@ protected:
     const double tangentOff = strainOff(tangent.state(), growth), chordOff = strainOff(chord.state(), 0.0);
     std::printf(
         "%s, %s: tangent: strain %.6f as derived but for %.1e; chord: strain %.1e, largest stress / E %.1e, "
-        "place off by %.1e\n",
+        "position off by %.1e\n",
         model().c_str(), shape.c_str(), growth, tangentOff, chordOff, largest, away);
     // Each step rounds F at 1e-16; the errors of 360 steps add up at worst to 1e-13.
     EXPECT_LT(tangentOff, 1e-12);
@@ -193,7 +193,8 @@ TEST(RigidRotation, FreeBodyShakesAsARandomWalk)
       largest = std::max(largest, largestStress(state));
   }
   measureEnergy(state);
-  const double speed = std::sqrt(state.materials.list[0].lambda + 2.0 * state.materials.list[0].mu);
+  const double speed =
+      std::sqrt(state.materials.properties[0].lambda + 2.0 * state.materials.properties[0].mu);
   const double walk = speed * 0.375 * spin * std::sqrt(2.0 * pi * half);
   const double total = (state.energy.kinetic + state.energy.strain) / start;
   std::printf("free square, one turn in %ld steps: largest stress / E %.4f, random walk %.4f, spin %.4f; "

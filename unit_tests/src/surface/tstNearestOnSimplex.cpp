@@ -56,7 +56,7 @@ TEST(PlanarPolygon, HasAPlane)
   EXPECT_DOUBLE_EQ(plane.a[1], 1.0);
   EXPECT_DOUBLE_EQ(plane.b[0], -1.0);
   const Vector<3> x{0.5, 3.0, 5.0};
-  EXPECT_NEAR(norm(plane.inSpace(plane.inPlane(x)) - x), 0.0, 1e-15);
+  EXPECT_NEAR(norm(plane.in3D(plane.inPlane(x)) - x), 0.0, 1e-15);
   EXPECT_NEAR(plane.inPlane(x)[0], 0.5, 1e-15);
 }
 

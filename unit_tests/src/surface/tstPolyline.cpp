@@ -51,8 +51,8 @@ TEST(Polyline, IsClippedAtItsEnds)
 /// A region that goes on for a quarter of a cell, or for all of it.
 TEST(Polyline, KnowsWhetherARegionGoesOn)
 {
-  EXPECT_TRUE(goesOn<2>(isBelowTwo, {0.9, 0.0}, {3.0, 0.0}, 1.0));
-  EXPECT_FALSE(goesOn<2>(isBelowTwo, {1.1, 0.0}, {3.0, 0.0}, 1.0));
+  EXPECT_TRUE(extendsBeyond<2>(isBelowTwo, {0.9, 0.0}, {3.0, 0.0}, 1.0));
+  EXPECT_FALSE(extendsBeyond<2>(isBelowTwo, {1.1, 0.0}, {3.0, 0.0}, 1.0));
 }
 
 /// Facet 0 of a segment is its second end. Fronts come first end first, each with its own vertex.

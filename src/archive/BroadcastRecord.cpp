@@ -1,4 +1,4 @@
-#include "archive/ShareRecord.hpp"
+#include "archive/BroadcastRecord.hpp"
 
 #include <sstream>
 
@@ -10,21 +10,21 @@ namespace
 
 std::string shapeOf(const RecordTable& table)
 {
-  std::ostringstream words;
-  words << static_cast<int>(table.type);
+  std::ostringstream text;
+  text << static_cast<int>(table.type);
   for (const std::size_t n : table.extent)
-    words << ' ' << n;
-  return words.str();
+    text << ' ' << n;
+  return text.str();
 }
 
 RecordTable tableOf(const std::string& shape, const std::string& bytes)
 {
-  std::istringstream words(shape);
+  std::istringstream text(shape);
   int type = 0;
-  words >> type;
+  text >> type;
   RecordTable table;
   table.type = static_cast<RecordTable::Type>(type);
-  for (std::size_t n = 0; words >> n;)
+  for (std::size_t n = 0; text >> n;)
     table.extent.push_back(n);
   table.bytes.assign(bytes.begin(), bytes.end());
   return table;
@@ -32,17 +32,17 @@ RecordTable tableOf(const std::string& shape, const std::string& bytes)
 
 } // namespace
 
-void shareRecord(const Ranks& ranks, Record& record)
+void broadcastRecord(const Ranks& ranks, Record& record)
 {
   if (!ranks.many())
     return;
   const bool first = ranks.rank() == 0;
-  Record shared;
+  Record received;
   auto next = record.begin();
   const int count = static_cast<int>(ranks.max(first ? static_cast<double>(record.size()) : 0.0));
   for (int k = 0; k < count; ++k)
   {
-    // Of the others the first rank hears nothing.
+    // The other ranks have no text: all get that of the first.
     const std::string path = ranks.firstText(first ? next->first : std::string());
     const std::string shape = ranks.firstText(first ? shapeOf(next->second) : std::string());
     const std::string bytes = ranks.firstText(
@@ -50,10 +50,10 @@ void shareRecord(const Ranks& ranks, Record& record)
     if (first)
       ++next;
     else
-      shared[path] = tableOf(shape, bytes);
+      received[path] = tableOf(shape, bytes);
   }
   if (!first)
-    record = std::move(shared);
+    record = std::move(received);
 }
 
 } // namespace Rhegma
