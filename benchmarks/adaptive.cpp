@@ -1,5 +1,5 @@
-/// What a scene costs whose cells refine, next to the same scene with small cells everywhere, or with short
-/// steps everywhere, in one process and turn by turn.
+/// Cost of a scene with adaptive cells, compared with the same scene with small cells everywhere, or with
+/// small steps everywhere, alternating in one process.
 ///
 ///     adaptive SCENE.xml [--json] [--rounds N] [--interval SECONDS] [--finer N]
 ///     adaptive SCENE.xml --levels N [--front-cells N] [--json] [--rounds N] [--interval SECONDS]
@@ -67,7 +67,7 @@ void run(const std::vector<std::string>& arguments)
       .read(arguments);
   placeThreads();
   if (effort.levels > 0)
-    print(withKokkos([&] { return measureShortSteps(scene, effort); }), json, printLevels);
+    print(withKokkos([&] { return measureSmallSteps(scene, effort); }), json, printLevels);
   else
     print(withKokkos([&] { return measureAdaptive(scene, effort); }), json, printRuns);
 }

@@ -1,4 +1,4 @@
-/// What growth costs next to the same run with the crack held, in one process and turn by turn.
+/// Cost of crack growth compared with the same run with a held crack, alternating in one process.
 ///
 ///     growth SCENE.xml [--json] [--cell EDGE] [--steps N] [--rounds N] [--warm-up N]
 ///

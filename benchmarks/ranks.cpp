@@ -1,5 +1,5 @@
-/// How much faster a scene runs on all ranks than on one of them, in one run and turn by turn; what ranks
-/// tell each other; and what that lets expect of many ranks.
+/// Speed-up of a scene on all ranks compared with one of them, alternating in one run; the messages between
+/// ranks; and the expected cost on many ranks.
 ///
 ///     mpirun -np 2 ranks SCENE.xml [--json] [--rounds N] [--finer N] [--interval SECONDS]
 ///                                  [--latency SECONDS] [--bandwidth BYTES_PER_SECOND]

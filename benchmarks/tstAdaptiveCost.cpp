@@ -20,7 +20,7 @@ std::string scene(const std::string& name)
   return std::string("'") + RHEGMA_SOURCE_DIR + "/xml_inputs/verification/" + name + "' ";
 }
 
-TEST(AdaptiveCost, writesTheUniformRunsBesideTheAdaptiveOne)
+TEST(AdaptiveCost, writesTheUniformRunsNextToTheAdaptiveOne)
 {
   const Output output = adaptive(scene("dcb_adaptive.xml") + "--rounds 1 --finer 1 --interval 3e-6 --json");
   ASSERT_EQ(output.status, 0) << output.text;
@@ -37,7 +37,7 @@ TEST(AdaptiveCost, writesTheUniformRunsBesideTheAdaptiveOne)
 }
 
 // Both of a pair have the same cells, so what Sub-Cycling saves is steps of particles in large cells.
-TEST(AdaptiveCost, writesShortStepsEverywhereBesideThoseOfSmallCells)
+TEST(AdaptiveCost, writesSmallStepsEverywhereNextToSubsteps)
 {
   const Output output = adaptive(scene("dcb_adaptive.xml") + "--rounds 1 --levels 2 --interval 3e-6 --json");
   ASSERT_EQ(output.status, 0) << output.text;

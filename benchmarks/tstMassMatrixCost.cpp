@@ -17,7 +17,7 @@ Output massMatrix(const std::string& options)
 
 const std::string scene = std::string("'") + RHEGMA_SOURCE_DIR + "/xml_inputs/verification/dcb_h4.xml' ";
 
-TEST(MassMatrixCost, writesEveryMatrixBesideTheLumpedOne)
+TEST(MassMatrixCost, writesEveryMatrixNextToTheLumpedOne)
 {
   const Output output = massMatrix(scene + "--steps 3 --rounds 2 --warm-up 4 --json");
   ASSERT_EQ(output.status, 0) << output.text;

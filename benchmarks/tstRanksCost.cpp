@@ -9,7 +9,7 @@
 namespace
 {
 
-TEST(RanksCost, writesAllRanksBesideOneAndWhatTheyTellEachOther)
+TEST(RanksCost, writesAllRanksNextToOneAndTheirMessages)
 {
   if (outputOf("command -v mpirun").status != 0)
     GTEST_SKIP() << "without mpirun";

@@ -82,7 +82,7 @@ nlohmann::json measureAdaptive(const std::string& sceneFile, const AdaptiveEffor
   return all;
 }
 
-nlohmann::json measureShortSteps(const std::string& sceneFile, const AdaptiveEffort& effort)
+nlohmann::json measureSmallSteps(const std::string& sceneFile, const AdaptiveEffort& effort)
 {
   std::vector<TimedRun> runs;
   for (int levels = 1; levels <= effort.levels; ++levels)

@@ -14,7 +14,7 @@ struct AdaptiveEffort
   int rounds = 5;         ///< batches of each run, of which the best counts
   int finer = 2;          ///< uniform runs: with cells of 1/2, 1/4, ... of the scene's
   int levels = 0;         ///< if not 0, instead of uniform runs: up to how many levels substeps are timed
-  double frontCells = 0;  ///< if not 0: Adaptivity > Front Cells in place of the scene's
+  double frontCells = 0;  ///< if not 0: replaces Adaptivity > Front Cells of the scene
   double interval = 2e-5; ///< simulated time of a batch [s]
 };
 
@@ -28,6 +28,6 @@ nlohmann::json measureAdaptive(const std::string& sceneFile, const AdaptiveEffor
 /// Runs the scene with Adaptivity > Maximum Level = 1, 2, ... `levels`, each with substeps in all its
 /// small cells and with substeps everywhere (no Sub-Cycling), by turns and as above. \return {threads,
 /// levels} with the best round of both at each level
-nlohmann::json measureShortSteps(const std::string& sceneFile, const AdaptiveEffort& effort);
+nlohmann::json measureSmallSteps(const std::string& sceneFile, const AdaptiveEffort& effort);
 
 } // namespace Rhegma::benchmarks

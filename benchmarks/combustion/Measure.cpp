@@ -25,7 +25,7 @@ Teuchos::RCP<List> readHeld(const std::string& file)
   return scene;
 }
 
-/// The same bodies on their way, so that particles lie anywhere in their cells; nothing acts on the cracks.
+/// The same bodies in motion, so that particles lie anywhere in their cells; nothing acts on the cracks.
 Teuchos::RCP<List> inMotion(const std::string& file)
 {
   const auto scene = readHeld(file);
@@ -94,7 +94,7 @@ nlohmann::json measureCombustion(const std::string& sceneFile, const CombustionE
   for (int round = 0; round < effort.rounds; ++round)
     for (TimedRun& run : runs)
       run.timeWhole(effort.steps);
-  return besideFirst(runs, effort.steps);
+  return nextToFirst(runs, effort.steps);
 }
 
 } // namespace Rhegma::benchmarks

@@ -9,18 +9,18 @@
 namespace Rhegma::benchmarks
 {
 
-/// What a benchmark may be told: flags, options with a positive number after each, and at most one scene.
+/// The command line of a benchmark: flags, options with a positive number after each, and at most one scene.
 class CommandLine
 {
 public:
   CommandLine& flag(const std::string& name, bool& value);
   CommandLine& number(const std::string& name, int& value);
   CommandLine& number(const std::string& name, double& value);
-  /// Asks for the file of a scene. \param example one, for who forgets
+  /// Requires the file of a scene. \param example one, for the usage message
   CommandLine& scene(std::string& file, const std::string& example);
 
-  /// Sets what the arguments name; the first of them is the program.
-  /// Throws std::invalid_argument with a sentence for what it does not know, or what is no number above zero.
+  /// Sets what the arguments name; the first of them is the program. Throws std::invalid_argument for unknown
+  /// options and for values that are not positive numbers.
   void read(const std::vector<std::string>& arguments) const;
 
 private:

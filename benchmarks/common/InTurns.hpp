@@ -1,5 +1,5 @@
 #pragma once
-/// Benchmarks that run one scene in several ways, turn by turn.
+/// Benchmarks that run variants of one scene alternately.
 
 #include "common/CommandLine.hpp"
 #include "common/Program.hpp"
@@ -11,10 +11,10 @@
 namespace Rhegma::benchmarks
 {
 
-/// Reads the words that all of them have, --json, --steps, --rounds, --warm-up and the scene, next to those
-/// of `more`; measures, and prints what was found. \param example a scene, for who forgets \param measure of
-/// the scene and the effort \param more adds words of the benchmark's own: called with the command line and
-/// the effort
+/// Reads the common options, --json, --steps, --rounds, --warm-up and the scene, next to those of `more`;
+/// measures, and prints what was found. \param example a scene, for the usage message \param measure of the
+/// scene and the effort \param more adds options of the benchmark: called with the command line and the
+/// effort
 template <class Effort, class Measure, class More>
 void runInTurns(const std::vector<std::string>& arguments, const std::string& example, const Measure& measure,
                 void (*table)(const nlohmann::json&), const More& more)

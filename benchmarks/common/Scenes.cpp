@@ -60,7 +60,7 @@ double processorRatio(const TimedRun& run, const TimedRun& first)
 
 } // namespace
 
-nlohmann::json besideFirst(const std::vector<TimedRun>& runs, int steps)
+nlohmann::json nextToFirst(const std::vector<TimedRun>& runs, int steps)
 {
   const TimedRun& first = runs.front();
   const auto perTime = [](const TimedRun& run)

@@ -1,5 +1,5 @@
 #pragma once
-/// Scenes as benchmarks run them, and what they say of runs next to each other.
+/// Scenes of benchmarks, and comparisons of their runs.
 
 #include "common/TimedRun.hpp"
 
@@ -16,7 +16,7 @@ namespace Rhegma::benchmarks
 Teuchos::RCP<Teuchos::ParameterList> readScene(const std::string& file, const std::string& section,
                                                const std::string& hint = "");
 
-/// A run that takes samples as often as its scene asks for in its history, and keeps none.
+/// A run that samples as often as the history of its scene, but stores no sample.
 TimedRun sampledRun(const std::string& name, const Teuchos::RCP<Teuchos::ParameterList>& scene,
                     const Teuchos::RCP<const Teuchos::Comm<int>>& comm = Teuchos::null);
 
@@ -28,6 +28,6 @@ double leastSeconds(const TimedRun& run);
 /// that of step to step, each of the least of all batches; ratio_of_processor, the median over the rounds of
 /// the ratio of the times that processors worked on both for the same simulated time, which others who use
 /// the machine disturb less.
-nlohmann::json besideFirst(const std::vector<TimedRun>& runs, int steps);
+nlohmann::json nextToFirst(const std::vector<TimedRun>& runs, int steps);
 
 } // namespace Rhegma::benchmarks

@@ -29,18 +29,17 @@ struct TimedRun
   std::unique_ptr<Simulation> simulation;
   std::vector<Batch> batches;
 
-  /// \param scene what is run; a body that comes to rest is timed no longer than it moves
-  /// \param comm ranks that share it; this one alone where none are given
+  /// \param scene the scene; a body that settles is timed only while it moves
+  /// \param comm ranks of the run; default: this one alone
   TimedRun(std::string which, const Teuchos::RCP<Teuchos::ParameterList>& scene,
            const Teuchos::RCP<const Teuchos::Comm<int>>& comm = Teuchos::null);
 
-  /// Goes on without being timed.
+  /// Advances without timing.
   void advance(int steps);
-  /// Goes on and is timed. \param simulated time of the run [s]
+  /// Advances with timing. \param simulated time of the run [s]
   void time(int steps);
   void time(double simulated);
-  /// The same for just so many steps: a time whose end lies within the last of them is reached by two shorter
-  /// ones, where an end that a step misses by little asks for one step more.
+  /// Advances by exactly this number of steps, with timing: a final time within the last step would split it.
   void timeWhole(int steps);
 
   /// The least of value(batch).

@@ -69,7 +69,7 @@ nlohmann::json measureGrowth(const std::string& sceneFile, const GrowthEffort& e
                                 " advances in what is timed; let it go on with more --steps, or start later "
                                 "with --warm-up");
 
-  nlohmann::json all = besideFirst(runs, effort.steps);
+  nlohmann::json all = nextToFirst(runs, effort.steps);
   all["increments"] = made;
   return all;
 }

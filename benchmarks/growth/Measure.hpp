@@ -11,8 +11,8 @@ namespace Rhegma::benchmarks
 /// How much to measure.
 struct GrowthEffort
 {
-  double cell = 0.0; ///< edge of the cells in place of the scene's [m]; 0: the scene's
-  int steps = 20;    ///< of the run with held cracks in a round; the others go on for as long a time
+  double cell = 0.0; ///< edge of the cells [m]; 0: the scene's
+  int steps = 20;    ///< of the run with held cracks in a round; the others simulate the same time
   int rounds = 9;    ///< batches of each run, of which the best counts
   int warmUp = 40;   ///< steps of each after Propagation > Start Time, before the first batch
 };

@@ -11,7 +11,7 @@ namespace Rhegma::benchmarks
 /// How much to measure.
 struct HeatEffort
 {
-  double cell = 0.0; ///< edge of the cells in place of the scene's [m]; 0: the scene's
+  double cell = 0.0; ///< edge of the cells [m]; 0: the scene's
   int steps = 40;    ///< of each run in a round; with heat alone those of the explicit one
   int rounds = 9;    ///< batches of each run, of which the best counts
   int warmUp = 40;   ///< steps of each before the first batch

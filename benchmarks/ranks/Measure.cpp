@@ -15,7 +15,7 @@ namespace Rhegma::benchmarks
 namespace
 {
 
-/// Those who wait leave their processors to others.
+/// Waiting ranks release their processors.
 void meetAsleep()
 {
   MPI_Request request;

@@ -8,7 +8,7 @@
 namespace Rhegma::benchmarks
 {
 
-/// How much to measure, and what a machine of many ranks is taken to be.
+/// Size of the measurement, and the assumed machine of many ranks.
 struct RanksEffort
 {
   int rounds = 5;          ///< batches of each run, of which the best counts

@@ -4,7 +4,7 @@
 
 #include <set>
 
-// MPI lets a program put its own functions in the place of MPI's, which are still there as PMPI_....
+// A program may replace functions of MPI, which stay available as PMPI_....
 
 namespace
 {

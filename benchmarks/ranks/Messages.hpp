@@ -1,5 +1,5 @@
 #pragma once
-/// What this rank tells others, counted where it is handed to MPI.
+/// Messages of this rank, counted in the calls of MPI.
 
 namespace Rhegma::benchmarks
 {

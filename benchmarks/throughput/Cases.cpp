@@ -88,7 +88,7 @@ Teuchos::RCP<Teuchos::ParameterList> makeScene(const Case& which, int particles,
   body.set("Angular Velocity", Numbers(dimension == 2 ? 1 : 3, factor * angularSpeed));
   if (which.crack)
   {
-    // A quarter of the way into the body from its corner, four cells long.
+    // At a quarter of the body from its corner, four cells long.
     const double x = std::floor(0.25 * cells[0]) * cell, y = std::floor(0.25 * cells[1]) * cell;
     scene->sublist("Cracks").sublist("Far").set("Points", Numbers({x, y, x + 4 * cell, y}));
   }

@@ -10,7 +10,7 @@
 namespace Rhegma::benchmarks
 {
 
-/// One scene and the bars that its step is held against.
+/// One scene and the bounds of its step.
 struct Case
 {
   std::string name;
@@ -28,9 +28,9 @@ struct Case
 const std::vector<Case>& allCases();
 
 /// The scene of a case: an elastic box that turns slowly as it flies.
-/// \param particles about how many it has; exactly 200,000 (2D) and 300,000 (3D) if asked for
+/// \param particles approximate number; exact for 200,000 (2D) and 300,000 (3D)
 /// \param flow steps that it flies a hundred times as fast before anything is timed: a hundredth of a cell
-/// each, and in 10,000 it turns by 12 degrees; the domain has room for it
+/// each, and in 10,000 it turns by 12 degrees; the domain is large enough
 Teuchos::RCP<Teuchos::ParameterList> makeScene(const Case& which, int particles, int flow);
 
 } // namespace Rhegma::benchmarks

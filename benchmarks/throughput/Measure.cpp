@@ -53,7 +53,8 @@ nlohmann::json result(const Runner& runner, int threads)
   entry["ns_per_particle_step"] = runner.run.best(nanoseconds);
   entry["median_ns_per_particle_step"] = median(runner.run.batches);
   entry["bytes_per_particle"] = runner.which.boundBytes;
-  // The stages take the same fraction of every step, so the fraction of all batches stands for the best.
+  // The stages take the same fraction of every step, so the fraction over all batches represents the best
+  // one.
   double all = 0.0;
   for (const auto& [stage, seconds] : runner.run.simulation->stageSeconds())
     all += seconds - runner.stages.at(stage);

@@ -37,9 +37,9 @@ def cut(centres, edges, drawn_centres, drawn_edges, normal, where):
     low = centres[:, None, normal] - where + 0.5 * np.einsum("ck,nk->nc", BEGINS, edges[:, :, normal])
     rise = edges[:, ALONG, normal]
     crossed = (low < 0.0) != (low + rise < 0.0)
-    share = np.divide(-low, rise, out=np.zeros_like(low), where=crossed)
+    fraction = np.divide(-low, rise, out=np.zeros_like(low), where=crossed)
     begin = drawn_centres[:, None, :] + 0.5 * np.einsum("ck,nki->nci", BEGINS, drawn_edges)
-    points = begin + share[:, :, None] * drawn_edges[:, ALONG, :]
+    points = begin + fraction[:, :, None] * drawn_edges[:, ALONG, :]
     plane = [axis for axis in range(3) if axis != normal]
     for n in range(len(centres)):
         corner = points[n, crossed[n]]

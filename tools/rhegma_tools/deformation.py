@@ -59,8 +59,8 @@ def joined_ends(crack):
         if not others:
             continue
         point, (before,) = crack.points[v], neighbours[v]
-        share = np.clip(np.einsum("ij,ij->i", point - start[others], along[others]) / squared[others], 0.0, 1.0)
-        foot = start[others] + share[:, None] * along[others]
+        fraction = np.clip(np.einsum("ij,ij->i", point - start[others], along[others]) / squared[others], 0.0, 1.0)
+        foot = start[others] + fraction[:, None] * along[others]
         nearest = int(np.argmin(np.linalg.norm(point - foot, axis=1)))
         back = crack.points[before] - foot[nearest]
         if np.linalg.norm(point - foot[nearest]) < ON_FACE * np.linalg.norm(crack.points[before] - point):
@@ -103,8 +103,8 @@ def opening_power(crack, front, far, position, displacement):
     if min(side.size for side in sides) < 2:
         return 1.0
     moved = [displacement[side[np.argsort(squared[side])[:2]]].mean(axis=0) @ normal for side in sides]
-    share = (moved[0] - moved[1]) / np.linalg.norm(crack.opening[far])
-    return float(np.clip(-np.log2(share), 0.5, 2.0)) if share > 0.0 else 2.0
+    fraction = (moved[0] - moved[1]) / np.linalg.norm(crack.opening[far])
+    return float(np.clip(-np.log2(fraction), 0.5, 2.0)) if fraction > 0.0 else 2.0
 
 
 def curved_at_fronts(crack, faces, position, displacement):
@@ -115,14 +115,14 @@ def curved_at_fronts(crack, faces, position, displacement):
     closed = np.linalg.norm(crack.opening, axis=1) == 0.0
     lines = ([], [])
     for i, j in crack.cells:
-        share = np.linspace(0.0, 1.0, 17 if closed[i] != closed[j] else 2)[:, None]
-        centre = (1.0 - share) * middle[i] + share * middle[j]
+        fraction = np.linspace(0.0, 1.0, 17 if closed[i] != closed[j] else 2)[:, None]
+        centre = (1.0 - fraction) * middle[i] + fraction * middle[j]
         if closed[i] and not closed[j]:
-            apart = share ** opening_power(crack, i, j, position, displacement) * half[j]
+            apart = fraction ** opening_power(crack, i, j, position, displacement) * half[j]
         elif closed[j] and not closed[i]:
-            apart = (1.0 - share) ** opening_power(crack, j, i, position, displacement) * half[i]
+            apart = (1.0 - fraction) ** opening_power(crack, j, i, position, displacement) * half[i]
         else:
-            apart = (1.0 - share) * half[i] + share * half[j]
+            apart = (1.0 - fraction) * half[i] + fraction * half[j]
         for line, points in zip(lines, (centre + apart, centre - apart)):
             line += list(np.stack([points[:-1], points[1:]], axis=1))
     return [np.array(line) for line in lines]

@@ -286,11 +286,11 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
         draw_particles(close, outlines, values, colour_map, norm)
         draw_crack(close, segments, positions, 1.3)
         wide = half if tall else 2.9 * half  # the shape of the panel
-        front, words = close_up(fronts)
+        front, caption = close_up(fronts)
         middle = front.position * length_factor
         close.set_xlim(middle[0] - wide, middle[0] + wide)
         close.set_ylim(middle[1] - half, middle[1] + half)
-        close.set_title(words, fontweight="normal", fontsize=10)
+        close.set_title(caption, fontweight="normal", fontsize=10)
         close.set_xlabel(f"{names[0]}{drawn_at} [{length_unit}]")
         close.set_ylabel(f"{names[1]}{drawn_at} [{length_unit}]")
     extend = {(False, False): "neither", (True, False): "min", (False, True): "max", (True, True): "both"}[

@@ -132,7 +132,7 @@ def start(command, log, watch):
 
 
 def execute(run, folder, program, launcher, watch=None):
-    """Runs a scene; its words go to rhegma.log in its folder. Returns the exit status."""
+    """Runs a scene; its output goes to rhegma.log in its folder. Returns the exit status."""
     record = record_of(run, launcher)
     os.makedirs(folder, exist_ok=True)
     for name in ("summary.json", RECORD):  # of an older run; must not pass for this one's
@@ -174,7 +174,7 @@ def measure(run, folder, status):
     return outcome
 
 
-def last_words(folder):
+def last_line(folder):
     """The last line that a failed run wrote."""
     try:
         with open(os.path.join(folder, "rhegma.log"), encoding="utf-8", errors="replace") as file:
@@ -215,14 +215,14 @@ def run_all(study, output, program, launcher, again, say, show=None, jobs=1):
             status = done_before(folder, record_of(run, launcher))
         before = status is not None and jobs == 1
         if status is None:
-            watch = show and (lambda: show(f"[{number}/{len(study.runs)}] {run.family}: {last_words(folder)} "
+            watch = show and (lambda: show(f"[{number}/{len(study.runs)}] {run.family}: {last_line(folder)} "
                                            f"({time.monotonic() - begin:.0f} s in all)"))
             status = fresh[folder] = execute(run, folder, program, launcher, watch)
         outcome = measure(run, folder, status)
         if outcome.good:
             say(f"{head}: error {outcome.error:.3g}, {outcome.wall_seconds:.3g} s{' (done before)' if before else ''}")
         else:
-            why = f"{run.quantity} is not finite" if status in GOOD else last_words(folder)
+            why = f"{run.quantity} is not finite" if status in GOOD else last_line(folder)
             say(f"{head}: failed with status {status}: {why}")
         outcomes.append(outcome)
     return outcomes

@@ -33,7 +33,7 @@ Record stateOf(Simulation& simulation)
   return record;
 }
 
-/// So that each of a run and one that goes on from it samples at the same times.
+/// Makes a run and its continuation sample at the same times.
 double samplingOf(const Simulation& simulation) { return 7.0 * simulation.stableTimeStep(); }
 
 bool sameBits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }

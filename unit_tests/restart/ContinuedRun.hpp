@@ -1,5 +1,5 @@
 #pragma once
-/// Runs that are broken off and go on from a checkpoint, against runs that are not.
+/// Runs that are interrupted and continued from a checkpoint, compared with uninterrupted runs.
 
 #include "Simulation.hpp"
 #include "archive/Record.hpp"
@@ -22,10 +22,10 @@ Rhegma::Simulation simulationOf(const Teuchos::ParameterList& scene);
 /// Takes steps up to a number of them, with a sample every seventh or so, which are added to the trace.
 void runTo(Rhegma::Simulation& simulation, long steps, double interval, Trace& trace);
 
-/// What `steps` steps leave where nothing happens between.
+/// State after `steps` uninterrupted steps.
 Trace unbroken(const Teuchos::ParameterList& scene, long steps);
 
-/// The same where the run stops after `broken` steps and another one goes on from its checkpoint.
+/// The same if the run stops after `broken` steps and another one continues from its checkpoint.
 Trace continued(const Teuchos::ParameterList& scene, long broken, long steps);
 
 /// A checkpoint after some steps, with what they left where that is asked for; and what a run that goes on
@@ -33,5 +33,5 @@ Trace continued(const Teuchos::ParameterList& scene, long broken, long steps);
 Rhegma::Record recordAfter(const Teuchos::ParameterList& scene, long steps, Trace* left = nullptr);
 Trace continuedFrom(const Teuchos::ParameterList& scene, const Rhegma::Record& record, long steps);
 
-/// The first difference of two traces in words, every digit counted; empty where there is none.
+/// The first difference of two traces as text, exact in every digit; empty where there is none.
 std::string difference(const Trace& a, const Trace& b);

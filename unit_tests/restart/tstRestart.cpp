@@ -1,4 +1,4 @@
-/// A run that goes on from a checkpoint is the run that was never broken off, to the last digit.
+/// A run continued from a checkpoint equals the uninterrupted run to the last digit.
 
 #include "restart/ContinuedRun.hpp"
 
@@ -118,7 +118,7 @@ std::string twoCracks(const std::string& stress, const std::string& more)
   return all;
 }
 
-/// States that take a while to come about in the scenes of xml_inputs, or that these do not have.
+/// States that occur late in the scenes of xml_inputs, or not at all.
 std::vector<Case> ownCases()
 {
   const std::string press = "{2e5, -1e6}", pull = "{1e5, 1e6}";
@@ -206,8 +206,8 @@ std::vector<Case> ownCases()
   return all;
 }
 
-/// The crack that joins another has gas of three times the pressure of that. A run whose gas has forgotten
-/// its energy stops at once, so that this is none of the cases above.
+/// The crack that joins another has gas of three times its pressure. A run whose gas has forgotten its energy
+/// stops at once, so that this is none of the cases above.
 Case joinedGases()
 {
   const std::string law = text("Burn Law", "Vieille") + real("Burn Coefficient", "1e-8") +
@@ -310,7 +310,7 @@ TEST(JoinedCracks, HaveMetBeforeTheRunIsBroken)
 /// the run goes on with other last digits: as far off as sums in another order, and solves from other first
 /// guesses, which stop at 1e-7, bring it. Differences grow where cohesive forces soften within substeps: a
 /// law that falls pushes two states apart.
-TEST(AnotherOrder, GoesOnWithOtherLastDigits)
+TEST(AnotherOrder, ContinuesWithOtherLastDigits)
 {
   for (const Case& one : ownCases())
   {
@@ -333,7 +333,8 @@ TEST(AnotherOrder, GoesOnWithOtherLastDigits)
   }
 }
 
-/// The comparison above finds an effect that forgets: without its numbers a run goes on otherwise.
+/// The comparison above detects an effect with incomplete memory: without its numbers the run continues
+/// differently.
 TEST(ForgetfulEffect, IsFound)
 {
   std::set<std::string> all, found;
@@ -370,7 +371,7 @@ TEST(ForgetfulEffect, IsFound)
   EXPECT_GE(all.size(), 8U);
 }
 
-/// A new effect needs a scene above, or one of its own among the verified.
+/// A new effect needs a scene above, or its own verification scene.
 TEST(RestartedScenes, HaveEveryEffect)
 {
   std::set<std::string> had;

@@ -1,4 +1,4 @@
-/// Where a run ends, and that it can come to rest.
+/// End of a run, and settling.
 
 #include "Simulation.hpp"
 #include "plan/EffectSchema.hpp"
@@ -49,8 +49,8 @@ TEST(Simulation, EndsAfterTheMaximumOfSteps)
   EXPECT_EQ(simulation.steps(), 7);
 }
 
-/// Tolerances that any sample meets: settled as soon as there are two. The run ends there only if the scene
-/// says so.
+/// Tolerances that any sample meets: settled after two samples. The run ends there only if the scene requests
+/// it.
 TEST(Simulation, EndsAtRestWhereTheSceneSaysSo)
 {
   for (const std::string stop : {"true", "false"})
@@ -66,7 +66,7 @@ TEST(Simulation, EndsAtRestWhereTheSceneSaysSo)
   }
 }
 
-/// Settling looks at the energy release rates of the same sample, so they come first.
+/// Settling uses the energy release rates of the same sample, so they are computed first.
 TEST(Simulation, SettlesByWhatCracksRelease)
 {
   const std::string plan = example("dcb.xml", {}).plan();
@@ -76,9 +76,8 @@ TEST(Simulation, SettlesByWhatCracksRelease)
 }
 
 /// A strip under tension: its ends move by 3 % of a cell into cells that were empty, whose nodes then have
-/// 1e-3 of their neighbours' mass and carry 3 % of the stress. A load that leaves them out never comes to
-/// rest, and a quarter of its work is lost; the step's own error, with the energies half a step apart, is 0.7
-/// %.
+/// 1e-3 of their neighbours' mass and 3 % of the stress. A load without them never settles, and a quarter of
+/// its work is lost; the step's own error, with the energies half a step apart, is 0.7 %.
 TEST(Simulation, RestsUnderALoadOnAFaceThatMovesIntoEmptyCells)
 {
   Simulation simulation = example("edge_crack.xml", {"Domain:Cell Size=2.5e-3"});
@@ -122,7 +121,7 @@ TEST(Simulation, CopiesFieldsOfItsParticles)
   EXPECT_EQ(position.field.unit, "m");
   ASSERT_EQ(position.particles, simulation.particles());
   ASSERT_EQ(static_cast<int>(position.values.size()), 2 * simulation.particles());
-  // Nothing has moved yet; each particle has a number of its own.
+  // Nothing has moved yet; each particle has its own number.
   EXPECT_EQ(position.values, simulation.particleField(fields::reference).values);
   std::vector<double> ids = simulation.particleField(fields::id).values;
   std::sort(ids.begin(), ids.end());

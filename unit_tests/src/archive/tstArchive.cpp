@@ -155,7 +155,7 @@ TEST(CheckpointFile, BringsARecordBack)
   writeCheckpoint(path(), record);
   EXPECT_EQ(readCheckpoint(path()), record);
   record.erase("real");
-  writeCheckpoint(path(), record); // in place of the older one
+  writeCheckpoint(path(), record); // replaces the older one
   EXPECT_EQ(readCheckpoint(path()), record);
   std::remove(path().c_str());
 }

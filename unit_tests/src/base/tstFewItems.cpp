@@ -24,8 +24,8 @@ std::vector<int> visitsOf(int count)
   return {host.data(), host.data() + count};
 }
 
-/// Sum of 1 + k^2 over the items by the loop that adds: it tells items that are left out from items that are
-/// taken twice.
+/// Sum of 1 + k^2 over the items by the loop that adds: it distinguishes items that are skipped from items
+/// that are counted twice.
 long sumOf(int count)
 {
   return parallelSumSmall<long>(

@@ -41,7 +41,7 @@ TEST(FieldTable, KeepsRowsThatStay)
   EXPECT_EQ(table.integer("number")(0), 10);
 }
 
-/// Rows may be left out and taken twice.
+/// Rows may be left out and used twice.
 TEST(FieldTable, ReordersAllFields)
 {
   FieldTable table = threeParticles();
@@ -71,7 +71,7 @@ TEST(FieldTable, RefusesWhatItDoesNotHave)
   EXPECT_TRUE(table.has("position"));
 }
 
-TEST(FieldTable, KnowsItsFieldsAndTheirRoom)
+TEST(FieldTable, KnowsItsFieldsAndTheirMemory)
 {
   const FieldTable table = threeParticles();
   ASSERT_EQ(table.fields().size(), 2u);

@@ -4,7 +4,7 @@
 
 using namespace Rhegma;
 
-TEST(Pack, ReadsAndWritesAtAnyPlace)
+TEST(Pack, ReadsAndWritesAtAnyOffset)
 {
   double row[7] = {0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0};
   for (int at = 0; at < 3; ++at)

@@ -1,5 +1,5 @@
 #pragma once
-/// A plate of steel without Poisson's effect, for tests of what holds its nodes.
+/// A plate of steel without Poisson's effect, for tests of supports.
 
 #include "Simulation.hpp"
 
@@ -44,7 +44,7 @@ inline Teuchos::RCP<Teuchos::ParameterList> steelPlate(double from, double to, d
   return scene;
 }
 
-/// What the program says of a scene; empty if it takes it and goes a step of it.
+/// The error message of a scene; empty if a step of it runs.
 inline std::string refusal(const Teuchos::RCP<Teuchos::ParameterList>& scene)
 {
   try

@@ -120,7 +120,7 @@ TEST(Contradictions, RefuseWhatDiffersByMoreThanRounding)
   EXPECT_NE(message.find("along y"), std::string::npos) << message;
 }
 
-/// Between nodes of the lattice two supports share those of smaller cells alone.
+/// Between nodes of the lattice only nodes of smaller cells belong to two supports.
 TEST(Contradictions, RefuseTwoVelocitiesOfANodeOfARefinedCell)
 {
   for (const bool refined : {false, true})

@@ -1,4 +1,4 @@
-/// What tells two scenes apart, and what may be different when a run goes on.
+/// Differences of scenes, and parameters that may change when a run continues.
 
 #include "checkpoint/SceneText.hpp"
 #include "plan/EffectSchema.hpp"

@@ -69,7 +69,7 @@ std::string errorOf(const Call& call)
 } // namespace
 
 /// The corner (4, 2) is nearest to the last of 4 x 2 particles, whose centre is (3.5, 1.5).
-TEST(LoadPoints, PointRidesOnTheNearestParticle)
+TEST(LoadPoints, PointMovesWithTheNearestParticle)
 {
   const auto points = pointLoad<2>(sheet(4, 2), {{4.0, 2.0}}, "Load");
   ASSERT_EQ(points.size(), 1u);
@@ -79,8 +79,8 @@ TEST(LoadPoints, PointRidesOnTheNearestParticle)
   EXPECT_DOUBLE_EQ(points[0].fraction, 1.0);
 }
 
-/// Of two equally near particles the first carries the point, whatever rounding says.
-TEST(LoadPoints, TiesGoToTheFirstParticle)
+/// Of two equally near particles the first gets the point, whatever the rounding.
+TEST(LoadPoints, EquallyNearGoesToTheFirstParticle)
 {
   EXPECT_EQ(pointLoad<2>(sheet(4, 2), {{2.0, 2.0}}, "Load")[0].particle, 5);
   EXPECT_EQ(pointLoad<3>(block(4, 2, 1), {{2.0, 1.0, 1.0}}, "Load")[0].particle, 1);

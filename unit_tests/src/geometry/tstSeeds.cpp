@@ -114,7 +114,7 @@ TEST(Seeds, OfACombinedShapeFollowTheBase)
   EXPECT_DOUBLE_EQ(seeds.position[0][1], 0.25);
 }
 
-TEST(Seeds, RefuseABodyThatCatchesNone)
+TEST(Seeds, RefuseABodyWithoutParticles)
 {
   auto list = box({0.0, 0.0}, {1.0, 1.0});
   list.sublist("Operations").sublist("All") = ball({0.5, 0.5}, 2.0);

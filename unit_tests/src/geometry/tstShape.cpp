@@ -67,7 +67,7 @@ TEST(Shape, TurnsAnticlockwiseAboutAGivenCentre)
   EXPECT_FALSE(shape.contains({{0.5, 0.5}}));
 }
 
-/// A scene with defaults filled in holds empty arrays; they mean "not given".
+/// A scene with defaults filled in contains empty arrays; they mean "not given".
 TEST(Shape, TakesAnEmptyArrayForAbsent)
 {
   auto list = box({0.0, 0.0}, {2.0, 1.0});

@@ -1,5 +1,5 @@
-/// Random balanced trees: shape functions are complete, masters hang nowhere, numbers do not depend on the
-/// way.
+/// Random balanced trees: shape functions are complete, masters hang nowhere, numbers do not depend
+/// on the order of refinement.
 
 #include "RandomTrees.hpp"
 
@@ -172,7 +172,7 @@ TEST(Tree, completeIn2D) { checkCompleteness<2>(); }
 TEST(Tree, completeIn3D) { checkCompleteness<3>(); }
 TEST(Tree, mastersHangNowhereIn2D) { checkMasters<2>(); }
 TEST(Tree, mastersHangNowhereIn3D) { checkMasters<3>(); }
-TEST(Tree, sharesFillTheCells)
+TEST(Tree, nodeVolumesFillTheCells)
 {
   checkNodeVolumes<2>();
   checkNodeVolumes<3>();

@@ -142,7 +142,7 @@ TYPED_TEST(J2, WorkIsStoredOrDissipated)
   }
 }
 
-/// Unloading is elastic: the history rests, and a closed elastic loop restores the stress.
+/// Unloading is elastic: the history does not change, and a closed elastic loop restores the stress.
 TYPED_TEST(J2, UnloadsElastically)
 {
   constexpr int D = TypeParam::D;
@@ -169,8 +169,8 @@ TYPED_TEST(J2, UnloadsElastically)
     EXPECT_NEAR(again[i], top[i], 1.0e-14);
 }
 
-/// A rotation on top of the whole path turns the stress and leaves the history alone. Round-off grows over
-/// the steps.
+/// A rotation on top of the whole path rotates the stress and does not change the history. Round-off grows
+/// over the steps.
 TYPED_TEST(J2, HistoryDoesNotSeeRotation)
 {
   constexpr int D = TypeParam::D;

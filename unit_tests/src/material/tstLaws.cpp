@@ -1,4 +1,4 @@
-/// What holds for every law, in every plane.
+/// Properties of every law, in every plane.
 
 #include "Cases.hpp"
 

@@ -18,7 +18,7 @@ Teuchos::ParameterList steel()
   return list;
 }
 
-/// The message with which a list is refused; empty if it is taken.
+/// The message with which a list is refused; empty if it is accepted.
 std::string refusal(const Teuchos::ParameterList& list, Plane plane = Plane::Solid)
 {
   try

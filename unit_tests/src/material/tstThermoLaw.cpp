@@ -132,7 +132,7 @@ TEST_P(ThermoLaw, FreeExpansionIsFreeOfStress)
               1e-6 * energy);
 }
 
-/// A body that is held everywhere takes up rho c per kelvin, and its stress is -3 K alpha dT.
+/// A body held everywhere stores rho c per kelvin, and its stress is -3 K alpha dT.
 TEST_P(ThermoLaw, HeldBodyHasTheGivenCapacity)
 {
   Particle<3> solid(materials(GetParam()), Plane::Solid, reference);
@@ -183,8 +183,8 @@ TEST_P(ThermoLaw, CyclesAreReversible)
   EXPECT_NEAR(solid.T, reference, 1e-4);
 }
 
-/// Where stress does not know the temperature, straining leaves it alone, however large the strain of a step
-/// is, and the energy is that of the law: it is a function of the state and not a sum over the way.
+/// If stress does not depend on temperature, straining does not change the temperature, however large the
+/// strain of a step is, and the energy is that of the law: it is a function of the state and not of the path.
 TEST_P(ThermoLaw, LargeStepsOfStrainLeaveTheTemperatureAlone)
 {
   Teuchos::ParameterList list = materials(GetParam());
@@ -269,7 +269,7 @@ TEST(ThermoMaterials, EntropicRubberTurnsWorkIntoHeat)
   EXPECT_NEAR(body.T - reference, work / 2e6, 2e-3 * work / 2e6);
 }
 
-/// Plastic work becomes heat by the given share, whichever property is a table.
+/// Plastic work becomes heat by the given fraction, whichever property is a table.
 TEST(ThermoMaterials, PlasticWorkBecomesHeat)
 {
   for (const std::string table : {"none", "Specific Heat", "Conductivity"})
@@ -302,8 +302,8 @@ TEST(ThermoMaterials, PlasticWorkBecomesHeat)
     EXPECT_GT(dissipated, 0.9 * 0.2e6);
     const double heat =
         ThermoPoint(solid.tables, 0, solid.T).heat() - ThermoPoint(solid.tables, 0, reference).heat();
-    // First law: work is stored, kept or heat. Rounding of 2,000 sums of some 1e6 J/m3, of twice as many with
-    // a table, which finds the temperature in two parts.
+    // First law: work is stored or becomes heat. Rounding of 2,000 sums of some 1e6 J/m3, of twice as many
+    // with a table, which finds the temperature in two parts.
     EXPECT_NEAR(heat, 0.6 * dissipated, (table == "none" ? 1e-11 : 2e-11) * dissipated) << table;
   }
 }

@@ -109,7 +109,7 @@ State<D> smallState(int particles)
   return state;
 }
 
-/// A folder that is gone when the test is over.
+/// A folder that is removed at the end of the test.
 class Folder
 {
 public:

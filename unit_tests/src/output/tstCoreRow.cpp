@@ -80,7 +80,7 @@ TEST(CoreRow, ComesBeforeTheColumnsOfEffects)
 }
 
 /// 3 J/m3 and 5 J/m3 spent in 1/4 m3 each; the energy balance balances what was spent against what was done.
-TEST(CoreRow, BooksPlasticWork)
+TEST(CoreRow, RecordsPlasticWork)
 {
   State<3> state = smallState<3>(2);
   constexpr int size = J2Plastic::historySize<3>;
@@ -105,7 +105,7 @@ TEST(CoreRow, BooksPlasticWork)
   EXPECT_DOUBLE_EQ(state.sample.row[residual - all.begin()].second, -0.5);
 }
 
-TEST(CoreRow, ReportsTheWholeLedger)
+TEST(CoreRow, ReportsTheWholeEnergyBalance)
 {
   State<3> state = smallState<3>(1);
   fill(state.particles.table(fields::velocity), {1.0, 2.0, 3.0});

@@ -78,7 +78,7 @@ TEST(History, QuotesNames)
   EXPECT_EQ(contents(folder.path("history.csv")), "time,\"a, \"\"b\"\".0.G_J\"\n0,1\n");
 }
 
-/// What another process sees while the run goes on: nothing, or rows that are whole.
+/// The file as another process reads it during the run: empty, or complete rows.
 TEST(History, FileHoldsWholeRowsAtAnyTime)
 {
   const Folder folder;

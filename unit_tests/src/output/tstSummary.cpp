@@ -30,7 +30,7 @@ json someSummary()
     "empty": null, "cracks": [{"name": "Left"}, {"name": "Notch", "fronts": [{"G_J": 101.0}]}]})");
 }
 
-/// What one reference gives.
+/// Result of one reference.
 json judged(const std::string& quantity, double value, double tolerance)
 {
   ParameterList section;
@@ -103,7 +103,7 @@ TEST(Summary, IsReplacedWhole)
   EXPECT_THROW(Rhegma::writeSummary({}, folder.path("no/summary.json")), std::runtime_error);
 }
 
-TEST(References, FollowNamesAndPlaces)
+TEST(References, FollowNamesAndPositions)
 {
   const json result = judged("cracks.1.fronts.0.G_J", 100.0, 0.02);
   EXPECT_EQ(result["value"], 101.0);

@@ -1,4 +1,4 @@
-/// What ParaView sees: the files read by VTK's own two readers of XDMF, where Python has them.
+/// The files as in ParaView: read by VTK's own two readers of XDMF, where Python has them.
 
 #include "FieldStates.hpp"
 #include "output/FieldWriter.hpp"

@@ -163,7 +163,7 @@ TEST(NodalFieldTable, RefusesWhatIsNotThere)
   EXPECT_EQ(table.real<2>("two").extent(1), 2u);
 }
 
-/// A checkpoint keeps values by the identity of nodes: another order of these is no matter.
+/// A checkpoint stores values by the identity of nodes, independent of their order.
 TEST(NodalFieldTable, ComesBackFromACheckpoint)
 {
   std::mt19937 engine(3);

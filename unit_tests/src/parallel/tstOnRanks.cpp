@@ -1,4 +1,4 @@
-/// What ranks send each other arrives whole; run on one rank and on two.
+/// Data sent between ranks arrive completely; run on one rank and on two.
 
 #include "parallel/SendRows.hpp"
 #include "src/output/SmallState.hpp"
@@ -27,7 +27,7 @@ Ranks allRanks() { return Ranks(Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_
 /// A position that follows from a particle's number, so that one whose rows were mixed up is found.
 double positionOf(int id, int axis) { return 0.25 + 3.5 * std::fmod(0.618 * (id + 1) * (axis + 1), 1.0); }
 
-/// Every rank has particles of its own, by its rank and a number.
+/// Every rank has particles numbered by its rank.
 template <int D>
 State<D> scattered(const Ranks& ranks, int each)
 {

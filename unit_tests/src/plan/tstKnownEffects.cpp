@@ -31,7 +31,7 @@ bool knows(const SceneSchema& schema, const std::string& name)
 
 } // namespace
 
-TEST(KnownEffects, TakesOneOfTheApplicationBesideThoseBuiltIn)
+TEST(KnownEffects, AcceptsOneOfTheApplication)
 {
   const std::size_t builtIn = builtInEffects().size();
   const SceneSchema& before = effectSchema();
@@ -43,11 +43,11 @@ TEST(KnownEffects, TakesOneOfTheApplicationBesideThoseBuiltIn)
   EXPECT_EQ(builtInEffects().size(), builtIn);
   EXPECT_TRUE(knows(effectSchema(), "Own Effect"));
   EXPECT_TRUE(knows(effectSchema(), builtInEffects().front().section.name));
-  // Who holds the schema of before may go on with it.
+  // References to the earlier schema stay valid.
   EXPECT_FALSE(knows(before, "Own Effect"));
 }
 
-TEST(KnownEffects, RefusesANameThatIsTakenAndHalfAnEffect)
+TEST(KnownEffects, RefusesAnExistingNameAndHalfAnEffect)
 {
   const std::size_t known = knownEffects().size();
   EXPECT_THROW(addEffect(named("Domain")), std::invalid_argument);

@@ -1,4 +1,4 @@
-/// What a run that goes on from a checkpoint takes over from its earlier part.
+/// Files that a run continued from a checkpoint takes from its earlier part.
 
 #include "program/EarlierPart.hpp"
 
@@ -47,7 +47,7 @@ TEST_F(EarlierParts, BringsHistoryAndFieldsToAnotherFolder)
   const EarlierPart part(checkpoint, now.path(), soFar);
   EXPECT_TRUE(part.exists());
   EXPECT_TRUE(part.warnings().empty());
-  // Nothing is touched before it is asked for.
+  // Nothing is changed before it is requested.
   EXPECT_EQ(contents(now.path("summary.json")), "of an older run");
   part.bring();
   EXPECT_EQ(contents(now.path("history.csv")), contents(before.path("history.csv")));

@@ -53,7 +53,7 @@ TEST(Options, TakesValuesInAnyOrder)
   EXPECT_TRUE(options.quiet);
 }
 
-TEST(Options, JoinsTheWordsOfASection)
+TEST(Options, JoinsTheNameOfASection)
 {
   EXPECT_EQ(read({"--describe"}).section, "");
   EXPECT_EQ(read({"--describe", "Energy", "Release"}).section, "Energy Release");

@@ -1,4 +1,4 @@
-/// Whether a run that fails goes back and takes shorter steps.
+/// Whether a failed run goes back and uses shorter steps.
 
 #include "program/Retries.hpp"
 
@@ -20,7 +20,7 @@ TEST(Retries, GoesBackAsOftenAsAllowed)
 
 TEST(Retries, StopsWhereShorterStepsChangeNothingTwice)
 {
-  // The same time is within a hundredth of the way from the state in memory, here 1 ms.
+  // The same time means within 1 % of the time since the state in memory, here 1 ms.
   Retries retries(10);
   EXPECT_TRUE(retries.mayHelp("out of the domain", 0.9, 1.0));
   EXPECT_TRUE(retries.mayHelp("out of the domain", 0.9, 1.0005));

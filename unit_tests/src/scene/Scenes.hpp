@@ -1,5 +1,5 @@
 #pragma once
-/// A right scene and ways to make it wrong.
+/// A valid scene and functions to make it invalid.
 
 #include "plan/EffectSchema.hpp"
 #include "scene/Scene.hpp"
@@ -93,7 +93,7 @@ inline std::string all(const std::vector<SceneError>& errors)
   return text;
 }
 
-/// The scene has just this one mistake, and its sentence holds all of the pieces.
+/// Checks that the scene has exactly this error, whose message contains all of the pieces.
 inline void expectOnly(const std::vector<SceneError>& errors, const std::string& where,
                        const std::vector<std::string>& pieces)
 {

@@ -89,14 +89,14 @@ TEST(Describe, UnknownSectionNamesTheNearest)
 TEST(Describe, PartsOfASection)
 {
   const auto schema = coreSchema();
-  // A section in a section, under a name that the user chooses, in either way of writing a path.
+  // A section in a section, under a user-defined name, in both notations of a path.
   const std::string operations = describe(schema, "Bodies > Plate > Operations");
   EXPECT_TRUE(contains(operations, "Bodies > Plate > Operations  (optional)"));
   EXPECT_TRUE(contains(operations, "Bodies > Plate > Operations > <operation>"));
   EXPECT_FALSE(contains(operations, "Angular Velocity"));
   EXPECT_EQ(describe(schema, "Bodies:Plate:Operations"), operations);
   EXPECT_TRUE(contains(describe(schema, "Bodies > <body>"), "Angular Velocity"));
-  // A parameter, said once where variants share it.
+  // A common parameter of variants appears once.
   const std::string step = describe(schema, "Time > CFL");
   EXPECT_TRUE(contains(step, "CFL  double; default 0.4"));
   EXPECT_FALSE(contains(step, "Final Time"));

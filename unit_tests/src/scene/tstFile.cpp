@@ -9,7 +9,7 @@ using namespace Rhegma::SceneTests;
 namespace
 {
 
-/// A file that is gone at the end of the test.
+/// A file that is removed at the end of the test.
 class TemporaryFile
 {
 public:

@@ -46,7 +46,7 @@ TEST(PositionFunction, DefinesNamesOneAfterAnother)
   EXPECT_EQ(f(Vector<2>{{0.0, 2.0}})[0], 0.0);
 }
 
-TEST(PositionFunction, RefusesWhatIsNoFunctionOfPlace)
+TEST(PositionFunction, RefusesWhatIsNoFunctionOfPosition)
 {
   expectRefused("", "empty");
   expectRefused("r = x;", "empty");

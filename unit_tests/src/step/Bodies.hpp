@@ -115,8 +115,8 @@ struct CaseName
   }
 };
 
-/// A scene without bodies or materials, ended by hand. \param scheme MUSL, USF, USL or USAVG \param shape
-/// Linear or GIMP
+/// A scene without bodies or materials, advanced by the test. \param scheme MUSL, USF, USL or USAVG \param
+/// shape Linear or GIMP
 template <int D>
 Teuchos::ParameterList emptyScene(const Vector<D>& lower, const Vector<D>& upper, double cell,
                                   const std::string& scheme, const std::string& shape,

@@ -1,5 +1,5 @@
 #pragma once
-/// Scenes of one elastic box, ended by hand.
+/// Scenes of one elastic box, advanced by the test.
 
 #include "src/step/Bodies.hpp"
 

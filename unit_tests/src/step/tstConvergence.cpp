@@ -94,7 +94,7 @@ struct Stretch
   static constexpr const char* name = "stretch";
   double amplitude; ///< A_x = -A_y [m]
 
-  /// Where a coordinate started: X + A sin(pi X) sin(pi t) = x, by Newton's method.
+  /// Initial value of a coordinate: X + A sin(pi X) sin(pi t) = x, by Newton's method.
   KOKKOS_INLINE_FUNCTION double origin(double x, double a) const
   {
     double X = x;

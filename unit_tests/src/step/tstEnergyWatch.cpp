@@ -1,4 +1,4 @@
-/// When the energy balance of a run say that it has come apart.
+/// Detection of unstable runs by the energy balance.
 
 #include "step/EnergyWatch.hpp"
 
@@ -14,21 +14,21 @@ namespace Test
 namespace
 {
 
-/// Books of bodies to which 2 J were given and that hold so much.
+/// Energy balance of bodies to which 2 J were given and that store this energy [J].
 EnergyBalance holding(double energy)
 {
-  EnergyBalance ledger;
-  ledger.start = 0.5;
-  ledger.externalWork = 1.5;
-  ledger.strain = energy;
-  return ledger;
+  EnergyBalance balance;
+  balance.start = 0.5;
+  balance.externalWork = 1.5;
+  balance.strain = energy;
+  return balance;
 }
 
 constexpr long manySteps = 1000;
 
 } // namespace
 
-TEST(EnergyWatch, SaysNothingWhereTheBooksBalance)
+TEST(EnergyWatch, IsSilentWhereTheBalanceCloses)
 {
   EnergyWatch watch;
   for (int k = 0; k < 100; ++k)
@@ -37,7 +37,7 @@ TEST(EnergyWatch, SaysNothingWhereTheBooksBalance)
   EXPECT_EQ(watch.warning(false, manySteps), "");
 }
 
-TEST(EnergyWatch, StopsARunThatMakesEnergyAndNotForOneRoughSample)
+TEST(EnergyWatch, StopsARunThatCreatesEnergyAndNotForOneRoughSample)
 {
   EnergyWatch watch;
   for (int k = 0; k < 2; ++k)
@@ -64,7 +64,7 @@ TEST(EnergyWatch, StopsWhereAnEnergyIsNoNumber)
   EXPECT_NE(watch.failure(2).find("a smaller Time > CFL, fewer Sub-Cycling > Levels"), std::string::npos);
 }
 
-TEST(EnergyWatch, TellsOfEnergyThatWasMadeOrLost)
+TEST(EnergyWatch, ReportsEnergyThatWasCreatedOrLost)
 {
   EnergyWatch made;
   made.sample(holding(2.5));
@@ -84,17 +84,17 @@ TEST(EnergyWatch, IsSilentOnAFewSteps)
   EXPECT_EQ(watch.warning(false, 3), "");
 }
 
-/// Work that was given and taken back is still what the energy is compared with.
+/// Work that was done and recovered still counts for the comparison.
 TEST(EnergyWatch, RemembersTheMostThatWasGiven)
 {
   EnergyWatch watch;
-  EnergyBalance ledger;
-  ledger.externalWork = ledger.kinetic = 100.0;
-  watch.sample(ledger);
-  ledger.externalWork = 0.0;
-  ledger.kinetic = 5.0;
+  EnergyBalance balance;
+  balance.externalWork = balance.kinetic = 100.0;
+  watch.sample(balance);
+  balance.externalWork = 0.0;
+  balance.kinetic = 5.0;
   for (int k = 0; k < 5; ++k)
-    watch.sample(ledger);
+    watch.sample(balance);
   EXPECT_EQ(watch.failure(), "");
   EXPECT_EQ(watch.warning(false, manySteps), "");
 }

@@ -69,9 +69,9 @@ class Bar : public testing::TestWithParam<std::tuple<std::string, std::string>>
 
 } // namespace
 
-TEST_P(Bar, KeepsEnergyAndPeriodInThePlane) { check<2>(std::get<0>(GetParam()), std::get<1>(GetParam())); }
+TEST_P(Bar, KeepsEnergyAndPeriodIn2D) { check<2>(std::get<0>(GetParam()), std::get<1>(GetParam())); }
 
-TEST_P(Bar, KeepsEnergyAndPeriodInSpace) { check<3>(std::get<0>(GetParam()), std::get<1>(GetParam())); }
+TEST_P(Bar, KeepsEnergyAndPeriodIn3D) { check<3>(std::get<0>(GetParam()), std::get<1>(GetParam())); }
 
 INSTANTIATE_TEST_SUITE_P(FreeVibration, Bar,
                          testing::Combine(testing::Values("MUSL", "USF", "USL", "USAVG"),

@@ -1,4 +1,4 @@
-/// The method keeps momentum: no transfer, no sort and no scheme makes or loses any.
+/// The method conserves momentum in all transfers, sorts and schemes.
 
 #include "Bodies.hpp"
 
@@ -114,7 +114,7 @@ class Bodies : public testing::TestWithParam<Method>
 protected:
   static void check(const Flight& flight)
   {
-    // The case is worth something only if much has changed hands, cells and positions in memory.
+    // The case is meaningful only if many particles have changed cells and positions in memory.
     EXPECT_GT(flight.exchange, 0.1);
     EXPECT_GT(flight.cells, 10.0);
     EXPECT_GT(flight.sorts, 5);
@@ -128,12 +128,12 @@ protected:
 
 /// Asked: 1e-12 of the sum of |m v|. Each of about 300 steps rounds sums of some 1e3 terms, 1e-16 * 300 =
 /// 3e-14.
-TEST_P(Bodies, CollideAndKeepMomentumInThePlane)
+TEST_P(Bodies, CollideAndKeepMomentumIn2D)
 {
   check(collide<2>(std::get<0>(GetParam()), std::get<1>(GetParam())));
 }
 
-TEST_P(Bodies, CollideAndKeepMomentumInSpace)
+TEST_P(Bodies, CollideAndKeepMomentumIn3D)
 {
   check(collide<3>(std::get<0>(GetParam()), std::get<1>(GetParam())));
 }

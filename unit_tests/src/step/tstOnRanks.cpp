@@ -1,4 +1,4 @@
-/// Effects of an application that say whether they know several ranks; run on one rank and on two.
+/// Effects of an application that declare whether they support several ranks; run on one rank and on two.
 
 #include "Simulation.hpp"
 #include "plan/KnownEffects.hpp"
@@ -63,7 +63,7 @@ bool has(const Simulation& simulation, const std::string& effect)
   return std::find(names.begin(), names.end(), effect) != names.end();
 }
 
-/// What is said against these effects; empty where they are taken.
+/// Message that refuses these effects; empty where they are accepted.
 std::string message(const std::vector<std::string>& effects)
 {
   try

@@ -219,21 +219,21 @@ void checkForces()
 
 } // namespace
 
-TEST(Patch, UniformStressIsReproducedInThePlane)
+TEST(Patch, UniformStressIsReproducedIn2D)
 {
   checkUniformStress<2>("Linear");
   checkUniformStress<2>("GIMP");
 }
 
-TEST(Patch, UniformStressIsReproducedInSpace)
+TEST(Patch, UniformStressIsReproducedIn3D)
 {
   checkUniformStress<3>("Linear");
   checkUniformStress<3>("GIMP");
 }
 
-TEST(Patch, UniformStressLeavesNoForceInsideInThePlane) { checkForces<2>(); }
+TEST(Patch, UniformStressLeavesNoForceInsideIn2D) { checkForces<2>(); }
 
-TEST(Patch, UniformStressLeavesNoForceInsideInSpace) { checkForces<3>(); }
+TEST(Patch, UniformStressLeavesNoForceInsideIn3D) { checkForces<3>(); }
 
 } // namespace Test
 } // namespace Rhegma

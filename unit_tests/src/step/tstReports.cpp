@@ -1,4 +1,4 @@
-/// What summary.json says of bodies and supports.
+/// Reports of bodies and supports in summary.json.
 
 #include "Bodies.hpp"
 

@@ -38,7 +38,7 @@ Rhegma::Run<D> turningBody(const std::string& model, const std::string& plane, c
 enum class Velocity
 {
   Tangent, ///< w x r
-  Chord    ///< what carries a point along the chord of its circle: (R(w dt) - 1) r / dt
+  Chord    ///< moves a point along the chord of its circle: (R(w dt) - 1) r / dt
 };
 
 /// One step of the kernel with the velocity of a turn by `angle` about z at the nodes.
@@ -148,22 +148,22 @@ protected:
   }
 };
 
-class TurnInThePlane : public Turn
+class TurnIn2D : public Turn
 {
 };
-class TurnInSpace : public Turn
+class TurnIn3D : public Turn
 {
 };
 
 } // namespace
 
-TEST_P(TurnInThePlane, LeavesTheDerivedStretch)
+TEST_P(TurnIn2D, LeavesTheDerivedStretch)
 {
   checkKernel<2>("Linear");
   checkKernel<2>("GIMP");
 }
 
-TEST_P(TurnInSpace, LeavesTheDerivedStretch)
+TEST_P(TurnIn3D, LeavesTheDerivedStretch)
 {
   checkKernel<3>("Linear");
   checkKernel<3>("GIMP");
@@ -177,7 +177,7 @@ TEST_P(TurnInSpace, LeavesTheDerivedStretch)
 /// FLIP keeps such waves, and they are larger than the stress rho v^2 of the spin. The largest of a thousand
 /// particles' stress may be three times the mean.
 ///
-/// So a free body's turn does leave stress: this test says how much, and that it is no more.
+/// So the rotation of a free body leaves stress: this test bounds it.
 TEST(RigidRotation, FreeBodyShakesAsARandomWalk)
 {
   const double cells = 12.0, half = 0.5 * cells, rim = 0.05, spin = rim / half;
@@ -205,9 +205,9 @@ TEST(RigidRotation, FreeBodyShakesAsARandomWalk)
 }
 
 const auto laws = testing::Values("Linear Elastic", "Neo-Hookean", "Mooney-Rivlin", "J2 Plastic");
-INSTANTIATE_TEST_SUITE_P(RigidRotation, TurnInThePlane,
-                         testing::Combine(laws, testing::Values("Strain", "Stress")), CaseName());
-INSTANTIATE_TEST_SUITE_P(RigidRotation, TurnInSpace, testing::Combine(laws, testing::Values("Solid")),
+INSTANTIATE_TEST_SUITE_P(RigidRotation, TurnIn2D, testing::Combine(laws, testing::Values("Strain", "Stress")),
+                         CaseName());
+INSTANTIATE_TEST_SUITE_P(RigidRotation, TurnIn3D, testing::Combine(laws, testing::Values("Solid")),
                          CaseName());
 
 } // namespace Test

@@ -28,7 +28,7 @@ Teuchos::RCP<Teuchos::ParameterList> scene(const std::string& path, const std::v
 
 /// Under USF mass, force and velocity of one step must use one box: a box that grows by the strain in between
 /// gave nodes at the rim a force without its mass, and 2 J out of 2e-4.
-TEST(StrainFirst, MakesNoEnergyAtTheRim)
+TEST(StrainFirst, CreatesNoEnergyAtTheRim)
 {
   Rhegma::Run<2> run(*scene("examples/dcb.xml", {"Time:Update Scheme=USF"}));
   run.initialize();

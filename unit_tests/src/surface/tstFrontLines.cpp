@@ -65,8 +65,8 @@ TEST(FrontLines, KnowTheirNeighbours)
   EXPECT_EQ(nextPoint(open, 2), 0u);
 }
 
-/// Two landed neighbours of a closed line of six: the piece between them goes, and the line begins behind it.
-/// Two more at its end: the last piece goes, with the point that is alone then.
+/// Two landed neighbours of a closed line of six: the piece between them is removed, and the line begins
+/// behind it. Two more at its end: the last piece is removed, with the then isolated point.
 TEST(FrontLines, AreCutBetweenLandedPoints)
 {
   FrontLines<3> lines = line(6, true);
@@ -82,7 +82,7 @@ TEST(FrontLines, AreCutBetweenLandedPoints)
   EXPECT_EQ(lines.back().name, 1);
 }
 
-/// A front in 2D is gone once its only point has landed.
+/// A front in 2D is empty once its only point has landed.
 TEST(FrontLines, OfOnePointEndWithIt)
 {
   FrontLines<2> tip(1);

@@ -35,7 +35,7 @@ TEST(Polyline, FindsTheFirstCrossing)
   EXPECT_EQ(firstCrossing({{0.0, 0.0}, {2.0, 0.0}, {1.0, 0.0}}, 1e-6), turning);
 }
 
-/// Both ends are cut to within the resolution, a bend inside stays, one outside goes.
+/// Both ends are cut to within the resolution, a bend inside stays, one outside is removed.
 TEST(Polyline, IsClippedAtItsEnds)
 {
   const Points kept = clipEnds({{0.0, 0.0}, {0.1, 0.0}, {1.0, 0.0}, {3.0, 0.0}}, isBelowTwo, 0.01);
@@ -48,8 +48,8 @@ TEST(Polyline, IsClippedAtItsEnds)
   EXPECT_TRUE(clipEnds({{3.0, 0.0}, {4.0, 0.0}}, isBelowTwo, 0.01).empty());
 }
 
-/// A region that goes on for a quarter of a cell, or for all of it.
-TEST(Polyline, KnowsWhetherARegionGoesOn)
+/// A region that extends for a quarter of a cell, or for all of it.
+TEST(Polyline, KnowsWhetherARegionExtends)
 {
   EXPECT_TRUE(extendsBeyond<2>(isBelowTwo, {0.9, 0.0}, {3.0, 0.0}, 1.0));
   EXPECT_FALSE(extendsBeyond<2>(isBelowTwo, {1.1, 0.0}, {3.0, 0.0}, 1.0));

@@ -81,8 +81,8 @@ void expectPiece(const std::string& message, const std::string& piece)
 
 } // namespace
 
-/// All kinds hold the same triangles, in small letters or capitals, whatever the solid is called, with a mark
-/// of UTF-8 or without, binary files in single precision.
+/// All kinds contain the same triangles, in small letters or capitals, whatever the name of the solid, with a
+/// mark of UTF-8 or without, binary files in single precision.
 TEST(SurfaceFiles, HoldWhatWasWritten)
 {
   const SurfaceMesh mesh = square();
@@ -107,7 +107,7 @@ TEST(SurfaceFiles, HoldWhatWasWritten)
   EXPECT_NEAR(areaOf(face), 1.0, 1e-15);
 }
 
-TEST(SurfaceFiles, AreRefusedInASentence)
+TEST(SurfaceFiles, AreRefusedWithAMessage)
 {
   const std::string ascii = asciiStl(square()), binary = binaryStl(square());
   expectPiece(refusal([&] { parseStl(ascii.substr(0, ascii.size() / 2)); }), "cut short");

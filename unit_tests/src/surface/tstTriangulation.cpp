@@ -80,17 +80,17 @@ TEST(Triangulation, TilesPolygons)
     }
 }
 
-/// Triangles of a Delaunay triangulation of points this dense have circles that hold none, of a radius of at
-/// most 1.2 spacings (0.6 to the border and 0.6 on), so no edge is longer than twice that; a fan would have
-/// edges of 4.
+/// Triangles of a Delaunay triangulation of points this dense have circles that contain none, of a radius of
+/// at most 1.2 spacings (0.6 to the border and 0.6 on), so no edge is longer than twice that; a fan would
+/// have edges of 4.
 TEST(Triangulation, HasTrianglesAsSmallAsAskedFor)
 {
   for (const Points& outline : {square, hook})
     EXPECT_LE(longestEdge(triangulate(outline, 0.5)), 2.4 * 0.5);
 }
 
-/// No circle round a triangle holds the point beyond one of its edges, but for the 1e-9 of a spacing's fourth
-/// power that is taken for round-off: Delaunay's condition edge by edge.
+/// No circle around a triangle contains the point beyond one of its edges, except for the 1e-9 of a spacing's
+/// fourth power that is taken for round-off: Delaunay's condition edge by edge.
 TEST(Triangulation, IsDelaunays)
 {
   for (const Points& outline : {square, hook, star(5)})

@@ -1,4 +1,4 @@
-/// What goes from particles to nodes and back is kept, for particles that lie anywhere.
+/// Conservation in transfers between particles and nodes, for particles at any position.
 
 #include "src/step/Bodies.hpp"
 #include "step/CoreStep.hpp"

@@ -44,7 +44,7 @@ double difference(const StencilTable<D>& table, double spacing)
   return worst;
 }
 
-/// How often a node comes in row 0 at most.
+/// Largest number of entries of a node in row 0.
 template <int D>
 int mostTimes(const StencilTable<D>& table)
 {
