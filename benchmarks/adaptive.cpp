@@ -36,7 +36,7 @@ void printRuns(const nlohmann::json& all)
 void printLevels(const nlohmann::json& all)
 {
   std::cout << all.at("threads") << " threads\n"
-            << "                      seconds/simulated ms, short steps   short steps in small cells only:\n"
+            << "                      seconds/simulated ms, small steps   small steps in small cells only:\n"
             << "  levels   particles   in small cells      everywhere   times faster   fewer particle-steps\n"
             << std::fixed;
   for (const nlohmann::json& entry : all.at("levels"))

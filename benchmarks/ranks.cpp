@@ -33,13 +33,13 @@ void printRanks(const nlohmann::json& all)
   const nlohmann::json& messages = all.at("messages");
   std::cout << std::setprecision(2) << "times faster: " << all.at("times_faster").get<double>() << "\n"
             << std::setprecision(1)
-            << "a step of the rank that tells the most: " << messages.at("sent_per_step").get<double>()
-            << " messages to " << messages.at("receivers").get<double>() << " ranks, "
+            << "messages per step of the rank that sends most: " << messages.at("sent_per_step").get<double>()
+            << " to " << messages.at("receivers").get<double>() << " ranks, "
             << 1e-3 * messages.at("bytes_per_step").get<double>() << " kB; "
             << messages.at("reductions_per_step").get<double>() << " sums over all ranks, "
             << 1e-3 * messages.at("reduced_bytes_per_step").get<double>() << " kB\n"
             << "as much work for each of many ranks (a model):\n"
-            << "   ranks   us/step   to neighbours   over all   share of work\n";
+            << "   ranks   us/step   to neighbours   over all   work fraction\n";
   for (const nlohmann::json& entry : all.at("model"))
     std::cout << std::setw(8) << entry.at("ranks").get<int>() << std::setw(10)
               << entry.at("us_per_step").get<double>() << std::setw(16)

@@ -30,7 +30,7 @@ std::optional<double> numberIn(const std::string& file, const std::string& name 
   return {};
 }
 
-/// What a control group leaves, files that are kept in memory only as long as nobody needs it left out.
+/// Memory that a control group leaves, not counting file caches that can be dropped.
 double freeInGroup(const std::string& limit, const std::string& usage, const std::string& statistics,
                    const std::string& cached)
 {

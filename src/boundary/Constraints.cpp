@@ -6,9 +6,9 @@ namespace Rhegma
 namespace
 {
 
-/// The velocity of a held node in the mean over a step [m/s], of its stresses that is: forces at the start
-/// and at the end of a step count half, and each at the velocity of the step before or after it. In short
-/// steps the node has its new velocity from the start on, so that it differs by half a substep only.
+/// Mean velocity of a held node over a step [m/s], as seen by the stresses: the forces at the start and at
+/// the end of a step count half, each with the velocity of the step before or after it. In substeps the node
+/// has its new velocity from the start, so that the mean differs by half a substep only.
 template <int D>
 struct MeanOfHeld
 {
@@ -32,7 +32,7 @@ struct MeanOfHeld
   }
 };
 
-/// Holds the nodes and sums the work and the impulse. An array reduction, so that one pass gives all.
+/// Holds the nodes and sums the work and the impulse. An array reduction in a single pass.
 template <int D>
 struct HoldNodes
 {
@@ -48,7 +48,7 @@ struct HoldNodes
   View<int*> coupledRow;         ///< empty where all masses are lumped
   View<double*> coupledReaction; ///< impulse on each unknown of coupled nodes
   double dt;
-  bool bySmoothing; ///< constrainProjection gives the rest of the work
+  bool bySmoothing; ///< constrainProjection adds the rest of the work
 
   KOKKOS_INLINE_FUNCTION void operator()(const int i, double* sum) const
   {
@@ -61,7 +61,7 @@ struct HoldNodes
     for (int d = 0; d < D; ++d)
       if (constraint.holds[d] && row >= 0)
       {
-        // Held while it was solved; where two supports hold a node the first takes the force.
+        // Held during the solve; where two supports hold a node the first gets the force.
         const double between = nodes.motion(n, d) - 0.5 * dt * nodes.motion(n, Nodes<D>::accelerationAt + d);
         const double impulse = coupledReaction(row * D + d);
         coupledReaction(row * D + d) = 0.0;

@@ -16,12 +16,12 @@ namespace
 /// Times of a run at which values are compared; histories are tables and simple functions.
 constexpr int times = 257;
 
-/// Values are one if they are apart by less than this fraction of the largest of either support: two
-/// spellings of one motion differ by roundings of that size, also where both are small. Positions of nodes
-/// are known to this fraction of a cell.
+/// Values are equal if they differ by less than this fraction of the largest value of the supports: two
+/// expressions of the same motion differ by rounding of that size, also where both are small. Positions of
+/// nodes are known to this fraction of a cell.
 constexpr double roundOff = 1e-9;
 
-/// Where two supports disagree.
+/// A contradiction of two supports.
 template <int D>
 struct Conflict
 {
@@ -53,7 +53,7 @@ struct Motion
     return timed.field ? (*timed.field)(position) : timed.value;
   }
 
-  /// By how much a component of the value varies about a position within what is known of the position.
+  /// Variation of a component of the value within the uncertainty of a position.
   double uncertainty(const Vector<D>& position, int component, double spacing) const
   {
     double sum = 0.0;
@@ -120,7 +120,7 @@ double largestValue(const Motion<D>& motion, const std::vector<Vector<D>>& posit
 template <int D>
 bool mayMeet(const TimedConstraint<D>& a, const TimedConstraint<D>& b)
 {
-  bool both = false; // hold an axis, and not both at rest
+  bool both = false; // both hold an axis, and not both with velocity zero
   for (int d = 0; d < D; ++d)
     both = both || (a.constraint.holds[d] && b.constraint.holds[d] &&
                     (a.field || b.field || a.value[d] != 0.0 || b.value[d] != 0.0));
@@ -134,7 +134,7 @@ bool mayMeet(const TimedConstraint<D>& a, const TimedConstraint<D>& b)
   return true;
 }
 
-/// Looks at the nodes of one pair.
+/// Checks the nodes of one pair.
 template <int D>
 bool findConflict(const Motion<D>& one, const Motion<D>& two, const std::vector<Vector<D>>& positions,
                   double spacing, double finalTime, Conflict<D>& conflict)

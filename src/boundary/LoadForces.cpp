@@ -10,7 +10,7 @@ namespace Rhegma
 namespace
 {
 
-/// What is known of the forces of the loads.
+/// Impulses and mean forces of the loads.
 template <int D>
 struct LoadForces
 {

@@ -14,7 +14,7 @@ namespace
 {
 
 /// Positions of the load's points now. \param here becomes the fraction of points whose particle is on this
-/// rank, and zero for others, which wait anywhere on this rank's lattice
+/// rank, and zero for others, which are put at some position of this rank's lattice
 template <int D>
 void updateParticles(const State<D>& state, const View<int*>& id, const View<double* [D]>& start,
                      const View<double*>& fraction, const View<double*>& here,
@@ -77,7 +77,7 @@ double lostFraction(const StencilTable<D>& stencils, const View<double*>& fracti
       });
 }
 
-/// How many sides the piece has for which a point stands: none at a point, one on a line.
+/// Number of sides of the piece that a point represents: none for a point load, one for a line.
 template <int D>
 int sidesOf(const LoadPoint<D>& point)
 {
@@ -158,7 +158,7 @@ void Load<D>::updateLevels(const State<D>& state)
   Kokkos::parallel_reduce(
       "rhegma::levelsOfLoad", Kokkos::RangePolicy<ExecSpace>(0, id.extent(0)),
       KOKKOS_LAMBDA(const int k, int& sum) {
-        const int p = indexOf(id(k)); // none where another rank has it
+        const int p = indexOf(id(k)); // -1 where another rank has it
         const int now = p < 0 ? last(k) : level(p);
         sum += now != last(k) ? 1 : 0;
         last(k) = now;
@@ -186,8 +186,9 @@ void Load<D>::place(State<D>& state)
 {
   updateLevels(state);
   updateParticles(state, id_, start_, fraction_, here_, points_);
-  // A light node at the rim carries its fraction of the stress next to it, so it must get its fraction of the
-  // load too: else the rim's particles give way until their stress is gone, and the load works for ever.
+  // A light node at the rim bears its fraction of the stress next to it, so it must also get its fraction of
+  // the load: otherwise the particles at the rim yield until their stress vanishes, and the load does work
+  // without end.
   placeStencils(state, points_, followed_);
   keepMassedNodes(state, points_.count, followed_, stencils_, 0.0);
   keepMassedNodes(state, points_.count, followed_, followed_);

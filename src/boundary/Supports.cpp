@@ -72,7 +72,7 @@ void setFieldAtNodes(TimedConstraint<D>& timed, const State<D>& state)
 namespace
 {
 
-/// Gives the nodes of cells that have changed their velocities.
+/// Updates the velocities at nodes after cells have changed.
 template <int D>
 void updateCells(TimedConstraint<D>& timed, State<D>& state)
 {
@@ -146,7 +146,7 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
 template <int D>
 void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstraint<D>>>& constraints)
 {
-  // Not between steps: only after them is the step known.
+  // Not between steps: the length of the step is known only afterwards.
   effect.call({Stage::Scatter,
                "values of prescribed motion",
                {},

@@ -39,8 +39,8 @@ TimedConstraint<D> readSymmetry(const Teuchos::ParameterList& list, State<D>& st
     timed.constraint.holds[d] = d == axis;
     timed.value[d] = 0.0;
   }
-  // The plane and all beyond it. The body lies on the side where the domain reaches further, unless the scene
-  // says.
+  // The plane and everything beyond it. The body lies on the side where the domain extends further, unless
+  // the scene gives the side.
   const bool lower = list.isParameter("Side") ? list.get<std::string>("Side") == "Lower"
                                               : position - grid.lower[axis] < grid.upper[axis] - position;
   if (lower)

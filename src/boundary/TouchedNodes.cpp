@@ -10,7 +10,7 @@ namespace Rhegma
 namespace
 {
 
-/// Those of the lattice, as if no cell were refined.
+/// The nodes of the lattice, as if no cell were refined.
 template <int D>
 std::vector<Vector<D>> ofLattice(const State<D>& state)
 {

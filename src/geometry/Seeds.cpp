@@ -46,7 +46,7 @@ Lattice<D> makeLattice(const Shape<D>& shape, double edge)
     const double length = base.upper[d] - base.lower[d];
     const double across = std::max(1.0, std::round(length / edge));
     lattice.edge[d] = length / across;
-    // A part that ends on a lattice line must not get a row more because of rounding.
+    // A part that ends on a lattice line must not get an additional row because of rounding.
     const double slack = 1.0e-9;
     lattice.first[d] = std::floor((all.lower[d] - base.lower[d]) / lattice.edge[d] + slack);
     const double last = std::ceil((all.upper[d] - base.lower[d]) / lattice.edge[d] - slack);

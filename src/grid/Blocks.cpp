@@ -40,7 +40,7 @@ struct BlockRun
   int begin, end;
 };
 
-/// The blocks of each colour with the most particles first, so that the threads that share them end together.
+/// The blocks of each colour with the most particles first, so that the threads finish at the same time.
 template <int D>
 std::vector<BlockRun> largestFirst(const BlockLayout<D>& layout, const std::vector<std::int64_t>& block,
                                    const std::vector<int>& order)
@@ -71,7 +71,7 @@ View<T*> toDevice(const std::string& label, const std::vector<T>& list)
   return view;
 }
 
-/// Widens what is marked by `below` and `above` nodes along every axis.
+/// Extends the marks by `below` and `above` nodes along every axis.
 template <int D>
 std::vector<char> dilate(const Grid<D>& grid, std::vector<char> marked, int below, int above)
 {

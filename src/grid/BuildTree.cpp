@@ -39,7 +39,7 @@ void forEachOffset(int low, int width, const Visit& visit)
   }
 }
 
-/// What the views of a tree hold.
+/// The content of the views of a tree.
 template <int D>
 class Builder
 {
@@ -121,7 +121,7 @@ private:
     tree.around = viewOf<int * [Tree<D>::nodesAround]>("rhegma::nodesAround", around);
   }
 
-  /// The leaves of one size round one of them, -1 where there is none.
+  /// The leaves of equal size around a leaf, -1 where there is none.
   using Neighbours = std::array<int, D == 2 ? 9 : 27>;
 
   /// The node `offset` edges from the lowest corner of the leaf in the middle, as in Tree::around.
@@ -152,7 +152,8 @@ private:
     return all;
   }
 
-  /// The nodes next to the lattice's by the branch that a cell of the lattice is; these come first.
+  /// The nodes that are not nodes of the lattice, by the branch of their lattice cell; these branches come
+  /// first.
   std::vector<std::vector<int>> fineByRoot() const
   {
     std::vector<std::vector<int>> list(branches_.cells(0).size());

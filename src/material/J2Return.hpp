@@ -59,12 +59,12 @@ struct Return
 /// \param shear mu tr be / 3 [Pa]
 KOKKOS_INLINE_FUNCTION Return radialReturn(const Properties& m, double trial, double shear, double alpha)
 {
-  const double share = std::sqrt(2.0 / 3.0);
+  const double ratio = std::sqrt(2.0 / 3.0);
   double multiplier = 0.0;
   double hardening = 0.0;
   for (int i = 0; i < 100; ++i)
   {
-    const double now = alpha + share * multiplier;
+    const double now = alpha + ratio * multiplier;
     hardening = 2.0 / 3.0 * hardeningSlope(m, now);
     const double excess = trial - 2.0 * shear * multiplier - yieldNorm(m, now);
     const double step = excess / (2.0 * shear + hardening);
@@ -72,7 +72,7 @@ KOKKOS_INLINE_FUNCTION Return radialReturn(const Properties& m, double trial, do
     if (!(step > 1.0e-14 * multiplier) || !(m.own[J2Number::saturation] > 0.0))
       break;
   }
-  return {multiplier, share * multiplier, trial - 2.0 * shear * multiplier,
+  return {multiplier, ratio * multiplier, trial - 2.0 * shear * multiplier,
           hardening / (2.0 * shear + hardening)};
 }
 

@@ -36,10 +36,10 @@ TemperatureTable tableOf(const Teuchos::ParameterList& material, const std::stri
   return {{1.0}, {material.isType<double>(name) ? material.get<double>(name) : absent}};
 }
 
-/// Pieces between two temperatures of a Poisson ratio's table, in which Lame's moduli are taken for straight.
+/// Pieces between two temperatures of a Poisson ratio's table, in which Lame's moduli are taken as linear.
 constexpr int poissonPieces = 16;
 
-/// Temperatures at which all properties are to be known, the reference among them.
+/// Temperatures at which all properties are tabulated, including the reference.
 std::vector<double> knotTemperatures(const Teuchos::ParameterList& material, double reference, bool entropic)
 {
   std::vector<double> at = tableTemperatures(material);
@@ -82,7 +82,7 @@ void scaleShear(Properties& law, double factor)
   setPlaneModuli(law);
 }
 
-/// What one material adds to the tables.
+/// The tables of one material.
 struct MaterialTables
 {
   ThermoMaterial material;

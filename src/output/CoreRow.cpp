@@ -22,7 +22,7 @@ struct Entry
 {
   const char* column;
   double value;
-  bool ofEffect = true; ///< there only where an effect gives it (Effect::balance)
+  bool ofEffect = true; ///< present only if an effect contributes to it (Effect::balance)
 };
 
 std::vector<Entry> entries(const EnergyBalance& energy)

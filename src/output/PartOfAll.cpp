@@ -9,7 +9,7 @@ Snapshot partOfAll(const Ranks& ranks, Snapshot own)
     return own;
   for (OutputMesh& mesh : own.meshes)
   {
-    // A row of numbers a rank: how many rows each table has there.
+    // A row per rank: the number of rows of each table there.
     const int tables = static_cast<int>(mesh.data.size());
     std::vector<double> rows(static_cast<std::size_t>(tables) * ranks.size(), 0.0);
     double* const here = rows.data() + static_cast<std::size_t>(tables) * ranks.rank();

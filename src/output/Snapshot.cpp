@@ -111,7 +111,7 @@ DataSet deformationGradients(const FieldTable& particles)
 }
 
 /// Undeformed edge vectors of each particle, one after another, nine columns [m]; zero out of the plane. With
-/// F they are the particle's box as it is now.
+/// F they give the current box of the particle.
 template <int D>
 DataSet edgeVectors(const State<D>& state)
 {
@@ -134,7 +134,7 @@ std::string fileName(std::string name)
   return name;
 }
 
-/// The method's own fields, of which some are written under names of their own.
+/// The fields of the method, some of which are written under other names.
 bool isCoreField(const std::string& name)
 {
   using namespace fields;

@@ -31,7 +31,7 @@ void forEachTable(const Snapshot& snapshot, const std::vector<double>& positions
     }
 }
 
-/// This rank's fraction of one table.
+/// Writes this rank's part of a table.
 bool writePart(MPI_File file, const DataSet& data, long long position)
 {
   const MPI_Datatype type = data.integer ? MPI_INT : MPI_DOUBLE;

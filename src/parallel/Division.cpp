@@ -31,10 +31,10 @@ CellBox<D> wholeDomain(const Grid<D>& lattice)
   return all;
 }
 
-/// Fewer cells than these along an axis are not worth a cut: a column of cells is cut across.
+/// Axes with fewer cells are not cut: columns of cells are cut across.
 constexpr double leastCells = 8.0;
 
-/// The axes worth cutting, the one first along which the positions of all ranks reach furthest.
+/// The axes to cut, in order of decreasing extent of the positions of all ranks.
 template <int D>
 std::vector<int> axesToCut(const Ranks& ranks, const std::vector<double> (&x)[D])
 {
@@ -109,7 +109,7 @@ Division<D> divide(const Ranks& ranks, const Grid<D>& lattice, const std::vector
   const auto along = [&](std::size_t k) { return k < axes.size() ? x[axes[k]].data() : nullptr; };
   std::vector<long long> ids(count);
   std::iota(ids.begin(), ids.end(), static_cast<long long>(ranks.rank()) << 32);
-  // Whether there are costs is the same on all ranks, also on one without positions.
+  // All ranks must agree on whether there are costs, also one without positions.
   const bool weighed = ranks.max(costs.empty() ? 0.0 : 1.0) > 0.0;
   const Adapter adapter(count, ids.data(), along(0), along(1), along(2), 1, 1, 1, weighed,
                         weighed ? costs.data() : nullptr, 1);
@@ -134,7 +134,7 @@ Division<D> divide(const Ranks& ranks, const Grid<D>& lattice, const std::vector
     }
     for (const auto& part : parts)
     {
-      // The outermost boxes end at the last positions; the domain reaches further.
+      // The outermost boxes end at the last positions; the domain extends further.
       const auto face = [&](double cut)
       { return std::clamp(static_cast<int>(std::ceil(cut - 0.5)), all.low[d], all.high[d]); };
       CellBox<D>& box = division.boxes[part.getpId()];

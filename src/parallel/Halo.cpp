@@ -70,7 +70,7 @@ std::vector<std::array<GlobalId, D>> finePositions(const Division<D>& division, 
   return all;
 }
 
-/// A number of such a position, past those of the lattice's nodes.
+/// Number of such a position, after those of the lattice's nodes.
 template <int D>
 GlobalId idOf(const Grid<D>& lattice, const std::array<GlobalId, D>& position)
 {
@@ -80,13 +80,13 @@ GlobalId idOf(const Grid<D>& lattice, const std::array<GlobalId, D>& position)
   return lattice.numNodes + id;
 }
 
-/// The nodes that a rank shares, as they are found.
+/// The shared nodes of a rank.
 template <int D>
 struct Shared
 {
   std::vector<int> nodes;           ///< rows here
   std::vector<GlobalId> ids;        ///< their numbers on all ranks
-  std::vector<std::vector<int>> of; ///< by rank: which of them it has too
+  std::vector<std::vector<int>> of; ///< by rank: the nodes shared with it
 
   explicit Shared(int ranks) : of(ranks) {}
 
@@ -159,7 +159,7 @@ Halo<D>::Halo(const Ranks& ranks, const Division<D>& division, const Tree<D>& tr
                    [&](int r) { return isInside<D>(division, r, position); });
     ++row;
   }
-  // Two ranks list what they share in the same order.
+  // Two ranks list their common nodes in the same order.
   for (std::vector<int>& list : shared.of)
     std::sort(list.begin(), list.end(), [&](int a, int b) { return shared.ids[a] < shared.ids[b]; });
   nodes_ = onDevice("rhegma::sharedNodes", shared.nodes);

@@ -31,13 +31,13 @@ View<int*> onDevice(const std::string& label, const std::vector<int>& list)
   return view;
 }
 
-/// In one count, rows that there are and, of them, those that are sent.
+/// One number counts rows (multiples of this) and those of them that are sent.
 constexpr long long there = 1LL << 32;
 
 KOKKOS_INLINE_FUNCTION int sentOf(long long count) { return static_cast<int>(count % there); }
 KOKKOS_INLINE_FUNCTION int thereOf(long long count) { return static_cast<int>(count / there); }
 
-/// Where the row of this number of a message is in the buffers: each neighbour's part has room for all.
+/// Offset of a row of a message in the buffers: each neighbour's part has capacity for all its rows.
 KOKKOS_INLINE_FUNCTION int startOf(int firstEntry, int number, const NeighbourSums::Columns& of)
 {
   return (firstEntry * of.fields + number) * of.perRow();
@@ -116,7 +116,7 @@ void NeighbourSums::pack(const SharedRows& rows, const Columns& columns)
   const SharedRows at = rows;
   const Columns of = columns;
   const int entries = static_cast<int>(entry.extent(0));
-  // Two passes, for where a row goes hangs on how many there are before it.
+  // Two passes, because the offset of a row depends on the number of rows before it.
   const auto valuesOf = KOKKOS_LAMBDA(int row)
   {
     return of.values + static_cast<std::size_t>(row) * of.width + of.first;
@@ -188,7 +188,7 @@ int NeighbourSums::add(const SharedRows& rows, const Columns& columns, const Nei
         const int e = firstEntry + position / of.fields, f = position % of.fields, i = entry(e);
         const auto startOfFraction = [&](int k)
         { return fraction(k) < 0 ? -1 : receivedRow(fraction(k) * of.fields + f); };
-        // The first of them adds for all.
+        // The first received fraction of a node adds all of them.
         for (int k = begin(i); fraction(k) != e; ++k)
           if (startOfFraction(k) >= 0)
             return;

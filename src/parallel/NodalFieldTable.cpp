@@ -12,7 +12,7 @@ namespace Rhegma
 namespace
 {
 
-/// Which values a row of NamedRows gives: node and primary (0) or enriched (1) field.
+/// The name of a row of NamedRows: node and primary (0) or enriched (1) field.
 template <int D>
 using RowName = std::array<int, D + 1>;
 
@@ -111,7 +111,7 @@ void NodalFieldTable<D>::move(const NodalFieldNodes<D>& to, long step, const Ran
   if (nodes_.generation < 0)
     return layOut(to);
   const bool remeshed = !(nodes_.refined && to.refined && *nodes_.refined == *to.refined);
-  // Unless some rank has other nodes of the lattice, values need not go from rank to rank.
+  // Unless the lattice nodes of some rank change, no values are sent between ranks.
   const bool divided = ranks.max(sameLattice(nodes_, to) ? 0.0 : 1.0) > 0.0;
   const int count = static_cast<int>(columns_.size()), first = divided ? 0 : nodes_.grid.numNodes;
   std::vector<NamedRows> rows(count), lost(count);
@@ -174,7 +174,7 @@ typename NodalFieldTable<D>::NamedRows NodalFieldTable<D>::namedRows(int field, 
   for (int r = width * first; r < width * identities_.size(); ++r)
   {
     const int node = r / width;
-    // Where values are interpolated, a zero is one.
+    // Interpolation needs zeros, too.
     const bool counts = column.field.onRemesh == OnRemesh::Interpolate && node >= nodes_.grid.numNodes;
     const double* const row = &values(r, 0);
     if ((!counts && std::all_of(row, row + components, [](double v) { return v == 0.0; })) ||
@@ -225,14 +225,14 @@ int NodalFieldTable<D>::rowOf(const NodalField& field, const std::array<int, D +
   return node < 0 || name[D] >= width ? -1 : width * node + name[D];
 }
 
-/// The multilinear function of the cells before, hanging nodes included: a node that was none has the mean
-/// over the ends of the edge, the corners of the face or of the cell in whose middle it lies.
+/// The multilinear function of the earlier cells, including hanging nodes: a new node gets the mean over the
+/// ends of the edge, or the corners of the face or cell, in whose middle it lies.
 template <int D>
 void NodalFieldTable<D>::interpolate(int field, const NamedRows& rows)
 {
   const NodalField& of = columns_[field].field;
   const int components = of.field.components, width = perNode(of);
-  std::map<RowName<D>, const double*> before; // of nodes of refined cells; others stay
+  std::map<RowName<D>, const double*> before; // of nodes of refined cells; others do not change
   for (std::size_t k = 0; k < rows.size(); k += nameWidth + components)
     before[nameOfRow<D>(&rows[k])] = &rows[k + nameWidth];
   const auto values = onHost(find(of.field.name, components).values);
@@ -248,7 +248,7 @@ void NodalFieldTable<D>::interpolate(int field, const NamedRows& rows)
         std::copy_n(stays ? &values(row, 0) : found->second, components, value.begin());
       return value;
     }
-    int edge = 1; // half of that of the smallest cell in which it is a middle
+    int edge = 1; // half of the edge of the smallest cell in whose middle it lies
     while (std::none_of(name.begin(), name.begin() + D, [&](int n) { return (n & edge) != 0; }))
       edge *= 2;
     std::vector<RowName<D>> corners{name};

@@ -14,7 +14,7 @@ namespace Rhegma
 namespace
 {
 
-/// Teuchos has no such gather of doubles.
+/// Teuchos has no gather of doubles with different counts.
 template <class T>
 std::vector<T> gathered(const Teuchos::Comm<int>& comm, MPI_Datatype type, const std::vector<T>& own)
 {

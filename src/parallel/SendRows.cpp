@@ -15,7 +15,7 @@ std::vector<double> sendRows(const Ranks& ranks, const std::vector<int>& to, con
 {
   if (!ranks.many())
     return rows;
-  // Messages to one rank are one: what goes there lies together.
+  // One message per rank: its rows must be contiguous.
   std::vector<int> order(to.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return to[a] < to[b]; });

@@ -63,7 +63,7 @@ SceneSchema schemaOf(const std::vector<EffectEntry>& effects)
 
 const SceneSchema& effectSchema()
 {
-  // What an application adds makes another schema; who has the one before keeps it.
+  // An effect or type added by an application makes another schema; references to the earlier one stay valid.
   static std::map<std::size_t, SceneSchema> schemas;
   const std::size_t count = knownEffects().size() + boundaryTypes().size();
   auto found = schemas.find(count);

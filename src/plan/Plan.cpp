@@ -60,7 +60,7 @@ std::array<std::vector<const Quantity*>, 3> listed(const Call<D>& call)
   return lists;
 }
 
-/// Refuses what calls declare wrongly: a read that nothing writes, and duplicates.
+/// Refuses wrong declarations of calls: a read without a writer, and duplicates.
 template <int D>
 void checkQuantities(const std::vector<Effect<D>>& effects)
 {

@@ -20,9 +20,9 @@ bool Retries::mayHelp(const std::string& failure, double from, double at)
 {
   const bool again = at_ >= 0.0 && std::fabs(at - at_) <= sameTime * (at_ - from_);
   unchanged_ = again ? unchanged_ + 1 : 0;
-  if (taken_ >= most_ || unchanged_ >= 2)
+  if (attempts_ >= most_ || unchanged_ >= 2)
     return false;
-  ++taken_;
+  ++attempts_;
   failure_ = failure;
   from_ = from;
   at_ = at;
@@ -37,9 +37,9 @@ std::string Retries::asText() const
 
 std::string Retries::inVain() const
 {
-  return taken_ == 0 ? std::string()
-                     : "; time steps of " + formatReal(fraction_) +
-                           " of the stable length from t = " + readableTime(from_) + " did not help";
+  return attempts_ == 0 ? std::string()
+                        : "; time steps of " + formatReal(fraction_) +
+                              " of the stable length from t = " + readableTime(from_) + " did not help";
 }
 
 } // namespace Rhegma::program

@@ -30,7 +30,7 @@ public:
   std::string inVain() const;
 
 private:
-  int most_, taken_ = 0, unchanged_ = 0;
+  int most_, attempts_ = 0, unchanged_ = 0;
   double from_ = 0.0, at_ = -1.0, fraction_ = 1.0;
   std::string failure_;
 };

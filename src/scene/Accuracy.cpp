@@ -32,7 +32,7 @@ CellNeeds needsOf(const ParameterList& scene, const SceneSchema& schema, std::ve
       effect.cells.addNeeds(schema.partFor(section, scene), needs, errors);
   const ParameterList& time = scene.sublist("Time");
   if (time.isType<std::string>("Update Scheme") && time.get<std::string>("Update Scheme") != "MUSL")
-    needs.equal = true; // substeps are those of MUSL
+    needs.equal = true; // substeps need MUSL
   return needs;
 }
 
@@ -50,7 +50,7 @@ std::string nothingMessage(const SceneSchema& schema)
          "; write Domain > Cell Size";
 }
 
-/// A cell that the domain would have too many of, and what asks for it.
+/// Refuses a cell size of which the domain would have too many cells, with the reason for that size.
 void refuseTiny(double cell, const ParameterList& scene, const CellNeeds& needs, const AccuracyRule& rule)
 {
   const ParameterList& domain = scene.sublist("Domain");
@@ -143,12 +143,12 @@ void chooseCells(ParameterList& scene, const SceneSchema& schema, std::vector<Sc
   const auto rule =
       std::find_if(rules.begin(), rules.end(), [&](const AccuracyRule& r) { return r.name == wanted; });
   if (rule == rules.end())
-    return; // validation names what may stand there
+    return; // validation lists the allowed values
   ParameterList read(scene);
   std::vector<SceneError> ignored;
   Validation(dimensionOf(read), ignored).check(read, schema.root(), "");
   if (!ignored.empty())
-    return; // which will be found again
+    return; // reported again by the cross checks
   try
   {
     std::vector<SceneError> found;

@@ -89,7 +89,7 @@ Section rigid()
   return s;
 }
 
-/// What Thermal wants to know of every material.
+/// Parameters of every material for Thermal.
 void heat(Section& s)
 {
   s.real("Specific Heat")

@@ -22,7 +22,7 @@ namespace
 using namespace SceneValues;
 using Teuchos::ParameterList;
 
-/// Checks one scene; the errors go where the caller says.
+/// Checks one scene; adds to the errors of the caller.
 class Checks : private SectionChecks
 {
 public:
@@ -49,7 +49,7 @@ private:
   void domain(const ParameterList& domain)
   {
     const auto spacing = real(domain, "Cell Size");
-    // Somebody who misspelt one of the two has been told.
+    // A misspelt name has been reported already.
     const bool reported = std::any_of(errors().begin(), errors().end(),
                                       [](const SceneError& error)
                                       {
@@ -65,7 +65,7 @@ private:
     for (int d = 0; d < lower.size(); ++d)
     {
       const double extent = upper[d] - lower[d];
-      if (extent / *spacing < 1.0 - 1e-9) // room for the rounding of the corners
+      if (extent / *spacing < 1.0 - 1e-9) // tolerance for the rounding of the corners
       {
         report("Domain > Cell Size", "is " + formatReal(*spacing) + " m, more than the domain's " +
                                          formatReal(extent) + " m along " + std::string(1, "xyz"[d]) +

@@ -39,7 +39,7 @@ std::string valueAsText(const ParameterValue& value)
       value);
 }
 
-/// The default, or what its absence means.
+/// The default, or the meaning of its absence.
 std::string defaultAsText(const Parameter& parameter)
 {
   if (!parameter.derivedDefault.empty())
@@ -116,7 +116,7 @@ std::string presenceAsText(const Section& section)
   return section.presence == Section::Presence::Required ? "required" : "optional";
 }
 
-/// Writes a section and all below it; the two forms of the reference differ in the functions that write a
+/// Writes a section and all below it; the two forms of the reference override the functions that write one
 /// piece.
 class Writer
 {
@@ -203,7 +203,7 @@ public:
   }
 };
 
-/// The names in a path such as "Thermal > Sources" or, as --set has it, "Thermal:Sources".
+/// The names in a path such as "Thermal > Sources" or, as for --set, "Thermal:Sources".
 std::vector<std::string> partsOf(std::string path)
 {
   for (std::size_t at = 0; (at = path.find(" > ", at)) != std::string::npos;)
@@ -237,7 +237,7 @@ std::vector<Parameter> parametersOf(const Section& section)
   return all;
 }
 
-/// The section or the parameter at a path; a name that the user chooses may be any.
+/// The section or parameter at a path; user-defined names may be any.
 /// \throws std::invalid_argument where there is none
 void describePart(const Section& root, const std::vector<std::string>& names, PlainWriter& writer)
 {
@@ -258,7 +258,7 @@ void describePart(const Section& root, const std::vector<std::string>& names, Pl
       known.push_back(p.name);
       const auto same = [&p](const Parameter& q)
       { return q.meaning == p.meaning && q.unit == p.unit && q.required == p.required; };
-      if (p.name == name && std::none_of(named.begin(), named.end(), same)) // variants may share one
+      if (p.name == name && std::none_of(named.begin(), named.end(), same)) // variants may have a common one
         named.push_back(p);
     }
     if (next == nullptr && !named.empty())
@@ -289,7 +289,7 @@ std::string cell(const std::string& text)
   return escaped;
 }
 
-/// What a heading is called in links.
+/// The anchor of a heading.
 std::string anchor(const std::string& heading)
 {
   std::string link;

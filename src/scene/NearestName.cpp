@@ -43,12 +43,11 @@ int editDistance(const std::string& a, const std::string& b)
 std::string nearestName(const std::string& given, const std::vector<std::string>& names)
 {
   std::string nearest;
-  int distance =
-      std::max(2, static_cast<int>(given.size()) / 3) + 1; // a third of the letters is another word
+  int distance = std::max(2, static_cast<int>(given.size()) / 3) + 1; // a third of the letters may differ
   for (const auto& name : names)
   {
     const int d = editDistance(given, name);
-    // Two letters are no slip of another word of two letters.
+    // At least one letter must match.
     if (d < distance && d < static_cast<int>(std::max(given.size(), name.size())))
     {
       distance = d;

@@ -81,7 +81,7 @@ std::optional<std::string> text(const ParameterEntry& entry)
   return {};
 }
 
-/// The entry as a value of the parameter's own type.
+/// The entry as a value of the parameter's type.
 std::optional<ParameterValue> convert(const ParameterEntry& entry, ParameterType type)
 {
   const auto pack = [](const auto& value)
@@ -155,7 +155,7 @@ std::string howToWrite(ParameterType type)
   }
 }
 
-/// What is wrong with a table of temperature, or nothing.
+/// The error in a table of temperature, or nothing.
 std::optional<std::string> wrongTable(const Parameter& parameter, const std::string& given)
 {
   try
@@ -199,7 +199,7 @@ std::optional<std::string> wrongLength(const Parameter& parameter, const Paramet
          (dimension == 0 ? "." : " (the scene is " + std::to_string(dimension) + "D).");
 }
 
-/// What to say when the validator refuses a value.
+/// The message when the validator refuses a value.
 std::string refused(const Parameter& parameter, const ParameterEntry& entry, const std::string& reason)
 {
   switch (parameter.type)
@@ -256,7 +256,8 @@ void setValue(Teuchos::ParameterList& list, const Parameter& parameter, const Pa
       [&](const auto& v)
       {
         using Value = std::decay_t<decltype(v)>;
-        list.remove(name, false); // an entry keeps its type, and a validator that an application gave it
+        list.remove(name,
+                    false); // removed first: an entry keeps its type and the validator of an application
         if constexpr (std::is_same_v<Value, std::vector<double>>)
           list.set(name, Teuchos::Array<double>(v), doc);
         else if constexpr (std::is_same_v<Value, std::vector<int>>)

@@ -96,7 +96,7 @@ void setParameter(Teuchos::ParameterList& scene, const std::string& text, const 
 void applyOverride(Teuchos::ParameterList& scene, const std::string& text, const SceneSchema& schema,
                    std::vector<SceneError>& errors)
 {
-  Teuchos::ParameterList changed(scene); // a path that leads nowhere must not leave sections behind
+  Teuchos::ParameterList changed(scene); // an invalid path must not add sections
   const std::size_t before = errors.size();
   setParameter(changed, text, schema, errors);
   if (errors.size() == before)

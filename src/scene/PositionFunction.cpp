@@ -20,7 +20,8 @@ const std::string advice = " Write one expression of x, y, z for each axis, such
 
 struct PositionFunction::Form
 {
-  /// A definition, or last the expressions themselves; parsers hold the addresses of positions and values.
+  /// A definition, or as the last piece the expressions; parsers store the addresses of coordinates and
+  /// values.
   struct Piece
   {
     std::string name;
@@ -71,7 +72,7 @@ struct PositionFunction::Form
                                     (results == 1 ? " value" : " values") + " instead of " +
                                     std::to_string(values) + "." + (name.empty() ? advice : ""));
       if (!name.empty())
-        mu::Parser().DefineVar(name, &pieces.back().value); // refuses what is no name
+        mu::Parser().DefineVar(name, &pieces.back().value); // refuses invalid names
     }
     catch (const mu::Parser::exception_type& error)
     {

@@ -31,7 +31,7 @@ const std::vector<std::string> knownTypes = {"double", "int",           "bool",
 
 const std::string howToWrite = "write <Parameter name=\"...\" type=\"...\" value=\"...\"/>.";
 
-/// The value in Teuchos' own writing, or none if the text is not a value of the type.
+/// The value in the format of Teuchos, or none if the text is not a value of the type.
 std::optional<std::string> normalised(const std::string& type, const std::string& text)
 {
   if (type == "string")
@@ -63,7 +63,7 @@ std::optional<std::string> normalised(const std::string& type, const std::string
   return array ? braced : braced.substr(1, braced.size() - 2);
 }
 
-/// Says what is wrong with a text that is not a value of the type.
+/// The message for a text that is not a value of the type.
 std::string wrongValue(const std::string& type, const std::string& text)
 {
   const bool array = type.rfind("Array", 0) == 0;
@@ -85,7 +85,7 @@ std::string wrongValue(const std::string& type, const std::string& text)
                : found + "is not a number; write digits only, such as 1.5e-3, without a unit.";
 }
 
-/// Copies what is right in the XML and reports the rest.
+/// Copies the valid part of the XML and reports the rest.
 class Cleaner
 {
 public:
@@ -108,7 +108,7 @@ private:
   {
     const bool sublist = xml.getTag() == "ParameterList";
     if (xml.getTag() == "Validators" && path.empty() && xml.numChildren() == 0)
-      return; // Teuchos ends every list that it writes with this
+      return; // end of every list that Teuchos writes
     if (!sublist && xml.getTag() != "Parameter")
     {
       report(path, "<" + xml.getTag() + "> is unknown here; write <ParameterList> or <Parameter>.");
@@ -144,7 +144,7 @@ private:
         return;
       }
     std::string type = trimmed(xml.getAttribute("type"));
-    if (type == "float" || type == "Array(float)") // wider here than in the file
+    if (type == "float" || type == "Array(float)") // a wider type here than in the file
       type.replace(type.find("float"), 5, "double");
     if (type == "long long" || type == "long" || type == "unsigned int")
       type = "int";
@@ -186,7 +186,7 @@ private:
   std::vector<SceneError>& m_errors;
 };
 
-/// Teuchos' own sentence without the position in its source.
+/// The message of Teuchos without the position in its source.
 std::string parserReason(const std::string& what)
 {
   const std::string mark = "XML parse error at ";
@@ -197,7 +197,7 @@ std::string parserReason(const std::string& what)
   return reason.substr(0, reason.find('\n'));
 }
 
-/// Far more than a scene has, and little enough to read at once: a device or a pipe may never end.
+/// Larger than any scene, and small enough to read at once: a device or a pipe may be endless.
 constexpr std::size_t mostBytes = 16u << 20;
 
 /// \return whether the stream ended before
@@ -245,7 +245,7 @@ int deepestNesting(const std::string& text)
   return deepest;
 }
 
-/// No stack traces while a user's mistake passes through Teuchos.
+/// Switches off the stack traces of Teuchos for errors of the user.
 class NoStackTrace
 {
 public:

@@ -16,7 +16,7 @@ namespace Rhegma
 namespace
 {
 
-/// Validates in place, filling in and removing as it goes.
+/// Validates in place: fills in defaults and removes invalid entries.
 void validateInPlace(Teuchos::ParameterList& list, const SceneSchema& schema, std::vector<SceneError>& errors)
 {
   list.setName(schema.root().name);
@@ -33,7 +33,7 @@ void validateInPlace(Teuchos::ParameterList& list, const SceneSchema& schema, st
     }
     catch (const std::exception&)
     {
-      if (errors.empty()) // else it missed an entry that is reported as wrong
+      if (errors.empty()) // otherwise it may miss an entry that was reported
         throw;
     }
   };

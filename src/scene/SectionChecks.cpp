@@ -143,7 +143,7 @@ void SectionChecks::parallelogram(const ParameterList& list, const std::string& 
     report(scenePath(where, "Edge 2"), "is parallel to Edge 1 or zero; write an edge in another direction.");
 }
 
-/// Refuses a line that has its body on both sides all along: what acts on a surface would act nowhere.
+/// Refuses a line inside the body: it is no surface, and nothing could act on it.
 void SectionChecks::alongSurface(const ParameterList& boundary, const std::string& where)
 {
   const auto from = reals(boundary, "From"), to = reals(boundary, "To");

@@ -14,7 +14,7 @@ namespace Rhegma
 struct TimeFunction::Form
 {
   PairTable table; // empty for an expression
-  // An expression of `t`, whose address the parser holds.
+  // An expression of `t`, whose address the parser stores.
   mu::Parser parser;
   mutable double t = 0.0;
 };

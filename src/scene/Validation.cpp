@@ -206,7 +206,7 @@ void Validation::unknownParameter(const std::string& name, const Section& sectio
       owners.push_back(variant.name);
   if (!active.variantKnown)
   {
-    // Which names are right depends on the key, and the key's own error is reported.
+    // The valid names depend on the key, whose error is reported.
     auto names = active.parameterNames(m_dimension);
     for (const auto& variant : section.variants)
       for (const auto& parameter : variant.parameters)
@@ -240,7 +240,7 @@ void Validation::fillIn(Teuchos::ParameterList& list, const ActiveSection& activ
     const std::string where = scenePath(path, parameter->name);
     if (list.isParameter(parameter->name) || !parameter->existsIn(m_dimension))
       continue;
-    // Without a dimension it is open whether the parameter exists at all, and how long it is.
+    // Without a dimension it is unknown whether the parameter exists, and its length.
     if (m_dimension == 0 && parameter->onlyDimension != 0)
       continue;
     if (const auto* value = parameter->defaultIn(m_dimension))

@@ -10,12 +10,12 @@ namespace Rhegma
 namespace
 {
 
-/// Heat is known to the rounding of absolute temperatures, of some that conduction adds up: this fraction of
+/// Heat is accurate to the rounding of absolute temperatures, accumulated by conduction: this fraction of
 /// capacity times temperature.
 constexpr double roundingOfHeat = 1e-12;
 
-/// Sums of all particles: kinetic, strain, plastic, internal energy, what rounding may make of it, momentum.
-/// An array reduction, so that one pass over the particles gives all.
+/// Sums of all particles: kinetic, strain, plastic and internal energy, the rounding error of the latter,
+/// momentum. An array reduction in a single pass.
 template <int D>
 struct ParticleSums
 {
@@ -26,7 +26,7 @@ struct ParticleSums
   static constexpr int momentumAt = 5, size = momentumAt + D;
   int value_count = size;
   ParticleEnergy<D> energy;
-  BorrowedView<double*> internal; ///< where somebody carries heat
+  BorrowedView<double*> internal; ///< empty without heat
 
   KOKKOS_INLINE_FUNCTION void operator()(const int p, double* sum) const
   {

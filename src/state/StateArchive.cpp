@@ -177,7 +177,7 @@ void archiveBlocks(State<D>& state, Archive& archive)
   archive("bundles", blocks.numBundles);
   archive("active nodes", state.mesh.nodes.active);
   archive("index of particle", state.particles.indexOf);
-  // Rows of nodal values that there is room for: caches of as many rows hang on it.
+  // Capacity of nodal values in rows: caches have as many rows.
   int rows = static_cast<int>(state.mesh.nodes.sums.extent(0));
   archive("nodal rows", rows);
   archive("enriched fields", state.mesh.nodes.numEnriched);

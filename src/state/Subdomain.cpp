@@ -35,8 +35,8 @@ std::vector<Vector<D>> positionsOf(const State<D>& state, long begin, long end)
   return positions;
 }
 
-/// What particles begin .. end - 1 cost: as many substeps as their level may take. Empty where all cost
-/// the same.
+/// Cost of particles begin .. end - 1: the substeps that their level may take. Empty where all costs are
+/// equal.
 template <int D>
 std::vector<double> costsOf(const State<D>& state, long begin, long end)
 {
@@ -57,12 +57,12 @@ void demandAllParticles(const State<D>& state)
     throw std::logic_error("a particle is missing or is on two ranks");
 }
 
-/// Takes this rank's part of the lattice, without anything on its nodes.
+/// Sets this rank's part of the lattice, with empty nodes.
 template <int D>
 void settle(State<D>& state, const Division<D>& division, const Branches<D>& refined)
 {
   state.mesh.grid = division.window(state.ranks.rank());
-  buildTree(refined.within(state.mesh.grid), state.mesh.tree); // who keeps values by node makes them anew
+  buildTree(refined.within(state.mesh.grid), state.mesh.tree); // caches of values by node are made anew
   state.mesh.subdomain =
       std::make_shared<const Subdomain<D>>(state.ranks, division, refined, state.mesh.tree);
   state.mesh.nodes = Nodes<D>();
@@ -121,7 +121,7 @@ void divideState(State<D>& state)
     return;
   const Branches<D> refined = refinedCells(state);
   state.particles.ofAllRanks = state.particles.size();
-  // All ranks hold all particles; each answers for a part of them while they are divided.
+  // All ranks have all particles; each handles a part of them during the division.
   const long n = state.particles.size(), rank = state.ranks.rank(), size = state.ranks.size();
   const long begin = n * rank / size, end = n * (rank + 1) / size;
   const Division<D> division =

@@ -25,7 +25,7 @@ Vector<3> areaOf(const std::vector<Vector<D>>& points, const std::array<int, 3>&
   return cross(a, b);
 }
 
-/// Where a corner lies.
+/// Position of a corner relative to the region.
 enum class Position
 {
   Outside,
@@ -35,7 +35,8 @@ enum class Position
 
 using Edge = std::pair<int, int>;
 
-/// Cuts triangles in three steps: crossings of edges, corners moved onto them, polygons that are left.
+/// Cuts triangles in three steps: find crossings of edges, move corners onto them, keep the remaining
+/// polygons.
 template <int D>
 class Cutter
 {
@@ -55,7 +56,7 @@ public:
   /// Moves corners near the region's border onto it.
   void moveCorners()
   {
-    // A corner of the surface's own border stays on that, or its border would be no front there.
+    // A corner on the border of the surface stays on it, otherwise the border would not be a front there.
     std::vector<char> atBorder(points_.size(), 0);
     for (const auto& [edge, triangleCount] : uses_)
       if (triangleCount == 1)
@@ -89,7 +90,7 @@ public:
       }
   }
 
-  /// The triangles that are left, by cutPoints.
+  /// The remaining triangles, indices of cutPoints.
   std::vector<std::array<int, 3>> cut()
   {
     std::vector<std::array<int, 3>> kept;
@@ -97,7 +98,7 @@ public:
     {
       const std::vector<int> left = leftOf(t);
       for (std::size_t k = 2; k < left.size(); ++k)
-        // Moved corners may have turned a triangle over.
+        // Moved corners may have inverted a triangle.
         if (dot(areaOf(points_, t), areaOf(cutPoints_, {left[0], left[k - 1], left[k]})) > 0.0)
           kept.push_back({left[0], left[k - 1], left[k]});
     }
@@ -128,7 +129,7 @@ private:
     return entry->second;
   }
 
-  /// The polygon that is left of a triangle, corner by corner; empty where none is.
+  /// The remaining polygon of a triangle, corner by corner; may be empty.
   std::vector<int> leftOf(const std::array<int, 3>& t)
   {
     std::vector<int> left;
@@ -168,7 +169,7 @@ void cutTriangles(std::vector<Vector<D>>& points, std::vector<std::array<int, 3>
   Cutter<D> cutter(points, triangles, region);
   cutter.moveCorners();
   std::vector<std::array<int, 3>> kept = cutter.cut();
-  // Points that no triangle uses any more are left out.
+  // Unused points are removed.
   std::vector<int> number(cutter.cutPoints().size(), -1);
   std::vector<Vector<D>> used;
   for (std::array<int, 3>& t : kept)

@@ -10,7 +10,7 @@ namespace Rhegma::surface
 namespace
 {
 
-/// Positive where d lies inside of the circle through a, b, c (anticlockwise).
+/// Positive where d lies inside of the circle through a, b, c (counter-clockwise).
 double insideCircle(const Vector<2>& a, const Vector<2>& b, const Vector<2>& c, const Vector<2>& d)
 {
   const Vector<2> p = a - d, q = b - d, r = c - d;

@@ -17,7 +17,7 @@ void cutLanded(FrontLines<D>& lines)
     cut = std::any_of(lines.begin(), lines.end(), [](const FrontPoint<D>& p) { return p.landed; });
   if (!cut)
     return;
-  // A line that was closed begins behind a cut now.
+  // A closed line that was cut begins behind the cut.
   if (lines.back().joined)
   {
     const auto open =

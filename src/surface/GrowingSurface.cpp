@@ -78,7 +78,7 @@ double GrowingSurface::advance(FrontLines<3>& lines, std::size_t k, const Vector
   const int u = last >= 0 ? lines[last].vertex : -1,
             w = point.joined ? lines[nextPoint(lines, k)].vertex : -1;
   const Vector<3> path = x - vertices[v];
-  // How far the vertices behind it are, and what the triangles that would stretch are turned by.
+  // Distances of the vertices behind it, and rotations of the triangles that would stretch.
   bool stretches = dot(path, point.direction) > straight * norm(path);
   double nearest = 1e300;
   for (const int t : stars_[v])
@@ -121,7 +121,7 @@ void GrowingSurface::split(FrontLines<3>& lines, std::size_t k, int name)
   for (int& v : other)
     v = v == a ? m : v;
   addTriangle(other);
-  // It goes on as the one of its neighbours that does.
+  // It continues as the neighbour that advances.
   FrontPoint<3> point = lines[lines[k].stopped || lines[k].landed ? to : k];
   point.from = point.name;
   point.vertex = m;
@@ -166,7 +166,7 @@ bool GrowingSurface::collapse(FrontLines<3>& lines, std::size_t k, double& added
   const std::vector<int> shared = trianglesAt(a, b);
   if (shared.size() != 1 || lines.size() < 5 || lines[k].landed || lines[to].landed)
     return false;
-  // An end of a line stays where it is.
+  // An end of a line does not move.
   const bool first = previousPoint(lines, k) < 0, last = !lines[to].joined;
   if (first && last)
     return false;

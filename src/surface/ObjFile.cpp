@@ -12,7 +12,7 @@ namespace
 
 std::string lineName(int line) { return "line " + std::to_string(line) + " "; }
 
-/// The point that a corner of a face names, "7", "7/1/3" or, counted back from the last, "-2".
+/// The point of a corner of a face: "7", "7/1/3" or, counted back from the last, "-2".
 int pointOf(const std::string& corner, int points, int line)
 {
   std::size_t used = 0;

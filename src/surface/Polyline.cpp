@@ -50,7 +50,7 @@ std::array<int, 2> firstCrossing(const Points& points, double tolerance)
 {
   for (std::size_t i = 0; i + 1 < points.size(); ++i)
     for (std::size_t j = i + 1; j + 1 < points.size(); ++j)
-      // Neighbours share a point; they overlap if the end of one lies on the other.
+      // Neighbours have a common point; they overlap if the end of one lies on the other.
       if (j == i + 1 ? distanceToSegment(points[j + 1], points[i], points[j]) < tolerance ||
                            distanceToSegment(points[i], points[j], points[j + 1]) < tolerance
                      : meet(points[i], points[i + 1], points[j], points[j + 1], tolerance))
@@ -68,7 +68,7 @@ Points clipEnds(const Points& points, const Region<2>& region, double resolution
     --last;
   if (last < first + 2)
     return {};
-  // Keep the given points that are left, between the two ends.
+  // Keep the given points between the two ends.
   Points kept{dense[first]};
   const double rounding = 1e-7 * resolution, from = lengthBetween(dense, 0, first, 0.0),
                to = lengthBetween(dense, first, last - 1, from);

@@ -19,7 +19,7 @@ using Triangle = std::array<int, 3>;
 constexpr double longest = 1.4, shortest = 0.5; // edges
 constexpr double turned = 0.966;                // cosine of 15 degrees
 
-/// Triangles whose edges change; those that are taken away have a corner -1.
+/// Triangles whose edges change; removed ones have a corner -1.
 class Remesher
 {
 public:
@@ -72,7 +72,7 @@ public:
     }
   }
 
-  /// Takes away short edges, the shortest of a round first.
+  /// Collapses short edges, the shortest of a round first.
   void collapse()
   {
     for (int round = 0; round < 10; ++round)
@@ -95,7 +95,7 @@ public:
     }
   }
 
-  /// Leaves out what is no longer used.
+  /// Removes unused points and triangles.
   void tidy()
   {
     std::vector<int> number(mesh_.points.size(), -1);
@@ -171,7 +171,7 @@ private:
     const std::vector<int> shared = trianglesAt(a, b);
     if (shared.empty())
       return false;
-    // The two may have no common neighbours but the third corners of their triangles.
+    // The two may have no other common neighbours than the third corners of their triangles.
     const std::set<int> one = around(a), other = around(b);
     std::vector<int> common;
     std::set_intersection(one.begin(), one.end(), other.begin(), other.end(), std::back_inserter(common));

@@ -70,7 +70,7 @@ std::string inLowerCase(std::string text)
   return text;
 }
 
-/// Passes over the name of a solid, which may have any words in it.
+/// Skips the name of a solid, which may contain any words.
 void skipLine(std::istringstream& words)
 {
   for (int c = words.get(); c != '\n' && c != '\r' && words.good();)
@@ -121,7 +121,8 @@ SurfaceMesh parseStl(const std::string& text)
 {
   const std::size_t begin = text.find_first_not_of(" \t\r\n", textBegin(text));
   const bool solid = begin != std::string::npos && inLowerCase(text.substr(begin, 5)) == "solid";
-  // Some binary files begin with "solid" too; their length tells, or a zero byte, which no text has.
+  // Some binary files begin with "solid" too; they are recognised by their length, or by a zero byte, which
+  // no text has.
   const bool fits = text.size() >= header + 4 && text.size() == header + 4 + countOf(text) * perTriangle;
   if (solid && !fits && text.find('\0') == std::string::npos)
     return parseAscii(text.substr(begin));

@@ -64,7 +64,7 @@ bool runsAlong(const Triangle& v, int a, int b)
 
 void weld(SurfaceMesh& mesh, double tolerance)
 {
-  // Points of a lattice as wide as the tolerance; those that are near may lie in neighbouring cells.
+  // Points are binned by cells of the size of the tolerance; near points may lie in neighbouring cells.
   using Cell = std::array<long long, 3>;
   std::map<Cell, std::vector<int>> cells;
   std::vector<Vector<3>> points;

@@ -85,8 +85,8 @@ double distanceToBorder(const Vector<2>& x, const Points& border)
   return nearest;
 }
 
-/// Triangles that are split by points within them. Those that were split stay as a tree, by which the one in
-/// which a point lies is found without a look at all others.
+/// Triangles that are split by points within them. Split triangles form a tree, in which the triangle of a
+/// point is found without checking all.
 class SplitTriangles
 {
 public:
@@ -97,7 +97,7 @@ public:
       nodes_.push_back({mesh.triangles[t], t, -1});
   }
 
-  /// Splits the triangle that a point lies in; a point on an edge or outside is left out.
+  /// Splits the triangle that a point lies in; a point on an edge or outside is ignored.
   void insert(const Vector<2>& x, double margin)
   {
     const int found = find(x, margin);
@@ -119,8 +119,8 @@ private:
   struct Node
   {
     Triangle corners;
-    int triangle;  ///< its number while it is whole
-    int firstPart; ///< of three, one after the other; -1: whole
+    int triangle;  ///< its number while it is not split
+    int firstPart; ///< first of three consecutive parts; -1: not split
   };
 
   bool holds(const Node& node, const Vector<2>& x, double margin) const
@@ -129,7 +129,7 @@ private:
     return isInTriangle(x, at[node.corners[0]], at[node.corners[1]], at[node.corners[2]], margin);
   }
 
-  /// The whole triangle in which a point lies by a margin, or -1.
+  /// The unsplit triangle that contains a point by a margin, or -1.
   int find(const Vector<2>& x, double margin)
   {
     for (int root = 0; root < whole_; ++root)
@@ -142,7 +142,7 @@ private:
         const int first = nodes_[n].firstPart;
         if (first < 0 && holds(nodes_[n], x, margin))
           return n;
-        // Who lies in a part may be on the edge of the whole, to round-off.
+        // A point in a part may lie on the edge of the split triangle, to round-off.
         if (first >= 0 && holds(nodes_[n], x, -margin))
           open_.insert(open_.end(), {first, first + 1, first + 2});
       }
@@ -156,7 +156,7 @@ private:
   std::vector<int> open_;
 };
 
-/// Points of a hexagonal lattice that keep off the border.
+/// Adds points of a hexagonal lattice away from the border.
 void fillInside(Triangulation& mesh, const Points& border, double spacing)
 {
   Vector<2> lower{1e300, 1e300}, upper{-1e300, -1e300};
@@ -170,7 +170,7 @@ void fillInside(Triangulation& mesh, const Points& border, double spacing)
   const Vector<2> middle = 0.5 * (lower + upper);
   const int columns = static_cast<int>((upper[0] - lower[0]) / spacing) / 2 + 1;
   const int rows = static_cast<int>((upper[1] - lower[1]) / rise) / 2 + 1;
-  // Off the middle by an odd share, where no diagonal of a regular polygon runs.
+  // Shifted from the middle by odd fractions, off the diagonals of regular polygons.
   const Vector<2> start{middle[0] + 0.0137 * spacing, middle[1] + 0.0071 * spacing};
   SplitTriangles triangles(mesh);
   for (int j = -rows; j <= rows; ++j)
@@ -192,8 +192,8 @@ bool covers(const Triangulation& mesh, const Vector<2>& x)
                      });
 }
 
-/// A cut runs straight past a corner of the region: puts a triangle over each border edge beyond which the
-/// region goes on.
+/// Cuts are straight at corners of the region: adds a triangle to each border edge beyond which the region
+/// continues.
 void fillCorners(Triangulation& cut, const Triangulation& whole, const Region<2>& region)
 {
   constexpr double worthwhile = 0.02; // height of the triangle, in edges

@@ -129,7 +129,7 @@ public:
       for (const int o : at->second)
       {
         const double distance = norm(all_[o].at - to.at);
-        // Of positions as near the first, in whatever order they are looked at.
+        // The first of equally near positions, independent of the order of bins.
         if (distance < shortest || (distance == shortest && found >= 0 && o < found))
         {
           shortest = distance;
@@ -155,8 +155,8 @@ private:
   std::map<Bin, std::vector<int>> bins_;
 };
 
-/// Opening at a point over what lies there on straight faces: behind a front it grows as the root of the
-/// distance (Irwin, J. Appl. Mech. 24 (1957) 361), of which a simplex at the front has the ends.
+/// Opening at a point divided by linear interpolation: behind a front it is proportional to the root of the
+/// distance (Irwin, J. Appl. Mech. 24 (1957) 361), and a simplex at the front has only its end values.
 template <int D>
 KOKKOS_INLINE_FUNCTION double frontShape(const View<int* [D]>& neighbour, const View<double* [D]>& weight,
                                          int simplex, int k)
@@ -168,11 +168,11 @@ KOKKOS_INLINE_FUNCTION double frontShape(const View<int* [D]>& neighbour, const 
   return 1.0 / std::sqrt(distance);
 }
 
-/// Faces nearer than this are looked at from midway, in smallest cells: so that both faces of a closed crack
-/// are in the cell of one rank, wherever ranks part. No force is moved by more than half of it.
+/// Faces closer than this, in smallest cells, get stencils at the middle between them, so that both faces of
+/// a closed crack belong to the same rank. No force is moved by more than half of it.
 constexpr double nearlyClosed = 1e-3;
 
-/// Which faces meet nodes on this rank.
+/// Marks the faces that have nodes with mass on this rank.
 template <int D>
 void findReached(const StencilTable<D>& below, const StencilTable<D>& above, int count,
                  const View<double*>& reached)
@@ -239,7 +239,7 @@ void FacePoints<D>::place(const CrackSet<D>& cracks, double spacing)
         old[k].at[d] = oldPosition(k, d);
     }
   }
-  // A point and its position in pieces of another size are no more than half the longer piece apart.
+  // Corresponding points of pieces of different size are at most half the longer piece apart.
   const double reach = longestPiece * std::max(spacing, spacing_);
   const PositionBins<D> earlier(old, reach), now(all, reach);
   reserveRows(static_cast<int>(all.size()));

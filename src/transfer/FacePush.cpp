@@ -9,8 +9,8 @@ namespace Rhegma
 namespace
 {
 
-/// What pushing needs of face points: a kernel over a few points takes longer to copy all of their views than
-/// to run.
+/// The views of face points that these kernels need: copying all of them would take longer than running a
+/// kernel over a few points.
 template <int D>
 struct Pushed
 {

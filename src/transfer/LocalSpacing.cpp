@@ -8,8 +8,7 @@ namespace Rhegma
 namespace
 {
 
-/// Whether a position lies in the domain, which that of a front need not after an unstable step, nor be a
-/// number.
+/// Whether a position lies in the domain and is finite: after an unstable step that of a front may not.
 template <int D>
 bool isInside(const Grid<D>& lattice, const Vector<D>& x)
 {

@@ -10,7 +10,7 @@ namespace Rhegma
 namespace
 {
 
-/// The cells in which points have stencils here.
+/// The cells of this rank that points may have stencils in.
 template <int D>
 OwnCells<D> cellsOfPoints(const State<D>& state, const ObservedPoints<D>& points)
 {
@@ -111,8 +111,7 @@ void markRefined(const State<D>& state, const View<int*>& row)
       });
 }
 
-/// Numbers the marked particles in their order and lists them. Blocks without any cost one look at their
-/// marks.
+/// Numbers the marked particles in their order and lists them.
 template <int D>
 int numberRows(const Blocks<D>& blocks, const View<int*>& row, View<int*>& particles)
 {
@@ -142,7 +141,7 @@ int numberRows(const Blocks<D>& blocks, const View<int*>& row, View<int*>& parti
   return count;
 }
 
-/// The stored particles as points, with room for some more.
+/// The stored particles as points, with some spare capacity.
 template <int D>
 void gatherPoints(State<D>& state)
 {

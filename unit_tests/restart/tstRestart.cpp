@@ -136,9 +136,9 @@ std::vector<Case> ownCases()
     return Case{name, "", xml, {}, steps};
   };
   std::vector<Case> all = {
-      own("own_ties", plate(pull, release)),
+      own("own_springs", plate(pull, release)),
       own("own_running", plate(pull, running), 100),
-      own("own_torn", plate(pull, release + section("Propagation", text("Toughness", "1"))), 60),
+      own("own_over_dissipated", plate(pull, release + section("Propagation", text("Toughness", "1"))), 60),
       own("own_running_cells", plate(pull, running + cells + friction), 100),
       own("own_running_short_steps", plate(pull, running + cells + section("Sub-Cycling", "")), 50),
       own("own_running_partial_mass", plate(pull, running + section("Mass Matrix", text("Type", "Partial"))),

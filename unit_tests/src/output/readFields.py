@@ -1,6 +1,6 @@
 """Reads an XDMF file with a reader of VTK and prints what it found as JSON: readFields.py READER FILE
 
-READER is vtkXdmfReader or vtkXdmf3Reader. With no arguments it tells by its exit status whether both are here.
+READER is vtkXdmfReader or vtkXdmf3Reader. With no arguments its exit status says whether both exist.
 """
 
 import json

@@ -15,14 +15,14 @@ struct ElasticSolid
   double poisson = 0.3;
 };
 
-/// \param lower, upper corners of the body [m] \param cell [m] \param room from the body to the edge of the
+/// \param lower, upper corners of the body [m] \param cell [m] \param gap from the body to the edge of the
 /// domain [cells] \param name of the body
 template <int D>
-Teuchos::ParameterList elasticBox(const Vector<D>& lower, const Vector<D>& upper, double cell, double room,
+Teuchos::ParameterList elasticBox(const Vector<D>& lower, const Vector<D>& upper, double cell, double gap,
                                   const ElasticSolid& solid = {}, const std::string& name = "Plate",
                                   const std::string& plane = "Strain")
 {
-  const Vector<D> margin = all<D>(room * cell);
+  const Vector<D> margin = all<D>(gap * cell);
   Teuchos::ParameterList scene = emptyScene<D>(lower - margin, upper + margin, cell, "MUSL", "GIMP", plane);
   scene.sublist("Time").set("Final Time", 1.0);
   addMaterial(scene, "Linear Elastic", solid.poisson);
