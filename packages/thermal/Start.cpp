@@ -100,7 +100,7 @@ void startEnergy(State<D>& state)
   Kokkos::parallel_for(
       "rhegma::thermal::startStress", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
       KOKKOS_LAMBDA(const int p) {
-        ThermoState says;
+        ThermoState result;
         const Properties& law = materials(material(p));
         const ThermoPoint at(tables, material(p), T(p));
         double before[gradientSize<D>]; // without thermal strain
@@ -113,8 +113,8 @@ void startEnergy(State<D>& state)
                                 &F(p, 0),
                                 &stress(p, 0),
                                 history.extent(1) > 0 ? &history(p, 0) : nullptr,
-                                says});
-        internal(p) = says.internal;
+                                result});
+        internal(p) = result.internal;
       });
 }
 

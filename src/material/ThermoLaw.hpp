@@ -52,7 +52,7 @@ struct ThermoStress
   double* F;
   double* tau;
   double* history;
-  ThermoState& says; ///< out
+  ThermoState& result; ///< out
 
   template <class Law, int D, Plane P>
   KOKKOS_INLINE_FUNCTION bool run() const
@@ -65,17 +65,17 @@ struct ThermoStress
     const bool good = stressOfLaw<Law, D, P>(step, law, own, tau, history);
     if constexpr (P == Plane::Stress)
       F[4] = theta * own[4];
-    says.stored = Law::template energy<D, P>(law, own, history);
-    says.dissipated = dissipatedByLaw<Law, D>(history);
-    says.slope = energySlope<Law, D, P>(at, own, tau, history);
+    result.stored = Law::template energy<D, P>(law, own, history);
+    result.dissipated = dissipatedByLaw<Law, D>(history);
+    result.slope = energySlope<Law, D, P>(at, own, tau, history);
     const double T0 = at.material.reference;
-    says.internal = says.stored - temperature * says.slope + at.heat() +
-                    0.5 * at.material.coupling * (temperature - T0) * (temperature + T0) +
-                    (1.0 - at.material.plasticHeat) * says.dissipated;
+    result.internal = result.stored - temperature * result.slope + at.heat() +
+                      0.5 * at.material.coupling * (temperature - T0) * (temperature + T0) +
+                      (1.0 - at.material.plasticHeat) * result.dissipated;
     const double speed = Law::template waveSpeed<D, P>(law, own, history);
     // Adiabatic bulk modulus: K + T (3 K alpha)^2 / (rho c).
     const double push = 3.0 * law.bulk * at.expansion();
-    says.wave = std::sqrt(speed * speed + temperature * push * push / (at.capacity() * law.density));
+    result.wave = std::sqrt(speed * speed + temperature * push * push / (at.capacity() * law.density));
     return good;
   }
 };

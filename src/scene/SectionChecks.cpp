@@ -153,12 +153,12 @@ void SectionChecks::alongSurface(const ParameterList& boundary, const std::strin
     return;
   const Shape<2> shape = makeShape<2>(scene_.sublist("Bodies").sublist(text(boundary, "Body")));
   const double x = (*to)[0] - (*from)[0], y = (*to)[1] - (*from)[1];
-  constexpr int looks = 20;
+  constexpr int samples = 20;
   constexpr double aside = 1e-4; // of the line's length
-  for (int k = 0; k < looks; ++k)
+  for (int k = 0; k < samples; ++k)
     for (const double side : {-aside, aside})
     {
-      const double at = (k + 0.5) / looks;
+      const double at = (k + 0.5) / samples;
       if (!shape.contains({{(*from)[0] + at * x - side * y, (*from)[1] + at * y + side * x}}))
         return;
     }

@@ -117,37 +117,37 @@ ConjugateGradients::~ConjugateGradients() = default;
 
 void ConjugateGradients::resize(int n, const Ranks& ranks)
 {
-  if (ranks.max(!work_ || work_->size != n ? 1.0 : 0.0) > 0.0)
-    work_ = std::make_unique<Workspace>(n, ranks, tolerance_, maximumIterations_);
+  if (ranks.max(!workspace_ || workspace_->size != n ? 1.0 : 0.0) > 0.0)
+    workspace_ = std::make_unique<Workspace>(n, ranks, tolerance_, maximumIterations_);
 }
 
-BorrowedView<double*> ConjugateGradients::right() { return overwrite(*work_->right); }
+BorrowedView<double*> ConjugateGradients::right() { return overwrite(*workspace_->right); }
 
-BorrowedView<const double*> ConjugateGradients::solution() const { return read(*work_->left); }
+BorrowedView<const double*> ConjugateGradients::solution() const { return read(*workspace_->left); }
 
 SolveResult ConjugateGradients::solve(Apply apply, Apply precondition)
 {
-  Workspace& work = *work_;
+  Workspace& workspace = *workspace_;
   SolveResult result;
-  work.left->putScalar(0.0);
+  workspace.left->putScalar(0.0);
   // The first residual is the right-hand side: no product with the zero vector.
-  work.matrix->set({});
-  work.problem->setProblem();
-  work.matrix->set(std::move(apply));
-  work.preconditioner->set(std::move(precondition));
+  workspace.matrix->set({});
+  workspace.problem->setProblem();
+  workspace.matrix->set(std::move(apply));
+  workspace.preconditioner->set(std::move(precondition));
   try
   {
-    result.converged = work.solver.solve() == Belos::Converged;
+    result.converged = workspace.solver.solve() == Belos::Converged;
   }
   catch (const Belos::CGIterateFailure&) // p^T A p is not positive: A is singular to round-off
   {
     result.singular = true;
-    result.residual = work.right->getVector(0)->norm2();
-    work.left->putScalar(0.0);
+    result.residual = workspace.right->getVector(0)->norm2();
+    workspace.left->putScalar(0.0);
     return result;
   }
-  result.iterations = work.solver.getNumIters();
-  result.residual = work.solver.achievedTol();
+  result.iterations = workspace.solver.getNumIters();
+  result.residual = workspace.solver.achievedTol();
   return result;
 }
 

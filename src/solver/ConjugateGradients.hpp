@@ -53,7 +53,7 @@ private:
   class Workspace;
   double tolerance_;
   int maximumIterations_;
-  std::unique_ptr<Workspace> work_;
+  std::unique_ptr<Workspace> workspace_;
 };
 
 } // namespace Rhegma

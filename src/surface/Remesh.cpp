@@ -35,7 +35,7 @@ public:
   void split()
   {
     std::priority_queue<std::pair<double, Edge>> edges;
-    const auto look = [&](int a, int b)
+    const auto addEdge = [&](int a, int b)
     {
       const double length = norm(mesh_.points[a] - mesh_.points[b]);
       if (length > longest * edge_)
@@ -44,7 +44,7 @@ public:
     for (const Triangle& t : mesh_.triangles)
       for (int i = 0; i < 3 && t[0] >= 0; ++i)
         if (t[i] < t[(i + 1) % 3] || trianglesAt(t[i], t[(i + 1) % 3]).size() == 1)
-          look(t[i], t[(i + 1) % 3]);
+          addEdge(t[i], t[(i + 1) % 3]);
     while (!edges.empty())
     {
       const auto [a, b] = edges.top().second;
@@ -55,8 +55,8 @@ public:
       const int m = static_cast<int>(mesh_.points.size());
       mesh_.points.push_back(0.5 * (mesh_.points[a] + mesh_.points[b]));
       star_.emplace_back();
-      look(a, m);
-      look(b, m);
+      addEdge(a, m);
+      addEdge(b, m);
       for (const int t : at)
       {
         Triangle other = mesh_.triangles[t];
@@ -67,7 +67,7 @@ public:
         for (int& v : other)
           v = v == a ? m : v;
         add(other);
-        look(third, m);
+        addEdge(third, m);
       }
     }
   }

@@ -197,17 +197,17 @@ struct HeatByTables
       strainedBefore[k] = F[k] / start.stretch();
     }
     ThermoState old, now;
-    look(start, {strainedBefore, 0.0, before}, F, tau, own, memory, old);
+    evaluate(start, {strainedBefore, 0.0, before}, F, tau, own, memory, old);
     const double lag = workOfLag<D>(at, heat, tau, l, dt);
     strained<D>(at, l, dt, F);
     const bool finite = determinant<D>(F) < infinity;
-    bool good = look(start, {strainedBefore, duration, before}, F, tau, own, memory, now);
+    bool good = evaluate(start, {strainedBefore, duration, before}, F, tau, own, memory, now);
     double work = lag + now.spent() - old.spent();
     T += (heat.internal[l] + work - now.internal) / start.capacity();
     if (start.material.coupled)
     {
       const ThermoPoint end(tables, material, T);
-      good = look(end, {strainedBefore, duration, T}, F, tau, own, memory, now) && good;
+      good = evaluate(end, {strainedBefore, duration, T}, F, tau, own, memory, now) && good;
       work = lag + now.spent() - old.spent() - 0.5 * (old.slope + now.slope) * (T - before);
     }
     else
@@ -231,13 +231,13 @@ struct HeatByTables
   }
 
   /// Evaluates the law for F at a temperature, starting from its history; `memory` gets the new history.
-  KOKKOS_INLINE_FUNCTION bool look(const ThermoPoint& point, const LawStep& step, double* F, double* tau,
-                                   const double* own, double* memory, ThermoState& says) const
+  KOKKOS_INLINE_FUNCTION bool evaluate(const ThermoPoint& point, const LawStep& step, double* F, double* tau,
+                                       const double* own, double* memory, ThermoState& result) const
   {
     for (int k = 0; k < historyWidth; ++k)
       memory[k] = own[k];
     return withLaw<D>(properties.law, properties.plane,
-                      ThermoStress{step, point, step.temperature, F, tau, memory, says});
+                      ThermoStress{step, point, step.temperature, F, tau, memory, result});
   }
 };
 

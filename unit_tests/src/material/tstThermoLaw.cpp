@@ -70,12 +70,12 @@ struct Particle
 
   double evaluate(double at, double* stress, double* memory)
   {
-    ThermoState says;
+    ThermoState result;
     EXPECT_TRUE(
         withLaw<D>(law.law, law.plane,
-                   ThermoStress{{F, 0.0, at}, ThermoPoint(tables, 0, at), at, F, stress, memory, says}));
-    EXPECT_GT(says.wave, 0.0);
-    return says.internal;
+                   ThermoStress{{F, 0.0, at}, ThermoPoint(tables, 0, at), at, F, stress, memory, result}));
+    EXPECT_GT(result.wave, 0.0);
+    return result.internal;
   }
 
   /// F <- (1 + L) F.

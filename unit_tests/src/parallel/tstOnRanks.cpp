@@ -161,14 +161,14 @@ TEST(OnRanks, RowsArriveOnce)
     sent[2 * to.back() + 1] += 1.0;
   }
   ranks.sum(sent.data(), static_cast<int>(sent.size()));
-  const std::vector<double> came = sendRows(ranks, to, rows, 3);
-  ASSERT_EQ(came.size(), static_cast<std::size_t>(3 * sent[2 * ranks.rank() + 1]));
+  const std::vector<double> received = sendRows(ranks, to, rows, 3);
+  ASSERT_EQ(received.size(), static_cast<std::size_t>(3 * sent[2 * ranks.rank() + 1]));
   double sum = 0.0;
-  for (std::size_t i = 0; i < came.size(); i += 3)
+  for (std::size_t i = 0; i < received.size(); i += 3)
   {
-    sum += came[i];
-    EXPECT_EQ(came[i + 1], -came[i]);
-    EXPECT_EQ(came[i + 2], 0.5 * came[i]);
+    sum += received[i];
+    EXPECT_EQ(received[i + 1], -received[i]);
+    EXPECT_EQ(received[i + 2], 0.5 * received[i]);
   }
   EXPECT_EQ(sum, sent[2 * ranks.rank()]);
 }
