@@ -1,5 +1,7 @@
 #include "damping/Damping.hpp"
 
+#include "base/Numbers.hpp"
+#include "base/ShortNumber.hpp"
 #include "boundary/HeldMarks.hpp"
 #include "damping/Settling.hpp"
 #include "transfer/LaneHeat.hpp"
@@ -260,6 +262,17 @@ void addViscosity(Effect<D>& effect, double shear, double bulk, double end)
   };
 }
 
+/// \param time [s] \param change how far the answer may still move, as a fraction of itself
+void reportSettled(double time, double change, nlohmann::json& summary)
+{
+  summary["may_still_change"] = change;
+  if (std::isfinite(change))
+    summary["answers"].push_back("settled at t = " + readableTime(time) +
+                                 ": by the decay of their oscillation, energy release rates (strain energy "
+                                 "where there is no crack) may still change by " +
+                                 formatShort(100.0 * change) + " %");
+}
+
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene)
 {
@@ -289,8 +302,10 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                [settling](State<D>& s)
                { s.clock.settled = settling->sample(s.energy.kinetic, s.energy.strain, s.sample.row); }});
   const double until = scene.sublist("Time").get<double>("Final Time");
-  effect.report = [stop, until](const State<D>& s, nlohmann::json& summary)
+  effect.report = [stop, until, settling](const State<D>& s, nlohmann::json& summary)
   {
+    if (s.clock.settled)
+      reportSettled(s.clock.time, settling->mayStillChange(), summary);
     const bool over = s.clock.time >= until || s.clock.step >= s.clock.maximumSteps;
     if (stop && over && !s.clock.settled && s.failure.empty())
       summary["warnings"].push_back("the run ended before it had settled (Damping > Stop When Settled), so "

@@ -1,7 +1,9 @@
 #include "damping/Settling.hpp"
 
 #include "archive/Archive.hpp"
+#include "base/Decay.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -10,6 +12,9 @@ namespace Rhegma::damping
 
 namespace
 {
+
+/// As many as hold several periods of a body that settles.
+constexpr std::size_t mostWatched = 400;
 
 bool endsWith(const std::string& text, const std::string& end)
 {
@@ -35,6 +40,31 @@ void Settling::serialize(Archive& archive)
   auto next = watched.begin();
   for (std::size_t k = 0; k < ratios.size(); next += counts[k++])
     last_.push_back({ratios[k], {next, next + counts[k]}});
+  int columns = watched_.empty() ? 0 : static_cast<int>(watched_.front().size());
+  std::vector<double> series;
+  for (const std::vector<double>& values : watched_)
+    series.insert(series.end(), values.begin(), values.end());
+  archive("columns", columns);
+  archive("series", series);
+  watched_.clear();
+  for (auto at = series.begin(); columns > 0 && at != series.end(); at += columns)
+    watched_.emplace_back(at, at + columns);
+}
+
+double Settling::mayStillChange() const
+{
+  double most = watched_.empty() ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+  for (std::size_t k = 0; !watched_.empty() && k < watched_.back().size(); ++k)
+  {
+    std::vector<double> series;
+    for (const std::vector<double>& values : watched_)
+      series.push_back(values[k]);
+    const double change = remainingChange(series);
+    // Written so that what is not a number stays.
+    if (const double share = change == 0.0 ? 0.0 : change / std::abs(series.back()); !(share <= most))
+      most = share;
+  }
+  return most;
 }
 
 bool Settling::sample(double kinetic, double strain, const HistoryRow& row)
@@ -47,6 +77,11 @@ bool Settling::sample(double kinetic, double strain, const HistoryRow& row)
       now.watched.push_back(value);
   if (now.watched.empty())
     now.watched.push_back(strain);
+  if (!watched_.empty() && watched_.back().size() != now.watched.size())
+    watched_.clear();
+  watched_.push_back(now.watched);
+  if (watched_.size() > mostWatched)
+    watched_.pop_front();
   last_.push_back(now);
   if (last_.size() > samples_)
     last_.pop_front();

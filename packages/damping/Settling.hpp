@@ -26,6 +26,11 @@ public:
   /// the drift of its latest value
   bool sample(double kinetic, double strain, const HistoryRow& row);
 
+  /// How far what it watches may still move from its latest value, by the decay of its oscillation, as a
+  /// fraction of that value: the largest of all that it watches. Not a number before there are enough
+  /// samples.
+  double mayStillChange() const;
+
   /// Saves or loads the last samples.
   void serialize(Archive& archive);
 
@@ -38,6 +43,8 @@ private:
   double ratio_, drift_;
   std::size_t samples_;
   std::deque<Sample> last_;
+  std::deque<std::vector<double>>
+      watched_; ///< what the last samples watched, as long as the list is the same
 };
 
 } // namespace Rhegma::damping

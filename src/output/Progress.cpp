@@ -13,6 +13,9 @@ namespace
 
 constexpr double secondsBetweenPrints = 0.25;
 
+/// When a run that is not watched on a terminal says for the first time how long it takes [s].
+constexpr double secondsToFirstPrint = 2.0;
+
 double wallClock()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -25,7 +28,7 @@ bool endsWith(const std::string& text, const std::string& end)
 
 std::string duration(double seconds)
 {
-  const long all = std::lround(std::ceil(seconds));
+  const long all = std::lround(std::ceil(seconds * (1.0 - 1e-9)));
   char text[48];
   if (all >= 3600)
     std::snprintf(text, sizeof text, "%ld h %02ld min", all / 3600, all / 60 % 60);
@@ -53,8 +56,10 @@ Progress::Progress(std::ostream* stream, double finalTime, bool terminal, Clock 
 {
 }
 
-void Progress::sample(const Row& row)
+void Progress::sample(double time, const Row& row)
 {
+  if (rest_)
+    rest_->sample(time, row);
   for (const auto& column : row)
     if (endsWith(column.first, ".G_J"))
     {
@@ -64,17 +69,37 @@ void Progress::sample(const Row& row)
     }
 }
 
+void Progress::followPace(double now)
+{
+  if (newer_.clock > 0.0 && now - newer_.clock <= 0.25 * (now - startClock_))
+    return;
+  older_ = newer_.clock > 0.0 ? newer_ : Mark{startClock_, startTime_};
+  newer_ = {now, time_};
+}
+
+/// Text with a comma before it; empty where nothing is known.
+std::string Progress::timeLeft() const
+{
+  const double gone = time_ - older_.time;
+  if (!(gone > 0.0))
+    return {};
+  const double pace = (clock_() - older_.clock) / gone;
+  const double toEnd = pace * (finalTime_ - time_), toRest = rest_ ? pace * rest_->left() : toEnd;
+  if (!(toEnd > 0.0))
+    return {};
+  if (!rest_)
+    return ", " + duration(toEnd) + " left";
+  return toRest < toEnd ? ", about " + duration(toRest) + " to rest"
+                        : ", at most " + duration(toEnd) + " left";
+}
+
 std::string Progress::line(double done, bool running) const
 {
-  // Time left, extrapolated from the speed so far.
-  const double total = finalTime_ - startTime_;
-  const double gone = time_ - startTime_;
-  const double left = gone > 0.0 ? (clock_() - startClock_) * (total - gone) / gone : 0.0;
   char head[64];
   std::snprintf(head, sizeof head, "%3d %%", static_cast<int>(100.0 * done + 1.0e-9));
   std::string text = head;
-  if (running && left > 0.0)
-    text += ", " + duration(left) + " left";
+  if (running)
+    text += timeLeft();
   text += ", step " + std::to_string(step_);
   if (hasG_)
   {
@@ -114,12 +139,13 @@ void Progress::step(double time, long step)
       startTime_ = time;
     lastTenth_ = static_cast<int>(10.0 * startTime_ / finalTime_ + 1.0e-9);
   }
+  const double now = clock_();
   time_ = time;
   step_ = step;
   stale_ = true;
+  followPace(now);
   if (terminal_)
   {
-    const double now = clock_();
     if (now - lastPrint_ < secondsBetweenPrints)
       return;
     lastPrint_ = now;
@@ -127,8 +153,10 @@ void Progress::step(double time, long step)
     return;
   }
   const int tenth = static_cast<int>(10.0 * time / finalTime_ + 1.0e-9);
-  if (tenth <= lastTenth_)
+  const bool early = !early_ && time < finalTime_ && now - startClock_ >= secondsToFirstPrint;
+  if (tenth <= lastTenth_ && !early)
     return;
+  early_ = true;
   lastTenth_ = tenth;
   print(true);
 }

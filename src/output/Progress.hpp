@@ -1,7 +1,10 @@
 #pragma once
 /// The progress line of a run.
 
+#include "output/RestForecast.hpp"
+
 #include <functional>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <utility>
@@ -10,8 +13,9 @@
 namespace Rhegma
 {
 
-/// On a terminal one line that is overwritten a few times a second; elsewhere a line each tenth of the run.
-/// Percent done, time left, step, and G of the first crack front where samples have it.
+/// On a terminal one line that is overwritten a few times a second; elsewhere a line in the first seconds and
+/// one each tenth of the run. Percent done, time left, step, and G of the first crack front where samples
+/// have it. Time left is by the pace of the last quarter to half of the run so far.
 class Progress
 {
 public:
@@ -23,8 +27,12 @@ public:
   Progress(std::ostream* stream, double finalTime, bool terminal);
   Progress(std::ostream* stream, double finalTime, bool terminal, Clock clock);
 
-  /// A new sample of the history; the first column that ends in .G_J is shown.
-  void sample(const Row& row);
+  /// The run stops once it is at rest: says when that will be. Call before the first sample.
+  /// \param ratio, drift  of Damping's criterion
+  void stopsAtRest(double ratio, double drift) { rest_.emplace(ratio, drift); }
+
+  /// A new sample of the history; the first column that ends in .G_J is shown. \param time [s]
+  void sample(double time, const Row& row);
 
   /// A step has been taken. \param time [s]
   void step(double time, long step);
@@ -34,7 +42,15 @@ public:
 
 private:
   std::string line(double done, bool running) const;
+  std::string timeLeft() const;
+  void followPace(double now);
   void print(bool running);
+
+  /// How far the run was, and when.
+  struct Mark
+  {
+    double clock = 0.0, time = 0.0;
+  };
 
   std::ostream* stream_;
   double finalTime_;
@@ -42,6 +58,9 @@ private:
   Clock clock_;
   double startClock_;
   double startTime_ = 0.0; ///< where a continued run began [s]
+  Mark older_, newer_;     ///< the pace is that since the older one
+  std::optional<RestForecast> rest_;
+  bool early_ = false; ///< the line of the first seconds is printed
   bool begun_ = false;
   double time_ = 0.0;
   long step_ = 0;

@@ -4,6 +4,7 @@
 #include "base/OutputError.hpp"
 #include "output/OutputFolder.hpp"
 #include "parallel/FirstRank.hpp"
+#include "program/Intervals.hpp"
 #include "step/Run.hpp"
 
 #include <algorithm>
@@ -39,13 +40,6 @@ History beginHistory(const std::string& folder, const EarlierPart& earlier, cons
   return history ? std::move(*history) : History("/dev/null");
 }
 
-double historyInterval(const Teuchos::ParameterList& scene)
-{
-  const Teuchos::ParameterList& output = scene.sublist("Output");
-  return output.isParameter("History Interval") ? output.get<double>("History Interval")
-                                                : scene.sublist("Time").get<double>("Final Time") / 200.0;
-}
-
 } // namespace
 
 Production::Production(const Options& options, const Teuchos::ParameterList& scene, Simulation& simulation,
@@ -62,6 +56,10 @@ Production::Production(const Options& options, const Teuchos::ParameterList& sce
       continued_(earlier.exists()),
       warnings_(earlier.warnings())
 {
+  const Teuchos::ParameterList* damping = scene.isSublist("Damping") ? &scene.sublist("Damping") : nullptr;
+  if (damping != nullptr && damping->get<bool>("Stop When Settled"))
+    progress_.stopsAtRest(damping->get<double>("Settled Energy Ratio"),
+                          damping->get<double>("Settled Drift"));
   observe();
   if (continued_)
     takeUpFields();
@@ -95,7 +93,7 @@ void Production::observe()
                             {
                               unwritten_ = error.what();
                             }
-                            progress_.sample(row);
+                            progress_.sample(time, row);
                             checkpoints_.afterSample();
                           });
   simulation_.onStep(
@@ -184,8 +182,7 @@ void Production::advanceFromFieldToField()
 {
   const Teuchos::ParameterList& output = scene_.sublist("Output");
   const bool fields = output.get<bool>("Fields");
-  const double interval =
-      output.isParameter("Field Interval") ? output.get<double>("Field Interval") : finalTime_;
+  const double interval = fieldInterval(scene_);
   if (fields && output.isParameter("Field Interval") && simulation_.time() == 0.0)
     simulation_.writeFields(folder_);
   // A run that continues may have stopped between a step and its fields; existing fields are not written

@@ -56,5 +56,22 @@ TEST(Settling, LooksAtNumbersAlone)
   EXPECT_FALSE(settling.sample(1e-6, 1.0, {{"Notch.0.G_J", 6.0}, {"Notch.0.G_closure", none}}));
 }
 
+/// Two samples at a turning point agree, and G is far from rest all the same: what it may still change is
+/// told. 100 + exp(-0.02 k) cos(0.25 k) goes down by up to 2 exp(-0.02 k) from its upper turning point at k
+/// = 75.
+TEST(Settling, TellsHowFarRatesMayStillGo)
+{
+  Settling settling(1e-4, 1e-2, 2);
+  EXPECT_TRUE(std::isnan(settling.mayStillChange()));
+  for (int k = 0; k <= 126; ++k)
+  {
+    const double rate = 100.0 + std::exp(-0.02 * k) * std::cos(0.25 * k);
+    settling.sample(1e-6, 1.0, {{"Notch.0.G_J", rate}, {"Notch.1.G_J", 50.0}});
+  }
+  const double left = std::exp(-0.02 * 126) * (1.0 + std::exp(-0.02 * 12.57)) / 100.0;
+  EXPECT_GT(settling.mayStillChange(), 0.95 * left);
+  EXPECT_LT(settling.mayStillChange(), 3.5 * left);
+}
+
 } // namespace Test
 } // namespace Rhegma::damping

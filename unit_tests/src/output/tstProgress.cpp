@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <sstream>
 
 using Rhegma::Progress;
@@ -31,7 +32,7 @@ TEST(Progress, PlainLinesEachTenth)
   {
     hand.now += 0.1;
     if (step == 15)
-      progress.sample({{"kinetic", 1.0}, {"Notch.0.G_J", 12.5}, {"Notch.1.G_J", 7.0}});
+      progress.sample(0.0, {{"kinetic", 1.0}, {"Notch.0.G_J", 12.5}, {"Notch.1.G_J", 7.0}});
     progress.step(0.02 * step, step);
   }
   progress.finish();
@@ -66,6 +67,73 @@ TEST(Progress, OneLineOnATerminal)
                            "\r100 %, step 4" + std::string(10, ' ') + "\n");
 }
 
+/// A run that is not watched says after two seconds how long it takes, not only after a tenth of its time.
+TEST(Progress, SaysEarlyHowLongItTakes)
+{
+  std::ostringstream out;
+  Hand hand;
+  Progress progress(&out, 1000.0, false, hand.clock());
+  for (int step = 1; step <= 30; ++step)
+  {
+    hand.now += 0.125;
+    progress.step(0.1 * step, step);
+  }
+  EXPECT_EQ(out.str(), "  0 %, 20 min 48 s left, step 16\n");
+}
+
+/// Time left is by the pace of late: 40 s at 1 s a second and then 10 s at a tenth of it leave 59 / 0.1 s.
+TEST(Progress, GoesByThePaceOfLate)
+{
+  std::ostringstream out;
+  Hand hand;
+  Progress progress(&out, 100.0, true, hand.clock());
+  double time = 0.0;
+  for (int step = 1; step <= 400; ++step)
+  {
+    hand.now += 0.1;
+    progress.step(time += 0.1, step);
+  }
+  for (int step = 401; step <= 1000; ++step)
+  {
+    hand.now += 0.1;
+    progress.step(time += 0.01, step);
+  }
+  const std::string text = out.str();
+  EXPECT_EQ(text.substr(text.rfind('\r')), "\r 45 %, 9 min 01 s left, step 999");
+}
+
+/// Kinetic over strain energy falls as exp(-t) to 1e-6 at 13.8 s, and so does G - 1, as exp(-t/2), to 1e-3.
+/// At 2.1 s that is told to 13 s, for what counts is the largest value of the last quarter.
+TEST(Progress, SaysWhenTheRunIsAtRest)
+{
+  std::ostringstream out;
+  Hand hand;
+  Progress progress(&out, 1000.0, false, hand.clock());
+  progress.stopsAtRest(1e-6, 1e-3);
+  for (int step = 1; step <= 21; ++step)
+  {
+    hand.now += 0.1;
+    const double t = 0.1 * step;
+    progress.sample(t,
+                    {{"kinetic", std::exp(-t)}, {"strain", 1.0}, {"Notch.0.G_J", 1.0 + std::exp(-t / 2.0)}});
+    progress.step(t, step);
+  }
+  EXPECT_EQ(out.str(), "  0 %, about 13 s to rest, step 21, G 1.3499 J/m2\n");
+}
+
+/// Before there are enough samples only the final time is known.
+TEST(Progress, SaysHowLongARunThatSettlesTakesAtMost)
+{
+  std::ostringstream out;
+  Hand hand;
+  Progress progress(&out, 4.0, false, hand.clock());
+  progress.stopsAtRest(1e-6, 1e-3);
+  hand.now += 1.0;
+  progress.sample(1.0, {{"kinetic", 1.0}, {"strain", 1.0}});
+  progress.step(1.0, 1);
+  EXPECT_EQ(out.str(), " 25 %, at most 3 s left, step 1\n");
+}
+
 /// A run continued at 50 of 100 s that does 10 s of them in 1 s has 4 s left.
 TEST(Progress, CountsAContinuedRunFromWhereItBegan)
 {
@@ -93,7 +161,7 @@ TEST(Progress, IsQuietWithoutAStream)
 {
   testing::internal::CaptureStdout();
   Progress progress(nullptr, 1.0, true);
-  progress.sample({{"a.0.G_J", 1.0}});
+  progress.sample(0.0, {{"a.0.G_J", 1.0}});
   progress.step(1.0, 1);
   progress.finish();
   EXPECT_EQ(testing::internal::GetCapturedStdout(), "");
