@@ -23,6 +23,18 @@ std::string kokkosSpelling(const std::string& argument)
   return argument;
 }
 
+/// Throws UsageError where options do not go together.
+void refuseMisfits(const Options& options)
+{
+  if (options.twice && (options.action != Options::Action::Run || !options.restart.empty()))
+    throw UsageError("--twice runs a scene from its start; leave --check, --print-plan and --restart out");
+  const bool needsScene = options.action == Options::Action::Run ||
+                          options.action == Options::Action::Check ||
+                          options.action == Options::Action::PrintPlan;
+  if (needsScene && options.scene.empty())
+    throw UsageError("no scene was given; usage: rhegma SCENE.xml [options], see rhegma --help");
+}
+
 } // namespace
 
 Options readOptions(const std::vector<std::string>& arguments, std::vector<std::string>& forKokkos)
@@ -49,6 +61,8 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
       options.overrides.push_back(valueOf(k));
     else if (a == "--quiet")
       options.quiet = true;
+    else if (a == "--twice")
+      options.twice = true;
     else if (a == "--check")
       options.action = Options::Action::Check;
     else if (a == "--print-plan")
@@ -78,11 +92,7 @@ Options readOptions(const std::vector<std::string>& arguments, std::vector<std::
       throw UsageError("only one scene can be run: \"" + options.scene + "\" and \"" + a +
                        "\" were both given");
   }
-  const bool needsScene = options.action == Options::Action::Run ||
-                          options.action == Options::Action::Check ||
-                          options.action == Options::Action::PrintPlan;
-  if (needsScene && options.scene.empty())
-    throw UsageError("no scene was given; usage: rhegma SCENE.xml [options], see rhegma --help");
+  refuseMisfits(options);
   return options;
 }
 
@@ -91,7 +101,9 @@ std::string usage()
   return "rhegma SCENE.xml [--output DIR] [--set 'Section:Sub:Parameter=value']... [--restart FILE] "
          "[--quiet]\n                        run a scene; results go to DIR (default: SCENE.out next to the "
          "scene);\n                        --restart: continue from a checkpoint.h5 of the same "
-         "scene\nrhegma SCENE.xml --check        check the scene, list every error, and stop\nrhegma "
+         "scene\nrhegma SCENE.xml --twice        run it as it is and with cells of half the size, and print "
+         "how far the answers moved\nrhegma SCENE.xml --check        check the scene, list every error, "
+         "forecast the cost, and stop\nrhegma "
          "SCENE.xml --print-plan   list the effects, fields and stages of the scene\nrhegma --describe "
          "[Section]     every parameter: type, unit, default, allowed values, meaning;\n                     "
          "   of a part: --describe 'Thermal > Sources', --describe Domain:Accuracy\nrhegma "

@@ -8,7 +8,9 @@
 #include "output/Summary.hpp"
 #include "parallel/FirstRank.hpp"
 #include "plan/EffectSchema.hpp"
+#include "program/Forecast.hpp"
 #include "program/Production.hpp"
+#include "program/Twice.hpp"
 #include "scene/Scene.hpp"
 
 #include <Kokkos_Core.hpp>
@@ -152,9 +154,30 @@ std::string stepsAsText(const Simulation& simulation, const Teuchos::ParameterLi
   return text;
 }
 
+int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>& scene, std::ostream& out,
+               std::ostream& err)
+{
+  Simulation simulation(world(), scene);
+  initialize(simulation, *scene, options);
+  const nlohmann::json summary = simulation.report();
+  printWarnings(summary, err);
+  out << options.scene << " is a valid scene"
+      << (options.restart.empty() ? "" : ", and " + options.restart + " a checkpoint of it") << ": "
+      << cellsAsText(summary, simulation.particles()) << stepsAsText(simulation, *scene) << "\n"
+      << std::flush;
+  if (options.quiet)
+    return exitFinished;
+  const Ranks ranks(world());
+  const Forecast forecast = makeForecast(simulation, *scene, ranks);
+  out << asText(forecast) << "\n" << costOfAccuracy(options, *scene, ranks, &forecast);
+  return exitFinished;
+}
+
 int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>& scene, std::ostream& out,
              std::ostream& err)
 {
+  if (options.action == Options::Action::Run && !options.quiet && options.restart.empty())
+    out << costOfAccuracy(options, *scene, Ranks(world()), nullptr) << std::flush;
   Simulation simulation(world(), scene);
   const EarlierPart earlier = initialize(simulation, *scene, options);
   if (options.action == Options::Action::PrintPlan)
@@ -225,17 +248,10 @@ int run(const Options& options, std::ostream& out, std::ostream& err)
     try
     {
       if (options.action == Action::Check)
-      {
-        Simulation simulation(world(), scene);
-        initialize(simulation, *scene, options);
-        const nlohmann::json summary = simulation.report();
-        printWarnings(summary, err);
-        out << options.scene << " is a valid scene"
-            << (options.restart.empty() ? "" : ", and " + options.restart + " a checkpoint of it") << ": "
-            << cellsAsText(summary, simulation.particles()) << stepsAsText(simulation, *scene) << "\n";
-        return exitFinished;
-      }
-      return runScene(options, scene, out, err);
+        return checkScene(options, scene, out, err);
+      const auto runOne = [&](const Options& one, const Teuchos::RCP<Teuchos::ParameterList>& list)
+      { return runScene(one, list, out, err); };
+      return options.twice ? runTwice(options, scene, Ranks(world()), out, runOne) : runOne(options, scene);
     }
     catch (const std::invalid_argument& error)
     {

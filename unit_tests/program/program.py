@@ -4,6 +4,7 @@ import hashlib
 import os
 import subprocess
 import sys
+import tempfile
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.realpath(__file__)), ".."))
 sys.dont_write_bytecode = True
@@ -42,8 +43,13 @@ class Answer:
         return f"exit status {self.status}\nstdout: {self.output}\nstderr: {self.messages}"
 
 
+# Rates of scenes that --check keeps; not those of the user who runs the tests.
+CACHE = os.path.join(tempfile.gettempdir(), f"rhegma-tests-{os.getuid()}")
+
+
 def environment(more=None):
-    return dict(os.environ, OMP_NUM_THREADS="1", OMP_PROC_BIND="false", **(more or {}))
+    settings = {"OMP_NUM_THREADS": "1", "OMP_PROC_BIND": "false", "XDG_CACHE_HOME": CACHE}
+    return dict(os.environ, **{**settings, **(more or {})})
 
 
 def rhegma(*arguments, cwd=None, launcher=(), timeout=PATIENCE, preexec=None, **variables):

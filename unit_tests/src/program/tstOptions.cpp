@@ -53,6 +53,14 @@ TEST(Options, TakesValuesInAnyOrder)
   EXPECT_TRUE(options.quiet);
 }
 
+TEST(Options, RunsTwiceFromTheStartOnly)
+{
+  EXPECT_TRUE(read({"dcb.xml", "--twice"}).twice);
+  EXPECT_FALSE(read({"dcb.xml"}).twice);
+  EXPECT_NE(mistake({"dcb.xml", "--twice", "--restart", "checkpoint.h5"}).find("--twice"), std::string::npos);
+  EXPECT_NE(mistake({"dcb.xml", "--twice", "--check"}).find("--twice"), std::string::npos);
+}
+
 TEST(Options, JoinsTheNameOfASection)
 {
   EXPECT_EQ(read({"--describe"}).section, "");

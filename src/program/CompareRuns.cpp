@@ -1,0 +1,334 @@
+#include "program/CompareRuns.hpp"
+
+#include "base/Numbers.hpp"
+#include "base/ShortNumber.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+namespace Rhegma::program
+{
+
+namespace
+{
+
+using nlohmann::json;
+
+constexpr double noNumber = std::numeric_limits<double>::quiet_NaN();
+
+/// Change of an answer that counts as resolved.
+constexpr double resolvedChange = 0.05;
+
+/// A stress intensity below this fraction of the largest of its front is as good as zero.
+constexpr double smallIntensity = 0.02;
+
+/// No extrapolation from a larger change: cells are too large for an order to hold.
+constexpr double largestExtrapolated = 0.25;
+
+double number(const json& object, const char* name)
+{
+  const auto at = object.find(name);
+  return at != object.end() && at->is_number() ? at->get<double>() : noNumber;
+}
+
+std::string cellsText(double cells) { return formatShort(cells) + (cells == 1.0 ? " cell" : " cells"); }
+
+/// Collects answers of both runs.
+class Comparison
+{
+public:
+  explicit Comparison(double cell) : cell_(cell) {}
+
+  /// \param order of the error in the size of the cells; 0: not smooth, so not extrapolated
+  void value(const std::string& name, const std::string& unit, double asIs, double half, int order)
+  {
+    if (std::isnan(asIs) && std::isnan(half))
+      return;
+    json answer = {{"name", name}, {"unit", unit}, {"as_is", asIs}, {"half", half}};
+    if (std::isnan(asIs) || std::isnan(half))
+      return add(answer, false, std::isnan(asIs) ? "none in the scene as it is" : "none with half the cells");
+    const double scale = std::max(std::fabs(half), std::numeric_limits<double>::min());
+    const double change = asIs == half ? 0.0 : (half - asIs) / scale;
+    answer["change"] = change;
+    if (order > 0 && std::fabs(change) <= largestExtrapolated)
+    {
+      answer["order"] = order;
+      answer["extrapolated"] = half + (half - asIs) / (std::pow(2.0, order) - 1.0);
+    }
+    add(answer, std::fabs(change) <= resolvedChange, "moves by " + formatShort(100.0 * change) + " %");
+  }
+
+  /// \param distance [m]
+  void distance(const std::string& name, double distance)
+  {
+    if (std::isnan(distance))
+      return;
+    const double cells = distance / cell_;
+    add({{"name", name}, {"unit", "m"}, {"distance", distance}, {"cells", cells}}, cells <= 1.0,
+        "differs by " + cellsText(cells));
+  }
+
+  void word(const std::string& name, const std::string& asIs, const std::string& half)
+  {
+    add({{"name", name}, {"unit", ""}, {"as_is", asIs}, {"half", half}}, asIs == half,
+        asIs == half ? "the same" : "differs");
+  }
+
+  json result() const
+  {
+    std::string open;
+    for (const json& answer : answers_)
+      if (!answer["resolved"])
+        open += (open.empty() ? "" : "; ") + answer["name"].get<std::string>() + ": " +
+                answer["verdict"].get<std::string>();
+    const bool resolved = open.empty() && !answers_.empty();
+    const std::string verdict = answers_.empty()
+                                    ? "nothing to compare: the scene has no crack, temperature or "
+                                      "Reference"
+                                : resolved ? "resolved: no answer moves by more than 5 %, no path or "
+                                             "position by more than a cell"
+                                           : "not resolved; use smaller cells";
+    return {
+        {"answers", answers_}, {"resolved", resolved}, {"open", open}, {"verdict", verdict}, {"cell", cell_}};
+  }
+
+private:
+  void add(json answer, bool resolved, const std::string& what)
+  {
+    answer["resolved"] = resolved;
+    answer["verdict"] = what + (resolved ? ": resolved" : ": not resolved");
+    answers_.push_back(std::move(answer));
+  }
+
+  double cell_; ///< smallest of the scene as it is [m]
+  json answers_ = json::array();
+};
+
+using Point = std::vector<double>;
+
+Point position(const json& front)
+{
+  const auto at = front.find("position");
+  return at != front.end() && at->is_array() && !at->empty() && at->front().is_number() ? at->get<Point>()
+                                                                                        : Point();
+}
+
+double between(const Point& a, const Point& b)
+{
+  double sum = a.size() == b.size() && !a.empty() ? 0.0 : noNumber;
+  for (std::size_t d = 0; d < std::min(a.size(), b.size()); ++d)
+    sum += (a[d] - b[d]) * (a[d] - b[d]);
+  return std::sqrt(sum);
+}
+
+/// From a point to a segment.
+double toSegment(const Point& x, const Point& a, const Point& b)
+{
+  double along = 0.0, length = 0.0;
+  for (std::size_t d = 0; d < x.size(); ++d)
+  {
+    along += (x[d] - a[d]) * (b[d] - a[d]);
+    length += (b[d] - a[d]) * (b[d] - a[d]);
+  }
+  const double share = length > 0.0 ? std::clamp(along / length, 0.0, 1.0) : 0.0;
+  Point nearest(x.size());
+  for (std::size_t d = 0; d < x.size(); ++d)
+    nearest[d] = a[d] + share * (b[d] - a[d]);
+  return between(x, nearest);
+}
+
+std::vector<Point> pathOf(const HistoryColumns& history, const std::string& front)
+{
+  std::vector<Point> path;
+  for (const char* axis : {".x", ".y", ".z"})
+  {
+    const auto column = history.find(front + axis);
+    if (column == history.end())
+      continue;
+    path.resize(column->second.size());
+    for (std::size_t k = 0; k < path.size(); ++k)
+      path[k].push_back(column->second[k]);
+  }
+  return path;
+}
+
+/// Largest distance of a point of the shorter path from the longer one: what lies beyond the shorter one's
+/// end is a matter of how far the front came, not of where it went.
+double betweenPaths(std::vector<Point> one, std::vector<Point> other)
+{
+  const auto length = [](const std::vector<Point>& path)
+  {
+    double sum = 0.0;
+    for (std::size_t k = 1; k < path.size(); ++k)
+      sum += between(path[k - 1], path[k]);
+    return sum;
+  };
+  if (one.size() < 2 || other.size() < 2)
+    return noNumber;
+  if (length(one) > length(other))
+    std::swap(one, other);
+  double most = 0.0;
+  for (const Point& x : one)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 1; k < other.size(); ++k)
+      least = std::min(least, toSegment(x, other[k - 1], other[k]));
+    most = std::max(most, least);
+  }
+  return most;
+}
+
+std::string endOf(const json& front)
+{
+  if (front.value("ended", false))
+    return "ended";
+  if (front.value("stopped", false))
+    return "stopped";
+  if (!std::isfinite(number(front, "initiated")))
+    return "at rest";
+  return front.value("running", false) ? "running" : "arrested";
+}
+
+void compareAtRest(Comparison& comparison, const std::string& name, const json& asIs, const json& half)
+{
+  // A front among nodes acts as if the crack ended up to a quarter of a cell earlier: an error of the first
+  // order (docs/accuracy-and-cost.md).
+  for (const char* release : {"G_J", "G_closure"})
+    comparison.value(std::string(release) + " of " + name, "J/m2", number(asIs, release),
+                     number(half, release), 1);
+  double largest = 0.0;
+  for (const char* mode : {"K_I", "K_II", "K_III"})
+    for (const json* front : {&asIs, &half})
+      if (const double k = std::fabs(number(*front, mode)); k > largest)
+        largest = k;
+  for (const char* mode : {"K_I", "K_II", "K_III"})
+  {
+    const double one = number(asIs, mode), other = number(half, mode);
+    if (!(std::max(std::fabs(one), std::fabs(other)) < smallIntensity * largest))
+      comparison.value(std::string(mode) + " of " + name, "Pa sqrt(m)", one, other, 1);
+  }
+}
+
+void compareFront(Comparison& comparison, const std::string& name, const json& asIs, const json& half,
+                  const RunResults& first, const RunResults& second)
+{
+  const std::string endAsIs = endOf(asIs), endHalf = endOf(half);
+  comparison.word("end of " + name, endAsIs, endHalf);
+  if (endAsIs == "at rest" && endHalf == "at rest")
+    return compareAtRest(comparison, name, asIs, half);
+  comparison.value("initiation of " + name, "s", number(asIs, "initiated"), number(half, "initiated"), 0);
+  comparison.value("speed of " + name, "m/s", number(asIs, "settled_speed"), number(half, "settled_speed"),
+                   0);
+  comparison.value("G of " + name + " while it runs", "J/m2", number(asIs, "settled_release"),
+                   number(half, "settled_release"), 0);
+  comparison.distance("path of " + name,
+                      betweenPaths(pathOf(first.history, name), pathOf(second.history, name)));
+  comparison.distance("last position of " + name, between(position(asIs), position(half)));
+}
+
+void compareTemperatures(Comparison& comparison, const json& asIs, const json& half)
+{
+  if (!asIs.contains("temperature") || !half.contains("temperature"))
+    return;
+  // Sources are resolved to the second order (docs/accuracy-and-cost.md).
+  comparison.value("peak rise of temperature", "K", number(asIs["temperature"], "peak_rise"),
+                   number(half["temperature"], "peak_rise"), 2);
+}
+
+void compareReferences(Comparison& comparison, const json& asIs, const json& half)
+{
+  const json none = json::array();
+  const json& one = asIs.contains("references") ? asIs["references"] : none;
+  const json& other = half.contains("references") ? half["references"] : none;
+  for (std::size_t k = 0; k < std::min(one.size(), other.size()); ++k)
+    // Of a reference of zero, such as an energy that should not be lost, only its tolerance can be judged.
+    if (number(one[k], "reference") != 0.0)
+      comparison.value("Reference > " + one[k].value("name", ""), "", number(one[k], "value"),
+                       number(other[k], "value"), 0);
+}
+
+std::string cellText(const json& value)
+{
+  if (value.is_number())
+    return formatShort(value.get<double>());
+  return value.is_string() ? value.get<std::string>() : "-";
+}
+
+} // namespace
+
+HistoryColumns readHistory(const std::string& path)
+{
+  std::ifstream file(path);
+  std::string line;
+  std::getline(file, line);
+  std::vector<std::string> names;
+  std::istringstream head(line);
+  for (std::string name; std::getline(head, name, ',');)
+    names.push_back(name);
+  HistoryColumns columns;
+  while (std::getline(file, line))
+  {
+    std::istringstream row(line);
+    std::string text;
+    for (std::size_t k = 0; k < names.size() && std::getline(row, text, ','); ++k)
+      columns[names[k]].push_back(parseReal(text).value_or(noNumber));
+  }
+  return columns;
+}
+
+nlohmann::json compareRuns(const RunResults& asIs, const RunResults& half)
+{
+  Comparison comparison(asIs.summary.contains("cells") ? number(asIs.summary["cells"], "smallest")
+                                                       : noNumber);
+  const json none = json::array();
+  const json& cracks = asIs.summary.contains("cracks") ? asIs.summary["cracks"] : none;
+  const json& others = half.summary.contains("cracks") ? half.summary["cracks"] : none;
+  if (cracks.size() != others.size())
+    comparison.word("number of cracks", std::to_string(cracks.size()), std::to_string(others.size()));
+  for (std::size_t c = 0; c < std::min(cracks.size(), others.size()); ++c)
+  {
+    const json& fronts = cracks[c].contains("fronts") ? cracks[c]["fronts"] : none;
+    const json& theirs = others[c].contains("fronts") ? others[c]["fronts"] : none;
+    const std::string crack = cracks[c].value("name", "");
+    if (fronts.size() != theirs.size())
+      comparison.word("fronts of " + crack, std::to_string(fronts.size()), std::to_string(theirs.size()));
+    for (std::size_t f = 0; f < std::min(fronts.size(), theirs.size()); ++f)
+      if (fronts[f].is_object() && theirs[f].is_object())
+        compareFront(comparison, crack + "." + std::to_string(f), fronts[f], theirs[f], asIs, half);
+  }
+  compareTemperatures(comparison, asIs.summary, half.summary);
+  compareReferences(comparison, asIs.summary, half.summary);
+  return comparison.result();
+}
+
+std::string comparisonAsText(const nlohmann::json& comparison)
+{
+  std::ostringstream text;
+  char line[256];
+  std::snprintf(line, sizeof line, "%-34s %12s %12s %12s  %s\n", "", "as it is", "half", "extrapolated", "");
+  text << line;
+  for (const json& answer : comparison.at("answers"))
+  {
+    const std::string unit = answer.at("unit");
+    const std::string name = answer.at("name").get<std::string>() +
+                             (unit.empty() || answer.contains("cells") ? "" : " [" + unit + "]");
+    const json empty;
+    const auto of = [&](const char* key) { return cellText(answer.contains(key) ? answer[key] : empty); };
+    std::snprintf(line, sizeof line, "%-34s %12s %12s %12s  ", name.c_str(), of("as_is").c_str(),
+                  of("half").c_str(), of("extrapolated").c_str());
+    text << line << answer.at("verdict").get<std::string>()
+         << (answer.contains("order") ? " (order " + std::to_string(answer["order"].get<int>()) + " assumed)"
+                                      : "")
+         << "\n";
+  }
+  const std::string open = comparison.at("open");
+  text << "Verdict: " << (open.empty() ? "" : open + ". ") << comparison.at("verdict").get<std::string>()
+       << "\n";
+  return text.str();
+}
+
+} // namespace Rhegma::program

@@ -1,0 +1,188 @@
+#include "program/Forecast.hpp"
+
+#include "base/RunError.hpp"
+#include "plan/EffectSchema.hpp"
+#include "program/Intervals.hpp"
+#include "program/RateCache.hpp"
+#include "scene/Scene.hpp"
+
+#include <Kokkos_Core.hpp>
+#include <Teuchos_DefaultMpiComm.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <new>
+#include <stdexcept>
+
+namespace Rhegma::program
+{
+
+namespace
+{
+
+/// Time of the processor that measuring the rates may take [s].
+constexpr double measuringSeconds = 1.0;
+
+/// What copies of the state for a restart take of a run (Checkpoints).
+constexpr double copies = 1.02;
+
+/// Where a machine is this busy, who reads a forecast should know.
+constexpr double busyMachine = 1.3;
+
+/// By when damping has an amplitude fall to Settled Drift; of a mode that oscillates, as those that are
+/// damped best do [s]. Infinite without damping of mass.
+double timeToRest(const Teuchos::ParameterList& damping)
+{
+  return -2.0 * std::log(std::min(1.0, damping.get<double>("Settled Drift"))) /
+         damping.get<double>("Mass Rate");
+}
+
+std::string seconds(double value)
+{
+  char text[48];
+  const long all = std::lround(value);
+  if (value < 9.95)
+    std::snprintf(text, sizeof text, "%.2g s", value);
+  else if (all < 60)
+    std::snprintf(text, sizeof text, "%ld s", all);
+  else if (all < 3600)
+    std::snprintf(text, sizeof text, "%ld min %02ld s", all / 60, all % 60);
+  else
+    std::snprintf(text, sizeof text, "%.3g h", value / 3600.0);
+  return text;
+}
+
+std::string size(double bytes)
+{
+  char text[48];
+  if (bytes < 1e9)
+    std::snprintf(text, sizeof text, "%.3g MB", std::ceil(1e-5 * bytes) / 10.0);
+  else
+    std::snprintf(text, sizeof text, "%.3g GB", 1e-9 * bytes);
+  return text;
+}
+
+std::string cost(const Forecast& forecast)
+{
+  if (forecast.secondsToRest > 0.0)
+    return seconds(forecast.secondsToRest) + " to rest by Damping, at most " + seconds(forecast.seconds);
+  return seconds(forecast.seconds);
+}
+
+} // namespace
+
+Forecast forecastOf(const StepRates& rates, const Teuchos::ParameterList& scene, double time)
+{
+  const Teuchos::ParameterList& times = scene.sublist("Time");
+  const double length = times.get<double>("Final Time") - time;
+  const double all = rates.steps + std::ceil(std::max(0.0, length - rates.time) / rates.timeStep);
+  Forecast f;
+  f.rates = rates;
+  f.steps = std::min(all, double(times.get<int>("Maximum Steps")));
+  const double fraction = all > 0.0 ? f.steps / all : 0.0;
+  const double frames = scene.sublist("Output").get<bool>("Fields")
+                            ? std::max(1.0, std::floor(fraction * length / fieldInterval(scene)))
+                            : 0.0;
+  const double samples = std::min(f.steps, fraction * length / historyInterval(scene));
+  const double running = copies * (f.steps * rates.step + samples * rates.sample);
+  f.seconds = rates.setup + running + frames * rates.frame;
+  f.bytes = frames * rates.frameBytes;
+  if (scene.isSublist("Damping") && scene.sublist("Damping").get<bool>("Stop When Settled"))
+  {
+    const double rest = timeToRest(scene.sublist("Damping"));
+    if (rest < fraction * length)
+      f.secondsToRest = rates.setup + running * rest / (fraction * length) + rates.frame;
+  }
+  return f;
+}
+
+Forecast makeForecast(Simulation& simulation, const Teuchos::ParameterList& scene, const Ranks& ranks)
+{
+  const double setup = ranks.max(processorSeconds()), time = simulation.time();
+  const RateCache cache(cacheFolder(), machineIdentity(ranks.size()));
+  std::optional<StepRates> kept = cache.find(scene);
+  if (ranks.max(kept && kept->particles == simulation.particles() ? 0.0 : 1.0) > 0.0)
+    kept.reset(); // on all ranks, or on none
+  StepRates rates = kept ? *kept : measureRates(simulation, scene, ranks, measuringSeconds);
+  if (!kept)
+  {
+    rates.setup = setup;
+    if (ranks.rank() == 0)
+      cache.keep(scene, rates);
+  }
+  Forecast forecast = forecastOf(rates, scene, time);
+  forecast.kept = kept.has_value();
+  return forecast;
+}
+
+std::string asText(const Forecast& forecast)
+{
+  const StepRates& rates = forecast.rates;
+  if (!rates.failure.empty())
+    return "Forecast: none, for in the first steps " + rates.failure;
+  char step[32];
+  std::snprintf(step, sizeof step, "%.3g ms", 1e3 * rates.step);
+  std::string text = "Forecast: " + cost(forecast) + " (" + step + " a step, " +
+                     Kokkos::DefaultExecutionSpace::name() + ", " +
+                     std::to_string(Kokkos::DefaultExecutionSpace().concurrency()) +
+                     (Kokkos::DefaultExecutionSpace().concurrency() == 1 ? " thread), " : " threads), ") +
+                     size(rates.memory) + " of memory";
+  if (forecast.bytes > 0.0)
+    text += ", " + size(forecast.bytes) + " of fields";
+  if (forecast.kept)
+    return text + "; rates kept from an earlier measurement";
+  text += "; by its first " + std::to_string(rates.steps) + (rates.steps == 1 ? " step" : " steps");
+  char busy[96] = "";
+  if (rates.busy > busyMachine)
+    std::snprintf(busy, sizeof busy, "; %.1f times as long while the machine is as busy as now", rates.busy);
+  return text + busy;
+}
+
+std::string costOfAccuracy(const Options& options, const Teuchos::ParameterList& scene, const Ranks& ranks,
+                           const Forecast* own)
+{
+  const Teuchos::ParameterList& domain = scene.sublist("Domain");
+  if (!domain.isType<std::string>("Accuracy"))
+    return {};
+  const std::string chosen = domain.get<std::string>("Accuracy");
+  const auto world = Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD));
+  std::string text;
+  for (const std::string& name : {chosen, std::string("3 %"), std::string("10 %")})
+    try
+    {
+      if (!text.empty() && name == chosen)
+        continue;
+      Options other = options;
+      other.overrides.push_back("Domain:Accuracy=" + name);
+      const SceneResult result = readScene(other.scene, other.overrides, effectSchema());
+      if (!result.errors.empty())
+        continue;
+      Forecast forecast;
+      int particles = 0;
+      if (name == chosen && own != nullptr)
+      {
+        forecast = *own;
+        particles = own->rates.particles;
+      }
+      else
+      {
+        Simulation simulation(world, result.list);
+        simulation.initialize();
+        particles = simulation.particles();
+        forecast = makeForecast(simulation, *result.list, ranks);
+      }
+      if (forecast.rates.failure.empty())
+        text += (name == chosen ? "Accuracy " + name + ": " : "  with " + name + ": ") +
+                std::to_string(particles) + " particles, " + cost(forecast) + "\n";
+    }
+    catch (const std::invalid_argument&)
+    {
+    }
+    catch (const std::bad_alloc&)
+    {
+    }
+  return text;
+}
+
+} // namespace Rhegma::program

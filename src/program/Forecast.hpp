@@ -1,0 +1,43 @@
+#pragma once
+/// What a scene will cost on this machine, before it runs.
+
+#include "Simulation.hpp"
+#include "parallel/Ranks.hpp"
+#include "program/Options.hpp"
+#include "program/StepRates.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+#include <Teuchos_RCP.hpp>
+
+#include <string>
+
+namespace Rhegma::program
+{
+
+struct Forecast
+{
+  StepRates rates;
+  bool kept = false;          ///< rates are those of an earlier measurement
+  double steps = 0.0;         ///< to the end
+  double seconds = 0.0;       ///< to the end, on a machine without other work [s]
+  double secondsToRest = 0.0; ///< to where damping has the run settle and end; 0: it does not [s]
+  double bytes = 0.0;         ///< of files
+};
+
+/// Cost of a run from the rates of its steps. \param time reached so far [s]
+Forecast forecastOf(const StepRates& rates, const Teuchos::ParameterList& scene, double time);
+
+/// Measures the rates on the simulation's own steps, or takes those that are kept for this scene and this
+/// machine. Collective. \param simulation made for this alone: it is advanced \param scene validated
+Forecast makeForecast(Simulation& simulation, const Teuchos::ParameterList& scene, const Ranks& ranks);
+
+/// One line, without its end.
+std::string asText(const Forecast& forecast);
+
+/// For a scene that leaves its cells to Domain > Accuracy: what it costs, and what 3 % and 10 % would; a line
+/// each. Empty where it does not, or where the cost can't be found. Collective.
+/// \param scene validated \param own forecast of the scene as it is, or null: it is made
+std::string costOfAccuracy(const Options& options, const Teuchos::ParameterList& scene, const Ranks& ranks,
+                           const Forecast* own);
+
+} // namespace Rhegma::program

@@ -1,0 +1,236 @@
+#include "program/StepRates.hpp"
+
+#include "base/OutputError.hpp"
+#include "output/Summary.hpp"
+#include "parallel/FirstRank.hpp"
+#include "program/Intervals.hpp"
+
+#include <Kokkos_Core.hpp>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <filesystem>
+#include <numeric>
+#include <stdlib.h>
+#include <type_traits>
+#include <vector>
+
+namespace Rhegma::program
+{
+
+namespace
+{
+
+double wallSeconds()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// A folder of its own for one snapshot, removed with all that is in it.
+class ScratchFolder
+{
+public:
+  explicit ScratchFolder(const Ranks& ranks)
+  {
+    std::error_code none;
+    std::string pattern = (std::filesystem::temp_directory_path(none) / "rhegma-XXXXXX").string();
+    if (ranks.rank() == 0 && mkdtemp(pattern.data()) != nullptr)
+      path_ = pattern;
+    path_ = ranks.firstText(path_);
+  }
+  ~ScratchFolder()
+  {
+    std::error_code none;
+    if (!path_.empty())
+      std::filesystem::remove_all(path_, none);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+  /// Empty where none can be made.
+  const std::string& path() const { return path_; }
+
+  double bytes() const
+  {
+    double sum = 0.0;
+    std::error_code none;
+    for (const auto& file : std::filesystem::directory_iterator(path_, none))
+      sum += static_cast<double>(file.file_size(none));
+    return sum;
+  }
+
+private:
+  std::string path_;
+};
+
+/// Time since it was made. A busy machine may take some times that of the processor by the clock.
+class Budget
+{
+public:
+  explicit Budget(const Ranks& ranks) : ranks_(ranks) {}
+  /// \param share of the processor time \return whether less is spent, and not much more by the clock
+  bool less(double share) const
+  {
+    const double spent = std::max(processorSeconds() - processor_, 0.25 * (wallSeconds() - wall_));
+    return ranks_.max(spent) < share;
+  }
+
+private:
+  const Ranks& ranks_;
+  double wall_ = wallSeconds(), processor_ = processorSeconds();
+};
+
+class Measurement
+{
+public:
+  Measurement(Simulation& simulation, const Teuchos::ParameterList& scene, const Ranks& ranks)
+      : simulation_(simulation), finalTime_(scene.sublist("Time").get<double>("Final Time")), ranks_(ranks)
+  {
+  }
+
+  /// \param seconds of the processor
+  void steps(double seconds, StepRates& rates)
+  {
+    const Budget budget(ranks_);
+    std::vector<Mark> marks{mark()};
+    long batch = 1;
+    // What is left is for samples.
+    while (!over() && simulation_.time() < 0.97 * finalTime_ && budget.less(seconds))
+    {
+      const Budget ofBatch(ranks_);
+      advance(batch);
+      marks.push_back(mark());
+      if (ofBatch.less(0.02 * seconds))
+        batch *= 2;
+    }
+    // The second half counts: at first memory is taken, and cells and loads are not yet as they will be.
+    const Mark& last = marks.back();
+    const long half = (marks.front().step + last.step) / 2;
+    const auto isLate = [&](const Mark& m) { return m.step >= half; };
+    const Mark& first =
+        marks.size() < 3 ? marks.front() : *std::find_if(marks.begin(), marks.end() - 2, isLate);
+    const double measured = static_cast<double>(std::max(1L, last.step - first.step));
+    const double spent = last.processor - first.processor;
+    rates.step = ranks_.max(spent) / measured;
+    rates.timeStep =
+        last.step > first.step ? (last.time - first.time) / measured : simulation_.stableTimeStep();
+    rates.busy = ranks_.max(spent > 0.0 ? std::max(1.0, (last.wall - first.wall) / spent) : 1.0);
+  }
+
+  void samples(double seconds, StepRates& rates)
+  {
+    if (over())
+      return;
+    simulation_.sampleEvery(finalTime_, [](double, const Simulation::Row&) {});
+    const Budget budget(ranks_);
+    double processor = processorSeconds();
+    int taken = 0;
+    while (!over() && taken < 8 && (taken == 0 || budget.less(seconds)))
+    {
+      advance(1);
+      // As with steps, the first one is not like the others.
+      if (taken++ == 0 && budget.less(0.25 * seconds) && !over())
+      {
+        processor = processorSeconds();
+        advance(1);
+      }
+    }
+    rates.sample = std::max(0.0, ranks_.max(processorSeconds() - processor) / taken - rates.step);
+  }
+
+  void snapshot(StepRates& rates)
+  {
+    const ScratchFolder folder(ranks_);
+    if (folder.path().empty())
+      return;
+    const double processor = processorSeconds();
+    try
+    {
+      simulation_.writeFields(folder.path());
+    }
+    catch (const OutputError&)
+    {
+      return; // a run would say so
+    }
+    rates.frame = ranks_.max(processorSeconds() - processor);
+    rates.frameBytes = ranks_.max(folder.bytes());
+  }
+
+private:
+  /// Where the simulation is, and when.
+  struct Mark
+  {
+    long step;
+    double time, processor, wall;
+  };
+  Mark mark() const { return {simulation_.steps(), simulation_.time(), processorSeconds(), wallSeconds()}; }
+  bool over() const { return simulation_.time() >= finalTime_ || simulation_.ended(); }
+
+  /// The last of the steps ends a little early: where it would end only rounding decides.
+  void advance(long steps)
+  {
+    const double length = simulation_.stableTimeStep() * (static_cast<double>(steps) - 0.01);
+    simulation_.advance(std::min(finalTime_, simulation_.time() + length));
+  }
+
+  Simulation& simulation_;
+  double finalTime_;
+  Ranks ranks_;
+};
+
+double finestCell(const Simulation& simulation)
+{
+  return simulation.report().at("cells").at("smallest").get<double>();
+}
+
+/// The step to go on with. One that is less than half of the first one, in cells of the same size, is that of
+/// something that passes, such as gas that begins to burn.
+double lastingStep(double first, double measured, bool sameCells)
+{
+  return sameCells && measured < 0.5 * first ? first : measured;
+}
+
+} // namespace
+
+double processorSeconds()
+{
+  if constexpr (!std::is_same_v<Kokkos::DefaultExecutionSpace, Kokkos::DefaultHostExecutionSpace>)
+    return wallSeconds();
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+StepRates measureRates(Simulation& simulation, const Teuchos::ParameterList& scene, const Ranks& ranks,
+                       double seconds)
+{
+  StepRates rates;
+  rates.particles = simulation.particles();
+  const double time = simulation.time();
+  const long steps = simulation.steps();
+  const double firstStep = simulation.stableTimeStep(), finest = finestCell(simulation);
+  try
+  {
+    Measurement measurement(simulation, scene, ranks);
+    measurement.steps(0.7 * seconds, rates);
+    rates.timeStep = lastingStep(firstStep, rates.timeStep, finestCell(simulation) == finest);
+    measurement.samples(0.3 * seconds, rates);
+    // A run keeps a copy of its state.
+    simulation.hold();
+    if (scene.sublist("Output").get<bool>("Fields"))
+      measurement.snapshot(rates);
+  }
+  catch (const RunError& error)
+  {
+    rates.failure = error.what();
+  }
+  rates.steps = static_cast<int>(simulation.steps() - steps);
+  rates.time = simulation.time() - time;
+  const std::vector<double> memory = ranks.gatherOnAll({peakMemoryBytes()});
+  rates.memory = std::accumulate(memory.begin(), memory.end(), 0.0);
+  return rates;
+}
+
+} // namespace Rhegma::program

@@ -1,0 +1,42 @@
+#pragma once
+/// What steps, samples and snapshots of a scene cost on this machine, measured on its own first steps.
+
+#include "Simulation.hpp"
+#include "parallel/Ranks.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+
+#include <string>
+
+namespace Rhegma::program
+{
+
+/// Times are those of the first thread's processor: what they are by the clock where a machine has no other
+/// work.
+struct StepRates
+{
+  double setup = 0.0;      ///< from the program's start to the first step [s]
+  double step = 0.0;       ///< [s]
+  double sample = 0.0;     ///< a row of the history [s]
+  double frame = 0.0;      ///< a snapshot of the fields [s]
+  double frameBytes = 0.0; ///< the size of its files
+  double memory = 0.0;     ///< largest of the program, of all ranks together [bytes]
+  double timeStep = 0.0;   ///< mean of the second half of the steps that were taken [s]
+  double time = 0.0;       ///< simulated by all of them [s]
+  double busy = 1.0;       ///< time by the clock over that of the processor, while it was measured
+  int particles = 0;       ///< that the scene begins with
+  int steps = 0;           ///< that were taken
+  std::string failure;     ///< why the scene could not go on; empty if it could
+};
+
+/// Processor time of this thread since its start [s]; on a device, where the host waits, that of the clock.
+double processorSeconds();
+
+/// Takes the first steps of a simulation that is made for this alone, and some with samples and a snapshot in
+/// a folder that is removed again. Collective. \param scene validated \param seconds of the processor that
+/// this may take, about, and no more than four times as many by the clock; one step, one sample and one
+/// snapshot are taken in any case
+StepRates measureRates(Simulation& simulation, const Teuchos::ParameterList& scene, const Ranks& ranks,
+                       double seconds);
+
+} // namespace Rhegma::program

@@ -1,0 +1,137 @@
+#!/usr/bin/env python3
+"""What --check tells of the cost of a run, the rates that it keeps, and what runs tell of their end. Nothing here is timed."""
+
+import glob
+import json
+import os
+import re
+import sys
+import unittest
+
+sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
+sys.dont_write_bytecode = True
+
+from program import SOURCE, ProgramTest, rhegma  # noqa: E402
+from scenes import plate  # noqa: E402
+
+LINE = re.compile(r"Forecast: (?:([\d.]+) min )?([\d.]+) (s|h)(.*) \(([\d.e+-]+) ms a step, (\w+), (\d+) threads?\), "
+                  r"([\d.]+) (MB|GB) of memory")
+
+
+class Forecast(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.scene = self.write("scene.xml", plate().text())
+
+    def check(self, *more):
+        answer = rhegma(self.scene, "--check", *more, XDG_CACHE_HOME=self.path("cache"))
+        self.assertEqual(answer.status, 0, answer)
+        return answer.output
+
+    def kept(self):
+        files = glob.glob(self.path("cache", "rhegma", "*"))
+        self.assertEqual(len(files), 1, files)
+        return files[0]
+
+    def change(self, change):
+        with open(self.kept(), encoding="utf-8") as file:
+            content = json.load(file)
+        change(content)
+        with open(self.kept(), "w", encoding="utf-8") as file:
+            json.dump(content, file)
+
+    def test_check_tells_the_cost_and_leaves_nothing_next_to_the_scene(self):
+        found = LINE.search(self.check())
+        self.assertTrue(found)
+        self.assertGreater(float(found[5]), 0.0)
+        self.assertGreater(float(found[8]), 1.0)
+        self.assertEqual(sorted(os.listdir(self.folder)), ["cache", "scene.xml"])
+
+    def test_rates_are_kept_and_used(self):
+        first = self.check()
+        self.assertIn("by its first", first)
+        self.assertIn("kept from an earlier measurement", self.check())
+
+        def slower(content):
+            content["scenes"][0]["step"] = 1000.0
+        self.change(slower)
+        found = LINE.search(self.check())
+        self.assertEqual((found[3], float(found[5])), ("h", 1e6))
+        self.assertIn("by its first", self.check("--set", "Time:CFL=0.31"))
+
+    def test_rates_of_another_machine_are_refused(self):
+        self.check()
+
+        def other(content):
+            content["machine"] = "another machine"
+            content["scenes"][0]["step"] = 1000.0
+        self.change(other)
+        self.assertIn("by its first", self.check())
+        with open(self.kept(), encoding="utf-8") as file:
+            self.assertNotIn("another machine", file.read())
+        self.assertIn("kept from an earlier measurement", self.check())
+
+    def test_a_damaged_file_of_rates_is_replaced(self):
+        self.check()
+        with open(self.kept(), "r+", encoding="utf-8") as file:
+            file.truncate(40)
+        self.assertIn("by its first", self.check())
+        self.assertIn("kept from an earlier measurement", self.check())
+
+    def test_a_cache_that_cannot_be_written_is_done_without(self):
+        self.write("file", "")
+        answer = rhegma(self.scene, "--check", XDG_CACHE_HOME=self.path("file"))
+        self.assertEqual((answer.status, answer.messages), (0, ""), answer)
+        self.assertRegex(answer.output, LINE)
+
+    def test_a_quiet_check_measures_nothing(self):
+        answer = rhegma(self.scene, "--check", "--quiet", XDG_CACHE_HOME=self.path("cache"))
+        self.assertEqual((answer.status, answer.messages), (0, ""), answer)
+        self.assertNotIn("Forecast", answer.output)
+        self.assertFalse(os.path.exists(self.path("cache")))
+
+    def test_the_forecast_changes_no_result(self):
+        """A run after a check and one without it have the same history."""
+        histories = []
+        for checked in (True, False):
+            if checked:
+                self.check()
+            self.assertEqual(rhegma(self.scene, "--quiet", "--output", self.path("out")).status, 0)
+            with open(self.path("out", "history.csv"), "rb") as file:
+                histories.append(file.read())
+        self.assertEqual(*histories)
+
+    def test_accuracy_tells_what_it_and_others_cost(self):
+        with open(os.path.join(SOURCE, "xml_inputs", "examples", "dcb.xml"), encoding="utf-8") as file:
+            text = file.read()
+        cell = re.search(r'<Parameter name="Cell Size" type="double" value="[^"]*"/>', text)[0]
+        accurate = '<Parameter name="Accuracy" type="string" value="3 %"/>'
+        self.scene = self.write("scene.xml", text.replace(cell, accurate))
+        told = self.check()
+        own = re.search(r"\nAccuracy 3 %: (\d+) particles, .*\n  with 10 %: (\d+) particles, ", told)
+        self.assertTrue(own, told)
+        self.assertGreater(int(own[1]), int(own[2]))
+        answer = rhegma(self.scene, "--set", "Time:Maximum Steps=2", "--set", "Output:Fields=false",
+                        XDG_CACHE_HOME=self.path("cache"))
+        self.assertTrue(answer.output.startswith("Accuracy 3 %: "), answer)
+
+    def test_a_settled_run_tells_how_far_it_may_still_go(self):
+        scene = os.path.join(SOURCE, "xml_inputs", "examples", "dcb.xml")
+        answer = rhegma(scene, "--output", self.path("out"))
+        self.assertEqual(answer.status, 0, answer)
+        said = re.search(r"settled at t = \S+ [mu]?s: .* may still change by ([\d.e-]+) %", answer.output)
+        self.assertTrue(said, answer)
+        with open(self.path("out", "summary.json"), encoding="utf-8") as file:
+            summary = json.load(file)
+        self.assertAlmostEqual(float(said[1]) / (100.0 * summary["may_still_change"]), 1.0, delta=1e-3)
+        self.assertLess(summary["may_still_change"], 0.01)
+        # What a run with a tenth of the drift changes in addition is less than three times what was told.
+        more = rhegma(scene, "--quiet", "--output", self.path("more"), "--set", "Damping:Settled Drift=1e-6")
+        self.assertEqual(more.status, 0, more)
+        with open(self.path("more", "summary.json"), encoding="utf-8") as file:
+            later = json.load(file)["cracks"][0]["fronts"][0]["G_J"]
+        self.assertLess(abs(summary["cracks"][0]["fronts"][0]["G_J"] / later - 1.0), 3.0 * summary["may_still_change"])
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,141 @@
+/// How far answers move from one run to another, on made-up results.
+
+#include "program/CompareRuns.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <fstream>
+#include <unistd.h>
+
+namespace Rhegma::program
+{
+namespace Test
+{
+
+namespace
+{
+
+using nlohmann::json;
+
+RunResults atRest(double release)
+{
+  RunResults run;
+  run.summary["cells"]["smallest"] = 0.01;
+  json crack = {{"name", "Notch"}, {"length", 0.1}};
+  crack["fronts"].push_back({{"G_J", release}, {"K_I", 2.0}, {"K_II", 1e-6}});
+  run.summary["cracks"].push_back(crack);
+  return run;
+}
+
+/// A front that runs along y = rise * x, and is arrested at x = end.
+RunResults running(double rise, double end)
+{
+  RunResults run = atRest(3.0);
+  json& front = run.summary["cracks"][0]["fronts"][0];
+  front["initiated"] = 1e-5;
+  front["settled_speed"] = 500.0;
+  front["position"] = std::vector<double>{end, rise * end};
+  for (int k = 0; k <= 10; ++k)
+  {
+    run.history["Notch.0.x"].push_back(0.1 * k * end);
+    run.history["Notch.0.y"].push_back(rise * 0.1 * k * end);
+  }
+  return run;
+}
+
+json answer(const json& comparison, const std::string& name)
+{
+  for (const json& one : comparison["answers"])
+    if (one["name"] == name)
+      return one;
+  ADD_FAILURE() << "no " << name << " in " << comparison.dump(1);
+  return {};
+}
+
+} // namespace
+
+/// An error of the first order: 10 + 0.4, 10 + 0.2, so 10. K_II is as good as zero and is not compared.
+TEST(CompareRuns, ExtrapolatesARateAtRest)
+{
+  const json comparison = compareRuns(atRest(10.4), atRest(10.2));
+  const json release = answer(comparison, "G_J of Notch.0");
+  EXPECT_NEAR(release["extrapolated"].get<double>(), 10.0, 1e-12);
+  EXPECT_EQ(release["order"], 1);
+  EXPECT_NEAR(release["change"].get<double>(), -0.2 / 10.2, 1e-12);
+  EXPECT_TRUE(comparison["resolved"].get<bool>());
+  EXPECT_EQ(comparison.dump().find("K_II"), std::string::npos);
+  EXPECT_NE(comparisonAsText(comparison).find("Verdict: resolved"), std::string::npos);
+}
+
+/// A third is too much for an order to hold.
+TEST(CompareRuns, DoesNotExtrapolateFromCellsThatAreTooLarge)
+{
+  const json comparison = compareRuns(atRest(10.0), atRest(15.0));
+  EXPECT_FALSE(answer(comparison, "G_J of Notch.0").contains("extrapolated"));
+  EXPECT_FALSE(comparison["resolved"].get<bool>());
+  EXPECT_NE(comparisonAsText(comparison).find("G_J of Notch.0: moves by 33.33 %: not resolved"),
+            std::string::npos);
+}
+
+/// Over 0.1 m a path that rises by 0.32 of x ends 0.0305 m from the axis's direction, 3.05 cells; the axis
+/// goes on beyond it. Of paths alike only the ends differ.
+TEST(CompareRuns, MeasuresPathsInCells)
+{
+  const json apart = compareRuns(running(0.32, 0.1), running(0.0, 0.2));
+  EXPECT_NEAR(answer(apart, "path of Notch.0")["cells"].get<double>(), 3.2, 1e-9);
+  EXPECT_NE(comparisonAsText(apart).find("path of Notch.0: differs by 3.2 cells: not resolved"),
+            std::string::npos);
+  const json alike = compareRuns(running(0.0, 0.1), running(0.0, 0.2));
+  EXPECT_TRUE(answer(alike, "path of Notch.0")["resolved"].get<bool>());
+  EXPECT_NEAR(answer(alike, "last position of Notch.0")["cells"].get<double>(), 10.0, 1e-9);
+  EXPECT_FALSE(alike["resolved"].get<bool>());
+  EXPECT_FALSE(answer(alike, "speed of Notch.0").contains("extrapolated"));
+}
+
+/// An arrest on one of the meshes and none on the other.
+TEST(CompareRuns, SaysThatEndsDiffer)
+{
+  RunResults other = running(0.0, 0.1);
+  other.summary["cracks"][0]["fronts"][0]["ended"] = true;
+  const json comparison = compareRuns(running(0.0, 0.1), other);
+  EXPECT_EQ(answer(comparison, "end of Notch.0")["as_is"], "arrested");
+  EXPECT_EQ(answer(comparison, "end of Notch.0")["half"], "ended");
+  EXPECT_FALSE(comparison["resolved"].get<bool>());
+}
+
+/// An error of the second order: 100 - 4, 100 - 1.
+TEST(CompareRuns, ExtrapolatesAPeakOfTemperature)
+{
+  RunResults one, other;
+  one.summary["temperature"]["peak_rise"] = 96.0;
+  other.summary["temperature"]["peak_rise"] = 99.0;
+  const json comparison = compareRuns(one, other);
+  EXPECT_NEAR(answer(comparison, "peak rise of temperature")["extrapolated"].get<double>(), 100.0, 1e-12);
+}
+
+/// A front that only one of them has, and runs with nothing to compare.
+TEST(CompareRuns, MissesNothing)
+{
+  RunResults branched = atRest(10.0);
+  branched.summary["cracks"][0]["fronts"].push_back(json::object());
+  EXPECT_FALSE(answer(compareRuns(atRest(10.0), branched), "fronts of Notch")["resolved"].get<bool>());
+  RunResults lost = atRest(10.0);
+  lost.summary["cracks"][0]["fronts"][0]["G_J"] = nullptr;
+  EXPECT_FALSE(answer(compareRuns(atRest(10.0), lost), "G_J of Notch.0")["resolved"].get<bool>());
+  EXPECT_FALSE(compareRuns({}, {})["resolved"].get<bool>());
+}
+
+TEST(CompareRuns, ReadsAHistory)
+{
+  const std::string path = "history_of_test_" + std::to_string(getpid()) + ".csv";
+  std::ofstream(path) << "time,Notch.0.x\n0,1.5\n1,nan\n";
+  const HistoryColumns columns = readHistory(path);
+  std::remove(path.c_str());
+  EXPECT_EQ(columns.at("time"), (std::vector<double>{0.0, 1.0}));
+  EXPECT_EQ(columns.at("Notch.0.x").front(), 1.5);
+  EXPECT_TRUE(readHistory(path).empty());
+}
+
+} // namespace Test
+} // namespace Rhegma::program

@@ -1,0 +1,182 @@
+/// Cost of a run from the rates of its steps, and the rates that are kept.
+
+#include "program/Forecast.hpp"
+#include "program/RateCache.hpp"
+#include "program/Twice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <unistd.h>
+
+namespace Rhegma::program
+{
+namespace Test
+{
+
+namespace
+{
+
+Teuchos::ParameterList scene()
+{
+  Teuchos::ParameterList list;
+  list.sublist("Domain").set("Cell Size", 0.5).set("Accuracy", std::string("3 %"));
+  list.sublist("Time").set("Final Time", 1.0).set("Maximum Steps", 2000000000);
+  list.sublist("Output").set("Fields", true).set("History Interval", 0.1).set("Field Interval", 0.25);
+  return list;
+}
+
+/// Ten steps of 1 ms, for which 0.1 s are simulated.
+StepRates rates()
+{
+  StepRates r;
+  r.setup = 0.5;
+  r.step = 1e-3;
+  r.sample = 2e-3;
+  r.frame = 5e-3;
+  r.frameBytes = 1000.0;
+  r.memory = 1e8;
+  r.timeStep = 0.01;
+  r.time = 0.1;
+  r.particles = 64;
+  r.steps = 10;
+  return r;
+}
+
+class Folder
+{
+public:
+  Folder() : path_("rates_of_test_" + std::to_string(getpid())) {}
+  ~Folder()
+  {
+    std::error_code none;
+    std::filesystem::remove_all(path_, none);
+  }
+  const std::string& path() const { return path_; }
+
+private:
+  std::string path_;
+};
+
+std::string textOf(const std::string& path)
+{
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+} // namespace
+
+/// 100 steps of 1 ms, 10 samples of 2 ms and 4 snapshots of 5 ms; copies of the state take 2 % of the steps.
+TEST(Forecast, AddsWhatStepsSamplesAndSnapshotsCost)
+{
+  const Forecast f = forecastOf(rates(), scene(), 0.0);
+  EXPECT_NEAR(f.steps, 100.0, 1.0);
+  EXPECT_NEAR(f.seconds, 0.5 + 1.02 * (0.1 + 0.02) + 0.02, 2e-3);
+  EXPECT_EQ(f.bytes, 4000.0);
+  EXPECT_EQ(f.secondsToRest, 0.0);
+}
+
+TEST(Forecast, EndsAtMaximumSteps)
+{
+  Teuchos::ParameterList few = scene();
+  few.sublist("Time").set("Maximum Steps", 50);
+  const Forecast f = forecastOf(rates(), few, 0.0);
+  EXPECT_EQ(f.steps, 50.0);
+  EXPECT_NEAR(f.seconds, 0.5 + 1.02 * (0.05 + 0.01) + 0.01, 2e-3);
+}
+
+/// A run that goes on at half of its time has half of its steps before it.
+TEST(Forecast, OfARunThatGoesOn) { EXPECT_NEAR(forecastOf(rates(), scene(), 0.5).steps, 50.0, 1.0); }
+
+/// exp(-40 t / 2) is 1e-4 at 0.4605 s.
+TEST(Forecast, ToWhereDampingHasItSettle)
+{
+  Teuchos::ParameterList damped = scene();
+  damped.sublist("Damping").set("Stop When Settled", true).set("Mass Rate", 40.0).set("Settled Drift", 1e-4);
+  const Forecast f = forecastOf(rates(), damped, 0.0);
+  EXPECT_NEAR(f.secondsToRest, 0.5 + 0.4605 * 1.02 * 0.12 + 0.005, 2e-3);
+  EXPECT_LT(f.secondsToRest, f.seconds);
+  damped.sublist("Damping").set("Mass Rate", 0.0);
+  EXPECT_EQ(forecastOf(rates(), damped, 0.0).secondsToRest, 0.0);
+}
+
+TEST(Forecast, SaysWhatItIsOf)
+{
+  const std::string text = asText(forecastOf(rates(), scene(), 0.0));
+  for (const char* part : {"0.64 s", "1 ms a step", "100 MB of memory", "by its first 10 steps"})
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+}
+
+TEST(RateCache, KeepsRatesOfAScene)
+{
+  const Folder folder;
+  const RateCache cache(folder.path(), "this machine");
+  EXPECT_FALSE(cache.find(scene()));
+  cache.keep(scene(), rates());
+  const auto found = cache.find(scene());
+  ASSERT_TRUE(found);
+  EXPECT_EQ(found->step, 1e-3);
+  EXPECT_EQ(found->timeStep, 0.01);
+  EXPECT_EQ(found->particles, 64);
+  Teuchos::ParameterList other = scene();
+  other.sublist("Domain").set("Cell Size", 0.25);
+  EXPECT_FALSE(cache.find(other));
+  StepRates slower = rates();
+  slower.step = 2e-3;
+  cache.keep(other, slower);
+  EXPECT_EQ(cache.find(scene())->step, 1e-3);
+  EXPECT_EQ(cache.find(other)->step, 2e-3);
+}
+
+/// The file of another machine, under whatever name, and one that is damaged.
+TEST(RateCache, RefusesOthersFiles)
+{
+  const Folder folder;
+  const RateCache mine(folder.path(), "this machine"), other(folder.path(), "another machine");
+  mine.keep(scene(), rates());
+  EXPECT_FALSE(other.find(scene()));
+  std::filesystem::copy_file(mine.path(), other.path());
+  EXPECT_FALSE(other.find(scene()));
+  other.keep(scene(), rates());
+  EXPECT_TRUE(other.find(scene()));
+  std::ofstream(mine.path()) << textOf(other.path()).substr(0, 100);
+  EXPECT_FALSE(mine.find(scene()));
+  std::ofstream(mine.path()) << R"({"machine": "this machine", "scenes": [{"scene": 3}]})";
+  EXPECT_FALSE(mine.find(scene()));
+}
+
+/// Nothing is kept of a scene that fails, nor where there is no folder.
+TEST(RateCache, KeepsNothingOfAFailure)
+{
+  const Folder folder;
+  const RateCache cache(folder.path(), "this machine");
+  StepRates failed = rates();
+  failed.failure = "the body left the domain";
+  cache.keep(scene(), failed);
+  EXPECT_FALSE(std::filesystem::exists(cache.path()));
+  const RateCache nowhere("", "this machine");
+  nowhere.keep(scene(), rates());
+  EXPECT_FALSE(nowhere.find(scene()));
+}
+
+TEST(Twice, HalvesCellsAndKeepsWhatAccuracyChose)
+{
+  Teuchos::ParameterList list = scene();
+  list.sublist("Time").set("Maximum Steps", 30);
+  halveCells(list);
+  EXPECT_EQ(list.sublist("Domain").get<double>("Cell Size"), 0.25);
+  EXPECT_FALSE(list.sublist("Domain").isParameter("Accuracy"));
+  EXPECT_EQ(list.sublist("Time").get<int>("Maximum Steps"), 60);
+  list.sublist("Time").set("Maximum Steps", 2000000000);
+  halveCells(list);
+  EXPECT_EQ(list.sublist("Time").get<int>("Maximum Steps"), 2000000000);
+}
+
+} // namespace Test
+} // namespace Rhegma::program
