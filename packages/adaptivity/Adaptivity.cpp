@@ -140,7 +140,7 @@ Section section()
            "it can't be combined with Contact > Law = Visibility; choose another contact law");
   s.refuse({when::given("Adaptivity", "Temperature Change"), when::unprovided(capability::heat)},
            "the scene has no temperature; add the section Thermal or leave this parameter out");
-  s.refuse({when::satisfies("Adaptivity", "without Velocity Change, Temperature Change and boxes",
+  s.refuse({when::satisfies("Adaptivity", "without Velocity Change, Temperature Change or a box",
                             [](const Teuchos::ParameterList& list)
                             { return !refinesByItself(list) && refinesAtFronts(list); }),
             when::absent("Cracks")},

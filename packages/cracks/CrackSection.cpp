@@ -73,7 +73,7 @@ Section crackSection()
   crack.realArray("Points")
       .unit("m")
       .perPoint(2)
-      .optional("in 3D Radius or Surface File")
+      .optional("absent (in 3D Radius or Surface File may replace it)")
       .meaning("2D: points of a polyline. 3D: at least three corners of a plane polygon, convex or not, in "
                "order around it. Parts outside the bodies are cut off.");
   crack.realArray("Centre").unit("m").perAxis().optional().onlyIn(3).meaning(
@@ -83,7 +83,7 @@ Section crackSection()
   crack.real("Radius")
       .unit("m")
       .positive()
-      .optional("Points or Surface File")
+      .optional("absent (Points or Surface File may replace it)")
       .onlyIn(3)
       .meaning("Radius of the disk, or one semi-axis of an ellipse.");
   crack.real("Second Radius")
@@ -99,7 +99,7 @@ Section crackSection()
       .meaning("Direction of Radius. Its component normal to the crack plane is ignored.");
   crack.text("Surface File")
       .notEmpty()
-      .optional("Points or Radius")
+      .optional("absent (Points or Radius may replace it)")
       .onlyIn(3)
       .meaning("Path (relative to the scene) of an STL or OBJ file with the crack as a triangulated surface "
                "in metres. Its edges inside material are crack fronts.");

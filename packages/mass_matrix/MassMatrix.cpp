@@ -105,7 +105,8 @@ Section section()
   s.variant(full);
   Section partial("Partial", "Consistent mass around crack fronts, lumped mass elsewhere.");
   partial.real("Radius").unit("m").positive().optional("3 cells").meaning(
-      "The mass is consistent up to this distance from a front. The default counts cells at the front.");
+      "The mass is consistent up to this distance from a front. The default is 3 times the cell size at the "
+      "front.");
   partial.real("Transition Width")
       .formerly("Edge Width")
       .unit("m")

@@ -19,7 +19,8 @@ Section section()
       "Additional results in summary.json that only few scenes need, such as those that verify a method.");
   Section sides("Side Energy", "Energy on each side of each crack: reflected, transmitted and dissipated.");
   sides.real("Part").above(0.0).atMost(1.0).byDefault(1.0).onlyIn(2).meaning(
-      "Middle part of each crack next to which material counts. 1: the whole body.");
+      "Fraction of the length of each crack, around its middle. Only material next to it is included. 1: the "
+      "whole body.");
   s.subsection(sides);
   Section shape("Front Shape",
                 "Radius, roundness and flatness of fronts that are a circle, or part of one, at the start.");

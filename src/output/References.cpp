@@ -172,7 +172,7 @@ std::string comparison(const nlohmann::json& result)
   const double factor = relative ? 100.0 : 1.0;
   const char* unit = relative ? " %" : "";
   char text[160];
-  std::snprintf(text, sizeof text, " = %.6g, reference %.6g, off by %.3g%s of %.3g%s",
+  std::snprintf(text, sizeof text, " = %.6g, reference %.6g, error %.3g%s, tolerance %.3g%s",
                 result["value"].get<double>(), reference, factor * result["relative_error"].get<double>(),
                 unit, factor * result["tolerance"].get<double>(), unit);
   return start + quantity + text + " (" + result["source"].get<std::string>() + ")\n";

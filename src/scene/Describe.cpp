@@ -188,7 +188,7 @@ protected:
   void paragraph(const std::string& text) override { out << "  " << text << "\n\n"; }
   void rules(const std::vector<Rule>& rules) override
   {
-    out << "  Refused together:\n";
+    out << "  Rejected combinations:\n";
     for (const Rule& rule : rules)
       out << "    " << rule.asText() << ":\n      " << rule.reason << "\n";
     out << "\n";
@@ -324,7 +324,7 @@ protected:
   void paragraph(const std::string& text) override { out << text << "\n\n"; }
   void rules(const std::vector<Rule>& rules) override
   {
-    out << "| Refused together | Why |\n|:--|:--|\n";
+    out << "| Rejected combination | Reason, and what to do |\n|:--|:--|\n";
     for (const Rule& rule : rules)
       out << "| " << cell(rule.asText()) << " | " << cell(rule.reason) << " |\n";
     out << "\n";

@@ -166,6 +166,6 @@ TEST(References, AllMustBeWithin)
   EXPECT_FALSE(addReferences(section, summary));
   EXPECT_EQ(summary["references"].size(), 2u);
   EXPECT_EQ(Rhegma::referencesAsText(summary),
-            "within   energy.kinetic = 2, reference 2, off by 0 % of 1 % (by hand)\n"
-            "OUTSIDE  cracks.1.fronts.0.G_J = 101, reference 1, off by 1e+04 % of 1 % (by hand)\n");
+            "within   energy.kinetic = 2, reference 2, error 0 %, tolerance 1 % (by hand)\n"
+            "OUTSIDE  cracks.1.fronts.0.G_J = 101, reference 1, error 1e+04 %, tolerance 1 % (by hand)\n");
 }
