@@ -1,8 +1,8 @@
 #include "energy_release/LoadsInRing.hpp"
 
 #include "base/Numbers.hpp"
-#include "base/ReadList.hpp"
 #include "base/ShortNumber.hpp"
+#include "plan/BoundaryType.hpp"
 #include "scene/TimeFunction.hpp"
 #include "transfer/LocalSpacing.hpp"
 
@@ -19,6 +19,8 @@ namespace
 bool everActs(const Teuchos::ParameterList& load, double end)
 {
   constexpr int times = 257;
+  if (!load.isParameter("History"))
+    return true;
   const TimeFunction history = TimeFunction::parse(load.get<std::string>("History"));
   for (int k = 0; k < times; ++k)
     if (history(end * k / (times - 1)) != 0.0)
@@ -62,22 +64,17 @@ Reach reachOf(const LoadRegion& load, const Vector<2>& x)
 std::vector<LoadRegion> readLoads(const Teuchos::ParameterList& scene)
 {
   std::vector<LoadRegion> loads;
-  if (!scene.isSublist("Boundaries"))
-    return loads;
-  const Teuchos::ParameterList& boundaries = scene.sublist("Boundaries");
   const double end = scene.sublist("Time").get<double>("Final Time");
-  for (const std::string& name : sublistNames(boundaries))
+  for (const BoundaryRegion& region : boundaryRegions(scene))
   {
-    const Teuchos::ParameterList& one = boundaries.sublist(name);
-    const auto type = one.get<std::string>("Type");
-    if (type == "Point Load" && everActs(one, end))
-      loads.push_back({name, readVector<2>(one, "Point"), readVector<2>(one, "Point")});
-    else if (type == "Line Load" && everActs(one, end))
-      loads.push_back({name, readVector<2>(one, "From"), readVector<2>(one, "To")});
-    else if (type == "Velocity")
-      loads.push_back(
-          {name, readVector<2>(one, "Lower Corner"), readVector<2>(one, "Upper Corner"),
-           one.get<std::string>("Nodes") == "Outside" ? LoadRegion::Kind::Outside : LoadRegion::Kind::Box});
+    LoadRegion load{region.name, {region.from[0], region.from[1]}, {region.to[0], region.to[1]}};
+    if (region.kind == BoundaryRegion::Kind::Held || region.kind == BoundaryRegion::Kind::HeldOutside)
+      load.kind =
+          region.kind == BoundaryRegion::Kind::Held ? LoadRegion::Kind::Box : LoadRegion::Kind::Outside;
+    else if (region.kind != BoundaryRegion::Kind::Force ||
+             !everActs(scene.sublist("Boundaries").sublist(region.name), end))
+      continue;
+    loads.push_back(load);
   }
   return loads;
 }

@@ -35,8 +35,8 @@ struct Reach
 };
 Reach reachOf(const LoadRegion& load, const Vector<2>& x);
 
-/// The Point Loads and Line Loads of a 2D scene whose History is not zero at all of 257 times of the run, and
-/// its supports of type Velocity.
+/// The loads on points and lines of a 2D scene whose History is not zero at all of 257 times of the run, and
+/// its boxes of held nodes (BoundaryType::region).
 std::vector<LoadRegion> readLoads(const Teuchos::ParameterList& scene);
 
 /// Warns, once, of each load that acts in the ring round a front, a cell more on both sides, and of each box

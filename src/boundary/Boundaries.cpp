@@ -1,6 +1,7 @@
 #include "boundary/Boundaries.hpp"
 
 #include "base/Attempts.hpp"
+#include "base/InOrder.hpp"
 #include "base/ReadList.hpp"
 #include "boundary/BoundaryParts.hpp"
 #include "boundary/Contradictions.hpp"
@@ -38,6 +39,34 @@ void watchCells(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstr
                }});
 }
 
+/// The calls of loads.
+template <int D>
+void addLoads(Effect<D>& effect, const Teuchos::ParameterList& scene,
+              const std::shared_ptr<std::vector<Load<D>>>& loads)
+{
+  effect.call({Stage::BeforeSolve,
+               "loads",
+               {quantity::nodalMass},
+               {},
+               {quantity::nodalForce},
+               [loads](State<D>& state)
+               {
+                 for (Load<D>& load : *loads)
+                   load.apply(state);
+               }});
+  effect.call({stageOfFaceVelocity(scene),
+               "work of loads",
+               {projectsLast(scene) ? quantity::projection : quantity::nodalMotion},
+               {},
+               {},
+               [loads](State<D>& state)
+               {
+                 for (const Load<D>& load : *loads)
+                   state.energy.externalWork += load.work(state);
+               }});
+  addLoadForces(effect, loads);
+}
+
 } // namespace
 
 template <int D>
@@ -72,48 +101,25 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene, bool cellsChange)
       watchCells(effect, constraints, finalTime);
   }
   if (!parts.loads.empty())
-  {
-    effect.call({Stage::BeforeSolve,
-                 "loads",
-                 {quantity::nodalMass},
-                 {},
-                 {quantity::nodalForce},
-                 [loads](State<D>& state)
-                 {
-                   for (Load<D>& load : *loads)
-                     load.apply(state);
-                 }});
-    effect.call({stageOfFaceVelocity(scene),
-                 "work of loads",
-                 {projectsLast(scene) ? quantity::projection : quantity::nodalMotion},
-                 {},
-                 {},
-                 [loads](State<D>& state)
-                 {
-                   for (const Load<D>& load : *loads)
-                     state.energy.externalWork += load.work(state);
-                 }});
-    addLoadForces(effect, loads);
-  }
-  effect.atStart = [constraints, loads, finalTime, before = effect.atStart, supports = parts.supports,
-                    placed = parts.loads](State<D>& state)
-  {
-    Attempts attempts;
-    if (before)
-      before(state);
-    for (const auto& read : supports)
-      attempts.attempt([&] { constraints->push_back(read(state)); });
-    attempts.attempt(
-        [&]
-        {
-          const std::string wrong = contradictions(*constraints, state, finalTime);
-          if (!wrong.empty())
-            throw std::invalid_argument(wrong);
-        });
-    for (const auto& read : placed)
-      attempts.attempt([&] { loads->push_back(read(state)); });
-    attempts.throwIfAny();
-  };
+    addLoads(effect, scene, loads);
+  effect.atStart = inOrder(
+      effect.atStart,
+      [constraints, loads, finalTime, supports = parts.supports, placed = parts.loads](State<D>& state)
+      {
+        Attempts attempts;
+        for (const auto& read : supports)
+          attempts.attempt([&] { constraints->push_back(read(state)); });
+        attempts.attempt(
+            [&]
+            {
+              const std::string wrong = contradictions(*constraints, state, finalTime);
+              if (!wrong.empty())
+                throw std::invalid_argument(wrong);
+            });
+        for (const auto& read : placed)
+          attempts.attempt([&] { loads->push_back(read(state)); });
+        attempts.throwIfAny();
+      });
   return effect;
 }
 

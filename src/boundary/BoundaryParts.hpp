@@ -27,17 +27,17 @@ void describeHistory(Section& section);
 /// Adds the parameter Body, on which a load acts.
 void describeLoadedBody(Section& section);
 
+/// A parameter as a point; zero along z in 2D [m].
+Vector<3> readPoint(const Teuchos::ParameterList& list, const std::string& name);
+
 /// All boundary types, in the order of the reference: one line each. The file of a type defines the function
-/// of that name.
+/// of that name with `Boundary` after it.
 #define RHEGMA_BOUNDARY_TYPES(one)                                                                           \
   one(velocity) one(symmetry) one(pointLoad) one(lineLoad) one(traction) one(gravity) one(temperature)       \
       one(heatFlux) one(convection)
 
-namespace BoundaryTypes
-{
-#define RHEGMA_DECLARE(name) BoundaryType name();
+#define RHEGMA_DECLARE(name) BoundaryType name##Boundary();
 RHEGMA_BOUNDARY_TYPES(RHEGMA_DECLARE)
 #undef RHEGMA_DECLARE
-} // namespace BoundaryTypes
 
 } // namespace Rhegma

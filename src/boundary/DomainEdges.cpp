@@ -3,6 +3,7 @@
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
 #include "geometry/Shape.hpp"
+#include "plan/BoundaryType.hpp"
 
 #include <cmath>
 
@@ -15,19 +16,11 @@ namespace
 using Teuchos::ParameterList;
 
 /// Whether a support holds nodes on the plane where an axis has this value.
-bool holds(const ParameterList& support, int axis, double value, double slack)
+bool holds(const BoundaryRegion& support, int axis, double value, double slack)
 {
-  const std::string type = support.get<std::string>("Type");
-  if (type == "Symmetry")
-    return support.get<std::string>("Axis")[0] == 'x' + axis &&
-           std::fabs(support.get<double>("Position") - value) <= slack;
-  if (type != "Velocity" ||
-      support.get<std::string>("Components").find(static_cast<char>('x' + axis)) == std::string::npos)
-    return false;
-  if (support.get<std::string>("Nodes") == "Outside")
-    return true;
-  return support.get<Teuchos::Array<double>>("Lower Corner")[axis] <= value + slack &&
-         support.get<Teuchos::Array<double>>("Upper Corner")[axis] >= value - slack;
+  return support.axes.find("xyz"[axis]) != std::string::npos &&
+         (support.kind == BoundaryRegion::Kind::HeldOutside ||
+          (support.from[axis] <= value + slack && support.to[axis] >= value - slack));
 }
 
 } // namespace
@@ -38,6 +31,7 @@ std::vector<std::string> warningsOfEdges(const ParameterList& scene)
   const ParameterList& domain = scene.sublist("Domain");
   const Vector<D> lower = readVector<D>(domain, "Lower Corner"),
                   upper = readVector<D>(domain, "Upper Corner");
+  const std::vector<BoundaryRegion> supports = boundaryRegions(scene);
   const double slack = 1e-6 * domain.get<double>("Cell Size");
   std::vector<std::string> warnings;
   for (const std::string& name : sublistNames(scene.sublist("Bodies")))
@@ -48,9 +42,8 @@ std::vector<std::string> warningsOfEdges(const ParameterList& scene)
       {
         const double edge = low ? lower[d] : upper[d], face = low ? bounds.lower[d] : bounds.upper[d];
         bool held = std::fabs(face - edge) > slack;
-        if (scene.isSublist("Boundaries"))
-          for (const std::string& support : sublistNames(scene.sublist("Boundaries")))
-            held = held || holds(scene.sublist("Boundaries").sublist(support), d, edge, slack);
+        for (const BoundaryRegion& support : supports)
+          held = held || holds(support, d, edge, slack);
         if (!held)
           warnings.push_back(
               "Bodies > " + name + ": it touches the domain's edge at " + "xyz"[d] + " = " +

@@ -66,7 +66,7 @@ void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std:
 
 } // namespace
 
-BoundaryType BoundaryTypes::gravity()
+BoundaryType gravityBoundary()
 {
   Section s("Gravity", "A uniform body force on all mass.");
   s.realArray("Acceleration").unit("m/s2").perAxis().meaning("Acceleration of gravity: the force per mass.");

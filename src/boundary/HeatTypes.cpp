@@ -30,7 +30,7 @@ void checkSurface(SectionChecks& checks, const Teuchos::ParameterList& boundary,
 
 } // namespace
 
-BoundaryType BoundaryTypes::temperature()
+BoundaryType temperatureBoundary()
 {
   Section s("Temperature",
             "Prescribes the temperature of all grid nodes in a box. Needs the section Thermal.");
@@ -41,7 +41,7 @@ BoundaryType BoundaryTypes::temperature()
   return {s, checkBox, {}, {}, capability::heat};
 }
 
-BoundaryType BoundaryTypes::heatFlux()
+BoundaryType heatFluxBoundary()
 {
   Section s("Heat Flux", "Heat flux into a part of a body's surface. Needs the section Thermal.");
   surface(s);
@@ -50,7 +50,7 @@ BoundaryType BoundaryTypes::heatFlux()
   return {s, checkSurface, {}, {}, capability::heat};
 }
 
-BoundaryType BoundaryTypes::convection()
+BoundaryType convectionBoundary()
 {
   Section s("Convection", "Convective heat exchange of a part of a body's surface with its surroundings. "
                           "Needs the section Thermal.");

@@ -32,7 +32,7 @@ void check(SectionChecks& checks, const Teuchos::ParameterList& boundary, const 
 
 } // namespace
 
-BoundaryType BoundaryTypes::lineLoad()
+BoundaryType lineLoadBoundary()
 {
   Section s("Line Load", "A force distributed over a straight line in a body. It moves with the body.");
   describeLoadedBody(s);
@@ -43,7 +43,10 @@ BoundaryType BoundaryTypes::lineLoad()
       .byDefault("Uniform")
       .meaning("Distribution along the line: uniform, or a parabola that is zero at both ends.");
   describeHistory(s);
-  return {s, check, add<2>, add<3>};
+  return {s, check, add<2>, add<3>, "", [](const Teuchos::ParameterList& list) {
+            return BoundaryRegion{"", BoundaryRegion::Kind::Force, readPoint(list, "From"),
+                                  readPoint(list, "To")};
+          }};
 }
 
 } // namespace Rhegma

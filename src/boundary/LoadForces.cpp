@@ -1,6 +1,7 @@
 #include "boundary/LoadForces.hpp"
 
 #include "archive/Archive.hpp"
+#include "base/InOrder.hpp"
 
 #include <string>
 
@@ -61,30 +62,28 @@ void addLoadForces(Effect<D>& effect, const std::shared_ptr<std::vector<Load<D>>
                      state.sample.row.emplace_back((*loads)[k].name() + columns[d], known->force[k][d]);
                  }
                }});
-  effect.memory = [=, before = effect.memory](State<D>& state, Archive& archive)
-  {
-    if (before)
-      before(state, archive);
-    const Archive::Group group(archive, "loads");
-    archive("last_sample", known->last);
-    known->resize(loads->size());
-    for (std::size_t k = 0; k < loads->size(); ++k)
-    {
-      const Archive::Group one(archive, std::to_string(k));
-      archive("impulse", known->impulse[k]);
-      archive("force", known->force[k]);
-    }
-  };
-  effect.report = [=, before = effect.report](const State<D>& state, nlohmann::json& summary)
-  {
-    if (before)
-      before(state, summary);
-    known->resize(loads->size());
-    for (std::size_t k = 0; k < loads->size(); ++k)
-      summary["boundaries"].push_back(
-          {{"name", (*loads)[k].name()},
-           {"force", std::vector<double>(known->force[k].c, known->force[k].c + D)}});
-  };
+  effect.memory = inOrder(effect.memory,
+                          [=](State<D>&, Archive& archive)
+                          {
+                            const Archive::Group group(archive, "loads");
+                            archive("last_sample", known->last);
+                            known->resize(loads->size());
+                            for (std::size_t k = 0; k < loads->size(); ++k)
+                            {
+                              const Archive::Group one(archive, std::to_string(k));
+                              archive("impulse", known->impulse[k]);
+                              archive("force", known->force[k]);
+                            }
+                          });
+  effect.report = inOrder(effect.report,
+                          [=](const State<D>&, nlohmann::json& summary)
+                          {
+                            known->resize(loads->size());
+                            for (std::size_t k = 0; k < loads->size(); ++k)
+                              summary["boundaries"].push_back(
+                                  {{"name", (*loads)[k].name()},
+                                   {"force", std::vector<double>(known->force[k].c, known->force[k].c + D)}});
+                          });
 }
 
 template void addLoadForces(Effect<2>&, const std::shared_ptr<std::vector<Load<2>>>&);

@@ -1,8 +1,6 @@
 #include "boundary/MirrorPlanes.hpp"
 
-#include "base/ReadList.hpp"
-
-#include <string>
+#include "plan/BoundaryType.hpp"
 
 namespace Rhegma
 {
@@ -10,15 +8,9 @@ namespace Rhegma
 std::vector<MirrorPlane> mirrorPlanes(const Teuchos::ParameterList& scene)
 {
   std::vector<MirrorPlane> planes;
-  if (!scene.isSublist("Boundaries"))
-    return planes;
-  const Teuchos::ParameterList& all = scene.sublist("Boundaries");
-  for (const std::string& name : sublistNames(all))
-  {
-    const Teuchos::ParameterList& one = all.sublist(name);
-    if (one.get<std::string>("Type") == "Symmetry")
-      planes.push_back({one.get<std::string>("Axis")[0] - 'x', one.get<double>("Position")});
-  }
+  for (const BoundaryRegion& region : boundaryRegions(scene))
+    if (region.kind == BoundaryRegion::Kind::Mirror)
+      planes.push_back({region.axes[0] - 'x', region.from[region.axes[0] - 'x']});
   return planes;
 }
 

@@ -16,7 +16,7 @@ struct MirrorPlane
   double position = 0.0; ///< [m]
 };
 
-/// The planes of a scene: its boundaries of type Symmetry.
+/// The planes of symmetry of a scene, by its boundaries (BoundaryType::region).
 std::vector<MirrorPlane> mirrorPlanes(const Teuchos::ParameterList& scene);
 
 /// Whether a point of a crack lies on a plane, to a twentieth of a cell. \param along the plane's axis [m]

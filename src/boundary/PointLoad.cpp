@@ -24,14 +24,23 @@ void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std:
 
 } // namespace
 
-BoundaryType BoundaryTypes::pointLoad()
+BoundaryType pointLoadBoundary()
 {
   Section s("Point Load", "A force at a material point of a body. The force moves with this point.");
   describeLoadedBody(s);
   s.realArray("Point").unit("m").perAxis().meaning("Position of the loaded point in the undeformed body.");
   s.realArray("Force").unit("N").perAxis().meaning("The force vector.");
   describeHistory(s);
-  return {s, {}, add<2>, add<3>};
+  return {s,
+          {},
+          add<2>,
+          add<3>,
+          "",
+          [](const Teuchos::ParameterList& list)
+          {
+            return BoundaryRegion{"", BoundaryRegion::Kind::Force, readPoint(list, "Point"),
+                                  readPoint(list, "Point")};
+          }};
 }
 
 } // namespace Rhegma

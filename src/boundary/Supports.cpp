@@ -1,6 +1,7 @@
 #include "boundary/Supports.hpp"
 
 #include "archive/Archive.hpp"
+#include "base/InOrder.hpp"
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
 #include "boundary/Boundaries.hpp"
@@ -120,27 +121,28 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
                        state.sample.row.emplace_back(timed.name + columns[d], timed.force[d]);
                  }
                }});
-  effect.memory = [constraints, last](State<D>&, Archive& archive)
-  {
-    archive("last_sample", *last);
-    for (std::size_t c = 0; c < constraints->size(); ++c)
-    {
-      const Archive::Group group(archive, std::to_string(c));
-      archive.parts("impulse", (*constraints)[c].impulse);
-      archive("force", (*constraints)[c].force);
-      archive.parts("absorbed", (*constraints)[c].absorbed);
-      archive("absorbed_total", (*constraints)[c].absorbedTotal);
-    }
-  };
-  effect.report = [constraints](const State<D>&, nlohmann::json& summary)
-  {
-    nlohmann::json& boundaries = summary["boundaries"];
-    boundaries = nlohmann::json::array();
-    for (const auto& timed : *constraints)
-      boundaries.push_back({{"name", timed.name},
-                            {"force", std::vector<double>(timed.force.c, timed.force.c + D)},
-                            {"energy_absorbed_from_short_waves", timed.absorbedTotal}});
-  };
+  effect.memory = inOrder(effect.memory,
+                          [constraints, last](State<D>&, Archive& archive)
+                          {
+                            archive("last_sample", *last);
+                            for (std::size_t c = 0; c < constraints->size(); ++c)
+                            {
+                              const Archive::Group group(archive, std::to_string(c));
+                              archive.parts("impulse", (*constraints)[c].impulse);
+                              archive("force", (*constraints)[c].force);
+                              archive.parts("absorbed", (*constraints)[c].absorbed);
+                              archive("absorbed_total", (*constraints)[c].absorbedTotal);
+                            }
+                          });
+  effect.report = inOrder(effect.report,
+                          [constraints](const State<D>&, nlohmann::json& summary)
+                          {
+                            for (const auto& timed : *constraints)
+                              summary["boundaries"].push_back(
+                                  {{"name", timed.name},
+                                   {"force", std::vector<double>(timed.force.c, timed.force.c + D)},
+                                   {"energy_absorbed_from_short_waves", timed.absorbedTotal}});
+                          });
 }
 
 template <int D>

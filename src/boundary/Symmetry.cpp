@@ -56,6 +56,14 @@ void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std:
   parts.supports.push_back([=](State<D>& state) { return readSymmetry<D>(list, state, name); });
 }
 
+BoundaryRegion regionOf(const Teuchos::ParameterList& list)
+{
+  BoundaryRegion plane{"", BoundaryRegion::Kind::Mirror, {}, {}, list.get<std::string>("Axis")};
+  const int axis = plane.axes[0] - 'x';
+  plane.from[axis] = plane.to[axis] = list.get<double>("Position");
+  return plane;
+}
+
 void check(SectionChecks& checks, const Teuchos::ParameterList& boundary, const std::string& where)
 {
   if (checks.dimension() == 2 && SceneValues::text(boundary, "Axis") == "z")
@@ -64,7 +72,7 @@ void check(SectionChecks& checks, const Teuchos::ParameterList& boundary, const 
 
 } // namespace
 
-BoundaryType BoundaryTypes::symmetry()
+BoundaryType symmetryBoundary()
 {
   Section s("Symmetry", "A plane of symmetry: zero normal velocity, free sliding along the plane.");
   s.choice("Axis", {"x", "y", "z"}).meaning("Axis normal to the plane.");
@@ -72,7 +80,7 @@ BoundaryType BoundaryTypes::symmetry()
   s.choice("Side", {"Lower", "Upper"})
       .optional("the side of the nearer end of the domain")
       .meaning("Side of the plane that is the mirror image and holds no material.");
-  return {s, check, add<2>, add<3>};
+  return {s, check, add<2>, add<3>, "", regionOf};
 }
 
 } // namespace Rhegma

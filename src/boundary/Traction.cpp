@@ -77,7 +77,7 @@ Surface<D> readSurface(const Teuchos::ParameterList& list, const State<D>& state
 template Surface<2> readSurface(const Teuchos::ParameterList&, const State<2>&, const std::string&);
 template Surface<3> readSurface(const Teuchos::ParameterList&, const State<3>&, const std::string&);
 
-BoundaryType BoundaryTypes::traction()
+BoundaryType tractionBoundary()
 {
   Section s("Traction", "A force per undeformed area on a part of a body's surface: a line (2D) or a "
                         "parallelogram (3D) of the undeformed body. It moves with the body.");

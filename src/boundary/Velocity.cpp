@@ -67,6 +67,14 @@ void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std:
   parts.supports.push_back([=](State<D>& state) { return readVelocity<D>(list, state, name); });
 }
 
+BoundaryRegion regionOf(const ParameterList& list)
+{
+  using Kind = BoundaryRegion::Kind;
+  return {"", list.get<std::string>("Nodes") == "Outside" ? Kind::HeldOutside : Kind::Held,
+          readPoint(list, "Lower Corner"), readPoint(list, "Upper Corner"),
+          list.get<std::string>("Components")};
+}
+
 void checkComponents(SectionChecks& checks, const ParameterList& boundary, const std::string& where)
 {
   const std::string letters = text(boundary, "Components");
@@ -103,7 +111,7 @@ void check(SectionChecks& checks, const ParameterList& boundary, const std::stri
 
 } // namespace
 
-BoundaryType BoundaryTypes::velocity()
+BoundaryType velocityBoundary()
 {
   Section s("Velocity", "Prescribes the velocity of all grid nodes in a box.");
   s.realArray("Lower Corner").unit("m").perAxis().meaning("Corner of the box with the smallest coordinates.");
@@ -122,7 +130,7 @@ BoundaryType BoundaryTypes::velocity()
       "\"2*x, -y\". Common terms are defined first, as in \"r = sqrt(x*x + y*y); x / r, y / r\".");
   s.exactlyOneOf({"Value", "Field"});
   describeHistory(s);
-  return {s, check, add<2>, add<3>};
+  return {s, check, add<2>, add<3>, "", regionOf};
 }
 
 } // namespace Rhegma

@@ -1,5 +1,7 @@
 #include "plan/BoundaryType.hpp"
 
+#include "base/ReadList.hpp"
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -41,6 +43,22 @@ const BoundaryType& boundaryType(const std::string& name)
   if (const BoundaryType* type = find(name))
     return *type;
   throw std::invalid_argument("there is no boundary type \"" + name + "\"");
+}
+
+std::vector<BoundaryRegion> boundaryRegions(const Teuchos::ParameterList& scene)
+{
+  std::vector<BoundaryRegion> regions;
+  if (scene.isSublist("Boundaries"))
+    for (const std::string& name : sublistNames(scene.sublist("Boundaries")))
+    {
+      const Teuchos::ParameterList& list = scene.sublist("Boundaries").sublist(name);
+      if (const BoundaryType& type = boundaryType(list.get<std::string>("Type")); type.region)
+      {
+        regions.push_back(type.region(list));
+        regions.back().name = name;
+      }
+    }
+  return regions;
 }
 
 void checkBoundaries(const Teuchos::ParameterList& scene, std::vector<SceneError>& errors)

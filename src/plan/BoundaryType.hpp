@@ -1,6 +1,7 @@
 #pragma once
 /// Types of boundary: their parameters and what they do (docs/guides/add-a-boundary.md).
 
+#include "base/Types.hpp"
 #include "scene/Schema.hpp"
 #include "scene/SectionChecks.hpp"
 
@@ -13,6 +14,23 @@ namespace Rhegma
 
 template <int D>
 struct BoundaryParts; // boundary/BoundaryParts.hpp
+
+/// Where a boundary acts, for those that need not know its type.
+struct BoundaryRegion
+{
+  std::string name{}; ///< of the boundary in its scene
+  enum class Kind
+  {
+    Unknown,
+    Force,       ///< forces on the straight line between two points of a body
+    Held,        ///< prescribed motion of the nodes in a box
+    HeldOutside, ///< the same of those outside of it
+    Mirror       ///< a plane of symmetry
+  };
+  Kind kind = Kind::Unknown;
+  Vector<3> from{}, to{}; ///< ends of the line, corners of the box; a plane's position on its axis [m]
+  std::string axes{};     ///< letters of those along which motion is prescribed
+};
 
 struct BoundaryType
 {
@@ -31,6 +49,8 @@ struct BoundaryType
   /// Capability of the effect that applies it, instead of `add` (scene/Compatibility.hpp); a section of the
   /// scene must provide it. Empty: none.
   std::string capability{};
+  /// Where one acts, by its parameters alone; empty: nothing that others look for.
+  std::function<BoundaryRegion(const Teuchos::ParameterList& list)> region{};
 };
 
 /// Adds a type of an application. Call it before making the schema or Simulation that uses it. Throws
@@ -42,6 +62,9 @@ const std::vector<BoundaryType>& boundaryTypes();
 
 /// By the value of Type. Throws std::invalid_argument if there is none.
 const BoundaryType& boundaryType(const std::string& name);
+
+/// The boundaries of a validated scene that say where they act.
+std::vector<BoundaryRegion> boundaryRegions(const Teuchos::ParameterList& scene);
 
 /// The list of boundary/Types.cpp.
 std::vector<BoundaryType> builtInBoundaryTypes();

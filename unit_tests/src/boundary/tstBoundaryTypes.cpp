@@ -1,3 +1,6 @@
+#include "archive/Archive.hpp"
+#include "boundary/Boundaries.hpp"
+#include "boundary/BoundaryParts.hpp"
 #include "plan/BoundaryType.hpp"
 #include "plan/EffectSchema.hpp"
 #include "scene/Scene.hpp"
@@ -62,6 +65,65 @@ TEST(BoundaryTypes, OfAnEffectNameWhatItProvides)
 {
   EXPECT_FALSE(boundaryType("Heat Flux").capability.empty());
   EXPECT_TRUE(boundaryType("Gravity").capability.empty());
+}
+
+TEST(BoundaryTypes, SayWhereTheyAct)
+{
+  using Kind = BoundaryRegion::Kind;
+  Teuchos::ParameterList scene("Rhegma");
+  EXPECT_TRUE(boundaryRegions(scene).empty());
+  Teuchos::ParameterList& all = scene.sublist("Boundaries");
+  all.sublist("Plane").set("Type", "Symmetry").set("Axis", "y").set("Position", 2.0);
+  all.sublist("Weight").set("Type", "Gravity");
+  Teuchos::ParameterList& box = all.sublist("Box").set("Type", "Velocity").set("Nodes", "Outside");
+  box.set("Components", "x")
+      .set("Lower Corner", Teuchos::Array<double>{0.0, 1.0})
+      .set("Upper Corner", Teuchos::Array<double>{3.0, 4.0});
+  Teuchos::ParameterList& load = all.sublist("Load").set("Type", "Line Load");
+  load.set("From", Teuchos::Array<double>{5.0, 6.0, 7.0}).set("To", Teuchos::Array<double>{8.0, 9.0, 10.0});
+  const std::vector<BoundaryRegion> regions = boundaryRegions(scene);
+  ASSERT_EQ(regions.size(), 3u);
+  EXPECT_EQ(regions[0].name, "Plane");
+  EXPECT_EQ(regions[0].kind, Kind::Mirror);
+  EXPECT_EQ(regions[0].axes, "y");
+  EXPECT_EQ(regions[0].from[1], 2.0);
+  EXPECT_EQ(regions[1].kind, Kind::HeldOutside);
+  EXPECT_EQ(regions[1].axes, "x");
+  EXPECT_EQ(regions[1].from[1], 1.0);
+  EXPECT_EQ(regions[1].to[0], 3.0);
+  EXPECT_EQ(regions[1].to[2], 0.0);
+  EXPECT_EQ(regions[2].kind, Kind::Force);
+  EXPECT_EQ(regions[2].from[2], 7.0);
+  EXPECT_EQ(regions[2].to[2], 10.0);
+}
+
+template <int D>
+void addReporter(BoundaryParts<D>& parts, const Teuchos::ParameterList&, const std::string& name)
+{
+  parts.effect.report = [name](const State<D>&, nlohmann::json& summary) {
+    summary["boundaries"].push_back({{"name", name}});
+  };
+  parts.effect.memory = [](State<D>& state, Archive&) { state.clock.step = 7; };
+  parts.supports.push_back([](State<D>&) { return TimedConstraint<D>(); });
+}
+
+/// What a type reports and keeps stays when supports and loads add theirs.
+TEST(BoundaryTypes, OfAnApplicationMayReportAndKeep)
+{
+  BoundaryType type{Section("Reporter", "A support that reports."), {}, addReporter<2>, addReporter<3>};
+  addBoundaryType(type);
+  Teuchos::ParameterList scene("Rhegma");
+  scene.sublist("Time").set("Final Time", 1.0).set("Update Scheme", "MUSL");
+  scene.sublist("Boundaries").sublist("One").set("Type", "Reporter");
+  const Effect<2> effect = makeBoundaries<2>(scene, false);
+  State<2> state;
+  nlohmann::json summary;
+  effect.report(state, summary);
+  EXPECT_EQ(summary["boundaries"][0]["name"], "One");
+  Record record;
+  Archive archive = Archive::saving(record);
+  effect.memory(state, archive);
+  EXPECT_EQ(state.clock.step, 7);
 }
 
 TEST(BoundaryTypes, CheckBodiesForAllTypes)
