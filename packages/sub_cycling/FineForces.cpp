@@ -310,33 +310,54 @@ void FineParticles<D>::correctProjection(const State<D>& state, const Values& di
       });
 }
 
-template void FineParticles<2>::sumSlots(const State<2>&, const FineParticles<2>::Values&) const;
-template void FineParticles<3>::sumSlots(const State<3>&, const FineParticles<3>::Values&) const;
-template void FineParticles<2>::load(const State<2>&, const FineParticles<2>::Values&) const;
-template void FineParticles<2>::store(const State<2>&, const FineParticles<2>::Values&, double) const;
-template void FineParticles<2>::startVelocity(const State<2>&, const FineParticles<2>::Values&);
-template void FineParticles<2>::force(const State<2>&, int, const FineParticles<2>::Values&, double,
-                                      const FineParticles<2>::Values&);
-template void FineParticles<2>::smooth(const State<2>&, int, const FineParticles<2>::Values&,
-                                       const FineParticles<2>::Values&);
-template void FineParticles<2>::accelerate(const State<2>&, int, double, const FineParticles<2>::Values&,
-                                           const FineParticles<2>::Values&, bool);
-template void FineParticles<2>::correctMotion(const State<2>&, const FineParticles<2>::Values&, double,
-                                              const FineParticles<2>::Values&) const;
-template void FineParticles<2>::correctProjection(const State<2>&, const FineParticles<2>::Values&, double,
-                                                  const FineParticles<2>::Values&) const;
-template void FineParticles<3>::load(const State<3>&, const FineParticles<3>::Values&) const;
-template void FineParticles<3>::store(const State<3>&, const FineParticles<3>::Values&, double) const;
-template void FineParticles<3>::startVelocity(const State<3>&, const FineParticles<3>::Values&);
-template void FineParticles<3>::force(const State<3>&, int, const FineParticles<3>::Values&, double,
-                                      const FineParticles<3>::Values&);
-template void FineParticles<3>::smooth(const State<3>&, int, const FineParticles<3>::Values&,
-                                       const FineParticles<3>::Values&);
-template void FineParticles<3>::accelerate(const State<3>&, int, double, const FineParticles<3>::Values&,
-                                           const FineParticles<3>::Values&, bool);
-template void FineParticles<3>::correctMotion(const State<3>&, const FineParticles<3>::Values&, double,
-                                              const FineParticles<3>::Values&) const;
-template void FineParticles<3>::correctProjection(const State<3>&, const FineParticles<3>::Values&, double,
-                                                  const FineParticles<3>::Values&) const;
+template <int D>
+typename FineParticles<D>::ImpulseWork FineParticles<D>::workOf(const State<D>& state,
+                                                                const Values& impulse) const
+{
+  const Nodes<D> nodes = state.mesh.nodes;
+  const View<int*> nodeOf = nodeOf_;
+  const Values velocity = before_;
+  const View<int*> coupledRow = state.motion.coupledRow;
+  const View<int* [D]> held = held_;
+  const View<double* [D]> heldVelocity = heldVelocity_;
+  ImpulseWork work;
+  Kokkos::parallel_reduce(
+      "rhegma::subcycling::workOfImpulses", Range(0, numInner_),
+      KOKKOS_LAMBDA(const int i, double& free, double& atSupports) {
+        for (int d = 0; d < D && isOwnedByThisRank(nodes, nodeOf(i)); ++d)
+        {
+          const double before = velocity(i, d);
+          if (held(i, d) == 0)
+            free += before * impulse(i, d);
+          else if (coupledRow.extent(0) > 0 && coupledRow(nodeOf(i)) >= 0)
+            atSupports += 0.5 * (heldVelocity(i, d) - before) * impulse(i, d);
+        }
+      },
+      work.free, work.held);
+  return work;
+}
+
+template void FineParticles<2>::sumSlots(const State<2>&, const Values&) const;
+template void FineParticles<2>::load(const State<2>&, const Values&) const;
+template void FineParticles<2>::store(const State<2>&, const Values&, double) const;
+template void FineParticles<2>::startVelocity(const State<2>&, const Values&);
+template void FineParticles<2>::force(const State<2>&, int, const Values&, double, const Values&);
+template void FineParticles<2>::smooth(const State<2>&, int, const Values&, const Values&);
+template void FineParticles<2>::accelerate(const State<2>&, int, double, const Values&, const Values&, bool);
+template void FineParticles<2>::correctMotion(const State<2>&, const Values&, double, const Values&) const;
+template void FineParticles<2>::correctProjection(const State<2>&, const Values&, double,
+                                                  const Values&) const;
+template FineParticles<2>::ImpulseWork FineParticles<2>::workOf(const State<2>&, const Values&) const;
+template void FineParticles<3>::sumSlots(const State<3>&, const Values&) const;
+template void FineParticles<3>::load(const State<3>&, const Values&) const;
+template void FineParticles<3>::store(const State<3>&, const Values&, double) const;
+template void FineParticles<3>::startVelocity(const State<3>&, const Values&);
+template void FineParticles<3>::force(const State<3>&, int, const Values&, double, const Values&);
+template void FineParticles<3>::smooth(const State<3>&, int, const Values&, const Values&);
+template void FineParticles<3>::accelerate(const State<3>&, int, double, const Values&, const Values&, bool);
+template void FineParticles<3>::correctMotion(const State<3>&, const Values&, double, const Values&) const;
+template void FineParticles<3>::correctProjection(const State<3>&, const Values&, double,
+                                                  const Values&) const;
+template FineParticles<3>::ImpulseWork FineParticles<3>::workOf(const State<3>&, const Values&) const;
 
 } // namespace Rhegma::sub_cycling

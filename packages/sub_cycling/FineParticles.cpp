@@ -129,7 +129,7 @@ template <int D>
 void FineParticles<D>::select(const State<D>& state, int first)
 {
   first_ = first;
-  findCandidates(state);
+  candidates_.find(state);
   classifyNodes(state);
   listParticles(state);
   numInner_ = numSlots_ = numListed_ = 0;
@@ -158,9 +158,9 @@ void FineParticles<D>::classifyNodes(const State<D>& state)
   fit(nodeClass_, "rhegma::subcycling::nodeClass", nodes.numLattice + nodes.numEnriched);
   fit(slotOf_, "rhegma::subcycling::slot", nodes.numLattice + nodes.numEnriched);
   fit(nodeOf_, "rhegma::subcycling::nodeOf", nodes.numActive());
-  fit(class_, "rhegma::subcycling::class", numCandidates_);
+  fit(class_, "rhegma::subcycling::class", candidates_.count());
   const View<int*> nodeClass = nodeClass_, slotOf = slotOf_, nodeLevel = state.mesh.tree.nodeLevel,
-                   classOf = class_, candidate = candidate_, row = state.stored.row;
+                   classOf = class_, candidate = candidates_.particles(), row = state.stored.row;
   const StencilTable<D> table = state.stored.table;
   Kokkos::parallel_for(
       "rhegma::subcycling::clearNodes", Range(0, nodes.numActive()), KOKKOS_LAMBDA(const int i) {
@@ -169,7 +169,7 @@ void FineParticles<D>::classifyNodes(const State<D>& state)
       });
   // Particles without stored stencils touch no node of fine cells.
   Kokkos::parallel_for(
-      "rhegma::subcycling::levelOfParticles", Range(0, numCandidates_), KOKKOS_LAMBDA(const int i) {
+      "rhegma::subcycling::levelOfParticles", Range(0, candidates_.count()), KOKKOS_LAMBDA(const int i) {
         const int r = row(candidate(i));
         int deepest = 0;
         for (int k = 0; r >= 0 && k < table.count(r); ++k)
@@ -182,7 +182,7 @@ void FineParticles<D>::classifyNodes(const State<D>& state)
   // One class after the other, so that concurrent writes are equal.
   for (int l = first_; l <= state.mesh.tree.deepest; ++l)
     Kokkos::parallel_for(
-        "rhegma::subcycling::classifyNodes", Range(0, numCandidates_), KOKKOS_LAMBDA(const int i) {
+        "rhegma::subcycling::classifyNodes", Range(0, candidates_.count()), KOKKOS_LAMBDA(const int i) {
           if (classOf(i) != l)
             return;
           const int r = row(candidate(i));
@@ -229,10 +229,11 @@ void FineParticles<D>::fractionClasses(const State<D>& state)
 template <int D>
 void FineParticles<D>::listParticles(const State<D>& state)
 {
-  fit(particle_, "rhegma::subcycling::particle", numCandidates_);
-  const View<int*> classOf = class_, candidate = candidate_, particle = particle_;
-  withConnectivity(state, [&](const auto& connect)
-                   { classifyParticles(connect, numCandidates_, candidate_, nodeClass_, class_); });
+  fit(particle_, "rhegma::subcycling::particle", candidates_.count());
+  const View<int*> classOf = class_, candidate = candidates_.particles(), particle = particle_;
+  withConnectivity(
+      state, [&](const auto& connect)
+      { classifyParticles(connect, candidates_.count(), candidates_.particles(), nodeClass_, class_); });
   for (int& number : particlesFrom_)
     number = 0;
   for (int l = state.mesh.tree.deepest; l >= first_; --l)
@@ -240,7 +241,7 @@ void FineParticles<D>::listParticles(const State<D>& state)
     const int before = particlesFrom_[l + 1];
     int more = 0;
     Kokkos::parallel_scan(
-        "rhegma::subcycling::listParticles", Range(0, numCandidates_),
+        "rhegma::subcycling::listParticles", Range(0, candidates_.count()),
         KOKKOS_LAMBDA(const int i, int& at, const bool final) {
           if (classOf(i) != l)
             return;
@@ -288,13 +289,14 @@ void FineParticles<D>::numberSlots(const State<D>& state, int from)
 template <int D>
 void FineParticles<D>::listNeighbours(const State<D>& state)
 {
-  withConnectivity(state, [&](const auto& connect)
-                   { findNeighbours(connect, numCandidates_, first_, candidate_, slotOf_, class_); });
+  withConnectivity(
+      state, [&](const auto& connect)
+      { findNeighbours(connect, candidates_.count(), first_, candidates_.particles(), slotOf_, class_); });
   const int before = particlesFrom_[first_];
-  const View<int*> particle = particle_, classOf = class_, candidate = candidate_;
+  const View<int*> particle = particle_, classOf = class_, candidate = candidates_.particles();
   int more = 0;
   Kokkos::parallel_scan(
-      "rhegma::subcycling::listNeighbours", Range(0, numCandidates_),
+      "rhegma::subcycling::listNeighbours", Range(0, candidates_.count()),
       KOKKOS_LAMBDA(const int i, int& at, const bool final) {
         if (classOf(i) != 0)
           return;

@@ -3,6 +3,7 @@
 
 #include "base/SmallLoops.hpp"
 #include "state/State.hpp"
+#include "sub_cycling/NearParticles.hpp"
 
 #include <memory>
 #include <string>
@@ -104,8 +105,6 @@ public:
 
   // What follows is public because compilers for devices want kernels in public functions.
 
-  void listNearBlocks(const State<D>& state);
-  void findCandidates(const State<D>& state);
   void classifyNodes(const State<D>& state);
   /// Gives shared nodes the deepest class that any rank has given them. Collective.
   void fractionClasses(const State<D>& state);
@@ -123,36 +122,22 @@ public:
   template <class Add>
   void sumInParts(const char* label, int begin, int end, const Add& add);
 
-  /// Resizes with a reserve; values are lost when a view grows.
-  template <class AnyView>
-  static void fit(AnyView& view, const std::string& label, int size)
-  {
-    if (static_cast<int>(view.extent(0)) < size)
-      view = AnyView(label, size + size / 4);
-  }
-
 private:
   int first_ = 0;
-  int numCandidates_ = 0;
   int numListed_ = 0; ///< with neighbours
   int numSlots_ = 0, numInner_ = 0, numParts_ = 0;
   int particlesFrom_[deepestLevel + 2] = {};
   double onAllRanks_[deepestLevel + 2] = {};
-  View<double*> reported_; ///< by ranks of the class of every shared node
-  int generation_ = -1;    ///< of the tree at that time
-  View<char*> near_;       ///< not 0 for cells of the lattice that are not far from refined ones
-  View<int*> sorted_;      ///< the first particles of blocks, when the following list was made
-  View<int*> inBlocks_;    ///< particles of blocks that have such cells or whose particles can reach them
-  int numInBlocks_ = 0;
-  View<int*> candidate_; ///< particles in such cells
-  View<int*> class_;     ///< of each of these
-  View<int*> particle_;  ///< those listed
-  View<int*> reach_;     ///< of each of them: class of its deepest node
-  View<int*> nodeClass_; ///< of every node; 0 for outer ones, -1 for those without a slot
-  View<int*> slotOf_;    ///< of every node, -1 where it has none
-  View<int*> nodeOf_;    ///< of every slot
-  View<int*> count_;     ///< nodes of each of the particles
-  View<int**> slot_;     ///< of the nodes of each particle
+  View<double*> reported_;      ///< by ranks of the class of every shared node
+  NearParticles<D> candidates_; ///< for the list
+  View<int*> class_;            ///< of each of these
+  View<int*> particle_;         ///< those listed
+  View<int*> reach_;            ///< of each of them: class of its deepest node
+  View<int*> nodeClass_;        ///< of every node; 0 for outer ones, -1 for those without a slot
+  View<int*> slotOf_;           ///< of every node, -1 where it has none
+  View<int*> nodeOf_;           ///< of every slot
+  View<int*> count_;            ///< nodes of each of the particles
+  View<int**> slot_;            ///< of the nodes of each particle
   View<double**> weight_;
   View<double** [D]> slope_;
   View<double*> mass_; ///< of every slot [kg]

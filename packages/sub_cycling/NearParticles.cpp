@@ -1,6 +1,7 @@
+#include "sub_cycling/NearParticles.hpp"
+
 #include "grid/BlockCells.hpp"
 #include "state/Subdomain.hpp"
-#include "sub_cycling/FineParticles.hpp"
 
 #include <algorithm>
 
@@ -70,7 +71,7 @@ View<char*> nearRefinedOfAllRanks(const State<D>& state)
 } // namespace
 
 template <int D>
-void FineParticles<D>::listNearBlocks(const State<D>& state)
+void NearParticles<D>::findInBlocks(const State<D>& state)
 {
   const Grid<D> grid = state.mesh.grid;
   const bool changed = generation_ != state.mesh.tree.generation;
@@ -103,13 +104,13 @@ void FineParticles<D>::listNearBlocks(const State<D>& state)
 }
 
 template <int D>
-void FineParticles<D>::findCandidates(const State<D>& state)
+void NearParticles<D>::find(const State<D>& state)
 {
-  listNearBlocks(state);
+  findInBlocks(state);
   const Grid<D> grid = state.mesh.grid;
-  fit(candidate_, "rhegma::subcycling::candidate", state.particles.size());
+  fit(particle_, "rhegma::subcycling::candidate", state.particles.size());
   const View<char*> near = near_;
-  const View<int*> candidate = candidate_, inBlocks = inBlocks_;
+  const View<int*> candidate = particle_, inBlocks = inBlocks_;
   const auto position = state.particles.template real<D>(fields::position);
   Kokkos::parallel_scan(
       "rhegma::subcycling::findCandidates", Range(0, numInBlocks_),
@@ -124,10 +125,10 @@ void FineParticles<D>::findCandidates(const State<D>& state)
           candidate(at) = p;
         ++at;
       },
-      numCandidates_);
+      count_);
 }
 
-template void FineParticles<2>::findCandidates(const State<2>&);
-template void FineParticles<3>::findCandidates(const State<3>&);
+template class NearParticles<2>;
+template class NearParticles<3>;
 
 } // namespace Rhegma::sub_cycling

@@ -111,6 +111,19 @@ void integrate(std::vector<ThermoKnot>& knots, double reference)
   }
 }
 
+/// Factors of the conductivity along the axes.
+void setRatios(ThermoMaterial& m, const Teuchos::Array<double>& ratios, const std::string& where)
+{
+  for (int d = 0; d < ratios.size(); ++d)
+  {
+    if (!(ratios[d] >= 0.0))
+      throw std::invalid_argument(where +
+                                  "Conductivity Ratios: one is negative; write factors of zero or more");
+    m.ratio[d] = ratios[d];
+    m.orthotropic = m.orthotropic || ratios[d] != 1.0;
+  }
+}
+
 MaterialTables tablesOf(const Teuchos::ParameterList& list, const std::string& name, Plane plane,
                         double reference, bool mechanics)
 {
@@ -125,17 +138,7 @@ MaterialTables tablesOf(const Teuchos::ParameterList& list, const std::string& n
   if (list.isParameter("Plastic Heat Fraction"))
     m.plasticHeat = list.get<double>("Plastic Heat Fraction");
   if (list.isParameter("Conductivity Ratios"))
-  {
-    const auto& ratios = list.get<Teuchos::Array<double>>("Conductivity Ratios");
-    for (int d = 0; d < ratios.size(); ++d)
-    {
-      if (!(ratios[d] >= 0.0))
-        throw std::invalid_argument(where +
-                                    "Conductivity Ratios: one is negative; write factors of zero or more");
-      m.ratio[d] = ratios[d];
-      m.orthotropic = m.orthotropic || ratios[d] != 1.0;
-    }
-  }
+    setRatios(m, list.get<Teuchos::Array<double>>("Conductivity Ratios"), where);
   const bool entropic = mechanics && list.isParameter("Entropic") && list.get<bool>("Entropic");
   bool varies = entropic;
   for (const std::string& property : tablesIn(list))
