@@ -100,7 +100,7 @@ SideEnergy measureSides(const State<D>& state, const MeasuredCrack<D>& crack)
         for (int d = 0; d < D; ++d)
         {
           position[d] = reference(p, d);
-          v[d] = energy.velocity(p, d);
+          v[d] = energy.mechanics ? energy.velocity(p, d) : 0.0;
         }
         const Foot<D> foot = footOf(vertex, normal, position);
         if (std::fabs(foot.along - middle) > reach)

@@ -135,7 +135,7 @@ TEST(SceneCrossChecks, FieldOfVelocity)
   EXPECT_TRUE(read(velocity(parameter("Field", "string", "r = x + y; 2*r, -r"))).errors.empty());
   expectMistake(velocity(parameter("Field", "string", "2*x")), "Boundaries > Edge > Field",
                 {"gives 1 value instead of 2"});
-  expectMistake(velocity(parameter("Field", "string", "2*t, y")), "Boundaries > Edge > Field", {"t"});
+  expectMistake(velocity(parameter("Field", "string", "2*t, y")), "Boundaries > Edge > Field", {"\"t\""});
   expectMistake(velocity(""), "Boundaries > Edge", {"needs one of", "Value", "Field"});
   expectMistake(
       velocity(parameter("Field", "string", "x, y") + parameter("Value", "Array(double)", "{0, 0}")),
