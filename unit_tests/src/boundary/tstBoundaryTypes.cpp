@@ -69,6 +69,7 @@ TEST(BoundaryTypes, OfAnEffectNameWhatItProvides)
 
 TEST(BoundaryTypes, SayWhereTheyAct)
 {
+  using Array = Teuchos::Array<double>;
   using Kind = BoundaryRegion::Kind;
   Teuchos::ParameterList scene("Rhegma");
   EXPECT_TRUE(boundaryRegions(scene).empty());
@@ -77,10 +78,10 @@ TEST(BoundaryTypes, SayWhereTheyAct)
   all.sublist("Weight").set("Type", "Gravity");
   Teuchos::ParameterList& box = all.sublist("Box").set("Type", "Velocity").set("Nodes", "Outside");
   box.set("Components", "x")
-      .set("Lower Corner", Teuchos::Array<double>{0.0, 1.0})
-      .set("Upper Corner", Teuchos::Array<double>{3.0, 4.0});
+      .set("Lower Corner", Array(Teuchos::tuple(0.0, 1.0)))
+      .set("Upper Corner", Array(Teuchos::tuple(3.0, 4.0)));
   Teuchos::ParameterList& load = all.sublist("Load").set("Type", "Line Load");
-  load.set("From", Teuchos::Array<double>{5.0, 6.0, 7.0}).set("To", Teuchos::Array<double>{8.0, 9.0, 10.0});
+  load.set("From", Array(Teuchos::tuple(5.0, 6.0, 7.0))).set("To", Array(Teuchos::tuple(8.0, 9.0, 10.0)));
   const std::vector<BoundaryRegion> regions = boundaryRegions(scene);
   ASSERT_EQ(regions.size(), 3u);
   EXPECT_EQ(regions[0].name, "Plane");
@@ -104,7 +105,10 @@ void addReporter(BoundaryParts<D>& parts, const Teuchos::ParameterList&, const s
     summary["boundaries"].push_back({{"name", name}});
   };
   parts.effect.memory = [](State<D>& state, Archive&) { state.clock.step = 7; };
-  parts.supports.push_back([](State<D>&) { return TimedConstraint<D>(); });
+  parts.supports.push_back(
+      [](State<D>&) {
+        return TimedConstraint<D>{{}, {}, TimeFunction::parse("1"), "Reporter"};
+      });
 }
 
 /// What a type reports and keeps stays when supports and loads add theirs.
