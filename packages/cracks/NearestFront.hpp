@@ -13,7 +13,7 @@ constexpr int anyCrack = -1; ///< for the index of a crack
 
 /// A front as one point.
 template <int D>
-struct FrontPoint
+struct FrontPosition
 {
   Vector<D> position{}; ///< [m]
   int crack = 0;
@@ -21,9 +21,9 @@ struct FrontPoint
 };
 
 template <int D>
-std::vector<FrontPoint<D>> frontPoints(const CrackSet<D>& set)
+std::vector<FrontPosition<D>> frontPoints(const CrackSet<D>& set)
 {
-  std::vector<FrontPoint<D>> points;
+  std::vector<FrontPosition<D>> points;
   for (const CrackFront<D>& front : set.fronts)
     points.push_back({front.position, front.crack, front.grown});
   return points;
@@ -33,7 +33,7 @@ std::vector<FrontPoint<D>> frontPoints(const CrackSet<D>& set)
 /// nearest that has grown: nodes that are joined again may be near no front of the crack to which they
 /// belonged.
 template <int D>
-KOKKOS_INLINE_FUNCTION int nearestGrownFront(const FrontPoint<D>* points, int count, const Vector<D>& x,
+KOKKOS_INLINE_FUNCTION int nearestGrownFront(const FrontPosition<D>* points, int count, const Vector<D>& x,
                                              int crack)
 {
   int found = noFront;
@@ -57,14 +57,14 @@ KOKKOS_INLINE_FUNCTION int nearestGrownFront(const FrontPoint<D>* points, int co
 template <int D>
 struct NearestFront
 {
-  View<FrontPoint<D>*> points;
+  View<FrontPosition<D>*> points;
 
   NearestFront() = default;
   explicit NearestFront(const CrackSet<D>& set) : points("rhegma::cracks::frontPoints", set.fronts.size())
   {
-    const std::vector<FrontPoint<D>> all = frontPoints(set);
-    const Kokkos::View<const FrontPoint<D>*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged> host(all.data(),
-                                                                                              all.size());
+    const std::vector<FrontPosition<D>> all = frontPoints(set);
+    const Kokkos::View<const FrontPosition<D>*, Kokkos::HostSpace, Kokkos::MemoryUnmanaged> host(all.data(),
+                                                                                                 all.size());
     Kokkos::deep_copy(points, host);
   }
 

@@ -335,7 +335,7 @@ void returnPendingEnergy(State<D>& state, const NodalSprings<D>& springs, const 
 template <int D>
 void returnPendingOfLostNodes(State<D>& state, int stamp)
 {
-  const std::vector<FrontPoint<D>> fronts = frontPoints(state.cracks);
+  const std::vector<FrontPosition<D>> fronts = frontPoints(state.cracks);
   for (const auto& lost : state.mesh.nodalFields.lost(springField<D>().field.name))
   {
     const NodalSpring<D, const double> node{lost.values.data()};
