@@ -5,6 +5,7 @@
 #include "geometry/Shape.hpp"
 #include "plan/BoundaryType.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace Rhegma
@@ -19,11 +20,23 @@ using Teuchos::ParameterList;
 bool holds(const BoundaryRegion& support, int axis, double value, double slack)
 {
   return support.axes.find("xyz"[axis]) != std::string::npos &&
-         (support.kind == BoundaryRegion::Kind::HeldOutside ||
-          (support.from[axis] <= value + slack && support.to[axis] >= value - slack));
+         (support.kind == BoundaryRegion::Kind::HeldOutside
+              ? value <= support.from[axis] + slack || value >= support.to[axis] - slack
+              : support.from[axis] <= value + slack && support.to[axis] >= value - slack);
+}
+
+bool isHeld(const std::vector<BoundaryRegion>& supports, int axis, double value, double slack)
+{
+  return std::any_of(supports.begin(), supports.end(), [&](const BoundaryRegion& support)
+                     { return holds(support, axis, value, slack); });
 }
 
 } // namespace
+
+bool isSupportedPlane(const ParameterList& scene, int axis, double value, double slack)
+{
+  return isHeld(boundaryRegions(scene), axis, value, slack);
+}
 
 template <int D>
 std::vector<std::string> warningsOfEdges(const ParameterList& scene)
@@ -41,10 +54,7 @@ std::vector<std::string> warningsOfEdges(const ParameterList& scene)
       for (const bool low : {true, false})
       {
         const double edge = low ? lower[d] : upper[d], face = low ? bounds.lower[d] : bounds.upper[d];
-        bool held = std::fabs(face - edge) > slack;
-        for (const BoundaryRegion& support : supports)
-          held = held || holds(support, d, edge, slack);
-        if (!held)
+        if (std::fabs(face - edge) <= slack && !isHeld(supports, d, edge, slack))
           warnings.push_back(
               "Bodies > " + name + ": it touches the domain's edge at " + "xyz"[d] + " = " +
               formatReal(edge) +

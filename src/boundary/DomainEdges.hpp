@@ -9,6 +9,10 @@
 namespace Rhegma
 {
 
+/// Whether a support holds nodes across the plane where an axis has this value, within a slack [m].
+/// \param scene validated
+bool isSupportedPlane(const Teuchos::ParameterList& scene, int axis, double value, double slack);
+
 /// A warning for each body and each face of the domain that it touches at the start without a support normal
 /// to that face: it can't move beyond, and the run would end if it does.
 /// \param scene validated

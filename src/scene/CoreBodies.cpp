@@ -115,6 +115,12 @@ Section bodies()
       .perRotationAxis()
       .byDefaultZeros()
       .meaning("Initial angular velocity about the centre of mass.");
+  body.text("Bonded To")
+      .notEmpty()
+      .optional()
+      .meaning(
+          "Names of bodies that touch this one and are meant to share its motion, with commas between them; "
+          "without it the program warns of bodies that touch.");
   body.atMostOneOf({"Temperature", "Temperature Field"});
   body.subsection(operations());
 

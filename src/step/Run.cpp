@@ -8,6 +8,7 @@
 #include "parallel/FirstRank.hpp"
 #include "plan/EffectSchema.hpp"
 #include "plan/KnownEffects.hpp"
+#include "plausibility/Judges.hpp"
 #include "state/EnergySums.hpp"
 #include "state/StateArchive.hpp"
 #include "state/Subdomain.hpp"
@@ -108,6 +109,7 @@ void Run<D>::makeAll()
   }
   attempts.attempt([&] { refuseEndless(); });
   attempts.throwIfAny();
+  judgeScene(scene_, stableTimeStep(), state_);
 }
 
 template <int D>

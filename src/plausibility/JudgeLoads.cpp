@@ -1,0 +1,74 @@
+#include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
+#include "base/ShortNumber.hpp"
+#include "plausibility/Judges.hpp"
+
+#include <algorithm>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+/// The strain up to which stress and strain of a linear law are right to some percent, and one that no solid
+/// but an elastomer withstands.
+constexpr double linearLimit = 0.05, anyLimit = 3.0;
+
+/// One message for all loads: the worst.
+template <int D>
+void judgeStrain(const JudgedScene<D>& judged, Messages& messages)
+{
+  const LoadEstimate* load = largestStrain(judged.loads);
+  const bool linear = std::any_of(judged.bodies.begin(), judged.bodies.end(),
+                                  [](const BodyMeasure<D>& body) { return body.linear; });
+  if (load == nullptr || load->strain <= (linear ? linearLimit : anyLimit))
+    return;
+  messages.push_back(load->where + ": it strains the body by about " + shortly(100.0 * load->strain) +
+                     " % (" + shortly(load->stress) + " Pa), " +
+                     (linear ? "beyond what a linear law holds for; use a law of finite strain, or check "
+                             : "more than a solid withstands; check ") +
+                     "units (N, Pa, m, m/s)");
+}
+
+/// Loads that never act, or hardly in the time of the run.
+template <int D>
+void judgeHistories(const JudgedScene<D>& judged, Messages& messages)
+{
+  if (!judged.scene.isSublist("Boundaries"))
+    return;
+  const Teuchos::ParameterList& section = judged.scene.sublist("Boundaries");
+  const double end = judged.scene.sublist("Time").template get<double>("Final Time");
+  for (const std::string& name : sublistNames(section))
+  {
+    const Teuchos::ParameterList& list = section.sublist(name);
+    const std::string where = "Boundaries > " + name;
+    for (const char* value : {"Force", "Stress", "Acceleration", "Pressure", "Flux"})
+      if ((list.isType<double>(value) && list.get<double>(value) == 0.0) ||
+          (list.isType<Teuchos::Array<double>>(value) && norm(readVector<D>(list, value)) == 0.0))
+        messages.push_back(where + " > " + value + " is zero, so this boundary does nothing");
+    if (!list.isParameter("History") || list.get<std::string>("Type") == "Velocity")
+      continue;
+    const double largest = rangeOf(list.get<std::string>("History"), end).largest;
+    if (largest < 1e-3)
+      messages.push_back(where + " > History: up to Time > Final Time = " + readableTime(end) +
+                         " its factor is at most " + shortly(largest) +
+                         ", so this boundary does next to nothing; times are in seconds");
+  }
+}
+
+} // namespace
+
+template <int D>
+Messages judgeLoads(const JudgedScene<D>& judged)
+{
+  Messages messages;
+  judgeStrain(judged, messages);
+  judgeHistories(judged, messages);
+  return messages;
+}
+
+template Messages judgeLoads(const JudgedScene<2>&);
+template Messages judgeLoads(const JudgedScene<3>&);
+
+} // namespace Rhegma

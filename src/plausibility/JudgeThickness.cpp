@@ -1,0 +1,150 @@
+#include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
+#include "base/ShortNumber.hpp"
+#include "boundary/DomainEdges.hpp"
+#include "geometry/Shape.hpp"
+#include "plausibility/Judges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+using namespace Geometry;
+
+/// Smallest width of a polygon over the directions of its edges, where that of a convex one lies.
+double widthOf(const std::vector<Vector<2>>& points)
+{
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    const Vector<2> along = points[(k + 1) % points.size()] - points[k];
+    const double length = norm(along);
+    if (length == 0.0)
+      continue;
+    double low = 0.0, high = 0.0;
+    for (const Vector<2>& x : points)
+    {
+      const Vector<2> from = x - points[k];
+      const double across = (along[0] * from[1] - along[1] * from[0]) / length;
+      low = std::min(low, across);
+      high = std::max(high, across);
+    }
+    smallest = std::min(smallest, high - low);
+  }
+  return smallest;
+}
+
+/// What is thin of a primitive, in metres; axes along which both sides are mirrored count as endless.
+template <int D>
+struct Width
+{
+  const JudgedScene<D>& judged;
+  const Part<D>& part;
+
+  double operator()(const Box<D>& box) const
+  {
+    const Vector<D> extents = box.corners.upper - box.corners.lower;
+    double smallest = std::numeric_limits<double>::infinity();
+    for (int d = 0; d < D; ++d)
+      smallest = std::min(smallest, extents[d] * images(d));
+    return smallest;
+  }
+  double operator()(const Ball<D>& ball) const { return 2.0 * ball.radius; }
+  double operator()(const Cylinder<D>& cylinder) const
+  {
+    return std::min(2.0 * cylinder.radius, norm(cylinder.to - cylinder.from));
+  }
+  double operator()(const Polygon<D>& polygon) const
+  {
+    const double flat = widthOf(polygon.points);
+    return D == 2 ? flat : std::min(flat, (polygon.top - polygon.bottom) * images(2));
+  }
+
+private:
+  /// How often the width counts: twice with one mirror, endlessly with two.
+  double images(int d) const
+  {
+    const Bounds<D> bounds = part.bounds();
+    const double slack = 1e-3 * judged.state.mesh.grid.spacing;
+    const bool low = isSupportedPlane(judged.scene, d, bounds.lower[d], slack);
+    const bool high = isSupportedPlane(judged.scene, d, bounds.upper[d], slack);
+    return low && high ? std::numeric_limits<double>::infinity() : low || high ? 2.0 : 1.0;
+  }
+};
+
+/// Whether a cut removes material of what comes before it: by points in its bounds.
+template <int D>
+bool meetsMaterial(const Shape<D>& shape, std::size_t cut)
+{
+  constexpr int points = D == 2 ? 64 : 24;
+  const Shape<D> before(std::vector<Part<D>>(shape.parts().begin(), shape.parts().begin() + cut));
+  const Part<D>& part = shape.parts()[cut];
+  const Bounds<D> bounds = part.bounds();
+  const int all = D == 2 ? points * points : points * points * points;
+  for (int k = 0; k < all; ++k)
+  {
+    Vector<D> x;
+    int rest = k;
+    for (int d = 0; d < D; ++d)
+    {
+      x[d] = bounds.lower[d] + (rest % points + 0.5) / points * (bounds.upper[d] - bounds.lower[d]);
+      rest /= points;
+    }
+    if (part.contains(x) && before.contains(x))
+      return true;
+  }
+  return false;
+}
+
+template <int D>
+void judgeBody(const JudgedScene<D>& judged, const std::string& name, Messages& messages)
+{
+  constexpr double fewest = 2.0; // cells: fewer do not bend, and nodes of both sides are the same
+  const Teuchos::ParameterList& list = judged.scene.sublist("Bodies").sublist(name);
+  const Shape<D> shape = makeShape<D>(list);
+  std::vector<std::string> where{"Bodies > " + name};
+  if (list.isSublist("Operations"))
+    for (const std::string& operation : sublistNames(list.sublist("Operations")))
+      where.push_back(where[0] + " > Operations > " + operation);
+  const double cell = judged.state.mesh.smallestSpacing();
+  for (std::size_t k = 0; k < shape.parts().size(); ++k)
+  {
+    const Part<D>& part = shape.parts()[k];
+    const bool hole = k > 0 && part.operation == Operation::Cut;
+    const double width = std::visit(Width<D>{judged, part}, part.primitive);
+    if (hole && !meetsMaterial(shape, k))
+      messages.push_back(where[k] + ": it cuts nothing, for there is no material of the body there; move it "
+                                    "or leave it out");
+    else if (width < (fewest - 1e-6) * cell)
+      messages.push_back(where[k] + ": the " +
+                         (hole     ? "hole"
+                          : k == 0 ? "body"
+                                   : "added part") +
+                         " is " + readableLength(width) + " thin, " + shortly(width / cell) + " cells of " +
+                         readableLength(cell) + "; two cells are the least that the grid " +
+                         (hole ? "keeps open" : "bends and strains") +
+                         ": use smaller cells (Domain > Cell Size), or check its size (metres)");
+  }
+}
+
+} // namespace
+
+template <int D>
+Messages judgeThickness(const JudgedScene<D>& judged)
+{
+  Messages messages;
+  for (const BodyMeasure<D>& body : judged.bodies)
+    judgeBody(judged, body.name, messages);
+  return messages;
+}
+
+template Messages judgeThickness(const JudgedScene<2>&);
+template Messages judgeThickness(const JudgedScene<3>&);
+
+} // namespace Rhegma

@@ -1,0 +1,42 @@
+#pragma once
+/// How much the loads, supports and velocities of a scene strain its bodies: nominal values from the strength
+/// of materials, good to an order of magnitude.
+
+#include "plausibility/BodyMeasures.hpp"
+
+#include <Teuchos_ParameterList.hpp>
+
+namespace Rhegma
+{
+
+/// What one load, support or velocity does to a body.
+struct LoadEstimate
+{
+  std::string where;    ///< its path in the scene
+  double strain = 0.0;  ///< nominal: of a section that shares the load evenly [-]
+  double stress = 0.0;  ///< that strain times Young's modulus [Pa]
+  double highest = 0.0; ///< stress that is hardly exceeded: of bending over the longest lever, or of the
+                        ///< impact [Pa]
+};
+
+/// One for each load, moving support and moving body, at the largest value of its history; those without
+/// effect are left out. Stresses: traction t; force F over the section V / L, in bending F / A (1 + 6 L / H)
+/// at most; gravity rho g L; spin rho w^2 L^2 / 4; impact rho c v / 2 (Kolsky, Stress Waves in Solids, 1953);
+/// supports that move apart by u over the distance l: E u / l.
+/// \param scene validated; only sections of the core are read \param bodies of measureBodies
+template <int D>
+std::vector<LoadEstimate> estimateLoads(const Teuchos::ParameterList& scene, const State<D>& state,
+                                        const std::vector<BodyMeasure<D>>& bodies);
+
+/// The one with the largest nominal strain, or null.
+const LoadEstimate* largestStrain(const std::vector<LoadEstimate>& loads);
+
+/// Largest absolute value of a history, and of its integral [s], from 0 to the end of a run.
+struct HistoryRange
+{
+  double largest = 0.0;
+  double integral = 0.0;
+};
+HistoryRange rangeOf(const std::string& history, double end);
+
+} // namespace Rhegma
