@@ -12,6 +12,7 @@
 #include "cracks/FrontSprings.hpp"
 #include "cracks/HeldFaces.hpp"
 #include "cracks/IdleCracks.hpp"
+#include "cracks/JudgeLength.hpp"
 #include "cracks/Normals.hpp"
 #include "cracks/Opening.hpp"
 #include "cracks/Overlap.hpp"
@@ -50,6 +51,7 @@ struct Parts
   bool joins;    ///< cracks may end on others
   bool touching; ///< contact keeps faces apart
   int pieces;    ///< of a cell, for edges of surfaces
+  int levels;    ///< of finer cells at fronts
   Surroundings surroundings;
   Ghosts ghosts;
   CrackMotion<D> motion;
@@ -66,6 +68,7 @@ struct Parts
         joins(D == 2 && grows && sublistNames(section).size() > 1),
         touching(options.contact),
         pieces(piecesOfACell(options)),
+        levels(options.frontLevels),
         springs(grows),
         growth(mirrorPlanes(scene))
   {
@@ -105,6 +108,7 @@ void start(const Shared<D>& parts, State<D>& state)
   if (parts->hasSprings)
     state.motion.displacementDependentForces.push_back(parts->springs.displacementDependentForce());
   readCracks(parts->section, state, state.mesh.grid.spacing / parts->pieces);
+  judgeLengths(std::ldexp(state.mesh.grid.spacing, -parts->levels), state);
   if (parts->hasSprings)
     parts->advected.start(state);
   state.stored.editor.prepare = [=](State<D>& s, const View<int*>& row) { prepareStencils(*parts, s, row); };

@@ -3,6 +3,7 @@
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
 #include "boundary/HeldMarks.hpp"
+#include "damping/JudgeDamping.hpp"
 #include "damping/Settling.hpp"
 #include "transfer/LaneHeat.hpp"
 
@@ -293,7 +294,12 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       std::make_shared<Settling>(list.get<double>("Settled Energy Ratio"), list.get<double>("Settled Drift"),
                                  list.get<int>("Settled Samples"));
   const bool stop = list.get<bool>("Stop When Settled");
-  effect.atStart = [stop](State<D>& s) { s.clock.stopWhenSettled = stop; };
+  const double until = scene.sublist("Time").get<double>("Final Time");
+  effect.atStart = [=](State<D>& s)
+  {
+    s.clock.stopWhenSettled = stop;
+    judgeDamping(rate, shear, bulk, std::min(end, until), s);
+  };
   effect.call({Stage::Observe,
                "settling",
                {quantity::energyBalance, ifWritten(quantity::energyRelease)},
@@ -301,7 +307,6 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                {},
                [settling](State<D>& s)
                { s.clock.settled = settling->sample(s.energy.kinetic, s.energy.strain, s.sample.row); }});
-  const double until = scene.sublist("Time").get<double>("Final Time");
   effect.report = [stop, until, settling](const State<D>& s, nlohmann::json& summary)
   {
     if (s.clock.settled)

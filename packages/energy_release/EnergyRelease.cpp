@@ -9,6 +9,7 @@
 #include "energy_release/FrontOpening.hpp"
 #include "energy_release/FrontSample.hpp"
 #include "energy_release/FrontSet.hpp"
+#include "energy_release/JudgeStrain.hpp"
 #include "energy_release/LoadsInRing.hpp"
 #include "energy_release/ReadOptions.hpp"
 #include "transfer/LocalSpacing.hpp"
@@ -310,7 +311,12 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
   const auto driving = std::make_shared<DrivingForces<D>>();
   Effect<D> effect;
   effect.name = "Energy Release";
-  effect.atStart = [=](State<D>& state) { start(state, options, *samples); };
+  const auto strain = std::make_shared<StrainWatch>();
+  effect.atStart = [=, all = Teuchos::ParameterList(scene)](State<D>& state)
+  {
+    start(state, options, *samples);
+    strain->start(all, state);
+  };
   effect.call({Stage::Observe,
                "energy release of crack fronts",
                {quantity::crackGeometry, quantity::particleStress, quantity::enrichedFields,
@@ -321,6 +327,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
                {
                  if (state.clock.observing)
                    sample(state, options, *samples);
+                 strain->sample(state.energy.strain);
                }});
   if (run.growth)
     addDrivingCalls(effect, scene, driving);
@@ -338,6 +345,8 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
       crack["name"] = state.cracks.cracks[s.front.crack].name;
       s.report(options, crack["fronts"][s.front.number]);
     }
+    if (const std::string warning = strain->warning(); !warning.empty())
+      summary["warnings"].push_back(warning);
   };
   return effect;
 }

@@ -3,6 +3,7 @@
 #include "archive/Archive.hpp"
 #include "plan/LastStage.hpp"
 #include "propagation/AdvanceFronts.hpp"
+#include "propagation/JudgeToughness.hpp"
 #include "propagation/Report.hpp"
 
 #include <memory>
@@ -40,7 +41,11 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   Effect<D> effect;
   effect.name = "Propagation";
   effect.balance = {"fracture"};
-  effect.atStart = [run](State<D>& state) { start(state, *run); };
+  effect.atStart = [run, options, all = Teuchos::ParameterList(scene)](State<D>& state)
+  {
+    start(state, *run);
+    judgeToughness(all, options, run->options, state);
+  };
   effect.call({lastStage(scene),
                "fronts that advance",
                {quantity::drivingForces, ifWritten(quantity::frontTemperature)},

@@ -35,6 +35,8 @@ void warnOfCold(std::vector<std::string>& warnings, const std::string& what, dou
   if (T < coldest)
     warnings.push_back(what + " " + formatShort(T) + " K, which is " + formatShort(T - 273.15) +
                        " degrees Celsius; temperatures are absolute");
+  else if (T > 6000.0)
+    warnings.push_back(what + " " + shortly(T) + " K, at which no solid exists; check the exponent");
 }
 
 template <int D>

@@ -8,6 +8,7 @@
 #include "step/CoreStep.hpp"
 #include "thermal/CellsForSources.hpp"
 #include "thermal/Conduction.hpp"
+#include "thermal/JudgeHeat.hpp"
 #include "thermal/Observations.hpp"
 #include "thermal/Start.hpp"
 
@@ -103,6 +104,7 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
     if (!(steps <= Conduction<D>::mostSubsteps))
       throw std::invalid_argument("Thermal: " + run.conduction.tooMany(state, steps));
   }
+  judgeHeat(scene, run.conduction, run.finalTime, state);
   startTemperature(state, scene.sublist("Bodies"), run.initial);
   startEnergy(state);
   run.conduction.frontTemperature.assign(state.cracks.fronts.size(), run.initial);

@@ -5,6 +5,7 @@
 #include "base/ReadList.hpp"
 #include "boundary/BoundaryParts.hpp"
 #include "boundary/Contradictions.hpp"
+#include "boundary/IdleSupports.hpp"
 #include "boundary/LoadForces.hpp"
 #include "plan/LastStage.hpp"
 
@@ -102,24 +103,25 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene, bool cellsChange)
   }
   if (!parts.loads.empty())
     addLoads(effect, scene, loads);
-  effect.atStart = inOrder(
-      effect.atStart,
-      [constraints, loads, finalTime, supports = parts.supports, placed = parts.loads](State<D>& state)
-      {
-        Attempts attempts;
-        for (const auto& read : supports)
-          attempts.attempt([&] { constraints->push_back(read(state)); });
-        attempts.attempt(
-            [&]
-            {
-              const std::string wrong = contradictions(*constraints, state, finalTime);
-              if (!wrong.empty())
-                throw std::invalid_argument(wrong);
-            });
-        for (const auto& read : placed)
-          attempts.attempt([&] { loads->push_back(read(state)); });
-        attempts.throwIfAny();
-      });
+  effect.atStart = inOrder(effect.atStart,
+                           [constraints, loads, finalTime, supports = parts.supports, placed = parts.loads,
+                            all = Teuchos::ParameterList(scene)](State<D>& state)
+                           {
+                             Attempts attempts;
+                             for (const auto& read : supports)
+                               attempts.attempt([&] { constraints->push_back(read(state)); });
+                             attempts.attempt(
+                                 [&]
+                                 {
+                                   const std::string wrong = contradictions(*constraints, state, finalTime);
+                                   if (!wrong.empty())
+                                     throw std::invalid_argument(wrong);
+                                 });
+                             for (const auto& read : placed)
+                               attempts.attempt([&] { loads->push_back(read(state)); });
+                             attempts.throwIfAny();
+                             warnOfIdleSupports(all, *constraints, state);
+                           });
   return effect;
 }
 

@@ -40,7 +40,8 @@ struct Options
   std::string restart; ///< checkpoint to continue from; empty: start of the scene
   std::vector<std::string> overrides;
   bool quiet = false;
-  bool twice = false; ///< run as it is and with cells of half the size
+  bool twice = false;  ///< run as it is and with cells of half the size
+  bool strict = false; ///< warnings are errors
 };
 
 /// Reads the arguments after the program's name. Those that are Kokkos' own (--kokkos-...) are put aside,

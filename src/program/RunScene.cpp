@@ -128,6 +128,54 @@ void printWarnings(const nlohmann::json& summary, std::ostream& err)
     err << "rhegma: warning: " << warning.get<std::string>() << "\n";
 }
 
+/// Prints the warnings of a scene before its run. \return whether it may run: with --strict, if there are
+/// none
+bool mayRun(const Options& options, const nlohmann::json& summary, std::ostream& err)
+{
+  const auto warnings = summary.value("warnings", nlohmann::json::array());
+  if (!options.strict || warnings.empty())
+  {
+    printWarnings(summary, err);
+    return true;
+  }
+  for (const auto& warning : warnings)
+    err << "rhegma: " << warning.get<std::string>() << " (an error by --strict)\n";
+  return false;
+}
+
+/// Four digits, with the largest unit that leaves at least 1 before the point.
+std::string inUnits(double value, const std::vector<std::pair<double, const char*>>& units)
+{
+  char text[40];
+  for (const auto& [size, name] : units)
+    if (value >= size || size == units.back().first)
+    {
+      std::snprintf(text, sizeof text, "%.4g %s", value / size, name);
+      return text;
+    }
+  return {};
+}
+
+/// Masses and weights, by which a wrong unit shows: a line for each of the first ten bodies.
+std::string bodiesAsText(const nlohmann::json& summary)
+{
+  constexpr double g = 9.81;
+  std::string text;
+  int count = 0;
+  for (const auto& body : summary.value("bodies", nlohmann::json::array()))
+    if (++count <= 10)
+    {
+      const double mass = body["mass"];
+      text +=
+          "  Bodies > " + body["name"].get<std::string>() + ": mass " +
+          inUnits(mass, {{1e6, "kt"}, {1e3, "t"}, {1.0, "kg"}, {1e-3, "g"}, {1e-6, "mg"}, {1e-9, "ug"}}) +
+          ", weight " +
+          inUnits(g * mass, {{1e9, "GN"}, {1e6, "MN"}, {1e3, "kN"}, {1.0, "N"}, {1e-3, "mN"}, {1e-6, "uN"}}) +
+          "\n";
+    }
+  return text + (count > 10 ? "  and " + std::to_string(count - 10) + " more bodies\n" : "");
+}
+
 /// Size of cells and number of particles, which Domain > Accuracy may have chosen.
 std::string cellsAsText(const nlohmann::json& summary, long particles)
 {
@@ -160,13 +208,15 @@ int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList
   Simulation simulation(world(), scene);
   initialize(simulation, *scene, options);
   const nlohmann::json summary = simulation.report();
-  printWarnings(summary, err);
+  if (!mayRun(options, summary, err))
+    return exitWrongScene;
   out << options.scene << " is a valid scene"
       << (options.restart.empty() ? "" : ", and " + options.restart + " a checkpoint of it") << ": "
       << cellsAsText(summary, simulation.particles()) << stepsAsText(simulation, *scene) << "\n"
       << std::flush;
   if (options.quiet)
     return exitFinished;
+  out << bodiesAsText(summary);
   const Ranks ranks(world());
   const Forecast forecast = makeForecast(simulation, *scene, ranks);
   out << asText(forecast) << "\n" << costOfAccuracy(options, *scene, ranks, &forecast);
@@ -185,6 +235,8 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
     out << simulation.plan();
     return exitFinished;
   }
+  if ((!options.quiet || options.strict) && !mayRun(options, simulation.report(), err))
+    return exitWrongScene;
   const Ranks ranks(world());
   Production production(options, *scene, simulation, earlier, out, ranks);
   std::string failure = production.runToEnd();
@@ -215,6 +267,11 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
   }
   if (!options.quiet)
     out << referencesAsText(summary);
+  if (options.strict && !summary["warnings"].empty())
+  {
+    err << "rhegma: warnings are errors by --strict\n";
+    return exitReferenceMissed;
+  }
   return within ? exitFinished : exitReferenceMissed;
 }
 

@@ -1,0 +1,94 @@
+#pragma once
+/// Whether the heat of a scene reaches its bodies (docs/plausibility.md).
+
+#include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
+#include "base/ShortNumber.hpp"
+#include "boundary/TouchedNodes.hpp"
+#include "thermal/Conduction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Rhegma::thermal
+{
+
+/// Above all boiling points of solids (rhenium 5900 K) [K].
+constexpr double hottest = 6000.0;
+
+/// Distance of a position from a box [m].
+template <int D>
+double distanceToBox(const Vector<D>& x, const Vector<D>& lower, const Vector<D>& upper)
+{
+  Vector<D> off;
+  for (int d = 0; d < D; ++d)
+    off[d] = std::max({0.0, lower[d] - x[d], x[d] - upper[d]});
+  return norm(off);
+}
+
+/// Smallest distance of a source from the nodes of bodies at any time of the run [m].
+template <int D>
+double distanceOf(const Source<D>& source, double end, const std::vector<Vector<D>>& nodes)
+{
+  constexpr int times = 65;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int k = 0; k < (source.ball ? times : 1); ++k)
+    for (const Vector<D>& x : nodes)
+      nearest = std::min(nearest, source.ball
+                                      ? norm(x - source.centre - (end * k / (times - 1)) * source.velocity) -
+                                            source.radius
+                                      : distanceToBox(x, source.lower, source.upper));
+  return nearest;
+}
+
+/// Warns of held temperatures and sources that no body touches, of temperatures no solid has, of a run too
+/// short for heat to leave a particle, and of a diffusivity that no solid has.
+/// \param scene its core and Thermal \param end of the run [s]
+template <int D>
+void judgeHeat(const Teuchos::ParameterList& scene, const Conduction<D>& conduction, double end,
+               State<D>& state)
+{
+  const std::vector<Vector<D>> nodes = touchedNodes(state);
+  const double cell = state.mesh.grid.spacing;
+  Teuchos::ParameterList none;
+  const Teuchos::ParameterList& boundaries =
+      scene.isSublist("Boundaries") ? scene.sublist("Boundaries") : none;
+  for (const std::string& name : sublistNames(boundaries))
+  {
+    const Teuchos::ParameterList& list = boundaries.sublist(name);
+    const std::string where = "Boundaries > " + name;
+    for (const char* value : {"Temperature", "Ambient Temperature"})
+      if (list.isType<double>(value) && list.get<double>(value) > hottest)
+        state.warnings.push_back(where + " > " + value + " is " + shortly(list.get<double>(value)) +
+                                 " K, at which no solid exists; check the exponent");
+    if (list.get<std::string>("Type") != "Temperature")
+      continue;
+    const Vector<D> lower = readVector<D>(list, "Lower Corner"), upper = readVector<D>(list, "Upper Corner");
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Vector<D>& x : nodes)
+      nearest = std::min(nearest, distanceToBox(x, lower, upper));
+    if (nearest > 1e-6 * cell)
+      state.warnings.push_back(where + ": it holds no node of any body, the nearest is " +
+                               readableLength(nearest) + " away; move it to the body");
+  }
+  for (const Source<D>& source : conduction.sources)
+    if (const double nearest = distanceOf(source, end, nodes); nearest > cell)
+      state.warnings.push_back("Thermal > Sources > " + source.name + ": no body comes closer than " +
+                               readableLength(nearest) + ", so it heats nothing; move it to the body");
+  // Graphite conducts best (1e-3 m2/s), foams and polymers worst (1e-8); gold leaf and gases lie in between.
+  const double diffusivity = conduction.diffusivity;
+  if (diffusivity > 0.1 || (diffusivity > 0.0 && diffusivity < 1e-11))
+    state.warnings.push_back(
+        "Materials: conductivity over density and specific heat is " + shortly(diffusivity) + " m2/s, " +
+        (diffusivity > 0.1 ? "more than of graphite (1e-3)" : "less than of foams (1e-8)") +
+        "; check units (W/(m K), kg/m3, J/(kg K))");
+  const double reach = std::sqrt(diffusivity * end);
+  if (!state.method.mechanics && diffusivity > 0.0 && reach < 0.02 * state.mesh.smallestSpacing())
+    state.warnings.push_back("Time > Final Time is " + readableTime(end) + ", in which heat spreads by " +
+                             readableLength(reach) + ", " + shortly(reach / state.mesh.smallestSpacing()) +
+                             " cells of " + readableLength(state.mesh.smallestSpacing()) +
+                             "; are lengths in metres, and the time in seconds?");
+}
+
+} // namespace Rhegma::thermal

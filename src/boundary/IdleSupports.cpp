@@ -1,0 +1,81 @@
+#include "boundary/IdleSupports.hpp"
+
+#include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
+#include "boundary/TouchedNodes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+/// How far a node is from being held [m].
+template <int D>
+double distanceTo(const NodeConstraint<D>& constraint, const Vector<D>& x)
+{
+  Vector<D> off;
+  double inside = std::numeric_limits<double>::infinity();
+  for (int d = 0; d < D; ++d)
+  {
+    off[d] = std::max({0.0, constraint.lower[d] - x[d], x[d] - constraint.upper[d]});
+    inside = std::min({inside, x[d] - constraint.lower[d], constraint.upper[d] - x[d]});
+  }
+  return constraint.outside ? std::max(0.0, inside) : norm(off);
+}
+
+/// How far bodies move at most [m].
+template <int D>
+double travel(const Teuchos::ParameterList& scene, const std::vector<TimedConstraint<D>>& constraints)
+{
+  const double end = scene.sublist("Time").get<double>("Final Time");
+  double fastest = 0.0, acceleration = 0.0;
+  for (const std::string& name : sublistNames(scene.sublist("Bodies")))
+    fastest = std::max(fastest, norm(readVector<D>(scene.sublist("Bodies").sublist(name), "Velocity")));
+  for (const TimedConstraint<D>& timed : constraints)
+    for (int k = 0; k <= 64; ++k)
+      fastest = std::max(fastest, norm(timed.value) * std::fabs(timed.history(end * k / 64)));
+  for (const std::string& name : sublistNames(scene.sublist("Boundaries")))
+    if (scene.sublist("Boundaries").sublist(name).isParameter("Acceleration"))
+      acceleration += norm(readVector<D>(scene.sublist("Boundaries").sublist(name), "Acceleration"));
+  return end * (fastest + 0.5 * acceleration * end);
+}
+
+} // namespace
+
+template <int D>
+void warnOfIdleSupports(const Teuchos::ParameterList& scene,
+                        const std::vector<TimedConstraint<D>>& constraints, State<D>& state)
+{
+  if (constraints.empty())
+    return;
+  const std::vector<Vector<D>> nodes = touchedNodes(state);
+  const double reach = travel(scene, constraints);
+  int idle = 0;
+  for (const TimedConstraint<D>& timed : constraints)
+  {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Vector<D>& x : nodes)
+      if (nearest = std::min(nearest, distanceTo(timed.constraint, x)); nearest == 0.0)
+        break;
+    if (nearest > 0.0 && nearest > reach && ++idle <= 10)
+      state.warnings.push_back("Boundaries > " + timed.name +
+                               ": it holds no node of any body; the nearest is " + readableLength(nearest) +
+                               " away, and bodies move by " + readableLength(reach) +
+                               " at most; move it to the body, and check its unit (metres)");
+  }
+  if (idle > 10)
+    state.warnings.push_back("Boundaries: " + std::to_string(idle - 10) +
+                             " more that hold no node of any body");
+}
+
+template void warnOfIdleSupports(const Teuchos::ParameterList&, const std::vector<TimedConstraint<2>>&,
+                                 State<2>&);
+template void warnOfIdleSupports(const Teuchos::ParameterList&, const std::vector<TimedConstraint<3>>&,
+                                 State<3>&);
+
+} // namespace Rhegma

@@ -1,0 +1,415 @@
+"""Errors that make a right scene wrong in its physics, each with the places that a message may name."""
+
+import math
+import re
+import xml.etree.ElementTree as ElementTree
+
+from scenes import Scene, typed
+
+# Parameters that are lengths in every section that has them.
+LENGTHS = {"Lower Corner", "Upper Corner", "Cell Size", "Points", "Centre", "Radius", "From", "To", "Point", "Position",
+           "Corner", "Edge 1", "Edge 2", "Rotation Centre", "Bottom", "Top", "Inner Radius", "Outer Radius", "Radii",
+           "Front Radius", "Initial Gap", "Ignition Point", "Ignition Lower Corner", "Ignition Upper Corner", "Semi-Axes"}
+
+
+def value_of(element):
+    kind, text = element.get("type"), element.get("value")
+    if kind == "double":
+        return float(text)
+    if kind == "Array(double)":
+        return [float(x) for x in re.findall(r"[-+.\deE]+", text)]
+    return text
+
+
+class FileScene(Scene):
+    """A scene of a file."""
+
+    def __init__(self, path):
+        self.path = path
+        self.root = ElementTree.parse(path).getroot()
+
+    def has(self, place):
+        try:
+            self.find(place)
+        except StopIteration:
+            return False
+        return True
+
+    def get(self, place, otherwise=None):
+        return value_of(self.find(place)) if self.has(place) else otherwise
+
+    def put(self, element, value):
+        kind, text = typed(value)
+        element.set("type", kind)
+        element.set("value", text)
+
+    def lists(self, section):
+        """Names of the sublists of a section."""
+        return [e.get("name") for e in self.find(section) if e.tag == "ParameterList"] if self.has(section) else []
+
+    def boundaries(self, *types):
+        return [n for n in self.lists("Boundaries") if self.get(f"Boundaries > {n} > Type") in types]
+
+    @property
+    def dimension(self):
+        return int(self.get("Domain > Dimension"))
+
+    @property
+    def cell(self):
+        return self.get("Domain > Cell Size")
+
+    def boxes(self):
+        return [n for n in self.lists("Bodies")
+                if self.get(f"Bodies > {n} > Shape") == "Box" and not self.has(f"Bodies > {n} > Rotation")]
+
+    def moves(self):
+        return self.get("Thermal > Mechanics") != "false"
+
+    def corners(self, body):
+        return self.get(f"Bodies > {body} > Lower Corner"), self.get(f"Bodies > {body} > Upper Corner")
+
+    def enlarge(self, cells):
+        """A domain with more room around it; nodes stay where they are."""
+        for corner, sign in (("Lower Corner", -1), ("Upper Corner", 1)):
+            old = self.get(f"Domain > {corner}")
+            self.set(f"Domain > {corner}", [x + sign * cells * self.cell for x in old])
+        for name in self.boundaries("Symmetry"):  # the side of the mirror is no longer that of the nearer end
+            place = f"Boundaries > {name}"
+            if self.has(place + " > Side"):
+                continue
+            axis = "xyz".index(self.get(place + " > Axis"))
+            low, high = (self.get(f"Domain > {c} Corner")[axis] for c in ("Lower", "Upper"))
+            at = self.get(place + " > Position")
+            self.set(place + " > Side", "Lower" if at - low < high - at else "Upper")
+
+    def scale(self, names, factor, under=""):
+        """Multiplies parameters of these names in a section or the whole scene."""
+        for element in (self.find(under) if under else self.root).iter("Parameter"):
+            if element.get("name") in names and element.get("type") in ("double", "Array(double)"):
+                old = value_of(element)
+                self.put(element, [factor * x for x in old] if isinstance(old, list) else factor * old)
+
+
+def where(*names):
+    return re.escape(" > ".join(names))
+
+
+# Each template changes a scene and gives a regular expression of the places that may be named, or None where the scene has
+# nothing to which it applies.
+
+
+def support_away(scene, rng):
+    names = scene.boundaries("Velocity")
+    if not names or not scene.cell:
+        return None
+    name = rng.choice(names)
+    scene.enlarge(12)
+    low = scene.get("Domain > Lower Corner")
+    place = f"Boundaries > {name}"
+    scene.set(place + " > Lower Corner", [x for x in low]).set(place + " > Nodes", "Inside")
+    scene.set(place + " > Upper Corner", [x + 5 * scene.cell for x in low])
+    return where("Boundaries", name)
+
+
+def mirror_away(scene, rng):
+    names = scene.boundaries("Symmetry")
+    if not names or not scene.cell:
+        return None
+    scene.enlarge(12)
+    name = rng.choice(names)
+    axis = "xyz".index(scene.get(f"Boundaries > {name} > Axis"))
+    side = scene.get(f"Boundaries > {name} > Side")
+    end = scene.get("Domain > Lower Corner" if side == "Lower" else "Domain > Upper Corner")[axis]
+    scene.set(f"Boundaries > {name} > Position", end + (3 if side == "Lower" else -3) * scene.cell)
+    return where("Boundaries", name) + r"|touches the domain's edge"
+
+
+def load_away(scene, rng):
+    names = scene.boundaries("Traction", "Point Load", "Line Load")
+    if not names:
+        return None
+    name = rng.choice(names)
+    for parameter in ("From", "To", "Point", "Corner"):
+        if scene.has(f"Boundaries > {name} > {parameter}"):
+            old = scene.get(f"Boundaries > {name} > {parameter}")
+            scene.set(f"Boundaries > {name} > {parameter}", [x + 100 * scene.cell for x in old])
+    return where("Boundaries", name)
+
+
+def no_load(scene, rng):
+    names = scene.boundaries("Traction", "Point Load", "Line Load")
+    if not names:
+        return None
+    name = rng.choice(names)
+    for parameter in ("Force", "Stress", "Pressure"):
+        if scene.has(f"Boundaries > {name} > {parameter}"):
+            old = scene.get(f"Boundaries > {name} > {parameter}")
+            scene.set(f"Boundaries > {name} > {parameter}", [0.0 for x in old] if isinstance(old, list) else 0.0)
+    return where("Boundaries", name)
+
+
+def late_load(scene, rng):
+    names = scene.boundaries("Traction", "Point Load", "Line Load")
+    if not names:
+        return None
+    name = rng.choice(names)
+    scene.set(f"Boundaries > {name} > History", f"0:0, {10 ** rng.uniform(1, 4)}:1")
+    return where("Boundaries", name)
+
+
+def free_body(scene, rng, extents, name):
+    """A box in a corner of the enlarged domain, in cells."""
+    bodies = scene.lists("Bodies")
+    if not bodies or not scene.cell:
+        return None
+    scene.enlarge(14)
+    corner = rng.choice(["Lower Corner", "Upper Corner"])
+    middle = [x + (5.3 if corner == "Lower Corner" else -5.3) * scene.cell for x in scene.get(f"Domain > {corner}")]
+    scene.set(f"Bodies > {name}", {
+        "Material": scene.get(f"Bodies > {bodies[0]} > Material"), "Shape": "Box",
+        "Lower Corner": [x - 0.5 * e * scene.cell for x, e in zip(middle, extents)],
+        "Upper Corner": [x + 0.5 * e * scene.cell for x, e in zip(middle, extents)]})
+    return where("Bodies", name)
+
+
+def thin_body(scene, rng):
+    extents = [4.0] * scene.dimension
+    extents[rng.randrange(scene.dimension)] = rng.uniform(0.6, 1.9)
+    return free_body(scene, rng, extents, "Sliver")
+
+
+def thin_hole(scene, rng):
+    names = scene.boxes()
+    if not names or not scene.cell or scene.has("Adaptivity") or scene.has("Domain > Accuracy"):
+        return None
+    name = rng.choice(names)
+    low, high = scene.corners(name)
+    middle = [l + rng.uniform(0.3, 0.7) * (h - l) for l, h in zip(low, high)]
+    half = rng.uniform(0.2, 0.95) * scene.cell
+    hole = {"Operation": "Cut", "Shape": "Ball", "Centre": middle, "Radius": half}
+    if rng.random() < 0.5:
+        hole = {"Operation": "Cut", "Shape": "Box", "Lower Corner": [x - half for x in middle],
+                "Upper Corner": [x + (half if k == 0 else 3 * scene.cell) for k, x in enumerate(middle)]}
+    scene.set(f"Bodies > {name} > Operations", {"Bore": hole})
+    return where("Bodies", name, "Operations", "Bore")
+
+
+def hole_beside(scene, rng):
+    names = scene.boxes()
+    if not names or not scene.cell:
+        return None
+    name = rng.choice(names)
+    low, high = scene.corners(name)
+    away = [h + (h - l) * rng.uniform(1, 3) for l, h in zip(low, high)]
+    scene.set(f"Bodies > {name} > Operations",
+              {"Bore": {"Operation": "Cut", "Shape": "Ball", "Centre": away, "Radius": 4 * scene.cell}})
+    return where("Bodies", name, "Operations", "Bore")
+
+
+def all_in_millimetres(scene, rng):
+    if any(element.get("type") == "string" and re.search(r"\b[xy]\b", element.get("value"))
+           for element in scene.root.iter("Parameter") if element.get("name") in ("Field", "Temperature Field")):
+        return None  # lengths in formulas
+    scene.scale(LENGTHS, 1000.0)
+    return r"Bodies > |Time > Final Time|Damping > Mass Rate|Energy Release > "
+
+
+def one_body_in_millimetres(scene, rng):
+    names = scene.boxes()
+    if not names:
+        return None
+    name = rng.choice(names)
+    scene.scale(LENGTHS, 1000.0, f"Bodies > {name}")
+    return where("Bodies", name)
+
+
+def crack_in_millimetres(scene, rng):
+    names = [n for n in scene.lists("Cracks")]
+    if not names:
+        return None
+    name = rng.choice(names)
+    scene.scale(LENGTHS, 1000.0, f"Cracks > {name}")
+    return where("Cracks", name)
+
+
+def cells_in_millimetres(scene, rng):
+    if not scene.cell:
+        return None
+    scene.scale({"Cell Size"}, 1000.0)
+    return where("Domain", "Cell Size")
+
+
+def modulus_in_megapascal(scene, rng):
+    name = rng.choice(scene.lists("Materials"))
+    place = f"Materials > {name} > Young Modulus"
+    if not scene.moves() or not isinstance(scene.get(place), float):
+        return None
+    scene.set(place, scene.get(place) * rng.choice([1e-6, 1e-9]))
+    return where("Materials", name)
+
+
+def density_in_grams(scene, rng):
+    name = rng.choice(scene.lists("Materials"))
+    if not scene.moves() or scene.get(f"Materials > {name} > Density") > 3e4:
+        return None
+    scene.scale({"Density"}, 1e-3, f"Materials > {name}")
+    return where("Materials", name)
+
+
+def no_step(scene, rng):
+    if not scene.moves() or not scene.has("Time > Final Time"):
+        return None
+    factor = 10 ** rng.uniform(-12, -7)
+    scene.scale({"Final Time", "History Interval", "Field Interval", "Checkpoint Interval"}, factor)
+    return where("Time", "Final Time")
+
+
+def endless(scene, rng):
+    if not scene.moves() or scene.has("Time > Maximum Steps"):
+        return None
+    factor = 10 ** rng.uniform(6.5, 12)
+    scene.scale({"Final Time", "History Interval", "Field Interval", "Checkpoint Interval"}, factor)
+    return where("Time", "Final Time")
+
+
+def short_crack(scene, rng):
+    names = [n for n in scene.lists("Cracks") if scene.has(f"Cracks > {n} > Points")] if scene.dimension == 2 else [
+        n for n in scene.lists("Cracks") if scene.has(f"Cracks > {n} > Radius")]
+    if not names or not scene.cell or not scene.moves():
+        return None
+    name = rng.choice(names)
+    fine = scene.cell / 2 ** 4 if scene.has("Adaptivity") else scene.cell
+    if scene.dimension == 3:
+        scene.set(f"Cracks > {name} > Radius", rng.uniform(0.3, 1.0) * fine)
+    else:
+        points = scene.get(f"Cracks > {name} > Points")
+        end, before = points[-2:], points[-4:-2]
+        length = math.dist(end, before)
+        reach = rng.uniform(0.5, 2.8) * fine
+        scene.set(f"Cracks > {name} > Points", [e - (e - b) * reach / length for e, b in zip(end, before)] + end)
+    return where("Cracks", name) + "|" + re.escape(f"crack {name}, front")
+
+
+def toughness(scene):
+    text = scene.get("Propagation > Toughness", "")
+    numbers = re.findall(r"[\d.]+(?:e[-+]?\d+)?", text)
+    if not numbers or ":" in text or not scene.boundaries("Traction", "Point Load", "Line Load", "Velocity"):
+        return None
+    # Where faces are pressed or heated, that may load the crack as much as the boundaries.
+    return None if any(scene.has(s) for s in ("Thermal", "Face Pressure", "Combustion")) else float(numbers[0])
+
+
+def toughness_in_megajoule(scene, rng):
+    """J/m2 written in MJ/m2, or in mJ/mm2 by who thinks in grams."""
+    Gc = toughness(scene)
+    if Gc is None:
+        return None
+    scene.set("Propagation > Toughness", repr(Gc * 10 ** rng.uniform(-6.5, -5)))
+    return where("Propagation", "Toughness")
+
+
+def toughness_in_pascal(scene, rng):
+    """K_Ic in Pa m^0.5 in place of Gc."""
+    Gc = toughness(scene)
+    name = scene.lists("Materials")[0]
+    E = scene.get(f"Materials > {name} > Young Modulus")
+    if Gc is None or not isinstance(E, float):
+        return None
+    scene.set("Propagation > Toughness", repr(math.sqrt(E * Gc)))
+    return where("Propagation", "Toughness")
+
+
+def heavy_damping(scene, rng):
+    if not scene.moves() or not scene.lists("Bodies"):
+        return None
+    scene.set("Damping", {"Mass Rate": 10 ** rng.uniform(12, 16)} if not scene.has("Damping") else {
+        "Mass Rate": max(scene.get("Damping > Mass Rate", 1e5), 1e5) * 10 ** rng.uniform(6, 8)})
+    return where("Damping", "Mass Rate")
+
+
+def heavy_loads(scene, rng):
+    names = scene.boundaries("Traction", "Point Load", "Line Load")
+    if not names:
+        return None
+    for name in names:
+        scene.scale({"Force", "Stress", "Pressure"}, 10 ** rng.uniform(6.0, 9.0), f"Boundaries > {name}")
+    return r"Boundaries > (" + "|".join(map(re.escape, names)) + ")"
+
+
+def fast_bodies(scene, rng):
+    names = [n for n in scene.lists("Bodies") if any(scene.get(f"Bodies > {n} > Velocity", [0]))]
+    if not names:
+        return None
+    scene.scale({"Velocity"}, 10 ** rng.uniform(3, 5), "Bodies")
+    return r"Bodies > (" + "|".join(map(re.escape, names)) + ")"
+
+
+def touching_twin(scene, rng):
+    names = scene.boxes()
+    if not names or not scene.cell or not scene.moves():
+        return None
+    name = rng.choice(names)
+    scene.enlarge(14)
+    low, high = scene.corners(name)
+    gap = rng.choice([0.0, rng.uniform(0.0, 0.9)]) * scene.cell
+    axis = rng.randrange(scene.dimension)
+    lower = [h + gap if d == axis else l for d, (l, h) in enumerate(zip(low, high))]
+    upper = [h + gap + 4 * scene.cell if d == axis else h for d, (l, h) in enumerate(zip(low, high))]
+    scene.set("Bodies > Twin", {"Material": scene.get(f"Bodies > {name} > Material"), "Shape": "Box",
+                                "Lower Corner": lower, "Upper Corner": upper})
+    return where("Bodies", "Twin") + ".*" + re.escape(name)
+
+
+NUMBERS = [("Domain > Thickness", [1e308, 1e-12]), ("Density", [1e30, 1e-30, -1200.0, 1e6]),
+           ("Young Modulus", [1e40, -3e9, 1e-3]), ("Time > Final Time", [1e300, -1.0, 1e-100]),
+           ("Value", [1e30, 1e200]), ("Force", [1e60]), ("Stress", [1e60]), ("Radius", [1e-40, 1e300, -1.0]),
+           ("Poisson Ratio", [0.7, -2.0]), ("Specific Heat", [1e-20, 1e30, -5.0]), ("Conductivity", [1e20, -1.0]),
+           ("Initial Temperature", [1e9, 20.0, -100.0]), ("Mass Rate", [1e200, -1.0]), ("Cell Size", [1e-80, 1e300]),
+           ("Flame Temperature", [1e30, -4.0]), ("Acceleration", [1e40]), ("Velocity", [1e60]), ("CFL", [1e6, -1.0])]
+
+
+def senseless_number(scene, rng):
+    found = []
+    for section in scene.root:
+        for element in section.iter("Parameter"):
+            for name, values in NUMBERS:
+                last = name.rsplit(" > ", 1)[-1]
+                if element.get("name") == last and (" > " not in name or name.startswith(section.get("name"))):
+                    if element.get("type") in ("double", "Array(double)") and section.get("name") != "Reference":
+                        if scene.moves() or last not in ("Young Modulus", "Poisson Ratio", "Density"):
+                            found.append((section.get("name"), element, values))
+    if not found:
+        return None
+    section, element, values = rng.choice(found)
+    value = rng.choice(values)
+    old = value_of(element)
+    scene.put(element, [value for x in old] if isinstance(old, list) else value)
+    return re.escape(element.get("name")) + "|" + re.escape(section)
+
+
+def hot_source_away(scene, rng):
+    names = scene.lists("Thermal > Sources")
+    if not names:
+        return None
+    name = rng.choice(names)
+    scene.scale(LENGTHS - {"Radius"}, 1000.0, f"Thermal > Sources > {name}")
+    return where("Thermal", "Sources", name)
+
+
+def held_temperature_away(scene, rng):
+    names = scene.boundaries("Temperature")
+    if not names:
+        return None
+    name = rng.choice(names)
+    scene.enlarge(12)
+    low = scene.get("Domain > Lower Corner")
+    scene.set(f"Boundaries > {name} > Lower Corner", low)
+    scene.set(f"Boundaries > {name} > Upper Corner", [x + 5 * scene.cell for x in low])
+    return where("Boundaries", name)
+
+
+TEMPLATES = [support_away, mirror_away, load_away, no_load, late_load, thin_body, thin_hole, hole_beside,
+             all_in_millimetres, one_body_in_millimetres, crack_in_millimetres, cells_in_millimetres,
+             modulus_in_megapascal, density_in_grams, no_step, endless, short_crack, toughness_in_megajoule,
+             toughness_in_pascal, heavy_damping, heavy_loads, fast_bodies, touching_twin, senseless_number,
+             hot_source_away, held_temperature_away]
