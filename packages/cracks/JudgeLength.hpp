@@ -11,14 +11,19 @@
 namespace Rhegma::cracks
 {
 
-/// Warns of cracks that extend over fewer than three cells. \param cell edge at fronts, once refined [m]
+/// Warns of cracks with a front that extend over fewer than three cells. \param cell edge at fronts, once
+/// refined [m]
 template <int D>
 void judgeLengths(double cell, State<D>& state)
 {
   constexpr double fewest = 3.0;
   const auto x = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.vertex);
-  for (const Crack<D>& crack : state.cracks.cracks)
+  for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
   {
+    const Crack<D>& crack = state.cracks.cracks[c];
+    if (std::none_of(state.cracks.fronts.begin(), state.cracks.fronts.end(),
+                     [&](const CrackFront<D>& front) { return front.crack == static_cast<int>(c); }))
+      continue;
     Vector<D> low, high;
     for (int d = 0; d < D; ++d)
     {

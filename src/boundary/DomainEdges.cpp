@@ -27,8 +27,8 @@ bool holds(const BoundaryRegion& support, int axis, double value, double slack)
 
 bool isHeld(const std::vector<BoundaryRegion>& supports, int axis, double value, double slack)
 {
-  return std::any_of(supports.begin(), supports.end(), [&](const BoundaryRegion& support)
-                     { return holds(support, axis, value, slack); });
+  return std::any_of(supports.begin(), supports.end(),
+                     [&](const BoundaryRegion& support) { return holds(support, axis, value, slack); });
 }
 
 } // namespace

@@ -49,19 +49,18 @@ void lookThrough(const ParameterList& list, const std::string& path, Messages& m
   }
 }
 
-/// Densities of solids reach from 0.2 (aerogel) to 22 590 kg/m3 (osmium).
+/// Densities of solids that bear loads reach from 10 (foam) to 22 590 kg/m3 (osmium).
 template <int D>
 void judgeDensities(const JudgedScene<D>& judged, Messages& messages)
 {
-  constexpr double lightest = 0.2, heaviest = 25e3;
+  constexpr double lightest = 5.0, heaviest = 25e3;
   const MaterialSet& materials = judged.state.materials;
   for (std::size_t m = 0; m < materials.list.size(); ++m)
     if (const double density = materials.list[m].density; density < lightest || density > heaviest)
-      messages.push_back("Materials > " + materials.names[m] + " > Density is " + formatReal(density) +
-                         " kg/m3, " +
-                         (density < lightest ? "less than of any solid (aerogel 0.2)"
-                                             : "more than of any solid (osmium 22 590)") +
-                         "; densities are in kg/m3, and 1 g/cm3 is 1000 kg/m3");
+      messages.push_back(
+          "Materials > " + materials.names[m] + " > Density is " + formatReal(density) + " kg/m3, " +
+          (density < lightest ? "less than of foams (10)" : "more than of any solid (osmium 22 590)") +
+          "; densities are in kg/m3, and 1 g/cm3 is 1000 kg/m3");
 }
 
 /// A thickness of 1 m is also the default, by which forces are per metre.

@@ -4,6 +4,7 @@
 #include "boundary/DomainEdges.hpp"
 #include "geometry/Shape.hpp"
 #include "plausibility/Judges.hpp"
+#include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -112,11 +113,11 @@ void judgeBody(const JudgedScene<D>& judged, const std::string& name, Messages& 
   if (list.isSublist("Operations"))
     for (const std::string& operation : sublistNames(list.sublist("Operations")))
       where.push_back(where[0] + " > Operations > " + operation);
-  const double cell = judged.state.mesh.smallestSpacing();
   for (std::size_t k = 0; k < shape.parts().size(); ++k)
   {
     const Part<D>& part = shape.parts()[k];
     const bool hole = k > 0 && part.operation == Operation::Cut;
+    const double cell = spacingAt(judged.state, part.bounds().centre());
     const double width = std::visit(Width<D>{judged, part}, part.primitive);
     if (hole && !meetsMaterial(shape, k))
       messages.push_back(where[k] + ": it cuts nothing, for there is no material of the body there; move it "

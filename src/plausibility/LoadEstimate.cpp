@@ -44,10 +44,8 @@ namespace
 using Teuchos::ParameterList;
 
 /// What moves a node along an axis, and by how much during the run.
-template <int D>
 struct Moved
 {
-  Vector<D> place;
   double by;
   std::string where;
 };
@@ -59,21 +57,39 @@ LoadEstimate even(const std::string& where, double stress, const BodyMeasure<D>&
   return {where, stress / body.moduli.young, stress, stress};
 }
 
-double areaOf(const ParameterList& list, const Vector<2>&, double thickness)
+/// Normal of the loaded surface, as long as its area [m2].
+Vector<2> surfaceOf(const ParameterList& list, const Vector<2>&, double thickness)
 {
-  return norm(readVector<2>(list, "To") - readVector<2>(list, "From")) * thickness;
+  const Vector<2> along = readVector<2>(list, "To") - readVector<2>(list, "From");
+  return thickness * Vector<2>{along[1], -along[0]};
 }
-double areaOf(const ParameterList& list, const Vector<3>&, double)
+Vector<3> surfaceOf(const ParameterList& list, const Vector<3>&, double)
 {
-  return norm(cross(readVector<3>(list, "Edge 1"), readVector<3>(list, "Edge 2")));
+  return cross(readVector<3>(list, "Edge 1"), readVector<3>(list, "Edge 2"));
 }
 
+/// Across the longest axis a force bends, along it, it pulls at one side of the section at most.
 template <int D>
-LoadEstimate ofForce(const std::string& where, double force, const BodyMeasure<D>& body)
+LoadEstimate ofForce(const std::string& where, const Vector<D>& force, const BodyMeasure<D>& body)
 {
-  const double wide = body.volume / body.shortest, narrow = body.volume / body.longest;
-  const double stress = force / wide, lever = 1.0 + 6.0 * body.longest / body.shortest;
-  return {where, stress / body.moduli.young, stress, force / narrow * lever};
+  const Vector<D> extents = body.upper - body.lower;
+  const int longest = static_cast<int>(std::max_element(extents.c, extents.c + D) - extents.c);
+  const double size = norm(force), wide = body.volume / body.shortest, narrow = body.volume / body.longest;
+  const bool along = std::fabs(force[longest]) > 0.9 * size;
+  const double lever = along ? 4.0 : 1.0 + 6.0 * body.longest / body.shortest;
+  return {where, size / wide / body.moduli.young, size / wide, size / narrow * lever};
+}
+
+/// Largest rate at which a history changes [1/s].
+double steepest(const std::string& history, double end)
+{
+  constexpr int times = 257;
+  const TimeFunction f = TimeFunction::parse(history);
+  double rate = f(0.0) == 0.0 ? 0.0 : std::numeric_limits<double>::infinity(); // all bodies start at rest
+  for (int k = 1; k < times; ++k)
+    rate = std::max(rate, std::fabs(f(end * k / (times - 1)) - f(end * (k - 1) / (times - 1))) *
+                              ((times - 1) / end));
+  return rate;
 }
 
 /// Estimates of the section Boundaries.
@@ -125,14 +141,16 @@ private:
         continue;
       const double most = factor(list).largest;
       if (type != "Traction")
-        found_.push_back(ofForce(where, most * norm(readVector<D>(list, "Force")), body));
+        found_.push_back(ofForce<D>(where, most * readVector<D>(list, "Force"), body));
       else
       {
-        const double stress = most * (list.isParameter("Pressure") ? std::fabs(list.get<double>("Pressure"))
-                                                                   : norm(readVector<D>(list, "Stress")));
+        const Vector<D> surface = surfaceOf(list, body.lower, state_.method.thickness);
+        const Vector<D> force = list.isParameter("Pressure")
+                                    ? most * list.get<double>("Pressure") * surface
+                                    : most * norm(surface) * readVector<D>(list, "Stress");
+        const double stress = norm(force) / norm(surface);
         LoadEstimate estimate = even(where, stress, body);
-        const double force = stress * areaOf(list, body.lower, state_.method.thickness);
-        estimate.highest = std::max(stress, ofForce(where, force, body).highest);
+        estimate.highest = std::max(stress, ofForce<D>(where, force, body).highest);
         found_.push_back(estimate);
       }
     }
@@ -144,12 +162,12 @@ private:
     const std::vector<Vector<D>> nodes = touchedNodes(state_);
     for (int d = 0; d < D; ++d)
     {
-      const Moved<D> none{{}, 0.0, {}};
-      Moved<D> most = none, least = none;
+      const Moved none{0.0, {}};
+      Moved most = none, least = none;
       bool any = false;
       for (const std::string& name : supports_)
         moves(name, d, nodes,
-              [&](const Moved<D>& moved)
+              [&](const Moved& moved)
               {
                 most = !any || moved.by > most.by ? moved : most;
                 least = !any || moved.by < least.by ? moved : least;
@@ -157,6 +175,8 @@ private:
               });
       if (any && most.by > least.by)
         apart(most, least);
+      else if (any && most.by != 0.0) // only inertia resists
+        impact(most.where, true);
     }
   }
 
@@ -172,7 +192,7 @@ private:
       if (list.get<std::string>("Axis")[0] == 'x' + axis)
         for (const Vector<D>& x : nodes)
           if (std::fabs(x[axis] - position) < 0.5 * state_.mesh.grid.spacing)
-            see({x, 0.0, where});
+            see({0.0, where});
       return;
     }
     if (list.get<std::string>("Components").find(static_cast<char>('x' + axis)) == std::string::npos)
@@ -182,7 +202,7 @@ private:
     const bool varies = list.isParameter("Field");
     const PositionFunction field =
         PositionFunction::parse(varies ? list.get<std::string>("Field") : (D == 2 ? "0, 0" : "0, 0, 0"), D);
-    double fastest = 0.0;
+    fastest_ = 0.0;
     for (const Vector<D>& x : nodes)
     {
       bool in = true;
@@ -193,31 +213,36 @@ private:
       const double v = varies ? field(x)[axis] : readVector<D>(list, "Value")[axis];
       if (!std::isfinite(v))
         continue;
-      fastest = std::max(fastest, std::fabs(v) * range.largest);
-      see({x, v * range.integral, where});
+      fastest_ = std::max(fastest_, std::fabs(v) * range.largest);
+      see({v * range.integral, where});
     }
-    impact(where, fastest);
+    rise_ = steepest(list.get<std::string>("History"), end_);
+    largest_ = range.largest;
+    impact(where, false);
   }
 
-  /// A support that pushes a body at a speed.
-  void impact(const std::string& where, double speed)
+  /// The last support that moved pushes a body. \param freely whether only inertia resists: then the body has
+  /// the stress of its wave, or of its acceleration where that is slower
+  void impact(const std::string& where, bool freely)
   {
-    if (speed == 0.0)
+    if (fastest_ == 0.0)
       return;
     for (const BodyMeasure<D>& body : bodies_)
-      found_.push_back({where, 0.0, 0.0, body.density * body.speed * speed});
+    {
+      const double wave = body.density * body.speed * fastest_;
+      const double slow = body.density * body.longest * fastest_ * rise_ / largest_;
+      const double nominal = freely ? 0.5 * std::min(wave, slow) : 0.0;
+      found_.push_back({where, nominal / body.moduli.young, nominal, wave});
+    }
   }
 
-  void apart(const Moved<D>& one, const Moved<D>& other)
+  void apart(const Moved& one, const Moved& other)
   {
-    const double cell = state_.mesh.grid.spacing;
-    const double strain = (one.by - other.by) / std::max(norm(one.place - other.place), 2.0 * cell);
+    const double by = one.by - other.by;
     const std::string& where = one.by > -other.by ? one.where : other.where;
     for (const BodyMeasure<D>& body : bodies_)
-    {
-      const double stress = strain * body.moduli.young;
-      found_.push_back({where, strain, stress, stress * std::max(1.0, body.longest / body.shortest)});
-    }
+      found_.push_back({where, by / body.longest, by / body.longest * body.moduli.young,
+                        by / body.shortest * body.moduli.young});
   }
 
   const State<D>& state_;
@@ -226,6 +251,7 @@ private:
   ParameterList boundaries_;
   std::vector<std::string> supports_;
   std::vector<LoadEstimate> found_;
+  double fastest_ = 0.0, rise_ = 0.0, largest_ = 0.0; ///< of the last support that was looked at
 };
 
 /// Bodies that hit something, and bodies that spin.

@@ -158,9 +158,9 @@ def late_load(scene, rng):
 
 
 def free_body(scene, rng, extents, name):
-    """A box in a corner of the enlarged domain, in cells."""
+    """A box in a corner of the enlarged domain, in cells, which no support holds."""
     bodies = scene.lists("Bodies")
-    if not bodies or not scene.cell:
+    if not bodies or not scene.cell or any(scene.get(f"Boundaries > {n} > Nodes") == "Outside" for n in scene.lists("Boundaries")):
         return None
     scene.enlarge(14)
     corner = rng.choice(["Lower Corner", "Upper Corner"])
@@ -392,7 +392,9 @@ def hot_source_away(scene, rng):
     if not names:
         return None
     name = rng.choice(names)
-    scene.scale(LENGTHS - {"Radius"}, 1000.0, f"Thermal > Sources > {name}")
+    for element in scene.find(f"Thermal > Sources > {name}").iter("Parameter"):
+        if element.get("name") in ("Centre", "Lower Corner", "Upper Corner"):
+            scene.put(element, [x + 1e4 * (1 + abs(x)) for x in value_of(element)])
     return where("Thermal", "Sources", name)
 
 
