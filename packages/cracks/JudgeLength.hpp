@@ -36,7 +36,7 @@ void judgeLengths(double cell, State<D>& state)
     }
     if (const double length = norm(high - low); length < (fewest - 1e-6) * cell)
       state.warnings.push_back("Cracks > " + crack.name + ": it extends over " + readableLength(length) +
-                               " inside the bodies, " + shortly(length / cell) + " cells of " +
+                               " inside the bodies, " + formatShort(length / cell) + " cells of " +
                                readableLength(cell) +
                                "; below three cells its opening, G and K mean nothing: use smaller cells "
                                "(Domain > Cell Size), or check its size (metres)");

@@ -31,7 +31,7 @@ void judgeDamping(double rate, double shear, double bulk, double end, State<D>& 
                              ", " + readableLength(quick->longest) + " long, moves to its rest in about " +
                              readableTime(creep) + ", and is damped for " + readableTime(end) +
                              ": it hardly moves at all; its longest wave is critically damped at " +
-                             shortly(2.0 * frequency) + " 1/s");
+                             formatShort(2.0 * frequency) + " 1/s");
   const double retardation = (2.0 * shear + bulk) / quick->moduli.constrainedModulus;
   if (retardation > end / 3.0)
     state.warnings.push_back(

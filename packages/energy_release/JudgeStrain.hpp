@@ -34,7 +34,7 @@ struct StrainWatch
     const LoadEstimate* load = largestStrain(loads);
     if (load != nullptr && load->strain > smallStrain)
       state.warnings.push_back("Energy Release: " + load->where + " strains the body by about " +
-                               shortly(100.0 * load->strain) + " %" + advice());
+                               formatShort(100.0 * load->strain) + " %" + advice());
   }
 
   /// To be called with every sample. \param energy strain energy of all bodies [J]
@@ -44,9 +44,10 @@ struct StrainWatch
   std::string warning() const
   {
     const double strain = stiffness > 0.0 ? std::sqrt(2.0 * largestEnergy / stiffness) : 0.0;
-    return strain > smallStrain ? "Energy Release: the bodies were strained by " + shortly(100.0 * strain) +
-                                      " % (root mean square, from the largest strain energy)" + advice()
-                                : std::string();
+    return strain > smallStrain
+               ? "Energy Release: the bodies were strained by " + formatShort(100.0 * strain) +
+                     " % (root mean square, from the largest strain energy)" + advice()
+               : std::string();
   }
 
 private:

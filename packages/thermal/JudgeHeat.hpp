@@ -60,7 +60,7 @@ void judgeHeat(const Teuchos::ParameterList& scene, const Conduction<D>& conduct
     const std::string where = "Boundaries > " + name;
     for (const char* value : {"Temperature", "Ambient Temperature"})
       if (list.isType<double>(value) && list.get<double>(value) > hottest)
-        state.warnings.push_back(where + " > " + value + " is " + shortly(list.get<double>(value)) +
+        state.warnings.push_back(where + " > " + value + " is " + formatShort(list.get<double>(value)) +
                                  " K, at which no solid exists; check the exponent");
     if (list.get<std::string>("Type") != "Temperature")
       continue;
@@ -80,15 +80,15 @@ void judgeHeat(const Teuchos::ParameterList& scene, const Conduction<D>& conduct
   const double diffusivity = conduction.diffusivity;
   if (diffusivity > 0.1 || (diffusivity > 0.0 && diffusivity < 1e-11))
     state.warnings.push_back(
-        "Materials: conductivity over density and specific heat is " + shortly(diffusivity) + " m2/s, " +
+        "Materials: conductivity over density and specific heat is " + formatShort(diffusivity) + " m2/s, " +
         (diffusivity > 0.1 ? "more than of graphite (1e-3)" : "less than of foams (1e-8)") +
         "; check units (W/(m K), kg/m3, J/(kg K))");
   const double reach = std::sqrt(diffusivity * end);
   if (!state.method.mechanics && diffusivity > 0.0 && reach < 0.02 * state.mesh.smallestSpacing())
-    state.warnings.push_back("Time > Final Time is " + readableTime(end) + ", in which heat spreads by " +
-                             readableLength(reach) + ", " + shortly(reach / state.mesh.smallestSpacing()) +
-                             " cells of " + readableLength(state.mesh.smallestSpacing()) +
-                             "; are lengths in metres, and the time in seconds?");
+    state.warnings.push_back(
+        "Time > Final Time is " + readableTime(end) + ", in which heat spreads by " + readableLength(reach) +
+        ", " + formatShort(reach / state.mesh.smallestSpacing()) + " cells of " +
+        readableLength(state.mesh.smallestSpacing()) + "; are lengths in metres, and the time in seconds?");
 }
 
 } // namespace Rhegma::thermal

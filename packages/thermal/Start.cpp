@@ -36,7 +36,7 @@ void warnOfCold(std::vector<std::string>& warnings, const std::string& what, dou
     warnings.push_back(what + " " + formatShort(T) + " K, which is " + formatShort(T - 273.15) +
                        " degrees Celsius; temperatures are absolute");
   else if (T > 6000.0)
-    warnings.push_back(what + " " + shortly(T) + " K, at which no solid exists; check the exponent");
+    warnings.push_back(what + " " + formatShort(T) + " K, at which no solid exists; check the exponent");
 }
 
 template <int D>

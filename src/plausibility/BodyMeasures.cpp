@@ -35,7 +35,7 @@ struct Extent
 template <int D>
 void setMaterial(const State<D>& state, int material, BodyMeasure<D>& body)
 {
-  const Properties& properties = state.materials.list[material];
+  const Properties& properties = state.materials.properties[material];
   body.material = state.materials.names[material];
   body.density = properties.density;
   body.moduli = elasticity(properties);
@@ -55,7 +55,7 @@ std::vector<BodyMeasure<D>> measureBodies(const State<D>& state)
   const auto edge = host(state.particles.template real<D>(fields::edge));
   const auto mass = host(state.particles.scalar(fields::mass));
   const auto volume = host(state.particles.scalar(fields::volume));
-  const std::size_t count = state.bodies.list.size();
+  const std::size_t count = state.bodies.info.size();
   std::vector<BodyMeasure<D>> bodies(count);
   std::vector<Extent<D>> inSpace(count), own(count);
   for (int p = 0; p < state.particles.size(); ++p)
@@ -63,7 +63,7 @@ std::vector<BodyMeasure<D>> measureBodies(const State<D>& state)
     const int b = number(p);
     bodies[b].mass += mass(p);
     bodies[b].volume += volume(p);
-    const auto& axes = state.bodies.list[b].axes;
+    const auto& axes = state.bodies.info[b].axes;
     for (int d = 0; d < D; ++d)
     {
       double along = 0.0, half = 0.0;
@@ -79,14 +79,14 @@ std::vector<BodyMeasure<D>> measureBodies(const State<D>& state)
   for (std::size_t b = 0; b < count; ++b)
   {
     BodyMeasure<D>& body = bodies[b];
-    body.name = state.bodies.list[b].name;
+    body.name = state.bodies.info[b].name;
     body.lower = inSpace[b].lower;
     body.upper = inSpace[b].upper;
     const Vector<D> extents = own[b].upper - own[b].lower;
     body.shortest = *std::min_element(extents.c, extents.c + D);
     body.longest = *std::max_element(extents.c, extents.c + D);
     body.size = std::pow(body.volume / state.method.thickness, 1.0 / D);
-    setMaterial(state, state.bodies.list[b].material, body);
+    setMaterial(state, state.bodies.info[b].material, body);
   }
   return bodies;
 }

@@ -24,8 +24,8 @@ void judgeStrain(const JudgedScene<D>& judged, Messages& messages)
                                   [](const BodyMeasure<D>& body) { return body.linear; });
   if (load == nullptr || load->strain <= (linear ? linearLimit : anyLimit))
     return;
-  messages.push_back(load->where + ": it strains the body by about " + shortly(100.0 * load->strain) +
-                     " % (" + shortly(load->stress) + " Pa), " +
+  messages.push_back(load->where + ": it strains the body by about " + formatShort(100.0 * load->strain) +
+                     " % (" + formatShort(load->stress) + " Pa), " +
                      (linear ? "beyond what a linear law holds for; use a law of finite strain, or check "
                              : "more than a solid withstands; check ") +
                      "units (N, Pa, m, m/s)");
@@ -52,7 +52,7 @@ void judgeHistories(const JudgedScene<D>& judged, Messages& messages)
     const double largest = rangeOf(list.get<std::string>("History"), end).largest;
     if (largest < 1e-3)
       messages.push_back(where + " > History: up to Time > Final Time = " + readableTime(end) +
-                         " its factor is at most " + shortly(largest) +
+                         " its factor is at most " + formatShort(largest) +
                          ", so this boundary does next to nothing; times are in seconds");
   }
 }

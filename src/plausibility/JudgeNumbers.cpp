@@ -55,8 +55,8 @@ void judgeDensities(const JudgedScene<D>& judged, Messages& messages)
 {
   constexpr double lightest = 5.0, heaviest = 25e3;
   const MaterialSet& materials = judged.state.materials;
-  for (std::size_t m = 0; m < materials.list.size(); ++m)
-    if (const double density = materials.list[m].density; density < lightest || density > heaviest)
+  for (std::size_t m = 0; m < materials.properties.size(); ++m)
+    if (const double density = materials.properties[m].density; density < lightest || density > heaviest)
       messages.push_back(
           "Materials > " + materials.names[m] + " > Density is " + formatReal(density) + " kg/m3, " +
           (density < lightest ? "less than of foams (10)" : "more than of any solid (osmium 22 590)") +
@@ -74,8 +74,8 @@ void judgeThicknessOfPlane(const JudgedScene<D>& judged, Messages& messages)
   if (D == 3 || thickness == 1.0 || (thickness <= 1e3 * longest && thickness >= 1e-5 * longest))
     return;
   messages.push_back("Domain > Thickness is " + readableLength(thickness) + ", " +
-                     shortly(thickness / longest) + " times the largest body's " + readableLength(longest) +
-                     "; it is in metres");
+                     formatShort(thickness / longest) + " times the largest body's " +
+                     readableLength(longest) + "; it is in metres");
 }
 
 } // namespace

@@ -127,8 +127,8 @@ void judgeBody(const JudgedScene<D>& judged, const std::string& name, Messages& 
                          (hole     ? "hole"
                           : k == 0 ? "body"
                                    : "added part") +
-                         " is " + readableLength(width) + " thin, " + shortly(width / cell) + " cells of " +
-                         readableLength(cell) + "; two cells are the least that the grid " +
+                         " is " + readableLength(width) + " thin, " + formatShort(width / cell) +
+                         " cells of " + readableLength(cell) + "; two cells are the least that the grid " +
                          (hole ? "keeps open" : "bends and strains") +
                          ": use smaller cells (Domain > Cell Size), or check its size (metres)");
   }

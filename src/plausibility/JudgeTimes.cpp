@@ -18,12 +18,12 @@ void judgeSteps(const JudgedScene<D>& judged, double end, Messages& messages)
   constexpr double most = 1e8; // years of computing for a million particles
   const double steps = end / judged.step;
   if (steps < 1.0)
-    messages.push_back("Time > Final Time is " + readableTime(end) + ", " + shortly(steps) +
+    messages.push_back("Time > Final Time is " + readableTime(end) + ", " + formatShort(steps) +
                        " of the first stable step of " + readableTime(judged.step) +
                        ", so nothing happens; times are in seconds");
   else if (steps > most && judged.state.clock.maximumSteps > most)
-    messages.push_back("Time > Final Time is " + readableTime(end) + ", which takes about " + shortly(steps) +
-                       " steps of " + readableTime(judged.step) +
+    messages.push_back("Time > Final Time is " + readableTime(end) + ", which takes about " +
+                       formatShort(steps) + " steps of " + readableTime(judged.step) +
                        "; write a shorter time or larger cells, and check units (m, s, Pa, kg/m3)");
 }
 
@@ -40,8 +40,8 @@ void judgeWaves(const JudgedScene<D>& judged, double end, Messages& messages)
     return;
   messages.push_back(
       "Bodies > " + best->name + ": in Time > Final Time = " + readableTime(end) + " waves of " +
-      shortly(best->speed) + " m/s travel " + readableLength(end * best->speed) + ", and the body is " +
-      readableLength(best->longest) + " long (" + shortly(best->size / judged.state.mesh.grid.spacing) +
+      formatShort(best->speed) + " m/s travel " + readableLength(end * best->speed) + ", and the body is " +
+      readableLength(best->longest) + " long (" + formatShort(best->size / judged.state.mesh.grid.spacing) +
       " cells of " + readableLength(judged.state.mesh.grid.spacing) +
       "); most of it stays at rest: are lengths in metres, and the time in seconds?");
 }
@@ -58,7 +58,7 @@ void judgeWeight(const JudgedScene<D>& judged, Messages& messages)
   for (const BodyMeasure<D>& body : judged.bodies)
     if (const double weight = body.density * g * body.longest; highest > 0.0 && weight > highest)
       messages.push_back("Bodies > " + body.name + ": its own weight would stress it with " +
-                         shortly(weight) + " Pa, more than its loads (" + shortly(highest) +
+                         formatShort(weight) + " Pa, more than its loads (" + formatShort(highest) +
                          " Pa at most): are lengths in metres, and loads in N and Pa? It is " +
                          readableLength(body.longest) + " long");
 }

@@ -241,8 +241,10 @@ private:
     const double by = one.by - other.by;
     const std::string& where = one.by > -other.by ? one.where : other.where;
     for (const BodyMeasure<D>& body : bodies_)
-      found_.push_back({where, by / body.longest, by / body.longest * body.moduli.young,
-                        by / body.shortest * body.moduli.young});
+    {
+      const double bent = by * body.shortest / (body.longest * body.longest); // a crack may let arms bend
+      found_.push_back({where, bent, bent * body.moduli.young, by / body.shortest * body.moduli.young});
+    }
   }
 
   const State<D>& state_;

@@ -22,7 +22,7 @@ struct LoadEstimate
 /// One for each load, moving support and moving body, at the largest value of its history; those without
 /// effect are left out. Stresses: traction t; force F over the section V / L, in bending F / A (1 + 6 L / H)
 /// at most; gravity rho g L; spin rho w^2 L^2 / 4; impact rho c v / 2 (Kolsky, Stress Waves in Solids, 1953);
-/// supports that move apart by u: E u / L.
+/// supports that move apart by u: E u H / L^2.
 /// \param scene validated; only sections of the core are read \param bodies of measureBodies
 template <int D>
 std::vector<LoadEstimate> estimateLoads(const Teuchos::ParameterList& scene, const State<D>& state,

@@ -148,7 +148,7 @@ class Information(ProgramTest):
 
     def test_help_names_every_option_and_exit_status(self):
         text = self.said("--help")
-        for option in ("--output", "--set", "--quiet", "--check", "--print-plan", "--describe", "--version"):
+        for option in ("--output", "--set", "--quiet", "--strict", "--check", "--print-plan", "--describe", "--version"):
             self.assertIn(option, text)
         for status in range(5):
             self.assertRegex(text, rf"\b{status} ")

@@ -229,7 +229,7 @@ def crack_in_millimetres(scene, rng):
         return None
     name = rng.choice(names)
     scene.scale(LENGTHS, 1000.0, f"Cracks > {name}")
-    return where("Cracks", name)
+    return where("Cracks", name) + "|no crack has a front"
 
 
 def cells_in_millimetres(scene, rng):
