@@ -14,11 +14,11 @@ using Teuchos::ParameterList;
 
 /// No quantity in SI units is larger or, unless zero, smaller: power densities reach 1e20 W/m3 at crack tips,
 /// burn coefficients fall to 1e-20 m/s/Pa^n.
-constexpr double largest = 1e24, smallest = 1e-30;
+constexpr double largestNumber = 1e24, smallestNumber = 1e-30;
 
 bool isBeyond(double value)
 {
-  return std::fabs(value) > largest || (value != 0.0 && std::fabs(value) < smallest);
+  return std::fabs(value) > largestNumber || (value != 0.0 && std::fabs(value) < smallestNumber);
 }
 
 /// Every number of a list and its sublists.
@@ -43,7 +43,7 @@ void lookThrough(const ParameterList& list, const std::string& path, Messages& m
       if (isBeyond(value))
       {
         messages.push_back(where + " is " + formatReal(value) + ", and no quantity in SI units is that " +
-                           (std::fabs(value) > largest ? "large" : "small") + "; check the exponent");
+                           (std::fabs(value) > largestNumber ? "large" : "small") + "; check the exponent");
         break;
       }
   }
