@@ -46,17 +46,17 @@ void judgeWaves(const JudgedScene<D>& judged, double end, Messages& messages)
       "); most of it stays at rest: are lengths in metres, and the time in seconds?");
 }
 
-/// A body so large that its weight strains it more than all its loads: hardly meant where there is no
-/// gravity.
+/// A body so large that its weight strains it ten times more than all its loads: hardly meant where there is
+/// no gravity.
 template <int D>
 void judgeWeight(const JudgedScene<D>& judged, Messages& messages)
 {
-  constexpr double g = 9.81;
+  constexpr double g = 9.81, times = 10.0;
   double highest = 0.0;
   for (const LoadEstimate& load : judged.loads)
     highest = std::max(highest, load.highest);
   for (const BodyMeasure<D>& body : judged.bodies)
-    if (const double weight = body.density * g * body.longest; highest > 0.0 && weight > highest)
+    if (const double weight = body.density * g * body.longest; highest > 0.0 && weight > times * highest)
       messages.push_back("Bodies > " + body.name + ": its own weight would stress it with " +
                          formatShort(weight) + " Pa, more than its loads (" + formatShort(highest) +
                          " Pa at most): are lengths in metres, and loads in N and Pa? It is " +

@@ -103,7 +103,7 @@ class OddCracks(ProgramTest):
         never = self.wedged(0.2)
         for name in ("Up", "Down"):
             never.set("Boundaries > " + name + " > History", "0")
-        self.reports(never, where=where)
+        self.reports(never, "does next to nothing", "does next to nothing", where="Boundaries > ")
 
     def test_supports_in_the_ring_of_the_contour(self):
         """The notch ends in the middle of the plate; J is of the ring from 0.15 to 0.3 m."""
