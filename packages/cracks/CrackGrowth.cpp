@@ -1,7 +1,5 @@
 #include "cracks/CrackGrowth.hpp"
 
-#include "archive/Archive.hpp"
-#include "base/Numbers.hpp"
 #include "cracks/CrackGeometry.hpp"
 #include "cracks/ForgetSides.hpp"
 #include "cracks/FrontSmoothing.hpp"
@@ -27,23 +25,16 @@ constexpr double sideways = 0.15;
 /// Cosine of the largest angle that counts as straight. Directions of 3D fronts are less accurate.
 template <int D>
 constexpr double straight = D == 2 ? 1.0 - 1e-12 : 1.0 - 1e-6;
+/// Depth [cells] from which on an end of a front is taken back to the surface, and by how much the reach of
+/// particles is beyond that.
+constexpr double leastInside = 0.5, particleOverhang = 0.2;
 /// A piece shorter than this fraction of its advance has no direction.
 constexpr double leastPiece = 1e-3;
 
 template <int D>
 std::string nameOf(const State<D>& state, int f)
 {
-  const CrackFront<D>& front = state.cracks.fronts[f];
-  return "crack " + state.cracks.cracks[front.crack].name + ", front " + std::to_string(front.number);
-}
-
-template <int D>
-std::string textOf(const Vector<D>& x)
-{
-  std::string text;
-  for (int d = 0; d < D; ++d)
-    text += formatReal(x[d]) + (d + 1 < D ? ", " : " m");
-  return text;
+  return frontName(state.cracks, state.cracks.fronts[f]);
 }
 
 /// How far a front node moves along its front in addition to its advance, towards the middle of its
@@ -64,20 +55,6 @@ Vector<3> evening(const GrowingSurface& mesh, const FrontLines<3>& lines, std::s
 }
 
 } // namespace
-
-template <int D>
-void CrackGrowth<D>::report(State<D>& state, int front, Event event, const std::string& what,
-                            const Vector<D>& where)
-{
-  if (std::exchange(reported_[front][static_cast<int>(event)], true))
-    return;
-  state.warnings.push_back(
-      nameOf(state, front) + ": " + what + " at t = " + readableTime(state.clock.time) + ", at " +
-      textOf(where) +
-      (event == Event::Stopped
-           ? "; cells can't resolve faces that are closer: use smaller cells (Domain > Cell Size)"
-           : ""));
-}
 
 /// Sizes of cells, and lengths smoothed along the front. \return whether the front turns \param longest of
 /// the lengths before smoothing [m]
@@ -106,9 +83,40 @@ bool CrackGrowth<D>::prepare(const State<D>& state, Advancing& f, double& longes
   return turns;
 }
 
+/// Takes ends of a 3D front that would leave the surface of the body back to it, along the front. A surface
+/// that curves, or a border of the crack that does not follow it, leads them into the body, where the front
+/// would turn round them.
+template <int D>
+void CrackGrowth<D>::keepOnSurface(const State<D>& state, const Advancing& f,
+                                   std::vector<AdvancingNode<D>>& nodes) const
+{
+  std::vector<Path<D>> paths;
+  std::vector<AdvancingNode<D>*> ends;
+  for (AdvancingNode<D>& node : nodes)
+  {
+    const std::size_t k = node.node;
+    const int last = previousPoint(f.lines, k);
+    const Vector<D>& x = f.front.nodes[k].position;
+    const double cell = node.path.cell;
+    if (node.ligament.ends || (last >= 0) == f.lines[k].joined ||
+        std::any_of(mirrors_.begin(), mirrors_.end(),
+                    [&](const MirrorPlane& plane) { return isOn(plane, x[plane.axis], cell); }))
+      continue;
+    const Vector<D> along = x - f.front.nodes[last >= 0 ? last : nextPoint(f.lines, k)].position;
+    paths.push_back({node.to, (1.0 / norm(along)) * along, cell, cell});
+    ends.push_back(&node);
+  }
+  const std::vector<Ligament> ligaments = ligamentsAhead(state, paths);
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    if (ligaments[i].ends && ligaments[i].length > leastInside * paths[i].cell)
+      ends[i]->to =
+          ends[i]->to + (ligaments[i].length - particleOverhang * paths[i].cell) * paths[i].direction;
+}
+
 /// The end point of each advance, limited by the ligament.
 template <int D>
-std::vector<AdvancingNode<D>> CrackGrowth<D>::findPaths(const State<D>& state, const Advancing& f) const
+std::vector<AdvancingNode<D>> CrackGrowth<D>::findPaths(const State<D>& state, const Advancing& f,
+                                                        const FrontAdvance<D>& advance) const
 {
   std::vector<AdvancingNode<D>> nodes;
   std::vector<Path<D>> paths;
@@ -120,7 +128,8 @@ std::vector<AdvancingNode<D>> CrackGrowth<D>::findPaths(const State<D>& state, c
     if constexpr (D == 2)
       path.gap =
           std::max(leastLigament * path.cell, f.crack.mesh.openingBehind(f.lines[k].vertex, path.cell));
-    nodes.push_back({f.number, static_cast<int>(k), f.lines[k].vertex, path, {}, {}});
+    nodes.push_back(
+        {f.number, static_cast<int>(k), f.lines[k].vertex, path, {}, {}, advance.nodes[k].length > 0.0});
     paths.push_back(path);
   }
   const std::vector<Ligament> ligaments = ligamentsAhead(state, paths);
@@ -133,6 +142,8 @@ std::vector<AdvancingNode<D>> CrackGrowth<D>::findPaths(const State<D>& state, c
       if (!node.ligament.ends)
         node.to = node.to + evening(f.crack.mesh, f.lines, node.node, node.path.length);
   }
+  if constexpr (D == 3)
+    keepOnSurface(state, f, nodes);
   return nodes;
 }
 
@@ -151,7 +162,8 @@ void CrackGrowth<D>::endMet(State<D>& state, std::vector<GrowingCrack<D>>& crack
     crack.ends[i].vertex = vertex;
     crack.fronts[i].clear();
     front.ended = true;
-    report(state, met, Event::Landed, "was met by " + nameOf(state, f.number), crack.mesh.vertices[vertex]);
+    report(state, met, Event::Landed,
+           {"was met by " + nameOf(state, f.number), 0.0, crack.mesh.vertices[vertex]});
   }
 }
 
@@ -166,11 +178,14 @@ bool CrackGrowth<D>::advanceNode(State<D>& state, std::vector<GrowingCrack<D>>& 
   const std::string& other = encounter.crack < 0 ? "" : state.cracks.cracks[encounter.crack].name;
   if (encounter.kind == Kind::Stops)
   {
+    // One that only its neighbours take along may advance later.
+    if (!node.due)
+      return false;
     point.stopped = true;
     report(state, f.number, Event::Stopped,
-           encounter.crack == f.front.crack ? "stopped less than three cells from faces of its own crack"
-                                            : "stopped less than three cells from crack " + other,
-           node.path.from);
+           {encounter.crack == f.front.crack ? "stopped less than three cells from faces of its own crack"
+                                             : "stopped less than three cells from crack " + other,
+            0.0, node.path.from, f.front.nodes[node.node].driving.release, f.asked[node.node].toughness});
     return false;
   }
   const bool joins = encounter.kind != Kind::None;
@@ -198,10 +213,10 @@ bool CrackGrowth<D>::advanceNode(State<D>& state, std::vector<GrowingCrack<D>>& 
   if constexpr (D == 2)
     f.crack.mesh.joined[first ? 0 : 1] = joins;
   report(state, f.number, Event::Landed,
-         encounter.kind == Kind::Meets   ? "met " + nameOf(state, encounter.front)
-         : encounter.kind == Kind::Joins ? "joined crack " + other
-                                         : "reached the surface of its body",
-         to);
+         {encounter.kind == Kind::Meets   ? "met " + nameOf(state, encounter.front)
+          : encounter.kind == Kind::Joins ? "joined crack " + other
+                                          : "reached the surface of its body",
+          0.0, to});
   if (encounter.kind == Kind::Meets)
     endMet(state, cracks, f, encounter.front);
   if (joins)
@@ -247,7 +262,7 @@ void CrackGrowth<D>::growFront(State<D>& state, std::vector<GrowingCrack<D>>& cr
   double longest = 0.0;
   const bool turns = prepare(state, f, longest);
   bool moves = false;
-  for (const AdvancingNode<D>& node : findPaths(state, f))
+  for (const AdvancingNode<D>& node : findPaths(state, f, advance))
   {
     const double before = f.area;
     moves = advanceNode(state, cracks, f, node, meetings) || moves;
@@ -271,7 +286,8 @@ std::vector<Meeting> CrackGrowth<D>::grow(State<D>& state)
   if (set.advances.empty())
     return meetings;
   lastToughness_.resize(set.fronts.size(), 0.0);
-  reported_.resize(set.fronts.size());
+  stops_.resize(set.fronts.size());
+  arrivals_.resize(set.fronts.size());
   std::vector<GrowingCrack<D>> cracks = readGrowing(set, marks_);
   for (const FrontAdvance<D>& advance : set.advances)
     if (!set.fronts[advance.front].ended) // a front that has been met stops
@@ -279,63 +295,6 @@ std::vector<Meeting> CrackGrowth<D>::grow(State<D>& state)
   set.advances.clear();
   writeGrowing(set, cracks, marks_, state.mesh.grid.spacing);
   return meetings;
-}
-
-template <int D>
-std::vector<double> CrackGrowth<D>::toughnessAlong(const CrackSet<D>& set, int front) const
-{
-  const std::vector<FrontNode<D>>& nodes = set.fronts[front].nodes;
-  const std::size_t f = front;
-  const double last = f < lastToughness_.size() ? lastToughness_[f] : 0.0;
-  std::vector<double> along(std::max<std::size_t>(1, nodes.size()), last);
-  if (f >= marks_.size())
-    return along;
-  const std::vector<FrontMark>& marks = marks_[f];
-  for (std::size_t k = 0; k < marks.size(); ++k)
-  {
-    double shortest = 1e300;
-    for (std::size_t other = 0; other < marks.size(); ++other)
-    {
-      const double distance = norm(nodes[other].position - nodes[k].position);
-      if (marks[other].toughness > 0.0 && (other == k || distance < shortest))
-      {
-        shortest = other == k ? -1.0 : distance;
-        along[k] = marks[other].toughness;
-      }
-    }
-  }
-  return along;
-}
-
-template <int D>
-void CrackGrowth<D>::serialize(const CrackSet<D>& set, Archive& archive)
-{
-  std::vector<int> landed;
-  std::vector<double> toughness;
-  for (const std::vector<FrontMark>& marks : marks_)
-    for (const FrontMark& mark : marks)
-    {
-      landed.push_back(mark.landed ? 1 : 0);
-      toughness.push_back(mark.toughness);
-    }
-  archive("landed", landed);
-  archive("node_toughness", toughness);
-  archive("last_toughness", lastToughness_);
-  if (!archive.loads())
-    return;
-  marks_.assign(set.fronts.size(), {});
-  reported_.assign(set.fronts.size(), {});
-  std::size_t row = 0;
-  for (std::size_t f = 0; f < set.fronts.size(); ++f)
-    for (const FrontNode<D>& node : set.fronts[f].nodes)
-      if (!set.fronts[f].ended && row < landed.size())
-      {
-        const FrontMark mark{toughness[row], landed[row] != 0};
-        reported_[f][0] = reported_[f][0] || mark.landed;
-        reported_[f][1] = reported_[f][1] || (node.stopped && !mark.landed);
-        marks_[f].push_back(mark);
-        ++row;
-      }
 }
 
 template class CrackGrowth<2>;

@@ -3,10 +3,10 @@
 
 #include "boundary/MirrorPlanes.hpp"
 #include "cracks/Encounter.hpp"
+#include "cracks/FrontEvent.hpp"
 #include "cracks/GrowingCrack.hpp"
 #include "cracks/Junctions.hpp"
 
-#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -50,6 +50,17 @@ public:
   /// where nothing has grown [J/m2].
   std::vector<double> toughnessAlong(const CrackSet<D>& set, int front) const;
 
+  /// What keeps a front from advancing for numerical reasons, though G is high enough; null where nothing
+  /// does, while other nodes of it run, and once it has ended.
+  const FrontEvent<D>* stopOf(const CrackSet<D>& set, int front) const;
+  /// With what a front, or the last node of it that did, reached a surface or another crack; null where none
+  /// has.
+  const FrontEvent<D>* arrivalOf(int front) const
+  {
+    const std::size_t row = front;
+    return row < arrivals_.size() && arrivals_[row].happened() ? &arrivals_[row] : nullptr;
+  }
+
   /// Saves or loads the history of the fronts, after the cracks themselves (CrackMemory.hpp).
   void serialize(const CrackSet<D>& set, Archive& archive);
 
@@ -69,25 +80,27 @@ private:
   };
 
   bool prepare(const State<D>& state, Advancing& f, double& longest) const;
-  std::vector<AdvancingNode<D>> findPaths(const State<D>& state, const Advancing& f) const;
+  std::vector<AdvancingNode<D>> findPaths(const State<D>& state, const Advancing& f,
+                                          const FrontAdvance<D>& advance) const;
+  void keepOnSurface(const State<D>& state, const Advancing& f, std::vector<AdvancingNode<D>>& nodes) const;
   bool advanceNode(State<D>& state, std::vector<GrowingCrack<D>>& cracks, Advancing& f,
                    const AdvancingNode<D>& node, std::vector<Meeting>& meetings);
   void endMet(State<D>& state, std::vector<GrowingCrack<D>>& cracks, const Advancing& f, int met);
   void evenPieces(Advancing& f);
   void growFront(State<D>& state, std::vector<GrowingCrack<D>>& cracks, const FrontAdvance<D>& advance,
                  std::vector<Meeting>& meetings);
-  /// Reports an event of a front once.
+  /// Keeps events of fronts, and reports the first of each kind.
   enum class Event
   {
     Landed,
     Stopped
   };
-  void report(State<D>& state, int front, Event event, const std::string& what, const Vector<D>& where);
+  void report(State<D>& state, int front, Event event, FrontEvent<D> what);
 
   std::vector<MirrorPlane> mirrors_;
   FrontMarks marks_;
-  std::vector<double> lastToughness_;         ///< of each front, of what it made last [J/m2]
-  std::vector<std::array<bool, 2>> reported_; ///< of each front, events that were
+  std::vector<double> lastToughness_;           ///< of each front, of what it made last [J/m2]
+  std::vector<FrontEvent<D>> stops_, arrivals_; ///< of each front: the first stop, the last arrival
 };
 
 } // namespace Rhegma::cracks

@@ -204,8 +204,15 @@ void move(Parts<D>& parts, State<D>& state)
 }
 
 template <int D>
-void observe(State<D>& state)
+void observe(const Parts<D>& parts, State<D>& state)
 {
+  for (std::size_t f = 0; f < state.cracks.fronts.size() && parts.grows; ++f)
+  {
+    const CrackFront<D>& front = state.cracks.fronts[f];
+    state.sample.row.emplace_back(
+        state.cracks.cracks[front.crack].name + "." + std::to_string(front.number) + ".stopped",
+        parts.growth.stopOf(state.cracks, static_cast<int>(f)) != nullptr ? 1.0 : 0.0);
+  }
   for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
   {
     const Opening opening = measureOpening(state.cracks, static_cast<int>(c));
@@ -237,12 +244,17 @@ void report(const Parts<D>& parts, const State<D>& state, nlohmann::json& summar
   }
   if (parts.grows)
     summary["energy_in_flight"] = parts.springs.pendingEnergy(state, parts.surroundings.stamp);
-  for (const CrackFront<D>& front : state.cracks.fronts)
+  for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
   {
+    const CrackFront<D>& front = state.cracks.fronts[f];
     nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
     entry["position"] = std::vector<double>(front.position.c, front.position.c + D);
     entry["length"] = front.length;
     entry["speed"] = front.speed();
+    if (const FrontEvent<D>* stop = parts.growth.stopOf(state.cracks, static_cast<int>(f)))
+      entry["stop"] = stop->asEntry();
+    if (const FrontEvent<D>* arrival = parts.growth.arrivalOf(static_cast<int>(f)))
+      entry["arrival"] = arrival->asEntry();
   }
 }
 
@@ -278,8 +290,8 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
                {quantity::crackGeometry},
                {},
                [=](State<D>& s) { move(*parts, s); }});
-  effect.call({Stage::Observe, "opening of cracks", {quantity::crackGeometry}, {}, {}, [](State<D>& s) {
-                 observe(s);
+  effect.call({Stage::Observe, "opening of cracks", {quantity::crackGeometry}, {}, {}, [=](State<D>& s) {
+                 observe(*parts, s);
                }});
   if constexpr (D == 2)
     if (parts->formulation == Formulation::CorrectedBrokenCell)

@@ -37,6 +37,7 @@ struct AdvancingNode
   Path<D> path;      ///< from it
   Ligament ligament; ///< that it has
   Vector<D> to;      ///< where it would go to [m]
+  bool due = true;   ///< its own driving force advances it, not the smoothing of its front
 };
 
 /// In 2D: a front that comes closer than three cells to another crack that lies across its path, less than

@@ -5,6 +5,7 @@
 #include "transfer/NearestMaterial.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -147,6 +148,14 @@ void selectAdvancing(State<D>& state, const Options& options, std::vector<FrontS
       if (own.increment == 0.0 || !own.history.running())
         own.increment = incrementFraction<D> * options.cells * spacingAt(state, node.position);
       const AdvanceRule rule = ruleAt(node.temperature, options);
+      if (!std::isfinite(node.driving.release))
+      {
+        state.failure = "the energy release rate of crack " + state.cracks.cracks[front.crack].name +
+                        ", front " + std::to_string(front.number) +
+                        ", is not a number, so it can't be said whether it advances; use smaller cells "
+                        "(Domain > Cell Size)";
+        return;
+      }
       if (isWeak(rule, own.speedLimit))
       {
         state.failure = failureOfWeak(node.temperature);

@@ -77,6 +77,8 @@ Advance FrontHistory::advance(const AdvanceRule& rule, double time, double relea
   {
     running_ = false;
     lastSpeed_ = 0.0;
+    arrestRelease_ = release;
+    arrestToughness_ = rule.arrest;
   }
   return made;
 }
@@ -176,6 +178,8 @@ void FrontHistory::serialize(Archive& archive)
   archive("increment", increment_);
   archive("time_before", timeBefore_);
   archive("release_before", releaseBefore_);
+  archive("arrest_release", arrestRelease_);
+  archive("arrest_toughness", arrestToughness_);
   archive("impulse", impulse_);
   archive("times", times_);
   archive("lengths", lengths_);

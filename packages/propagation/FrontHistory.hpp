@@ -69,6 +69,10 @@ public:
   /// AdvanceRule::startTime on and before it first initiated.
   double closest() const { return closest_; }
 
+  /// The energy release rate and the toughness above it with which the front arrested last [J/m2]; zeros
+  /// where it has not.
+  std::pair<double, double> arrest() const { return {arrestRelease_, arrestToughness_}; }
+
   /// All its runs; the last may not be over.
   std::vector<CrackRun> runs() const;
 
@@ -89,13 +93,14 @@ private:
 
   bool running_ = false;
   double closest_ = 0.0;
-  double last_ = 0.0;                              ///< time of the last increment [s]
-  double lastSpeed_ = 0.0;                         ///< of the last increment [m/s]
-  double increment_ = 0.0;                         ///< its length [m]
-  double timeBefore_ = 0.0, releaseBefore_ = 0.0;  ///< at the end of the step before
-  double impulse_ = 0.0;                           ///< energy release rate over time, all of it [J s/m2]
-  std::vector<double> times_, lengths_, impulses_; ///< of each increment; impulses_ up to it
-  std::vector<int> starts_;                        ///< increments with which it initiated
+  double last_ = 0.0;                                  ///< time of the last increment [s]
+  double lastSpeed_ = 0.0;                             ///< of the last increment [m/s]
+  double increment_ = 0.0;                             ///< its length [m]
+  double timeBefore_ = 0.0, releaseBefore_ = 0.0;      ///< at the end of the step before
+  double arrestRelease_ = 0.0, arrestToughness_ = 0.0; ///< of the last arrest [J/m2]
+  double impulse_ = 0.0;                               ///< energy release rate over time, all of it [J s/m2]
+  std::vector<double> times_, lengths_, impulses_;     ///< of each increment; impulses_ up to it
+  std::vector<int> starts_;                            ///< increments with which it initiated
 };
 
 } // namespace Rhegma::propagation

@@ -36,10 +36,27 @@ void storePath(PathStart<D>& start, std::vector<PathPoint<D>>& path, Archive& ar
 } // namespace
 
 template <int D>
-bool FrontState<D>::running() const
+bool FrontState<D>::running(const CrackFront<D>& front) const
 {
-  return std::any_of(nodes.begin(), nodes.end(),
-                     [](const auto& node) { return node.second.history.running(); });
+  return !front.ended && std::any_of(front.nodes.begin(), front.nodes.end(),
+                                     [&](const FrontNode<D>& node)
+                                     {
+                                       const auto own = nodes.find(node.name);
+                                       return !node.stopped && own != nodes.end() &&
+                                              own->second.history.running();
+                                     });
+}
+
+template <int D>
+std::pair<double, double> FrontState<D>::arrest() const
+{
+  std::pair<double, double> closest{0.0, 0.0};
+  for (const auto& [name, node] : nodes)
+    if (const auto own = node.history.arrest();
+        own.second > 0.0 &&
+        (closest.second == 0.0 || own.first * closest.second > closest.first * own.second))
+      closest = own;
+  return closest;
 }
 
 template <int D>

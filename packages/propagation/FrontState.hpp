@@ -5,6 +5,7 @@
 #include "state/State.hpp"
 
 #include <map>
+#include <utility>
 #include <vector>
 
 namespace Rhegma::propagation
@@ -49,8 +50,10 @@ struct FrontState
   PathStart<D> start;             ///< of a front with one node
   std::vector<PathPoint<D>> path; ///< of a front with one node
 
-  /// Whether any of its nodes runs.
-  bool running() const;
+  /// Whether any of its nodes runs that can.
+  bool running(const CrackFront<D>& front) const;
+  /// FrontHistory::arrest of the node that came to rest closest to its toughness; zeros where none did.
+  std::pair<double, double> arrest() const;
   /// Mean of the settled speeds of its nodes [m/s].
   double settledSpeed() const;
   /// FrontHistory::closest of the node that came closest.

@@ -85,6 +85,13 @@ Section propagationSection()
       .positive()
       .optional("Rayleigh wave speed")
       .meaning("Upper limit of the front speed.");
+  s.choice("On Stop", {"Stop", "Continue"})
+      .byDefault("Stop")
+      .mayChange()
+      .meaning("What happens where the cells stop a front though G is not below its toughness, because faces "
+               "are closer than they can resolve. Stop: the run ends with exit status 2. Continue: the rest "
+               "of the "
+               "run goes on, and the front has the status \"stopped\".");
   s.realArray("Release Contour")
       .onlyIn(2)
       .length(2)
@@ -169,7 +176,8 @@ Options readOptions(const Teuchos::ParameterList& scene, const RunOptions& run)
                   list.get<double>("Increment"),
                   list.isParameter("Speed Limit") ? list.get<double>("Speed Limit") : 0.0,
                   run.initialTemperature.value_or(0.0),
-                  {}};
+                  {},
+                  list.get<std::string>("On Stop") == "Stop"};
   options.contours = run.contours;
   return options;
 }

@@ -6,6 +6,7 @@
 #include "propagation/JudgeToughness.hpp"
 #include "propagation/Report.hpp"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <vector>
@@ -34,6 +35,17 @@ void start(State<D>& state, Run<D>& run)
     run.fronts[f].matchNodes(state.cracks.fronts[f]);
 }
 
+/// Ends the run with the sample in which the cells have stopped a front, by the columns of the cracks.
+template <int D>
+void haltAtStops(State<D>& state)
+{
+  const std::string flag = ".stopped";
+  for (const auto& [name, value] : state.sample.row)
+    if (value == 1.0 && name.size() > flag.size() &&
+        name.compare(name.size() - flag.size(), flag.size(), flag) == 0)
+      state.clock.maximumSteps = std::min(state.clock.maximumSteps, state.clock.step);
+}
+
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 {
@@ -58,6 +70,11 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
                {quantity::frontAdvances},
                {},
                [run](State<D>& state) { advanceSelected(state, run->options, run->fronts); }});
+  if (run->options.haltsAtStops)
+    effect.call(
+        {Stage::Observe, "fronts that the cells stop", {quantity::crackGeometry}, {}, {}, [](State<D>& s) {
+           haltAtStops(s);
+         }});
   effect.memory = [run](State<D>& state, Archive& archive)
   {
     for (std::size_t f = 0; f < run->fronts.size(); ++f)
@@ -69,7 +86,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   };
   effect.report = [run](const State<D>& state, nlohmann::json& summary)
   {
-    reportFronts(state, run->fronts, summary);
+    reportFronts(state, run->fronts, run->options.haltsAtStops, summary);
     reportToughness(run->options, summary);
   };
   return effect;

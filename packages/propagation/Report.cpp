@@ -16,11 +16,13 @@ namespace
 
 constexpr double notYet = std::numeric_limits<double>::quiet_NaN(); ///< null in the summary
 
-/// Runs of a front that have a message, in addition to its last; the summary has them all.
-constexpr std::size_t mostReported = 3;
-
 /// Fraction by which faces may over-dissipate before a warning says so: usual runs stay within 5 %.
 constexpr double mostTooMuch = 0.1;
+
+/// What helps where the cells stop a front.
+constexpr const char* adviceAtStop = "; use smaller cells (Domain > Cell Size), which can tell faces apart "
+                                     "that are closer, or let the rest of the run "
+                                     "go on without it (Propagation > On Stop = Continue)";
 
 template <int D>
 std::string nameOf(const State<D>& state, const CrackFront<D>& front)
@@ -40,33 +42,74 @@ void reportRest(const State<D>& state, const CrackFront<D>& front, double closes
                                 formatReal(rounded) + " of the initiation toughness");
 }
 
-/// When and how far a front ran, in its entry and in a message each.
-/// \param runs the last is over unless the front is running \param speed now [m/s]
-template <int D>
-void reportRuns(const State<D>& state, const CrackFront<D>& front, const std::vector<CrackRun>& runs,
-                bool running, double speed, nlohmann::json& summary)
+/// All runs of a front, for its entry.
+nlohmann::json entryOfRuns(const std::vector<CrackRun>& runs)
 {
-  nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number]["runs"];
-  entry = nlohmann::json::array();
+  nlohmann::json entry = nlohmann::json::array();
   for (const CrackRun& run : runs)
     entry.push_back(
         {{"initiated", run.initiation}, {"last_advance", run.lastAdvance}, {"length", run.length}});
-  for (std::size_t r = 0; r < runs.size(); ++r)
+  return entry;
+}
+
+/// When, how often, how far, where to and how fast a front ran.
+/// \param position where it is now [m]
+template <int D>
+std::string runsAsText(const std::vector<CrackRun>& runs, const Vector<D>& position)
+{
+  std::string text = "initiated at t = " + readableTime(runs.front().initiation);
+  if (runs.size() > 1)
+    text += ", arrested and reinitiated " + std::to_string(runs.size() - 1) + " times";
+  double length = 0.0, duration = 0.0;
+  for (const CrackRun& run : runs)
   {
-    const bool isLast = r + 1 == runs.size();
-    if (r >= mostReported && !isLast)
-      continue;
-    const CrackRun& run = runs[r];
-    std::string answer = nameOf(state, front) + ": initiated at t = " + readableTime(run.initiation) + ", ";
-    if (isLast && running)
-      answer += "still running at the end at " + formatShort(speed) + " m/s";
-    else
-      answer +=
-          (isLast && front.ended ? "ended at t = " : "arrested at t = ") + readableTime(run.lastAdvance);
-    if (std::isfinite(run.length))
-      answer += ", extension " + readableLength(run.length);
-    summary["answers"].push_back(answer);
+    length += run.length;
+    duration += run.lastAdvance - run.initiation;
   }
+  if (!std::isfinite(length)) // of a line in 3D
+    return text;
+  text += ", extension " + readableLength(length) + " to ";
+  for (int d = 0; d < D; ++d)
+    text += formatShort(position[d]) + (d + 1 < D ? ", " : " m");
+  if (duration > 0.0)
+    text += ", mean speed " + formatShort(length / duration) + " m/s";
+  return text;
+}
+
+/// What became of a front in the end. \param entry of the front, with what cracks say of it
+template <int D>
+std::string fateOf(const CrackFront<D>& front, const FrontState<D>& own, const nlohmann::json& entry)
+{
+  const auto at = [](const nlohmann::json& event)
+  { return event["what"].get<std::string>() + " at t = " + readableTime(event["time"].get<double>()); };
+  if (entry.contains("stop"))
+  {
+    const nlohmann::json& stop = entry["stop"];
+    return at(stop) + " by the cells, not arrested: G = " + formatShort(stop["G"].get<double>()) +
+           " J/m2 for Gc = " + formatShort(stop["toughness"].get<double>()) + " J/m2";
+  }
+  if (front.ended)
+    return entry.contains("arrival") ? at(entry["arrival"]) : "ended";
+  if (own.running(front))
+    return "still running at the end at " + formatShort(front.speed()) + " m/s";
+  const auto [release, toughness] = own.arrest();
+  if (toughness > 0.0)
+    return "arrested at t = " + readableTime(own.lastTime) + ", G = " + formatShort(release) +
+           " J/m2 below Gc = " + formatShort(toughness) + " J/m2";
+  return "all of it at a surface since t = " + readableTime(own.lastTime);
+}
+
+/// The status of a front: one word, and the reason of a stop.
+template <int D>
+std::string statusOf(const CrackFront<D>& front, const FrontState<D>& own, const nlohmann::json& entry)
+{
+  if (entry.contains("stop"))
+    return "stopped: " + entry["stop"]["what"].get<std::string>().substr(sizeof "stopped " - 1);
+  if (front.ended)
+    return "ended";
+  if (own.running(front))
+    return "running";
+  return own.increments == 0 ? "not initiated" : own.arrest().second > 0.0 ? "arrested" : "ended";
 }
 
 /// Mean time and position of the points of a path between two times; not numbers where there are none.
@@ -132,7 +175,8 @@ void reportEnergy(const State<D>& state, double required, nlohmann::json& summar
 } // namespace
 
 template <int D>
-void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& fronts, nlohmann::json& summary)
+void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& fronts, bool halts,
+                  nlohmann::json& summary)
 {
   double required = 0.0;
   for (std::size_t f = 0; f < state.cracks.fronts.size(); ++f)
@@ -140,30 +184,34 @@ void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& front
     const CrackFront<D>& front = state.cracks.fronts[f];
     const FrontState<D>& own = fronts[f];
     required += front.budget.required;
-    const bool moved = own.increments > 0, canAdvance = !front.ended && !front.stopped();
+    const bool moved = own.increments > 0;
     nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
     entry["increments"] = own.increments;
-    entry["running"] = own.running() && canAdvance;
+    entry["status"] = statusOf(front, own, entry);
+    entry["running"] = own.running(front);
     entry["ended"] = front.ended;
-    entry["stopped"] = front.stopped();
+    entry["stopped"] = entry.contains("stop");
     entry["initiated"] = moved ? own.firstTime : notYet;
     entry["last_advance"] = moved ? own.lastTime : notYet;
     entry["settled_speed"] = own.settledSpeed();
     entry["speed_limit"] = own.speedLimit;
     entry["energy_of_new_faces"] = front.budget.required;
     std::vector<CrackRun> runs;
-    double speed = own.settledSpeed();
     if constexpr (D == 2)
     {
       reportPath(front, own, entry);
       runs = own.nodes.at(front.nodes[0].name).history.runs();
-      speed = front.speed();
     }
     else if (moved) // nodes initiate and arrest one by one, and there is no single length
       runs = {{own.firstTime, own.lastTime, notYet}};
-    if (!moved && canAdvance)
+    entry["runs"] = entryOfRuns(runs);
+    if (moved)
+      summary["answers"].push_back(nameOf(state, front) + ": " + runsAsText(runs, front.position) + ", " +
+                                   fateOf(front, own, entry));
+    else if (!front.ended && !front.stopped())
       reportRest(state, front, own.closest(), summary);
-    reportRuns(state, front, runs, own.running() && canAdvance, speed, summary);
+    if (halts && entry.contains("stop") && !summary.contains("halt"))
+      summary["halt"] = nameOf(state, front) + " " + fateOf(front, own, entry) + adviceAtStop;
   }
   reportEnergy(state, required, summary);
 }
@@ -173,7 +221,7 @@ void reportToughness(const Options& options, nlohmann::json& summary)
   summary["propagation"]["initiation_toughness"] = ruleAt(options.temperature, options).initiation;
 }
 
-template void reportFronts(const State<2>&, const std::vector<FrontState<2>>&, nlohmann::json&);
-template void reportFronts(const State<3>&, const std::vector<FrontState<3>>&, nlohmann::json&);
+template void reportFronts(const State<2>&, const std::vector<FrontState<2>>&, bool, nlohmann::json&);
+template void reportFronts(const State<3>&, const std::vector<FrontState<3>>&, bool, nlohmann::json&);
 
 } // namespace Rhegma::propagation

@@ -58,8 +58,14 @@ nlohmann::json makeSummary(const SummaryFacts& facts, const nlohmann::json& repo
 
 void writeSummary(const nlohmann::json& summary, const std::string& path)
 {
+  nlohmann::ordered_json ordered;
+  for (const char* first : {"status", "answers", "warnings"})
+    if (summary.contains(first))
+      ordered[first] = summary[first];
+  for (const auto& entry : summary.items())
+    ordered[entry.key()] = entry.value();
   // A path need not be UTF-8; JSON must be.
-  replaceFile(path, summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  replaceFile(path, ordered.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 } // namespace Rhegma

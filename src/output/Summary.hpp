@@ -34,7 +34,8 @@ struct SummaryFacts
 /// \param report energies, momentum and what effects add; its keys win
 nlohmann::json makeSummary(const SummaryFacts& facts, const nlohmann::json& report);
 
-/// Writes the summary atomically. Throws OutputError on failure.
+/// Writes the summary atomically, the answer of the run first (status, answers, warnings). Throws OutputError
+/// on failure.
 void writeSummary(const nlohmann::json& summary, const std::string& path);
 
 /// Largest memory that the process has held so far [bytes].

@@ -123,6 +123,10 @@ std::string Production::runToEnd()
           throw;
       }
     checkpoints_.atEnd();
+    // The state is whole, and the run may go on from it with another scene.
+    const std::string halt = ranks_.firstText(simulation_.report().value("halt", std::string()));
+    if (!halt.empty())
+      failure = stoppedBy(halt) + checkpoints_.atStop();
   }
   catch (const RunError& error)
   {

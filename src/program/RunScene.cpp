@@ -8,6 +8,7 @@
 #include "output/Summary.hpp"
 #include "parallel/FirstRank.hpp"
 #include "plan/EffectSchema.hpp"
+#include "program/Answer.hpp"
 #include "program/Forecast.hpp"
 #include "program/Production.hpp"
 #include "program/Twice.hpp"
@@ -249,24 +250,24 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
   for (const std::string& warning : production.warnings())
     summary["warnings"].push_back(warning);
   const bool within = addReferences(references(*scene), summary);
+  addAnswers(summary);
   const std::string unwritten = ranks.firstText(
       ranks.rank() == 0 ? writeWhereItCan(summary, production.folder() + "/summary.json") : std::string());
   if (failure.empty())
     failure = unwritten;
-  for (const auto& answer : summary.value("answers", nlohmann::json::array()))
-    if (!options.quiet)
-      out << answer.get<std::string>() << "\n";
   if (!options.quiet)
     out << (failure.empty() ? "Results are in " : "Results up to then are in ") << production.folder()
         << "\n";
+  if (!options.quiet && failure.empty())
+    out << referencesAsText(summary) << std::flush;
   printWarnings(summary, err);
+  if (!options.quiet)
+    printAnswers(summary, !failure.empty(), out);
   if (!failure.empty())
   {
     err << "rhegma: " << failure << "\n";
     return exitStopped;
   }
-  if (!options.quiet)
-    out << referencesAsText(summary);
   if (options.strict && !summary["warnings"].empty())
   {
     err << "rhegma: warnings are errors by --strict\n";

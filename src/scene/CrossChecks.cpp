@@ -1,6 +1,7 @@
 #include "scene/CrossChecks.hpp"
 
 #include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
 #include "geometry/Shape.hpp"
 #include "material/MaterialTable.hpp"
 #include "material/ThermoMaterials.hpp"
@@ -9,6 +10,7 @@
 
 #include <Teuchos_Array.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -111,13 +113,25 @@ private:
     }
   }
 
+  static bool isCut(const ParameterList& body)
+  {
+    if (!body.isSublist("Operations"))
+      return false;
+    const ParameterList& operations = body.sublist("Operations");
+    const std::vector<std::string> names = sublistNames(operations);
+    return std::any_of(names.begin(), names.end(),
+                       [&](const std::string& name)
+                       { return text(operations.sublist(name), "Operation") == "Cut"; });
+  }
+
   template <int D>
   void shape(const ParameterList& body, const std::string& where)
   {
     try
     {
       const auto bounds = makeShape<D>(body).bounds();
-      if (m_domainKnown)
+      // Of a body from which something is cut the particles tell.
+      if (m_domainKnown && !isCut(body))
         insideDomain<D>(bounds.lower, bounds.upper, where);
     }
     catch (const std::invalid_argument& error)
@@ -136,9 +150,14 @@ private:
     for (int d = 0; d < D; ++d)
       if (lower[d] < from[d] - slack || upper[d] > to[d] + slack)
       {
-        report(where, "lies from " + formatReal(lower[d]) + " to " + formatReal(upper[d]) + " m along " +
-                          "xyz"[d] + ", outside of the domain's " + formatReal(from[d]) + " to " +
-                          formatReal(to[d]) + " m; enlarge the domain or move the body.");
+        report(
+            where,
+            "lies from " + formatReal(lower[d]) + " to " + formatReal(upper[d]) + " m along " + "xyz"[d] +
+                ", outside of the domain's " + formatReal(from[d]) + " to " + formatReal(to[d]) +
+                " m; enlarge the domain (Domain > Lower Corner, Upper Corner), move the body, or cut off "
+                "what "
+                "sticks out (Operations, Operation = Cut); where material lies beyond a plane of symmetry, "
+                "Boundaries > * > Side (Type = Symmetry) says which side of it is empty.");
         return;
       }
   }

@@ -5,6 +5,7 @@
 #include "material/Materials.hpp"
 #include "state/Subdomain.hpp"
 #include "step/HeatFailure.hpp"
+#include "step/OutsideDomain.hpp"
 #include "transfer/Gather.hpp"
 #include "transfer/Motion.hpp"
 #include "transfer/Scatter.hpp"
@@ -27,7 +28,11 @@ void strain(State<D>& state, StrainVelocity velocity, bool alsoMove)
   const bool flung =
       !state.failure.empty() && state.clock.fastestSpeed * state.clock.dt > 2.0 * state.mesh.stepSpacing();
   if (std::isfinite(state.clock.fastestSpeed) && !flung)
+  {
+    if (!state.failure.empty())
+      state.failure = failureOutsideDomain(state, state.failure);
     return;
+  }
   // Laws fail at impossible temperatures.
   const std::string heat = heatFailure(state);
   state.failure = !heat.empty() ? heat

@@ -4,6 +4,7 @@
 #include "base/MemoryNeed.hpp"
 #include "base/ReadList.hpp"
 #include "geometry/Overlap.hpp"
+#include "step/OutsideDomain.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -69,8 +70,7 @@ void seed(PlacedBody<D>& body, const Grid<D>& grid)
   body.seeds = seedParticles<D>(body.shape, grid.spacing, body.particlesPerCell(), body.where());
   for (const Vector<D>& x : body.seeds.position)
     if (!grid.inside(x))
-      throw std::invalid_argument(body.where() + ": part of the body lies outside the domain; move it, or "
-                                                 "enlarge Domain > Lower Corner, Upper Corner");
+      throw std::invalid_argument(body.where() + ": " + textOfOutside(x, grid));
 }
 
 template <int D>

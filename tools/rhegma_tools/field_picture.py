@@ -159,12 +159,19 @@ def crack_segments(fields, faces, view):
 
 
 class DrawnFront:
-    """A front as drawn. name: crack and number; ended: it has reached a surface or another crack; position: (2)."""
+    """A front as drawn. name: crack and number; ended: it has reached a surface or another crack; position: (2); stopped:
+    the cells have stopped it."""
 
-    def __init__(self, name, ended, position):
+    def __init__(self, name, ended, position, stopped=False):
         self.name = name
         self.ended = ended
         self.position = position
+        self.stopped = stopped
+
+
+def stop_time(front):
+    """When the cells stopped a front of the summary [s]."""
+    return (front.get("stop") or {}).get("time", front.get("last_advance") or 0.0)
 
 
 def drawn_fronts(fields, faces, summary, view):
@@ -181,12 +188,16 @@ def drawn_fronts(fields, faces, summary, view):
             # The summary is of the run's end; before its last advance a front had not ended.
             ended = bool(front.get("ended")) and fields.time >= (front.get("last_advance") or 0.0)
             fronts.append(DrawnFront(f"{crack.get('name', '')}.{number}", ended,
-                                     view.flat(0.5 * (faces[0][nearest] + faces[1][nearest]))))
+                                     view.flat(0.5 * (faces[0][nearest] + faces[1][nearest])),
+                                     bool(front.get("stopped")) and fields.time >= stop_time(front)))
     return fronts
 
 
 def close_up(fronts):
     """The front to look at, the first that still is one, and what to call the picture of it."""
+    shown = next((front for front in fronts if front.stopped), None)
+    if shown is not None:
+        return shown, f"where the cells stopped the front {shown.name}"
     shown = next((front for front in fronts if not front.ended), fronts[0])
     if len(fronts) == 1:
         return shown, "where the crack ended" if shown.ended else "at the crack's front"
@@ -203,9 +214,12 @@ def draw_particles(axes, outlines, values, colour_map, norm):
     return particles
 
 
-def draw_crack(axes, segments, positions, width):
+def draw_crack(axes, segments, positions, width, stopped=()):
     for face in segments:
         axes.add_collection(LineCollection(face, colors=style.INK, linewidths=width, capstyle="round"))
+    if len(stopped) > 0:
+        axes.plot(*np.array(stopped).T, ls="none", marker="o", ms=5.0 * width, mfc=style.ALARM, mec=style.ALARM, zorder=4,
+                  label="stopped by the cells")
     if positions:
         axes.plot(*np.array(positions).T, ls="none", marker="o", ms=3.2 * width, mfc="white", mec=style.INK, mew=0.9 * width)
 
@@ -249,7 +263,8 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
         faces = magnified_faces(fields.crack, fields.position, fields.displacement, magnification)
         segments = [face * length_factor for face in crack_segments(fields, faces, view)]
         fronts = drawn_fronts(fields, faces, summary, view)
-    positions = [front.position * length_factor for front in fronts if not front.ended]
+    positions = [front.position * length_factor for front in fronts if not front.ended and not front.stopped]
+    stopped = [front.position * length_factor for front in fronts if front.stopped]
 
     names = ["xyz"[axis] for axis in view.axes]
     time_factor, time_unit = style.scale(fields.time, "s")
@@ -269,7 +284,7 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
     figure, axes = plt.subplots(rows, columns, figsize=size, squeeze=False, layout="constrained", gridspec_kw=ratios)
     whole = axes.flat[0]
     particles = draw_particles(whole, outlines, values, colour_map, norm)
-    draw_crack(whole, segments, positions, 0.9)
+    draw_crack(whole, segments, positions, 0.9, stopped)
     limits(whole, low, high, 0.03)
     # A tall body without a close-up has a narrow panel: a line for each part, or they would run into the colour bar.
     narrow = tall and not zoom
@@ -284,7 +299,7 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
         close = axes.flat[1]
         half = max(0.06 * max(extent), 6.0 * fields.size * length_factor)
         draw_particles(close, outlines, values, colour_map, norm)
-        draw_crack(close, segments, positions, 1.3)
+        draw_crack(close, segments, positions, 1.3, stopped)
         wide = half if tall else 2.9 * half  # the shape of the panel
         front, caption = close_up(fronts)
         middle = front.position * length_factor

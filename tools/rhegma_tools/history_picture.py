@@ -89,15 +89,20 @@ def ends(summary):
         for j, front in enumerate(crack.get("fronts", [])):
             time, how = front.get("last_advance"), [name for name in ("ended", "stopped") if front.get(name)]
             if how and isinstance(time, (int, float)):
-                found.append((crack.get("name", str(i)), j, float(time), how[0]))
+                found.append((crack.get("name", str(i)), j, float(time), how[-1]))
     return found
 
 
 def draw_ends(axes, found, factor):
-    """A line across the panel where a front met its end; of many fronts the lines have one name."""
+    """A line across the panel where a front met its end, red where the cells stopped it; of many fronts that ended the lines
+    have one name."""
     for k, (crack, front, time, how) in enumerate(found):
-        name = f"{crack}, front {front} {how}" if len(found) <= FEW else None if k else f"{len(found)} fronts ended"
-        axes.axvline(time * factor, color=style.INK, lw=1.0, ls=(0, (1, 3)), label=name)
+        stopped = how == "stopped"
+        name = f"{crack}, front {front} {how}" + (" by the cells" if stopped else "")
+        if len(found) > FEW and not stopped:
+            name = None if k else f"{len(found)} fronts ended"
+        colour, width_, dashes = (style.ALARM, 1.6, "-") if stopped else (style.INK, 1.0, (0, (1, 3)))
+        axes.axvline(time * factor, color=colour, lw=width_, ls=dashes, label=name)
 
 
 def initiation_toughness(summary):

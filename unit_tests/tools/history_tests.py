@@ -7,6 +7,7 @@ from tool import ToolTest  # first, as it finds the Python for all others
 import made_up_run
 import numpy as np
 
+from rhegma_tools import style
 from rhegma_tools.history import read_history
 from rhegma_tools.history_picture import draw_energies, draw_growth, draw_pressures, draw_release, draw_temperatures
 from rhegma_tools.history_picture import ends, growth, pressures, references, temperatures
@@ -148,7 +149,8 @@ class History(ToolTest):
         figure, axes = plt.subplots()
         draw_growth(axes, history, growth(history), 1e3 * history.time, summary, 1e3)
         marks = [(line.get_label(), line.get_xdata()[0]) for line in axes.lines[1:]]
-        self.assertEqual([name for name, _ in marks], ["A, front 0 ended", "A, front 1 stopped"])
+        self.assertEqual([name for name, _ in marks], ["A, front 0 ended", "A, front 1 stopped by the cells"])
+        self.assertEqual([line.get_color() == style.ALARM for line in axes.lines[1:]], [False, True])
         for (_, position), time in zip(marks, (0.4, 0.6)):
             self.assertAlmostEqual(position, time)
         plt.close(figure)

@@ -229,6 +229,11 @@ class FieldPicture(ToolTest):
         self.assertEqual(close_up(fronts), (fronts[1], "at the front A.1"))
         self.assertEqual(close_up(fronts[:1])[1], "where the crack ended")
         self.assertEqual(close_up(fronts[1:])[1], "at the crack's front")
+        summary["cracks"][0]["fronts"][1].update(stopped=True, stop={"time": 0.0})
+        red = drawn_fronts(fields, faces, summary, choose_view(fields))
+        self.assertEqual([front.stopped for front in red], [False, True])
+        self.assertEqual(close_up(red), (red[1], "where the cells stopped the front A.1"))
+        summary["cracks"][0]["fronts"][1]["stopped"] = False
         fields.time = 1.0e-3
         self.assertEqual(close_up(drawn_fronts(fields, faces, summary, choose_view(fields)))[1], "at the front A.0")
 

@@ -80,14 +80,15 @@ TEST(FrontState, NewNodesInheritTheirPast)
 TEST(FrontState, KeepsItsSettledSpeedWhenItHasEnded)
 {
   FrontState<3> state;
-  state.matchNodes(frontOf({0}));
+  const CrackFront<3> alive = frontOf({0}), over = frontOf({});
+  state.matchNodes(alive);
   run(state.nodes.at(0), 20);
   const double speed = state.settledSpeed();
   EXPECT_NEAR(speed, 100.0, 1.0); // Gc(100 m/s) is 200 J/m2
-  EXPECT_TRUE(state.running());
-  state.matchNodes(frontOf({}));
+  EXPECT_TRUE(state.running(alive));
+  state.matchNodes(over);
   EXPECT_EQ(state.settledSpeed(), speed);
-  EXPECT_FALSE(state.running());
+  EXPECT_FALSE(state.running(over));
 }
 
 /// Increments of all nodes count, from the earliest to the latest.

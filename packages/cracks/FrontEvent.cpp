@@ -1,0 +1,50 @@
+#include "cracks/FrontEvent.hpp"
+
+#include "archive/Archive.hpp"
+#include "base/Numbers.hpp"
+#include "base/ShortNumber.hpp"
+
+#include <vector>
+
+namespace Rhegma::cracks
+{
+
+template <int D>
+std::string FrontEvent<D>::asText() const
+{
+  std::string text = what;
+  if (toughness > 0.0)
+    text += ", G = " + formatShort(release) + " J/m2 for Gc = " + formatShort(toughness) + " J/m2,";
+  text += " at t = " + readableTime(time) + ", at ";
+  for (int d = 0; d < D; ++d)
+    text += formatReal(position[d]) + (d + 1 < D ? ", " : " m");
+  return text;
+}
+
+template <int D>
+nlohmann::json FrontEvent<D>::asEntry() const
+{
+  nlohmann::json entry = {
+      {"what", what}, {"time", time}, {"position", std::vector<double>(position.c, position.c + D)}};
+  if (toughness > 0.0)
+  {
+    entry["G"] = release;
+    entry["toughness"] = toughness;
+  }
+  return entry;
+}
+
+template <int D>
+void FrontEvent<D>::serialize(Archive& archive)
+{
+  archive("what", what);
+  archive("time", time);
+  archive("position", position);
+  archive("release", release);
+  archive("toughness", toughness);
+}
+
+template struct FrontEvent<2>;
+template struct FrontEvent<3>;
+
+} // namespace Rhegma::cracks

@@ -1,0 +1,92 @@
+#include "program/Answer.hpp"
+
+#include "base/Numbers.hpp"
+#include "base/ShortNumber.hpp"
+
+#include <cmath>
+
+namespace Rhegma::program
+{
+
+namespace
+{
+
+double number(const nlohmann::json& of, const char* name)
+{
+  return of.contains(name) && of[name].is_number() ? of[name].get<double>() : 0.0;
+}
+
+std::string howItEnded(const nlohmann::json& summary)
+{
+  const auto status = summary.value("status", std::string());
+  if (status.rfind("finished", 0) != 0) // time and step are in it
+    return status;
+  return "the run " + status + " at t = " + readableTime(number(summary, "time")) + " after " +
+         std::to_string(summary.value("steps", 0L)) + " steps, " +
+         formatShort(number(summary, "wall_seconds")) + " s" +
+         (summary.value("settled", false) ? ", at rest" : "");
+}
+
+/// Fronts whose path and length the cells decided, in one sentence; empty where there is none.
+std::string stoppedFronts(const nlohmann::json& summary)
+{
+  std::string names;
+  int count = 0;
+  for (const auto& crack : summary.value("cracks", nlohmann::json::array()))
+    for (std::size_t k = 0; crack.contains("fronts") && k < crack["fronts"].size(); ++k)
+      if (crack["fronts"][k].is_object() && crack["fronts"][k].contains("stop") && ++count <= 3)
+        names += (count > 1 ? "; crack " : "crack ") + crack.value("name", std::string()) + ", front " +
+                 std::to_string(k);
+  if (count == 0)
+    return {};
+  return "the cells stopped " + names + (count > 3 ? " and " + std::to_string(count - 3) + " more" : "") +
+         " with G above the toughness: from then on the result is not that of the physics";
+}
+
+/// What the energy balance does not account for, of what was given.
+std::string energyBalance(const nlohmann::json& summary)
+{
+  const nlohmann::json energy = summary.value("energy", nlohmann::json::object());
+  if (!energy.contains("residual"))
+    return {};
+  double given = 0.0;
+  for (const char* name : {"external_work", "combustion", "kinetic", "strain"})
+    given = std::max(given, std::fabs(number(energy, name)));
+  const double residual = number(energy, "residual");
+  if (!(given > 0.0))
+    return {};
+  return "energy balance: external work " + readableEnergy(number(energy, "external_work")) + ", strain " +
+         readableEnergy(number(energy, "strain")) + ", kinetic " + readableEnergy(number(energy, "kinetic")) +
+         ", fracture " + readableEnergy(number(energy, "fracture")) + "; not accounted for " +
+         readableEnergy(residual) + " (" + formatShort(100.0 * std::fabs(residual) / given) +
+         " % of the largest of these)";
+}
+
+} // namespace
+
+void addAnswers(nlohmann::json& summary)
+{
+  const nlohmann::json ofEffects = summary.value("answers", nlohmann::json::array());
+  nlohmann::json answers = nlohmann::json::array({howItEnded(summary)});
+  if (const std::string stopped = stoppedFronts(summary); !stopped.empty())
+    answers.push_back(stopped);
+  for (const auto& answer : ofEffects)
+    answers.push_back(answer);
+  if (const std::string balance = energyBalance(summary); !balance.empty())
+    answers.push_back(balance);
+  const std::size_t warnings = summary.value("warnings", nlohmann::json::array()).size();
+  answers.push_back(warnings == 0   ? "no warnings"
+                    : warnings == 1 ? "1 warning"
+                                    : std::to_string(warnings) + " warnings");
+  summary["answers"] = answers;
+}
+
+void printAnswers(const nlohmann::json& summary, bool failed, std::ostream& out)
+{
+  const nlohmann::json& answers = summary["answers"];
+  for (std::size_t k = failed ? 1 : 0; k < answers.size(); ++k)
+    out << answers[k].get<std::string>() << "\n";
+  out << std::flush;
+}
+
+} // namespace Rhegma::program

@@ -1,0 +1,20 @@
+#pragma once
+/// What a run says first in its summary and last on the terminal.
+
+#include <nlohmann/json.hpp>
+
+#include <ostream>
+#include <string>
+
+namespace Rhegma::program
+{
+
+/// Completes `answers` of a summary, in which effects have what became of the cracks: before these how the
+/// run ended and the fronts that the cells stopped, after these the energy balance and the number of
+/// warnings. \param summary with status, time, steps and warnings
+void addAnswers(nlohmann::json& summary);
+
+/// Prints them. \param failed the program says itself why the run could not go on, which is the first answer
+void printAnswers(const nlohmann::json& summary, bool failed, std::ostream& out);
+
+} // namespace Rhegma::program
