@@ -1,6 +1,7 @@
 #include "cracks/CrackGeometry.hpp"
 #include "cracks/Encounter.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -35,6 +36,33 @@ std::pair<double, int> nearest(const CrackSet<3>& set, int crack, bool others, c
 /// its nodes pass each other.
 constexpr double ahead = 2.0, nearer = 0.5;
 
+/// Whether faces near a point ahead of a front node are those behind its neighbours, which are ahead of it: a
+/// node that lags goes on between them. Neighbours are up to this many nodes away, and run in about the same
+/// direction; those of a front that closes round a middle come from the other side.
+constexpr std::size_t neighbours = 4;
+
+bool isBetweenNeighbours(const CrackFront<3>& front, std::size_t k, const Vector<3>& ahead, double reach)
+{
+  const FrontNode<3>& own = front.nodes[k];
+  const std::size_t count = front.nodes.size();
+  for (const bool forward : {true, false})
+  {
+    std::size_t at = k;
+    for (std::size_t n = 0; n < std::min(neighbours, count / 4); ++n)
+    {
+      const std::size_t other = forward ? (at + 1) % count : (at + count - 1) % count;
+      if (front.nodes[forward ? at : other].facet < 0)
+        break;
+      at = other;
+      const FrontNode<3>& node = front.nodes[at];
+      if (dot(node.position - own.position, own.direction) > 0.0 &&
+          dot(node.direction, own.direction) > 0.0 && norm(node.position - ahead) < reach)
+        return true;
+    }
+  }
+  return false;
+}
+
 } // namespace
 
 template <>
@@ -49,8 +77,9 @@ Encounter<3> findEncounter(const State<3>& state, const std::vector<GrowingCrack
         distance < bandWidth * state.mesh.grid.spacing)
       return {Kind::Stops, other, -1, 0.0, {}};
   const double from = ahead * node.path.cell;
-  if (!node.ligament.ends &&
-      nearest(set, own, false, node.to + from * node.path.direction).first < nearer * from)
+  const Vector<3> point = node.to + from * node.path.direction;
+  if (!node.ligament.ends && nearest(set, own, false, point).first < nearer * from &&
+      !isBetweenNeighbours(set.fronts[node.front], node.node, point, 1.5 * from))
     return {Kind::Stops, own, -1, 0.0, {}};
   return {};
 }

@@ -51,7 +51,7 @@ std::string failureOutsideDomain(const State<D>& state, const std::string& other
     for (int d = 0; d < D; ++d)
       x[d] = position(p, d);
     if (!state.mesh.grid.inside(x))
-      return "a particle of the body " + state.bodies.list[body(p)].name + " left the domain, to " +
+      return "a particle of the body " + state.bodies.info[body(p)].name + " left the domain, to " +
              positionAndHelp(x, state.mesh.grid,
                              "support the body (Boundaries), or end the run earlier (Time > Final Time)");
   }
