@@ -41,7 +41,7 @@ constexpr double ahead = 2.0, nearer = 0.5;
 /// direction; those of a front that closes round a middle come from the other side.
 constexpr std::size_t neighbours = 4;
 
-bool isBetweenNeighbours(const CrackFront<3>& front, std::size_t k, const Vector<3>& ahead, double reach)
+bool isBetweenNeighbours(const CrackFront<3>& front, std::size_t k, const Vector<3>& point, double reach)
 {
   const FrontNode<3>& own = front.nodes[k];
   const std::size_t count = front.nodes.size();
@@ -56,7 +56,7 @@ bool isBetweenNeighbours(const CrackFront<3>& front, std::size_t k, const Vector
       at = other;
       const FrontNode<3>& node = front.nodes[at];
       if (dot(node.position - own.position, own.direction) > 0.0 &&
-          dot(node.direction, own.direction) > 0.0 && norm(node.position - ahead) < reach)
+          dot(node.direction, own.direction) > 0.0 && norm(node.position - point) < reach)
         return true;
     }
   }
