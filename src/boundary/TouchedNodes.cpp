@@ -34,19 +34,19 @@ std::vector<Vector<D>> ofLattice(const State<D>& state)
     }
     for (int k = 0; k < all; ++k)
     {
-      Vector<D> position;
+      Vector<D> x;
       int rest = k, node = 0;
       for (int d = 0; d < D; ++d)
       {
         const int index = first[d] + rest % count[d];
-        position[d] = grid.origin[d] + index * grid.spacing;
+        x[d] = grid.origin[d] + index * grid.spacing;
         node += index * grid.stride[d];
         rest /= count[d];
       }
       if (node < 0 || node >= grid.numNodes || seen[node] != 0)
         continue;
       seen[node] = 1;
-      positions.push_back(position);
+      positions.push_back(x);
     }
   }
   return positions;
