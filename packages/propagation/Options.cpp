@@ -177,7 +177,7 @@ Options readOptions(const Teuchos::ParameterList& scene, const RunOptions& run)
                   list.isParameter("Speed Limit") ? list.get<double>("Speed Limit") : 0.0,
                   run.initialTemperature.value_or(0.0),
                   {},
-                  list.get<std::string>("On Stop") == "Stop"};
+                  !list.isParameter("On Stop") || list.get<std::string>("On Stop") == "Stop"};
   options.contours = run.contours;
   return options;
 }

@@ -212,7 +212,7 @@ TEST(FrontSprings, StableStiffnessIsThatOfTheReducedMass)
 
 TEST(NearestFront, HasGrown)
 {
-  const std::vector<FrontPoint<2>> fronts{
+  const std::vector<FrontPosition<2>> fronts{
       {{{0.0, 0.0}}, 0, false}, {{{2.0, 0.0}}, 0, true}, {{{0.5, 0.0}}, 1, true}};
   const auto nearest = [&](double x, int crack) {
     return nearestGrownFront<2>(fronts.data(), 3, {{x, 0.0}}, crack);
