@@ -36,12 +36,13 @@ std::pair<double, int> nearest(const CrackSet<3>& set, int crack, bool others, c
 /// its nodes pass each other.
 constexpr double ahead = 2.0, nearer = 0.5;
 
-/// Whether faces near a point ahead of a front node are those behind its neighbours, which are ahead of it: a
-/// node that lags goes on between them. Neighbours are up to this many nodes away, and run in about the same
-/// direction; those of a front that closes round a middle come from the other side.
+/// Whether faces near a point ahead of a front node are those behind its neighbours, which are so far ahead
+/// of it: a node that lags goes on between them. Neighbours are up to this many nodes away, and run in about
+/// the same direction; those of a front that closes round a middle come from the other side.
 constexpr std::size_t neighbours = 4;
 
-bool isBetweenNeighbours(const CrackFront<3>& front, std::size_t k, const Vector<3>& point, double reach)
+bool isBetweenNeighbours(const CrackFront<3>& front, std::size_t k, const Vector<3>& point, double least,
+                         double reach)
 {
   const FrontNode<3>& own = front.nodes[k];
   const std::size_t count = front.nodes.size();
@@ -55,7 +56,7 @@ bool isBetweenNeighbours(const CrackFront<3>& front, std::size_t k, const Vector
         break;
       at = other;
       const FrontNode<3>& node = front.nodes[at];
-      if (dot(node.position - own.position, own.direction) > 0.0 &&
+      if (dot(node.position - own.position, own.direction) > least &&
           dot(node.direction, own.direction) > 0.0 && norm(node.position - point) < reach)
         return true;
     }
@@ -79,7 +80,7 @@ Encounter<3> findEncounter(const State<3>& state, const std::vector<GrowingCrack
   const double from = ahead * node.path.cell;
   const Vector<3> point = node.to + from * node.path.direction;
   if (!node.ligament.ends && nearest(set, own, false, point).first < nearer * from &&
-      !isBetweenNeighbours(set.fronts[node.front], node.node, point, 1.5 * from))
+      !isBetweenNeighbours(set.fronts[node.front], node.node, point, nearer * from, 1.5 * from))
     return {Kind::Stops, own, -1, 0.0, {}};
   return {};
 }
