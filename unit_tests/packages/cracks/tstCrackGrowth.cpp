@@ -342,7 +342,7 @@ TEST(CrackGrowth, SaysOnceThatAFrontStops)
   // The front as a whole has stopped where none of its other nodes runs.
   ASSERT_NE(growth.stopOf(state.cracks, 0), nullptr);
   EXPECT_NE(growth.stopOf(state.cracks, 0)->what.find("three cells from crack Other"), std::string::npos);
-  EXPECT_EQ(growth.stopOf(state.cracks, 0)->toughness, toughness);
+  EXPECT_DOUBLE_EQ(growth.stopOf(state.cracks, 0)->toughness, toughness);
   for (FrontNode<3>& node : state.cracks.fronts[0].nodes)
     node.speed = node.stopped ? 0.0 : 100.0;
   EXPECT_EQ(growth.stopOf(state.cracks, 0), nullptr);
