@@ -1,7 +1,6 @@
 #include "combustion/Cavity.hpp"
 
 #include "base/ReadList.hpp"
-#include "state/CrackEnds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +14,7 @@ namespace
 {
 
 /// Calls surface-breaking end(vertices of the facet) for each facet of the crack beyond which there is the
-/// surface of the body (facet::mouth) or another crack (facet::joined).
+/// surface of the body (facet::surfaceBreaking) or another crack (facet::joined).
 template <int D, class SurfaceEnd>
 void forEachSurfaceEnd(const State<D>& state, int crack, int beyond, const std::vector<MirrorPlane>& mirrors,
                        const SurfaceEnd& surfaceEnd)
@@ -102,7 +101,7 @@ template <int D>
 std::array<double, 2> surfaceEndAreas(const State<D>& state, int crack,
                                       const std::vector<MirrorPlane>& mirrors)
 {
-  return endAreas(state, crack, facet::surfaceEnd, mirrors);
+  return endAreas(state, crack, facet::surfaceBreaking, mirrors);
 }
 
 template <int D>
@@ -122,7 +121,7 @@ template <int D>
 bool hasSurfaceEnd(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors)
 {
   bool any = false;
-  forEachSurfaceEnd(state, crack, facet::surfaceEnd, mirrors, [&](const int(&)[D - 1]) { any = true; });
+  forEachSurfaceEnd(state, crack, facet::surfaceBreaking, mirrors, [&](const int(&)[D - 1]) { any = true; });
   return any;
 }
 

@@ -2,7 +2,6 @@
 
 #include "archive/Archive.hpp"
 #include "combustion/Cavity.hpp"
-#include "state/CrackEnds.hpp"
 
 #include <limits>
 

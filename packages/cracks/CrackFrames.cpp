@@ -2,15 +2,12 @@
 
 #include "base/SmallLoops.hpp"
 #include "geometry/Cross.hpp"
-#include "surface/BeyondFacet.hpp"
 
 #include <cmath>
 #include <vector>
 
 namespace Rhegma::cracks
 {
-
-namespace facet = surface::facet;
 
 namespace
 {

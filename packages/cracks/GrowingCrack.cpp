@@ -9,8 +9,6 @@
 namespace Rhegma::cracks
 {
 
-namespace facet = surface::facet;
-
 namespace
 {
 

@@ -11,8 +11,6 @@
 namespace Rhegma::cracks
 {
 
-namespace facet = surface::facet;
-
 namespace
 {
 

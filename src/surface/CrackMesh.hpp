@@ -2,7 +2,6 @@
 /// A crack as vertices and simplices, in host memory.
 
 #include "base/Types.hpp"
-#include "surface/BeyondFacet.hpp"
 
 #include <array>
 #include <functional>
@@ -17,7 +16,8 @@ struct CrackMesh
 {
   std::vector<Vector<D>> vertices; ///< [m]
   std::vector<std::array<int, D>> simplices;
-  std::vector<std::array<int, D>> beyond; ///< neighbour beyond each facet, or a constant of BeyondFacet.hpp
+  std::vector<std::array<int, D>>
+      beyond; ///< neighbour beyond each facet, or a constant of base/FacetEnds.hpp
 };
 
 /// Whether a point lies in a region, for example in a body [m].
