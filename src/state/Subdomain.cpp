@@ -165,7 +165,10 @@ NodalFieldNodes<D> nodesOfFields(const State<D>& state)
   nodes.finePosition = state.mesh.tree.finePosition;
   nodes.foreign = state.mesh.nodes.foreign;
   if (state.mesh.subdomain)
+  {
     nodes.refined = {state.mesh.subdomain, &state.mesh.subdomain->refined};
+    nodes.division = {state.mesh.subdomain, &state.mesh.subdomain->division};
+  }
   nodes.generation = state.mesh.tree.generation;
   nodes.perNode = state.cracks.dualField && !state.cracks.empty() ? 2 : 1;
   return nodes;
