@@ -311,17 +311,15 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
   Effect<D> effect;
   effect.name = "Energy Release";
   effect.atStart = [=](State<D>& state) { start(state, options, *samples); };
-  effect.call({Stage::Observe,
-               "energy release of crack fronts",
-               {quantity::crackGeometry, quantity::particleStress, quantity::enrichedFields,
-                ifWritten(quantity::springForce), ifWritten(quantity::facePressure)},
-               {},
-               {quantity::energyRelease},
-               [=](State<D>& state)
-               {
-                 if (state.clock.observing)
-                   sample(state, options, *samples);
-               }});
+  effect.call(Stage::Observe, "energy release of crack fronts",
+              {quantity::crackGeometry, quantity::particleStress, quantity::enrichedFields,
+               ifWritten(quantity::springForce), ifWritten(quantity::facePressure)},
+              {}, {quantity::energyRelease},
+              [=](State<D>& state)
+              {
+                if (state.clock.observing)
+                  sample(state, options, *samples);
+              });
   if (run.growth)
     addDrivingCalls(effect, scene, driving);
   effect.memory = [=](State<D>&, Archive& archive)

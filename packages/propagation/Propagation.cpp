@@ -41,18 +41,12 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   effect.name = "Propagation";
   effect.balance = {"fracture"};
   effect.atStart = [run](State<D>& state) { start(state, *run); };
-  effect.call({lastStage(scene),
-               "fronts that advance",
-               {quantity::drivingForces, ifWritten(quantity::frontTemperature)},
-               {quantity::advancingFronts},
-               {},
-               [run](State<D>& state) { selectAdvancing(state, run->options, run->fronts); }});
-  effect.call({Stage::BetweenSteps,
-               "advances of fronts",
-               {quantity::stressIntensities, quantity::advancingFronts},
-               {quantity::frontAdvances},
-               {},
-               [run](State<D>& state) { advanceSelected(state, run->options, run->fronts); }});
+  effect.call(lastStage(scene), "fronts that advance",
+              {quantity::drivingForces, ifWritten(quantity::frontTemperature)}, {quantity::advancingFronts},
+              {}, [run](State<D>& state) { selectAdvancing(state, run->options, run->fronts); });
+  effect.call(Stage::BetweenSteps, "advances of fronts",
+              {quantity::stressIntensities, quantity::advancingFronts}, {quantity::frontAdvances}, {},
+              [run](State<D>& state) { advanceSelected(state, run->options, run->fronts); });
   effect.memory = [run](State<D>& state, Archive& archive)
   {
     for (std::size_t f = 0; f < run->fronts.size(); ++f)
