@@ -20,9 +20,9 @@ void forEachSurfaceEnd(const State<D>& state, int crack, int beyond, const std::
                        const SurfaceEnd& surfaceEnd)
 {
   const CrackSet<D>& cracks = state.cracks;
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
-  const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
-  const auto neighbour = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.neighbour);
+  const auto vertex = onHost(cracks.vertex);
+  const auto simplex = onHost(cracks.simplex);
+  const auto neighbour = onHost(cracks.neighbour);
   const Crack<D>& c = cracks.cracks[crack];
   for (int s = c.firstSimplex; s < c.firstSimplex + c.numSimplices; ++s)
     for (int i = 0; i < D; ++i)
@@ -51,9 +51,9 @@ std::array<double, 2> endAreas(const State<D>& state, int crack, int beyond,
                                const std::vector<MirrorPlane>& mirrors)
 {
   const CrackSet<D>& cracks = state.cracks;
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
-  const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.face);
-  const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertexNormal);
+  const auto vertex = onHost(cracks.vertex);
+  const auto face = onHost(cracks.face);
+  const auto normal = onHost(cracks.vertexNormal);
   const int first = cracks.cracks[crack].firstVertex;
   std::array<double, 2> area{};
   forEachSurfaceEnd(state, crack, beyond, mirrors,
@@ -128,8 +128,8 @@ bool hasSurfaceEnd(const State<D>& state, int crack, const std::vector<MirrorPla
 template <int D>
 double distanceFromCrack(const CrackSet<D>& cracks, int crack, const Vector<D>& lower, const Vector<D>& upper)
 {
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
-  const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
+  const auto vertex = onHost(cracks.vertex);
+  const auto simplex = onHost(cracks.simplex);
   const Crack<D>& c = cracks.cracks[crack];
   double least = std::numeric_limits<double>::max();
   // Sampled at positions a tenth of an edge apart in each simplex.

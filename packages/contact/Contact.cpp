@@ -91,8 +91,8 @@ View<int*> pointsIn(const FacePoints<D>& points, int crack, double middle, doubl
 {
   View<int*> part("rhegma::contactPart", points.count());
   const auto host = Kokkos::create_mirror_view(part);
-  const auto of = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.crack);
-  const auto length = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.size);
+  const auto of = onHost(points.crack);
+  const auto length = onHost(points.size);
   double passed = 0.0;
   for (int k = 0; k < points.count(); ++k)
     if (of(k) == crack)

@@ -15,12 +15,6 @@ namespace
 using surface::FrontLines;
 using surface::FrontPoint;
 
-template <class V>
-auto onHost(const V& view)
-{
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
-}
-
 /// A front as points of its crack.
 template <int D>
 FrontLines<D> linesOf(const CrackFront<D>& front, int firstVertex, const std::vector<FrontMark>& marks)

@@ -153,8 +153,8 @@ template <int D>
 std::vector<PassedNode> listPassed(const State<D>& state, const View<double * [D + 3]>& rows,
                                    const std::vector<std::size_t>& first)
 {
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, rows);
-  const auto parent = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.parent);
+  const auto host = onHost(rows);
+  const auto parent = onHost(state.mesh.nodes.parent);
   std::vector<PassedNode> passed;
   for (int i = 0; i < state.mesh.nodes.numEnriched; ++i)
   {

@@ -36,7 +36,7 @@ View<double* [D]> fieldAtNodes(const PositionFunction& function, const NodeConst
   const int count = state.mesh.grid.numNodes + state.mesh.tree.numFine;
   View<double* [D]> field("rhegma::prescribedField", count);
   const auto host = Kokkos::create_mirror_view(field);
-  const auto fine = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.tree.finePosition);
+  const auto fine = onHost(state.mesh.tree.finePosition);
   for (int n = 0; n < count; ++n)
   {
     Vector<D> position;

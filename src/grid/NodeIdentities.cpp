@@ -9,7 +9,7 @@ namespace Rhegma
 template <int D>
 NodeIdentities<D>::NodeIdentities(const Grid<D>& grid, const View<double* [D]>& finePosition) : grid_(grid)
 {
-  const auto fine = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, finePosition);
+  const auto fine = onHost(finePosition);
   const int count = static_cast<int>(fine.extent(0));
   const double unit = std::ldexp(grid_.spacing, -deepestLevel);
   fine_.resize(count);

@@ -34,12 +34,6 @@ typename NodeIdentities<D>::Identity nodeOf(const RowName<D>& row)
   return name;
 }
 
-template <class AnyView>
-auto onHost(const AnyView& view)
-{
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
-}
-
 /// Sends rows to all ranks whose part of the lattice has their nodes. Collective.
 template <int D>
 std::vector<double> sendToHolders(const std::vector<double>& rows, std::size_t width,

@@ -13,12 +13,6 @@ namespace Rhegma
 namespace
 {
 
-template <class T>
-auto onHost(const T& view)
-{
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
-}
-
 /// Positions of particles begin .. end - 1.
 template <int D>
 std::vector<Vector<D>> positionsOf(const State<D>& state, long begin, long end)
