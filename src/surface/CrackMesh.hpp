@@ -1,6 +1,7 @@
 #pragma once
 /// A crack as vertices and simplices, in host memory.
 
+#include "base/FacetEnds.hpp"
 #include "base/Types.hpp"
 
 #include <array>
