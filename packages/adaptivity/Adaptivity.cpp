@@ -289,20 +289,17 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     if (options.startTime == 0.0)
       adapt(state, options, **progress);
   };
-  effect.call({Stage::BetweenSteps,
-               "adaptation of cells and particles",
-               {ifWritten(quantity::crackGeometry)},
-               {quantity::cells},
-               {},
-               [=](State<D>& state)
-               {
-                 // Counted in steps of the finest cells, so that no particle runs far into them unsplit.
-                 const int interval = std::max(options.interval >> ownLevels(state), 1);
-                 if (state.clock.time < options.startTime)
-                   return;
-                 if (state.clock.step % interval == (state.clock.step < interval ? 1 % interval : 0))
-                   adapt(state, options, **progress);
-               }});
+  effect.call(Stage::BetweenSteps, "adaptation of cells and particles", {ifWritten(quantity::crackGeometry)},
+              {quantity::cells}, {},
+              [=](State<D>& state)
+              {
+                // Counted in steps of the finest cells, so that no particle runs far into them unsplit.
+                const int interval = std::max(options.interval >> ownLevels(state), 1);
+                if (state.clock.time < options.startTime)
+                  return;
+                if (state.clock.step % interval == (state.clock.step < interval ? 1 % interval : 0))
+                  adapt(state, options, **progress);
+              });
   effect.memory = [=](State<D>& state, Archive& archive)
   {
     Progress<D>& done = **progress;

@@ -79,9 +79,9 @@ template <int D>
 std::vector<std::array<Vector<D>, 2>> frontPieces(const CrackSet<D>& cracks)
 {
   std::vector<std::array<Vector<D>, 2>> pieces;
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
-  const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
-  const auto facet = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.frontFacet);
+  const auto vertex = onHost(cracks.vertex);
+  const auto simplex = onHost(cracks.simplex);
+  const auto facet = onHost(cracks.frontFacet);
   for (const CrackFront<D>& front : cracks.fronts)
     for (int f = front.firstFacet; f < front.firstFacet + front.numFacets; ++f)
     {

@@ -51,7 +51,7 @@ std::vector<Family<D>> wholeFamilies(const State<D>& state, const View<int*>& li
         rows(i, 2) = fromLineage(list(i));
         rows(i, 3) = list(i);
       });
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, rows);
+  const auto host = onHost(rows);
   std::vector<std::array<int, 4>> sorted(count);
   for (int i = 0; i < count; ++i)
     sorted[i] = {host(i, 0), host(i, 1), host(i, 2), host(i, 3)};

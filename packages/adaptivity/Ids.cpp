@@ -86,7 +86,7 @@ template <int D>
 void nameParticles(State<D>& state)
 {
   const auto id = state.particles.integer(fields::id);
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, id);
+  const auto host = onHost(id);
   const Ranks ranks = ranksOf(state);
   std::vector<int> named, unnamed;
   for (int p = 0; p < static_cast<int>(host.extent(0)); ++p)

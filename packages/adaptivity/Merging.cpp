@@ -309,7 +309,7 @@ Merged mergeOnce(State<D>& state, const std::vector<Family<D>>& families, double
 
   const int n = state.particles.size();
   std::vector<char> gone(n, 0);
-  const auto hostAccepted = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, accepted);
+  const auto hostAccepted = onHost(accepted);
   for (int i = 0; i < count; ++i)
   {
     merged.families += hostAccepted(i) == 1 ? 1 : 0;

@@ -81,8 +81,7 @@ void bringTogether(State<D>& state, const View<int*>& small)
 {
   if (!state.mesh.subdomain)
     return;
-  const auto host = [](const auto& view)
-  { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
+  const auto host = [](const auto& view) { return onHost(view); };
   const auto list = host(small);
   const auto fromAncestor = host(state.particles.integer(ancestor)),
              fromLineage = host(state.particles.integer(lineage)),

@@ -60,8 +60,7 @@ using LevelSums = std::map<std::array<int, D>, GradientSum<D>>;
 template <int D>
 std::vector<LevelSums<D>> sumOverLeaves(const State<D>& state, const std::string& gradient)
 {
-  const auto host = [](const auto& view)
-  { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
+  const auto host = [](const auto& view) { return onHost(view); };
   const auto leafOf = host(leavesOf(state));
   const auto volume = host(state.particles.scalar(fields::volume));
   const auto rate = host(state.particles.table(gradient));

@@ -1,7 +1,6 @@
 #include "combustion/Cavity.hpp"
 
 #include "base/ReadList.hpp"
-#include "state/CrackEnds.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,15 +14,15 @@ namespace
 {
 
 /// Calls surface-breaking end(vertices of the facet) for each facet of the crack beyond which there is the
-/// surface of the body (facet::mouth) or another crack (facet::joined).
+/// surface of the body (facet::surfaceBreaking) or another crack (facet::joined).
 template <int D, class SurfaceEnd>
 void forEachSurfaceEnd(const State<D>& state, int crack, int beyond, const std::vector<MirrorPlane>& mirrors,
                        const SurfaceEnd& surfaceEnd)
 {
   const CrackSet<D>& cracks = state.cracks;
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
-  const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
-  const auto neighbour = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.neighbour);
+  const auto vertex = onHost(cracks.vertex);
+  const auto simplex = onHost(cracks.simplex);
+  const auto neighbour = onHost(cracks.neighbour);
   const Crack<D>& c = cracks.cracks[crack];
   for (int s = c.firstSimplex; s < c.firstSimplex + c.numSimplices; ++s)
     for (int i = 0; i < D; ++i)
@@ -52,9 +51,9 @@ std::array<double, 2> endAreas(const State<D>& state, int crack, int beyond,
                                const std::vector<MirrorPlane>& mirrors)
 {
   const CrackSet<D>& cracks = state.cracks;
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
-  const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.face);
-  const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertexNormal);
+  const auto vertex = onHost(cracks.vertex);
+  const auto face = onHost(cracks.face);
+  const auto normal = onHost(cracks.vertexNormal);
   const int first = cracks.cracks[crack].firstVertex;
   std::array<double, 2> area{};
   forEachSurfaceEnd(state, crack, beyond, mirrors,
@@ -102,7 +101,7 @@ template <int D>
 std::array<double, 2> surfaceEndAreas(const State<D>& state, int crack,
                                       const std::vector<MirrorPlane>& mirrors)
 {
-  return endAreas(state, crack, facet::surfaceEnd, mirrors);
+  return endAreas(state, crack, facet::surfaceBreaking, mirrors);
 }
 
 template <int D>
@@ -122,15 +121,15 @@ template <int D>
 bool hasSurfaceEnd(const State<D>& state, int crack, const std::vector<MirrorPlane>& mirrors)
 {
   bool any = false;
-  forEachSurfaceEnd(state, crack, facet::surfaceEnd, mirrors, [&](const int(&)[D - 1]) { any = true; });
+  forEachSurfaceEnd(state, crack, facet::surfaceBreaking, mirrors, [&](const int(&)[D - 1]) { any = true; });
   return any;
 }
 
 template <int D>
 double distanceFromCrack(const CrackSet<D>& cracks, int crack, const Vector<D>& lower, const Vector<D>& upper)
 {
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
-  const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
+  const auto vertex = onHost(cracks.vertex);
+  const auto simplex = onHost(cracks.simplex);
   const Crack<D>& c = cracks.cracks[crack];
   double least = std::numeric_limits<double>::max();
   // Sampled at positions a tenth of an edge apart in each simplex.

@@ -81,34 +81,27 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
     }
     burn->startMass = massOfParticles(state);
   };
-  effect.call({Stage::BeforeSolve,
-               "push of gas",
-               {quantity::nodalMass, quantity::crackGeometry},
-               {},
-               {quantity::nodalForce, quantity::facePressure},
-               [burn](State<D>& s)
-               {
-                 burn->follow(s);
-                 updateMeetings(s, *burn);
-                 for (Burning<D>& b : burn->cracks)
-                   pushByGas(s, *burn, b);
-               }});
-  effect.call({stageOfFaceVelocity(scene),
-               "work of gas and burning of crack faces",
-               {projectsLast(scene) ? quantity::projection : quantity::particleVelocity},
-               {},
-               {},
-               [burn](State<D>& s)
-               {
-                 for (Burning<D>& b : burn->cracks)
-                   recordGasWork(s, *burn, b);
-                 for (Burning<D>& b : burn->cracks)
-                   burnStep(s, *burn, b);
-                 letGasesPass(s, *burn);
-               }});
-  effect.call({Stage::Observe, "gas in cracks", {quantity::facePressure}, {}, {}, [burn](State<D>& s) {
-                 sampleGas(s, *burn);
-               }});
+  effect.call(Stage::BeforeSolve, "push of gas", {quantity::nodalMass, quantity::crackGeometry}, {},
+              {quantity::nodalForce, quantity::facePressure},
+              [burn](State<D>& s)
+              {
+                burn->follow(s);
+                updateMeetings(s, *burn);
+                for (Burning<D>& b : burn->cracks)
+                  pushByGas(s, *burn, b);
+              });
+  effect.call(stageOfFaceVelocity(scene), "work of gas and burning of crack faces",
+              {projectsLast(scene) ? quantity::projection : quantity::particleVelocity}, {}, {},
+              [burn](State<D>& s)
+              {
+                for (Burning<D>& b : burn->cracks)
+                  recordGasWork(s, *burn, b);
+                for (Burning<D>& b : burn->cracks)
+                  burnStep(s, *burn, b);
+                letGasesPass(s, *burn);
+              });
+  effect.call(Stage::Observe, "gas in cracks", {quantity::facePressure}, {}, {},
+              [burn](State<D>& s) { sampleGas(s, *burn); });
   effect.timeStepLimit = [burn](const State<D>&) { return timeStepLimit(*burn); };
   effect.memory = [burn](State<D>&, Archive& archive) { serialize(*burn, archive); };
   effect.report = [burn](const State<D>& state, nlohmann::json& summary)

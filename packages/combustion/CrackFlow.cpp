@@ -24,8 +24,8 @@ double CrackFlow<D>::arcAt(const FacePoints<D>& points, const Vector<D>& point) 
   double found = 0.0;
   if constexpr (D == 2)
   {
-    const auto position = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.position);
-    const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.normal);
+    const auto position = onHost(points.position);
+    const auto normal = onHost(points.normal);
     double nearest = std::numeric_limits<double>::max(), arc = 0.0;
     for (std::size_t k = 0; k < length_.size(); ++k)
     {
@@ -47,9 +47,9 @@ double CrackFlow<D>::arcAt(const FacePoints<D>& points, const Vector<D>& point) 
 template <int D>
 void CrackFlow<D>::follow(const FacePoints<D>& points, int crack, double cavity, double gap, double density)
 {
-  const auto of = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.crack);
-  const auto size = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.currentSize);
-  const auto position = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.position);
+  const auto of = onHost(points.crack);
+  const auto size = onHost(points.currentSize);
+  const auto position = onHost(points.position);
   const std::vector<double> before = length_;
   length_.clear();
   for (int k = 0; k < points.count(); ++k)

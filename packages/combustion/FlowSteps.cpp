@@ -12,12 +12,6 @@ namespace Rhegma::combustion
 namespace
 {
 
-template <class AnyView>
-auto onHost(const AnyView& view)
-{
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
-}
-
 /// Reports a gas with which the run can't go on.
 template <int D>
 void findFailure(State<D>& state, const Burning<D>& b)

@@ -2,7 +2,6 @@
 
 #include "archive/Archive.hpp"
 #include "combustion/Cavity.hpp"
-#include "state/CrackEnds.hpp"
 
 #include <limits>
 
@@ -21,8 +20,8 @@ struct JoinedEnd
 
 std::vector<JoinedEnd> joinedEnds(const CrackSet<2>& cracks)
 {
-  const auto neighbour = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.neighbour);
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
+  const auto neighbour = onHost(cracks.neighbour);
+  const auto vertex = onHost(cracks.vertex);
   std::vector<JoinedEnd> ends;
   ends.reserve(2 * cracks.cracks.size());
   for (std::size_t c = 0; c < cracks.cracks.size(); ++c)

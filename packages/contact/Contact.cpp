@@ -91,8 +91,8 @@ View<int*> pointsIn(const FacePoints<D>& points, int crack, double middle, doubl
 {
   View<int*> part("rhegma::contactPart", points.count());
   const auto host = Kokkos::create_mirror_view(part);
-  const auto of = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.crack);
-  const auto length = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.size);
+  const auto of = onHost(points.crack);
+  const auto length = onHost(points.size);
   double passed = 0.0;
   for (int k = 0; k < points.count(); ++k)
     if (of(k) == crack)
@@ -263,41 +263,23 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   effect.balance = {"contact"};
   effect.needs = {fields::side};
   effect.atStart = [account](State<D>& state) { begin(state, account); };
-  effect.call({Stage::Scatter,
-               "points on crack faces",
-               {quantity::nodalMass, quantity::enrichedFields},
-               {},
-               {},
-               [account](State<D>& s) { prepare(s, *account); }});
+  effect.call(Stage::Scatter, "points on crack faces", {quantity::nodalMass, quantity::enrichedFields}, {},
+              {}, [account](State<D>& s) { prepare(s, *account); });
   if (!visibility)
-    effect.call({Stage::BeforeSolve,
-                 "contact of crack faces",
-                 {quantity::nodalMass, quantity::enrichedFields},
-                 {},
-                 {quantity::nodalForce},
-                 [account](State<D>& s) { account->contact.addForces(s); }});
-  effect.call({Stage::AfterSolve,
-               "balance of energy",
-               {quantity::nodalMotion, ifWritten(quantity::constrainedMotion)},
-               {},
-               {},
-               [account](State<D>& s)
-               {
-                 if (s.clock.observing)
-                   account->balance.measure(s, account->contact.stored());
-               }});
-  effect.call({Stage::AfterProjection,
-               "gaps of crack faces",
-               {quantity::nodalMotion, ifWritten(quantity::projection)},
-               {quantity::contactGaps},
-               {},
-               [account](State<D>& s) { advance(s, *account); }});
-  effect.call({Stage::Observe,
-               "fractions of energy",
-               {quantity::energyBalance, quantity::contactGaps},
-               {},
-               {},
-               [account](State<D>& s) { observe(s, *account); }});
+    effect.call(Stage::BeforeSolve, "contact of crack faces", {quantity::nodalMass, quantity::enrichedFields},
+                {}, {quantity::nodalForce}, [account](State<D>& s) { account->contact.addForces(s); });
+  effect.call(Stage::AfterSolve, "balance of energy",
+              {quantity::nodalMotion, ifWritten(quantity::constrainedMotion)}, {}, {},
+              [account](State<D>& s)
+              {
+                if (s.clock.observing)
+                  account->balance.measure(s, account->contact.stored());
+              });
+  effect.call(Stage::AfterProjection, "gaps of crack faces",
+              {quantity::nodalMotion, ifWritten(quantity::projection)}, {quantity::contactGaps}, {},
+              [account](State<D>& s) { advance(s, *account); });
+  effect.call(Stage::Observe, "fractions of energy", {quantity::energyBalance, quantity::contactGaps}, {}, {},
+              [account](State<D>& s) { observe(s, *account); });
   effect.memory = [account](State<D>&, Archive& archive) { serialize(*account, archive); };
   effect.report = [account](const State<D>& state, nlohmann::json& summary)
   { report(state, *account, summary); };

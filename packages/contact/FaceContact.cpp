@@ -43,11 +43,11 @@ template <int D>
 View<double*> inheritHeat(const View<double*>& old, const View<double*>& size, const FacePoints<D>& points)
 {
   View<double*> fresh("rhegma::contactHeat", points.count());
-  const auto heat = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, old);
-  const auto oldSize = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, size);
-  const auto newSize = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.size);
-  const auto before = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.before);
-  const auto after = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.after);
+  const auto heat = onHost(old);
+  const auto oldSize = onHost(size);
+  const auto newSize = onHost(points.size);
+  const auto before = onHost(points.before);
+  const auto after = onHost(points.after);
   const auto host = Kokkos::create_mirror_view(fresh);
   const int count = static_cast<int>(heat.extent(0));
   std::vector<double> heirs(count, 0.0); // their size
@@ -93,10 +93,8 @@ void FaceContact<D>::findStiffness(const State<D>& state)
   closed_ = View<int*>("rhegma::contactClosed", cracks);
   peak_ = View<double*>("rhegma::contactPeak", cracks);
   cracks_.resize(cracks);
-  const auto side =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(fields::side));
-  const auto material =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(fields::material));
+  const auto side = onHost(state.particles.integer(fields::side));
+  const auto material = onHost(state.particles.integer(fields::material));
   const auto stiffness = Kokkos::create_mirror_view(stiffness_);
   // The softer of the materials that meet: a stiff layer on a soft body would ask for a smaller step.
   const double infinity = std::numeric_limits<double>::infinity();
@@ -219,8 +217,8 @@ void FaceContact<D>::advance(const State<D>& state, const Velocity& velocity)
 template <int D>
 void FaceContact<D>::note(const State<D>& state)
 {
-  const auto closed = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, closed_);
-  const auto peak = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, peak_);
+  const auto closed = onHost(closed_);
+  const auto peak = onHost(peak_);
   for (std::size_t c = 0; c < cracks_.size(); ++c)
   {
     if (closed(c) > 0 && cracks_[c].closedPoints == 0)
@@ -303,7 +301,7 @@ void FaceContact<D>::storeCracks(Archive& archive)
   cracks_.resize(cracks);
   if (static_cast<int>(stiffness_.extent(0)) != cracks)
     stiffness_ = View<Stiffness*>("rhegma::contactStiffness", cracks);
-  const auto stiffness = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, stiffness_);
+  const auto stiffness = onHost(stiffness_);
   for (int c = 0; c < cracks; ++c)
   {
     const Archive::Group group(archive, "crack " + std::to_string(c));

@@ -52,8 +52,8 @@ double AdvectedFronts<D>::advectedCells(const State<D>& state, std::size_t front
 template <int D>
 void AdvectedFronts<D>::findMarks(const State<D>& state)
 {
-  const auto near = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nearFront);
-  const auto crackOf = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.crackOf);
+  const auto near = onHost(state.cracks.nearFront);
+  const auto crackOf = onHost(state.cracks.crackOf);
   for (std::size_t s = 0; s < near.extent(0); ++s)
     if (near(s) == nearFront::springsDisabled)
       disabled_[crackOf(s)] = true;

@@ -149,7 +149,7 @@ std::vector<std::uint64_t> filledPoints(const State<D>& state, const std::vector
             Kokkos::atomic_fetch_or(&filled(k), bits);
         }
       });
-  const auto found = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, filled);
+  const auto found = onHost(filled);
   std::vector<std::uint64_t> bits(found.data(), found.data() + count);
   uniteRanks(state, bits);
   return bits;

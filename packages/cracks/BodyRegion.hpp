@@ -50,8 +50,7 @@ public:
 private:
   static std::vector<Vector<D>> readVectors(const State<D>& state, const std::string& field)
   {
-    const auto values =
-        Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.template real<D>(field));
+    const auto values = onHost(state.particles.template real<D>(field));
     std::vector<Vector<D>> vectors(state.particles.size());
     for (int p = 0; p < state.particles.size(); ++p)
       for (int d = 0; d < D; ++d)
@@ -61,8 +60,7 @@ private:
 
   static std::vector<int> readBodies(const State<D>& state)
   {
-    const auto body =
-        Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(fields::body));
+    const auto body = onHost(state.particles.integer(fields::body));
     return std::vector<int>(body.data(), body.data() + state.particles.size());
   }
 

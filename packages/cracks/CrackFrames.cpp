@@ -2,15 +2,12 @@
 
 #include "base/SmallLoops.hpp"
 #include "geometry/Cross.hpp"
-#include "surface/BeyondFacet.hpp"
 
 #include <cmath>
 #include <vector>
 
 namespace Rhegma::cracks
 {
-
-namespace facet = surface::facet;
 
 namespace
 {
@@ -87,23 +84,17 @@ void updateNormals(const CrackSet<D>& cracks)
 namespace
 {
 
-template <class V>
-typename V::HostMirror host(const V& view)
-{
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
-}
-
 /// Fractions, positions and directions of the front nodes of 3D fronts.
 class FrontNodeFrames
 {
 public:
   explicit FrontNodeFrames(const CrackSet<3>& cracks)
-      : vertex_(host(cracks.vertex)),
-        simplex_(host(cracks.simplex)),
-        neighbour_(host(cracks.neighbour)),
-        frontFacet_(host(cracks.frontFacet)),
-        starBegin_(host(cracks.starBegin)),
-        star_(host(cracks.star))
+      : vertex_(onHost(cracks.vertex)),
+        simplex_(onHost(cracks.simplex)),
+        neighbour_(onHost(cracks.neighbour)),
+        frontFacet_(onHost(cracks.frontFacet)),
+        starBegin_(onHost(cracks.starBegin)),
+        star_(onHost(cracks.star))
   {
   }
 
@@ -199,9 +190,9 @@ void updateFronts(CrackSet<D>& cracks)
 {
   if (cracks.fronts.empty())
     return;
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
-  const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
-  const auto frontFacet = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.frontFacet);
+  const auto vertex = onHost(cracks.vertex);
+  const auto simplex = onHost(cracks.simplex);
+  const auto frontFacet = onHost(cracks.frontFacet);
   const auto at = [&](int v)
   {
     Vector<D> x;

@@ -2,13 +2,10 @@
 /// Where a point lies with respect to a crack.
 
 #include "state/CrackSet.hpp"
-#include "surface/BeyondFacet.hpp"
 #include "surface/NearestOnSimplex.hpp"
 
 namespace Rhegma::cracks
 {
-
-namespace facet = surface::facet;
 
 /// Distance from a crack within which nodes have a side [cells]: a particle a stencil away on the other side
 /// must find the node's side.
@@ -86,8 +83,7 @@ struct CrackSight
     Vector<D> n, m;
     for (int d = 0; d < D; ++d)
       n[d] = m[d] = normal(s, d);
-    int beyond =
-        0; // what is beyond the nearest point: facet::surfaceBreaking or front; 0: the point is inside
+    int beyond = 0; // what is beyond the nearest point (FacetEnds.hpp); 0: the point is inside
     if (foot.vertex >= 0)
     {
       const int v = simplex(s, foot.vertex);

@@ -23,9 +23,9 @@ struct Meshes
 
   explicit Meshes(const CrackSet<D>& set)
   {
-    const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.vertex);
-    const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.simplex);
-    const auto neighbour = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.neighbour);
+    const auto vertex = onHost(set.vertex);
+    const auto simplex = onHost(set.simplex);
+    const auto neighbour = onHost(set.neighbour);
     for (const Crack<D>& crack : set.cracks)
     {
       sizes.insert(sizes.end(), {crack.numVertices, crack.numSimplices});

@@ -149,37 +149,25 @@ template <int D>
 void callSprings(const Shared<D>& parts, Effect<D>& effect)
 {
   // With USF, springs are stretched before forces are summed.
-  effect.call({Stage::Scatter,
-               "stiffness of springs behind crack fronts",
-               {quantity::nodalMass, quantity::enrichedFields},
-               {quantity::springStiffness},
-               {},
-               [=](State<D>& s) { parts->springs.prepare(s, parts->surroundings); }});
-  effect.call({Stage::BeforeSolve,
-               "springs behind crack fronts",
-               {quantity::springStiffness, quantity::springStretch},
-               {quantity::springForce},
-               {quantity::internalForce},
-               [=](State<D>& s) { parts->springs.addForces(s); }});
+  effect.call(Stage::Scatter, "stiffness of springs behind crack fronts",
+              {quantity::nodalMass, quantity::enrichedFields}, {quantity::springStiffness}, {},
+              [=](State<D>& s) { parts->springs.prepare(s, parts->surroundings); });
+  effect.call(Stage::BeforeSolve, "springs behind crack fronts",
+              {quantity::springStiffness, quantity::springStretch}, {quantity::springForce},
+              {quantity::internalForce}, [=](State<D>& s) { parts->springs.addForces(s); });
   if (parts->grows)
-    effect.call({Stage::Solve,
-                 "cohesion of new crack faces",
-                 {quantity::springForce},
-                 {quantity::fractureEnergy},
-                 {quantity::nodalForce},
-                 [=](State<D>& s)
-                 {
-                   parts->springs.release(s, parts->surroundings,
-                                          [&](const CrackSet<D>& set, int front)
-                                          { return toughnessOf(*parts, set, front); });
-                 }});
-  effect.call({Stage::AfterProjection,
-               "stretch of springs behind crack fronts",
-               {quantity::nodalMotion, ifWritten(quantity::projection)},
-               {quantity::springStretch},
-               {},
-               [=](State<D>& s) { parts->springs.advance(s); },
-               true});
+    effect.call(Stage::Solve, "cohesion of new crack faces", {quantity::springForce},
+                {quantity::fractureEnergy}, {quantity::nodalForce},
+                [=](State<D>& s)
+                {
+                  parts->springs.release(s, parts->surroundings,
+                                         [&](const CrackSet<D>& set, int front)
+                                         { return toughnessOf(*parts, set, front); });
+                });
+  effect.call(
+      Stage::AfterProjection, "stretch of springs behind crack fronts",
+      {quantity::nodalMotion, ifWritten(quantity::projection)}, {quantity::springStretch}, {},
+      [=](State<D>& s) { parts->springs.advance(s); }, true);
 }
 
 template <int D>
@@ -278,21 +266,14 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   if (parts->hasSprings)
     callSprings(parts, effect);
   if (parts->grows)
-    effect.call({Stage::BetweenSteps,
-                 "cracks grow",
-                 {quantity::frontAdvances},
-                 {quantity::crackGeometry, quantity::fractureEnergy},
-                 {},
-                 [=](State<D>& s) { grow(*parts, s); }});
-  effect.call({stageOfFaceVelocity(scene),
-               "cracks move",
-               {projectsLast(scene) ? quantity::projection : quantity::nodalMotion},
-               {quantity::crackGeometry},
-               {},
-               [=](State<D>& s) { move(*parts, s); }});
-  effect.call({Stage::Observe, "opening of cracks", {quantity::crackGeometry}, {}, {}, [=](State<D>& s) {
-                 observe(*parts, s);
-               }});
+    effect.call(Stage::BetweenSteps, "cracks grow", {quantity::frontAdvances},
+                {quantity::crackGeometry, quantity::fractureEnergy}, {},
+                [=](State<D>& s) { grow(*parts, s); });
+  effect.call(stageOfFaceVelocity(scene), "cracks move",
+              {projectsLast(scene) ? quantity::projection : quantity::nodalMotion}, {quantity::crackGeometry},
+              {}, [=](State<D>& s) { move(*parts, s); });
+  effect.call(Stage::Observe, "opening of cracks", {quantity::crackGeometry}, {}, {},
+              [=](State<D>& s) { observe(*parts, s); });
   if constexpr (D == 2)
     if (parts->formulation == Formulation::CorrectedBrokenCell)
       effect.timeStepLimit = [](const State<D>& state)

@@ -225,10 +225,7 @@ void FrontSprings<D>::prepare(State<D>& state, const Surroundings& surroundings)
   // The energy that these springs store and will dissipate is part of that of new faces.
   const std::vector<double> energy = sumByFront(state, springs(state), softened);
   for (std::size_t f = 0; f < energy.size(); ++f)
-    if constexpr (D == 2)
-      state.cracks.fronts[f].budget.carryOver(energy[f]);
-    else
-      state.cracks.fronts[f].budget.release(energy[f]);
+    state.cracks.fronts[f].budget.carryOver(energy[f]);
 }
 
 template class FrontSprings<2>;

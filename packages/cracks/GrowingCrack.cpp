@@ -9,19 +9,11 @@
 namespace Rhegma::cracks
 {
 
-namespace facet = surface::facet;
-
 namespace
 {
 
 using surface::FrontLines;
 using surface::FrontPoint;
-
-template <class V>
-auto onHost(const V& view)
-{
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
-}
 
 /// A front as points of its crack.
 template <int D>

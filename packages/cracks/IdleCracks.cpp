@@ -8,8 +8,7 @@ namespace Rhegma::cracks
 template <int D>
 void warnOfIdleCracks(State<D>& state)
 {
-  const auto side =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(fields::side));
+  const auto side = onHost(state.particles.integer(fields::side));
   const std::size_t cracks = state.cracks.cracks.size();
   std::vector<double> adjacent(2 * cracks, 0.0); // whether there are particles on side +1 and side -1 of each
   for (int p = 0; p < state.particles.size(); ++p)

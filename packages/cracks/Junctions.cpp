@@ -120,7 +120,7 @@ void warnOfThirdCrack(State<2>& state, int particles, int one, int two)
 void Junctions::locate(const State<2>& state, Junction& j)
 {
   const CrackSet<2>& set = state.cracks;
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.vertex);
+  const auto vertex = onHost(set.vertex);
   const Crack<2>&ended = set.cracks[j.ended], &through = set.cracks[j.through];
   const int end = j.first ? ended.firstVertex : ended.firstVertex + ended.numVertices - 1;
   j.endSimplex = j.first ? ended.firstSimplex : ended.firstSimplex + ended.numSimplices - 1;
@@ -145,8 +145,8 @@ void Junctions::add(State<2>& state, int ended, bool first, int through)
   Junction j{ended, through, first, 1};
   locate(state, j);
   {
-    const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.vertex);
-    const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.normal);
+    const auto vertex = onHost(state.cracks.vertex);
+    const auto normal = onHost(state.cracks.normal);
     const Crack<2>& crack = state.cracks.cracks[ended];
     const int behind = first ? crack.firstVertex + 1 : crack.firstVertex + crack.numVertices - 2;
     const Vector<2> from{vertex(behind, 0) - j.position[0], vertex(behind, 1) - j.position[1]};

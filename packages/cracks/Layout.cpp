@@ -11,8 +11,6 @@
 namespace Rhegma::cracks
 {
 
-namespace facet = surface::facet;
-
 namespace
 {
 
@@ -85,10 +83,10 @@ template <int D>
 void markNearFront(CrackSet<D>& set, double spacing)
 {
   const double reach = (bandWidth + 1.0) * spacing;
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.vertex);
-  const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.simplex);
-  const auto crackOf = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.crackOf);
-  const auto frontFacet = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.frontFacet);
+  const auto vertex = onHost(set.vertex);
+  const auto simplex = onHost(set.simplex);
+  const auto crackOf = onHost(set.crackOf);
+  const auto frontFacet = onHost(set.frontFacet);
   const auto nearFront = Kokkos::create_mirror_view(set.nearFront);
   const auto at = [&](int v)
   {
@@ -125,7 +123,7 @@ void listStars(CrackSet<D>& set)
 {
   const int vertices = static_cast<int>(set.vertex.extent(0)),
             simplices = static_cast<int>(set.simplex.extent(0));
-  const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.simplex);
+  const auto simplex = onHost(set.simplex);
   std::vector<std::vector<int>> stars(vertices);
   for (int s = 0; s < simplices; ++s)
     for (int i = 0; i < D; ++i)

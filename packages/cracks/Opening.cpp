@@ -25,12 +25,12 @@ double sizeOf(const Vector<3> (&corner)[3])
 template <int D>
 Opening measureOpening(const CrackSet<D>& cracks, int crack)
 {
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
-  const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.face);
-  const auto neighbour = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.neighbour);
-  const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
-  const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.normal);
-  const auto vertexNormal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertexNormal);
+  const auto vertex = onHost(cracks.vertex);
+  const auto face = onHost(cracks.face);
+  const auto neighbour = onHost(cracks.neighbour);
+  const auto simplex = onHost(cracks.simplex);
+  const auto normal = onHost(cracks.normal);
+  const auto vertexNormal = onHost(cracks.vertexNormal);
   const Crack<D>& c = cracks.cracks[crack];
   Opening opening{0.0, 0.0, 0.0, 0.0};
   for (int v = c.firstVertex; v < c.firstVertex + c.numVertices; ++v)

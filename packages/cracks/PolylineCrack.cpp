@@ -7,8 +7,6 @@
 namespace Rhegma::cracks
 {
 
-namespace facet = surface::facet;
-
 namespace
 {
 

@@ -19,7 +19,7 @@ namespace
 struct PassedNode
 {
   int second;         ///< index among nodes with two fields
-  double force, area; ///< holding force [N]; tributary area of the node, 3D [m2]
+  double force, area; ///< holding force [N]; tributary area of the node (NodeArea)
   bool counts;        ///< on this rank
   std::size_t at = 0; ///< its front node, counted through all fronts
 };
@@ -43,23 +43,27 @@ View<double* [D]> forceSumOverRanks(const State<D>& state)
   return force;
 }
 
-/// Area of new face that belongs to a node, 3D [m2].
+/// Area of new face that belongs to a node, in 2D by thickness [m2, m].
 template <int D>
 struct NodeArea
 {
   CrackSight<D> sight;
-  double density; ///< with several materials, nodes between them seem less than full [kg/m3]
+  /// By thickness in 2D; with several materials, nodes between them seem less than full [kg/m3].
+  double density;
 
   KOKKOS_INLINE_FUNCTION double operator()(int s, const Vector<D>& x, double mass, double cell) const
   {
-    if constexpr (D == 2)
-      return 0.0;
-    double steepest = 0.0;
+    double steepest = 0.0, full = density;
     for (int d = 0; d < D; ++d)
+    {
       steepest = std::fmax(steepest, std::fabs(sight.normal(s, d)));
+      full *= cell;
+    }
     const double away = std::fabs(sight.locate(s, x).distance) / (cell * steepest);
-    const double filled = std::fmin(1.0, mass / (density * cell * cell * cell));
-    return away < 1.0 ? filled * cell * cell / steepest * (1.0 - away) : 0.0;
+    double area = std::fmin(1.0, mass / full);
+    for (int d = 1; d < D; ++d)
+      area *= cell;
+    return away < 1.0 ? area / steepest * (1.0 - away) : 0.0;
   }
 };
 
@@ -84,7 +88,8 @@ View<double* [D + 3]> measurePassed(const State<D>& state, const Surroundings& s
   const bool refined = state.mesh.tree.refined();
   const View<int*> level = state.mesh.tree.nodeLevel;
   const double spacing = state.mesh.grid.spacing;
-  const NodeArea<D> areaOf{CrackSight<D>(state.cracks, spacing), smallestDensity(state.materials.properties)};
+  const NodeArea<D> areaOf{CrackSight<D>(state.cracks, spacing),
+                           smallestDensity(state.materials.properties) * state.method.thickness};
   parallelForSmall(
       "rhegma::cracks::passedNodes", nodes.numEnriched, KOKKOS_LAMBDA(const int i) {
         const int own = nodes.parent(i);
@@ -148,8 +153,8 @@ template <int D>
 std::vector<PassedNode> listPassed(const State<D>& state, const View<double * [D + 3]>& rows,
                                    const std::vector<std::size_t>& first)
 {
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, rows);
-  const auto parent = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.parent);
+  const auto host = onHost(rows);
+  const auto parent = onHost(state.mesh.nodes.parent);
   std::vector<PassedNode> passed;
   for (int i = 0; i < state.mesh.nodes.numEnriched; ++i)
   {
@@ -178,7 +183,7 @@ std::vector<double> releaseEnergy(const State<D>& state, CrackFront<D>& front, c
 {
   std::vector<double> energy(toughness.size(), 0.0);
   const double cell = spacingAt(state, front.position);
-  if constexpr (D == 2)
+  if (!front.budget.byArea)
   {
     // If the front reaches a node only because material moves through the grid, its energy is that of a cell
     // of new face by the toughness of the last advance; by G, which may be far above that, it would

@@ -25,7 +25,7 @@ constexpr double sightBeyond = 3.0;
 template <int D>
 std::vector<Reach<D>> reaches(const State<D>& state)
 {
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.vertex);
+  const auto vertex = onHost(state.cracks.vertex);
   const double band = bandWidth * state.mesh.grid.spacing;
   std::vector<Reach<D>> all;
   for (const Crack<D>& crack : state.cracks.cracks)

@@ -197,42 +197,32 @@ void addMassDamping(Effect<D>& effect, double rate, double end, bool between)
   // Between its two strains, so that one velocity does the second of a step and the first of the next, and
   // moves the particles; before other forces than those of stresses.
   if (between)
-    effect.call({Stage::BeforeSolve,
-                 "mass damping",
-                 {quantity::internalForce},
-                 {quantity::nodalForce},
-                 {},
-                 [=, held = std::make_shared<View<char**>>()](State<D>& s)
-                 {
-                   if (s.clock.time >= end)
-                     return;
-                   s.energy.damped += dampVelocity(s, rate);
-                   dampMomentum(s, rate);
-                   s.energy.damped += lossToStresses(s, rate, *held);
-                 }});
+    effect.call(Stage::BeforeSolve, "mass damping", {quantity::internalForce}, {quantity::nodalForce}, {},
+                [=, held = std::make_shared<View<char**>>()](State<D>& s)
+                {
+                  if (s.clock.time >= end)
+                    return;
+                  s.energy.damped += dampVelocity(s, rate);
+                  dampMomentum(s, rate);
+                  s.energy.damped += lossToStresses(s, rate, *held);
+                });
   if (between)
     return;
-  effect.call({Stage::Scatter,
-               "mass damping",
-               {},
-               {quantity::particleVelocity},
-               {},
-               [=](State<D>& s)
-               {
-                 if (s.clock.time < end)
-                   s.energy.damped += dampVelocity(s, rate);
-               }});
-  effect.call({Stage::Scatter,
-               "what mass damping takes from stresses",
-               {quantity::nodalMomentum, ifWritten(quantity::prescribedMotion), ifWritten(quantity::substeps),
-                ifWritten(quantity::massMatrix)},
-               {},
-               {},
-               [=, held = std::make_shared<View<char**>>()](State<D>& s)
-               {
-                 if (s.clock.time < end && s.method.scheme == UpdateScheme::Musl)
-                   s.energy.damped += lossToStresses(s, rate, *held);
-               }});
+  effect.call(Stage::Scatter, "mass damping", {}, {quantity::particleVelocity}, {},
+              [=](State<D>& s)
+              {
+                if (s.clock.time < end)
+                  s.energy.damped += dampVelocity(s, rate);
+              });
+  effect.call(Stage::Scatter, "what mass damping takes from stresses",
+              {quantity::nodalMomentum, ifWritten(quantity::prescribedMotion), ifWritten(quantity::substeps),
+               ifWritten(quantity::massMatrix)},
+              {}, {},
+              [=, held = std::make_shared<View<char**>>()](State<D>& s)
+              {
+                if (s.clock.time < end && s.method.scheme == UpdateScheme::Musl)
+                  s.energy.damped += lossToStresses(s, rate, *held);
+              });
 }
 
 /// \param shear viscosity \param bulk viscosity [Pa s] \param end of damping [s]
@@ -240,17 +230,14 @@ template <int D>
 void addViscosity(Effect<D>& effect, double shear, double bulk, double end)
 {
   effect.adds.push_back({fields::rate, D * D, "1/s", "velocity gradient, by rows"});
-  effect.call({Stage::OnParticles,
-               "viscous stress",
-               {quantity::particleStress},
-               {},
-               {},
-               [=](State<D>& s)
-               {
-                 if (s.clock.time < end)
-                   s.energy.damped += addViscousStress(s, shear, bulk);
-               },
-               true});
+  effect.call(
+      Stage::OnParticles, "viscous stress", {quantity::particleStress}, {}, {},
+      [=](State<D>& s)
+      {
+        if (s.clock.time < end)
+          s.energy.damped += addViscousStress(s, shear, bulk);
+      },
+      true);
   // An explicit step resolves diffusion of momentum only below h^2 / (2 D nu); the largest viscosity is
   // that of dilatation.
   effect.timeStepLimit = [=](const State<D>& s)
@@ -300,13 +287,10 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     s.clock.stopWhenSettled = stop;
     judgeDamping(rate, shear, bulk, std::min(end, until), s);
   };
-  effect.call({Stage::Observe,
-               "settling",
-               {quantity::energyBalance, ifWritten(quantity::energyRelease)},
-               {},
-               {},
-               [settling](State<D>& s)
-               { s.clock.settled = settling->sample(s.energy.kinetic, s.energy.strain, s.sample.row); }});
+  effect.call(Stage::Observe, "settling", {quantity::energyBalance, ifWritten(quantity::energyRelease)}, {},
+              {},
+              [settling](State<D>& s)
+              { s.clock.settled = settling->sample(s.energy.kinetic, s.energy.strain, s.sample.row); });
   effect.report = [stop, until, settling](const State<D>& s, nlohmann::json& summary)
   {
     if (s.clock.settled)

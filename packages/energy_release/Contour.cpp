@@ -149,8 +149,8 @@ double largestContour(const State<D>& state, const CrackFront<D>& front, double 
 double distanceToOtherCracks(const CrackSet<2>& cracks, const CrackFront<2>& front)
 {
   double nearest = std::numeric_limits<double>::infinity();
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
-  const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
+  const auto vertex = onHost(cracks.vertex);
+  const auto simplex = onHost(cracks.simplex);
   for (int c = 0; c < static_cast<int>(cracks.cracks.size()); ++c)
   {
     const Crack<2>& crack = cracks.cracks[c];

@@ -118,8 +118,7 @@ public:
   {
     if (!known_)
       return;
-    const auto host = [](const auto& view)
-    { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
+    const auto host = [](const auto& view) { return onHost(view); };
     force_ = host(state.cracks.spring);
     side_ = host(state.cracks.nodeSide);
     second_ = host(state.cracks.enrichedField);

@@ -24,7 +24,7 @@ CrackPath crackPathBehind(const State<2>& state, const CrackFront<2>& front, dou
   path.tip = front.position;
   path.direction = front.direction;
   path.forwards = front.vertex != crack.firstVertex;
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, set.vertex);
+  const auto vertex = onHost(set.vertex);
   const auto at = [&](int v) { return Vector<2>{{vertex(v, 0), vertex(v, 1)}}; };
   bool turns = false;
   int count = 0;

@@ -17,8 +17,8 @@ CrackSide::CrackSide(const CrackSet<2>& cracks, const CrackFront<2>& front) : fr
 {
   if (front.crack >= static_cast<int>(cracks.cracks.size()) || cracks.vertex.extent(0) == 0)
     return;
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
-  const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
+  const auto vertex = onHost(cracks.vertex);
+  const auto simplex = onHost(cracks.simplex);
   const Crack<2>& crack = cracks.cracks[front.crack];
   for (int s = crack.firstSimplex; s < crack.firstSimplex + crack.numSimplices; ++s)
   {

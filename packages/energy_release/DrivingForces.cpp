@@ -177,20 +177,13 @@ template <int D>
 void addDrivingCalls(Effect<D>& effect, const Teuchos::ParameterList& scene,
                      const std::shared_ptr<DrivingForces<D>>& driving)
 {
-  effect.call(
-      {lastStage(scene),
-       "driving forces of crack fronts",
-       {quantity::particleStress, quantity::particleVelocity, quantity::crackGeometry,
-        quantity::enrichedFields, ifWritten(quantity::springForce), ifWritten(quantity::facePressure)},
-       {quantity::drivingForces},
-       {},
-       [driving](State<D>& state) { driving->computeRelease(state); }});
-  effect.call({lastStage(scene),
-               "intensities at fronts that advance",
-               {quantity::drivingForces, quantity::advancingFronts},
-               {quantity::stressIntensities},
-               {},
-               [driving](State<D>& state) { driving->computeIntensities(state); }});
+  effect.call(lastStage(scene), "driving forces of crack fronts",
+              {quantity::particleStress, quantity::particleVelocity, quantity::crackGeometry,
+               quantity::enrichedFields, ifWritten(quantity::springForce), ifWritten(quantity::facePressure)},
+              {quantity::drivingForces}, {}, [driving](State<D>& state) { driving->computeRelease(state); });
+  effect.call(lastStage(scene), "intensities at fronts that advance",
+              {quantity::drivingForces, quantity::advancingFronts}, {quantity::stressIntensities}, {},
+              [driving](State<D>& state) { driving->computeIntensities(state); });
 }
 
 template class DrivingForces<2>;

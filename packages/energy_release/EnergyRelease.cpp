@@ -317,18 +317,16 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
     start(state, options, *samples);
     strain->start(all, state);
   };
-  effect.call({Stage::Observe,
-               "energy release of crack fronts",
-               {quantity::crackGeometry, quantity::particleStress, quantity::enrichedFields,
-                ifWritten(quantity::springForce), ifWritten(quantity::facePressure)},
-               {},
-               {quantity::energyRelease},
-               [=](State<D>& state)
-               {
-                 if (state.clock.observing)
-                   sample(state, options, *samples);
-                 strain->sample(state.energy.strain);
-               }});
+  effect.call(Stage::Observe, "energy release of crack fronts",
+              {quantity::crackGeometry, quantity::particleStress, quantity::enrichedFields,
+               ifWritten(quantity::springForce), ifWritten(quantity::facePressure)},
+              {}, {quantity::energyRelease},
+              [=](State<D>& state)
+              {
+                if (state.clock.observing)
+                  sample(state, options, *samples);
+                strain->sample(state.energy.strain);
+              });
   if (run.growth)
     addDrivingCalls(effect, scene, driving);
   effect.memory = [=](State<D>&, Archive& archive)

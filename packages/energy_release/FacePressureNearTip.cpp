@@ -28,8 +28,8 @@ class PathBehind
 public:
   PathBehind(const CrackSet<2>& cracks, const CrackFront<2>& front)
   {
-    const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
-    const auto pressure = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.pressure);
+    const auto vertex = onHost(cracks.vertex);
+    const auto pressure = onHost(cracks.pressure);
     const Crack<2>& crack = cracks.cracks[front.crack];
     const bool first = front.vertex == crack.firstVertex;
     for (int k = 0; k < crack.numVertices; ++k)

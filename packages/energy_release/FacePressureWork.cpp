@@ -30,10 +30,10 @@ class PressedTriangles
 {
 public:
   PressedTriangles(const CrackSet<3>& cracks, const FrontLine& line, double reach)
-      : vertex_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex)),
-        face_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.face)),
-        simplex_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex)),
-        pressure_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.pressure)),
+      : vertex_(onHost(cracks.vertex)),
+        face_(onHost(cracks.face)),
+        simplex_(onHost(cracks.simplex)),
+        pressure_(onHost(cracks.pressure)),
         sight_(line, 0.0),
         reach_(reach)
   {

@@ -103,7 +103,7 @@ TubeNodes findNodes(const State<D>& state, const FrontSight& sight, const Contou
           }
           values(k, 6) = foot.line;
         });
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, values);
+  const auto host = onHost(values);
   for (int k = 0; k < count; ++k)
     found.nodes.push_back({host(k, 0),
                            static_cast<int>(host(k, 6)),
@@ -157,10 +157,10 @@ void addWidths(const State<D>& state, const FrontLine& line, const FrontSight& s
   Kokkos::deep_copy(points.position, position);
   StencilTable<D> table;
   pointStencils(state, points, table, false);
-  const auto count = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.count);
-  const auto node = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.node);
-  const auto weight = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.weight);
-  const auto number = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, tubeNodes.number);
+  const auto count = onHost(table.count);
+  const auto node = onHost(table.node);
+  const auto weight = onHost(table.weight);
+  const auto number = onHost(tubeNodes.number);
   for (int k = 0; k < points.count; ++k)
     for (int i = 0; i < count(k); ++i)
     {

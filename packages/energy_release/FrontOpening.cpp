@@ -33,9 +33,7 @@ class Faces
 {
 public:
   explicit Faces(const CrackSet<3>& cracks)
-      : vertex_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex)),
-        face_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.face)),
-        simplex_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex))
+      : vertex_(onHost(cracks.vertex)), face_(onHost(cracks.face)), simplex_(onHost(cracks.simplex))
   {
   }
   Vector<3> corner(int s, int i) const

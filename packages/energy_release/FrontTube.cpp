@@ -62,7 +62,7 @@ double clearOfSurfaces(const State<3>& state, const FrontLine& line, double radi
 double clearOfOthers(const State<3>& state, const CrackFront<3>& front, const FrontLine& line, double radius)
 {
   const CrackSet<3>& cracks = state.cracks;
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
+  const auto vertex = onHost(cracks.vertex);
   std::vector<Vector<3>> others;
   for (const CrackFront<3>& other : cracks.fronts)
     if (other.crack == front.crack && other.number != front.number)

@@ -99,7 +99,7 @@ std::vector<int> namedSides(const State<2>& state, const View<int*>& list)
   Kokkos::parallel_for(
       "rhegma::gatherPatchSides", Kokkos::RangePolicy<ExecSpace>(0, n),
       KOKKOS_LAMBDA(const int i) { some(i) = side(list(i)); });
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, some);
+  const auto host = onHost(some);
   for (int i = 0; i < n; ++i)
     named[i] = host(i);
   return named;
@@ -163,14 +163,14 @@ std::vector<ParticleAroundTip> particlesAround(const State<2>& state, const Crac
                                                double radius)
 {
   const View<int*> list = listParticles(state, front.position, radius);
-  const auto row = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, gatherRows(state, list));
+  const auto row = onHost(gatherRows(state, list));
   const StencilTable<2> table = state.method.shape == ShapeKind::Linear
                                     ? patchStencils<ShapeKind::Linear>(state, list)
                                     : patchStencils<ShapeKind::Gimp>(state, list);
-  const auto count = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.count);
-  const auto node = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.node);
-  const auto weight = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.weight);
-  const auto slope = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.slope);
+  const auto count = onHost(table.count);
+  const auto node = onHost(table.node);
+  const auto weight = onHost(table.weight);
+  const auto slope = onHost(table.slope);
   const std::vector<int> named = namedSides(state, list);
   const CrackSide line(state.cracks, front);
   const WholeNodes whole(state);

@@ -23,10 +23,10 @@ std::vector<double> fractionOfNodes(const State<D>& state, int crack, const std:
   Kokkos::deep_copy(points.side, crack + 1);
   StencilTable<D> stencils;
   pointStencils(state, points, stencils, true);
-  const auto count = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, stencils.count);
-  const auto node = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, stencils.node);
-  const auto weight = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, stencils.weight);
-  const auto nodeSide = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide);
+  const auto count = onHost(stencils.count);
+  const auto node = onHost(stencils.node);
+  const auto weight = onHost(stencils.weight);
+  const auto nodeSide = onHost(state.cracks.nodeSide);
   std::vector<double> shared(points.count, 0.0);
   for (int k = 0; k < points.count; ++k)
     for (int e = 0; e < count(k); ++e)

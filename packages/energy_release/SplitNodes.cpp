@@ -10,7 +10,7 @@ namespace Rhegma::energy_release
 std::vector<int> ownNodesAround(const State<2>& state, const Vector<2>& centre, double radius)
 {
   const Grid<2>& grid = state.mesh.grid;
-  const auto foreign = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.foreign);
+  const auto foreign = onHost(state.mesh.nodes.foreign);
   int first[2], last[2];
   for (int d = 0; d < 2; ++d)
   {
@@ -25,8 +25,7 @@ std::vector<int> ownNodesAround(const State<2>& state, const Vector<2>& centre, 
       if (foreign(n) == 0)
         nodes.push_back(n);
     }
-  const auto positions =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.tree.finePosition);
+  const auto positions = onHost(state.mesh.tree.finePosition);
   for (int k = 0; k < state.mesh.tree.numFine; ++k)
     if (foreign(grid.numNodes + k) == 0 && std::fabs(positions(k, 0) - centre[0]) <= radius &&
         std::fabs(positions(k, 1) - centre[1]) <= radius)
@@ -35,7 +34,7 @@ std::vector<int> ownNodesAround(const State<2>& state, const Vector<2>& centre, 
 }
 
 SplitNodes::SplitNodes(const State<2>& state, const CrackFront<2>& front, double radius)
-    : side_(Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide)),
+    : side_(onHost(state.cracks.nodeSide)),
       many_(static_cast<bool>(state.mesh.subdomain)),
       positions_(state),
       front_(front)

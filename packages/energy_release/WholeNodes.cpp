@@ -11,8 +11,7 @@ namespace Rhegma::energy_release
 
 WholeNodes::WholeNodes(const State<2>& state) : here_(state.mesh.grid), whole_(wholeLattice(state))
 {
-  const auto positions =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.tree.finePosition);
+  const auto positions = onHost(state.mesh.tree.finePosition);
   const int count = state.mesh.tree.numFine;
   if (!state.mesh.subdomain)
   {

@@ -83,37 +83,27 @@ Effect<D> make(const Teuchos::ParameterList& scene)
       account->pressures.emplace_back(findCrack(state.cracks, name),
                                       TimeFunction::parse(list.sublist(name).get<std::string>("Pressure")));
   };
-  effect.call({Stage::BeforeSolve,
-               "pressure on crack faces",
-               {quantity::nodalMass, quantity::crackGeometry},
-               {},
-               {quantity::nodalForce, quantity::facePressure},
-               [account](State<D>& s)
-               {
-                 account->points.update(s);
-                 for (FacePressure& pressure : account->pressures)
-                   pressure.apply(s, account->points);
-               }});
-  effect.call({stageOfFaceVelocity(scene),
-               "work of pressure on crack faces",
-               {projectsLast(scene) ? quantity::projection : quantity::nodalMotion},
-               {},
-               {},
-               [account](State<D>& s)
-               {
-                 for (const FacePressure& pressure : account->pressures)
-                   s.energy.externalWork += pressure.work(s, account->points);
-               }});
-  effect.call({Stage::Observe,
-               "pressure in cracks",
-               {quantity::facePressure},
-               {},
-               {},
-               [account](State<D>& s)
-               {
-                 for (const FacePressure& pressure : account->pressures)
-                   samplePressure(s, pressure.crack(), pressure.pressure());
-               }});
+  effect.call(Stage::BeforeSolve, "pressure on crack faces", {quantity::nodalMass, quantity::crackGeometry},
+              {}, {quantity::nodalForce, quantity::facePressure},
+              [account](State<D>& s)
+              {
+                account->points.update(s);
+                for (FacePressure& pressure : account->pressures)
+                  pressure.apply(s, account->points);
+              });
+  effect.call(stageOfFaceVelocity(scene), "work of pressure on crack faces",
+              {projectsLast(scene) ? quantity::projection : quantity::nodalMotion}, {}, {},
+              [account](State<D>& s)
+              {
+                for (const FacePressure& pressure : account->pressures)
+                  s.energy.externalWork += pressure.work(s, account->points);
+              });
+  effect.call(Stage::Observe, "pressure in cracks", {quantity::facePressure}, {}, {},
+              [account](State<D>& s)
+              {
+                for (const FacePressure& pressure : account->pressures)
+                  samplePressure(s, pressure.crack(), pressure.pressure());
+              });
   effect.memory = [account](State<D>&, Archive& archive)
   {
     for (FacePressure& pressure : account->pressures)

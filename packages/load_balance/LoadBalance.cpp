@@ -77,17 +77,15 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   const auto account = std::make_shared<Account>();
   Effect<D> effect;
   effect.name = "Load Balance";
-  effect.call({Stage::BetweenSteps,
-               "balance of ranks",
-               {ifWritten(quantity::cells),
-                ifWritten(quantity::crackGeometry)}, // fronts are measured by the nodes of the last step
-               {quantity::ownership},
-               {},
-               [=](State<D>& state)
-               {
-                 if (state.clock.step % interval == 0)
-                   checkBalance(state, threshold, *account);
-               }});
+  effect.call(Stage::BetweenSteps, "balance of ranks",
+              {ifWritten(quantity::cells),
+               ifWritten(quantity::crackGeometry)}, // fronts are measured by the nodes of the last step
+              {quantity::ownership}, {},
+              [=](State<D>& state)
+              {
+                if (state.clock.step % interval == 0)
+                  checkBalance(state, threshold, *account);
+              });
   effect.memory = [account](State<D>&, Archive& archive)
   {
     archive("looks", account->checks);

@@ -15,8 +15,7 @@ View<double*> edgesOnRanks(const State<D>& state)
 {
   if (!state.mesh.subdomain || !state.mesh.tree.refined())
     return {};
-  const auto host = [](const auto& view)
-  { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
+  const auto host = [](const auto& view) { return onHost(view); };
   const auto kind = host(state.cracks.kind);
   const auto vertex = host(state.cracks.vertex);
   const View<double*> edges("rhegma::massFrontEdges", kind.extent(0));

@@ -361,26 +361,15 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   if (options.coupled())
     effect.timeStepLimit = coupledTimeStep<D>;
   if (options.coupled())
-    effect.call({Stage::Scatter,
-                 "assemble the mass matrix",
-                 {quantity::nodalMass, quantity::enrichedFields},
-                 {quantity::massMatrix},
-                 {},
-                 [run](State<D>& s) { run->prepare(s); }});
-  effect.call({Stage::Solve,
-               options.filtered() ? "filtered velocity" : "solve with the " + nameOf(options),
-               {quantity::nodalMotion, ifWritten(quantity::massMatrix)},
-               {quantity::nodalMotion},
-               {},
-               [run](State<D>& s) { run->motion(s); }});
+    effect.call(Stage::Scatter, "assemble the mass matrix", {quantity::nodalMass, quantity::enrichedFields},
+                {quantity::massMatrix}, {}, [run](State<D>& s) { run->prepare(s); });
+  effect.call(Stage::Solve, options.filtered() ? "filtered velocity" : "solve with the " + nameOf(options),
+              {quantity::nodalMotion, ifWritten(quantity::massMatrix)}, {quantity::nodalMotion}, {},
+              [run](State<D>& s) { run->motion(s); });
   if (options.coupled() || options.series())
-    effect.call({Stage::AfterProjection,
-                 "project with the " + nameOf(options),
-                 {ifWritten(quantity::projection)},
-                 {quantity::projection},
-                 {},
-                 [run](State<D>& s) { run->projection(s); },
-                 true});
+    effect.call(
+        Stage::AfterProjection, "project with the " + nameOf(options), {ifWritten(quantity::projection)},
+        {quantity::projection}, {}, [run](State<D>& s) { run->projection(s); }, true);
   return effect;
 }
 

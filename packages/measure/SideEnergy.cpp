@@ -67,8 +67,8 @@ MeasuredCrack<D> measuredCrack(const CrackSet<D>& cracks, int crack, double part
   MeasuredCrack<D> measured;
   const Crack<D>& c = cracks.cracks[crack];
   measured.vertex = View<double* [D]>("rhegma::measuredVertex", c.numVertices);
-  const auto all = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
-  const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.normal);
+  const auto all = onHost(cracks.vertex);
+  const auto normal = onHost(cracks.normal);
   const auto vertex = Kokkos::create_mirror_view(measured.vertex);
   for (int d = 0; d < D; ++d)
     measured.normal[d] = normal(c.firstSimplex, d);

@@ -58,23 +58,15 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
     start(state, *run);
     judgeToughness(all, options, run->options, state);
   };
-  effect.call({lastStage(scene),
-               "fronts that advance",
-               {quantity::drivingForces, ifWritten(quantity::frontTemperature)},
-               {quantity::advancingFronts},
-               {},
-               [run](State<D>& state) { selectAdvancing(state, run->options, run->fronts); }});
-  effect.call({Stage::BetweenSteps,
-               "advances of fronts",
-               {quantity::stressIntensities, quantity::advancingFronts},
-               {quantity::frontAdvances},
-               {},
-               [run](State<D>& state) { advanceSelected(state, run->options, run->fronts); }});
+  effect.call(lastStage(scene), "fronts that advance",
+              {quantity::drivingForces, ifWritten(quantity::frontTemperature)}, {quantity::advancingFronts},
+              {}, [run](State<D>& state) { selectAdvancing(state, run->options, run->fronts); });
+  effect.call(Stage::BetweenSteps, "advances of fronts",
+              {quantity::stressIntensities, quantity::advancingFronts}, {quantity::frontAdvances}, {},
+              [run](State<D>& state) { advanceSelected(state, run->options, run->fronts); });
   if (run->options.haltsAtStops)
-    effect.call(
-        {Stage::Observe, "fronts that the cells stop", {quantity::crackGeometry}, {}, {}, [](State<D>& s) {
-           haltAtStops(s);
-         }});
+    effect.call(Stage::Observe, "fronts that the cells stop", {quantity::crackGeometry}, {}, {},
+                [](State<D>& s) { haltAtStops(s); });
   effect.memory = [run](State<D>& state, Archive& archive)
   {
     for (std::size_t f = 0; f < run->fronts.size(); ++f)

@@ -55,39 +55,25 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
          true});
   effect.atStart = [=](State<D>& state) { state.mesh.subcycledLevels = levels; };
   effect.call(
-      {Stage::Scatter,
-       "particles of fine cells",
-       {quantity::nodalMass, ifWritten(quantity::springStiffness), ifWritten(quantity::prescribedMotion)},
-       {quantity::substeps},
-       {},
-       [=](State<D>& state)
-       {
-         const int last = state.mesh.tree.deepest, first = last - std::min(levels, last) + 1;
-         steps->begin(state, first, last);
-       }});
-  effect.call({Stage::Solve,
-               "substeps of fine cells",
-               {quantity::substeps},
-               {},
-               {quantity::nodalForce},
-               [=](State<D>& state)
-               {
-                 const double before = steps->extraSteps();
-                 steps->evolve(state);
-                 state.particles.particleSteps += steps->extraSteps() - before;
-               }});
-  effect.call({Stage::Solve,
-               "velocity of substeps",
-               {quantity::nodalMotion, quantity::substeps},
-               {},
-               {},
-               [=](State<D>& state) { steps->correctMotion(state); }});
-  effect.call({Stage::AfterProjection,
-               "motion of substeps",
-               {quantity::substeps},
-               {},
-               {quantity::projection},
-               [=](State<D>& state) { steps->correctProjection(state); }});
+      Stage::Scatter, "particles of fine cells",
+      {quantity::nodalMass, ifWritten(quantity::springStiffness), ifWritten(quantity::prescribedMotion)},
+      {quantity::substeps}, {},
+      [=](State<D>& state)
+      {
+        const int last = state.mesh.tree.deepest, first = last - std::min(levels, last) + 1;
+        steps->begin(state, first, last);
+      });
+  effect.call(Stage::Solve, "substeps of fine cells", {quantity::substeps}, {}, {quantity::nodalForce},
+              [=](State<D>& state)
+              {
+                const double before = steps->extraSteps();
+                steps->evolve(state);
+                state.particles.particleSteps += steps->extraSteps() - before;
+              });
+  effect.call(Stage::Solve, "velocity of substeps", {quantity::nodalMotion, quantity::substeps}, {}, {},
+              [=](State<D>& state) { steps->correctMotion(state); });
+  effect.call(Stage::AfterProjection, "motion of substeps", {quantity::substeps}, {}, {quantity::projection},
+              [=](State<D>& state) { steps->correctProjection(state); });
   effect.memory = [=](State<D>&, Archive& archive) { steps->serialize(archive); };
   effect.report = [=](const State<D>& state, nlohmann::json& summary)
   {

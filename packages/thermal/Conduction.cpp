@@ -26,9 +26,8 @@ constexpr double joining = 9.8696044010893586;
 template <int D>
 void Conduction<D>::measure(const State<D>& state)
 {
-  const auto materials =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.materials.thermo.material);
-  const auto knots = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.materials.thermo.knot);
+  const auto materials = onHost(state.materials.thermo.material);
+  const auto knots = onHost(state.materials.thermo.knot);
   diffusivity = 0.0;
   leastCapacity = leastDiffusivity = std::numeric_limits<double>::infinity();
   for (std::size_t m = 0; m < materials.extent(0); ++m)

@@ -119,11 +119,11 @@ void Conduction<D>::reportFronts(State<D>& state)
       positions(f, d) = at[f][d];
   Kokkos::deep_copy(fronts.position, positions);
   pointStencils(state, fronts, frontStencils, true);
-  const auto number = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, frontStencils.count);
-  const auto node = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, frontStencils.node);
-  const auto weight = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, frontStencils.weight);
-  const auto value = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, nodes.value);
-  const auto held = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, nodes.held);
+  const auto number = onHost(frontStencils.count);
+  const auto node = onHost(frontStencils.node);
+  const auto weight = onHost(frontStencils.weight);
+  const auto value = onHost(nodes.value);
+  const auto held = onHost(nodes.held);
   std::vector<double> found(2 * count, 0.0); // temperature of each, and whether it has nodes
   for (int f = 0; f < count; ++f)
   {

@@ -54,8 +54,7 @@ Extremes<D> extremes(const State<D>& state)
   const bool here = most.loc >= 0 && most.loc < state.particles.size() && most.val == found.highest;
   if (here)
   {
-    const auto host = Kokkos::create_mirror_view_and_copy(
-        Kokkos::HostSpace{}, Kokkos::subview(x, std::make_pair(most.loc, most.loc + 1), Kokkos::ALL));
+    const auto host = onHost(Kokkos::subview(x, std::make_pair(most.loc, most.loc + 1), Kokkos::ALL));
     for (int d = 0; d < D; ++d)
       where[d] = host(0, d);
   }

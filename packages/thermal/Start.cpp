@@ -42,8 +42,7 @@ void warnOfCold(std::vector<std::string>& warnings, const std::string& what, dou
 template <int D>
 void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, double initial)
 {
-  const auto host = [](const auto& view)
-  { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
+  const auto host = [](const auto& view) { return onHost(view); };
   const auto body = host(state.particles.integer(fields::body));
   const auto positions = host(state.particles.template real<D>(fields::position));
   const auto T = host(state.particles.scalar(fields::temperature));

@@ -200,18 +200,11 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.adds.push_back(
       {fields::internalEnergy, 1, "J/m3", "thermal and elastic energy per undeformed volume"});
   effect.atStart = [run, all = Teuchos::ParameterList(scene)](State<D>& state) { start(state, all, *run); };
-  effect.call({Stage::BeforeSolve,
-               "conduction",
-               {quantity::stencils, ifWritten(quantity::fractureEnergy)},
-               {quantity::temperature, quantity::frontTemperature},
-               {},
-               [run](State<D>& state) { run->conduction.step(state); }});
-  effect.call({Stage::Observe,
-               "temperatures",
-               {quantity::temperature, quantity::frontTemperature},
-               {},
-               {},
-               [run](State<D>& state) { observe(state, *run); }});
+  effect.call(Stage::BeforeSolve, "conduction", {quantity::stencils, ifWritten(quantity::fractureEnergy)},
+              {quantity::temperature, quantity::frontTemperature}, {},
+              [run](State<D>& state) { run->conduction.step(state); });
+  effect.call(Stage::Observe, "temperatures", {quantity::temperature, quantity::frontTemperature}, {}, {},
+              [run](State<D>& state) { observe(state, *run); });
   effect.report = [run](const State<D>& state, nlohmann::json& summary)
   {
     report(state, *run, summary);

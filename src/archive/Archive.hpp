@@ -149,7 +149,7 @@ public:
     const RecordTable* from = begin(name, typeOf<T>(), extent);
     if (from == nullptr)
     {
-      const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
+      const auto host = onHost(view);
       return save(name, host.data());
     }
     bool same = from->extent.size() == extent.size();

@@ -11,7 +11,7 @@ namespace
 template <class Borrowed>
 void copyRows(const Borrowed& column, int components, std::vector<double>& values)
 {
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, column);
+  const auto host = onHost(column);
   std::copy(host.data(), host.data() + column.extent(0) * components, values.begin());
 }
 

@@ -21,6 +21,13 @@ template <class Data>
 using BorrowedView =
     Kokkos::View<Data, Kokkos::LayoutRight, MemorySpace, Kokkos::MemoryTraits<Kokkos::Unmanaged>>;
 
+/// A copy of a view for the host; the view itself where the host has it.
+template <class AnyView>
+auto onHost(const AnyView& view)
+{
+  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
+}
+
 /// A vector of D numbers.
 template <int D>
 struct Vector

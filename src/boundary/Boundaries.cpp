@@ -24,20 +24,16 @@ void watchCells(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstr
                 double finalTime)
 {
   const auto seen = std::make_shared<int>(0);
-  effect.call({Stage::Scatter,
-               "supports of changed cells",
-               {ifWritten(quantity::cells)},
-               {},
-               {},
-               [=](State<D>& state)
-               {
-                 if (*seen == state.mesh.tree.generation)
-                   return;
-                 *seen = state.mesh.tree.generation;
-                 const std::string wrong = contradictions(*constraints, state, finalTime);
-                 if (state.failure.empty())
-                   state.failure = wrong;
-               }});
+  effect.call(Stage::Scatter, "supports of changed cells", {ifWritten(quantity::cells)}, {}, {},
+              [=](State<D>& state)
+              {
+                if (*seen == state.mesh.tree.generation)
+                  return;
+                *seen = state.mesh.tree.generation;
+                const std::string wrong = contradictions(*constraints, state, finalTime);
+                if (state.failure.empty())
+                  state.failure = wrong;
+              });
 }
 
 /// The calls of loads.
@@ -45,26 +41,19 @@ template <int D>
 void addLoads(Effect<D>& effect, const Teuchos::ParameterList& scene,
               const std::shared_ptr<std::vector<Load<D>>>& loads)
 {
-  effect.call({Stage::BeforeSolve,
-               "loads",
-               {quantity::nodalMass},
-               {},
-               {quantity::nodalForce},
-               [loads](State<D>& state)
-               {
-                 for (Load<D>& load : *loads)
-                   load.apply(state);
-               }});
-  effect.call({stageOfFaceVelocity(scene),
-               "work of loads",
-               {projectsLast(scene) ? quantity::projection : quantity::nodalMotion},
-               {},
-               {},
-               [loads](State<D>& state)
-               {
-                 for (const Load<D>& load : *loads)
-                   state.energy.externalWork += load.work(state);
-               }});
+  effect.call(Stage::BeforeSolve, "loads", {quantity::nodalMass}, {}, {quantity::nodalForce},
+              [loads](State<D>& state)
+              {
+                for (Load<D>& load : *loads)
+                  load.apply(state);
+              });
+  effect.call(stageOfFaceVelocity(scene), "work of loads",
+              {projectsLast(scene) ? quantity::projection : quantity::nodalMotion}, {}, {},
+              [loads](State<D>& state)
+              {
+                for (const Load<D>& load : *loads)
+                  state.energy.externalWork += load.work(state);
+              });
   addLoadForces(effect, loads);
 }
 

@@ -49,19 +49,12 @@ void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std:
   const TimeFunction history = TimeFunction::parse(list.get<std::string>("History"));
   const auto now = [=](const State<D>& state)
   { return history(state.clock.time + 0.5 * state.clock.dt) * acceleration; };
-  parts.effect.call({Stage::BeforeSolve,
-                     "gravity",
-                     {quantity::nodalMass},
-                     {},
-                     {quantity::nodalForce},
-                     [now](State<D>& state) { addBodyForce(state.mesh.nodes, now(state)); }});
-  parts.effect.call({stageOfFaceVelocity(parts.scene),
-                     "work of gravity",
-                     {projectsLast(parts.scene) ? quantity::projection : quantity::nodalMotion},
-                     {},
-                     {},
-                     [now](State<D>& state)
-                     { state.energy.externalWork += bodyForceWork(state, now(state)); }});
+  parts.effect.call(Stage::BeforeSolve, "gravity", {quantity::nodalMass}, {}, {quantity::nodalForce},
+                    [now](State<D>& state) { addBodyForce(state.mesh.nodes, now(state)); });
+  parts.effect.call(stageOfFaceVelocity(parts.scene), "work of gravity",
+                    {projectsLast(parts.scene) ? quantity::projection : quantity::nodalMotion}, {}, {},
+                    [now](State<D>& state)
+                    { state.energy.externalWork += bodyForceWork(state, now(state)); });
 }
 
 } // namespace

@@ -32,36 +32,28 @@ template <int D>
 void addLoadForces(Effect<D>& effect, const std::shared_ptr<std::vector<Load<D>>>& loads)
 {
   const auto known = std::make_shared<LoadForces<D>>();
-  effect.call({Stage::AfterSolve,
-               "impulse of loads",
-               {},
-               {},
-               {},
-               [=](State<D>& state)
-               {
-                 known->resize(loads->size());
-                 for (std::size_t k = 0; k < loads->size(); ++k)
-                   known->impulse[k] = known->impulse[k] + state.clock.dt * (*loads)[k].force();
-               }});
-  effect.call({Stage::Observe,
-               "forces of loads",
-               {},
-               {},
-               {},
-               [=](State<D>& state)
-               {
-                 const char* columns[] = {".force_x", ".force_y", ".force_z"};
-                 const double duration = state.clock.time - known->last;
-                 known->last = state.clock.time;
-                 known->resize(loads->size());
-                 for (std::size_t k = 0; k < loads->size(); ++k)
-                 {
-                   known->force[k] = (duration > 0.0 ? 1.0 / duration : 0.0) * known->impulse[k];
-                   known->impulse[k] = Vector<D>{};
-                   for (int d = 0; d < D; ++d)
-                     state.sample.row.emplace_back((*loads)[k].name() + columns[d], known->force[k][d]);
-                 }
-               }});
+  effect.call(Stage::AfterSolve, "impulse of loads", {}, {}, {},
+              [=](State<D>& state)
+              {
+                known->resize(loads->size());
+                for (std::size_t k = 0; k < loads->size(); ++k)
+                  known->impulse[k] = known->impulse[k] + state.clock.dt * (*loads)[k].force();
+              });
+  effect.call(Stage::Observe, "forces of loads", {}, {}, {},
+              [=](State<D>& state)
+              {
+                const char* columns[] = {".force_x", ".force_y", ".force_z"};
+                const double duration = state.clock.time - known->last;
+                known->last = state.clock.time;
+                known->resize(loads->size());
+                for (std::size_t k = 0; k < loads->size(); ++k)
+                {
+                  known->force[k] = (duration > 0.0 ? 1.0 / duration : 0.0) * known->impulse[k];
+                  known->impulse[k] = Vector<D>{};
+                  for (int d = 0; d < D; ++d)
+                    state.sample.row.emplace_back((*loads)[k].name() + columns[d], known->force[k][d]);
+                }
+              });
   effect.memory = inOrder(effect.memory,
                           [=](State<D>&, Archive& archive)
                           {

@@ -166,7 +166,7 @@ void Load<D>::updateLevels(const State<D>& state)
       changed);
   if (changed == 0)
     return;
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, level_);
+  const auto host = onHost(level_);
   std::vector<int> levels(whole_.size());
   for (std::size_t k = 0; k < levels.size(); ++k)
     levels[k] = host(k);

@@ -10,14 +10,10 @@ namespace
 template <int D>
 Seeds<D> seedsOf(const State<D>& state, int body, std::vector<int>& ids)
 {
-  const auto bodies =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(fields::body));
-  const auto id =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(fields::id));
-  const auto x = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{},
-                                                     state.particles.template real<D>(fields::position));
-  const auto edge = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{},
-                                                        state.particles.template real<D>(fields::edge));
+  const auto bodies = onHost(state.particles.integer(fields::body));
+  const auto id = onHost(state.particles.integer(fields::id));
+  const auto x = onHost(state.particles.template real<D>(fields::position));
+  const auto edge = onHost(state.particles.template real<D>(fields::edge));
   Seeds<D> seeds{};
   for (int p = 0; p < state.particles.size(); ++p)
     if (bodies(p) == body)

@@ -36,7 +36,7 @@ View<double* [D]> fieldAtNodes(const PositionFunction& function, const NodeConst
   const int count = state.mesh.grid.numNodes + state.mesh.tree.numFine;
   View<double* [D]> field("rhegma::prescribedField", count);
   const auto host = Kokkos::create_mirror_view(field);
-  const auto fine = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.tree.finePosition);
+  const auto fine = onHost(state.mesh.tree.finePosition);
   for (int n = 0; n < count; ++n)
   {
     Vector<D> position;
@@ -99,28 +99,24 @@ template <int D>
 void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstraint<D>>>& constraints)
 {
   const auto last = std::make_shared<double>(0.0);
-  effect.call({Stage::Observe,
-               "forces of supports",
-               {quantity::constrainedMotion},
-               {},
-               {},
-               [constraints, last](State<D>& state)
-               {
-                 const char* columns[] = {".force_x", ".force_y", ".force_z"};
-                 const double duration = state.clock.time - *last;
-                 *last = state.clock.time;
-                 for (auto& timed : *constraints)
-                 {
-                   state.ranks.sum(timed.impulse.c, D);
-                   timed.absorbedTotal += state.ranks.sum(timed.absorbed);
-                   timed.absorbed = 0.0;
-                   timed.force = (duration > 0.0 ? 1.0 / duration : 0.0) * timed.impulse;
-                   timed.impulse = Vector<D>{};
-                   for (int d = 0; d < D; ++d)
-                     if (timed.constraint.holds[d])
-                       state.sample.row.emplace_back(timed.name + columns[d], timed.force[d]);
-                 }
-               }});
+  effect.call(Stage::Observe, "forces of supports", {quantity::constrainedMotion}, {}, {},
+              [constraints, last](State<D>& state)
+              {
+                const char* columns[] = {".force_x", ".force_y", ".force_z"};
+                const double duration = state.clock.time - *last;
+                *last = state.clock.time;
+                for (auto& timed : *constraints)
+                {
+                  state.ranks.sum(timed.impulse.c, D);
+                  timed.absorbedTotal += state.ranks.sum(timed.absorbed);
+                  timed.absorbed = 0.0;
+                  timed.force = (duration > 0.0 ? 1.0 / duration : 0.0) * timed.impulse;
+                  timed.impulse = Vector<D>{};
+                  for (int d = 0; d < D; ++d)
+                    if (timed.constraint.holds[d])
+                      state.sample.row.emplace_back(timed.name + columns[d], timed.force[d]);
+                }
+              });
   effect.memory = inOrder(effect.memory,
                           [constraints, last](State<D>&, Archive& archive)
                           {
@@ -149,55 +145,46 @@ template <int D>
 void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstraint<D>>>& constraints)
 {
   // Not between steps: the length of the step is known only afterwards.
-  effect.call({Stage::Scatter,
-               "values of prescribed motion",
-               {},
-               {quantity::prescribedMotion},
-               {},
-               [constraints](State<D>& state)
-               {
-                 state.motion.constraints.clear();
-                 for (auto& timed : *constraints)
-                 {
-                   updateCells(timed, state);
-                   state.motion.constraints.push_back(timed.at(state.clock.time + state.clock.dt));
-                 }
-               }});
-  effect.call({Stage::AfterSolve,
-               "prescribed motion",
-               {quantity::nodalMotion, quantity::prescribedMotion, ifWritten(quantity::massMatrix)},
-               {quantity::constrainedMotion},
-               {},
-               [constraints](State<D>& state)
-               {
-                 for (std::size_t c = 0; c < constraints->size(); ++c)
-                 {
-                   const Reaction<D> reaction = constrainMotion(state, state.motion.constraints[c],
-                                                                (*constraints)[c].at(state.clock.time));
-                   state.energy.externalWork += reaction.work;
-                   (*constraints)[c].impulse = (*constraints)[c].impulse + reaction.impulse;
-                 }
-               }});
-  effect.call({Stage::AfterProjection,
-               "prescribed strain velocity",
-               {},
-               {quantity::projection},
-               {},
-               [constraints, held = std::make_shared<View<char**>>()](State<D>& state)
-               {
-                 if (constraints->size() > 1)
-                   clearMarks(state, *held);
-                 const bool atStart = state.clock.strainPass.before;
-                 for (auto& timed : *constraints)
-                 {
-                   const double work = constrainProjection(
-                       state, timed.at(atStart ? state.clock.time : state.clock.time + state.clock.dt),
-                       timed.at(state.clock.time), *held);
-                   state.energy.externalWork += work;
-                   timed.absorbed -= work;
-                 }
-               },
-               true});
+  effect.call(Stage::Scatter, "values of prescribed motion", {}, {quantity::prescribedMotion}, {},
+              [constraints](State<D>& state)
+              {
+                state.motion.constraints.clear();
+                for (auto& timed : *constraints)
+                {
+                  updateCells(timed, state);
+                  state.motion.constraints.push_back(timed.at(state.clock.time + state.clock.dt));
+                }
+              });
+  effect.call(Stage::AfterSolve, "prescribed motion",
+              {quantity::nodalMotion, quantity::prescribedMotion, ifWritten(quantity::massMatrix)},
+              {quantity::constrainedMotion}, {},
+              [constraints](State<D>& state)
+              {
+                for (std::size_t c = 0; c < constraints->size(); ++c)
+                {
+                  const Reaction<D> reaction = constrainMotion(state, state.motion.constraints[c],
+                                                               (*constraints)[c].at(state.clock.time));
+                  state.energy.externalWork += reaction.work;
+                  (*constraints)[c].impulse = (*constraints)[c].impulse + reaction.impulse;
+                }
+              });
+  effect.call(
+      Stage::AfterProjection, "prescribed strain velocity", {}, {quantity::projection}, {},
+      [constraints, held = std::make_shared<View<char**>>()](State<D>& state)
+      {
+        if (constraints->size() > 1)
+          clearMarks(state, *held);
+        const bool atStart = state.clock.strainPass.before;
+        for (auto& timed : *constraints)
+        {
+          const double work = constrainProjection(
+              state, timed.at(atStart ? state.clock.time : state.clock.time + state.clock.dt),
+              timed.at(state.clock.time), *held);
+          state.energy.externalWork += work;
+          timed.absorbed -= work;
+        }
+      },
+      true);
 }
 
 template void setFieldAtNodes(TimedConstraint<2>&, const State<2>&);

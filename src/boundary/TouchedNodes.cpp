@@ -15,10 +15,8 @@ template <int D>
 std::vector<Vector<D>> ofLattice(const State<D>& state)
 {
   const Grid<D>& grid = state.mesh.grid;
-  const auto position = Kokkos::create_mirror_view_and_copy(
-      Kokkos::HostSpace{}, state.particles.template real<D>(fields::position));
-  const auto edge = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{},
-                                                        state.particles.template real<D>(fields::edge));
+  const auto position = onHost(state.particles.template real<D>(fields::position));
+  const auto edge = onHost(state.particles.template real<D>(fields::edge));
   std::vector<Vector<D>> positions;
   std::vector<char> seen(grid.numNodes, 0);
   for (std::size_t p = 0; p < position.extent(0); ++p)
@@ -91,8 +89,8 @@ std::vector<Vector<D>> touchedNodes(const State<D>& state)
   std::vector<Vector<D>> positions = ofLattice(state);
   if (!state.mesh.tree.refined())
     return positions;
-  const auto mark = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, marksOfFine(state));
-  const auto fine = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.tree.finePosition);
+  const auto mark = onHost(marksOfFine(state));
+  const auto fine = onHost(state.mesh.tree.finePosition);
   for (int n = 0; n < state.mesh.tree.numFine; ++n)
   {
     if (mark(n) == 0)

@@ -129,8 +129,7 @@ void sortParticles(const Grid<D>& grid, FieldTable& particles, Blocks<D>& blocks
 {
   const int n = particles.size();
   const BlockLayout<D> layout(grid);
-  const auto position =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.real<D>(fields::position));
+  const auto position = onHost(particles.real<D>(fields::position));
 
   std::vector<std::int64_t> block(n);
   std::vector<int> cell(n), order(n);

@@ -123,8 +123,8 @@ Branches<D> Branches<D>::within(const Grid<D>& window) const
 template <int D>
 std::vector<LeafName<D>> leafNames(const Grid<D>& grid, const Tree<D>& tree)
 {
-  const auto level = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, tree.leafLevel);
-  const auto corner = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, tree.leafCorner);
+  const auto level = onHost(tree.leafLevel);
+  const auto corner = onHost(tree.leafCorner);
   std::vector<LeafName<D>> leaves;
   for (std::size_t l = 0; l < level.extent(0); ++l)
   {

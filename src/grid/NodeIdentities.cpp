@@ -9,7 +9,7 @@ namespace Rhegma
 template <int D>
 NodeIdentities<D>::NodeIdentities(const Grid<D>& grid, const View<double* [D]>& finePosition) : grid_(grid)
 {
-  const auto fine = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, finePosition);
+  const auto fine = onHost(finePosition);
   const int count = static_cast<int>(fine.extent(0));
   const double unit = std::ldexp(grid_.spacing, -deepestLevel);
   fine_.resize(count);
@@ -39,15 +39,15 @@ typename NodeIdentities<D>::Identity NodeIdentities<D>::of(int node) const
 template <int D>
 int NodeIdentities<D>::find(const Identity& identity) const
 {
-  int at[D];
-  for (int d = 0; d < D; ++d)
-  {
-    at[d] = (identity[d] >> deepestLevel) - grid_.before[d];
-    if (at[d] < 0 || at[d] > grid_.cells[d])
-      return -1;
-  }
+  if (!isWithin(grid_, identity))
+    return -1;
   if (isOfLattice(identity))
+  {
+    int at[D];
+    for (int d = 0; d < D; ++d)
+      at[d] = (identity[d] >> deepestLevel) - grid_.before[d];
     return grid_.nodeIndex(at);
+  }
   const auto found = std::lower_bound(sorted_.begin(), sorted_.end(), std::make_pair(identity, 0));
   return found != sorted_.end() && found->first == identity ? found->second : -1;
 }
@@ -59,6 +59,18 @@ Vector<D> NodeIdentities<D>::position(const Identity& identity) const
   for (int d = 0; d < D; ++d)
     x[d] = grid_.whole[d] + std::ldexp(grid_.spacing, -deepestLevel) * identity[d];
   return x;
+}
+
+template <int D>
+bool NodeIdentities<D>::isWithin(const Grid<D>& part, const Identity& identity)
+{
+  bool within = true;
+  for (int d = 0; d < D; ++d)
+  {
+    const int at = (identity[d] >> deepestLevel) - part.before[d];
+    within = within && at >= 0 && at <= part.cells[d];
+  }
+  return within;
 }
 
 template <int D>

@@ -34,6 +34,9 @@ public:
   /// Position of the node of this identity, also of one that does not exist [m].
   Vector<D> position(const Identity& identity) const;
 
+  /// Whether a node of this identity lies in a part of the lattice, its rim included.
+  static bool isWithin(const Grid<D>& part, const Identity& identity);
+
   /// Whether it is a node of the lattice, which refinement neither adds nor removes.
   static bool isOfLattice(const Identity& identity);
 

@@ -39,7 +39,7 @@ std::vector<LeafKey<D>> leavesWithParticles(const State<D>& state)
           key(p, d) = static_cast<int>(std::lround(leaf.corner[sight.grid.axisOrder[d]] * perCell));
         key(p, D) = leaf.level;
       });
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, key);
+  const auto host = onHost(key);
   std::vector<LeafKey<D>> leaves(host.extent(0));
   for (std::size_t p = 0; p < leaves.size(); ++p)
     for (int k = 0; k <= D; ++k)

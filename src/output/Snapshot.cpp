@@ -14,12 +14,6 @@ namespace
 
 using Role = DataSet::Role;
 
-template <class AnyView>
-auto onHost(const AnyView& view)
-{
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
-}
-
 /// A table of D columns with a column of zeros in 2D.
 template <int D, class HostView>
 DataSet padded(const std::string& name, Role role, const HostView& values, std::size_t rows)

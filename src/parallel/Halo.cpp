@@ -61,7 +61,7 @@ bool isInside(const Division<D>& division, int rank, const std::array<GlobalId, 
 template <int D>
 std::vector<std::array<GlobalId, D>> finePositions(const Division<D>& division, const Tree<D>& tree)
 {
-  const auto position = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, tree.finePosition);
+  const auto position = onHost(tree.finePosition);
   const double unit = std::ldexp(division.lattice.spacing, -deepestLevel);
   std::vector<std::array<GlobalId, D>> all(tree.numFine);
   for (int k = 0; k < tree.numFine; ++k)

@@ -147,7 +147,7 @@ void NeighbourSums::pack(const SharedRows& rows, const Columns& columns)
             out[1 + c] = valuesOf(row)[c];
         }
       });
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, before_);
+  const auto host = onHost(before_);
   for (Neighbour& neighbour : neighbours_)
   {
     neighbour.sent = sentOf(host(neighbour.end)) - sentOf(host(neighbour.begin));
@@ -220,7 +220,7 @@ int NeighbourSums::add(const SharedRows& rows, const Columns& columns, const Nei
 void NeighbourSums::exchange(const Columns& columns)
 {
   const MPI_Comm all = *dynamic_cast<const Teuchos::MpiComm<int>&>(*ranks_.comm()).getRawMpiComm();
-  const auto out = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, sent_);
+  const auto out = onHost(sent_);
   const auto in = Kokkos::create_mirror_view(received_);
   const int row = columns.perRow(), capacity = columns.fields * row;
   std::vector<MPI_Request> requests;

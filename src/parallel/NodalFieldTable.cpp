@@ -1,5 +1,7 @@
 #include "parallel/NodalFieldTable.hpp"
 
+#include "parallel/SendRows.hpp"
+
 #include <algorithm>
 #include <array>
 #include <functional>
@@ -32,10 +34,24 @@ typename NodeIdentities<D>::Identity nodeOf(const RowName<D>& row)
   return name;
 }
 
-template <class AnyView>
-auto onHost(const AnyView& view)
+/// Sends rows to all ranks whose part of the lattice has their nodes. Collective.
+template <int D>
+std::vector<double> sendToHolders(const std::vector<double>& rows, std::size_t width,
+                                  const Division<D>& division, const Ranks& ranks)
 {
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
+  std::vector<int> to;
+  std::vector<double> sent;
+  for (int rank = 0; rank < ranks.size(); ++rank)
+  {
+    const Grid<D> window = division.window(rank);
+    for (std::size_t k = 0; k < rows.size(); k += width)
+      if (NodeIdentities<D>::isWithin(window, nodeOf<D>(nameOfRow<D>(&rows[k]))))
+      {
+        to.push_back(rank);
+        sent.insert(sent.end(), &rows[k], &rows[k] + width);
+      }
+  }
+  return sendRows(ranks, to, sent, static_cast<int>(width));
 }
 
 template <int D>
@@ -118,7 +134,13 @@ void NodalFieldTable<D>::move(const NodalFieldNodes<D>& to, long step, const Ran
   for (int f = 0; f < count; ++f)
     if (!remeshed || columns_[f].field.onRemesh != OnRemesh::Drop)
     {
-      rows[f] = divided ? ranks.gatherOnAll(namedRows(f)) : namedRows(f, first, true);
+      if (!divided)
+        rows[f] = namedRows(f, first, true);
+      else if (!remeshed && to.division)
+        rows[f] =
+            sendToHolders(namedRows(f), nameWidth + columns_[f].field.field.components, *to.division, ranks);
+      else // all ranks must see which nodes are lost, and between which new ones lie
+        rows[f] = ranks.gatherOnAll(namedRows(f));
       if (columns_[f].field.reportsLost && !divided)
         lost[f] = namedRows(f, first);
     }
@@ -133,7 +155,7 @@ void NodalFieldTable<D>::move(const NodalFieldNodes<D>& to, long step, const Ran
     std::vector<double> found = assign(f, rows[f]);
     if (remeshed && field.onRemesh == OnRemesh::Interpolate && columns_[f].values.extent(0) > 0)
       interpolate(f, rows[f]);
-    if (!field.reportsLost || drop)
+    if (!field.reportsLost || !remeshed || drop)
       continue;
     if (divided)
       ranks.max(found.data(), static_cast<int>(found.size()));

@@ -5,6 +5,7 @@
 #include "grid/Branches.hpp"
 #include "grid/NodeIdentities.hpp"
 #include "grid/Nodes.hpp"
+#include "parallel/Division.hpp"
 #include "parallel/Ranks.hpp"
 
 #include <array>
@@ -23,9 +24,10 @@ struct NodalFieldNodes
   Grid<D> grid{};
   View<double* [D]> finePosition; ///< positions of the nodes of refined cells [m]
   View<char*> foreign;            ///< not 0 for nodes that another rank owns; empty where there is one rank
-  std::shared_ptr<const Branches<D>> refined; ///< refined cells of all ranks; none where there is one rank
-  int generation = -1;                        ///< of the tree; -1: there are no nodes yet
-  int perNode = 1;                            ///< 2 where nodes may have an enriched field
+  std::shared_ptr<const Branches<D>> refined;  ///< refined cells of all ranks; none where there is one rank
+  std::shared_ptr<const Division<D>> division; ///< which rank has which cells; none where there is one rank
+  int generation = -1;                         ///< of the tree; -1: there are no nodes yet
+  int perNode = 1;                             ///< 2 where nodes may have an enriched field
 };
 
 /// Row of a node in nodal fields that have values for enriched fields of nodes, whose own numbers change from

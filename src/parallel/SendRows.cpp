@@ -36,7 +36,7 @@ std::vector<double> sendRows(const Ranks& ranks, const std::vector<int>& to, con
   const View<double*> arriving("rhegma::parallel::rowsReceived", arrivals * width);
   const View<const double*> sent = leaving;
   distributor.doPostsAndWaits(sent, width, arriving);
-  const auto received = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, arriving);
+  const auto received = onHost(arriving);
   return {received.data(), received.data() + received.extent(0)};
 }
 

@@ -72,6 +72,13 @@ struct Effect
   std::function<void(State<D>&, Archive&)> memory;
 
   void call(Call<D> c) { calls.push_back(std::move(c)); } ///< adds to `calls`
+  /// The same, of the parts of a Call.
+  void call(Stage stage, std::string label, std::vector<Read> reads, Quantities writes, Quantities addsTo,
+            std::function<void(State<D>&)> run, bool ofEachPass = false)
+  {
+    call(Call<D>{stage, std::move(label), std::move(reads), std::move(writes), std::move(addsTo),
+                 std::move(run), ofEachPass});
+  }
 };
 
 /// Makes an effect from a scene, which has its section and those of the core, and from what other effects

@@ -1,6 +1,7 @@
 #pragma once
 /// The cracks: data that their effects exchange.
 
+#include "base/FacetEnds.hpp"
 #include "base/Types.hpp"
 #include "state/ReleaseBudget.hpp"
 
@@ -70,9 +71,9 @@ struct CrackFront
   /// of the body divides it into several; none is left of a front that has ended.
   std::vector<FrontNode<D>> nodes = std::vector<FrontNode<D>>(D == 2 ? 1 : 0);
 
-  bool grown = false;   ///< it has advanced since the start
-  bool ended = false;   ///< it has met the surface of its body or another crack and has no facet
-  ReleaseBudget budget; ///< energy of its new faces
+  bool grown = false;           ///< it has advanced since the start
+  bool ended = false;           ///< it has met the surface of its body or another crack and has no facet
+  ReleaseBudget budget{D == 3}; ///< energy of its new faces
 
   /// Whether any of its nodes is about to advance.
   bool advances() const
@@ -130,13 +131,6 @@ struct ContactEnergy
   double dissipated = 0.0; ///< by friction so far [J]
 };
 
-/// What lies beyond a facet of a simplex that has no neighbour there.
-namespace facet
-{
-constexpr int surfaceEnd = -1; ///< the surface of the body
-constexpr int front = -2;      ///< uncracked material
-} // namespace facet
-
 /// What a vertex of a crack lies on; both at a front's end at a surface-breaking end.
 namespace vertexKind
 {
@@ -160,7 +154,7 @@ struct CrackSet
   View<double* [2][D]> face; ///< positions on the faces of side -1 (0) and +1 (1) [m]
   View<int* [D]> simplex;    ///< vertices of each segment or triangle
   View<int*> crackOf;        ///< crack of each simplex
-  View<int* [D]> neighbour;  ///< simplex beyond each facet of a simplex, or facet::surfaceEnd or facet::front
+  View<int* [D]> neighbour;  ///< simplex beyond each facet, or a constant of FacetEnds.hpp
   View<int*> starBegin; ///< the simplices at vertex v are star(starBegin(v)) .. star(starBegin(v + 1) - 1)
   View<int*> star;      ///< see starBegin
   View<int*> kind;      ///< of each vertex: what it lies on (vertexKind, added)

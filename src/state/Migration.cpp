@@ -93,8 +93,7 @@ View<int*> toDevice(const std::vector<int>& list)
 template <int D>
 std::vector<int> ownersOf(const State<D>& state, const Division<D>& division)
 {
-  const auto position = Kokkos::create_mirror_view_and_copy(
-      Kokkos::HostSpace{}, state.particles.template real<D>(fields::position));
+  const auto position = onHost(state.particles.template real<D>(fields::position));
   std::vector<int> owner(state.particles.size());
   for (std::size_t p = 0; p < owner.size(); ++p)
   {

@@ -11,6 +11,10 @@ namespace Rhegma
 ///     released + pending = required + advected + carriedOver + overDissipated.
 struct ReleaseBudget
 {
+  /// How nodes get their energy. True (3D): each that of the area that it stands for, and what springs and
+  /// nodes dissipate beyond it is deducted from the pending energy at once. False (2D): those of one
+  /// step share all that is pending, and it is deducted from the nodes that come next.
+  bool byArea = false;
   double required = 0.0;       ///< toughness times area of all faces that the front has made
   double pending = 0.0;        ///< part of it that no node has received yet
   double released = 0.0;       ///< received by nodes, which dissipate it as they open
@@ -37,18 +41,10 @@ struct ReleaseBudget
   /// dissipated [J].
   void returnPending(double energy) { release(-energy); }
 
-  /// Energy dissipated in advance by springs or nodes: deducted from the next nodes [J].
-  void carryOver(double energy)
-  {
-    carriedOver += energy;
-    released += energy;
-  }
+  /// Energy dissipated in advance by springs or nodes: deducted, see `byArea` [J].
+  void carryOver(double energy) { deduct(carriedOver, energy); }
   /// Nodes dissipated more than their energy. \param energy [J]
-  void overDissipate(double energy)
-  {
-    overDissipated += energy;
-    released += energy;
-  }
+  void overDissipate(double energy) { deduct(overDissipated, energy); }
 
   /// Releases all pending energy less the deductions.
   /// \param ofAdvection energy of these nodes where nothing is pending: the front reached them only because
@@ -78,6 +74,13 @@ struct ReleaseBudget
   double fractionOfArea(double wanted, double ofRow, double least, double most) const
   {
     return std::clamp(1.0 + (pending - wanted) / (ofRow > 0.0 ? ofRow : wanted), least, most);
+  }
+
+private:
+  void deduct(double& later, double energy)
+  {
+    (byArea ? pending : later) += byArea ? -energy : energy;
+    released += energy;
   }
 };
 

@@ -92,7 +92,7 @@ void archiveTree(State<D>& state, Archive& archive)
 /// Rows of the particles of all ranks, one rank after another, in the order of their ids; on the first rank.
 std::vector<int> orderOfIds(const FieldTable& particles, const Ranks& ranks)
 {
-  const auto own = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, particles.integer(fields::id));
+  const auto own = onHost(particles.integer(fields::id));
   const std::vector<int> id = ranks.gather(std::vector<int>(own.data(), own.data() + particles.size()));
   std::vector<int> order(ranks.rank() == 0 ? id.size() : 0);
   std::iota(order.begin(), order.end(), 0);
@@ -105,7 +105,7 @@ template <class AnyView, class T>
 void archiveField(const std::string& name, const AnyView& field, int columns, const std::vector<int>& order,
                   std::vector<T>& table, Archive& archive)
 {
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, field);
+  const auto host = onHost(field);
   T* const values = host.data();
   if (!archive.loads())
   {

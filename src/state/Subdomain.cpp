@@ -13,12 +13,6 @@ namespace Rhegma
 namespace
 {
 
-template <class T>
-auto onHost(const T& view)
-{
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
-}
-
 /// Positions of particles begin .. end - 1.
 template <int D>
 std::vector<Vector<D>> positionsOf(const State<D>& state, long begin, long end)
@@ -165,7 +159,10 @@ NodalFieldNodes<D> nodesOfFields(const State<D>& state)
   nodes.finePosition = state.mesh.tree.finePosition;
   nodes.foreign = state.mesh.nodes.foreign;
   if (state.mesh.subdomain)
+  {
     nodes.refined = {state.mesh.subdomain, &state.mesh.subdomain->refined};
+    nodes.division = {state.mesh.subdomain, &state.mesh.subdomain->division};
+  }
   nodes.generation = state.mesh.tree.generation;
   nodes.perNode = state.cracks.dualField && !state.cracks.empty() ? 2 : 1;
   return nodes;

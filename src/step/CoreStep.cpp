@@ -96,10 +96,8 @@ Effect<D> pointsAtRest()
   core.provides = {quantity::energyBalance, quantity::nodalMass, quantity::nodalMotion,
                    quantity::projection}; // zero except for the energies: nothing moves
   core.call(sortCall<D>());
-  core.call(
-      {Stage::Scatter, "stencils", {}, {quantity::stencils, quantity::enrichedFields}, {}, [](State<D>& s) {
-         storeStencils(s);
-       }});
+  core.call(Stage::Scatter, "stencils", {}, {quantity::stencils, quantity::enrichedFields}, {},
+            [](State<D>& s) { storeStencils(s); });
   return core;
 }
 
@@ -119,47 +117,34 @@ Effect<D> makeCore(const State<D>& state)
   Quantities scattered = {quantity::stencils, quantity::enrichedFields, quantity::nodalMass,
                           quantity::nodalMomentum,
                           strainsFirst ? quantity::projection : quantity::internalForce};
-  core.call({Stage::Scatter,
-             strainsFirst ? "mass and momentum to nodes" : "mass, momentum and force to nodes",
-             {quantity::particleVelocity},
-             scattered,
-             {},
-             [strainsFirst](State<D>& s) { toNodes(s, strainsFirst); }});
+  core.call(Stage::Scatter, strainsFirst ? "mass and momentum to nodes" : "mass, momentum and force to nodes",
+            {quantity::particleVelocity}, scattered, {},
+            [strainsFirst](State<D>& s) { toNodes(s, strainsFirst); });
   if (strainsFirst)
-    core.call({Stage::BeforeSolve,
-               "force to nodes",
-               {quantity::nodalMass},
-               {quantity::internalForce},
-               {},
-               [](State<D>& s) { scatter(s, ScatterWhat::Force); }});
-  core.call({Stage::Solve,
-             "lumped solve",
-             {quantity::internalForce, ifWritten(quantity::nodalForce)},
-             {quantity::nodalMotion},
-             {},
-             [](State<D>& s)
-             {
-               sumOverRanks(s, SharedSums::Force);
-               solveLumped(s);
-             }});
+    core.call(Stage::BeforeSolve, "force to nodes", {quantity::nodalMass}, {quantity::internalForce}, {},
+              [](State<D>& s) { scatter(s, ScatterWhat::Force); });
+  core.call(Stage::Solve, "lumped solve", {quantity::internalForce, ifWritten(quantity::nodalForce)},
+            {quantity::nodalMotion}, {},
+            [](State<D>& s)
+            {
+              sumOverRanks(s, SharedSums::Force);
+              solveLumped(s);
+            });
   Quantities gathered = {quantity::particleVelocity};
   if (projectsLast(scheme))
     gathered.push_back(quantity::projection);
+  core.call(Stage::Gather, "velocity to particles", {quantity::nodalMotion}, gathered, {},
+            [scheme](State<D>& s) { toParticles(s, scheme); });
   core.call(
-      {Stage::Gather, "velocity to particles", {quantity::nodalMotion}, gathered, {}, [scheme](State<D>& s) {
-         toParticles(s, scheme);
-       }});
-  core.call({Stage::OnParticles,
-             "strain, stress and position of particles",
-             {quantity::nodalMotion, ifWritten(quantity::projection), ifWritten(quantity::temperature)},
-             {quantity::particleStress},
-             {},
-             [scheme](State<D>& s)
-             {
-               strain(s, scheme == UpdateScheme::Usl ? StrainVelocity::Motion : StrainVelocity::Projection,
-                      !s.clock.strainPass.before);
-             },
-             true});
+      Stage::OnParticles, "strain, stress and position of particles",
+      {quantity::nodalMotion, ifWritten(quantity::projection), ifWritten(quantity::temperature)},
+      {quantity::particleStress}, {},
+      [scheme](State<D>& s)
+      {
+        strain(s, scheme == UpdateScheme::Usl ? StrainVelocity::Motion : StrainVelocity::Projection,
+               !s.clock.strainPass.before);
+      },
+      true);
   return core;
 }
 

@@ -108,13 +108,6 @@ Vector<D> startVelocity(const Vector<D>& velocity, const std::vector<double>& sp
   return v;
 }
 
-/// A copy of a column of particles on the host.
-template <class V>
-auto onHost(const V& column)
-{
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, column);
-}
-
 /// Writes particles first .. of a body into the table, which has rows for them.
 template <int D>
 void writeParticles(const PlacedBody<D>& body, int material, int first, State<D>& state)

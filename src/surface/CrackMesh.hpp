@@ -1,8 +1,8 @@
 #pragma once
 /// A crack as vertices and simplices, in host memory.
 
+#include "base/FacetEnds.hpp"
 #include "base/Types.hpp"
-#include "surface/BeyondFacet.hpp"
 
 #include <array>
 #include <functional>
@@ -17,7 +17,8 @@ struct CrackMesh
 {
   std::vector<Vector<D>> vertices; ///< [m]
   std::vector<std::array<int, D>> simplices;
-  std::vector<std::array<int, D>> beyond; ///< neighbour beyond each facet, or a constant of BeyondFacet.hpp
+  std::vector<std::array<int, D>>
+      beyond; ///< neighbour beyond each facet, or a constant of base/FacetEnds.hpp
 };
 
 /// Whether a point lies in a region, for example in a body [m].

@@ -22,7 +22,7 @@ std::vector<Vector<2>> clipEnds(const std::vector<Vector<2>>& points, const Regi
                                 double resolution);
 
 /// The segments between the points, in their order. \param beyond its first and its last end: a constant of
-/// BeyondFacet.hpp each
+/// base/FacetEnds.hpp each
 CrackMesh<2> polylineMesh(const std::vector<Vector<2>>& points, const std::array<int, 2>& beyond);
 
 } // namespace Rhegma::surface

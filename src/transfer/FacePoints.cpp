@@ -66,9 +66,9 @@ KOKKOS_INLINE_FUNCTION Vector<3> sizedNormal(const Vector<3> (&corner)[3])
 template <int D>
 std::vector<FixedPoint<D>> positions(const CrackSet<D>& cracks, double spacing)
 {
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
-  const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
-  const auto crackOf = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.crackOf);
+  const auto vertex = onHost(cracks.vertex);
+  const auto simplex = onHost(cracks.simplex);
+  const auto crackOf = onHost(cracks.crackOf);
   std::vector<FixedPoint<D>> all;
   for (int s = 0; s < static_cast<int>(simplex.extent(0)); ++s)
   {
@@ -230,8 +230,8 @@ void FacePoints<D>::place(const CrackSet<D>& cracks, double spacing)
   std::vector<FixedPoint<D>> old(count_);
   if (count_ > 0)
   {
-    const auto oldCrack = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, crack);
-    const auto oldPosition = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, position);
+    const auto oldCrack = onHost(crack);
+    const auto oldPosition = onHost(position);
     for (int k = 0; k < count_; ++k)
     {
       old[k].crack = oldCrack(k);

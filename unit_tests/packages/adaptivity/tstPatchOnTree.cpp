@@ -21,8 +21,8 @@ double residual(State<D>& state, const Vector<D>& lower)
 {
   clearNodes(state);
   scatter(state, ScatterWhat::Force);
-  const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.sums);
-  const auto active = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.active);
+  const auto sums = onHost(state.mesh.nodes.sums);
+  const auto active = onHost(state.mesh.nodes.active);
   const NodePositions<D> positions = nodePositions(state);
   double largest = 0.0;
   int inside = 0, fine = 0;

@@ -101,8 +101,7 @@ Passed pass(const Levels& levels, double cfl, double width, const std::string& s
     run.step(until, false);
   Passed passed;
   const HostParticles<2> particles(state);
-  const auto reference =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.real<2>(fields::reference));
+  const auto reference = onHost(state.particles.real<2>(fields::reference));
   for (int p = 0; p < particles.size; ++p)
   {
     const double v = particles.velocity(p, 0);

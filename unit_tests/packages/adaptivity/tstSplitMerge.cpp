@@ -214,8 +214,7 @@ TEST(SplitMerge, keepsPartsApartThatDifferInAWholeNumber)
   Rhegma::Run<2> run = refinedCube<2>("GIMP", 4.0, all<2>(-3.0), all<2>(-2.0), 2);
   State<2>& state = run.state();
   state.particles.add({cracks::otherSide, 1, "", "side of a crack", true});
-  const auto host = [&](const std::string& name)
-  { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(name)); };
+  const auto host = [&](const std::string& name) { return onHost(state.particles.integer(name)); };
   setCells(state, 1);
   updateCells(state);
   const auto level = host(fields::level), from = host(adaptivity::ancestor), part = host(adaptivity::lineage);

@@ -53,8 +53,7 @@ template <int D>
 Motion<D> motionOf(const State<D>& state, double cell)
 {
   const HostParticles<D> particles(state);
-  const auto reference = Kokkos::create_mirror_view_and_copy(
-      Kokkos::HostSpace{}, state.particles.template real<D>(fields::reference));
+  const auto reference = onHost(state.particles.template real<D>(fields::reference));
   Motion<D> motion;
   for (int p = 0; p < particles.size; ++p)
   {

@@ -58,9 +58,9 @@ public:
   /// Adds what d x dm' has been since the last call: faces do not sweep it as they part.
   void follow(const CrackSet<2>& cracks)
   {
-    const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.face);
-    const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.vertex);
-    const auto simplex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, cracks.simplex);
+    const auto face = onHost(cracks.face);
+    const auto vertex = onHost(cracks.vertex);
+    const auto simplex = onHost(cracks.simplex);
     along_.resize(simplex.extent(0));
     for (std::size_t k = 0; k < simplex.extent(0); ++k)
     {
@@ -118,7 +118,7 @@ void makesCavity(double height, double pressure, double cell, double opening)
             (1.0 - (particles.deformation(p, 0) * particles.deformation(p, 3) -
                     particles.deformation(p, 1) * particles.deformation(p, 2)) *
                        particles.deformation(p, 4));
-  const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.face);
+  const auto face = onHost(state.cracks.face);
   for (std::size_t v = 0; v < face.extent(0); ++v)
     widest = std::max(widest, face(v, 1, 1) - face(v, 0, 1));
   const double given = state.energy.combustion, open = state.energy.residual();

@@ -1,7 +1,6 @@
 /// Where cracks have ended on others.
 
 #include "combustion/Meeting.hpp"
-#include "state/CrackEnds.hpp"
 
 #include <gtest/gtest.h>
 
@@ -67,8 +66,8 @@ using Meetings = std::vector<std::array<int, 4>>;
 
 TEST(Meeting, OfTwoEndsIsCountedOnce)
 {
-  const Segment left{{0.0, 0.0}, {1.0, 0.0}, facet::surfaceEnd, facet::joined},
-      right{{1.05, 0.0}, {2.0, 0.0}, facet::joined, facet::surfaceEnd};
+  const Segment left{{0.0, 0.0}, {1.0, 0.0}, facet::surfaceBreaking, facet::joined},
+      right{{1.05, 0.0}, {2.0, 0.0}, facet::joined, facet::surfaceBreaking};
   EXPECT_EQ(meetingsOf({left, right}), (Meetings{{0, 1, 1, 0}}));
   EXPECT_EQ(meetingsOf({right, left}), (Meetings{{0, 0, 1, 1}}));
 }
@@ -77,9 +76,9 @@ TEST(Meeting, OfTwoEndsIsCountedOnce)
 /// meeting, whichever crack is named first.
 TEST(Meeting, NextToAnEndThatLiesOnAThirdCrackIsNotWithThatEnd)
 {
-  const Segment along{{0.0, 0.0}, {1.0, 0.0}, facet::surfaceEnd, facet::joined},
-      across{{1.0, -1.0}, {1.0, 1.0}, facet::surfaceEnd, facet::surfaceEnd},
-      above{{0.9, 1.0}, {0.9, 0.0}, facet::surfaceEnd, facet::joined};
+  const Segment along{{0.0, 0.0}, {1.0, 0.0}, facet::surfaceBreaking, facet::joined},
+      across{{1.0, -1.0}, {1.0, 1.0}, facet::surfaceBreaking, facet::surfaceBreaking},
+      above{{0.9, 1.0}, {0.9, 0.0}, facet::surfaceBreaking, facet::joined};
   EXPECT_EQ(meetingsOf({along, across, above}), (Meetings{{0, 1, 1, -1}, {2, 1, 0, -1}}));
   EXPECT_EQ(meetingsOf({above, across, along}), (Meetings{{0, 1, 2, -1}, {2, 1, 1, -1}}));
 }

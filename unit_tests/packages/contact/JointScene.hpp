@@ -50,10 +50,9 @@ inline std::unique_ptr<Run<2>> barAtRest(std::vector<std::string> overrides = {}
 /// Gives the nodes a velocity: `upper` to those of the upper face and beyond, `lower` to the others.
 inline void moveSides(State<2>& state, const Vector<2>& upper, const Vector<2>& lower)
 {
-  const auto projection =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.projection);
-  const auto side = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide);
-  const auto second = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.enrichedField);
+  const auto projection = onHost(state.mesh.nodes.projection);
+  const auto side = onHost(state.cracks.nodeSide);
+  const auto second = onHost(state.cracks.enrichedField);
   for (int n = 0; n < state.mesh.nodes.numLattice; ++n)
     for (int d = 0; d < 2; ++d)
     {
@@ -70,9 +69,9 @@ inline void moveSides(State<2>& state, const Vector<2>& upper, const Vector<2>& 
 inline std::vector<Vector<2>> forcesOnSides(const State<2>& state)
 {
   std::vector<Vector<2>> sum{{0.0, 0.0}, {0.0, 0.0}};
-  const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.sums);
-  const auto side = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide);
-  const auto second = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.enrichedField);
+  const auto sums = onHost(state.mesh.nodes.sums);
+  const auto side = onHost(state.cracks.nodeSide);
+  const auto second = onHost(state.cracks.enrichedField);
   for (int n = 0; n < state.mesh.nodes.numLattice; ++n)
     for (int d = 0; d < 2; ++d)
     {
@@ -86,7 +85,7 @@ inline std::vector<Vector<2>> forcesOnSides(const State<2>& state)
 
 inline void clearForces(State<2>& state)
 {
-  const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.sums);
+  const auto sums = onHost(state.mesh.nodes.sums);
   for (std::size_t n = 0; n < sums.extent(0); ++n)
     for (int d = 0; d < 2; ++d)
       sums(n, Nodes<2>::forceAt + d) = 0.0;

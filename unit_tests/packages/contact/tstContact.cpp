@@ -84,9 +84,9 @@ TEST(ClosedVisibility, MendsCutsWhereFacesAreClosed)
   {
     StencilTable<2> table;
     pointStencils(state, points, table, false);
-    const auto count = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.count);
-    const auto node = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.node);
-    const auto weight = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.weight);
+    const auto count = onHost(table.count);
+    const auto node = onHost(table.node);
+    const auto weight = onHost(table.weight);
     double sum = 0.0;
     for (int e = 0; e < count(0); ++e)
       sum += state.mesh.grid.nodePosition(node(0, e))[1] > height - 0.5 * cell ? weight(0, e) : 0.0;

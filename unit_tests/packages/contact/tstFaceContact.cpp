@@ -23,7 +23,7 @@ void press(State<2>& state, FaceContact<2>& contact, double overlap, double slid
 /// Area of the joint that has face points [m2].
 double area(const FaceContact<2>& contact)
 {
-  const auto length = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, contact.points().size);
+  const auto length = onHost(contact.points().size);
   double sum = 0.0;
   for (int k = 0; k < contact.points().count(); ++k)
     sum += length(k);
@@ -134,8 +134,8 @@ TEST(FaceContact, KeepsItsGapWhileItTurns)
   const double opening = 0.3 * cell;
   FaceContact<2> contact(Law::Frictionless, 0.0, 1.0);
   press(state, contact, -opening, 0.0);
-  const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.vertex);
-  const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.face);
+  const auto vertex = onHost(state.cracks.vertex);
+  const auto face = onHost(state.cracks.face);
   const auto projection = Kokkos::create_mirror_view(state.mesh.nodes.projection);
   // Mass everywhere, so that no node is left out where the joint turns away from its particles.
   Kokkos::deep_copy(state.mesh.nodes.sums, 1.0);
@@ -176,7 +176,7 @@ TEST(FaceContact, KeepsItsGapWhileItTurns)
     contact.prepare(state);
     contact.advance(state, state.mesh.nodes.projection);
   }
-  const auto gap = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, contact.gap());
+  const auto gap = onHost(contact.gap());
   // Nodal velocities of about omega times the bar's length are rounded, each step.
   const double roundOff = 2.2e-16 * omega * 2.0 * height * state.clock.dt * steps * 4.0;
   for (std::size_t k = 0; k < gap.extent(0); ++k)

@@ -14,10 +14,10 @@ TEST(FacePoints, StandForTheWholeCrack)
   FacePoints<2> points;
   EXPECT_TRUE(points.update(run->state()));
   EXPECT_FALSE(points.update(run->state())) << "the crack has not changed";
-  const auto length = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.size);
-  const auto current = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.currentSize);
-  const auto normal = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.normal);
-  const auto separation = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.separation);
+  const auto length = onHost(points.size);
+  const auto current = onHost(points.currentSize);
+  const auto normal = onHost(points.normal);
+  const auto separation = onHost(points.separation);
   double total = 0.0;
   for (int k = 0; k < points.count(); ++k)
   {
@@ -41,13 +41,12 @@ TEST(FacePoints, SeeOnlyTheirOwnSide)
   FacePoints<2> points;
   points.update(state);
   moveSides(state, {1.0, 2.0}, {-3.0, 5.0});
-  const auto projection =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.projection);
-  const auto count = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.above.count);
-  const auto node = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.above.node);
-  const auto weight = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.above.weight);
-  const auto nodeBelow = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.below.node);
-  const auto countBelow = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.below.count);
+  const auto projection = onHost(state.mesh.nodes.projection);
+  const auto count = onHost(points.above.count);
+  const auto node = onHost(points.above.node);
+  const auto weight = onHost(points.above.weight);
+  const auto nodeBelow = onHost(points.below.node);
+  const auto countBelow = onHost(points.below.count);
   for (int k = 0; k < points.count(); ++k)
   {
     ASSERT_GT(count(k), 0);
@@ -70,7 +69,7 @@ TEST(FacePoints, FollowFacesThatPart)
   State<2>& state = run->state();
   FacePoints<2> points;
   points.update(state);
-  const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.face);
+  const auto face = onHost(state.cracks.face);
   for (std::size_t v = 0; v < face.extent(0); ++v)
   {
     face(v, 0, 1) -= 1e-4;
@@ -78,7 +77,7 @@ TEST(FacePoints, FollowFacesThatPart)
   }
   Kokkos::deep_copy(state.cracks.face, face);
   points.update(state);
-  const auto separation = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.separation);
+  const auto separation = onHost(points.separation);
   for (int k = 0; k < points.count(); ++k)
     EXPECT_NEAR(separation(k), 2e-4, 1e-16);
 }
@@ -93,14 +92,14 @@ TEST(FacePoints, InheritAcrossTwoLevelsAtOnce)
   points.update(coarse->state());
   const auto check = [&points](const State<2>& state)
   {
-    const auto oldPosition = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.position);
-    const auto oldSize = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.size);
+    const auto oldPosition = onHost(points.position);
+    const auto oldSize = onHost(points.size);
     const int old = points.count();
     ASSERT_TRUE(points.update(state));
-    const auto position = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.position);
-    const auto size = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.size);
-    const auto before = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.before);
-    const auto after = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.after);
+    const auto position = onHost(points.position);
+    const auto size = onHost(points.size);
+    const auto before = onHost(points.before);
+    const auto after = onHost(points.after);
     const auto apart = [&](int o, int k)
     { return std::hypot(oldPosition(o, 0) - position(k, 0), oldPosition(o, 1) - position(k, 1)); };
     for (int k = 0; k < points.count(); ++k)

@@ -63,8 +63,7 @@ struct Seeing
 
 inline std::vector<Seeing> stencilsNearCrack(const State<2>& state)
 {
-  const auto copy = [](const auto& view)
-  { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
+  const auto copy = [](const auto& view) { return onHost(view); };
   const auto particle = copy(state.stored.particle), count = copy(state.stored.table.count);
   const auto node = copy(state.stored.table.node);
   const auto weight = copy(state.stored.table.weight);
@@ -86,7 +85,7 @@ inline std::vector<Seeing> stencilsNearCrack(const State<2>& state)
 /// Nodal masses [kg], and the mass of all particles.
 inline std::vector<double> nodalMasses(const State<2>& state)
 {
-  const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.sums);
+  const auto sums = onHost(state.mesh.nodes.sums);
   std::vector<double> mass;
   for (int n = 0; n < state.mesh.nodes.numLattice + state.mesh.nodes.numEnriched; ++n)
     mass.push_back(sums(n, Nodes<2>::massAt));
@@ -95,8 +94,7 @@ inline std::vector<double> nodalMasses(const State<2>& state)
 
 inline double bodyMass(const State<2>& state)
 {
-  const auto mass =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.scalar(fields::mass));
+  const auto mass = onHost(state.particles.scalar(fields::mass));
   double sum = 0.0;
   for (int p = 0; p < state.particles.size(); ++p)
     sum += mass(p);

@@ -57,10 +57,9 @@ std::unique_ptr<Run<D>> start(Teuchos::ParameterList scene)
 template <int D, class Velocity>
 void setVelocity(State<D>& state, const Velocity& velocity)
 {
-  const auto x = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{},
-                                                     state.particles.template real<D>(fields::position));
+  const auto x = onHost(state.particles.template real<D>(fields::position));
   const auto v = state.particles.template real<D>(fields::velocity);
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, v);
+  const auto host = onHost(v);
   for (int p = 0; p < state.particles.size(); ++p)
   {
     Vector<D> at;

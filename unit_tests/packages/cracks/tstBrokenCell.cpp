@@ -53,10 +53,10 @@ Cell cellSeenFrom(const Corners& cornerSide, const Vector<2>& position, int side
   Kokkos::deep_copy(points.side, side);
   StencilTable<2> table;
   pointStencils(state, points, table, false);
-  const auto count = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.count);
-  const auto node = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.node);
-  const auto weight = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.weight);
-  const auto slope = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, table.slope);
+  const auto count = onHost(table.count);
+  const auto node = onHost(table.node);
+  const auto weight = onHost(table.weight);
+  const auto slope = onHost(table.slope);
   Cell cell{};
   for (int k = 0; k < count(0); ++k)
     for (int c = 0; c < 4; ++c)
@@ -158,7 +158,7 @@ TEST(BrokenCell, SumsToOneAndIsZeroAtInvisibleNodes)
     {
       const auto run = beamAtRest("Broken Cell", shape, points);
       const State<2>& state = run->state();
-      const auto nodeSide = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide);
+      const auto nodeSide = onHost(state.cracks.nodeSide);
       int cut = 0, isolated = 0;
       for (const Seeing& one : stencilsNearCrack(state))
       {
@@ -198,7 +198,7 @@ TEST(BrokenCell, KeepsTheMassOfAParticleThatSeesNoNode)
     const auto run = beamAtRest(formulation, "Linear", withinTolerance);
     State<2>& state = run->state();
     const auto position = state.particles.real<2>(fields::position);
-    const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, position);
+    const auto host = onHost(position);
     int moved = -1;
     for (const Seeing& one : stencilsNearCrack(state))
       if (one.side == -1 && one.x[0] > 0.02 && one.x[0] < 0.03 && one.x[1] > 0.009)
@@ -208,7 +208,7 @@ TEST(BrokenCell, KeepsTheMassOfAParticleThatSeesNoNode)
     Kokkos::deep_copy(position, host);
     run->step(2e-15, false);
     bool seesNone = false;
-    const auto nodeSide = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide);
+    const auto nodeSide = onHost(state.cracks.nodeSide);
     const int at[2] = {static_cast<int>(state.mesh.grid.inCells(host(moved, 0), 0)),
                        static_cast<int>(state.mesh.grid.inCells(0.0101, 1))};
     seesNone = nodeSide(state.mesh.grid.nodeIndex(at)) == 1 &&
@@ -230,7 +230,7 @@ TEST(BrokenCell, TreatsEqualDistancesAlikeEverywhere)
   {
     const auto run = beamAtRest("Broken Cell", "Linear", points);
     const State<2>& state = run->state();
-    const auto nodeSide = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide);
+    const auto nodeSide = onHost(state.cracks.nodeSide);
     const int up = points[1] == '0' && points[2] == ',' ? 1 : -1; // side of what lies above
     const auto sideAt = [&](double x, double y)
     {
@@ -254,8 +254,7 @@ TEST(BrokenCell, GivesParticlesTheNormalOfTheirFace)
 {
   const auto run = beamAtRest("Broken Cell", "GIMP", "{0, 0.0063, 0.03, 0.0103, 0.05, 0.0103}");
   const State<2>& state = run->state();
-  const auto normal =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.real<2>(crackNormal));
+  const auto normal = onHost(state.particles.real<2>(crackNormal));
   const double slant = std::hypot(0.03, 0.004);
   int turned = 0, level = 0;
   std::map<int, int> near;
@@ -285,7 +284,7 @@ TEST(BrokenCell, BreaksRefinedCells)
   {
     const auto run = beamAtRest("Broken Cell", shape, midCell, {"Adaptivity:Maximum Level=2"});
     const State<2>& state = run->state();
-    const auto nodeSide = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide);
+    const auto nodeSide = onHost(state.cracks.nodeSide);
     int onFine = 0, blinded = 0;
     for (const Seeing& one : stencilsNearCrack(state))
     {

@@ -90,8 +90,7 @@ TEST(CorrectedBrokenCell, IsLinearlyComplete)
     for (const std::string& points : {onRow, withinTolerance, midCell, inclined, steep})
     {
       const auto run = beamAtRest("Corrected Broken Cell", shape, points);
-      const auto nodeSide =
-          Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, run->state().cracks.nodeSide);
+      const auto nodeSide = onHost(run->state().cracks.nodeSide);
       for (const Seeing& one : stencilsNearCrack(run->state()))
       {
         expectLinearlyComplete(run->state(), one);
@@ -130,7 +129,7 @@ TEST(CorrectedBrokenCell, HasNoNegativeMassAtTheRim)
   const auto run = beamAtRest("Corrected Broken Cell", "GIMP", midCell);
   State<2>& state = run->state();
   const auto position = state.particles.real<2>(fields::position);
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, position);
+  const auto host = onHost(position);
   for (const Seeing& one : stencilsNearCrack(state))
     if (one.side == -1 && one.x[0] < 0.5 * cell && one.x[1] > 0.01)
       host(one.particle, 0) -= 0.1 * cell;

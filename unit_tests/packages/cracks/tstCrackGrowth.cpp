@@ -92,7 +92,7 @@ TEST(CrackGrowth, KeepsADiskRoundAndRecordsItsArea)
     EXPECT_GT(piece, 0.45 * cell);
     EXPECT_LT(piece, 1.55 * cell);
   }
-  const auto neighbour = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.neighbour);
+  const auto neighbour = onHost(state.cracks.neighbour);
   int open = 0;
   for (std::size_t s = 0; s < neighbour.extent(0); ++s)
     for (int i = 0; i < 3; ++i)

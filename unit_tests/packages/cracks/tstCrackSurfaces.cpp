@@ -141,10 +141,8 @@ TEST(CrackSurfaces, CutCurvedNeighbourhoodsInTwo)
   EXPECT_TRUE(state.cracks.fronts.empty());
   const double off = std::pow(1.4 * cell, 2) / (8.0 * radius) + 1e-3 * cell;
   run->step(1e-9, false);
-  const auto side =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(fields::side));
-  const auto x =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.real<3>(fields::position));
+  const auto side = onHost(state.particles.integer(fields::side));
+  const auto x = onHost(state.particles.real<3>(fields::position));
   // Which side is outside is up to the file.
   int sided = 0, wrong = 0, outside = 0;
   for (int p = 0; p < state.particles.size(); ++p)

@@ -134,8 +134,7 @@ TEST(Cracks3D, CutFunctionsThatReproduceLinearFields)
   advance(*run, 1, 1e-9);
   State<3>& state = run->state();
   storeStencils(state);
-  const auto host = [](const auto& view)
-  { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
+  const auto host = [](const auto& view) { return onHost(view); };
   const auto particle = host(state.stored.particle), count = host(state.stored.table.count);
   const auto node = host(state.stored.table.node);
   const auto weight = host(state.stored.table.weight);
@@ -186,7 +185,7 @@ TEST(Cracks3D, TurnWithTheBody)
   State<3>& state = run->state();
   const auto positions = [&]
   {
-    const auto vertex = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.vertex);
+    const auto vertex = onHost(state.cracks.vertex);
     std::vector<Vector<3>> x;
     for (std::size_t v = 0; v < vertex.extent(0); ++v)
       x.push_back({vertex(v, 0), vertex(v, 1), vertex(v, 2)});
@@ -210,10 +209,8 @@ TEST(Cracks3D, TurnWithTheBody)
   // It has turned: by 0.5 about an axis that leans from its normal.
   EXPECT_LT(dot(normal, state.cracks.fronts[0].normal), 0.95);
   // And each particle still is where its side says.
-  const auto side =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(fields::side));
-  const auto x =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.real<3>(fields::position));
+  const auto side = onHost(state.particles.integer(fields::side));
+  const auto x = onHost(state.particles.real<3>(fields::position));
   int sided = 0;
   for (int p = 0; p < state.particles.size(); ++p)
     if (side(p) != 0)
@@ -250,9 +247,8 @@ TEST(Cracks3D, OnlyParticlesNearTheCrackPay)
   const auto run = start<3>(crackedCube());
   advance(*run, 1, 1e-9);
   const State<3>& state = run->state();
-  const auto x =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.real<3>(fields::position));
-  const auto row = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.stored.row);
+  const auto x = onHost(state.particles.real<3>(fields::position));
+  const auto row = onHost(state.stored.row);
   int stored = 0;
   for (int p = 0; p < state.particles.size(); ++p)
     if (row(p) >= 0)
@@ -274,8 +270,8 @@ TEST(Cracks3D, FrontsDecideWhichNodesAreSplit)
   const auto run = start<3>(scene);
   advance(*run, 1, 1e-9);
   const State<3>& state = run->state();
-  const auto side = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide);
-  const auto active = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.active);
+  const auto side = onHost(state.cracks.nodeSide);
+  const auto active = onHost(state.mesh.nodes.active);
   // From the outside of the polygon, its order seen from +y is anticlockwise, so side +1 is above.
   int seen = 0;
   for (std::size_t i = 0; i < active.extent(0); ++i)

@@ -87,12 +87,12 @@ struct Column
   /// The spring of a node on the host, until the next one is requested.
   NodalSpring<D> spring(int node)
   {
-    onHost = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, rows);
+    onHost = onHost(rows);
     return {&onHost(node, 0)};
   }
   double forceOn(int node) const
   {
-    const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.sums);
+    const auto sums = onHost(state.mesh.nodes.sums);
     return sums(node, Nodes<D>::forceAt + 1);
   }
 };

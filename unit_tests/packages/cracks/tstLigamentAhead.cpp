@@ -93,7 +93,7 @@ TEST(LigamentAhead, PassesBetweenStretchedParticles)
   State<2>& state = run->state();
   // Positions are filled up to 0.139 cells beyond the edges of particles.
   const auto x = state.particles.real<2>(fields::position);
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, x);
+  const auto host = onHost(x);
   for (int p = 0; p < state.particles.size(); ++p)
     if (host(p, 0) > 6.5 * cell)
       host(p, 0) += (2.0 * beyond + 0.25) * cell;
@@ -115,12 +115,12 @@ TEST(LigamentAhead, PassesOverTheOpeningOfItsCrack)
     // Particles near the line draw back from it by three quarters of a cell, as far as 0.9 cells beyond the
     // front.
     const auto x = state.particles.real<2>(fields::position);
-    const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, x);
+    const auto host = onHost(x);
     for (int p = 0; p < state.particles.size(); ++p)
       if (host(p, 0) < 7.5 * cell && std::fabs(host(p, 1) - line * cell) < cell)
         host(p, 1) += (host(p, 1) > line * cell ? 0.75 : -0.75) * cell;
     Kokkos::deep_copy(x, host);
-    const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.face);
+    const auto face = onHost(state.cracks.face);
     for (std::size_t v = 0; open && v < face.extent(0); ++v)
       if (static_cast<int>(v) != state.cracks.fronts[0].vertex)
       {

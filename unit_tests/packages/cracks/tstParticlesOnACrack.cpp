@@ -26,8 +26,7 @@ TEST(ParticlesOnACrack, LieOnOneSide)
   run.initialize();
   run.step(1e30, false);
   const HostParticles<2> particles(run.state());
-  const auto side =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, run.state().particles.integer(fields::side));
+  const auto side = onHost(run.state().particles.integer(fields::side));
   int on = 0;
   for (int p = 0; p < particles.size; ++p)
     for (int c = 0; c < 3; ++c)

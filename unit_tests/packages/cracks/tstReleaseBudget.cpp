@@ -122,4 +122,18 @@ TEST(ReleaseBudget, NodesByAreaFollowThePendingEnergy)
   EXPECT_EQ(created(budget), 0.0);
 }
 
+/// By area, what springs and nodes dissipate beyond their energy is deducted from what is pending at once.
+TEST(ReleaseBudget, DeductionsByAreaAreNotDeferred)
+{
+  ReleaseBudget budget{true};
+  budget.require(10.0);
+  budget.carryOver(3.0);
+  budget.overDissipate(4.0);
+  EXPECT_EQ(budget.pending, 3.0);
+  EXPECT_EQ(budget.released, 7.0);
+  EXPECT_EQ(budget.carriedOver, 0.0);
+  EXPECT_EQ(budget.overDissipated, 0.0);
+  EXPECT_EQ(created(budget), 0.0);
+}
+
 } // namespace Rhegma

@@ -23,12 +23,6 @@ std::unique_ptr<Run<2>> crackedBlock()
   return run;
 }
 
-template <class V>
-auto onHost(const V& view)
-{
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
-}
-
 } // namespace
 
 /// Nodes behind the front have the side on which they lie and an enriched field, up to three cells from the

@@ -34,7 +34,7 @@ TEST(FacePressure, PushesFacesApartInBalance)
   State<2>& state = run.state();
   FacePoints<2> points;
   points.update(state);
-  const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.sums);
+  const auto sums = onHost(state.mesh.nodes.sums);
   for (std::size_t n = 0; n < sums.extent(0); ++n)
     for (int d = 0; d < 2; ++d)
       sums(n, Nodes<2>::forceAt + d) = 0.0;
@@ -42,8 +42,8 @@ TEST(FacePressure, PushesFacesApartInBalance)
   FacePressure pressure(0, TimeFunction::parse("2e6"));
   pressure.apply(state, points);
   Kokkos::deep_copy(sums, state.mesh.nodes.sums);
-  const auto side = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.nodeSide);
-  const auto second = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.enrichedField);
+  const auto side = onHost(state.cracks.nodeSide);
+  const auto second = onHost(state.cracks.enrichedField);
   double above = 0.0, all = 0.0, along = 0.0;
   for (int n = 0; n < state.mesh.nodes.numLattice; ++n)
   {
@@ -57,7 +57,7 @@ TEST(FacePressure, PushesFacesApartInBalance)
     if (second(n) >= 0)
       add(second(n), side(n) < 0);
   }
-  const auto length = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.size);
+  const auto length = onHost(points.size);
   double crack = 0.0;
   for (int k = 0; k < points.count(); ++k)
     crack += length(k);

@@ -37,8 +37,7 @@ double periodWith(const std::string& type, const std::string& shape)
   Rhegma::Run<2> run(validated(*scene.list));
   run.initialize();
   State<2>& state = run.state();
-  const auto id = [&state]
-  { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(fields::id)); };
+  const auto id = [&state] { return onHost(state.particles.integer(fields::id)); };
   const int size = state.particles.size();
   std::vector<Vector<2>> from(size), bent(size);
   const auto each = [&](const auto& work)

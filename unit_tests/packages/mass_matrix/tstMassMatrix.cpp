@@ -51,13 +51,13 @@ TEST(MassSystem, MultipliesAsTheSumOverParticles)
     }
     Kokkos::deep_copy(one, hostOne);
     Kokkos::deep_copy(x, hostX);
-    const auto lumped = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, system.lumped);
+    const auto lumped = onHost(system.lumped);
     // M x - L x
     const auto beyondLumped = [&](const View<double*>& from)
     {
       mass_matrix::multiply<2>(system, from.data(), y.data());
-      const auto image = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, y);
-      const auto given = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, from);
+      const auto image = onHost(y);
+      const auto given = onHost(from);
       std::vector<double> difference(n);
       for (int i = 2 * system.first; i < 2 * system.last; ++i)
         difference[i] = image(i) - lumped(i / 2) * given(i);
@@ -78,7 +78,7 @@ TEST(MassSystem, MultipliesAsTheSumOverParticles)
       form += hostX(i) * ofX[i];
       sumOfImage += ofX[i];
     }
-    const auto rowOf = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, system.rowOf);
+    const auto rowOf = onHost(system.rowOf);
     const auto mass = state.particles.scalar(fields::mass);
     double byParticles = 0.0;
     withConnectivity(state,

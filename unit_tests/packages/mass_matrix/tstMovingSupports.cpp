@@ -75,8 +75,7 @@ Balance balanceOf(const Teuchos::ParameterList& scene)
 std::vector<double> deformations(const State<2>& state)
 {
   const HostParticles<2> particles(state);
-  const auto id =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(fields::id));
+  const auto id = onHost(state.particles.integer(fields::id));
   std::vector<double> all(4 * static_cast<std::size_t>(particles.size));
   for (int p = 0; p < particles.size; ++p)
     for (int k = 0; k < 4; ++k)

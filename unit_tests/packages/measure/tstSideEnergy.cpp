@@ -39,12 +39,9 @@ std::unique_ptr<Run<2>> bar(const std::vector<std::string>& overrides = {})
 /// above
 double moveAbove(State<2>& state, double along, double across)
 {
-  const auto position =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.real<2>(fields::position));
-  const auto velocity =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.real<2>(fields::velocity));
-  const auto mass =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.scalar(fields::mass));
+  const auto position = onHost(state.particles.real<2>(fields::position));
+  const auto velocity = onHost(state.particles.real<2>(fields::velocity));
+  const auto mass = onHost(state.particles.scalar(fields::mass));
   double above = 0.0;
   for (int p = 0; p < state.particles.size(); ++p)
   {

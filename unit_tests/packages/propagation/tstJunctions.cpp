@@ -57,8 +57,7 @@ void cutBelowAGap(Teuchos::ParameterList& scene)
 template <class Part>
 double momentum(const State<2>& state, int axis, const Part& part)
 {
-  const auto host = [](const auto& view)
-  { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
+  const auto host = [](const auto& view) { return onHost(view); };
   const auto x = host(state.particles.real<2>(fields::reference));
   const auto v = host(state.particles.real<2>(fields::velocity));
   const auto m = host(state.particles.scalar(fields::mass));
@@ -157,8 +156,7 @@ TEST(Junctions, KeepHeat)
   const auto T = state.particles.scalar(fields::temperature),
              e = state.particles.scalar(fields::internalEnergy);
   const auto volume = state.particles.scalar(fields::volume);
-  const auto host = [](const auto& view)
-  { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
+  const auto host = [](const auto& view) { return onHost(view); };
   const auto wall = host(x);
   const auto warm = host(T), energy = host(e);
   for (int p = 0; p < state.particles.size(); ++p)

@@ -57,10 +57,9 @@ Teuchos::ParameterList quarter(const std::string& toughness)
 /// Pulls the particles apart evenly.
 void stretch(State<3>& state, double rate)
 {
-  const auto x =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.real<3>(fields::position));
+  const auto x = onHost(state.particles.real<3>(fields::position));
   const auto v = state.particles.real<3>(fields::velocity);
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, v);
+  const auto host = onHost(v);
   for (int p = 0; p < state.particles.size(); ++p)
     host(p, 2) = rate * x(p, 2);
   Kokkos::deep_copy(v, host);
@@ -90,7 +89,7 @@ nlohmann::json report(const Rhegma::Run<3>& run)
 /// How far the faces overlap at the worst of their vertices, along the crack's normal [m].
 double overlap(const State<3>& state)
 {
-  const auto face = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.face);
+  const auto face = onHost(state.cracks.face);
   double worst = 0.0;
   for (std::size_t v = 0; v < face.extent(0); ++v)
     worst = std::max(worst, face(v, 0, 2) - face(v, 1, 2));
@@ -175,7 +174,7 @@ TEST(PennyGrowth, RunsAsItsToughnessSaysAndPaysForItsArea)
   }
   // Points on the faces stand for the new ones too, as large as those have become by stretching; the last row
   // of triangles alone is a third of the area. Since they were placed the body has strained by 2e-3.
-  const auto size = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, points.size);
+  const auto size = onHost(points.size);
   double all = 0.0;
   for (int k = 0; k < points.count(); ++k)
     all += size(k);

@@ -69,10 +69,8 @@ template <int D>
 std::vector<double> modeOf(const State<D>& state)
 {
   const HostParticles<D> particles(state);
-  const auto id =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(fields::id));
-  const auto reference = Kokkos::create_mirror_view_and_copy(
-      Kokkos::HostSpace{}, state.particles.template real<D>(fields::reference));
+  const auto id = onHost(state.particles.integer(fields::id));
+  const auto reference = onHost(state.particles.template real<D>(fields::reference));
   std::vector<double> mode(particles.size);
   for (int p = 0; p < particles.size; ++p)
     mode[id(p)] = std::cos(pi * reference(p, 0) / length);
@@ -83,8 +81,7 @@ template <int D>
 void start(State<D>& state, Start kind)
 {
   const HostParticles<D> particles(state);
-  const auto reference = Kokkos::create_mirror_view_and_copy(
-      Kokkos::HostSpace{}, state.particles.template real<D>(fields::reference));
+  const auto reference = onHost(state.particles.template real<D>(fields::reference));
   std::mt19937 engine(4);
   std::uniform_real_distribution<double> some(-1.0, 1.0);
   for (int p = 0; p < particles.size; ++p)
@@ -101,8 +98,7 @@ double fractionOfMode(const State<D>& state)
 {
   const std::vector<double> mode = modeOf(state);
   const HostParticles<D> particles(state);
-  const auto id =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(fields::id));
+  const auto id = onHost(state.particles.integer(fields::id));
   double sum = 0.0, square = 0.0;
   for (int p = 0; p < particles.size; ++p)
   {

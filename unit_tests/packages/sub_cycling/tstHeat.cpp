@@ -36,10 +36,8 @@ void addWarmRubber(Teuchos::ParameterList& scene)
 /// Rise of the temperature of every particle, by id.
 std::vector<double> risesOf(const State<2>& state)
 {
-  const auto id =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(fields::id));
-  const auto value =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.scalar(fields::temperature));
+  const auto id = onHost(state.particles.integer(fields::id));
+  const auto value = onHost(state.particles.scalar(fields::temperature));
   std::vector<double> rises(value.extent(0));
   for (int p = 0; p < state.particles.size(); ++p)
     rises[id(p)] = value(p) - 300.0;
@@ -87,8 +85,7 @@ struct ViscousChange
 
   void add(const State<2>& state)
   {
-    const auto copy = [](const auto& view)
-    { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
+    const auto copy = [](const auto& view) { return onHost(view); };
     const auto rate = copy(state.particles.table(fields::rate));
     const auto volume = copy(state.particles.scalar(fields::volume));
     const auto id = copy(state.particles.integer(fields::id));

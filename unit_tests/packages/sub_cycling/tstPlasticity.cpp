@@ -69,8 +69,7 @@ void checkEvenFlow(int levels)
   }
   ASSERT_EQ(state.mesh.tree.deepest, levels);
   const HostParticles<D> particles(state);
-  const auto history =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.table(fields::history));
+  const auto history = onHost(state.particles.table(fields::history));
   for (int p = 0; p < particles.size; ++p)
   {
     ASSERT_NEAR(particles.deformation(p, 0), stretch, 1e-13);

@@ -75,8 +75,7 @@ Outcome follow(Run<3>& run, bool apart, double end = 0.0)
     o.momentum = std::max(o.momentum, norm(state.sample.momentum - momentum) / (mass * speed));
   }
   o.mean /= samples;
-  const auto copy = [](const auto& view)
-  { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view); };
+  const auto copy = [](const auto& view) { return onHost(view); };
   const auto v = copy(state.particles.real<3>(fields::velocity));
   const auto m = copy(state.particles.scalar(fields::mass));
   const auto side = copy(state.particles.real<3>(fields::reference));

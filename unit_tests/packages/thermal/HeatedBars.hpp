@@ -54,12 +54,6 @@ inline Teuchos::Array<double> numbers(const std::vector<double>& values)
   return Teuchos::Array<double>(values);
 }
 
-template <class AnyView>
-auto host(const AnyView& view)
-{
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
-}
-
 /// Calls work(position, temperature) for every particle.
 template <int D, class Work>
 void forEach(const State<D>& state, const Work& work)

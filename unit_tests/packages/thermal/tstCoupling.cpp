@@ -140,7 +140,7 @@ TEST(Coupling, TheBalanceClosesAsWithoutHeat)
     // The bar's temperature has come and gone: without the coupling it would still be that of the start.
     double most = 0.0;
     const auto T = with.state().particles.scalar(fields::temperature);
-    const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, T);
+    const auto host = onHost(T);
     for (int p = 0; p < with.state().particles.size(); ++p)
       most = std::max(most, std::fabs(host(p) - start));
     EXPECT_GT(most, 1e-3) << model;
@@ -281,8 +281,7 @@ TEST(Coupling, ModuliThatChangeAtAKink)
                                      scene.sublist("Materials").sublist("Solid").set("Young Modulus", table);
                                    });
     const double open = std::fabs(residualAfter(run, 300));
-    const auto T = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{},
-                                                       run.state().particles.scalar(fields::temperature));
+    const auto T = onHost(run.state().particles.scalar(fields::temperature));
     const auto ends = std::minmax_element(T.data(), T.data() + T.extent(0));
     std::printf("modulus %s: open %.1e of the motion (%.1e without a table), from %.2f to %.2f K\n",
                 table.c_str(), open, none, *ends.first, *ends.second);

@@ -20,7 +20,7 @@ std::vector<int> visitsOf(int count)
   const View<int*> visits("visits", count);
   parallelForSmall(
       "visit", count, KOKKOS_LAMBDA(const int k) { visits(k) += 1; });
-  const auto host = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, visits);
+  const auto host = onHost(visits);
   return {host.data(), host.data() + count};
 }
 

@@ -155,8 +155,8 @@ void checkParticle(const Properties& m, int p, const View<double * [symmetricSiz
   constexpr int D = C::D;
   History<D> history{};
   const Symmetric<D> expected = stressOf<C>(m, F, history);
-  const auto stress = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, tau);
-  const auto number = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, speed);
+  const auto stress = onHost(tau);
+  const auto number = onHost(speed);
   for (int i = 0; i < symmetricSize<D>; ++i)
     EXPECT_NEAR(stress(p, i), expected[i], 1.0e-13);
   EXPECT_NEAR(number(p),

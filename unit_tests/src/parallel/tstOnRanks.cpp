@@ -68,10 +68,8 @@ void particlesStayWhole()
     sendParticles(state, owner);
     ASSERT_EQ(state.particles.size(), static_cast<int>(sent[ranks.rank()]));
   }
-  const auto position = Kokkos::create_mirror_view_and_copy(
-      Kokkos::HostSpace{}, state.particles.template real<D>(fields::position));
-  const auto id =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(fields::id));
+  const auto position = onHost(state.particles.template real<D>(fields::position));
+  const auto id = onHost(state.particles.integer(fields::id));
   std::vector<double> found(each * ranks.size(), 0.0);
   for (int p = 0; p < state.particles.size(); ++p)
   {
@@ -111,8 +109,8 @@ template <int D>
 std::map<std::vector<long>, std::array<double, 2>> sumsOf(const State<D>& state)
 {
   std::map<std::vector<long>, std::array<double, 2>> sums;
-  const auto values = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.sums);
-  const auto foreign = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.foreign);
+  const auto values = onHost(state.mesh.nodes.sums);
+  const auto foreign = onHost(state.mesh.nodes.foreign);
   for (int n = 0; n < state.mesh.nodes.numLattice; ++n)
   {
     if (foreign.extent(0) > 0 && foreign(n) != 0)

@@ -54,8 +54,7 @@ Vibration vibrate(const Teuchos::ParameterList& scene, int j, double average)
   Rhegma::Run<D> run(validated(scene));
   run.initialize();
   State<D>& state = run.state();
-  const auto numbers = [&state]
-  { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(fields::id)); };
+  const auto numbers = [&state] { return onHost(state.particles.integer(fields::id)); };
   std::vector<double> mode(state.particles.size());
   {
     const HostParticles<D> particles(state);

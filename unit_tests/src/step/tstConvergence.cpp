@@ -205,8 +205,7 @@ double error(const Motion& motion, int cells, const std::string& shape)
   while (state.clock.time < 0.5)
     run.step(0.5, false);
   const HostParticles<2> particles(state);
-  const auto reference =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.real<2>(fields::reference));
+  const auto reference = onHost(state.particles.real<2>(fields::reference));
   double sum = 0.0;
   for (int p = 0; p < particles.size; ++p)
   {

@@ -68,11 +68,10 @@ Flight collide(const std::string& scheme, const std::string& shape)
   const Momentum start = momentumOf(state);
   Flight flight;
   const auto id = [&] { return state.particles.integer(fields::id); };
-  const auto host = [&] { return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, id()); };
+  const auto host = [&] { return onHost(id()); };
   int half = 0;
   {
-    const auto body =
-        Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(fields::body));
+    const auto body = onHost(state.particles.integer(fields::body));
     for (int p = 0; p < state.particles.size(); ++p)
       half += body(p) == 0 ? 1 : 0;
   }
@@ -153,13 +152,11 @@ void flyAlong(int axis, const std::string& scheme, const std::string& shape)
   run.initialize();
   State<D>& state = run.state();
   const double start = HostParticles<D>(state).position(0, axis);
-  const int first =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(fields::id))(0);
+  const int first = onHost(state.particles.integer(fields::id))(0);
   while (state.clock.time < 60.0)
     run.step(60.0, false);
   const HostParticles<D> particles(state);
-  const auto id =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.integer(fields::id));
+  const auto id = onHost(state.particles.integer(fields::id));
   for (int p = 0; p < particles.size; ++p)
   {
     for (int d = 0; d < D; ++d)

@@ -77,7 +77,7 @@ double residual(State<D>& state, const Vector<D>& lower, const Vector<D>& upper)
 {
   clearNodes(state);
   scatter(state, ScatterWhat::Force);
-  const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.sums);
+  const auto sums = onHost(state.mesh.nodes.sums);
   double largest = 0.0;
   int inside = 0;
   for (int n = 0; n < state.mesh.grid.numNodes; ++n)

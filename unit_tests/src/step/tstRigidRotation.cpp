@@ -115,8 +115,7 @@ protected:
     for (Rhegma::Run<D>* run : {&tangent, &chord})
       sortState(run->state());
     const HostParticles<D> start(chord.state());
-    const auto startId =
-        Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, chord.state().particles.integer(fields::id));
+    const auto startId = onHost(chord.state().particles.integer(fields::id));
     std::vector<Vector<D>> home(start.size);
     for (int p = 0; p < start.size; ++p)
       home[startId(p)] = start.at(p);
@@ -129,8 +128,7 @@ protected:
     }
     const double growth = std::pow(1.0 + theta * theta, steps) - 1.0;
     const HostParticles<D> end(chord.state());
-    const auto id =
-        Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, chord.state().particles.integer(fields::id));
+    const auto id = onHost(chord.state().particles.integer(fields::id));
     double away = 0.0;
     for (int p = 0; p < end.size; ++p)
       away = std::max(away, norm(end.at(p) - home[id(p)]));

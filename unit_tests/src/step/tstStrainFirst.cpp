@@ -35,10 +35,8 @@ TEST(StrainFirst, CreatesNoEnergyAtTheRim)
   State<2>& state = run.state();
   while (state.clock.time < 4e-5)
     run.step(4e-5, false);
-  const auto velocity =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.real<2>(fields::velocity));
-  const auto mass =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.particles.scalar(fields::mass));
+  const auto velocity = onHost(state.particles.real<2>(fields::velocity));
+  const auto mass = onHost(state.particles.scalar(fields::mass));
   double kinetic = 0.0;
   for (std::size_t p = 0; p < mass.extent(0); ++p)
     kinetic += 0.5 * mass(p) * (velocity(p, 0) * velocity(p, 0) + velocity(p, 1) * velocity(p, 1));

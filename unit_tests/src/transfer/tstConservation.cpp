@@ -59,7 +59,7 @@ struct NodeSums
 
   explicit NodeSums(const State<D>& state)
   {
-    const auto sums = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.sums);
+    const auto sums = onHost(state.mesh.nodes.sums);
     for (int n = 0; n < state.mesh.nodes.numLattice; ++n)
     {
       mass += sums(n, Nodes<D>::massAt);
@@ -129,8 +129,7 @@ void projectionKeepsMomentum(const std::string& shape)
   State<D>& state = run.state();
   scatter(state, ScatterWhat::MassAndMomentum);
   particleVelocity(state, VelocityWhat::Project);
-  const auto projection =
-      Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.mesh.nodes.projection);
+  const auto projection = onHost(state.mesh.nodes.projection);
   const NodeSums<D> nodes(state);
   for (int d = 0; d < D; ++d)
   {

@@ -122,13 +122,6 @@ inline Teuchos::ParameterList bodiesScene(const std::string& type, const std::st
   return scene;
 }
 
-/// A copy of a view in host memory.
-template <class View>
-auto onHost(const View& view)
-{
-  return Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, view);
-}
-
 /// How bodies move [m/s]; a cell is 1 m.
 struct Motion
 {
