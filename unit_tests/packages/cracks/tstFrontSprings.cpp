@@ -21,7 +21,7 @@ struct Column
   State<D> state;
   Surroundings surroundings;
   View<double * [NodalSpring<D>::size]> rows;
-  typename View<double * [NodalSpring<D>::size]>::HostMirror onHost;
+  typename View<double * [NodalSpring<D>::size]>::HostMirror copy;
   NodalSprings<D> springs;
 
   explicit Column(const std::vector<double>& force, bool passed = true)
@@ -87,8 +87,8 @@ struct Column
   /// The spring of a node on the host, until the next one is requested.
   NodalSpring<D> spring(int node)
   {
-    onHost = onHost(rows);
-    return {&onHost(node, 0)};
+    copy = onHost(rows);
+    return {&copy(node, 0)};
   }
   double forceOn(int node) const
   {

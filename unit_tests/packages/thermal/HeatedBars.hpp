@@ -58,8 +58,8 @@ inline Teuchos::Array<double> numbers(const std::vector<double>& values)
 template <int D, class Work>
 void forEach(const State<D>& state, const Work& work)
 {
-  const auto x = host(state.particles.template real<D>(fields::position));
-  const auto T = host(state.particles.scalar(fields::temperature));
+  const auto x = onHost(state.particles.template real<D>(fields::position));
+  const auto T = onHost(state.particles.scalar(fields::temperature));
   for (int p = 0; p < state.particles.size(); ++p)
   {
     Vector<D> position;
@@ -95,7 +95,7 @@ void randomTemperature(State<D>& state)
   std::uniform_real_distribution<double> between(200.0, 400.0);
   const auto T = state.particles.scalar(fields::temperature),
              e = state.particles.scalar(fields::internalEnergy);
-  const auto hostT = host(T), hostE = host(e);
+  const auto hostT = onHost(T), hostE = onHost(e);
   for (int p = 0; p < state.particles.size(); ++p)
   {
     hostT(p) = between(engine);
@@ -109,8 +109,8 @@ void randomTemperature(State<D>& state)
 template <int D>
 std::pair<double, double> heatOf(const State<D>& state)
 {
-  const auto V = host(state.particles.scalar(fields::volume));
-  const auto e = host(state.particles.scalar(fields::internalEnergy));
+  const auto V = onHost(state.particles.scalar(fields::volume));
+  const auto e = onHost(state.particles.scalar(fields::internalEnergy));
   double sum = 0.0, size = 0.0;
   for (int p = 0; p < state.particles.size(); ++p)
   {

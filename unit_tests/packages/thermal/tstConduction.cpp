@@ -95,9 +95,9 @@ void checkPatch(const std::string& shape, int level, const Vector<D>& shift)
       T += (20.0 - 7.0 * d) * position[d];
     return T;
   };
-  const auto x = host(state.particles.template real<D>(fields::position));
-  const auto g = host(state.particles.template real<D>(fields::temperatureGradient));
-  const auto T = host(state.particles.scalar(fields::temperature));
+  const auto x = onHost(state.particles.template real<D>(fields::position));
+  const auto g = onHost(state.particles.template real<D>(fields::temperatureGradient));
+  const auto T = onHost(state.particles.scalar(fields::temperature));
   for (int p = 0; p < state.particles.size(); ++p)
   {
     Vector<D> position;
@@ -123,10 +123,10 @@ void checkPatch(const std::string& shape, int level, const Vector<D>& shift)
   thermal::heatToNodes(state, nodes);
   thermal::findTemperature(state, nodes);
   thermal::fluxToNodes(state, nodes, View<double*>());
-  const auto sums = host(nodes.sums);
-  const auto value = host(nodes.value);
-  const auto rate = host(nodes.rate);
-  const auto active = host(state.mesh.nodes.active);
+  const auto sums = onHost(nodes.sums);
+  const auto value = onHost(nodes.value);
+  const auto rate = onHost(nodes.rate);
+  const auto active = onHost(state.mesh.nodes.active);
   const NodePositions<D> positions = nodePositions(state);
   int inside = 0;
   for (int i = 0; i < static_cast<int>(active.extent(0)); ++i)

@@ -100,9 +100,9 @@ TEST(MeetingMaterials, AnInsulatorSeesNoGradientOfAConductor)
       Rhegma::Run<2> run(validated(scene));
       run.initialize();
       steps(run, 30);
-      const auto x = host(run.state().particles.template real<2>(fields::position));
-      const auto g = host(run.state().particles.template real<2>(fields::temperatureGradient));
-      const auto T = host(run.state().particles.scalar(fields::temperature));
+      const auto x = onHost(run.state().particles.template real<2>(fields::position));
+      const auto g = onHost(run.state().particles.template real<2>(fields::temperatureGradient));
+      const auto T = onHost(run.state().particles.scalar(fields::temperature));
       double warmest = 300.0;
       for (int p = 0; p < run.state().particles.size(); ++p)
         if (x(p, 0) < joint)
