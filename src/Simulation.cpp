@@ -97,7 +97,13 @@ void Simulation::checkpointHeld(const std::string& path) const
 Simulation::Notes Simulation::goBack() { return engine_->goBack(); }
 bool Simulation::sound() const { return engine_->sound(); }
 double Simulation::wallSeconds() const { return engine_->wallSeconds(); }
-bool Simulation::continueFields(const std::string& folder) { return engine_->continueFields(folder); }
+bool Simulation::continueFields(const std::string& folder, std::string* why)
+{
+  const std::string reason = engine_->continueFields(folder);
+  if (why != nullptr)
+    *why = reason;
+  return reason.empty();
+}
 double Simulation::stepFraction() const { return engine_->stepFraction(); }
 double Simulation::stableTimeStep() const { return engine_->stableTimeStep(); }
 void Simulation::advance(double time) { engine_->advance(time); }

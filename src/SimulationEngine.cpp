@@ -1,6 +1,7 @@
 #include "SimulationEngine.hpp"
 
 #include "archive/BroadcastRecord.hpp"
+#include "base/FoldMessages.hpp"
 #include "base/OutputError.hpp"
 #include "checkpoint/SceneText.hpp"
 #include "output/BodyReport.hpp"
@@ -17,6 +18,9 @@
 
 namespace Rhegma
 {
+
+/// Warnings of one kind are folded where there are more; of many kinds, none is lost.
+constexpr std::size_t mostWarnings = 100;
 
 template <int D>
 class Simulation::EngineOf : public Simulation::Engine
@@ -42,6 +46,8 @@ public:
       const bool ends = state.clock.time + dt >= until || state.clock.step + 1 >= state.clock.maximumSteps;
       const bool sample = interval > 0.0 && (ends || state.clock.time + dt >= next_);
       run_->step(until, sample);
+      if (state.warnings.size() > mostWarnings)
+        state.warnings = foldMessages(state.warnings);
       if (sample)
       {
         // Samples missed by a step are left out.
@@ -80,6 +86,7 @@ public:
     for (const Effect<D>& effect : run_->plan().effects)
       if (effect.report)
         effect.report(state, summary);
+    summary["warnings"] = foldMessages(summary["warnings"].get<std::vector<std::string>>());
     return summary;
   }
 
@@ -103,21 +110,23 @@ public:
     writer_->write(run_->state());
   }
 
-  bool continueFields(const std::string& folder) override
+  std::string continueFields(const std::string& folder) override
   {
     if (fieldsBefore_.empty())
-      return true;
+      return {};
+    std::string why;
     Archive archive = Archive::loading(fieldsBefore_, ranks());
     const Archive::Group group(archive, "fields");
     try
     {
       writer_ = std::make_unique<FieldWriter<D>>(folder, archive);
     }
-    catch (const OutputError&)
+    catch (const OutputError& error)
     {
+      why = error.what();
     }
     fieldsBefore_.clear();
-    return writer_ != nullptr;
+    return why;
   }
 
   std::vector<std::string> effects() const override { return run_->effectNames(); }

@@ -41,7 +41,8 @@ public:
   virtual std::string plan() const = 0;
   virtual std::map<std::string, double> stageSeconds() const = 0;
   virtual void writeFields(const std::string& folder) = 0;
-  virtual bool continueFields(const std::string& folder) = 0;
+  /// \return why the fields can't be continued; empty: they can, or there were none
+  virtual std::string continueFields(const std::string& folder) = 0;
   virtual std::vector<std::string> effects() const = 0;
   virtual void syncFields() const = 0;
   virtual bool sound() const = 0;

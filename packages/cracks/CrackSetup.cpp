@@ -5,6 +5,7 @@
 #include "cracks/CrackGeometry.hpp"
 #include "cracks/Layout.hpp"
 #include "cracks/ReadCrack.hpp"
+#include "geometry/NearBoxes.hpp"
 #include "surface/FrontPieces.hpp"
 
 #include <algorithm>
@@ -40,10 +41,11 @@ std::vector<Vector<D>> pointsOn(const surface::CrackMesh<D>& mesh, int s, double
   return points;
 }
 
+constexpr double apart = 3.0; ///< least distance of two cracks [cells]
+
 template <int D>
 bool areClose(const surface::CrackMesh<D>& a, const surface::CrackMesh<D>& b, double spacing)
 {
-  constexpr double apart = 3.0; // cells
   for (std::size_t s = 0; s < a.simplices.size(); ++s)
     for (const Vector<D>& x : pointsOn(a, static_cast<int>(s), spacing))
       for (std::size_t t = 0; t < b.simplices.size(); ++t)
@@ -60,9 +62,18 @@ template <int D>
 void refuseNeighbours(const std::vector<surface::CrackMesh<D>>& all, const std::vector<std::string>& names,
                       double spacing)
 {
+  std::vector<Geometry::Bounds<D>> bounds;
+  bounds.reserve(all.size());
+  for (const surface::CrackMesh<D>& mesh : all)
+  {
+    bounds.push_back(Geometry::emptyBounds<D>());
+    for (const Vector<D>& x : mesh.vertices)
+      bounds.back().include(x);
+  }
+  const Geometry::NearBoxes<D> boxes(bounds);
   for (std::size_t a = 0; a < all.size(); ++a)
-    for (std::size_t b = 0; b < all.size(); ++b)
-      if (a != b && areClose(all[a], all[b], spacing))
+    for (const int b : boxes.near(bounds[a], apart * spacing))
+      if (static_cast<int>(a) != b && areClose(all[a], all[b], spacing))
         throw std::invalid_argument("Cracks > " + names[a] +
                                     ": it comes closer than three cells to Cracks > " + names[b] +
                                     ", which cells can't separate; use smaller cells (Domain > Cell Size)");

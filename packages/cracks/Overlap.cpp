@@ -49,6 +49,8 @@ std::string warningOfOverlap(const State<D>& state, int crack)
   const Opening opening = measureOpening(state.cracks, crack);
   const double length = D == 2 ? opening.size : std::sqrt(opening.size);
   const double overlap = -opening.smallest;
+  if (!state.ranks.many() && !(overlap > 1e-9 * state.mesh.grid.spacing))
+    return {}; // without a look at all particles
   if (!(overlap > fraction * length * strainNextTo(state, crack)) ||
       !(overlap > 1e-9 * state.mesh.grid.spacing))
     return {};

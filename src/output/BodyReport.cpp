@@ -4,6 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <vector>
+
 namespace Rhegma
 {
 
@@ -83,6 +86,40 @@ nlohmann::json listed(const double* sum, int count, double fraction)
 
 } // namespace
 
+namespace
+{
+
+/// The sums of all bodies one after another. Of many bodies each particle is looked at once.
+template <int D>
+std::vector<double> sumsOfBodies(const State<D>& state)
+{
+  using Sums = BodySums<D>;
+  constexpr std::size_t many = 64;
+  const std::size_t count = state.bodies.info.size();
+  std::vector<double> sums(count * Sums::size, 0.0);
+  if (count > many && Kokkos::SpaceAccessibility<Kokkos::HostSpace, MemorySpace>::accessible)
+  {
+    Sums one(state, 0);
+    for (int p = 0; p < state.particles.size(); ++p)
+    {
+      one.which = one.body(p);
+      one(p, sums.data() + static_cast<std::size_t>(one.which) * Sums::size);
+    }
+  }
+  else
+    for (std::size_t b = 0; b < count; ++b)
+    {
+      double sum[Sums::size] = {};
+      Kokkos::parallel_reduce("rhegma::bodyReport", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+                              Sums(state, static_cast<int>(b)), sum);
+      std::copy(sum, sum + Sums::size, sums.data() + b * Sums::size);
+    }
+  state.ranks.sum(sums.data(), static_cast<int>(sums.size()));
+  return sums;
+}
+
+} // namespace
+
 template <int D>
 void bodyReport(const State<D>& state, nlohmann::json& summary)
 {
@@ -93,14 +130,12 @@ void bodyReport(const State<D>& state, nlohmann::json& summary)
   const std::vector<const char*> symmetric =
       D == 2 ? std::vector<const char*>{"xx", "yy", "xy", "zz"}
              : std::vector<const char*>{"xx", "yy", "zz", "xy", "yz", "xz"};
+  const std::vector<double> sums = sumsOfBodies(state);
   nlohmann::json& bodies = summary["bodies"];
   bodies = nlohmann::json::array();
   for (std::size_t b = 0; b < state.bodies.info.size(); ++b)
   {
-    double sum[Sums::size] = {};
-    Kokkos::parallel_reduce("rhegma::bodyReport", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
-                            Sums(state, static_cast<int>(b)), sum);
-    state.ranks.sum(sum, Sums::size);
+    const double* const sum = sums.data() + b * Sums::size;
     nlohmann::json body;
     body["name"] = state.bodies.info[b].name;
     body["mass"] = sum[0];

@@ -37,8 +37,9 @@ public:
     onFirstRank<OutputError>(archive.ranks(),
                              [&]
                              {
-                               keepSnapshots(data_, written_);
+                               // First the guide, which must not list what a kill leaves out.
                                replaceFile(guide_, document_.text());
+                               keepSnapshots(data_, written_);
                              });
   }
 

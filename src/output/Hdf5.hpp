@@ -15,17 +15,16 @@ void createHdf5(const std::string& path);
 /// Name of the group of a snapshot, counted from 0.
 std::string snapshotName(int number);
 
-/// Removes all snapshots of a file except the first `count`. Throws OutputError where the file can't be read
-/// or has fewer.
+/// Removes all snapshots of a file except the first `count`, which are read and compared with their
+/// checksums. Throws OutputError where the file can't be opened, or with the names of those that are missing
+/// or damaged.
 void keepSnapshots(const std::string& path, int count);
 
 /// Adds a group with the attribute `time` and a group per mesh inside, and closes the file.
 ///
-/// With several ranks each has a part (partOfAll). The first makes groups and tables and reserves their space
-/// in the file system, so that a full disk is found before anything is written; then all write their rows at
-/// their offsets, collectively through MPI, and the first links the snapshot into the file. HDF5 itself runs
-/// on one rank only, so that a failure leaves it no unwritten data. Collective; throws on all ranks or on
-/// none.
+/// Each chunk of a table has HDF5's checksum (Fletcher-32); groups, attributes and indices have those of HDF5
+/// 1.10, which readers need. With several ranks each has a part (partOfAll), which the first gathers chunk by
+/// chunk and writes: HDF5 runs on one rank only. Collective; throws on all ranks or on none.
 void appendSnapshot(const std::string& path, const std::string& group, const Snapshot& snapshot,
                     const Ranks& ranks = {});
 

@@ -47,6 +47,9 @@ public:
   /// Includes rows that are not yet written.
   HistorySoFar soFar() const;
 
+  /// Writes the rows that are held back to the file.
+  void flush();
+
   /// Writes all rows and synchronises the file.
   void sync();
 
@@ -61,7 +64,6 @@ private:
   void setColumns(const Row& row);
   void hold(const std::string& text);
   void checkColumns(const Row& row) const;
-  void flush();
 
   std::string path_;
   std::unique_ptr<std::FILE, Closer> file_;

@@ -1,8 +1,11 @@
 #include "output/OutputFolder.hpp"
 
+#include "files/Hdf5Handle.hpp"
+
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <unistd.h>
 #include <vector>
@@ -58,7 +61,52 @@ std::string makeOutputFolder(const std::string& folder)
 namespace
 {
 
-const char* const results[] = {"summary.json", "history.csv", "fields.xdmf", "fields.h5", "checkpoint.h5"};
+/// The beginning of a file; all of it where it is not large.
+std::string beginningOf(const std::filesystem::path& path)
+{
+  std::ifstream in(path, std::ios::binary);
+  std::string text(1 << 20, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return text;
+}
+
+bool startsWith(const std::string& text, const std::string& start)
+{
+  return text.compare(0, start.size(), start) == 0;
+}
+
+/// Whether a file of HDF5 holds something, but no first frame.
+bool holdsOtherThings(const std::string& path)
+{
+  const Silence silence;
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  H5G_info_t info{};
+  const bool other = file >= 0 && H5Gget_info(file, &info) >= 0 && info.nlinks > 0 &&
+                     H5Lexists(file, "t00000", H5P_DEFAULT) <= 0;
+  if (file >= 0)
+    H5Fclose(file);
+  return other; // what a kill left need not open
+}
+
+/// Whether a run may have written a file. \param text its beginning
+bool isOfRun(const std::string& path, const std::string& name, const std::string& text)
+{
+  if (text.empty()) // cut off at once
+    return true;
+  if (name == "history.csv")
+    return startsWith(text, "time");
+  if (name == "fields.h5")
+    return startsWith(text, "\x89HDF\r\n") && !holdsOtherThings(path);
+  if (name == "checkpoint.h5")
+    return startsWith(text, "\x89RHEGMA");
+  if (name == "run.lock")
+    return startsWith(text, "host: ");
+  const char* const mark = name == "fields.xdmf"    ? "<Xdmf"
+                           : name == "summary.json" ? "\"effects\""
+                                                    : "\"manifest_crc32\"";
+  return text.find(mark) != std::string::npos;
+}
 
 void removeFrom(const std::string& folder, const std::string& name)
 {
@@ -68,17 +116,44 @@ void removeFrom(const std::string& folder, const std::string& name)
 
 } // namespace
 
+const std::vector<std::string>& resultNames()
+{
+  static const std::vector<std::string> names = {"summary.json", "history.csv",   "fields.xdmf",
+                                                 "fields.h5",    "checkpoint.h5", "manifest.json"};
+  return names;
+}
+
+void refuseForeignFiles(const std::string& folder, const std::string& scene)
+{
+  std::vector<std::string> names = resultNames();
+  names.push_back("run.lock");
+  // Files of a folder that a run lists may be damaged; they are a run's all the same.
+  const bool listed = isOfRun("", "manifest.json", beginningOf(folder + "/manifest.json") + " ");
+  for (const std::string& name : names)
+  {
+    const std::string path = folder + "/" + name;
+    std::error_code none;
+    if (!std::filesystem::exists(path, none))
+      continue;
+    if (std::filesystem::equivalent(path, scene, none))
+      refuse(folder, "the run would overwrite its own scene " + scene);
+    if (!std::filesystem::is_regular_file(path, none) || !(listed || isOfRun(path, name, beginningOf(path))))
+      refuse(folder, "it holds a " + name + " that no run wrote, and that a run would replace; move it away");
+  }
+}
+
 void removeOldSummary(const std::string& folder)
 {
   removeFrom(folder, "summary.json");
-  for (const char* name : results)
-    removeFrom(folder, std::string(name) + ".part");
+  removeFrom(folder, "manifest.json");
+  for (const std::string& name : resultNames())
+    removeFrom(folder, name + ".part");
 }
 
 void removeOldResults(const std::string& folder)
 {
   removeOldSummary(folder);
-  for (const char* name : results)
+  for (const std::string& name : resultNames())
     removeFrom(folder, name);
 }
 

@@ -2,6 +2,7 @@
 /// The folder in which a run leaves its files.
 
 #include <string>
+#include <vector>
 
 namespace Rhegma
 {
@@ -14,7 +15,14 @@ std::string defaultOutputFolder(const std::string& scene);
 /// written.
 std::string makeOutputFolder(const std::string& folder);
 
-/// Removes the summary of a run that continues, and partial files of a killed run.
+/// Names of the files that a run leaves.
+const std::vector<std::string>& resultNames();
+
+/// Throws std::invalid_argument where a file that a run would replace is the scene, or is none that a run
+/// wrote. Nothing is changed.
+void refuseForeignFiles(const std::string& folder, const std::string& scene);
+
+/// Removes the summary and the manifest of a run that continues, and partial files of a killed run.
 void removeOldSummary(const std::string& folder);
 
 /// Removes the files of an older run in the folder, so that a killed run leaves no file of another.

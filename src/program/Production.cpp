@@ -19,18 +19,33 @@ namespace Rhegma::program
 namespace
 {
 
+/// Takes the folder for this run, on the first rank.
+std::unique_ptr<RunLock> takeFolder(const std::string& folder, const std::string& scene, const Ranks& ranks)
+{
+  std::unique_ptr<RunLock> lock;
+  onFirstRank<std::invalid_argument>(ranks,
+                                     [&]
+                                     {
+                                       makeOutputFolder(folder);
+                                       refuseForeignFiles(folder, scene);
+                                       lock = std::make_unique<RunLock>(folder);
+                                     });
+  return lock;
+}
+
 /// Prepares the folder and opens the history in it; on all other ranks an empty one.
-History beginHistory(const std::string& folder, const EarlierPart& earlier, const Ranks& ranks)
+History beginHistory(const std::string& folder, const EarlierPart& earlier, const Ranks& ranks,
+                     Manifest& manifest)
 {
   std::optional<History> history;
   onFirstRank<std::invalid_argument>(ranks,
                                      [&]
                                      {
-                                       makeOutputFolder(folder);
                                        if (!earlier.exists())
                                          removeOldResults(folder);
                                        else
                                          earlier.bring();
+                                       manifest.write(earlier.history());
                                        const std::string path = folder + "/history.csv";
                                        if (earlier.history().bytes > 0)
                                          history.emplace(path, earlier.history());
@@ -49,7 +64,9 @@ Production::Production(const Options& options, const Teuchos::ParameterList& sce
       scene_(scene),
       simulation_(simulation),
       finalTime_(scene.sublist("Time").get<double>("Final Time")),
-      history_(beginHistory(folder_, earlier, ranks)),
+      lock_(takeFolder(folder_, options.scene, ranks)),
+      manifest_(folder_, options.scene),
+      history_(beginHistory(folder_, earlier, ranks, manifest_)),
       progress_(options.quiet ? nullptr : &out, finalTime_, isatty(STDOUT_FILENO) != 0),
       checkpoints_(scene.sublist("Output"), folder_, simulation, history_, ranks),
       retries_(scene.sublist("Time").get<int>("Retries")),
@@ -68,7 +85,8 @@ Production::Production(const Options& options, const Teuchos::ParameterList& sce
 void Production::takeUpFields()
 {
   const std::string data = folder_ + "/fields.h5", aside = folder_ + "/fields.unread.h5";
-  if (!scene_.sublist("Output").get<bool>("Fields") || simulation_.continueFields(folder_))
+  std::string why;
+  if (!scene_.sublist("Output").get<bool>("Fields") || simulation_.continueFields(folder_, &why))
     return;
   // A kill while a snapshot is written can leave a file that HDF5 does not open.
   std::error_code none;
@@ -76,8 +94,8 @@ void Production::takeUpFields()
     return;
   if (ranks_.rank() == 0)
     std::filesystem::rename(data, aside, none);
-  warnings_.push_back(data + " does not hold the fields of the run up to the checkpoint; it is renamed to " +
-                      aside + ", and new fields are written from here on");
+  warnings_.push_back(data + " does not hold the fields of the run up to the checkpoint: " + why +
+                      "; it is renamed to " + aside + ", and new fields are written from here on");
 }
 
 void Production::observe()
@@ -88,6 +106,11 @@ void Production::observe()
                             try
                             {
                               history_.write(time, row);
+                              if (lock_ && manifest_.isDue())
+                              {
+                                history_.flush();
+                                manifest_.write(history_.soFar());
+                              }
                             }
                             catch (const OutputError& error)
                             {
@@ -166,6 +189,7 @@ bool Production::retry(const RunError& failure)
                            [&]
                            {
                              history_.sync();
+                             manifest_.write(soFar); // before the file is shorter
                              history_ = History(folder_ + "/history.csv", soFar);
                            });
   retries_.setStepFraction(simulation_.stepFraction());
@@ -174,6 +198,21 @@ bool Production::retry(const RunError& failure)
   takeUpFields();
   warnings_.push_back(retries_.asText());
   return true;
+}
+
+std::string Production::listFiles()
+{
+  if (!lock_)
+    return {};
+  try
+  {
+    manifest_.write(history_.soFar(), true);
+    return {};
+  }
+  catch (const std::exception& error) // also of the file system
+  {
+    return error.what();
+  }
 }
 
 bool Production::outOfSteps() const

@@ -3,7 +3,9 @@
 
 #include "Simulation.hpp"
 #include "output/History.hpp"
+#include "output/Manifest.hpp"
 #include "output/Progress.hpp"
+#include "output/RunLock.hpp"
 #include "parallel/Ranks.hpp"
 #include "program/Checkpoints.hpp"
 #include "program/EarlierPart.hpp"
@@ -12,6 +14,7 @@
 #include "program/StopSignal.hpp"
 
 #include <iosfwd>
+#include <memory>
 #include <string>
 
 namespace Rhegma::program
@@ -42,6 +45,10 @@ public:
   /// Warnings on the start of the run.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
+  /// To be called when all files are written: lists them with their checksums. \return why that could not be
+  /// written; empty: it was
+  std::string listFiles();
+
   /// Whether the run ended because of Time > Maximum Steps.
   bool outOfSteps() const;
 
@@ -61,6 +68,8 @@ private:
   const Teuchos::ParameterList& scene_;
   Simulation& simulation_;
   double finalTime_;
+  std::unique_ptr<RunLock> lock_; ///< of the first rank
+  Manifest manifest_;             ///< of the first rank
   History history_;
   Progress progress_;
   StopSignal signal_;

@@ -1,10 +1,12 @@
 #include "program/RunScene.hpp"
 
 #include "Simulation.hpp"
+#include "base/FoldMessages.hpp"
 #include "base/Numbers.hpp"
 #include "base/OutputError.hpp"
 #include "output/OutputFolder.hpp"
 #include "output/References.hpp"
+#include "output/RunLock.hpp"
 #include "output/Summary.hpp"
 #include "parallel/FirstRank.hpp"
 #include "plan/EffectSchema.hpp"
@@ -39,14 +41,21 @@ Teuchos::RCP<const Teuchos::Comm<int>> world()
 void printErrors(const std::string& messages, std::ostream& err)
 {
   std::istringstream lines(messages);
+  std::vector<std::string> all;
   for (std::string line; std::getline(lines, line);)
+    all.push_back(line);
+  for (const std::string& line : foldMessages(all))
     err << "rhegma: " << line << "\n";
 }
 
 void printErrors(const std::vector<SceneError>& errors, std::ostream& err)
 {
+  std::vector<std::string> all;
+  all.reserve(errors.size());
   for (const SceneError& error : errors)
-    err << "rhegma: " << toString(error) << "\n";
+    all.push_back(toString(error));
+  for (const std::string& line : foldMessages(all))
+    err << "rhegma: " << line << "\n";
 }
 
 /// A validated scene, or nothing after its errors have been printed.
@@ -227,8 +236,12 @@ int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList
 int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>& scene, std::ostream& out,
              std::ostream& err)
 {
+  const Ranks ranks(world());
+  const std::string folder = options.output.empty() ? defaultOutputFolder(options.scene) : options.output;
+  if (options.action == Options::Action::Run) // before the work of making all
+    onFirstRank<std::invalid_argument>(ranks, [&] { refuseFolderInUse(folder); });
   if (options.action == Options::Action::Run && !options.quiet && options.restart.empty())
-    out << costOfAccuracy(options, *scene, Ranks(world()), nullptr) << std::flush;
+    out << costOfAccuracy(options, *scene, ranks, nullptr) << std::flush;
   Simulation simulation(world(), scene);
   const EarlierPart earlier = initialize(simulation, *scene, options);
   if (options.action == Options::Action::PrintPlan)
@@ -238,7 +251,6 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
   }
   if ((!options.quiet || options.strict) && !mayRun(options, simulation.report(), err))
     return exitWrongScene;
-  const Ranks ranks(world());
   Production production(options, *scene, simulation, earlier, out, ranks);
   std::string failure = production.runToEnd();
   const std::string status = !failure.empty()          ? failure
@@ -251,8 +263,11 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
     summary["warnings"].push_back(warning);
   const bool within = addReferences(references(*scene), summary);
   addAnswers(summary);
-  const std::string unwritten = ranks.firstText(
-      ranks.rank() == 0 ? writeWhereItCan(summary, production.folder() + "/summary.json") : std::string());
+  std::string unwritten =
+      ranks.rank() == 0 ? writeWhereItCan(summary, production.folder() + "/summary.json") : std::string();
+  if (const std::string unlisted = production.listFiles(); unwritten.empty())
+    unwritten = unlisted;
+  unwritten = ranks.firstText(unwritten);
   if (failure.empty())
     failure = unwritten;
   if (!options.quiet)

@@ -2,6 +2,7 @@
 
 #include <Kokkos_Macros.hpp>
 
+#include <csignal>
 #include <cstdlib>
 #include <unistd.h>
 
@@ -25,6 +26,8 @@ void bindThreads(char** argv)
 }
 
 void startWithoutHelper() { setenv("OMPI_MCA_ess_singleton_isolated", "1", 0); }
+
+void outliveReaders() { std::signal(SIGPIPE, SIG_IGN); }
 
 std::string firstLine(const std::string& message) { return message.substr(0, message.find('\n')); }
 

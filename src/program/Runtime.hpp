@@ -16,6 +16,9 @@ void bindThreads(char** argv);
 /// it, which takes longer than to read a scene. Without effect on other kinds of MPI. Call before MPI_Init.
 void startWithoutHelper();
 
+/// Ignores SIGPIPE: a reader of the output that ends early (such as head) does not end the run.
+void outliveReaders();
+
 /// The first line of a message.
 std::string firstLine(const std::string& message);
 

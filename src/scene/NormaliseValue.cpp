@@ -81,9 +81,10 @@ std::optional<std::string> text(const ParameterEntry& entry)
   return {};
 }
 
-/// The entry as a value of the parameter's type.
-std::optional<ParameterValue> convert(const ParameterEntry& entry, ParameterType type)
+/// The entry as a value of the parameter's own type.
+std::optional<ParameterValue> convert(const ParameterEntry& entry, const Parameter& parameter)
 {
+  const ParameterType type = parameter.type;
   const auto pack = [](const auto& value)
   { return value ? std::optional<ParameterValue>(*value) : std::nullopt; };
   switch (type)
@@ -101,7 +102,9 @@ std::optional<ParameterValue> convert(const ParameterEntry& entry, ParameterType
     return {};
   case ParameterType::Text:
   case ParameterType::Choice:
-    return pack(text(entry));
+    if (parameter.unit.empty())
+      return pack(text(entry));
+    [[fallthrough]]; // a text with a unit is an expression
   case ParameterType::TimeFunction:
     if (const auto value = number(entry))
       return ParameterValue(formatExactly(*value));
@@ -274,7 +277,7 @@ std::optional<std::string> normaliseValue(Teuchos::ParameterList& list, const Pa
   const ParameterEntry entry = list.getEntry(parameter.name);
   if (const auto table = text(entry); parameter.mayBeTable && table && table->find(':') != std::string::npos)
     return wrongTable(parameter, *table);
-  const auto value = convert(entry, parameter.type);
+  const auto value = convert(entry, parameter);
   const std::string given = found(entry);
   if (!value)
     return "is " + given + "; write " + typeAsText(parameter.type) + " (" + howToWrite(parameter.type) + ").";

@@ -2,11 +2,12 @@
 
 #include "base/Numbers.hpp"
 #include "scene/NearestName.hpp"
+#include "scene/XmlAttributes.hpp"
 
+#include <Teuchos_Array.hpp>
 #include <Teuchos_StringInputSource.hpp>
 #include <Teuchos_TestForException.hpp>
 #include <Teuchos_XMLObject.hpp>
-#include <Teuchos_XMLParameterListReader.hpp>
 
 #include <algorithm>
 #include <cerrno>
@@ -24,6 +25,7 @@ namespace Rhegma
 namespace
 {
 
+using Teuchos::ParameterList;
 using Teuchos::XMLObject;
 
 const std::vector<std::string> knownTypes = {"double", "int",           "bool",
@@ -31,36 +33,54 @@ const std::vector<std::string> knownTypes = {"double", "int",           "bool",
 
 const std::string howToWrite = "write <Parameter name=\"...\" type=\"...\" value=\"...\"/>.";
 
-/// The value in the format of Teuchos, or none if the text is not a value of the type.
-std::optional<std::string> normalised(const std::string& type, const std::string& text)
+/// Sets a parameter to what a text says. \return whether the text is a value of the type
+bool setFromText(ParameterList& list, const std::string& name, const std::string& type,
+                 const std::string& text)
 {
   if (type == "string")
-    return text;
-  if (type == "bool")
+    list.set(name, text);
+  else if (type == "Array(string)")
+    list.set(name, Teuchos::fromStringToArray<std::string>(text));
+  else if (type == "bool")
   {
     const std::string word = trimmed(text);
-    if (word == "true" || word == "True" || word == "TRUE")
-      return "true";
-    if (word == "false" || word == "False" || word == "FALSE")
-      return "false";
-    return {};
+    const bool yes = word == "true" || word == "True" || word == "TRUE";
+    if (!yes && word != "false" && word != "False" && word != "FALSE")
+      return false;
+    list.set(name, yes);
   }
-  if (type == "int")
+  else if (type == "int")
   {
     const auto value = parseInteger(text);
-    return value ? std::optional<std::string>(std::to_string(*value)) : std::nullopt;
+    if (!value)
+      return false;
+    list.set(name, *value);
   }
-  const bool array = type != "double";
-  if (!array && !parseReal(text))
-    return {};
-  const auto values = array ? parseReals(text) : std::vector<double>{*parseReal(text)};
-  if (!values)
-    return {};
-  for (const double value : *values)
-    if (!std::isfinite(value) || (type == "Array(int)" && !wholeNumber(value)))
-      return {};
-  const std::string braced = formatReals(*values);
-  return array ? braced : braced.substr(1, braced.size() - 2);
+  else if (type == "double")
+  {
+    const auto value = parseReal(text);
+    if (!value || !std::isfinite(*value))
+      return false;
+    list.set(name, *value);
+  }
+  else
+  {
+    const auto values = parseReals(text);
+    Teuchos::Array<int> whole;
+    for (const double value : values.value_or(std::vector<double>()))
+    {
+      const auto integer = wholeNumber(value);
+      if (!std::isfinite(value) || (type == "Array(int)" && !integer))
+        return false;
+      whole.push_back(integer.value_or(0));
+    }
+    if (values && type == "Array(int)")
+      list.set(name, whole);
+    else if (values)
+      list.set(name, Teuchos::Array<double>(*values));
+    return values.has_value();
+  }
+  return true;
 }
 
 /// The message for a text that is not a value of the type.
@@ -91,20 +111,17 @@ class Cleaner
 public:
   explicit Cleaner(std::vector<SceneError>& errors) : m_errors(errors) {}
 
-  XMLObject list(const XMLObject& xml, const std::string& path)
+  void list(const XMLObject& xml, const std::string& path, ParameterList& clean)
   {
-    XMLObject clean("ParameterList");
-    if (xml.hasAttribute("name"))
-      clean.addAttribute("name", xml.getAttribute("name"));
     std::set<std::string> names;
     refuseText(xml, path);
     for (int i = 0; i < xml.numChildren(); ++i)
       child(xml.getChild(i), path, names, clean);
-    return clean;
   }
 
 private:
-  void child(const XMLObject& xml, const std::string& path, std::set<std::string>& names, XMLObject& clean)
+  void child(const XMLObject& xml, const std::string& path, std::set<std::string>& names,
+             ParameterList& clean)
   {
     const bool sublist = xml.getTag() == "ParameterList";
     if (xml.getTag() == "Validators" && path.empty() && xml.numChildren() == 0)
@@ -128,12 +145,12 @@ private:
       return;
     }
     if (sublist)
-      clean.addChild(list(xml, where));
+      list(xml, where, clean.sublist(name));
     else
       parameter(xml, where, clean);
   }
 
-  void parameter(const XMLObject& xml, const std::string& where, XMLObject& clean)
+  void parameter(const XMLObject& xml, const std::string& where, ParameterList& clean)
   {
     if (refuseText(xml, where))
       return;
@@ -154,17 +171,8 @@ private:
       return;
     }
     const std::string text = xml.getAttribute("value");
-    const auto value = type == "Array(string)" ? std::optional<std::string>(text) : normalised(type, text);
-    if (!value)
-    {
+    if (!setFromText(clean, xml.getAttribute("name"), type, text))
       report(where, wrongValue(type, text));
-      return;
-    }
-    XMLObject copy("Parameter");
-    copy.addAttribute("name", xml.getAttribute("name"));
-    copy.addAttribute("type", type);
-    copy.addAttribute("value", *value);
-    clean.addChild(copy);
   }
 
   /// Reports a text outside of the tags; whether there is one.
@@ -198,7 +206,7 @@ std::string parserReason(const std::string& what)
 }
 
 /// Larger than any scene, and small enough to read at once: a device or a pipe may be endless.
-constexpr std::size_t mostBytes = 16u << 20;
+constexpr std::size_t mostBytes = 256u << 20;
 
 /// \return whether the stream ended before
 bool readUpTo(std::size_t most, std::istream& in, std::string& text)
@@ -207,25 +215,6 @@ bool readUpTo(std::size_t most, std::istream& in, std::string& text)
   while (text.size() <= most && (in.read(piece, sizeof piece) || in.gcount() > 0))
     text.append(piece, static_cast<std::size_t>(in.gcount()));
   return text.size() <= most;
-}
-
-/// End of the tag that begins at `from`: its `>` outside of quotes, or the end of the text.
-std::size_t endOfTag(const std::string& text, std::size_t from)
-{
-  if (text.compare(from, 4, "<!--") == 0)
-  {
-    const std::size_t close = text.find("-->", from);
-    return close == std::string::npos ? text.size() : close + 2;
-  }
-  char quote = '\0';
-  for (std::size_t at = from; at < text.size(); ++at)
-    if (quote != '\0')
-      quote = text[at] == quote ? '\0' : quote;
-    else if (text[at] == '"' || text[at] == '\'')
-      quote = text[at];
-    else if (text[at] == '>')
-      return at;
-  return text.size();
 }
 
 /// Deepest nesting of tags; the parser calls itself for each and would run out of stack.
@@ -282,7 +271,7 @@ std::string readText(const std::string& file, std::vector<SceneError>& errors)
       errors.push_back({"", name + "can't be read (" + std::strerror(errno) + "); check its permissions."});
     else if (!readUpTo(mostBytes, in, text))
       errors.push_back(
-          {"", name + "is larger than 16 MB, which no scene is; give the path of a scene's XML file."});
+          {"", name + "is larger than 256 MB, which no scene is; give the path of a scene's XML file."});
     else
       return text;
   }
@@ -316,9 +305,9 @@ Teuchos::RCP<Teuchos::ParameterList> parseXml(const std::string& xml, const std:
           {"", (name.empty() ? "the top list has no name; " : "the top list is \"" + name + "\"; ") + start});
       return Teuchos::null;
     }
-    const XMLObject clean = Cleaner(errors).list(top, "");
-    const auto list = Teuchos::parameterList(Teuchos::XMLParameterListReader().toParameterList(clean));
-    list->setName(topName);
+    checkAttributes(text, errors);
+    const auto list = Teuchos::parameterList(topName);
+    Cleaner(errors).list(top, "", *list);
     return list;
   }
   catch (const std::exception& error)

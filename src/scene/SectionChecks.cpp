@@ -44,7 +44,7 @@ std::vector<std::string> sublists(const ParameterList& list)
 } // namespace SceneValues
 
 SectionChecks::SectionChecks(const ParameterList& scene, std::vector<SceneError>& errors)
-    : scene_(scene), errors_(errors), dimension_(dimensionOf(scene))
+    : scene_(scene), errors_(errors), found_(errors), dimension_(dimensionOf(scene))
 {
 }
 
@@ -65,11 +65,7 @@ void SectionChecks::report(const std::string& where, const std::invalid_argument
 
 bool SectionChecks::isWhole(const std::string& where, const std::string& aside) const
 {
-  for (const auto& error : errors_)
-    if (error.where == where ||
-        (error.where.rfind(where + " > ", 0) == 0 && error.where != scenePath(where, aside)))
-      return false;
-  return true;
+  return !found_.has(where) && !found_.hasBelow(where, scenePath(where, aside));
 }
 
 bool SectionChecks::corners(const ParameterList& list, const std::string& where, bool mayTouch)

@@ -2,7 +2,7 @@
 /// Common parts of checks of sections: values of a list that may be incomplete, and checks that several
 /// sections need.
 
-#include "scene/SceneError.hpp"
+#include "scene/ErrorIndex.hpp"
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
@@ -73,6 +73,7 @@ private:
 
   const Teuchos::ParameterList& scene_;
   std::vector<SceneError>& errors_;
+  ErrorIndex found_;
   int dimension_;
 };
 

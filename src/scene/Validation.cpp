@@ -84,12 +84,7 @@ int dimensionOf(const Teuchos::ParameterList& scene)
 
 bool Validation::mentioned(const std::string& where) const
 {
-  if (m_meant.count(where) > 0)
-    return true;
-  for (const auto& error : m_errors)
-    if (error.where == where)
-      return true;
-  return false;
+  return m_meant.count(where) > 0 || m_found.has(where);
 }
 
 void Validation::check(Teuchos::ParameterList& list, const Section& section, const std::string& path)

@@ -1,6 +1,7 @@
 #pragma once
 /// Validation of a list against its section.
 
+#include "scene/ErrorIndex.hpp"
 #include "scene/Schema.hpp"
 
 #include <Teuchos_ParameterList.hpp>
@@ -40,7 +41,10 @@ int dimensionOf(const Teuchos::ParameterList& scene);
 class Validation
 {
 public:
-  Validation(int dimension, std::vector<SceneError>& errors) : m_dimension(dimension), m_errors(errors) {}
+  Validation(int dimension, std::vector<SceneError>& errors)
+      : m_dimension(dimension), m_errors(errors), m_found(errors)
+  {
+  }
 
   void check(Teuchos::ParameterList& list, const Section& section, const std::string& path);
 
@@ -60,7 +64,8 @@ private:
 
   int m_dimension;
   std::vector<SceneError>& m_errors;
-  std::set<std::string> m_meant; ///< paths for which a misspelt name was given
+  ErrorIndex m_found;
+  std::set<std::string> m_meant; ///< positions of which a misspelt name was given
 };
 
 } // namespace Rhegma

@@ -3,6 +3,7 @@
 #include "base/Attempts.hpp"
 #include "base/MemoryNeed.hpp"
 #include "base/ReadList.hpp"
+#include "geometry/NearBoxes.hpp"
 #include "geometry/Overlap.hpp"
 #include "step/OutsideDomain.hpp"
 
@@ -86,6 +87,35 @@ void refuseOverlap(const PlacedBody<D>& one, const PlacedBody<D>& other)
       ", so the mass there would be counted twice; move one of them, or cut it with Operations");
 }
 
+/// Looks at pairs of bodies whose bounds touch, up to so many overlaps that nobody reads them all.
+template <int D>
+void refuseOverlaps(const std::vector<PlacedBody<D>>& bodies, Attempts& attempts)
+{
+  constexpr int most = 1000;
+  std::vector<Geometry::Bounds<D>> bounds;
+  bounds.reserve(bodies.size());
+  for (const PlacedBody<D>& body : bodies)
+    bounds.push_back(body.shape.bounds());
+  const Geometry::NearBoxes<D> boxes(bounds);
+  int overlaps = 0;
+  for (int a = 0; a < static_cast<int>(bodies.size()); ++a)
+    for (const int b : boxes.near(bounds[a], 0.0))
+    {
+      if (b <= a)
+        continue;
+      overlaps += attempts.attempt([&] { refuseOverlap(bodies[a], bodies[b]); }) ? 0 : 1;
+      if (overlaps < most)
+        continue;
+      attempts.attempt(
+          [&]
+          {
+            throw std::invalid_argument("Bodies: more than " + std::to_string(most) +
+                                        " pairs overlap; the others were not looked for");
+          });
+      return;
+    }
+}
+
 } // namespace
 
 template <int D>
@@ -96,9 +126,7 @@ std::vector<PlacedBody<D>> placeBodies(const Teuchos::ParameterList& section, co
   Attempts attempts;
   for (PlacedBody<D>& body : bodies)
     attempts.attempt([&] { seed(body, state.mesh.grid); });
-  for (std::size_t a = 0; a < bodies.size(); ++a)
-    for (std::size_t b = a + 1; b < bodies.size(); ++b)
-      attempts.attempt([&] { refuseOverlap(bodies[a], bodies[b]); });
+  refuseOverlaps(bodies, attempts);
   attempts.throwIfAny();
   return bodies;
 }

@@ -8,6 +8,7 @@
 #include "transfer/Box.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace Rhegma
 {
@@ -108,12 +109,57 @@ Vector<D> startVelocity(const Vector<D>& velocity, const std::vector<double>& sp
   return v;
 }
 
-/// Writes particles first .. of a body into the table, which has rows for them.
+/// The columns of the table that bodies fill, on the host.
 template <int D>
-void writeParticles(const PlacedBody<D>& body, int material, int first, State<D>& state)
+struct StartColumns
+{
+  FieldTable& table;
+  bool moves;
+  Kokkos::View<double* [D], Kokkos::LayoutRight, Kokkos::HostSpace> velocity;
+  decltype(onHost(std::declval<FieldTable&>().real<D>(fields::position))) position, edge;
+  decltype(onHost(std::declval<FieldTable&>().scalar(fields::mass))) mass, volume;
+  decltype(onHost(std::declval<FieldTable&>().real<gradientSize<D>>(fields::deformation))) deformation;
+  decltype(onHost(std::declval<FieldTable&>().integer(fields::material))) material, body, id;
+
+  explicit StartColumns(State<D>& state)
+      : table(state.particles),
+        moves(state.method.mechanics),
+        velocity("rhegma::startVelocity", table.size()),
+        position(onHost(table.template real<D>(fields::position))),
+        edge(onHost(table.template real<D>(fields::edge))),
+        mass(onHost(table.scalar(fields::mass))),
+        volume(onHost(table.scalar(fields::volume))),
+        deformation(onHost(table.template real<gradientSize<D>>(fields::deformation))),
+        material(onHost(table.integer(fields::material))),
+        body(onHost(table.integer(fields::body))),
+        id(onHost(table.integer(fields::id)))
+  {
+  }
+
+  void store() const
+  {
+    Kokkos::deep_copy(table.template real<D>(fields::position), position);
+    Kokkos::deep_copy(table.template real<D>(fields::reference), position);
+    if (moves)
+      Kokkos::deep_copy(table.template real<D>(fields::velocity), velocity);
+    Kokkos::deep_copy(table.scalar(fields::mass), mass);
+    Kokkos::deep_copy(table.scalar(fields::volume), volume);
+    Kokkos::deep_copy(table.template real<gradientSize<D>>(fields::deformation), deformation);
+    Kokkos::deep_copy(table.template real<D>(fields::edge), edge);
+    Kokkos::deep_copy(table.integer(fields::material), material);
+    Kokkos::deep_copy(table.integer(fields::body), body);
+    Kokkos::deep_copy(table.integer(fields::id), id);
+  }
+};
+
+/// Writes particles first .. of a body.
+template <int D>
+void writeParticles(const PlacedBody<D>& body, int number, int first, const State<D>& state,
+                    const StartColumns<D>& columns)
 {
   const Seeds<D>& seeds = body.seeds;
   const int count = static_cast<int>(seeds.position.size());
+  const int material = state.bodies.info[number].material;
   Vector<D> centre{};
   for (const Vector<D>& x : seeds.position)
     centre = centre + (1.0 / count) * x;
@@ -121,66 +167,53 @@ void writeParticles(const PlacedBody<D>& body, int material, int first, State<D>
   const auto spin = body.list.template get<Teuchos::Array<double>>("Angular Velocity").toVector();
   const double density = state.materials.properties[material].density;
   const double volume = seeds.volume * state.method.thickness;
-  FieldTable& table = state.particles;
-  const auto position = onHost(table.real<D>(fields::position));
-  Kokkos::View<double* [D], Kokkos::LayoutRight, Kokkos::HostSpace> start("rhegma::startVelocity",
-                                                                          first + count);
-  if (state.method.mechanics)
-    Kokkos::deep_copy(start, table.real<D>(fields::velocity));
-  const auto mass = onHost(table.scalar(fields::mass));
-  const auto volumes = onHost(table.scalar(fields::volume));
-  const auto F = onHost(table.real<gradientSize<D>>(fields::deformation));
-  const auto edge = onHost(table.real<D>(fields::edge));
-  const auto materials = onHost(table.integer(fields::material));
-  const auto bodies = onHost(table.integer(fields::body));
-  const auto id = onHost(table.integer(fields::id));
   for (int k = 0; k < count; ++k)
   {
     const int p = first + k;
     const Vector<D> v = startVelocity<D>(velocity, spin, seeds.position[k] - centre);
     for (int d = 0; d < D; ++d)
     {
-      position(p, d) = seeds.position[k][d];
-      start(p, d) = v[d];
-      F(p, d * D + d) = 1.0;
-      edge(p, d) = seeds.edge[d];
+      columns.position(p, d) = seeds.position[k][d];
+      columns.velocity(p, d) = v[d];
+      columns.deformation(p, d * D + d) = 1.0;
+      columns.edge(p, d) = seeds.edge[d];
     }
     if (D == 2)
-      F(p, 4) = 1.0;
-    mass(p) = density * volume;
-    volumes(p) = volume;
-    materials(p) = material;
-    bodies(p) = static_cast<int>(state.bodies.info.size());
-    id(p) = p;
+      columns.deformation(p, 4) = 1.0;
+    columns.mass(p) = density * volume;
+    columns.volume(p) = volume;
+    columns.material(p) = material;
+    columns.body(p) = number;
+    columns.id(p) = p;
   }
-  Kokkos::deep_copy(table.real<D>(fields::position), position);
-  Kokkos::deep_copy(table.real<D>(fields::reference), position);
-  if (state.method.mechanics)
-    Kokkos::deep_copy(table.real<D>(fields::velocity), start);
-  Kokkos::deep_copy(table.scalar(fields::mass), mass);
-  Kokkos::deep_copy(table.scalar(fields::volume), volumes);
-  Kokkos::deep_copy(table.real<gradientSize<D>>(fields::deformation), F);
-  Kokkos::deep_copy(table.real<D>(fields::edge), edge);
-  Kokkos::deep_copy(table.integer(fields::material), materials);
-  Kokkos::deep_copy(table.integer(fields::body), bodies);
-  Kokkos::deep_copy(table.integer(fields::id), id);
 }
 
 template <int D>
-void addBody(const PlacedBody<D>& body, State<D>& state)
+void addBodies(const std::vector<PlacedBody<D>>& bodies, State<D>& state)
 {
-  BodyInfo<D> info;
-  info.name = body.name;
-  const auto material = std::find(state.materials.names.begin(), state.materials.names.end(),
-                                  body.list.template get<std::string>("Material"));
-  info.material = static_cast<int>(material - state.materials.names.begin());
-  for (int e = 0; e < D; ++e)
-    for (int d = 0; d < D; ++d)
-      info.axes[e][d] = body.seeds.axes[e][d];
-  const int first = state.particles.size();
-  state.particles.resize(first + static_cast<int>(body.seeds.position.size()));
-  writeParticles(body, info.material, first, state);
-  state.bodies.info.push_back(info);
+  std::size_t all = 0;
+  for (const PlacedBody<D>& body : bodies)
+  {
+    BodyInfo<D> info;
+    info.name = body.name;
+    const auto material = std::find(state.materials.names.begin(), state.materials.names.end(),
+                                    body.list.template get<std::string>("Material"));
+    info.material = static_cast<int>(material - state.materials.names.begin());
+    for (int e = 0; e < D; ++e)
+      for (int d = 0; d < D; ++d)
+        info.axes[e][d] = body.seeds.axes[e][d];
+    state.bodies.info.push_back(info);
+    all += body.seeds.position.size();
+  }
+  state.particles.resize(static_cast<int>(all));
+  const StartColumns<D> columns(state);
+  int first = 0;
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+  {
+    writeParticles(bodies[b], static_cast<int>(b), first, state, columns);
+    first += static_cast<int>(bodies[b].seeds.position.size());
+  }
+  columns.store();
 }
 
 template <int D>
@@ -220,8 +253,7 @@ void makeState(const Teuchos::ParameterList& scene, const std::vector<Field>& ex
   readMaterials(scene, state);
   addFields(state, extra);
   const Teuchos::ParameterList& bodies = scene.sublist("Bodies");
-  for (const PlacedBody<D>& body : placeBodies<D>(bodies, state))
-    addBody(body, state);
+  addBodies(placeBodies<D>(bodies, state), state);
   makeBodyAxes(state);
   if (state.method.shape == ShapeKind::Gimp)
     makeBoxes(state);

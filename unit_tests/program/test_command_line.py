@@ -203,7 +203,7 @@ class Words(ProgramTest):
         answer = rhegma(self.scene, "--quiet")
         self.assertEqual((answer.status, answer.output, answer.messages), (0, "", ""), answer)
         self.assertEqual(
-            sorted(os.listdir(self.path("scene.out"))), ["fields.h5", "fields.xdmf", "history.csv", "summary.json"]
+            sorted(os.listdir(self.path("scene.out"))), ["fields.h5", "fields.xdmf", "history.csv", "manifest.json", "summary.json"]
         )
 
     def test_quiet_does_not_swallow_messages(self):

@@ -12,8 +12,11 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
-from program import rhegma  # noqa: E402
+from program import SOURCE, rhegma  # noqa: E402
 from restart_case import RestartTest  # noqa: E402
+
+sys.path.insert(0, os.path.join(SOURCE, "tools"))
+from rhegma_tools.whole_folder import check_folder  # noqa: E402
 
 
 def small_files():
@@ -32,6 +35,7 @@ class FullDisk(RestartTest):
         self.assert_messages(answer.messages, [("", ["can't be written", "at t =", "step"])])
         self.assertEqual(self.file(folder, "checkpoint.h5"), before)
         self.assertEqual([name for name in os.listdir(folder) if name.endswith(".part")], [])
+        self.assertEqual(check_folder(folder).faults, [])
 
     def test_file_that_may_not_grow(self):
         checkpoint = self.checkpoint_of(self.path("out"))

@@ -66,10 +66,10 @@ class WrongFiles(ProgramTest):
         self.refuse(START + '<ParameterList name="A">' * 100000, "deep", START)
 
     def test_larger_than_any_scene(self):
-        self.refuse(START + " " * (17 << 20), "16 MB", "scene")
+        self.refuse(START + " " * (257 << 20), "256 MB", "scene")
 
     def test_device_without_end(self):
-        self.assert_refused(["/dev/zero"], [("", ["/dev/zero", "16 MB"])])
+        self.assert_refused(["/dev/zero"], [("", ["/dev/zero", "256 MB"])])
 
     def test_text_next_to_the_tags(self):
         self.leave_an_older_run("scene.out")

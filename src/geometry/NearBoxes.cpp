@@ -1,0 +1,85 @@
+#include "geometry/NearBoxes.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace Rhegma::Geometry
+{
+
+namespace
+{
+
+constexpr int mostInLeaf = 8;
+
+template <int D>
+bool areNear(const Bounds<D>& a, const Bounds<D>& b, double gap)
+{
+  for (int d = 0; d < D; ++d)
+    if (a.lower[d] > b.upper[d] + gap || b.lower[d] > a.upper[d] + gap)
+      return false;
+  return true;
+}
+
+} // namespace
+
+template <int D>
+NearBoxes<D>::NearBoxes(std::vector<Bounds<D>> boxes) : boxes_(std::move(boxes)), list_(boxes_.size())
+{
+  std::iota(list_.begin(), list_.end(), 0);
+  if (!list_.empty())
+    build(0, static_cast<int>(list_.size()));
+}
+
+template <int D>
+int NearBoxes<D>::build(int first, int end)
+{
+  Bounds<D> all = emptyBounds<D>();
+  for (int k = first; k < end; ++k)
+    all.include(boxes_[list_[k]]);
+  const int node = static_cast<int>(nodes_.size());
+  nodes_.push_back({all, first, end, -1, -1});
+  if (end - first <= mostInLeaf)
+    return node;
+  int axis = 0;
+  for (int d = 1; d < D; ++d)
+    if (all.upper[d] - all.lower[d] > all.upper[axis] - all.lower[axis])
+      axis = d;
+  const int middle = (first + end) / 2;
+  std::nth_element(list_.begin() + first, list_.begin() + middle, list_.begin() + end,
+                   [&](int a, int b) { return boxes_[a].centre()[axis] < boxes_[b].centre()[axis]; });
+  const int left = build(first, middle), right = build(middle, end);
+  nodes_[node].left = left;
+  nodes_[node].right = right;
+  return node;
+}
+
+template <int D>
+std::vector<int> NearBoxes<D>::near(const Bounds<D>& box, double gap) const
+{
+  std::vector<int> found, pending;
+  if (!nodes_.empty())
+    pending.push_back(0);
+  while (!pending.empty())
+  {
+    const Node& node = nodes_[pending.back()];
+    pending.pop_back();
+    if (!areNear(node.bounds, box, gap))
+      continue;
+    if (node.left >= 0)
+    {
+      pending.push_back(node.left);
+      pending.push_back(node.right);
+    }
+    else
+      for (int k = node.first; k < node.end; ++k)
+        if (areNear(boxes_[list_[k]], box, gap))
+          found.push_back(list_[k]);
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+template class NearBoxes<2>;
+template class NearBoxes<3>;
+
+} // namespace Rhegma::Geometry

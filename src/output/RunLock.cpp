@@ -1,0 +1,141 @@
+#include "output/RunLock.hpp"
+
+#include "base/OutputError.hpp"
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <ctime>
+#include <fcntl.h>
+#include <stdexcept>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace Rhegma
+{
+
+namespace
+{
+
+constexpr const char* name = "/run.lock";
+
+std::string thisHost()
+{
+  char host[256] = "";
+  gethostname(host, sizeof host - 1);
+  return host;
+}
+
+std::string now()
+{
+  const std::time_t time = std::time(nullptr);
+  std::tm parts{};
+  gmtime_r(&time, &parts);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S UTC", &parts);
+  return text;
+}
+
+/// What a run wrote into its lock.
+struct Owner
+{
+  std::string host, process, start;
+
+  explicit Owner(int file)
+  {
+    char text[1024];
+    const ssize_t length = pread(file, text, sizeof text, 0);
+    const std::string all(text, length > 0 ? length : 0);
+    host = entry(all, "host: ");
+    process = entry(all, "process: ");
+    start = entry(all, "started: ");
+  }
+
+  static std::string entry(const std::string& text, const std::string& key)
+  {
+    const std::size_t at = text.find(key);
+    return at == std::string::npos ? std::string()
+                                   : text.substr(at + key.size(), text.find('\n', at) - at - key.size());
+  }
+};
+
+[[noreturn]] void refuse(const std::string& folder, const Owner& owner, bool surely)
+{
+  const std::string who = "process " + (owner.process.empty() ? "?" : owner.process) + " on " +
+                          (owner.host.empty() ? "this machine" : owner.host) +
+                          (owner.start.empty() ? "" : " since " + owner.start);
+  throw std::invalid_argument(
+      surely ? "the output folder " + folder + " is in use by another run (" + who +
+                   "); wait for its end, or choose another folder with --output"
+             : "the output folder " + folder + " was taken by a run on another machine (" + who +
+                   "), and whether it still runs can't be seen from here; if it does not, remove " + folder +
+                   name + ", else choose another folder with --output");
+}
+
+/// Where file systems have no locks, a process that lives decides.
+bool isAlive(const std::string& process)
+{
+  const long number = std::strtol(process.c_str(), nullptr, 10);
+  return number > 0 && number != getpid() && (kill(static_cast<pid_t>(number), 0) == 0 || errno == EPERM);
+}
+
+/// Locks an open file. Throws, and closes it, where another run has it.
+void lock(const std::string& folder, int file)
+{
+  const bool locked = flock(file, LOCK_EX | LOCK_NB) == 0;
+  const bool taken = !locked && errno == EWOULDBLOCK;
+  const Owner owner(file);
+  const bool elsewhere = !owner.host.empty() && owner.host != thisHost();
+  if (locked ? !elsewhere : !taken && !elsewhere && !isAlive(owner.process))
+    return;
+  close(file);
+  refuse(folder, owner, !elsewhere || taken);
+}
+
+/// Whether a path still is the file that was opened: its run may have ended and removed it meanwhile.
+bool isStill(const std::string& path, int file)
+{
+  struct stat named = {}, open = {};
+  return stat(path.c_str(), &named) == 0 && fstat(file, &open) == 0 && named.st_ino == open.st_ino &&
+         named.st_dev == open.st_dev;
+}
+
+} // namespace
+
+RunLock::RunLock(const std::string& folder) : path_(folder + name)
+{
+  for (;;)
+  {
+    file_ = open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644);
+    if (file_ < 0)
+      throw std::invalid_argument(path_ + " can't be written: " + std::strerror(errno) +
+                                  "; remove it, or choose another folder with --output");
+    lock(folder, file_);
+    if (isStill(path_, file_))
+      break;
+    close(file_);
+  }
+  const std::string text =
+      "host: " + thisHost() + "\nprocess: " + std::to_string(getpid()) + "\nstarted: " + now() + "\n";
+  // On a full disk the file stays empty; it is locked all the same.
+  if (ftruncate(file_, 0) != 0 || pwrite(file_, text.data(), text.size(), 0) < 0)
+    return;
+}
+
+RunLock::~RunLock()
+{
+  unlink(path_.c_str());
+  close(file_);
+}
+
+void refuseFolderInUse(const std::string& folder)
+{
+  const int file = open((folder + name).c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0)
+    return;
+  lock(folder, file);
+  close(file);
+}
+
+} // namespace Rhegma

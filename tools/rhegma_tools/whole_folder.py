@@ -1,0 +1,243 @@
+"""Whether the files of a run are those that it wrote, and fit each other."""
+
+import csv
+import fcntl
+import json
+import math
+import os
+import re
+import struct
+import zlib
+
+import h5py
+import numpy as np
+
+MAGIC = b"\x89RHEGMA chk\r\n\x1a\n\x00"
+BLOCK = 512
+
+
+class Found:
+    """faults: sentences on what is wrong; notes: on what is right; ended: whether the run came to its end."""
+
+    def __init__(self):
+        self.faults = []
+        self.notes = []
+        self.ended = False
+
+
+def read_bytes(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def read_manifest(folder, found):
+    """The manifest, or {} where there is none or it is damaged."""
+    path = os.path.join(folder, "manifest.json")
+    if not os.path.exists(path):
+        return {}
+    lines = read_bytes(path).splitlines(keepends=True)
+    try:
+        manifest = json.loads(b"".join(lines))
+        stated = re.fullmatch(rb'  "manifest_crc32": (\d+)\n', lines[-2])
+        if stated and int(stated[1]) == zlib.crc32(b"".join(lines[:-2])) and lines[-1] == b"}\n":
+            return manifest
+    except (ValueError, IndexError):
+        pass
+    found.faults.append(f"{path} is damaged; what it says of the other files can't be used.")
+    return {}
+
+
+def is_running(folder):
+    """Whether a run of this machine holds the folder's lock; None where there is no lock."""
+    path = os.path.join(folder, "run.lock")
+    if not os.path.exists(path):
+        return None
+    with open(path, "rb") as file:
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            return True
+    return False
+
+
+def check_text(path, entry, ended, found):
+    """A file against its length and checksum; one that still grows may be longer."""
+    content = read_bytes(path)
+    bytes_then = entry["bytes"]
+    if len(content) < bytes_then or (ended and len(content) != bytes_then):
+        found.faults.append(f"{path} has {len(content)} bytes, but the run wrote {bytes_then}.")
+    elif zlib.crc32(content[:bytes_then]) != entry["crc32"]:
+        found.faults.append(f"{path} has changed since the run wrote it (its checksum is another).")
+
+
+def check_scene(folder, manifest, found):
+    scene = manifest.get("scene") or {}
+    path = scene.get("path")
+    if not path:
+        return
+    if not os.path.exists(path):
+        found.notes.append(f"The scene {path} is not there and was not compared.")
+    else:
+        content = read_bytes(path)
+        if len(content) != scene["bytes"] or zlib.crc32(content) != scene["crc32"]:
+            found.faults.append(f"the scene {path} has changed since this run began; the results are of the older one.")
+
+
+def check_checkpoint(folder, found):
+    path = os.path.join(folder, "checkpoint.h5")
+    if not os.path.exists(path):
+        return
+    content = read_bytes(path)
+    block = content[:BLOCK]
+    if len(block) < BLOCK or block[:16] != MAGIC:
+        found.faults.append(f"{path} is not a checkpoint, or its beginning is damaged.")
+        return
+    _, body_crc, length = struct.unpack_from("<IIQ", block, 16)
+    if zlib.crc32(block[:-4]) != struct.unpack_from("<I", block, BLOCK - 4)[0]:
+        found.faults.append(f"{path} is damaged: its first {BLOCK} bytes have changed.")
+    elif len(content) != BLOCK + length:
+        found.faults.append(f"{path} has {len(content)} bytes, but the run wrote {BLOCK + length}.")
+    elif zlib.crc32(content[BLOCK:]) != body_crc:
+        found.faults.append(f"{path} is damaged: its content has changed since it was written.")
+    else:
+        found.notes.append(f"{path}: a whole checkpoint.")
+
+
+def read_frame(group):
+    """Reads all of a frame, so that its checksums are looked at. Its time [s]."""
+    tables = []
+    group.visititems(lambda name, item: tables.append(item) if isinstance(item, h5py.Dataset) else None)
+    for table in tables:
+        if table.chunks and table.id.get_num_chunks() != math.prod(-(-n // c) for n, c in zip(table.shape, table.chunks)):
+            raise OSError(f"{table.name} lacks chunks")
+        table[()]
+    if not tables:
+        raise OSError("it has no tables")
+    return float(group.attrs["time"])
+
+
+def check_frames(folder, guide, found):
+    """Reads all frames. guide: names of those that fields.xdmf lists, or None. Times of those that are whole [s]."""
+    path = os.path.join(folder, "fields.h5")
+    if not os.path.exists(path):
+        if guide:
+            found.faults.append(f"{path} is missing, though fields.xdmf lists {len(guide)} frames of it.")
+        return []
+    times, damaged = [], []
+    try:
+        with h5py.File(path, "r") as file:
+            names = sorted(name for name in file if re.fullmatch(r"t\d+", name))
+            for name in names:
+                try:
+                    times.append(read_frame(file[name]))
+                except (OSError, RuntimeError, KeyError, ValueError, TypeError):
+                    damaged.append(name)
+    except (OSError, RuntimeError, KeyError, ValueError) as error:
+        found.faults.append(f"{path} can't be read by HDF5 ({error}); its frames are lost or their names are damaged.")
+        return []
+    last = max([int(name[1:]) for name in names] + [int(name[1:]) for name in guide or []], default=-1)
+    missing = [f"t{k:05d}" for k in range(last + 1) if f"t{k:05d}" not in names]
+    for faults, what in ((damaged, "damaged"), (missing, "missing")):
+        if faults:
+            shown = ", ".join(faults[:10]) + (f" and {len(faults) - 10} more" if len(faults) > 10 else "")
+            found.faults.append(f"{path}: {what}: {shown}, of {last + 1} frames.")
+    if any(later <= earlier for earlier, later in zip(times, times[1:])):
+        found.faults.append(f"{path}: the times of its frames do not grow.")
+    if not damaged and not missing:
+        found.notes.append(f"{path}: {len(names)} whole frames.")
+    return times
+
+
+def check_guide(folder, found):
+    """Names of the frames that fields.xdmf lists, or None where there is none."""
+    path = os.path.join(folder, "fields.xdmf")
+    if not os.path.exists(path):
+        return None
+    text, mark, rest = read_bytes(path).rpartition(b"<!-- crc32 of the lines above: ")
+    if not mark or rest != b"%d -->\n" % zlib.crc32(text):
+        found.faults.append(f"{path} has changed since the run wrote it (its checksum is another), or is of an older version.")
+        return None
+    return sorted({name.decode() for name in re.findall(rb":/(t\d+)/", text)})
+
+
+def check_history(folder, manifest, found):
+    """Times of the rows [s], or None where they can't be read."""
+    path = os.path.join(folder, "history.csv")
+    if not os.path.exists(path):
+        return None
+    text = read_bytes(path)
+    ended = manifest.get("ended", False)
+    entry = manifest.get("files", {}).get("history.csv")
+    if entry:
+        check_text(path, entry, ended, found)
+    whole = text[: text.rfind(b"\n") + 1]
+    if whole != text and ended:
+        found.faults.append(f"{path}: its last row is cut off.")
+    try:
+        rows = list(csv.reader(whole.decode().splitlines()))
+        table = np.array([[float(value) for value in row] for row in rows[1:]])
+        if any(len(row) != len(rows[0]) for row in rows):
+            raise ValueError("rows of different lengths")
+        times = table[:, 0] if table.size else np.zeros(0)
+    except (ValueError, IndexError, UnicodeDecodeError) as error:
+        found.faults.append(f"{path} can't be read as a table of numbers ({error}).")
+        return None
+    if np.any(np.diff(times) <= 0.0):
+        found.faults.append(f"{path}: the times of its rows do not grow.")
+    if not ended:
+        later = whole[entry["bytes"] if entry else 0 :].count(b"\n")
+        if later:
+            found.notes.append(f"{path}: {later} of its {max(len(rows), 1)} lines have no checksum yet.")
+    found.notes.append(f"{path}: {len(times)} rows.")
+    return times
+
+
+def check_summary(folder, manifest, found):
+    path = os.path.join(folder, "summary.json")
+    if not os.path.exists(path):
+        if manifest.get("ended") and "summary.json" not in manifest["files"]:
+            found.faults.append(f"{path} was never written.")
+        return None
+    try:
+        summary = json.loads(read_bytes(path).decode())
+        return summary if isinstance(summary, dict) else None
+    except ValueError as error:
+        found.faults.append(f"{path} can't be read ({error}).")
+        return None
+
+
+def compare_times(folder, rows, frames, summary, found):
+    """Rows against frames and the summary."""
+    end = None if summary is None else summary.get("time")
+    last = rows[-1] if rows is not None and len(rows) else None
+    if frames and last is not None and frames[-1] > last * (1 + 1e-9) and end is not None and last < end * (1 - 1e-9):
+        found.faults.append(f"{folder}: the last frame is of {frames[-1]:.6g} s, but the history ends at {last:.6g} s.")
+    for what, time in (("the history", last), ("the last frame", frames[-1] if frames else None)):
+        if end is not None and time is not None and time > end * (1 + 1e-9):
+            found.faults.append(f"{folder}: {what} goes to {time:.6g} s, but the summary to {end:.6g} s.")
+
+
+def check_folder(folder):
+    """All that can be said of the files of a run. Found."""
+    found = Found()
+    manifest = read_manifest(folder, found)
+    found.ended = bool(manifest.get("ended"))
+    if not manifest and not found.faults and not os.path.exists(os.path.join(folder, "run.lock")):
+        found.faults.append(f"{folder} has no manifest.json: no run wrote it, or one of an older version, or one that was cut off at once.")
+    running = is_running(folder)
+    for name, entry in manifest.get("files", {}).items():
+        path = os.path.join(folder, name)
+        if not os.path.exists(path):
+            if entry["bytes"]:
+                found.faults.append(f"{path} is missing, but the run wrote it.")
+        elif name != "history.csv" and "crc32" in entry:
+            check_text(path, entry, True, found)
+    check_scene(folder, manifest, found)
+    check_checkpoint(folder, found)
+    frames = check_frames(folder, check_guide(folder, found), found)
+    rows = check_history(folder, manifest, found)
+    compare_times(folder, rows, frames, check_summary(folder, manifest, found), found)
+    if not found.ended and not found.faults:
+        found.notes.append(f"A run is going on in {folder}." if running else
+                           f"The run in {folder} was cut off: --restart with its checkpoint continues it, else run it again.")
+    return found
