@@ -20,9 +20,9 @@ constexpr double notYet = std::numeric_limits<double>::quiet_NaN(); ///< null in
 constexpr double mostTooMuch = 0.1;
 
 /// What helps where the cells stop a front.
-constexpr const char* adviceAtStop = "; use smaller cells (Domain > Cell Size), which can tell faces apart "
-                                     "that are closer, or let the rest of the run "
-                                     "go on without it (Propagation > On Stop = Continue)";
+constexpr const char* adviceAtStop =
+    "; use smaller cells (Domain > Cell Size), or let the rest of the run go on without it (Propagation > On "
+    "Stop = Continue)";
 
 template <int D>
 std::string nameOf(const State<D>& state, const CrackFront<D>& front)
