@@ -28,10 +28,12 @@ void writeTime(hid_t group, double time, const std::string& path)
 /// Bytes of a chunk: as large as the cache that HDF5 gives each table of a reader.
 constexpr std::size_t chunkBytes = 1 << 20;
 
+/// Chunks of nearly the same number of rows: the last one takes as much of the file as the others.
 hsize_t rowsOfChunk(const DataSet& data)
 {
   const std::size_t row = data.columns * (data.integer ? sizeof(int) : sizeof(double));
-  return std::max<hsize_t>(1, std::min(data.rowsOfAll(), chunkBytes / row));
+  const hsize_t chunks = data.rowsOfAll() * row / chunkBytes + 1;
+  return std::max<hsize_t>(1, (data.rowsOfAll() + chunks - 1) / chunks);
 }
 
 hid_t typeOf(const DataSet& data) { return data.integer ? H5T_NATIVE_INT : H5T_NATIVE_DOUBLE; }
@@ -111,6 +113,8 @@ public:
   void link(const std::string& group)
   {
     table_.reset();
+    // First all that the link leads to, with the end of the file, so that a kill between leaves no dead link.
+    file_.require(H5Fflush(file_, H5F_SCOPE_GLOBAL));
     file_.require(H5Olink(top_, file_, group.c_str(), H5P_DEFAULT, H5P_DEFAULT));
     file_.require(H5Fflush(file_, H5F_SCOPE_GLOBAL));
     top_.close();
