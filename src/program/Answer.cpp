@@ -22,8 +22,7 @@ std::string howItEnded(const nlohmann::json& summary)
   if (status.rfind("finished", 0) != 0) // time and step are in it
     return status;
   return "the run " + status + " at t = " + readableTime(number(summary, "time")) + " after " +
-         std::to_string(summary.value("steps", 0L)) + " steps, " +
-         formatShort(number(summary, "wall_seconds")) + " s" +
+         std::to_string(summary.value("steps", 0L)) + " steps" +
          (summary.value("settled", false) ? ", at rest" : "");
 }
 
