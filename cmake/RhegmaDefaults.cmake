@@ -32,8 +32,8 @@ function(rhegma_compile_options target)
   endif()
 endfunction()
 
-# Compiles the sources of a target in groups of at most so many files of one folder. Lambdas of a group's files may then use
-# types of their anonymous namespaces, of which GCC warns although no other group sees them.
+# Compiles the sources of a target in groups of at most so many files of one folder. Two warnings are off there: a local
+# name may be that of another file's constant, and lambdas of a group's files may use types of their anonymous namespaces.
 function(rhegma_unity_groups target most)
   foreach(source ${ARGN})
     get_filename_component(folder ${source} DIRECTORY)
@@ -51,5 +51,5 @@ function(rhegma_unity_groups target most)
     endforeach()
   endforeach()
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+  target_compile_options(${target} PRIVATE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endfunction()
