@@ -139,6 +139,7 @@ public:
   /// After restore(): continues fields.h5 and fields.xdmf in the folder, and removes times later than the
   /// checkpoint; if the checkpoint had no fields, the files will be made anew. \return false where the files
   /// are missing, damaged or can't be read: they will be made anew too
+  /// \param folder of the output
   /// \param why is set to the reason, with the frames that are damaged or missing
   bool continueFields(const std::string& folder, std::string* why = nullptr);
   /// Wall time since construction plus that of the restored run [s].

@@ -53,6 +53,8 @@ struct NodeArea
 
   KOKKOS_INLINE_FUNCTION double operator()(int s, const Vector<D>& x, double mass, double cell) const
   {
+    if (D == 2) // required energy is divided among nodes there, not by area
+      return 0.0;
     double steepest = 0.0, full = density;
     for (int d = 0; d < D; ++d)
     {

@@ -100,7 +100,7 @@ public:
   OfBoundaries(const ParameterList& scene, const State<D>& state, const std::vector<BodyMeasure<D>>& bodies)
       : state_(state),
         bodies_(bodies),
-        end_(scene.sublist("Time").get<double>("Final Time")),
+        end_(scene.isSublist("Time") ? scene.sublist("Time").get<double>("Final Time") : 0.0),
         boundaries_(scene.isSublist("Boundaries") ? scene.sublist("Boundaries") : ParameterList())
   {
   }
@@ -261,6 +261,8 @@ template <int D>
 void addVelocities(const ParameterList& scene, const std::vector<BodyMeasure<D>>& bodies,
                    std::vector<LoadEstimate>& found)
 {
+  if (!scene.isSublist("Bodies"))
+    return;
   const ParameterList& section = scene.sublist("Bodies");
   const bool obstacles = bodies.size() > 1 || scene.isSublist("Boundaries");
   for (const BodyMeasure<D>& body : bodies)

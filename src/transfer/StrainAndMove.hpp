@@ -285,7 +285,7 @@ double strainAndMoveWith(State<D>& state, const Connect& connect, const View<dou
   Kokkos::parallel_reduce(strain ? "rhegma::strainAndMove" : "rhegma::move",
                           Kokkos::RangePolicy<ExecSpace>(0, state.mesh.blocks.numBundles), kernel,
                           Kokkos::Max<double>(fastest));
-  const auto strays = onHost(state.mesh.blocks.strays);
+  const auto strays = Rhegma::onHost(state.mesh.blocks.strays);
   if (strays(0) != 0)
     state.particles.sorted = false;
   if (strays(1) != 0 && state.failure.empty())
