@@ -24,6 +24,8 @@ struct StrainWatch
   template <int D>
   void start(const Teuchos::ParameterList& scene, State<D>& state)
   {
+    if (state.bodies.info.empty())
+      return;
     const std::vector<BodyMeasure<D>> bodies = measureBodies(state);
     for (const BodyMeasure<D>& body : bodies)
       if (!body.linear)

@@ -28,6 +28,7 @@ Teuchos::ParameterList sceneWith(double outer)
   list.set<std::string>("Closure Recovery", "Consistent");
   scene.sublist("Cracks");
   scene.sublist("Domain").set("Dimension", 2);
+  scene.sublist("Time").set("Final Time", 1.0);
   scene.sublist("Domain").set("Cell Size", 1e-3);
   return scene;
 }
