@@ -11,7 +11,7 @@ namespace Rhegma::program
 namespace
 {
 
-double number(const nlohmann::json& of, const char* name)
+double numberOrZero(const nlohmann::json& of, const char* name)
 {
   return of.contains(name) && of[name].is_number() ? of[name].get<double>() : 0.0;
 }
@@ -21,7 +21,7 @@ std::string howItEnded(const nlohmann::json& summary)
   const auto status = summary.value("status", std::string());
   if (status.rfind("finished", 0) != 0) // time and step are in it
     return status;
-  return "the run " + status + " at t = " + readableTime(number(summary, "time")) + " after " +
+  return "the run " + status + " at t = " + readableTime(numberOrZero(summary, "time")) + " after " +
          std::to_string(summary.value("steps", 0L)) + " steps" +
          (summary.value("settled", false) ? ", at rest" : "");
 }
@@ -50,13 +50,14 @@ std::string energyBalance(const nlohmann::json& summary)
     return {};
   double given = 0.0;
   for (const char* name : {"external_work", "combustion", "kinetic", "strain"})
-    given = std::max(given, std::fabs(number(energy, name)));
-  const double residual = number(energy, "residual");
+    given = std::max(given, std::fabs(numberOrZero(energy, name)));
+  const double residual = numberOrZero(energy, "residual");
   if (!(given > 0.0))
     return {};
-  return "energy balance: external work " + readableEnergy(number(energy, "external_work")) + ", strain " +
-         readableEnergy(number(energy, "strain")) + ", kinetic " + readableEnergy(number(energy, "kinetic")) +
-         ", fracture " + readableEnergy(number(energy, "fracture")) + "; not accounted for " +
+  return "energy balance: external work " + readableEnergy(numberOrZero(energy, "external_work")) +
+         ", strain " + readableEnergy(numberOrZero(energy, "strain")) + ", kinetic " +
+         readableEnergy(numberOrZero(energy, "kinetic")) + ", fracture " +
+         readableEnergy(numberOrZero(energy, "fracture")) + "; not accounted for " +
          readableEnergy(residual) + " (" + formatShort(100.0 * std::fabs(residual) / given) +
          " % of the largest of these)";
 }

@@ -29,7 +29,7 @@ constexpr double smallIntensity = 0.02;
 /// No extrapolation from a larger change: cells are too large for an order to hold.
 constexpr double largestExtrapolated = 0.25;
 
-double number(const json& object, const char* name)
+double numberOrNone(const json& object, const char* name)
 {
   const auto at = object.find(name);
   return at != object.end() && at->is_number() ? at->get<double>() : noNumber;
@@ -188,7 +188,7 @@ std::string endOf(const json& front)
     return "ended";
   if (front.value("stopped", false))
     return "stopped";
-  if (!std::isfinite(number(front, "initiated")))
+  if (!std::isfinite(numberOrNone(front, "initiated")))
     return "at rest";
   return front.value("running", false) ? "running" : "arrested";
 }
@@ -198,16 +198,16 @@ void compareAtRest(Comparison& comparison, const std::string& name, const json& 
   // A front among nodes acts as if the crack ended up to a quarter of a cell earlier: an error of the first
   // order (docs/accuracy-and-cost.md).
   for (const char* release : {"G_J", "G_closure"})
-    comparison.value(std::string(release) + " of " + name, "J/m2", number(asIs, release),
-                     number(half, release), 1);
+    comparison.value(std::string(release) + " of " + name, "J/m2", numberOrNone(asIs, release),
+                     numberOrNone(half, release), 1);
   double largest = 0.0;
   for (const char* mode : {"K_I", "K_II", "K_III"})
     for (const json* front : {&asIs, &half})
-      if (const double k = std::fabs(number(*front, mode)); k > largest)
+      if (const double k = std::fabs(numberOrNone(*front, mode)); k > largest)
         largest = k;
   for (const char* mode : {"K_I", "K_II", "K_III"})
   {
-    const double one = number(asIs, mode), other = number(half, mode);
+    const double one = numberOrNone(asIs, mode), other = numberOrNone(half, mode);
     if (!(std::max(std::fabs(one), std::fabs(other)) < smallIntensity * largest))
       comparison.value(std::string(mode) + " of " + name, "Pa sqrt(m)", one, other, 1);
   }
@@ -220,11 +220,12 @@ void compareFront(Comparison& comparison, const std::string& name, const json& a
   comparison.word("end of " + name, endAsIs, endHalf);
   if (endAsIs == "at rest" && endHalf == "at rest")
     return compareAtRest(comparison, name, asIs, half);
-  comparison.value("initiation of " + name, "s", number(asIs, "initiated"), number(half, "initiated"), 0);
-  comparison.value("speed of " + name, "m/s", number(asIs, "settled_speed"), number(half, "settled_speed"),
-                   0);
-  comparison.value("G of " + name + " while it runs", "J/m2", number(asIs, "settled_release"),
-                   number(half, "settled_release"), 0);
+  comparison.value("initiation of " + name, "s", numberOrNone(asIs, "initiated"),
+                   numberOrNone(half, "initiated"), 0);
+  comparison.value("speed of " + name, "m/s", numberOrNone(asIs, "settled_speed"),
+                   numberOrNone(half, "settled_speed"), 0);
+  comparison.value("G of " + name + " while it runs", "J/m2", numberOrNone(asIs, "settled_release"),
+                   numberOrNone(half, "settled_release"), 0);
   comparison.distance("path of " + name,
                       betweenPaths(pathOf(first.history, name), pathOf(second.history, name)));
   comparison.distance("last position of " + name, between(position(asIs), position(half)));
@@ -235,8 +236,8 @@ void compareTemperatures(Comparison& comparison, const json& asIs, const json& h
   if (!asIs.contains("temperature") || !half.contains("temperature"))
     return;
   // Sources are resolved to the second order (docs/accuracy-and-cost.md).
-  comparison.value("peak rise of temperature", "K", number(asIs["temperature"], "peak_rise"),
-                   number(half["temperature"], "peak_rise"), 2);
+  comparison.value("peak rise of temperature", "K", numberOrNone(asIs["temperature"], "peak_rise"),
+                   numberOrNone(half["temperature"], "peak_rise"), 2);
 }
 
 void compareReferences(Comparison& comparison, const json& asIs, const json& half)
@@ -246,9 +247,9 @@ void compareReferences(Comparison& comparison, const json& asIs, const json& hal
   const json& other = half.contains("references") ? half["references"] : none;
   for (std::size_t k = 0; k < std::min(one.size(), other.size()); ++k)
     // Of a reference of zero, such as an energy that should not be lost, only its tolerance can be judged.
-    if (number(one[k], "reference") != 0.0)
-      comparison.value("Reference > " + one[k].value("name", ""), "", number(one[k], "value"),
-                       number(other[k], "value"), 0);
+    if (numberOrNone(one[k], "reference") != 0.0)
+      comparison.value("Reference > " + one[k].value("name", ""), "", numberOrNone(one[k], "value"),
+                       numberOrNone(other[k], "value"), 0);
 }
 
 std::string cellText(const json& value)
@@ -282,7 +283,7 @@ HistoryColumns readHistory(const std::string& path)
 
 nlohmann::json compareRuns(const RunResults& asIs, const RunResults& half)
 {
-  Comparison comparison(asIs.summary.contains("cells") ? number(asIs.summary["cells"], "smallest")
+  Comparison comparison(asIs.summary.contains("cells") ? numberOrNone(asIs.summary["cells"], "smallest")
                                                        : noNumber);
   const json none = json::array();
   const json& cracks = asIs.summary.contains("cracks") ? asIs.summary["cracks"] : none;
