@@ -165,7 +165,7 @@ def draw_intensities(axes, found, time):
     for front, mode, samples in found:
         name = "" if len(fronts) == 1 else f"{front[0]}, front {front[1]}: "
         dashes = {"I": "-", "II": (0, (5, 1.5)), "III": ":"}[mode]
-        axes.plot(time, samples * factor, color=style.COLOURS[fronts.index(front)], ls=dashes, label=f"{name}K {mode}",
+        axes.plot(time, samples * factor, color=style.COLOURS[fronts.index(front)], ls=dashes, label=rf"{name}$K_\mathrm{{{mode}}}$",
                   lw=width(fronts.index(front), len(fronts)))
     axes.set_title("Stress intensity")
     axes.set_ylabel(f"K [{unit} √m]")
