@@ -244,7 +244,7 @@ Criteria<D> criteriaNow(const State<D>& state, const Options<D>& options)
   return now;
 }
 
-/// Changes cells and particles to what the criteria ask for now.
+/// Changes cells and particles to the sizes that the criteria require now.
 template <int D>
 void adapt(State<D>& state, const Options<D>& options, Progress<D>& progress)
 {

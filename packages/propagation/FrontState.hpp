@@ -52,7 +52,7 @@ struct FrontState
 
   /// Whether any of its nodes runs that can.
   bool running(const CrackFront<D>& front) const;
-  /// FrontHistory::arrest of the node that came to rest closest to its toughness; zeros where none did.
+  /// FrontHistory::arrest of the front node that was arrested closest to its toughness; zeros if none was.
   std::pair<double, double> arrest() const;
   /// Mean of the settled speeds of its nodes [m/s].
   double settledSpeed() const;

@@ -8,7 +8,7 @@
 namespace Rhegma
 {
 
-/// What a scene is told of a body that has material at a position outside the domain, after the body's name.
+/// The error of a body with material at a position outside the domain, without the body's name.
 template <int D>
 std::string textOfOutside(const Vector<D>& position, const Grid<D>& grid);
 
