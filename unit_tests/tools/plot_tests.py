@@ -21,7 +21,7 @@ class Plot(ToolTest):
         made_up_run.beam(self.folder)
         status, output, messages = run("rhegma-plot", self.folder)
         self.assertEqual((status, messages), (0, ""))
-        self.assertIn(f"Wrote {self.path('history.png')}: 400 samples, 1 crack fronts.", output)
+        self.assertIn(f"Wrote {self.path('history.png')}: 400 samples, 1 crack front.", output)
         # The ends part by 8 um on a beam of 100 mm; 2000 times 4 um is 8 mm, 8 % of it.
         self.assertIn(f"Wrote {self.path('fields.png')}: 5120 particles at 0.003 s, displacement times 2000.", output)
         for name in ("history.png", "fields.png"):
