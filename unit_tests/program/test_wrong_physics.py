@@ -14,8 +14,9 @@ import unittest
 sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
+from file_scene import FileScene  # noqa: E402
 from program import NOISE, SOURCE, ProgramTest, rhegma  # noqa: E402
-from wrong_physics import TEMPLATES, FileScene  # noqa: E402
+from wrong_physics import TEMPLATES  # noqa: E402
 
 SEED = int(os.environ.get("RHEGMA_SEED", "2"))
 COUNT = int(os.environ.get("RHEGMA_SCENES", "60"))
