@@ -119,6 +119,9 @@ Section section()
 {
   Section s("Adaptivity", "Adaptive mesh refinement (AMR): cells are refined and coarsened during the run, "
                           "and particles are split and merged with them.");
+  s.refuse({when::present("Adaptivity"), when::equilibrium()},
+           "refined cells in equilibrium are not implemented; use smaller cells (Domain > Cell Size), or "
+           "write Analysis = Dynamic");
   addCriteria(s);
   addTimes(s);
   Section region("region", "A box in which cells are refined from the start. You choose its name.");

@@ -162,6 +162,8 @@ void addLosses(Section& crack)
 Section combustionSection()
 {
   Section s("Combustion", "Combustion of crack faces: gas production, gas pressure on the faces, venting.");
+  s.refuse({when::present("Combustion"), when::equilibrium()},
+           "combustion in equilibrium is not implemented; write Analysis = Dynamic");
   Section crack("crack", "Combustion of one crack. The sublist has the name of the crack.");
   addBurnLaw(crack);
   addGas(crack);

@@ -19,6 +19,9 @@ namespace
 Section section()
 {
   Section s("Contact", "Contact of crack faces. Without this section, closed faces overlap freely.");
+  s.refuse({when::present("Contact"), when::equilibrium()},
+           "contact of faces in equilibrium is not implemented; leave the section out where faces open, or "
+           "write Analysis = Dynamic");
   s.choice("Law", {"Stick", "Frictionless", "Coulomb", "Visibility"})
       .byDefault("Frictionless")
       .meaning("Tangential behaviour of closed faces: full stick, frictionless slip, or Coulomb friction. "

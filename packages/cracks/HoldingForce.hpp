@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace Rhegma::cracks
 {
@@ -17,7 +18,8 @@ namespace Rhegma::cracks
 KOKKOS_INLINE_FUNCTION double signOf(int side) { return side > 0 ? 1.0 : -1.0; }
 
 /// The largest stiffness of a spring between the fields of the i-th node with two that is stable in the step
-/// that this node takes, a substep where it is subcycled [N/m]. Zero where a field has no mass.
+/// that this node takes, a substep where it is subcycled [N/m]. Zero where a field has no mass; without limit
+/// in steps of equilibrium.
 template <int D>
 struct StableStiffness
 {
@@ -33,7 +35,8 @@ struct StableStiffness
         level(state.mesh.tree.nodeLevel),
         firstSubcycled(state.mesh.tree.deepest -
                        std::min(state.mesh.subcycledLevels, state.mesh.tree.deepest) + 1),
-        limit(springs::stableStiffness / (state.clock.dt * state.clock.dt))
+        limit(state.method.equilibrium() ? std::numeric_limits<double>::max()
+                                         : springs::stableStiffness / (state.clock.dt * state.clock.dt))
   {
   }
 
@@ -43,7 +46,10 @@ struct StableStiffness
     const double a = nodes.sums(own, Nodes<D>::massAt),
                  b = nodes.sums(nodes.numLattice + i, Nodes<D>::massAt);
     const int halvings = refined && level(own) >= firstSubcycled ? level(own) - firstSubcycled + 1 : 0;
-    return a > 0.0 && b > 0.0 ? std::ldexp(limit, 2 * halvings) * a * b / (a + b) : 0.0;
+    const double most = limit < std::numeric_limits<double>::max()
+                            ? std::ldexp(limit, 2 * halvings) * a * b / (a + b)
+                            : limit;
+    return a > 0.0 && b > 0.0 ? most : 0.0;
   }
 };
 

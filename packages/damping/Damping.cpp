@@ -146,6 +146,8 @@ namespace
 Section section()
 {
   Section s("Damping", "Damping, so that a suddenly loaded body settles to static equilibrium.");
+  s.refuse({when::present("Damping"), when::equilibrium()},
+           "in equilibrium nothing moves; remove this section");
   s.real("Mass Rate")
       .unit("1/s")
       .notNegative()

@@ -3,6 +3,7 @@
 #include "archive/Archive.hpp"
 #include "base/ReadList.hpp"
 #include "plan/LastStage.hpp"
+#include "plan/LoadOverStep.hpp"
 #include "transfer/FacePush.hpp"
 #include "transfer/PressureReport.hpp"
 
@@ -16,7 +17,9 @@ void FacePressure::serialize(Archive& archive) { archive("pressure", now_); }
 template <int D>
 void FacePressure::apply(State<D>& state, const FacePoints<D>& points)
 {
-  now_ = history_(state.clock.time + 0.5 * state.clock.dt);
+  const LoadOverStep value = loadOverStep(state, history_);
+  now_ = value.acts;
+  works_ = value.works;
   publishPressure("rhegma::face_pressure::publish", state.cracks, crack_, now_);
   pushFaces("rhegma::face_pressure::push", state, points, crack_, now_);
 }
@@ -24,7 +27,7 @@ void FacePressure::apply(State<D>& state, const FacePoints<D>& points)
 template <int D>
 double FacePressure::work(const State<D>& state, const FacePoints<D>& points) const
 {
-  return workOnFaces("rhegma::face_pressure::work", state, points, crack_, now_);
+  return workOnFaces("rhegma::face_pressure::work", state, points, crack_, works_);
 }
 
 namespace

@@ -35,7 +35,7 @@ public:
 private:
   int crack_;
   TimeFunction history_;
-  double now_ = 0.0;
+  double now_ = 0.0, works_ = 0.0;
 };
 
 } // namespace Rhegma::face_pressure

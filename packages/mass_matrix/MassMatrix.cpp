@@ -88,6 +88,8 @@ void addSolverParameters(Section& s)
 Section section()
 {
   Section s("Mass Matrix", "Mass matrix of the grid. Without this section it is lumped.");
+  s.refuse({when::present("Mass Matrix"), when::equilibrium()},
+           "in equilibrium no mass is accelerated; remove this section");
   s.chosenBy("Type").meaning("Kind of mass matrix, or a series for its inverse (FMPM).");
   s.choice("Velocity Update", {"FLIP", "PIC", "XPIC", "FMPM"})
       .byDefault("FLIP")

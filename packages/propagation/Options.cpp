@@ -54,6 +54,9 @@ Section propagationSection()
 {
   Section s("Propagation",
             "Crack propagation: fronts advance when the energy release rate reaches the toughness.");
+  s.refuse(
+      {when::present("Propagation"), when::equilibrium()},
+      "growth in equilibrium is not implemented; compare G with the toughness, or write Analysis = Dynamic");
   s.text("Toughness")
       .unit("J/m2")
       .notEmpty()

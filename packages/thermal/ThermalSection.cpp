@@ -172,6 +172,8 @@ void addRules(Section& s)
 Section thermalSection()
 {
   Section s("Thermal", "Heat conduction, heat sources, thermal strain and thermomechanical heating.");
+  s.refuse({when::present("Thermal"), when::equilibrium()},
+           "heat in equilibrium is not implemented; write Analysis = Dynamic");
   s.real("Initial Temperature")
       .unit("K")
       .positive()

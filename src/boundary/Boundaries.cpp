@@ -85,7 +85,7 @@ Effect<D> makeBoundaries(const Teuchos::ParameterList& scene, bool cellsChange)
   }
   if (!parts.supports.empty())
   {
-    addConstraints(effect, constraints);
+    addConstraints(effect, constraints, isEquilibrium(scene));
     addReactions(effect, constraints);
     if (cellsChange)
       watchCells(effect, constraints, finalTime);

@@ -2,6 +2,7 @@
 #include "boundary/BoundaryParts.hpp"
 #include "boundary/LoadVelocity.hpp"
 #include "plan/LastStage.hpp"
+#include "plan/LoadOverStep.hpp"
 
 namespace Rhegma
 {
@@ -47,14 +48,14 @@ void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std:
 {
   const Vector<D> acceleration = readVector<D>(list, "Acceleration");
   const TimeFunction history = TimeFunction::parse(list.get<std::string>("History"));
-  const auto now = [=](const State<D>& state)
-  { return history(state.clock.time + 0.5 * state.clock.dt) * acceleration; };
+  const auto now = [=](const State<D>& state) { return loadOverStep(state, history); };
   parts.effect.call(Stage::BeforeSolve, "gravity", {quantity::nodalMass}, {}, {quantity::nodalForce},
-                    [now](State<D>& state) { addBodyForce(state.mesh.nodes, now(state)); });
+                    [now, acceleration](State<D>& state)
+                    { addBodyForce(state.mesh.nodes, now(state).acts * acceleration); });
   parts.effect.call(stageOfFaceVelocity(parts.scene), "work of gravity",
                     {projectsLast(parts.scene) ? quantity::projection : quantity::nodalMotion}, {}, {},
-                    [now](State<D>& state)
-                    { state.energy.externalWork += bodyForceWork(state, now(state)); });
+                    [now, acceleration](State<D>& state)
+                    { state.energy.externalWork += bodyForceWork(state, now(state).works * acceleration); });
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include "base/SmallLoops.hpp"
 #include "boundary/LoadVelocity.hpp"
+#include "plan/LoadOverStep.hpp"
 #include "transfer/PushNodes.hpp"
 #include "transfer/Stencils.hpp"
 
@@ -176,7 +177,9 @@ void Load<D>::updateLevels(const State<D>& state)
 template <int D>
 void Load<D>::apply(State<D>& state)
 {
-  now_ = history_(state.clock.time + 0.5 * state.clock.dt);
+  const LoadOverStep value = loadOverStep(state, history_);
+  now_ = value.acts;
+  works_ = value.works;
   place(state);
   addToNodes(state.mesh.nodes, stencils_, here_, points_.count, now_ * force_);
 }
@@ -205,7 +208,7 @@ double Load<D>::work(const State<D>& state) const
   const LoadVelocity<D> velocity(state);
   const StencilTable<D> stencils = followed_;
   const View<double*> fraction = here_;
-  const Vector<D> force = now_ * force_;
+  const Vector<D> force = works_ * force_;
   const double dt = state.clock.dt;
   return parallelSumSmall<double>(
       "rhegma::loadWork", points_.count, KOKKOS_LAMBDA(const int k, double& sum) {

@@ -6,6 +6,7 @@
 #include "base/ReadList.hpp"
 #include "boundary/Boundaries.hpp"
 #include "boundary/HeldMarks.hpp"
+#include "plan/LoadOverStep.hpp"
 #include "state/Subdomain.hpp"
 
 #include <algorithm>
@@ -141,9 +142,70 @@ void addReactions(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCons
                           });
 }
 
-template <int D>
-void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstraint<D>>>& constraints)
+namespace
 {
+
+/// Impulse of the forces of supports, which a step of equilibrium leaves at the nodes that they hold; where
+/// two supports hold a node the first gets the force.
+template <int D>
+void collectReactions(State<D>& state, std::vector<TimedConstraint<D>>& constraints)
+{
+  const Nodes<D> nodes = state.mesh.nodes;
+  const NodePositions<D> positions = nodePositions(state);
+  for (std::size_t c = 0; c < constraints.size(); ++c)
+  {
+    const NodeConstraint<D> constraint = state.motion.constraints[c];
+    for (int d = 0; d < D; ++d)
+    {
+      if (!constraint.holds[d])
+        continue;
+      double force = 0.0;
+      Kokkos::parallel_reduce(
+          "rhegma::collectReactions", Kokkos::RangePolicy<ExecSpace>(0, nodes.numActive()),
+          KOKKOS_LAMBDA(const int i, double& sum) {
+            const int n = activeNode(nodes, i);
+            if (!constraint.appliesAt(positions(latticeNode(nodes, n))))
+              return;
+            sum += nodes.sums(n, Nodes<D>::forceAt + d);
+            nodes.sums(n, Nodes<D>::forceAt + d) = 0.0;
+          },
+          force);
+      constraints[c].impulse[d] += state.clock.dt * force;
+    }
+  }
+}
+
+/// The calls in equilibrium: the solve holds the nodes, and records the work of their forces.
+template <int D>
+void addHeldDisplacements(Effect<D>& effect,
+                          const std::shared_ptr<std::vector<TimedConstraint<D>>>& constraints)
+{
+  effect.call(Stage::Scatter, "displacement of supports", {}, {quantity::prescribedMotion}, {},
+              [constraints](State<D>& state)
+              {
+                state.motion.constraints.clear();
+                for (auto& timed : *constraints)
+                {
+                  updateCells(timed, state);
+                  NodeConstraint<D> now = timed.constraint;
+                  now.factor = meanOverStep(state, timed.history);
+                  now.value = now.factor * timed.value;
+                  state.motion.constraints.push_back(now);
+                }
+              });
+  effect.call(Stage::AfterSolve, "forces of held nodes", {quantity::nodalMotion, quantity::prescribedMotion},
+              {quantity::constrainedMotion}, {},
+              [constraints](State<D>& state) { collectReactions(state, *constraints); });
+}
+
+} // namespace
+
+template <int D>
+void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstraint<D>>>& constraints,
+                    bool isEquilibrium)
+{
+  if (isEquilibrium)
+    return addHeldDisplacements(effect, constraints);
   // Not between steps: the length of the step is known only afterwards.
   effect.call(Stage::Scatter, "values of prescribed motion", {}, {quantity::prescribedMotion}, {},
               [constraints](State<D>& state)
@@ -189,8 +251,8 @@ void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedCo
 
 template void setFieldAtNodes(TimedConstraint<2>&, const State<2>&);
 template void setFieldAtNodes(TimedConstraint<3>&, const State<3>&);
-template void addConstraints(Effect<2>&, const std::shared_ptr<std::vector<TimedConstraint<2>>>&);
-template void addConstraints(Effect<3>&, const std::shared_ptr<std::vector<TimedConstraint<3>>>&);
+template void addConstraints(Effect<2>&, const std::shared_ptr<std::vector<TimedConstraint<2>>>&, bool);
+template void addConstraints(Effect<3>&, const std::shared_ptr<std::vector<TimedConstraint<3>>>&, bool);
 template void addReactions(Effect<2>&, const std::shared_ptr<std::vector<TimedConstraint<2>>>&);
 template void addReactions(Effect<3>&, const std::shared_ptr<std::vector<TimedConstraint<3>>>&);
 

@@ -42,9 +42,10 @@ struct TimedConstraint
 template <int D>
 void setFieldAtNodes(TimedConstraint<D>& timed, const State<D>& state);
 
-/// The calls that prescribe the motion.
+/// The calls that prescribe the motion. \param isEquilibrium whether the scene asks for that
 template <int D>
-void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstraint<D>>>& constraints);
+void addConstraints(Effect<D>& effect, const std::shared_ptr<std::vector<TimedConstraint<D>>>& constraints,
+                    bool isEquilibrium);
 
 /// The calls that report the force of each support on the bodies, as a mean over the time since the last
 /// sample, so that no part of it is missed.

@@ -36,6 +36,7 @@ std::vector<Entry> entries(const EnergyBalance& energy)
           {"contact", energy.contact},
           {"fracture", energy.fracture},
           {"merged", energy.merged},
+          {"stabilised", energy.stabilised},
           {"combustion", energy.combustion},
           {"residual", energy.residual(), false}};
 }

@@ -28,6 +28,14 @@ inline bool projectsLast(const Teuchos::ParameterList& scene)
          time.get<std::string>(name) == "USAVG";
 }
 
+/// Whether the scene asks for equilibrium instead of motion.
+inline bool isEquilibrium(const Teuchos::ParameterList& scene)
+{
+  const char* const name = "Analysis";
+  const Teuchos::ParameterList& time = scene.sublist("Time");
+  return time.isType<std::string>(name) && time.get<std::string>(name) != "Dynamic";
+}
+
 /// The stage in which that velocity is known.
 inline Stage stageOfFaceVelocity(const Teuchos::ParameterList& scene)
 {

@@ -104,8 +104,10 @@ void choose(ParameterList& scene, const ParameterList& read, const SceneSchema& 
     throw std::invalid_argument(nothingMessage(schema));
   // Four fifths of the error are for the position of the front.
   const double atFront = 1.6 * rule.error * needs.atFronts;
+  const ParameterList& time = read.sublist("Time");
+  const bool moves = !time.isType<std::string>("Analysis") || time.get<std::string>("Analysis") == "Dynamic";
   const bool mayRefine =
-      needs.fronts() && !needs.running && !needs.equal &&
+      moves && needs.fronts() && !needs.running && !needs.equal &&
       std::any_of(schema.effects().begin(), schema.effects().end(),
                   [](const auto& entry) { return static_cast<bool>(entry.second.cells.refine); });
   if (needs.fronts() && !needs.running && !mayRefine)

@@ -79,6 +79,8 @@ Condition below(const std::string& section, const std::string& parameter, double
           }};
 }
 
+Condition equilibrium() { return isNot("Time", "Analysis", {"Dynamic"}); }
+
 Condition unprovided(const std::string& capability) { return {"", "", "", false, {}, capability}; }
 
 } // namespace when

@@ -49,6 +49,8 @@ Condition below(const std::string& section, const std::string& parameter, double
 /// The section fulfils `holds`, described by `text`.
 Condition satisfies(const std::string& section, const std::string& text,
                     std::function<bool(const Teuchos::ParameterList&)> holds);
+/// The scene asks for equilibrium instead of motion.
+Condition equilibrium();
 /// No section of the scene provides it.
 Condition unprovided(const std::string& capability);
 } // namespace when

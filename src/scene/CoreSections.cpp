@@ -57,6 +57,24 @@ Section time()
   Section s("Time", "Duration, time step and update scheme.");
   s.require();
   s.real("Final Time").unit("s").positive().mayChange().meaning("Physical time at which the run ends.");
+  s.choice("Analysis", {"Dynamic", "Static", "Quasi-Static"})
+      .byDefault("Dynamic")
+      .meaning("Dynamic: motion, by explicit steps. Static: equilibrium under the loads at Final Time, which "
+               "are applied in proportion to time. Quasi-Static: equilibrium at each time under the loads of "
+               "that time.");
+  s.integer("Load Steps")
+      .atLeast(1)
+      .mayChange()
+      .optional("1 for Static, 20 for Quasi-Static")
+      .meaning(
+          "Smallest number of steps of an equilibrium analysis. A step whose iteration does not converge "
+          "is halved; steps grow again after steps that do.");
+  s.choice("Rigid Modes", {"Refuse", "Remove"})
+      .byDefault("Refuse")
+      .meaning(
+          "What an equilibrium analysis does with bodies that can move or turn freely. Refuse: the scene "
+          "is wrong. Remove: the body keeps its mean position and orientation, and the resultant of its "
+          "loads is balanced by uniform acceleration (inertia relief).");
   s.real("CFL").above(0.0).atMost(1.0).byDefault(0.4).mayChange().meaning(
       "Courant number: fraction of a cell that a wave crosses in one time step. Undamped bodies gain energy "
       "in proportion to it: with MUSL at 0.4 up to 1.5 % while a wave crosses 1000 cells.");

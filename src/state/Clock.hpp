@@ -18,6 +18,7 @@ struct Clock
 {
   double time = 0.0;                                    ///< at the start of the step [s]
   double dt = 0.0;                                      ///< length of the step [s]
+  double finalTime = 0.0;                               ///< of the scene [s]
   long step = 0;                                        ///< steps taken
   long maximumSteps = std::numeric_limits<long>::max(); ///< the run ends after them, if not before
   double fastestSpeed = 0.0;                            ///< largest wave speed plus particle speed [m/s]

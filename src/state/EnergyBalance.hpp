@@ -5,7 +5,7 @@ namespace Rhegma
 {
 
 /// Energies of a run [J]. The residual is (kinetic + strain) now - at the start + thermal - external work -
-/// heat + damped + plastic + contact + fracture + merged - combustion.
+/// heat + damped + plastic + contact + fracture + merged + stabilised - combustion.
 struct EnergyBalance
 {
   double kinetic = 0.0;      ///< of the motion, now
@@ -22,12 +22,13 @@ struct EnergyBalance
   double contact = 0.0;      ///< lost by friction and impact of faces
   double fracture = 0.0;     ///< dissipated by new crack faces
   double merged = 0.0;       ///< lost where particles merged
+  double stabilised = 0.0;   ///< spent on the ghost penalty of cut cells in steps of equilibrium
   double combustion = 0.0;   ///< given to the body by burnt gas
 
   double residual() const
   {
     return kinetic + strain - start + thermal - externalWork - heat + damped + plastic + contact + fracture +
-           merged - combustion;
+           merged + stabilised - combustion;
   }
 };
 

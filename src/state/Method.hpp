@@ -23,9 +23,18 @@ constexpr bool projectsLast(UpdateScheme scheme)
   return scheme == UpdateScheme::Musl || scheme == UpdateScheme::Usavg;
 }
 
+/// What a run solves.
+enum class Analysis
+{
+  Dynamic,    ///< motion, by explicit steps
+  Static,     ///< equilibrium under the loads at the final time, reached in proportion
+  QuasiStatic ///< equilibrium at each time under the loads of that time
+};
+
 /// What the scene's Domain and Time sections choose.
 struct Method
 {
+  Analysis analysis = Analysis::Dynamic;    ///< what is solved
   Plane plane = Plane::Solid;               ///< how 2D treats the third direction
   double thickness = 1.0;                   ///< of 2D scenes [m]
   ShapeKind shape = ShapeKind::Gimp;        ///< shape functions
@@ -33,6 +42,9 @@ struct Method
   double picFraction = 0.0;                 ///< fraction of PIC in the velocity update
   double cfl = 0.4;                         ///< fraction of the stable step that is used
   bool mechanics = true; ///< false: nothing moves, and there is neither velocity nor stress
+
+  /// Whether each step ends in equilibrium; its length is then no limit of what acts on nodes.
+  bool equilibrium() const { return analysis != Analysis::Dynamic; }
 };
 
 } // namespace Rhegma

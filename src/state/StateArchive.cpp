@@ -38,6 +38,8 @@ void archiveEnergies(State<D>& state, Archive& archive)
 {
   EnergyBalance energy = archive.loads() ? EnergyBalance() : energyOfAllRanks(state);
   archiveEnergyBalance(energy, archive);
+  if (state.method.equilibrium())
+    archive("stabilised_energy", energy.stabilised);
   if (archive.loads())
     state.energy = state.sample.energy = energy;
 }

@@ -104,8 +104,14 @@ Effect<D> pointsAtRest()
 } // namespace
 
 template <int D>
-Effect<D> makeCore(const State<D>& state)
+Effect<D> makeCore(const State<D>& state, const std::shared_ptr<equilibrium::LastStep>& last)
 {
+  if (state.method.equilibrium())
+  {
+    Effect<D> core = equilibrium::makeEquilibrium<D>(last);
+    core.call(sortCall<D>());
+    return core;
+  }
   const UpdateScheme scheme = state.method.scheme;
   const bool strainsFirst = scheme == UpdateScheme::Usf || scheme == UpdateScheme::Usavg;
   if (!state.method.mechanics)
@@ -244,8 +250,8 @@ double fastestSpeed(const State<D>& state)
   return fastest;
 }
 
-template Effect<2> makeCore(const State<2>&);
-template Effect<3> makeCore(const State<3>&);
+template Effect<2> makeCore(const State<2>&, const std::shared_ptr<equilibrium::LastStep>&);
+template Effect<3> makeCore(const State<3>&, const std::shared_ptr<equilibrium::LastStep>&);
 template void sortState(State<2>&);
 template void sortState(State<3>&);
 template double fastestSpeed(const State<2>&);

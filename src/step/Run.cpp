@@ -2,6 +2,7 @@
 
 #include "base/Attempts.hpp"
 #include "base/Numbers.hpp"
+#include "base/ReadList.hpp"
 #include "boundary/Boundaries.hpp"
 #include "boundary/DomainEdges.hpp"
 #include "material/Units.hpp"
@@ -86,7 +87,7 @@ void Run<D>::makeAll()
   for (const Effect<D>& effect : effects)
     for (const NodalField& field : effect.addsNodal)
       state_.mesh.nodalFields.add(field);
-  effects.insert(effects.begin(), makeCore(state_));
+  effects.insert(effects.begin(), makeCore(state_, lastEquilibrium_));
   Effect<D> boundaries = makeBoundaries<D>(scene_, options.adaptive);
   if (!boundaries.calls.empty())
     effects.insert(effects.begin() + 1, boundaries);
@@ -106,6 +107,11 @@ void Run<D>::makeAll()
     for (const auto& found :
          {warningsOfUnits(state_.materials.names, state_.materials.properties), warningsOfEdges<D>(scene_)})
       state_.warnings.insert(state_.warnings.end(), found.begin(), found.end());
+  }
+  if (state_.method.equilibrium())
+  {
+    loadSteps_ = LoadSteps(scene_, state_);
+    attempts.attempt([&] { inspectEquilibrium(); });
   }
   attempts.attempt([&] { refuseEndless(); });
   attempts.throwIfAny();
@@ -133,6 +139,8 @@ void Run<D>::refuseEndless() const
 template <int D>
 double Run<D>::stableTimeStep() const
 {
+  if (state_.method.equilibrium())
+    return loadSteps_.next;
   double dt = state_.method.mechanics
                   ? state_.method.cfl * state_.mesh.stepSpacing() / state_.clock.fastestSpeed
                   : std::numeric_limits<double>::infinity();
@@ -177,8 +185,124 @@ void Run<D>::agree()
 }
 
 template <int D>
+LoadSteps<D>::LoadSteps(const Teuchos::ParameterList& scene, const State<D>& state)
+{
+  const Teuchos::ParameterList& time = scene.sublist("Time");
+  const int usual = state.method.analysis == Analysis::Static ? 1 : 20;
+  const int count = time.isParameter("Load Steps") ? time.get<int>("Load Steps") : usual;
+  next = largest = time.get<double>("Final Time") / count;
+}
+
+template <int D>
+void Run<D>::inspectEquilibrium()
+{
+  if (state_.ranks.many())
+    throw std::invalid_argument("Time > Analysis: an equilibrium is solved on one rank; start the program "
+                                "without mpirun");
+  for (const std::string& name : sublistNames(scene_.sublist("Bodies")))
+    for (const char* const motion : {"Velocity", "Angular Velocity"})
+      for (const double v : scene_.sublist("Bodies").sublist(name).get<Teuchos::Array<double>>(motion))
+        if (v != 0.0)
+          throw std::invalid_argument("Bodies > " + name + " > " + motion +
+                                      ": in equilibrium nothing moves; write Time > Analysis = Dynamic or "
+                                      "leave it out");
+  state_.clock.dt = loadSteps_.next;
+  plan_.run(Stage::BetweenSteps, state_);
+  moveNodalFields(state_);
+  plan_.run(Stage::Scatter, state_);
+  if (state_.failure.empty())
+    equilibrium::inspect(scene_, state_);
+}
+
+template <int D>
+void Run<D>::solveLoadStep(double left)
+{
+  for (double dt = loadSteps_.next;; dt *= 0.5)
+  {
+    state_.clock.dt = dt >= left ? left : 2.0 * dt > left ? 0.5 * left : dt;
+    for (const Stage stage : {Stage::Scatter, Stage::BeforeSolve, Stage::Solve})
+      runStage(stage);
+    const equilibrium::LastStep& last = *lastEquilibrium_;
+    if (last.converged)
+    {
+      const bool grows = last.iterations <= LoadSteps<D>::easy;
+      loadSteps_.next = std::min(grows ? std::max(2.0 * dt, loadSteps_.next) : dt, loadSteps_.largest);
+      return;
+    }
+    if (dt <= LoadSteps<D>::smallest * loadSteps_.largest)
+    {
+      std::ostringstream why;
+      why << "no equilibrium is found for an increment of " << formatReal(LoadSteps<D>::smallest)
+          << " of a load step: the residual stays at "
+          << formatReal(last.residuals.empty() ? 1.0 : last.residuals.back())
+          << " of the forces; the load may be more than the bodies can bear, a part may be without support "
+             "(summary: equilibrium.loose_fields), or cells too large for the strain";
+      state_.failure = why.str();
+      stop(state_);
+    }
+  }
+}
+
+/// Length of a step that adds no load, in fractions of the run.
+constexpr double shortStep = 1e-9;
+
+template <int D>
+void Run<D>::settleInPlace()
+{
+  const double end = state_.clock.time, dt = state_.clock.dt;
+  state_.clock.dt = shortStep * state_.clock.finalTime;
+  state_.clock.time = end - state_.clock.dt;
+  for (const Stage stage : {Stage::BetweenSteps, Stage::Scatter, Stage::BeforeSolve, Stage::Solve})
+    runStage(stage);
+  if (lastEquilibrium_->converged)
+    for (const Stage stage : {Stage::AfterSolve, Stage::AfterProjection, Stage::OnParticles})
+      runStage(stage);
+  state_.clock.time = end;
+  state_.clock.dt = dt;
+}
+
+template <int D>
+void Run<D>::stepOfEquilibrium(double until, bool sample)
+{
+  const double left = until - state_.clock.time;
+  state_.clock.observing = sample;
+  runStage(Stage::BetweenSteps);
+  moveNodalFields(state_);
+  solveLoadStep(left);
+  for (const Stage stage : {Stage::AfterSolve, Stage::Gather, Stage::AfterProjection, Stage::OnParticles})
+    runStage(stage);
+  state_.clock.time = state_.clock.dt == left ? until : state_.clock.time + state_.clock.dt;
+  ++state_.clock.step;
+  state_.particles.particleSteps += allParticles(state_);
+  if (until == state_.clock.finalTime && state_.clock.time == until)
+    settleInPlace();
+  // Nodes are those of the particles as they lie now, at rest.
+  runStage(Stage::BetweenSteps);
+  moveNodalFields(state_);
+  runStage(Stage::Scatter);
+  if (sample)
+    observe();
+}
+
+template <int D>
+void Run<D>::observe()
+{
+  state_.sample.row.clear();
+  if (beforeObserve)
+    beforeObserve(state_);
+  plan_.run(Stage::Observe, state_);
+  energyWatch_.sample(state_.energy);
+  if (state_.failure.empty())
+    state_.failure = energyWatch_.failure(state_.mesh.subcycledLevels);
+  if (!state_.failure.empty())
+    stop(state_);
+}
+
+template <int D>
 void Run<D>::step(double until, bool sample)
 {
+  if (state_.method.equilibrium())
+    return stepOfEquilibrium(until, sample);
   const double left = until - state_.clock.time;
   state_.clock.observing = sample;
   // First, because the step depends on the cells.
@@ -207,17 +331,7 @@ void Run<D>::step(double until, bool sample)
   ++state_.clock.step;
   state_.particles.particleSteps += allParticles(state_);
   if (sample)
-  {
-    state_.sample.row.clear();
-    if (beforeObserve)
-      beforeObserve(state_);
-    plan_.run(Stage::Observe, state_);
-    energyWatch_.sample(state_.energy);
-    if (state_.failure.empty())
-      state_.failure = energyWatch_.failure(state_.mesh.subcycledLevels);
-    if (!state_.failure.empty())
-      stop(state_);
-  }
+    observe();
 }
 
 template <int D>
@@ -229,6 +343,8 @@ void Run<D>::serialize(Archive& archive)
     const Archive::Group group(archive, "run");
     archive("stage_seconds", plan_.seconds);
     archive("step_fraction", stepFraction_);
+    if (state_.method.equilibrium())
+      archive("load_step", loadSteps_.next);
   }
   {
     const Archive::Group group(archive, "run/energy watch");

@@ -2,6 +2,7 @@
 /// The time loop of a scene.
 
 #include "base/RunError.hpp"
+#include "equilibrium/EquilibriumCore.hpp"
 #include "plan/Plan.hpp"
 #include "step/EnergyWatch.hpp"
 
@@ -10,6 +11,19 @@
 
 namespace Rhegma
 {
+
+/// Lengths of steps of equilibrium [s]. A step that is not solved is halved; steps grow again after easy
+/// ones.
+template <int D>
+struct LoadSteps
+{
+  static constexpr int easy = 6;                   ///< iterations up to which the next step is longer
+  static constexpr double smallest = 1.0 / 4096.0; ///< part of the largest step at which the run stops
+  double largest = 0.0, next = 0.0;
+
+  LoadSteps() = default;
+  LoadSteps(const Teuchos::ParameterList& scene, const State<D>& state);
+};
 
 /// Owns the state and the plan, and advances them by steps.
 template <int D>
@@ -59,6 +73,17 @@ private:
   void strainBeforeForces();
   /// Throws RunError where the stage fails; with several ranks the failure waits for `agree`.
   void runStage(Stage stage);
+  /// Takes a sample.
+  void observe();
+
+  /// Refuses what has no equilibrium. Throws std::invalid_argument.
+  void inspectEquilibrium();
+  void stepOfEquilibrium(double until, bool sample);
+  /// Solves once more without a new load, from the configuration that the last step has led to, so that the
+  /// end does not depend on the cells that the particles were in before. Where that fails nothing changes.
+  void settleInPlace();
+  /// Solves for an increment of at most the remaining time, a shorter one where that fails.
+  void solveLoadStep(double left);
 
   Teuchos::ParameterList scene_;
   std::vector<Effect<D>> own_;
@@ -67,6 +92,8 @@ private:
   std::vector<Stage> order_;
   EnergyWatch energyWatch_;
   double stepFraction_ = 1.0;
+  LoadSteps<D> loadSteps_;
+  std::shared_ptr<equilibrium::LastStep> lastEquilibrium_ = std::make_shared<equilibrium::LastStep>();
 };
 
 } // namespace Rhegma

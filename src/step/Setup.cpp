@@ -33,6 +33,12 @@ void readMethod(const Teuchos::ParameterList& scene, State<D>& state)
   state.method.thickness = D == 2 ? domain.get<double>("Thickness") : 1.0;
   state.method.shape =
       domain.get<std::string>("Shape Functions") == "Linear" ? ShapeKind::Linear : ShapeKind::Gimp;
+  const std::string analysis =
+      time.isType<std::string>("Analysis") ? time.get<std::string>("Analysis") : "Dynamic";
+  state.method.analysis = analysis == "Static"         ? Analysis::Static
+                          : analysis == "Quasi-Static" ? Analysis::QuasiStatic
+                                                       : Analysis::Dynamic;
+  state.clock.finalTime = time.get<double>("Final Time");
   const std::string scheme = time.get<std::string>("Update Scheme");
   state.method.scheme = scheme == "USF"     ? UpdateScheme::Usf
                         : scheme == "USL"   ? UpdateScheme::Usl

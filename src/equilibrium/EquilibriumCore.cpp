@@ -1,0 +1,157 @@
+#include "equilibrium/EquilibriumCore.hpp"
+
+#include "base/Numbers.hpp"
+#include "equilibrium/Newton.hpp"
+#include "state/Subdomain.hpp"
+#include "transfer/Gather.hpp"
+#include "transfer/Scatter.hpp"
+#include "transfer/Stencils.hpp"
+
+#include <set>
+#include <stdexcept>
+
+namespace Rhegma::equilibrium
+{
+
+namespace
+{
+
+/// Fraction of the loads that a uniform acceleration may balance without a warning.
+constexpr double noticeableResultant = 0.01;
+
+template <int D>
+void toNodes(State<D>& state)
+{
+  storeStencils(state);
+  clearNodes(state);
+  Kokkos::deep_copy(state.mesh.nodes.motion, 0.0);
+  scatter(state, ScatterWhat::MassAndMomentum);
+  sumOverRanks(state, SharedSums::MassAndMomentum);
+}
+
+/// Leaves the displacement as a velocity, and the forces of supports in place of those on nodes.
+template <int D>
+void toMotion(const NewtonStep<D>& step, State<D>& state)
+{
+  const Nodes<D> nodes = state.mesh.nodes;
+  const RowGraph graph = step.graph();
+  const Values displacement = step.displacement(), reaction = step.reaction();
+  const double perTime = 1.0 / state.clock.dt;
+  Kokkos::parallel_for(
+      "rhegma::equilibrium::motion", Kokkos::RangePolicy<ExecSpace>(0, graph.rows),
+      KOKKOS_LAMBDA(const int r) {
+        const int n = graph.nodeOf(r);
+        for (int d = 0; d < D; ++d)
+        {
+          nodes.motion(n, d) = nodes.projection(n, d) = perTime * displacement(D * r + d);
+          nodes.motion(n, Nodes<D>::accelerationAt + d) = 0.0;
+          nodes.sums(n, Nodes<D>::forceAt + d) = reaction(D * r + d);
+        }
+      });
+}
+
+/// What the effect stores between steps, for its report.
+struct Account
+{
+  long iterations = 0, linearIterations = 0;
+  int unknowns = 0, looseFields = 0, steps = 0;
+  bool warned = false;
+};
+
+template <int D>
+void solveStep(State<D>& state, Account& account, LastStep& last)
+{
+  NewtonStep<D> step(state);
+  const StepReport report = step.solve(state);
+  last.converged = report.converged;
+  last.iterations = static_cast<int>(report.residuals.size()) - 1;
+  last.residuals = report.residuals;
+  last.unknowns = account.unknowns = step.unknowns();
+  account.iterations += last.iterations;
+  account.linearIterations += report.linearIterations;
+  account.looseFields = step.looseFields();
+  if (!report.converged)
+    return;
+  ++account.steps;
+  toMotion(step, state);
+  state.energy.externalWork += step.workOfSupports();
+  state.energy.stabilised += step.ghostEnergy();
+  if (report.removedFraction > noticeableResultant && !account.warned)
+  {
+    account.warned = true;
+    state.warnings.push_back("Time > Rigid Modes: the loads on a free body do not balance; a uniform "
+                             "acceleration takes " +
+                             formatReal(std::round(1e3 * report.removedFraction) / 10.0) +
+                             " % of them; check directions and sizes of the loads, or support the body");
+  }
+}
+
+template <int D>
+void toParticles(State<D>& state)
+{
+  state.clock.strainPass = {1.0, false};
+  const double fastest = strainAndMove(state, StrainVelocity::Projection, true, true);
+  if (!std::isfinite(fastest) && state.failure.empty())
+    state.failure = "a particle is inverted in equilibrium; use smaller cells or more Time > Load Steps";
+  state.clock.settled = true;
+}
+
+} // namespace
+
+template <int D>
+Effect<D> makeEquilibrium(const std::shared_ptr<LastStep>& last)
+{
+  const auto account = std::make_shared<Account>();
+  Effect<D> core;
+  core.name = "Equilibrium";
+  core.provides = {quantity::energyBalance, quantity::particleVelocity};
+  core.balance = {"stabilised"};
+  core.call(Stage::Scatter, "mass to nodes", {},
+            {quantity::stencils, quantity::enrichedFields, quantity::nodalMass, quantity::nodalMomentum}, {},
+            [](State<D>& s) { toNodes(s); });
+  core.call(Stage::Solve, "equilibrium",
+            {quantity::nodalMass, ifWritten(quantity::nodalForce), ifWritten(quantity::prescribedMotion),
+             ifWritten(quantity::springStiffness)},
+            {quantity::nodalMotion, quantity::projection, quantity::internalForce}, {},
+            [=](State<D>& s) { solveStep(s, *account, *last); });
+  core.call(Stage::OnParticles, "strain, stress and position of particles",
+            {quantity::nodalMotion, quantity::projection}, {quantity::particleStress}, {},
+            [](State<D>& s) { toParticles(s); });
+  core.report = [account](const State<D>&, nlohmann::json& summary)
+  {
+    summary["equilibrium"] = {{"unknowns", account->unknowns},
+                              {"load_steps", account->steps},
+                              {"iterations", account->iterations},
+                              {"linear_iterations", account->linearIterations},
+                              {"loose_fields", account->looseFields}};
+  };
+  return core;
+}
+
+template <int D>
+Inspection inspect(const Teuchos::ParameterList& scene, const State<D>& state)
+{
+  const NewtonStep<D> step(state);
+  if (scene.sublist("Time").get<std::string>("Rigid Modes") == "Refuse")
+  {
+    std::string wrong;
+    std::set<std::string> told;
+    for (const RigidMode<D>& mode : step.freeMotions())
+    {
+      const std::string line = "Bodies > " + step.bodyOf(state, mode.piece) + " " + mode.asText() +
+                               ": support it, or write Time > Rigid Modes = Remove";
+      if (told.insert(line).second)
+        wrong += (wrong.empty() ? "" : "\n") + line;
+    }
+    if (!wrong.empty())
+      throw std::invalid_argument(wrong);
+  }
+  return {step.unknowns(), step.matrixEntries() * sizeof(double)};
+}
+
+template Effect<2> makeEquilibrium(const std::shared_ptr<LastStep>&);
+template Effect<3> makeEquilibrium(const std::shared_ptr<LastStep>&);
+template Inspection inspect(const Teuchos::ParameterList&, const State<2>&);
+template Inspection inspect(const Teuchos::ParameterList&, const State<3>&);
+
+} // namespace Rhegma::equilibrium

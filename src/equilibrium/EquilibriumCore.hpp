@@ -1,0 +1,40 @@
+#pragma once
+/// Equilibrium as calls of the stages.
+
+#include "plan/Effect.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace Rhegma::equilibrium
+{
+
+/// What the calls of a step leave for the loop.
+struct LastStep
+{
+  bool converged = false;
+  int iterations = 0;
+  std::vector<double> residuals; ///< fractions of the forces, before each iteration and after the last
+  int unknowns = 0;
+};
+
+/// The calls of a step of equilibrium: the nodes' displacement over the step is solved for by Newton's method
+/// with the consistent tangents of the particles' laws, and goes to the particles as a velocity, displacement
+/// over length of the step, through the same transfer as in dynamics. Momentum and kinetic energy are zero.
+/// The displacement of a step is from the configuration at its start (updated Lagrangian).
+template <int D>
+Effect<D> makeEquilibrium(const std::shared_ptr<LastStep>& last);
+
+/// What `inspect` finds.
+struct Inspection
+{
+  int unknowns = 0;
+  double matrixBytes = 0.0;
+};
+
+/// Numbers the unknowns of a state with stencils and supports. Throws std::invalid_argument where bodies can
+/// move freely and the scene refuses that, with their names and motions.
+template <int D>
+Inspection inspect(const Teuchos::ParameterList& scene, const State<D>& state);
+
+} // namespace Rhegma::equilibrium

@@ -1,0 +1,269 @@
+#include "equilibrium/Newton.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace Rhegma::equilibrium
+{
+
+namespace
+{
+
+/// Stiffness that keeps free pieces in their place, in fractions of (wave speed / size)^2: it changes the
+/// answer of a body by this fraction over the square of its lowest frequency in the same unit, and the
+/// resultant of the loads, rounding errors, divided by it is no displacement that matters.
+constexpr double foundationFraction = 1e-9;
+
+/// A residual that no longer falls is rounding if it is this small.
+constexpr double roundingOfForces = 1e-6;
+
+constexpr int mostHalvings = 6;
+
+template <int D>
+Groups groupsOf(const std::vector<SlopeJump>& jumps, const std::vector<std::array<double, 3>>& springs)
+{
+  Groups groups;
+  for (const SlopeJump& jump : jumps)
+    groups.push_back({jump.row[0], jump.row[1], jump.row[2]});
+  for (const auto& spring : springs)
+    groups.push_back({static_cast<int>(spring[0]), static_cast<int>(spring[1])});
+  return groups;
+}
+
+/// Springs between the two fields of nodes.
+template <int D>
+std::vector<std::array<double, 3>> findSprings(const State<D>& state, const RowGraph& graph)
+{
+  std::vector<std::array<double, 3>> springs;
+  const Nodes<D>& nodes = state.mesh.nodes;
+  for (int i = 0; i < nodes.numEnriched && state.cracks.spring.extent(0) > 0; ++i)
+  {
+    const int n = nodes.parent(i), a = graph.rowOf(n), b = graph.rowOf(nodes.numLattice + i);
+    if (a >= 0 && b >= 0 && state.cracks.spring(n, D) > 0.0)
+      springs.push_back({double(a), double(b), state.cracks.spring(n, D)});
+  }
+  return springs;
+}
+
+} // namespace
+
+template <int D>
+NewtonStep<D>::NewtonStep(const State<D>& state) : graph_(numberRows(state))
+{
+  jumps_ = findSlopeJumps(state, graph_);
+  springs_ = findSprings(state, graph_);
+  connectRows(state, groupsOf<D>(jumps_, springs_), graph_);
+  position_ = rowPositions(state, graph_);
+  mass_ = rowMasses(state, graph_);
+  held_ = findHeld(state, graph_);
+  findFreeMotions(state);
+  system_ = std::make_unique<LinearSystem<D>>(state, graph_, held_);
+  const int n = D * graph_.rows;
+  for (Values* values : {&load_, &displacement_, &residual_, &reaction_})
+    *values = Values("rhegma::equilibrium::values", n);
+}
+
+template <int D>
+void NewtonStep<D>::findFreeMotions(const State<D>& state)
+{
+  int pieces = 0;
+  std::tie(pieceOf_, pieces) = findPieces(graph_);
+  std::vector<int> size(pieces, 0);
+  for (const int piece : pieceOf_)
+    ++size[piece];
+  std::vector<char> loose(pieces, 0);
+  for (const RigidMode<D>& mode : freeModes<D>(pieceOf_, pieces, position_, mass_, held_))
+    if (size[mode.piece] <= (1 << D)) // no more than a cell
+      loose[mode.piece] = 1;
+    else
+      modes_.push_back(mode);
+  for (int r = 0; r < graph_.rows; ++r)
+    if (loose[pieceOf_[r]] != 0)
+    {
+      ++loose_;
+      for (int d = 0; d < D; ++d)
+        held_.is[D * r + d] = 1;
+    }
+  double speed = 0.0, extent = 0.0; // the slowest wave
+  for (const Properties& m : state.materials.properties)
+    speed = speed > 0.0 ? std::min(speed, std::sqrt(m.mu / m.density)) : std::sqrt(m.mu / m.density);
+  for (const RigidMode<D>& mode : modes_)
+    extent = std::max(extent, mode.size);
+  foundation_ = modes_.empty() ? 0.0 : foundationFraction * speed * speed / (extent * extent);
+}
+
+template <int D>
+std::string NewtonStep<D>::bodyOf(const State<D>& state, int piece) const
+{
+  const Grid<D>& grid = state.mesh.grid;
+  const auto position = state.particles.template real<D>(fields::position);
+  const auto body = state.particles.integer(fields::body);
+  std::map<int, int> count;
+  for (int p = 0; p < state.particles.size(); ++p)
+  {
+    int node = 0;
+    for (int d = 0; d < D; ++d)
+      node += grid.stride[d] * static_cast<int>(grid.inCells(position(p, d), d));
+    const int row = graph_.rowOf(node);
+    if (row >= 0 && pieceOf_[row] == piece)
+      ++count[body(p)];
+  }
+  const auto most = std::max_element(count.begin(), count.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == count.end() ? "a part of a body" : state.bodies.info[most->first].name;
+}
+
+template <int D>
+bool NewtonStep<D>::residual(const State<D>& state, const Values& u, const Values& r, double& removed) const
+{
+  Kokkos::deep_copy(r, load_);
+  if (!modes_.empty())
+  {
+    std::vector<Vector<D>> now = position_;
+    for (int k = 0; k < D * graph_.rows; ++k)
+      now[k / D][k % D] += u(k);
+    removed = removeResultants(modes_, pieceOf_, now, mass_, r);
+    for (int k = 0; k < D * graph_.rows; ++k)
+      r(k) -= foundation_ * mass_[k / D] * u(k);
+  }
+  constexpr double second[] = {1.0, -2.0, 1.0};
+  for (const SlopeJump& jump : jumps_)
+    for (int d = 0; d < D; ++d)
+    {
+      double difference = 0.0;
+      for (int a = 0; a < 3; ++a)
+        difference += second[a] * u(D * jump.row[a] + d);
+      for (int a = 0; a < 3; ++a)
+        r(D * jump.row[a] + d) -= jump.weight * second[a] * difference;
+    }
+  for (const auto& spring : springs_)
+    for (int d = 0; d < D; ++d)
+    {
+      const int a = D * static_cast<int>(spring[0]) + d, b = D * static_cast<int>(spring[1]) + d;
+      const double force = spring[2] * (u(a) - u(b));
+      r(a) -= force;
+      r(b) += force;
+    }
+  return subtractInternalForce(state, graph_, u, r);
+}
+
+template <int D>
+bool NewtonStep<D>::assemble(const State<D>& state)
+{
+  if (stiffness_.extent(0) == 0)
+    stiffness_ = StiffnessBlocks("rhegma::equilibrium::stiffness", D * D * graph_.column.extent(0));
+  else
+    Kokkos::deep_copy(stiffness_, 0.0);
+  const auto add = [&](int row, int other, double value)
+  {
+    double* const block = &stiffness_(D * D * graph_.find(row, other));
+    for (int d = 0; d < D; ++d)
+      block[d * D + d] += value;
+  };
+  constexpr double second[] = {1.0, -2.0, 1.0};
+  for (const SlopeJump& jump : jumps_)
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b)
+        add(jump.row[a], jump.row[b], jump.weight * second[a] * second[b]);
+  for (const auto& spring : springs_)
+    for (int a = 0; a < 2; ++a)
+      for (int b = 0; b < 2; ++b)
+        add(static_cast<int>(spring[a]), static_cast<int>(spring[b]), a == b ? spring[2] : -spring[2]);
+  for (int r = 0; r < graph_.rows && foundation_ > 0.0; ++r)
+    add(r, r, foundation_ * mass_[r]);
+  return addStiffness(state, graph_, displacement_, stiffness_);
+}
+
+template <int D>
+double NewtonStep<D>::norm(const Values& r, bool held) const
+{
+  double sum = 0.0;
+  for (int k = 0; k < D * graph_.rows; ++k)
+    if ((held_.is[k] != 0) == held)
+      sum += r(k) * r(k);
+  return std::sqrt(sum);
+}
+
+template <int D>
+bool NewtonStep<D>::search(const State<D>& state, const Values& change, double before, double enough,
+                           double& removed)
+{
+  const Values start("rhegma::equilibrium::start", displacement_.extent(0));
+  Kokkos::deep_copy(start, displacement_);
+  double fraction = 1.0;
+  for (int k = 0; k <= mostHalvings; ++k, fraction *= 0.5)
+  {
+    for (std::size_t i = 0; i < start.extent(0); ++i)
+      displacement_(i) = start(i) + fraction * change(i);
+    if (!residual(state, displacement_, residual_, removed))
+      continue;
+    const double now = norm(residual_, false);
+    if (now < before || now <= enough)
+      return true;
+  }
+  return false;
+}
+
+template <int D>
+StepReport NewtonStep<D>::solve(const State<D>& state)
+{
+  StepReport report;
+  const int n = D * graph_.rows;
+  for (int k = 0; k < n; ++k)
+    load_(k) = state.mesh.nodes.sums(graph_.nodeOf(k / D), Nodes<D>::forceAt + k % D);
+  Kokkos::deep_copy(displacement_, 0.0);
+  if (!residual(state, displacement_, residual_, report.removedFraction))
+    return report;
+  Values atStart("rhegma::equilibrium::atStart", n), change("rhegma::equilibrium::change", n);
+  Kokkos::deep_copy(atStart, residual_);
+  bool moved = std::any_of(held_.change.begin(), held_.change.end(), [](double u) { return u != 0.0; });
+  for (int k = 0; k <= mostIterations; ++k)
+  {
+    const double forces = std::max(norm(load_, false), norm(residual_, true)), now = norm(residual_, false);
+    report.residuals.push_back(forces > 0.0 ? now / forces : 0.0);
+    report.converged = !moved && now <= forceTolerance * forces;
+    if (report.converged || k == mostIterations || !assemble(state))
+      break;
+    for (int i = 0; i < n; ++i)
+      change(i) = held_.is[i] != 0 ? held_.change[i] - displacement_(i) : 0.0;
+    const LinearAnswer answer = system_->solve(stiffness_, residual_, change);
+    report.linearIterations += answer.iterations;
+    // Before the supports have moved there is no residual to compare with.
+    const double bound = moved ? std::numeric_limits<double>::infinity() : now;
+    if (!answer.solved || !search(state, change, bound, forceTolerance * forces, report.removedFraction))
+    {
+      report.converged = answer.solved && !moved && now <= roundingOfForces * forces;
+      break;
+    }
+    moved = false;
+    for (int i = 0; i < n; ++i)
+      moved = moved || (held_.is[i] != 0 &&
+                        std::fabs(held_.change[i] - displacement_(i)) > 1e-12 * std::fabs(held_.change[i]));
+  }
+  workOfSupports_ = 0.0;
+  for (int k = 0; k < n; ++k)
+  {
+    reaction_(k) = held_.is[k] != 0 ? -residual_(k) : 0.0;
+    workOfSupports_ -= held_.is[k] != 0 ? 0.5 * (residual_(k) + atStart(k)) * displacement_(k) : 0.0;
+  }
+  return report;
+}
+
+template <int D>
+double NewtonStep<D>::ghostEnergy() const
+{
+  double energy = 0.0;
+  for (const SlopeJump& jump : jumps_)
+    for (int d = 0; d < D; ++d)
+    {
+      const double difference = displacement_(D * jump.row[0] + d) -
+                                2.0 * displacement_(D * jump.row[1] + d) + displacement_(D * jump.row[2] + d);
+      energy += 0.5 * jump.weight * difference * difference;
+    }
+  return energy;
+}
+
+template class NewtonStep<2>;
+template class NewtonStep<3>;
+
+} // namespace Rhegma::equilibrium

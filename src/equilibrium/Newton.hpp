@@ -1,0 +1,84 @@
+#pragma once
+/// Newton's method for the displacement of a step of equilibrium.
+
+#include "equilibrium/GhostPenalty.hpp"
+#include "equilibrium/LinearSystem.hpp"
+#include "equilibrium/RigidModes.hpp"
+
+#include <memory>
+#include <string>
+
+namespace Rhegma::equilibrium
+{
+
+/// Residual of the forces, as a fraction of the forces, at which a step is in equilibrium.
+constexpr double forceTolerance = 1e-9;
+
+/// Iterations after which a step counts as failed; a quadratic rate needs a handful.
+constexpr int mostIterations = 20;
+
+/// How a step was solved.
+struct StepReport
+{
+  bool converged = false;
+  std::vector<double> residuals; ///< before each iteration and after the last, as fractions of the forces
+  int linearIterations = 0;      ///< of all linear solves
+  double removedFraction = 0.0;  ///< of the loads, balanced by uniform acceleration
+};
+
+/// The unknowns of a step and the forces between them.
+template <int D>
+class NewtonStep
+{
+public:
+  /// Numbers the unknowns. \param state with stencils, masses and prescribed motion of the step
+  explicit NewtonStep(const State<D>& state);
+
+  int unknowns() const { return system_ ? system_->unknowns() : 0; }
+  int rows() const { return graph_.rows; }
+  double matrixEntries() const { return static_cast<double>(D) * D * graph_.column.extent(0); }
+  const std::vector<RigidMode<D>>& freeMotions() const { return modes_; }
+  /// Name of the body that has most of a piece.
+  std::string bodyOf(const State<D>& state, int piece) const;
+  /// Fields that hang on nothing, and stay where they are.
+  int looseFields() const { return loose_; }
+
+  /// Finds the displacement under the nodal forces of the state. \return how; `displacement` then holds it
+  StepReport solve(const State<D>& state);
+
+  const Values& displacement() const { return displacement_; }
+  /// Forces of supports on the body [N]; zero on other unknowns.
+  const Values& reaction() const { return reaction_; }
+  /// Work of the supports over the step [J], and energy of the ghost penalty.
+  double workOfSupports() const { return workOfSupports_; }
+  double ghostEnergy() const;
+  const RowGraph& graph() const { return graph_; }
+
+private:
+  void findFreeMotions(const State<D>& state);
+  /// Forces minus resistance at a trial displacement. \return false where a particle is inverted
+  bool residual(const State<D>& state, const Values& u, const Values& r, double& removed) const;
+  bool assemble(const State<D>& state);
+  void addSprings(const State<D>& state);
+  /// Part of a residual on unknowns that are held (true) or free (false), as 2-norm.
+  double norm(const Values& r, bool held) const;
+  /// Moves along the change, halving it until the residual falls. \return false where it does not
+  bool search(const State<D>& state, const Values& change, double before, double enough, double& removed);
+
+  RowGraph graph_;
+  std::vector<SlopeJump> jumps_;
+  std::vector<Vector<D>> position_;
+  std::vector<double> mass_;
+  std::vector<int> pieceOf_;
+  std::vector<RigidMode<D>> modes_;
+  Held held_;
+  int loose_ = 0;
+  double foundation_ = 0.0; ///< stiffness per mass that keeps free pieces in their place [1/s2]
+  std::vector<std::array<double, 3>> springs_; ///< two rows and stiffness [N/m]
+  std::unique_ptr<LinearSystem<D>> system_;
+  StiffnessBlocks stiffness_;
+  Values load_, displacement_, residual_, reaction_;
+  double workOfSupports_ = 0.0;
+};
+
+} // namespace Rhegma::equilibrium

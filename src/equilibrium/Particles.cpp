@@ -1,0 +1,203 @@
+#include "equilibrium/Particles.hpp"
+
+#include "equilibrium/TrialStress.hpp"
+#include "transfer/ParticleViews.hpp"
+
+namespace Rhegma::equilibrium
+{
+
+namespace
+{
+
+/// Largest number of nodes that a particle sees.
+template <int D>
+constexpr int mostNodes = stencilCapacity<D> < 27 ? 27 : stencilCapacity<D>;
+
+/// The rows of a particle's nodes, and the slopes of their functions [1/m].
+template <int D>
+struct RowsOfParticle
+{
+  int count = 0;
+  int row[mostNodes<D>];
+  double slope[mostNodes<D>][D];
+};
+
+template <int D>
+struct ParticleData
+{
+  View<int*> rowOf;
+  Values displacement;
+  View<Properties*> materials;
+  BorrowedView<int*> material;
+  BorrowedView<double*> volume;
+  BorrowedView<double * [gradientSize<D>]> deformation;
+  BorrowedView<double**> history; ///< empty where no law has one
+  View<int> bad;                  ///< not 0 where a particle is inverted
+  double dt;
+
+  ParticleData(const State<D>& state, const RowGraph& graph, const Values& u)
+      : rowOf(graph.rowOf),
+        displacement(u),
+        materials(state.materials.device),
+        material(state.particles.integer(fields::material)),
+        volume(state.particles.scalar(fields::volume)),
+        deformation(state.particles.template real<gradientSize<D>>(fields::deformation)),
+        bad("rhegma::invertedParticles"),
+        dt(state.clock.dt)
+  {
+    if (state.particles.has(fields::history))
+      history = state.particles.table(fields::history);
+  }
+
+  KOKKOS_INLINE_FUNCTION ParticleBefore<D> before(int p) const
+  {
+    const int width = static_cast<int>(history.extent(1));
+    return {materials(material(p)), &deformation(p, 0), width > 0 ? &history(p, 0) : nullptr, width, dt};
+  }
+
+  /// \param G becomes the gradient of the displacement
+  template <class Connect>
+  KOKKOS_INLINE_FUNCTION void see(const Connect& connect, int p, RowsOfParticle<D>& rows,
+                                  double (&G)[D * D]) const
+  {
+    for (double& g : G)
+      g = 0.0;
+    rows.count = 0;
+    connect.visit(p,
+                  [&](int node, double weight, const double* slope)
+                  {
+                    if (weight < leastWeight)
+                      return;
+                    const int row = rowOf(node);
+                    rows.row[rows.count] = row;
+                    for (int i = 0; i < D; ++i)
+                    {
+                      rows.slope[rows.count][i] = slope[i];
+                      for (int j = 0; j < D; ++j)
+                        G[i * D + j] += displacement(D * row + i) * slope[j];
+                    }
+                    ++rows.count;
+                  });
+  }
+};
+
+template <int D, class Connect>
+struct ForceBlock
+{
+  Connect connect;
+  ParticleData<D> data;
+  Values force;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
+  {
+    for (int p = begin; p < end; ++p)
+    {
+      RowsOfParticle<D> rows;
+      double G[D * D], P[D * D];
+      data.see(connect, p, rows, G);
+      if (!trialStress<D>(data.before(p), G, P))
+      {
+        Kokkos::atomic_exchange(&data.bad(), 1);
+        continue;
+      }
+      for (int a = 0; a < rows.count; ++a)
+        for (int i = 0; i < D; ++i)
+        {
+          double f = 0.0;
+          for (int j = 0; j < D; ++j)
+            f += P[i * D + j] * rows.slope[a][j];
+          force(D * rows.row[a] + i) -= data.volume(p) * f;
+        }
+    }
+  }
+};
+
+template <int D, class Connect>
+struct StiffnessBlock
+{
+  Connect connect;
+  ParticleData<D> data;
+  RowGraph graph;
+  StiffnessBlocks stiffness;
+
+  KOKKOS_INLINE_FUNCTION void operator()(int begin, int end) const
+  {
+    for (int p = begin; p < end; ++p)
+    {
+      RowsOfParticle<D> rows;
+      double G[D * D], A[D * D][D * D];
+      data.see(connect, p, rows, G);
+      if (!trialTangent<D>(data.before(p), G, A))
+      {
+        Kokkos::atomic_exchange(&data.bad(), 1);
+        continue;
+      }
+      for (int b = 0; b < rows.count; ++b)
+        addColumn(rows, b, data.volume(p), A);
+    }
+  }
+
+  KOKKOS_INLINE_FUNCTION void addColumn(const RowsOfParticle<D>& rows, int b, double volume,
+                                        const double (&A)[D * D][D * D]) const
+  {
+    double M[D * D][D]; // V0 A . slope of b, of (i, j) and k
+    for (int r = 0; r < D * D; ++r)
+      for (int k = 0; k < D; ++k)
+      {
+        M[r][k] = 0.0;
+        for (int l = 0; l < D; ++l)
+          M[r][k] += volume * A[r][k * D + l] * rows.slope[b][l];
+      }
+    for (int a = 0; a < rows.count; ++a)
+    {
+      double* const block = &stiffness(D * D * graph.find(rows.row[a], rows.row[b]));
+      for (int i = 0; i < D; ++i)
+        for (int k = 0; k < D; ++k)
+        {
+          double sum = 0.0;
+          for (int j = 0; j < D; ++j)
+            sum += rows.slope[a][j] * M[i * D + j][k];
+          block[i * D + k] += sum;
+        }
+    }
+  }
+};
+
+} // namespace
+
+template <int D>
+bool subtractInternalForce(const State<D>& state, const RowGraph& graph, const Values& displacement,
+                           const Values& force)
+{
+  const ParticleData<D> data(state, graph, displacement);
+  withConnectivity(state,
+                   [&](const auto& connect)
+                   {
+                     using Connect = std::decay_t<decltype(connect)>;
+                     forEachBlock("rhegma::equilibrium::force", state.mesh.blocks,
+                                  ForceBlock<D, Connect>{connect, data, force});
+                   });
+  return onHost(data.bad)() == 0;
+}
+
+template <int D>
+bool addStiffness(const State<D>& state, const RowGraph& graph, const Values& displacement,
+                  const StiffnessBlocks& stiffness)
+{
+  const ParticleData<D> data(state, graph, displacement);
+  withConnectivity(state,
+                   [&](const auto& connect)
+                   {
+                     using Connect = std::decay_t<decltype(connect)>;
+                     forEachBlock("rhegma::equilibrium::stiffness", state.mesh.blocks,
+                                  StiffnessBlock<D, Connect>{connect, data, graph, stiffness});
+                   });
+  return onHost(data.bad)() == 0;
+}
+
+template bool subtractInternalForce(const State<2>&, const RowGraph&, const Values&, const Values&);
+template bool subtractInternalForce(const State<3>&, const RowGraph&, const Values&, const Values&);
+template bool addStiffness(const State<2>&, const RowGraph&, const Values&, const StiffnessBlocks&);
+template bool addStiffness(const State<3>&, const RowGraph&, const Values&, const StiffnessBlocks&);
+
+} // namespace Rhegma::equilibrium

@@ -1,0 +1,171 @@
+#include "equilibrium/RigidModes.hpp"
+
+#include <Teuchos_LAPACK.hpp>
+#include <Teuchos_SerialDenseMatrix.hpp>
+#include <Teuchos_SerialDenseSolver.hpp>
+
+#include <algorithm>
+
+namespace Rhegma::equilibrium
+{
+
+namespace
+{
+
+/// Part of the largest eigenvalue of the supports' matrix below which a motion counts as free: a support one
+/// thousandth of the body's size away from the axis still holds a rotation.
+constexpr double leastHold = 1e-9;
+
+template <int D>
+std::vector<RigidMode<D>> framesOfPieces(const std::vector<int>& pieceOf, int pieces,
+                                         const std::vector<Vector<D>>& position,
+                                         const std::vector<double>& mass)
+{
+  std::vector<RigidMode<D>> frames(pieces);
+  std::vector<double> all(pieces, 0.0);
+  for (std::size_t r = 0; r < pieceOf.size(); ++r)
+  {
+    frames[pieceOf[r]].centre = frames[pieceOf[r]].centre + mass[r] * position[r];
+    all[pieceOf[r]] += mass[r];
+  }
+  for (int k = 0; k < pieces; ++k)
+  {
+    frames[k].piece = k;
+    frames[k].centre = (1.0 / all[k]) * frames[k].centre;
+    frames[k].size = 0.0;
+  }
+  for (std::size_t r = 0; r < pieceOf.size(); ++r)
+  {
+    RigidMode<D>& frame = frames[pieceOf[r]];
+    frame.size = std::max(frame.size, norm(position[r] - frame.centre));
+  }
+  for (RigidMode<D>& frame : frames)
+    frame.size = frame.size > 0.0 ? frame.size : 1.0;
+  return frames;
+}
+
+} // namespace
+
+template <int D>
+std::string RigidMode<D>::asText() const
+{
+  std::string text;
+  for (int m = 0; m < rigidMotions<D>; ++m)
+    if (std::fabs(coefficient[m]) > 0.3)
+      text += std::string(text.empty() ? "can " : " and ") +
+              (m < D ? std::string("move along ") + "xyz"[m]
+                     : std::string("turn freely about ") + (D == 2 ? 'z' : "xyz"[m - D]));
+  return text;
+}
+
+template <int D>
+std::vector<RigidMode<D>> freeModes(const std::vector<int>& pieceOf, int pieces,
+                                    const std::vector<Vector<D>>& position, const std::vector<double>& mass,
+                                    const Held& held)
+{
+  constexpr int n = rigidMotions<D>;
+  const std::vector<RigidMode<D>> frames = framesOfPieces(pieceOf, pieces, position, mass);
+  std::vector<std::array<double, n * n>> hold(pieces, std::array<double, n * n>{});
+  for (std::size_t r = 0; r < pieceOf.size(); ++r)
+    for (int d = 0; d < D; ++d)
+      if (held.is[D * r + d] != 0)
+      {
+        double motion[n];
+        for (int m = 0; m < n; ++m)
+        {
+          RigidMode<D> one = frames[pieceOf[r]];
+          one.coefficient[m] = 1.0;
+          motion[m] = one.at(position[r])[d];
+        }
+        for (int k = 0; k < n * n; ++k)
+          hold[pieceOf[r]][k] += motion[k / n] * motion[k % n];
+      }
+  std::vector<RigidMode<D>> modes;
+  Teuchos::LAPACK<int, double> lapack;
+  for (int k = 0; k < pieces; ++k)
+  {
+    double values[n], work[8 * n];
+    int info = 0;
+    lapack.SYEV('V', 'U', n, hold[k].data(), n, values, work, 8 * n, &info);
+    for (int v = 0; v < n; ++v)
+      if (!(values[v] > leastHold * values[n - 1]) || !(values[n - 1] > 0.0))
+      {
+        modes.push_back(frames[k]);
+        std::copy_n(hold[k].data() + v * n, n, modes.back().coefficient);
+      }
+  }
+  return modes;
+}
+
+template <int D>
+double removeResultants(const std::vector<RigidMode<D>>& modes, const std::vector<int>& pieceOf,
+                        const std::vector<Vector<D>>& position, const std::vector<double>& mass,
+                        const View<double*>& force)
+{
+  double largest = 0.0;
+  for (std::size_t first = 0; first < modes.size();)
+  {
+    std::size_t last = first;
+    while (last < modes.size() && modes[last].piece == modes[first].piece)
+      ++last;
+    const int n = static_cast<int>(last - first);
+    Teuchos::SerialDenseMatrix<int, double> inertia(n, n), resultant(n, 1), acceleration(n, 1);
+    double size = 0.0, taken = 0.0;
+    const auto forRows = [&](const auto& use)
+    {
+      for (std::size_t r = 0; r < pieceOf.size(); ++r)
+        if (pieceOf[r] == modes[first].piece)
+          use(r);
+    };
+    forRows(
+        [&](std::size_t r)
+        {
+          for (int a = 0; a < n; ++a)
+          {
+            const Vector<D> u = modes[first + a].at(position[r]);
+            for (int b = 0; b < n; ++b)
+              inertia(a, b) += mass[r] * dot(u, modes[first + b].at(position[r]));
+            for (int d = 0; d < D; ++d)
+              resultant(a, 0) += u[d] * force(D * r + d);
+          }
+          for (int d = 0; d < D; ++d)
+            size += std::fabs(force(D * r + d));
+        });
+    Teuchos::SerialDenseSolver<int, double> solver;
+    solver.setMatrix(Teuchos::rcpFromRef(inertia));
+    solver.setVectors(Teuchos::rcpFromRef(acceleration), Teuchos::rcpFromRef(resultant));
+    solver.solve();
+    forRows(
+        [&](std::size_t r)
+        {
+          for (int a = 0; a < n; ++a)
+          {
+            const Vector<D> u = modes[first + a].at(position[r]);
+            for (int d = 0; d < D; ++d)
+            {
+              const double part = mass[r] * acceleration(a, 0) * u[d];
+              force(D * r + d) -= part;
+              taken += std::fabs(part);
+            }
+          }
+        });
+    largest = size > 0.0 ? std::max(largest, taken / size) : largest;
+    first = last;
+  }
+  return largest;
+}
+
+template struct RigidMode<2>;
+template struct RigidMode<3>;
+template std::vector<RigidMode<2>> freeModes(const std::vector<int>&, int, const std::vector<Vector<2>>&,
+                                             const std::vector<double>&, const Held&);
+template std::vector<RigidMode<3>> freeModes(const std::vector<int>&, int, const std::vector<Vector<3>>&,
+                                             const std::vector<double>&, const Held&);
+template double removeResultants(const std::vector<RigidMode<2>>&, const std::vector<int>&,
+                                 const std::vector<Vector<2>>&, const std::vector<double>&,
+                                 const View<double*>&);
+template double removeResultants(const std::vector<RigidMode<3>>&, const std::vector<int>&,
+                                 const std::vector<Vector<3>>&, const std::vector<double>&,
+                                 const View<double*>&);
+
+} // namespace Rhegma::equilibrium

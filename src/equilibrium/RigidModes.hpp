@@ -1,0 +1,61 @@
+#pragma once
+/// Rigid motions that no support prevents.
+
+#include "equilibrium/Unknowns.hpp"
+
+#include <string>
+
+namespace Rhegma::equilibrium
+{
+
+/// Number of rigid motions: translations, then rotations about the axes (z in 2D).
+template <int D>
+constexpr int rigidMotions = D == 2 ? 3 : 6;
+
+/// A rigid motion of a piece, as coefficients of translations and of rotations about its centre times its
+/// size.
+template <int D>
+struct RigidMode
+{
+  int piece = 0;
+  Vector<D> centre{}; ///< of mass [m]
+  double size = 1.0;  ///< of the piece [m]
+  double coefficient[rigidMotions<D>] = {};
+
+  /// Motion of a point.
+  Vector<D> at(const Vector<D>& x) const
+  {
+    Vector<D> u{};
+    const Vector<D> arm = (1.0 / size) * (x - centre);
+    for (int d = 0; d < D; ++d)
+      u[d] = coefficient[d];
+    if constexpr (D == 2)
+    {
+      u[0] -= coefficient[2] * arm[1];
+      u[1] += coefficient[2] * arm[0];
+    }
+    else
+      for (int d = 0; d < 3; ++d)
+        u[d] +=
+            coefficient[3 + (d + 1) % 3] * arm[(d + 2) % 3] - coefficient[3 + (d + 2) % 3] * arm[(d + 1) % 3];
+    return u;
+  }
+
+  /// Such as "can move along x and turn about z".
+  std::string asText() const;
+};
+
+/// The free motions of all pieces, orthogonal to each other.
+template <int D>
+std::vector<RigidMode<D>> freeModes(const std::vector<int>& pieceOf, int pieces,
+                                    const std::vector<Vector<D>>& position, const std::vector<double>& mass,
+                                    const Held& held);
+
+/// Takes from forces what would accelerate free pieces: f -= M R (R^T M R)^-1 R^T f, R the modes at the
+/// current positions. \return the largest fraction of a force that was taken
+template <int D>
+double removeResultants(const std::vector<RigidMode<D>>& modes, const std::vector<int>& pieceOf,
+                        const std::vector<Vector<D>>& position, const std::vector<double>& mass,
+                        const View<double*>& force);
+
+} // namespace Rhegma::equilibrium

@@ -1,0 +1,135 @@
+#pragma once
+/// Stress of a particle for a trial displacement, and its tangent.
+
+#include "base/Types.hpp"
+#include "material/Materials.hpp"
+
+namespace Rhegma::equilibrium
+{
+
+/// A particle at the start of a step of equilibrium.
+template <int D>
+struct ParticleBefore
+{
+  const Properties& properties;
+  const double* F;       ///< deformation gradient then, gradientSize<D>
+  const double* history; ///< of its law, or null
+  int historyWidth;
+  double dt; ///< length of the step [s]
+};
+
+/// First Piola-Kirchhoff stress per volume at F = 1, relative to the configuration before the step: the power
+/// of the particle is V0 P : dG/dt, G the gradient of the displacement over the step with respect to that
+/// configuration. P = tau (1 + G)^-T.
+template <int D>
+struct TrialStress
+{
+  const ParticleBefore<D>& before;
+  const double (&G)[D * D];
+  double (&P)[D * D];
+
+  /// \return false where the particle is inverted or not finite
+  template <class Law, int, Plane PlaneOf>
+  KOKKOS_INLINE_FUNCTION bool run() const
+  {
+    double B[D * D], F[gradientSize<D>], tau[symmetricSize<D>], history[historyCapacity];
+    for (int k = 0; k < D * D; ++k)
+      B[k] = G[k] + (k % (D + 1) == 0 ? 1.0 : 0.0);
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j)
+      {
+        F[i * D + j] = 0.0;
+        for (int k = 0; k < D; ++k)
+          F[i * D + j] += B[i * D + k] * before.F[k * D + j];
+      }
+    if constexpr (D == 2)
+      F[4] = before.F[4];
+    for (int k = 0; k < before.historyWidth; ++k)
+      history[k] = before.history[k];
+    double inverse[D * D];
+    if (!invert(B, inverse) ||
+        !stressOfLaw<Law, D, PlaneOf>({before.F, before.dt, before.properties.temperature}, before.properties,
+                                      F, tau, before.historyWidth > 0 ? history : nullptr))
+      return false;
+    double sum = 0.0;
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j)
+      {
+        double& p = P[i * D + j];
+        p = 0.0;
+        for (int k = 0; k < D; ++k)
+          p += tau[symmetricIndex<D>(i, k)] * inverse[j * D + k];
+        sum += std::fabs(p);
+      }
+    return std::isfinite(sum);
+  }
+
+private:
+  static KOKKOS_INLINE_FUNCTION bool invert(const double (&B)[D * D], double (&inverse)[D * D])
+  {
+    if constexpr (D == 2)
+    {
+      const double J = B[0] * B[3] - B[1] * B[2];
+      inverse[0] = B[3] / J;
+      inverse[1] = -B[1] / J;
+      inverse[2] = -B[2] / J;
+      inverse[3] = B[0] / J;
+      return J > 0.0;
+    }
+    else
+    {
+      double J = 0.0;
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+        {
+          const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+          const double minor = B[3 * i1 + j1] * B[3 * i2 + j2] - B[3 * i1 + j2] * B[3 * i2 + j1];
+          inverse[3 * j + i] = minor;
+          J += i == 0 ? B[j] * minor : 0.0;
+        }
+      for (double& entry : inverse)
+        entry /= J;
+      return J > 0.0;
+    }
+  }
+};
+
+template <int D>
+KOKKOS_INLINE_FUNCTION bool trialStress(const ParticleBefore<D>& before, const double (&G)[D * D],
+                                        double (&P)[D * D])
+{
+  return withLaw<D>(before.properties.law, before.properties.plane, TrialStress<D>{before, G, P});
+}
+
+/// Change of a gradient for central differences. The error of the tangent, h^2 times the third derivative and
+/// the rounding of the stress over h, is below 1e-9 of it for strains of order one.
+constexpr double differenceStep = 1e-5;
+
+/// Consistent tangent A = dP / dG at G, of (D * i + j) and (D * k + l), by central differences of the law as
+/// it is, history included; symmetric, as the tangents of laws with a potential are. \return false where a
+/// stress does not exist
+template <int D>
+KOKKOS_INLINE_FUNCTION bool trialTangent(const ParticleBefore<D>& before, const double (&G)[D * D],
+                                         double (&A)[D * D][D * D])
+{
+  bool good = true;
+  for (int c = 0; c < D * D; ++c)
+  {
+    double at[D * D], high[D * D] = {}, low[D * D] = {};
+    for (int k = 0; k < D * D; ++k)
+      at[k] = G[k];
+    at[c] = G[c] + differenceStep;
+    const double up = at[c];
+    good = trialStress<D>(before, at, high) && good;
+    at[c] = G[c] - differenceStep;
+    good = trialStress<D>(before, at, low) && good;
+    for (int r = 0; r < D * D; ++r)
+      A[r][c] = (high[r] - low[r]) / (up - at[c]);
+  }
+  for (int r = 0; r < D * D; ++r)
+    for (int c = 0; c < r; ++c)
+      A[r][c] = A[c][r] = 0.5 * (A[r][c] + A[c][r]);
+  return good;
+}
+
+} // namespace Rhegma::equilibrium

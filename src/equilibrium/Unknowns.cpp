@@ -1,0 +1,188 @@
+#include "equilibrium/Unknowns.hpp"
+
+#include "transfer/ParticleViews.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace Rhegma::equilibrium
+{
+
+namespace
+{
+
+/// Calls use(rows) with the sorted rows of each particle's nodes, where they differ from those of the
+/// particles just before it.
+template <int D, class Use>
+void forEachStencil(const State<D>& state, const Use& use)
+{
+  constexpr int remembered = 8;
+  withConnectivity(state,
+                   [&](const auto& connect)
+                   {
+                     std::vector<int> nodes, last[remembered];
+                     int next = 0;
+                     for (int p = 0; p < state.particles.size(); ++p)
+                     {
+                       nodes.clear();
+                       connect.visit(p,
+                                     [&](int node, double weight, const double*)
+                                     {
+                                       if (weight >= leastWeight)
+                                         nodes.push_back(node);
+                                     });
+                       std::sort(nodes.begin(), nodes.end());
+                       if (std::find(last, last + remembered, nodes) != last + remembered)
+                         continue;
+                       last[next++ % remembered] = nodes;
+                       use(nodes);
+                     }
+                   });
+}
+
+void addCouplings(const std::vector<int>& rows, std::vector<std::vector<int>>& coupled)
+{
+  constexpr std::size_t most = 512; // then entries that occur twice are removed
+  for (const int row : rows)
+  {
+    std::vector<int>& list = coupled[row];
+    list.insert(list.end(), rows.begin(), rows.end());
+    if (list.size() > most)
+    {
+      std::sort(list.begin(), list.end());
+      list.erase(std::unique(list.begin(), list.end()), list.end());
+    }
+  }
+}
+
+} // namespace
+
+template <int D>
+RowGraph numberRows(const State<D>& state)
+{
+  RowGraph graph;
+  const int nodes = static_cast<int>(state.mesh.nodes.sums.extent(0));
+  graph.rowOf = View<int*>("rhegma::rowOfNode", nodes);
+  std::vector<char> used(nodes, 0);
+  forEachStencil(state,
+                 [&](const std::vector<int>& of)
+                 {
+                   for (const int n : of)
+                     used[n] = 1;
+                 });
+  graph.rows = static_cast<int>(std::count(used.begin(), used.end(), 1));
+  graph.nodeOf = View<int*>("rhegma::nodeOfRow", graph.rows);
+  for (int n = 0, row = 0; n < nodes; ++n)
+  {
+    graph.rowOf(n) = used[n] != 0 ? row : -1;
+    if (used[n] != 0)
+      graph.nodeOf(row++) = n;
+  }
+  return graph;
+}
+
+template <int D>
+void connectRows(const State<D>& state, const Groups& groups, RowGraph& graph)
+{
+  std::vector<std::vector<int>> coupled(graph.rows);
+  std::vector<int> rows;
+  forEachStencil(state,
+                 [&](const std::vector<int>& nodes)
+                 {
+                   rows.clear();
+                   for (const int n : nodes)
+                     rows.push_back(graph.rowOf(n));
+                   addCouplings(rows, coupled);
+                 });
+  for (const std::vector<int>& group : groups)
+    addCouplings(group, coupled);
+  graph.first = View<int*>("rhegma::rowStarts", graph.rows + 1);
+  for (int r = 0; r < graph.rows; ++r)
+  {
+    std::sort(coupled[r].begin(), coupled[r].end());
+    coupled[r].erase(std::unique(coupled[r].begin(), coupled[r].end()), coupled[r].end());
+    graph.first(r + 1) = graph.first(r) + static_cast<int>(coupled[r].size());
+  }
+  graph.column = View<int*>("rhegma::columns", graph.first(graph.rows));
+  for (int r = 0; r < graph.rows; ++r)
+    std::copy(coupled[r].begin(), coupled[r].end(), graph.column.data() + graph.first(r));
+}
+
+std::pair<std::vector<int>, int> findPieces(const RowGraph& graph)
+{
+  std::vector<int> piece(graph.rows, -1), stack;
+  int count = 0;
+  for (int start = 0; start < graph.rows; ++start)
+  {
+    if (piece[start] >= 0)
+      continue;
+    stack.assign(1, start);
+    piece[start] = count;
+    while (!stack.empty())
+    {
+      const int row = stack.back();
+      stack.pop_back();
+      for (int k = graph.first(row); k < graph.first(row + 1); ++k)
+        if (piece[graph.column(k)] < 0)
+        {
+          piece[graph.column(k)] = count;
+          stack.push_back(graph.column(k));
+        }
+    }
+    ++count;
+  }
+  return {piece, count};
+}
+
+template <int D>
+std::vector<Vector<D>> rowPositions(const State<D>& state, const RowGraph& graph)
+{
+  const NodePositions<D> positions = nodePositions(state);
+  std::vector<Vector<D>> at(graph.rows);
+  for (int r = 0; r < graph.rows; ++r)
+    at[r] = positions(latticeNode(state.mesh.nodes, graph.nodeOf(r)));
+  return at;
+}
+
+template <int D>
+std::vector<double> rowMasses(const State<D>& state, const RowGraph& graph)
+{
+  std::vector<double> mass(graph.rows);
+  for (int r = 0; r < graph.rows; ++r)
+    mass[r] = state.mesh.nodes.sums(graph.nodeOf(r), Nodes<D>::massAt);
+  return mass;
+}
+
+template <int D>
+Held findHeld(const State<D>& state, const RowGraph& graph)
+{
+  Held held{std::vector<char>(D * graph.rows, 0), std::vector<double>(D * graph.rows, 0.0)};
+  const NodePositions<D> positions = nodePositions(state);
+  for (int r = 0; r < graph.rows; ++r)
+  {
+    const int lattice = latticeNode(state.mesh.nodes, graph.nodeOf(r));
+    const Vector<D> x = positions(lattice);
+    for (const NodeConstraint<D>& constraint : state.motion.constraints)
+      if (constraint.appliesAt(x))
+        for (int d = 0; d < D; ++d)
+          if (constraint.holds[d])
+          {
+            held.is[D * r + d] = 1;
+            held.change[D * r + d] = state.clock.dt * constraint.at(lattice, d);
+          }
+  }
+  return held;
+}
+
+template RowGraph numberRows(const State<2>&);
+template RowGraph numberRows(const State<3>&);
+template void connectRows(const State<2>&, const Groups&, RowGraph&);
+template void connectRows(const State<3>&, const Groups&, RowGraph&);
+template std::vector<Vector<2>> rowPositions(const State<2>&, const RowGraph&);
+template std::vector<Vector<3>> rowPositions(const State<3>&, const RowGraph&);
+template std::vector<double> rowMasses(const State<2>&, const RowGraph&);
+template std::vector<double> rowMasses(const State<3>&, const RowGraph&);
+template Held findHeld(const State<2>&, const RowGraph&);
+template Held findHeld(const State<3>&, const RowGraph&);
+
+} // namespace Rhegma::equilibrium

@@ -1,0 +1,75 @@
+#pragma once
+/// The unknowns of an equilibrium: displacement increments of the fields of nodes.
+
+#include "state/State.hpp"
+
+#include <cmath>
+#include <vector>
+
+namespace Rhegma::equilibrium
+{
+
+/// Smallest weight of a node in a particle's stencil that counts: smaller ones are rounding errors of a box
+/// that ends on a row of nodes, and would make unknowns that nothing holds.
+constexpr double leastWeight = 1e-20;
+
+/// Rows, one for each field of a node that some particle sees, in the order of the nodes' numbers; and which
+/// rows are coupled.
+struct RowGraph
+{
+  View<int*> rowOf;  ///< of each node, enriched fields included; -1: none
+  View<int*> nodeOf; ///< node of each row
+  View<int*> first;  ///< of each row in `column`; one more at the end
+  View<int*> column; ///< coupled rows, ascending, the row itself included
+  int rows = 0;
+
+  /// Position in `column` of a coupled pair.
+  KOKKOS_INLINE_FUNCTION int find(int row, int other) const
+  {
+    int low = first(row), high = first(row + 1) - 1;
+    while (low < high)
+    {
+      const int middle = (low + high) / 2;
+      if (column(middle) < other)
+        low = middle + 1;
+      else
+        high = middle;
+    }
+    return low;
+  }
+};
+
+/// Rows that are coupled although no particle sees both, one group a list.
+using Groups = std::vector<std::vector<int>>;
+
+/// The rows of the nodes that particles see, without couplings. Needs the stencils of the step.
+template <int D>
+RowGraph numberRows(const State<D>& state);
+
+/// Finds the coupled rows. \param groups further ones
+template <int D>
+void connectRows(const State<D>& state, const Groups& groups, RowGraph& graph);
+
+/// Pieces: rows that are coupled directly or through others. \return the piece of each row, and their number
+std::pair<std::vector<int>, int> findPieces(const RowGraph& graph);
+
+/// Positions of the nodes of rows [m].
+template <int D>
+std::vector<Vector<D>> rowPositions(const State<D>& state, const RowGraph& graph);
+
+/// Mass of each row [kg].
+template <int D>
+std::vector<double> rowMasses(const State<D>& state, const RowGraph& graph);
+
+/// What supports prescribe for each unknown (D * row + axis).
+struct Held
+{
+  std::vector<char> is;       ///< not 0 where a support holds the unknown
+  std::vector<double> change; ///< displacement over the step there [m]
+};
+
+/// \param state with the prescribed motion of the step, a mean velocity
+template <int D>
+Held findHeld(const State<D>& state, const RowGraph& graph);
+
+} // namespace Rhegma::equilibrium

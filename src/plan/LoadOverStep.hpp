@@ -1,0 +1,53 @@
+#pragma once
+/// What a function of time gives over a step.
+
+#include "scene/TimeFunction.hpp"
+#include "state/State.hpp"
+
+namespace Rhegma
+{
+
+/// Values of a load's function of time over the current step.
+struct LoadOverStep
+{
+  double acts = 0.0;  ///< that the forces of the step have
+  double works = 0.0; ///< with which they do work over the displacement of the step
+};
+
+/// In dynamics the value in the middle of the step. In equilibrium the value at its end acts and the mean of
+/// those at both ends does work, as force and displacement grow together.
+template <int D>
+LoadOverStep loadOverStep(const State<D>& state, const TimeFunction& history)
+{
+  const Clock& clock = state.clock;
+  const double middle = clock.time + 0.5 * clock.dt, end = clock.time + clock.dt;
+  if (state.method.analysis == Analysis::Dynamic)
+  {
+    const double now = history(middle);
+    return {now, now};
+  }
+  if (state.method.analysis == Analysis::QuasiStatic)
+  {
+    const double now = history(end);
+    return {now, 0.5 * (now + history(clock.time))};
+  }
+  const double whole = history(clock.finalTime) / clock.finalTime;
+  return {whole * end, whole * middle};
+}
+
+/// Mean over the step of a function of time that is a velocity, for steps of equilibrium; in a static
+/// analysis the same fraction of its whole integral in every step.
+template <int D>
+double meanOverStep(const State<D>& state, const TimeFunction& history)
+{
+  const bool isStatic = state.method.analysis == Analysis::Static;
+  const double from = isStatic ? 0.0 : state.clock.time;
+  const double length = isStatic ? state.clock.finalTime : state.clock.dt;
+  constexpr int pieces = 256; // by the middle of each: exact for ramps, and good for functions with corners
+  double sum = 0.0;
+  for (int k = 0; k < pieces; ++k)
+    sum += history(from + length * (k + 0.5) / pieces);
+  return sum / pieces;
+}
+
+} // namespace Rhegma
