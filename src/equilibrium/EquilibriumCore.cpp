@@ -54,7 +54,7 @@ void toMotion(const NewtonStep<D>& step, State<D>& state)
 struct Account
 {
   long iterations = 0, linearIterations = 0;
-  int unknowns = 0, looseFields = 0, steps = 0;
+  int unknowns = 0, unsupportedFields = 0;
   bool warned = false;
 };
 
@@ -69,10 +69,9 @@ void solveStep(State<D>& state, Account& account, LastStep& last)
   last.unknowns = account.unknowns = step.unknowns();
   account.iterations += last.iterations;
   account.linearIterations += report.linearIterations;
-  account.looseFields = step.looseFields();
+  account.unsupportedFields = step.unsupportedFields();
   if (!report.converged)
     return;
-  ++account.steps;
   toMotion(step, state);
   state.energy.externalWork += step.workOfSupports();
   state.energy.stabilised += step.ghostEnergy();
@@ -117,13 +116,12 @@ Effect<D> makeEquilibrium(const std::shared_ptr<LastStep>& last)
   core.call(Stage::OnParticles, "strain, stress and position of particles",
             {quantity::nodalMotion, quantity::projection}, {quantity::particleStress}, {},
             [](State<D>& s) { toParticles(s); });
-  core.report = [account](const State<D>&, nlohmann::json& summary)
+  core.report = [account, last](const State<D>& state, nlohmann::json& summary)
   {
-    summary["equilibrium"] = {{"unknowns", account->unknowns},
-                              {"load_steps", account->steps},
-                              {"iterations", account->iterations},
-                              {"linear_iterations", account->linearIterations},
-                              {"loose_fields", account->looseFields}};
+    summary["equilibrium"] = {
+        {"unknowns", account->unknowns},     {"load_steps", state.clock.step},
+        {"iterations", account->iterations}, {"linear_iterations", account->linearIterations},
+        {"residuals", last->residuals},      {"unsupported_fields", account->unsupportedFields}};
   };
   return core;
 }

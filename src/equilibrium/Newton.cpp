@@ -71,16 +71,16 @@ void NewtonStep<D>::findFreeMotions(const State<D>& state)
   std::vector<int> size(pieces, 0);
   for (const int piece : pieceOf_)
     ++size[piece];
-  std::vector<char> loose(pieces, 0);
+  std::vector<char> unsupported(pieces, 0);
   for (const RigidMode<D>& mode : freeModes<D>(pieceOf_, pieces, position_, mass_, held_))
     if (size[mode.piece] <= (1 << D)) // no more than a cell
-      loose[mode.piece] = 1;
+      unsupported[mode.piece] = 1;
     else
       modes_.push_back(mode);
   for (int r = 0; r < graph_.rows; ++r)
-    if (loose[pieceOf_[r]] != 0)
+    if (unsupported[pieceOf_[r]] != 0)
     {
-      ++loose_;
+      ++unsupported_;
       for (int d = 0; d < D; ++d)
         held_.is[D * r + d] = 1;
     }

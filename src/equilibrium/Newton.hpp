@@ -41,7 +41,7 @@ public:
   /// Name of the body that has most of a piece.
   std::string bodyOf(const State<D>& state, int piece) const;
   /// Fields that hang on nothing, and stay where they are.
-  int looseFields() const { return loose_; }
+  int unsupportedFields() const { return unsupported_; }
 
   /// Finds the displacement under the nodal forces of the state. \return how; `displacement` then holds it
   StepReport solve(const State<D>& state);
@@ -72,7 +72,7 @@ private:
   std::vector<int> pieceOf_;
   std::vector<RigidMode<D>> modes_;
   Held held_;
-  int loose_ = 0;
+  int unsupported_ = 0;
   double foundation_ = 0.0; ///< stiffness per mass that keeps free pieces in their place [1/s2]
   std::vector<std::array<double, 3>> springs_; ///< two rows and stiffness [N/m]
   std::unique_ptr<LinearSystem<D>> system_;

@@ -235,8 +235,8 @@ void Run<D>::solveLoadStep(double left)
       why << "no equilibrium is found for an increment of " << formatReal(LoadSteps<D>::smallest)
           << " of a load step: the residual stays at "
           << formatReal(last.residuals.empty() ? 1.0 : last.residuals.back())
-          << " of the forces; the load may be more than the bodies can bear, a part may be without support "
-             "(summary: equilibrium.loose_fields), or cells too large for the strain";
+          << " of the forces; the load may be more than the bodies can bear, or the cells too coarse for the "
+             "strain";
       state_.failure = why.str();
       stop(state_);
     }
