@@ -66,10 +66,10 @@ void testPatch(const std::string& shape, double turn, double tolerance)
     const double degrees = turn * anywhere(random);
     Teuchos::ParameterList scene = turnedBox<D>("Neo-Hookean", offset, degrees, 5.0, shape);
     holdRim<D>(scene, 1.7, 4.3,
-               D == 2 ? "0.02*x + 0.05*y, -0.03*y" : "0.02*x + 0.05*y, -0.03*y, 0.01*z + 0.02*x");
+               D == 2 ? "0.04*x + 0.1*y, -0.06*y" : "0.04*x + 0.1*y, -0.06*y, 0.02*z + 0.04*x");
     Rhegma::Run<D> run(validated(scene));
     run.initialize();
-    run.step(1.0, false);
+    run.step(0.5, false);
     const HostParticles<D> particles(run.state());
     for (int p = 0; p < particles.size; ++p)
     {
@@ -112,8 +112,8 @@ void testRate(const std::string& model, double yield)
 TEST(Equilibrium, PatchOfLinearFunctions) { testPatch<2>("Linear", 0.0, 1e-7); }
 TEST(Equilibrium, PatchOfBoxes) { testPatch<2>("GIMP", 0.0, 1e-7); }
 TEST(Equilibrium, PatchIn3D) { testPatch<3>("GIMP", 0.0, 1e-7); }
-TEST(Equilibrium, PatchOfTurnedBoxes) { testPatch<2>("GIMP", 45.0, 5e-3); }
-TEST(Equilibrium, PatchOfTurnedBoxesIn3D) { testPatch<3>("GIMP", 45.0, 5e-3); }
+TEST(Equilibrium, PatchOfTurnedBoxes) { testPatch<2>("GIMP", 45.0, 1e-2); }
+TEST(Equilibrium, PatchOfTurnedBoxesIn3D) { testPatch<3>("GIMP", 45.0, 1e-2); }
 
 TEST(Equilibrium, RateOfNeoHookean) { testRate("Neo-Hookean", 0.0); }
 TEST(Equilibrium, RateOfMooneyRivlin) { testRate("Mooney-Rivlin", 0.0); }
