@@ -32,7 +32,9 @@ public:
 
   /// \param comm  ranks of the run; with several, every call below is collective
   /// \param scene the list `Rhegma` of a scene; validated and completed with defaults here
-  Simulation(Teuchos::RCP<const Teuchos::Comm<int>> comm, const Teuchos::RCP<Teuchos::ParameterList>& scene);
+  /// \param validated whether readScene has done that, and the scene has not changed since
+  Simulation(Teuchos::RCP<const Teuchos::Comm<int>> comm, const Teuchos::RCP<Teuchos::ParameterList>& scene,
+             bool validated = false);
   /// Frees all; what advance() has done is lost unless it was written.
   ~Simulation();
   /// The source can only be destroyed or assigned to.

@@ -17,12 +17,14 @@ template <int D>
 void judgeLengths(double cell, State<D>& state)
 {
   constexpr double fewest = 3.0;
+  std::vector<bool> hasFront(state.cracks.cracks.size(), false);
+  for (const CrackFront<D>& front : state.cracks.fronts)
+    hasFront[front.crack] = true;
   const auto x = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.vertex);
   for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
   {
     const Crack<D>& crack = state.cracks.cracks[c];
-    if (std::none_of(state.cracks.fronts.begin(), state.cracks.fronts.end(),
-                     [&](const CrackFront<D>& front) { return front.crack == static_cast<int>(c); }))
+    if (!hasFront[c])
       continue;
     Vector<D> low, high;
     for (int d = 0; d < D; ++d)

@@ -95,6 +95,10 @@ void markNearFront(CrackSet<D>& set, double spacing)
       x[d] = vertex(v, d);
     return x;
   };
+  std::vector<std::vector<Vector<D>>> frontsOf(
+      set.cracks.size()); // a point of each facet of a crack's fronts
+  for (std::size_t f = 0; f < frontFacet.extent(0); ++f)
+    frontsOf[crackOf(frontFacet(f, 0))].push_back(at(simplex(frontFacet(f, 0), (frontFacet(f, 1) + 1) % D)));
   for (std::size_t s = 0; s < simplex.extent(0); ++s)
   {
     Vector<D> corner[D];
@@ -104,14 +108,13 @@ void markNearFront(CrackSet<D>& set, double spacing)
     for (int i = 1; i < D; ++i)
       radius = std::max(radius, norm(corner[i] - corner[0]));
     const double most = (reach + radius) * (reach + radius);
-    for (std::size_t f = 0; f < frontFacet.extent(0) && nearFront(s) == 0; ++f)
+    for (const Vector<D>& front : frontsOf[crackOf(s)])
     {
-      const int facet = frontFacet(f, 0);
-      if (crackOf(s) != crackOf(facet))
+      const Vector<D> from = front - corner[0];
+      if (dot(from, from) >= most || surface::distanceToSimplex(corner, front) >= reach)
         continue;
-      const Vector<D> front = at(simplex(facet, (frontFacet(f, 1) + 1) % D)), from = front - corner[0];
-      if (dot(from, from) < most && surface::distanceToSimplex(corner, front) < reach)
-        nearFront(s) = 1;
+      nearFront(s) = 1;
+      break;
     }
   }
   Kokkos::deep_copy(set.nearFront, nearFront);

@@ -215,7 +215,7 @@ std::string stepsAsText(const Simulation& simulation, const Teuchos::ParameterLi
 int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>& scene, std::ostream& out,
                std::ostream& err)
 {
-  Simulation simulation(world(), scene);
+  Simulation simulation(world(), scene, !options.twice);
   initialize(simulation, *scene, options);
   const nlohmann::json summary = simulation.report();
   if (!mayRun(options, summary, err))
@@ -242,7 +242,7 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
     onFirstRank<std::invalid_argument>(ranks, [&] { refuseFolderInUse(folder); });
   if (options.action == Options::Action::Run && !options.quiet && options.restart.empty())
     out << costOfAccuracy(options, *scene, ranks, nullptr) << std::flush;
-  Simulation simulation(world(), scene);
+  Simulation simulation(world(), scene, !options.twice);
   const EarlierPart earlier = initialize(simulation, *scene, options);
   if (options.action == Options::Action::PrintPlan)
   {

@@ -2,6 +2,7 @@
 
 #include "base/Numbers.hpp"
 #include "scene/SceneBodies.hpp"
+#include "scene/SceneParts.hpp"
 #include "scene/Validation.hpp"
 
 #include <algorithm>
@@ -27,9 +28,10 @@ constexpr double mostCells = 2e9;
 CellNeeds needsOf(const ParameterList& scene, const SceneSchema& schema, std::vector<SceneError>& errors)
 {
   CellNeeds needs;
+  SceneParts parts(schema, scene);
   for (const auto& [section, effect] : schema.effects())
     if (effect.cells.addNeeds && scene.isSublist(section))
-      effect.cells.addNeeds(schema.partFor(section, scene), needs, errors);
+      effect.cells.addNeeds(parts.of(section), needs, errors);
   const ParameterList& time = scene.sublist("Time");
   if (time.isType<std::string>("Update Scheme") && time.get<std::string>("Update Scheme") != "MUSL")
     needs.equal = true; // substeps need MUSL

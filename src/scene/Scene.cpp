@@ -4,6 +4,7 @@
 #include "scene/CrossChecks.hpp"
 #include "scene/Overrides.hpp"
 #include "scene/ReadXml.hpp"
+#include "scene/SceneParts.hpp"
 #include "scene/Validation.hpp"
 
 #include <exception>
@@ -39,9 +40,10 @@ void validateInPlace(Teuchos::ParameterList& list, const SceneSchema& schema, st
   };
   for (const CrossCheck& check : schema.checks())
     run(check, list);
+  SceneParts parts(schema, list);
   for (const auto& [name, effect] : schema.effects())
     if (effect.check && list.isSublist(name))
-      run(effect.check, schema.partFor(name, list));
+      run(effect.check, parts.of(name));
 }
 
 /// A text whose name ends in File is a path relative to the folder of the scene.

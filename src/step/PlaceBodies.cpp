@@ -22,10 +22,12 @@ std::vector<PlacedBody<D>> planBodies(const Teuchos::ParameterList& section)
 {
   std::vector<PlacedBody<D>> bodies;
   Attempts attempts;
-  for (const std::string& name : sublistNames(section))
+  const std::vector<std::string> names = sublistNames(section);
+  bodies.reserve(names.size());
+  for (const std::string& name : names)
     attempts.attempt(
         [&] {
-          bodies.push_back({name, section.sublist(name), makeShape<D>(section.sublist(name))});
+          bodies.push_back({name, &section.sublist(name), makeShape<D>(section.sublist(name))});
         });
   attempts.throwIfAny();
   return bodies;

@@ -17,12 +17,12 @@ template <int D>
 struct PlacedBody
 {
   std::string name;
-  Teuchos::ParameterList list; ///< its section
+  const Teuchos::ParameterList* list = nullptr; ///< its section
   Shape<D> shape;
   Seeds<D> seeds{};
 
   std::string where() const { return "Bodies > " + name; }
-  int particlesPerCell() const { return list.get<int>("Particles Per Cell"); }
+  int particlesPerCell() const { return list->get<int>("Particles Per Cell"); }
 };
 
 /// Places the bodies of the section `Bodies`.

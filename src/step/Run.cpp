@@ -10,6 +10,7 @@
 #include "plan/EffectSchema.hpp"
 #include "plan/KnownEffects.hpp"
 #include "plausibility/Judges.hpp"
+#include "scene/SceneParts.hpp"
 #include "state/EnergySums.hpp"
 #include "state/StateArchive.hpp"
 #include "state/Subdomain.hpp"
@@ -27,13 +28,23 @@ namespace
 {
 
 template <int D>
-Effect<D> makeEffect(const EffectEntry& entry, const Teuchos::ParameterList& scene, const RunOptions& options)
+Effect<D> makeEffect(const EffectEntry& entry, const Teuchos::ParameterList& part, const RunOptions& options)
 {
-  const Teuchos::ParameterList part = effectSchema().partFor(entry.section.name, scene);
   if constexpr (D == 2)
     return entry.make2(part, options);
   else
     return entry.make3(part, options);
+}
+
+/// A line for each material of odd wave speed, which steps that are too many may come from.
+template <int D>
+std::string oddMaterials(const State<D>& state)
+{
+  std::string lines;
+  if (state.method.mechanics)
+    for (const std::string& line : warningsOfUnits(state.materials.names, state.materials.properties))
+      lines += "\n" + line;
+  return lines;
 }
 
 /// Largest number of steps; the default of Time > Maximum Steps.
@@ -72,10 +83,11 @@ void Run<D>::makeAll()
   state_.method.mechanics = options.mechanics;
   std::vector<Effect<D>> effects;
   std::vector<Field> extra;
+  SceneParts parts(effectSchema(), scene_);
   for (const EffectEntry& entry : knownEffects())
     if (scene_.isSublist(entry.section.name))
     {
-      effects.push_back(makeEffect<D>(entry, scene_, options));
+      effects.push_back(makeEffect<D>(entry, parts.of(entry.section.name), options));
       extra.insert(extra.end(), effects.back().adds.begin(), effects.back().adds.end());
     }
   for (const Effect<D>& effect : own_)
@@ -124,7 +136,8 @@ void Run<D>::refuseEndless() const
   if (state_.method.mechanics &&
       (!std::isfinite(state_.clock.fastestSpeed) || !(state_.clock.fastestSpeed > 0.0)))
     throw std::invalid_argument("Materials: the speed of waves and particles is not finite and positive; "
-                                "check stiffness, density and the velocity of bodies (SI units)");
+                                "check stiffness, density and the velocity of bodies (SI units)" +
+                                oddMaterials(state_));
   const double step = stableTimeStep();
   const double steps = scene_.sublist("Time").get<double>("Final Time") / step;
   // A scene that limits its steps is accepted.
@@ -133,7 +146,8 @@ void Run<D>::refuseEndless() const
   throw std::invalid_argument("Time > Final Time: the run would take about " + formatReal(std::round(steps)) +
                               " steps of " + formatReal(step) +
                               " s; write a shorter time, larger cells or fewer Maximum Steps, and check that "
-                              "materials are in SI units");
+                              "materials are in SI units" +
+                              oddMaterials(state_));
 }
 
 template <int D>
@@ -362,6 +376,7 @@ template <int D>
 std::vector<std::string> Run<D>::effectNames() const
 {
   std::vector<std::string> names;
+  SceneParts parts(effectSchema(), scene_);
   for (const EffectEntry& entry : knownEffects())
     if (scene_.isSublist(entry.section.name))
       names.push_back(entry.section.name);

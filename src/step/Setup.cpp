@@ -169,8 +169,8 @@ void writeParticles(const PlacedBody<D>& body, int number, int first, const Stat
   Vector<D> centre{};
   for (const Vector<D>& x : seeds.position)
     centre = centre + (1.0 / count) * x;
-  const Vector<D> velocity = readVector<D>(body.list, "Velocity");
-  const auto spin = body.list.template get<Teuchos::Array<double>>("Angular Velocity").toVector();
+  const Vector<D> velocity = readVector<D>(*body.list, "Velocity");
+  const auto spin = body.list->template get<Teuchos::Array<double>>("Angular Velocity").toVector();
   const double density = state.materials.properties[material].density;
   const double volume = seeds.volume * state.method.thickness;
   for (int k = 0; k < count; ++k)
@@ -203,7 +203,7 @@ void addBodies(const std::vector<PlacedBody<D>>& bodies, State<D>& state)
     BodyInfo<D> info;
     info.name = body.name;
     const auto material = std::find(state.materials.names.begin(), state.materials.names.end(),
-                                    body.list.template get<std::string>("Material"));
+                                    body.list->template get<std::string>("Material"));
     info.material = static_cast<int>(material - state.materials.names.begin());
     for (int e = 0; e < D; ++e)
       for (int d = 0; d < D; ++d)
