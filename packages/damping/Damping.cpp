@@ -93,7 +93,9 @@ double lossToStresses(const State<D>& state, double rate, View<char**>& heldNode
                    nodes.sums(n, Nodes<D>::momentumAt + d) / mass;
       },
       power);
-  return 0.5 * std::expm1(rate * state.clock.dt) * state.clock.dt * power;
+  // Beyond this exponent momenta have vanished, and the factor would overflow.
+  constexpr double most = 700.0;
+  return 0.5 * std::expm1(std::min(rate * state.clock.dt, most)) * state.clock.dt * power;
 }
 
 template <int D>
@@ -308,7 +310,17 @@ Effect<D> make(const Teuchos::ParameterList& scene)
 
 } // namespace
 
-EffectEntry dampingEntry() { return {section(), {}, make<2>, make<3>, true}; }
+EffectEntry dampingEntry()
+{
+  EffectEntry entry{section(), {}, make<2>, make<3>, true};
+  entry.declare = [](const Teuchos::ParameterList& list, RunOptions& options)
+  {
+    if (list.get<bool>("Stop When Settled"))
+      options.endAtRest = {list.get<double>("Settled Energy Ratio"), list.get<double>("Settled Drift"),
+                           list.get<double>("Mass Rate")};
+  };
+  return entry;
+}
 
 template double dampVelocity(State<2>&, double);
 template double dampVelocity(State<3>&, double);

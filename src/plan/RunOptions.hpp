@@ -24,6 +24,14 @@ struct NodalMass
   double edge = 0.0, edgeCells = 0.0;
 };
 
+/// A run that ends as soon as it is at rest.
+struct EndAtRest
+{
+  double energyRatio = 0.0; ///< largest kinetic over strain energy at rest
+  double drift = 0.0;       ///< largest relative change of the answers at rest
+  double massRate = 0.0;    ///< of mass-proportional damping [1/s]; may be 0
+};
+
 /// Defaults: values of a scene without effects.
 struct RunOptions
 {
@@ -42,6 +50,7 @@ struct RunOptions
   bool growth = false;                 ///< cracks may grow
   DrivingContours contours;            ///< contours for the driving forces of growing cracks, given in 2D
   NodalMass nodalMass;
+  std::optional<EndAtRest> endAtRest; ///< none: at Time > Final Time
 };
 
 } // namespace Rhegma

@@ -2,6 +2,7 @@
 
 #include "base/RunError.hpp"
 #include "plan/EffectSchema.hpp"
+#include "plan/KnownEffects.hpp"
 #include "program/Intervals.hpp"
 #include "program/RateCache.hpp"
 #include "scene/Scene.hpp"
@@ -32,11 +33,7 @@ constexpr double busyMachine = 1.3;
 
 /// By when damping has an amplitude fall to Settled Drift; of a mode that oscillates, as those that are
 /// damped best do [s]. Infinite without damping of mass.
-double timeToRest(const Teuchos::ParameterList& damping)
-{
-  return -2.0 * std::log(std::min(1.0, damping.get<double>("Settled Drift"))) /
-         damping.get<double>("Mass Rate");
-}
+double timeToRest(const EndAtRest& end) { return -2.0 * std::log(std::min(1.0, end.drift)) / end.massRate; }
 
 std::string seconds(double value)
 {
@@ -88,9 +85,9 @@ Forecast forecastOf(const StepRates& rates, const Teuchos::ParameterList& scene,
   const double running = copies * (f.steps * rates.step + samples * rates.sample);
   f.seconds = rates.setup + running + frames * rates.frame;
   f.bytes = frames * rates.frameBytes;
-  if (scene.isSublist("Damping") && scene.sublist("Damping").get<bool>("Stop When Settled"))
+  if (const std::optional<EndAtRest> end = declaredOptions(scene).endAtRest)
   {
-    const double rest = timeToRest(scene.sublist("Damping"));
+    const double rest = timeToRest(*end);
     if (rest < fraction * length)
       f.secondsToRest = rates.setup + running * rest / (fraction * length) + rates.frame;
   }
@@ -167,7 +164,7 @@ std::string costOfAccuracy(const Options& options, const Teuchos::ParameterList&
       }
       else
       {
-        Simulation simulation(world, result.list);
+        Simulation simulation(world, result.list, true);
         simulation.initialize();
         particles = simulation.particles();
         forecast = makeForecast(simulation, *result.list, ranks);

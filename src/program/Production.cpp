@@ -4,6 +4,7 @@
 #include "base/OutputError.hpp"
 #include "output/OutputFolder.hpp"
 #include "parallel/FirstRank.hpp"
+#include "plan/KnownEffects.hpp"
 #include "program/Intervals.hpp"
 #include "step/Run.hpp"
 
@@ -73,10 +74,8 @@ Production::Production(const Options& options, const Teuchos::ParameterList& sce
       continued_(earlier.exists()),
       warnings_(earlier.warnings())
 {
-  const Teuchos::ParameterList* damping = scene.isSublist("Damping") ? &scene.sublist("Damping") : nullptr;
-  if (damping != nullptr && damping->get<bool>("Stop When Settled"))
-    progress_.stopsAtRest(damping->get<double>("Settled Energy Ratio"),
-                          damping->get<double>("Settled Drift"));
+  if (const std::optional<EndAtRest> end = declaredOptions(scene).endAtRest)
+    progress_.stopsAtRest(end->energyRatio, end->drift);
   observe();
   if (continued_)
     takeUpFields();

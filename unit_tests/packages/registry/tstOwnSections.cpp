@@ -64,10 +64,6 @@ TEST(OwnSections, AreAllThatAnEffectLooksUp)
         const std::string& name = effect.section.name;
         if (entry.path().parent_path().filename() == folderOf(name))
           continue;
-        // The forecast of a run that ends at rest still reads what Damping should declare.
-        const std::string file = entry.path().filename().string();
-        if (name == "Damping" && (file == "Forecast.cpp" || file == "Production.cpp"))
-          continue;
         EXPECT_EQ(lookUps(source, name), 0) << entry.path() << " names the section " << name;
       }
     }

@@ -99,6 +99,7 @@ TEST(Forecast, ToWhereDampingHasItSettle)
 {
   Teuchos::ParameterList damped = scene();
   damped.sublist("Damping").set("Stop When Settled", true).set("Mass Rate", 40.0).set("Settled Drift", 1e-4);
+  damped.sublist("Damping").set("Settled Energy Ratio", 1e-4);
   const Forecast f = forecastOf(rates(), damped, 0.0);
   EXPECT_NEAR(f.secondsToRest, 0.5 + 0.4605 * 1.02 * 0.12 + 0.005, 2e-3);
   EXPECT_LT(f.secondsToRest, f.seconds);
