@@ -32,6 +32,13 @@ void judgeDamping(double rate, double shear, double bulk, double end, State<D>& 
                              readableTime(creep) + ", and is damped for " + readableTime(end) +
                              ": it hardly moves at all; its longest wave is critically damped at " +
                              formatShort(2.0 * frequency) + " 1/s");
+  const double ofStep = rate * state.method.cfl * state.mesh.smallestSpacing() / quick->speed;
+  if (ofStep > 1.0)
+    state.warnings.push_back(
+        "Damping > Mass Rate is " + formatReal(rate) + " 1/s, " + formatShort(ofStep) +
+        " times 1 over the stable step: a body loses its velocity in each step, and what "
+        "moves is an artefact of the step; write less than " +
+        formatShort(0.1 * rate / ofStep) + " 1/s");
   const double retardation = (2.0 * shear + bulk) / quick->moduli.constrainedModulus;
   if (retardation > end / 3.0)
     state.warnings.push_back(

@@ -32,6 +32,19 @@ double extentOf(const State<D>& state, const Crack<D>& crack)
   return longest;
 }
 
+/// Warns of a Speed Limit with which no front can advance by a cell. \param scene its core
+template <int D>
+void judgeSpeedLimit(const Teuchos::ParameterList& scene, const Options& options, State<D>& state)
+{
+  const double time = scene.sublist("Time").get<double>("Final Time") - options.rule.startTime;
+  const double length = options.speedLimit * time, cell = state.mesh.smallestSpacing();
+  if (options.speedLimit > 0.0 && time > 0.0 && length < cell)
+    state.warnings.push_back("Propagation > Speed Limit is " + formatReal(options.speedLimit) +
+                             " m/s: a front advances by " + readableLength(length) +
+                             " at most up to Time > Final Time, and a cell has " + readableLength(cell) +
+                             "; no crack grows: write a larger limit (m/s), or leave it out");
+}
+
 /// Compares the loads' stress with that of Griffith, sqrt(E' Gc / (pi a)), and the toughness with what the
 /// bonds of any solid take and what a linear law can carry. Margins are wide, as the loads' stress is
 /// nominal. \param scene its core \param run what other effects declare
@@ -42,6 +55,7 @@ void judgeToughness(const Teuchos::ParameterList& scene, const RunOptions& run, 
   constexpr double pi = 3.14159265358979, margin = 8.0, mostStrain = 0.05;
   if (state.cracks.cracks.empty() || state.bodies.info.empty())
     return;
+  judgeSpeedLimit(scene, options, state);
   const std::vector<BodyMeasure<D>> bodies = measureBodies(state);
   const std::vector<LoadEstimate> loads = estimateLoads(scene, state, bodies);
   double longest = 0.0;

@@ -227,6 +227,12 @@ void refuseWeak(const State<D>& state, const Options& options)
   {
     throw std::invalid_argument(std::string("Propagation > Toughness: ") + error.what());
   }
+  const AdvanceRule rule = ruleAt(options.temperature, options);
+  if (options.rule.arrest > rule.initiation)
+    throw std::invalid_argument("Propagation > Arrest Toughness: is " + formatReal(rule.arrest) +
+                                " J/m2, above the Initiation Toughness of " + formatReal(rule.initiation) +
+                                " J/m2: a front would be arrested as soon as it is initiated; write at most "
+                                "that");
 }
 
 double openingRelease(const DrivingForce& driving, const Elasticity& e)

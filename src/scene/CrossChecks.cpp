@@ -5,6 +5,7 @@
 #include "geometry/Shape.hpp"
 #include "material/MaterialTable.hpp"
 #include "material/ThermoMaterials.hpp"
+#include "scene/NearestName.hpp"
 #include "scene/SectionChecks.hpp"
 #include "scene/Validation.hpp"
 
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 
 namespace Rhegma
@@ -81,12 +83,22 @@ private:
   void body(const ParameterList& body, const std::string& where)
   {
     named(body, "Material", "Materials", where);
+    bonded(body, where);
     if (!isWhole(where, "Material"))
       return;
     if (dimension() == 2)
       shape<2>(body, where);
     else if (dimension() == 3)
       shape<3>(body, where);
+  }
+
+  void bonded(const ParameterList& body, const std::string& where)
+  {
+    std::istringstream names(text(body, "Bonded To"));
+    for (std::string name; std::getline(names, name, ',');)
+      if (const ParameterList& bodies = scene().sublist("Bodies"); !bodies.isSublist(trimmed(name)))
+        report(scenePath(where, "Bonded To"), "there is no body \"" + trimmed(name) + "\"; " +
+                                                  suggestion(trimmed(name), sublistNames(bodies)));
   }
 
   void material(const ParameterList& material, const std::string& where)

@@ -9,6 +9,7 @@
 #include <Teuchos_Array.hpp>
 
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace Rhegma
@@ -274,15 +275,19 @@ void setValue(Teuchos::ParameterList& list, const Parameter& parameter, const Pa
 std::optional<std::string> normaliseValue(Teuchos::ParameterList& list, const Parameter& parameter,
                                           int dimension)
 {
-  const ParameterEntry entry = list.getEntry(parameter.name);
+  const ParameterEntry& entry = list.getEntry(parameter.name);
   if (const auto table = text(entry); parameter.mayBeTable && table && table->find(':') != std::string::npos)
     return wrongTable(parameter, *table);
   const auto value = convert(entry, parameter);
-  const std::string given = found(entry);
+  if (const auto whole = number(entry); !value && whole && parameter.type == ParameterType::Integer &&
+                                        std::fabs(*whole) > std::numeric_limits<int>::max())
+    return "is " + formatReal(*whole) + "; write at most " + std::to_string(std::numeric_limits<int>::max()) +
+           ".";
   if (!value)
-    return "is " + given + "; write " + typeAsText(parameter.type) + " (" + howToWrite(parameter.type) + ").";
+    return "is " + found(entry) + "; write " + typeAsText(parameter.type) + " (" +
+           howToWrite(parameter.type) + ").";
   if (!finite(*value))
-    return "is not finite (" + given + "); write a finite number.";
+    return "is not finite (" + found(entry) + "); write a finite number.";
   if (auto wrong = wrongLength(parameter, *value, dimension))
     return wrong;
   setValue(list, parameter, *value);

@@ -77,11 +77,14 @@ void setParameter(Teuchos::ParameterList& scene, const std::string& text, const 
   if (!parameter)
   {
     const Parameter* renamed = section->findFormer(names.back());
+    const auto moved = section->moved.find(names.back());
     errors.push_back(
         {where, quoted + "can't be applied: " +
                     (renamed ? renamedTo(renamed->name)
-                             : "there is no such parameter; " +
-                                   suggestion(names.back(), active.parameterNames(dimensionOf(scene))))});
+                     : moved != section->moved.end()
+                         ? renamedTo(moved->second)
+                         : "there is no such parameter; " +
+                               suggestion(names.back(), active.parameterNames(dimensionOf(scene))))});
     return;
   }
   const std::string given = text.substr(equals + 1);

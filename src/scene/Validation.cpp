@@ -113,7 +113,8 @@ void Validation::checkDimension(const Section& section, const ActiveSection& act
   { return s.onlyDimension == 0 || m_dimension == 0 || s.onlyDimension == m_dimension; };
   const std::string inThisScene = "D scene has, and this one is " + std::to_string(m_dimension) + "D; ";
   if (!exists(section))
-    report(path, "only a " + std::to_string(section.onlyDimension) + inThisScene + "leave it out.");
+    report(path, "is a section that only a " + std::to_string(section.onlyDimension) + inThisScene +
+                     "leave it out.");
   if (!active.variant || exists(*active.variant))
     return;
   std::vector<std::string> others;

@@ -16,6 +16,7 @@ sys.dont_write_bytecode = True
 
 from file_scene import FileScene  # noqa: E402
 from program import NOISE, SOURCE, ProgramTest, rhegma  # noqa: E402
+from scenes import plate  # noqa: E402
 from wrong_physics import TEMPLATES  # noqa: E402
 
 SEED = int(os.environ.get("RHEGMA_SEED", "2"))
@@ -41,6 +42,26 @@ class RightScenes(ProgramTest):
                     self.assertTrue(any("warning: " + start in message for start in deserved), message)
                 for start in deserved:
                     self.assertTrue(any("warning: " + start in message for message in said), f"{start} is not said")
+
+
+class Extremes(ProgramTest):
+    def warnings_of(self, scene):
+        answer = rhegma(self.write("scene.xml", scene.text()), "--output", self.path("out"))
+        return answer, [line for line in messages_of(answer) if line.startswith("warning: ")]
+
+    def test_damping_that_leaves_no_velocity_does_not_overflow(self):
+        """The exponential of rate times step is beyond any number."""
+        damping = plate().remove("Cracks").remove("Energy Release").set("Damping", {"Mass Rate": 1e12})
+        answer, warnings = self.warnings_of(damping.set("Time > Maximum Steps", 20))
+        self.assertEqual(answer.status, 0, answer)
+        self.assertTrue(any("Damping > Mass Rate is 1e+12 1/s, " in line and "stable step" in line for line in warnings), answer)
+
+    def test_speed_limit_below_a_cell_in_all_time(self):
+        growth = plate().remove("Energy Release").set("Energy Release", {})
+        growth.set("Propagation", {"Toughness": "100", "Speed Limit": 1e-9}).set("Time > Maximum Steps", 3)
+        answer, warnings = self.warnings_of(growth)
+        self.assertEqual(answer.status, 0, answer)
+        self.assertTrue(any("Propagation > Speed Limit is 1e-09 m/s" in line and "no crack grows" in line for line in warnings), answer)
 
 
 class WrongPhysics(ProgramTest):

@@ -66,6 +66,15 @@ TEST(SceneOverrides, ThatLeadNowhere)
   expectMistake("Time:CFL:Deeper=1", "Time > CFL", {"can't be applied"});
 }
 
+TEST(SceneOverrides, OfAParameterThatHasMoved)
+{
+  Section oven("Oven", "A section with a parameter that is elsewhere now.");
+  oven.moved["Colour"] = "Paint > Colour";
+  const SceneSchema schema = schemaOf({EffectEntry{oven, {}, {}, {}}});
+  expectOnly(readSceneText(goodScene(), {"Oven:Colour=red"}, schema).errors, "Oven > Colour",
+             {"--set", "\"Paint > Colour\""});
+}
+
 TEST(SceneOverrides, ThatLeadNowhereLeaveNoSectionBehind)
 {
   Section strict("Strict", "Has something to give.");
