@@ -376,7 +376,6 @@ template <int D>
 std::vector<std::string> Run<D>::effectNames() const
 {
   std::vector<std::string> names;
-  SceneParts parts(effectSchema(), scene_);
   for (const EffectEntry& entry : knownEffects())
     if (scene_.isSublist(entry.section.name))
       names.push_back(entry.section.name);
