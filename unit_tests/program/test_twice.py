@@ -57,6 +57,20 @@ class Twice(ProgramTest):
             self.assertAlmostEqual(cells[0][size] / cells[1][size], 2.0, places=9)
         self.assertEqual([self.summary(folder)["steps"] for folder in ("as_is", "half")], [3, 6])
 
+    def test_a_penny_in_3d(self):
+        """Before its front may grow: J of a penny on few cells falls towards that of finer ones."""
+        _, comparison, answers = self.twice(
+            os.path.join(EXAMPLES, "penny_growth.xml"), "--set", "Domain:Cell Size=2e-3", "--set", "Time:Final Time=4e-5",
+            "--set", "Output:Fields=false")
+        for name in ("G_J of Penny.0", "K_I of Penny.0"):
+            answer = answers[name]
+            self.assertGreater(answer["half"], 0.0, answer)
+            self.assertGreater(answer["as_is"], answer["half"], answer)
+            self.assertAlmostEqual(answer["extrapolated"], 2.0 * answer["half"] - answer["as_is"], delta=1e-9 * answer["half"])
+        cells = [self.summary(folder)["cells"]["smallest"] for folder in ("as_is", "half")]
+        self.assertAlmostEqual(cells[0] / cells[1], 2.0, places=9)
+        self.assertFalse(comparison["resolved"], comparison)
+
     def test_a_scene_with_nothing_to_compare(self):
         answer, comparison, _ = self.twice(self.write("scene.xml", plate().remove("Cracks").remove("Energy Release").text()))
         self.assertEqual(comparison["answers"], [])
