@@ -206,7 +206,8 @@ template <int D>
 double Load<D>::work(const State<D>& state) const
 {
   const LoadVelocity<D> velocity(state);
-  const StencilTable<D> stencils = followed_;
+  // No light node moves on its own in equilibrium: work is that of the forces as they act.
+  const StencilTable<D> stencils = state.method.equilibrium() ? stencils_ : followed_;
   const View<double*> fraction = here_;
   const Vector<D> force = works_ * force_;
   const double dt = state.clock.dt;

@@ -19,6 +19,9 @@ namespace
 /// Fraction of the loads that a uniform acceleration may balance without a warning.
 constexpr double noticeableResultant = 0.01;
 
+/// A number of the matrix in blocks, its copy with its column for the solver.
+constexpr double bytesPerEntry = 2 * sizeof(double) + 2 * sizeof(int);
+
 template <int D>
 void toNodes(State<D>& state)
 {
@@ -54,7 +57,7 @@ void toMotion(const NewtonStep<D>& step, State<D>& state)
 struct Account
 {
   long iterations = 0, linearIterations = 0;
-  int unknowns = 0, unsupportedFields = 0;
+  int unsupportedFields = 0;
   bool warned = false;
 };
 
@@ -66,7 +69,7 @@ void solveStep(State<D>& state, Account& account, LastStep& last)
   last.converged = report.converged;
   last.iterations = static_cast<int>(report.residuals.size()) - 1;
   last.residuals = report.residuals;
-  last.unknowns = account.unknowns = step.unknowns();
+  last.unknowns = step.unknowns();
   account.iterations += last.iterations;
   account.linearIterations += report.linearIterations;
   account.unsupportedFields = step.unsupportedFields();
@@ -118,18 +121,23 @@ Effect<D> makeEquilibrium(const std::shared_ptr<LastStep>& last)
             [](State<D>& s) { toParticles(s); });
   core.report = [account, last](const State<D>& state, nlohmann::json& summary)
   {
-    summary["equilibrium"] = {
-        {"unknowns", account->unknowns},     {"load_steps", state.clock.step},
-        {"iterations", account->iterations}, {"linear_iterations", account->linearIterations},
-        {"residuals", last->residuals},      {"unsupported_fields", account->unsupportedFields}};
+    summary["equilibrium"] = {{"unknowns", last->unknowns},
+                              {"matrix_bytes", last->matrixBytes},
+                              {"load_steps", state.clock.step},
+                              {"iterations", account->iterations},
+                              {"linear_iterations", account->linearIterations},
+                              {"residuals", last->residuals},
+                              {"unsupported_fields", account->unsupportedFields}};
   };
   return core;
 }
 
 template <int D>
-Inspection inspect(const Teuchos::ParameterList& scene, const State<D>& state)
+void inspect(const Teuchos::ParameterList& scene, const State<D>& state, LastStep& last)
 {
   const NewtonStep<D> step(state);
+  last.unknowns = step.unknowns();
+  last.matrixBytes = bytesPerEntry * step.matrixEntries();
   if (scene.sublist("Time").get<std::string>("Rigid Modes") == "Refuse")
   {
     std::string wrong;
@@ -144,12 +152,11 @@ Inspection inspect(const Teuchos::ParameterList& scene, const State<D>& state)
     if (!wrong.empty())
       throw std::invalid_argument(wrong);
   }
-  return {step.unknowns(), step.matrixEntries() * sizeof(double)};
 }
 
 template Effect<2> makeEquilibrium(const std::shared_ptr<LastStep>&);
 template Effect<3> makeEquilibrium(const std::shared_ptr<LastStep>&);
-template Inspection inspect(const Teuchos::ParameterList&, const State<2>&);
-template Inspection inspect(const Teuchos::ParameterList&, const State<3>&);
+template void inspect(const Teuchos::ParameterList&, const State<2>&, LastStep&);
+template void inspect(const Teuchos::ParameterList&, const State<3>&, LastStep&);
 
 } // namespace Rhegma::equilibrium

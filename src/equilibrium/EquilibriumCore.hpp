@@ -16,6 +16,7 @@ struct LastStep
   int iterations = 0;
   std::vector<double> residuals; ///< fractions of the forces, before each iteration and after the last
   int unknowns = 0;
+  double matrixBytes = 0.0;
 };
 
 /// The calls of a step of equilibrium: the nodes' displacement over the step is solved for by Newton's method
@@ -25,16 +26,10 @@ struct LastStep
 template <int D>
 Effect<D> makeEquilibrium(const std::shared_ptr<LastStep>& last);
 
-/// What `inspect` finds.
-struct Inspection
-{
-  int unknowns = 0;
-  double matrixBytes = 0.0;
-};
-
 /// Numbers the unknowns of a state with stencils and supports. Throws std::invalid_argument where bodies can
 /// move freely and the scene refuses that, with their names and motions.
+/// \param last gets the number of unknowns and the memory of their matrix
 template <int D>
-Inspection inspect(const Teuchos::ParameterList& scene, const State<D>& state);
+void inspect(const Teuchos::ParameterList& scene, const State<D>& state, LastStep& last);
 
 } // namespace Rhegma::equilibrium

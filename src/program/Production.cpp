@@ -5,6 +5,7 @@
 #include "output/OutputFolder.hpp"
 #include "parallel/FirstRank.hpp"
 #include "plan/KnownEffects.hpp"
+#include "plan/LastStage.hpp"
 #include "program/Intervals.hpp"
 #include "step/Run.hpp"
 
@@ -70,7 +71,7 @@ Production::Production(const Options& options, const Teuchos::ParameterList& sce
       history_(beginHistory(folder_, earlier, ranks, manifest_)),
       progress_(options.quiet ? nullptr : &out, finalTime_, isatty(STDOUT_FILENO) != 0),
       checkpoints_(scene.sublist("Output"), folder_, simulation, history_, ranks),
-      retries_(scene.sublist("Time").get<int>("Retries")),
+      retries_(isEquilibrium(scene) ? 0 : scene.sublist("Time").get<int>("Retries")),
       continued_(earlier.exists()),
       warnings_(earlier.warnings())
 {

@@ -194,6 +194,18 @@ std::string cellsAsText(const nlohmann::json& summary, long particles)
          (smallest < largest ? ", the finest of " + readableLength(smallest) : "");
 }
 
+/// Size of the linear systems of an equilibrium.
+std::string unknownsAsText(const nlohmann::json& summary)
+{
+  if (!summary.contains("equilibrium"))
+    return {};
+  const nlohmann::json& of = summary["equilibrium"];
+  char text[96];
+  std::snprintf(text, sizeof text, "; %d unknowns, a matrix of %.3g MB before it is factored",
+                of["unknowns"].get<int>(), 1e-6 * of["matrix_bytes"].get<double>());
+  return text;
+}
+
 /// Estimated number of steps, by the stable step of the initial state.
 std::string stepsAsText(const Simulation& simulation, const Teuchos::ParameterList& scene)
 {
@@ -222,7 +234,8 @@ int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList
     return exitWrongScene;
   out << options.scene << " is a valid scene"
       << (options.restart.empty() ? "" : ", and " + options.restart + " a checkpoint of it") << ": "
-      << cellsAsText(summary, simulation.particles()) << stepsAsText(simulation, *scene) << "\n"
+      << cellsAsText(summary, simulation.particles()) << unknownsAsText(summary)
+      << stepsAsText(simulation, *scene) << "\n"
       << std::flush;
   if (options.quiet)
     return exitFinished;

@@ -225,7 +225,7 @@ void Run<D>::inspectEquilibrium()
   moveNodalFields(state_);
   plan_.run(Stage::Scatter, state_);
   if (state_.failure.empty())
-    equilibrium::inspect(scene_, state_);
+    equilibrium::inspect(scene_, state_, *lastEquilibrium_);
 }
 
 template <int D>
