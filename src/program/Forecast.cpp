@@ -154,7 +154,10 @@ std::string costOfAccuracy(const Options& options, const Teuchos::ParameterList&
       other.overrides.push_back("Domain:Accuracy=" + name);
       const SceneResult result = readScene(other.scene, other.overrides, effectSchema());
       if (!result.errors.empty())
+      {
+        text += "  with " + name + ": not possible: " + toString(result.errors.front()) + "\n";
         continue;
+      }
       Forecast forecast;
       int particles = 0;
       if (name == chosen && own != nullptr)
@@ -173,11 +176,13 @@ std::string costOfAccuracy(const Options& options, const Teuchos::ParameterList&
         text += (name == chosen ? "Accuracy " + name + ": " : "  with " + name + ": ") +
                 std::to_string(particles) + " particles, " + cost(forecast) + "\n";
     }
-    catch (const std::invalid_argument&)
+    catch (const std::invalid_argument& refusal)
     {
+      text += "  with " + name + ": not possible: " + refusal.what() + "\n";
     }
     catch (const std::bad_alloc&)
     {
+      text += "  with " + name + ": more memory than there is\n";
     }
   return text;
 }

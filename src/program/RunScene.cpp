@@ -111,9 +111,16 @@ Teuchos::ParameterList references(const Teuchos::ParameterList& scene)
   return scene.isSublist("Reference") ? scene.sublist("Reference") : Teuchos::ParameterList();
 }
 
+void printWarnings(const nlohmann::json& summary, std::ostream& err)
+{
+  for (const auto& warning : summary.value("warnings", nlohmann::json::array()))
+    err << "rhegma: warning: " << warning.get<std::string>() << "\n";
+}
+
 /// Initialises the simulation and reports errors that depend on the bodies.
 /// \return output of the run before its checkpoint, if it continues from one
-EarlierPart initialize(Simulation& simulation, const Teuchos::ParameterList& scene, const Options& options)
+EarlierPart initialize(Simulation& simulation, const Teuchos::ParameterList& scene, const Options& options,
+                       std::ostream& err)
 {
   EarlierPart earlier;
   if (options.restart.empty())
@@ -127,15 +134,17 @@ EarlierPart initialize(Simulation& simulation, const Teuchos::ParameterList& sce
       throw std::invalid_argument("Time > Final Time: the checkpoint " + options.restart + " is of time " +
                                   readableTime(simulation.time()) + " already; write a later time");
   }
-  refuseUnknownQuantities(references(scene),
-                          makeSummary(facts(options, simulation, ""), simulation.report()));
+  const nlohmann::json summary = simulation.report();
+  try
+  {
+    refuseUnknownQuantities(references(scene), makeSummary(facts(options, simulation, ""), summary));
+  }
+  catch (const std::invalid_argument&)
+  {
+    printWarnings(summary, err); // they may tell why the quantity is not there
+    throw;
+  }
   return earlier;
-}
-
-void printWarnings(const nlohmann::json& summary, std::ostream& err)
-{
-  for (const auto& warning : summary.value("warnings", nlohmann::json::array()))
-    err << "rhegma: warning: " << warning.get<std::string>() << "\n";
 }
 
 /// Prints the warnings of a scene before its run. \return whether it may run: with --strict, if there are
@@ -228,7 +237,7 @@ int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList
                std::ostream& err)
 {
   Simulation simulation(world(), scene, !options.twice);
-  initialize(simulation, *scene, options);
+  initialize(simulation, *scene, options, err);
   const nlohmann::json summary = simulation.report();
   if (!mayRun(options, summary, err))
     return exitWrongScene;
@@ -256,7 +265,7 @@ int runScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>&
   if (options.action == Options::Action::Run && !options.quiet && options.restart.empty())
     out << costOfAccuracy(options, *scene, ranks, nullptr) << std::flush;
   Simulation simulation(world(), scene, !options.twice);
-  const EarlierPart earlier = initialize(simulation, *scene, options);
+  const EarlierPart earlier = initialize(simulation, *scene, options, err);
   if (options.action == Options::Action::PrintPlan)
   {
     out << simulation.plan();
