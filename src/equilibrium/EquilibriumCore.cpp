@@ -1,5 +1,6 @@
 #include "equilibrium/EquilibriumCore.hpp"
 
+#include "archive/Archive.hpp"
 #include "base/Numbers.hpp"
 #include "equilibrium/Newton.hpp"
 #include "state/Subdomain.hpp"
@@ -119,6 +120,15 @@ Effect<D> makeEquilibrium(const std::shared_ptr<LastStep>& last)
   core.call(Stage::OnParticles, "strain, stress and position of particles",
             {quantity::nodalMotion, quantity::projection}, {quantity::particleStress}, {},
             [](State<D>& s) { toParticles(s); });
+  core.memory = [account, last](State<D>&, Archive& archive)
+  {
+    archive("iterations", account->iterations);
+    archive("linear_iterations", account->linearIterations);
+    archive("unsupported_fields", account->unsupportedFields);
+    archive("warned", account->warned);
+    archive("unknowns", last->unknowns);
+    archive("residuals", last->residuals);
+  };
   core.report = [account, last](const State<D>& state, nlohmann::json& summary)
   {
     summary["equilibrium"] = {{"unknowns", last->unknowns},

@@ -33,8 +33,12 @@ Record stateOf(Simulation& simulation)
   return record;
 }
 
-/// Makes a run and its continuation sample at the same times.
-double samplingOf(const Simulation& simulation) { return 7.0 * simulation.stableTimeStep(); }
+/// Makes a run and its continuation sample at the same times. Of load steps there are few.
+double samplingOf(const Simulation& simulation, const Teuchos::ParameterList& scene)
+{
+  const bool dynamic = scene.sublist("Time").get<std::string>("Analysis") == "Dynamic";
+  return (dynamic ? 7.0 : 2.0) * simulation.stableTimeStep();
+}
 
 bool sameBits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
@@ -87,7 +91,7 @@ Trace unbroken(const Teuchos::ParameterList& scene, long steps)
   Simulation simulation = simulationOf(scene);
   simulation.initialize();
   Trace trace;
-  runTo(simulation, steps, samplingOf(simulation), trace);
+  runTo(simulation, steps, samplingOf(simulation, scene), trace);
   return trace;
 }
 
@@ -99,7 +103,7 @@ Trace continued(const Teuchos::ParameterList& scene, long broken, long steps)
   {
     Simulation first = simulationOf(scene);
     first.initialize();
-    interval = samplingOf(first);
+    interval = samplingOf(first, scene);
     runTo(first, broken, interval, trace);
     first.checkpoint(path);
   }
@@ -116,7 +120,7 @@ Record recordAfter(const Teuchos::ParameterList& scene, long steps, Trace* left)
   Simulation simulation = simulationOf(scene);
   simulation.initialize();
   Trace trace;
-  runTo(simulation, steps, samplingOf(simulation), trace);
+  runTo(simulation, steps, samplingOf(simulation, scene), trace);
   trace.times.clear();
   trace.rows.clear();
   if (left != nullptr)
@@ -132,7 +136,7 @@ Trace continuedFrom(const Teuchos::ParameterList& scene, const Record& record, l
   const std::string path = fileOfMine();
   Simulation start = simulationOf(scene);
   start.initialize();
-  const double interval = samplingOf(start);
+  const double interval = samplingOf(start, scene);
   writeCheckpoint(path, record);
   Simulation simulation = simulationOf(scene);
   simulation.restore(path);
