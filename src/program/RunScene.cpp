@@ -14,6 +14,7 @@
 #include "program/Forecast.hpp"
 #include "program/Production.hpp"
 #include "program/Twice.hpp"
+#include "scene/Compatibility.hpp"
 #include "scene/Scene.hpp"
 
 #include <Kokkos_Core.hpp>
@@ -233,6 +234,22 @@ std::string stepsAsText(const Simulation& simulation, const Teuchos::ParameterLi
   return text;
 }
 
+/// A hint where a run would wait for a rest that Time > Analysis = Static solves for: the rules then refuse
+/// nothing but the damping.
+std::string equilibriumAsText(const Teuchos::ParameterList& scene, const Forecast& forecast)
+{
+  if (forecast.secondsToRest == 0.0 || world()->getSize() > 1)
+    return {};
+  Teuchos::ParameterList other = scene;
+  other.sublist("Time").set("Analysis", std::string("Static"));
+  std::vector<SceneError> errors;
+  checkRules(other, effectSchema(), errors);
+  for (const SceneError& error : errors)
+    if (error.where != "Damping")
+      return {};
+  return "  Time > Analysis = Static, without Damping, solves for the state of rest directly\n";
+}
+
 int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>& scene, std::ostream& out,
                std::ostream& err)
 {
@@ -251,7 +268,8 @@ int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList
   out << bodiesAsText(summary);
   const Ranks ranks(world());
   const Forecast forecast = makeForecast(simulation, *scene, ranks);
-  out << asText(forecast) << "\n" << costOfAccuracy(options, *scene, ranks, &forecast);
+  out << asText(forecast) << "\n"
+      << equilibriumAsText(*scene, forecast) << costOfAccuracy(options, *scene, ranks, &forecast);
   return exitFinished;
 }
 

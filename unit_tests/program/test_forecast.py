@@ -120,6 +120,16 @@ class Forecast(ProgramTest):
                         XDG_CACHE_HOME=self.path("cache"))
         self.assertTrue(answer.output.startswith("Accuracy 3 %: "), answer)
 
+    def test_a_rest_that_equilibrium_solves_for_is_named(self):
+        hint = "\n  Time > Analysis = Static, without Damping, solves for the state of rest directly\n"
+        for folder, name, fits in (("examples", "dcb.xml", True), ("verification", "dcb_adaptive_h16.xml", False),
+                                   ("examples", "kalthoff.xml", False)):
+            with self.subTest(name):
+                answer = rhegma(os.path.join(SOURCE, "xml_inputs", folder, name), "--check",
+                                XDG_CACHE_HOME=self.path("cache"))
+                self.assertEqual(answer.status, 0, answer)
+                self.assertEqual(hint in answer.output, fits, answer)
+
     def test_a_settled_run_tells_how_far_it_may_still_go(self):
         scene = os.path.join(SOURCE, "xml_inputs", "examples", "dcb.xml")
         answer = rhegma(scene, "--output", self.path("out"))
