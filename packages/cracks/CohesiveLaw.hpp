@@ -3,6 +3,7 @@
 /// replaces this file and SpringConstants.hpp.
 
 #include "base/Types.hpp"
+#include "cracks/FrontCell.hpp"
 #include "cracks/SpringConstants.hpp"
 
 #include <cmath>
@@ -18,23 +19,65 @@ enum class SpringState : int
   Open = 2       ///< not at all: the traction has fallen to zero
 };
 
-/// Stiffness of the spring between the two fields of a node just behind a front [N/m]:
-///
-///     k = 0.1 E' b (1 - xi) / xi (1 - z),   xi = sqrt(c) behind + 0.05,
-///
-/// so that the node opens by as much as it lies behind the front; zero from a cell on.
-///
-/// \param modulus E' of fracture mechanics [Pa] \param width b: thickness (2D), filled part of a cell (3D)
-/// [m] \param behind distance behind the front [cells] \param away z: distance from the crack along the axis
-/// nearest to its normal [cells]; the nodes above and below share one spring \param steepest c: largest
-/// component of the normal, as springs reach a little further across the cells
-KOKKOS_INLINE_FUNCTION double frontSpringStiffness(double modulus, double width, double behind, double away,
-                                                   double steepest)
+/// Whether the law of FrontCell.hpp holds: in 2D for cracks along the cells, within one degree, in runs
+/// without growth. Elsewhere it is no better than the plain one, or untested. \param steepest c: largest
+/// component of the crack's normal
+template <int D>
+KOKKOS_INLINE_FUNCTION bool hasFrontCell(double steepest, bool grows)
 {
-  const double xi = behind * std::sqrt(steepest) + springs::distanceOffset;
-  return xi < 1.0 && away < 1.0
-             ? springs::stiffnessFraction * modulus * width * (1.0 - xi) / xi * (1.0 - away)
-             : 0.0;
+  return D == 2 && !grows && steepest > springs::onTheCells;
+}
+
+/// How far ahead of a front a node may lie that has a second field, with front springs [cells].
+///
+/// In 2D along the cells s = (s0 + m min(2 z, 2 - 2 z)) / c: the crack of the cells, which ends between the
+/// last node that opens and the next, then ends at the front in the mean (FrontCell.hpp).
+///
+/// \param steepest c: largest component of the crack's normal \param away z: distance of the node from the
+/// crack along the axis nearest to its normal [cells] \param grows whether fronts may grow
+template <int D>
+KOKKOS_INLINE_FUNCTION double splitAhead(double steepest, double away, bool grows)
+{
+  if (!hasFrontCell<D>(steepest, grows))
+    return steepest > springs::alongTheCells ? -springs::splitBehindAligned : springs::splitAheadInclined;
+  const double middle = std::fmax(0.0, 2.0 * std::fmin(away, 1.0 - away));
+  return (frontCell::lag + frontCell::lagMidCell * middle) / steepest;
+}
+
+/// Stiffness of the spring between the two fields of a node near a front [N/m]. In 2D along the cells
+///
+///     k = a E' b (l - xi) / xi,   xi = behind + s,   l = l0 / c,
+///
+/// zero from xi = l on, s of splitAhead and the other constants from the near field in the cells of a front
+/// (FrontCell.hpp). Elsewhere
+///
+///     k = 0.1 E' b (1 - xi) / xi (1 - z),   xi = sqrt(c) behind + 0.05.
+///
+/// \param modulus E' of fracture mechanics [Pa] \param width b: thickness times splitShare (2D), filled part
+/// of a cell (3D) [m] \param behind distance behind the front, negative ahead [cells] \param away, steepest,
+/// grows: see splitAhead
+template <int D>
+KOKKOS_INLINE_FUNCTION double frontSpringStiffness(double modulus, double width, double behind, double away,
+                                                   double steepest, bool grows)
+{
+  if (!(away < 1.0))
+    return 0.0;
+  if (!hasFrontCell<D>(steepest, grows))
+  {
+    const double xi = behind * std::sqrt(steepest) + springs::distanceOffset;
+    return xi < 1.0 ? springs::stiffnessFraction * modulus * width * (1.0 - xi) / xi * (1.0 - away) : 0.0;
+  }
+  const double range = frontCell::range / steepest;
+  const double xi = std::fmax(behind + splitAhead<D>(steepest, away, grows), springs::leastDistance);
+  return xi < range ? frontCell::stiffness * modulus * width * (range - xi) / xi : 0.0;
+}
+
+/// Fraction of a crack's opening at a node in 2D [-], by the masses of its two fields: where particles are
+/// cut at a fraction z of a cell from the node, the lesser field has (1 - z)^2 / 2 of the mass, so that this
+/// is 1 - z for the cut that the particles really have. Zero where a field has no particle.
+KOKKOS_INLINE_FUNCTION double splitShare(double mass, double other)
+{
+  return std::sqrt(2.0 * std::fmin(mass, other) / (mass + other));
 }
 
 /// The cohesive traction of a node, as a nodal force: falls linearly from T at an onset T / k to zero at an

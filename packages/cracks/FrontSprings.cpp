@@ -131,16 +131,18 @@ private:
     double steepest = 0.0;
     for (int d = 0; d < D; ++d)
       steepest = std::fmax(steepest, std::fabs(sight.normal(s, d)));
-    double width = thickness;
+    const double a = nodes.sums(own, Nodes<D>::massAt),
+                 b = nodes.sums(nodes.numLattice + i, Nodes<D>::massAt);
+    double width = 0.0;
     if constexpr (D == 3) // less at the surface, by the filled fraction of the cells of the node
     {
-      const double mass =
-          nodes.sums(own, Nodes<D>::massAt) + nodes.sums(nodes.numLattice + i, Nodes<D>::massAt);
-      const double filled = mass / (density * cell * cell * cell);
+      const double filled = (a + b) / (density * cell * cell * cell);
       width = cell * (filled > springs::fullCells ? 1.0 : filled);
     }
-    return frontSpringStiffness(modulus, width, seen.behind / cell,
-                                std::fabs(seen.distance) / (cell * steepest), steepest);
+    else
+      width = thickness * (hasFrontCell<D>(steepest, grows) ? splitShare(a, b) : 1.0);
+    return frontSpringStiffness<D>(modulus, width, seen.behind / cell,
+                                   std::fabs(seen.distance) / (cell * steepest), steepest, grows);
   }
 };
 

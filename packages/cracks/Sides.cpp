@@ -1,6 +1,7 @@
 #include "cracks/Sides.hpp"
 
 #include "base/RelaxedLoad.hpp"
+#include "cracks/CohesiveLaw.hpp"
 #include "cracks/Nearest.hpp"
 
 #include <algorithm>
@@ -79,14 +80,17 @@ void clearNodeSides(const State<D>& state, const Surroundings& around)
       });
 }
 
-/// How far behind a front a node must lie to open, with springs, seen from a simplex [cells].
+/// How far behind a front a node must lie to open, with springs, seen from a simplex [cells]. \param distance
+/// from the crack [cells]
 template <int D>
-KOKKOS_INLINE_FUNCTION double toleranceWithSprings(const CrackSight<D>& sight, int simplex)
+KOKKOS_INLINE_FUNCTION double toleranceWithSprings(const CrackSight<D>& sight, int simplex, double distance,
+                                                   bool grows)
 {
-  bool aligned = false;
+  double steepest = 0.0;
   for (int d = 0; d < D; ++d)
-    aligned = aligned || std::fabs(sight.normal(simplex, d)) > alongTheCells;
-  return aligned ? springToleranceAligned : springToleranceInclined;
+    steepest = std::fmax(steepest, std::fabs(sight.normal(simplex, d)));
+  const double ahead = splitAhead<D>(steepest, std::fabs(distance) / steepest, grows);
+  return hasFrontCell<D>(steepest, grows) ? springs::leastDistance - ahead : -ahead;
 }
 
 template <int D>
@@ -102,6 +106,7 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
   const View<std::uint64_t*> nearest = around.nearest;
   const bool frontSprings = state.cracks.frontSprings;
   const int stamp = around.stamp;
+  const bool grows = around.grows;
   Kokkos::parallel_for(
       "rhegma::cracks::findNodeSides", Kokkos::RangePolicy<ExecSpace>(0, nodes.active.extent(0)),
       KOKKOS_LAMBDA(const int i) {
@@ -113,7 +118,9 @@ void findNodeSides(const State<D>& state, const Surroundings& around)
         const double cell = refined ? grid.spacing / (1 << level(n)) : grid.spacing;
         const Sight seen = sight.locate(s, x);
         const bool springs = frontSprings && sight.nearFront(s) != nearFront::springsDisabled;
-        if (seen.behind <= (springs ? toleranceWithSprings<D>(sight, s) : frontTolerance) * cell)
+        if (seen.behind <=
+            (springs ? toleranceWithSprings<D>(sight, s, seen.distance / cell, grows) : frontTolerance) *
+                cell)
           return;
         const int name = sight.crackOf(s) + 1;
         side(n) = seen.distance > -sideTolerance * cell ? name : -name;

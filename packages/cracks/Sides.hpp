@@ -16,15 +16,8 @@ constexpr double sideTolerance = 0.1;
 
 /// A node less than this fraction of a cell behind a front counts as at the front and stays closed: so a
 /// front on a column of nodes stays there, and the crack that the cells have is neither too long nor too
-/// short in the mean (unit test InclinedCracks; with a tenth of a cell it was 0.14 cells too long).
+/// short in the mean (with a tenth of a cell it was 0.14 cells too long). With front springs: splitAhead.
 constexpr double frontTolerance = 0.25;
-
-/// The same with springs behind fronts (FrontSprings.hpp), which compensate for a crack that is too long in
-/// the cells. Where a crack runs along the cells, within five degrees, only a node at the front itself stays
-/// closed, as crack closure wants it; elsewhere nodes open a little before the front passes them, which
-/// measures better.
-constexpr double springToleranceAligned = 0.02, springToleranceInclined = -0.03;
-constexpr double alongTheCells = 0.99619; ///< cosine of five degrees
 
 /// The surroundings of the cracks in a step.
 struct Surroundings
@@ -33,6 +26,7 @@ struct Surroundings
   View<std::uint64_t*> nearest; ///< of each active node: square distance and number of the nearest simplex
   int stamp = 0;
   int generation = 0; ///< of the nodes
+  bool grows = false; ///< whether fronts may grow
 };
 
 /// The simplex in an entry of Surroundings::nearest.

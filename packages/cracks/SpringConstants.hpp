@@ -4,12 +4,23 @@
 namespace Rhegma::cracks::springs
 {
 
-/// Stiffness of a front spring as a fraction of E' times its width [-]. Measured: with it G is the same
-/// wherever the front lies in its cell (test InclinedCracks).
+/// Stiffness of a front spring as a fraction of E' times its width [-]; along the cells in 2D: FrontCell.hpp.
 constexpr double stiffnessFraction = 0.1;
 
-/// Added to the distance of a node behind its front [cells]: keeps the stiffness finite at the front.
+/// Added to the distance of a node behind its front, except along the cells in 2D [cells]: keeps the
+/// stiffness finite at the front.
 constexpr double distanceOffset = 0.05;
+
+/// Least xi of a node that opens, in 2D [cells]: below, a stable spring is far too soft, and the node is
+/// closed.
+constexpr double leastDistance = 0.05;
+
+/// Where nodes open, except along the cells in 2D [cells]: crack closure wants a node at a front along the
+/// cells (within five degrees) closed; at an angle, nodes open a little before the front passes them, which
+/// measures better.
+constexpr double splitBehindAligned = 0.02, splitAheadInclined = 0.03;
+constexpr double alongTheCells = 0.99619; ///< cosine of five degrees
+constexpr double onTheCells = 0.99985;    ///< cosine of one degree
 
 /// Filled fraction of a node's cells from which they count as full [-]: strain changes it by less.
 constexpr double fullCells = 0.9;

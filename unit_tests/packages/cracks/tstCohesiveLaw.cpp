@@ -93,16 +93,36 @@ TEST(CohesiveLaw, ShortRangesStartWithLessForce)
   EXPECT_DOUBLE_EQ(less.energy(), 0.5 * springs::initialFraction * holding * range);
 }
 
-/// A front spring is half of its value at 0.45 cells behind the front, is divided between the nodes above and
-/// below the crack, and ends within a cell.
+/// In 3D a front spring is half of its value at 0.45 cells behind the front, is divided between the nodes
+/// above and below the crack, and ends within a cell.
 TEST(CohesiveLaw, FrontSpringsEndACellBehindTheFront)
 {
-  EXPECT_DOUBLE_EQ(frontSpringStiffness(10.0, 2.0, 0.45, 0.0, 1.0), 2.0); // 0.1 E' b
-  EXPECT_DOUBLE_EQ(frontSpringStiffness(10.0, 2.0, 0.45, 0.25, 1.0), 1.5);
-  EXPECT_DOUBLE_EQ(frontSpringStiffness(10.0, 2.0, 0.45, 0.75, 1.0), 0.5);
-  EXPECT_NEAR(frontSpringStiffness(10.0, 2.0, 0.0, 0.0, 1.0), 38.0, 1e-12); // (1 - 0.05) / 0.05 times that
-  EXPECT_EQ(frontSpringStiffness(10.0, 2.0, 0.96, 0.0, 1.0), 0.0);
-  EXPECT_EQ(frontSpringStiffness(10.0, 2.0, 0.45, 1.0, 1.0), 0.0);
+  EXPECT_DOUBLE_EQ(frontSpringStiffness<3>(10.0, 2.0, 0.45, 0.0, 1.0, false), 2.0); // 0.1 E' b
+  EXPECT_DOUBLE_EQ(frontSpringStiffness<3>(10.0, 2.0, 0.45, 0.25, 1.0, false), 1.5);
+  EXPECT_DOUBLE_EQ(frontSpringStiffness<3>(10.0, 2.0, 0.45, 0.75, 1.0, false), 0.5);
+  EXPECT_NEAR(frontSpringStiffness<3>(10.0, 2.0, 0.0, 0.0, 1.0, false), 38.0,
+              1e-12); // (1 - 0.05) / 0.05 times that
+  EXPECT_EQ(frontSpringStiffness<3>(10.0, 2.0, 0.96, 0.0, 1.0, false), 0.0);
+  EXPECT_EQ(frontSpringStiffness<3>(10.0, 2.0, 0.45, 1.0, 1.0, false), 0.0);
+}
+
+/// In 2D springs end where the next node opens, so that the crack of the cells grows continuously: nodes of a
+/// row are a cell apart. At an angle to the cells 2D has the law of 3D.
+TEST(CohesiveLaw, FrontSpringsHandOverFromNodeToNode)
+{
+  const double ahead = splitAhead<2>(1.0, 0.0, false);
+  EXPECT_GT(ahead, 0.1);
+  EXPECT_LT(ahead, 0.3);
+  EXPECT_GT(splitAhead<2>(1.0, 0.5, false), ahead);
+  EXPECT_DOUBLE_EQ(splitAhead<2>(0.8, 0.0, false), springs::splitAheadInclined);
+  const double soft = frontSpringStiffness<2>(10.0, 2.0, 0.9 - ahead, 0.0, 1.0, false);
+  EXPECT_GT(soft, 0.0);
+  EXPECT_LT(soft, 1.0);
+  EXPECT_GT(frontSpringStiffness<2>(10.0, 2.0, -ahead, 0.0, 1.0, false), 50.0);
+  EXPECT_EQ(frontSpringStiffness<2>(10.0, 2.0, 1.05 - ahead, 0.0, 1.0, false), 0.0);
+  EXPECT_DOUBLE_EQ(splitShare(3.0, 3.0), 1.0);
+  EXPECT_DOUBLE_EQ(splitShare(7.0, 1.0), 0.5);
+  EXPECT_EQ(splitShare(1.0, 0.0), 0.0);
 }
 
 /// A spring of 8 N/m stretched by 0.5 m stores 1 J and dissipates another one as it softens.

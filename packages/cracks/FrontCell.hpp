@@ -1,0 +1,12 @@
+#pragma once
+/// Constants of the front springs in 2D. Written by unit_tests/studies/front_cell.py --fit.
+
+namespace Rhegma::cracks::frontCell
+{
+
+constexpr double stiffness = 0.22;   ///< a: fraction of E' times the thickness [-]
+constexpr double range = 0.99;       ///< l0: where springs end, for a crack along the cells [cells]
+constexpr double lag = 0.21;         ///< s0: by how much nodes open ahead of the front [cells]
+constexpr double lagMidCell = 0.032; ///< m: added to s0 midway between rows of nodes [cells]
+
+} // namespace Rhegma::cracks::frontCell

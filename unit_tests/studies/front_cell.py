@@ -1,0 +1,237 @@
+#!/usr/bin/env python3
+"""Constants of the front springs in 2D, from the near field of a front in a patch of cells.
+
+The rim of a patch of square cells moves as the near field of K_I or K_II (Williams, J. Appl. Mech. 24 (1957) 109). Nodes are split
+and springs act as in packages/cracks. At rest the strain energy exceeds that of the near field by G times the distance by
+which the crack of the cells ends behind the front: its lag. The constants make the lag small for any position of the front in
+its cell, any angle to the cells and both modes. No body and no load enters. With particles at their starting places, linear
+functions and GIMP are the same.
+
+    front_cell.py            print the lag of the law of the constants in packages/cracks/FrontCell.hpp, in cells
+    front_cell.py --before   the same of the law that 3D has
+    front_cell.py --fit      fit the constants (some minutes) and write them to that file
+"""
+import argparse
+import os
+import re
+
+import numpy as np
+import scipy.optimize
+import scipy.sparse
+import scipy.sparse.linalg
+import scipy.stats
+
+HEADER = os.path.join(os.path.dirname(__file__), "../../packages/cracks/FrontCell.hpp")
+NAMES = ["stiffness", "range", "lag", "lagMidCell"]
+ANGLES = [0, 4, 15, 30, 45]
+RADIUS = 7  # of the patch in cells
+REMOTE = 0.012  # excess energy of bilinear cells far from the front, which is no lag [cells]
+SIDE_TOLERANCE, BAND = 0.1, 3.0  # packages/cracks/Sides.hpp, CrackGeometry.hpp
+LEAST_DISTANCE = 0.05  # packages/cracks/SpringConstants.hpp
+CFL = 0.4
+
+
+def displacement(x, z, mode, nu, side):
+    """Near field in plane stress for E = 1, K = 1; side +1 and -1 continue a face beyond the crack."""
+    r, t = np.hypot(x, z), np.arctan2(z, x)
+    t = np.where((side > 0) & (t < -np.pi / 2), t + 2 * np.pi, t)
+    t = np.where((side < 0) & (t > np.pi / 2), t - 2 * np.pi, t)
+    k, f, c, s = (3 - nu) / (1 + nu), np.sqrt(r / (2 * np.pi)) * (1 + nu), np.cos(t / 2), np.sin(t / 2)
+    if mode == 1:
+        return f * c * (k - 1 + 2 * s * s), f * s * (k + 1 - 2 * c * c)
+    return f * s * (k + 1 + 2 * c * c), -f * c * (k - 1 - 2 * s * s)
+
+
+def stress(x, z, mode):
+    """xx, zz, xz of the near field for K = 1."""
+    r, t = np.hypot(x, z), np.arctan2(z, x)
+    f, c, s = 1 / np.sqrt(2 * np.pi * r), np.cos(t / 2), np.sin(t / 2)
+    c3, s3 = np.cos(1.5 * t), np.sin(1.5 * t)
+    if mode == 1:
+        return f * c * (1 - s * s3), f * c * (1 + s * s3), f * s * c * c3
+    return -f * s * (2 + c * c3), f * s * c * c3, f * c * (1 - s * s3)
+
+
+def local(t, x, z):
+    return t[0] * x + t[1] * z, -t[1] * x + t[0] * z
+
+
+def exact_energy(front, t, mode, nu):
+    """Strain energy of the near field in the patch, by the work on its rim."""
+    n = 4000
+    along = (np.arange(n) + 0.5) / n * 2 * RADIUS - RADIUS
+    energy = 0.0
+    for axis in (0, 1):
+        for sign in (-1, 1):
+            point = [along, along]
+            point[axis] = np.full(n, float(sign * RADIUS))
+            x, z = local(t, point[0] - front[0], point[1] - front[1])
+            nx, nz = local(t, sign * (axis == 0), sign * (axis == 1))
+            ux, uz = displacement(x, z, mode, nu, np.zeros(n))
+            xx, zz, xz = stress(x, z, mode)
+            energy += 0.5 * np.sum(ux * (xx * nx + xz * nz) + uz * (xz * nx + zz * nz)) * 2 * RADIUS / n
+    return energy
+
+
+class NewLaw:
+    """Where nodes open and the springs between their fields; constants as in FrontCell.hpp."""
+
+    def __init__(self, constants):
+        self.__dict__.update(dict(zip(NAMES, constants)))
+
+    def ahead(self, c, z):
+        mid = np.clip(2 * np.minimum(z, 1 - z), 0, 1)
+        return (self.lag + self.lagMidCell * mid) / c
+
+    def opens(self, behind, c, z):
+        return behind > LEAST_DISTANCE - self.ahead(c, z)
+
+    def spring(self, behind, c, z, mass, other):
+        xi = np.maximum(behind + self.ahead(c, z), LEAST_DISTANCE)
+        end = self.range / c
+        share = np.sqrt(2 * np.minimum(mass, other) / np.maximum(mass + other, 1e-30))
+        return self.stiffness * np.maximum(end - xi, 0) / xi * share
+
+
+class OldLaw:
+    def ahead(self, c, z):
+        return np.full(len(z), -0.02 if c > np.cos(np.radians(5)) else 0.03)
+
+    def opens(self, behind, c, z):
+        return behind > -self.ahead(c, z)
+
+    def spring(self, behind, c, z, mass, other):
+        xi = np.maximum(behind * np.sqrt(c) + 0.05, 1e-6)
+        return 0.1 * np.maximum(1 - xi, 0) / xi * np.maximum(1 - z, 0)
+
+
+def assemble(front, t, split, side, nu, particles):
+    """Rows, columns and values of the stiffness, and the mass of each field: nodes, then enriched fields."""
+    edge = 2 * RADIUS + 1
+    enriched = np.cumsum(split) - 1 + len(split)
+    mass, parts = np.zeros(len(split) + split.sum()), []
+    cell = np.stack(np.meshgrid(np.arange(edge - 1), np.arange(edge - 1), indexing="ij"), -1).reshape(-1, 2)
+    law = np.array([[1, nu, 0], [nu, 1, 0], [0, 0, (1 - nu) / 2]]) / (1 - nu**2)
+    places = (np.arange(particles) + 0.5) / particles
+    for a, b in ((a, b) for a in places for b in places):
+        _, z = local(t, *(cell + [a, b] - RADIUS - front).T)
+        own, row = np.where(z >= -1e-6, 1, -1), np.zeros((len(cell), 8), int)
+        strain = np.zeros((3, 8))
+        for k, (i, j) in enumerate(((0, 0), (1, 0), (0, 1), (1, 1))):
+            nx, nz = (a if i else 1 - a), (b if j else 1 - b)
+            dx, dz = (2 * i - 1) * nz, (2 * j - 1) * nx
+            node = (cell[:, 0] + i) * edge + cell[:, 1] + j
+            field = np.where(split[node] & (side[node] != own), enriched[node], node)
+            np.add.at(mass, field, nx * nz / particles**2)
+            strain[:, 2 * k], strain[:, 2 * k + 1] = (dx, 0, dz), (0, dz, dx)
+            row[:, 2 * k], row[:, 2 * k + 1] = 2 * field, 2 * field + 1
+        stiffness = strain.T @ law @ strain / particles**2
+        parts.append((np.repeat(row, 8, 1).ravel(), np.tile(row, (1, 8)).ravel(),
+                      np.tile(stiffness.ravel(), len(cell))))
+    return [np.concatenate(p) for p in zip(*parts)], mass, enriched
+
+
+def add_springs(entries, stiffness, enriched):
+    node = np.nonzero(stiffness)[0]
+    rows, columns, values = [entries[0]], [entries[1]], [entries[2]]
+    for d in (0, 1):
+        a, b, k = 2 * node + d, 2 * enriched[node] + d, stiffness[node]
+        rows += [a, b, a, b]
+        columns += [a, b, b, a]
+        values += [k, k, -k, -k]
+    return np.concatenate(rows), np.concatenate(columns), np.concatenate(values)
+
+
+def lag(law, front, degrees, mode, nu=0.33, particles=2, cfl=CFL):
+    """By how many cells the crack of the cells ends behind its front."""
+    t = np.array([np.cos(np.radians(degrees)), np.sin(np.radians(degrees))])
+    edge, c = 2 * RADIUS + 1, max(abs(t))
+    nodes = np.stack(np.meshgrid(np.arange(edge), np.arange(edge), indexing="ij"), -1).reshape(-1, 2) - RADIUS
+    x, z = local(t, *(nodes - front).T)
+    away = np.abs(z) / c
+    split = law.opens(-x, c, away) & (np.abs(z) < BAND)
+    side = np.where(z > -SIDE_TOLERANCE, 1, -1)
+    entries, mass, enriched = assemble(front, t, split, side, nu, particles)
+    own, other = mass[: len(nodes)], np.where(split, mass[np.minimum(enriched, len(mass) - 1)], 0)
+    joined = split & (own > 0) & (other > 0)
+    # the largest stable in explicit steps, HoldingForce.hpp
+    most = own * other / np.maximum(own + other, 1e-30) / (cfl**2 * (1 - nu**2))
+    k = np.where(joined & (away < 1), np.minimum(law.spring(-x, c, away, own, other), most), 0)
+    rows, columns, values = add_springs(entries, k, enriched)
+    size = 2 * len(mass)
+    K = scipy.sparse.csr_matrix((values, (rows, columns)), (size, size)) + 1e-9 * scipy.sparse.identity(size)
+    u, fixed = np.zeros(size), np.zeros(size, bool)
+    rim = np.max(np.abs(nodes), 1) == RADIUS
+    for at, sign, index in ((rim, side, np.arange(len(nodes))), (rim & split, -side, enriched)):
+        n = np.nonzero(at)[0]
+        a, b = displacement(x[n], z[n], mode, nu, np.where(np.abs(z[n]) < BAND, sign[n], 0))
+        u[2 * index[n]], u[2 * index[n] + 1] = a * t[0] - b * t[1], a * t[1] + b * t[0]
+        fixed[2 * index[n]] = fixed[2 * index[n] + 1] = True
+    free = ~fixed
+    u[free] = scipy.sparse.linalg.spsolve(K[free][:, free].tocsc(), -K[free][:, fixed] @ u[fixed])
+    return 0.5 * u @ (K @ u) - exact_energy(front, t, mode, nu) - REMOTE
+
+
+def lags(law, degrees, mode, points, **more):
+    return np.array([lag(law, p, degrees, mode, **more) for p in points])
+
+
+def positions(number, seed):
+    return scipy.stats.qmc.Sobol(2, seed=seed).random(number)
+
+
+def read_constants():
+    text = open(HEADER).read()
+    return [float(re.search(r"double %s = ([-0-9.e]+);" % n, text).group(1)) for n in NAMES]
+
+
+def write_constants(constants):
+    text = open(HEADER).read()
+    for name, value in zip(NAMES, constants):
+        text = re.sub(r"(double %s = )[-0-9.e]+;" % name, lambda m: "%s%.2g;" % (m.group(1), value), text)
+    open(HEADER, "w").write(text)
+
+
+def fit():
+    points = positions(16, 3)
+
+    def cost(x):
+        if x[0] <= 0 or x[1] <= 0:
+            return 1.0
+        law, total = NewLaw(x), 0.0
+        for degrees in ANGLES:
+            for mode, weight in ((1, 1.0), (2, 0.5)):
+                total += weight * np.mean(lags(law, degrees, mode, points) ** 2)
+        return np.sqrt(total / len(ANGLES))
+
+    start = np.array([0.21, 1.0, 0.2, 0.03])
+    corners = [start] + [start + step for step in np.diag([0.03, 0.1, 0.05, 0.03])]
+    found = scipy.optimize.minimize(cost, start, method="Nelder-Mead",
+                                    options={"maxfev": 40, "initial_simplex": corners})
+    print("root of the mean square of both modes: %.4f cells" % found.fun)
+    return found.x
+
+
+def main():
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("--fit", action="store_true")
+    options.add_argument("--before", action="store_true")
+    options.add_argument("--positions", type=int, default=64, help="of the front in its cell")
+    options.add_argument("--particles", type=int, default=2, help="of a cell along an axis")
+    options.add_argument("--poisson", type=float, default=0.33)
+    chosen = options.parse_args()
+    if chosen.fit:
+        write_constants(fit())
+    law = OldLaw() if chosen.before else NewLaw(read_constants())
+    points = positions(chosen.positions, 11)  # others than those of the fit
+    print("lag in cells: angle, mode I mean, scatter, least, largest; mode II the same")
+    for degrees in ANGLES + [10, 22, 37]:
+        row = []
+        for mode in (1, 2):
+            v = lags(law, degrees, mode, points, nu=chosen.poisson, particles=chosen.particles)
+            row += [v.mean(), v.std(), v.min(), v.max()]
+        print("%5.1f  " % degrees + "  ".join("%+.3f" % v for v in row), flush=True)
+
+
+if __name__ == "__main__":
+    main()
