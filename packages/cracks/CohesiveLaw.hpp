@@ -19,13 +19,13 @@ enum class SpringState : int
   Open = 2       ///< not at all: the traction has fallen to zero
 };
 
-/// Whether the law of FrontCell.hpp holds: in 2D for cracks along the cells, within one degree, in runs
-/// without growth. Elsewhere it is no better than the plain one, or untested. \param steepest c: largest
-/// component of the crack's normal
+/// Whether the law of FrontCell.hpp holds: in 2D for cracks along the cells. Elsewhere it is no better than
+/// the plain one, or untested. \param steepest c: largest component of the crack's normal \param frontCells
+/// Surroundings::frontCells
 template <int D>
-KOKKOS_INLINE_FUNCTION bool hasFrontCell(double steepest, bool grows)
+KOKKOS_INLINE_FUNCTION bool hasFrontCell(double steepest, bool frontCells)
 {
-  return D == 2 && !grows && steepest > springs::onTheCells;
+  return D == 2 && frontCells && steepest > springs::onTheCells;
 }
 
 /// How far ahead of a front a node may lie that has a second field, with front springs [cells].
@@ -34,11 +34,11 @@ KOKKOS_INLINE_FUNCTION bool hasFrontCell(double steepest, bool grows)
 /// last node that opens and the next, then ends at the front in the mean (FrontCell.hpp).
 ///
 /// \param steepest c: largest component of the crack's normal \param away z: distance of the node from the
-/// crack along the axis nearest to its normal [cells] \param grows whether fronts may grow
+/// crack along the axis nearest to its normal [cells] \param frontCells Surroundings::frontCells
 template <int D>
-KOKKOS_INLINE_FUNCTION double splitAhead(double steepest, double away, bool grows)
+KOKKOS_INLINE_FUNCTION double splitAhead(double steepest, double away, bool frontCells)
 {
-  if (!hasFrontCell<D>(steepest, grows))
+  if (!hasFrontCell<D>(steepest, frontCells))
     return steepest > springs::alongTheCells ? -springs::splitBehindAligned : springs::splitAheadInclined;
   const double middle = std::fmax(0.0, 2.0 * std::fmin(away, 1.0 - away));
   return (frontCell::lag + frontCell::lagMidCell * middle) / steepest;
@@ -55,20 +55,20 @@ KOKKOS_INLINE_FUNCTION double splitAhead(double steepest, double away, bool grow
 ///
 /// \param modulus E' of fracture mechanics [Pa] \param width b: thickness times splitShare (2D), filled part
 /// of a cell (3D) [m] \param behind distance behind the front, negative ahead [cells] \param away, steepest,
-/// grows: see splitAhead
+/// frontCells: see splitAhead
 template <int D>
 KOKKOS_INLINE_FUNCTION double frontSpringStiffness(double modulus, double width, double behind, double away,
-                                                   double steepest, bool grows)
+                                                   double steepest, bool frontCells)
 {
   if (!(away < 1.0))
     return 0.0;
-  if (!hasFrontCell<D>(steepest, grows))
+  if (!hasFrontCell<D>(steepest, frontCells))
   {
     const double xi = behind * std::sqrt(steepest) + springs::distanceOffset;
     return xi < 1.0 ? springs::stiffnessFraction * modulus * width * (1.0 - xi) / xi * (1.0 - away) : 0.0;
   }
   const double range = frontCell::range / steepest;
-  const double xi = std::fmax(behind + splitAhead<D>(steepest, away, grows), springs::leastDistance);
+  const double xi = std::fmax(behind + splitAhead<D>(steepest, away, frontCells), springs::leastDistance);
   return xi < range ? frontCell::stiffness * modulus * width * (range - xi) / xi : 0.0;
 }
 

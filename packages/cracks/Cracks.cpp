@@ -72,6 +72,8 @@ struct Parts
         springs(grows),
         growth(mirrorPlanes(scene))
   {
+    surroundings.frontCells = D == 2 && !grows && !touching && !options.heat() &&
+                              options.pressedCracks.empty() && !scene.isSublist("Combustion");
   }
 };
 
@@ -105,7 +107,6 @@ void start(const Shared<D>& parts, State<D>& state)
 {
   state.cracks.dualField = parts->formulation == Formulation::DualField;
   state.cracks.frontSprings = parts->hasSprings;
-  parts->surroundings.grows = parts->grows;
   if (parts->hasSprings)
     state.motion.displacementDependentForces.push_back(parts->springs.displacementDependentForce());
   readCracks(parts->section, state, state.mesh.grid.spacing / parts->pieces);

@@ -26,7 +26,10 @@ struct Surroundings
   View<std::uint64_t*> nearest; ///< of each active node: square distance and number of the nearest simplex
   int stamp = 0;
   int generation = 0; ///< of the nodes
-  bool grows = false; ///< whether fronts may grow
+  /// Whether cracks along the cells have the law of FrontCell.hpp. Not where fronts may grow, nor where faces
+  /// are loaded, touch, or insulate: its nodes ahead of the front are joined by springs alone, and would be
+  /// faces to whatever else acts on these.
+  bool frontCells = false;
 };
 
 /// The simplex in an entry of Surroundings::nearest.

@@ -20,7 +20,7 @@ constexpr double leastDistance = 0.05;
 /// measures better.
 constexpr double splitBehindAligned = 0.02, splitAheadInclined = 0.03;
 constexpr double alongTheCells = 0.99619; ///< cosine of five degrees
-constexpr double onTheCells = 0.99985;    ///< cosine of one degree
+constexpr double onTheCells = 0.9999985;  ///< cosine of a tenth of a degree
 
 /// Filled fraction of a node's cells from which they count as full [-]: strain changes it by less.
 constexpr double fullCells = 0.9;

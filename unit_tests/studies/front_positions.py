@@ -4,6 +4,8 @@
     front_positions.py PROGRAM edge      xml_inputs/examples/edge_crack.xml with 4 and 8 cells in the crack, the front at 10 positions
                                          in its cell and the crack at 5 in its row
     front_positions.py PROGRAM inclined  random cracks in an infinite plate at 4 and 8 cells a half length, both tips
+    front_positions.py PROGRAM static    edge cracks at rest: random positions of the front and the crack, 4 to 12 cells, linear
+                                         and GIMP, 2 x 2 and 3 x 3 particles
 """
 import argparse
 import concurrent.futures
@@ -30,16 +32,20 @@ def run(program, scene, sets=()):
             return json.load(file)
 
 
-def edge(program, cell, front, row):
-    """Error of G_J [%] against Tada, Paris and Irwin, 2.11."""
-    a, y = 0.01 + front * cell, 0.04 + row * cell
-    sets = ["Domain:Cell Size=%r" % cell, "Cracks:Notch:Points={0, %r, %r, %r}" % (y, a, y)]
-    found = run(program, os.path.join(INPUTS, "examples/edge_crack.xml"), sets)
+def strip(a):
+    """G of an edge crack in the strip [J/m2], Tada, Paris and Irwin, 2.11."""
     x = a / 0.04
     t = math.pi * x / 2
     shape = math.sqrt(math.tan(t) / t) * (0.752 + 2.02 * x + 0.37 * (1 - math.sin(t)) ** 3) / math.cos(t)
-    exact = 5e6**2 * math.pi * a * shape**2 / 3e9
-    return [100 * (found["cracks"][0]["fronts"][0]["G_J"] / exact - 1)]
+    return 5e6**2 * math.pi * a * shape**2 / 3e9
+
+
+def edge(program, cell, front, row):
+    """Error of G_J [%]."""
+    a, y = 0.01 + front * cell, 0.04 + row * cell
+    sets = ["Domain:Cell Size=%r" % cell, "Cracks:Notch:Points={0, %r, %r, %r}" % (y, a, y)]
+    found = run(program, os.path.join(INPUTS, "examples/edge_crack.xml"), sets)
+    return [100 * (found["cracks"][0]["fronts"][0]["G_J"] / strip(a) - 1)]
 
 
 def inclined(program, cells, seed):
@@ -68,6 +74,32 @@ def inclined(program, cells, seed):
     return [100 * (f["G_J"] / exact - 1) for f in found["cracks"][0]["fronts"]]
 
 
+def solve(program, text, cell, points, pick):
+    """What a scene gives at rest with random functions and particles."""
+    for old, new in ((r'<ParameterList name="Damping">.*?</ParameterList>', ""),
+                     (r'(<ParameterList name="Time">).*?</ParameterList>',
+                      r'\1<Parameter name="Analysis" type="string" value="Static"/><Parameter name="Final Time" type="double" value="1e-3"/>'
+                      r'<Parameter name="Rigid Modes" type="string" value="Remove"/></ParameterList>')):
+        text = re.sub(old, new, text, flags=re.S)
+    with tempfile.NamedTemporaryFile("w", suffix=".xml") as scene:
+        scene.write(text)
+        scene.flush()
+        return run(program, scene.name, ["Domain:Cell Size=%r" % cell, "Cracks:Notch:Points={%r, %r, %r, %r}" % points,
+                                         "Domain:Shape Functions=" + pick.choice(["Linear", "GIMP"]),
+                                         "Bodies:Strip:Particles Per Cell=%d" % pick.choice([2, 3])])
+
+
+def at_rest(program, seed):
+    """Error of G_J [%] of a random edge crack."""
+    pick = random.Random(5000 + seed)
+    cell = 0.01 / pick.choice([4, 5, 6, 8, 10, 12])
+    cell = 0.04 / round(0.04 / cell)
+    a, y = 0.01 + cell * pick.uniform(-0.5, 0.5), 0.04 + cell * pick.uniform(-0.5, 0.5)
+    text = open(os.path.join(INPUTS, "examples/edge_crack.xml")).read()
+    found = solve(program, text, cell, (0.0, y, a, y), pick)
+    return cell, 100 * (found["cracks"][0]["fronts"][0]["G_J"] / strip(a) - 1)
+
+
 def report(name, values):
     mean = sum(values) / len(values)
     rms = math.sqrt(sum(v * v for v in values) / len(values))
@@ -78,10 +110,15 @@ def report(name, values):
 def main():
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("program")
-    options.add_argument("case", choices=["edge", "inclined"])
-    options.add_argument("--number", type=int, default=20, help="of inclined cracks")
+    options.add_argument("case", choices=["edge", "inclined", "static"])
+    options.add_argument("--number", type=int, default=20, help="of random cracks")
     chosen = options.parse_args()
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        if chosen.case == "static":
+            found = list(pool.map(lambda k: at_rest(chosen.program, k), range(chosen.number)))
+            for name, fits in (("less than 6 cells", lambda h: h > 0.01 / 5.9), ("6 to 12 cells", lambda h: h < 0.01 / 5.9)):
+                report(name, [v for h, v in found if fits(h)])
+            return
         for cells in (4, 8):
             if chosen.case == "edge":
                 jobs = [pool.submit(edge, chosen.program, 0.01 / cells, k / 10, row)

@@ -110,18 +110,19 @@ TEST(CohesiveLaw, FrontSpringsEndACellBehindTheFront)
 /// row are a cell apart. At an angle to the cells 2D has the law of 3D.
 TEST(CohesiveLaw, FrontSpringsHandOverFromNodeToNode)
 {
-  const double ahead = splitAhead<2>(1.0, 0.0, false);
+  const double ahead = splitAhead<2>(1.0, 0.0, true);
   EXPECT_GT(ahead, 0.1);
   EXPECT_LT(ahead, 0.3);
-  EXPECT_GT(splitAhead<2>(1.0, 0.5, false), ahead);
-  EXPECT_DOUBLE_EQ(splitAhead<2>(0.8, 0.0, false), springs::splitAheadInclined);
-  const double soft = frontSpringStiffness<2>(10.0, 2.0, 0.9 - ahead, 0.0, 1.0, false);
+  EXPECT_GT(splitAhead<2>(1.0, 0.5, true), ahead);
+  EXPECT_DOUBLE_EQ(splitAhead<2>(0.8, 0.0, true), springs::splitAheadInclined);
+  const double soft = frontSpringStiffness<2>(10.0, 2.0, 0.9 - ahead, 0.0, 1.0, true);
   EXPECT_GT(soft, 0.0);
   EXPECT_LT(soft, 1.0);
-  EXPECT_GT(frontSpringStiffness<2>(10.0, 2.0, -ahead, 0.0, 1.0, false), 50.0);
-  EXPECT_EQ(frontSpringStiffness<2>(10.0, 2.0, 1.05 - ahead, 0.0, 1.0, false), 0.0);
+  EXPECT_GT(frontSpringStiffness<2>(10.0, 2.0, -ahead, 0.0, 1.0, true), 50.0);
+  EXPECT_EQ(frontSpringStiffness<2>(10.0, 2.0, 1.05 - ahead, 0.0, 1.0, true), 0.0);
   EXPECT_DOUBLE_EQ(splitShare(3.0, 3.0), 1.0);
   EXPECT_DOUBLE_EQ(splitShare(7.0, 1.0), 0.5);
+  EXPECT_DOUBLE_EQ(splitAhead<2>(1.0, 0.0, false), -springs::splitBehindAligned); // where faces are loaded
   EXPECT_EQ(splitShare(1.0, 0.0), 0.0);
 }
 

@@ -18,11 +18,12 @@ namespace
 Teuchos::ParameterList slab(double w)
 {
   const bool flat = w == 0.0;
+  // at a third of a degree to the cells: along them the springs of 2D have a law of their own
+  const double end = 0.00405;
   Teuchos::ParameterList scene =
       blockScene(flat ? std::vector<double>{0.02, 0.008} : std::vector<double>{0.02, 0.008, w});
-  setCrack(scene,
-           flat ? std::vector<double>{0.0, 0.004, 0.009, 0.004}
-                : std::vector<double>{0.0, 0.004, w, 0.009, 0.004, w, 0.009, 0.004, 0.0, 0.0, 0.004, 0.0});
+  setCrack(scene, flat ? std::vector<double>{0.0, 0.004, 0.009, end}
+                       : std::vector<double>{0.0, 0.004, w, 0.009, end, w, 0.009, end, 0.0, 0.0, 0.004, 0.0});
   Teuchos::ParameterList& loads = scene.sublist("Boundaries");
   for (const double sign : {1.0, -1.0})
   {
@@ -117,11 +118,12 @@ TEST(Cracks3D, MakeASlabBehaveAsItsPlane)
   ASSERT_EQ(b.cracks.fronts.size(), 1u);
   ASSERT_EQ(a.cracks.fronts.size(), 1u);
   EXPECT_NEAR(b.cracks.fronts[0].length, width, 1e-9 * width);
+  // Directions of a crack at an angle to the cells are found from other points in 3D: 4e-6 was measured.
   for (int d = 0; d < 2; ++d)
   {
     EXPECT_NEAR(b.cracks.fronts[0].position[d], a.cracks.fronts[0].position[d], 1e-12);
-    EXPECT_NEAR(b.cracks.fronts[0].direction[d], a.cracks.fronts[0].direction[d], 1e-9);
-    EXPECT_NEAR(b.cracks.fronts[0].normal[d], a.cracks.fronts[0].normal[d], 1e-9);
+    EXPECT_NEAR(b.cracks.fronts[0].direction[d], a.cracks.fronts[0].direction[d], 1e-5);
+    EXPECT_NEAR(b.cracks.fronts[0].normal[d], a.cracks.fronts[0].normal[d], 1e-5);
   }
 }
 
