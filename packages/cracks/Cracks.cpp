@@ -72,8 +72,8 @@ struct Parts
         springs(grows),
         growth(mirrorPlanes(scene))
   {
-    surroundings.frontCells = D == 2 && !grows && !touching && !options.heat() &&
-                              options.pressedCracks.empty() && !scene.isSublist("Combustion");
+    surroundings.frontCells =
+        D == 2 && !grows && !touching && !options.heat() && options.pressedCracks.empty();
   }
 };
 
@@ -107,6 +107,9 @@ void start(const Shared<D>& parts, State<D>& state)
 {
   state.cracks.dualField = parts->formulation == Formulation::DualField;
   state.cracks.frontSprings = parts->hasSprings;
+  // faces that burn have the field of what is burnt (combustion/Regression.hpp) and carry the gas's pressure
+  if (state.particles.has("burnt over remaining mass"))
+    parts->surroundings.frontCells = false;
   if (parts->hasSprings)
     state.motion.displacementDependentForces.push_back(parts->springs.displacementDependentForce());
   readCracks(parts->section, state, state.mesh.grid.spacing / parts->pieces);
