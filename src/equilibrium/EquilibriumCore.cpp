@@ -59,6 +59,7 @@ struct Account
 {
   long iterations = 0, linearIterations = 0;
   int unsupportedFields = 0;
+  double largestForces = 0.0; ///< of the run: norm of the loads or of the supports' forces [N]
   bool warned = false;
 };
 
@@ -66,7 +67,7 @@ template <int D>
 void solveStep(State<D>& state, Account& account, LastStep& last)
 {
   NewtonStep<D> step(state);
-  const StepReport report = step.solve(state);
+  const StepReport report = step.solve(state, account.largestForces);
   last.converged = report.converged;
   last.iterations = static_cast<int>(report.residuals.size()) - 1;
   last.residuals = report.residuals;
@@ -76,6 +77,7 @@ void solveStep(State<D>& state, Account& account, LastStep& last)
   account.unsupportedFields = step.unsupportedFields();
   if (!report.converged)
     return;
+  account.largestForces = report.forces;
   toMotion(step, state);
   state.energy.externalWork += step.workOfSupports();
   state.energy.stabilised += step.ghostEnergy();
@@ -125,6 +127,7 @@ Effect<D> makeEquilibrium(const std::shared_ptr<LastStep>& last)
     archive("iterations", account->iterations);
     archive("linear_iterations", account->linearIterations);
     archive("unsupported_fields", account->unsupportedFields);
+    archive("largest_forces", account->largestForces);
     archive("warned", account->warned);
     archive("unknowns", last->unknowns);
     archive("residuals", last->residuals);

@@ -9,7 +9,7 @@ namespace
 {
 
 constexpr double linearTolerance = 1e-11;
-constexpr int mostIterations = 50000;
+constexpr int mostLinearIterations = 50000;
 
 /// Residual of a linear solve, relative to its right side, with which an iteration of Newton's method still
 /// gains digits: rounding keeps large matrices from the tolerance.
@@ -19,7 +19,7 @@ constexpr double usefulResidual = 1e-3;
 
 template <int D>
 LinearSystem<D>::LinearSystem(const State<D>&, const RowGraph& graph, const Held& held)
-    : graph_(graph), free_(D * graph.rows, -1), gradients_(linearTolerance, mostIterations)
+    : graph_(graph), free_(D * graph.rows, -1), gradients_(linearTolerance, mostLinearIterations)
 {
   for (int k = 0; k < D * graph.rows; ++k)
     if (held.is[k] == 0)

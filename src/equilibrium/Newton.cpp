@@ -205,9 +205,10 @@ bool NewtonStep<D>::search(const State<D>& state, const Values& change, double b
 }
 
 template <int D>
-StepReport NewtonStep<D>::solve(const State<D>& state)
+StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces)
 {
   StepReport report;
+  report.forces = largestForces;
   const int n = D * graph_.rows;
   for (int k = 0; k < n; ++k)
     load_(k) = state.mesh.nodes.sums(graph_.nodeOf(k / D), Nodes<D>::forceAt + k % D);
@@ -219,7 +220,9 @@ StepReport NewtonStep<D>::solve(const State<D>& state)
   bool moved = std::any_of(held_.change.begin(), held_.change.end(), [](double u) { return u != 0.0; });
   for (int k = 0; k <= mostIterations; ++k)
   {
-    const double forces = std::max(norm(load_, false), norm(residual_, true)), now = norm(residual_, false);
+    // A body that is unloaded has forces of its own size no longer.
+    report.forces = std::max({report.forces, norm(load_, false), norm(residual_, true)});
+    const double forces = report.forces, now = norm(residual_, false);
     report.residuals.push_back(forces > 0.0 ? now / forces : 0.0);
     report.converged = !moved && now <= forceTolerance * forces;
     if (report.converged || k == mostIterations || !assemble(state))

@@ -24,6 +24,7 @@ struct StepReport
   std::vector<double> residuals; ///< before each iteration and after the last, as fractions of the forces
   int linearIterations = 0;      ///< of all linear solves
   double removedFraction = 0.0;  ///< of the loads, balanced by uniform acceleration
+  double forces = 0.0;           ///< largest norm of the loads or of the supports' forces so far [N]
 };
 
 /// The unknowns of a step and the forces between them.
@@ -44,7 +45,8 @@ public:
   int unsupportedFields() const { return unsupported_; }
 
   /// Finds the displacement under the nodal forces of the state. \return how; `displacement` then holds it
-  StepReport solve(const State<D>& state);
+  /// \param largestForces of earlier steps [N]: residuals are fractions of the largest forces of the run
+  StepReport solve(const State<D>& state, double largestForces);
 
   const Values& displacement() const { return displacement_; }
   /// Forces of supports on the body [N]; zero on other unknowns.
