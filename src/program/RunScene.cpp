@@ -235,7 +235,7 @@ std::string stepsAsText(const Simulation& simulation, const Teuchos::ParameterLi
 }
 
 /// A hint where a run would wait for a rest that Time > Analysis = Static solves for: the rules then refuse
-/// nothing but the damping.
+/// nothing but the section that makes it rest.
 std::string equilibriumAsText(const Teuchos::ParameterList& scene, const Forecast& forecast)
 {
   if (forecast.secondsToRest == 0.0 || world()->getSize() > 1)
@@ -244,10 +244,11 @@ std::string equilibriumAsText(const Teuchos::ParameterList& scene, const Forecas
   other.sublist("Time").set("Analysis", std::string("Static"));
   std::vector<SceneError> errors;
   checkRules(other, effectSchema(), errors);
-  for (const SceneError& error : errors)
-    if (error.where != "Damping")
-      return {};
-  return "  Time > Analysis = Static, without Damping, solves for the state of rest directly\n";
+  const auto another = [&errors](const SceneError& error) { return error.where != errors.front().where; };
+  if (errors.empty() || std::any_of(errors.begin(), errors.end(), another))
+    return {};
+  return "  Time > Analysis = Static, without " + errors.front().where +
+         ", solves for the state of rest directly\n";
 }
 
 int checkScene(const Options& options, const Teuchos::RCP<Teuchos::ParameterList>& scene, std::ostream& out,

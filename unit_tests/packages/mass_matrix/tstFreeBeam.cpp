@@ -3,7 +3,7 @@
 /// The loads of xml_inputs/verification/dcb_h4.xml grow over about a period, so that they bend the beam
 /// nearly as they would at rest, and are then removed; nothing damps it. The velocity's fraction of the shape
 /// in which it was let go is zero twice a period. The periods that it is held to are those of prototypes
-/// written before this program, with linear functions on the same mesh.
+/// written before this program, with linear functions on the same mesh and no springs at the front.
 
 #include "../../src/step/Bodies.hpp"
 
@@ -25,10 +25,11 @@ double periodWith(const std::string& type, const std::string& shape)
 {
   const std::string history = "Boundaries:%s:History=0:0, 1.24e-3:1, 1.2400001e-3:0";
   const auto of = [&history](const std::string& arm) { return std::string(history).replace(11, 2, arm); };
-  SceneResult scene = readScene(std::string(RHEGMA_SOURCE_DIR) + "/xml_inputs/verification/dcb_h4.xml",
-                                {"Domain:Shape Functions=" + shape, "Mass Matrix:Type=" + type,
-                                 "Time:CFL=0.4", "Time:Final Time=0.1", of("Upper Arm"), of("Lower Arm")},
-                                effectSchema());
+  SceneResult scene =
+      readScene(std::string(RHEGMA_SOURCE_DIR) + "/xml_inputs/verification/dcb_h4.xml",
+                {"Cracks:Front Springs=false", "Domain:Shape Functions=" + shape, "Mass Matrix:Type=" + type,
+                 "Time:CFL=0.4", "Time:Final Time=0.1", of("Upper Arm"), of("Lower Arm")},
+                effectSchema());
   for (const SceneError& error : scene.errors)
     ADD_FAILURE() << toString(error);
   scene.list->remove("Damping");
