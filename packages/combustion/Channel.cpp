@@ -314,6 +314,7 @@ ChannelLoss Channel::advance(double dt, const ChannelSupply& supply, double dens
     done = h == rest ? dt : done + h;
     ++loss.substeps;
   }
+  loss.left = dt - done;
   for (int k = 0; k < size(); ++k)
     swept_[k] += supply.opened[k];
   double all = 0.0;

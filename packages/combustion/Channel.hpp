@@ -44,6 +44,7 @@ struct ChannelLoss
   double energy = 0.0; ///< its enthalpy [J]
   double walls = 0.0;  ///< heat to walls that keep the temperature [J]
   int substeps = 0;
+  double left = 0.0; ///< of the step, that the most substeps did not reach [s]
 };
 
 /// Mass, momentum and energy of gas in a slot whose width changes along it and in time, in finite volumes

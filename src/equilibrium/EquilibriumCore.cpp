@@ -20,6 +20,9 @@ namespace
 /// Fraction of the loads that a uniform acceleration may balance without a warning.
 constexpr double noticeableResultant = 0.01;
 
+/// Fraction of the forces that may act on unsupported pieces without a warning: their weight, at most.
+constexpr double noticeableLoad = 1e-3;
+
 /// A number of the matrix in blocks, its copy with its column for the solver.
 constexpr double bytesPerEntry = 2 * sizeof(double) + 2 * sizeof(int);
 
@@ -60,7 +63,7 @@ struct Account
   long iterations = 0, linearIterations = 0;
   int unsupportedFields = 0;
   double largestForces = 0.0; ///< of the run: norm of the loads or of the supports' forces [N]
-  bool warned = false;
+  bool warned = false, warnedOfPieces = false;
 };
 
 template <int D>
@@ -81,6 +84,15 @@ void solveStep(State<D>& state, Account& account, LastStep& last)
   toMotion(step, state);
   state.energy.externalWork += step.workOfSupports();
   state.energy.stabilised += step.ghostEnergy();
+  if (report.unsupportedLoad > noticeableLoad * report.forces && !account.warnedOfPieces)
+  {
+    account.warnedOfPieces = true;
+    state.warnings.push_back(
+        "Time > Analysis: loads of " + formatReal(report.unsupportedLoad) + " N act on " +
+        std::to_string(step.unsupportedFields()) +
+        " nodes of pieces of at most one cell that nothing supports; these are held where "
+        "they are, and the load does not reach the rest of the body");
+  }
   if (report.removedFraction > noticeableResultant && !account.warned)
   {
     account.warned = true;
@@ -129,6 +141,7 @@ Effect<D> makeEquilibrium(const std::shared_ptr<LastStep>& last)
     archive("unsupported_fields", account->unsupportedFields);
     archive("largest_forces", account->largestForces);
     archive("warned", account->warned);
+    archive("warned_of_pieces", account->warnedOfPieces);
     archive("unknowns", last->unknowns);
     archive("residuals", last->residuals);
   };
@@ -154,12 +167,12 @@ void inspect(const Teuchos::ParameterList& scene, const State<D>& state, LastSte
   if (scene.sublist("Time").get<std::string>("Rigid Modes") == "Refuse")
   {
     std::string wrong;
-    std::set<std::string> told;
+    std::set<std::string> named;
     for (const RigidMode<D>& mode : step.freeMotions())
     {
       const std::string line = "Bodies > " + step.bodyOf(state, mode.piece) + " " + mode.asText() +
                                ": support it, or write Time > Rigid Modes = Remove";
-      if (told.insert(line).second)
+      if (named.insert(line).second)
         wrong += (wrong.empty() ? "" : "\n") + line;
     }
     if (!wrong.empty())

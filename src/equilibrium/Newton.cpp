@@ -80,13 +80,14 @@ void NewtonStep<D>::findFreeMotions(const State<D>& state)
   for (int r = 0; r < graph_.rows; ++r)
     if (unsupported[pieceOf_[r]] != 0)
     {
-      ++unsupported_;
+      unsupported_.push_back(r);
       for (int d = 0; d < D; ++d)
         held_.is[D * r + d] = 1;
     }
   double speed = 0.0, extent = 0.0; // the slowest wave
   for (const Properties& m : state.materials.properties)
-    speed = speed > 0.0 ? std::min(speed, std::sqrt(m.mu / m.density)) : std::sqrt(m.mu / m.density);
+    if (m.mu > 0.0)
+      speed = speed > 0.0 ? std::min(speed, std::sqrt(m.mu / m.density)) : std::sqrt(m.mu / m.density);
   for (const RigidMode<D>& mode : modes_)
     extent = std::max(extent, mode.size);
   foundation_ = modes_.empty() ? 0.0 : foundationFraction * speed * speed / (extent * extent);
@@ -212,6 +213,9 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces)
   const int n = D * graph_.rows;
   for (int k = 0; k < n; ++k)
     load_(k) = state.mesh.nodes.sums(graph_.nodeOf(k / D), Nodes<D>::forceAt + k % D);
+  for (const int r : unsupported_)
+    for (int d = 0; d < D; ++d)
+      report.unsupportedLoad = std::hypot(report.unsupportedLoad, load_(D * r + d));
   Kokkos::deep_copy(displacement_, 0.0);
   if (!residual(state, displacement_, residual_, report.removedFraction))
     return report;

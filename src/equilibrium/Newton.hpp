@@ -25,6 +25,7 @@ struct StepReport
   int linearIterations = 0;      ///< of all linear solves
   double removedFraction = 0.0;  ///< of the loads, balanced by uniform acceleration
   double forces = 0.0;           ///< largest norm of the loads or of the supports' forces so far [N]
+  double unsupportedLoad = 0.0;  ///< norm of the loads on pieces that are held as nothing supports them [N]
 };
 
 /// The unknowns of a step and the forces between them.
@@ -42,7 +43,7 @@ public:
   /// Name of the body that has most of a piece.
   std::string bodyOf(const State<D>& state, int piece) const;
   /// Fields that hang on nothing, and stay where they are.
-  int unsupportedFields() const { return unsupported_; }
+  int unsupportedFields() const { return static_cast<int>(unsupported_.size()); }
 
   /// Finds the displacement under the nodal forces of the state. \return how; `displacement` then holds it
   /// \param largestForces of earlier steps [N]: residuals are fractions of the largest forces of the run
@@ -74,8 +75,8 @@ private:
   std::vector<int> pieceOf_;
   std::vector<RigidMode<D>> modes_;
   Held held_;
-  int unsupported_ = 0;
-  double foundation_ = 0.0; ///< stiffness per mass that keeps free pieces in their place [1/s2]
+  std::vector<int> unsupported_; ///< rows
+  double foundation_ = 0.0;      ///< stiffness per mass that keeps free pieces in their place [1/s2]
   std::vector<std::array<double, 3>> springs_; ///< two rows and stiffness [N/m]
   std::unique_ptr<LinearSystem<D>> system_;
   StiffnessBlocks stiffness_;

@@ -5,6 +5,7 @@
 #include <Teuchos_SerialDenseSolver.hpp>
 
 #include <algorithm>
+#include <numeric>
 
 namespace Rhegma::equilibrium
 {
@@ -44,14 +45,46 @@ std::vector<RigidMode<D>> framesOfPieces(const std::vector<int>& pieceOf, int pi
   return frames;
 }
 
+/// Turns the free motions of a piece, which are orthogonal, among themselves such that those without a
+/// rotation come first: a body that can both move and turn is then said to do both.
+template <int D>
+void separateTranslations(std::vector<RigidMode<D>>& modes, int piece)
+{
+  constexpr int n = rigidMotions<D>;
+  std::size_t first = modes.size();
+  while (first > 0 && modes[first - 1].piece == piece)
+    --first;
+  const int count = static_cast<int>(modes.size() - first);
+  if (count < 2)
+    return;
+  double rotations[n * n], values[n], work[8 * n];
+  for (int a = 0; a < count; ++a)
+    for (int b = 0; b < count; ++b)
+      rotations[a + count * b] =
+          std::inner_product(modes[first + a].coefficient + D, modes[first + a].coefficient + n,
+                             modes[first + b].coefficient + D, 0.0);
+  int info = 0;
+  Teuchos::LAPACK<int, double>().SYEV('V', 'U', count, rotations, count, values, work, 8 * n, &info);
+  double turned[n][n] = {};
+  for (int v = 0; v < count; ++v)
+    for (int a = 0; a < count; ++a)
+      for (int m = 0; m < n; ++m)
+        turned[v][m] += rotations[a + count * v] * modes[first + a].coefficient[m];
+  for (int v = 0; v < count; ++v)
+    std::copy_n(turned[v], n, modes[first + v].coefficient);
+}
+
 } // namespace
 
 template <int D>
 std::string RigidMode<D>::asText() const
 {
+  constexpr double noticeable = 0.3; // of a motion of length one with up to six parts
+  const auto isPart = [&](double c) { return std::fabs(c) > noticeable; };
+  const bool turns = std::any_of(coefficient + D, coefficient + rigidMotions<D>, isPart);
   std::string text;
-  for (int m = 0; m < rigidMotions<D>; ++m)
-    if (std::fabs(coefficient[m]) > 0.3)
+  for (int m = turns ? D : 0; m < rigidMotions<D>; ++m)
+    if (isPart(coefficient[m]))
       text += std::string(text.empty() ? "can " : " and ") +
               (m < D ? std::string("move along ") + "xyz"[m]
                      : std::string("turn freely about ") + (D == 2 ? 'z' : "xyz"[m - D]));
@@ -93,6 +126,7 @@ std::vector<RigidMode<D>> freeModes(const std::vector<int>& pieceOf, int pieces,
         modes.push_back(frames[k]);
         std::copy_n(hold[k].data() + v * n, n, modes.back().coefficient);
       }
+    separateTranslations<D>(modes, k);
   }
   return modes;
 }

@@ -41,7 +41,8 @@ struct RigidMode
     return u;
   }
 
-  /// Such as "can move along x and turn about z".
+  /// Such as "can move along x" or "can turn freely about z". A motion that turns is named by its axis alone:
+  /// that its centre moves says where the axis is.
   std::string asText() const;
 };
 

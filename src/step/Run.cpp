@@ -271,6 +271,11 @@ void Run<D>::settleInPlace()
   if (lastEquilibrium_->converged)
     for (const Stage stage : {Stage::AfterSolve, Stage::AfterProjection, Stage::OnParticles})
       runStage(stage);
+  else
+    state_.warnings.push_back(
+        "Time > Analysis: the particles, where the last step has moved them, are out of "
+        "equilibrium, and no solution brings them into it; stress and G are those of "
+        "the last step");
   state_.clock.time = end;
   state_.clock.dt = dt;
 }

@@ -96,7 +96,7 @@ class OddCracks(ProgramTest):
         where = "Energy Release: Boundaries > "
         self.reports(self.wedged(0.2), "acts in the domain integral from 150 mm to 300 mm around crack Notch, front 0",
                   "acts in the domain integral", where=where)
-        self.reports(self.wedged(0.0), where=where)  # within the ring: their work is in the integral
+        self.reports(self.wedged(0.05), where=where)  # within the ring: their work is in the integral
         self.reports(self.wedged(0.4), where=where)
         self.reports(self.wedged(0.0, "Line Load"), "acts in the domain integral", "acts in the domain integral", where=where)
         self.reports(self.wedged(0.4, "Line Load"), where=where)
