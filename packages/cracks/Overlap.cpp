@@ -57,9 +57,9 @@ std::string warningOfOverlap(const State<D>& state, int crack)
   return "crack " + state.cracks.cracks[crack].name +
          ": its faces overlap at t = " + readableTime(state.clock.time) + " by up to " +
          readableLength(overlap) +
-         ", as nothing keeps them apart, and G is that of a crack which closes further; "(
-             state.method.equilibrium() ? "a dynamic run with a section Contact keeps them apart"
-                                        : "add a section Contact");
+         ", as nothing keeps them apart, and G is that of a crack which closes further; " +
+         (state.method.equilibrium() ? "a dynamic run with a section Contact keeps them apart"
+                                     : "add a section Contact");
 }
 
 template std::string warningOfOverlap(const State<2>&, int);

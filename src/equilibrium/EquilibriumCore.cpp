@@ -8,6 +8,7 @@
 #include "transfer/Scatter.hpp"
 #include "transfer/Stencils.hpp"
 
+#include <cstdio>
 #include <set>
 #include <stdexcept>
 
@@ -87,11 +88,13 @@ void solveStep(State<D>& state, Account& account, LastStep& last)
   if (report.unsupportedLoad > noticeableLoad * report.forces && !account.warnedOfPieces)
   {
     account.warnedOfPieces = true;
-    state.warnings.push_back(
-        "Time > Analysis: loads of " + formatReal(report.unsupportedLoad) + " N act on " +
-        std::to_string(step.unsupportedFields()) +
-        " nodes of pieces of at most one cell that nothing supports; these are held where "
-        "they are, and the load does not reach the rest of the body");
+    char text[256];
+    std::snprintf(
+        text, sizeof text,
+        "Time > Analysis: loads of %.3g N act on %d nodes of pieces of at most one cell that nothing "
+        "supports; these are held where they are, and the load does not reach the rest of the body",
+        report.unsupportedLoad, step.unsupportedFields());
+    state.warnings.push_back(text);
   }
   if (report.removedFraction > noticeableResultant && !account.warned)
   {

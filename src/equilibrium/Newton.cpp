@@ -214,8 +214,12 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces)
   for (int k = 0; k < n; ++k)
     load_(k) = state.mesh.nodes.sums(graph_.nodeOf(k / D), Nodes<D>::forceAt + k % D);
   for (const int r : unsupported_)
+  {
+    double square = 0.0;
     for (int d = 0; d < D; ++d)
-      report.unsupportedLoad = std::hypot(report.unsupportedLoad, load_(D * r + d));
+      square += load_(D * r + d) * load_(D * r + d);
+    report.unsupportedLoad += std::sqrt(square);
+  }
   Kokkos::deep_copy(displacement_, 0.0);
   if (!residual(state, displacement_, residual_, report.removedFraction))
     return report;

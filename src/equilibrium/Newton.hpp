@@ -25,7 +25,7 @@ struct StepReport
   int linearIterations = 0;      ///< of all linear solves
   double removedFraction = 0.0;  ///< of the loads, balanced by uniform acceleration
   double forces = 0.0;           ///< largest norm of the loads or of the supports' forces so far [N]
-  double unsupportedLoad = 0.0;  ///< norm of the loads on pieces that are held as nothing supports them [N]
+  double unsupportedLoad = 0.0;  ///< sum of the loads on pieces that are held as nothing supports them [N]
 };
 
 /// The unknowns of a step and the forces between them.

@@ -154,30 +154,86 @@ TEST(Equilibrium, UnloadsToNothing)
   run.step(0.75, false);
   run.step(1.0, false);
   EXPECT_EQ(run.state().failure, "");
-  // Nodes start each step where the lattice is and take the motion that the moved particles then have: what that
-  // costs is a small part of the peak.
+  // Nodes start each step where the lattice is and take the motion that the moved particles then have: what
+  // that costs is a small part of the peak.
   EXPECT_LT(stretch(), 0.02 * loaded);
 }
 
-TEST(Equilibrium, FreeMotionsAreNamed)
+namespace
 {
-  Teuchos::ParameterList scene = turnedBox<2>("Linear Elastic", all<2>(0.0), 0.0, 4.0);
-  Teuchos::ParameterList& plane = scene.sublist("Boundaries").sublist("Plane");
-  plane.set("Type", "Symmetry");
-  plane.set("Axis", "x");
-  plane.set("Position", 0.0);
+
+/// Why a scene is refused.
+std::string refusalOf(const Teuchos::ParameterList& scene)
+{
   Rhegma::Run<2> run(validated(scene));
   try
   {
     run.initialize();
-    FAIL() << "a body that can slide along y was accepted";
   }
   catch (const std::invalid_argument& error)
   {
-    EXPECT_NE(std::string(error.what()).find("Bodies > Block can move along y: support it"),
-              std::string::npos)
-        << error.what();
-    EXPECT_EQ(std::string(error.what()).find("turn"), std::string::npos) << error.what();
+    return error.what();
+  }
+  return "";
+}
+
+Teuchos::ParameterList supportedBox(const std::string& type)
+{
+  Teuchos::ParameterList scene = turnedBox<2>("Linear Elastic", all<2>(0.0), 0.0, 4.0, "Linear");
+  Teuchos::ParameterList& support = scene.sublist("Boundaries").sublist("Support");
+  support.set("Type", type);
+  if (type == "Symmetry")
+  {
+    support.set("Axis", "x");
+    support.set("Position", 0.0);
+  }
+  else // the node in a corner
+  {
+    support.set("Lower Corner", array(all<2>(-0.1)));
+    support.set("Upper Corner", array(all<2>(0.1)));
+    support.set("Value", array(all<2>(0.0)));
+  }
+  return scene;
+}
+
+} // namespace
+
+TEST(Equilibrium, FreeMotionsAreNamed)
+{
+  const std::string rest = " freely about z: support it, or write Time > Rigid Modes = Remove";
+  EXPECT_EQ(refusalOf(supportedBox("Symmetry")),
+            "Bodies > Block can move along y: support it, or write Time > Rigid Modes = Remove");
+  EXPECT_EQ(refusalOf(supportedBox("Velocity")), "Bodies > Block can turn" + rest);
+  const std::string free = refusalOf(turnedBox<2>("Linear Elastic", all<2>(0.3), 20.0, 4.0));
+  for (const char* motion : {"can move along", "along x", "along y", "can turn freely about z"})
+    EXPECT_NE(free.find(motion), std::string::npos) << free;
+}
+
+/// A chip of one cell that nothing supports stays where it is; that a load on it goes nowhere is said.
+TEST(Equilibrium, LoadsOnUnsupportedChipsAreNoticed)
+{
+  for (const double force : {0.0, 1e-3})
+  {
+    Teuchos::ParameterList scene = supportedBox("Velocity");
+    scene.sublist("Boundaries").sublist("Support").set("Upper Corner", array(Vector<2>{{0.1, 4.1}}));
+    addBox<2>(scene, "Chip", Vector<2>{{6.0, 6.0}}, Vector<2>{{7.0, 7.0}});
+    for (const char* body : {"Block", "Chip"})
+    {
+      Teuchos::ParameterList& load = scene.sublist("Boundaries").sublist(body);
+      load.set("Type", "Point Load");
+      load.set("Body", body);
+      load.set("Point", array(body[0] == 'C' ? Vector<2>{{6.5, 6.5}} : Vector<2>{{3.9, 2.0}}));
+      load.set("Force", array(Vector<2>{{body[0] == 'C' ? force : 1e-3, 0.0}}));
+    }
+    Rhegma::Run<2> run(validated(scene));
+    run.initialize();
+    run.step(1.0, false);
+    EXPECT_EQ(reportOf(run)["equilibrium"]["unsupported_fields"], 4);
+    int warned = 0;
+    for (const std::string& warning : run.state().warnings)
+      warned += warning.find("loads of 0.001 N act on 4 nodes of pieces") != std::string::npos ? 1 : 0;
+    EXPECT_EQ(warned, force > 0.0 ? 1 : 0)
+        << (run.state().warnings.empty() ? "" : run.state().warnings.back());
   }
 }
 
