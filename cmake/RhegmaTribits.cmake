@@ -7,10 +7,17 @@ list(PREPEND CMAKE_MODULE_PATH ${CMAKE_CURRENT_LIST_DIR})
 include(RhegmaDefaults)
 include(RhegmaFindLibraries)
 include(RhegmaSources)
+set(RHEGMA_MUMPS_TARGET)
+if(TARGET Rhegma::Mumps)
+  set_source_files_properties(${RHEGMA_ROOT}/src/solver/DirectSolver.cpp PROPERTIES COMPILE_DEFINITIONS RHEGMA_HAVE_MUMPS
+    COMPILE_OPTIONS -idirafter${MUMPS_INCLUDE_DIR})
+  set(RHEGMA_MUMPS_TARGET Rhegma::Mumps)
+endif()
 
 tribits_include_directories(${RHEGMA_ROOT}/src ${RHEGMA_ROOT}/packages)
 tribits_add_library(rhegma SOURCES ${RHEGMA_SOURCES} NOINSTALLHEADERS
-  IMPORTEDLIBS hdf5::hdf5 ZLIB::ZLIB nlohmann_json::nlohmann_json muparser::muparser)
+  IMPORTEDLIBS hdf5::hdf5 ZLIB::ZLIB nlohmann_json::nlohmann_json muparser::muparser
+  ${RHEGMA_MUMPS_TARGET})
 tribits_add_executable(rhegma_program NOEXEPREFIX NOEXESUFFIX SOURCES ${RHEGMA_ROOT}/src/main.cpp INSTALLABLE)
 if(TARGET rhegma_program) # Trilinos leaves it out where it is told to make no executables
   set_target_properties(rhegma_program PROPERTIES OUTPUT_NAME rhegma)

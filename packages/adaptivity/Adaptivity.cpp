@@ -54,6 +54,14 @@ bool refinesAtFronts(const Teuchos::ParameterList& list)
   return !(list.isType<double>("Front Cells") && list.get<double>("Front Cells") == 0.0);
 }
 
+bool refinesLater(const Teuchos::ParameterList& list)
+{
+  for (const char* time : {"Start Time", "Level Time"})
+    if (list.isType<double>(time) && list.get<double>(time) > 0.0)
+      return true;
+  return false;
+}
+
 void addCriteria(Section& s)
 {
   s.integer("Maximum Level")
@@ -119,9 +127,11 @@ Section section()
 {
   Section s("Adaptivity", "Adaptive mesh refinement (AMR): cells are refined and coarsened during the run, "
                           "and particles are split and merged with them.");
-  s.refuse({when::present("Adaptivity"), when::equilibrium()},
-           "refined cells in equilibrium are not implemented; use smaller cells (Domain > Cell Size), or "
-           "write Analysis = Dynamic");
+  s.refuse({when::given("Adaptivity", "Velocity Change"), when::equilibrium()},
+           "in equilibrium nothing has a velocity; use Front Cells or a box");
+  s.refuse(
+      {when::satisfies("Adaptivity", "with Start Time or Level Time", refinesLater), when::equilibrium()},
+      "in equilibrium cells are refined before the first load step; remove Start Time and Level Time");
   addCriteria(s);
   addTimes(s);
   Section region("region", "A box in which cells are refined from the start. You choose its name.");
@@ -247,6 +257,17 @@ Criteria<D> criteriaNow(const State<D>& state, const Options<D>& options)
   return now;
 }
 
+/// Splits particles that touch cells finer than theirs.
+template <int D>
+void fitParticles(State<D>& state, Progress<D>& progress)
+{
+  progress.split += splitParticles(state);
+  if (state.mesh.subdomain)
+    state.particles.ofAllRanks = static_cast<int>(state.ranks.sum(state.particles.size()));
+  progress.most =
+      std::max(progress.most, state.mesh.subdomain ? allParticles(state) : state.particles.size());
+}
+
 /// Changes cells and particles to the sizes that the criteria require now.
 template <int D>
 void adapt(State<D>& state, const Options<D>& options, Progress<D>& progress)
@@ -262,11 +283,7 @@ void adapt(State<D>& state, const Options<D>& options, Progress<D>& progress)
   state.energy.merged += merged.lost;
   progress.merged += merged.families;
   progress.kept = merged.kept;
-  progress.split += splitParticles(state);
-  if (state.mesh.subdomain)
-    state.particles.ofAllRanks = static_cast<int>(state.ranks.sum(state.particles.size()));
-  progress.most =
-      std::max(progress.most, state.mesh.subdomain ? allParticles(state) : state.particles.size());
+  fitParticles(state, progress);
 }
 
 template <int D>
@@ -296,6 +313,9 @@ Effect<D> make(const Teuchos::ParameterList& scene)
               {quantity::cells}, {},
               [=](State<D>& state)
               {
+                // The stress of a load step is in equilibrium on the cells that it was solved on.
+                if (state.method.equilibrium())
+                  return fitParticles(state, **progress);
                 // Counted in steps of the finest cells, so that no particle runs far into them unsplit.
                 const int interval = std::max(options.interval >> ownLevels(state), 1);
                 if (state.clock.time < options.startTime)

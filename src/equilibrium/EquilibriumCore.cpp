@@ -58,24 +58,29 @@ void toMotion(const NewtonStep<D>& step, State<D>& state)
       });
 }
 
-/// What the effect stores between steps, for its report.
+/// What the effect stores between steps, for its report and for the next step.
+template <int D>
 struct Account
 {
   long iterations = 0, linearIterations = 0;
   int unsupportedFields = 0;
   double largestForces = 0.0; ///< of the run: norm of the loads or of the supports' forces [N]
   bool warned = false, warnedOfPieces = false;
+  std::shared_ptr<LinearSystem<D>> system; ///< of the last step
 };
 
 template <int D>
-void solveStep(State<D>& state, Account& account, LastStep& last)
+void solveStep(State<D>& state, Account<D>& account, LastStep& last)
 {
-  NewtonStep<D> step(state);
+  NewtonStep<D> step(state, account.system);
+  account.system = step.system();
   const StepReport report = step.solve(state, account.largestForces);
   last.converged = report.converged;
   last.iterations = static_cast<int>(report.residuals.size()) - 1;
   last.residuals = report.residuals;
   last.unknowns = step.unknowns();
+  last.negativeEigenvalues = report.negativeEigenvalues;
+  last.solver = step.solver();
   account.iterations += last.iterations;
   account.linearIterations += report.linearIterations;
   account.unsupportedFields = step.unsupportedFields();
@@ -121,7 +126,7 @@ void toParticles(State<D>& state)
 template <int D>
 Effect<D> makeEquilibrium(const std::shared_ptr<LastStep>& last)
 {
-  const auto account = std::make_shared<Account>();
+  const auto account = std::make_shared<Account<D>>();
   Effect<D> core;
   core.name = "Equilibrium";
   core.provides = {quantity::energyBalance, quantity::particleVelocity};
@@ -147,10 +152,14 @@ Effect<D> makeEquilibrium(const std::shared_ptr<LastStep>& last)
     archive("warned_of_pieces", account->warnedOfPieces);
     archive("unknowns", last->unknowns);
     archive("residuals", last->residuals);
+    archive("solver", last->solver);
+    archive("negative_eigenvalues", last->negativeEigenvalues);
   };
   core.report = [account, last](const State<D>& state, nlohmann::json& summary)
   {
     summary["equilibrium"] = {{"unknowns", last->unknowns},
+                              {"solver", last->solver},
+                              {"negative_eigenvalues", last->negativeEigenvalues},
                               {"matrix_bytes", last->matrixBytes},
                               {"load_steps", state.clock.step},
                               {"iterations", account->iterations},

@@ -4,6 +4,7 @@
 #include "plan/Effect.hpp"
 
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace Rhegma::equilibrium
@@ -16,6 +17,8 @@ struct LastStep
   int iterations = 0;
   std::vector<double> residuals; ///< fractions of the forces, before each iteration and after the last
   int unknowns = 0;
+  int negativeEigenvalues = 0; ///< of the last matrix, where it was factorised
+  std::string solver = "none"; ///< of the linear systems
   double matrixBytes = 0.0;
 };
 

@@ -1,87 +1,212 @@
 #include "equilibrium/GhostPenalty.hpp"
 
+#include <algorithm>
+
 namespace Rhegma::equilibrium
 {
 
 namespace
 {
 
-/// How full cells are, by their lowest node.
+/// A smaller weight of a node at a point is rounding of the point's position.
+constexpr double leastNodeWeight = 1e-6;
+
+/// How full leaves are.
 struct Filled
 {
   std::vector<double> all, plus, minus; ///< of all particles, of those on sides +1 and -1 of cracks [m3]
   std::vector<double> stiff;            ///< Young's modulus times volume [N m]
 
-  explicit Filled(int cells) : all(cells, 0.0), plus(cells, 0.0), minus(cells, 0.0), stiff(cells, 0.0) {}
-  double on(int cell, int side) const
+  explicit Filled(int leaves) : all(leaves, 0.0), plus(leaves, 0.0), minus(leaves, 0.0), stiff(leaves, 0.0) {}
+  double on(int leaf, int side) const
   {
-    return all[cell] - (side > 0 ? minus[cell] : side < 0 ? plus[cell] : 0.0);
+    return all[leaf] - (side > 0 ? minus[leaf] : side < 0 ? plus[leaf] : 0.0);
   }
 };
 
-template <int D>
-Filled fillCells(const State<D>& state)
-{
-  const Grid<D>& grid = state.mesh.grid;
-  Filled filled(grid.numNodes);
-  const auto position = state.particles.template real<D>(fields::position);
-  const auto volume = state.particles.scalar(fields::volume);
-  const auto material = state.particles.integer(fields::material);
-  BorrowedView<int*> side;
-  if (state.particles.has(fields::side))
-    side = state.particles.integer(fields::side);
-  for (int p = 0; p < state.particles.size(); ++p)
-  {
-    int cell = 0;
-    for (int d = 0; d < D; ++d)
-      cell += grid.stride[d] * static_cast<int>(grid.inCells(position(p, d), d));
-    filled.all[cell] += volume(p);
-    filled.stiff[cell] += volume(p) * youngModulus(state.materials.properties[material(p)]);
-    if (side.extent(0) > 0 && side(p) != 0)
-      (side(p) > 0 ? filled.plus : filled.minus)[cell] += volume(p);
-  }
-  return filled;
-}
-
-/// Finds the jumps around nodes.
+/// Finds the jumps at the faces between leaves, each from its smaller leaf.
 template <int D>
 class Finder
 {
 public:
+  using Leaf = typename TreeSight<D>::Leaf;
+
   Finder(const State<D>& state, const RowGraph& graph)
       : grid_(state.mesh.grid),
+        sight_(state.mesh.grid, state.mesh.tree),
         cracks_(state.cracks),
         graph_(graph),
-        filled_(fillCells(state)),
-        volume_(std::pow(grid_.spacing, D) * state.method.thickness),
-        weight_(ghostFactor * std::pow(grid_.spacing, D - 2) * state.method.thickness / faces)
+        thickness_(state.method.thickness),
+        filled_(grid_.numNodes + static_cast<int>(state.mesh.tree.leafLevel.extent(0)))
   {
+    const auto position = state.particles.template real<D>(fields::position);
+    const auto volume = state.particles.scalar(fields::volume);
+    const auto material = state.particles.integer(fields::material);
+    BorrowedView<int*> side;
+    if (state.particles.has(fields::side))
+      side = state.particles.integer(fields::side);
+    std::vector<char> listed(filled_.all.size(), 0);
+    for (int p = 0; p < state.particles.size(); ++p)
+    {
+      Vector<D> x;
+      for (int d = 0; d < D; ++d)
+        x[d] = position(p, d);
+      const Leaf leaf = sight_.leafAt(x);
+      const int n = numberOf(leaf);
+      if (listed[n] == 0)
+        leaves_.push_back(leaf);
+      listed[n] = 1;
+      filled_.all[n] += volume(p);
+      filled_.stiff[n] += volume(p) * youngModulus(state.materials.properties[material(p)]);
+      if (side.extent(0) > 0 && side(p) != 0)
+        (side(p) > 0 ? filled_.plus : filled_.minus)[n] += volume(p);
+    }
+    // Boxes of particles reach into leaves around those that hold the particles, over corners too.
+    for (int round = 0; round < D; ++round)
+      addNeighbours(listed);
   }
 
-  /// Adds the jumps across a node along an axis.
-  void find(int node, int axis, std::vector<SlopeJump>& jumps) const
+  std::vector<SlopeJump> find() const
   {
-    const int step = grid_.stride[axis];
-    if (node < step || node + step >= grid_.numNodes)
+    std::vector<SlopeJump> jumps;
+    for (const Leaf& leaf : leaves_)
+      for (int axis = 0; axis < D; ++axis)
+        for (const int direction : {-1, 1})
+          findAt(leaf, axis, direction, jumps);
+    return jumps;
+  }
+
+private:
+  static constexpr int lines = 1 << (D - 1); ///< of nodes normal to a face, through its corners
+
+  int numberOf(const Leaf& leaf) const
+  {
+    return leaf.number < 0 ? -1 - leaf.number : grid_.numNodes + leaf.number;
+  }
+
+  /// Lists the leaves over a face of those that are listed.
+  void addNeighbours(std::vector<char>& listed)
+  {
+    const std::size_t before = leaves_.size();
+    for (std::size_t k = 0; k < before; ++k)
+      for (int axis = 0; axis < D; ++axis)
+        for (const int direction : {-1, 1})
+          for (int part = 0; part < lines; ++part) // the leaf over a face may be smaller
+          {
+            Vector<D> at;
+            for (int d = 0, bit = 0; d < D; ++d)
+              at[d] = d == axis ? 0.5 + 0.75 * direction : (((part >> bit++) & 1) != 0 ? 0.75 : 0.25);
+            const Vector<D> x = pointOf(leaves_[k], at);
+            if (!isOnLattice(x))
+              continue;
+            const Leaf next = sight_.leafAt(x);
+            const int n = numberOf(next);
+            if (listed[n] == 0)
+              leaves_.push_back(next);
+            listed[n] = 1;
+          }
+  }
+
+  bool isOnLattice(const Vector<D>& x) const
+  {
+    bool on = true;
+    for (int d = 0; d < D; ++d)
+    {
+      const double at = grid_.inCells(x[d], d);
+      on = on && at >= 0.0 && at < grid_.cells[d];
+    }
+    return on;
+  }
+
+  /// A point from the lowest corner of a leaf, in its edges.
+  Vector<D> pointOf(const Leaf& leaf, const Vector<D>& at) const
+  {
+    Vector<D> x;
+    for (int d = 0; d < D; ++d)
+      x[d] = grid_.origin[d] + (leaf.corner[d] + at[d] * leaf.edge) * grid_.spacing;
+    return x;
+  }
+
+  void findAt(const Leaf& leaf, int axis, int direction, std::vector<SlopeJump>& jumps) const
+  {
+    Vector<D> middle;
+    for (int d = 0; d < D; ++d)
+      middle[d] = d == axis ? 0.5 + direction : 0.5;
+    const Vector<D> over = pointOf(leaf, middle);
+    if (!isOnLattice(over))
       return;
+    const Leaf next = sight_.leafAt(over);
+    if (next.level > leaf.level || (next.level == leaf.level && direction < 0))
+      return; // found from the other side
+    const int a = numberOf(leaf), b = numberOf(next);
+    if (filled_.all[a] + filled_.all[b] == 0.0)
+      return;
+    std::vector<SlopeJump> found(lines);
     int crack = 0; // whose sides differ here
-    for (const int n : {node, node - step, node + step})
-      crack = crack == 0 ? std::abs(nodeSide(n)) : crack;
+    for (int line = 0; line < lines; ++line)
+      crack = std::max(crack, addNodes(leaf, axis, direction, line, found[line]));
     for (const int side : {crack, -crack})
     {
-      const SlopeJump jump{{row(node - step, side), row(node, side), row(node + step, side)},
-                           weightOf(node, axis, side)};
-      if (jump.weight > 0.0 && jump.row[0] >= 0 && jump.row[1] >= 0 && jump.row[2] >= 0)
-        jumps.push_back(jump);
+      const double weight = weightOf(leaf, next, a, b, side);
+      if (weight > 0.0)
+        addJumps(found, side, weight, jumps);
       if (crack == 0)
         break;
     }
   }
 
-private:
-  static constexpr int faces = 1 << (D - 1); ///< around a node, normal to an axis
+  /// Writes the nodes of three points in a line. \return the crack next to them, 0 for none
+  int addNodes(const Leaf& leaf, int axis, int direction, int line, SlopeJump& jump) const
+  {
+    int crack = 0;
+    constexpr double second[] = {1.0, -2.0, 1.0};
+    for (int k = 0; k < 3; ++k)
+    {
+      Vector<D> at;
+      for (int d = 0, bit = 0; d < D; ++d)
+        at[d] = d == axis ? (direction > 0 ? k : 1 - k) : (line >> bit++) & 1;
+      sight_.forEachNode(pointOf(leaf, at), Vector<D>{},
+                         [&](int node, double weight, const auto&)
+                         {
+                           if (weight < leastNodeWeight)
+                             return;
+                           jump.row.push_back(node);
+                           jump.coefficient.push_back(second[k] * weight);
+                           crack = std::max(crack, std::abs(nodeSide(node)));
+                         });
+    }
+    return crack;
+  }
 
-  int nodeSide(int node) const { return cracks_.nodeSide.extent(0) > 0 ? cracks_.nodeSide(node) : 0; }
+  double weightOf(const Leaf& leaf, const Leaf& next, int a, int b, int side) const
+  {
+    const auto fraction = [&](const Leaf& of, int number)
+    { return filled_.on(number, side) / (std::pow(of.edge * grid_.spacing, D) * thickness_); };
+    if (std::min(fraction(leaf, a), fraction(next, b)) >= fullCell)
+      return 0.0;
+    const double stiff = (filled_.stiff[a] + filled_.stiff[b]) / (filled_.all[a] + filled_.all[b]);
+    return ghostFactor * stiff * std::pow(leaf.edge * grid_.spacing, D - 2) * thickness_ / lines;
+  }
+
+  /// Adds the jumps of a face if all its nodes are there on the side in question.
+  void addJumps(const std::vector<SlopeJump>& found, int side, double weight,
+                std::vector<SlopeJump>& jumps) const
+  {
+    std::vector<SlopeJump> ready = found;
+    for (SlopeJump& jump : ready)
+    {
+      jump.weight = weight;
+      for (int& entry : jump.row)
+        if ((entry = row(entry, side)) < 0)
+          return;
+    }
+    jumps.insert(jumps.end(), ready.begin(), ready.end());
+  }
+
+  int nodeSide(int node) const
+  {
+    return node < static_cast<int>(cracks_.nodeSide.extent(0)) ? cracks_.nodeSide(node) : 0;
+  }
 
   /// Row of the field that a particle on a side sees at a node, or -1.
   int row(int node, int side) const
@@ -89,48 +214,18 @@ private:
     const int own = nodeSide(node);
     if (side == 0 || own != -side)
       return graph_.rowOf(node);
-    const int enriched = cracks_.enrichedField.extent(0) > 0 ? cracks_.enrichedField(node) : -1;
+    const int enriched =
+        node < static_cast<int>(cracks_.enrichedField.extent(0)) ? cracks_.enrichedField(node) : -1;
     return enriched < 0 ? -1 : graph_.rowOf(enriched);
   }
 
-  bool isPresent(int cell, int side) const
-  {
-    for (int corner = 0; corner < (1 << D); ++corner)
-    {
-      int node = cell;
-      for (int d = 0; d < D; ++d)
-        node += ((corner >> d) & 1) * grid_.stride[d];
-      if (node >= grid_.numNodes || row(node, side) < 0)
-        return false;
-    }
-    return true;
-  }
-
-  double weightOf(int node, int axis, int side) const
-  {
-    double sum = 0.0;
-    for (int face = 0; face < faces; ++face)
-    {
-      int above = node, bit = 0;
-      for (int d = 0; d < D; ++d)
-        if (d != axis)
-          above -= ((face >> bit++) & 1) * grid_.stride[d];
-      const int below = above - grid_.stride[axis];
-      if (below < 0 || !isPresent(below, side) || !isPresent(above, side))
-        continue;
-      const double least = std::min(filled_.on(below, side), filled_.on(above, side));
-      const double all = filled_.all[below] + filled_.all[above];
-      if (least < fullCell * volume_ && all > 0.0)
-        sum += weight_ * (filled_.stiff[below] + filled_.stiff[above]) / all;
-    }
-    return sum;
-  }
-
   const Grid<D>& grid_;
+  TreeSight<D> sight_;
   const CrackSet<D>& cracks_;
   const RowGraph& graph_;
+  double thickness_;
   Filled filled_;
-  double volume_, weight_;
+  std::vector<Leaf> leaves_; ///< those with particles, in the order of the particles, and those around them
 };
 
 } // namespace
@@ -138,13 +233,7 @@ private:
 template <int D>
 std::vector<SlopeJump> findSlopeJumps(const State<D>& state, const RowGraph& graph)
 {
-  std::vector<SlopeJump> jumps;
-  const Finder<D> finder(state, graph);
-  for (int r = 0; r < graph.rows; ++r)
-    if (graph.nodeOf(r) < state.mesh.grid.numNodes)
-      for (int axis = 0; axis < D; ++axis)
-        finder.find(graph.nodeOf(r), axis, jumps);
-  return jumps;
+  return Finder<D>(state, graph).find();
 }
 
 template std::vector<SlopeJump> findSlopeJumps(const State<2>&, const RowGraph&);

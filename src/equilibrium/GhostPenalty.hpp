@@ -6,19 +6,21 @@
 namespace Rhegma::equilibrium
 {
 
-/// A jump of the slope of displacement between two cells, along an axis, at a node between them: its energy
-/// is weight / 2 |u0 - 2 u1 + u2|^2.
+/// A jump of the slope of displacement between two cells, along an axis: its energy is
+/// weight / 2 |sum of coefficient u|^2.
 struct SlopeJump
 {
-  int row[3];    ///< of three nodes in a line, of one side of a crack
-  double weight; ///< [N/m]
+  std::vector<int> row;            ///< of nodes of one side of a crack
+  std::vector<double> coefficient; ///< 1, -2 and 1 for nodes in a line; hanging ones go to their masters
+  double weight = 0.0;             ///< [N/m]
 };
 
 /// The jumps at the faces of cut cells (Burman, C. R. Acad. Sci. Paris 348 (2010) 1217): the energy of a face
 /// of area A is 1/2 ghostFactor E h A (jump of grad u . n)^2. A few particles in a corner of a cell leave
 /// motions of its nodes that strain none of them; the jump carries the slope of the full cell next to it over
 /// into the cut one. Fields that are linear have none. A cell is cut where the particles in it fill less than
-/// `fullCell` of it on the side in question.
+/// `fullCell` of it on the side in question. Where cells of two sizes meet, A is the face of the smaller one
+/// and the slope in the larger one is that next to the face.
 template <int D>
 std::vector<SlopeJump> findSlopeJumps(const State<D>& state, const RowGraph& graph);
 

@@ -1,8 +1,12 @@
 #pragma once
-/// The linear systems of an equilibrium, in the unknowns that no support holds.
+/// The linear systems of an equilibrium.
 
 #include "equilibrium/Particles.hpp"
 #include "solver/ConjugateGradients.hpp"
+#include "solver/DirectSolver.hpp"
+#include "solver/Multigrid.hpp"
+
+#include <memory>
 
 namespace Rhegma::equilibrium
 {
@@ -11,31 +15,65 @@ namespace Rhegma::equilibrium
 struct LinearAnswer
 {
   bool solved = false;
-  int iterations = 0;
+  int iterations = 0;          ///< of conjugate gradients; 0 for a direct solution
+  int negativeEigenvalues = 0; ///< of the matrix, where a direct solution counts them
 };
 
-/// The matrix of the free unknowns, of one graph.
+/// The matrix of all unknowns, of one graph. Rows of unknowns that supports hold are those of the diagonal
+/// alone, so that each node keeps its D rows.
 template <int D>
 class LinearSystem
 {
 public:
-  /// \param held unknowns that are eliminated
-  LinearSystem(const State<D>& state, const RowGraph& graph, const Held& held);
+  /// \param positions of the rows' nodes [m] \param held unknowns that supports hold
+  LinearSystem(const RowGraph& graph, const std::vector<Vector<D>>& positions, const Held& held);
 
+  /// Whether this is the system of another graph with its supports, so that its order of unknowns and its
+  /// preconditioner serve there too.
+  bool fits(const RowGraph& graph, const Held& held) const;
+
+  /// Number of unknowns that no support holds.
   int unknowns() const { return unknowns_; }
 
   /// Solves for the change of the free unknowns, those that are held changing as given.
-  /// \param right forces on all unknowns \param change on entry of held unknowns, on exit of all
-  LinearAnswer solve(const StiffnessBlocks& stiffness, const Values& right, const Values& change);
+  /// \param changed false if the stiffness is that of the last call \param right forces on all unknowns
+  /// \param enough residual that need not be improved on [N] \param change on entry of held unknowns, on exit
+  /// of all
+  LinearAnswer solve(const StiffnessBlocks& stiffness, bool changed, const Values& right, double enough,
+                     const Values& change);
+
+  /// What solved the last system, in words for the summary.
+  const char* method() const;
 
 private:
+  enum class Method
+  {
+    Unknown,
+    Direct,
+    Multigrid,
+    Diagonal
+  };
+
+  void buildRows();
+  void fill(const StiffnessBlocks& stiffness);
+  void moveHeldToRight(const StiffnessBlocks& stiffness, const Values& right, const Values& change);
+  Method choose();
+  std::vector<std::vector<double>> nearNullSpace() const;
+  LinearAnswer solveDirectly(bool changed);
+  LinearAnswer iterate(double enough);
+  SolveResult runGradients(const View<double*>& diagonal);
+
   RowGraph graph_;
-  std::vector<int> free_;           ///< number of each unknown among the free ones, or -1
-  std::vector<int> first_, column_; ///< rows of the matrix
-  std::vector<int> entry_;          ///< of each number in `value_`, its number in the blocks
-  std::vector<double> value_;
+  std::vector<Vector<D>> position_;
+  View<char*> held_;
   int unknowns_ = 0;
-  ConjugateGradients gradients_;
+  SparseMatrix matrix_;
+  Values b_, x_;
+  Method method_ = Method::Unknown;
+  DirectSolver direct_;
+  std::unique_ptr<ConjugateGradients> gradients_;
+  std::unique_ptr<Multigrid> multigrid_;
+  int iterationsWhenNew_ = 0; ///< with the multigrid, when it was made
 };
 
 } // namespace Rhegma::equilibrium

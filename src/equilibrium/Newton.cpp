@@ -19,15 +19,32 @@ constexpr double roundingOfForces = 1e-6;
 
 constexpr int mostHalvings = 6;
 
+/// Residual, as a fraction of the forces, below which the last tangent is kept: what a solution changes then
+/// is so small that the tangent's change with it costs no digit that counts.
+constexpr double keepTangentBelow = 1e-6;
+
+/// Residual of a linear solution, as a fraction of what ends the step.
+constexpr double linearFraction = 0.1;
+
 template <int D>
 Groups groupsOf(const std::vector<SlopeJump>& jumps, const std::vector<std::array<double, 3>>& springs)
 {
   Groups groups;
   for (const SlopeJump& jump : jumps)
-    groups.push_back({jump.row[0], jump.row[1], jump.row[2]});
+    groups.push_back(jump.row);
   for (const auto& spring : springs)
     groups.push_back({static_cast<int>(spring[0]), static_cast<int>(spring[1])});
   return groups;
+}
+
+/// Jump of the slope along an axis, times the edge of the cells.
+template <int D>
+double jumpOf(const SlopeJump& jump, const Values& u, int axis)
+{
+  double sum = 0.0;
+  for (std::size_t a = 0; a < jump.row.size(); ++a)
+    sum += jump.coefficient[a] * u(D * jump.row[a] + axis);
+  return sum;
 }
 
 /// Springs between the two fields of nodes.
@@ -48,7 +65,8 @@ std::vector<std::array<double, 3>> findSprings(const State<D>& state, const RowG
 } // namespace
 
 template <int D>
-NewtonStep<D>::NewtonStep(const State<D>& state) : graph_(numberRows(state))
+NewtonStep<D>::NewtonStep(const State<D>& state, std::shared_ptr<LinearSystem<D>> earlier)
+    : graph_(numberRows(state))
 {
   jumps_ = findSlopeJumps(state, graph_);
   springs_ = findSprings(state, graph_);
@@ -57,7 +75,9 @@ NewtonStep<D>::NewtonStep(const State<D>& state) : graph_(numberRows(state))
   mass_ = rowMasses(state, graph_);
   held_ = findHeld(state, graph_);
   findFreeMotions(state);
-  system_ = std::make_unique<LinearSystem<D>>(state, graph_, held_);
+  system_ = earlier && earlier->fits(graph_, held_)
+                ? std::move(earlier)
+                : std::make_shared<LinearSystem<D>>(graph_, position_, held_);
   const int n = D * graph_.rows;
   for (Values* values : {&load_, &displacement_, &residual_, &reaction_})
     *values = Values("rhegma::equilibrium::values", n);
@@ -127,15 +147,12 @@ bool NewtonStep<D>::residual(const State<D>& state, const Values& u, const Value
     for (int k = 0; k < D * graph_.rows; ++k)
       r(k) -= foundation_ * mass_[k / D] * u(k);
   }
-  constexpr double second[] = {1.0, -2.0, 1.0};
   for (const SlopeJump& jump : jumps_)
     for (int d = 0; d < D; ++d)
     {
-      double difference = 0.0;
-      for (int a = 0; a < 3; ++a)
-        difference += second[a] * u(D * jump.row[a] + d);
-      for (int a = 0; a < 3; ++a)
-        r(D * jump.row[a] + d) -= jump.weight * second[a] * difference;
+      const double force = jump.weight * jumpOf<D>(jump, u, d);
+      for (std::size_t a = 0; a < jump.row.size(); ++a)
+        r(D * jump.row[a] + d) -= force * jump.coefficient[a];
     }
   for (const auto& spring : springs_)
     for (int d = 0; d < D; ++d)
@@ -161,11 +178,10 @@ bool NewtonStep<D>::assemble(const State<D>& state)
     for (int d = 0; d < D; ++d)
       block[d * D + d] += value;
   };
-  constexpr double second[] = {1.0, -2.0, 1.0};
   for (const SlopeJump& jump : jumps_)
-    for (int a = 0; a < 3; ++a)
-      for (int b = 0; b < 3; ++b)
-        add(jump.row[a], jump.row[b], jump.weight * second[a] * second[b]);
+    for (std::size_t a = 0; a < jump.row.size(); ++a)
+      for (std::size_t b = 0; b < jump.row.size(); ++b)
+        add(jump.row[a], jump.row[b], jump.weight * jump.coefficient[a] * jump.coefficient[b]);
   for (const auto& spring : springs_)
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b)
@@ -233,12 +249,17 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces)
     const double forces = report.forces, now = norm(residual_, false);
     report.residuals.push_back(forces > 0.0 ? now / forces : 0.0);
     report.converged = !moved && now <= forceTolerance * forces;
-    if (report.converged || k == mostIterations || !assemble(state))
+    if (report.converged || k == mostIterations)
+      break;
+    const bool renew = k == 0 || moved || now > keepTangentBelow * forces;
+    if (renew && !assemble(state))
       break;
     for (int i = 0; i < n; ++i)
       change(i) = held_.is[i] != 0 ? held_.change[i] - displacement_(i) : 0.0;
-    const LinearAnswer answer = system_->solve(stiffness_, residual_, change);
+    const LinearAnswer answer =
+        system_->solve(stiffness_, renew, residual_, linearFraction * forceTolerance * forces, change);
     report.linearIterations += answer.iterations;
+    report.negativeEigenvalues = answer.negativeEigenvalues;
     // Before the supports have moved there is no residual to compare with.
     const double bound = moved ? std::numeric_limits<double>::infinity() : now;
     if (!answer.solved || !search(state, change, bound, forceTolerance * forces, report.removedFraction))
@@ -267,8 +288,7 @@ double NewtonStep<D>::ghostEnergy() const
   for (const SlopeJump& jump : jumps_)
     for (int d = 0; d < D; ++d)
     {
-      const double difference = displacement_(D * jump.row[0] + d) -
-                                2.0 * displacement_(D * jump.row[1] + d) + displacement_(D * jump.row[2] + d);
+      const double difference = jumpOf<D>(jump, displacement_, d);
       energy += 0.5 * jump.weight * difference * difference;
     }
   return energy;

@@ -23,6 +23,7 @@ struct StepReport
   bool converged = false;
   std::vector<double> residuals; ///< before each iteration and after the last, as fractions of the forces
   int linearIterations = 0;      ///< of all linear solves
+  int negativeEigenvalues = 0;   ///< of the last matrix, where it was factorised
   double removedFraction = 0.0;  ///< of the loads, balanced by uniform acceleration
   double forces = 0.0;           ///< largest norm of the loads or of the supports' forces so far [N]
   double unsupportedLoad = 0.0;  ///< sum of the loads on pieces that are held as nothing supports them [N]
@@ -34,9 +35,12 @@ class NewtonStep
 {
 public:
   /// Numbers the unknowns. \param state with stencils, masses and prescribed motion of the step
-  explicit NewtonStep(const State<D>& state);
+  /// \param earlier system of an earlier step, which is used where it fits; may be null
+  explicit NewtonStep(const State<D>& state, std::shared_ptr<LinearSystem<D>> earlier = nullptr);
 
   int unknowns() const { return system_ ? system_->unknowns() : 0; }
+  const char* solver() const { return system_ ? system_->method() : "none"; }
+  const std::shared_ptr<LinearSystem<D>>& system() const { return system_; }
   int rows() const { return graph_.rows; }
   double matrixEntries() const { return static_cast<double>(D) * D * graph_.column.extent(0); }
   const std::vector<RigidMode<D>>& freeMotions() const { return modes_; }
@@ -78,7 +82,7 @@ private:
   std::vector<int> unsupported_; ///< rows
   double foundation_ = 0.0;      ///< stiffness per mass that keeps free pieces in their place [1/s2]
   std::vector<std::array<double, 3>> springs_; ///< two rows and stiffness [N/m]
-  std::unique_ptr<LinearSystem<D>> system_;
+  std::shared_ptr<LinearSystem<D>> system_;
   StiffnessBlocks stiffness_;
   Values load_, displacement_, residual_, reaction_;
   double workOfSupports_ = 0.0;

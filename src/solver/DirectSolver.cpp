@@ -1,0 +1,150 @@
+#include "solver/DirectSolver.hpp"
+
+#include <limits>
+
+#ifdef RHEGMA_HAVE_MUMPS
+#include <dmumps_c.h>
+#include <mpi.h>
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+#endif
+
+namespace Rhegma
+{
+
+#ifdef RHEGMA_HAVE_MUMPS
+
+namespace
+{
+
+enum Job
+{
+  Start = -1,
+  End = -2,
+  Analyse = 1,
+  Factorise = 2,
+  Solve = 3
+};
+
+/// Arrays of MUMPS in the numbers of its manual, which start at one.
+template <class Array>
+auto& numbered(Array& array, int number)
+{
+  return array[number - 1];
+}
+
+} // namespace
+
+struct DirectSolver::Instance
+{
+  DMUMPS_STRUC_C data{};
+  std::vector<MUMPS_INT> row, column;
+  std::vector<std::size_t> entry; ///< of the matrix
+  std::vector<double> value;
+
+  Instance()
+  {
+    data.par = 1;
+    data.sym = 2; // symmetric, not taken to be definite
+    data.comm_fortran = static_cast<MUMPS_INT>(MPI_Comm_c2f(MPI_COMM_SELF));
+    call(Start);
+    for (const int stream : {1, 2, 3})
+      numbered(data.icntl, stream) = -1; // prints nothing
+    numbered(data.icntl, 4) = 0;
+  }
+  ~Instance() { call(End); }
+  Instance(const Instance&) = delete;
+  Instance& operator=(const Instance&) = delete;
+
+  bool call(Job job)
+  {
+    data.job = job;
+    dmumps_c(&data);
+    return numbered(data.infog, 1) >= 0;
+  }
+};
+
+bool DirectSolver::available() { return true; }
+
+DirectSolver::DirectSolver() = default;
+DirectSolver::~DirectSolver() = default;
+
+double DirectSolver::analyse(const SparseMatrix& matrix)
+{
+  instance_ = std::make_unique<Instance>();
+  Instance& mumps = *instance_;
+  const auto first = onHost(matrix.first);
+  const auto column = onHost(matrix.column);
+  for (int r = 0; r < matrix.rows(); ++r)
+    for (std::size_t k = first(r); k < first(r + 1) && column(k) <= r; ++k)
+    {
+      mumps.row.push_back(r + 1);
+      mumps.column.push_back(column(k) + 1);
+      mumps.entry.push_back(k);
+    }
+  mumps.value.resize(mumps.entry.size());
+  mumps.data.n = matrix.rows();
+  mumps.data.nnz = static_cast<MUMPS_INT8>(mumps.entry.size());
+  mumps.data.irn = mumps.row.data();
+  mumps.data.jcn = mumps.column.data();
+  if (!mumps.call(Analyse))
+    return std::numeric_limits<double>::infinity();
+  return numbered(mumps.data.rinfog, 1);
+}
+
+bool DirectSolver::factorise(const SparseMatrix& matrix)
+{
+  if (!instance_)
+    throw std::logic_error("a matrix is factorised that was not analysed");
+  Instance& mumps = *instance_;
+  const auto value = onHost(matrix.value);
+  for (std::size_t k = 0; k < mumps.entry.size(); ++k)
+    mumps.value[k] = value(mumps.entry[k]);
+  mumps.data.a = mumps.value.data();
+  // Pivots that are put off need more memory than was expected: -8, -9 and their like say so.
+  constexpr int mostRelaxation = 1000; // per cent
+  constexpr int shortOfMemory[] = {-8, -9, -14, -15, -17, -20};
+  for (int& relaxation = numbered(mumps.data.icntl, 14);; relaxation *= 3)
+  {
+    if (mumps.call(Factorise))
+      return true;
+    bool more = false;
+    for (const int error : shortOfMemory)
+      more = more || numbered(mumps.data.infog, 1) == error;
+    if (!more || relaxation > mostRelaxation)
+      return false;
+  }
+}
+
+int DirectSolver::negativeEigenvalues() const { return numbered(instance_->data.infog, 12); }
+
+void DirectSolver::solve(const View<double*>& x)
+{
+  const auto host = onHost(x);
+  instance_->data.nrhs = 1;
+  instance_->data.lrhs = static_cast<MUMPS_INT>(host.extent(0));
+  instance_->data.rhs = host.data();
+  if (!instance_->call(Solve))
+    throw std::runtime_error("MUMPS failed with " + std::to_string(numbered(instance_->data.infog, 1)));
+  Kokkos::deep_copy(x, host);
+}
+
+#else
+
+struct DirectSolver::Instance
+{
+};
+
+bool DirectSolver::available() { return false; }
+DirectSolver::DirectSolver() = default;
+DirectSolver::~DirectSolver() = default;
+double DirectSolver::analyse(const SparseMatrix&) { return std::numeric_limits<double>::infinity(); }
+bool DirectSolver::factorise(const SparseMatrix&) { return false; }
+int DirectSolver::negativeEigenvalues() const { return 0; }
+void DirectSolver::solve(const View<double*>&) {}
+
+#endif
+
+} // namespace Rhegma

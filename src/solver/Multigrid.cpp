@@ -1,0 +1,99 @@
+#include "solver/Multigrid.hpp"
+
+#include <stdexcept>
+
+#ifdef RHEGMA_HAVE_MUELU
+#include <MueLu_CreateTpetraPreconditioner.hpp>
+#include <Teuchos_DefaultMpiComm.hpp>
+#include <Tpetra_CrsMatrix.hpp>
+#endif
+
+namespace Rhegma
+{
+
+#ifdef RHEGMA_HAVE_MUELU
+
+namespace
+{
+
+using Teuchos::RCP;
+using Teuchos::rcp;
+using Map = Tpetra::Map<>;
+using MultiVector = Tpetra::MultiVector<double>;
+using Operator = Tpetra::Operator<double>;
+using Matrix = Tpetra::CrsMatrix<double>;
+using Cycle =
+    MueLu::TpetraOperator<double, Matrix::local_ordinal_type, Matrix::global_ordinal_type, Matrix::node_type>;
+
+/// Chebyshev's polynomials of degree three smooth independently of the order of unknowns. Couplings below two
+/// hundredths do not aggregate: cells that an edge cuts couple strongly with few neighbours.
+Teuchos::ParameterList settings(int perNode)
+{
+  Teuchos::ParameterList list;
+  list.set("verbosity", "none");
+  list.set("number of equations", perNode);
+  list.set("multigrid algorithm", "sa");
+  list.set("aggregation: drop tol", 0.02);
+  list.set("smoother: type", "CHEBYSHEV");
+  list.sublist("smoother: params").set("chebyshev: degree", 3);
+  list.sublist("smoother: params").set("chebyshev: ratio eigenvalue", 20.0);
+  list.set("coarse: max size", 1000);
+  return list;
+}
+
+} // namespace
+
+struct Multigrid::Hierarchy
+{
+  RCP<const Map> map;
+  RCP<Cycle> cycle;
+};
+
+bool Multigrid::available() { return true; }
+
+Multigrid::Multigrid(const SparseMatrix& matrix, int perNode,
+                     const std::vector<std::vector<double>>& rigidMotions)
+    : hierarchy_(std::make_unique<Hierarchy>())
+{
+  const auto n = static_cast<std::size_t>(matrix.rows());
+  hierarchy_->map = rcp(new Map(n, 0, rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF))));
+  const RCP<Matrix> shared =
+      rcp(new Matrix(hierarchy_->map, hierarchy_->map, matrix.first, matrix.column, matrix.value));
+  shared->fillComplete();
+  const RCP<MultiVector> modes = rcp(new MultiVector(hierarchy_->map, rigidMotions.size()));
+  for (std::size_t m = 0; m < rigidMotions.size(); ++m)
+    for (std::size_t k = 0; k < n; ++k)
+      modes->replaceLocalValue(static_cast<int>(k), m, rigidMotions[m][k]);
+  Teuchos::ParameterList list = settings(perNode);
+  list.sublist("user data").set("Nullspace", modes);
+  hierarchy_->cycle = MueLu::CreateTpetraPreconditioner(RCP<Operator>(shared), list);
+}
+
+Multigrid::~Multigrid() = default;
+
+void Multigrid::apply(const BorrowedView<const double*>& x, const BorrowedView<double*>& y) const
+{
+  MultiVector in(hierarchy_->map, 1), out(hierarchy_->map, 1);
+  Kokkos::deep_copy(Kokkos::subview(in.getLocalViewDevice(Tpetra::Access::OverwriteAll), Kokkos::ALL(), 0),
+                    x);
+  hierarchy_->cycle->apply(in, out);
+  Kokkos::deep_copy(y, Kokkos::subview(out.getLocalViewDevice(Tpetra::Access::ReadOnly), Kokkos::ALL(), 0));
+}
+
+#else
+
+struct Multigrid::Hierarchy
+{
+};
+
+bool Multigrid::available() { return false; }
+Multigrid::Multigrid(const SparseMatrix&, int, const std::vector<std::vector<double>>&)
+{
+  throw std::logic_error("this build has no multigrid");
+}
+Multigrid::~Multigrid() = default;
+void Multigrid::apply(const BorrowedView<const double*>&, const BorrowedView<double*>&) const {}
+
+#endif
+
+} // namespace Rhegma

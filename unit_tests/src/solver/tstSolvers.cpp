@@ -1,0 +1,162 @@
+#include "solver/ConjugateGradients.hpp"
+#include "solver/DirectSolver.hpp"
+#include "solver/Multigrid.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+namespace
+{
+
+using namespace Rhegma;
+
+/// A matrix from dense rows.
+SparseMatrix sparse(const std::vector<std::vector<double>>& rows)
+{
+  const int n = static_cast<int>(rows.size());
+  std::vector<int> column;
+  std::vector<double> value;
+  SparseMatrix matrix;
+  matrix.first = View<std::size_t*>("first", n + 1);
+  for (int r = 0; r < n; ++r)
+  {
+    for (int c = 0; c < n; ++c)
+      if (rows[r][c] != 0.0 || r == c)
+      {
+        column.push_back(c);
+        value.push_back(rows[r][c]);
+      }
+    matrix.first(r + 1) = column.size();
+  }
+  matrix.column = View<int*>("column", column.size());
+  matrix.value = View<double*>("value", value.size());
+  std::copy(column.begin(), column.end(), matrix.column.data());
+  std::copy(value.begin(), value.end(), matrix.value.data());
+  return matrix;
+}
+
+/// Springs of stiffness one between the points of a row of n, which the ground holds at one end.
+SparseMatrix chain(int n)
+{
+  SparseMatrix matrix;
+  matrix.first = View<std::size_t*>("first", n + 1);
+  matrix.column = View<int*>("column", 3 * n - 2);
+  matrix.value = View<double*>("value", 3 * n - 2);
+  std::size_t at = 0;
+  for (int r = 0; r < n; ++r)
+  {
+    for (int c = std::max(r - 1, 0); c <= std::min(r + 1, n - 1); ++c, ++at)
+    {
+      matrix.column(at) = c;
+      matrix.value(at) = c != r ? -1.0 : r + 1 < n ? 2.0 : 1.0;
+    }
+    matrix.first(r + 1) = at;
+  }
+  return matrix;
+}
+
+View<double*> product(const SparseMatrix& matrix, const std::vector<double>& x)
+{
+  View<double*> in("in", x.size()), out("out", x.size());
+  std::copy(x.begin(), x.end(), in.data());
+  matrix.multiply(BorrowedView<const double*>(in.data(), in.extent(0)),
+                  BorrowedView<double*>(out.data(), out.extent(0)));
+  return out;
+}
+
+std::vector<double> numbers(int n)
+{
+  std::mt19937 engine(static_cast<unsigned>(n));
+  std::uniform_real_distribution<double> draw(-1.0, 1.0);
+  std::vector<double> list(n);
+  for (double& x : list)
+    x = draw(engine);
+  return list;
+}
+
+} // namespace
+
+TEST(SparseMatrix, MultipliesRowByRow)
+{
+  const View<double*> y = product(sparse({{2.0, 1.0, 0.0}, {1.0, 3.0, -1.0}, {0.0, -1.0, 4.0}}), {1, 2, 3});
+  EXPECT_DOUBLE_EQ(y(0), 4.0);
+  EXPECT_DOUBLE_EQ(y(1), 4.0);
+  EXPECT_DOUBLE_EQ(y(2), 10.0);
+}
+
+/// A matrix with eigenvalues of both signs.
+TEST(DirectSolver, SolvesAndCountsNegativeEigenvalues)
+{
+  if (!DirectSolver::available())
+    GTEST_SKIP() << "the library was built without MUMPS";
+  const SparseMatrix matrix =
+      sparse({{2.0, 1.0, 0.0, 0.5}, {1.0, -3.0, 0.2, 0.0}, {0.0, 0.2, 1.0, 0.1}, {0.5, 0.0, 0.1, -1.5}});
+  DirectSolver solver;
+  EXPECT_GT(solver.analyse(matrix), 0.0);
+  ASSERT_TRUE(solver.factorise(matrix));
+  EXPECT_EQ(solver.negativeEigenvalues(), 2); // by the circles of Gershgorin
+  const std::vector<double> x = numbers(4);
+  const View<double*> y = product(matrix, x);
+  solver.solve(y);
+  for (int k = 0; k < 4; ++k)
+    EXPECT_NEAR(y(k), x[k], 1e-14);
+}
+
+TEST(DirectSolver, TakesNewValuesInTheSameOrder)
+{
+  if (!DirectSolver::available())
+    GTEST_SKIP() << "the library was built without MUMPS";
+  const SparseMatrix matrix = chain(500);
+  DirectSolver solver;
+  solver.analyse(matrix);
+  for (const double scale : {1.0, 1e6})
+  {
+    for (std::size_t k = 0; k < matrix.value.extent(0); ++k)
+      matrix.value(k) *= scale;
+    ASSERT_TRUE(solver.factorise(matrix));
+    EXPECT_EQ(solver.negativeEigenvalues(), 0);
+    const std::vector<double> x = numbers(500);
+    const View<double*> y = product(matrix, x);
+    solver.solve(y);
+    for (int k = 0; k < 500; ++k)
+      ASSERT_NEAR(y(k), x[k], 500.0 * 500.0 * 1e-15); // the condition of a chain is the square of its length
+  }
+}
+
+TEST(DirectSolver, SingularMatricesAreRefused)
+{
+  if (!DirectSolver::available())
+    GTEST_SKIP() << "the library was built without MUMPS";
+  const SparseMatrix matrix = sparse({{1.0, -1.0, 0.0}, {-1.0, 1.0, 0.0}, {0.0, 0.0, 0.0}});
+  DirectSolver solver;
+  solver.analyse(matrix);
+  EXPECT_FALSE(solver.factorise(matrix));
+}
+
+/// The number of iterations with multigrid does not grow with the chain; with the diagonal it is its length.
+TEST(Multigrid, IterationsDoNotGrowWithTheMatrix)
+{
+  if (!Multigrid::available())
+    GTEST_SKIP() << "the library was built without MueLu";
+  for (const int n : {5000, 50000})
+  {
+    const SparseMatrix matrix = chain(n);
+    const Multigrid multigrid(matrix, 1, {std::vector<double>(n, 1.0)});
+    ConjugateGradients gradients(1e-8, 100);
+    gradients.resize(n);
+    const std::vector<double> x = numbers(n);
+    const View<double*> y = product(matrix, x);
+    for (int k = 0; k < n; ++k)
+      gradients.right()(k) = y(k);
+    const SolveResult result =
+        gradients.solve([&](const BorrowedView<const double*>& from, const BorrowedView<double*>& to)
+                        { matrix.multiply(from, to); },
+                        [&](const BorrowedView<const double*>& from, const BorrowedView<double*>& to)
+                        { multigrid.apply(from, to); });
+    EXPECT_TRUE(result.converged);
+    EXPECT_LE(result.iterations, 30) << n;
+  }
+}
