@@ -72,7 +72,8 @@ struct Account
 template <int D>
 void solveStep(State<D>& state, Account<D>& account, LastStep& last)
 {
-  NewtonStep<D> step(state, account.system);
+  // Other steps begin anew, so that a restarted run has the same ones.
+  NewtonStep<D> step(state, last.inPlace ? account.system : nullptr);
   account.system = step.system();
   const StepReport report = step.solve(state, account.largestForces);
   last.converged = report.converged;

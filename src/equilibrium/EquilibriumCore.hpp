@@ -13,6 +13,7 @@ namespace Rhegma::equilibrium
 /// What the calls of a step leave for the loop.
 struct LastStep
 {
+  bool inPlace = false; ///< set by the loop: the step adds no load to the one before, whose matrix serves it
   bool converged = false;
   int iterations = 0;
   std::vector<double> residuals; ///< fractions of the forces, before each iteration and after the last

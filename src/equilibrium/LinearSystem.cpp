@@ -3,6 +3,7 @@
 #include "equilibrium/RigidModes.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace Rhegma::equilibrium
 {
@@ -172,6 +173,22 @@ LinearAnswer LinearSystem<D>::solveDirectly(bool changed)
 }
 
 template <int D>
+void LinearSystem<D>::makeMultigrid()
+{
+  multigrid_.reset();
+  if (method_ != Method::Multigrid)
+    return;
+  try
+  {
+    multigrid_ = std::make_unique<Multigrid>(matrix_, D, nearNullSpace());
+  }
+  catch (const std::exception&) // a matrix that cannot be aggregated
+  {
+    method_ = Method::Diagonal;
+  }
+}
+
+template <int D>
 SolveResult LinearSystem<D>::runGradients(const View<double*>& diagonal)
 {
   return gradients_->solve([this](const BorrowedView<const double*>& x, const BorrowedView<double*>& y)
@@ -212,13 +229,13 @@ LinearAnswer LinearSystem<D>::iterate(double enough)
         diagonal(r) = matrix_.value(k);
   }
   const bool old = multigrid_ != nullptr;
-  if (method_ == Method::Multigrid && !old)
-    multigrid_ = std::make_unique<Multigrid>(matrix_, D, nearNullSpace());
+  if (!old)
+    makeMultigrid();
   SolveResult result = runGradients(diagonal);
   int iterations = result.iterations;
   if (old && !result.converged)
   {
-    multigrid_ = std::make_unique<Multigrid>(matrix_, D, nearNullSpace());
+    makeMultigrid();
     result = runGradients(diagonal);
     iterations += result.iterations;
     iterationsWhenNew_ = result.iterations;

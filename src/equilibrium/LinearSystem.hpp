@@ -59,6 +59,7 @@ private:
   void moveHeldToRight(const StiffnessBlocks& stiffness, const Values& right, const Values& change);
   Method choose();
   std::vector<std::vector<double>> nearNullSpace() const;
+  void makeMultigrid();
   LinearAnswer solveDirectly(bool changed);
   LinearAnswer iterate(double enough);
   SolveResult runGradients(const View<double*>& diagonal);

@@ -266,6 +266,7 @@ void Run<D>::settleInPlace()
   const double end = state_.clock.time, dt = state_.clock.dt;
   state_.clock.dt = shortStep * state_.clock.finalTime;
   state_.clock.time = end - state_.clock.dt;
+  lastEquilibrium_->inPlace = true;
   for (const Stage stage : {Stage::BetweenSteps, Stage::Scatter, Stage::BeforeSolve, Stage::Solve})
     runStage(stage);
   if (lastEquilibrium_->converged)
@@ -276,6 +277,7 @@ void Run<D>::settleInPlace()
         "Time > Analysis: the particles, where the last step has moved them, are out of "
         "equilibrium, and no solution brings them into it; stress and G are those of "
         "the last step");
+  lastEquilibrium_->inPlace = false;
   state_.clock.time = end;
   state_.clock.dt = dt;
 }

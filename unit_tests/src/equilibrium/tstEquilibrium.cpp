@@ -50,11 +50,24 @@ nlohmann::json reportOf(const Rhegma::Run<D>& run)
   return summary;
 }
 
+/// Cells of a box in the middle are refined, so that nodes hang around it.
+template <int D>
+void refineBox(Teuchos::ParameterList& scene, int levels)
+{
+  Teuchos::ParameterList& adaptivity = scene.sublist("Adaptivity");
+  adaptivity.set("Maximum Level", levels);
+  adaptivity.set("Front Cells", 0.0);
+  Teuchos::ParameterList& box = adaptivity.sublist("Middle");
+  box.set("Lower Corner", array(all<D>(2.1)));
+  box.set("Upper Corner", array(all<D>(3.9)));
+  box.set("Level", levels);
+}
+
 /// A linear displacement of the rim gives every particle the same strain, wherever the body lies. The boxes
 /// of a turned body do not tile the cells, which is an error of the integration over particles (Steffen,
 /// Kirby and Berzins, Int. J. Numer. Meth. Eng. 76 (2008) 922) and not of the solver.
 template <int D>
-void testPatch(const std::string& shape, double turn, double tolerance)
+void testPatch(const std::string& shape, double turn, double tolerance, int levels = 0)
 {
   std::mt19937 random(20);
   std::uniform_real_distribution<double> anywhere(0.0, 1.0);
@@ -65,6 +78,8 @@ void testPatch(const std::string& shape, double turn, double tolerance)
       offset[d] = anywhere(random);
     const double degrees = turn * anywhere(random);
     Teuchos::ParameterList scene = turnedBox<D>("Neo-Hookean", offset, degrees, 5.0, shape);
+    if (levels > 0)
+      refineBox<D>(scene, levels);
     holdRim<D>(scene, 1.7, 4.3,
                D == 2 ? "0.04*x + 0.1*y, -0.06*y" : "0.04*x + 0.1*y, -0.06*y, 0.02*z + 0.04*x");
     Rhegma::Run<D> run(validated(scene));
@@ -112,6 +127,9 @@ void testRate(const std::string& model, double yield)
 TEST(Equilibrium, PatchOfLinearFunctions) { testPatch<2>("Linear", 0.0, 1e-7); }
 TEST(Equilibrium, PatchOfBoxes) { testPatch<2>("GIMP", 0.0, 1e-7); }
 TEST(Equilibrium, PatchIn3D) { testPatch<3>("GIMP", 0.0, 1e-7); }
+TEST(Equilibrium, PatchInRefinedCells) { testPatch<2>("GIMP", 0.0, 1e-7, 2); }
+TEST(Equilibrium, PatchOfLinearFunctionsInRefinedCells) { testPatch<2>("Linear", 0.0, 1e-7, 2); }
+TEST(Equilibrium, PatchInRefinedCells3D) { testPatch<3>("GIMP", 0.0, 1e-7, 1); }
 TEST(Equilibrium, PatchOfTurnedBoxes) { testPatch<2>("GIMP", 45.0, 1.5e-2); }
 TEST(Equilibrium, PatchOfTurnedBoxesIn3D) { testPatch<3>("GIMP", 45.0, 1.5e-2); }
 
@@ -237,7 +255,8 @@ TEST(Equilibrium, LoadsOnUnsupportedChipsAreNoticed)
   }
 }
 
-/// 200 cracks through bodies anywhere in their cells: all are solved, and the energy balance closes.
+/// 200 cracks through bodies anywhere in their cells, a quarter of them in cells that are refined at the
+/// fronts: all are solved, and the energy balance closes.
 TEST(Equilibrium, RandomCracksAreSolved)
 {
   constexpr unsigned seed = 7;
@@ -256,6 +275,11 @@ TEST(Equilibrium, RandomCracksAreSolved)
     crack.set("Points", Teuchos::Array<double>({x - half * std::cos(angle), y - half * std::sin(angle),
                                                 x + half * std::cos(angle), y + half * std::sin(angle)}));
     scene.sublist("Face Pressure").sublist("Cut").set("Pressure", "1e-4");
+    if (k % 4 == 3)
+    {
+      scene.sublist("Adaptivity").set("Maximum Level", 1 + k / 4 % 2);
+      scene.sublist("Adaptivity").set("Front Cells", 2.0);
+    }
     Rhegma::Run<2> run(validated(scene));
     run.initialize();
     ASSERT_NO_THROW(run.step(1.0, false)) << "crack " << k;
