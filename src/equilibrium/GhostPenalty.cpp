@@ -141,24 +141,31 @@ private:
     const int a = numberOf(leaf), b = numberOf(next);
     if (filled_.all[a] + filled_.all[b] == 0.0)
       return;
-    std::vector<SlopeJump> found(lines);
-    int crack = 0; // whose sides differ here
+    Line found[lines];
     for (int line = 0; line < lines; ++line)
-      crack = std::max(crack, addNodes(leaf, axis, direction, line, found[line]));
-    for (const int side : {crack, -crack})
-    {
-      const double weight = weightOf(leaf, next, a, b, side);
-      if (weight > 0.0)
-        addJumps(found, side, weight, jumps);
-      if (crack == 0)
-        break;
-    }
+      found[line] = lineAt(leaf, axis, direction, line);
+    for (const Line& line : found)
+      for (const int side : {line.crack, -line.crack})
+      {
+        const double weight = weightOf(leaf, next, a, b, side);
+        if (weight > 0.0 &&
+            std::all_of(found, found + lines, [&](const Line& other) { return isPresent(other.jump, side); }))
+          jumps.push_back(onSide(line.jump, side, weight));
+        if (line.crack == 0)
+          break;
+      }
   }
 
-  /// Writes the nodes of three points in a line. \return the crack next to them, 0 for none
-  int addNodes(const Leaf& leaf, int axis, int direction, int line, SlopeJump& jump) const
+  /// Nodes of three points normal to a face.
+  struct Line
   {
-    int crack = 0;
+    SlopeJump jump; ///< with nodes in place of rows
+    int crack = 0;  ///< whose sides differ there, 0: none
+  };
+
+  Line lineAt(const Leaf& leaf, int axis, int direction, int line) const
+  {
+    Line found;
     constexpr double second[] = {1.0, -2.0, 1.0};
     for (int k = 0; k < 3; ++k)
     {
@@ -170,12 +177,12 @@ private:
                          {
                            if (weight < leastNodeWeight)
                              return;
-                           jump.row.push_back(node);
-                           jump.coefficient.push_back(second[k] * weight);
-                           crack = std::max(crack, std::abs(nodeSide(node)));
+                           found.jump.row.push_back(node);
+                           found.jump.coefficient.push_back(second[k] * weight);
+                           found.crack = std::max(found.crack, std::abs(nodeSide(node)));
                          });
     }
-    return crack;
+    return found;
   }
 
   double weightOf(const Leaf& leaf, const Leaf& next, int a, int b, int side) const
@@ -188,19 +195,19 @@ private:
     return ghostFactor * stiff * std::pow(leaf.edge * grid_.spacing, D - 2) * thickness_ / lines;
   }
 
-  /// Adds the jumps of a face if all its nodes are there on the side in question.
-  void addJumps(const std::vector<SlopeJump>& found, int side, double weight,
-                std::vector<SlopeJump>& jumps) const
+  /// Whether particles on a side see all nodes of a line.
+  bool isPresent(const SlopeJump& nodes, int side) const
   {
-    std::vector<SlopeJump> ready = found;
-    for (SlopeJump& jump : ready)
-    {
-      jump.weight = weight;
-      for (int& entry : jump.row)
-        if ((entry = row(entry, side)) < 0)
-          return;
-    }
-    jumps.insert(jumps.end(), ready.begin(), ready.end());
+    return std::all_of(nodes.row.begin(), nodes.row.end(), [&](int node) { return row(node, side) >= 0; });
+  }
+
+  SlopeJump onSide(const SlopeJump& nodes, int side, double weight) const
+  {
+    SlopeJump jump = nodes;
+    jump.weight = weight;
+    for (int& entry : jump.row)
+      entry = row(entry, side);
+    return jump;
   }
 
   int nodeSide(int node) const
