@@ -163,9 +163,9 @@ std::vector<std::vector<double>> LinearSystem<D>::nearNullSpace() const
 }
 
 template <int D>
-LinearAnswer LinearSystem<D>::solveDirectly(bool changed)
+LinearAnswer LinearSystem<D>::solveDirectly()
 {
-  if (changed && !direct_.factorise(matrix_))
+  if (!direct_.factorise(matrix_))
     return {};
   Kokkos::deep_copy(x_, b_);
   direct_.solve(x_);
@@ -252,19 +252,18 @@ LinearAnswer LinearSystem<D>::iterate(double enough)
 }
 
 template <int D>
-LinearAnswer LinearSystem<D>::solve(const StiffnessBlocks& stiffness, bool changed, const Values& right,
-                                    double enough, const Values& change)
+LinearAnswer LinearSystem<D>::solve(const StiffnessBlocks& stiffness, const Values& right, double enough,
+                                    const Values& change)
 {
   if (graph_.rows == 0)
     return {true, 0, 0};
   if (matrix_.rows() == 0)
     buildRows();
-  if (changed)
-    fill(stiffness);
+  fill(stiffness);
   moveHeldToRight(stiffness, right, change);
   if (method_ == Method::Unknown)
     method_ = choose();
-  const LinearAnswer answer = method_ == Method::Direct ? solveDirectly(changed) : iterate(enough);
+  const LinearAnswer answer = method_ == Method::Direct ? solveDirectly() : iterate(enough);
   for (int k = 0; k < matrix_.rows(); ++k)
     if (held_(k) == 0)
       change(k) = x_(k);

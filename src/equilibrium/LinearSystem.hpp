@@ -36,10 +36,10 @@ public:
   int unknowns() const { return unknowns_; }
 
   /// Solves for the change of the free unknowns, those that are held changing as given.
-  /// \param changed false if the stiffness is that of the last call \param right forces on all unknowns
+  /// \param right forces on all unknowns
   /// \param enough residual that need not be improved on [N] \param change on entry of held unknowns, on exit
   /// of all
-  LinearAnswer solve(const StiffnessBlocks& stiffness, bool changed, const Values& right, double enough,
+  LinearAnswer solve(const StiffnessBlocks& stiffness, const Values& right, double enough,
                      const Values& change);
 
   /// What solved the last system, in words for the summary.
@@ -60,7 +60,7 @@ private:
   Method choose();
   std::vector<std::vector<double>> nearNullSpace() const;
   void makeMultigrid();
-  LinearAnswer solveDirectly(bool changed);
+  LinearAnswer solveDirectly();
   LinearAnswer iterate(double enough);
   SolveResult runGradients(const View<double*>& diagonal);
 

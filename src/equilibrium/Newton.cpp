@@ -9,19 +9,10 @@ namespace Rhegma::equilibrium
 namespace
 {
 
-/// Stiffness that keeps free pieces in their place, in fractions of (wave speed / size)^2: it changes the
-/// answer of a body by this fraction over the square of its lowest frequency in the same unit, and the
-/// resultant of the loads, rounding errors, divided by it is no displacement that matters.
-constexpr double foundationFraction = 1e-9;
-
 /// A residual that no longer falls is rounding if it is this small.
 constexpr double roundingOfForces = 1e-6;
 
 constexpr int mostHalvings = 6;
-
-/// Residual, as a fraction of the forces, below which the last tangent is kept: what a solution changes then
-/// is so small that the tangent's change with it costs no digit that counts.
-constexpr double keepTangentBelow = 1e-6;
 
 /// Residual of a linear solution, as a fraction of what ends the step.
 constexpr double linearFraction = 0.1;
@@ -74,17 +65,22 @@ NewtonStep<D>::NewtonStep(const State<D>& state, std::shared_ptr<LinearSystem<D>
   position_ = rowPositions(state, graph_);
   mass_ = rowMasses(state, graph_);
   held_ = findHeld(state, graph_);
-  findFreeMotions(state);
-  system_ = earlier && earlier->fits(graph_, held_)
+  findFreeMotions();
+  // Free pieces are held at as few unknowns as their motions take: what they exert there is rounding, for the
+  // loads on a free piece balance.
+  Held solved = held_;
+  for (const int k : unknownsOfMotions(modes_, pieceOf_, position_, mass_))
+    solved.is[k] = 1;
+  system_ = earlier && earlier->fits(graph_, solved)
                 ? std::move(earlier)
-                : std::make_shared<LinearSystem<D>>(graph_, position_, held_);
+                : std::make_shared<LinearSystem<D>>(graph_, position_, solved);
   const int n = D * graph_.rows;
   for (Values* values : {&load_, &displacement_, &residual_, &reaction_})
     *values = Values("rhegma::equilibrium::values", n);
 }
 
 template <int D>
-void NewtonStep<D>::findFreeMotions(const State<D>& state)
+void NewtonStep<D>::findFreeMotions()
 {
   int pieces = 0;
   std::tie(pieceOf_, pieces) = findPieces(graph_);
@@ -104,13 +100,6 @@ void NewtonStep<D>::findFreeMotions(const State<D>& state)
       for (int d = 0; d < D; ++d)
         held_.is[D * r + d] = 1;
     }
-  double speed = 0.0, extent = 0.0; // the slowest wave
-  for (const Properties& m : state.materials.properties)
-    if (m.mu > 0.0)
-      speed = speed > 0.0 ? std::min(speed, std::sqrt(m.mu / m.density)) : std::sqrt(m.mu / m.density);
-  for (const RigidMode<D>& mode : modes_)
-    extent = std::max(extent, mode.size);
-  foundation_ = modes_.empty() ? 0.0 : foundationFraction * speed * speed / (extent * extent);
 }
 
 template <int D>
@@ -144,8 +133,6 @@ bool NewtonStep<D>::residual(const State<D>& state, const Values& u, const Value
     for (int k = 0; k < D * graph_.rows; ++k)
       now[k / D][k % D] += u(k);
     removed = removeResultants(modes_, pieceOf_, now, mass_, r);
-    for (int k = 0; k < D * graph_.rows; ++k)
-      r(k) -= foundation_ * mass_[k / D] * u(k);
   }
   for (const SlopeJump& jump : jumps_)
     for (int d = 0; d < D; ++d)
@@ -186,9 +173,20 @@ bool NewtonStep<D>::assemble(const State<D>& state)
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b)
         add(static_cast<int>(spring[a]), static_cast<int>(spring[b]), a == b ? spring[2] : -spring[2]);
-  for (int r = 0; r < graph_.rows && foundation_ > 0.0; ++r)
-    add(r, r, foundation_ * mass_[r]);
   return addStiffness(state, graph_, displacement_, stiffness_);
+}
+
+template <int D>
+void NewtonStep<D>::removeRigidMotion(const Values& change) const
+{
+  if (modes_.empty())
+    return;
+  const Values momentum("rhegma::equilibrium::momentum", change.extent(0));
+  for (std::size_t k = 0; k < change.extent(0); ++k)
+    momentum(k) = mass_[k / D] * change(k);
+  removeResultants(modes_, pieceOf_, position_, mass_, momentum);
+  for (std::size_t k = 0; k < change.extent(0); ++k)
+    change(k) = mass_[k / D] > 0.0 ? momentum(k) / mass_[k / D] : change(k);
 }
 
 template <int D>
@@ -249,15 +247,13 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces)
     const double forces = report.forces, now = norm(residual_, false);
     report.residuals.push_back(forces > 0.0 ? now / forces : 0.0);
     report.converged = !moved && now <= forceTolerance * forces;
-    if (report.converged || k == mostIterations)
-      break;
-    const bool renew = k == 0 || moved || now > keepTangentBelow * forces;
-    if (renew && !assemble(state))
+    if (report.converged || k == mostIterations || !assemble(state))
       break;
     for (int i = 0; i < n; ++i)
       change(i) = held_.is[i] != 0 ? held_.change[i] - displacement_(i) : 0.0;
     const LinearAnswer answer =
-        system_->solve(stiffness_, renew, residual_, linearFraction * forceTolerance * forces, change);
+        system_->solve(stiffness_, residual_, linearFraction * forceTolerance * forces, change);
+    removeRigidMotion(change);
     report.linearIterations += answer.iterations;
     report.negativeEigenvalues = answer.negativeEigenvalues;
     // Before the supports have moved there is no residual to compare with.

@@ -62,11 +62,14 @@ public:
   const RowGraph& graph() const { return graph_; }
 
 private:
-  void findFreeMotions(const State<D>& state);
+  void findFreeMotions();
   /// Forces minus resistance at a trial displacement. \return false where a particle is inverted
   bool residual(const State<D>& state, const Values& u, const Values& r, double& removed) const;
   bool assemble(const State<D>& state);
   void addSprings(const State<D>& state);
+  /// Takes the mean motion and rotation from the change of free pieces: loads do not turn with a body, so
+  /// that the stiffness of a body's rotation is that of its stress, which is as small and may be negative.
+  void removeRigidMotion(const Values& change) const;
   /// Part of a residual on unknowns that are held (true) or free (false), as 2-norm.
   double norm(const Values& r, bool held) const;
   /// Moves along the change, halving it until the residual falls. \return false where it does not
@@ -79,8 +82,7 @@ private:
   std::vector<int> pieceOf_;
   std::vector<RigidMode<D>> modes_;
   Held held_;
-  std::vector<int> unsupported_; ///< rows
-  double foundation_ = 0.0;      ///< stiffness per mass that keeps free pieces in their place [1/s2]
+  std::vector<int> unsupported_;               ///< rows
   std::vector<std::array<double, 3>> springs_; ///< two rows and stiffness [N/m]
   std::shared_ptr<LinearSystem<D>> system_;
   StiffnessBlocks stiffness_;

@@ -17,6 +17,9 @@ namespace
 /// thousandth of the body's size away from the axis still holds a rotation.
 constexpr double leastHold = 1e-9;
 
+/// Fraction of a piece's heaviest node from which a node may hold the piece.
+constexpr double leastHeldMass = 0.1;
+
 template <int D>
 std::vector<RigidMode<D>> framesOfPieces(const std::vector<int>& pieceOf, int pieces,
                                          const std::vector<Vector<D>>& position,
@@ -191,6 +194,41 @@ double removeResultants(const std::vector<RigidMode<D>>& modes, const std::vecto
 
 template struct RigidMode<2>;
 template struct RigidMode<3>;
+template <int D>
+std::vector<int> unknownsOfMotions(const std::vector<RigidMode<D>>& modes, const std::vector<int>& pieceOf,
+                                   const std::vector<Vector<D>>& position, const std::vector<double>& mass)
+{
+  std::vector<int> chosen;
+  std::vector<std::pair<RigidMode<D>, int>> taken; // modes and the unknowns that hold them
+  for (RigidMode<D> mode : modes)
+  {
+    // A combination that moves no unknown that is held already.
+    for (const auto& [other, k] : taken)
+      if (other.piece == mode.piece)
+      {
+        const double ratio = mode.at(position[k / D])[k % D] / other.at(position[k / D])[k % D];
+        for (int m = 0; m < rigidMotions<D>; ++m)
+          mode.coefficient[m] -= ratio * other.coefficient[m];
+      }
+    int best = -1;
+    double largest = 0.0, heaviest = 0.0;
+    for (std::size_t r = 0; r < position.size(); ++r)
+      heaviest = std::max(heaviest, pieceOf[r] == mode.piece ? mass[r] : 0.0);
+    for (std::size_t r = 0; r < position.size(); ++r)
+      for (int d = 0; d < D && pieceOf[r] == mode.piece && mass[r] >= leastHeldMass * heaviest; ++d)
+        if (const double moved = std::fabs(mode.at(position[r])[d]); moved > largest)
+        {
+          largest = moved;
+          best = D * static_cast<int>(r) + d;
+        }
+    if (best < 0)
+      continue;
+    taken.push_back({mode, best});
+    chosen.push_back(best);
+  }
+  return chosen;
+}
+
 template std::vector<RigidMode<2>> freeModes(const std::vector<int>&, int, const std::vector<Vector<2>>&,
                                              const std::vector<double>&, const Held&);
 template std::vector<RigidMode<3>> freeModes(const std::vector<int>&, int, const std::vector<Vector<3>>&,
@@ -201,5 +239,10 @@ template double removeResultants(const std::vector<RigidMode<2>>&, const std::ve
 template double removeResultants(const std::vector<RigidMode<3>>&, const std::vector<int>&,
                                  const std::vector<Vector<3>>&, const std::vector<double>&,
                                  const View<double*>&);
+
+template std::vector<int> unknownsOfMotions(const std::vector<RigidMode<2>>&, const std::vector<int>&,
+                                            const std::vector<Vector<2>>&, const std::vector<double>&);
+template std::vector<int> unknownsOfMotions(const std::vector<RigidMode<3>>&, const std::vector<int>&,
+                                            const std::vector<Vector<3>>&, const std::vector<double>&);
 
 } // namespace Rhegma::equilibrium

@@ -59,4 +59,10 @@ double removeResultants(const std::vector<RigidMode<D>>& modes, const std::vecto
                         const std::vector<Vector<D>>& position, const std::vector<double>& mass,
                         const View<double*>& force);
 
+/// As many unknowns (D * row + axis) as there are modes, which prevent the motions of their pieces when held.
+/// Nodes that a piece hardly touches are not among them.
+template <int D>
+std::vector<int> unknownsOfMotions(const std::vector<RigidMode<D>>& modes, const std::vector<int>& pieceOf,
+                                   const std::vector<Vector<D>>& position, const std::vector<double>& mass);
+
 } // namespace Rhegma::equilibrium
