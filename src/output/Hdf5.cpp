@@ -80,13 +80,27 @@ std::vector<T> gatherRows(const Ranks& ranks, const DataSet& data, const std::ve
   return ranks.gather(std::vector<T>(own.begin() + from * data.columns, own.begin() + to * data.columns));
 }
 
+/// How a file of fields is opened, with tables of a form. The file of H5F_LIBVER_V18 is one that a kill
+/// leaves readable, later forms of it are marked as open; tables of H5F_LIBVER_V110 have their index under
+/// checksums as well. The file is not locked: run.lock keeps other runs out, and who reads it must not stop
+/// the run.
+hid_t accessTo(H5F_libver_t form)
+{
+  const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
+  H5Pset_libver_bounds(access, form, form);
+#if H5_VERSION_GE(1, 10, 7)
+  H5Pset_file_locking(access, 0, 1);
+#endif
+  return access;
+}
+
 /// A snapshot that goes out before the file knows of it, so that a run that is killed meanwhile leaves a file
 /// that can be read.
 class Unlinked
 {
 public:
   Unlinked(const std::string& path, const Snapshot& snapshot)
-      : access_(newestTables(), H5Pclose, path),
+      : access_(accessTo(H5F_LIBVER_V110), H5Pclose, path),
         file_(H5Fopen(path.c_str(), H5F_ACC_RDWR, access_), H5Fclose, path),
         top_(H5Gcreate_anon(file_, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, path),
         path_(path)
@@ -122,15 +136,6 @@ public:
   }
 
 private:
-  /// Tables whose index is under checksums as well. The file itself stays one that a kill leaves readable:
-  /// later forms of it are marked as open.
-  static hid_t newestTables()
-  {
-    const hid_t access = H5Pcreate(H5P_FILE_ACCESS);
-    H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110);
-    return access;
-  }
-
   Handle access_, file_, top_;
   std::string path_;
   std::unique_ptr<Handle> table_;
@@ -257,8 +262,7 @@ void createHdf5(const std::string& path)
 {
   const Silence silence;
   std::remove(path.c_str());
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, path);
-  access.require(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18));
+  const Handle access(accessTo(H5F_LIBVER_V18), H5Pclose, path);
   Handle file(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, path);
   file.close();
 }
@@ -273,7 +277,8 @@ std::string snapshotName(int number)
 void keepSnapshots(const std::string& path, int count)
 {
   const Silence silence;
-  Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose, path);
+  const Handle access(accessTo(H5F_LIBVER_V110), H5Pclose, path);
+  Handle file(H5Fopen(path.c_str(), H5F_ACC_RDWR, access), H5Fclose, path);
   std::vector<std::string> missing, damaged;
   for (int k = 0; k < count; ++k)
     if (H5Lexists(file, snapshotName(k).c_str(), H5P_DEFAULT) <= 0)

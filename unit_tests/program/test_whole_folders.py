@@ -6,6 +6,7 @@ in each kind of file in place of 25, and 100,000 bodies in place of 4,000.
 test_killed_runs.py kills runs, and test_full_disk.py fills disks; both look at what is left with the same tool.
 """
 
+import fcntl
 import os
 import random
 import resource
@@ -70,6 +71,22 @@ class OneRun(RestartTest):
         self.run_to_its_end(self.write("short.xml", scene().text()), folder)
         self.assertEqual(check_tool(folder)[0], 0)
         self.assertFalse(os.path.exists(os.path.join(folder, "run.lock")))
+
+    def test_reader_of_fields_does_not_stop_the_run(self):
+        """HDF5 locks a file that is read, as h5py and ParaView have it open."""
+        folder = self.path("out")
+        content = plate().set("Time > Final Time", FOREVER).set("Output > Field Interval", 2e-4)
+        run = self.start(self.write("scene.xml", content.text()), "--output", folder, "--quiet")
+        self.addCleanup(run.kill)
+        path = os.path.join(folder, "fields.h5")
+        self.wait_for(run, path)
+        with open(path, "rb") as file:
+            fcntl.flock(file, fcntl.LOCK_SH)
+            size, end = os.path.getsize(path), time.monotonic() + 60
+            while os.path.getsize(path) <= 2 * size and run.poll() is None and time.monotonic() < end:
+                time.sleep(0.01)
+            self.assertIsNone(run.poll(), "the run has ended")
+            self.assertGreater(os.path.getsize(path), 2 * size)
 
     def test_run_of_another_machine(self):
         folder = self.path("out")
