@@ -62,7 +62,8 @@ class FileScene(Scene):
                 if self.get(f"Bodies > {n} > Shape") == "Box" and not self.has(f"Bodies > {n} > Rotation")]
 
     def moves(self):
-        return self.get("Thermal > Mechanics") != "false"
+        """Whether the run takes steps in time: not in equilibrium, nor with heat alone."""
+        return self.get("Thermal > Mechanics") != "false" and self.get("Time > Analysis", "Dynamic") == "Dynamic"
 
     def corners(self, body):
         return self.get(f"Bodies > {body} > Lower Corner"), self.get(f"Bodies > {body} > Upper Corner")

@@ -9,6 +9,9 @@ from file_scene import LENGTHS, value_of, where
 # nothing to which it applies.
 
 
+FREE = r"|Bodies > .* can (move|turn)"  # in equilibrium a body that nothing holds is an error of its own
+
+
 def support_away(scene, rng):
     names = scene.boundaries("Velocity")
     if not names or not scene.cell:
@@ -19,7 +22,7 @@ def support_away(scene, rng):
     place = f"Boundaries > {name}"
     scene.set(place + " > Lower Corner", [x for x in low]).set(place + " > Nodes", "Inside")
     scene.set(place + " > Upper Corner", [x + 5 * scene.cell for x in low])
-    return where("Boundaries", name)
+    return where("Boundaries", name) + FREE
 
 
 def mirror_away(scene, rng):
@@ -32,7 +35,7 @@ def mirror_away(scene, rng):
     side = scene.get(f"Boundaries > {name} > Side")
     end = scene.get("Domain > Lower Corner" if side == "Lower" else "Domain > Upper Corner")[axis]
     scene.set(f"Boundaries > {name} > Position", end + (3 if side == "Lower" else -3) * scene.cell)
-    return where("Boundaries", name) + r"|touches the domain's edge"
+    return where("Boundaries", name) + r"|touches the domain's edge" + FREE
 
 
 def load_away(scene, rng):
