@@ -75,7 +75,7 @@ class OneRun(RestartTest):
     def test_reader_of_fields_does_not_stop_the_run(self):
         """HDF5 locks a file that is read, as h5py and ParaView have it open."""
         folder = self.path("out")
-        content = plate().set("Time > Final Time", FOREVER).set("Output", {"Field Interval": 2e-4})
+        content = plate().set("Time > Final Time", 10.0).set("Output", {"Field Interval": 2e-4})
         run = self.start(self.write("scene.xml", content.text()), "--output", folder, "--quiet")
         self.addCleanup(run.kill)
         path = os.path.join(folder, "fields.h5")
