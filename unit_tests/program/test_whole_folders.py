@@ -80,13 +80,18 @@ class OneRun(RestartTest):
         self.addCleanup(run.kill)
         path = os.path.join(folder, "fields.h5")
         self.wait_for(run, path)
+        self.wait_for_size(run, path, 1e6)  # a frame, so that what follows is more than the rest of one
         with open(path, "rb") as file:
             fcntl.flock(file, fcntl.LOCK_SH)
-            size, end = os.path.getsize(path), time.monotonic() + 60
-            while os.path.getsize(path) <= 2 * size and run.poll() is None and time.monotonic() < end:
-                time.sleep(0.01)
+            wanted = 4 * os.path.getsize(path)
+            self.wait_for_size(run, path, wanted)
             self.assertIsNone(run.poll(), "the run has ended")
-            self.assertGreater(os.path.getsize(path), 2 * size)
+            self.assertGreater(os.path.getsize(path), wanted)
+
+    def wait_for_size(self, run, path, size):
+        end = time.monotonic() + 60
+        while os.path.getsize(path) <= size and run.poll() is None and time.monotonic() < end:
+            time.sleep(0.01)
 
     def test_run_of_another_machine(self):
         folder = self.path("out")
