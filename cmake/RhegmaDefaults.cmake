@@ -32,11 +32,13 @@ function(rhegma_compile_options target)
   endif()
 endfunction()
 
-# Compiles the sources of a target in groups of at most so many files of one folder. Two warnings are off there: a local
-# name may be that of another file's constant, and lambdas of a group's files may use types of their anonymous namespaces.
+# Compiles the sources of a target in groups of at most so many files of one folder. A group is named by its folder below
+# the source folder, so that a second clone finds it in ccache. Two warnings are off there: a local name may be that of
+# another file's constant, and lambdas of a group's files may use types of their anonymous namespaces.
 function(rhegma_unity_groups target most)
   foreach(source ${ARGN})
     get_filename_component(folder ${source} DIRECTORY)
+    file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${folder})
     string(MAKE_C_IDENTIFIER "${folder}" folder)
     list(APPEND folders ${folder})
     list(APPEND sources_${folder} ${source})
