@@ -69,10 +69,12 @@ void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std:
 {
   const Sponge<D> sponge{readVector<D>(list, "Lower Corner"), readVector<D>(list, "Upper Corner"),
                          list.get<double>("Rate")};
-  parts.effect.call(
-      {Stage::BeforeSolve, "sponge", {quantity::nodalMass}, {}, {quantity::nodalForce}, [=](State<D>& state) {
-         push(state, sponge);
-       }});
+  parts.effect.call({Stage::BeforeSolve,
+                     "sponge",
+                     {quantity::nodalMomentum},
+                     {},
+                     {quantity::nodalForce},
+                     [=](State<D>& state) { push(state, sponge); }});
   parts.effect.call({stageOfFaceVelocity(parts.scene),
                      "work of the sponge",
                      {projectsLast(parts.scene) ? quantity::projection : quantity::nodalMotion},
@@ -84,13 +86,15 @@ void add(BoundaryParts<D>& parts, const Teuchos::ParameterList& list, const std:
 void check(SectionChecks& checks, const Teuchos::ParameterList& list, const std::string& where)
 {
   checks.corners(list, where, false);
+  if (checks.scene().isSublist("Time") && isEquilibrium(checks.scene()))
+    checks.report(where, "a sponge slows what moves, and in equilibrium nothing moves; remove it");
 }
 
 } // namespace
 
 BoundaryType sponge()
 {
-  Section s("Sponge", "Slows all material in a box: a force against its momentum.");
+  Section s("Sponge", "Slows all material in a box by a force opposite to its momentum.");
   s.realArray("Lower Corner").unit("m").perAxis().meaning("Corner of the box with the smallest coordinates.");
   s.realArray("Upper Corner").unit("m").perAxis().meaning("Corner of the box with the largest coordinates.");
   s.real("Rate").unit("1/s").positive().meaning("Force over momentum.");

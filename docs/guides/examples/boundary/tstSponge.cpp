@@ -18,7 +18,7 @@ namespace
 constexpr double rate = 1.0e3, speed = 1.0, end = 1.0e-3;
 
 /// A block that flies through a sponge which covers the domain. \param upper right end of the sponge [m]
-std::string scene(const std::string& upper)
+std::string scene(const std::string& upper, const std::string& analysis)
 {
   return R"xml(<ParameterList name="Rhegma">
   <ParameterList name="Domain">
@@ -27,7 +27,11 @@ std::string scene(const std::string& upper)
     <Parameter name="Upper Corner" type="Array(double)" value="{0.1, 0.1}"/>
     <Parameter name="Cell Size" type="double" value="0.01"/>
   </ParameterList>
-  <ParameterList name="Time"><Parameter name="Final Time" type="double" value="1e-3"/></ParameterList>
+  <ParameterList name="Time">
+    <Parameter name="Final Time" type="double" value="1e-3"/>
+    <Parameter name="Analysis" type="string" value=")xml" +
+         analysis + R"xml("/>
+  </ParameterList>
   <ParameterList name="Materials">
     <ParameterList name="Rubber">
       <Parameter name="Model" type="string" value="Neo-Hookean"/>
@@ -62,7 +66,10 @@ std::string scene(const std::string& upper)
 /// The application's one line.
 const bool added = (addBoundaryType(sponge()), true);
 
-SceneResult read(const std::string& upper) { return readSceneText(scene(upper), {}, effectSchema()); }
+SceneResult read(const std::string& upper, const std::string& analysis = "Dynamic")
+{
+  return readSceneText(scene(upper, analysis), {}, effectSchema());
+}
 
 /// The block slows down as a whole: v = v0 exp(-rate t). A step takes (1 - rate dt), whose logarithm is off
 /// by (rate dt)^2 / 2 to first order, at most rate^2 dt t / 2 in all.
@@ -85,6 +92,13 @@ TEST(Sponge, RefusesABoxWithoutWidth)
   const SceneResult result = read("-0.2");
   ASSERT_EQ(result.errors.size(), 1u);
   EXPECT_EQ(result.errors[0].where, "Boundaries > Slow > Upper Corner");
+}
+
+TEST(Sponge, IsForScenesThatMove)
+{
+  const SceneResult result = read("0.2", "Static");
+  ASSERT_EQ(result.errors.size(), 1u);
+  EXPECT_EQ(result.errors[0].where, "Boundaries > Slow");
 }
 
 TEST(Sponge, HasAName)

@@ -84,6 +84,8 @@ EffectEntry bristles()
   Section section("Bristles",
                   "Elastic bristles on the grid nodes, bent by the material that moves over them.");
   section.real("Stiffness").unit("1/s2").positive().meaning("Force per deflection and mass.");
+  section.refuse({when::present("Bristles"), when::equilibrium()},
+                 "in equilibrium nothing moves; remove this section");
   EffectEntry entry{section, {}, makeBristles<2>, makeBristles<3>};
   entry.onRanks = true;
   return entry;
