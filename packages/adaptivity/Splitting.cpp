@@ -173,8 +173,8 @@ int splitParticles(State<D>& state)
     const int first = state.particles.size();
     copyParticles(state, list);
     makeParts(state, list, first);
-    for (const auto& follow : state.particles.afterSplit)
-      follow(state, {list, first});
+    for (const auto& hook : state.particles.afterSplit)
+      hook(state, {list, first});
   }
   const int added = static_cast<int>(ranksOf(state).sum(state.particles.size() - before));
   if (added > 0)

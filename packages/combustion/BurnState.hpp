@@ -32,10 +32,10 @@ struct BurnState
   std::vector<Meeting> meetings; ///< of cracks that have ended on others
 
   /// Updates the face points and resizes the fields on them.
-  void follow(const State<D>& state)
+  void update(const State<D>& state)
   {
     const bool anew = points.update(state);
-    fire.follow(points, anew);
+    fire.update(points, anew);
     const std::size_t count = points.count();
     if (depth.extent(0) == count)
       return;

@@ -64,7 +64,8 @@ public:
   {
   }
 
-  /// Creates empty cells of these lengths [m], each with a fixed volume besides that between the faces [m3].
+  /// Creates empty cells of these lengths [m], each with a fixed volume in addition to that between the faces
+  /// [m3].
   void setCells(const std::vector<double>& length, const std::vector<double>& fixedCapacity);
   /// Fills all cells.
   void fill(double pressure, double temperature);

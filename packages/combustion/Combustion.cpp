@@ -85,7 +85,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
               {quantity::nodalForce, quantity::facePressure},
               [burn](State<D>& s)
               {
-                burn->follow(s);
+                burn->update(s);
                 updateMeetings(s, *burn);
                 for (Burning<D>& b : burn->cracks)
                   pushByGas(s, *burn, b);

@@ -45,7 +45,8 @@ double CrackFlow<D>::arcAt(const FacePoints<D>& points, const Vector<D>& point) 
 }
 
 template <int D>
-void CrackFlow<D>::follow(const FacePoints<D>& points, int crack, double cavity, double gap, double density)
+void CrackFlow<D>::updateCells(const FacePoints<D>& points, int crack, double cavity, double gap,
+                               double density)
 {
   const auto of = onHost(points.crack);
   const auto size = onHost(points.currentSize);

@@ -22,7 +22,7 @@ public:
   /// Updates the cells from the crack. \param cavity volume in addition to that between the faces, spread
   /// evenly over the crack of the start [m3] \param gap roughness of the faces [m] \param density of the
   /// solid [kg/m3]
-  void follow(const FacePoints<D>& points, int crack, double cavity, double gap, double density);
+  void updateCells(const FacePoints<D>& points, int crack, double cavity, double gap, double density);
 
   Channel& channel() { return channel_; }
   const Channel& channel() const { return channel_; }

@@ -28,7 +28,7 @@ template <int D>
 void pushByFlow(State<D>& state, const FacePoints<D>& points, Burning<D>& b, const View<double*>& pressure)
 {
   Channel& channel = b.flow.channel();
-  b.flow.follow(points, b.crack, b.cavity, b.gap, b.density);
+  b.flow.updateCells(points, b.crack, b.cavity, b.gap, b.density);
   if (!b.filled)
   {
     channel.fill(b.startPressure, b.startTemperature);

@@ -7,7 +7,7 @@ namespace Rhegma::combustion
 {
 
 template <int D>
-void Fire<D>::follow(const FacePoints<D>& points, bool anew)
+void Fire<D>::update(const FacePoints<D>& points, bool anew)
 {
   if (!anew && static_cast<int>(lit_.extent(0)) == points.count())
     return;

@@ -41,7 +41,7 @@ class Fire
 {
 public:
   /// Updates the marks after face points may have been replaced.
-  void follow(const FacePoints<D>& points, bool anew);
+  void update(const FacePoints<D>& points, bool anew);
 
   /// Lights points of a crack. \param temperature of the faces at each point, below and above [K]; empty
   /// where no particle has heat

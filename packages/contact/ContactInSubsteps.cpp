@@ -13,7 +13,7 @@ namespace
 /// Whether all nodes of a point move in substeps. Open faces may lie on two ranks, each of which knows one
 /// face: such points are handled at the next step.
 template <int D>
-KOKKOS_INLINE_FUNCTION bool follows(const FacePoints<D>& points, const NodeSlots& slots, int k)
+KOKKOS_INLINE_FUNCTION bool allNodesMove(const FacePoints<D>& points, const NodeSlots& slots, int k)
 {
   for (int e = 0; e < points.above.count(k); ++e)
     if (!slots.moves(points.above.node(k, e)))
@@ -62,7 +62,7 @@ void FaceContact<D>::addFrozenForces(const State<D>&, const NodeSlots& slots,
   const double thickness = thickness_;
   forEachPushing(
       "rhegma::contact::frozenForces", points.count(), KOKKOS_LAMBDA(const int k) {
-        if (pressure(k) == 0.0 || follows(points, slots, k))
+        if (pressure(k) == 0.0 || allNodesMove(points, slots, k))
           return;
         const Vector<D> onUpper = (points.size(k) * thickness) * tractionAt(points, pressure, shear, k);
         addToSlots<D>(points.above, slots, k, onUpper, force);
@@ -81,8 +81,8 @@ void FaceContact<D>::addChange(const State<D>&, const NodeSlots& slots, const Vi
   const Law law = law_;
   const double friction = friction_, thickness = thickness_;
   forEachPushing(
-      "rhegma::contact::followNodes", points.count(), KOKKOS_LAMBDA(const int k) {
-        if (!follows(points, slots, k))
+      "rhegma::contact::changeOfContact", points.count(), KOKKOS_LAMBDA(const int k) {
+        if (!allNodesMove(points, slots, k))
           return;
         const Vector<D> jump = jumpOfSlots(points, slots, k, displacement);
         double opening = gap(k);

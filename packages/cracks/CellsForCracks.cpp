@@ -19,7 +19,7 @@ namespace
 using Teuchos::ParameterList;
 
 /// Fraction of a crack's length: an end that is nearer to a surface is surface-breaking.
-constexpr double surfaceBreaking = 0.01;
+constexpr double breakingDepth = 0.01;
 
 /// What is known of one crack.
 struct Lengths
@@ -92,7 +92,7 @@ Lengths measureLine(const ParameterList& crack, const SceneBodies<2>& bodies)
   for (const bool first : {true, false})
   {
     const double depth = bodies.depth(first ? points.front() : points.back());
-    if (depth <= surfaceBreaking * length || wanted == "None" || wanted == (first ? "Last" : "First"))
+    if (depth <= breakingDepth * length || wanted == "None" || wanted == (first ? "Last" : "First"))
       continue;
     ++fronts;
     found.front(depth);
@@ -157,7 +157,7 @@ Lengths measureRim(const Rim& rim, const SceneBodies<3>& bodies)
   {
     const double depth = bodies.depth(position);
     found.inside = found.inside || depth > 0.0;
-    if (depth > surfaceBreaking * rim.radius)
+    if (depth > breakingDepth * rim.radius)
       found.front(depth);
   };
   for (const Vector<3>& position : rim.points)

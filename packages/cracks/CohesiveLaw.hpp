@@ -28,7 +28,7 @@ KOKKOS_INLINE_FUNCTION bool hasFrontCell(double steepest, bool frontCells)
   return D == 2 && frontCells && steepest > springs::onTheCells;
 }
 
-/// How far ahead of a front a node may lie that has a second field, with front springs [cells].
+/// How far ahead of a front a node may lie that has an enriched field, with front springs [cells].
 ///
 /// In 2D along the cells s = (s0 + m min(2 z, 2 - 2 z)) / c: the crack of the cells, which ends between the
 /// last node that opens and the next, then ends at the front in the mean (FrontCell.hpp).
@@ -53,9 +53,9 @@ KOKKOS_INLINE_FUNCTION double splitAhead(double steepest, double away, bool fron
 ///
 ///     k = 0.1 E' b (1 - xi) / xi (1 - z),   xi = sqrt(c) behind + 0.05.
 ///
-/// \param modulus E' of fracture mechanics [Pa] \param width b: thickness times splitShare (2D), filled part
-/// of a cell (3D) [m] \param behind distance behind the front, negative ahead [cells] \param away, steepest,
-/// frontCells: see splitAhead
+/// \param modulus E' of fracture mechanics [Pa] \param width b: thickness times openingFraction (2D), filled
+/// part of a cell (3D) [m] \param behind distance behind the front, negative ahead [cells] \param away,
+/// steepest, frontCells: see splitAhead
 template <int D>
 KOKKOS_INLINE_FUNCTION double frontSpringStiffness(double modulus, double width, double behind, double away,
                                                    double steepest, bool frontCells)
@@ -75,7 +75,7 @@ KOKKOS_INLINE_FUNCTION double frontSpringStiffness(double modulus, double width,
 /// Fraction of a crack's opening at a node in 2D [-], by the masses of its two fields: where particles are
 /// cut at a fraction z of a cell from the node, the lesser field has (1 - z)^2 / 2 of the mass, so that this
 /// is 1 - z for the cut that the particles really have. Zero where a field has no particle.
-KOKKOS_INLINE_FUNCTION double splitShare(double mass, double other)
+KOKKOS_INLINE_FUNCTION double openingFraction(double mass, double other)
 {
   return std::sqrt(2.0 * std::fmin(mass, other) / (mass + other));
 }

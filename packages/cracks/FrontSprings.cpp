@@ -37,31 +37,31 @@ struct FindSpring
 
   KOKKOS_INLINE_FUNCTION void operator()(int i, int& passed, double& converted) const
   {
-    const int own = nodes.parent(i);
-    const NodalSpring<D> node = springs(own);
+    const int primary = nodes.parent(i);
+    const NodalSpring<D> node = springs(primary);
     const bool fresh = static_cast<int>(node.step()) != step - 1;
     for (int k = 0; k < NodalSpring<D>::size && fresh;
          ++k) // the row may hold values of an earlier node of this number
       node.row[k] = 0.0;
     node.step() = step;
-    springs.front(own) = noFront;
-    spring(own, D) = 0.0;
+    springs.front(primary) = noFront;
+    spring(primary, D) = 0.0;
     const double most = stable(i);
     if (node.isReleased())
     {
       node.stiffness() = 0.0;
       if (node.state() == SpringState::Releasing)
-        spring(own, D) = atMost(node.law().secant(node.largest()), most);
+        spring(primary, D) = atMost(node.law().secant(node.largest()), most);
       return;
     }
-    const int s = simplexOf(nearest(own));
-    const int front = grows ? frontOf(positions(own), sight.crackOf(s)) : noFront;
+    const int s = simplexOf(nearest(primary));
+    const int front = grows ? frontOf(positions(primary), sight.crackOf(s)) : noFront;
     if (front != noFront)
     {
-      spring(own, D) = atMost(node.stiffness(), most);
+      spring(primary, D) = atMost(node.stiffness(), most);
       if (fresh && most > 0.0)
       {
-        springs.front(own) = front;
+        springs.front(primary) = front;
         ++passed;
       }
       else if (node.stiffness() > 0.0)
@@ -75,9 +75,9 @@ struct FindSpring
       return;
     }
     double stiffness = atMost(wanted(i, s), most);
-    if (stiffness > node.stiffness() && isStretched(node, cellAt(own))) // stiffening would add energy
+    if (stiffness > node.stiffness() && isStretched(node, cellAt(primary))) // stiffening would add energy
       stiffness = node.stiffness();
-    spring(own, D) = node.stiffness() = stiffness;
+    spring(primary, D) = node.stiffness() = stiffness;
   }
 
 private:
@@ -94,9 +94,9 @@ private:
     return sum;
   }
 
-  KOKKOS_INLINE_FUNCTION double cellAt(int own) const
+  KOKKOS_INLINE_FUNCTION double cellAt(int primary) const
   {
-    return refined ? spacing / (1 << level(own)) : spacing;
+    return refined ? spacing / (1 << level(primary)) : spacing;
   }
 
   static KOKKOS_INLINE_FUNCTION bool isStretched(const NodalSpring<D>& node, double cell)
@@ -108,15 +108,15 @@ private:
   /// is elastic energy of springs [J]
   KOKKOS_INLINE_FUNCTION void soften(int i, int front, double& converted) const
   {
-    const int own = nodes.parent(i);
-    const NodalSpring<D> node = springs(own);
+    const int primary = nodes.parent(i);
+    const NodalSpring<D> node = springs(primary);
     const double stretch = square(node);
     if (!(stretch > 0.0))
       return;
     const CohesiveLaw law = softeningLaw(node.stiffness(), std::sqrt(stretch));
     node.release(law, Vector<D>{});
-    springs.front(own) = front;
-    if (!isOwnedByThisRank(nodes, own))
+    springs.front(primary) = front;
+    if (!isOwnedByThisRank(nodes, primary))
       return;
     softened(i) = softenedEnergy(law);
     converted += 0.5 * node.stiffness() * stretch;
@@ -125,13 +125,13 @@ private:
   /// Stiffness by the law of front springs [N/m].
   KOKKOS_INLINE_FUNCTION double wanted(int i, int s) const
   {
-    const int own = nodes.parent(i);
-    const double cell = cellAt(own);
-    const Sight seen = sight.locate(s, positions(own));
+    const int primary = nodes.parent(i);
+    const double cell = cellAt(primary);
+    const Sight seen = sight.locate(s, positions(primary));
     double steepest = 0.0;
     for (int d = 0; d < D; ++d)
       steepest = std::fmax(steepest, std::fabs(sight.normal(s, d)));
-    const double a = nodes.sums(own, Nodes<D>::massAt),
+    const double a = nodes.sums(primary, Nodes<D>::massAt),
                  b = nodes.sums(nodes.numLattice + i, Nodes<D>::massAt);
     double width = 0.0;
     if constexpr (D == 3) // less at the surface, by the filled fraction of the cells of the node
@@ -140,7 +140,7 @@ private:
       width = cell * (filled > springs::fullCells ? 1.0 : filled);
     }
     else
-      width = thickness * (hasFrontCell<D>(steepest, frontCells) ? splitShare(a, b) : 1.0);
+      width = thickness * (hasFrontCell<D>(steepest, frontCells) ? openingFraction(a, b) : 1.0);
     return frontSpringStiffness<D>(modulus, width, seen.behind / cell,
                                    std::fabs(seen.distance) / (cell * steepest), steepest, frontCells);
   }

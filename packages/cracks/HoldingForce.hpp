@@ -42,10 +42,11 @@ struct StableStiffness
 
   KOKKOS_INLINE_FUNCTION double operator()(int i) const
   {
-    const int own = nodes.parent(i);
-    const double a = nodes.sums(own, Nodes<D>::massAt),
+    const int primary = nodes.parent(i);
+    const double a = nodes.sums(primary, Nodes<D>::massAt),
                  b = nodes.sums(nodes.numLattice + i, Nodes<D>::massAt);
-    const int halvings = refined && level(own) >= firstSubcycled ? level(own) - firstSubcycled + 1 : 0;
+    const int halvings =
+        refined && level(primary) >= firstSubcycled ? level(primary) - firstSubcycled + 1 : 0;
     const double most = limit < std::numeric_limits<double>::max()
                             ? std::ldexp(limit, 2 * halvings) * a * b / (a + b)
                             : limit;
@@ -66,16 +67,16 @@ struct HoldingForce
 
   KOKKOS_INLINE_FUNCTION Vector<D> operator()(int i) const
   {
-    const int own = nodes.parent(i), other = nodes.numLattice + i;
-    const double a = nodes.sums(own, Nodes<D>::massAt), b = nodes.sums(other, Nodes<D>::massAt);
-    const int s = simplexOf(nearest(own));
+    const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
+    const double a = nodes.sums(primary, Nodes<D>::massAt), b = nodes.sums(enriched, Nodes<D>::massAt);
+    const int s = simplexOf(nearest(primary));
     Vector<D> force, n;
     for (int d = 0; d < D; ++d)
     {
       const bool ranks = forceSum.extent(0) > 0;
-      const double f = ranks ? forceSum(own, d) : nodes.sums(own, Nodes<D>::forceAt + d),
-                   g = ranks ? forceSum(other, d) : nodes.sums(other, Nodes<D>::forceAt + d);
-      force[d] = signOf(side(own)) * (f * b - g * a) / (a + b);
+      const double f = ranks ? forceSum(primary, d) : nodes.sums(primary, Nodes<D>::forceAt + d),
+                   g = ranks ? forceSum(enriched, d) : nodes.sums(enriched, Nodes<D>::forceAt + d);
+      force[d] = signOf(side(primary)) * (f * b - g * a) / (a + b);
       n[d] = normal(s, d);
     }
     const double across = dot(force, n);

@@ -60,7 +60,7 @@ void fill(CrackSet<D>& set, const std::vector<CrackMesh<D>>& meshes, const std::
         if (beyond < 0)
           for (int k = 1; k < D; ++k)
             kind(v0 + mesh.simplices[s][(i + k) % D]) |=
-                beyond == facet::front ? vertexKind::front : vertexKind::surfaceEnd;
+                beyond == facet::front ? vertexKind::front : vertexKind::surfaceBreaking;
       }
     }
   }

@@ -94,16 +94,16 @@ View<double* [D + 3]> measurePassed(const State<D>& state, const Surroundings& s
                            smallestDensity(state.materials.properties) * state.method.thickness};
   parallelForSmall(
       "rhegma::cracks::passedNodes", nodes.numEnriched, KOKKOS_LAMBDA(const int i) {
-        const int own = nodes.parent(i);
-        if (!springs.isPassed(own))
+        const int primary = nodes.parent(i);
+        if (!springs.isPassed(primary))
           return;
-        const Vector<D> x = positions(own);
-        rows(i, 0) = springs.front(own) + 1.0;
+        const Vector<D> x = positions(primary);
+        rows(i, 0) = springs.front(primary) + 1.0;
         rows(i, 1) = norm(holding(i));
         const double mass =
-            nodes.sums(own, Nodes<D>::massAt) + nodes.sums(nodes.numLattice + i, Nodes<D>::massAt);
-        const double cell = refined ? spacing / (1 << level(own)) : spacing;
-        rows(i, 2) = areaOf(simplexOf(nearest(own)), x, mass, cell);
+            nodes.sums(primary, Nodes<D>::massAt) + nodes.sums(nodes.numLattice + i, Nodes<D>::massAt);
+        const double cell = refined ? spacing / (1 << level(primary)) : spacing;
+        rows(i, 2) = areaOf(simplexOf(nearest(primary)), x, mass, cell);
         for (int d = 0; d < D; ++d)
           rows(i, 3 + d) = x[d];
       });
@@ -266,12 +266,12 @@ void releasePassedNodes(State<D>& state, const Surroundings& surroundings, const
   const StableStiffness<D> stable(state);
   parallelForSmall(
       "rhegma::cracks::releasePassedNodes", nodes.numEnriched, KOKKOS_LAMBDA(const int i) {
-        const int own = nodes.parent(i), other = nodes.numLattice + i;
-        if (!springs.isPassed(own))
+        const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
+        if (!springs.isPassed(primary))
           return;
         const Vector<D> held = holding(i);
         const double stiffness = stable(i);
-        const NodalSpring<D> node = springs(own);
+        const NodalSpring<D> node = springs(primary);
         node.setState(SpringState::Open);
         if (!(norm(held) > 0.0) || !(range(i) > 0.0))
           return;
@@ -281,14 +281,14 @@ void releasePassedNodes(State<D>& state, const Surroundings& surroundings, const
         for (int d = 0; d < D; ++d)
           offset[d] = force[d] / stiffness - node.jump(d);
         node.release(releaseLaw(norm(force), range(i), fraction, stiffness), offset);
-        spring(own, D) = stiffness;
+        spring(primary, D) = stiffness;
         for (int d = 0; d < D; ++d)
         {
-          spring(own, d) = -signOf(side(own)) * force[d];
-          if (!isOwnedByThisRank(nodes, own))
+          spring(primary, d) = -signOf(side(primary)) * force[d];
+          if (!isOwnedByThisRank(nodes, primary))
             continue;
-          nodes.sums(own, Nodes<D>::forceAt + d) += spring(own, d);
-          nodes.sums(other, Nodes<D>::forceAt + d) -= spring(own, d);
+          nodes.sums(primary, Nodes<D>::forceAt + d) += spring(primary, d);
+          nodes.sums(enriched, Nodes<D>::forceAt + d) -= spring(primary, d);
         }
       });
 }

@@ -25,19 +25,20 @@ KOKKOS_INLINE_FUNCTION Vector<D> pullOf(double stiffness, const Vector<D>& openi
 }
 
 template <int D>
-KOKKOS_INLINE_FUNCTION Vector<D> forceOf(const View<double * [D + 1]>& spring, int own)
+KOKKOS_INLINE_FUNCTION Vector<D> forceOf(const View<double * [D + 1]>& spring, int primary)
 {
   Vector<D> force;
   for (int d = 0; d < D; ++d)
-    force[d] = spring(own, d);
+    force[d] = spring(primary, d);
   return force;
 }
 
 template <int D>
-KOKKOS_INLINE_FUNCTION void setForce(const View<double * [D + 1]>& spring, int own, const Vector<D>& force)
+KOKKOS_INLINE_FUNCTION void setForce(const View<double * [D + 1]>& spring, int primary,
+                                     const Vector<D>& force)
 {
   for (int d = 0; d < D; ++d)
-    spring(own, d) = force[d];
+    spring(primary, d) = force[d];
 }
 
 /// Stretches the spring of the i-th node with two fields over a step.
@@ -58,36 +59,37 @@ struct StretchSpring
   /// \param elastic energy of springs \param work dissipated by tractions \param beyond sum of excess [J]
   KOKKOS_INLINE_FUNCTION void operator()(int i, double& elastic, double& work, double& beyond) const
   {
-    const int own = nodes.parent(i), other = nodes.numLattice + i;
-    const double sign = signOf(side(own));
-    const bool counts = isOwnedByThisRank(nodes, own);
-    // A field without mass does not move: the motion of the other field is no stretch.
-    const bool both = nodes.sums(own, Nodes<D>::massAt) > 0.0 && nodes.sums(other, Nodes<D>::massAt) > 0.0;
-    const NodalSpring<D> node = springs(own);
+    const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
+    const double sign = signOf(side(primary));
+    const bool counts = isOwnedByThisRank(nodes, primary);
+    // Where one of the two fields has no mass, their relative motion is no stretch.
+    const bool both =
+        nodes.sums(primary, Nodes<D>::massAt) > 0.0 && nodes.sums(enriched, Nodes<D>::massAt) > 0.0;
+    const NodalSpring<D> node = springs(primary);
     const Vector<D> from = node.opening();
     // Where strain comes first, forces of this step are not known yet, and those of the last are not in
     // checkpoints.
-    const Vector<D> before = early ? pullOf(spring(own, D), from, sign) : forceOf<D>(spring, own);
+    const Vector<D> before = early ? pullOf(spring(primary, D), from, sign) : forceOf<D>(spring, primary);
     Vector<D> more;
     for (int d = 0; d < D; ++d)
     {
-      const double moved = byMotion ? nodes.motion(own, d) - nodes.motion(other, d)
-                                    : nodes.projection(own, d) - nodes.projection(other, d);
+      const double moved = byMotion ? nodes.motion(primary, d) - nodes.motion(enriched, d)
+                                    : nodes.projection(primary, d) - nodes.projection(enriched, d);
       more[d] = both ? sign * dt * moved : -node.jump(d);
       node.jump(d) += more[d];
     }
     if (!node.isReleased())
     {
       const Vector<D> stretch = node.opening();
-      setForce(spring, own, pullOf(spring(own, D), stretch, sign));
+      setForce(spring, primary, pullOf(spring(primary, D), stretch, sign));
       for (int d = 0; d < D && counts; ++d)
-        elastic += 0.5 * spring(own, D) * stretch[d] * stretch[d];
+        elastic += 0.5 * spring(primary, D) * stretch[d] * stretch[d];
       return;
     }
     const double pending = node.pendingEnergy(from);
-    open(own, node);
-    const Vector<D> after = pullOf(spring(own, D), node.opening(), sign);
-    setForce(spring, own, after);
+    open(primary, node);
+    const Vector<D> after = pullOf(spring(primary, D), node.opening(), sign);
+    setForce(spring, primary, after);
     double dissipated = 0.0;
     for (int d = 0; d < D; ++d)
       dissipated -= 0.5 * sign * (before[d] + after[d]) * more[d];
@@ -98,13 +100,14 @@ struct StretchSpring
         dissipated > pending + springs::toleratedExcess * node.law().energy())
     {
       beyond += excess(i) = dissipated - pending;
-      springs.front(own) = frontOf(positions(own), (side(own) > 0 ? side(own) : -side(own)) - 1);
+      springs.front(primary) =
+          frontOf(positions(primary), (side(primary) > 0 ? side(primary) : -side(primary)) - 1);
     }
   }
 
 private:
-  /// Follows the law of a traction where its node has opened more than ever.
-  KOKKOS_INLINE_FUNCTION void open(int own, const NodalSpring<D>& node) const
+  /// Softens a traction by its law where its node has opened more than ever.
+  KOKKOS_INLINE_FUNCTION void open(int primary, const NodalSpring<D>& node) const
   {
     const Vector<D> u = node.opening();
     const double square = dot(u, u);
@@ -113,7 +116,7 @@ private:
     node.largest() = std::sqrt(square);
     const CohesiveLaw law = node.law();
     const double now = law.secant(node.largest());
-    spring(own, D) = now < spring(own, D) ? now : spring(own, D);
+    spring(primary, D) = now < spring(primary, D) ? now : spring(primary, D);
     if (law.isOpen(node.largest()))
       node.setState(SpringState::Open);
   }
@@ -130,12 +133,12 @@ void FrontSprings<D>::addForces(State<D>& state) const
   const View<double * [D + 1]> spring = state.cracks.spring;
   parallelForSmall(
       "rhegma::cracks::addSprings", nodes.numEnriched, KOKKOS_LAMBDA(const int i) {
-        const int own = nodes.parent(i), other = nodes.numLattice + i;
-        setForce(spring, own, pullOf(spring(own, D), all(own).opening(), signOf(side(own))));
-        for (int d = 0; d < D && isOwnedByThisRank(nodes, own); ++d)
+        const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
+        setForce(spring, primary, pullOf(spring(primary, D), all(primary).opening(), signOf(side(primary))));
+        for (int d = 0; d < D && isOwnedByThisRank(nodes, primary); ++d)
         {
-          nodes.sums(own, Nodes<D>::forceAt + d) += spring(own, d);
-          nodes.sums(other, Nodes<D>::forceAt + d) -= spring(own, d);
+          nodes.sums(primary, Nodes<D>::forceAt + d) += spring(primary, d);
+          nodes.sums(enriched, Nodes<D>::forceAt + d) -= spring(primary, d);
         }
       });
 }
@@ -162,12 +165,12 @@ DisplacementDependentForce<D> FrontSprings<D>::displacementDependentForce() cons
     Kokkos::parallel_for(
         "rhegma::cracks::frozenSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched),
         KOKKOS_LAMBDA(const int i) {
-          const int own = nodes.parent(i), other = nodes.numLattice + i;
-          if (slots.moves(own) == slots.moves(other) || !isOwnedByThisRank(nodes, own))
+          const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
+          if (slots.moves(primary) == slots.moves(enriched) || !isOwnedByThisRank(nodes, primary))
             return;
-          const int at = slots.of(slots.moves(own) ? own : other);
+          const int at = slots.of(slots.moves(primary) ? primary : enriched);
           for (int d = 0; d < D; ++d)
-            force(at, d) += slots.moves(own) ? spring(own, d) : -spring(own, d);
+            force(at, d) += slots.moves(primary) ? spring(primary, d) : -spring(primary, d);
         });
   };
   const auto change =
@@ -178,22 +181,22 @@ DisplacementDependentForce<D> FrontSprings<D>::displacementDependentForce() cons
     const View<int*> side = state.cracks.nodeSide;
     const NodalSprings<D> all = springs(state);
     Kokkos::parallel_for(
-        "rhegma::cracks::followSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched),
+        "rhegma::cracks::changeOfSprings", Kokkos::RangePolicy<ExecSpace>(0, nodes.numEnriched),
         KOKKOS_LAMBDA(const int i) {
-          const int own = nodes.parent(i), other = nodes.numLattice + i;
-          if (spring(own, D) == 0.0 || !slots.moves(own) || !slots.moves(other) ||
-              !isOwnedByThisRank(nodes, own))
+          const int primary = nodes.parent(i), enriched = nodes.numLattice + i;
+          if (spring(primary, D) == 0.0 || !slots.moves(primary) || !slots.moves(enriched) ||
+              !isOwnedByThisRank(nodes, primary))
             return;
-          const int a = slots.of(own), b = slots.of(other);
-          const double sign = signOf(side(own));
-          const NodalSpring<D> node = all(own);
+          const int a = slots.of(primary), b = slots.of(enriched);
+          const double sign = signOf(side(primary));
+          const NodalSpring<D> node = all(primary);
           Vector<D> u;
           for (int d = 0; d < D; ++d)
             u[d] = node.jump(d) + sign * (displacement(a, d) - displacement(b, d)) + node.offset(d);
-          double stiffness = spring(own, D);
+          double stiffness = spring(primary, D);
           if (node.isReleased() && dot(u, u) > node.largest() * node.largest())
             stiffness = std::fmin(stiffness, node.law().secant(norm(u)));
-          const Vector<D> more = pullOf(stiffness, u, sign) - forceOf<D>(spring, own);
+          const Vector<D> more = pullOf(stiffness, u, sign) - forceOf<D>(spring, primary);
           for (int d = 0; d < D; ++d)
           {
             force(a, d) += more[d];

@@ -61,8 +61,8 @@ double Settling::mayStillChange() const
       series.push_back(values[k]);
     const double change = remainingChange(series);
     // Written so that what is not a number stays.
-    if (const double share = change == 0.0 ? 0.0 : change / std::abs(series.back()); !(share <= most))
-      most = share;
+    if (const double fraction = change == 0.0 ? 0.0 : change / std::abs(series.back()); !(fraction <= most))
+      most = fraction;
   }
   return most;
 }

@@ -120,9 +120,9 @@ struct ForceBlock
     const double* F = &deformation(p, 0);
     const double* tau = &stress(p, 0);
     const double density = mass(p) / volume(p);
-    const double* own = history.extent(1) > 0 ? &history(p, 0) : nullptr;
+    const double* variables = history.extent(1) > 0 ? &history(p, 0) : nullptr;
     const Properties& law = materials(material(p));
-    const double energy = heat.energy(p, material(p), law, F, own) + 0.5 * density * dot(v, v);
+    const double energy = heat.energy(p, material(p), law, F, variables) + 0.5 * density * dot(v, v);
     // The image of each axis of the turned tube, and u,k relative to it.
     double image[D][D], du[D][D];
     for (int i = 0; i < D; ++i)
@@ -150,7 +150,7 @@ struct ForceBlock
         inertia[k] += density * (a[j] * du[j][k] - v[j] * dvk);
       }
       const Vector<D> along{image[0][k], image[1][k], image[2][k]};
-      inertia[k] -= heat.energyAlong(p, material(p), law, F, tau, own, along);
+      inertia[k] -= heat.energyAlong(p, material(p), law, F, tau, variables, along);
     }
     const double V = volume(p);
     connect.visit(p,

@@ -108,13 +108,13 @@ struct Integrand
     const double* tau = &stress(p, 0);
     const Vector<D> flux{{tau[0] * dq[0] + tau[2] * dq[1], tau[2] * dq[0] + tau[1] * dq[1]}};
     const double density = mass(p) / volume(p);
-    const double* own = history.extent(1) > 0 ? &history(p, 0) : nullptr;
+    const double* variables = history.extent(1) > 0 ? &history(p, 0) : nullptr;
     const Properties& law = materials(material(p));
-    const double energy = heat.energy(p, material(p), law, F, own) + 0.5 * density * dot(v, v);
+    const double energy = heat.energy(p, material(p), law, F, variables) + 0.5 * density * dot(v, v);
     if (path.count == 0)
       J += volume(p) * (dot(flux, du) - energy * dot(dq, image) +
                         (density * (dot(a, du) - dot(v, dv1)) -
-                         heat.energyAlong(p, material(p), law, F, tau, own, image)) *
+                         heat.energyAlong(p, material(p), law, F, tau, variables, image)) *
                             q);
     else
       J += volume(p) * alongPath(p, F, tau, energy, density, v, a, dv);
@@ -137,11 +137,11 @@ struct Integrand
     broken.visit(p,
                  [&](int node, double fraction, const double* slope)
                  {
-                   const int own = node < numFirst ? node : parent(node - numFirst);
-                   const double at = weight(own);
+                   const int lattice = node < numFirst ? node : parent(node - numFirst);
+                   const double at = weight(lattice);
                    if (at == 0.0)
                      return;
-                   const Vector<D> shift = at * path(weight.positions(own));
+                   const Vector<D> shift = at * path(weight.positions(lattice));
                    for (int k = 0; k < D; ++k)
                    {
                      Q[k] += fraction * shift[k];
@@ -162,10 +162,10 @@ struct Integrand
           {dv[0][0] * image[0] + dv[0][1] * image[1], dv[1][0] * image[0] + dv[1][1] * image[1]}};
       const Vector<D> slope{{dQ[k][0], dQ[k][1]}};
       const Vector<D> flux{{tau[0] * slope[0] + tau[2] * slope[1], tau[2] * slope[0] + tau[1] * slope[1]}};
-      const double* own = history.extent(1) > 0 ? &history(p, 0) : nullptr;
+      const double* variables = history.extent(1) > 0 ? &history(p, 0) : nullptr;
       sum += dot(flux, du) - energy * dot(slope, image) +
              (density * (dot(a, du) - dot(v, dvk)) -
-              heat.energyAlong(p, material(p), materials(material(p)), F, tau, own, image)) *
+              heat.energyAlong(p, material(p), materials(material(p)), F, tau, variables, image)) *
                  Q[k];
     }
     return sum;

@@ -90,7 +90,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
               });
   effect.memory = [account](State<D>&, Archive& archive)
   {
-    archive("looks", account->checks);
+    archive("checks", account->checks);
     archive("divisions", account->divisions);
     archive("worst", account->worst);
     archive("last", account->last);
@@ -100,7 +100,7 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   {
     summary["load_balance"] = {{"imbalance", account->last},
                                {"largest_imbalance", account->worst},
-                               {"looks", account->checks},
+                               {"checks", account->checks},
                                {"divisions", account->divisions},
                                {"seconds", state.ranks.max(account->seconds)}};
   };

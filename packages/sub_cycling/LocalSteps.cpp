@@ -187,11 +187,11 @@ template <int D>
 void LocalSteps<D>::addImpulse(const State<D>& state, int level, double length)
 {
   const double particles = fine_.particlesFrom(level) - fine_.particlesFrom(level + 1);
-  const bool followed = level == last_ && !state.motion.displacementDependentForces.empty(),
+  const bool dependsOnMotion = level == last_ && !state.motion.displacementDependentForces.empty(),
              first = atStart_[level];
   extraSteps_ += particles;
   atStart_[level] = false;
-  if (particles == 0.0 && !followed)
+  if (particles == 0.0 && !dependsOnMotion)
     return;
   const Values force = first ? start_[level] : force_;
   if (!first)
@@ -206,7 +206,7 @@ void LocalSteps<D>::addImpulse(const State<D>& state, int level, double length)
   }
   add<D>(waiting_, length, force, fine_.numSlots());
   // Displacement-dependent forces may act on nodes of any class.
-  waitingFrom_ = std::min(waitingFrom_, followed ? first_ : level);
+  waitingFrom_ = std::min(waitingFrom_, dependsOnMotion ? first_ : level);
 }
 
 template <int D>

@@ -8,7 +8,7 @@
 namespace Rhegma::sub_cycling
 {
 
-/// Room for some more than asked for; values are lost when a view grows.
+/// Capacity for some more than asked for; values are lost when a view grows.
 template <class AnyView>
 void fit(AnyView& view, const std::string& label, int size)
 {

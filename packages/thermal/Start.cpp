@@ -132,7 +132,7 @@ void copyGradient(State<D>& state, const SplitParts& parts)
   const auto x = state.particles.template real<D>(fields::position);
   const auto g = state.particles.template real<D>(fields::temperatureGradient);
   Kokkos::parallel_for(
-      "rhegma::thermal::followGradient", Kokkos::RangePolicy<ExecSpace>(0, whole.extent(0)),
+      "rhegma::thermal::splitByGradient", Kokkos::RangePolicy<ExecSpace>(0, whole.extent(0)),
       KOKKOS_LAMBDA(const int i) {
         const int w = whole(i);
         const double capacity = ThermoPoint(tables, material(w), T(w)).capacity();

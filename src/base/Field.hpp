@@ -27,7 +27,7 @@ enum class OnRemesh
   Drop         ///< all begin with zero
 };
 
-/// A quantity that an effect stores on nodes from step to step (grid/NodalFieldTable.hpp).
+/// A quantity that an effect stores on nodes from step to step (parallel/NodalFieldTable.hpp).
 struct NodalField
 {
   Field field;                        ///< real numbers of each node, identified by its name

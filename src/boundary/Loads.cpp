@@ -192,9 +192,9 @@ void Load<D>::place(State<D>& state)
   // A light node at the rim bears its fraction of the stress next to it, so it must also get its fraction of
   // the load: otherwise the particles at the rim yield until their stress vanishes, and the load does work
   // without end.
-  placeStencils(state, points_, followed_);
-  keepMassedNodes(state, points_.count, followed_, stencils_, 0.0);
-  keepMassedNodes(state, points_.count, followed_, followed_);
+  placeStencils(state, points_, massedStencils_);
+  keepMassedNodes(state, points_.count, massedStencils_, stencils_, 0.0);
+  keepMassedNodes(state, points_.count, massedStencils_, massedStencils_);
   const double lost = lostFraction(stencils_, here_, points_.count);
   if (std::abs(lost) > 1e-10 && state.failure.empty())
     state.failure = "the load Boundaries > " + name_ +
@@ -207,7 +207,7 @@ double Load<D>::work(const State<D>& state) const
 {
   const LoadVelocity<D> velocity(state);
   // No light node moves on its own in equilibrium: work is that of the forces as they act.
-  const StencilTable<D> stencils = state.method.equilibrium() ? stencils_ : followed_;
+  const StencilTable<D> stencils = state.method.equilibrium() ? stencils_ : massedStencils_;
   const View<double*> fraction = here_;
   const Vector<D> force = works_ * force_;
   const double dt = state.clock.dt;

@@ -60,7 +60,7 @@ private:
   View<double*> here_; ///< the fraction where this rank has the particle that carries the point, else zero
   ObservedPoints<D> points_;
   StencilTable<D> stencils_;       ///< of all nodes with mass, which the load pushes
-  StencilTable<D> followed_;       ///< without light nodes, for the velocity at which the load does work
+  StencilTable<D> massedStencils_; ///< without light nodes, for the velocity at which the load does work
   double now_ = 0.0, works_ = 0.0; ///< its history over the step (LoadOverStep)
 };
 

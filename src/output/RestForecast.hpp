@@ -21,7 +21,7 @@ public:
   /// \param time of the sample [s]
   void sample(double time, const Row& row);
 
-  /// Time until both criteria hold, counted from the last sample [s]; infinity where that can't be told yet.
+  /// Time until both criteria hold, counted from the last sample [s]; infinity where that is not known yet.
   double left() const;
 
 private:

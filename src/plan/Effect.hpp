@@ -126,10 +126,10 @@ struct EffectEntry
   CellHook cells{};
 };
 
-/// Every effect that the program knows (packages/Registry.cpp).
+/// Every effect that the program knows (packages/Registry.cpp.in).
 const std::vector<EffectEntry>& knownEffects();
 
-/// Sections of effects planned for a later version (packages/Registry.cpp).
+/// Sections of effects planned for a later version (packages/Registry.cpp.in).
 const std::vector<std::string>& effectsToCome();
 
 } // namespace Rhegma

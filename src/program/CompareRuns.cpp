@@ -134,10 +134,10 @@ double toSegment(const Point& x, const Point& a, const Point& b)
     along += (x[d] - a[d]) * (b[d] - a[d]);
     length += (b[d] - a[d]) * (b[d] - a[d]);
   }
-  const double share = length > 0.0 ? std::clamp(along / length, 0.0, 1.0) : 0.0;
+  const double fraction = length > 0.0 ? std::clamp(along / length, 0.0, 1.0) : 0.0;
   Point nearest(x.size());
   for (std::size_t d = 0; d < x.size(); ++d)
-    nearest[d] = a[d] + share * (b[d] - a[d]);
+    nearest[d] = a[d] + fraction * (b[d] - a[d]);
   return between(x, nearest);
 }
 

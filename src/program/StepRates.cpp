@@ -70,11 +70,11 @@ class Budget
 {
 public:
   explicit Budget(const Ranks& ranks) : ranks_(ranks) {}
-  /// \param share of the processor time \return whether less is spent, and not much more by the clock
-  bool less(double share) const
+  /// \param seconds of processor time \return whether less is spent, and not much more by the clock
+  bool less(double seconds) const
   {
     const double spent = std::max(processorSeconds() - processor_, 0.25 * (wallSeconds() - wall_));
-    return ranks_.max(spent) < share;
+    return ranks_.max(spent) < seconds;
   }
 
 private:

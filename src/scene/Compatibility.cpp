@@ -81,7 +81,7 @@ Condition below(const std::string& section, const std::string& parameter, double
 
 Condition equilibrium() { return isNot("Time", "Analysis", {"Dynamic"}); }
 
-Condition unprovided(const std::string& capability) { return {"", "", "", false, {}, capability}; }
+Condition unprovided(const std::string& capability) { return {"", "", capability, false, {}, capability}; }
 
 } // namespace when
 
@@ -93,7 +93,7 @@ std::string Rule::asText() const
     const std::string path = c.parameter.empty() ? c.section : scenePath(c.section, c.parameter);
     text +=
         (text.empty() ? "" : ", ") +
-        (!c.capability.empty() ? "without " + c.capability : (c.absent ? "without " : "") + path + c.text);
+        (!c.capability.empty() ? "without " + c.text : (c.absent ? "without section " : "") + path + c.text);
   }
   return text + (onlyDimension > 0 ? " (" + std::to_string(onlyDimension) + "D)" : "");
 }

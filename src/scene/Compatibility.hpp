@@ -21,7 +21,7 @@ struct Condition
 {
   std::string section;
   std::string parameter; ///< of it; empty: the condition is about the section
-  std::string text;      ///< as in the reference, after the path
+  std::string text;      ///< as in the reference, after the path or "without"
   bool absent = false;   ///< whether it holds if the section is absent
   /// Whether it holds for an existing section.
   std::function<bool(const Teuchos::ParameterList& section)> holds;

@@ -2,6 +2,7 @@
 
 #include "base/Numbers.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace Rhegma
@@ -246,6 +247,14 @@ const Section* Section::findVariant(const std::string& n) const { return findByN
 SceneSchema::SceneSchema(std::vector<Section> sections) : m_root("Rhegma", "A scene.")
 {
   m_root.sections = std::move(sections);
+  // A reader of the reference knows sections, not capabilities.
+  for (Section& section : m_root.sections)
+    for (Rule& rule : section.rules)
+      for (Condition& condition : rule.conditions)
+        for (const Section& provider : m_root.sections)
+          if (std::find(provider.provides.begin(), provider.provides.end(), condition.capability) !=
+              provider.provides.end())
+            condition.text = "section " + provider.name;
 }
 
 Teuchos::ParameterList SceneSchema::partFor(const std::string& effect,

@@ -88,7 +88,7 @@ struct Parameter
   int onlyDimension = 0;   ///< 2 or 3: only scenes of this dimension have it; 0: all
   bool changeable = false; ///< may change when a run continues from a checkpoint
   bool mayBeTable =
-      false; ///< Real: a text may give it as a table of temperature (scene/TemperatureTable.hpp)
+      false; ///< Real: a text may give it as a table of temperature (material/TemperatureTable.hpp)
 
   /// The default in a scene of this dimension; none if there is none.
   const ParameterValue* defaultIn(int dimension) const;

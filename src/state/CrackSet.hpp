@@ -131,12 +131,12 @@ struct ContactEnergy
   double dissipated = 0.0; ///< by friction so far [J]
 };
 
-/// What a vertex of a crack lies on; both at a front's end at a surface-breaking end.
+/// What a vertex of a crack lies on, as bits: a front's end at the surface of a body has both.
 namespace vertexKind
 {
-constexpr int inner = 0;      ///< uncracked material all around
-constexpr int surfaceEnd = 1; ///< the surface of the body
-constexpr int front = 2;      ///< a front
+constexpr int inner = 0;           ///< uncracked material all around
+constexpr int surfaceBreaking = 1; ///< the surface of the body, or another crack that it has met
+constexpr int front = 2;           ///< a front
 } // namespace vertexKind
 
 /// All cracks. A side is named +(c + 1) or -(c + 1), c the index of the crack; 0 is away from cracks. Each

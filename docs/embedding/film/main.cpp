@@ -127,8 +127,9 @@ int run(const std::string& file)
     std::printf(
         "heat made by stretching %.6e J, from silicon into film %.6e J, back %.6e J, hottest %.6f K\n",
         sampled(film, "thermal") - heat, sums.intoFilm, sums.outOfFilm, hottest);
-  const bool silent = !balance("silicon against Rhegma's ledger", gained + heat, turnover, speaks);
-  return !balance("Rhegma's particles against its ledger", sums.heldMore - heat, turnover, speaks) || silent;
+  const bool silent = !balance("silicon against Rhegma's energy balance", gained + heat, turnover, speaks);
+  return !balance("Rhegma's particles against its energy balance", sums.heldMore - heat, turnover, speaks) ||
+         silent;
 }
 
 } // namespace

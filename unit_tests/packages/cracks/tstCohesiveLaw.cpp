@@ -120,10 +120,10 @@ TEST(CohesiveLaw, FrontSpringsHandOverFromNodeToNode)
   EXPECT_LT(soft, 1.0);
   EXPECT_GT(frontSpringStiffness<2>(10.0, 2.0, -ahead, 0.0, 1.0, true), 50.0);
   EXPECT_EQ(frontSpringStiffness<2>(10.0, 2.0, 1.05 - ahead, 0.0, 1.0, true), 0.0);
-  EXPECT_DOUBLE_EQ(splitShare(3.0, 3.0), 1.0);
-  EXPECT_DOUBLE_EQ(splitShare(7.0, 1.0), 0.5);
+  EXPECT_DOUBLE_EQ(openingFraction(3.0, 3.0), 1.0);
+  EXPECT_DOUBLE_EQ(openingFraction(7.0, 1.0), 0.5);
   EXPECT_DOUBLE_EQ(splitAhead<2>(1.0, 0.0, false), -springs::splitBehindAligned); // where faces are loaded
-  EXPECT_EQ(splitShare(1.0, 0.0), 0.0);
+  EXPECT_EQ(openingFraction(1.0, 0.0), 0.0);
 }
 
 /// A spring of 8 N/m stretched by 0.5 m stores 1 J and dissipates another one as it softens.
