@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Words that the project does not use where a user reads: README, docs, printed parameters and messages.
+"""Words that the project does not use: in README, docs, printed parameters and messages, and in code.
 
-Each word has a standard term, which a failure names. Identifiers (in code spans and in literals without a blank) are not
-looked at."""
+Each word has a standard term, which a failure names. In what a user reads, identifiers (in code spans and in literals
+without a blank) are not checked; in code, identifiers and comments are."""
 
 import os
 import re
@@ -17,9 +17,6 @@ PROGRAM = os.environ.get("RHEGMA_PROGRAM")
 TERMS = [
     (r"stations?", "front node"),
     (r"books|book(?:ed|ing)|bookkeeping|ledgers?", "energy balance, recorded"),
-    (r"places?", "position"),
-    (r"ways?", "path, displacement increment, direction"),
-    (r"ties?|tied", "front spring"),
     (r"debts?|ow(?:e|es|ed)|repaid|taken too much", "energy carried over"),
     (r"torn", "over-dissipated"),
     (r"unspent|left to take", "pending energy"),
@@ -31,29 +28,50 @@ TERMS = [
     (r"halt(?:s|ed)?", "stopped"),
     (r"(?:way|room) ahead", "ligament ahead, available length"),
     (r"carried fronts?|loose", "advected front"),
-    (r"(?:short|long|brief) steps?|brief nodes?", "substep, step"),
-    (r"(?:small|large|smallest|largest) cells?", "fine cells, coarse cells"),
+    (r"brief (?:steps?|nodes?)", "substep, subcycled node"),
     (r"second fields?", "enriched field"),
     (r"following forces?", "displacement-dependent nodal force"),
     (r"troubles?|complaints?|complains?", "failure, diagnostic"),
-    (r"rooms?", "capacity, cavity volume, ligament, space"),
     (r"rides?|riding", "is advected with, moves with"),
     (r"sentences?|tells?|told", "message, warning, report"),
-    (r"(?:a|the|no|its|their|this|that|of|by|which|one|largest|smallest) shares?|shares? of", "fraction"),
     (r"thin spots?|seams?|rubs?|rubbed|rubbing", "interface, frictional sliding"),
-    (r"in space|InSpace", "3D"),
     (r"besides?", "next to, in addition to, compared with"),
     (r"against the clock", "counter-clockwise"),
 ]
+# Those that are ordinary words in code, such as `long step`, `std::tie` and ranks that share a node.
+TERMS_OF_PROSE = [
+    (r"places?", "position"),
+    (r"ways?", "path, displacement increment, direction"),
+    (r"ties?|tied", "front spring"),
+    (r"(?:short|long) steps?", "substep, step"),
+    (r"(?:small|large|smallest|largest) cells?", "fine cells, coarse cells"),
+    (r"(?:a|the|no|its|their|this|that|of|by|which|one|largest|smallest) shares?|shares? of", "fraction"),
+    (r"rooms?", "capacity, cavity volume, ligament, space"),
+    (r"in space|InSpace", "3D"),
+]
+# Those of identifiers alone.
+TERMS_OF_NAMES = [(r"shares?", "fraction")]
 # Ordinary English with one of the words.
 ALLOWED = re.compile(r"\b(?:(?:this|the same|the easy|another) way|takes? place)\b", re.IGNORECASE)
 
-PATTERN = re.compile("|".join(rf"(?P<t{i}>\b(?:{words})\b)" for i, (words, _) in enumerate(TERMS)), re.IGNORECASE)
 
 
-def found(text):
-    """The words of the list in a text, each with what to write instead."""
-    return [f'"{hit.group(0)}" (write: {TERMS[int(hit.lastgroup[1:])][1]})' for hit in PATTERN.finditer(ALLOWED.sub("", text))]
+class Words:
+    """Finds the words of a list in a text, each with what to write instead."""
+
+    def __init__(self, terms):
+        self.terms = terms
+        groups = (rf"(?P<t{i}>\b(?:{words})\b)" for i, (words, _) in enumerate(terms))
+        self.pattern = re.compile("|".join(groups), re.IGNORECASE)
+
+    def __call__(self, text):
+        hits = self.pattern.finditer(ALLOWED.sub("", text))
+        return [f'"{hit.group(0)}" (write: {self.terms[int(hit.lastgroup[1:])][1]})' for hit in hits]
+
+
+found = Words(TERMS + TERMS_OF_PROSE)
+found_in_code = Words(TERMS)
+found_in_names = Words(TERMS_OF_NAMES)
 
 
 def prose(markdown):
@@ -83,6 +101,25 @@ def literals(code):
     return [(line, text) for line, text in texts if " " in text.strip()]
 
 
+STRING = re.compile(r"R\"\(.*?\)\"|\"(?:\\.|[^\"\\\n])*\"", re.S)
+
+
+def words(name):
+    """An identifier in words: `frontOf_` and `front_of` are "front Of " and "front of"."""
+    return re.sub(r"([a-z0-9])([A-Z])", r"\1 \2", name).replace("_", " ")
+
+
+def wrong_in_code(code):
+    """Words in identifiers and comments, with their lines. Literals are left out: `literals` finds those."""
+    rows = STRING.sub(lambda literal: '""' + "\n" * literal.group(0).count("\n"), code).splitlines()
+    for line, row in enumerate(rows, 1):
+        for word in found_in_code(words(row)):
+            yield line, word
+        for name in re.findall(r"\w+", row.partition("//")[0]):
+            for word in found_in_names(words(name)):
+                yield line, f"{word} in {name}"
+
+
 class Terms(unittest.TestCase):
     maxDiff = None
 
@@ -107,6 +144,12 @@ class Terms(unittest.TestCase):
             with self.subTest(name):
                 self.check((f"{name}:{line}", text) for line, text in literals(code))
 
+    def test_code(self):
+        for name, code in self.files("src/**/*.[ch]pp", "packages/**/*.[ch]pp", "docs/**/*.[ch]pp"):
+            with self.subTest(name):
+                wrong = [f"{name}:{line}: {word}" for line, word in wrong_in_code(code)]
+                self.assertFalse(wrong, "private words in code:\n" + "\n".join(wrong))
+
     @unittest.skipUnless(PROGRAM, "no program was built")
     def test_printed_reference(self):
         answer = subprocess.run([PROGRAM, "--describe"], capture_output=True, text=True, check=True)
@@ -118,6 +161,10 @@ class Terms(unittest.TestCase):
         self.assertEqual(found(prose("    ledger\n`books` [link](ledger.md)\n")), [])
         code = '// "a b"\nf("one "\n  "two", \'"\', "single").formerly("old name");\n'
         self.assertEqual(literals(code), [(2, "one two")])
+
+    def test_finds_a_word_in_code_and_lets_others_pass(self):
+        code = 'double splitShare, ledger_; // the nodes that ranks share\nf("ledger");\nlong step = 0; // a Station\n'
+        self.assertEqual([line for line, _ in wrong_in_code(code)], [1, 1, 3])
 
 
 if __name__ == "__main__":
