@@ -89,8 +89,10 @@ template <int D>
 std::string Conduction<D>::tooMany(const State<D>& state, double count) const
 {
   return "explicit conduction would need " + formatReal(count) + " steps of " + formatReal(stepLimit(state)) +
-         " s in one step of the run; check Conductivity and Specific Heat, or switch the motion off (Thermal "
-         "> Mechanics = false)";
+         " s in one step of the run; check Conductivity and Specific Heat, or " +
+         (state.method.equilibrium()
+              ? "write Thermal > Conduction = Implicit, a larger Step Ratio or more Time > Load Steps"
+              : "switch the motion off (Thermal > Mechanics = false)");
 }
 
 /// \return the power of the sources that this rank records
@@ -160,7 +162,7 @@ void Conduction<D>::step(State<D>& state)
   const double limit = stepLimit(state);
   const bool last =
       state.clock.time + state.clock.dt >= finalTime * (1.0 - 1e-12); // so that no time remains pending
-  if (!last && state.method.mechanics && waited < longestWait &&
+  if (!last && state.method.mechanics && !state.method.equilibrium() && waited < longestWait &&
       pending + state.clock.dt <= waitingFraction * limit)
     return;
   if (cellsSeen != state.mesh.tree.generation)

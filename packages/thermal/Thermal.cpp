@@ -5,11 +5,13 @@
 #include "base/ReadList.hpp"
 #include "material/MaterialTable.hpp"
 #include "material/ThermoMaterials.hpp"
+#include "plan/LoadOverStep.hpp"
 #include "step/CoreStep.hpp"
 #include "thermal/CellsForSources.hpp"
 #include "thermal/Conduction.hpp"
 #include "thermal/JudgeHeat.hpp"
 #include "thermal/Observations.hpp"
+#include "thermal/RepeatedStep.hpp"
 #include "thermal/Start.hpp"
 
 #include <algorithm>
@@ -36,10 +38,12 @@ template <int D>
 struct Run
 {
   Conduction<D> conduction;
+  RepeatedStep<D> repeated; ///< for load steps of equilibrium
   std::vector<Probe<D>> probes;
   double initial = 0.0, finalTime = 0.0;
   double settledPeaks = 0.0; ///< sum of the highest temperatures at the samples of the last twentieth [K]
   int settledSamples = 0;
+  PeakTemperature<D> peak;
 };
 
 /// Sets the properties of materials that other effects use to those at the reference temperature.
@@ -99,8 +103,10 @@ void start(State<D>& state, const Teuchos::ParameterList& scene, Run<D>& run)
     run.conduction.faces.read(list.sublist("Crack Faces"), state);
   if (state.method.mechanics)
   {
-    const double steps =
-        run.conduction.substeps(state, state.method.cfl * state.mesh.stepSpacing() / fastestSpeed(state));
+    const double steps = run.conduction.substeps(state, state.method.equilibrium()
+                                                            ? largestLoadStep(scene)
+                                                            : state.method.cfl * state.mesh.stepSpacing() /
+                                                                  fastestSpeed(state));
     if (!(steps <= Conduction<D>::mostSubsteps))
       throw std::invalid_argument("Thermal: " + run.conduction.tooMany(state, steps));
   }
@@ -118,6 +124,7 @@ template <int D>
 void observe(State<D>& state, Run<D>& run)
 {
   const Extremes<D> now = extremes(state);
+  run.peak.sample(now, state.clock.time);
   if (state.clock.time >= 0.95 * run.finalTime)
   {
     run.settledPeaks += now.highest;
@@ -163,6 +170,13 @@ void report(const State<D>& state, const Run<D>& run, nlohmann::json& summary)
                                            : std::numeric_limits<double>::quiet_NaN()},
                  {"lowest", now.lowest},
                  {"probes", nlohmann::json::object()}};
+  PeakTemperature<D> peak = run.peak;
+  peak.sample(now, state.clock.time);
+  temperature["highest"] = {{"value", peak.value},
+                            {"time", peak.time},
+                            {"where", std::vector<double>(peak.where.c, peak.where.c + D)}};
+  if (state.clock.step > 0) // not of a scene that is only checked
+    summary["answers"].push_back(peak.asText(run.initial, now.highest));
   for (const Probe<D>& probe : run.probes)
   {
     const double here = temperatureAt(state, probe.position);
@@ -202,7 +216,12 @@ Effect<D> make(const Teuchos::ParameterList& scene)
   effect.atStart = [run, all = Teuchos::ParameterList(scene)](State<D>& state) { start(state, all, *run); };
   effect.call(Stage::BeforeSolve, "conduction", {quantity::stencils, ifWritten(quantity::fractureEnergy)},
               {quantity::temperature, quantity::frontTemperature}, {},
-              [run](State<D>& state) { run->conduction.step(state); });
+              [run](State<D>& state)
+              {
+                if (state.method.equilibrium())
+                  run->repeated.begin(state, run->conduction);
+                run->conduction.step(state);
+              });
   effect.call(Stage::Observe, "temperatures", {quantity::temperature, quantity::frontTemperature}, {}, {},
               [run](State<D>& state) { observe(state, *run); });
   effect.report = [run](const State<D>& state, nlohmann::json& summary)
@@ -225,6 +244,10 @@ Effect<D> make(const Teuchos::ParameterList& scene)
     archive("front heat", run->conduction.frontHeat);
     archive("settled peaks", run->settledPeaks);
     archive("settled samples", run->settledSamples);
+    {
+      const Archive::Group peak(archive, "peak");
+      run->peak.serialize(archive);
+    }
     archive("pending", run->conduction.pending);
     archive("waited", run->conduction.waited);
     archive("steps taken", run->conduction.stepsTaken);

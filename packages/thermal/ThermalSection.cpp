@@ -172,8 +172,12 @@ void addRules(Section& s)
 Section thermalSection()
 {
   Section s("Thermal", "Heat conduction, heat sources, thermal strain and thermomechanical heating.");
-  s.refuse({when::present("Thermal"), when::equilibrium()},
-           "heat in equilibrium is not implemented; write Analysis = Dynamic");
+  s.refuse({when::present("Thermal"), when::is("Time", "Analysis", {"Static"})},
+           "heat takes time to spread, and a static analysis has none; write Analysis = Quasi-Static");
+  s.refuse({when::present("Thermal"), when::isNot("Time", "Initial State", {"Unloaded"})},
+           "the equilibrium at the start knows no heat; write Initial State = Unloaded");
+  s.refuse({when::is("Thermal", "Mechanics", {"false"}), when::equilibrium()},
+           "without mechanics there is no equilibrium to find; write Analysis = Dynamic");
   s.real("Initial Temperature")
       .unit("K")
       .positive()

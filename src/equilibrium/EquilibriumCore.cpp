@@ -75,7 +75,7 @@ void solveStep(State<D>& state, Account<D>& account, LastStep& last)
   // Other steps begin anew, so that a restarted run has the same ones.
   NewtonStep<D> step(state, last.inPlace ? account.system : nullptr);
   account.system = step.system();
-  const StepReport report = step.solve(state, account.largestForces);
+  const StepReport report = step.solve(state, account.largestForces, last.trial ? 1 : mostIterations);
   last.converged = report.converged;
   last.iterations = static_cast<int>(report.residuals.size()) - 1;
   last.residuals = report.residuals;

@@ -185,8 +185,10 @@ void NewtonStep<D>::removeRigidMotion(const Values& change) const
   for (std::size_t k = 0; k < change.extent(0); ++k)
     momentum(k) = mass_[k / D] * change(k);
   removeResultants(modes_, pieceOf_, position_, mass_, momentum);
+  // A free motion leaves in place what supports hold: what it has there is rounding.
   for (std::size_t k = 0; k < change.extent(0); ++k)
-    change(k) = mass_[k / D] > 0.0 ? momentum(k) / mass_[k / D] : change(k);
+    if (held_.is[k] == 0 && mass_[k / D] > 0.0)
+      change(k) = momentum(k) / mass_[k / D];
 }
 
 template <int D>
@@ -220,7 +222,7 @@ bool NewtonStep<D>::search(const State<D>& state, const Values& change, double b
 }
 
 template <int D>
-StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces)
+StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces, int most)
 {
   StepReport report;
   report.forces = largestForces;
@@ -239,15 +241,17 @@ StepReport NewtonStep<D>::solve(const State<D>& state, double largestForces)
     return report;
   Values atStart("rhegma::equilibrium::atStart", n), change("rhegma::equilibrium::change", n);
   Kokkos::deep_copy(atStart, residual_);
+  // A free body that heat strains has no other forces.
+  report.forces = std::max(report.forces, norm(atStart, false));
   bool moved = std::any_of(held_.change.begin(), held_.change.end(), [](double u) { return u != 0.0; });
-  for (int k = 0; k <= mostIterations; ++k)
+  for (int k = 0; k <= most; ++k)
   {
     // A body that is unloaded has forces of its own size no longer.
     report.forces = std::max({report.forces, norm(load_, false), norm(residual_, true)});
     const double forces = report.forces, now = norm(residual_, false);
     report.residuals.push_back(forces > 0.0 ? now / forces : 0.0);
     report.converged = !moved && now <= forceTolerance * forces;
-    if (report.converged || k == mostIterations || !assemble(state))
+    if (report.converged || k == most || !assemble(state))
       break;
     for (int i = 0; i < n; ++i)
       change(i) = held_.is[i] != 0 ? held_.change[i] - displacement_(i) : 0.0;

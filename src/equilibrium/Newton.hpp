@@ -25,8 +25,9 @@ struct StepReport
   int linearIterations = 0;      ///< of all linear solves
   int negativeEigenvalues = 0;   ///< of the last matrix, where it was factorised
   double removedFraction = 0.0;  ///< of the loads, balanced by uniform acceleration
-  double forces = 0.0;           ///< largest norm of the loads or of the supports' forces so far [N]
-  double unsupportedLoad = 0.0;  ///< sum of the loads on pieces that are held as nothing supports them [N]
+  double forces = 0.0; ///< largest norm so far of loads, forces of supports or forces out of balance at the
+                       ///< start of a step [N]
+  double unsupportedLoad = 0.0; ///< sum of the loads on pieces that are held as nothing supports them [N]
 };
 
 /// The unknowns of a step and the forces between them.
@@ -51,7 +52,8 @@ public:
 
   /// Finds the displacement under the nodal forces of the state. \return how; `displacement` then holds it
   /// \param largestForces of earlier steps [N]: residuals are fractions of the largest forces of the run
-  StepReport solve(const State<D>& state, double largestForces);
+  /// \param most iterations after which the step counts as failed
+  StepReport solve(const State<D>& state, double largestForces, int most = mostIterations);
 
   const Values& displacement() const { return displacement_; }
   /// Forces of supports on the body [N]; zero on other unknowns.

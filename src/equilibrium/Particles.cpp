@@ -32,7 +32,9 @@ struct ParticleData
   BorrowedView<double*> volume;
   BorrowedView<double * [gradientSize<D>]> deformation;
   BorrowedView<double**> history; ///< empty where no law has one
-  View<int> bad;                  ///< not 0 where a particle is inverted
+  ThermoTables heat;
+  BorrowedView<double*> temperature; ///< empty without heat
+  View<int> bad;                     ///< not 0 where a particle is inverted
   double dt;
 
   ParticleData(const State<D>& state, const RowGraph& graph, const Values& u)
@@ -42,17 +44,27 @@ struct ParticleData
         material(state.particles.integer(fields::material)),
         volume(state.particles.scalar(fields::volume)),
         deformation(state.particles.template real<gradientSize<D>>(fields::deformation)),
+        heat(state.materials.thermo),
         bad("rhegma::invertedParticles"),
         dt(state.clock.dt)
   {
     if (state.particles.has(fields::history))
       history = state.particles.table(fields::history);
+    if (!heat.empty())
+      temperature = state.particles.scalar(fields::temperature);
   }
 
   KOKKOS_INLINE_FUNCTION ParticleBefore<D> before(int p) const
   {
     const int width = static_cast<int>(history.extent(1));
-    return {materials(material(p)), &deformation(p, 0), width > 0 ? &history(p, 0) : nullptr, width, dt};
+    return {materials(material(p)),
+            &deformation(p, 0),
+            width > 0 ? &history(p, 0) : nullptr,
+            width,
+            dt,
+            heat,
+            material(p),
+            heat.empty() ? 0.0 : temperature(p)};
   }
 
   /// \param G becomes the gradient of the displacement

@@ -2,7 +2,7 @@
 /// Stress of a particle for a trial displacement, and its tangent.
 
 #include "base/Types.hpp"
-#include "material/Materials.hpp"
+#include "material/ThermoLaw.hpp"
 
 namespace Rhegma::equilibrium
 {
@@ -16,89 +16,108 @@ struct ParticleBefore
   const double* history; ///< of its law, or null
   int historyWidth;
   double dt; ///< length of the step [s]
+  const ThermoTables& heat;
+  int material;
+  double temperature; ///< of the step; unused where `heat` is empty [K]
 };
+
+/// Kirchhoff stress of a law at a deformation gradient.
+struct StressOfParticle
+{
+  const LawStep& step;
+  const Properties& properties;
+  double* F;
+  double* tau;
+  double* history;
+
+  template <class Law, int D, Plane P>
+  KOKKOS_INLINE_FUNCTION bool run() const
+  {
+    return stressOfLaw<Law, D, P>(step, properties, F, tau, history);
+  }
+};
+
+/// Stress tau and new history at a deformation gradient, at the particle's temperature if the scene has heat.
+/// \return false where it does not exist
+template <int D>
+KOKKOS_INLINE_FUNCTION bool stressAt(const ParticleBefore<D>& before, double* F, double* tau, double* history)
+{
+  double* const memory = before.historyWidth > 0 ? history : nullptr;
+  for (int k = 0; k < before.historyWidth; ++k)
+    history[k] = before.history[k];
+  const Properties& law = before.properties;
+  if (before.heat.empty())
+    return withLaw<D>(law.law, law.plane,
+                      StressOfParticle{{before.F, before.dt, law.temperature}, law, F, tau, memory});
+  const ThermoPoint at(before.heat, before.material, before.temperature);
+  double start[gradientSize<D>]; // without thermal strain
+  for (int k = 0; k < gradientSize<D>; ++k)
+    start[k] = before.F[k] / at.stretch();
+  ThermoState result;
+  return withLaw<D>(
+      law.law, law.plane,
+      ThermoStress{{start, before.dt, before.temperature}, at, before.temperature, F, tau, memory, result});
+}
+
+/// \return false where the matrix has no positive determinant
+KOKKOS_INLINE_FUNCTION bool invert(const double (&B)[4], double (&inverse)[4])
+{
+  const double J = B[0] * B[3] - B[1] * B[2];
+  inverse[0] = B[3] / J;
+  inverse[1] = -B[1] / J;
+  inverse[2] = -B[2] / J;
+  inverse[3] = B[0] / J;
+  return J > 0.0;
+}
+
+KOKKOS_INLINE_FUNCTION bool invert(const double (&B)[9], double (&inverse)[9])
+{
+  double J = 0.0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+    {
+      const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
+      const double minor = B[3 * i1 + j1] * B[3 * i2 + j2] - B[3 * i1 + j2] * B[3 * i2 + j1];
+      inverse[3 * j + i] = minor;
+      J += i == 0 ? B[j] * minor : 0.0;
+    }
+  for (double& entry : inverse)
+    entry /= J;
+  return J > 0.0;
+}
 
 /// First Piola-Kirchhoff stress per volume at F = 1, relative to the configuration before the step: the power
 /// of the particle is V0 P : dG/dt, G the gradient of the displacement over the step with respect to that
-/// configuration. P = tau (1 + G)^-T.
-template <int D>
-struct TrialStress
-{
-  const ParticleBefore<D>& before;
-  const double (&G)[D * D];
-  double (&P)[D * D];
-
-  /// \return false where the particle is inverted or not finite
-  template <class Law, int, Plane PlaneOf>
-  KOKKOS_INLINE_FUNCTION bool run() const
-  {
-    double B[D * D], F[gradientSize<D>], tau[symmetricSize<D>], history[historyCapacity];
-    for (int k = 0; k < D * D; ++k)
-      B[k] = G[k] + (k % (D + 1) == 0 ? 1.0 : 0.0);
-    for (int i = 0; i < D; ++i)
-      for (int j = 0; j < D; ++j)
-      {
-        F[i * D + j] = 0.0;
-        for (int k = 0; k < D; ++k)
-          F[i * D + j] += B[i * D + k] * before.F[k * D + j];
-      }
-    if constexpr (D == 2)
-      F[4] = before.F[4];
-    for (int k = 0; k < before.historyWidth; ++k)
-      history[k] = before.history[k];
-    double inverse[D * D];
-    if (!invert(B, inverse) ||
-        !stressOfLaw<Law, D, PlaneOf>({before.F, before.dt, before.properties.temperature}, before.properties,
-                                      F, tau, before.historyWidth > 0 ? history : nullptr))
-      return false;
-    double sum = 0.0;
-    for (int i = 0; i < D; ++i)
-      for (int j = 0; j < D; ++j)
-      {
-        double& p = P[i * D + j];
-        p = 0.0;
-        for (int k = 0; k < D; ++k)
-          p += tau[symmetricIndex<D>(i, k)] * inverse[j * D + k];
-        sum += std::fabs(p);
-      }
-    return std::isfinite(sum);
-  }
-
-private:
-  static KOKKOS_INLINE_FUNCTION bool invert(const double (&B)[D * D], double (&inverse)[D * D])
-  {
-    if constexpr (D == 2)
-    {
-      const double J = B[0] * B[3] - B[1] * B[2];
-      inverse[0] = B[3] / J;
-      inverse[1] = -B[1] / J;
-      inverse[2] = -B[2] / J;
-      inverse[3] = B[0] / J;
-      return J > 0.0;
-    }
-    else
-    {
-      double J = 0.0;
-      for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-        {
-          const int i1 = (i + 1) % 3, i2 = (i + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
-          const double minor = B[3 * i1 + j1] * B[3 * i2 + j2] - B[3 * i1 + j2] * B[3 * i2 + j1];
-          inverse[3 * j + i] = minor;
-          J += i == 0 ? B[j] * minor : 0.0;
-        }
-      for (double& entry : inverse)
-        entry /= J;
-      return J > 0.0;
-    }
-  }
-};
-
+/// configuration. P = tau (1 + G)^-T. \return false where the particle is inverted or not finite
 template <int D>
 KOKKOS_INLINE_FUNCTION bool trialStress(const ParticleBefore<D>& before, const double (&G)[D * D],
                                         double (&P)[D * D])
 {
-  return withLaw<D>(before.properties.law, before.properties.plane, TrialStress<D>{before, G, P});
+  double B[D * D], inverse[D * D], F[gradientSize<D>], tau[symmetricSize<D>], history[historyCapacity];
+  for (int k = 0; k < D * D; ++k)
+    B[k] = G[k] + (k % (D + 1) == 0 ? 1.0 : 0.0);
+  for (int i = 0; i < D; ++i)
+    for (int j = 0; j < D; ++j)
+    {
+      F[i * D + j] = 0.0;
+      for (int k = 0; k < D; ++k)
+        F[i * D + j] += B[i * D + k] * before.F[k * D + j];
+    }
+  if constexpr (D == 2)
+    F[4] = before.F[4];
+  if (!invert(B, inverse) || !stressAt<D>(before, F, tau, history))
+    return false;
+  double sum = 0.0;
+  for (int i = 0; i < D; ++i)
+    for (int j = 0; j < D; ++j)
+    {
+      double& p = P[i * D + j];
+      p = 0.0;
+      for (int k = 0; k < D; ++k)
+        p += tau[symmetricIndex<D>(i, k)] * inverse[j * D + k];
+      sum += std::fabs(p);
+    }
+  return std::isfinite(sum);
 }
 
 /// Change of a gradient for central differences. The error of the tangent, h^2 times the third derivative and

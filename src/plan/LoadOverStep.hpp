@@ -4,6 +4,8 @@
 #include "scene/TimeFunction.hpp"
 #include "state/State.hpp"
 
+#include <Teuchos_ParameterList.hpp>
+
 namespace Rhegma
 {
 
@@ -31,15 +33,27 @@ LoadOverStep loadOverStep(const State<D>& state, const TimeFunction& history)
     const double now = history(end);
     return {now, 0.5 * (now + history(clock.time))};
   }
-  const double whole = history(clock.finalTime) / clock.finalTime;
+  const double at = state.method.analysis == Analysis::Preload ? 0.0 : clock.finalTime;
+  const double whole = history(at) / clock.finalTime;
   return {whole * end, whole * middle};
 }
 
+/// Largest step of an equilibrium analysis [s].
+inline double largestLoadStep(const Teuchos::ParameterList& scene)
+{
+  const Teuchos::ParameterList& time = scene.sublist("Time");
+  const int usual = time.get<std::string>("Analysis") == "Quasi-Static" ? 20 : 1;
+  return time.get<double>("Final Time") /
+         (time.isParameter("Load Steps") ? time.get<int>("Load Steps") : usual);
+}
+
 /// Mean over the step of a function of time that is a velocity, for steps of equilibrium; in a static
-/// analysis the same fraction of its whole integral in every step.
+/// analysis the same fraction of its whole integral in every step. Before a run starts nothing has moved.
 template <int D>
 double meanOverStep(const State<D>& state, const TimeFunction& history)
 {
+  if (state.method.analysis == Analysis::Preload)
+    return 0.0;
   const bool isStatic = state.method.analysis == Analysis::Static;
   const double from = isStatic ? 0.0 : state.clock.time;
   const double length = isStatic ? state.clock.finalTime : state.clock.dt;

@@ -62,6 +62,15 @@ Section time()
       .meaning("Dynamic: motion, by explicit steps. Static: equilibrium under the loads at Final Time, which "
                "are applied in proportion to time. Quasi-Static: equilibrium at each time under the loads of "
                "that time.");
+  s.choice("Initial State", {"Unloaded", "Equilibrium", "Equilibrium Without Cracks"})
+      .byDefault("Unloaded")
+      .meaning("State in which a dynamic run starts. Equilibrium: that of the bodies under the tractions, "
+               "loads, gravity "
+               "and face pressures at time 0; supports hold their places. Equilibrium Without Cracks: the "
+               "same of bodies "
+               "without cracks, which are cut at time 0.");
+  s.refuse({when::isNot("Time", "Initial State", {"Unloaded"}), when::equilibrium()},
+           "an equilibrium analysis finds its own state; leave Initial State out");
   s.integer("Load Steps")
       .atLeast(1)
       .mayChange()

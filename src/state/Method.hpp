@@ -28,6 +28,7 @@ enum class Analysis
 {
   Dynamic,    ///< motion, by explicit steps
   Static,     ///< equilibrium under the loads at the final time, reached in proportion
+  Preload,    ///< equilibrium under the loads at the start, in which another run starts
   QuasiStatic ///< equilibrium at each time under the loads of that time
 };
 

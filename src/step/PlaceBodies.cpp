@@ -1,8 +1,8 @@
 #include "step/PlaceBodies.hpp"
 
 #include "base/Attempts.hpp"
+#include "base/EntryValue.hpp"
 #include "base/MemoryNeed.hpp"
-#include "base/ReadList.hpp"
 #include "geometry/NearBoxes.hpp"
 #include "geometry/Overlap.hpp"
 #include "step/OutsideDomain.hpp"
@@ -22,13 +22,10 @@ std::vector<PlacedBody<D>> planBodies(const Teuchos::ParameterList& section)
 {
   std::vector<PlacedBody<D>> bodies;
   Attempts attempts;
-  const std::vector<std::string> names = sublistNames(section);
-  bodies.reserve(names.size());
-  for (const std::string& name : names)
-    attempts.attempt(
-        [&] {
-          bodies.push_back({name, &section.sublist(name), makeShape<D>(section.sublist(name))});
-        });
+  bodies.reserve(section.numParams());
+  for (const auto& entry : section)
+    if (const auto* list = valueIf<Teuchos::ParameterList>(entry.second))
+      attempts.attempt([&] { bodies.push_back({entry.first, list, makeShape<D>(*list)}); });
   attempts.throwIfAny();
   return bodies;
 }

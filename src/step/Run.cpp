@@ -9,12 +9,14 @@
 #include "parallel/FirstRank.hpp"
 #include "plan/EffectSchema.hpp"
 #include "plan/KnownEffects.hpp"
+#include "plan/LoadOverStep.hpp"
 #include "plausibility/Judges.hpp"
 #include "scene/SceneParts.hpp"
 #include "state/EnergySums.hpp"
 #include "state/StateArchive.hpp"
 #include "state/Subdomain.hpp"
 #include "step/CoreStep.hpp"
+#include "step/Preload.hpp"
 #include "step/Setup.hpp"
 
 #include <algorithm>
@@ -47,8 +49,40 @@ std::string oddMaterials(const State<D>& state)
   return lines;
 }
 
+/// Throws std::invalid_argument where bodies have a mass with which nothing can be computed.
+template <int D>
+void refuseSenselessMass(const State<D>& state)
+{
+  const auto mass = state.particles.scalar(fields::mass);
+  double all = 0.0, least = 0.0;
+  Kokkos::parallel_reduce(
+      "rhegma::massOfBodies", Kokkos::RangePolicy<ExecSpace>(0, state.particles.size()),
+      KOKKOS_LAMBDA(const int p, double& sum, double& smallest) {
+        sum += mass(p);
+        smallest = mass(p) < smallest ? mass(p) : smallest;
+      },
+      all, Kokkos::Min<double>(least));
+  if (std::isfinite(all) && least > 0.0)
+    return;
+  const double thickness = state.method.thickness;
+  throw std::invalid_argument(
+      (thickness == 1.0 ? std::string("Materials") : "Domain > Thickness is " + formatReal(thickness)) +
+      ": the mass of the bodies is beyond sense, no number that can be computed with; check exponents and "
+      "units (m, kg/m3)");
+}
+
 /// Largest number of steps; the default of Time > Maximum Steps.
 constexpr double mostSteps = 2e9;
+
+/// Whether effects may load or move the bodies of a scene, or one of an application is there that may.
+bool isDrivenByEffects(const Teuchos::ParameterList& scene, const RunOptions& options, bool own)
+{
+  const std::vector<EffectEntry>& known = knownEffects();
+  const auto added = known.begin() + static_cast<std::ptrdiff_t>(builtInEffects().size());
+  return own || options.heat() || options.burning || !options.pressedCracks.empty() ||
+         std::any_of(added, known.end(),
+                     [&](const EffectEntry& entry) { return scene.isSublist(entry.section.name); });
+}
 
 template <int D>
 [[noreturn]] void stop(const State<D>& state)
@@ -63,6 +97,12 @@ template <int D>
 
 template <int D>
 Run<D>::Run(const Teuchos::ParameterList& scene, std::vector<Effect<D>> own, const Ranks& ranks)
+    : Run(Teuchos::rcp(new Teuchos::ParameterList(scene)), std::move(own), ranks)
+{
+}
+
+template <int D>
+Run<D>::Run(const Teuchos::RCP<Teuchos::ParameterList>& scene, std::vector<Effect<D>> own, const Ranks& ranks)
     : scene_(scene), own_(std::move(own))
 {
   state_.ranks = ranks;
@@ -77,30 +117,32 @@ void Run<D>::initialize()
 }
 
 template <int D>
+std::vector<Effect<D>> Run<D>::makeEffects(const RunOptions& options, std::vector<Field>& extra)
+{
+  std::vector<Effect<D>> effects;
+  SceneParts parts(effectSchema(), *scene_);
+  for (const EffectEntry& entry : knownEffects())
+    if (scene_->isSublist(entry.section.name))
+      effects.push_back(makeEffect<D>(entry, parts.of(entry.section.name), options));
+  effects.insert(effects.end(), own_.begin(), own_.end());
+  for (const Effect<D>& effect : effects)
+    extra.insert(extra.end(), effect.adds.begin(), effect.adds.end());
+  return effects;
+}
+
+template <int D>
 void Run<D>::makeAll()
 {
-  const RunOptions options = declaredOptions(scene_);
+  const RunOptions options = declaredOptions(*scene_);
   state_.method.mechanics = options.mechanics;
-  std::vector<Effect<D>> effects;
   std::vector<Field> extra;
-  SceneParts parts(effectSchema(), scene_);
-  for (const EffectEntry& entry : knownEffects())
-    if (scene_.isSublist(entry.section.name))
-    {
-      effects.push_back(makeEffect<D>(entry, parts.of(entry.section.name), options));
-      extra.insert(extra.end(), effects.back().adds.begin(), effects.back().adds.end());
-    }
-  for (const Effect<D>& effect : own_)
-  {
-    effects.push_back(effect);
-    extra.insert(extra.end(), effect.adds.begin(), effect.adds.end());
-  }
-  makeState(scene_, extra, state_);
+  std::vector<Effect<D>> effects = makeEffects(options, extra);
+  makeParticles(extra);
   for (const Effect<D>& effect : effects)
     for (const NodalField& field : effect.addsNodal)
       state_.mesh.nodalFields.add(field);
   effects.insert(effects.begin(), makeCore(state_, lastEquilibrium_));
-  Effect<D> boundaries = makeBoundaries<D>(scene_, options.adaptive);
+  Effect<D> boundaries = makeBoundaries<D>(*scene_, options.adaptive);
   if (!boundaries.calls.empty())
     effects.insert(effects.begin() + 1, boundaries);
   // Without constraints, calls that read the constrained motion get the solved one.
@@ -109,7 +151,7 @@ void Run<D>::makeAll()
   // Boundaries depend on the bodies only, so their errors are reported with those of the first effect; later
   // effects may depend on earlier ones.
   Attempts attempts;
-  bool on = true;
+  bool on = true; // whether all effects have started, which the stages of a step need
   for (const Effect<D>& effect : plan_.effects)
     if (effect.atStart && on)
       on = attempts.attempt([&] { effect.atStart(state_); }) || effect.name == boundariesName;
@@ -117,17 +159,64 @@ void Run<D>::makeAll()
   {
     state_.clock.fastestSpeed = fastestSpeed(state_);
     for (const auto& found :
-         {warningsOfUnits(state_.materials.names, state_.materials.properties), warningsOfEdges<D>(scene_)})
+         {warningsOfUnits(state_.materials.names, state_.materials.properties), warningsOfEdges<D>(*scene_)})
       state_.warnings.insert(state_.warnings.end(), found.begin(), found.end());
   }
   if (state_.method.equilibrium())
   {
-    loadSteps_ = LoadSteps(scene_, state_);
-    attempts.attempt([&] { inspectEquilibrium(); });
+    loadSteps_ = LoadSteps<D>(*scene_);
+    if (on)
+      attempts.attempt([&] { inspectEquilibrium(); });
   }
-  attempts.attempt([&] { refuseEndless(); });
-  attempts.throwIfAny();
-  judgeScene(scene_, stableTimeStep(), state_);
+  if (on && scene_->sublist("Time").get<std::string>("Initial State") != initialState::unloaded)
+    attempts.attempt([&] { preload(); });
+  attempts.attempt([&] { refuseSenselessMass(state_); });
+  const bool ends = attempts.attempt([&] { refuseEndless(); });
+  const bool driven = isDrivenByEffects(*scene_, options, !own_.empty());
+  if (attempts.succeeded())
+    return judge(stableTimeStep(), driven, [](const auto& judgment) { judgment(); });
+  const double alone = state_.method.mechanics && !state_.method.equilibrium() && ends
+                           ? state_.method.cfl * state_.mesh.stepSpacing() / state_.clock.fastestSpeed
+                           : std::numeric_limits<double>::quiet_NaN();
+  Attempts hidden; // errors that follow from those that are said
+  judge(alone, driven, [&](const auto& judgment) { hidden.attempt(judgment); });
+  attempts.throwIfAny(state_.warnings);
+}
+
+template <int D>
+void Run<D>::makeParticles(const std::vector<Field>& extra)
+{
+  Attempts attempts, hidden;
+  state_.mesh.grid.spacing = 0.0; // until there are cells
+  if (attempts.attempt([&] { makeState(*scene_, extra, state_); }))
+    return;
+  if (state_.mesh.grid.spacing > 0.0)
+    hidden.attempt([&] { judgeWithoutParticles(*scene_, state_); });
+  attempts.throwIfAny(state_.warnings);
+}
+
+template <int D>
+template <class Attempt>
+void Run<D>::judge(double step, bool driven, const Attempt& attempt)
+{
+  for (const Effect<D>& effect : plan_.effects)
+    if (effect.judge)
+      attempt([&] { effect.judge(state_); });
+  attempt([&] { judgeScene(*scene_, step, driven, state_); });
+}
+
+template <int D>
+void Run<D>::preload()
+{
+  if (state_.ranks.many())
+    throw std::invalid_argument(
+        "Time > Initial State: an equilibrium is solved on one rank; start the program "
+        "without mpirun, or write Unloaded");
+  // The first cells of the run, which the particles then are of.
+  plan_.run(Stage::BetweenSteps, state_);
+  moveNodalFields(state_);
+  startInEquilibrium(*scene_, plan_, state_);
+  state_.clock.fastestSpeed = fastestSpeed(state_);
 }
 
 template <int D>
@@ -139,15 +228,17 @@ void Run<D>::refuseEndless() const
                                 "check stiffness, density and the velocity of bodies (SI units)" +
                                 oddMaterials(state_));
   const double step = stableTimeStep();
-  const double steps = scene_.sublist("Time").get<double>("Final Time") / step;
+  const double steps = scene_->sublist("Time").get<double>("Final Time") / step;
   // A scene that limits its steps is accepted.
-  if (steps <= mostSteps || scene_.sublist("Time").get<int>("Maximum Steps") < mostSteps)
+  if (steps <= mostSteps || scene_->sublist("Time").get<int>("Maximum Steps") < mostSteps)
     return;
-  throw std::invalid_argument("Time > Final Time: the run would take about " + formatReal(std::round(steps)) +
-                              " steps of " + formatReal(step) +
-                              " s; write a shorter time, larger cells or fewer Maximum Steps, and check that "
-                              "materials are in SI units" +
-                              oddMaterials(state_));
+  throw std::invalid_argument(
+      "Time > Final Time: the run would take " +
+      (std::isfinite(steps) ? "about " + formatReal(std::round(steps)) : "endlessly many") + " steps of " +
+      formatReal(step) +
+      " s; write a shorter time, larger cells or fewer Maximum Steps, and check that "
+      "materials are in SI units" +
+      oddMaterials(state_));
 }
 
 template <int D>
@@ -199,12 +290,8 @@ void Run<D>::agree()
 }
 
 template <int D>
-LoadSteps<D>::LoadSteps(const Teuchos::ParameterList& scene, const State<D>& state)
+LoadSteps<D>::LoadSteps(const Teuchos::ParameterList& scene) : largest(largestLoadStep(scene)), next(largest)
 {
-  const Teuchos::ParameterList& time = scene.sublist("Time");
-  const int usual = state.method.analysis == Analysis::Static ? 1 : 20;
-  const int count = time.isParameter("Load Steps") ? time.get<int>("Load Steps") : usual;
-  next = largest = time.get<double>("Final Time") / count;
 }
 
 template <int D>
@@ -213,9 +300,9 @@ void Run<D>::inspectEquilibrium()
   if (state_.ranks.many())
     throw std::invalid_argument("Time > Analysis: an equilibrium is solved on one rank; start the program "
                                 "without mpirun");
-  for (const std::string& name : sublistNames(scene_.sublist("Bodies")))
+  for (const std::string& name : sublistNames(scene_->sublist("Bodies")))
     for (const char* const motion : {"Velocity", "Angular Velocity"})
-      for (const double v : scene_.sublist("Bodies").sublist(name).get<Teuchos::Array<double>>(motion))
+      for (const double v : scene_->sublist("Bodies").sublist(name).get<Teuchos::Array<double>>(motion))
         if (v != 0.0)
           throw std::invalid_argument("Bodies > " + name + " > " + motion +
                                       ": in equilibrium nothing moves; write Time > Analysis = Dynamic or "
@@ -225,7 +312,7 @@ void Run<D>::inspectEquilibrium()
   moveNodalFields(state_);
   plan_.run(Stage::Scatter, state_);
   if (state_.failure.empty())
-    equilibrium::inspect(scene_, state_, *lastEquilibrium_);
+    equilibrium::inspect(*scene_, state_, *lastEquilibrium_);
 }
 
 template <int D>
@@ -255,6 +342,21 @@ void Run<D>::solveLoadStep(double left)
       stop(state_);
     }
   }
+}
+
+template <int D>
+bool Run<D>::trySolve()
+{
+  if (!state_.method.equilibrium())
+    return false;
+  lastEquilibrium_->trial = true;
+  state_.clock.dt = std::min(loadSteps_.next, state_.clock.finalTime - state_.clock.time);
+  runStage(Stage::BetweenSteps);
+  moveNodalFields(state_);
+  for (const Stage stage : {Stage::Scatter, Stage::BeforeSolve, Stage::Solve})
+    runStage(stage);
+  lastEquilibrium_->trial = false;
+  return true;
 }
 
 /// Length of a step that adds no load, in fractions of the run.
@@ -384,7 +486,7 @@ std::vector<std::string> Run<D>::effectNames() const
 {
   std::vector<std::string> names;
   for (const EffectEntry& entry : knownEffects())
-    if (scene_.isSublist(entry.section.name))
+    if (scene_->isSublist(entry.section.name))
       names.push_back(entry.section.name);
   return names;
 }

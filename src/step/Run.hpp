@@ -22,7 +22,7 @@ struct LoadSteps
   double largest = 0.0, next = 0.0;
 
   LoadSteps() = default;
-  LoadSteps(const Teuchos::ParameterList& scene, const State<D>& state);
+  explicit LoadSteps(const Teuchos::ParameterList& scene);
 };
 
 /// Owns the state and the plan, and advances them by steps.
@@ -34,6 +34,9 @@ public:
   /// \param own   effects of the application in addition to those of the scene, such as its own load
   /// \param ranks of the run: `initialize` and `step` are collective
   explicit Run(const Teuchos::ParameterList& scene, std::vector<Effect<D>> own = {}, const Ranks& ranks = {});
+  /// \param scene is shared and must not change while this exists
+  explicit Run(const Teuchos::RCP<Teuchos::ParameterList>& scene, std::vector<Effect<D>> own = {},
+               const Ranks& ranks = {});
 
   /// Makes particles, fields and the plan. Throws std::invalid_argument for errors that depend on the bodies.
   void initialize();
@@ -48,6 +51,10 @@ public:
   /// One step, not beyond `until`. The step ends with a sample when `sample` is set.
   /// Throws RunError when the run can't go on.
   void step(double until, bool sample);
+
+  /// Of an analysis of equilibrium: solves the first linear system of the next load step, which is not taken,
+  /// so that its cost can be measured. Throws RunError. \return whether this is such an analysis
+  bool trySolve();
 
   /// Saves or loads all persistent data of the run. Load after initialize().
   void serialize(Archive& archive);
@@ -65,6 +72,16 @@ public:
 
 private:
   void makeAll();
+  /// Throws std::invalid_argument with the warnings that need no particles.
+  void makeParticles(const std::vector<Field>& extra);
+  /// Adds warnings of wrong physics. \param step first stable step [s] \param driven whether effects may load
+  /// or move bodies \param attempt gets each judgment and calls it
+  template <class Attempt>
+  void judge(double step, bool driven, const Attempt& attempt);
+  /// The effects of the scene and of the application. \param extra gets their fields of particles
+  std::vector<Effect<D>> makeEffects(const RunOptions& options, std::vector<Field>& extra);
+  /// Starts in equilibrium. Throws std::invalid_argument.
+  void preload();
   void refuseEndless() const;
   /// Reduces over the ranks what they need for the next step: the fastest speed, whether to sort, and a
   /// failure. Throws RunError on failure.
@@ -85,7 +102,7 @@ private:
   /// Solves for an increment of at most the remaining time, a shorter one where that fails.
   void solveLoadStep(double left);
 
-  Teuchos::ParameterList scene_;
+  Teuchos::RCP<Teuchos::ParameterList> scene_;
   std::vector<Effect<D>> own_;
   State<D> state_;
   Plan<D> plan_;

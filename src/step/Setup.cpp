@@ -37,6 +37,7 @@ void readMethod(const Teuchos::ParameterList& scene, State<D>& state)
       time.isType<std::string>("Analysis") ? time.get<std::string>("Analysis") : "Dynamic";
   state.method.analysis = analysis == "Static"         ? Analysis::Static
                           : analysis == "Quasi-Static" ? Analysis::QuasiStatic
+                          : analysis == "Preload"      ? Analysis::Preload
                                                        : Analysis::Dynamic;
   state.clock.finalTime = time.get<double>("Final Time");
   const std::string scheme = time.get<std::string>("Update Scheme");

@@ -1,0 +1,56 @@
+#pragma once
+/// Steps of conduction that are tried again with a shorter time.
+
+#include "thermal/Conduction.hpp"
+
+namespace Rhegma::thermal
+{
+
+/// What a step of conduction changes, as it was before the step. A load step of equilibrium that does not
+/// converge is tried again with a part of its length, and conducts for that part only.
+template <int D>
+class RepeatedStep
+{
+public:
+  /// Before a step of conduction: keeps the state if the time is a new one, and takes it back if it is not.
+  void begin(State<D>& state, Conduction<D>& conduction)
+  {
+    FieldTable& particles = state.particles;
+    const bool again = kept_ && time_ == state.clock.time && step_ == state.clock.step &&
+                       static_cast<int>(temperature_.extent(0)) == particles.size();
+    if (again)
+    {
+      Kokkos::deep_copy(particles.scalar(fields::temperature), temperature_);
+      Kokkos::deep_copy(particles.scalar(fields::internalEnergy), internal_);
+      Kokkos::deep_copy(particles.template real<D>(fields::temperatureGradient), gradient_);
+      state.energy.heat = heat_;
+      conduction.stepsTaken = stepsTaken_;
+      conduction.pending = pending_;
+      conduction.frontTemperature = frontTemperature_;
+      return;
+    }
+    kept_ = true;
+    time_ = state.clock.time;
+    step_ = state.clock.step;
+    temperature_ = View<double*>("rhegma::thermal::keptTemperature", particles.size());
+    internal_ = View<double*>("rhegma::thermal::keptEnergy", particles.size());
+    gradient_ = View<double* [D]>("rhegma::thermal::keptGradient", particles.size());
+    Kokkos::deep_copy(temperature_, particles.scalar(fields::temperature));
+    Kokkos::deep_copy(internal_, particles.scalar(fields::internalEnergy));
+    Kokkos::deep_copy(gradient_, particles.template real<D>(fields::temperatureGradient));
+    heat_ = state.energy.heat;
+    stepsTaken_ = conduction.stepsTaken;
+    pending_ = conduction.pending;
+    frontTemperature_ = conduction.frontTemperature;
+  }
+
+private:
+  bool kept_ = false;
+  double time_ = 0.0, heat_ = 0.0, pending_ = 0.0;
+  long step_ = 0, stepsTaken_ = 0;
+  View<double*> temperature_, internal_;
+  View<double* [D]> gradient_;
+  std::vector<double> frontTemperature_;
+};
+
+} // namespace Rhegma::thermal
