@@ -111,6 +111,14 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 
 } // namespace
 
-EffectEntry combustionEntry() { return {combustionSection(), checkCombustion, make<2>, make<3>, true}; }
+EffectEntry combustionEntry()
+{
+  return {combustionSection(),
+          checkCombustion,
+          make<2>,
+          make<3>,
+          true,
+          [](const Teuchos::ParameterList&, RunOptions& options) { options.burning = true; }};
+}
 
 } // namespace Rhegma::combustion

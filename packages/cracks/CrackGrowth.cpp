@@ -4,6 +4,7 @@
 #include "cracks/ForgetSides.hpp"
 #include "cracks/FrontSmoothing.hpp"
 #include "geometry/Cross.hpp"
+#include "state/RecordStop.hpp"
 #include "transfer/LocalSpacing.hpp"
 
 #include <algorithm>
@@ -30,6 +31,10 @@ constexpr double straight = D == 2 ? 1.0 - 1e-12 : 1.0 - 1e-6;
 constexpr double leastInside = 0.5, particleOverhang = 0.2;
 /// A piece shorter than this fraction of its advance has no direction.
 constexpr double leastPiece = 1e-3;
+
+/// What helps a front that faces next to it have stopped.
+constexpr const char* stopAdvice =
+    "; cells can't resolve faces that are closer: use smaller cells (Domain > Cell Size)";
 
 template <int D>
 std::string nameOf(const State<D>& state, int f)
@@ -73,13 +78,13 @@ bool CrackGrowth<D>::prepare(const State<D>& state, Advancing& f, double& longes
         std::any_of(mirrors_.begin(), mirrors_.end(),
                     [&](const MirrorPlane& plane) { return isOn(plane, x[plane.axis], f.cells[k]); });
     if (f.lines[k].landed || f.lines[k].stopped)
-      f.asked[k].length = 0.0;
-    longest = std::max(longest, f.asked[k].length);
-    turns =
-        turns || (f.asked[k].length > 0.0 && dot(f.asked[k].direction, f.lines[k].direction) < straight<D>);
+      f.advances[k].length = 0.0;
+    longest = std::max(longest, f.advances[k].length);
+    turns = turns ||
+            (f.advances[k].length > 0.0 && dot(f.advances[k].direction, f.lines[k].direction) < straight<D>);
   }
   if constexpr (D == 3)
-    smoothAlongFront(f.crack.mesh, f.lines, f.front.nodes, f.cells, mirrored, f.asked);
+    smoothAlongFront(f.crack.mesh, f.lines, f.front.nodes, f.cells, mirrored, f.advances);
   return turns;
 }
 
@@ -122,9 +127,9 @@ std::vector<AdvancingNode<D>> CrackGrowth<D>::findPaths(const State<D>& state, c
   std::vector<Path<D>> paths;
   for (std::size_t k = 0; k < f.lines.size(); ++k)
   {
-    if (!(f.asked[k].length > 0.0))
+    if (!(f.advances[k].length > 0.0))
       continue;
-    Path<D> path{f.front.nodes[k].position, f.asked[k].direction, f.asked[k].length, f.cells[k]};
+    Path<D> path{f.front.nodes[k].position, f.advances[k].direction, f.advances[k].length, f.cells[k]};
     if constexpr (D == 2)
       path.gap =
           std::max(leastLigament * path.cell, f.crack.mesh.openingBehind(f.lines[k].vertex, path.cell));
@@ -162,8 +167,7 @@ void CrackGrowth<D>::endMet(State<D>& state, std::vector<GrowingCrack<D>>& crack
     crack.ends[i].vertex = vertex;
     crack.fronts[i].clear();
     front.ended = true;
-    report(state, met, Event::Landed,
-           {"was met by " + nameOf(state, f.number), 0.0, crack.mesh.vertices[vertex]});
+    recordArrival(state, met, "was met by " + nameOf(state, f.number), crack.mesh.vertices[vertex]);
   }
 }
 
@@ -182,10 +186,12 @@ bool CrackGrowth<D>::advanceNode(State<D>& state, std::vector<GrowingCrack<D>>& 
     if (!node.due)
       return false;
     point.stopped = true;
-    report(state, f.number, Event::Stopped,
-           {encounter.crack == f.front.crack ? "stopped less than three cells from faces of its own crack"
-                                             : "stopped less than three cells from crack " + other,
-            0.0, node.path.from, f.front.nodes[node.node].driving.release, f.asked[node.node].toughness});
+    recordStop(state, f.front,
+               {encounter.crack == f.front.crack ? "less than three cells from faces of its own crack"
+                                                 : "less than three cells from crack " + other,
+                state.clock.time, node.path.from, f.front.nodes[node.node].driving.release,
+                f.advances[node.node].toughness},
+               stopAdvice);
     return false;
   }
   const bool joins = encounter.kind != Kind::None;
@@ -197,13 +203,16 @@ bool CrackGrowth<D>::advanceNode(State<D>& state, std::vector<GrowingCrack<D>>& 
       return f.crack.mesh.isFirst(point.vertex);
     return false;
   }();
-  point.toughness = f.asked[node.node].toughness;
-  if (length > leastPiece * f.asked[node.node].length)
+  point.toughness = f.advances[node.node].toughness;
+  if (length > leastPiece * f.advances[node.node].length)
   {
     const double more =
         f.crack.mesh.advance(f.lines, node.node, to, D == 2 ? length : rowHeight * f.cells[node.node]);
     f.area += more;
     f.energy += point.toughness * more * state.method.thickness;
+    FrontNode<D>& own = f.front.nodes[node.node];
+    own.advance += length;
+    f.front.extension.largest = std::max(f.front.extension.largest, own.advance);
   }
   point.landed = joins || node.ligament.ends;
   if (!point.landed)
@@ -212,11 +221,11 @@ bool CrackGrowth<D>::advanceNode(State<D>& state, std::vector<GrowingCrack<D>>& 
   f.end.vertex = point.vertex;
   if constexpr (D == 2)
     f.crack.mesh.joined[first ? 0 : 1] = joins;
-  report(state, f.number, Event::Landed,
-         {encounter.kind == Kind::Meets   ? "met " + nameOf(state, encounter.front)
-          : encounter.kind == Kind::Joins ? "joined crack " + other
-                                          : "reached the surface of its body",
-          0.0, to});
+  recordArrival(state, f.number,
+                encounter.kind == Kind::Meets   ? "met " + nameOf(state, encounter.front)
+                : encounter.kind == Kind::Joins ? "joined crack " + other
+                                                : "reached the surface of its body",
+                to);
   if (encounter.kind == Kind::Meets)
     endMet(state, cracks, f, encounter.front);
   if (joins)
@@ -245,7 +254,10 @@ void CrackGrowth<D>::evenPieces(Advancing& f)
         const double toughness = meanToughness(f.lines[k], f.lines[nextPoint(f.lines, k)]);
         double added = 0.0;
         if (mesh.collapse(f.lines, k, added))
+        {
           f.energy += toughness * added;
+          f.area += added;
+        }
       }
   }
 }
@@ -273,7 +285,11 @@ void CrackGrowth<D>::growFront(State<D>& state, std::vector<GrowingCrack<D>>& cr
   front.grown = front.grown || moves;
   if (f.area > 0.0 && f.energy > 0.0)
     lastToughness_[f.number] = f.energy / (f.area * state.method.thickness);
+  // The front as it was before this step, without the parts that have landed.
+  const double along = D == 2 ? 1.0 : front.length;
+  front.extension.mean += along > 0.0 ? f.area / along : 0.0;
   evenPieces(f);
+  front.extension.area += f.area;
   front.budget.require(f.energy);
   front.ended = f.lines.empty();
 }
@@ -286,14 +302,12 @@ std::vector<Meeting> CrackGrowth<D>::grow(State<D>& state)
   if (set.advances.empty())
     return meetings;
   lastToughness_.resize(set.fronts.size(), 0.0);
-  stops_.resize(set.fronts.size());
-  arrivals_.resize(set.fronts.size());
-  std::vector<GrowingCrack<D>> cracks = readGrowing(set, marks_);
+  std::vector<GrowingCrack<D>> cracks = readGrowing(set, toughness_);
   for (const FrontAdvance<D>& advance : set.advances)
     if (!set.fronts[advance.front].ended) // a front that has been met stops
       growFront(state, cracks, advance, meetings);
   set.advances.clear();
-  writeGrowing(set, cracks, marks_, state.mesh.grid.spacing);
+  writeGrowing(set, cracks, toughness_, state.mesh.grid.spacing);
   return meetings;
 }
 

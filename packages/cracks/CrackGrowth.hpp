@@ -3,7 +3,6 @@
 
 #include "boundary/MirrorPlanes.hpp"
 #include "cracks/Encounter.hpp"
-#include "cracks/FrontEvent.hpp"
 #include "cracks/GrowingCrack.hpp"
 #include "cracks/Junctions.hpp"
 
@@ -32,7 +31,7 @@ namespace Rhegma::cracks
 /// A front node that comes within half a cell of the surface of its body advances to it and stays there;
 /// pieces between two such nodes are surface-breaking. An end of a 3D front that lies on the surface slides
 /// along it. A front without remaining nodes has ended. Encounters with other faces: Encounter.hpp. Each of
-/// these is reported once, in the warnings of the run.
+/// these is kept in the front (CrackFront::stop, arrival), and the first reported in the warnings of the run.
 ///
 /// Particles ahead of a front that turns get a new side of the crack.
 template <int D>
@@ -50,17 +49,6 @@ public:
   /// where nothing has grown [J/m2].
   std::vector<double> toughnessAlong(const CrackSet<D>& set, int front) const;
 
-  /// What keeps a front from advancing for numerical reasons, though G is high enough; null where nothing
-  /// does, while other nodes of it run, and once it has ended.
-  const FrontEvent<D>* stopOf(const CrackSet<D>& set, int front) const;
-  /// With what a front, or the last node of it that did, reached a surface or another crack; null where none
-  /// has.
-  const FrontEvent<D>* arrivalOf(int front) const
-  {
-    const std::size_t row = front;
-    return row < arrivals_.size() && arrivals_[row].happened() ? &arrivals_[row] : nullptr;
-  }
-
   /// Saves or loads the history of the fronts, after the cracks themselves (CrackMemory.hpp).
   void serialize(const CrackSet<D>& set, Archive& archive);
 
@@ -72,11 +60,11 @@ private:
     CrackFront<D>& front;
     GrowingCrack<D>& crack;
     surface::FrontLines<D>& lines;
-    surface::FrontPoint<D>& end; ///< where it is, or was when it ended
-    std::vector<FrontNodeAdvance<D>> asked;
-    std::vector<double> cells;       ///< size at each node [m]
-    double energy = 0.0, area = 0.0; ///< of its new faces [J, m2; m in 2D]
-    int landed = -1;                 ///< the last node that reached a surface or another crack
+    surface::FrontPoint<D>& end;               ///< where it is, or was when it ended
+    std::vector<FrontNodeAdvance<D>> advances; ///< of each node, smoothed along the front
+    std::vector<double> cells;                 ///< size at each node [m]
+    double energy = 0.0, area = 0.0;           ///< of its new faces [J, m2; m in 2D]
+    int landed = -1;                           ///< the last node that reached a surface or another crack
   };
 
   bool prepare(const State<D>& state, Advancing& f, double& longest) const;
@@ -89,18 +77,11 @@ private:
   void evenPieces(Advancing& f);
   void growFront(State<D>& state, std::vector<GrowingCrack<D>>& cracks, const FrontAdvance<D>& advance,
                  std::vector<Meeting>& meetings);
-  /// Keeps events of fronts, and reports the first of each kind.
-  enum class Event
-  {
-    Landed,
-    Stopped
-  };
-  void report(State<D>& state, int front, Event event, FrontEvent<D> what);
+  void recordArrival(State<D>& state, int front, const std::string& what, const Vector<D>& position);
 
   std::vector<MirrorPlane> mirrors_;
-  FrontMarks marks_;
-  std::vector<double> lastToughness_;           ///< of each front, of what it made last [J/m2]
-  std::vector<FrontEvent<D>> stops_, arrivals_; ///< of each front: the first stop, the last arrival
+  FaceToughness toughness_;
+  std::vector<double> lastToughness_; ///< of each front, of what it made last [J/m2]
 };
 
 } // namespace Rhegma::cracks

@@ -75,15 +75,15 @@ struct Meshes
 template <int D>
 void storeNodes(CrackFront<D>& front, int firstVertex, Archive& archive)
 {
-  constexpr std::size_t whole = 6, real = 7; // numbers of a node
+  constexpr std::size_t whole = 7, real = 8; // numbers of a node
   std::vector<int> integers;
   std::vector<double> reals;
   for (const FrontNode<D>& n : front.nodes)
   {
     integers.insert(integers.end(), {n.vertex - firstVertex, n.facet >= 0 ? 0 : -1, n.name, n.from,
-                                     n.stopped ? 1 : 0, n.advances ? 1 : 0});
+                                     n.stopped ? 1 : 0, n.advances ? 1 : 0, n.landed ? 1 : 0});
     reals.insert(reals.end(), {n.speed, n.temperature, n.driving.release, n.driving.modeI, n.driving.modeII,
-                               n.driving.modeIII, n.driving.hoopAngle});
+                               n.driving.modeIII, n.driving.hoopAngle, n.advance});
   }
   archive("nodes", integers, whole);
   archive("node_values", reals, real);
@@ -101,9 +101,11 @@ void storeNodes(CrackFront<D>& front, int firstVertex, Archive& archive)
     n.from = of[3];
     n.stopped = of[4] != 0;
     n.advances = of[5] != 0;
+    n.landed = of[6] != 0;
     n.speed = value[0];
     n.temperature = value[1];
     n.driving = {value[2], value[3], value[4], value[5], value[6]};
+    n.advance = value[7];
   }
 }
 
@@ -132,6 +134,14 @@ void storeCracks(State<D>& state, Archive& archive)
     archive("over_dissipated", front.budget.overDissipated);
     archive("advected", front.budget.advected);
     archive("toughness", front.budget.toughness);
+    archive("largest_advance", front.extension.largest);
+    archive("mean_advance", front.extension.mean);
+    archive("new_area", front.extension.area);
+    for (FrontEvent<D>* event : {&front.stop, &front.arrival})
+    {
+      const Archive::Group what(archive, event == &front.stop ? "stop" : "arrival");
+      event->serialize(archive);
+    }
     storeNodes(front, set.cracks[front.crack].firstVertex, archive);
     vertices.push_back(front.vertex);
   }

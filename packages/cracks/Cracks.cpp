@@ -73,7 +73,8 @@ struct Parts
         growth(mirrorPlanes(scene))
   {
     surroundings.frontCells =
-        D == 2 && !grows && !touching && !options.heat() && options.pressedCracks.empty();
+        // Faces that burn carry the pressure of the gas.
+        D == 2 && !grows && !touching && !options.heat() && options.pressedCracks.empty() && !options.burning;
   }
 };
 
@@ -107,9 +108,6 @@ void start(const Shared<D>& parts, State<D>& state)
 {
   state.cracks.dualField = parts->formulation == Formulation::DualField;
   state.cracks.frontSprings = parts->hasSprings;
-  // faces that burn have the field of what is burnt (combustion/Regression.hpp) and carry the gas's pressure
-  if (state.particles.has("burnt over remaining mass"))
-    parts->surroundings.frontCells = false;
   if (parts->hasSprings)
     state.motion.displacementDependentForces.push_back(parts->springs.displacementDependentForce());
   readCracks(parts->section, state, state.mesh.grid.spacing / parts->pieces);
@@ -196,6 +194,35 @@ void move(Parts<D>& parts, State<D>& state)
     parts.advected.update(state);
 }
 
+/// An event of a front in its entry of the summary.
+template <int D>
+nlohmann::json entryOf(const FrontEvent<D>& event)
+{
+  nlohmann::json entry = {{"what", event.what},
+                          {"time", event.time},
+                          {"position", std::vector<double>(event.position.c, event.position.c + D)}};
+  if (event.toughness > 0.0)
+  {
+    entry["G"] = event.release;
+    entry["toughness"] = event.toughness;
+  }
+  return entry;
+}
+
+/// The first stop of a front, and which of its nodes are stopped now.
+template <int D>
+nlohmann::json entryOfStop(const CrackFront<D>& front)
+{
+  nlohmann::json entry = entryOf(front.stop);
+  entry["nodes"] = front.numStopped();
+  entry["of_nodes"] = front.nodes.size();
+  entry["node_positions"] = nlohmann::json::array();
+  for (const FrontNode<D>& node : front.nodes)
+    if (node.stopped && !node.landed)
+      entry["node_positions"].push_back(std::vector<double>(node.position.c, node.position.c + D));
+  return entry;
+}
+
 template <int D>
 void observe(const Parts<D>& parts, State<D>& state)
 {
@@ -204,7 +231,7 @@ void observe(const Parts<D>& parts, State<D>& state)
     const CrackFront<D>& front = state.cracks.fronts[f];
     state.sample.row.emplace_back(
         state.cracks.cracks[front.crack].name + "." + std::to_string(front.number) + ".stopped",
-        parts.growth.stopOf(state.cracks, static_cast<int>(f)) != nullptr ? 1.0 : 0.0);
+        front.numStopped() > 0 ? double(front.numStopped()) / double(front.nodes.size()) : 0.0);
   }
   for (std::size_t c = 0; c < state.cracks.cracks.size(); ++c)
   {
@@ -244,10 +271,16 @@ void report(const Parts<D>& parts, const State<D>& state, nlohmann::json& summar
     entry["position"] = std::vector<double>(front.position.c, front.position.c + D);
     entry["length"] = front.length;
     entry["speed"] = front.speed();
-    if (const FrontEvent<D>* stop = parts.growth.stopOf(state.cracks, static_cast<int>(f)))
-      entry["stop"] = stop->asEntry();
-    if (const FrontEvent<D>* arrival = parts.growth.arrivalOf(static_cast<int>(f)))
-      entry["arrival"] = arrival->asEntry();
+    if (front.numStopped() > 0)
+      entry["stop"] = entryOfStop(front);
+    if (front.arrival.happened())
+      entry["arrival"] = entryOf(front.arrival);
+    if (D == 3 && parts.grows)
+    {
+      entry["largest_advance"] = front.extension.largest;
+      entry["mean_advance"] = front.extension.mean;
+      entry["new_area"] = front.extension.area;
+    }
   }
 }
 

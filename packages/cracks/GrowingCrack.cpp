@@ -17,7 +17,7 @@ using surface::FrontPoint;
 
 /// A front as points of its crack.
 template <int D>
-FrontLines<D> linesOf(const CrackFront<D>& front, int firstVertex, const std::vector<FrontMark>& marks)
+FrontLines<D> linesOf(const CrackFront<D>& front, int firstVertex, const std::vector<double>& toughness)
 {
   FrontLines<D> lines;
   for (std::size_t k = 0; k < front.nodes.size() && !front.ended; ++k)
@@ -29,8 +29,8 @@ FrontLines<D> linesOf(const CrackFront<D>& front, int firstVertex, const std::ve
     point.origin = static_cast<int>(k);
     point.joined = D == 3 && node.facet >= 0;
     point.stopped = node.stopped;
-    point.landed = k < marks.size() && marks[k].landed;
-    point.toughness = k < marks.size() ? marks[k].toughness : 0.0;
+    point.landed = node.landed;
+    point.toughness = k < toughness.size() ? toughness[k] : 0.0;
     point.direction = node.direction;
     point.normal = node.normal;
     lines.push_back(point);
@@ -38,12 +38,12 @@ FrontLines<D> linesOf(const CrackFront<D>& front, int firstVertex, const std::ve
   return lines;
 }
 
-/// Gives a front the nodes of its points, and their marks.
+/// Gives a front the nodes of its points, and their toughness.
 template <int D>
-void putNodes(CrackFront<D>& front, const FrontLines<D>& lines, std::vector<FrontMark>& marks)
+void putNodes(CrackFront<D>& front, const FrontLines<D>& lines, std::vector<double>& toughness)
 {
   front.ended = lines.empty();
-  marks.clear();
+  toughness.clear();
   if (front.ended && D == 2) // it keeps its node
   {
     front.nodes[0].speed = 0.0;
@@ -60,16 +60,17 @@ void putNodes(CrackFront<D>& front, const FrontLines<D>& lines, std::vector<Fron
     node.name = point.name;
     node.from = point.from;
     node.facet = D == 2 || point.joined ? 0 : -1;
+    node.landed = point.landed;
     node.stopped = point.stopped || point.landed;
     front.nodes.push_back(node);
-    marks.push_back({point.toughness, point.landed});
+    toughness.push_back(point.toughness);
   }
 }
 
 } // namespace
 
 template <int D>
-std::vector<GrowingCrack<D>> readGrowing(const CrackSet<D>& set, const FrontMarks& marks)
+std::vector<GrowingCrack<D>> readGrowing(const CrackSet<D>& set, const FaceToughness& toughness)
 {
   const auto vertex = onHost(set.vertex);
   const auto face = onHost(set.face);
@@ -107,7 +108,7 @@ std::vector<GrowingCrack<D>> readGrowing(const CrackSet<D>& set, const FrontMark
     const int firstVertex = set.cracks[front.crack].firstVertex;
     GrowingCrack<D>& crack = cracks[front.crack];
     crack.fronts.push_back(
-        linesOf(front, firstVertex, f < marks.size() ? marks[f] : std::vector<FrontMark>{}));
+        linesOf(front, firstVertex, f < toughness.size() ? toughness[f] : std::vector<double>{}));
     crack.numbers.push_back(static_cast<int>(f));
     FrontPoint<D> end;
     end.vertex = front.vertex - firstVertex;
@@ -117,11 +118,12 @@ std::vector<GrowingCrack<D>> readGrowing(const CrackSet<D>& set, const FrontMark
 }
 
 template <int D>
-void writeGrowing(CrackSet<D>& set, std::vector<GrowingCrack<D>>& cracks, FrontMarks& marks, double spacing)
+void writeGrowing(CrackSet<D>& set, std::vector<GrowingCrack<D>>& cracks, FaceToughness& toughness,
+                  double spacing)
 {
   std::vector<surface::CrackMesh<D>> meshes;
   std::vector<int> end(set.fronts.size(), 0);
-  marks.resize(set.fronts.size());
+  toughness.resize(set.fronts.size());
   for (GrowingCrack<D>& crack : cracks)
   {
     std::vector<FrontLines<D>*> lines;
@@ -134,7 +136,7 @@ void writeGrowing(CrackSet<D>& set, std::vector<GrowingCrack<D>>& cracks, FrontM
     for (std::size_t i = 0; i < lines.size(); ++i)
     {
       end[crack.numbers[i]] = crack.ends[i].vertex;
-      putNodes(set.fronts[crack.numbers[i]], *lines[i], marks[crack.numbers[i]]);
+      putNodes(set.fronts[crack.numbers[i]], *lines[i], toughness[crack.numbers[i]]);
     }
   }
   layOut(set, meshes, spacing);
@@ -157,9 +159,9 @@ void writeGrowing(CrackSet<D>& set, std::vector<GrowingCrack<D>>& cracks, FrontM
     updateFronts(set);
 }
 
-template std::vector<GrowingCrack<2>> readGrowing(const CrackSet<2>&, const FrontMarks&);
-template std::vector<GrowingCrack<3>> readGrowing(const CrackSet<3>&, const FrontMarks&);
-template void writeGrowing(CrackSet<2>&, std::vector<GrowingCrack<2>>&, FrontMarks&, double);
-template void writeGrowing(CrackSet<3>&, std::vector<GrowingCrack<3>>&, FrontMarks&, double);
+template std::vector<GrowingCrack<2>> readGrowing(const CrackSet<2>&, const FaceToughness&);
+template std::vector<GrowingCrack<3>> readGrowing(const CrackSet<3>&, const FaceToughness&);
+template void writeGrowing(CrackSet<2>&, std::vector<GrowingCrack<2>>&, FaceToughness&, double);
+template void writeGrowing(CrackSet<3>&, std::vector<GrowingCrack<3>>&, FaceToughness&, double);
 
 } // namespace Rhegma::cracks

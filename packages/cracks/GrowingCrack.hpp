@@ -11,15 +11,8 @@
 namespace Rhegma::cracks
 {
 
-/// What growth remembers of a front node.
-struct FrontMark
-{
-  double toughness = 0.0; ///< of the last face that it made [J/m2]
-  bool landed = false;    ///< it has reached the surface of the body
-};
-
-/// The marks of each front's nodes.
-using FrontMarks = std::vector<std::vector<FrontMark>>;
+/// Of the nodes of each front: the toughness of the last face that the node made [J/m2].
+using FaceToughness = std::vector<std::vector<double>>;
 
 /// A crack and its fronts. Only the mesh depends on the dimension.
 template <int D>
@@ -33,11 +26,12 @@ struct GrowingCrack
 
 /// The cracks of a set.
 template <int D>
-std::vector<GrowingCrack<D>> readGrowing(const CrackSet<D>& set, const FrontMarks& marks);
+std::vector<GrowingCrack<D>> readGrowing(const CrackSet<D>& set, const FaceToughness& toughness);
 
-/// Copies the cracks back to the set and rebuilds its views, with the marks of their front nodes. \param
+/// Copies the cracks back to the set and rebuilds its views, with the toughness at their front nodes. \param
 /// spacing of the coarse cells [m]
 template <int D>
-void writeGrowing(CrackSet<D>& set, std::vector<GrowingCrack<D>>& cracks, FrontMarks& marks, double spacing);
+void writeGrowing(CrackSet<D>& set, std::vector<GrowingCrack<D>>& cracks, FaceToughness& toughness,
+                  double spacing);
 
 } // namespace Rhegma::cracks

@@ -8,38 +8,16 @@
 namespace Rhegma::cracks
 {
 
-namespace
-{
-
-/// What helps a front that faces next to it have stopped.
-constexpr const char* stopAdvice =
-    "; cells can't resolve faces that are closer: use smaller cells (Domain > Cell Size)";
-
-} // namespace
-
-/// Keeps an event of a front, and reports the first of its kind.
+/// Keeps what a front reached, and reports the first.
 template <int D>
-void CrackGrowth<D>::report(State<D>& state, int front, Event event, FrontEvent<D> what)
+void CrackGrowth<D>::recordArrival(State<D>& state, int front, const std::string& what,
+                                   const Vector<D>& position)
 {
-  FrontEvent<D>& kept = event == Event::Stopped ? stops_[front] : arrivals_[front];
-  const bool first = !kept.happened();
-  if (!first && event == Event::Stopped)
-    return;
-  what.time = state.clock.time;
-  kept = what;
+  CrackFront<D>& own = state.cracks.fronts[front];
+  const bool first = !own.arrival.happened();
+  own.arrival = {what, state.clock.time, position};
   if (first)
-    state.warnings.push_back(frontName(state.cracks, state.cracks.fronts[front]) + ": " + kept.asText() +
-                             (event == Event::Stopped ? stopAdvice : ""));
-}
-
-template <int D>
-const FrontEvent<D>* CrackGrowth<D>::stopOf(const CrackSet<D>& set, int front) const
-{
-  const CrackFront<D>& f = set.fronts[front];
-  const bool runs = std::any_of(f.nodes.begin(), f.nodes.end(),
-                                [](const FrontNode<D>& n) { return !n.stopped && n.speed > 0.0; });
-  const std::size_t row = front;
-  return row < stops_.size() && stops_[row].happened() && !f.ended && !runs ? &stops_[row] : nullptr;
+    state.warnings.push_back(frontName(state.cracks, own) + ": " + own.arrival.asText());
 }
 
 template <int D>
@@ -49,19 +27,19 @@ std::vector<double> CrackGrowth<D>::toughnessAlong(const CrackSet<D>& set, int f
   const std::size_t f = front;
   const double last = f < lastToughness_.size() ? lastToughness_[f] : 0.0;
   std::vector<double> along(std::max<std::size_t>(1, nodes.size()), last);
-  if (f >= marks_.size())
+  if (f >= toughness_.size())
     return along;
-  const std::vector<FrontMark>& marks = marks_[f];
-  for (std::size_t k = 0; k < marks.size(); ++k)
+  const std::vector<double>& made = toughness_[f];
+  for (std::size_t k = 0; k < made.size(); ++k)
   {
     double shortest = 1e300;
-    for (std::size_t other = 0; other < marks.size(); ++other)
+    for (std::size_t other = 0; other < made.size(); ++other)
     {
       const double distance = norm(nodes[other].position - nodes[k].position);
-      if (marks[other].toughness > 0.0 && (other == k || distance < shortest))
+      if (made[other] > 0.0 && (other == k || distance < shortest))
       {
         shortest = other == k ? -1.0 : distance;
-        along[k] = marks[other].toughness;
+        along[k] = made[other];
       }
     }
   }
@@ -71,43 +49,23 @@ std::vector<double> CrackGrowth<D>::toughnessAlong(const CrackSet<D>& set, int f
 template <int D>
 void CrackGrowth<D>::serialize(const CrackSet<D>& set, Archive& archive)
 {
-  std::vector<int> landed;
-  std::vector<double> toughness;
-  for (const std::vector<FrontMark>& marks : marks_)
-    for (const FrontMark& mark : marks)
-    {
-      landed.push_back(mark.landed ? 1 : 0);
-      toughness.push_back(mark.toughness);
-    }
-  archive("landed", landed);
-  archive("node_toughness", toughness);
+  std::vector<double> all;
+  for (const std::vector<double>& made : toughness_)
+    all.insert(all.end(), made.begin(), made.end());
+  archive("node_toughness", all);
   archive("last_toughness", lastToughness_);
-  stops_.resize(set.fronts.size());
-  arrivals_.resize(set.fronts.size());
-  for (std::size_t f = 0; f < set.fronts.size(); ++f)
-    for (auto* events : {&stops_, &arrivals_})
-    {
-      const Archive::Group group(archive, (events == &stops_ ? "stop " : "arrival ") + std::to_string(f));
-      (*events)[f].serialize(archive);
-    }
   if (!archive.loads())
     return;
-  marks_.assign(set.fronts.size(), {});
+  toughness_.assign(set.fronts.size(), {});
   std::size_t row = 0;
   for (std::size_t f = 0; f < set.fronts.size(); ++f)
     for (std::size_t k = 0; k < set.fronts[f].nodes.size(); ++k)
-      if (!set.fronts[f].ended && row < landed.size())
-      {
-        const FrontMark mark{toughness[row], landed[row] != 0};
-        marks_[f].push_back(mark);
-        ++row;
-      }
+      if (!set.fronts[f].ended && row < all.size())
+        toughness_[f].push_back(all[row++]);
 }
 
-template void CrackGrowth<2>::report(State<2>&, int, Event, FrontEvent<2>);
-template void CrackGrowth<3>::report(State<3>&, int, Event, FrontEvent<3>);
-template const FrontEvent<2>* CrackGrowth<2>::stopOf(const CrackSet<2>&, int) const;
-template const FrontEvent<3>* CrackGrowth<3>::stopOf(const CrackSet<3>&, int) const;
+template void CrackGrowth<2>::recordArrival(State<2>&, int, const std::string&, const Vector<2>&);
+template void CrackGrowth<3>::recordArrival(State<3>&, int, const std::string&, const Vector<3>&);
 template std::vector<double> CrackGrowth<2>::toughnessAlong(const CrackSet<2>&, int) const;
 template std::vector<double> CrackGrowth<3>::toughnessAlong(const CrackSet<3>&, int) const;
 template void CrackGrowth<2>::serialize(const CrackSet<2>&, Archive&);

@@ -336,6 +336,7 @@ DomainIntegral integrate(const State<D>& state, const CrackFront<D>& front, cons
   // The contribution of a pressure behind the front to J follows from its intensity.
   work.intensities = intensities || state.cracks.pressure.extent(0) > 0;
   DomainIntegral sum = integrateAboutTip(state, front, work);
+  sum.lost = work.disk.empty;
   if (!work.intensities)
     return sum;
   const double lost = intensityLostAtFront(state, front, sum.tipOffset);
@@ -355,13 +356,13 @@ DomainIntegral integrateDomain(const State<2>& state, const CrackFront<2>& front
   return result;
 }
 
-double integrateRelease(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
-                        const NodalAcceleration<2>& acceleration)
+std::optional<double> integrateRelease(const State<2>& state, const CrackFront<2>& front,
+                                       const ContourRadii& radii, const NodalAcceleration<2>& acceleration)
 {
-  double J = 0.0;
+  DomainIntegral result;
   withConnectivity(state, [&](const auto& broken)
-                   { J = integrate(state, front, radii, acceleration, false, broken).J; });
-  return J;
+                   { result = integrate(state, front, radii, acceleration, false, broken); });
+  return result.lost ? std::nullopt : std::optional<double>(result.J);
 }
 
 /// Particles in the integrals reach 3 cells beyond the disk, and nodes that they touch are touched by others.

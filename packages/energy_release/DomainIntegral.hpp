@@ -4,6 +4,8 @@
 #include "energy_release/Contour.hpp"
 #include "energy_release/InternalAcceleration.hpp"
 
+#include <optional>
+
 namespace Rhegma::energy_release
 {
 
@@ -13,6 +15,7 @@ struct DomainIntegral
   double modeI = 0.0;     ///< K_I [Pa m^0.5]
   double modeII = 0.0;    ///< K_II, positive where side +1 slides ahead [Pa m^0.5]
   double tipOffset = 0.0; ///< how far the tip of the crack in the cells lies ahead of the front [m]
+  bool lost = false;      ///< no material is left in the disk, so that there is nothing to integrate over
 };
 
 /// Dynamic J and the interaction integrals of a front of a 2D scene.
@@ -70,9 +73,9 @@ struct DomainIntegral
 DomainIntegral integrateDomain(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
                                const NodalAcceleration<2>& acceleration);
 
-/// J alone [J/m2], for less.
-double integrateRelease(const State<2>& state, const CrackFront<2>& front, const ContourRadii& radii,
-                        const NodalAcceleration<2>& acceleration);
+/// J alone [J/m2], for less; none where no material is left in the disk.
+std::optional<double> integrateRelease(const State<2>& state, const CrackFront<2>& front,
+                                       const ContourRadii& radii, const NodalAcceleration<2>& acceleration);
 
 /// Radius round a front in which nodes must have their acceleration [m].
 double accelerationReach(const State<2>& state, const ContourRadii& radii);

@@ -10,6 +10,7 @@
 #include "transfer/NearestMaterial.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 namespace Rhegma::energy_release
@@ -68,16 +69,16 @@ void fitTubes(const State<3>& state, const CrackFront<3>& front, double, FrontTu
   release = intensity = fittingTube(state, front, usualCells<3>());
 }
 
-/// J at the nodes of a front [J/m2].
-std::vector<double> releaseAlong(const State<2>& state, const CrackFront<2>& front, const FrontTube& tube,
-                                 NodalAcceleration<2>& acceleration)
+/// J at the nodes of a front [J/m2]; none where it can't be computed.
+std::vector<std::optional<double>> releaseAlong(const State<2>& state, const CrackFront<2>& front,
+                                                const FrontTube& tube, NodalAcceleration<2>& acceleration)
 {
   internalAcceleration(state, front.position, accelerationReach(state, tube.radii), acceleration);
   return {integrateRelease(state, front, tube.radii, acceleration)};
 }
 
-std::vector<double> releaseAlong(const State<3>& state, const CrackFront<3>& front, const FrontTube& tube,
-                                 NodalAcceleration<3>& acceleration)
+std::vector<std::optional<double>> releaseAlong(const State<3>& state, const CrackFront<3>& front,
+                                                const FrontTube& tube, NodalAcceleration<3>& acceleration)
 {
   return integrateAlongFront(state, front.crack, lineOf(front), tube, acceleration);
 }
@@ -129,9 +130,14 @@ void DrivingForces<D>::computeRelease(State<D>& state)
     CrackFront<D>& front = state.cracks.fronts[f];
     if (front.ended || front.stopped() || front.numFacets == 0)
       continue;
-    const std::vector<double> J = releaseAlong(state, front, tubesOf(state, f).release, acceleration_);
+    const std::vector<std::optional<double>> J =
+        releaseAlong(state, front, tubesOf(state, f).release, acceleration_);
     for (std::size_t k = 0; k < J.size(); ++k)
-      front.nodes[k].driving.release = J[k];
+    {
+      DrivingForce& driving = front.nodes[k].driving;
+      driving.lost = !J[k];
+      driving.release = J[k].value_or(driving.release);
+    }
   }
 }
 

@@ -17,7 +17,8 @@ template <int D>
 class DrivingForces
 {
 public:
-  /// J at the nodes of all fronts that have neither ended nor stopped.
+  /// J at the nodes of all fronts that have neither ended nor stopped, or that it can't be computed
+  /// (DrivingForce::lost).
   void computeRelease(State<D>& state);
 
   /// Stress intensities at the nodes of fronts of which any node is about to advance.

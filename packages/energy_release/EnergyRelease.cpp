@@ -9,6 +9,7 @@
 #include "energy_release/FrontOpening.hpp"
 #include "energy_release/FrontSample.hpp"
 #include "energy_release/FrontSet.hpp"
+#include "energy_release/HeldFronts.hpp"
 #include "energy_release/JudgeStrain.hpp"
 #include "energy_release/LoadsInRing.hpp"
 #include "energy_release/ReadOptions.hpp"
@@ -17,6 +18,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -33,23 +35,18 @@ template <int D>
 struct Samples
 {
   std::vector<FrontSample<D>> last;
+  double time = 0.0;             ///< of these [s]
   std::vector<LoadRegion> loads; ///< that may act near fronts (2D)
   FrontSet inclined;             ///< fronts that did not start along the grid: without crack closure (2D)
   FrontSet warned;               ///< fronts whose tube has left the body during the run
   FrontSet unclosed;             ///< fronts that had no crack closure at some time (2D)
 };
 
+/// The columns of a front in the history begin with it, such as "Notch.0".
 template <int D>
-std::string frontName(const State<D>& state, const CrackFront<D>& front)
+std::string columnName(const State<D>& state, const CrackFront<D>& front)
 {
   return state.cracks.cracks[front.crack].name + "." + std::to_string(front.number);
-}
-
-/// Its name in messages, such as "crack Notch, front 0".
-template <int D>
-std::string messageName(const State<D>& state, const CrackFront<D>& front)
-{
-  return "crack " + state.cracks.cracks[front.crack].name + ", front " + std::to_string(front.number);
 }
 
 /// A node may come to lie this fraction of a cell inside of the tube as the body moves.
@@ -59,8 +56,8 @@ void refuseContour(const State<2>& state, const CrackFront<2>& front, const std:
                    const std::string& contour, const std::string& advice)
 {
   throw std::invalid_argument("Energy Release > " + where + ": the contour of " + contour + " m around " +
-                              messageName(state, front) + " leaves the body or reaches another " + advice +
-                              ", or use smaller cells (Domain > Cell Size)");
+                              frontName(state.cracks, front) + " leaves the body or reaches another " +
+                              advice + ", or use smaller cells (Domain > Cell Size)");
 }
 
 /// Refuses radii of the scene that do not fit; reports the radii used where the default ones do not.
@@ -86,7 +83,7 @@ void checkTube(State<2>& state, const CrackFront<2>& front, const Options& optio
   if (capacity < usual - slack * cell)
   {
     const ContourRadii radii = fittingTube(state, front, given).radii;
-    state.warnings.push_back("Energy Release: for " + messageName(state, front) +
+    state.warnings.push_back("Energy Release: for " + frontName(state.cracks, front) +
                              ", the domain integral is reduced to radii of " + readableLength(radii.inner) +
                              " to " + readableLength(radii.outer) + " (default: to " + readableLength(usual) +
                              "), because of a surface, another front or another crack; G and K are less "
@@ -103,7 +100,7 @@ void checkTube(State<3>& state, const CrackFront<3>& front, const Options& optio
   if (clear < options.radii.outer - slack * spacingAt(state, front.position))
     throw std::invalid_argument(
         "Energy Release > Outer Radius: the integration tube of " + formatReal(options.radii.outer) +
-        " m around " + messageName(state, front) +
+        " m around " + frontName(state.cracks, front) +
         " leaves the body, reaches another front or crack, or exceeds the radius of curvature of the front; "
         "write at most " +
         formatReal(clear) + ", or use smaller cells (Domain > Cell Size)");
@@ -158,7 +155,7 @@ void warnOfTube(State<D>& state, const CrackFront<D>& front, const ContourRadii&
   samples.warned.insert({front.crack, front.number});
   state.warnings.push_back("Energy Release: from t = " + readableTime(state.clock.time) + " on, the " +
                            (D == 2 ? "contour" : "integration tube") + " around " +
-                           messageName(state, front) + " leaves the body or reaches another front, so " +
+                           frontName(state.cracks, front) + " leaves the body or reaches another front, so " +
                            (D == 2 ? "G_J, K_I and K_II" : "G_J and K") +
                            " are less accurate; use smaller cells or radii");
 }
@@ -178,7 +175,7 @@ void warnOfClosure(State<2>& state, const CrackFront<2>& front, const CrackClosu
       !samples.unclosed.insert({front.crack, front.number}).second)
     return;
   state.warnings.push_back(
-      "Energy Release: G_closure of " + messageName(state, front) +
+      "Energy Release: G_closure of " + frontName(state.cracks, front) +
       " is not available at t = " + readableTime(state.clock.time) +
       ", because no node behind the front has material of both faces within reach: the crack is too short "
       "for Closure Cells, or its faces are several cells apart; use G_J");
@@ -206,9 +203,9 @@ CrackClosure tryToClose(State<2>& state, const CrackFront<2>& front, const Optio
 void compute(const State<2>& state, FrontSample<2>& s)
 {
   const DomainIntegral integral = integrateDomain(state, s.front, s.tube.radii);
-  s.J = {integral.J};
-  s.modeI = {integral.modeI};
-  s.modeII = {integral.modeII};
+  s.J = {integral.lost ? notYet : integral.J};
+  s.modeI = {integral.lost ? notYet : integral.modeI};
+  s.modeII = {integral.lost ? notYet : integral.modeII};
   s.tipOffset = integral.tipOffset;
 }
 
@@ -216,12 +213,20 @@ void compute(const State<3>& state, FrontSample<3>& s)
 {
   NodalAcceleration<3> acceleration;
   const FrontLine line = lineOf(s.front);
-  s.J = integrateAlongFront(state, s.front.crack, line, s.tube, acceleration);
+  const std::vector<std::optional<double>> release =
+      integrateAlongFront(state, s.front.crack, line, s.tube, acceleration);
+  for (std::size_t k = 0; k < release.size(); ++k)
+    s.J[k] = release[k].value_or(notYet);
   const Elasticity e = elasticity(state.materials.properties[materialAt(state, s.front.position)]);
   const std::vector<Intensities> openings =
       openingsBehind(state.cracks, s.front, line, e, spacingAt(state, s.front.position), s.tube.halfWidth);
   for (std::size_t k = 0; k < s.J.size(); ++k)
   {
+    if (!release[k])
+    {
+      s.modeI[k] = s.modeII[k] = s.modeIII[k] = notYet;
+      continue;
+    }
     const Intensities K = scaleTo(openings[k], s.J[k], e);
     s.modeI[k] = K.modeI;
     s.modeII[k] = K.modeII;
@@ -240,6 +245,7 @@ template <int D>
 void sample(State<D>& state, const Options& options, Samples<D>& samples)
 {
   samples.last.clear();
+  samples.time = state.clock.time;
   for (const CrackFront<D>& front : state.cracks.fronts)
   {
     FrontSample<D> s(front, front.ended ? 0.0 : notYet);
@@ -258,7 +264,7 @@ void sample(State<D>& state, const Options& options, Samples<D>& samples)
         s.closure = front.ended ? CrackClosure{0.0, 0.0} : tryToClose(state, front, options, samples);
     }
     samples.last.push_back(s);
-    s.addTo(state.sample.row, frontName(state, front), options);
+    s.addTo(state.sample.row, columnName(state, front), options);
   }
 }
 
@@ -289,6 +295,7 @@ void start(State<D>& state, const Options& options, Samples<D>& samples)
 template <int D>
 void serialize(Samples<D>& samples, Archive& archive)
 {
+  archive("time", samples.time);
   int count = static_cast<int>(samples.last.size());
   archive("fronts", count);
   samples.last.resize(count);
@@ -343,6 +350,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
       crack["name"] = state.cracks.cracks[s.front.crack].name;
       s.report(options, crack["fronts"][s.front.number]);
     }
+    addAnswers(state.cracks, samples->last, samples->time, summary);
     if (const std::string warning = strain->warning(); !warning.empty())
       summary["warnings"].push_back(warning);
   };

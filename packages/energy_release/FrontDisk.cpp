@@ -92,7 +92,8 @@ FrontDisk describeDisk(const State<2>& state, const CrackFront<2>& front, const 
   sumParts(state, sums, 5);
   FrontDisk disk;
   const double along = sums[0], across = sums[1], count = sums[4];
-  if (count > 0.0)
+  disk.empty = !(count > 0.0);
+  if (!disk.empty)
   {
     const double size = std::sqrt(along * along + across * across);
     disk.cosine = along / size;

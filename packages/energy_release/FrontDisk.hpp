@@ -15,6 +15,7 @@ struct FrontDisk
   Vector<2> velocity{{0.0, 0.0}};  ///< mean [m/s]
   Vector<2> position{{0.0, 0.0}};  ///< mean [m]
   Vector<2> reference{{0.0, 0.0}}; ///< mean before deformation [m]
+  bool empty = true;               ///< no particle lies in it
   TipModuli moduli;
   double effectiveModulus; ///< [Pa]
   double traceFactor;      ///< trace of Williams' stress over that of its part in the plane

@@ -180,9 +180,13 @@ double reachOf(const State<D>& state, const FrontTube& tube)
   return tube.radii.outer + 4.0 * state.mesh.grid.spacing;
 }
 
+/// The weight of a front node has at least this fraction of the length of the pieces at it: of a straight
+/// front in material it has all of it, and more.
+constexpr double leastWidth = 0.01;
+
 /// J at every front node, of the nodes' configurational forces [N].
-std::vector<double> integrate(const State<D>& state, const FrontLine& line, const FrontTube& tube,
-                              const View<double* [D]>& force)
+std::vector<std::optional<double>> integrate(const State<D>& state, const FrontLine& line,
+                                             const FrontTube& tube, const View<double* [D]>& force)
 {
   const std::size_t frontNodes = line.nodes.size();
   const FrontSight sight(line, reachOf(state, tube));
@@ -195,29 +199,31 @@ std::vector<double> integrate(const State<D>& state, const FrontLine& line, cons
   addWidths(state, line, sight, tube, nodes, width);
   std::copy(width.begin(), width.end(), sums.begin() + static_cast<long>(frontNodes));
   sumParts(state, sums.data(), static_cast<int>(sums.size()));
-  std::vector<double> J(frontNodes, 0.0);
+  std::vector<std::optional<double>> J(frontNodes);
   for (std::size_t s = 0; s < frontNodes; ++s)
-    if (sums[frontNodes + s] > 0.0)
+    if (sums[frontNodes + s] > leastWidth * line.nodes[s].tributaryLength)
       J[s] = sums[s] / sums[frontNodes + s];
   return J;
 }
 
 } // namespace
 
-std::vector<double> integrateWithAcceleration(const State<3>& state, const FrontLine& line,
-                                              const FrontTube& tube, const NodalAcceleration<3>& acceleration)
+std::vector<std::optional<double>> integrateWithAcceleration(const State<3>& state, const FrontLine& line,
+                                                             const FrontTube& tube,
+                                                             const NodalAcceleration<3>& acceleration)
 {
   if (line.empty())
-    return std::vector<double>(line.nodes.size(), 0.0);
+    return std::vector<std::optional<double>>(line.nodes.size());
   return integrate(state, line, tube,
                    configurationalForces(state, regionAround(line, reachOf(state, tube)), acceleration));
 }
 
-std::vector<double> integrateAlongFront(const State<3>& state, int crack, const FrontLine& line,
-                                        const FrontTube& tube, NodalAcceleration<3>& acceleration)
+std::vector<std::optional<double>> integrateAlongFront(const State<3>& state, int crack,
+                                                       const FrontLine& line, const FrontTube& tube,
+                                                       NodalAcceleration<3>& acceleration)
 {
   if (line.empty())
-    return std::vector<double>(line.nodes.size(), 0.0);
+    return std::vector<std::optional<double>>(line.nodes.size());
   // Nodes that particles in the tube touch are touched by others.
   internalAcceleration(state, regionAround(line, reachOf(state, tube) + 4.0 * state.mesh.grid.spacing),
                        acceleration);

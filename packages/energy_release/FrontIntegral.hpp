@@ -4,12 +4,14 @@
 #include "energy_release/FrontTube.hpp"
 #include "energy_release/InternalAcceleration.hpp"
 
+#include <optional>
 #include <vector>
 
 namespace Rhegma::energy_release
 {
 
-/// Dynamic J [J/m2] at every front node of a front.
+/// Dynamic J [J/m2] at every front node of a front; none where no material is left in the tube, or where the
+/// front is folded so that a shift along its directions makes no area.
 ///
 ///     J_s = sum_n q_s(n) e(n) . G_n / int q_s ds
 ///     G_n = sum_p V0 [(F^T tau - (W + T) F^T) grad N_n + rho0 (F^T a - (grad v F)^T v) N_n] less the terms
@@ -28,12 +30,13 @@ namespace Rhegma::energy_release
 /// \param acceleration of nodes by internal forces, which is found here: its rows are reused Source: Li, Shih
 /// and Needleman, Eng. Fract. Mech. 21 (1985) 405; Nikishkov and Atluri, Int. J. Numer. Methods Eng. 24
 /// (1987) 1801. \param crack of the front, the pressure on whose faces counts (FacePressureWork.hpp)
-std::vector<double> integrateAlongFront(const State<3>& state, int crack, const FrontLine& line,
-                                        const FrontTube& tube, NodalAcceleration<3>& acceleration);
+std::vector<std::optional<double>> integrateAlongFront(const State<3>& state, int crack,
+                                                       const FrontLine& line, const FrontTube& tube,
+                                                       NodalAcceleration<3>& acceleration);
 
 /// The same with a given acceleration of nodes.
-std::vector<double> integrateWithAcceleration(const State<3>& state, const FrontLine& line,
-                                              const FrontTube& tube,
-                                              const NodalAcceleration<3>& acceleration);
+std::vector<std::optional<double>> integrateWithAcceleration(const State<3>& state, const FrontLine& line,
+                                                             const FrontTube& tube,
+                                                             const NodalAcceleration<3>& acceleration);
 
 } // namespace Rhegma::energy_release

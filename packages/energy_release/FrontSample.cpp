@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace Rhegma::energy_release
 {
@@ -21,24 +22,34 @@ double lengthOf(const CrackFront<D>& front)
     return front.nodes[0].tributaryLength;
 }
 
-/// Mean along a front: of the straight lines between its nodes.
+/// Mean along a front: of the straight lines between its nodes. Nodes without a value are left out.
 template <int D>
 double meanOf(const CrackFront<D>& front, const Along& values)
 {
-  double sum = 0.0;
+  double sum = 0.0, length = lengthOf(front);
+  std::size_t with = 0;
   for (std::size_t k = 0; k < values.size(); ++k)
-    sum += front.nodes[k].tributaryLength * values[k];
-  const double length = lengthOf(front);
+    if (std::isfinite(values[k]))
+    {
+      sum += front.nodes[k].tributaryLength * values[k];
+      ++with;
+    }
+    else
+      length -= front.nodes[k].tributaryLength;
+  if (with == 0 && !values.empty())
+    return FrontSample<D>::notYet;
   return length > 0.0 ? sum / length : 0.0;
 }
 
-double least(const Along& values)
+/// The smallest or largest value of the nodes that have one.
+template <class Better>
+double extremeOf(const Along& values, const Better& better)
 {
-  return values.empty() ? 0.0 : *std::min_element(values.begin(), values.end());
-}
-double most(const Along& values)
-{
-  return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
+  double best = values.empty() ? 0.0 : FrontSample<3>::notYet;
+  for (const double value : values)
+    if (std::isfinite(value) && !(std::isfinite(best) && better(best, value)))
+      best = value;
+  return best;
 }
 
 /// Calls add(name, value) for a quantity: in 2D its value, in 3D its mean and extremes along the front.
@@ -48,8 +59,8 @@ void addQuantity(const char* name, const CrackFront<D>& front, const Along& valu
   add(name, meanOf(front, values));
   if constexpr (D == 3)
   {
-    add(std::string(name) + "_min", least(values));
-    add(std::string(name) + "_max", most(values));
+    add(std::string(name) + "_min", extremeOf(values, std::less<>{}));
+    add(std::string(name) + "_max", extremeOf(values, std::greater<>{}));
   }
 }
 

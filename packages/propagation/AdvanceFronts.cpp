@@ -1,6 +1,7 @@
 #include "propagation/AdvanceFronts.hpp"
 
 #include "propagation/Direction.hpp"
+#include "state/RecordStop.hpp"
 #include "transfer/LocalSpacing.hpp"
 #include "transfer/NearestMaterial.hpp"
 
@@ -40,6 +41,24 @@ bool mayAdvance(const AdvanceRule& rule, double now, double release, FrontNodeSt
     return true;
   node.history.recordAtRest(rule, now, release);
   return false;
+}
+
+/// What helps a front node without a contour.
+constexpr const char* lostAdvice = "; G is the last that could be computed: use smaller cells (Domain > Cell "
+                                   "Size), with which contours are smaller";
+
+/// Stops a front node whose J integral can't be computed: whether it advances is not known.
+template <int D>
+void stopLost(State<D>& state, const Options& options, double now, CrackFront<D>& front, FrontNode<D>& node,
+              const FrontHistory& history)
+{
+  node.stopped = true;
+  node.speed = 0.0;
+  const AdvanceRule rule = ruleAt(node.temperature, options);
+  recordStop(state, front,
+             {"with no material left in the contour of its J integral", now, node.position,
+              node.driving.release, history.running() ? rule.arrest : rule.initiation},
+             lostAdvice);
 }
 
 /// Angles by which the nodes of a front turn, smoothed along it over those that advance with a node: a hat
@@ -95,23 +114,23 @@ FrontNodeAdvance<D> advanceNode(const State<D>& state, const Options& options, c
   const Advance made = own.history.advance(ruleAt(node.temperature, options), state.clock.time,
                                            openingRelease(node.driving, e), own.increment, own.speedLimit);
   node.speed = own.history.speed(state.clock.time);
-  FrontNodeAdvance<D> asked{node.direction, 0.0, 0.0};
+  FrontNodeAdvance<D> advance{node.direction, 0.0, 0.0};
   if (made.increments == 0)
-    return asked;
+    return advance;
   front.count(own.history, made.increments);
-  asked.length = made.increments * own.increment;
-  asked.toughness = made.toughness;
+  advance.length = made.increments * own.increment;
+  advance.toughness = made.toughness;
   if (!(own.straightLength > 0.0))
-    asked.direction = turned(node.direction, node.normal, angle);
-  own.straightLength -= asked.length;
-  if (dot(asked.direction, node.direction) < sharp)
+    advance.direction = turned(node.direction, node.normal, angle);
+  own.straightLength -= advance.length;
+  if (dot(advance.direction, node.direction) < sharp)
     own.straightLength =
-        straightCells * own.increment / (incrementFraction<D> * options.cells) - asked.length;
+        straightCells * own.increment / (incrementFraction<D> * options.cells) - advance.length;
   // Cells and material may change along its path.
   own.increment = 0.0;
   if (state.materials.properties.size() > 1)
     own.speedLimit = 0.0;
-  return asked;
+  return advance;
 }
 
 /// Adds the advance of a front with one node to its path.
@@ -141,6 +160,11 @@ void selectAdvancing(State<D>& state, const Options& options, std::vector<FrontS
       if (node.stopped)
         continue;
       FrontNodeState& own = fronts[f].nodes.at(node.name);
+      if (node.driving.lost)
+      {
+        stopLost(state, options, now, front, node, own.history);
+        continue;
+      }
       if (own.speedLimit == 0.0)
         own.speedLimit = speedLimitAt(state, node.position, options);
       fronts[f].speedLimit = std::max(fronts[f].speedLimit, own.speedLimit);
@@ -150,8 +174,7 @@ void selectAdvancing(State<D>& state, const Options& options, std::vector<FrontS
       const AdvanceRule rule = ruleAt(node.temperature, options);
       if (!std::isfinite(node.driving.release))
       {
-        state.failure = "the energy release rate of crack " + state.cracks.cracks[front.crack].name +
-                        ", front " + std::to_string(front.number) +
+        state.failure = "the energy release rate of " + frontName(state.cracks, front) +
                         ", is not a number, so it can't be said whether it advances; use smaller cells "
                         "(Domain > Cell Size)";
         return;
@@ -178,26 +201,26 @@ void advanceSelected(State<D>& state, const Options& options, std::vector<FrontS
     const std::vector<double> angle = turningAngles(front, options, fronts[f].nodes);
     // The moduli with which the intensities were computed.
     const Elasticity e = elasticity(state.materials.properties[materialAt(state, front.position)]);
-    FrontAdvance<D> asked;
-    asked.front = static_cast<int>(f);
+    FrontAdvance<D> advance;
+    advance.front = static_cast<int>(f);
     bool any = false;
     for (std::size_t k = 0; k < front.nodes.size(); ++k)
     {
       FrontNode<D>& node = front.nodes[k];
       if (node.advances)
-        asked.nodes.push_back(advanceNode(state, options, e, angle[k], node, fronts[f]));
+        advance.nodes.push_back(advanceNode(state, options, e, angle[k], node, fronts[f]));
       else
-        asked.nodes.push_back({node.direction, 0.0,
-                               resistanceAtRest(state.clock.time, ruleAt(node.temperature, options),
-                                                fronts[f].nodes.at(node.name).history)});
+        advance.nodes.push_back({node.direction, 0.0,
+                                 resistanceAtRest(state.clock.time, ruleAt(node.temperature, options),
+                                                  fronts[f].nodes.at(node.name).history)});
       node.advances = false;
-      any = any || asked.nodes.back().length > 0.0;
+      any = any || advance.nodes.back().length > 0.0;
     }
     if (!any)
       continue;
-    state.cracks.advances.push_back(asked);
+    state.cracks.advances.push_back(advance);
     if constexpr (D == 2)
-      recordPath(front, asked.nodes[0], fronts[f]);
+      recordPath(front, advance.nodes[0], fronts[f]);
   }
 }
 

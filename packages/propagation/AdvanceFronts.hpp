@@ -11,7 +11,8 @@ namespace Rhegma::propagation
 
 /// Marks the front nodes that may advance after the step that ends (FrontNode::advances): those whose J
 /// reaches the toughness Gc(v, T). Whether J opens the crack follows from their stress intensities, which are
-/// computed next. Sets the speeds of all nodes, and State::failure where a toughness is not positive.
+/// computed next. Sets the speeds of all nodes, and State::failure where a toughness is not positive. Stops
+/// nodes whose J can't be computed (DrivingForce::lost).
 template <int D>
 void selectAdvancing(State<D>& state, const Options& options, std::vector<FrontState<D>>& fronts);
 

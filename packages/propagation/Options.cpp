@@ -91,10 +91,11 @@ Section propagationSection()
   s.choice("On Stop", {"Stop", "Continue"})
       .byDefault("Stop")
       .mayChange()
-      .meaning("What happens where the cells stop a front though G is not below its toughness, because faces "
-               "are closer than they can resolve. Stop: the run ends with exit status 2. Continue: the rest "
-               "of the "
-               "run goes on, and the front has the status \"stopped\".");
+      .meaning(
+          "What happens where a front, or any node of a 3D front, stops though G is not below its "
+          "toughness, because faces are closer than cells can resolve, or because its J integral can't be "
+          "computed. Stop: the run ends with exit status 2. Continue: the rest of the run goes on, and "
+          "the front has the status \"stopped\".");
   s.realArray("Release Contour")
       .onlyIn(2)
       .length(2)

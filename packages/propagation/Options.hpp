@@ -20,7 +20,7 @@ struct Options
   double speedLimit;  ///< [m/s]; 0: that of Rayleigh waves
   double temperature; ///< at the start [K]
   DrivingContours contours;
-  bool haltsAtStops = true; ///< the run ends where the cells stop a front though G is high enough
+  bool endsAtStops = true; ///< the run ends where a front node stops for a numerical reason
 };
 
 Section propagationSection();

@@ -35,14 +35,12 @@ void start(State<D>& state, Run<D>& run)
     run.fronts[f].matchNodes(state.cracks.fronts[f]);
 }
 
-/// Ends the run with the sample in which the cells have stopped a front, by the columns of the cracks.
+/// Ends the run with the first sample in which a front node is stopped for a numerical reason.
 template <int D>
-void haltAtStops(State<D>& state)
+void endAtStops(State<D>& state)
 {
-  const std::string flag = ".stopped";
-  for (const auto& [name, value] : state.sample.row)
-    if (value == 1.0 && name.size() > flag.size() &&
-        name.compare(name.size() - flag.size(), flag.size(), flag) == 0)
+  for (const CrackFront<D>& front : state.cracks.fronts)
+    if (front.numStopped() > 0)
       state.clock.maximumSteps = std::min(state.clock.maximumSteps, state.clock.step);
 }
 
@@ -64,9 +62,9 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   effect.call(Stage::BetweenSteps, "advances of fronts",
               {quantity::stressIntensities, quantity::advancingFronts}, {quantity::frontAdvances}, {},
               [run](State<D>& state) { advanceSelected(state, run->options, run->fronts); });
-  if (run->options.haltsAtStops)
+  if (run->options.endsAtStops)
     effect.call(Stage::Observe, "fronts that the cells stop", {quantity::crackGeometry}, {}, {},
-                [](State<D>& s) { haltAtStops(s); });
+                [](State<D>& s) { endAtStops(s); });
   effect.memory = [run](State<D>& state, Archive& archive)
   {
     for (std::size_t f = 0; f < run->fronts.size(); ++f)
@@ -78,7 +76,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   };
   effect.report = [run](const State<D>& state, nlohmann::json& summary)
   {
-    reportFronts(state, run->fronts, run->options.haltsAtStops, summary);
+    reportFronts(state, run->fronts, run->options, summary);
     reportToughness(run->options, summary);
   };
   return effect;

@@ -2,6 +2,7 @@
 
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
+#include "transfer/NearestMaterial.hpp"
 
 #include <cmath>
 #include <limits>
@@ -19,16 +20,10 @@ constexpr double notYet = std::numeric_limits<double>::quiet_NaN(); ///< null in
 /// Fraction by which faces may over-dissipate before a warning says so: usual runs stay within 5 %.
 constexpr double mostTooMuch = 0.1;
 
-/// What helps where the cells stop a front.
+/// What helps where a front stops for a numerical reason.
 constexpr const char* adviceAtStop =
-    "; use smaller cells (Domain > Cell Size), or let the rest of the run go on without it (Propagation > On "
-    "Stop = Continue)";
-
-template <int D>
-std::string nameOf(const State<D>& state, const CrackFront<D>& front)
-{
-  return "crack " + state.cracks.cracks[front.crack].name + ", front " + std::to_string(front.number);
-}
+    "; use smaller cells (Domain > Cell Size), or let the rest of the run go on (Propagation > On Stop = "
+    "Continue)";
 
 /// How close a front that has not initiated came to initiation, in its entry and in a warning.
 template <int D>
@@ -38,7 +33,7 @@ void reportRest(const State<D>& state, const CrackFront<D>& front, double closes
   if (state.clock.step == 0) // a scene that is only checked
     return;
   const double rounded = 0.001 * std::floor(1000.0 * closest); // below one
-  summary["warnings"].push_back(nameOf(state, front) + ": not initiated; G reached at most " +
+  summary["warnings"].push_back(frontName(state.cracks, front) + ": not initiated; G reached at most " +
                                 formatReal(rounded) + " of the initiation toughness");
 }
 
@@ -52,64 +47,155 @@ nlohmann::json entryOfRuns(const std::vector<CrackRun>& runs)
   return entry;
 }
 
-/// When, how often, how far, where to and how fast a front ran.
-/// \param position where it is now [m]
-template <int D>
-std::string runsAsText(const std::vector<CrackRun>& runs, const Vector<D>& position)
+/// How far a front ran, where to and how fast. \param position where it is now [m]
+std::string extensionAsText(const std::vector<CrackRun>& runs, const FrontExtension&,
+                            const Vector<2>& position)
 {
-  std::string text = "initiated at t = " + readableTime(runs.front().initiation);
-  if (runs.size() > 1)
-    text += ", arrested and reinitiated " + std::to_string(runs.size() - 1) + " times";
   double length = 0.0, duration = 0.0;
   for (const CrackRun& run : runs)
   {
     length += run.length;
     duration += run.lastAdvance - run.initiation;
   }
-  if (!std::isfinite(length)) // of a line in 3D
-    return text;
-  text += ", extension " + readableLength(length) + " to ";
-  for (int d = 0; d < D; ++d)
-    text += formatShort(position[d]) + (d + 1 < D ? ", " : " m");
+  std::string text = "extension " + readableLength(length) + " to " + formatShort(position[0]) + ", " +
+                     formatShort(position[1]) + " m";
   if (duration > 0.0)
     text += ", mean speed " + formatShort(length / duration) + " m/s";
   return text;
 }
 
-/// What became of a front in the end. \param entry of the front, with what cracks say of it
-template <int D>
-std::string fateOf(const CrackFront<D>& front, const FrontState<D>& own, const nlohmann::json& entry)
+std::string extensionAsText(const std::vector<CrackRun>&, const FrontExtension& extension, const Vector<3>&)
 {
-  const auto at = [](const nlohmann::json& event)
-  { return event["what"].get<std::string>() + " at t = " + readableTime(event["time"].get<double>()); };
-  if (entry.contains("stop"))
+  return "extension " + readableLength(extension.largest) + " at most, " + readableLength(extension.mean) +
+         " on average, new area " + formatShort(extension.area) + " m2";
+}
+
+/// When, how often, how far, where to and how fast a front ran.
+template <int D>
+std::string runsAsText(const std::vector<CrackRun>& runs, const CrackFront<D>& front)
+{
+  std::string text = "initiated at t = " + readableTime(runs.front().initiation);
+  if (runs.size() > 1)
+    text += ", arrested and reinitiated " + std::to_string(runs.size() - 1) + " times";
+  return text + ", " + extensionAsText(runs, front.extension, front.position);
+}
+
+enum class Fate
+{
+  NotInitiated,
+  Running,
+  Arrested, ///< G is below the toughness everywhere
+  AtRest,   ///< it is not
+  Stopped,  ///< a numerical reason stopped nodes of it
+  Ended
+};
+
+/// What became of a front.
+template <int D>
+struct FrontEnd
+{
+  Fate fate = Fate::Ended;
+  bool inPart = false; ///< other nodes have neither stopped nor landed
+  /// Of the node that can advance and is closest to its toughness [J/m2]; 0: there is none
+  double release = 0.0, toughness = 0.0;
+
+  FrontEnd(const State<D>& state, const Options& options, const CrackFront<D>& front,
+           const FrontState<D>& own)
   {
-    const nlohmann::json& stop = entry["stop"];
-    return at(stop) + " by the cells, not arrested: G = " + formatShort(stop["G"].get<double>()) +
-           " J/m2 for Gc = " + formatShort(stop["toughness"].get<double>()) + " J/m2";
+    bool any = false;
+    // Intensities are known where a node is about to advance.
+    const bool opening = !front.ended && front.advances();
+    const Elasticity e =
+        elasticity(state.materials.properties[opening ? materialAt(state, front.position) : std::size_t(0)]);
+    for (const FrontNode<D>& node : front.nodes)
+      if (!node.stopped && !front.ended)
+      {
+        const double opens = opening ? openingRelease(node.driving, e) : node.driving.release;
+        const double needed = ruleAt(node.temperature, options).initiation;
+        if (!any || opens * toughness > release * needed)
+        {
+          release = opens;
+          toughness = needed;
+        }
+        any = true;
+      }
+    inPart = any;
+    if (front.numStopped() > 0)
+      fate = Fate::Stopped;
+    else if (!any)
+      fate = Fate::Ended;
+    else if (own.running(front))
+      fate = Fate::Running;
+    else if (own.increments == 0)
+      fate = Fate::NotInitiated;
+    else
+      fate = release < toughness ? Fate::Arrested : Fate::AtRest;
   }
-  if (front.ended)
-    return entry.contains("arrival") ? at(entry["arrival"]) : "ended";
-  if (own.running(front))
-    return "still running at the end at " + formatShort(front.speed()) + " m/s";
-  const auto [release, toughness] = own.arrest();
-  if (toughness > 0.0)
-    return "arrested at t = " + readableTime(own.lastTime) + ", G = " + formatShort(release) +
-           " J/m2 below Gc = " + formatShort(toughness) + " J/m2";
-  return "all of it at a surface since t = " + readableTime(own.lastTime);
+};
+
+/// How many front nodes stopped, why, and at what G for which toughness.
+template <int D>
+std::string stopAsText(const CrackFront<D>& front)
+{
+  std::string text;
+  if (D == 3)
+    text = std::to_string(front.numStopped()) + " of " + std::to_string(front.nodes.size()) + " front nodes ";
+  return text + "stopped " + front.stop.what + (D == 3 ? ", the first at t = " : " at t = ") +
+         readableTime(front.stop.time) +
+         ", by the cells, not arrested: G = " + formatShort(front.stop.release) +
+         " J/m2 for Gc = " + formatShort(front.stop.toughness) + " J/m2";
+}
+
+/// What became of a front in the end.
+template <int D>
+std::string fateAsText(const CrackFront<D>& front, const FrontState<D>& own, const FrontEnd<D>& end)
+{
+  const std::string runs = "still running at the end at " + formatShort(front.speed()) + " m/s";
+  switch (end.fate)
+  {
+  case Fate::Stopped:
+    return stopAsText(front) + (own.running(front) ? "; the others are " + runs : "");
+  case Fate::Ended:
+    return front.arrival.happened() ? front.arrival.what + " at t = " + readableTime(front.arrival.time)
+                                    : "all of it at a surface since t = " + readableTime(own.lastTime);
+  case Fate::Running:
+    return runs;
+  case Fate::Arrested:
+  {
+    const auto [release, toughness] = own.arrest();
+    const bool known = toughness > 0.0; // else the nodes that ran have landed
+    return "arrested at t = " + readableTime(own.lastTime) +
+           ", G = " + formatShort(known ? release : end.release) +
+           " J/m2 below Gc = " + formatShort(known ? toughness : end.toughness) + " J/m2";
+  }
+  default:
+    return "at rest at the end, G = " + formatShort(end.release) +
+           " J/m2 for Gc = " + formatShort(end.toughness) + " J/m2";
+  }
 }
 
 /// The status of a front: one word, and the reason of a stop.
 template <int D>
-std::string statusOf(const CrackFront<D>& front, const FrontState<D>& own, const nlohmann::json& entry)
+std::string statusOf(const CrackFront<D>& front, const FrontEnd<D>& end)
 {
-  if (entry.contains("stop"))
-    return "stopped: " + entry["stop"]["what"].get<std::string>().substr(sizeof "stopped " - 1);
-  if (front.ended)
+  switch (end.fate)
+  {
+  case Fate::Stopped:
+    return (end.inPart ? "stopped in part, " + std::to_string(front.numStopped()) + " of " +
+                             std::to_string(front.nodes.size()) + " front nodes: "
+                       : "stopped: ") +
+           front.stop.what;
+  case Fate::Ended:
     return "ended";
-  if (own.running(front))
+  case Fate::Running:
     return "running";
-  return own.increments == 0 ? "not initiated" : own.arrest().second > 0.0 ? "arrested" : "ended";
+  case Fate::NotInitiated:
+    return "not initiated";
+  case Fate::Arrested:
+    return "arrested";
+  default:
+    return "at rest";
+  }
 }
 
 /// Mean time and position of the points of a path between two times; not numbers where there are none.
@@ -174,8 +260,41 @@ void reportEnergy(const State<D>& state, double required, nlohmann::json& summar
 
 } // namespace
 
+namespace
+{
+
+/// The entry of a front. \return its runs
 template <int D>
-void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& fronts, bool halts,
+std::vector<CrackRun> reportFront(const CrackFront<D>& front, const FrontState<D>& own,
+                                  const FrontEnd<D>& end, nlohmann::json& entry)
+{
+  const bool moved = own.increments > 0;
+  entry["increments"] = own.increments;
+  entry["status"] = statusOf(front, end);
+  entry["running"] = own.running(front);
+  entry["ended"] = front.ended;
+  entry["stopped"] = front.numStopped() > 0;
+  entry["initiated"] = moved ? own.firstTime : notYet;
+  entry["last_advance"] = moved ? own.lastTime : notYet;
+  entry["settled_speed"] = own.settledSpeed();
+  entry["speed_limit"] = own.speedLimit;
+  entry["energy_of_new_faces"] = front.budget.required;
+  std::vector<CrackRun> runs;
+  if constexpr (D == 2)
+  {
+    reportPath(front, own, entry);
+    runs = own.nodes.at(front.nodes[0].name).history.runs();
+  }
+  else if (moved) // nodes initiate and arrest one by one, and there is no single length
+    runs = {{own.firstTime, own.lastTime, notYet}};
+  entry["runs"] = entryOfRuns(runs);
+  return runs;
+}
+
+} // namespace
+
+template <int D>
+void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& fronts, const Options& options,
                   nlohmann::json& summary)
 {
   double required = 0.0;
@@ -183,35 +302,19 @@ void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& front
   {
     const CrackFront<D>& front = state.cracks.fronts[f];
     const FrontState<D>& own = fronts[f];
+    const FrontEnd<D> end(state, options, front, own);
+    const std::string name = frontName(state.cracks, front);
     required += front.budget.required;
-    const bool moved = own.increments > 0;
     nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
-    entry["increments"] = own.increments;
-    entry["status"] = statusOf(front, own, entry);
-    entry["running"] = own.running(front);
-    entry["ended"] = front.ended;
-    entry["stopped"] = entry.contains("stop");
-    entry["initiated"] = moved ? own.firstTime : notYet;
-    entry["last_advance"] = moved ? own.lastTime : notYet;
-    entry["settled_speed"] = own.settledSpeed();
-    entry["speed_limit"] = own.speedLimit;
-    entry["energy_of_new_faces"] = front.budget.required;
-    std::vector<CrackRun> runs;
-    if constexpr (D == 2)
-    {
-      reportPath(front, own, entry);
-      runs = own.nodes.at(front.nodes[0].name).history.runs();
-    }
-    else if (moved) // nodes initiate and arrest one by one, and there is no single length
-      runs = {{own.firstTime, own.lastTime, notYet}};
-    entry["runs"] = entryOfRuns(runs);
-    if (moved)
-      summary["answers"].push_back(nameOf(state, front) + ": " + runsAsText(runs, front.position) + ", " +
-                                   fateOf(front, own, entry));
-    else if (!front.ended && !front.stopped())
+    const std::vector<CrackRun> runs = reportFront(front, own, end, entry);
+    const bool moved = own.increments > 0, stopped = end.fate == Fate::Stopped;
+    if (moved || stopped)
+      summary["answers"].push_back(name + ": " + (moved ? runsAsText(runs, front) + ", " : "") +
+                                   fateAsText(front, own, end));
+    else if (end.fate == Fate::NotInitiated)
       reportRest(state, front, own.closest(), summary);
-    if (halts && entry.contains("stop") && !summary.contains("halt"))
-      summary["halt"] = nameOf(state, front) + " " + fateOf(front, own, entry) + adviceAtStop;
+    if (stopped && options.endsAtStops && !summary.contains("ended_by"))
+      summary["ended_by"] = name + (D == 2 ? " " : ": ") + fateAsText(front, own, end) + adviceAtStop;
   }
   reportEnergy(state, required, summary);
 }
@@ -221,7 +324,9 @@ void reportToughness(const Options& options, nlohmann::json& summary)
   summary["propagation"]["initiation_toughness"] = ruleAt(options.temperature, options).initiation;
 }
 
-template void reportFronts(const State<2>&, const std::vector<FrontState<2>>&, bool, nlohmann::json&);
-template void reportFronts(const State<3>&, const std::vector<FrontState<3>>&, bool, nlohmann::json&);
+template void reportFronts(const State<2>&, const std::vector<FrontState<2>>&, const Options&,
+                           nlohmann::json&);
+template void reportFronts(const State<3>&, const std::vector<FrontState<3>>&, const Options&,
+                           nlohmann::json&);
 
 } // namespace Rhegma::propagation

@@ -12,10 +12,10 @@ namespace Rhegma::propagation
 {
 
 /// The entries of all fronts: whether each runs, when it initiated and arrested, its path (2D); a warning of
-/// each that has not initiated; and the energy of new faces.
-/// \param halts a front that the cells have stopped ends the run: `halt` is then why, and what to change
+/// each that has not initiated; and the energy of new faces. Where a stop of a front ends the run
+/// (Options::endsAtStops), `ended_by` is why, and what to change.
 template <int D>
-void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& fronts, bool halts,
+void reportFronts(const State<D>& state, const std::vector<FrontState<D>>& fronts, const Options& options,
                   nlohmann::json& summary);
 
 /// The energy release rate at which a front initiates, at the temperature of the start:

@@ -1,5 +1,9 @@
 #include "thermal/Observations.hpp"
 
+#include "archive/Archive.hpp"
+#include "base/Numbers.hpp"
+#include "base/ShortNumber.hpp"
+
 namespace Rhegma::thermal
 {
 
@@ -103,6 +107,37 @@ double temperatureAt(const State<D>& state, const Vector<D>& position)
   return shared<1>(state.ranks, value, any && nearest.val == least)[0];
 }
 
+template <int D>
+void PeakTemperature<D>::sample(const Extremes<D>& now, double at)
+{
+  if (!(now.highest > value))
+    return;
+  value = now.highest;
+  where = now.where;
+  time = at;
+}
+
+template <int D>
+std::string PeakTemperature<D>::asText(double initial, double last) const
+{
+  std::string text =
+      "peak temperature " + formatShort(value) + " K (rise " + formatShort(value - initial) + " K) at ";
+  for (int d = 0; d < D; ++d)
+    text += formatShort(where[d]) + (d + 1 < D ? ", " : " m");
+  text += ", t = " + readableTime(time);
+  return last < value ? text + "; " + formatShort(last) + " K at the end" : text;
+}
+
+template <int D>
+void PeakTemperature<D>::serialize(Archive& archive)
+{
+  archive("value", value);
+  archive("where", where);
+  archive("time", time);
+}
+
+template struct PeakTemperature<2>;
+template struct PeakTemperature<3>;
 template Extremes<2> extremes(const State<2>&);
 template Extremes<3> extremes(const State<3>&);
 template double temperatureAt(const State<2>&, const Vector<2>&);

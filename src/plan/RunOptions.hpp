@@ -47,6 +47,7 @@ struct RunOptions
   bool extrapolated = false;           ///< they extrapolate from nodes on one side
   bool contact = false;                ///< faces that close press against each other
   std::set<std::string> pressedCracks; ///< with a given pressure
+  bool burning = false;                ///< faces burn, and their gas presses on them
   bool growth = false;                 ///< cracks may grow
   DrivingContours contours;            ///< contours for the driving forces of growing cracks, given in 2D
   NodalMass nodalMass;

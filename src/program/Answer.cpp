@@ -3,6 +3,7 @@
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace Rhegma::program
@@ -26,7 +27,16 @@ std::string howItEnded(const nlohmann::json& summary)
          (summary.value("settled", false) ? ", at rest" : "");
 }
 
-/// Fronts whose path and length the cells decided, in one sentence; empty where there is none.
+/// "4 of 32 front nodes of " where a front has several. \param stop of a front in the summary
+std::string partOfFront(const nlohmann::json& stop)
+{
+  const int all = stop.value("of_nodes", 1);
+  return all == 1
+             ? std::string()
+             : std::to_string(stop.value("nodes", all)) + " of " + std::to_string(all) + " front nodes of ";
+}
+
+/// Fronts whose path and length the cells decided, in one line; empty where there is none.
 std::string stoppedFronts(const nlohmann::json& summary)
 {
   std::string names;
@@ -34,12 +44,12 @@ std::string stoppedFronts(const nlohmann::json& summary)
   for (const auto& crack : summary.value("cracks", nlohmann::json::array()))
     for (std::size_t k = 0; crack.contains("fronts") && k < crack["fronts"].size(); ++k)
       if (crack["fronts"][k].is_object() && crack["fronts"][k].contains("stop") && ++count <= 3)
-        names += (count > 1 ? "; crack " : "crack ") + crack.value("name", std::string()) + ", front " +
-                 std::to_string(k);
+        names += (count > 1 ? "; " : "") + partOfFront(crack["fronts"][k]["stop"]) + "crack " +
+                 crack.value("name", std::string()) + ", front " + std::to_string(k);
   if (count == 0)
     return {};
   return "the cells stopped " + names + (count > 3 ? " and " + std::to_string(count - 3) + " more" : "") +
-         " with G above the toughness: from then on the result is not that of the physics";
+         ", which is no arrest: from then on the result is not that of the physics";
 }
 
 /// What the energy balance does not account for, of what was given.
@@ -52,6 +62,8 @@ std::string energyBalance(const nlohmann::json& summary)
   for (const char* name : {"external_work", "combustion", "kinetic", "strain"})
     given = std::max(given, std::fabs(numberOrZero(energy, name)));
   const double residual = numberOrZero(energy, "residual");
+  if (!std::isfinite(given) || !std::isfinite(residual))
+    return "energy balance: beyond sense, for the energies are no finite numbers";
   if (!(given > 0.0))
     return {};
   return "energy balance: external work " + readableEnergy(numberOrZero(energy, "external_work")) +
@@ -60,6 +72,21 @@ std::string energyBalance(const nlohmann::json& summary)
          readableEnergy(numberOrZero(energy, "fracture")) + "; not accounted for " +
          readableEnergy(residual) + " (" + formatShort(100.0 * std::fabs(residual) / given) +
          " % of the largest of these)";
+}
+
+/// Warnings that are said in full.
+constexpr std::size_t mostWarnings = 3;
+
+/// The first warnings, and how many there are.
+void addWarnings(const nlohmann::json& warnings, nlohmann::json& answers)
+{
+  const std::size_t count = warnings.size(), said = std::min(count, mostWarnings);
+  for (std::size_t k = 0; k < said; ++k)
+    answers.push_back("warning: " + warnings[k].get<std::string>());
+  answers.push_back(count == 0   ? "no warnings"
+                    : count == 1 ? "1 warning"
+                                 : std::to_string(count) + " warnings" +
+                                       (said < count ? "; all are in summary.json" : ""));
 }
 
 } // namespace
@@ -74,10 +101,7 @@ void addAnswers(nlohmann::json& summary)
     answers.push_back(answer);
   if (const std::string balance = energyBalance(summary); !balance.empty())
     answers.push_back(balance);
-  const std::size_t warnings = summary.value("warnings", nlohmann::json::array()).size();
-  answers.push_back(warnings == 0   ? "no warnings"
-                    : warnings == 1 ? "1 warning"
-                                    : std::to_string(warnings) + " warnings");
+  addWarnings(summary.value("warnings", nlohmann::json::array()), answers);
   summary["answers"] = answers;
 }
 

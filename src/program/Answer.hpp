@@ -9,9 +9,9 @@
 namespace Rhegma::program
 {
 
-/// Completes `answers` of a summary, in which effects have what became of the cracks: before these how the
-/// run ended and the fronts that the cells stopped, after these the energy balance and the number of
-/// warnings. \param summary with status, time, steps and warnings
+/// Completes `answers` of a summary, in which effects have theirs: before these how the run ended and the
+/// fronts that the cells stopped, after these the energy balance, the first three warnings and their number.
+/// \param summary with status, time, steps and warnings
 void addAnswers(nlohmann::json& summary);
 
 /// Prints them. \param failed the program says itself why the run could not go on, which is the first answer

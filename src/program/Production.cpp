@@ -147,9 +147,9 @@ std::string Production::runToEnd()
       }
     checkpoints_.atEnd();
     // The state is whole, and the run may go on from it with another scene.
-    const std::string halt = ranks_.firstText(simulation_.report().value("halt", std::string()));
-    if (!halt.empty())
-      failure = stoppedBy(halt) + checkpoints_.atStop();
+    const std::string reason = ranks_.firstText(simulation_.report().value("ended_by", std::string()));
+    if (!reason.empty())
+      failure = stoppedBy(reason) + checkpoints_.atStop();
   }
   catch (const RunError& error)
   {

@@ -3,6 +3,7 @@
 
 #include "base/FacetEnds.hpp"
 #include "base/Types.hpp"
+#include "state/FrontEvent.hpp"
 #include "state/ReleaseBudget.hpp"
 
 #include <algorithm>
@@ -20,6 +21,7 @@ struct DrivingForce
   double modeI = 0.0, modeII = 0.0; ///< stress intensities [Pa m^0.5]
   double modeIII = 0.0;             ///< the same, 3D only
   double hoopAngle = 0.0; ///< from its direction towards its normal, where the hoop stress is largest [rad]
+  bool lost = false; ///< no material is left in the contour of its J integral; `release` is the last known
 };
 
 /// Weights of the domain integrals that measure driving forces, in cells at the front.
@@ -47,9 +49,19 @@ struct FrontNode
 
   DrivingForce driving;     ///< computed where CrackSet::driven is set
   bool advances = false;    ///< it is about to advance and needs its stress intensities
-  bool stopped = false;     ///< it never advances again: too near to another crack, or at a surface
+  bool landed = false;      ///< it has reached a surface or another crack
+  bool stopped = false;     ///< it never advances again: it has landed, or stopped for a numerical reason
   double speed = 0.0;       ///< [m/s]
   double temperature = 0.0; ///< where an effect computes it [K]
+  double advance = 0.0;     ///< by which it has advanced since the start [m]
+};
+
+/// How far a front has advanced since the start.
+struct FrontExtension
+{
+  double largest = 0.0; ///< of the node that advanced most [m]
+  double mean = 0.0;    ///< along the front [m]
+  double area = 0.0;    ///< of its new faces [m2]; in 2D their length [m]
 };
 
 /// An end of a crack inside the body: a vertex of a polyline (2D), a line of edges along the border of a
@@ -74,6 +86,9 @@ struct CrackFront
   bool grown = false;           ///< it has advanced since the start
   bool ended = false;           ///< it has met the surface of its body or another crack and has no facet
   ReleaseBudget budget{D == 3}; ///< energy of its new faces
+  FrontExtension extension;
+  FrontEvent<D> stop;    ///< the first stop of a node for a numerical reason
+  FrontEvent<D> arrival; ///< the last arrival of a node at a surface or another crack
 
   /// Whether any of its nodes is about to advance.
   bool advances() const
@@ -85,6 +100,15 @@ struct CrackFront
   bool stopped() const
   {
     return std::all_of(nodes.begin(), nodes.end(), [](const FrontNode<D>& n) { return n.stopped; });
+  }
+
+  /// Number of its nodes that are stopped for a numerical reason: their G has reached their toughness, or is
+  /// not known. Of a front that has ended none.
+  int numStopped() const
+  {
+    const auto count = std::count_if(nodes.begin(), nodes.end(),
+                                     [](const FrontNode<D>& n) { return n.stopped && !n.landed; });
+    return ended ? 0 : static_cast<int>(count);
   }
 
   /// Speed of its fastest node [m/s].
@@ -182,5 +206,12 @@ struct CrackSet
 
   bool empty() const { return cracks.empty(); } ///< whether there are no cracks
 };
+
+/// The name of a front in messages, such as "crack Notch, front 0".
+template <int D>
+std::string frontName(const CrackSet<D>& set, const CrackFront<D>& front)
+{
+  return "crack " + set.cracks[front.crack].name + ", front " + std::to_string(front.number);
+}
 
 } // namespace Rhegma

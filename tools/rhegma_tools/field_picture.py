@@ -8,6 +8,7 @@ from . import boxes, style
 from .deformation import automatic_magnification, crack_normals, curved_at_fronts, magnified_faces
 from .interpreter import Problem
 from .style import plt
+from .summary import stop_time, stopped_part
 
 MOST = 250_000  # particles drawn; of more, every second, third, ... is drawn larger
 QUANTITIES = {"principal": "largest principal stress", "mises": "von Mises stress", "temperature": "temperature"}
@@ -169,13 +170,8 @@ class DrawnFront:
         self.stopped = stopped
 
 
-def stop_time(front):
-    """When the cells stopped a front of the summary [s]."""
-    return (front.get("stop") or {}).get("time", front.get("last_advance") or 0.0)
-
-
 def drawn_fronts(fields, faces, summary, view):
-    """Fronts of the summary, each at the crack's nearest vertex."""
+    """Fronts of the summary, each at the crack's nearest vertex; none in 3D, where a front is a line."""
     fronts = []
     if fields.crack is None or not summary or view.normal is not None:
         return fronts
@@ -191,6 +187,23 @@ def drawn_fronts(fields, faces, summary, view):
                                      view.flat(0.5 * (faces[0][nearest] + faces[1][nearest])),
                                      bool(front.get("stopped")) and fields.time >= stop_time(front)))
     return fronts
+
+
+def stopped_nodes(fields, faces, summary, view):
+    """Of a run in 3D: where the stopped front nodes of the summary are drawn, seen along the slice's normal, each at the
+    crack's nearest vertex; and how many they are, in words, of each front."""
+    positions, parts = [], []
+    if fields.crack is None or not summary or view.normal is None:
+        return positions, parts
+    for crack in summary.get("cracks", []):
+        for number, front in enumerate(crack.get("fronts", [])):
+            if not front.get("stopped") or fields.time < stop_time(front):
+                continue
+            parts.append(f"{crack.get('name', '')}.{number}: {stopped_part(front)}stopped by the cells")
+            for given in (front.get("stop") or {}).get("node_positions", []):
+                nearest = int(np.argmin(np.linalg.norm(fields.crack.points - np.asarray(given), axis=1)))
+                positions.append(view.flat(0.5 * (faces[0][nearest] + faces[1][nearest])))
+    return positions, parts
 
 
 def close_up(fronts):
@@ -258,13 +271,15 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
     values = values[drawn] * stress_factor
     colour_map, norm = heat_scale(values) if stress == "temperature" else colour_scale(values)
 
-    segments, fronts = [], []
+    segments, fronts, nodes, parts = [], [], [], []
     if fields.crack is not None:
         faces = magnified_faces(fields.crack, fields.position, fields.displacement, magnification)
         segments = [face * length_factor for face in crack_segments(fields, faces, view)]
         fronts = drawn_fronts(fields, faces, summary, view)
+        nodes, parts = stopped_nodes(fields, faces, summary, view)
     positions = [front.position * length_factor for front in fronts if not front.ended and not front.stopped]
     stopped = [front.position * length_factor for front in fronts if front.stopped]
+    stopped += [position * length_factor for position in nodes]
 
     names = ["xyz"[axis] for axis in view.axes]
     time_factor, time_unit = style.scale(fields.time, "s")
@@ -288,8 +303,9 @@ def draw_fields(fields, summary, title, path, stress="principal", magnification=
     limits(whole, low, high, 0.03)
     # A tall body without a close-up has a narrow panel: a line for each part, or they would run into the colour bar.
     narrow = tall and not zoom
-    subtitle = ("\n" if narrow else ",   ").join(heading)
-    whole.set_title(title, fontsize=12, pad=22 + (14 * (len(heading) - 1) if narrow else 0))
+    lines = (heading if narrow else [",   ".join(heading)]) + parts[:2]
+    subtitle = "\n".join(lines)
+    whole.set_title(title, fontsize=12, pad=22 + 14 * (len(lines) - 1))
     whole.annotate(subtitle, (0.0, 1.0), (0.0, 8.0), "axes fraction", "offset points", fontsize=10, linespacing=1.3)
     # Lengths read off a magnified picture are not those of the body.
     drawn_at = "" if magnification == 1.0 else ", magnified"

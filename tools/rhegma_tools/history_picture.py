@@ -7,6 +7,7 @@ import numpy as np
 from . import style
 from .interpreter import Problem
 from .style import plt
+from .summary import stopped_part
 
 METHODS = [("G_J", "J integral", "-"), ("G_closure", "crack closure", (0, (5, 1.5)))]
 ENERGIES = [
@@ -88,6 +89,8 @@ def ends(summary):
     for i, crack in enumerate((summary or {}).get("cracks", [])):
         for j, front in enumerate(crack.get("fronts", [])):
             time, how = front.get("last_advance"), [name for name in ("ended", "stopped") if front.get(name)]
+            if how[-1:] == ["stopped"]:
+                time, how = (front.get("stop") or {}).get("time", time), [stopped_part(front) + "stopped"]
             if how and isinstance(time, (int, float)):
                 found.append((crack.get("name", str(i)), j, float(time), how[-1]))
     return found
@@ -97,8 +100,9 @@ def draw_ends(axes, found, factor):
     """A line across the panel where a front met its end, red where the cells stopped it; of many fronts that ended the lines
     have one name."""
     for k, (crack, front, time, how) in enumerate(found):
-        stopped = how == "stopped"
-        name = f"{crack}, front {front} {how}" + (" by the cells" if stopped else "")
+        stopped = how.endswith("stopped")
+        between = ":\n" if " nodes " in how else " "
+        name = f"{crack}, front {front}{between}{how}" + (" by the cells" if stopped else "")
         if len(found) > FEW and not stopped:
             name = None if k else f"{len(found)} fronts ended"
         colour, width_, dashes = (style.ALARM, 1.6, "-") if stopped else (style.INK, 1.0, (0, (1, 3)))

@@ -21,6 +21,17 @@ def read_summary(folder):
     return summary
 
 
+def stop_time(front):
+    """When a front of the summary, or the first of its nodes, was stopped for a numerical reason [s]."""
+    return (front.get("stop") or {}).get("time", front.get("last_advance") or 0.0)
+
+
+def stopped_part(front):
+    """"4 of 32 front nodes " of a stopped front of the summary; empty where it has one node."""
+    stop = front.get("stop") or {}
+    return f"{stop['nodes']} of {stop['of_nodes']} front nodes " if stop.get("of_nodes", 1) > 1 else ""
+
+
 def look_up(summary, quantity):
     """The number at a path such as cracks.0.fronts.0.G_J; an entry of a list by index or by its name.
 

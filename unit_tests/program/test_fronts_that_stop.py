@@ -11,7 +11,7 @@ sys.path.insert(0, os.path.dirname(os.path.realpath(__file__)))
 sys.dont_write_bytecode = True
 
 from program import ProgramTest, rhegma  # noqa: E402
-from scenes import plate  # noqa: E402
+from scenes import Scene, plate  # noqa: E402
 from test_running_cracks import pulled_apart  # noqa: E402
 
 CELL = 0.05
@@ -24,6 +24,39 @@ def passing(**more):
     for name, value in more.items():
         scene.set("Propagation > " + name.replace("_", " "), value)
     return scene.set("Output", {"History Interval": 2e-5})
+
+
+def penny_beside_a_crack(**more):
+    """A quarter of a penny crack in a block under tension. A sheet next to the x axis stops the nodes that run towards it,
+    three cells before it; the nodes at the y axis run on."""
+    millimetres = lambda *values: [1e-3 * value for value in values]  # noqa: E731
+    block = {"Material": "Polymer", "Shape": "Box", "Lower Corner": millimetres(0, 0, -5), "Upper Corner": millimetres(12, 12, 5)}
+    scene = Scene(
+        {
+            "Domain": {"Dimension": 3, "Lower Corner": millimetres(-2, -2, -7), "Upper Corner": millimetres(14, 14, 7),
+                       "Cell Size": 1e-3},
+            "Time": {"Final Time": 2e-5},
+            "Materials": {"Polymer": {"Model": "Linear Elastic", "Density": 1200.0, "Young Modulus": 3e9, "Poisson Ratio": 0.3}},
+            "Bodies": {"Block": block},
+            "Boundaries": {},
+            "Cracks": {
+                "Penny": {"Centre": millimetres(0, 0, 0.3), "Normal": [0.0, 0.0, 1.0], "Radius": 3e-3},
+                "Sheet": {"Points": millimetres(7.2, -1, -1.7, 7.2, 2.5, -1.7, 7.2, 2.5, 2.3, 7.2, -1, 2.3)},
+            },
+            "Energy Release": {},
+            "Propagation": {"Toughness": "8*(1 + v/200)", "Direction": "Straight"},
+            "Output": {"History Interval": 1e-6},
+        }
+    )
+    for axis in "xy":
+        scene.set("Boundaries > Middle " + axis, {"Type": "Symmetry", "Axis": axis, "Position": 0.0})
+    for name, z, stress in (("Top", 5, 5e6), ("Bottom", -5, -5e6)):
+        scene.set("Boundaries > " + name, {"Type": "Traction", "Body": "Block", "Corner": millimetres(0, 0, z),
+                                          "Edge 1": millimetres(12, 0, 0), "Edge 2": millimetres(0, 12, 0),
+                                          "Stress": [0.0, 0.0, stress]})
+    for name, value in more.items():
+        scene.set("Propagation > " + name.replace("_", " "), value)
+    return scene
 
 
 class FrontsThatStop(ProgramTest):
@@ -84,6 +117,46 @@ class FrontsThatStop(ProgramTest):
         self.assertIn("the cells stopped crack Notch, front 0", summary["answers"][1])
         self.assertEqual(float(rows[-1]["Notch.0.stopped"]), 1.0)
 
+    def test_a_part_of_a_3d_front_that_the_cells_stop_ends_the_run(self):
+        answer, text, summary, rows = self.run_scene(penny_beside_a_crack())
+        self.assertEqual(answer.status, 2, answer)
+        front = summary["cracks"][0]["fronts"][0]
+        stop = front["stop"]
+        self.assertGreater(stop["nodes"], 0)
+        self.assertLess(stop["nodes"], stop["of_nodes"])
+        self.assertEqual(len(stop["node_positions"]), stop["nodes"])
+        self.assertGreaterEqual(stop["G"], 0.99 * stop["toughness"])
+        part = f"{stop['nodes']} of {stop['of_nodes']} front nodes"
+        self.assertEqual(front["status"], f"stopped in part, {part}: less than three cells from crack Sheet")
+        self.assertTrue(front["stopped"])
+        last = answer.messages.splitlines()[-1]
+        for words in ("the run stopped at t = ", f"crack Penny, front 0: {part} stopped less than three cells from crack Sheet",
+                      "not arrested: G = ", "Gc = ", "Domain > Cell Size", "On Stop = Continue", "--restart"):
+            self.assertIn(words, last)
+        self.assertEqual(summary["answers"][0], summary["status"])
+        self.assertIn(f"the cells stopped {part} of crack Penny, front 0", summary["answers"][1])
+        flags = [float(row["Penny.0.stopped"]) for row in rows]
+        self.assertEqual(flags[:-1], [0.0] * (len(rows) - 1))
+        self.assertAlmostEqual(flags[-1], stop["nodes"] / stop["of_nodes"])
+        self.assertLess(summary["time"], 2e-5)
+
+    def test_the_rest_of_a_3d_front_may_go_on(self):
+        """It says how far the front went; the part that is stopped is told in all answers, and nothing is arrested."""
+        answer, _, summary, rows = self.run_scene(penny_beside_a_crack(On_Stop="Continue"))
+        self.assertEqual(answer.status, 0, answer)
+        front = summary["cracks"][0]["fronts"][0]
+        self.assertRegex(front["status"], r"^stopped in part, \d+ of \d+ front nodes: less than three cells from crack Sheet$")
+        self.assertGreater(float(rows[-1]["Penny.0.stopped"]), 0.0)
+        self.assertLess(float(rows[-1]["Penny.0.stopped"]), 1.0)
+        line = next(line for line in answer.output.splitlines() if line.startswith("crack Penny, front 0"))
+        self.assertRegex(line, r"extension .* at most, .* on average, new area .* m2, \d+ of \d+ front nodes stopped")
+        self.assertNotIn(" arrested at", answer.output)
+        self.assertRegex(summary["answers"][1], r"^the cells stopped \d+ of \d+ front nodes of crack Penny, front 0")
+        area = float(rows[-1]["Penny.area"]) - float(rows[0]["Penny.area"])
+        self.assertGreater(front["largest_advance"], 1e-3)
+        self.assertGreater(front["largest_advance"], front["mean_advance"])
+        self.assertGreaterEqual(front["new_area"], area * (1.0 - 1e-9))
+
     def test_arrest_has_both_numbers_and_one_line(self):
         """A load that comes and goes: the front starts and stops, and has one line for it."""
         scene = pulled_apart([0.0, 0.52, 0.4, 0.52], toughness="20")
@@ -108,7 +181,37 @@ class FrontsThatStop(ProgramTest):
         self.assertRegex(summary["answers"][0], r"the run finished at t = 4 ms after \d+ steps")
         self.assertRegex(summary["answers"][1], r"extension .* to .* m, mean speed .* m/s, reached the surface of its body at")
         self.assertRegex(summary["answers"][2], r"energy balance: .*not accounted for")
-        self.assertRegex(summary["answers"][3], r"^\d+ warnings?$|^no warnings$")
+        warnings = summary["warnings"]
+        said = ["warning: " + warning for warning in warnings[:3]]
+        self.assertEqual(summary["answers"][3:-1], said)
+        self.assertRegex(summary["answers"][-1], rf"^{len(warnings)} warnings?\b|^no warnings$")
+
+    def test_held_cracks_have_g_and_k_with_the_time(self):
+        answer, _, summary, rows = self.run_scene(plate())
+        self.assertEqual(answer.status, 0, answer)
+        line = next(line for line in summary["answers"] if line.startswith("crack Notch, front 0"))
+        self.assertIn(line, answer.output.splitlines())
+        self.assertRegex(line, r"^crack Notch, front 0: G = \S+ J/m2, K_I = \S+ [kM]?Pa m\^0.5, K_II = \S+ [kM]?Pa m\^0.5 at t = 1 ms$")
+        self.assertAlmostEqual(float(line.split("G = ")[1].split()[0]), float(rows[-1]["Notch.0.G_J"]),
+                               delta=1e-3 * abs(float(rows[-1]["Notch.0.G_J"])))
+
+    def test_heat_has_its_peak_with_position_and_time(self):
+        """A source that heats the plate for the first tenth of the run; then its heat spreads, and the peak falls."""
+        scene = plate().remove("Cracks").remove("Energy Release").remove("Boundaries")
+        for name, value in (("Conductivity", 1000.0), ("Specific Heat", 1000.0)):
+            scene.set("Materials > Polymer > " + name, value)
+        scene.set("Thermal", {"Mechanics": False, "Initial Temperature": 300.0, "Sources": {"Spot": {
+            "Type": "Ball", "Centre": [0.7, 0.3], "Radius": 0.06, "Power": 1e9, "History": "0:1, 0.99:1, 1:0, 10:0"}}})
+        scene.set("Time > Final Time", 10.0).set("Output", {"History Interval": 0.1})
+        answer, _, summary, rows = self.run_scene(scene)
+        self.assertEqual(answer.status, 0, answer)
+        highest = summary["temperature"]["highest"]
+        self.assertAlmostEqual(highest["value"], max(float(row["temperature_highest"]) for row in rows), delta=1e-6 * highest["value"])
+        self.assertLess(highest["time"], 2.0)
+        self.assertGreater(highest["value"], summary["temperature"]["peak"])
+        line = next(line for line in summary["answers"] if line.startswith("peak temperature"))
+        self.assertIn(line, answer.output.splitlines())
+        self.assertRegex(line, r"^peak temperature \S+ K \(rise \S+ K\) at 0\.\d+, 0\.\d+ m, t = .* s; \S+ K at the end$")
 
 
 class BodiesOutside(ProgramTest):

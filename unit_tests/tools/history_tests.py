@@ -145,6 +145,8 @@ class History(ToolTest):
         summary = {"cracks": [{"name": "A", "fronts": fronts}]}
         self.assertEqual(ends(summary), [("A", 0, 4e-4, "ended"), ("A", 1, 6e-4, "stopped")])
         self.assertEqual(ends(None), [])
+        part = {"stopped": True, "last_advance": 9e-4, "stop": {"time": 5e-4, "nodes": 4, "of_nodes": 32}}
+        self.assertEqual(ends({"cracks": [{"name": "A", "fronts": [part]}]}), [("A", 0, 5e-4, "4 of 32 front nodes stopped")])
         history = read_history(self.folder)
         figure, axes = plt.subplots()
         draw_growth(axes, history, growth(history), 1e3 * history.time, summary, 1e3)

@@ -12,7 +12,7 @@ from rhegma_tools import cell_picture
 from rhegma_tools.boxes import cut, parallelograms
 from rhegma_tools.deformation import automatic_magnification, crack_displacement, curved_at_fronts, magnified_faces
 from rhegma_tools.field_picture import choose_view, close_up, colour_scale, crack_segments, drawn_fronts, in_slice
-from rhegma_tools.field_picture import read_slice
+from rhegma_tools.field_picture import read_slice, stopped_nodes
 from rhegma_tools.fields import Crack, read_fields
 
 
@@ -236,6 +236,26 @@ class FieldPicture(ToolTest):
         summary["cracks"][0]["fronts"][1]["stopped"] = False
         fields.time = 1.0e-3
         self.assertEqual(close_up(drawn_fronts(fields, faces, summary, choose_view(fields)))[1], "at the front A.0")
+
+    def test_3d_marks_front_nodes_that_are_stopped(self):
+        """Of a front of 24 nodes two are stopped: they are drawn where the slice sees them, and the heading says how many."""
+        made_up_run.penny(self.folder)
+        fields = read_fields(self.folder)
+        view = choose_view(fields)
+        faces = (fields.crack.points, fields.crack.points)
+        positions = [[0.3, 0.0, 0.0], [0.0, 0.3, 0.0]]
+        stop = {"time": 0.5e-3, "nodes": 2, "of_nodes": 24, "node_positions": positions}
+        summary = {"cracks": [{"name": "Penny", "fronts": [{"stopped": True, "stop": stop}, {"stopped": False}]}]}
+        drawn, parts = stopped_nodes(fields, faces, summary, view)
+        self.assertEqual(parts, ["Penny.0: 2 of 24 front nodes stopped by the cells"])
+        np.testing.assert_allclose(drawn, [view.flat(np.array(position)) for position in positions], atol=1e-12)
+        stop["time"] = 2.0e-3  # later than the fields
+        self.assertEqual(stopped_nodes(fields, faces, summary, view), ([], []))
+        stop["time"] = 0.5e-3
+        made_up_run.write_summary(self.folder, scene="penny.xml", **summary)
+        status, output, messages = run("rhegma-plot", self.folder)
+        self.assertEqual((status, messages), (0, ""))
+        self.assertIn("fields.png", output)
 
     def test_slice_finds_a_body_off_the_middle(self):
         """Two thin layers at z = 0 and z = 10: the middle, 5, is empty."""

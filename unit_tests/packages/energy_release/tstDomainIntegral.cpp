@@ -276,3 +276,18 @@ TEST(DomainIntegral, KnowsOfLoadsInsideTheDisk)
   const double unaware = integrateDomain(state, front, radii, none).J;
   EXPECT_NEAR(integrateDomain(state, front, radii).J, 0.0, quadrature(cell) * std::fabs(unaware));
 }
+
+/// A disk that the body has left has no J.
+TEST(DomainIntegral, HasNoReleaseWithoutMaterial)
+{
+  State<2> state = makeBody(half, 0.5e-3, Plane::Strain, ShapeKind::Linear);
+  const CrackFront<2> front = addFront(state, {{1.0e-3, 0.0}}, 0.0);
+  const NodalAcceleration<2> none("rhegma::none", state.mesh.grid.numNodes);
+  EXPECT_EQ(integrateRelease(state, front, radii, none), 0.0); // at rest, without stress
+  EXPECT_FALSE(integrateDomain(state, front, radii, none).lost);
+  const auto position = state.particles.real<2>(fields::position);
+  for (int p = 0; p < state.particles.size(); ++p)
+    position(p, 0) += 10.0 * half;
+  EXPECT_FALSE(integrateRelease(state, front, radii, none).has_value());
+  EXPECT_TRUE(integrateDomain(state, front, radii, none).lost);
+}

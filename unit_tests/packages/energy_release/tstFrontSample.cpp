@@ -1,8 +1,13 @@
 /// What the history has of a front, of one node and of several.
 
 #include "energy_release/FrontSample.hpp"
+#include "energy_release/HeldFronts.hpp"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
 
 using namespace Rhegma;
 using namespace Rhegma::energy_release;
@@ -77,4 +82,82 @@ TEST(FrontSample, IsZeroWhereNoNodeIsLeft)
   FrontSample<3>(front, 0.0).addTo(row, "Disk.0", {});
   for (const char* name : {"Disk.0.G_J", "Disk.0.G_J_min", "Disk.0.G_J_max", "Disk.0.speed"})
     EXPECT_EQ(valueOf(row, name), 0.0) << name;
+}
+
+/// Nodes without a value are left out of mean and extremes; without any the front has none.
+TEST(FrontSample, LeavesOutNodesWithoutAValue)
+{
+  FrontSample<3> sample(straightFront(), 0.0);
+  sample.J = {10.0, 20.0, FrontSample<3>::notYet};
+  HistoryRow row;
+  sample.addTo(row, "Disk.0", {});
+  EXPECT_NEAR(valueOf(row, "Disk.0.G_J"), (0.5 * 10.0 + 2.0 * 20.0) / 2.5, 1e-12);
+  EXPECT_EQ(valueOf(row, "Disk.0.G_J_min"), 10.0);
+  EXPECT_EQ(valueOf(row, "Disk.0.G_J_max"), 20.0);
+  HistoryRow none;
+  FrontSample<3>(straightFront(), FrontSample<3>::notYet).addTo(none, "Disk.0", {});
+  EXPECT_TRUE(std::isnan(valueOf(none, "Disk.0.G_J")));
+  EXPECT_TRUE(std::isnan(valueOf(none, "Disk.0.G_J_max")));
+}
+
+namespace
+{
+
+/// The answers of held fronts of a crack with these values of G; none that is negative.
+std::vector<std::string> answersOf(const std::vector<double>& release, bool firstHasGrown = false)
+{
+  CrackSet<2> set;
+  set.cracks.push_back({"Notch"});
+  std::vector<FrontSample<2>> samples;
+  nlohmann::json summary;
+  summary["answers"] = nlohmann::json::array();
+  for (const double G : release)
+  {
+    CrackFront<2> front;
+    front.number = static_cast<int>(set.fronts.size());
+    front.grown = firstHasGrown && set.fronts.empty();
+    set.fronts.push_back(front);
+    samples.emplace_back(front, 0.0);
+    samples.back().J = {G};
+    samples.back().modeI = {2.5e6};
+    samples.back().modeII = {-300.0};
+    samples.back().report({}, summary["cracks"][0]["fronts"][front.number]);
+  }
+  addAnswers(set, samples, 4e-3, summary);
+  return summary["answers"].get<std::vector<std::string>>();
+}
+
+} // namespace
+
+/// A held front has a line with G, K and the time; one that has grown or whose G is not known has none.
+TEST(HeldFronts, SayWhatTheyHave)
+{
+  const std::string values = " J/m2, K_I = 2.5 MPa m^0.5, K_II = -300 Pa m^0.5 at t = 4 ms";
+  EXPECT_EQ(answersOf({12.5, 3.0}), (std::vector<std::string>{"crack Notch, front 0: G = 12.5" + values,
+                                                              "crack Notch, front 1: G = 3" + values}));
+  EXPECT_EQ(answersOf({12.5, 3.0}, true), (std::vector<std::string>{"crack Notch, front 1: G = 3" + values}));
+  EXPECT_TRUE(answersOf({FrontSample<2>::notYet}).empty());
+  const std::vector<std::string> many = answersOf({1.0, 6.0, 2.0, 5.0, 4.0, 3.0});
+  ASSERT_EQ(many.size(), 5u);
+  EXPECT_EQ(many[0], "crack Notch, front 1: G = 6" + values);
+  EXPECT_EQ(many[3], "crack Notch, front 5: G = 3" + values);
+  EXPECT_EQ(many[4], "these are the 4 fronts with the largest G of 6; summary.json has all");
+}
+
+/// In 3D a value is a mean along the front, which comes with its range.
+TEST(HeldFronts, SayTheRangeAlongAFront)
+{
+  CrackSet<3> set;
+  set.cracks.push_back({"Disk"});
+  set.fronts.push_back(straightFront());
+  std::vector<FrontSample<3>> samples;
+  samples.emplace_back(set.fronts[0], 0.0);
+  samples[0].J = {10.0, 20.0, 40.0};
+  nlohmann::json summary;
+  samples[0].report({}, summary["cracks"][0]["fronts"][0]);
+  addAnswers(set, samples, 1e-6, summary);
+  const std::string line = summary["answers"][0];
+  EXPECT_EQ(line.rfind("crack Disk, front 0: G = 26.25 J/m2 (10 J/m2 to 40 J/m2 along the front), K_I = ", 0),
+            0u)
+      << line;
 }

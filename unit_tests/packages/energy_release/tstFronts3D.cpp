@@ -1,12 +1,14 @@
 #include "../cracks/CubeScene.hpp"
 
 #include "energy_release/CrackTipFields.hpp"
+#include "energy_release/DrivingForces.hpp"
 #include "energy_release/FacePressureWork.hpp"
 #include "energy_release/FrontIntegral.hpp"
 #include "energy_release/FrontOpening.hpp"
 #include "material/Materials.hpp"
 
 #include <iostream>
+#include <optional>
 
 using namespace Rhegma;
 using namespace Rhegma::cracks::test;
@@ -112,11 +114,21 @@ double exactRelease(const Intensities& K)
   return (K.modeI * K.modeI + K.modeII * K.modeII) / effective + K.modeIII * K.modeIII / (2.0 * shear);
 }
 
+/// J at every node of a front, which all have one.
+std::vector<double> releaseOfAll(const State<3>& state, const CrackFront<3>& front,
+                                 const NodalAcceleration<3>& acceleration)
+{
+  std::vector<double> all;
+  for (const std::optional<double>& J : integrateWithAcceleration(state, lineOf(front), tube, acceleration))
+    all.push_back(J.value());
+  return all;
+}
+
 std::vector<double> releaseAlong(State<3>& state, const Intensities& K)
 {
   const CrackFront<3> front = state.cracks.fronts.at(0);
   deform(state, [&](const Vector<3>& x, int side) { return tipField(K, front, x, side); });
-  return integrateWithAcceleration(state, lineOf(front), tube, noAcceleration(state));
+  return releaseOfAll(state, front, noAcceleration(state));
 }
 
 /// Puts the faces of the crack where Williams has them.
@@ -194,7 +206,7 @@ TEST(Fronts3D, ShiftNothingThroughTheSurfaceBehindAPieceThatLeans)
     const Vector<3> x = s[0].position - behind * cell * s[0].direction + 0.3 * cell * s[0].normal;
     EXPECT_NEAR(dot(sight.locate(x).direction, s[0].direction), 1.0, 1e-12) << behind;
   }
-  const double J = integrateWithAcceleration(state, line, tube, noAcceleration(state)).front();
+  const double J = releaseOfAll(state, leaning, noAcceleration(state)).front();
   std::cout << "J at the end of a front whose last piece leans, over the exact one: " << J / exactRelease(K)
             << "\n";
   EXPECT_NEAR(J, exactRelease(K), 0.25 * std::sin(std::atan(0.25)) * exactRelease(K));
@@ -259,8 +271,7 @@ TEST(Fronts3D, FindNothingInAWave)
     acceleration(row, 0) = -speed * speed * k * k * amplitude * std::sin(a);
     motion(row, 1) = motion(row, 2) = 0.0;
   }
-  const std::vector<double> J =
-      integrateWithAcceleration(state, lineOf(state.cracks.fronts.at(0)), tube, acceleration);
+  const std::vector<double> J = releaseOfAll(state, state.cracks.fronts.at(0), acceleration);
   // The largest sum of strain and kinetic energy, across the tube. Linear interpolation of nodal motion is
   // off by (k cell)^2 / 8, its gradient and the particles' quadrature by as much.
   const double w = k * speed, scale = density * amplitude * amplitude * w * w * 2.0 * tube.radii.outer;
@@ -290,8 +301,36 @@ TEST(Fronts3D, AreTheSameWhenEverythingTurns)
     for (int k = 0; k < 9; ++k)
       F(p, k) = G[k];
   }
-  const double turned = integrateWithAcceleration(state, lineOf(front), tube, noAcceleration(state))[4];
+  const double turned = releaseOfAll(state, front, noAcceleration(state))[4];
   EXPECT_NEAR(turned, plain, 1e-6 * plain);
+}
+
+/// Nodes of a front around which no material is left have no J, and keep the last for their driving force;
+/// the others have one.
+TEST(Fronts3D, HaveNoReleaseWithoutMaterialInTheirTube)
+{
+  const auto run = straightFront();
+  State<3>& state = run->state();
+  CrackFront<3>& front = state.cracks.fronts.at(0);
+  const Intensities K{smallK.modeI, smallK.modeII, 0.0};
+  const CrackFront<3> before = front;
+  deform(state, [&](const Vector<3>& x, int side) { return tipField(K, before, x, side); });
+  DrivingForces<3> driving;
+  driving.computeRelease(state);
+  for (const FrontNode<3>& node : front.nodes)
+  {
+    EXPECT_FALSE(node.driving.lost);
+    EXPECT_GT(node.driving.release, 0.0);
+  }
+  const std::vector<FrontNode<3>> known = front.nodes;
+  // The nodes of the further half lie outside of the body, each as far from the next as before.
+  const std::size_t count = front.nodes.size(), half = count / 2;
+  for (std::size_t k = half; k < count; ++k)
+    front.nodes[k].position = front.nodes[k].position + 30.0 * cell * front.normal;
+  driving.computeRelease(state);
+  EXPECT_FALSE(front.nodes.front().driving.lost);
+  EXPECT_TRUE(front.nodes.back().driving.lost);
+  EXPECT_EQ(front.nodes.back().driving.release, known.back().driving.release);
 }
 
 /// The ratios of the openings' roots, and, as the faces have them exactly, their size.

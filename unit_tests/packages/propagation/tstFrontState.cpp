@@ -59,6 +59,20 @@ TEST(FrontNodes, DecideForTheirFront)
   EXPECT_EQ(front.speed(), 0.0);
 }
 
+/// A node that has landed at a surface is not one that the cells have stopped, and of a front that has ended
+/// none is.
+TEST(FrontNodes, AreStoppedOnlyWhereTheyHaveNotLanded)
+{
+  CrackFront<3> front = frontOf({0, 1, 2, 3});
+  EXPECT_EQ(front.numStopped(), 0);
+  for (int k = 0; k < 3; ++k)
+    front.nodes[k].stopped = true;
+  front.nodes[0].landed = true;
+  EXPECT_EQ(front.numStopped(), 2);
+  front.ended = true;
+  EXPECT_EQ(front.numStopped(), 0);
+}
+
 /// A new node has the past of the one that it came from; that of a node that is no more is forgotten.
 TEST(FrontState, NewNodesInheritTheirPast)
 {

@@ -86,6 +86,16 @@ nlohmann::json report(const Rhegma::Run<3>& run)
   return summary;
 }
 
+/// A column of the last sample.
+double sampled(const State<3>& state, const std::string& name)
+{
+  for (const auto& [column, value] : state.sample.row)
+    if (column == name)
+      return value;
+  ADD_FAILURE() << "no column " << name;
+  return -1.0;
+}
+
 /// How far the faces overlap at the worst of their vertices, along the crack's normal [m].
 double overlap(const State<3>& state)
 {
@@ -302,6 +312,99 @@ TEST(PennyGrowth, StopsBeforeItsOwnFaces)
   EXPECT_GT(above - below, 2.5 * cell);
   EXPECT_GT(cracks::measureOpening(state.cracks, 0).size, before + wide * cell);
   EXPECT_TRUE(std::isfinite(front.budget.required) && front.budget.required > 0.0);
+  // A part of the front has stopped: what is said of it has both numbers, and is not "arrested".
+  const nlohmann::json summary = report(run), entry = summary["cracks"][0]["fronts"][0];
+  ASSERT_LT(front.numStopped(), static_cast<int>(front.nodes.size()));
+  const std::string part =
+      std::to_string(front.numStopped()) + " of " + std::to_string(front.nodes.size()) + " front nodes";
+  EXPECT_EQ(entry["status"],
+            "stopped in part, " + part + ": less than three cells from faces of its own crack");
+  EXPECT_TRUE(entry["stopped"].get<bool>());
+  EXPECT_EQ(entry["stop"]["nodes"], front.numStopped());
+  EXPECT_EQ(entry["stop"]["of_nodes"], front.nodes.size());
+  EXPECT_EQ(entry["stop"]["node_positions"].size(), static_cast<std::size_t>(front.numStopped()));
+  EXPECT_GE(entry["stop"]["G"].get<double>(), entry["stop"]["toughness"].get<double>());
+  const std::string line = summary["answers"][0], ended = summary["ended_by"];
+  for (const std::string& text : {line, ended})
+  {
+    EXPECT_NE(text.find(part + " stopped less than three cells"), std::string::npos) << text;
+    EXPECT_NE(text.find("G = 500 J/m2 for Gc = "), std::string::npos) << text;
+    EXPECT_EQ(text.find(" arrested at"), std::string::npos) << text;
+  }
+  EXPECT_NE(ended.find("On Stop = Continue"), std::string::npos) << ended;
+  // The history has the fraction of nodes, and the run ends with that sample.
+  EXPECT_FALSE(state.clock.ended());
+  run.step(1.0, true);
+  EXPECT_TRUE(state.clock.ended());
+  EXPECT_DOUBLE_EQ(sampled(state, "Penny.0.stopped"),
+                   double(state.cracks.fronts[0].numStopped()) / double(state.cracks.fronts[0].nodes.size()));
+}
+
+/// With On Stop = Continue the run goes on beyond the sample with the first stopped node. Nodes of which J
+/// can't be computed stop, as it is not known whether they advance.
+TEST(PennyGrowth, StopsNodesWithoutAContour)
+{
+  Teuchos::ParameterList scene = quarter("100*(1 + v/100)");
+  scene.sublist("Propagation").set("On Stop", std::string("Continue"));
+  Rhegma::Run<3> run(scene, drivenByTest<3>());
+  run.initialize();
+  State<3>& state = run.state();
+  stretch(state, 1e3);
+  for (int k = 0; k < 20; ++k)
+  {
+    drive(state, 400.0, 5e-3);
+    if (k == 10)
+      for (FrontNode<3>& node : state.cracks.fronts[0].nodes)
+        node.driving.lost = node.position[1] > node.position[0];
+    run.step(1.0, k == 19);
+  }
+  const CrackFront<3>& front = state.cracks.fronts[0];
+  EXPECT_GT(front.numStopped(), 2);
+  EXPECT_LT(front.numStopped(), static_cast<int>(front.nodes.size()));
+  int reported = 0;
+  for (const std::string& warning : state.warnings)
+    reported += warning.find("a front node stopped with no material left in the contour of its J integral, "
+                             "G = 500 J/m2") != std::string::npos;
+  EXPECT_EQ(reported, 1);
+  const nlohmann::json summary = report(run), entry = summary["cracks"][0]["fronts"][0];
+  EXPECT_EQ(entry["status"].get<std::string>().rfind("stopped in part, ", 0), 0u) << entry["status"];
+  EXPECT_FALSE(summary.contains("ended_by"));
+  EXPECT_FALSE(state.clock.ended());
+  EXPECT_GT(sampled(state, "Penny.0.stopped"), 0.0);
+  EXPECT_LT(sampled(state, "Penny.0.stopped"), 1.0);
+}
+
+/// A front is arrested only where G is below the toughness everywhere along it. How far it went is said: of
+/// the node that advanced most, in the mean, and its new area.
+TEST(PennyGrowth, IsArrestedOnlyWhereGIsBelowTheToughnessEverywhere)
+{
+  Rhegma::Run<3> run(quarter("100*(1 + v/100)"), drivenByTest<3>());
+  run.initialize();
+  State<3>& state = run.state();
+  stretch(state, 1e3);
+  const double before = cracks::measureOpening(state.cracks, 0).size;
+  for (int k = 0; k < 110; ++k)
+  {
+    drive(state, 400.0, 4.5e-3, 0.25 * pi);
+    run.step(1.0, false);
+  }
+  CrackFront<3>& front = state.cracks.fronts[0];
+  const nlohmann::json summary = report(run), entry = summary["cracks"][0]["fronts"][0];
+  EXPECT_EQ(entry["status"], "arrested");
+  const std::string line = summary["answers"][0];
+  EXPECT_NE(line.find("arrested at t = "), std::string::npos) << line;
+  EXPECT_NE(line.find(" at most, "), std::string::npos) << line;
+  EXPECT_NE(line.find(" on average, new area "), std::string::npos) << line;
+  const double area = cracks::measureOpening(state.cracks, 0).size - before;
+  EXPECT_NEAR(entry["new_area"].get<double>(), area,
+              0.01 * area); // the body strains the faces that are there
+  const double largest = entry["largest_advance"], mean = entry["mean_advance"];
+  EXPECT_NEAR(largest, 1.5e-3, 0.3 * cell);
+  EXPECT_NEAR(mean, 0.5 * largest, 0.15 * largest); // half of the front never ran
+  front.nodes[0].driving.release = 1000.0;
+  const nlohmann::json other = report(run);
+  EXPECT_EQ(other["cracks"][0]["fronts"][0]["status"], "at rest");
+  EXPECT_EQ(other["answers"][0].get<std::string>().find("arrested"), std::string::npos);
 }
 
 /// With Contact new faces that are pressed together hold against each other: the layer between them gives by

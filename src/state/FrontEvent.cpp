@@ -1,12 +1,10 @@
-#include "cracks/FrontEvent.hpp"
+#include "state/FrontEvent.hpp"
 
 #include "archive/Archive.hpp"
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
 
-#include <vector>
-
-namespace Rhegma::cracks
+namespace Rhegma
 {
 
 template <int D>
@@ -22,19 +20,6 @@ std::string FrontEvent<D>::asText() const
 }
 
 template <int D>
-nlohmann::json FrontEvent<D>::asEntry() const
-{
-  nlohmann::json entry = {
-      {"what", what}, {"time", time}, {"position", std::vector<double>(position.c, position.c + D)}};
-  if (toughness > 0.0)
-  {
-    entry["G"] = release;
-    entry["toughness"] = toughness;
-  }
-  return entry;
-}
-
-template <int D>
 void FrontEvent<D>::serialize(Archive& archive)
 {
   archive("what", what);
@@ -47,4 +32,4 @@ void FrontEvent<D>::serialize(Archive& archive)
 template struct FrontEvent<2>;
 template struct FrontEvent<3>;
 
-} // namespace Rhegma::cracks
+} // namespace Rhegma

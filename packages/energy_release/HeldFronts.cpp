@@ -1,0 +1,86 @@
+#include "energy_release/HeldFronts.hpp"
+
+#include "base/Numbers.hpp"
+#include "base/ShortNumber.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace Rhegma::energy_release
+{
+
+namespace
+{
+
+/// Fronts that get a line each.
+constexpr std::size_t mostLines = 4;
+
+/// A value as its entry in the summary has it; none where it is not a number.
+bool isKnown(const nlohmann::json& entry, const std::string& name)
+{
+  return entry.contains(name) && entry[name].is_number() && std::isfinite(entry[name].get<double>());
+}
+
+/// A stress intensity [Pa m^0.5] with a unit prefix.
+std::string intensityAsText(double value)
+{
+  const double size = std::fabs(value);
+  return size >= 1e6   ? formatShort(1e-6 * value) + " MPa m^0.5"
+         : size >= 1e3 ? formatShort(1e-3 * value) + " kPa m^0.5"
+                       : formatShort(value) + " Pa m^0.5";
+}
+
+std::string releaseAsText(double value) { return formatShort(value) + " J/m2"; }
+
+/// "K_I = 2 MPa m^0.5", in 3D with its range along the front.
+template <class AsText>
+std::string quantityAsText(const nlohmann::json& entry, const std::string& name, const std::string& shown,
+                           const AsText& asText)
+{
+  std::string text = shown + " = " + asText(entry[name].get<double>());
+  if (isKnown(entry, name + "_min") && isKnown(entry, name + "_max"))
+    text += " (" + asText(entry[name + "_min"].get<double>()) + " to " +
+            asText(entry[name + "_max"].get<double>()) + " along the front)";
+  return text;
+}
+
+} // namespace
+
+template <int D>
+void addAnswers(const CrackSet<D>& set, const std::vector<FrontSample<D>>& samples, double time,
+                nlohmann::json& summary)
+{
+  std::vector<std::pair<double, std::string>> lines; // G and what is said
+  for (std::size_t f = 0; f < set.fronts.size() && f < samples.size(); ++f)
+  {
+    const CrackFront<D>& front = set.fronts[f];
+    if (front.grown || front.ended)
+      continue;
+    const nlohmann::json& entry = summary["cracks"][front.crack]["fronts"][front.number];
+    const std::string release = isKnown(entry, "G_J") ? "G_J" : "G_closure";
+    if (!isKnown(entry, release))
+      continue;
+    std::string text = frontName(set, front) + ": " + quantityAsText(entry, release, "G", releaseAsText);
+    for (const char* name : {"K_I", "K_II", "K_III"})
+      if (isKnown(entry, name))
+        text += ", " + quantityAsText(entry, name, name, intensityAsText);
+    lines.emplace_back(entry[release].get<double>(), text + " at t = " + readableTime(time));
+  }
+  const std::size_t count = lines.size();
+  if (count > mostLines)
+    std::stable_sort(lines.begin(), lines.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+  for (std::size_t k = 0; k < std::min(count, mostLines); ++k)
+    summary["answers"].push_back(lines[k].second);
+  if (count > mostLines)
+    summary["answers"].push_back("these are the " + std::to_string(mostLines) +
+                                 " fronts with the largest G of " + std::to_string(count) +
+                                 "; summary.json has all");
+}
+
+template void addAnswers(const CrackSet<2>&, const std::vector<FrontSample<2>>&, double, nlohmann::json&);
+template void addAnswers(const CrackSet<3>&, const std::vector<FrontSample<3>>&, double, nlohmann::json&);
+
+} // namespace Rhegma::energy_release

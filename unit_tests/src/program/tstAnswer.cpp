@@ -1,0 +1,82 @@
+/// What a run says first in its summary and last on the terminal, of made-up summaries.
+
+#include "program/Answer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace Rhegma::program
+{
+namespace Test
+{
+
+namespace
+{
+
+using nlohmann::json;
+
+json finished(int warnings)
+{
+  json summary = {{"status", "finished"}, {"time", 4e-3}, {"steps", 120}};
+  for (int k = 0; k < warnings; ++k)
+    summary["warnings"].push_back("number " + std::to_string(k));
+  return summary;
+}
+
+std::vector<std::string> answersOf(json summary)
+{
+  addAnswers(summary);
+  return summary["answers"].get<std::vector<std::string>>();
+}
+
+} // namespace
+
+/// The first three warnings in full, then how many there are.
+TEST(Answer, HasTheFirstThreeWarnings)
+{
+  using Lines = std::vector<std::string>;
+  const std::string end = "the run finished at t = 4 ms after 120 steps";
+  EXPECT_EQ(answersOf(finished(0)), (Lines{end, "no warnings"}));
+  EXPECT_EQ(answersOf(finished(1)), (Lines{end, "warning: number 0", "1 warning"}));
+  EXPECT_EQ(answersOf(finished(3)),
+            (Lines{end, "warning: number 0", "warning: number 1", "warning: number 2", "3 warnings"}));
+  EXPECT_EQ(answersOf(finished(5)), (Lines{end, "warning: number 0", "warning: number 1", "warning: number 2",
+                                           "5 warnings; all are in summary.json"}));
+}
+
+/// Fronts that the cells have stopped come before what effects say; of a front with several nodes, how many
+/// of these.
+TEST(Answer, NamesFrontsThatTheCellsStopped)
+{
+  json summary = finished(0);
+  summary["answers"] = {"crack A, front 0: ..."};
+  json a = {{"name", "A"}}, b = {{"name", "B"}};
+  a["fronts"] = {json{{"stop", {{"nodes", 4}, {"of_nodes", 32}}}}, json{{"status", "running"}}};
+  b["fronts"] = {json{{"stop", {{"nodes", 1}, {"of_nodes", 1}}}}};
+  summary["cracks"] = {a, b};
+  const std::vector<std::string> answers = answersOf(summary);
+  ASSERT_EQ(answers.size(), 4u);
+  EXPECT_EQ(
+      answers[1].rfind("the cells stopped 4 of 32 front nodes of crack A, front 0; crack B, front 0, ", 0),
+      0u)
+      << answers[1];
+  EXPECT_EQ(answers[2], "crack A, front 0: ...");
+}
+
+/// On the terminal the reason of a failure is not said twice.
+TEST(Answer, IsPrintedLineByLine)
+{
+  json summary = finished(1);
+  addAnswers(summary);
+  std::ostringstream all, failed;
+  printAnswers(summary, false, all);
+  printAnswers(summary, true, failed);
+  EXPECT_EQ(all.str(), "the run finished at t = 4 ms after 120 steps\nwarning: number 0\n1 warning\n");
+  EXPECT_EQ(failed.str(), "warning: number 0\n1 warning\n");
+}
+
+} // namespace Test
+} // namespace Rhegma::program
