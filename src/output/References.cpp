@@ -58,6 +58,7 @@ const std::map<std::string, std::string>& renamedEntries()
       {"share_above", "fraction_above"},
       {"share_friction", "fraction_friction"},
       {"energy_taken_from_short_waves", "energy_absorbed_from_short_waves"},
+      {"looks", "checks"},
   };
   return renamed;
 }
