@@ -66,7 +66,8 @@ Section time()
       .byDefault("Unloaded")
       .meaning("State in which a dynamic run starts. Equilibrium: that of the bodies under the tractions, "
                "loads, gravity "
-               "and face pressures at time 0; supports hold their places. Equilibrium Without Cracks: the "
+               "and face pressures at time 0; supports hold their nodes where they are. Equilibrium Without "
+               "Cracks: the "
                "same of bodies "
                "without cracks, which are cut at time 0.");
   s.refuse({when::isNot("Time", "Initial State", {"Unloaded"}), when::equilibrium()},

@@ -2,7 +2,7 @@
 """K along the fronts of cracks in a block in static equilibrium, against closed forms: a disk under tension and under pressure,
 an ellipse and a lens (spherical cap) under tension.
 
-    cracks_in_space.py PROGRAM [SEED] [CELLS] [CASE...]
+    cracks_3d.py PROGRAM [SEED] [CELLS] [CASE...]
 
 CELLS is the number of the finest cells in a radius (the shorter semi-axis; default 6 and 12). Cells shrink towards the front. The
 centre of each crack in its cell is drawn at random. Prints a row for each case: unknowns, errors of the mean, the least and the
