@@ -1,6 +1,8 @@
 #include "cracks/CrackSection.hpp"
 
+#include "base/EntryValue.hpp"
 #include "base/ReadList.hpp"
+#include "scene/ErrorIndex.hpp"
 
 #include <string>
 #include <vector>
@@ -42,15 +44,14 @@ void checkShapes(const Teuchos::ParameterList& scene, std::vector<SceneError>& e
   if (!scene.isSublist("Domain") || !scene.sublist("Domain").isType<int>("Dimension"))
     return;
   const bool flat = scene.sublist("Domain").get<int>("Dimension") == 2;
-  for (const std::string& name : sublistNames(scene.sublist("Cracks")))
-  {
-    const std::string where = "Cracks > " + name;
-    bool wrong = false; // further checks are meaningless then
-    for (const SceneError& error : errors)
-      wrong = wrong || error.where.rfind(where + " > ", 0) == 0;
-    if (!wrong)
-      checkShape(scene.sublist("Cracks").sublist(name), where, flat, errors);
-  }
+  const ErrorIndex found(errors);
+  for (const auto& entry : scene.sublist("Cracks"))
+    if (const auto* crack = valueIf<Teuchos::ParameterList>(entry.second))
+    {
+      const std::string where = "Cracks > " + entry.first;
+      if (!found.hasBelow(where, "")) // otherwise further checks are meaningless
+        checkShape(*crack, where, flat, errors);
+    }
 }
 
 } // namespace

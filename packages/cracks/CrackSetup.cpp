@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace Rhegma::cracks
 {
@@ -97,11 +98,11 @@ void readCracks(const Teuchos::ParameterList& section, State<D>& state, double e
     if (!attempts.attempt(
             [&] { mesh = readCrack(section.sublist(name), "Cracks > " + name, context, state.warnings); }))
       continue;
-    meshes.push_back(mesh);
+    const int numFronts = static_cast<int>(surface::frontsOf(mesh).size());
+    meshes.push_back(std::move(mesh));
     names.push_back(name);
     Crack<D> crack;
     crack.name = name;
-    const int numFronts = static_cast<int>(surface::frontsOf(mesh).size());
     for (int number = 0; number < numFronts; ++number)
     {
       CrackFront<D> front;

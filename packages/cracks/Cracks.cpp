@@ -284,6 +284,33 @@ void report(const Parts<D>& parts, const State<D>& state, nlohmann::json& summar
   }
 }
 
+/// The faces of cracks lie, and their springs are stretched, as in an equilibrium that has the same cracks.
+template <int D>
+void takeOver(const Parts<D>& parts, State<D>& state, const State<D>& from)
+{
+  CrackSet<D>& to = state.cracks;
+  if (from.cracks.vertex.extent(0) != to.vertex.extent(0))
+    return; // it has none
+  Kokkos::deep_copy(to.vertex, from.cracks.vertex);
+  Kokkos::deep_copy(to.face, from.cracks.face);
+  if (!parts.hasSprings)
+    return;
+  const std::string name = springField<D>().field.name;
+  const auto theirs = onHost(from.mesh.nodalFields.template real<NodalSpring<D>::size>(name));
+  const auto ours = state.mesh.nodalFields.template real<NodalSpring<D>::size>(name);
+  if (theirs.extent(0) != ours.extent(0))
+    throw std::invalid_argument("Time > Initial State: the equilibrium has other cells than the run at its "
+                                "start");
+  double last = 0.0;
+  for (std::size_t n = 0; n < theirs.extent(0); ++n)
+    last = std::max(last, theirs(n, 0));
+  // The next step of the run follows the last one of the equilibrium.
+  for (std::size_t n = 0; n < theirs.extent(0); ++n)
+    theirs(n, 0) = theirs(n, 0) == last ? parts.surroundings.stamp : -1.0;
+  Kokkos::deep_copy(ours, theirs);
+  state.energy.springs = from.energy.springs;
+}
+
 template <int D>
 Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
 {
@@ -301,6 +328,7 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
     if (parts->joins)
       parts->junctions.serialize(archive);
   };
+  effect.takeOver = [=](State<D>& state, const State<D>& from) { takeOver(*parts, state, from); };
   if (parts->hasSprings)
     callSprings(parts, effect);
   if (parts->grows)

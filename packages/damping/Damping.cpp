@@ -286,10 +286,10 @@ Effect<D> make(const Teuchos::ParameterList& scene)
                                  list.get<int>("Settled Samples"));
   const bool stop = list.get<bool>("Stop When Settled");
   const double until = scene.sublist("Time").get<double>("Final Time");
-  effect.atStart = [=](State<D>& s)
-  {
-    s.clock.stopWhenSettled = stop;
-    judgeDamping(rate, shear, bulk, std::min(end, until), s);
+  effect.atStart = [=](State<D>& s) { s.clock.stopWhenSettled = stop; };
+  const double drift = list.get<double>("Settled Drift");
+  effect.judge = [=](State<D>& s) {
+    judgeDamping({rate, shear, bulk, std::min(end, until), stop ? drift : 1.0}, s);
   };
   effect.call(Stage::Observe, "settling", {quantity::energyBalance, ifWritten(quantity::energyRelease)}, {},
               {},

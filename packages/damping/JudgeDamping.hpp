@@ -11,13 +11,46 @@
 namespace Rhegma::damping
 {
 
+/// What the section Damping says.
+struct JudgedDamping
+{
+  double rate;        ///< of mass damping [1/s]
+  double shear, bulk; ///< viscosities [Pa s]
+  double end;         ///< of damping or run [s]
+  double settled;     ///< part of an oscillation that is left when the run is to end at rest; 1: never
+};
+
+/// Warns of a run that is to end at rest and hardly damps any motion. With mass damping r an oscillation
+/// falls as exp(-r t / 2), with a viscosity as exp(-w^2 t (2 eta + zeta) / (2 M)); that of the longest wave
+/// of the quickest body lasts shorter than slower ones, by viscosity.
+template <int D>
+void judgeSettling(const JudgedDamping& damping, const BodyMeasure<D>& quick, State<D>& state)
+{
+  constexpr double pi = 3.14159265358979, most = 0.1; // loads that rise slowly make an oscillation of less
+  const double frequency = pi * quick.speed / quick.longest;
+  const double retardation = (2.0 * damping.shear + damping.bulk) / quick.moduli.constrainedModulus;
+  const double rate = damping.rate + frequency * frequency * retardation;
+  const double left = std::exp(-0.5 * rate * damping.end);
+  if (damping.settled >= most || left <= most)
+    return;
+  state.warnings.push_back(
+      "Damping > Mass Rate is " + formatReal(damping.rate) + " 1/s: of an oscillation " +
+      formatShort(100.0 * left) + " % are left after the " + readableTime(damping.end) +
+      " in which it is damped, and Stop When Settled waits for " + formatShort(100.0 * damping.settled) +
+      " %, so the run ends before it has settled, and what it gives is not static; write "
+      "at least " +
+      formatShort(-2.0 * std::log(damping.settled) / damping.end) + " 1/s (the longest wave of " +
+      quick.name + " is critically damped at " + formatShort(2.0 * frequency) +
+      ") or a longer Time > Final Time");
+}
+
 /// Warns where a body can't come near rest before the end. With mass damping r its longest wave, of frequency
 /// w = pi c / L, creeps there in the time r / w^2, with a viscosity in (2 eta + zeta) / M.
-/// \param rate [1/s] \param shear viscosity \param bulk viscosity [Pa s] \param end of damping or run [s]
 template <int D>
-void judgeDamping(double rate, double shear, double bulk, double end, State<D>& state)
+void judgeDamping(const JudgedDamping& damping, State<D>& state)
 {
   constexpr double pi = 3.14159265358979;
+  const double rate = damping.rate, end = damping.end;
   const BodyMeasure<D>* quick = nullptr;
   const std::vector<BodyMeasure<D>> bodies = measureBodies(state);
   for (const BodyMeasure<D>& body : bodies)
@@ -39,10 +72,12 @@ void judgeDamping(double rate, double shear, double bulk, double end, State<D>& 
         " times 1 over the stable step: a body loses its velocity in each step, and what "
         "moves is an artefact of the step; write less than " +
         formatShort(0.1 * rate / ofStep) + " 1/s");
-  const double retardation = (2.0 * shear + bulk) / quick->moduli.constrainedModulus;
+  judgeSettling(damping, *quick, state);
+  const double retardation = (2.0 * damping.shear + damping.bulk) / quick->moduli.constrainedModulus;
   if (retardation > end / 3.0)
     state.warnings.push_back(
-        "Damping > " + std::string(2.0 * shear > bulk ? "Shear Viscosity" : "Bulk Viscosity") +
+        "Damping > " +
+        std::string(2.0 * damping.shear > damping.bulk ? "Shear Viscosity" : "Bulk Viscosity") +
         ": viscosity over stiffness is " + readableTime(retardation) + ", and the body is damped for " +
         readableTime(end) + ": it hardly strains at all; viscosities are in Pa s");
 }

@@ -11,6 +11,7 @@
 #include "energy_release/FrontSet.hpp"
 #include "energy_release/HeldFronts.hpp"
 #include "energy_release/JudgeStrain.hpp"
+#include "energy_release/JudgeYield.hpp"
 #include "energy_release/LoadsInRing.hpp"
 #include "energy_release/ReadOptions.hpp"
 #include "transfer/LocalSpacing.hpp"
@@ -319,10 +320,11 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& run)
   Effect<D> effect;
   effect.name = "Energy Release";
   const auto strain = std::make_shared<StrainWatch>();
-  effect.atStart = [=, all = Teuchos::ParameterList(scene)](State<D>& state)
+  effect.atStart = [=](State<D>& state) { start(state, options, *samples); };
+  effect.judge = [=, all = Teuchos::ParameterList(scene)](State<D>& state)
   {
-    start(state, options, *samples);
     strain->start(all, state);
+    judgeYield(all, state);
   };
   effect.call(Stage::Observe, "energy release of crack fronts",
               {quantity::crackGeometry, quantity::particleStress, quantity::enrichedFields,

@@ -46,7 +46,7 @@ struct StrainWatch
   std::string warning() const
   {
     const double strain = stiffness > 0.0 ? std::sqrt(2.0 * largestEnergy / stiffness) : 0.0;
-    return strain > smallStrain
+    return strain > smallStrain && std::isfinite(strain)
                ? "Energy Release: the bodies were strained by " + formatShort(100.0 * strain) +
                      " % (root mean square, from the largest strain energy)" + advice()
                : std::string();

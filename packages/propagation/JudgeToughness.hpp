@@ -3,6 +3,7 @@
 
 #include "base/Numbers.hpp"
 #include "base/ShortNumber.hpp"
+#include "plausibility/CrackExtent.hpp"
 #include "plausibility/LoadEstimate.hpp"
 #include "propagation/Options.hpp"
 #include "propagation/RayleighSpeed.hpp"
@@ -12,25 +13,6 @@
 
 namespace Rhegma::propagation
 {
-
-/// Longest extent of a crack along an axis [m], as it lies in the bodies.
-template <int D>
-double extentOf(const State<D>& state, const Crack<D>& crack)
-{
-  const auto x = Kokkos::create_mirror_view_and_copy(Kokkos::HostSpace{}, state.cracks.vertex);
-  double longest = 0.0;
-  for (int d = 0; d < D; ++d)
-  {
-    double low = x(crack.firstVertex, d), high = low;
-    for (int v = crack.firstVertex; v < crack.firstVertex + crack.numVertices; ++v)
-    {
-      low = std::min(low, x(v, d));
-      high = std::max(high, x(v, d));
-    }
-    longest = std::max(longest, high - low);
-  }
-  return longest;
-}
 
 /// Warns of a Speed Limit with which no front can advance by a cell. \param scene its core
 template <int D>
@@ -45,67 +27,156 @@ void judgeSpeedLimit(const Teuchos::ParameterList& scene, const Options& options
                              "; no crack grows: write a larger limit (m/s), or leave it out");
 }
 
-/// Compares the loads' stress with that of Griffith, sqrt(E' Gc / (pi a)), and the toughness with what the
-/// bonds of any solid take and what a linear law can carry. Margins are wide, as the loads' stress is
-/// nominal. \param scene its core \param run what other effects declare
+/// A toughness, and the bodies that it is compared with.
+template <int D>
+struct JudgedToughness
+{
+  const State<D>& state;
+  std::vector<BodyMeasure<D>> bodies;
+  double atRest, most; ///< of the toughness, and of all speeds [J/m2]
+  double crack;        ///< longest extent of the cracks [m]
+  const BodyMeasure<D>*soft, *stiff;
+  std::string where;
+  static constexpr double pi = 3.14159265358979;
+
+  JudgedToughness(const Options& options, const State<D>& judged)
+      : state(judged),
+        bodies(measureBodies(judged)),
+        atRest(std::max(options.rule.initiation, options.rule.toughness(0.0, options.temperature))),
+        most(atRest),
+        crack(longestCrack(judged)),
+        where("Propagation > Toughness is " + formatReal(atRest) + " J/m2: ")
+  {
+    const auto by = [](const auto& a, const auto& b)
+    { return a.moduli.effectiveModulus < b.moduli.effectiveModulus; };
+    soft = &*std::min_element(bodies.begin(), bodies.end(), by);
+    stiff = &*std::max_element(bodies.begin(), bodies.end(), by);
+    for (const Properties& material : state.materials.properties)
+      for (int k = 1; k <= 20; ++k)
+        most =
+            std::max(most, options.rule.toughness(0.05 * k * rayleighSpeed(material), options.temperature));
+  }
+
+  /// Stress at which the crack runs [Pa].
+  double griffith(const BodyMeasure<D>& body, double toughness) const
+  {
+    return std::sqrt(body.moduli.effectiveModulus * toughness / (pi * crack));
+  }
+
+  static std::string advice()
+  {
+    return "; it is an energy in J/m2: from K_Ic in Pa m^0.5 it is K_Ic^2 / E', and "
+           "1 MPa m^0.5 is 1e6 Pa m^0.5";
+  }
+};
+
+/// Compares the toughness with what bonds take: with the surfaces of any solid, the toughest, and stiff
+/// solids of small K_Ic = sqrt(E' Gc), which a K_Ic in MPa m^0.5 looks like where J/m2 are meant.
+template <int D>
+void judgeBonds(const JudgedToughness<D>& judged, std::vector<std::string>& messages)
+{
+  // Van der Waals solids take 0.05 J/m2 for two new surfaces, the toughest steels some 5e5 J/m2; of stiff
+  // solids polyethylene has the largest Gc / E, 2e-5 m.
+  const Elasticity& soft = judged.soft->moduli;
+  const bool stiffSolid = (judged.soft->linear || judged.soft->yield > 0.0) && soft.young > 1e9;
+  if (judged.most < 0.05 || judged.atRest > 2e6 || (stiffSolid && judged.atRest > 5e-5 * soft.young))
+    messages.push_back(judged.where +
+                       (judged.most < 0.05 ? "less than the surfaces of any solid take"
+                                           : "more than any solid of that stiffness takes") +
+                       judged.advice());
+  // Ice has the smallest K_Ic of solids of that stiffness, 1e5 Pa m^0.5. Where the stress next to a front
+  // exceeds E / 10, bonds break: in E' Gc / (2 pi (E / 10)^2), of which single crystals that cleave have an
+  // atom's distance.
+  constexpr double smallestK = 1e5, atom = 0.2e-9;
+  const double K = std::sqrt(soft.effectiveModulus * judged.most);
+  const double zone =
+      100.0 * soft.effectiveModulus * judged.most / (2.0 * judged.pi * soft.young * soft.young);
+  const bool weak = K < smallestK;
+  if (judged.most < 0.05 || !stiffSolid || (!weak && zone >= atom))
+    return;
+  const double asK = 1e12 * judged.atRest * judged.atRest / soft.effectiveModulus;
+  messages.push_back(judged.where + "with the E' of " + judged.soft->material + " that is a K_Ic of " +
+                     formatShort(1e-6 * K) + " MPa m^0.5" +
+                     (weak ? ", less than of any stiff solid (ice 0.1)" : "") + ", and bonds break within " +
+                     formatShort(1e9 * zone) + " nm of the front, " +
+                     (zone < atom ? "less than an atom's distance"
+                                  : formatShort(zone / judged.state.mesh.smallestSpacing()) + " cells") +
+                     "; if it is a K_Ic of " + formatShort(judged.atRest) + " MPa m^0.5, write " +
+                     formatShort(asK) + " J/m2" + judged.advice());
+}
+
+/// Compares the strain and the plastic zone with which a crack runs with what a linear law and K bear.
+template <int D>
+void judgeZones(const JudgedToughness<D>& judged, std::vector<std::string>& messages)
+{
+  constexpr double mostStrain = 0.05;
+  const BodyMeasure<D>& soft = *judged.soft;
+  const std::string crack = "a crack of " + readableLength(judged.crack);
+  // A linear law is off by as much as the strain over the crack at which it runs.
+  const double strain = judged.griffith(soft, judged.atRest) / soft.moduli.effectiveModulus;
+  if (soft.linear && strain > mostStrain)
+    messages.push_back(judged.where + crack + " needs a strain of " + formatShort(100.0 * strain) + " % in " +
+                       soft.material + ", where no linear law holds" + judged.advice());
+  for (const BodyMeasure<D>& body : judged.bodies)
+  {
+    if (!(body.yield > 0.0))
+      continue;
+    const double K = std::sqrt(body.moduli.effectiveModulus * judged.atRest);
+    const double zone = plasticZone(K, body, judged.state.method.plane);
+    if (zone <= smallZone * std::min(judged.crack, body.shortest))
+      continue;
+    messages.push_back(
+        judged.where + crack + " in " + body.material + " runs when some " + readableLength(zone) +
+        " ahead of it yield at Materials > " + body.material + " > Yield Stress = " + formatReal(body.yield) +
+        " Pa (Irwin), more than a tenth of " +
+        (judged.crack < body.shortest ? "its length" : "the body's " + readableLength(body.shortest)) +
+        "; K and the criterion of growth are those of a small zone" + judged.advice());
+    return;
+  }
+}
+
+/// Compares the loads' stress with that of Griffith, sqrt(E' Gc / (pi a)). Margins are wide, as the loads'
+/// stress is nominal.
+template <int D>
+void judgeLoads(const JudgedToughness<D>& judged, const std::vector<LoadEstimate>& loads, bool others,
+                std::vector<std::string>& messages)
+{
+  constexpr double margin = 8.0;
+  double highest = 0.0;
+  for (const LoadEstimate& load : loads)
+    highest = std::max(highest, load.highest);
+  const LoadEstimate* load = largestStrain(loads);
+  const double needed = judged.griffith(*judged.soft, judged.atRest);
+  if (!others && highest > 0.0 && highest * margin < needed)
+    messages.push_back(judged.where + "a crack of " + readableLength(judged.crack) +
+                       " runs at a stress of about " + formatShort(needed) + " Pa (sqrt(E' Gc / (pi a))), " +
+                       formatShort(needed / highest) + " times the most that the loads make" +
+                       judged.advice());
+  if (load != nullptr && load->stress > margin * judged.griffith(*judged.stiff, judged.most))
+  {
+    const double length =
+        judged.stiff->moduli.effectiveModulus * judged.most / (judged.pi * load->stress * load->stress);
+    messages.push_back(judged.where + "under the " + formatShort(load->stress) + " Pa of " + load->where +
+                       " a flaw of " + readableLength(length) + " would run (E' Gc / (pi sigma^2), " +
+                       formatShort(length / judged.state.mesh.smallestSpacing()) + " cells)" +
+                       judged.advice());
+  }
+}
+
+/// Compares the toughness with bonds, the law and the loads. \param scene its core \param run what other
+/// effects declare
 template <int D>
 void judgeToughness(const Teuchos::ParameterList& scene, const RunOptions& run, const Options& options,
                     State<D>& state)
 {
-  constexpr double pi = 3.14159265358979, margin = 8.0, mostStrain = 0.05;
-  if (state.cracks.cracks.empty() || state.bodies.info.empty())
+  if (state.cracks.cracks.empty() || state.bodies.info.empty() || !(longestCrack(state) > 0.0))
     return;
   judgeSpeedLimit(scene, options, state);
-  const std::vector<BodyMeasure<D>> bodies = measureBodies(state);
-  const std::vector<LoadEstimate> loads = estimateLoads(scene, state, bodies);
-  double longest = 0.0;
-  for (const Crack<D>& crack : state.cracks.cracks)
-    longest = std::max(longest, extentOf(state, crack));
-  const auto by = [](const auto& a, const auto& b)
-  { return a.moduli.effectiveModulus < b.moduli.effectiveModulus; };
-  const BodyMeasure<D>& soft = *std::min_element(bodies.begin(), bodies.end(), by);
-  const BodyMeasure<D>& stiff = *std::max_element(bodies.begin(), bodies.end(), by);
-  const double atRest = std::max(options.rule.initiation, options.rule.toughness(0.0, options.temperature));
-  double most = atRest;
-  for (const Properties& material : state.materials.properties)
-    for (int k = 1; k <= 20; ++k)
-      most = std::max(most, options.rule.toughness(0.05 * k * rayleighSpeed(material), options.temperature));
-  const auto griffith = [&](const BodyMeasure<D>& body, double toughness)
-  { return std::sqrt(body.moduli.effectiveModulus * toughness / (pi * longest)); };
-  const std::string where = "Propagation > Toughness is " + formatReal(atRest) + " J/m2: ";
-  const std::string advice = "; it is an energy in J/m2: from K_Ic in Pa m^0.5 it is K_Ic^2 / E', and "
-                             "1 MPa m^0.5 is 1e6 Pa m^0.5";
-  // Van der Waals solids take 0.05 J/m2 for two new surfaces, the toughest steels some 5e5 J/m2; of stiff
-  // solids polyethylene has the largest Gc / E, 2e-5 m.
-  const bool stiffSolid = soft.linear && soft.moduli.young > 1e9;
-  if (most < 0.05 || atRest > 2e6 || (stiffSolid && atRest > 5e-5 * soft.moduli.young))
-    state.warnings.push_back(where +
-                             (most < 0.05 ? "less than the surfaces of any solid take"
-                                          : "more than any solid of that stiffness takes") +
-                             advice);
-  // A linear law is off by as much as the strain over the crack at which it runs.
-  const double strain = griffith(soft, atRest) / soft.moduli.effectiveModulus;
-  if (soft.linear && strain > mostStrain)
-    state.warnings.push_back(where + "a crack of " + readableLength(longest) + " needs a strain of " +
-                             formatShort(100.0 * strain) + " % in " + soft.material +
-                             ", where no linear law holds" + advice);
-  double highest = 0.0;
-  for (const LoadEstimate& load : loads)
-    highest = std::max(highest, load.highest);
+  const JudgedToughness<D> judged(options, state);
+  judgeBonds(judged, state.warnings);
+  judgeZones(judged, state.warnings);
   const bool others = run.heat() || !run.pressedCracks.empty(); // load the crack, too
-  const LoadEstimate* load = largestStrain(loads);
-  const double needed = griffith(soft, atRest);
-  if (!others && highest > 0.0 && highest * margin < needed)
-    state.warnings.push_back(where + "a crack of " + readableLength(longest) + " runs at a stress of about " +
-                             formatShort(needed) + " Pa (sqrt(E' Gc / (pi a))), " +
-                             formatShort(needed / highest) + " times the most that the loads make" + advice);
-  if (load != nullptr && load->stress > margin * griffith(stiff, most))
-  {
-    const double length = stiff.moduli.effectiveModulus * most / (pi * load->stress * load->stress);
-    state.warnings.push_back(where + "under the " + formatShort(load->stress) + " Pa of " + load->where +
-                             " a flaw of " + readableLength(length) + " would run (E' Gc / (pi sigma^2), " +
-                             formatShort(length / state.mesh.smallestSpacing()) + " cells)" + advice);
-  }
+  judgeLoads(judged, estimateLoads(scene, state, judged.bodies), others, state.warnings);
 }
 
 } // namespace Rhegma::propagation

@@ -51,11 +51,9 @@ Effect<D> make(const Teuchos::ParameterList& scene, const RunOptions& options)
   Effect<D> effect;
   effect.name = "Propagation";
   effect.balance = {"fracture"};
-  effect.atStart = [run, options, all = Teuchos::ParameterList(scene)](State<D>& state)
-  {
-    start(state, *run);
-    judgeToughness(all, options, run->options, state);
-  };
+  effect.atStart = [run](State<D>& state) { start(state, *run); };
+  effect.judge = [run, options, all = Teuchos::ParameterList(scene)](State<D>& state)
+  { judgeToughness(all, options, run->options, state); };
   effect.call(lastStage(scene), "fronts that advance",
               {quantity::drivingForces, ifWritten(quantity::frontTemperature)}, {quantity::advancingFronts},
               {}, [run](State<D>& state) { selectAdvancing(state, run->options, run->fronts); });

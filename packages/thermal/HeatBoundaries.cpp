@@ -81,12 +81,12 @@ void HeatBoundaries<D>::read(const Teuchos::ParameterList& section, State<D>& st
   }
   attempts.throwIfAny();
   const auto warn = [&](const std::string& name, const char* what, double T)
-  { warnOfCold(state.warnings, "Boundaries > " + name + ": " + what, T); };
+  { warnOfCold(state.warnings, "Boundaries > " + name + " > " + what + ": it starts at", T); };
   for (const HeldTemperature<D>& held : held_)
-    warn(held.name, "it starts at", held.temperature * held.history(state.clock.time));
+    warn(held.name, "Temperature", held.temperature * held.history(state.clock.time));
   for (const HeatedSurface<D>& heated : surfaces_)
     if (heated.coefficient > 0.0)
-      warn(heated.surface.points.name(), "Ambient Temperature starts at",
+      warn(heated.surface.points.name(), "Ambient Temperature",
            heated.ambient * heated.history(state.clock.time));
 }
 

@@ -84,7 +84,7 @@ void judgeHeat(const Teuchos::ParameterList& scene, const Conduction<D>& conduct
         (diffusivity > 0.1 ? "more than of graphite (1e-3)" : "less than of foams (1e-8)") +
         "; check units (W/(m K), kg/m3, J/(kg K))");
   const double reach = std::sqrt(diffusivity * end);
-  if (!state.method.mechanics && diffusivity > 0.0 && reach < 0.02 * state.mesh.smallestSpacing())
+  if (!state.method.mechanics && diffusivity > 0.0 && reach < 0.1 * state.mesh.smallestSpacing())
     state.warnings.push_back(
         "Time > Final Time is " + readableTime(end) + ", in which heat spreads by " + readableLength(reach) +
         ", " + formatShort(reach / state.mesh.smallestSpacing()) + " cells of " +

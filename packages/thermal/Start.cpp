@@ -46,6 +46,7 @@ void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, dou
   const auto body = host(state.particles.integer(fields::body));
   const auto positions = host(state.particles.template real<D>(fields::position));
   const auto T = host(state.particles.scalar(fields::temperature));
+  bool anyInitial = false;
   for (std::size_t b = 0; b < state.bodies.info.size(); ++b)
   {
     const std::string& name = state.bodies.info[b].name;
@@ -53,6 +54,7 @@ void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, dou
     const double own = list.isParameter("Temperature") ? list.get<double>("Temperature") : initial;
     const bool varies = list.isParameter("Temperature Field");
     const std::string where = "Bodies > " + name + " > Temperature Field";
+    const bool isInitial = !varies && !list.isParameter("Temperature");
     const PositionFunction function = varies ? fieldOf(list, where) : PositionFunction::parse("0", 1);
     double lowest = varies ? std::numeric_limits<double>::infinity() : own;
     for (int p = 0; p < state.particles.size(); ++p)
@@ -73,8 +75,13 @@ void startTemperature(State<D>& state, const Teuchos::ParameterList& bodies, dou
             " K at a particle; temperatures are absolute, write one that is above zero");
       lowest = std::min(lowest, T(p));
     }
-    warnOfCold(state.warnings, "Bodies > " + name + ": it starts at", lowest);
+    anyInitial = anyInitial || isInitial;
+    if (!isInitial)
+      warnOfCold(state.warnings, (varies ? where : "Bodies > " + name + " > Temperature") + ": it starts at",
+                 lowest);
   }
+  if (anyInitial)
+    warnOfCold(state.warnings, "Thermal > Initial Temperature: bodies start at", initial);
   Kokkos::deep_copy(state.particles.scalar(fields::temperature), T);
 }
 

@@ -1,9 +1,9 @@
 #include "boundary/DomainEdges.hpp"
 
+#include "base/EntryValue.hpp"
 #include "base/Numbers.hpp"
 #include "base/ReadList.hpp"
 #include "geometry/Shape.hpp"
-#include "plan/BoundaryType.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,10 +33,30 @@ bool isHeld(const std::vector<BoundaryRegion>& supports, int axis, double value,
 
 } // namespace
 
-bool isSupportedPlane(const ParameterList& scene, int axis, double value, double slack)
+MirroredSides::MirroredSides(const ParameterList& scene) : supports_(boundaryRegions(scene)) {}
+
+template <int D>
+bool MirroredSides::has(const Geometry::Bounds<D>& part, int axis, bool upper, double slack) const
 {
-  return isHeld(boundaryRegions(scene), axis, value, slack);
+  using Kind = BoundaryRegion::Kind;
+  const double side = upper ? part.upper[axis] : part.lower[axis];
+  const double opposite = upper ? part.lower[axis] : part.upper[axis];
+  return std::any_of(supports_.begin(), supports_.end(),
+                     [&](const BoundaryRegion& support)
+                     {
+                       if (!holds(support, axis, side, slack) || holds(support, axis, opposite, -slack))
+                         return false;
+                       bool whole = true;
+                       for (int d = 0; d < D; ++d)
+                         whole = whole && (d == axis || support.kind != Kind::Held ||
+                                           (support.from[d] <= part.lower[d] + slack &&
+                                            support.to[d] >= part.upper[d] - slack));
+                       return whole;
+                     });
 }
+
+template bool MirroredSides::has(const Geometry::Bounds<2>&, int, bool, double) const;
+template bool MirroredSides::has(const Geometry::Bounds<3>&, int, bool, double) const;
 
 template <int D>
 std::vector<std::string> warningsOfEdges(const ParameterList& scene)
@@ -47,9 +67,13 @@ std::vector<std::string> warningsOfEdges(const ParameterList& scene)
   const std::vector<BoundaryRegion> supports = boundaryRegions(scene);
   const double slack = 1e-6 * domain.get<double>("Cell Size");
   std::vector<std::string> warnings;
-  for (const std::string& name : sublistNames(scene.sublist("Bodies")))
+  for (const auto& entry : scene.sublist("Bodies"))
   {
-    const auto bounds = makeShape<D>(scene.sublist("Bodies").sublist(name)).bounds();
+    const std::string& name = entry.first;
+    const auto* const body = valueIf<ParameterList>(entry.second);
+    if (body == nullptr)
+      continue;
+    const auto bounds = makeShape<D>(*body).bounds();
     for (int d = 0; d < D; ++d)
       for (const bool low : {true, false})
       {

@@ -28,17 +28,20 @@ double distanceTo(const NodeConstraint<D>& constraint, const Vector<D>& x)
   return constraint.outside ? std::max(0.0, inside) : norm(off);
 }
 
-/// How far bodies move at most [m].
+/// How far bodies move at most [m]. \param distances of the constraints from the nearest node; only those
+/// that hold one move it
 template <int D>
-double travel(const Teuchos::ParameterList& scene, const std::vector<TimedConstraint<D>>& constraints)
+double travel(const Teuchos::ParameterList& scene, const std::vector<TimedConstraint<D>>& constraints,
+              const std::vector<double>& distances, double reach)
 {
   const double end = scene.sublist("Time").get<double>("Final Time");
   double fastest = 0.0, acceleration = 0.0;
   for (const std::string& name : sublistNames(scene.sublist("Bodies")))
     fastest = std::max(fastest, norm(readVector<D>(scene.sublist("Bodies").sublist(name), "Velocity")));
-  for (const TimedConstraint<D>& timed : constraints)
-    for (int k = 0; k <= 64; ++k)
-      fastest = std::max(fastest, norm(timed.value) * std::fabs(timed.history(end * k / 64)));
+  for (std::size_t c = 0; c < constraints.size(); ++c)
+    for (int k = 0; k <= 64 && distances[c] <= reach; ++k)
+      fastest =
+          std::max(fastest, norm(constraints[c].value) * std::fabs(constraints[c].history(end * k / 64)));
   for (const std::string& name : sublistNames(scene.sublist("Boundaries")))
     if (scene.sublist("Boundaries").sublist(name).isParameter("Acceleration"))
       acceleration += norm(readVector<D>(scene.sublist("Boundaries").sublist(name), "Acceleration"));
@@ -54,20 +57,29 @@ void warnOfIdleSupports(const Teuchos::ParameterList& scene,
   if (constraints.empty())
     return;
   const std::vector<Vector<D>> nodes = touchedNodes(state);
-  const double reach = travel(scene, constraints);
-  int idle = 0;
+  std::vector<double> distances;
   for (const TimedConstraint<D>& timed : constraints)
   {
     double nearest = std::numeric_limits<double>::infinity();
     for (const Vector<D>& x : nodes)
       if (nearest = std::min(nearest, distanceTo(timed.constraint, x)); nearest == 0.0)
         break;
-    if (nearest > 0.0 && nearest > reach && ++idle <= 10)
-      state.warnings.push_back("Boundaries > " + timed.name +
-                               ": it holds no node of any body; the nearest is " + readableLength(nearest) +
-                               " away, and bodies move by " + readableLength(reach) +
-                               " at most; move it to the body, and check its unit (metres)");
+    distances.push_back(nearest);
   }
+  // A support that bodies come to may move them on to another.
+  double reach = 0.0;
+  for (double before = -1.0; reach > before;)
+  {
+    before = reach;
+    reach = std::max(reach, travel(scene, constraints, distances, reach));
+  }
+  int idle = 0;
+  for (std::size_t c = 0; c < constraints.size(); ++c)
+    if (distances[c] > reach && ++idle <= 10)
+      state.warnings.push_back(
+          "Boundaries > " + constraints[c].name + ": it holds no node of any body; the nearest is " +
+          readableLength(distances[c]) + " away, and bodies move by " + readableLength(reach) +
+          " at most; move it to the body, and check its unit (metres)");
   if (idle > 10)
     state.warnings.push_back("Boundaries: " + std::to_string(idle - 10) +
                              " more that hold no node of any body");

@@ -25,6 +25,7 @@ struct BodyMeasure
   double density = 0.0;  ///< [kg/m3]
   double speed = 0.0;    ///< of dilatational waves [m/s]
   bool linear = false;   ///< its law is linear elastic
+  double yield = 0.0;    ///< yield stress of its material; 0 without plasticity [Pa]
   Elasticity moduli{};   ///< of its material
   std::string material;  ///< its name
 };

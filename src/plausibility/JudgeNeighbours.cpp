@@ -1,3 +1,4 @@
+#include "base/EntryValue.hpp"
 #include "base/Numbers.hpp"
 #include "plausibility/Judges.hpp"
 
@@ -19,10 +20,11 @@ std::set<std::pair<std::string, std::string>> bonds(const Teuchos::ParameterList
   const Teuchos::ParameterList& section = scene.sublist("Bodies");
   for (auto entry = section.begin(); entry != section.end(); ++entry)
   {
-    const Teuchos::ParameterList& body = section.sublist(section.name(entry));
-    if (!body.isParameter("Bonded To"))
+    const auto* const body = valueIf<Teuchos::ParameterList>(section.entry(entry));
+    const auto* const given = body != nullptr ? valueIf<std::string>(*body, "Bonded To") : nullptr;
+    if (given == nullptr)
       continue;
-    std::istringstream names(body.get<std::string>("Bonded To"));
+    std::istringstream names(*given);
     for (std::string name; std::getline(names, name, ',');)
     {
       pairs.emplace(section.name(entry), trimmed(name));

@@ -2,6 +2,7 @@
 #include "base/ShortNumber.hpp"
 #include "plausibility/Judges.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace Rhegma
@@ -21,31 +22,44 @@ bool isBeyond(double value)
   return std::fabs(value) > largestNumber || (value != 0.0 && std::fabs(value) < smallestNumber);
 }
 
-/// Every number of a list and its sublists.
-void lookThrough(const ParameterList& list, const std::string& path, Messages& messages)
+/// The first number of an entry that no quantity has; null: there is none.
+const double* numberBeyond(const Teuchos::ParameterEntry& entry)
 {
-  for (auto entry = list.begin(); entry != list.end(); ++entry)
+  const double *first = nullptr, *last = nullptr;
+  if (entry.isType<double>())
+    last = (first = &Teuchos::any_cast<double>(entry.getAny(false))) + 1;
+  else if (entry.isType<Teuchos::Array<double>>())
   {
-    const std::string& name = list.name(entry);
-    const std::string where = path.empty() ? name : path + " > " + name;
-    if (list.isSublist(name))
+    const auto& all = Teuchos::any_cast<Teuchos::Array<double>>(entry.getAny(false));
+    last = (first = all.getRawPtr()) + all.size();
+  }
+  const double* const found = std::find_if(first, last, isBeyond);
+  return found == last ? nullptr : found;
+}
+
+/// Every number of a list and its sublists. \param above names of the lists around it
+void lookThrough(const ParameterList& list, std::vector<const std::string*>& above, Messages& messages)
+{
+  for (const auto& named : list)
+  {
+    const std::string& name = named.first;
+    const Teuchos::ParameterEntry& entry = named.second;
+    above.push_back(&name);
+    if (entry.isList())
     {
-      if (where != "Reference")
-        lookThrough(list.sublist(name), where, messages);
-      continue;
+      if (above.size() > 1 || name != "Reference")
+        lookThrough(Teuchos::any_cast<ParameterList>(entry.getAny(false)), above, messages);
     }
-    std::vector<double> values;
-    if (list.isType<double>(name))
-      values = {list.get<double>(name)};
-    else if (list.isType<Teuchos::Array<double>>(name))
-      values = list.get<Teuchos::Array<double>>(name).toVector();
-    for (const double value : values)
-      if (isBeyond(value))
-      {
-        messages.push_back(where + " is " + formatReal(value) + ", and no quantity in SI units is that " +
-                           (std::fabs(value) > largestNumber ? "large" : "small") + "; check the exponent");
-        break;
-      }
+    else if (const double* const value = numberBeyond(entry); value != nullptr)
+    {
+      std::string where;
+      for (const std::string* part : above)
+        where += (where.empty() ? "" : " > ") + *part;
+      messages.push_back(where + " is " + formatReal(*value) +
+                         ", a number beyond sense: no quantity in SI units is that " +
+                         (std::fabs(*value) > largestNumber ? "large" : "small") + "; check the exponent");
+    }
+    above.pop_back();
   }
 }
 
@@ -63,34 +77,49 @@ void judgeDensities(const JudgedScene<D>& judged, Messages& messages)
           "; densities are in kg/m3, and 1 g/cm3 is 1000 kg/m3");
 }
 
-/// A thickness of 1 m is also the default, by which forces are per metre.
+/// A thickness of 1 m is also the default, by which forces are per metre. Plane stress is that of a thin
+/// body.
 template <int D>
 void judgeThicknessOfPlane(const JudgedScene<D>& judged, Messages& messages)
 {
+  constexpr double thick = 2.0, thickest = 1e3, thinnest = 1e-5;
   const double thickness = judged.state.method.thickness;
   double longest = 0.0;
   for (const BodyMeasure<D>& body : judged.bodies)
     longest = std::max(longest, body.longest);
-  if (D == 3 || thickness == 1.0 || (thickness <= 1e3 * longest && thickness >= 1e-5 * longest))
+  if (D == 3 || thickness == 1.0 || isBeyond(thickness) || !(longest > 0.0))
     return;
-  messages.push_back("Domain > Thickness is " + readableLength(thickness) + ", " +
-                     formatShort(thickness / longest) + " times the largest body's " +
-                     readableLength(longest) + "; it is in metres");
+  const double ratio = thickness / longest;
+  const bool stress = judged.state.method.plane == Plane::Stress;
+  if (ratio >= thinnest && ratio <= (stress ? thick : thickest))
+    return;
+  messages.push_back(
+      "Domain > Thickness is " + readableLength(thickness) + ", " + formatShort(ratio) +
+      " times the largest body's " + readableLength(longest) +
+      (stress && ratio > thick ? ", and plane stress is that of a body thinner than it is wide; " : "; ") +
+      "it is in metres, and 1 mm is 0.001 m");
 }
 
 } // namespace
 
-template <int D>
-Messages judgeNumbers(const JudgedScene<D>& judged)
+Messages judgeNumbers(const ParameterList& scene)
 {
   Messages messages;
-  lookThrough(judged.scene, "", messages);
+  std::vector<const std::string*> above;
+  lookThrough(scene, above, messages);
+  return messages;
+}
+
+template <int D>
+Messages judgeQuantities(const JudgedScene<D>& judged)
+{
+  Messages messages;
   judgeDensities(judged, messages);
   judgeThicknessOfPlane(judged, messages);
   return messages;
 }
 
-template Messages judgeNumbers(const JudgedScene<2>&);
-template Messages judgeNumbers(const JudgedScene<3>&);
+template Messages judgeQuantities(const JudgedScene<2>&);
+template Messages judgeQuantities(const JudgedScene<3>&);
 
 } // namespace Rhegma

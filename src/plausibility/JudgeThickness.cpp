@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace Rhegma
@@ -45,7 +46,8 @@ double widthOf(const std::vector<Vector<2>>& points)
 template <int D>
 struct Width
 {
-  const JudgedScene<D>& judged;
+  const MirroredSides& mirrored;
+  double slack; ///< [m]
   const Part<D>& part;
 
   double operator()(const Box<D>& box) const
@@ -72,9 +74,7 @@ private:
   double images(int d) const
   {
     const Bounds<D> bounds = part.bounds();
-    const double slack = 1e-3 * judged.state.mesh.grid.spacing;
-    const bool low = isSupportedPlane(judged.scene, d, bounds.lower[d], slack);
-    const bool high = isSupportedPlane(judged.scene, d, bounds.upper[d], slack);
+    const bool low = mirrored.has(bounds, d, false, slack), high = mirrored.has(bounds, d, true, slack);
     return low && high ? std::numeric_limits<double>::infinity() : low || high ? 2.0 : 1.0;
   }
 };
@@ -103,49 +103,57 @@ bool meetsMaterial(const Shape<D>& shape, std::size_t cut)
   return false;
 }
 
+/// Where a part of a body stands in the scene. \param number of the part; 0 is the body itself
+std::string placeOf(const Teuchos::ParameterList& body, const std::string& name, std::size_t number)
+{
+  const std::string where = "Bodies > " + name;
+  return number == 0 ? where
+                     : where + " > Operations > " + sublistNames(body.sublist("Operations"))[number - 1];
+}
+
 template <int D>
-void judgeBody(const JudgedScene<D>& judged, const std::string& name, Messages& messages)
+void judgePart(const State<D>& state, const MirroredSides& mirrored, const Shape<D>& shape, std::size_t k,
+               const std::function<std::string()>& where, Messages& messages)
 {
   constexpr double fewest = 2.0; // cells: fewer do not bend, and nodes of both sides are the same
-  const Teuchos::ParameterList& list = judged.scene.sublist("Bodies").sublist(name);
-  const Shape<D> shape = makeShape<D>(list);
-  std::vector<std::string> where{"Bodies > " + name};
-  if (list.isSublist("Operations"))
-    for (const std::string& operation : sublistNames(list.sublist("Operations")))
-      where.push_back(where[0] + " > Operations > " + operation);
-  for (std::size_t k = 0; k < shape.parts().size(); ++k)
-  {
-    const Part<D>& part = shape.parts()[k];
-    const bool hole = k > 0 && part.operation == Operation::Cut;
-    const double cell = spacingAt(judged.state, part.bounds().centre());
-    const double width = std::visit(Width<D>{judged, part}, part.primitive);
-    if (hole && !meetsMaterial(shape, k))
-      messages.push_back(where[k] + ": it cuts nothing, for there is no material of the body there; move it "
-                                    "or leave it out");
-    else if (width < (fewest - 1e-6) * cell)
-      messages.push_back(where[k] + ": the " +
-                         (hole     ? "hole"
-                          : k == 0 ? "body"
-                                   : "added part") +
-                         " is " + readableLength(width) + " thin, " + formatShort(width / cell) +
-                         " cells of " + readableLength(cell) + "; two cells are the least that the grid " +
-                         (hole ? "keeps open" : "bends and strains") +
-                         ": use smaller cells (Domain > Cell Size), or check its size (metres)");
-  }
+  const Part<D>& part = shape.parts()[k];
+  const bool hole = k > 0 && part.operation == Operation::Cut;
+  const double cell = spacingAt(state, part.bounds().centre());
+  const double width = std::visit(Width<D>{mirrored, 1e-3 * state.mesh.grid.spacing, part}, part.primitive);
+  if (hole && !meetsMaterial(shape, k))
+    messages.push_back(where() + ": it cuts nothing, for there is no material of the body there; move it "
+                                 "or leave it out");
+  else if (width < (fewest - 1e-6) * cell)
+    messages.push_back(where() + ": the " +
+                       (hole     ? "hole"
+                        : k == 0 ? "body"
+                                 : "added part") +
+                       " is " + readableLength(width) + " thin, " + formatShort(width / cell) + " cells of " +
+                       readableLength(cell) + "; two cells are the least that the grid " +
+                       (hole ? "keeps open" : "bends and strains") +
+                       ": use smaller cells (Domain > Cell Size), or check its size (metres)");
 }
 
 } // namespace
 
 template <int D>
-Messages judgeThickness(const JudgedScene<D>& judged)
+Messages judgeThickness(const Teuchos::ParameterList& scene, const State<D>& state)
 {
   Messages messages;
-  for (const BodyMeasure<D>& body : judged.bodies)
-    judgeBody(judged, body.name, messages);
+  const MirroredSides mirrored(scene);
+  const Teuchos::ParameterList& section = scene.sublist("Bodies");
+  for (const std::string& name : sublistNames(section))
+  {
+    const Teuchos::ParameterList& list = section.sublist(name);
+    const Shape<D> shape = makeShape<D>(list);
+    for (std::size_t k = 0; k < shape.parts().size(); ++k)
+      judgePart<D>(
+          state, mirrored, shape, k, [&] { return placeOf(list, name, k); }, messages);
+  }
   return messages;
 }
 
-template Messages judgeThickness(const JudgedScene<2>&);
-template Messages judgeThickness(const JudgedScene<3>&);
+template Messages judgeThickness(const Teuchos::ParameterList&, const State<2>&);
+template Messages judgeThickness(const Teuchos::ParameterList&, const State<3>&);
 
 } // namespace Rhegma

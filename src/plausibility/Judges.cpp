@@ -1,7 +1,43 @@
 #include "plausibility/Judges.hpp"
 
+#include <algorithm>
+#include <cctype>
+
 namespace Rhegma
 {
+
+namespace
+{
+
+/// Whether a message prints a number that is none.
+bool printsNonNumber(const std::string& message)
+{
+  for (const char* const word : {"nan", "inf"})
+    for (std::size_t at = message.find(word); at != std::string::npos; at = message.find(word, at + 1))
+    {
+      const char before = at == 0 ? ' ' : message[at - 1],
+                 after = at + 3 < message.size() ? message[at + 3] : ' ';
+      const bool named = at >= 2 && message.compare(at - 2, 2, "> ") == 0; // a name of the user's
+      if (!named && !std::isalnum(static_cast<unsigned char>(before)) &&
+          !std::isalnum(static_cast<unsigned char>(after)))
+        return true;
+    }
+  return false;
+}
+
+/// The path with which a message starts.
+std::string placeOf(const std::string& message)
+{
+  return message.substr(0, std::min(message.find(':'), message.find(" is ")));
+}
+
+void addFirstTen(const Messages& found, Messages& all)
+{
+  for (const std::string& message : firstTen(found))
+    all.push_back(message);
+}
+
+} // namespace
 
 Messages firstTen(Messages messages)
 {
@@ -15,21 +51,48 @@ Messages firstTen(Messages messages)
   return messages;
 }
 
-template <int D>
-void judgeScene(const Teuchos::ParameterList& scene, double step, State<D>& state)
+Messages withoutNonNumbers(const Messages& messages)
 {
-  JudgedScene<D> judged{scene, state, measureBodies(state), {}, step};
-  if (state.method.mechanics)
-    judged.loads = estimateLoads(scene, state, judged.bodies);
-  Messages all;
-  for (const auto judge :
-       {judgeNumbers<D>, judgeTimes<D>, judgeThickness<D>, judgeNeighbours<D>, judgeLoads<D>})
-    for (const std::string& message : firstTen(judge(judged)))
-      all.push_back(message);
-  state.warnings.insert(state.warnings.end(), all.begin(), all.end());
+  Messages kept;
+  std::copy_if(messages.begin(), messages.end(), std::back_inserter(kept),
+               [](const std::string& message) { return !printsNonNumber(message); });
+  for (const std::string& message : messages)
+  {
+    const std::string place = placeOf(message);
+    if (printsNonNumber(message) &&
+        std::none_of(kept.begin(), kept.end(),
+                     [&](const std::string& other) { return placeOf(other) == place; }))
+      kept.push_back(place + ": its numbers are beyond sense, for what follows from them is not finite; "
+                             "check exponents and units (SI)");
+  }
+  return kept;
 }
 
-template void judgeScene(const Teuchos::ParameterList&, double, State<2>&);
-template void judgeScene(const Teuchos::ParameterList&, double, State<3>&);
+template <int D>
+void judgeScene(const Teuchos::ParameterList& scene, double step, bool driven, State<D>& state)
+{
+  JudgedScene<D> judged{scene, state, measureBodies(state), {}, step, driven};
+  if (state.method.mechanics)
+    judged.loads = estimateLoads(scene, state, judged.bodies);
+  judgeWithoutParticles(scene, state);
+  Messages all;
+  for (const auto judge :
+       {judgeQuantities<D>, judgeTimes<D>, judgeNeighbours<D>, judgeLoads<D>, judgeMotion<D>, judgeFlight<D>})
+    addFirstTen(judge(judged), all);
+  state.warnings.insert(state.warnings.end(), all.begin(), all.end());
+  state.warnings = withoutNonNumbers(state.warnings);
+}
+
+template <int D>
+void judgeWithoutParticles(const Teuchos::ParameterList& scene, State<D>& state)
+{
+  addFirstTen(judgeNumbers(scene), state.warnings);
+  addFirstTen(judgeThickness(scene, state), state.warnings);
+}
+
+template void judgeScene(const Teuchos::ParameterList&, double, bool, State<2>&);
+template void judgeScene(const Teuchos::ParameterList&, double, bool, State<3>&);
+template void judgeWithoutParticles(const Teuchos::ParameterList&, State<2>&);
+template void judgeWithoutParticles(const Teuchos::ParameterList&, State<3>&);
 
 } // namespace Rhegma

@@ -14,35 +14,53 @@ struct JudgedScene
   const State<D>& state;
   std::vector<BodyMeasure<D>> bodies;
   std::vector<LoadEstimate> loads; ///< none without mechanics
-  double step;                     ///< first stable step [s]
+  double step;                     ///< first stable step [s]; not a number where it is not known
+  bool driven = false; ///< effects may load or move bodies as well: heat, pressure, those of an application
 };
 
 /// Messages with path and number, one for each doubt.
 using Messages = std::vector<std::string>;
 
-/// Numbers that no quantity has: of the whole scene, of densities, thickness and speeds.
+/// Numbers that no quantity has: of the whole scene.
+Messages judgeNumbers(const Teuchos::ParameterList& scene);
+/// Densities, and thickness of a plane scene.
 template <int D>
-Messages judgeNumbers(const JudgedScene<D>& judged);
+Messages judgeQuantities(const JudgedScene<D>& judged);
 /// Fewer than one step or more than 1e8; waves that do not cross a body; weight above all loads.
 template <int D>
 Messages judgeTimes(const JudgedScene<D>& judged);
-/// Bodies, holes and added parts thinner than two cells; cuts that meet no material.
+/// Bodies, holes and added parts thinner than two cells; cuts that meet no material. \param state has its
+/// cells; particles are not looked at
 template <int D>
-Messages judgeThickness(const JudgedScene<D>& judged);
+Messages judgeThickness(const Teuchos::ParameterList& scene, const State<D>& state);
 /// Bodies that share nodes.
 template <int D>
 Messages judgeNeighbours(const JudgedScene<D>& judged);
 /// Strains that no solid or no linear law withstands, and loads that are zero.
 template <int D>
 Messages judgeLoads(const JudgedScene<D>& judged);
+/// A scene in which nothing moves; gravity in other units.
+template <int D>
+Messages judgeMotion(const JudgedScene<D>& judged);
+/// Bodies that fly away under a load that nothing balances.
+template <int D>
+Messages judgeFlight(const JudgedScene<D>& judged);
 
 /// Adds what all judges of the core say to the warnings of the state, at most ten messages of each. Effects
-/// add their own where they start. Call it before particles are divided among ranks.
-/// \param step first stable step [s]
+/// add their own (plan/Effect.hpp). Call it before particles are divided among ranks.
+/// \param step first stable step [s]; not a number where it is not known \param driven as in JudgedScene
 template <int D>
-void judgeScene(const Teuchos::ParameterList& scene, double step, State<D>& state);
+void judgeScene(const Teuchos::ParameterList& scene, double step, bool driven, State<D>& state);
+
+/// The part of it that needs no particles, for a scene whose bodies can't be placed.
+template <int D>
+void judgeWithoutParticles(const Teuchos::ParameterList& scene, State<D>& state);
 
 /// The first ten messages and how many more there are.
 Messages firstTen(Messages messages);
+
+/// The messages without those that would print what is not a finite number: of each the place is said, once,
+/// and that its numbers are beyond sense, unless another message of that place does.
+Messages withoutNonNumbers(const Messages& messages);
 
 } // namespace Rhegma

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_map>
 
 namespace Rhegma
 {
@@ -25,6 +26,7 @@ HistoryRange rangeOf(const std::string& history, double end)
     integral += k == 0 ? 0.0 : 0.5 * (before + now) * end / (times - 1);
     range.largest = std::max(range.largest, std::fabs(now));
     range.integral = std::max(range.integral, std::fabs(integral));
+    range.twice += (k == 0 || k == times - 1 ? 0.5 : 1.0) * integral * end / (times - 1);
     before = now;
   }
   return range;
@@ -32,10 +34,12 @@ HistoryRange rangeOf(const std::string& history, double end)
 
 const LoadEstimate* largestStrain(const std::vector<LoadEstimate>& loads)
 {
-  const auto most =
-      std::max_element(loads.begin(), loads.end(),
-                       [](const LoadEstimate& a, const LoadEstimate& b) { return a.strain < b.strain; });
-  return most == loads.end() ? nullptr : &*most;
+  const LoadEstimate* most = nullptr;
+  for (const LoadEstimate& load : loads)
+    if (std::isfinite(load.strain) && std::isfinite(load.stress) &&
+        (most == nullptr || load.strain > most->strain))
+      most = &load;
+  return most;
 }
 
 namespace
@@ -57,15 +61,17 @@ LoadEstimate even(const std::string& where, double stress, const BodyMeasure<D>&
   return {where, stress / body.moduli.young, stress, stress};
 }
 
-/// Normal of the loaded surface, as long as its area [m2].
-Vector<2> surfaceOf(const ParameterList& list, const Vector<2>&, double thickness)
+/// Outward normal of the loaded surface, as long as its area [m2] (boundary/Traction.cpp).
+template <int D>
+Vector<D> surfaceOf(const ParameterList& list, double thickness)
 {
-  const Vector<2> along = readVector<2>(list, "To") - readVector<2>(list, "From");
-  return thickness * Vector<2>{along[1], -along[0]};
-}
-Vector<3> surfaceOf(const ParameterList& list, const Vector<3>&, double)
-{
-  return cross(readVector<3>(list, "Edge 1"), readVector<3>(list, "Edge 2"));
+  if constexpr (D == 2)
+  {
+    const Vector<2> along = readVector<2>(list, "To") - readVector<2>(list, "From");
+    return thickness * Vector<2>{along[1], -along[0]};
+  }
+  else
+    return cross(readVector<3>(list, "Edge 1"), readVector<3>(list, "Edge 2"));
 }
 
 /// Across the longest axis a force bends, along it, it pulls at one side of the section at most.
@@ -103,6 +109,8 @@ public:
         end_(scene.isSublist("Time") ? scene.sublist("Time").get<double>("Final Time") : 0.0),
         boundaries_(scene.isSublist("Boundaries") ? scene.sublist("Boundaries") : ParameterList())
   {
+    for (const BodyMeasure<D>& body : bodies)
+      byName_.emplace(body.name, &body);
   }
 
   std::vector<LoadEstimate> all()
@@ -114,11 +122,11 @@ public:
       if (type == "Traction" || type == "Point Load" || type == "Line Load")
         load(list, type, where);
       else if (type == "Gravity")
+      {
+        const double acceleration = norm(readVector<D>(list, "Acceleration")) * factor(list).largest;
         for (const BodyMeasure<D>& body : bodies_)
-          found_.push_back(even(where,
-                                norm(readVector<D>(list, "Acceleration")) * factor(list).largest *
-                                    body.density * body.longest,
-                                body));
+          add(even(where, acceleration * body.density * body.longest, body));
+      }
       else if (type == "Velocity" || type == "Symmetry")
         supports_.push_back(name);
     }
@@ -133,27 +141,31 @@ private:
     return rangeOf(list.get<std::string>("History"), end_);
   }
 
+  /// The larger of what a load does to two bodies is kept.
+  void add(const LoadEstimate& estimate)
+  {
+    if (found_.empty() || found_.back().where != estimate.where)
+      return found_.push_back(estimate);
+    const double highest = std::max(found_.back().highest, estimate.highest);
+    if (estimate.strain > found_.back().strain)
+      found_.back() = estimate;
+    found_.back().highest = highest;
+  }
+
   void load(const ParameterList& list, const std::string& type, const std::string& where)
   {
-    for (const BodyMeasure<D>& body : bodies_)
-    {
-      if (body.name != list.get<std::string>("Body"))
-        continue;
-      const double most = factor(list).largest;
-      if (type != "Traction")
-        found_.push_back(ofForce<D>(where, most * readVector<D>(list, "Force"), body));
-      else
-      {
-        const Vector<D> surface = surfaceOf(list, body.lower, state_.method.thickness);
-        const Vector<D> force = list.isParameter("Pressure")
-                                    ? most * list.get<double>("Pressure") * surface
-                                    : most * norm(surface) * readVector<D>(list, "Stress");
-        const double stress = norm(force) / norm(surface);
-        LoadEstimate estimate = even(where, stress, body);
-        estimate.highest = std::max(stress, ofForce<D>(where, force, body).highest);
-        found_.push_back(estimate);
-      }
-    }
+    const auto at = byName_.find(list.get<std::string>("Body"));
+    if (at == byName_.end())
+      return;
+    const BodyMeasure<D>& body = *at->second;
+    const Vector<D> force = factor(list).largest * forceOf<D>(list, state_.method.thickness);
+    const LoadEstimate estimate = ofForce<D>(where, force, body);
+    if (type != "Traction")
+      return add(estimate);
+    const double stress = norm(force) / norm(surfaceOf<D>(list, state_.method.thickness));
+    LoadEstimate spread = even(where, stress, body);
+    spread.highest = std::max(stress, estimate.highest);
+    add(spread);
   }
 
   /// How far supports move apart along each axis, and how fast they push.
@@ -202,15 +214,17 @@ private:
     const bool varies = list.isParameter("Field");
     const PositionFunction field =
         PositionFunction::parse(varies ? list.get<std::string>("Field") : (D == 2 ? "0, 0" : "0, 0, 0"), D);
+    const double value = varies ? 0.0 : readVector<D>(list, "Value")[axis];
+    const bool outside = list.get<std::string>("Nodes") == "Outside";
     fastest_ = 0.0;
     for (const Vector<D>& x : nodes)
     {
       bool in = true;
       for (int d = 0; d < D; ++d)
         in = in && x[d] >= lower[d] && x[d] <= upper[d];
-      if (in == (list.get<std::string>("Nodes") == "Outside"))
+      if (in == outside)
         continue;
-      const double v = varies ? field(x)[axis] : readVector<D>(list, "Value")[axis];
+      const double v = varies ? field(x)[axis] : value;
       if (!std::isfinite(v))
         continue;
       fastest_ = std::max(fastest_, std::fabs(v) * range.largest);
@@ -232,7 +246,7 @@ private:
       const double wave = body.density * body.speed * fastest_;
       const double slow = body.density * body.longest * fastest_ * rise_ / largest_;
       const double nominal = freely ? 0.5 * std::min(wave, slow) : 0.0;
-      found_.push_back({where, nominal / body.moduli.young, nominal, wave});
+      add({where, nominal / body.moduli.young, nominal, wave});
     }
   }
 
@@ -243,7 +257,7 @@ private:
     for (const BodyMeasure<D>& body : bodies_)
     {
       const double bent = by * body.shortest / (body.longest * body.longest); // a crack may let arms bend
-      found_.push_back({where, bent, bent * body.moduli.young, by / body.shortest * body.moduli.young});
+      add({where, bent, bent * body.moduli.young, by / body.shortest * body.moduli.young});
     }
   }
 
@@ -251,6 +265,7 @@ private:
   const std::vector<BodyMeasure<D>>& bodies_;
   double end_;
   ParameterList boundaries_;
+  std::unordered_map<std::string, const BodyMeasure<D>*> byName_;
   std::vector<std::string> supports_;
   std::vector<LoadEstimate> found_;
   double fastest_ = 0.0, rise_ = 0.0, largest_ = 0.0; ///< of the last support that was looked at
@@ -261,20 +276,23 @@ template <int D>
 void addVelocities(const ParameterList& scene, const std::vector<BodyMeasure<D>>& bodies,
                    std::vector<LoadEstimate>& found)
 {
-  if (!scene.isSublist("Bodies"))
+  if (!scene.isSublist("Bodies") || bodies.empty())
     return;
-  const ParameterList& section = scene.sublist("Bodies");
   const bool obstacles = bodies.size() > 1 || scene.isSublist("Boundaries");
-  for (const BodyMeasure<D>& body : bodies)
+  auto next = bodies.begin(); // they are in the order of the section
+  for (const auto& entry : scene.sublist("Bodies"))
   {
-    const ParameterList& list = section.sublist(body.name);
+    const auto* const list = valueIf<ParameterList>(entry.second);
+    if (list == nullptr || next == bodies.end())
+      continue;
+    const BodyMeasure<D>& body = *next++;
     const std::string where = "Bodies > " + body.name;
-    const double v = norm(readVector<D>(list, "Velocity"));
+    const double v = norm(readVector<D>(*list, "Velocity"));
     const double impact = body.density * body.speed * v;
     if (v > 0.0 && obstacles)
       found.push_back({where + " > Velocity", 0.5 * impact / body.moduli.young, 0.5 * impact, 2.0 * impact});
     double spin = 0.0;
-    for (const double w : list.get<Teuchos::Array<double>>("Angular Velocity"))
+    for (const double w : *valueIf<Teuchos::Array<double>>(*list, "Angular Velocity"))
       spin += w * w;
     if (spin > 0.0)
       found.push_back(even(where + " > Angular Velocity",
@@ -283,6 +301,18 @@ void addVelocities(const ParameterList& scene, const std::vector<BodyMeasure<D>>
 }
 
 } // namespace
+
+template <int D>
+Vector<D> forceOf(const ParameterList& list, double thickness)
+{
+  if (list.isParameter("Force"))
+    return readVector<D>(list, "Force");
+  if (list.get<std::string>("Type") != "Traction")
+    return {};
+  const Vector<D> surface = surfaceOf<D>(list, thickness);
+  return list.isParameter("Pressure") ? -list.get<double>("Pressure") * surface
+                                      : norm(surface) * readVector<D>(list, "Stress");
+}
 
 template <int D>
 std::vector<LoadEstimate> estimateLoads(const ParameterList& scene, const State<D>& state,
@@ -300,5 +330,8 @@ template std::vector<LoadEstimate> estimateLoads(const ParameterList&, const Sta
                                                  const std::vector<BodyMeasure<2>>&);
 template std::vector<LoadEstimate> estimateLoads(const ParameterList&, const State<3>&,
                                                  const std::vector<BodyMeasure<3>>&);
+
+template Vector<2> forceOf(const ParameterList&, double);
+template Vector<3> forceOf(const ParameterList&, double);
 
 } // namespace Rhegma

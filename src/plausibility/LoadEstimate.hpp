@@ -19,16 +19,16 @@ struct LoadEstimate
                         ///< impact [Pa]
 };
 
-/// One for each load, moving support and moving body, at the largest value of its history; those without
-/// effect are left out. Stresses: traction t; force F over the section V / L, in bending F / A (1 + 6 L / H)
-/// at most; gravity rho g L; spin rho w^2 L^2 / 4; impact rho c v / 2 (Kolsky, Stress Waves in Solids, 1953);
-/// supports that move apart by u: E u H / L^2.
-/// \param scene validated; only sections of the core are read \param bodies of measureBodies
+/// One for each load, moving support and moving body, at the largest value of its history and in the body
+/// that it strains most; those without effect are left out. Stresses: traction t; force F over the section V
+/// / L, in bending F / A (1 + 6 L / H) at most; gravity rho g L; spin rho w^2 L^2 / 4; impact rho c v / 2
+/// (Kolsky, Stress Waves in Solids, 1953); supports that move apart by u: E u H / L^2. \param scene
+/// validated; only sections of the core are read \param bodies of measureBodies
 template <int D>
 std::vector<LoadEstimate> estimateLoads(const Teuchos::ParameterList& scene, const State<D>& state,
                                         const std::vector<BodyMeasure<D>>& bodies);
 
-/// The one with the largest nominal strain, or null.
+/// The one with the largest nominal strain that is a finite number, or null.
 const LoadEstimate* largestStrain(const std::vector<LoadEstimate>& loads);
 
 /// Largest absolute value of a history, and of its integral [s], from 0 to the end of a run.
@@ -36,7 +36,13 @@ struct HistoryRange
 {
   double largest = 0.0;
   double integral = 0.0;
+  double twice = 0.0; ///< the integral of its integral up to the end, with its sign [s2]
 };
 HistoryRange rangeOf(const std::string& history, double end);
+
+/// Force of a Traction, Point Load or Line Load at a history of 1 [N]; zero for another type.
+/// \param list of the boundary \param thickness of a 2D scene [m]
+template <int D>
+Vector<D> forceOf(const Teuchos::ParameterList& list, double thickness);
 
 } // namespace Rhegma

@@ -1,0 +1,51 @@
+#pragma once
+/// Whether plastic flow leaves K and G their meaning (docs/plausibility.md).
+
+#include "base/Numbers.hpp"
+#include "base/ShortNumber.hpp"
+#include "plausibility/CrackExtent.hpp"
+#include "plausibility/LoadEstimate.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace Rhegma::energy_release
+{
+
+/// Warns where the nominal stress of the loads makes a body yield as a whole, or the zone that yields at a
+/// crack is no small part of it: K and G = K^2 / E' are those of a body that is elastic around a small zone.
+/// \param scene its core
+template <int D>
+void judgeYield(const Teuchos::ParameterList& scene, State<D>& state)
+{
+  constexpr double pi = 3.14159265358979;
+  const std::vector<BodyMeasure<D>> bodies = measureBodies(state);
+  const BodyMeasure<D>* soft = nullptr;
+  for (const BodyMeasure<D>& body : bodies)
+    if (body.yield > 0.0 && (soft == nullptr || body.yield < soft->yield))
+      soft = &body;
+  if (soft == nullptr)
+    return;
+  const std::vector<LoadEstimate> loads = estimateLoads(scene, state, bodies);
+  const LoadEstimate* load = largestStrain(loads);
+  if (load == nullptr)
+    return;
+  const std::string where =
+      "Materials > " + soft->material + " > Yield Stress is " + formatReal(soft->yield) + " Pa, and ";
+  const std::string advice = "; K and G (Energy Release) are those of a body that is elastic around a small "
+                             "zone: check units (1 MPa is 1e6 Pa), or use a larger body and crack";
+  const double crack = longestCrack(state), part = std::min(crack, soft->shortest);
+  const double zone = plasticZone(load->stress * std::sqrt(pi * crack), *soft, state.method.plane);
+  if (load->stress > soft->yield)
+    state.warnings.push_back(where + load->where + " stresses the body with about " +
+                             formatShort(load->stress) + " Pa, so that it yields as a whole" + advice);
+  else if (zone > smallZone * part)
+    state.warnings.push_back(where + "under the " + formatShort(load->stress) + " Pa of " + load->where +
+                             " some " + readableLength(zone) + " ahead of a crack of " +
+                             readableLength(crack) + " yield (Irwin), more than a tenth of the " +
+                             (crack < soft->shortest ? "crack" : "body's " + readableLength(soft->shortest)) +
+                             advice);
+}
+
+} // namespace Rhegma::energy_release

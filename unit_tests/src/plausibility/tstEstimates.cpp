@@ -1,0 +1,86 @@
+/// Estimates by which scenes are judged: histories, forces, plastic zones.
+
+#include "plausibility/CrackExtent.hpp"
+#include "plausibility/LoadEstimate.hpp"
+
+#include <Teuchos_Array.hpp>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace Rhegma
+{
+namespace
+{
+
+using Reals = Teuchos::Array<double>;
+
+/// On a line of 2 m whose outward normal is x.
+Teuchos::ParameterList traction2()
+{
+  Teuchos::ParameterList list;
+  list.set<std::string>("Type", "Traction");
+  list.set("From", Reals(Teuchos::tuple(1.0, 0.0)));
+  list.set("To", Reals(Teuchos::tuple(1.0, 2.0)));
+  return list;
+}
+
+TEST(RangeOf, IsThatOfAHistoryAndItsIntegrals)
+{
+  const HistoryRange constant = rangeOf("1", 2.0);
+  EXPECT_DOUBLE_EQ(constant.largest, 1.0);
+  EXPECT_NEAR(constant.integral, 2.0, 1e-12);
+  EXPECT_NEAR(constant.twice, 2.0, 1e-12); // T^2 / 2
+  const HistoryRange ramp = rangeOf("-3*t", 2.0);
+  EXPECT_DOUBLE_EQ(ramp.largest, 6.0);
+  EXPECT_NEAR(ramp.integral, 6.0, 1e-12);
+  EXPECT_NEAR(ramp.twice, -4.0, 1e-4); // -3 T^3 / 6
+  EXPECT_NEAR(rangeOf("0:1, 1:1, 1.0000001:-1", 2.0).twice, 1.0, 0.01);
+}
+
+TEST(ForceOf, IsThatOfTheLoads)
+{
+  Teuchos::ParameterList stress = traction2(), pressure = traction2(), point;
+  stress.set("Stress", Reals(Teuchos::tuple(3.0, -4.0)));
+  EXPECT_DOUBLE_EQ(forceOf<2>(stress, 0.5)[0], 3.0);
+  EXPECT_DOUBLE_EQ(forceOf<2>(stress, 0.5)[1], -4.0);
+  pressure.set("Pressure", 5.0); // on a surface whose outward normal is x
+  EXPECT_DOUBLE_EQ(forceOf<2>(pressure, 0.5)[0], -5.0);
+  EXPECT_DOUBLE_EQ(forceOf<2>(pressure, 0.5)[1], 0.0);
+  point.set<std::string>("Type", "Point Load");
+  point.set("Force", Reals(Teuchos::tuple(1.0, 2.0, 3.0)));
+  EXPECT_DOUBLE_EQ(forceOf<3>(point, 1.0)[2], 3.0);
+  Teuchos::ParameterList face;
+  face.set<std::string>("Type", "Traction");
+  face.set("Edge 1", Reals(Teuchos::tuple(2.0, 0.0, 0.0)));
+  face.set("Edge 2", Reals(Teuchos::tuple(0.0, 3.0, 0.0)));
+  face.set("Pressure", 7.0);
+  EXPECT_DOUBLE_EQ(forceOf<3>(face, 1.0)[2], -42.0);
+  Teuchos::ParameterList gravity;
+  gravity.set<std::string>("Type", "Gravity");
+  EXPECT_DOUBLE_EQ(norm(forceOf<2>(gravity, 1.0)), 0.0);
+}
+
+TEST(LargestStrain, IsAFiniteNumber)
+{
+  const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(largestStrain({}), nullptr);
+  EXPECT_EQ(largestStrain({{"one", inf, inf, inf}, {"other", nan, nan, nan}}), nullptr);
+  const std::vector<LoadEstimate> loads{
+      {"one", inf, inf, inf}, {"two", 1e-3, 1e6, 1e6}, {"three", 1e-2, 1e7, 1e7}};
+  ASSERT_NE(largestStrain(loads), nullptr);
+  EXPECT_EQ(largestStrain(loads)->where, "three");
+}
+
+/// Irwin: (K / yield stress)^2 / (2 pi) in plane stress, a third of it elsewhere.
+TEST(PlasticZone, IsThatOfIrwin)
+{
+  BodyMeasure<2> body;
+  body.yield = 4e8;
+  EXPECT_NEAR(plasticZone(5e7, body, Plane::Stress), 0.0156250 / (2.0 * 3.14159265), 1e-9);
+  EXPECT_NEAR(plasticZone(5e7, body, Plane::Strain), 0.0156250 / (6.0 * 3.14159265), 1e-9);
+  EXPECT_NEAR(plasticZone(5e7, body, Plane::Solid), 0.0156250 / (6.0 * 3.14159265), 1e-9);
+}
+
+} // namespace
+} // namespace Rhegma

@@ -1,0 +1,191 @@
+/// Scenes of wrong physics, and right ones next to them.
+
+#include "Warnings.hpp"
+
+namespace Rhegma
+{
+namespace Test
+{
+
+namespace
+{
+
+const std::string still = "nothing loads or moves the bodies", flies = "so it flies";
+
+void addGravity(Teuchos::ParameterList& scene, double acceleration, const std::string& history = "1")
+{
+  Teuchos::ParameterList& list = boundary(scene, "Weight", "Gravity");
+  list.set("Acceleration", pair(0.0, -acceleration));
+  list.set("History", history);
+}
+
+/// 0.1 s, in which 3 MPa on one side accelerate the plate by 1.92 m.
+Teuchos::RCP<Teuchos::ParameterList> pulledPlate()
+{
+  const auto scene = freePlate();
+  scene->sublist("Time").set("Final Time", 0.1);
+  pull(*scene, 3e6);
+  return scene;
+}
+
+} // namespace
+
+TEST(Rest, IsSaidWhereNothingActs)
+{
+  const auto bare = freePlate();
+  EXPECT_TRUE(say(warningsOf(bare), "Boundaries: " + still));
+  EXPECT_TRUE(say(warningsOf(freePlate()), "Time > Final Time = 1 ms"));
+  const auto held = freePlate();
+  hold(*held, "Grip", pair(-0.1, -0.1), pair(0.1, 1.1));
+  EXPECT_TRUE(say(warningsOf(held), still));
+}
+
+TEST(Rest, IsNotSaidWhereSomethingActs)
+{
+  const auto pulled = freePlate(), thrown = freePlate(), spun = freePlate(), heavy = freePlate(),
+             moved = freePlate();
+  pull(*pulled, 1e6);
+  thrown->sublist("Bodies").sublist("Plate").set("Velocity", pair(1.0, 0.0));
+  spun->sublist("Bodies").sublist("Plate").set("Angular Velocity", Reals(1, 1.0));
+  addGravity(*heavy, 9.81);
+  hold(*moved, "Grip", pair(-0.1, -0.1), pair(0.1, 1.1), pair(0.0, 1.0));
+  for (const auto& scene : {pulled, thrown, spun, heavy, moved})
+    EXPECT_FALSE(say(warningsOf(scene), still));
+}
+
+TEST(Gravity, InMillimetresIsSaid)
+{
+  const auto scene = freePlate();
+  addGravity(*scene, 9810.0);
+  EXPECT_TRUE(
+      say(warningsOf(scene), "Boundaries > Weight > Acceleration is 9810 m/s2 up to the end, 1000 times"));
+}
+
+TEST(Gravity, OfACentrifugeOrAShockIsRight)
+{
+  const auto centrifuge = freePlate(), shock = freePlate();
+  addGravity(*centrifuge, 1962.0);
+  addGravity(*shock, 1e4, "0:1, 5e-4:0");
+  EXPECT_FALSE(say(warningsOf(centrifuge), "Weight > Acceleration"));
+  EXPECT_FALSE(say(warningsOf(shock), "Weight > Acceleration"));
+}
+
+TEST(Flight, IsSaidWithItsDistance)
+{
+  const Warnings said = warningsOf(pulledPlate());
+  EXPECT_TRUE(say(said,
+                  "Boundaries > Pull: no load balances it, and nothing supports Bodies > Plate along x, y, "
+                  "so it flies 1.923 m"));
+  EXPECT_TRUE(say(said, "1.923 times its length of 1 m"));
+}
+
+TEST(Flight, OfABalancedOrHeldBodyIsNone)
+{
+  const auto balanced = pulledPlate();
+  Teuchos::ParameterList& push = boundary(*balanced, "Push", "Line Load");
+  push.set<std::string>("Body", "Plate");
+  push.set("From", pair(0.0, 0.0));
+  push.set("To", pair(0.0, 1.0));
+  push.set("Force", pair(-3e6, 0.0));
+  const auto returned = pulledPlate();
+  returned->sublist("Boundaries").sublist("Pull").set<std::string>("History", "t < 0.05 ? 1 : -1");
+  const auto held = pulledPlate();
+  hold(*held, "Grip", pair(-0.1, -0.1), pair(0.05, 1.1)).set<std::string>("Components", "x");
+  for (const auto& scene : {balanced, returned, held})
+    EXPECT_FALSE(say(warningsOf(scene), flies));
+}
+
+/// A support along y leaves x free.
+TEST(Flight, IsThatAlongFreeAxes)
+{
+  const auto scene = pulledPlate();
+  hold(*scene, "Rail", pair(-0.3, -0.1), pair(1.3, 0.05)).set<std::string>("Components", "y");
+  EXPECT_TRUE(say(warningsOf(scene), "nothing supports Bodies > Plate along x, so it flies 1.923 m"));
+}
+
+TEST(Flight, OfWhatIsThrownOrHitsSomethingIsMeant)
+{
+  const auto thrown = pulledPlate(), atWall = pulledPlate(), withRoom = pulledPlate();
+  thrown->sublist("Bodies").sublist("Plate").set("Velocity", pair(0.1, 0.0));
+  atWall->sublist("Domain").set("Upper Corner", pair(2.0, 1.4));
+  hold(*atWall, "Wall", pair(1.7, -0.4), pair(2.0, 1.4));
+  withRoom->sublist("Domain").set("Upper Corner", pair(3.4, 1.4));
+  for (const auto& scene : {thrown, atWall, withRoom})
+    EXPECT_FALSE(say(warningsOf(scene), flies));
+}
+
+/// Two bodies that touch are one.
+TEST(Flight, IsThatOfAllThatMovesTogether)
+{
+  const auto scene = pulledPlate();
+  scene->sublist("Domain").set("Lower Corner", pair(-1.4, -0.4));
+  Teuchos::ParameterList& other = scene->sublist("Bodies").sublist("Other");
+  other.setParameters(scene->sublist("Bodies").sublist("Plate"));
+  other.set("Lower Corner", pair(-1.0, 0.0));
+  other.set("Upper Corner", pair(0.0, 1.0));
+  EXPECT_FALSE(say(warningsOf(scene), flies)); // twice the mass and the length: 0.96 m of 2 m
+  scene->sublist("Boundaries").sublist("Pull").set("Stress", pair(8e6, 0.0));
+  EXPECT_TRUE(say(warningsOf(scene), "so it flies 2.564 m"));
+}
+
+TEST(Thickness, OfPlaneStressIsLessThanTheBody)
+{
+  const auto warnings = [](const std::string& plane, double thickness)
+  {
+    const auto scene = freePlate();
+    pull(*scene, 1e6);
+    scene->sublist("Domain").set("Plane", plane);
+    scene->sublist("Domain").set("Thickness", thickness);
+    return warningsOf(scene);
+  };
+  EXPECT_TRUE(say(warnings("Stress", 30.0),
+                  "Domain > Thickness is 30 m, 30 times the largest body's 1 m, and plane stress"));
+  EXPECT_FALSE(say(warnings("Stress", 0.03), "Domain > Thickness"));
+  EXPECT_FALSE(say(warnings("Strain", 30.0), "Domain > Thickness"));
+}
+
+/// A support that covers the body is no mirror; planes of symmetry and grips at sides are.
+TEST(ThinParts, AreEndlessBetweenMirrorsOnly)
+{
+  const std::string thin = "Bodies > Plate > Operations > Bore: the hole is 100 mm thin";
+  const auto covered = freePlate();
+  bore(*covered, pair(0.4, 0.2), pair(0.5, 0.8));
+  hold(*covered, "All", pair(-0.4, -0.4), pair(1.4, 1.4), pair(1.0, 0.0));
+  EXPECT_TRUE(say(warningsOf(covered), thin));
+
+  const std::string slab = "Bodies > Plate: the body is 100 mm thin";
+  const auto plate = [](const std::string& type)
+  {
+    const auto scene = steelPlate(-0.4, 1.4, 0.1, pair(0.0, 0.0), pair(1.0, 0.1));
+    if (type == "Symmetry")
+      for (const double y : {0.0, 0.1})
+      {
+        Teuchos::ParameterList& list = boundary(*scene, y == 0.0 ? "Low" : "High", type);
+        list.set<std::string>("Axis", "y");
+        list.set("Position", y);
+        list.set<std::string>("Side", y == 0.0 ? "Lower" : "Upper");
+      }
+    else if (type == "Sides")
+      for (const double y : {-0.02, 0.08})
+        hold(*scene, y < 0.0 ? "Low" : "High", pair(-0.4, y), pair(1.4, y + 0.04))
+            .set<std::string>("Components", "y");
+    else
+      hold(*scene, "All", pair(-0.4, -0.4), pair(1.4, 1.4));
+    scene->sublist("Bodies").sublist("Plate").set("Velocity", pair(1.0, 0.0));
+    return scene;
+  };
+  EXPECT_FALSE(say(warningsOf(plate("Symmetry")), slab));
+  EXPECT_FALSE(say(warningsOf(plate("Sides")), slab));
+  EXPECT_TRUE(say(warningsOf(plate("All")), slab));
+}
+
+/// A support that holds nothing moves no body to it.
+TEST(IdleSupports, AreNotReachedByTheirOwnMotion)
+{
+  const auto scene = freePlate();
+  hold(*scene, "Grip", pair(-0.4, -0.4), pair(-0.3, 1.4), pair(1e6, 0.0));
+  EXPECT_TRUE(say(warningsOf(scene), "Boundaries > Grip: it holds no node of any body"));
+}
+
+} // namespace Test
+} // namespace Rhegma
