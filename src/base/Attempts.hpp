@@ -3,6 +3,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace Rhegma
 {
@@ -30,11 +31,16 @@ public:
 
   bool succeeded() const { return messages_.empty(); }
 
-  /// Throws std::invalid_argument with all messages, a line each, if there are any.
-  void throwIfAny() const
+  /// Throws std::invalid_argument with all messages, a line each, if there are any. \param warnings follow
+  /// them, each in a line that starts with "warning: "
+  void throwIfAny(const std::vector<std::string>& warnings = {}) const
   {
-    if (!succeeded())
-      throw std::invalid_argument(messages_);
+    if (succeeded())
+      return;
+    std::string all = messages_;
+    for (const std::string& warning : warnings)
+      all += "\nwarning: " + warning;
+    throw std::invalid_argument(all);
   }
 
 private:

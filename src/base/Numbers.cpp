@@ -4,24 +4,27 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <string_view>
 
 namespace Rhegma
 {
 
-std::string trimmed(const std::string& text)
+namespace
+{
+
+std::string_view withoutBlanks(std::string_view text)
 {
   const char* white = " \t\r\n";
   const auto first = text.find_first_not_of(white);
-  if (first == std::string::npos)
-    return {};
-  return text.substr(first, text.find_last_not_of(white) - first + 1);
+  return first == std::string_view::npos ? std::string_view()
+                                         : text.substr(first, text.find_last_not_of(white) - first + 1);
 }
 
-std::optional<double> parseReal(const std::string& text)
+std::optional<double> realOf(std::string_view text)
 {
-  std::string digits = trimmed(text);
+  std::string_view digits = withoutBlanks(text);
   if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-')
-    digits.erase(0, 1);
+    digits.remove_prefix(1);
   double value = 0.0;
   const char* end = digits.data() + digits.size();
   const auto result = std::from_chars(digits.data(), end, value);
@@ -30,13 +33,19 @@ std::optional<double> parseReal(const std::string& text)
   if (result.ec == std::errc::result_out_of_range) // 1e999 or 1e-999
   {
     const auto exponent = digits.find_first_of("eE");
-    const bool tiny = exponent != std::string::npos && digits[exponent + 1] == '-';
+    const bool tiny = exponent != std::string_view::npos && digits[exponent + 1] == '-';
     return tiny ? 0.0 : std::numeric_limits<double>::infinity();
   }
   if (result.ec != std::errc())
     return {};
   return value;
 }
+
+} // namespace
+
+std::string trimmed(const std::string& text) { return std::string(withoutBlanks(text)); }
+
+std::optional<double> parseReal(const std::string& text) { return realOf(text); }
 
 std::optional<int> wholeNumber(double value)
 {
@@ -54,27 +63,27 @@ std::optional<int> parseInteger(const std::string& text)
 
 std::optional<std::vector<double>> parseReals(const std::string& text)
 {
-  std::string items = trimmed(text);
+  std::string_view items = withoutBlanks(text);
   if (!items.empty() && items.front() == '{')
   {
     if (items.back() != '}')
       return {};
-    items = trimmed(items.substr(1, items.size() - 2));
+    items = withoutBlanks(items.substr(1, items.size() - 2));
   }
   std::vector<double> values;
-  const bool commas = items.find(',') != std::string::npos;
+  const bool commas = items.find(',') != std::string_view::npos;
   const char* separators = commas ? "," : " \t\r\n";
   std::size_t begin = 0;
   while (!items.empty() && begin <= items.size())
   {
     std::size_t end = items.find_first_of(separators, begin);
-    if (end == std::string::npos)
+    if (end == std::string_view::npos)
       end = items.size();
-    const std::string item = items.substr(begin, end - begin);
+    const std::string_view item = items.substr(begin, end - begin);
     begin = end + 1;
     if (!commas && item.empty()) // several blanks in a row
       continue;
-    const auto value = parseReal(item);
+    const auto value = realOf(item);
     if (!value)
       return {};
     values.push_back(*value);

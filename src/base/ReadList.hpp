@@ -1,6 +1,7 @@
 #pragma once
 /// Values out of a validated scene.
 
+#include "base/EntryValue.hpp"
 #include "base/Types.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -16,7 +17,8 @@ namespace Rhegma
 template <int D>
 Vector<D> readVector(const Teuchos::ParameterList& list, const std::string& name)
 {
-  const auto& values = list.get<Teuchos::Array<double>>(name);
+  const auto* const found = valueIf<Teuchos::Array<double>>(list, name);
+  const auto& values = found != nullptr ? *found : list.get<Teuchos::Array<double>>(name); // which throws
   Vector<D> v;
   for (int d = 0; d < D; ++d)
     v[d] = values[d];
@@ -27,9 +29,9 @@ Vector<D> readVector(const Teuchos::ParameterList& list, const std::string& name
 inline std::vector<std::string> sublistNames(const Teuchos::ParameterList& list)
 {
   std::vector<std::string> names;
-  for (auto entry = list.begin(); entry != list.end(); ++entry)
-    if (list.isSublist(list.name(entry)))
-      names.push_back(list.name(entry));
+  for (const auto& entry : list)
+    if (entry.second.isList())
+      names.push_back(entry.first);
   return names;
 }
 

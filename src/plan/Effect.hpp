@@ -62,6 +62,9 @@ struct Effect
   Quantities provides;               ///< what it writes outside of calls
   std::vector<std::string> balance;  ///< entries of the energy balance that it contributes to, as columns
   std::function<void(State<D>&)> atStart; ///< once, when all fields exist and particles are seeded
+  /// Adds warnings of wrong physics, once, after all atStart. Where the scene has an error, some of those
+  /// have failed or did not run: it may throw, but must not read what is not there.
+  std::function<void(State<D>&)> judge;
   std::function<void(const State<D>&, nlohmann::json&)> report; ///< adds to summary.json
 
   std::function<double(const State<D>&)> timeStepLimit; ///< [s]; none if empty
@@ -70,6 +73,10 @@ struct Effect
   /// nodes (archive/Archive.hpp); empty if there are none. Loading happens after atStart and after the core
   /// has loaded its own data.
   std::function<void(State<D>&, Archive&)> memory;
+
+  /// Takes its data from an equilibrium in the same cells, in which the run starts, in addition to fields of
+  /// particles; empty if there are none.
+  std::function<void(State<D>&, const State<D>& equilibrium)> takeOver;
 
   void call(Call<D> c) { calls.push_back(std::move(c)); } ///< adds to `calls`
   /// The same, of the parts of a Call.

@@ -25,13 +25,15 @@ constexpr int mostLevels = 6;
 /// Cells of a lattice whose nodes an int numbers.
 constexpr double mostCells = 2e9;
 
-CellNeeds needsOf(const ParameterList& scene, const SceneSchema& schema, std::vector<SceneError>& errors)
+CellNeeds needsOf(ParameterList& scene, const SceneSchema& schema, std::vector<SceneError>& errors)
 {
   CellNeeds needs;
-  SceneParts parts(schema, scene);
-  for (const auto& [section, effect] : schema.effects())
-    if (effect.cells.addNeeds && scene.isSublist(section))
-      effect.cells.addNeeds(parts.of(section), needs, errors);
+  {
+    SceneParts parts(schema, scene);
+    for (const auto& [section, effect] : schema.effects())
+      if (effect.cells.addNeeds && scene.isSublist(section))
+        effect.cells.addNeeds(parts.of(section), needs, errors);
+  }
   const ParameterList& time = scene.sublist("Time");
   if (time.isType<std::string>("Update Scheme") && time.get<std::string>("Update Scheme") != "MUSL")
     needs.equal = true; // substeps need MUSL

@@ -1,5 +1,6 @@
 #include "scene/Compatibility.hpp"
 
+#include "base/EntryValue.hpp"
 #include "base/ReadList.hpp"
 #include "base/ShortNumber.hpp"
 #include "scene/NearestName.hpp"
@@ -107,21 +108,36 @@ struct Match
   std::string path, name;
 };
 
-/// The lists of a path of names, those before `at` aside. \param name that "*" stands for; empty: any
-void findLists(const ParameterList& list, const std::string& rest, const Match& here,
-               const std::function<void(const ParameterList&, const Match&)>& found)
+/// A list on the way to one that is looked for. Texts are made of those that are found only.
+struct Position
+{
+  const Position* above;
+  const std::string* list; ///< its name; null: the scene
+  const std::string* name; ///< that "*" stands for; null: any
+
+  std::string path() const { return list == nullptr ? std::string() : scenePath(above->path(), *list); }
+  Match match() const { return {path(), name == nullptr ? std::string() : *name}; }
+};
+
+/// The lists of a path of names. \param rest of the path, from `here` on
+void findLists(const ParameterList& list, const std::string& rest, const Position& here,
+               const std::function<void(const ParameterList&, const Position&)>& found)
 {
   if (rest.empty())
     return found(list, here);
   const auto end = rest.find(" > ");
   const std::string first = rest.substr(0, end);
   const std::string next = end == std::string::npos ? "" : rest.substr(end + 3);
-  for (const std::string& name : sublistNames(list))
+  const auto enter = [&](const std::string& name, const Teuchos::ParameterEntry& entry, bool any)
   {
-    const bool any = first == "*" && (here.name.empty() || here.name == name);
-    if (any || first == name)
-      findLists(list.sublist(name), next, {scenePath(here.path, name), any ? name : here.name}, found);
-  }
+    if (const auto* sublist = valueIf<ParameterList>(entry))
+      findLists(*sublist, next, {&here, &name, any ? &name : here.name}, found);
+  };
+  if (first == "*" && here.name == nullptr)
+    for (const auto& entry : list)
+      enter(entry.first, entry.second, true);
+  else if (const std::string& name = first == "*" ? *here.name : first; list.isParameter(name))
+    enter(name, list.getEntry(name), first == "*");
 }
 
 bool provided(const ParameterList& scene, const SceneSchema& schema, const std::string& capability)
@@ -152,14 +168,15 @@ struct RuleCheck
       return all;
     }
     bool any = false;
-    findLists(scene, condition.section, {"", name},
-              [&](const ParameterList& list, const Match& match)
+    findLists(scene, condition.section, {nullptr, nullptr, name.empty() ? nullptr : &name},
+              [&](const ParameterList& list, const Position& position)
               {
                 any = true;
-                if (!condition.absent && condition.holds(list))
-                  all.push_back(
-                      {condition.parameter.empty() ? match.path : scenePath(match.path, condition.parameter),
-                       match.name});
+                if (condition.absent || !condition.holds(list))
+                  return;
+                all.push_back(position.match());
+                if (!condition.parameter.empty())
+                  all.back().path = scenePath(all.back().path, condition.parameter);
               });
     if (condition.absent && !any)
       all.push_back({condition.section, name});

@@ -64,11 +64,12 @@ private:
       report("Domain > Cell Size", "is missing; write a real number [m], or write Accuracy instead.");
     if (!corners(domain, "Domain", false) || !spacing)
       return;
-    const auto lower = *reals(domain, "Lower Corner");
-    const auto upper = *reals(domain, "Upper Corner");
-    for (int d = 0; d < lower.size(); ++d)
+    m_lower = *reals(domain, "Lower Corner");
+    m_upper = *reals(domain, "Upper Corner");
+    m_spacing = *spacing;
+    for (int d = 0; d < m_lower.size(); ++d)
     {
-      const double extent = upper[d] - lower[d];
+      const double extent = m_upper[d] - m_lower[d];
       if (extent / *spacing < 1.0 - 1e-9) // tolerance for the rounding of the corners
       {
         report("Domain > Cell Size", "is " + formatReal(*spacing) + " m, more than the domain's " +
@@ -94,7 +95,10 @@ private:
 
   void bonded(const ParameterList& body, const std::string& where)
   {
-    std::istringstream names(text(body, "Bonded To"));
+    const std::string given = text(body, "Bonded To");
+    if (given.empty())
+      return;
+    std::istringstream names(given);
     for (std::string name; std::getline(names, name, ',');)
       if (const ParameterList& bodies = scene().sublist("Bodies"); !bodies.isSublist(trimmed(name)))
         report(scenePath(where, "Bonded To"), "there is no body \"" + trimmed(name) + "\"; " +
@@ -142,7 +146,7 @@ private:
     try
     {
       const auto bounds = makeShape<D>(body).bounds();
-      // Of a body from which something is cut the particles tell.
+      // A body from which something is cut is checked by its particles.
       if (m_domainKnown && !isCut(body))
         insideDomain<D>(bounds.lower, bounds.upper, where);
     }
@@ -155,10 +159,8 @@ private:
   template <int D>
   void insideDomain(const Vector<D>& lower, const Vector<D>& upper, const std::string& where)
   {
-    const auto& domain = scene().sublist("Domain");
-    const auto from = *reals(domain, "Lower Corner");
-    const auto to = *reals(domain, "Upper Corner");
-    const double slack = 1e-6 * *real(domain, "Cell Size"); // for the rounding of turned corners
+    const Reals &from = m_lower, &to = m_upper;
+    const double slack = 1e-6 * m_spacing; // for the rounding of turned corners
     for (int d = 0; d < D; ++d)
       if (lower[d] < from[d] - slack || upper[d] > to[d] + slack)
       {
@@ -192,6 +194,8 @@ private:
   }
 
   bool m_domainKnown = false;
+  Reals m_lower, m_upper; ///< corners of the domain, where it is known
+  double m_spacing = 0.0; ///< its cells'
 };
 
 } // namespace

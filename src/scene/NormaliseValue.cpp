@@ -1,5 +1,6 @@
 #include "scene/NormaliseValue.hpp"
 
+#include "base/EntryValue.hpp"
 #include "base/Numbers.hpp"
 #include "material/TemperatureTable.hpp"
 #include "scene/NearestName.hpp"
@@ -8,6 +9,7 @@
 
 #include <Teuchos_Array.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -203,6 +205,59 @@ std::optional<std::string> wrongLength(const Parameter& parameter, const Paramet
          (dimension == 0 ? "." : " (the scene is " + std::to_string(dimension) + "D).");
 }
 
+bool isInRange(const Parameter& parameter, double value)
+{
+  return std::isfinite(value) && (parameter.lowerOpen ? value > parameter.lower : value >= parameter.lower) &&
+         (parameter.upperOpen ? value < parameter.upper : value <= parameter.upper);
+}
+
+template <class Number>
+bool areInRange(const Parameter& parameter, const Teuchos::Array<Number>& values, int dimension)
+{
+  return parameter.length.holds(static_cast<int>(values.size()), dimension) &&
+         std::all_of(values.begin(), values.end(),
+                     [&](Number value) { return isInRange(parameter, static_cast<double>(value)); });
+}
+
+/// Whether an entry is as it should be: by far the most are, and they need neither copy nor validator.
+bool isRight(const ParameterEntry& entry, const Parameter& parameter, int dimension)
+{
+  if (!entry.validator().is_null()) // of an application
+    return false;
+  switch (parameter.type)
+  {
+  case ParameterType::Real:
+    if (const auto* value = valueIf<double>(entry))
+      return isInRange(parameter, *value);
+    return false;
+  case ParameterType::Integer:
+    if (const auto* value = valueIf<int>(entry))
+      return isInRange(parameter, *value);
+    return false;
+  case ParameterType::Boolean:
+    return entry.isType<bool>();
+  case ParameterType::Text:
+    if (const auto* value = valueIf<std::string>(entry))
+      return parameter.mayBeEmpty || !trimmed(*value).empty();
+    return false;
+  case ParameterType::Choice:
+    if (const auto* value = valueIf<std::string>(entry))
+      return std::find(parameter.choices.begin(), parameter.choices.end(), *value) != parameter.choices.end();
+    return false;
+  case ParameterType::RealArray:
+    if (const auto* values = valueIf<Teuchos::Array<double>>(entry))
+      return areInRange(parameter, *values, dimension);
+    return false;
+  case ParameterType::IntegerArray:
+    if (const auto* values = valueIf<Teuchos::Array<int>>(entry))
+      return areInRange(parameter, *values, dimension);
+    return false;
+  case ParameterType::TimeFunction: // is to be parsed
+    return false;
+  }
+  return false;
+}
+
 /// The message when the validator refuses a value.
 std::string refused(const Parameter& parameter, const ParameterEntry& entry, const std::string& reason)
 {
@@ -254,20 +309,22 @@ std::string typeAsText(ParameterType type)
 
 void setValue(Teuchos::ParameterList& list, const Parameter& parameter, const ParameterValue& value)
 {
-  const std::string& name = parameter.name;
-  const std::string doc = documentation(parameter);
+  list.remove(parameter.name, false); // an entry keeps its type and the validator of an application
+  addValue(list, parameter, value);
+}
+
+void addValue(Teuchos::ParameterList& list, const Parameter& parameter, const ParameterValue& value)
+{
   std::visit(
       [&](const auto& v)
       {
         using Value = std::decay_t<decltype(v)>;
-        list.remove(name,
-                    false); // removed first: an entry keeps its type and the validator of an application
         if constexpr (std::is_same_v<Value, std::vector<double>>)
-          list.set(name, Teuchos::Array<double>(v), doc);
+          addValue(list, parameter.name, Teuchos::Array<double>(v));
         else if constexpr (std::is_same_v<Value, std::vector<int>>)
-          list.set(name, Teuchos::Array<int>(v), doc);
+          addValue(list, parameter.name, Teuchos::Array<int>(v));
         else
-          list.set(name, v, doc);
+          addValue(list, parameter.name, v);
       },
       value);
 }
@@ -276,6 +333,8 @@ std::optional<std::string> normaliseValue(Teuchos::ParameterList& list, const Pa
                                           int dimension)
 {
   const ParameterEntry& entry = list.getEntry(parameter.name);
+  if (isRight(entry, parameter, dimension))
+    return {};
   if (const auto table = text(entry); parameter.mayBeTable && table && table->find(':') != std::string::npos)
     return wrongTable(parameter, *table);
   const auto value = convert(entry, parameter);

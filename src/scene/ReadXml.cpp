@@ -1,23 +1,22 @@
 #include "scene/ReadXml.hpp"
 
+#include "base/EntryValue.hpp"
 #include "base/Numbers.hpp"
 #include "scene/NearestName.hpp"
 #include "scene/XmlAttributes.hpp"
 
 #include <Teuchos_Array.hpp>
-#include <Teuchos_StringInputSource.hpp>
-#include <Teuchos_TestForException.hpp>
-#include <Teuchos_XMLObject.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <optional>
-#include <set>
-#include <sstream>
+#include <string_view>
+#include <utility>
 
 namespace Rhegma
 {
@@ -26,59 +25,68 @@ namespace
 {
 
 using Teuchos::ParameterList;
-using Teuchos::XMLObject;
 
 const std::vector<std::string> knownTypes = {"double", "int",           "bool",
                                              "string", "Array(double)", "Array(int)"};
 
 const std::string howToWrite = "write <Parameter name=\"...\" type=\"...\" value=\"...\"/>.";
 
-/// Sets a parameter to what a text says. \return whether the text is a value of the type
+/// Adds a parameter with the value that a text says. \return whether the text is a value of the type
 bool setFromText(ParameterList& list, const std::string& name, const std::string& type,
                  const std::string& text)
 {
   if (type == "string")
-    list.set(name, text);
+    addValue(list, name, text);
   else if (type == "Array(string)")
-    list.set(name, Teuchos::fromStringToArray<std::string>(text));
+    try
+    {
+      addValue(list, name, Teuchos::fromStringToArray<std::string>(text));
+    }
+    catch (const std::exception&)
+    {
+      return false;
+    }
   else if (type == "bool")
   {
     const std::string word = trimmed(text);
     const bool yes = word == "true" || word == "True" || word == "TRUE";
     if (!yes && word != "false" && word != "False" && word != "FALSE")
       return false;
-    list.set(name, yes);
+    addValue(list, name, yes);
   }
   else if (type == "int")
   {
     const auto value = parseInteger(text);
     if (!value)
       return false;
-    list.set(name, *value);
+    addValue(list, name, *value);
   }
   else if (type == "double")
   {
     const auto value = parseReal(text);
     if (!value || !std::isfinite(*value))
       return false;
-    list.set(name, *value);
+    addValue(list, name, *value);
   }
   else
   {
     const auto values = parseReals(text);
+    if (!values || !std::all_of(values->begin(), values->end(), [](double x) { return std::isfinite(x); }))
+      return false;
+    if (type == "Array(double)")
+    {
+      addValue(list, name, Teuchos::Array<double>(*values));
+      return true;
+    }
     Teuchos::Array<int> whole;
-    for (const double value : values.value_or(std::vector<double>()))
+    for (const double value : *values)
     {
       const auto integer = wholeNumber(value);
-      if (!std::isfinite(value) || (type == "Array(int)" && !integer))
+      if (!integer)
         return false;
-      whole.push_back(integer.value_or(0));
+      whole.push_back(*integer);
     }
-    if (values && type == "Array(int)")
-      list.set(name, whole);
-    else if (values)
-      list.set(name, Teuchos::Array<double>(*values));
-    return values.has_value();
+    addValue(list, name, whole);
   }
   return true;
 }
@@ -86,6 +94,8 @@ bool setFromText(ParameterList& list, const std::string& name, const std::string
 /// The message for a text that is not a value of the type.
 std::string wrongValue(const std::string& type, const std::string& text)
 {
+  if (type == "Array(string)")
+    return "\"" + text + "\" is not a list of texts; write {one, two}.";
   const bool array = type.rfind("Array", 0) == 0;
   const auto values = array ? parseReals(text) : parseReal(text) ? parseReals(text) : std::nullopt;
   bool finite = true;
@@ -105,108 +115,193 @@ std::string wrongValue(const std::string& type, const std::string& text)
                : found + "is not a number; write digits only, such as 1.5e-3, without a unit.";
 }
 
+/// Tags that are nested deeper are those of no scene, or most are never closed.
+constexpr std::size_t deepest = 100;
+
 /// Copies the valid part of the XML and reports the rest.
 class Cleaner
 {
 public:
-  explicit Cleaner(std::vector<SceneError>& errors) : m_errors(errors) {}
+  Cleaner(XmlReader& xml, std::vector<SceneError>& errors) : m_xml(xml), m_errors(errors) {}
 
-  void list(const XMLObject& xml, const std::string& path, ParameterList& clean)
+  /// Reads all that is in the top list, whose tag was read last. Throws XmlError.
+  /// \return whether the tags are nested no deeper than those of a scene
+  bool read(ParameterList& top)
   {
-    std::set<std::string> names;
-    refuseText(xml, path);
-    for (int i = 0; i < xml.numChildren(); ++i)
-      child(xml.getChild(i), path, names, clean);
+    reportAttributes("");
+    m_open.push_back({Kind::List, "", &top, false, {}});
+    while (!m_open.empty())
+      switch (m_xml.next())
+      {
+      case XmlReader::Item::Opening:
+        if (m_open.size() >= deepest)
+          return false;
+        open();
+        break;
+      case XmlReader::Item::Text:
+        refuseText();
+        break;
+      default:
+        close();
+      }
+    m_xml.next(); // throws where more follows
+    return true;
   }
 
 private:
-  void child(const XMLObject& xml, const std::string& path, std::set<std::string>& names,
-             ParameterList& clean)
+  enum class Kind
   {
-    const bool sublist = xml.getTag() == "ParameterList";
-    if (xml.getTag() == "Validators" && path.empty() && xml.numChildren() == 0)
-      return; // end of every list that Teuchos writes
-    if (!sublist && xml.getTag() != "Parameter")
-    {
-      report(path, "<" + xml.getTag() + "> is unknown here; write <ParameterList> or <Parameter>.");
-      return;
-    }
-    const std::string name = xml.hasAttribute("name") ? xml.getAttribute("name") : "";
-    if (trimmed(name).empty())
-    {
-      report(path, sublist ? "a <ParameterList> has no name; write <ParameterList name=\"...\">."
-                           : "a <Parameter> has no name; " + howToWrite);
-      return;
-    }
-    const std::string where = scenePath(path, name);
-    if (!names.insert(name).second)
-    {
-      report(where, "the name is given twice; keep one of the two.");
-      return;
-    }
-    if (sublist)
-      list(xml, where, clean.sublist(name));
-    else
-      parameter(xml, where, clean);
+    List,
+    Parameter,
+    Validators, ///< end of every list that Teuchos writes
+    Left        ///< out, with all that is in it
+  };
+
+  /// An element that is not yet closed.
+  struct Element
+  {
+    Kind kind;
+    std::string name;
+    ParameterList* list;            ///< that it is, or that it is in
+    bool refused;                   ///< for a text in it
+    std::vector<std::string> unset; ///< names of parameters that are not set, for they have an error
+  };
+
+  /// Path of the innermost open element.
+  std::string path() const
+  {
+    std::string path;
+    for (const Element& element : m_open)
+      path = element.name.empty() ? path : scenePath(path, element.name);
+    return path;
   }
 
-  void parameter(const XMLObject& xml, const std::string& where, ParameterList& clean)
+  void open()
   {
-    if (refuseText(xml, where))
-      return;
-    for (const std::string attribute : {"type", "value"})
-      if (!xml.hasAttribute(attribute))
+    const std::string* const named = m_xml.find("name");
+    const std::string name = named != nullptr ? *named : std::string();
+    reportAttributes(name);
+    Element& above = m_open.back();
+    if (above.kind == Kind::Validators)
+    {
+      report("", unknownTag("Validators"));
+      above.kind = Kind::Left;
+    }
+    const Kind kind = above.kind == Kind::List ? kindOf(name) : Kind::Left;
+    ParameterList* const list =
+        kind == Kind::List ? &addValue(*above.list, name, ParameterList(above.list->name() + "->" + name))
+                           : above.list;
+    m_open.push_back({kind, name, list, false, {}});
+    for (auto& [attribute, value] : m_parameter)
+    {
+      const std::string* const given = kind == Kind::Parameter ? m_xml.find(attribute) : nullptr;
+      value = given != nullptr ? std::optional<std::string>(*given) : std::nullopt;
+    }
+  }
+
+  /// What a tag in a list is; reports what it can't be.
+  Kind kindOf(const std::string& name)
+  {
+    const bool sublist = m_xml.tag() == "ParameterList";
+    if (m_xml.tag() == "Validators" && m_open.size() == 1)
+      return Kind::Validators;
+    if (!sublist && m_xml.tag() != "Parameter")
+      report(path(), unknownTag(m_xml.tag()));
+    else if (trimmed(name).empty())
+      report(path(), sublist ? "a <ParameterList> has no name; write <ParameterList name=\"...\">."
+                             : "a <Parameter> has no name; " + howToWrite);
+    else if (isTaken(m_open.back(), name))
+      report(scenePath(path(), name), "the name is given twice; keep one of the two.");
+    else
+      return sublist ? Kind::List : Kind::Parameter;
+    return Kind::Left;
+  }
+
+  static bool isTaken(const Element& list, const std::string& name)
+  {
+    return list.list->isParameter(name) ||
+           std::find(list.unset.begin(), list.unset.end(), name) != list.unset.end();
+  }
+
+  static std::string unknownTag(std::string_view tag)
+  {
+    return "<" + std::string(tag) + "> is unknown here; write <ParameterList> or <Parameter>.";
+  }
+
+  void close()
+  {
+    const Element& element = m_open.back();
+    const bool unset = element.kind == Kind::Parameter && (element.refused || !setParameter(element));
+    const std::string name = unset ? element.name : std::string();
+    m_open.pop_back();
+    if (unset)
+      m_open.back().unset.push_back(name);
+  }
+
+  /// \return whether type and value are right
+  bool setParameter(const Element& element)
+  {
+    for (const auto& [attribute, value] : m_parameter)
+      if (!value)
       {
-        report(where, std::string("has no ").append(attribute).append("; ").append(howToWrite));
-        return;
+        report(path(), std::string("has no ").append(attribute).append("; ").append(howToWrite));
+        return false;
       }
-    std::string type = trimmed(xml.getAttribute("type"));
+    std::string type = trimmed(*m_parameter[0].second);
     if (type == "float" || type == "Array(float)") // a wider type here than in the file
       type.replace(type.find("float"), 5, "double");
     if (type == "long long" || type == "long" || type == "unsigned int")
       type = "int";
-    if (type != "Array(string)" && std::find(knownTypes.begin(), knownTypes.end(), type) == knownTypes.end())
-    {
-      report(where, "the type \"" + type + "\" is unknown; " + suggestion(type, knownTypes));
-      return;
-    }
-    const std::string text = xml.getAttribute("value");
-    if (!setFromText(clean, xml.getAttribute("name"), type, text))
-      report(where, wrongValue(type, text));
+    const std::string& text = *m_parameter[1].second;
+    const bool known =
+        type == "Array(string)" || std::find(knownTypes.begin(), knownTypes.end(), type) != knownTypes.end();
+    if (known && setFromText(*element.list, element.name, type, text))
+      return true;
+    report(path(), known ? wrongValue(type, text)
+                         : "the type \"" + type + "\" is unknown; " + suggestion(type, knownTypes));
+    return false;
   }
 
-  /// Reports a text outside of the tags; whether there is one.
-  bool refuseText(const XMLObject& xml, const std::string& where)
+  /// Reports the first text outside of the tags that an element holds.
+  void refuseText()
   {
-    for (int i = 0; i < xml.numContentLines(); ++i)
-    {
-      const std::string line = trimmed(xml.getContentLine(i));
-      if (line.empty())
-        continue;
-      report(where, "the text \"" + line.substr(0, 40) + "\" is outside of any parameter; " + howToWrite);
-      return true;
-    }
-    return false;
+    Element& element = m_open.back();
+    if (element.refused || (element.kind != Kind::List && element.kind != Kind::Parameter))
+      return;
+    element.refused = true;
+    const std::string_view content = m_xml.content();
+    const std::string line = trimmed(std::string(content.substr(0, content.find('\n'))));
+    report(path(), "the text \"" + line.substr(0, 40) + "\" is outside of any parameter; " + howToWrite);
+  }
+
+  void reportAttributes(const std::string& name)
+  {
+    if (const std::string mistake = mistakeInAttributes(m_xml); !mistake.empty())
+      report(m_open.empty() ? "" : scenePath(path(), name),
+             "line " + std::to_string(m_xml.line()) + ": " + mistake);
   }
 
   void report(const std::string& where, const std::string& message) { m_errors.push_back({where, message}); }
 
+  XmlReader& m_xml;
   std::vector<SceneError>& m_errors;
+  std::vector<Element> m_open;
+  /// Of the open parameter.
+  std::array<std::pair<const char*, std::optional<std::string>>, 2> m_parameter{
+      {{"type", std::nullopt}, {"value", std::nullopt}}};
 };
-
-/// The message of Teuchos without the position in its source.
-std::string parserReason(const std::string& what)
-{
-  const std::string mark = "XML parse error at ";
-  const auto begin = what.rfind(mark);
-  if (begin == std::string::npos)
-    return what.find("empty XML") != std::string::npos ? "the file holds no element" : "the file is not XML";
-  std::string reason = trimmed(what.substr(begin + mark.size()));
-  return reason.substr(0, reason.find('\n'));
-}
 
 /// Larger than any scene, and small enough to read at once: a device or a pipe may be endless.
 constexpr std::size_t mostBytes = 256u << 20;
+
+/// So that a large file is not moved about while it is read; a device has no size.
+void reserveFor(const std::string& file, std::string& text)
+{
+  std::error_code none;
+  const auto size = std::filesystem::file_size(file, none);
+  if (!none && size < mostBytes)
+    text.reserve(size + 1);
+}
 
 /// \return whether the stream ended before
 bool readUpTo(std::size_t most, std::istream& in, std::string& text)
@@ -216,39 +311,6 @@ bool readUpTo(std::size_t most, std::istream& in, std::string& text)
     text.append(piece, static_cast<std::size_t>(in.gcount()));
   return text.size() <= most;
 }
-
-/// Deepest nesting of tags; the parser calls itself for each and would run out of stack.
-int deepestNesting(const std::string& text)
-{
-  int depth = 0, deepest = 0;
-  for (std::size_t at = text.find('<'); at < text.size();)
-  {
-    const std::size_t end = endOfTag(text, at);
-    const char next = at + 1 < text.size() ? text[at + 1] : ' ';
-    if (next == '/')
-      --depth;
-    else if (next != '!' && next != '?' && text[end - 1] != '/')
-      deepest = std::max(deepest, ++depth);
-    at = text.find('<', end);
-  }
-  return deepest;
-}
-
-/// Switches off the stack traces of Teuchos for errors of the user.
-class NoStackTrace
-{
-public:
-  NoStackTrace() : m_before(Teuchos::TestForException_getEnableStacktrace())
-  {
-    Teuchos::TestForException_setEnableStacktrace(false);
-  }
-  ~NoStackTrace() { Teuchos::TestForException_setEnableStacktrace(m_before); }
-  NoStackTrace(const NoStackTrace&) = delete;
-  NoStackTrace& operator=(const NoStackTrace&) = delete;
-
-private:
-  bool m_before;
-};
 
 } // namespace
 
@@ -269,7 +331,7 @@ std::string readText(const std::string& file, std::vector<SceneError>& errors)
       errors.push_back({"", name + "is empty; a scene starts with <ParameterList name=\"Rhegma\">."});
     else if (!in)
       errors.push_back({"", name + "can't be read (" + std::strerror(errno) + "); check its permissions."});
-    else if (!readUpTo(mostBytes, in, text))
+    else if (reserveFor(file, text); !readUpTo(mostBytes, in, text))
       errors.push_back(
           {"", name + "is larger than 256 MB, which no scene is; give the path of a scene's XML file."});
     else
@@ -281,42 +343,37 @@ std::string readText(const std::string& file, std::vector<SceneError>& errors)
 Teuchos::RCP<Teuchos::ParameterList> parseXml(const std::string& xml, const std::string& topName,
                                               std::vector<SceneError>& errors)
 {
-  const NoStackTrace quiet;
-  const std::string start = "a scene starts with <ParameterList name=\"" + topName + "\">.";
-  const std::string byteOrderMark = "\xEF\xBB\xBF";
-  const std::string text = xml.rfind(byteOrderMark, 0) == 0 ? xml.substr(byteOrderMark.size()) : xml;
-  if (deepestNesting(text) > 100)
+  const std::string start = "; a scene starts with <ParameterList name=\"" + topName + "\">.";
+  const auto refuse = [&](const std::string& reason)
   {
-    errors.push_back({"", "the tags are nested more than 100 deep, or most are never closed; " + start});
+    errors.push_back({"", reason + start});
     return Teuchos::null;
-  }
+  };
+  const std::string byteOrderMark = "\xEF\xBB\xBF";
+  const std::string rest =
+      xml.rfind(byteOrderMark, 0) == 0 ? xml.substr(byteOrderMark.size()) : std::string();
+  XmlReader reader(rest.empty() ? xml : rest);
   try
   {
-    const XMLObject top = Teuchos::StringInputSource(text).getObject();
-    if (top.getTag() != "ParameterList")
-    {
-      errors.push_back({"", "the file starts with <" + top.getTag() + ">; " + start});
-      return Teuchos::null;
-    }
-    const std::string name = top.hasAttribute("name") ? top.getAttribute("name") : "";
-    if (name != topName)
-    {
-      errors.push_back(
-          {"", (name.empty() ? "the top list has no name; " : "the top list is \"" + name + "\"; ") + start});
-      return Teuchos::null;
-    }
-    checkAttributes(text, errors);
+    reader.next();
+    if (reader.tag() != "ParameterList")
+      return refuse("the file starts with <" + std::string(reader.tag()) + ">");
+    const std::string* const name = reader.find("name");
+    if (name == nullptr || name->empty())
+      return refuse("the top list has no name");
+    if (*name != topName)
+      return refuse("the top list is \"" + *name + "\"");
     const auto list = Teuchos::parameterList(topName);
-    Cleaner(errors).list(top, "", *list);
+    std::vector<SceneError> found;
+    if (!Cleaner(reader, found).read(*list))
+      return refuse("the tags are nested more than " + std::to_string(deepest) +
+                    " deep, or most are never closed");
+    errors.insert(errors.end(), found.begin(), found.end());
     return list;
   }
-  catch (const std::exception& error)
+  catch (const XmlError& error)
   {
-    std::string message = "not well-formed XML: " + parserReason(error.what());
-    if (message.find("invalid character in attribute value") != std::string::npos)
-      message += " (write &lt; for < and &amp; for &)";
-    errors.push_back({"", message + "; " + start});
-    return Teuchos::null;
+    return refuse(std::string("not well-formed XML: ") + error.what());
   }
 }
 

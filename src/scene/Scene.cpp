@@ -1,5 +1,6 @@
 #include "scene/Scene.hpp"
 
+#include "base/EntryValue.hpp"
 #include "scene/Accuracy.hpp"
 #include "scene/CrossChecks.hpp"
 #include "scene/Overrides.hpp"
@@ -50,13 +51,13 @@ void validateInPlace(Teuchos::ParameterList& list, const SceneSchema& schema, st
 void resolveFiles(Teuchos::ParameterList& list, const std::filesystem::path& folder)
 {
   const std::string mark = " File";
-  for (auto entry = list.begin(); entry != list.end(); ++entry)
+  for (const auto& entry : list)
   {
-    const std::string name = list.name(entry);
-    if (list.isSublist(name))
-      resolveFiles(list.sublist(name), folder);
-    else if (list.isType<std::string>(name) && name.size() > mark.size() &&
-             name.compare(name.size() - mark.size(), mark.size(), mark) == 0)
+    const std::string& name = entry.first;
+    if (const auto* sublist = valueIf<Teuchos::ParameterList>(entry.second))
+      resolveFiles(const_cast<Teuchos::ParameterList&>(*sublist), folder);
+    else if (name.size() > mark.size() && name.compare(name.size() - mark.size(), mark.size(), mark) == 0 &&
+             entry.second.isType<std::string>())
       list.set(name, (folder / list.get<std::string>(name)).string());
   }
 }

@@ -19,17 +19,20 @@ namespace SceneValues
 
 std::optional<double> real(const ParameterList& list, const std::string& name)
 {
-  return list.isType<double>(name) ? std::optional<double>(list.get<double>(name)) : std::nullopt;
+  const auto* value = valueIf<double>(list, name);
+  return value != nullptr ? std::optional<double>(*value) : std::nullopt;
 }
 
 std::string text(const ParameterList& list, const std::string& name)
 {
-  return list.isType<std::string>(name) ? list.get<std::string>(name) : std::string();
+  const auto* value = valueIf<std::string>(list, name);
+  return value != nullptr ? *value : std::string();
 }
 
 std::optional<Reals> reals(const ParameterList& list, const std::string& name)
 {
-  return list.isType<Reals>(name) ? std::optional<Reals>(list.get<Reals>(name)) : std::nullopt;
+  const auto* values = valueIf<Reals>(list, name);
+  return values != nullptr ? std::optional<Reals>(*values) : std::nullopt;
 }
 
 std::vector<std::string> sublists(const ParameterList& list)
@@ -65,7 +68,7 @@ void SectionChecks::report(const std::string& where, const std::invalid_argument
 
 bool SectionChecks::isWhole(const std::string& where, const std::string& aside) const
 {
-  return !found_.has(where) && !found_.hasBelow(where, scenePath(where, aside));
+  return errors_.empty() || (!found_.has(where) && !found_.hasBelow(where, scenePath(where, aside)));
 }
 
 bool SectionChecks::corners(const ParameterList& list, const std::string& where, bool mayTouch)

@@ -2,6 +2,7 @@
 /// Common parts of checks of sections: values of a list that may be incomplete, and checks that several
 /// sections need.
 
+#include "base/EntryValue.hpp"
 #include "scene/ErrorIndex.hpp"
 
 #include <Teuchos_Array.hpp>
@@ -44,9 +45,9 @@ public:
   {
     if (!scene_.isSublist(section))
       return;
-    const auto& list = scene_.sublist(section);
-    for (const auto& name : SceneValues::sublists(list))
-      check(list.sublist(name), scenePath(section, name));
+    for (const auto& entry : scene_.sublist(section))
+      if (const auto* list = valueIf<Teuchos::ParameterList>(entry.second))
+        check(*list, scenePath(section, entry.first));
   }
 
   void report(const std::string& where, const std::string& message);

@@ -1,5 +1,6 @@
 #include "scene/Validation.hpp"
 
+#include "base/EntryValue.hpp"
 #include "scene/NearestName.hpp"
 #include "scene/NormaliseValue.hpp"
 
@@ -8,7 +9,29 @@
 namespace Rhegma
 {
 
+namespace
+{
+
+/// The variant that a list chooses; empty where the section has none.
+std::string chosenIn(const Section& section, const Teuchos::ParameterList& list)
+{
+  if (section.key.empty())
+    return {};
+  if (const auto* chosen = valueIf<std::string>(list, section.key))
+    return *chosen;
+  const Parameter* key = section.findParameter(section.key);
+  return key->byDefault && !list.isParameter(section.key) ? std::get<std::string>(*key->byDefault)
+                                                          : std::string();
+}
+
+} // namespace
+
 ActiveSection::ActiveSection(const Section& section, const Teuchos::ParameterList& list)
+    : ActiveSection(section, chosenIn(section, list))
+{
+}
+
+ActiveSection::ActiveSection(const Section& section, const std::string& chosen)
 {
   const auto add = [this](const Section& s)
   {
@@ -24,12 +47,6 @@ ActiveSection::ActiveSection(const Section& section, const Teuchos::ParameterLis
   add(section);
   if (section.key.empty())
     return;
-  std::string chosen;
-  if (list.isType<std::string>(section.key))
-    chosen = list.get<std::string>(section.key);
-  else if (const Parameter* key = section.findParameter(section.key);
-           key->byDefault && !list.isParameter(section.key))
-    chosen = std::get<std::string>(*key->byDefault);
   variant = section.findVariant(chosen);
   variantKnown = variant != nullptr;
   if (variant)
@@ -87,18 +104,31 @@ bool Validation::mentioned(const std::string& where) const
   return m_meant.count(where) > 0 || m_found.has(where);
 }
 
+const ActiveSection& Validation::activeOf(const Section& section, const Teuchos::ParameterList& list)
+{
+  std::pair<const Section*, std::string> key(&section, chosenIn(section, list));
+  auto found = m_active.find(key);
+  if (found == m_active.end())
+  {
+    ActiveSection active(section, key.second);
+    found = m_active.emplace(std::move(key), std::move(active)).first;
+  }
+  return found->second;
+}
+
 void Validation::check(Teuchos::ParameterList& list, const Section& section, const std::string& path)
 {
-  const ActiveSection active(section, list);
-  std::vector<std::string> names;
-  for (const auto& entry : list)
-    names.push_back(entry.first);
+  const ActiveSection& active = activeOf(section, list);
+  // An entry stays where it is in memory while others are removed and added.
+  std::vector<std::pair<std::string, Teuchos::ParameterEntry*>> all;
   int entries = 0;
-  for (const auto& name : names)
+  for (const auto& entry : list)
   {
-    entries += list.isSublist(name) && !active.findSection(name) ? 1 : 0;
-    checkEntry(list, name, section, active, path);
+    all.emplace_back(entry.first, const_cast<Teuchos::ParameterEntry*>(&entry.second));
+    entries += entry.second.isList() && !active.findSection(entry.first) ? 1 : 0;
   }
+  for (const auto& [name, entry] : all)
+    checkEntry(list, name, *entry, section, active, path);
   checkDimension(section, active, path);
   if (section.presence == Section::Presence::Required && active.entry && entries == 0)
     report(path, "is empty; write at least one " + active.entry->name + " as <ParameterList name=\"...\">.");
@@ -126,37 +156,31 @@ void Validation::checkDimension(const Section& section, const ActiveSection& act
                                            "write " + asText(others) + ".");
 }
 
-void Validation::checkEntry(Teuchos::ParameterList& list, const std::string& name, const Section& section,
+void Validation::checkEntry(Teuchos::ParameterList& list, const std::string& name,
+                            Teuchos::ParameterEntry& entry, const Section& section,
                             const ActiveSection& active, const std::string& path)
 {
-  const std::string where = scenePath(path, name);
   const Section* sub = active.findSection(name);
   const Parameter* parameter = active.findParameter(name);
-  if (list.isSublist(name))
+  if (auto* sublist = valueIf<Teuchos::ParameterList>(entry))
   {
     if (!sub && !parameter)
       sub = active.entry;
     if (sub)
     {
-      auto& sublist = list.sublist(name);
-      sublist.setName(list.name() + "->" + name);
-      check(sublist, *sub, where);
+      sublist->setName(list.name() + "->" + name);
+      check(*sublist, *sub, scenePath(path, name));
       return;
     }
     if (parameter)
-      report(where, "is a parameter, not a section; write <Parameter name=\"" + name + "\" ...>.");
-    else if (std::find(section.toCome.begin(), section.toCome.end(), name) != section.toCome.end())
-      report(where, "is not part of this program: it was switched off when the program was built; leave the "
-                    "section out.");
-    else if (active.variantKnown)
-    {
-      const auto sectionNames = active.sectionNames();
-      report(where, "there is no such section; " + suggestion(name, sectionNames));
-      m_meant.insert(scenePath(path, nearestName(name, sectionNames)));
-    }
+      report(scenePath(path, name),
+             "is a parameter, not a section; write <Parameter name=\"" + name + "\" ...>.");
+    else
+      unknownSection(name, section, active, path);
   }
   else if (sub)
-    report(where, "is a section, not a parameter; write <ParameterList name=\"" + name + "\">.");
+    report(scenePath(path, name),
+           "is a section, not a parameter; write <ParameterList name=\"" + name + "\">.");
   else if (parameter)
   {
     checkParameter(list, *parameter, path);
@@ -167,15 +191,30 @@ void Validation::checkEntry(Teuchos::ParameterList& list, const std::string& nam
   list.remove(name);
 }
 
+void Validation::unknownSection(const std::string& name, const Section& section, const ActiveSection& active,
+                                const std::string& path)
+{
+  const std::string where = scenePath(path, name);
+  if (std::find(section.toCome.begin(), section.toCome.end(), name) != section.toCome.end())
+    report(where, "is not part of this program: it was switched off when the program was built; leave the "
+                  "section out.");
+  else if (active.variantKnown)
+  {
+    const auto sectionNames = active.sectionNames();
+    report(where, "there is no such section; " + suggestion(name, sectionNames));
+    m_meant.insert(scenePath(path, nearestName(name, sectionNames)));
+  }
+}
+
 void Validation::checkParameter(Teuchos::ParameterList& list, const Parameter& parameter,
                                 const std::string& path)
 {
-  const std::string where = scenePath(path, parameter.name);
   if (!parameter.existsIn(m_dimension))
-    report(where, "only a " + std::to_string(parameter.onlyDimension) + "D scene has it, and this one is " +
-                      std::to_string(m_dimension) + "D; leave it out.");
+    report(scenePath(path, parameter.name), "only a " + std::to_string(parameter.onlyDimension) +
+                                                "D scene has it, and this one is " +
+                                                std::to_string(m_dimension) + "D; leave it out.");
   else if (const auto wrong = normaliseValue(list, parameter, m_dimension))
-    report(where, *wrong);
+    report(scenePath(path, parameter.name), *wrong);
   else
     return;
   list.remove(parameter.name);
@@ -233,18 +272,15 @@ void Validation::fillIn(Teuchos::ParameterList& list, const ActiveSection& activ
 {
   for (const auto* parameter : active.parameters)
   {
-    const std::string where = scenePath(path, parameter->name);
-    if (list.isParameter(parameter->name) || !parameter->existsIn(m_dimension))
+    if (!parameter->existsIn(m_dimension) || list.isParameter(parameter->name))
       continue;
     // Without a dimension it is unknown whether the parameter exists, and its length.
     if (m_dimension == 0 && parameter->onlyDimension != 0)
       continue;
     if (const auto* value = parameter->defaultIn(m_dimension))
-      setValue(list, *parameter, *value);
-    else if (parameter->required && !mentioned(where))
-      report(where, "is missing; write " + typeAsText(parameter->type) +
-                        (parameter->unit.empty() ? "" : " [" + parameter->unit + "]") +
-                        (parameter->choices.empty() ? "." : ": " + asText(parameter->choices) + "."));
+      addValue(list, *parameter, *value);
+    else if (parameter->required)
+      missing(*parameter, path);
   }
   for (const auto* section : active.sections)
   {
@@ -256,6 +292,15 @@ void Validation::fillIn(Teuchos::ParameterList& list, const ActiveSection& activ
     else if (section->presence == Section::Presence::Required && !mentioned(where))
       report(where, "the section is missing; write <ParameterList name=\"" + section->name + "\">.");
   }
+}
+
+void Validation::missing(const Parameter& parameter, const std::string& path)
+{
+  const std::string where = scenePath(path, parameter.name);
+  if (!mentioned(where))
+    report(where, "is missing; write " + typeAsText(parameter.type) +
+                      (parameter.unit.empty() ? "" : " [" + parameter.unit + "]") +
+                      (parameter.choices.empty() ? "." : ": " + asText(parameter.choices) + "."));
 }
 
 void Validation::checkTogether(const Teuchos::ParameterList& list, const Together& rule,

@@ -6,8 +6,10 @@
 
 #include <Teuchos_ParameterList.hpp>
 
+#include <map>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace Rhegma
@@ -25,6 +27,8 @@ struct ActiveSection
   bool variantKnown = true;         ///< false where the section has variants and the list chose none of them
 
   ActiveSection(const Section& section, const Teuchos::ParameterList& list);
+  /// \param chosen variant, or a text that is no name of one
+  ActiveSection(const Section& section, const std::string& chosen);
 
   const Parameter* findParameter(const std::string& name) const;
   const Section* findSection(const std::string& name) const;
@@ -49,23 +53,29 @@ public:
   void check(Teuchos::ParameterList& list, const Section& section, const std::string& path);
 
 private:
-  void checkEntry(Teuchos::ParameterList& list, const std::string& name, const Section& section,
-                  const ActiveSection& active, const std::string& path);
+  void checkEntry(Teuchos::ParameterList& list, const std::string& name, Teuchos::ParameterEntry& entry,
+                  const Section& section, const ActiveSection& active, const std::string& path);
+  void unknownSection(const std::string& name, const Section& section, const ActiveSection& active,
+                      const std::string& path);
   void checkParameter(Teuchos::ParameterList& list, const Parameter& parameter, const std::string& path);
   void unknownParameter(const std::string& name, const Section& section, const ActiveSection& active,
                         const std::string& path);
   void checkDimension(const Section& section, const ActiveSection& active, const std::string& path);
   void fillIn(Teuchos::ParameterList& list, const ActiveSection& active, const std::string& path);
+  void missing(const Parameter& parameter, const std::string& path);
   void checkTogether(const Teuchos::ParameterList& list, const Together& rule, const std::string& path);
 
   void report(const std::string& where, const std::string& message) { m_errors.push_back({where, message}); }
   /// Whether this path has an error already, or an unknown name was interpreted as this one.
   bool mentioned(const std::string& where) const;
+  /// Lists of one kind see their section in the same way, so that it is made once.
+  const ActiveSection& activeOf(const Section& section, const Teuchos::ParameterList& list);
 
   int m_dimension;
   std::vector<SceneError>& m_errors;
   ErrorIndex m_found;
   std::set<std::string> m_meant; ///< positions of which a misspelt name was given
+  std::map<std::pair<const Section*, std::string>, ActiveSection> m_active; ///< by section and chosen variant
 };
 
 } // namespace Rhegma

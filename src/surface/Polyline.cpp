@@ -60,6 +60,8 @@ std::array<int, 2> firstCrossing(const Points& points, double tolerance)
 
 Points clipEnds(const Points& points, const Region<2>& region, double resolution)
 {
+  if (region(points.front()) && region(points.back())) // as of most cracks
+    return points;
   const Points dense = splitSegments(points, resolution);
   std::size_t first = 0, last = dense.size();
   while (first < dense.size() && !region(dense[first]))
